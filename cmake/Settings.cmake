@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# How everything is compiled, and the libraries that are used.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+option(BERM_TESTS "build the tests" ON)
+option(BERM_VECTOR_UNITS "compile the engine once more for each vector unit (x86-64-v3, x86-64-v4)" ON)
+set(BERM_SANITIZE "" CACHE STRING "sanitizers, as for -fsanitize=")
+
+add_library(berm_flags INTERFACE)
+# -Wno-psabi: vectors wider than a register are passed by reference inside berm; no such type crosses a library's boundary by value.
+target_compile_options(berm_flags INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror -Wno-psabi)
+# Square roots need no errno and no comparison may trap: with this the compiler can vectorize them. NaN keeps its meaning.
+target_compile_options(berm_flags INTERFACE -fno-math-errno -fno-trapping-math)
+target_compile_options(berm_flags INTERFACE $<$<CONFIG:Release>:-O3>)
+target_compile_definitions(berm_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
+# Eigen's alignment follows the vector unit by default; fixed here, so that all versions of the engine share one layout.
+target_compile_definitions(berm_flags INTERFACE EIGEN_MAX_STATIC_ALIGN_BYTES=0)
+if(BERM_SANITIZE)
+  target_compile_options(berm_flags INTERFACE -fsanitize=${BERM_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(berm_flags INTERFACE -fsanitize=${BERM_SANITIZE})
+endif()
+
+find_package(OpenMP REQUIRED)
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_library(UDUNITS_LIBRARY udunits2 REQUIRED)
+add_library(udunits2 INTERFACE)
+target_link_libraries(udunits2 INTERFACE ${UDUNITS_LIBRARY})
+target_link_libraries(berm_flags INTERFACE OpenMP::OpenMP_CXX Eigen3::Eigen fmt::fmt spdlog::spdlog)

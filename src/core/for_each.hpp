@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/timer.hpp"
+
+#include <algorithm>
+#include <omp.h>
+
+namespace berm {
+
+/// Runs body(i) for i = 0 ... count-1 over all threads; each thread takes one contiguous range, the same at every call. The label is the row
+/// of the timing table. body may write only what belongs to i, so that the result does not depend on the number of threads.
+template <class Body>
+void for_each(const char* label, Index count, const Body& body)
+{
+  const Timer timer(label);
+#pragma omp parallel for schedule(static)
+  for (Index i = 0; i < count; ++i) body(i);
+}
+
+/// As for_each, and body(i, thread) also learns its thread: for lists that every thread keeps by itself. Ranges ascend with the thread, so
+/// such lists laid end to end in the order of the threads are the same for any number of threads.
+template <class Body>
+void for_each_with_thread(const char* label, Index count, const Body& body)
+{
+  const Timer timer(label);
+#pragma omp parallel
+  {
+    const int thread = omp_get_thread_num();
+#pragma omp for schedule(static)
+    for (Index i = 0; i < count; ++i) body(i, thread);
+  }
+}
+
+/// The sum of term(i) over i = 0 ... count-1, equal to the last bit for any number of threads: chunks of fixed size are summed by themselves,
+/// then one after the other. Sum needs a default value of zero and +=.
+template <class Sum, class Term>
+Sum sum_of(const char* label, Index count, const Term& term)
+{
+  const Timer timer(label);
+  constexpr Index chunk = 512, most_chunks = 64;
+  Sum total{};
+  for (Index first = 0; first < count; first += chunk * most_chunks) {
+    Sum part[most_chunks] = {};
+    const Index chunks = std::min(most_chunks, (count - first + chunk - 1) / chunk);
+#pragma omp parallel for schedule(static)
+    for (Index c = 0; c < chunks; ++c) {
+      Sum sum{};
+      const Index end = std::min(count, first + (c + 1) * chunk);
+      for (Index i = first + c * chunk; i < end; ++i) sum += term(i);
+      part[c] = sum;
+    }
+    for (Index c = 0; c < chunks; ++c) total += part[c];
+  }
+  return total;
+}
+
+/// The largest of value(i), or lowest where count = 0.
+template <class Value>
+Real largest_of(const char* label, Index count, Real lowest, const Value& value)
+{
+  const Timer timer(label);
+  Real largest = lowest;
+#pragma omp parallel for schedule(static) reduction(max : largest)
+  for (Index i = 0; i < count; ++i) largest = std::max(largest, value(i));
+  return largest;
+}
+
+}  // namespace berm

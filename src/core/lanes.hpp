@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/numbers.hpp"
+
+namespace berm {
+
+/// Particles are computed eight at a time. A Lanes holds one number of each; arithmetic, comparison and `mask ? a : b` work lane by lane,
+/// as for a Real, so that a law written for a type T serves one particle (T = Real) and eight (T = Lanes).
+constexpr int lanes = 8;
+using Lanes = Real __attribute__((vector_size(lanes * sizeof(Real))));
+using LaneMask = std::int64_t __attribute__((vector_size(lanes * sizeof(Real))));
+
+[[gnu::always_inline]] inline Lanes all_lanes(Real value)
+{
+  return value - Lanes{};
+}
+
+/// 0, 1, 2, ... 7: compared with a count it masks the lanes that hold a particle.
+constexpr Lanes lane_numbers = {0, 1, 2, 3, 4, 5, 6, 7};
+
+[[gnu::always_inline]] inline bool any(bool mask)
+{
+  return mask;
+}
+[[gnu::always_inline]] inline bool any(LaneMask mask)
+{
+  std::int64_t found = 0;
+  for (int l = 0; l < lanes; ++l) found |= mask[l];
+  return found != 0;
+}
+
+[[gnu::always_inline]] inline Real square_root(Real x)
+{
+  return std::sqrt(x);
+}
+[[gnu::always_inline]] inline Lanes square_root(Lanes x)
+{
+  Lanes root;
+  for (int l = 0; l < lanes; ++l) root[l] = std::sqrt(x[l]);
+  return root;
+}
+
+template <class T>
+[[gnu::always_inline]] inline T larger(T a, T b)
+{
+  return a > b ? a : b;
+}
+template <class T>
+[[gnu::always_inline]] inline T smaller(T a, T b)
+{
+  return a < b ? a : b;
+}
+template <class T>
+[[gnu::always_inline]] inline T magnitude(T a)
+{
+  return a < T{} ? -a : a;
+}
+
+/// The sum over the lanes, always in the same order (pairs, then pairs of pairs).
+[[gnu::always_inline]] inline Real sum(Lanes x)
+{
+  return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
+}
+[[gnu::always_inline]] inline Real smallest(Lanes x)
+{
+  Real least = x[0];
+  for (int l = 1; l < lanes; ++l) least = x[l] < least ? x[l] : least;
+  return least;
+}
+
+}  // namespace berm
