@@ -41,20 +41,20 @@ struct Mesh {
   using Corners = std::array<Index, corners>;
 
   NodeField<Vec<dim>> position;
-  CellField<Corners> nodes;       ///< positively oriented
-  CellField<Corners> neighbor;    ///< neighbor[c][k] lies across the face opposite corner k; none at the boundary
-  CellField<Index> region;        ///< of each cell, an index into region_names
+  CellField<Corners> nodes;     ///< positively oriented
+  CellField<Corners> neighbor;  ///< neighbor[c][k] lies across the face opposite corner k; none at the boundary
+  CellField<Index> region;      ///< of each cell, an index into region_names
   std::vector<std::string> region_names;
   std::vector<std::string> boundary_names;
   std::vector<std::vector<Index>> boundary_nodes;  ///< by boundary, ascending
 
   // What follows is derived by complete().
   CellField<Shape<dim>> shape;
-  CellField<Real> volume;  ///< m2 (per metre run) or m3
-  CellField<Real> height;  ///< the smallest height of the cell, m
-  NodeField<Index> first_entry;       ///< entries of node i: first_entry[i] ... first_entry[i + 1] - 1
-  std::vector<CornerEntry> entries;   ///< of all nodes, ascending for each
-  Vec<dim> lower, upper;              ///< the box around all nodes
+  CellField<Real> volume;                                       ///< m2 (per metre run) or m3
+  CellField<Real> height;                                       ///< the smallest height of the cell, m
+  NodeField<Index> first_entry;                                 ///< entries of node i: first_entry[i] ... first_entry[i + 1] - 1
+  std::vector<CornerEntry> entries;                             ///< of all nodes, ascending for each
+  Vec<dim> lower = Vec<dim>::Zero(), upper = Vec<dim>::Zero();  ///< the box around all nodes
 
   Index node_count() const { return position.size(); }
   Index cell_count() const { return nodes.size(); }
@@ -72,8 +72,8 @@ struct Mesh {
 
 /// Where a walk through the mesh ended.
 struct Location {
-  Index cell;      ///< the cell that holds x, or the last one before the boundary was crossed
-  bool inside;     ///< false: x lies outside the mesh, beyond a face of `cell`
+  Index cell;   ///< the cell that holds x, or the last one before the boundary was crossed
+  bool inside;  ///< false: x lies outside the mesh, beyond a face of `cell`
 };
 
 /// Walks from cell `start` to the cell that holds x: each step crosses the face with the most negative shape function. A point is held where no

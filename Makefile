@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The front door. Everything works on a bare Debian 12; scripts/setup installs what is missing.
+SHELL := /bin/bash
+.SHELLFLAGS := -euo pipefail -c
+.DEFAULT_GOAL := help
+.PHONY: help setup configure build probe test clean
+
+cores := $(shell env -u OMP_NUM_THREADS nproc)
+release := build/release
+
+help: ## this list
+	@sed -nE 's/^([a-z]+):.*## (.*)/make \1|\2/p' Makefile | while IFS='|' read -r what does; do printf '  %-12s %s\n' "$$what" "$$does"; done
+
+setup: ## install the packages that are missing
+	@scripts/setup
+
+configure: setup
+	@test -f $(release)/build.ninja || { echo 'configuring $(release)'; mkdir -p $(release); cmake --preset release > $(release)/configure.log; }
+
+# Says nothing where there is nothing to do.
+only_news := sed -u -e '/no work to do/d' -e '/Re-checking globbed/d' -e '/Entering directory/d'
+build: configure ## build the program, build/release/berm (some minutes the first time)
+	@ninja -C $(release) berm | $(only_news)
+
+# A case file's name is its run folder's name; expected.toml holds the numbers to expect and is no case.
+probe_cases = $(filter-out %/expected.toml,$(wildcard examples/probe_test/*.toml))
+probe: build ## run every case of examples/probe_test; results go to out/probe_test
+	@test -n '$(probe_cases)' || { echo 'make probe: examples/probe_test holds no case' >&2; exit 1; }
+	@export OMP_PROC_BIND=$${OMP_PROC_BIND:-true} OMP_NUM_THREADS=$${OMP_NUM_THREADS:-$(cores)}; \
+	$(release)/berm run $(probe_cases) -o out/probe_test --threads $$OMP_NUM_THREADS
+
+# Tests run side by side, so each takes one thread unless it asks for more.
+test: configure ## build and run all tests
+	@ninja -C $(release) | $(only_news)
+	@OMP_NUM_THREADS=$${OMP_NUM_THREADS:-1} OMP_WAIT_POLICY=passive ctest --preset release --parallel $(cores) --output-log $(release)/tests.log
+	@grep 'tests passed' $(release)/tests.log | sed 's/^/make test: /'
+
+clean: ## remove what was built; runs in out/ stay
+	@rm -rf build

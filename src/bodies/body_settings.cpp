@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bodies/body_settings.hpp"
+
+namespace berm {
+
+void describe(Describe& d, BlockSettings& block)
+{
+  d.value("center", block.center, {.meaning = "centre of the block", .unit = "m", .required = true});
+  d.value("size", block.size, {.meaning = "lengths of the block's sides", .unit = "m", .range = positive, .required = true});
+  d.value("angle", block.angle, {.meaning = "turn of the block, counter-clockwise", .unit = "rad", .range = {-pi, pi}});
+  d.value("spacing", block.spacing, {.meaning = "distance between its particles", .unit = "m", .range = positive, .required = true});
+}
+
+void describe(Describe& d, InitialVelocity& velocity)
+{
+  d.value("amplitude", velocity.amplitude, {.meaning = "velocity of the particles at the start", .unit = "m/s", .required = true});
+  d.value("wave_number", velocity.wave_number,
+          {.meaning = "makes it a standing wave: amplitude times sin(wave_number . x)", .unit = "rad/m"});
+}
+
+void describe(Describe& d, BodySettings& body)
+{
+  d.value("material", body.material, {.meaning = "name of its [material.NAME]", .required = true});
+  d.value("regions", body.regions, {.meaning = "regions of the mesh that it fills at the start"});
+  d.value("particles_per_cell", body.particles_per_cell,
+          {.meaning = "particles a cell at the start: 1, 4, 9, 16 ... in triangles, 1, 8, 27 ... in tetrahedra; 0 = 9 or 8", .range = {0, 400}});
+  d.value("region_particles_per_cell", body.region_particles_per_cell,
+          {.meaning = "particles a cell in single regions, by the region's name", .range = {1, 400}});
+  d.optional_table("block", body.block, {.meaning = "a block of particles on a lattice of its own, instead of regions"});
+  d.value("damping", body.damping, {.meaning = "local damping: part of a node's unbalanced force that opposes its velocity", .range = {0, 1}});
+  d.value("region_damping", body.region_damping, {.meaning = "local damping in single regions, by the region's name", .range = {0, 1}});
+  d.value("k0", body.k0,
+          {.meaning = "stress at the start is that of a flat bed below `surface`: horizontal over vertical stress; absent = no stress", .range = {0, 5}});
+  d.optional_table("initial_velocity", body.initial_velocity, {.meaning = "motion at the start"});
+}
+
+}  // namespace berm

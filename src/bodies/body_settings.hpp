@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/describe.hpp"
+
+namespace berm {
+
+/// A rectangular block (2D: may be turned) or box of material, filled with particles on a lattice of its own, wherever it lies in the mesh.
+struct BlockSettings {
+  std::vector<Real> center, size;  ///< m, one entry a direction
+  Real angle = 0;                  ///< rad, counter-clockwise; 2D only
+  Real spacing = 0;                ///< m, of the lattice; rounded so that whole particles fill the block
+};
+
+/// The velocity of the particles at the start: v(x) = amplitude sin(wave_number . x), or amplitude everywhere where wave_number is empty.
+struct InitialVelocity {
+  std::vector<Real> amplitude;    ///< m/s
+  std::vector<Real> wave_number;  ///< rad/m
+};
+
+/// A deformable body as the user gives it: what it is made of and which part of the mesh it fills at the start.
+struct BodySettings {
+  std::string material;
+  std::vector<std::string> regions;                  ///< of the mesh, filled cell by cell
+  int particles_per_cell = 0;                        ///< n^dim; 0 = 9 in triangles, 8 in tetrahedra
+  std::map<std::string, int> region_particles_per_cell;
+  std::optional<BlockSettings> block;                        ///< instead of regions
+  Real damping = 0;                                  ///< local damping factor
+  std::map<std::string, Real> region_damping;
+  std::optional<Real> k0;                            ///< horizontal over vertical stress at the start; absent: no stress at the start
+  std::optional<InitialVelocity> initial_velocity;
+};
+
+void describe(Describe& d, BlockSettings& block);
+void describe(Describe& d, InitialVelocity& velocity);
+void describe(Describe& d, BodySettings& body);
+
+}  // namespace berm

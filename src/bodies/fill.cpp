@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bodies/fill.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm {
+namespace {
+
+/// A particle's place, cell and volume before anything else is known of it.
+template <int dim>
+struct Seed {
+  Vec<dim> x;
+  Index cell;
+  Real volume;
+};
+
+template <int dim>
+int per_side(int particles_per_cell)
+{
+  if (particles_per_cell == 0) return dim == 2 ? 3 : 2;
+  return static_cast<int>(std::lround(std::pow(particles_per_cell, 1. / dim)));
+}
+
+template <int dim>
+std::vector<Seed<dim>> seeds_in_regions(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body)
+{
+  std::vector<int> sides(mesh.region_names.size(), 0);
+  for (const std::string& region : body.regions) {
+    const Index r = mesh.find_region(region);
+    if (r == none)
+      throw InputError(fmt::format("body.{}.regions: the mesh has no region \"{}\"; it has {}", name, region, fmt::join(mesh.region_names, ", ")));
+    const auto special = body.region_particles_per_cell.find(region);
+    sides[r] = per_side<dim>(special == body.region_particles_per_cell.end() ? body.particles_per_cell : special->second);
+  }
+  std::vector<std::vector<std::array<Real, dim + 1>>> points;
+  for (int side : sides) points.push_back(side > 0 ? points_in_simplex<dim>(side) : std::vector<std::array<Real, dim + 1>>{});
+
+  std::vector<Seed<dim>> seeds;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto& of_cell = points[mesh.region[cell]];
+    for (const auto& point : of_cell) {
+      Vec<dim> x = Vec<dim>::Zero();
+      for (int k = 0; k <= dim; ++k) x += point[k] * mesh.position[mesh.nodes[cell][k]];
+      seeds.push_back({x, cell, mesh.volume[cell] / static_cast<Real>(of_cell.size())});
+    }
+  }
+  return seeds;
+}
+
+template <int dim>
+std::vector<Seed<dim>> seeds_in_block(const Mesh<dim>& mesh, const std::string& name, const BlockSettings& block)
+{
+  Matrix<dim> axes = Matrix<dim>::Identity();
+  axes(0, 0) = axes(1, 1) = std::cos(block.angle);
+  axes(1, 0) = std::sin(block.angle);
+  axes(0, 1) = -axes(1, 0);
+  Vec<dim> center, spacing;
+  int count[3] = {1, 1, 1};
+  for (int d = 0; d < dim; ++d) {
+    center[d] = block.center[d];
+    count[d] = std::max(1, static_cast<int>(std::lround(block.size[d] / block.spacing)));
+    spacing[d] = block.size[d] / count[d];
+  }
+  std::vector<Seed<dim>> seeds;
+  Index cell = 0;
+  for (int k = 0; k < count[2]; ++k)
+    for (int j = 0; j < count[1]; ++j)
+      for (int i = 0; i < count[0]; ++i) {
+        const int place[3] = {i, j, k};
+        Vec<dim> local;
+        for (int d = 0; d < dim; ++d) local[d] = (place[d] + 0.5 - 0.5 * count[d]) * spacing[d];
+        const Vec<dim> x = center + axes * local;
+        const Location location = locate(mesh, x, cell);
+        if (!location.inside) throw InputError(fmt::format("body.{}.block: the block leaves the mesh at ({})", name, fmt::join(x.begin(), x.end(), ", ")));
+        cell = location.cell;
+        seeds.push_back({x, cell, spacing.prod()});
+      }
+  return seeds;
+}
+
+template <int dim>
+Vec<dim> first_velocity(const InitialVelocity& initial, const Vec<dim>& x)
+{
+  Vec<dim> v;
+  Real phase = 0;
+  for (int d = 0; d < dim; ++d) v[d] = initial.amplitude[d], phase += initial.wave_number.empty() ? 0 : initial.wave_number[d] * x[d];
+  return initial.wave_number.empty() ? v : Vec<dim>(v * std::sin(phase));
+}
+
+}  // namespace
+
+template <>
+std::vector<std::array<Real, 3>> points_in_simplex<2>(int n)
+{
+  std::vector<std::array<Real, 3>> points;
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i + j < n; ++i)
+      for (const Real offset : {1. / 3, 2. / 3}) {
+        const Real s = (i + offset) / n, t = (j + offset) / n;
+        if (s + t < 1) points.push_back({1 - s - t, s, t});
+      }
+  return points;
+}
+
+// The tetrahedron 1 >= x >= y >= z >= 0 is cut like the cubes of a lattice, each into six such tetrahedra: one for each order of the axes.
+template <>
+std::vector<std::array<Real, 4>> points_in_simplex<3>(int n)
+{
+  constexpr int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+  std::vector<std::array<Real, 4>> points;
+  for (int k = 0; k < n; ++k)
+    for (int j = k; j < n; ++j)
+      for (int i = j; i < n; ++i)
+        for (const auto& order : orders) {
+          Real x[3] = {Real(i), Real(j), Real(k)};
+          for (int d = 0; d < 3; ++d) x[order[d]] += 0.75 - 0.25 * d;  // the centroid
+          if (x[0] >= x[1] && x[1] >= x[2]) points.push_back({1 - x[0] / n, (x[0] - x[1]) / n, (x[1] - x[2]) / n, x[2] / n});
+        }
+  return points;
+}
+
+template <int dim>
+Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body, const StartState<dim>& start)
+{
+  const auto seeds = body.block ? seeds_in_block(mesh, name, *body.block) : seeds_in_regions(mesh, name, body);
+  if (seeds.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max() / 2))
+    throw InputError(fmt::format("body.{}: {} particles are too many; {} can be numbered", name, seeds.size(), std::numeric_limits<Index>::max() / 2));
+  Particles<dim> particles(mesh, static_cast<Index>(seeds.size()), start.state_size);
+  std::int32_t id = 0;
+  for (const Seed<dim>& seed : seeds) {
+    Particle<dim> p;
+    p.x = seed.x;
+    p.volume = seed.volume;
+    p.mass = start.density * seed.volume;
+    if (body.initial_velocity) p.v = first_velocity<dim>(*body.initial_velocity, seed.x);
+    if (body.k0) {
+      p.stress[1] = -start.density * start.vertical_gravity * std::max(Real(0), start.surface - seed.x[1]);
+      p.stress[0] = p.stress[2] = *body.k0 * p.stress[1];
+    }
+    p.id = id++;
+    particles.insert(seed.cell, p);
+  }
+  particles.sort_occupied();
+  return particles;
+}
+
+template Particles<2> fill(const Mesh<2>&, const std::string&, const BodySettings&, const StartState<2>&);
+template Particles<3> fill(const Mesh<3>&, const std::string&, const BodySettings&, const StartState<3>&);
+
+}  // namespace berm

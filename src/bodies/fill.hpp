@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "bodies/body_settings.hpp"
+#include "bodies/particles.hpp"
+
+namespace berm {
+
+/// Barycentric coordinates of n^dim points that share a simplex equally: the centroids of the n^dim equal parts that a regular subdivision makes.
+template <int dim>
+std::vector<std::array<Real, dim + 1>> points_in_simplex(int n);
+
+/// The state of the body at the start.
+template <int dim>
+struct StartState {
+  Real density;           ///< kg/m3
+  Real vertical_gravity;  ///< m/s2, positive downwards
+  Real surface;           ///< m, level of the bed's surface
+  int state_size;         ///< numbers that the law keeps for a particle
+};
+
+/// Fills the body's regions or block with particles at rest or with its first velocity, and with the stress of a flat bed where k0 is given:
+/// sigma_yy = -density g (surface - y), sigma_xx = sigma_zz = k0 sigma_yy. Throws InputError where a region is unknown or a block leaves the mesh.
+template <int dim>
+Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body, const StartState<dim>& start);
+
+}  // namespace berm

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/lanes.hpp"
+#include "mesh/mesh.hpp"
+
+#include <vector>
+
+namespace berm {
+
+/// Eight particles of one cell. Lanes beyond the cell's count hold no particle: mass, volume and stress zero, a finite position.
+template <int dim>
+struct alignas(64) Block {
+  Lanes x[dim];                     ///< position, m
+  Lanes v[dim];                     ///< velocity, m/s
+  Lanes stress[tensor_size<dim>];   ///< Pa, tension positive; components as in SymTensor
+  Lanes volume;                     ///< m2 (per metre run) or m3
+  Lanes mass;                       ///< kg/m or kg
+  Lanes deviatoric_strain;          ///< accumulated equivalent deviatoric strain
+  std::int32_t id[lanes];           ///< 0 ... count - 1, kept for life
+  Index next;                       ///< the cell's next block, or none
+};
+
+/// One particle on its own: on its way from one cell to another, or read for output.
+template <int dim>
+struct Particle {
+  static constexpr int most_state = 2;  ///< numbers of law state that a particle may carry
+
+  Vec<dim> x = Vec<dim>::Zero(), v = Vec<dim>::Zero();
+  SymTensor<dim> stress{};
+  Real volume = 0, mass = 0, deviatoric_strain = 0;
+  Real state[most_state] = {};
+  std::int32_t id = none;
+};
+
+/// The particles of one body, sorted by cell: each cell owns a chain of blocks, all full but the last. Memory is reserved once; particles that
+/// change cell allocate nothing.
+template <int dim>
+class Particles {
+public:
+  Particles() = default;
+  /// Room for `most` particles anywhere in the mesh, each with state_size numbers that belong to its law.
+  Particles(const Mesh<dim>& mesh, Index most, int state_size);
+
+  Index size() const { return size_; }
+  int state_size() const { return state_size_; }
+
+  Index count_in(Index cell) const { return count_[cell]; }
+  Index first_block(Index cell) const { return head_[cell]; }
+  Block<dim>& block(Index b) { return blocks_[b]; }
+  const Block<dim>& block(Index b) const { return blocks_[b]; }
+  /// The law's numbers of block b: state_size() Lanes.
+  Lanes* state(Index b) { return state_.data() + static_cast<std::size_t>(b) * state_size_; }
+  const Lanes* state(Index b) const { return state_.data() + static_cast<std::size_t>(b) * state_size_; }
+
+  /// Cells that hold particles, ascending. sort_occupied() brings it up to date and is true where it changed.
+  const std::vector<Index>& occupied() const { return occupied_; }
+  bool sort_occupied();
+
+  void insert(Index cell, const Particle<dim>& particle);
+  /// Takes out the particle at `place` (0 ... count - 1) of a cell; the cell's last particle takes its place.
+  Particle<dim> take(Index cell, Index place);
+  Particle<dim> read(Index block, int lane) const;
+
+  /// Visits visit(cell, block index, lane) for each particle, cell by cell in ascending order.
+  template <class Visit>
+  void visit(const Visit& visit) const
+  {
+    for (Index cell : occupied_)
+      for (Index left = count_[cell], b = head_[cell]; left > 0; b = blocks_[b].next, left -= lanes)
+        for (int l = 0; l < lanes && l < left; ++l) visit(cell, b, l);
+  }
+
+private:
+  Index free_block(const Vec<dim>& x);
+  void write(Index block, int lane, const Particle<dim>& particle);
+  Index block_at(Index cell, Index place) const;
+
+  std::vector<Block<dim>> blocks_;
+  std::vector<Lanes> state_;
+  CellField<Index> head_, count_;
+  std::vector<Index> occupied_;
+  Index free_ = none;  ///< chain of blocks that no cell uses
+  Index size_ = 0;
+  int state_size_ = 0;
+  bool changed_ = false;  ///< a cell became occupied or empty since sort_occupied()
+};
+
+}  // namespace berm

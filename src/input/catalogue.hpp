@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/describe.hpp"
+
+namespace berm {
+
+/// A key exists only where another key of the same table, the selector, has this word.
+struct Condition {
+  std::string selector, word;
+};
+
+/// One parameter, or one table of parameters, as it was declared.
+struct Listed {
+  enum class Kind {
+    value,
+    word,         ///< one of `words`
+    table,        ///< [mesh]
+    named_tables, ///< [material.NAME]
+    array         ///< [[stage]]
+  };
+
+  Kind kind = Kind::table;
+  std::string key, meaning, unit;
+  std::string type;         ///< of a value: "number", "list of texts", ...
+  std::string default_text; ///< "" where there is none
+  Range range;
+  bool required = false;
+  std::vector<std::string> words;
+  std::vector<Condition> conditions;
+  std::vector<Listed> children; ///< of tables
+};
+
+/// Visits a struct and lists all of its parameters, those of every alternative included.
+class Lister : public Describe {
+public:
+  Lister() { levels_.push_back({&root_, {}}); }
+  const Listed& root() const { return root_; }
+  void check(bool, const std::string&, const std::string&, const std::vector<std::string>&) override {}
+
+protected:
+  void leaf(const char* key, Leaf variable, const Parameter& parameter) override;
+  int choose(const char* key, const std::vector<const char*>& names, int current, const Parameter& parameter) override;
+  void enter(const char* key, const Parameter& parameter) override;
+  void leave() override { levels_.pop_back(); }
+  bool has_table(const char*, bool) override { return true; }
+  std::vector<std::string> names_in(const char* key, const std::vector<std::string>& present, const Parameter& parameter) override;
+  void enter_named(const char* key, const std::string& name) override;
+  int count_in(const char* key, int present, const Parameter& parameter) override;
+  void enter_item(const char* key, int item) override;
+  bool lists_all() const override { return true; }
+  void begin_alternative(const char* key, const char* name) override { levels_.back().conditions.push_back({key, name}); }
+  void end_alternative() override { levels_.back().conditions.pop_back(); }
+
+private:
+  struct Level {
+    Listed* table;
+    std::vector<Condition> conditions;
+  };
+
+  Listed& add(Listed::Kind kind, const char* key, const Parameter& parameter);
+
+  Listed root_;
+  std::vector<Level> levels_;
+};
+
+/// All parameters of a struct. describe(Describe&, T&) must not depend on values.
+template <class T> Listed catalogue_of()
+{
+  T all{};
+  Lister lister;
+  describe(lister, all);
+  return lister.root();
+}
+
+} // namespace berm

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/numbers.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace berm {
+
+/// One value of an input file, and where it stands.
+struct Node {
+  enum class Kind { boolean, whole, number, text, date, array, table };
+
+  Kind kind = Kind::table;
+  std::string key;         ///< in the table that it belongs to; empty in an array
+  bool truth = false;      ///< boolean
+  std::int64_t whole = 0;  ///< whole
+  Real number = 0;         ///< number
+  std::string text;        ///< text
+  std::vector<Node> items; ///< of an array in their order; of a table in the order of the file
+  int line = 0, column = 0;
+  std::string override_key; ///< the KEY of `--set KEY=VALUE` that made it; empty where the file did
+  bool implied = false;     ///< a table that an override went through and that the file does not have
+  bool used = false;        ///< somebody read it
+};
+
+/// An input file as it was written.
+struct Document {
+  std::string file;
+  Node root;
+};
+
+/// Reads a TOML file. Throws InputError "FILE:LINE: ..." where it is no TOML, "FILE: ..." where it cannot be read.
+Document parse_file(const std::filesystem::path& file);
+
+/// As parse_file, of a text; `file` is for the messages.
+Document parse_text(const std::string& file, const std::string& text);
+
+/// The single TOML value that a text is, or nothing.
+std::optional<Node> parse_value(const std::string& text);
+
+/// The entry of a table with this key, or null; null also where `table` is no table.
+const Node* member(const Node& table, const std::string& key);
+Node* member(Node& table, const std::string& key);
+
+/// The text under `name` in an item of an array of tables, by which --set and messages address it; "" where it has none.
+std::string name_of(const Node& item);
+
+/// What a node is, in words: "a number", "text in quotes".
+std::string kind_of(const Node& node);
+
+/// Throws InputError "FILE:LINE: PATH: MESSAGE", with "--set KEY" instead of FILE:LINE where an override made the node.
+[[noreturn]] void refuse(const Document& document, const Node& node, const std::string& path, const std::string& message);
+
+} // namespace berm

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "input/reader.hpp"
+
+#include "input/taker.hpp"
+#include "input/units.hpp"
+#include "input/wording.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+void use(Node& node)
+{
+  node.used = true;
+  for (Node& item : node.items) use(item);
+}
+
+/// Names become parts of paths and columns of files.
+bool is_name(const std::string& name)
+{
+  const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || (c & 0x80) != 0; };
+  return !name.empty() && std::all_of(name.begin(), name.end(), fits);
+}
+
+std::string item_path(const std::string& path, const Node& item, int k)
+{
+  const std::string name = name_of(item);
+  return name.empty() ? fmt::format("{}[{}]", path, k) : path + "." + name;
+}
+
+/// What a missing value would look like, after its meaning.
+std::string hint(const Describe::Leaf& variable, const Parameter& parameter)
+{
+  const bool number = std::holds_alternative<Real*>(variable) || std::holds_alternative<std::optional<Real>*>(variable);
+  const bool numbers = std::holds_alternative<std::vector<Real>*>(variable);
+  if (!number && !numbers) return parameter.meaning;
+  return fmt::format("{}: {}{}", parameter.meaning, numbers ? "a list of numbers, each " : "", wanted(parameter.unit));
+}
+
+/// Where a path of Describe::check leads.
+struct Found {
+  const Node* node; ///< the last node on the path that exists
+  bool whole;       ///< whether that is the end of the path
+  std::string path; ///< with names for items of arrays
+  std::string last; ///< the last key of the path
+};
+
+Found follow(const Node& root, std::string rest)
+{
+  Found at{&root, true, "", rest.substr(rest.find_last_of('.') + 1)};
+  while (!rest.empty()) {
+    if (rest[0] == '[') {
+      int k = -1;
+      std::from_chars(rest.data() + 1, rest.data() + rest.size(), k);
+      if (at.node->kind != Node::Kind::array || k < 0 || k >= static_cast<int>(at.node->items.size())) break;
+      at.node = &at.node->items[k];
+      at.path = item_path(at.path, *at.node, k);
+      rest.erase(0, std::min(rest.size(), rest.find(']') + 1));
+    } else {
+      const std::string key_and_more = rest.substr(rest[0] == '.' ? 1 : 0);
+      const Node* next = nullptr; // the longest key that fits, since a key may hold dots
+      if (at.node->kind == Node::Kind::table)
+        for (const Node& item : at.node->items)
+          if (key_and_more.starts_with(item.key) && (next == nullptr || item.key.size() > next->key.size()) &&
+              (key_and_more.size() == item.key.size() || key_and_more[item.key.size()] == '.' || key_and_more[item.key.size()] == '['))
+            next = &item;
+      if (next == nullptr) break;
+      at.node = next;
+      at.path += (at.path.empty() ? "" : ".") + next->key;
+      at.last = next->key;
+      rest = key_and_more.substr(next->key.size());
+    }
+  }
+  at.whole = rest.empty();
+  if (!at.whole) at.path += (at.path.empty() || rest[0] == '.' || rest[0] == '[' ? "" : ".") + rest;
+  return at;
+}
+
+/// The word in a value, or in its list, that is not allowed; else the last key of the path.
+std::string wrong_word(const Found& found, const std::vector<std::string>& allowed)
+{
+  if (!found.whole) return "";
+  if (found.node->kind == Node::Kind::text) return found.node->text;
+  for (const Node& item : found.node->items)
+    if (item.kind == Node::Kind::text && std::find(allowed.begin(), allowed.end(), item.text) == allowed.end()) return item.text;
+  return found.last;
+}
+
+} // namespace
+
+Reader::Reader(Document& document) : document_(document)
+{
+  document.root.used = true;
+  levels_.push_back({&document.root, &document.root, ""});
+}
+
+void Reader::check(bool fine, const std::string& path, const std::string& message, const std::vector<std::string>& allowed)
+{
+  if (fine) return;
+  const Found found = follow(document_.root, path);
+  refuse(document_, *found.node, found.path, message + suggestion(wrong_word(found, allowed), allowed));
+}
+
+Node* Reader::find(const char* key)
+{
+  return levels_.back().table == nullptr ? nullptr : member(*levels_.back().table, key);
+}
+
+std::string Reader::path_of(const std::string& key) const
+{
+  const std::string& path = levels_.back().path;
+  return path.empty() ? key : path + "." + key;
+}
+
+void Reader::refuse_missing(const char* key, const std::string& what) const
+{
+  const Level& level = levels_.back();
+  const std::string where = level.path.empty() ? "at the top of the file" : fmt::format("in [{}]", level.path);
+  refuse(document_, *level.place, path_of(key), fmt::format("is missing {}: {}", where, what));
+}
+
+void Reader::leaf(const char* key, Leaf variable, const Parameter& parameter)
+{
+  Node* node = find(key);
+  if (node == nullptr) {
+    if (parameter.required) refuse_missing(key, hint(variable, parameter));
+    return;
+  }
+  use(*node);
+  std::visit(Taker(document_, *node, path_of(key), parameter), variable);
+}
+
+int Reader::choose(const char* key, const std::vector<const char*>& names, int current, const Parameter& parameter)
+{
+  const std::vector<std::string> words(names.begin(), names.end());
+  Node* node = find(key);
+  if (node == nullptr) {
+    if (parameter.required) refuse_missing(key, fmt::format("{} (allowed: {})", parameter.meaning, listed(words)));
+    return current;
+  }
+  use(*node);
+  if (node->kind != Node::Kind::text)
+    refuse(document_, *node, path_of(key), fmt::format("must be a word in quotes, not {} (allowed: {})", kind_of(*node), listed(words)));
+  const auto found = std::find(words.begin(), words.end(), node->text);
+  if (found == words.end())
+    refuse(document_, *node, path_of(key), fmt::format("{} is none of its words{}", in_quotes(node->text), suggestion(node->text, words)));
+  return static_cast<int>(found - words.begin());
+}
+
+void Reader::step_into(Node* table, const std::string& path)
+{
+  const Node* place = table == nullptr ? levels_.back().place : table;
+  if (table != nullptr) table->used = true;
+  levels_.push_back({table, place, path});
+}
+
+void Reader::enter(const char* key, const Parameter& parameter)
+{
+  Node* node = find(key);
+  const std::string path = path_of(key);
+  if (node == nullptr && parameter.required)
+    refuse(document_, *levels_.back().place, path, fmt::format("the table [{}] is missing: {}", path, parameter.meaning));
+  if (node != nullptr && node->kind != Node::Kind::table)
+    refuse(document_, *node, path, fmt::format("must be a table, [{}], not {}", path, kind_of(*node)));
+  step_into(node, path);
+}
+
+bool Reader::has_table(const char* key, bool present)
+{
+  return present || find(key) != nullptr;
+}
+
+std::vector<std::string> Reader::names_in(const char* key, const std::vector<std::string>& present, const Parameter& parameter)
+{
+  Node* node = find(key);
+  const std::string path = path_of(key);
+  std::vector<std::string> names = present;
+  if (node != nullptr) {
+    if (node->kind != Node::Kind::table)
+      refuse(document_, *node, path, fmt::format("must be tables with names, [{}.NAME], not {}", path, kind_of(*node)));
+    node->used = true;
+    for (const Node& item : node->items) {
+      if (item.kind != Node::Kind::table)
+        refuse(document_, item, path + "." + item.key, fmt::format("must be in a table with a name, [{}.NAME]", path));
+      if (!is_name(item.key))
+        refuse(document_, item, path + "." + item.key,
+               fmt::format("{} is no name; allowed are letters, digits, _ and -, and at least one of them", in_quotes(item.key)));
+      if (std::find(names.begin(), names.end(), item.key) == names.end()) names.push_back(item.key);
+    }
+  }
+  if (names.empty() && parameter.required)
+    refuse(document_, *levels_.back().place, path, fmt::format("at least one table [{}.NAME] is needed: {}", path, parameter.meaning));
+  return names;
+}
+
+void Reader::enter_named(const char* key, const std::string& name)
+{
+  Node* tables = find(key);
+  step_into(tables == nullptr ? nullptr : member(*tables, name), path_of(key) + "." + name);
+}
+
+int Reader::count_in(const char* key, int present, const Parameter& parameter)
+{
+  Node* node = find(key);
+  const std::string path = path_of(key);
+  if (node != nullptr) {
+    const auto is_table = [](const Node& item) { return item.kind == Node::Kind::table; };
+    if (node->kind != Node::Kind::array || !std::all_of(node->items.begin(), node->items.end(), is_table))
+      refuse(document_, *node, path, fmt::format("must be tables in a row, [[{}]], not {}", path, kind_of(*node)));
+    node->used = true;
+    present = static_cast<int>(node->items.size());
+  }
+  if (present == 0 && parameter.required)
+    refuse(document_, node == nullptr ? *levels_.back().place : *node, path,
+           fmt::format("at least one [[{}]] is needed: {}", path, parameter.meaning));
+  return present;
+}
+
+void Reader::enter_item(const char* key, int item)
+{
+  Node* array = find(key);
+  if (array == nullptr) return step_into(nullptr, fmt::format("{}[{}]", path_of(key), item));
+  step_into(&array->items[item], item_path(path_of(key), array->items[item], item));
+}
+
+} // namespace berm

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "input/unknown_keys.hpp"
+
+namespace berm {
+
+/// Fills a struct from a document, marks what it reads as used, and throws InputError (see refuse) at the first value that cannot be.
+class Reader : public Describe {
+public:
+  explicit Reader(Document& document);
+  void check(bool fine, const std::string& path, const std::string& message, const std::vector<std::string>& allowed = {}) override;
+
+protected:
+  void leaf(const char* key, Leaf variable, const Parameter& parameter) override;
+  int choose(const char* key, const std::vector<const char*>& names, int current, const Parameter& parameter) override;
+  void enter(const char* key, const Parameter& parameter) override;
+  void leave() override { levels_.pop_back(); }
+  bool has_table(const char* key, bool present) override;
+  std::vector<std::string> names_in(const char* key, const std::vector<std::string>& present, const Parameter& parameter) override;
+  void enter_named(const char* key, const std::string& name) override;
+  int count_in(const char* key, int present, const Parameter& parameter) override;
+  void enter_item(const char* key, int item) override;
+
+private:
+  /// The table that is being read. Where it is absent, `table` is null and `place` its nearest parent that exists.
+  struct Level {
+    Node* table;
+    const Node* place;
+    std::string path;
+  };
+
+  Node* find(const char* key);
+  std::string path_of(const std::string& key) const;
+  void step_into(Node* table, const std::string& path);
+  [[noreturn]] void refuse_missing(const char* key, const std::string& what) const;
+
+  Document& document_;
+  std::vector<Level> levels_;
+};
+
+/// Reads a document into a struct and refuses every key that the struct does not have.
+template <class T> void read(Document& document, T& value)
+{
+  refuse_unknown_keys(document, catalogue_of<T>());
+  Reader reader(document);
+  describe(reader, value);
+  refuse_unused_keys(document);
+}
+
+} // namespace berm

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "input/units.hpp"
+
+#include "core/error.hpp"
+#include "input/wording.hpp"
+
+#include <cctype>
+#include <charconv>
+#include <cstring>
+#include <fmt/format.h>
+#include <memory>
+#include <udunits2.h>
+
+namespace berm {
+namespace {
+
+struct Dimension {
+  const char *si_unit, *what, *example, *other_example;
+};
+constexpr Dimension dimensions[] = {
+    {"", "a bare number", "0.3", "30 %"},
+    {"m", "a length", "20 mm", "0.8 m"},
+    {"s", "a time", "0.5 s", "20 ms"},
+    {"kg", "a mass", "100 kg", "1.5 t"},
+    {"rad", "an angle", "35 deg", "0.6 rad"},
+    {"m/s", "a velocity", "0.1 m/s", "20 mm/s"},
+    {"m/s^2", "an acceleration", "-9.81 m/s^2", "-50 gravity"},
+    {"rad/m", "a wave number", "3.14 rad/m", "180 deg/m"},
+    {"rad/s", "an angular velocity", "0.1 rad/s", "5 deg/s"},
+    {"1/s", "a rate", "0.1 1/s", "5 Hz"},
+    {"kg/m", "a mass per length", "100 kg/m", "0.1 t/m"},
+    {"kg/m^3", "a density", "1800 kg/m^3", "1.8 g/cm^3"},
+    {"Pa", "a pressure or stress", "7 MPa", "20 kPa"},
+    {"Pa/m", "a stress per length", "2 kPa/m", "2000 Pa/m"},
+    {"N", "a force", "500 N", "2 kN"},
+    {"N/m", "a force per length", "500 N/m", "2 kN/m"},
+    {"N/m^3", "a weight per volume", "18 kN/m^3", "8000 N/m^3"},
+    {"J", "an energy", "5 J", "2 kJ"},
+    {"J/m", "an energy per length", "5 J/m", "2 kJ/m"},
+};
+
+struct Free {
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+  void operator()(cv_converter* converter) const { cv_free(converter); }
+};
+using Unit = std::unique_ptr<ut_unit, Free>;
+
+const ut_system* unit_system()
+{
+  static const ut_system* const system = [] {
+    ut_set_error_message_handler(ut_ignore);
+    const ut_system* read = ut_read_xml(nullptr);
+    if (read == nullptr) throw RunError("the table of units of UDUNITS-2 cannot be read; is the package libudunits2-data installed?");
+    return read;
+  }();
+  return system;
+}
+
+Unit parse_unit(const std::string& text)
+{
+  bool ascii = true;
+  for (const char c : text) ascii = ascii && static_cast<unsigned char>(c) < 0x80;
+  return Unit(ut_parse(const_cast<ut_system*>(unit_system()), text.c_str(), ascii ? UT_ASCII : UT_UTF8));
+}
+
+bool is_radian(const ut_unit* basic)
+{
+  const char* symbol = ut_get_symbol(basic, UT_ASCII);
+  return symbol != nullptr && std::strcmp(symbol, "rad") == 0;
+}
+
+/// The power to which a unit holds the radian, which UDUNITS-2 takes for a bare number.
+int power_of_radian(const ut_unit* unit)
+{
+  ut_visitor visitor{};
+  visitor.visit_basic = [](const ut_unit* basic, void* power) {
+    *static_cast<int*>(power) += is_radian(basic) ? 1 : 0;
+    return UT_SUCCESS;
+  };
+  visitor.visit_product = [](const ut_unit*, int count, const ut_unit* const* basic, const int* powers, void* power) {
+    for (int k = 0; k < count; ++k) *static_cast<int*>(power) += is_radian(basic[k]) ? powers[k] : 0;
+    return UT_SUCCESS;
+  };
+  visitor.visit_galilean = [](const ut_unit*, double, const ut_unit* underlying, double, void* power) {
+    *static_cast<int*>(power) += power_of_radian(underlying);
+    return UT_SUCCESS;
+  };
+  visitor.visit_timestamp = [](const ut_unit*, const ut_unit*, double, void*) { return UT_SUCCESS; };
+  visitor.visit_logarithmic = [](const ut_unit*, double, const ut_unit*, void*) { return UT_SUCCESS; };
+  int power = 0;
+  ut_accept_visitor(unit, &visitor, &power);
+  return power;
+}
+
+/// UDUNITS-2 multiplies: it would read "3 20 mm" as 60 mm. Here the only numbers in a unit are exponents, and the 1 of "1/s".
+bool spelled_as_unit(const std::string& text)
+{
+  const auto digit = [&](std::size_t k) { return std::isdigit(static_cast<unsigned char>(text[k])) != 0; };
+  const auto carries_exponent = [&](std::size_t k) { return std::isalpha(static_cast<unsigned char>(text[k])) != 0 || text[k] == '^'; };
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const char c = text[k];
+    const bool high = static_cast<unsigned char>(c) >= 0x80;
+    if (!high && std::isalnum(static_cast<unsigned char>(c)) == 0 && std::strchr("_%^*/.-+() ", c) == nullptr) return false;
+    if (!digit(k) || (k > 0 && digit(k - 1)) || (k == 0 && c == '1' && text.size() > 1 && text[1] == '/')) continue;
+    const std::size_t before = k > 0 && (text[k - 1] == '-' || text[k - 1] == '+') ? k - 1 : k;
+    if (before == 0 || !(carries_exponent(before - 1) || (before > 1 && text[before - 1] == '*' && text[before - 2] == '*'))) return false;
+  }
+  return true;
+}
+
+std::string trimmed(const std::string& text)
+{
+  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+} // namespace
+
+std::string wanted(const std::string& si_unit)
+{
+  for (const Dimension& d : dimensions)
+    if (si_unit == d.si_unit) return fmt::format("{}, such as \"{}\" or \"{}\"", d.what, d.example, d.other_example);
+  return fmt::format("a quantity in {0}, such as \"1 {0}\" or \"2.5 {0}\"", si_unit);
+}
+
+Real to_si(const std::string& text, const std::string& si_unit)
+{
+  const auto refuse = [&](const std::string& why) {
+    throw UnitError(fmt::format("{} {}; wanted is {}", in_quotes(text), why, wanted(si_unit)));
+  };
+  const std::string whole = trimmed(text);
+  const char *first = whole.data() + (whole.starts_with("+") ? 1 : 0), *last = whole.data() + whole.size();
+  Real number = 0;
+  const auto [end, problem] = std::from_chars(first, last, number);
+  if (problem == std::errc::invalid_argument || (first != whole.data() && whole[1] == '-')) refuse("does not begin with a number");
+  if (problem != std::errc{} || !std::isfinite(number)) refuse("is not a number that can be computed with");
+
+  const std::string name = trimmed(std::string(end, last));
+  if (name.empty()) return number;
+  if (name.starts_with(",")) refuse("has a decimal comma where a point should be");
+  const Unit unit = spelled_as_unit(name) ? parse_unit(name) : Unit();
+  if (!unit) refuse(fmt::format("has the unknown unit {}", in_quotes(name)));
+  const Unit si = parse_unit(si_unit);
+  if (!si) throw std::logic_error("the unit of a parameter is not one of UDUNITS-2: " + si_unit);
+  const bool bare = si_unit.empty() || si_unit == "rad";
+  if (!ut_are_convertible(unit.get(), si.get()) || (bare && power_of_radian(unit.get()) != power_of_radian(si.get())))
+    refuse("has the wrong dimension");
+  const std::unique_ptr<cv_converter, Free> converter(ut_get_converter(unit.get(), si.get()));
+  if (!converter || cv_convert_double(converter.get(), 0) != 0) refuse("is on a scale that does not begin at zero");
+  const Real value = cv_convert_double(converter.get(), number);
+  if (!std::isfinite(value)) refuse("is not a number that can be computed with");
+  return value;
+}
+
+} // namespace berm

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "input/catalogue.hpp"
+#include "input/document.hpp"
+
+namespace berm {
+
+/// Throws InputError for the first key that no parameter of the catalogue has in that place, with the nearest that it could be; for a key of
+/// an alternative that is not chosen; and for an override through a name that the file does not have.
+void refuse_unknown_keys(const Document& document, const Listed& catalogue);
+
+/// Throws InputError for the first key that nobody read.
+void refuse_unused_keys(const Document& document);
+
+} // namespace berm

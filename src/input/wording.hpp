@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/describe.hpp"
+
+namespace berm {
+
+/// The fewest insertions, deletions, replacements and swaps of neighbours that turn one word into the other (optimal string alignment).
+int edit_distance(const std::string& a, const std::string& b);
+
+/// The word of a list that was probably meant, or "" where none is near: at most one edit and one more for every four letters, or else the
+/// only word that begins with what was written.
+std::string nearest(const std::string& word, const std::vector<std::string>& words);
+
+/// `; did you mean "x"? (allowed: x, y, ...)`, with as much of it as there is.
+std::string suggestion(const std::string& word, const std::vector<std::string>& allowed);
+
+/// At most twelve words, separated by commas.
+std::string listed(const std::vector<std::string>& words);
+
+/// A text in quotes, on one line, shortened after 60 characters.
+std::string in_quotes(const std::string& text);
+
+/// A text in which every control character has become a space: one line.
+std::string one_line(std::string text);
+
+/// A quantity in its SI unit, angles in degrees: "0.02 m", "35 deg".
+std::string quantity(Real value, const std::string& si_unit);
+
+/// What a range allows, angles in degrees with radians beside them: "more than 0 m", "from 0 to 89.9 deg (0 to 1.569 rad)"; "" where all is.
+std::string range_text(const Range& range, const std::string& si_unit);
+
+bool within(Real value, const Range& range);
+
+} // namespace berm

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "input/write_case.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+std::string toml_text(const std::string& text)
+{
+  std::string escaped = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' || c == '\\')
+      escaped += std::string("\\") + c;
+    else if (byte < 0x20 || byte == 0x7F)
+      escaped += fmt::format("\\u{:04X}", byte);
+    else
+      escaped += c;
+  }
+  return escaped + "\"";
+}
+
+std::string toml_key(const std::string& key)
+{
+  const auto bare = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-'; };
+  return !key.empty() && std::all_of(key.begin(), key.end(), bare) ? key : toml_text(key);
+}
+
+/// The shortest decimal number that reads back as the same double.
+std::string toml_number(Real value)
+{
+  return value == 0 && std::signbit(value) ? "-0.0" : fmt::format("{}", value);
+}
+
+template <class Items, class ToText> std::string enclosed(const char* begin, const Items& items, const char* end, const ToText& to_text)
+{
+  std::string text = begin;
+  for (const auto& item : items) text += (text.size() == 1 ? "" : ", ") + to_text(item);
+  return text + end;
+}
+
+/// The TOML of a value; "" for one that is left out.
+struct ToToml {
+  std::string operator()(const Real* v) const { return std::isfinite(*v) ? toml_number(*v) : ""; }
+  std::string operator()(const std::optional<Real>* v) const { return *v ? toml_number(**v) : ""; }
+  std::string operator()(const int* v) const { return std::to_string(*v); }
+  std::string operator()(const bool* v) const { return *v ? "true" : "false"; }
+  std::string operator()(const std::string* v) const { return v->empty() ? "" : toml_text(*v); }
+  std::string operator()(const std::vector<std::string>* v) const { return v->empty() ? "" : enclosed("[", *v, "]", toml_text); }
+  std::string operator()(const std::vector<Real>* v) const { return v->empty() ? "" : enclosed("[", *v, "]", toml_number); }
+  std::string operator()(const std::map<std::string, Real>* v) const
+  {
+    return v->empty() ? "" : enclosed("{", *v, "}", [](const auto& e) { return toml_key(e.first) + " = " + toml_number(e.second); });
+  }
+  std::string operator()(const std::map<std::string, int>* v) const
+  {
+    return v->empty() ? "" : enclosed("{", *v, "}", [](const auto& e) { return toml_key(e.first) + " = " + std::to_string(e.second); });
+  }
+};
+
+} // namespace
+
+void Writer::leaf(const char* key, Leaf variable, const Parameter& parameter)
+{
+  const std::string value = std::visit(ToToml{}, variable);
+  const std::string unit = *parameter.unit == '\0' ? "" : fmt::format("[{}] ", parameter.unit);
+  open_.back()->lines.push_back(
+      {value.empty() ? fmt::format("# {} is not set", key) : fmt::format("{} = {}", key, value), unit + parameter.meaning});
+}
+
+int Writer::choose(const char* key, const std::vector<const char*>& names, int current, const Parameter& parameter)
+{
+  open_.back()->lines.push_back({fmt::format("{} = {}", key, toml_text(names.at(current))), parameter.meaning});
+  return current;
+}
+
+Writer::Table& Writer::open(const std::string& key)
+{
+  Table& outer = *open_.back();
+  Table& table = outer.tables.emplace_back();
+  table.path = (outer.path.empty() ? "" : outer.path + ".") + key;
+  open_.push_back(&table);
+  return table;
+}
+
+void Writer::enter(const char* key, const Parameter&)
+{
+  open(toml_key(key));
+}
+
+void Writer::enter_named(const char* key, const std::string& name)
+{
+  open(toml_key(key) + "." + toml_key(name));
+}
+
+void Writer::enter_item(const char* key, int)
+{
+  open(toml_key(key)).item = true;
+}
+
+void Writer::write(const Table& table, std::string& text)
+{
+  if (!table.path.empty()) text += table.item ? fmt::format("\n[[{}]]\n", table.path) : fmt::format("\n[{}]\n", table.path);
+  std::size_t width = 0;
+  constexpr std::size_t widest = 60;
+  for (const Line& line : table.lines) width = std::max(width, std::min(line.setting.size(), widest));
+  for (const Line& line : table.lines) text += fmt::format("{:<{}}  # {}\n", line.setting, width, line.comment);
+  for (const Table& inner : table.tables) write(inner, text);
+}
+
+std::string Writer::text() const
+{
+  std::string text;
+  write(root_, text);
+  return text;
+}
+
+std::string resolved_toml(const Case& settings)
+{
+  Case copy = settings;
+  Writer writer;
+  describe(writer, copy);
+  return "# The whole case: every default filled in, numbers in SI units, angles in radians.\n" + writer.text();
+}
+
+} // namespace berm

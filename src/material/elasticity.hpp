@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/lanes.hpp"
+#include "core/tensor.hpp"
+
+namespace berm {
+
+/// The moduli of an isotropic linear elastic solid, Pa.
+struct Elasticity {
+  Real bulk = 0, shear = 0;
+  Real lame = 0; ///< K - 2G/3
+};
+
+/// K = E / (3 (1 - 2 nu)), G = E / (2 (1 + nu)); E in Pa, nu in [0, 0.5).
+inline Elasticity elasticity(Real young_modulus, Real poisson_ratio)
+{
+  const Real bulk = young_modulus / (3 * (1 - 2 * poisson_ratio)), shear = young_modulus / (2 * (1 + poisson_ratio));
+  return {bulk, shear, bulk - 2. / 3 * shear};
+}
+
+/// The modulus of uniaxial strain M = K + 4G/3 = E (1 - nu) / ((1 + nu) (1 - 2 nu)), Pa; sqrt(M / density) is the speed of pressure waves.
+inline Real p_wave_modulus(const Elasticity& elastic)
+{
+  return elastic.lame + 2 * elastic.shear;
+}
+
+/// Hooke's law: stress += lame tr(strain) I + 2G strain. Stress in Pa, tension positive.
+template <int dim, class T>
+[[gnu::always_inline]] inline void add_elastic_stress(const Elasticity& elastic, SymTensor<dim, T>& stress, const SymTensor<dim, T>& strain)
+{
+  const T pressure = elastic.lame * trace(strain);
+  const Real two_shear = 2 * elastic.shear;
+  for (int k = 0; k < 3; ++k) stress[k] += pressure + two_shear * strain[k];
+  for (int k = 3; k < tensor_size<dim>; ++k) stress[k] += two_shear * strain[k];
+}
+
+} // namespace berm

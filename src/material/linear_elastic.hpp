@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/describe.hpp"
+#include "material/elasticity.hpp"
+
+namespace berm {
+
+/// Isotropic linear elasticity, as the user gives it.
+struct LinearElastic {
+  static constexpr int state_size = 0;
+
+  Real density = 0;       ///< kg/m3
+  Real young_modulus = 0; ///< Pa
+  Real poisson_ratio = 0;
+};
+
+void describe(Describe& d, LinearElastic& law);
+
+/// The law with its constants worked out, for the inner loop.
+struct PreparedLinearElastic {
+  static constexpr int state_size = 0;
+
+  Elasticity elastic;
+};
+
+inline Elasticity elasticity(const LinearElastic& law)
+{
+  return elasticity(law.young_modulus, law.poisson_ratio);
+}
+
+inline PreparedLinearElastic prepare(const LinearElastic& law)
+{
+  return {elasticity(law)};
+}
+
+/// Adds to `stress` (Pa, tension positive) what the strain increment makes of it. There is no state; the last argument is not read.
+template <int dim, class T>
+[[gnu::always_inline]] inline void update_stress(const PreparedLinearElastic& law, SymTensor<dim, T>& stress,
+                                                 const SymTensor<dim, T>& strain_increment, T* /*state*/)
+{
+  add_elastic_stress(law.elastic, stress, strain_increment);
+}
+
+} // namespace berm

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "material/material.hpp"
+
+namespace berm {
+
+void describe(Describe& d, Material& material)
+{
+  d.one_of("law", material, {"linear_elastic", "mohr_coulomb"}, {.meaning = "how stress follows strain", .required = true});
+}
+
+void check(Describe& d, const std::string& path, const Material& material)
+{
+  if (const auto* law = std::get_if<MohrCoulomb>(&material))
+    d.check(law->dilation_angle <= law->friction_angle, path + ".dilation_angle",
+            "the dilation angle cannot be larger than the friction angle");
+}
+
+Real density(const Material& material)
+{
+  return std::visit([](const auto& law) { return law.density; }, material);
+}
+
+Elasticity elasticity(const Material& material)
+{
+  return std::visit([](const auto& law) { return elasticity(law); }, material);
+}
+
+Real p_wave_modulus(const Material& material)
+{
+  return p_wave_modulus(elasticity(material));
+}
+
+int state_size(const Material& material)
+{
+  return std::visit([](const auto& law) { return law.state_size; }, material);
+}
+
+} // namespace berm

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "material/linear_elastic.hpp"
+#include "material/mohr_coulomb.hpp"
+
+#include <string>
+#include <variant>
+
+namespace berm {
+
+/// The closed list of laws. Each law L has prepare(L), and update_stress(prepared, stress, strain_increment, state) for T = Real and T = Lanes;
+/// choose once per body with std::visit, outside the loop over particles.
+using Material = std::variant<LinearElastic, MohrCoulomb>;
+
+void describe(Describe& d, Material& material);
+
+/// What no range of a single key can say, for the table at `path` ("material.sand"): the dilation angle is not larger than the friction angle.
+void check(Describe& d, const std::string& path, const Material& material);
+
+/// kg/m3.
+Real density(const Material& material);
+
+/// Of the law's elastic part.
+Elasticity elasticity(const Material& material);
+
+/// The modulus that gives the speed of pressure waves sqrt(M / density), Pa.
+Real p_wave_modulus(const Material& material);
+
+/// How many numbers of its own a particle of this material keeps.
+int state_size(const Material& material);
+
+} // namespace berm

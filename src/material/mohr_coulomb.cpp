@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "material/mohr_coulomb.hpp"
+
+#include "material/principal_axes.hpp"
+
+#include <algorithm>
+
+namespace berm {
+
+void describe(Describe& d, MohrCoulomb& law)
+{
+  // 60 degrees, and a little for rounding.
+  constexpr Real steepest = 1.0472;
+  d.value("density", law.density, {.meaning = "mass of a unit of volume", .unit = "kg/m^3", .range = positive, .required = true});
+  d.value("young_modulus", law.young_modulus, {.meaning = "Young's modulus", .unit = "Pa", .range = positive, .required = true});
+  d.value("poisson_ratio", law.poisson_ratio, {.meaning = "Poisson's ratio", .range = {0, 0.495}, .required = true});
+  d.value("cohesion", law.cohesion,
+          {.meaning = "cohesion; the undrained strength where friction_angle is 0", .unit = "Pa", .range = not_negative});
+  d.value("friction_angle", law.friction_angle,
+          {.meaning = "angle of internal friction; 0 is Tresca", .unit = "rad", .range = {0, steepest}, .required = true});
+  d.value("dilation_angle", law.dilation_angle,
+          {.meaning = "angle of dilation, not larger than friction_angle", .unit = "rad", .range = {0, steepest}});
+  d.value("tension_cutoff", law.tension_cutoff,
+          {.meaning = "largest tension; left out, the apex of the cone", .unit = "Pa", .range = not_negative});
+  d.value("most_opening", law.most_opening,
+          {.meaning = "largest volumetric strain by which soil comes apart and must close again before it carries load; 0 turns this off",
+           .range = {0, 1}});
+}
+
+PreparedMohrCoulomb prepare(const MohrCoulomb& law)
+{
+  PreparedMohrCoulomb p;
+  p.elastic = elasticity(law);
+  const Real lame = p.elastic.lame, shear = p.elastic.shear;
+  const Real friction = std::sin(law.friction_angle), dilation = std::sin(law.dilation_angle);
+  p.strength = law.cohesion * std::cos(law.friction_angle);
+  p.weight_1 = (1 + friction) / 2;
+  p.weight_3 = (1 - friction) / 2;
+  p.cone_apex = friction > 0 ? p.strength / friction : infinity;
+  p.tension = law.tension_cutoff && *law.tension_cutoff < p.cone_apex ? *law.tension_cutoff : infinity;
+  p.apex = std::min(p.tension, p.cone_apex);
+  p.most_opening = p.apex < infinity ? law.most_opening : 0;
+
+  p.drop_1 = lame * dilation + shear * (1 + dilation);
+  p.drop_2 = lame * dilation;
+  p.drop_3 = lame * dilation - shear * (1 - dilation);
+  p.drop_high = (p.drop_1 + p.drop_2) / 2;
+  p.drop_low = (p.drop_2 + p.drop_3) / 2;
+  p.per_face = 1 / (p.weight_1 * p.drop_1 - p.weight_3 * p.drop_3);
+  p.per_high = 1 / (p.weight_1 * p.drop_high - p.weight_3 * p.drop_3);
+  p.per_low = 1 / (p.weight_1 * p.drop_1 - p.weight_3 * p.drop_low);
+
+  if (p.tension < infinity) {
+    const Real stiffness = p_wave_modulus(p.elastic);
+    p.cut_3 = (p.weight_1 * p.tension - p.strength) / p.weight_3;
+    p.pull_one = lame / stiffness;
+    p.pull_two = lame / (2 * (lame + shear));
+    const Real determinant = p.drop_1 * lame - p.drop_3 * stiffness;
+    p.line_1 = (p.drop_2 * lame - p.drop_3 * lame) / determinant;
+    p.line_3 = (p.drop_1 * lame - p.drop_2 * stiffness) / determinant;
+  }
+  const Real tilt = friction * friction / 3;
+  p.inner_cone = std::sqrt(1 + tilt);
+  return p;
+}
+
+namespace {
+
+Real yield_value(const PreparedMohrCoulomb& law, Real s1, Real s3)
+{
+  return std::max(law.weight_1 * s1 - law.weight_3 * s3 - law.strength, s1 - law.tension);
+}
+
+} // namespace
+
+Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<2>& stress)
+{
+  const Real mean = (stress[0] + stress[1]) / 2, radius = std::hypot((stress[0] - stress[1]) / 2, stress[3]);
+  return yield_value(law, std::max(mean + radius, stress[2]), std::min(mean - radius, stress[2]));
+}
+
+Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<3>& stress)
+{
+  const PrincipalAxes axes = principal_axes(stress);
+  return yield_value(law, axes.value[0], axes.value[2]);
+}
+
+void return_one_to_surface(const PreparedMohrCoulomb& law, SymTensor<3>& stress, Real& opening)
+{
+  const PrincipalAxes axes = principal_axes(stress);
+  if (!(yield_value(law, axes.value[0], axes.value[2]) > 0)) return;
+  Principal<Real> s{axes.value[0], axes.value[1], axes.value[2]};
+  const Real opened = return_principal(law, s);
+  opening = std::min(opening + opened, law.most_opening);
+  stress = tensor_from({s.s1, s.s2, s.s3}, axes.direction);
+}
+
+} // namespace berm

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/describe.hpp"
+#include "material/lane_parts.hpp"
+#include "material/mohr_coulomb_return.hpp"
+
+#include <optional>
+
+namespace berm {
+
+/// Linear elasticity with the Mohr-Coulomb strength, as the user gives it. Angles in radians, stresses in Pa, tension positive:
+///
+///   f = (s1 - s3)/2 + (s1 + s3)/2 sin(friction_angle) - cohesion cos(friction_angle) <= 0,   s1 <= tension_cutoff,   s1 >= s2 >= s3.
+///
+/// Perfectly plastic; flow on the planes of f follows the same planes with the dilation angle, flow on the tension planes is associated.
+/// friction_angle = 0 is Tresca with the undrained strength su = cohesion. Cones: de Souza Neto, Peric and Owen, Computational Methods for
+/// Plasticity (2008), section 8.2.
+///
+/// Soil that cannot carry tension comes apart. A particle keeps one number for it, the `opening` >= 0: the volumetric strain by which it has come
+/// apart. Where the returned stress is the apex (three equal principal stresses), the volumetric plastic strain (p_trial - p_apex) / K of the
+/// increment is added to the opening. While the opening lasts, the stress is the apex, volumetric strain changes the opening only and shear does
+/// nothing. An increment that closes it is split at that moment, and its rest acts on closed soil. So soil that fell apart and comes together again
+/// carries load when it is closed and not before. The work p_apex x opening is given back on closing: no cycle of opening and closing makes
+/// energy, and for c = 0 no work is done at all. The opening is bounded by most_opening, beyond which expansion is forgotten; 0 is plain
+/// Mohr-Coulomb.
+struct MohrCoulomb {
+  static constexpr int state_size = 1;
+
+  Real density = 0;       ///< kg/m3
+  Real young_modulus = 0; ///< Pa
+  Real poisson_ratio = 0;
+  Real cohesion = 0;                  ///< Pa
+  Real friction_angle = 0;            ///< rad
+  Real dilation_angle = 0;            ///< rad
+  std::optional<Real> tension_cutoff; ///< Pa; absent, or above the apex c cot(phi): the cone alone
+  Real most_opening = 0.2;
+};
+
+void describe(Describe& d, MohrCoulomb& law);
+
+inline Elasticity elasticity(const MohrCoulomb& law)
+{
+  return elasticity(law.young_modulus, law.poisson_ratio);
+}
+
+PreparedMohrCoulomb prepare(const MohrCoulomb& law);
+
+/// How far a stress lies outside the surface, Pa: max(f, s1 - tension_cutoff), at most 0 inside.
+Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<2>& stress);
+Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<3>& stress);
+
+/// The update in one width of numbers, which must fit a register of the machine.
+template <int dim, class T>
+[[gnu::always_inline]] inline void update_stress_in_register(const PreparedMohrCoulomb& law, SymTensor<dim, T>& stress,
+                                                             const SymTensor<dim, T>& strain_increment, T& opening)
+{
+  using Mask = decltype(T{} < T{});
+  SymTensor<dim, T> strain = strain_increment;
+  const Mask was_open = opening > T{};
+  if (any(was_open)) [[unlikely]] {
+    const T volume = trace(strain), left = opening + volume, one = T{} + 1.;
+    const Mask stays_open = was_open & (left > T{}), closes = was_open & (left <= T{});
+    const T part_after_closing = closes ? left / (closes ? volume : one) : (stays_open ? T{} : one);
+    const T apex = law.apex - T{};
+    for (int k = 0; k < tensor_size<dim>; ++k) {
+      strain[k] *= part_after_closing;
+      stress[k] = was_open ? (k < 3 ? apex : T{}) : stress[k];
+    }
+    opening = stays_open ? smaller(left, law.most_opening - T{}) : T{};
+  }
+  add_elastic_stress(law.elastic, stress, strain);
+  return_to_surface(law, stress, opening);
+}
+
+/// Advances `stress` (Pa, tension positive) by a strain increment: elastic predictor, then the exact implicit return to the surface. state[0] is the
+/// opening. Lanes without a particle may hold any numbers.
+template <int dim, class T>
+[[gnu::always_inline]] inline void update_stress(const PreparedMohrCoulomb& law, SymTensor<dim, T>& stress,
+                                                 const SymTensor<dim, T>& strain_increment, T* state)
+{
+  if constexpr (std::is_same_v<T, Real> || part_lanes == lanes) {
+    update_stress_in_register(law, stress, strain_increment, state[0]);
+  } else {
+    for (int first = 0; first < lanes; first += part_lanes) {
+      SymTensor<dim, LanePart> part, strain;
+      LanePart opening = part_of(state[0], first);
+      for (int k = 0; k < tensor_size<dim>; ++k) {
+        part[k] = part_of(stress[k], first);
+        strain[k] = part_of(strain_increment[k], first);
+      }
+      update_stress_in_register(law, part, strain, opening);
+      for (int k = 0; k < tensor_size<dim>; ++k) set_part(stress[k], first, part[k]);
+      set_part(state[0], first, opening);
+    }
+  }
+}
+
+} // namespace berm

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "material/elasticity.hpp"
+
+#include <type_traits>
+
+namespace berm {
+
+/// The constants of a MohrCoulomb law, worked out once. With m = ((1 + sin psi)/2, 0, -(1 - sin psi)/2) the direction of flow on the face of
+/// f = weight_1 s1 - weight_3 s3 - strength, an amount g of flow lowers the principal stresses by g (drop_1, drop_2, drop_3) = g C m.
+struct PreparedMohrCoulomb {
+  static constexpr int state_size = 1;
+
+  Elasticity elastic;
+  Real weight_1 = 0, weight_3 = 0; ///< (1 + sin phi)/2, (1 - sin phi)/2
+  Real strength = 0;               ///< c cos phi, Pa
+  Real tension = infinity;         ///< of the cut-off, Pa; infinity where the cone ends below it
+  Real cone_apex = infinity;       ///< c cot phi, Pa
+  Real apex = infinity;            ///< the largest possible mean stress, Pa
+  Real most_opening = 0;           ///< 0 also where there is no apex
+
+  Real drop_1 = 0, drop_2 = 0, drop_3 = 0;      ///< C m, Pa
+  Real drop_high = 0, drop_low = 0;             ///< means of drop_1 and drop_2, of drop_2 and drop_3
+  Real per_face = 0, per_high = 0, per_low = 0; ///< amount of flow per Pa of f: on the face, on the edges s1 = s2 and s2 = s3
+  Real cut_3 = 0;                               ///< s3 where the face meets the cut-off s1 = tension, Pa
+  Real pull_one = 0, pull_two = 0;              ///< fall of the other principal stresses per Pa of the one or two that are cut
+  Real line_1 = 0, line_3 = 0;                  ///< fall of s2 per Pa of s1 and of s3 on the line where face and cut-off meet
+  Real inner_cone = 1;                          ///< sqrt(1 + sin2 phi / 3): f <= inner_cone sqrt(J2) + p sin phi - strength
+};
+
+/// Principal stresses, s1 >= s2 >= s3, Pa.
+template <class T> struct Principal {
+  T s1, s2, s3;
+};
+
+/// Returns principal trial stresses to the surface and gives the volumetric plastic strain of returns that end at the apex, 0 elsewhere.
+/// Stresses on or inside the surface stay as they are. Without branches over the lanes: face, the two edges and the apex of the cone; then, where
+/// a tension above the cut-off remains, the cut-off's planes and their meeting with the cone.
+template <class T> [[gnu::always_inline]] inline T return_principal(const PreparedMohrCoulomb& law, Principal<T>& s)
+{
+  using Mask = decltype(T{} < T{});
+  const T s1 = s.s1, s2 = s.s2, s3 = s.s3;
+  const T cone_apex = law.cone_apex - T{}, apex = law.apex - T{};
+
+  const T f = law.weight_1 * s1 - law.weight_3 * s3 - law.strength;
+  const T face = f * law.per_face;
+  const T face_1 = s1 - face * law.drop_1, face_2 = s2 - face * law.drop_2, face_3 = s3 - face * law.drop_3;
+  const T mean_12 = (s1 + s2) * 0.5, mean_23 = (s2 + s3) * 0.5;
+  const T high = (law.weight_1 * mean_12 - law.weight_3 * s3 - law.strength) * law.per_high;
+  const T high_1 = mean_12 - high * law.drop_high, high_3 = s3 - high * law.drop_3;
+  const T low = (law.weight_1 * s1 - law.weight_3 * mean_23 - law.strength) * law.per_low;
+  const T low_1 = s1 - low * law.drop_1, low_3 = mean_23 - low * law.drop_low;
+
+  // A stress on an edge is beyond the apex where its smaller principal stress is above it.
+  const Mask outside = f > T{}, above = face_2 > face_1, below = face_2 < face_3;
+  const Mask on_high = above & (high_3 <= cone_apex), on_low = below & (low_3 <= cone_apex), off_face = above | below;
+  T r1 = on_low ? low_1 : (on_high ? high_1 : (off_face ? cone_apex : face_1));
+  T r2 = on_low ? low_3 : (on_high ? high_1 : (off_face ? cone_apex : face_2));
+  T r3 = on_low ? low_3 : (on_high ? high_3 : (off_face ? cone_apex : face_3));
+  r1 = outside ? r1 : s1;
+  r2 = outside ? r2 : s2;
+  r3 = outside ? r3 : s3;
+
+  const T tension = law.tension - T{};
+  if (law.tension < infinity) {
+    const Mask cut = r1 > tension;
+    if (any(cut)) {
+      const T over_1 = s1 - tension, over_2 = s2 - tension;
+      const T one_2 = s2 - law.pull_one * over_1, one_3 = s3 - law.pull_one * over_1;
+      const T two_3 = s3 - law.pull_two * (over_1 + over_2);
+      const T line_2 = s2 - law.line_1 * over_1 - law.line_3 * (s3 - law.cut_3);
+      const T cut_3 = law.cut_3 - T{};
+      const Mask two = one_2 > tension;
+      const T cut_only_2 = two ? tension : one_2, cut_only_3 = two ? smaller(two_3, tension) : one_3;
+      const Mask with_cone = cut_only_3 < cut_3;
+      r1 = cut ? tension : r1;
+      r2 = cut ? (with_cone ? smaller(larger(line_2, cut_3), tension) : cut_only_2) : r2;
+      r3 = cut ? (with_cone ? cut_3 : cut_only_3) : r3;
+    }
+  }
+
+  s = {r1, r2, r3};
+  if (law.most_opening > 0) {
+    // Uniaxial stretching of stress-free soil ends exactly at the corner of the cut-off; rounding must not decide.
+    constexpr Real rounding = 1e-10;
+    const Mask at_apex = (outside | (s1 > tension)) & (r3 >= apex - rounding * magnitude(s1 - apex));
+    const T opened = ((s1 + s2 + s3) * (1. / 3) - apex) * (1 / law.elastic.bulk);
+    s.s1 = at_apex ? apex : r1;
+    s.s2 = at_apex ? apex : r2;
+    s.s3 = at_apex ? apex : r3;
+    return at_apex ? larger(opened, T{}) : T{};
+  }
+  return T{};
+}
+
+/// Returns a trial stress of plane strain to the surface; what opens at the apex is added to the opening.
+template <class T> [[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, SymTensor<2, T>& stress, T& opening)
+{
+  using Mask = decltype(T{} < T{});
+  const T mean = (stress[0] + stress[1]) * 0.5, half = (stress[0] - stress[1]) * 0.5, z = stress[2];
+  const T radius = square_root(half * half + stress[3] * stress[3]);
+  const T a = mean + radius, b = mean - radius;
+  Principal<T> s{larger(a, z), T{}, smaller(b, z)};
+  const T f = law.weight_1 * s.s1 - law.weight_3 * s.s3 - law.strength;
+  const Mask outside = (f > T{}) | (s.s1 > law.tension);
+  if (!any(outside)) [[likely]]
+    return;
+
+  s.s2 = larger(b, smaller(a, z));
+  const Mask z_first = z > a, z_last = z < b;
+  const T opened = return_principal(law, s);
+  const T new_z = z_first ? s.s1 : (z_last ? s.s3 : s.s2);
+  const T new_a = z_first ? s.s2 : s.s1, new_b = z_last ? s.s2 : s.s3;
+  const T new_mean = (new_a + new_b) * 0.5;
+  const T shrink = (new_a - new_b) * 0.5 / (radius > T{} ? radius : T{} + 1.);
+  stress[0] = outside ? new_mean + shrink * half : stress[0];
+  stress[1] = outside ? new_mean - shrink * half : stress[1];
+  stress[2] = outside ? new_z : stress[2];
+  stress[3] = outside ? shrink * stress[3] : stress[3];
+  opening = smaller(opening + (outside ? opened : T{}), law.most_opening - T{});
+}
+
+/// One stress in space, through its principal axes.
+void return_one_to_surface(const PreparedMohrCoulomb& law, SymTensor<3>& stress, Real& opening);
+
+/// Returns a trial stress in space to the surface. The check for all lanes takes the cone inside the pyramid that touches its faces, and needs no principal
+/// stress; what fails it is treated one particle at a time.
+template <class T> [[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, SymTensor<3, T>& stress, T& opening)
+{
+  const T mean = trace(stress) * (1. / 3);
+  SymTensor<3, T> deviator = stress;
+  for (int k = 0; k < 3; ++k) deviator[k] -= mean;
+  const T size = square_root(double_dot(deviator, deviator) * 0.5);
+  const auto outside = (law.inner_cone * size + (law.weight_1 - law.weight_3) * mean - law.strength > T{}) |
+                       (mean + 1.1547005383792517 * size > law.tension); // 2/sqrt(3): s1 <= p + 2/sqrt(3) sqrt(J2)
+  if (!any(outside)) [[likely]]
+    return;
+  if constexpr (std::is_same_v<T, Real>) {
+    return_one_to_surface(law, stress, opening);
+  } else {
+    for (int l = 0; l < static_cast<int>(sizeof(T) / sizeof(Real)); ++l) {
+      if (!outside[l]) continue;
+      SymTensor<3> one;
+      for (int k = 0; k < 6; ++k) one[k] = stress[k][l];
+      Real one_opening = opening[l];
+      return_one_to_surface(law, one, one_opening);
+      for (int k = 0; k < 6; ++k) stress[k][l] = one[k];
+      opening[l] = one_opening;
+    }
+  }
+}
+
+} // namespace berm

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/gmsh.hpp"
+
+#include "core/error.hpp"
+#include "mesh/lines.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <unordered_map>
+
+namespace berm {
+namespace {
+
+constexpr BigIndex any_tag = std::numeric_limits<std::int32_t>::max();
+constexpr BigIndex any_node_tag = std::numeric_limits<BigIndex>::max();
+constexpr const char* kinds[] = {"point", "curve", "surface", "volume"};
+
+// A group by its name: the indices of the region or boundary that it becomes.
+struct Group {
+  int dimension;
+  BigIndex tag;
+  std::string name;
+};
+
+// What the file says, section by section. Sections hand on what later ones need.
+template <int dim>
+class Reader {
+public:
+  explicit Reader(const std::filesystem::path& path) : name_(path.string()), lines_(path) {}
+
+  Mesh<dim> read()
+  {
+    read_format();
+    while (lines_.next()) {
+      const std::string section(lines_.text());
+      if (section[0] != '$') lines_.fail_expected("the beginning of a section ($...)");
+      const std::string name = section.substr(1);
+      if (name == "PhysicalNames")
+        read_names();
+      else if (name == "Entities")
+        read_entities();
+      else if (name == "Nodes")
+        read_nodes();
+      else if (name == "Elements")
+        read_elements();
+      else {
+        skip_section(name);
+        continue;
+      }
+      need_end_of(name);
+    }
+    return finish();
+  }
+
+private:
+  void read_format()
+  {
+    if (!lines_.next() || lines_.text() != "$MeshFormat") lines_.fail("expected $MeshFormat: this is not a mesh file of Gmsh (.msh)");
+    lines_.need("the version of the format: 4.1 0 8");
+    const Real version = lines_.real("the version of the format: 4.1 0 8");
+    if (version != 4.1)
+      lines_.fail(fmt::format("the format is version {}, but 4.1 is needed: convert with \"gmsh {} -save -format msh41 -o NEW.msh\"",
+                              version, name_));
+    if (lines_.integer("0 for ASCII", 0, 1) == 1)
+      lines_.fail(fmt::format(
+          "the file is binary, but ASCII is needed: convert with \"gmsh {} -save -format msh41 -setnumber Mesh.Binary 0 -o NEW.msh\"",
+          name_));
+    need_end_of("MeshFormat");
+  }
+
+  void need_end_of(const std::string& section)
+  {
+    const std::string end = "$End" + section;
+    lines_.need(end.c_str());
+    if (lines_.text() != end) lines_.fail_expected(end.c_str());
+  }
+
+  void skip_section(const std::string& section)
+  {
+    const std::string end = "$End" + section;
+    do lines_.need(end.c_str());
+    while (lines_.text() != end);
+  }
+
+  void once(bool& seen, const char* section)
+  {
+    if (seen) lines_.fail(fmt::format("there is a second section {}", section));
+    seen = true;
+  }
+
+  void read_names()
+  {
+    once(has_names_, "$PhysicalNames");
+    lines_.need("the number of physical names");
+    const BigIndex count = lines_.count("the number of physical names", 8);
+    for (BigIndex n = 0; n < count; ++n) {
+      constexpr const char* expected = "a physical name: dimension, tag, \"name\"";
+      lines_.need(expected);
+      const auto dimension = static_cast<int>(lines_.integer(expected, 0, 3));
+      const BigIndex tag = lines_.integer(expected, 0, any_tag);
+      const std::string_view line = lines_.text();
+      const std::size_t first = line.find('"'), last = line.rfind('"');
+      if (first == line.npos || last <= first + 1 || last + 1 != line.size()) lines_.fail_expected(expected);
+      const std::string name(line.substr(first + 1, last - first - 1));
+      group_index_[{dimension, tag}] = add_group(dimension, name);
+    }
+  }
+
+  // The region (dimension = dim) or boundary of that name; a name may stand for groups of several dimensions or tags.
+  Index add_group(int dimension, const std::string& name)
+  {
+    auto& names = dimension < dim ? mesh_.boundary_names : dimension == dim ? mesh_.region_names : higher_names_;
+    const auto found = std::find(names.begin(), names.end(), name);
+    if (found != names.end()) return static_cast<Index>(found - names.begin());
+    names.push_back(name);
+    return static_cast<Index>(names.size()) - 1;
+  }
+
+  void read_entities()
+  {
+    once(has_entities_, "$Entities");
+    constexpr const char* expected_counts = "the numbers of points, curves, surfaces and volumes";
+    lines_.need(expected_counts);
+    BigIndex counts[4];
+    for (BigIndex& count : counts) count = lines_.count(expected_counts, 8);
+    for (int dimension = 0; dimension < 4; ++dimension)
+      for (BigIndex n = 0; n < counts[dimension]; ++n) read_entity(dimension);
+  }
+
+  void read_entity(int dimension)
+  {
+    const std::string expected =
+        fmt::format("a {}: tag, {} coordinates, number of physical tags and the tags", kinds[dimension], dimension == 0 ? 3 : 6);
+    lines_.need(expected.c_str());
+    const BigIndex tag = lines_.integer(expected.c_str(), -any_tag, any_tag);
+    for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k) lines_.real(expected.c_str());
+    const BigIndex count = lines_.count(expected.c_str(), 1);
+    std::vector<Index> groups;
+    for (BigIndex n = 0; n < count; ++n) {
+      const BigIndex group = lines_.integer(expected.c_str(), -any_tag, any_tag);
+      const auto named = group_index_.find({dimension, std::abs(group)});
+      if (named != group_index_.end()) groups.push_back(named->second);
+    }
+    std::sort(groups.begin(), groups.end());
+    groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+    if (dimension == dim && groups.size() > 1)
+      lines_.fail(fmt::format("{} {} is in the groups \"{}\" and \"{}\"; a cell is in one region only", kinds[dimension], tag,
+                              mesh_.region_names[groups[0]], mesh_.region_names[groups[1]]));
+    if (!entity_groups_.emplace(std::pair{dimension, tag}, std::move(groups)).second)
+      lines_.fail(fmt::format("{} {} is there twice", kinds[dimension], tag));
+  }
+
+  // The head of a block of nodes or elements: the groups of its entity.
+  struct Block {
+    int dimension;
+    const std::vector<Index>* groups;
+    BigIndex third;  // whether nodes are parametric, or the type of the elements
+    BigIndex count;
+  };
+  Block read_block(const char* expected, BigIndex most_third, BigIndex bytes)
+  {
+    static const std::vector<Index> no_groups;
+    lines_.need(expected);
+    Block block{};
+    block.dimension = static_cast<int>(lines_.integer(expected, 0, 3));
+    const BigIndex tag = lines_.integer(expected, -any_tag, any_tag);
+    block.third = lines_.integer(expected, 0, most_third);
+    block.count = lines_.count(expected, bytes);
+    lines_.need_end(expected);
+    const auto entity = entity_groups_.find({block.dimension, tag});
+    if (has_entities_ && entity == entity_groups_.end())
+      lines_.fail(fmt::format("{} {} is not among the entities of the file", kinds[block.dimension], tag));
+    block.groups = entity == entity_groups_.end() ? &no_groups : &entity->second;
+    return block;
+  }
+
+  void read_nodes()
+  {
+    once(has_nodes_, "$Nodes");
+    constexpr const char* expected_counts = "the numbers of blocks and nodes, the least and the largest node tag";
+    lines_.need(expected_counts);
+    const BigIndex blocks = lines_.count(expected_counts, 8), total = lines_.count(expected_counts, 8);
+    if (total > std::numeric_limits<Index>::max() - 1) lines_.fail(fmt::format("{} nodes are more than can be numbered", total));
+    node_index_.reserve(total);
+    for (BigIndex b = 0; b < blocks; ++b) {
+      const Block block = read_block("a block of nodes: dimension, entity, 0 or 1 (parametric), number of nodes", 1, 8);
+      const Index first = static_cast<Index>(points_.size());
+      for (BigIndex n = 0; n < block.count; ++n) {
+        lines_.need("a node tag");
+        const BigIndex tag = lines_.integer("a node tag", 1, any_node_tag);
+        lines_.need_end("a node tag");
+        if (!node_index_.emplace(tag, first + static_cast<Index>(n)).second) lines_.fail(fmt::format("node {} is there twice", tag));
+      }
+      for (BigIndex n = 0; n < block.count; ++n) {
+        lines_.need("the coordinates x y z of a node");
+        Vec<3> x;
+        for (int d = 0; d < 3; ++d) x[d] = lines_.real("the coordinates x y z of a node");
+        points_.push_back(x);
+      }
+    }
+    if (static_cast<BigIndex>(points_.size()) != total)
+      lines_.fail(fmt::format("the blocks up to here hold {} nodes, but the section began with {}", points_.size(), total));
+  }
+
+  void read_elements()
+  {
+    once(has_elements_, "$Elements");
+    if (!has_nodes_) lines_.fail("$Elements comes before $Nodes");
+    if (!has_entities_) lines_.fail("there is no section $Entities before $Elements: without it no cell has a physical group");
+    for (Index i = 0; i < static_cast<Index>(points_.size()); ++i) mesh_.position.push_back(points_[i].template head<dim>());
+    mesh_.boundary_nodes.resize(mesh_.boundary_names.size());
+    constexpr const char* expected_counts = "the numbers of blocks and elements, the least and the largest element tag";
+    lines_.need(expected_counts);
+    const BigIndex blocks = lines_.count(expected_counts, 8), total = lines_.count(expected_counts, 4);
+    BigIndex read = 0;
+    for (BigIndex b = 0; b < blocks; ++b) {
+      const Block block = read_block("a block of elements: dimension, entity, type of element, number of elements", 1000, 4);
+      if (block.groups->empty())
+        skip_elements(block);
+      else if (block.dimension < dim)
+        read_boundary(block);
+      else
+        read_cells(block);
+      read += block.count;
+    }
+    if (read != total) lines_.fail(fmt::format("the blocks up to here hold {} elements, but the section began with {}", read, total));
+  }
+
+  void skip_elements(const Block& block)
+  {
+    for (BigIndex n = 0; n < block.count; ++n) {
+      lines_.need("an element");
+      lines_.integer("an element tag", 1, any_node_tag);
+    }
+  }
+
+  Index node(const char* expected)
+  {
+    const BigIndex tag = lines_.integer(expected, 1, any_node_tag);
+    const auto found = node_index_.find(tag);
+    if (found == node_index_.end()) lines_.fail(fmt::format("node {} is not among the nodes of the file", tag));
+    return found->second;
+  }
+
+  void read_boundary(const Block& block)
+  {
+    for (BigIndex n = 0; n < block.count; ++n) {
+      lines_.need("an element tag and its node tags");
+      lines_.integer("an element tag", 1, any_node_tag);
+      do {
+        const Index i = node("an element tag and its node tags");
+        for (const Index boundary : *block.groups) mesh_.boundary_nodes[boundary].push_back(i);
+      } while (!lines_.at_end());
+    }
+  }
+
+  void read_cells(const Block& block)
+  {
+    constexpr BigIndex simplex = dim == 2 ? 2 : 4;
+    constexpr const char* expected = dim == 2 ? "an element tag and the tags of the 3 nodes of a triangle"
+                                              : "an element tag and the tags of the 4 nodes of a tetrahedron";
+    if (block.dimension > dim) lines_.fail("a named group of volumes cannot be in a plane mesh; is the case 3D?");
+    if (block.third != simplex)
+      lines_.fail(fmt::format("a named group has elements of type {} ({}), but cells must be {} of first order (type {})", block.third,
+                              name_of_type(block.third), dim == 2 ? "triangles" : "tetrahedra", simplex));
+    for (BigIndex n = 0; n < block.count; ++n) {
+      lines_.need(expected);
+      lines_.integer(expected, 1, any_node_tag);
+      typename Mesh<dim>::Corners corner;
+      for (Index& i : corner) {
+        i = node(expected);
+        if (dim == 2 && std::abs(points_[i][2]) > 1e-9 * points_[i].norm())
+          lines_.fail(fmt::format("a plane mesh must lie in z = 0, but a node of this triangle is at z = {} m", points_[i][2]));
+      }
+      lines_.need_end(expected);
+      mesh_.nodes.push_back(corner);
+      mesh_.region.push_back(block.groups->front());
+    }
+  }
+
+  static const char* name_of_type(BigIndex type)
+  {
+    switch (type) {
+    case 2:
+      return "triangles";
+    case 3:
+      return "quadrangles";
+    case 4:
+      return "tetrahedra";
+    case 5:
+      return "hexahedra";
+    case 6:
+      return "prisms";
+    case 7:
+      return "pyramids";
+    case 9:
+      return "triangles of second order";
+    case 11:
+      return "tetrahedra of second order";
+    default:
+      return "of another shape or order";
+    }
+  }
+
+  Mesh<dim> finish()
+  {
+    const auto missing = [&](const char* section) { lines_.fail(fmt::format("the file ends without a section {}", section)); };
+    if (!has_entities_) missing("$Entities");
+    if (!has_nodes_) missing("$Nodes");
+    if (!has_elements_) missing("$Elements");
+    if (mesh_.cell_count() == 0)
+      throw InputError(fmt::format("{}: no {} is in a named physical group: name one with Physical {}(\"bed\") = {{...}};", name_,
+                                   dim == 2 ? "triangle" : "tetrahedron", dim == 2 ? "Surface" : "Volume"));
+    try {
+      mesh_.complete();
+    } catch (const RunError& error) {
+      throw InputError(fmt::format("{}: {}", name_, error.what()));
+    }
+    return std::move(mesh_);
+  }
+
+  std::string name_;
+  Lines lines_;
+  Mesh<dim> mesh_;
+  bool has_names_ = false, has_entities_ = false, has_nodes_ = false, has_elements_ = false;
+  std::vector<std::string> higher_names_;
+  std::map<std::pair<int, BigIndex>, Index> group_index_;                 // (dimension, physical tag)
+  std::map<std::pair<int, BigIndex>, std::vector<Index>> entity_groups_;  // (dimension, entity tag)
+  std::unordered_map<BigIndex, Index> node_index_;
+  std::vector<Vec<3>> points_;
+};
+
+}  // namespace
+
+void describe(Describe& d, GmshFile& mesh)
+{
+  d.value("file", mesh.file, {.meaning = "mesh of Gmsh (.msh, format 4.1, ASCII), its path relative to this file", .required = true});
+}
+
+template <int dim>
+Mesh<dim> read_msh(const std::filesystem::path& path)
+{
+  return Reader<dim>(path).read();
+}
+
+template Mesh<2> read_msh<2>(const std::filesystem::path&);
+template Mesh<3> read_msh<3>(const std::filesystem::path&);
+
+}  // namespace berm

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/describe.hpp"
+#include "mesh/mesh.hpp"
+
+#include <filesystem>
+
+namespace berm {
+
+/// A mesh that the user made with Gmsh.
+struct GmshFile {
+  std::string file;  ///< .msh, format 4.1, ASCII
+};
+
+void describe(Describe& d, GmshFile& mesh);
+
+/// Reads a mesh from Gmsh's format 4.1 in ASCII, coordinates in metres; in 2D it lies in the plane z = 0. Triangles (2D) or tetrahedra (3D) of named
+/// physical groups become cells, the group their region; nodes of named groups of lower dimension become boundaries. What is in no named group
+/// is left out. Throws InputError with file and line for anything else. Source: Gmsh reference manual, MSH file format.
+template <int dim>
+Mesh<dim> read_msh(const std::filesystem::path& path);
+
+}  // namespace berm

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+
+namespace berm {
+
+/// Lets the gmsh program mesh the plane geometry `geo` into `msh` (format 4.1); what it says goes to a .log beside `msh`. The user's own Gmsh
+/// options are not read. Throws RunError where gmsh is not installed or fails.
+void run_gmsh(const std::filesystem::path& geo, const std::filesystem::path& msh);
+
+}  // namespace berm

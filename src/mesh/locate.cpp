@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/mesh.hpp"
+
+#include <algorithm>
+
+namespace berm {
+namespace {
+
+constexpr Real held = -1e-12;             // a point with no shape function below this is in the cell
+constexpr Real held_by_rounding = -1e-9;  // what rounding may make of a point on a face of a cell far from the origin
+
+template <int dim>
+Real smallest_shape(const Shape<dim>& shape, const Vec<dim>& x)
+{
+  Real smallest = shape.value(0, x);
+  for (int k = 1; k <= dim; ++k) smallest = std::min(smallest, shape.value(k, x));
+  return smallest;
+}
+
+// The cell whose smallest shape function at x is largest, by looking at all.
+template <int dim>
+Location scan(const Mesh<dim>& mesh, const Vec<dim>& x, Index last)
+{
+  Index best = none;
+  Real largest = held_by_rounding;
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    const Real smallest = smallest_shape(mesh.shape[c], x);
+    if (smallest >= held) return {c, true};
+    if (smallest > largest) largest = smallest, best = c;
+  }
+  return best == none ? Location{last, false} : Location{best, true};
+}
+
+}  // namespace
+
+template <int dim>
+Location locate(const Mesh<dim>& mesh, const Vec<dim>& x, Index start)
+{
+  if (!x.allFinite()) return {start, false};
+  const bool in_box = (x.array() >= mesh.lower.array()).all() && (x.array() <= mesh.upper.array()).all();
+  Index cell = start, previous = none;
+  for (Index step = 0; step < mesh.cell_count(); ++step) {
+    // The face to cross is the one with the most negative shape function among those that lead to another cell.
+    Real smallest = held, most_negative = held;
+    int face = none;
+    for (int k = 0; k <= dim; ++k) {
+      const Real n = mesh.shape[cell].value(k, x);
+      smallest = std::min(smallest, n);
+      if (n < most_negative && mesh.neighbor[cell][k] != none) most_negative = n, face = k;
+    }
+    if (smallest >= held) return {cell, true};
+    // Outside a convex mesh is outside the box around it, or so near the boundary that rounding decides. Beyond a boundary face yet inside the box
+    // the mesh may go on behind a hole or a bay, where no walk leads.
+    if (face == none) return in_box ? scan(mesh, x, cell) : Location{cell, false};
+    const Index next = mesh.neighbor[cell][face];
+    if (next == previous && smallest > held_by_rounding) return {cell, true};
+    previous = cell;
+    cell = next;
+  }
+  return in_box ? scan(mesh, x, cell) : Location{cell, false};
+}
+
+template Location locate<2>(const Mesh<2>&, const Vec<2>&, Index);
+template Location locate<3>(const Mesh<3>&, const Vec<3>&, Index);
+
+}  // namespace berm

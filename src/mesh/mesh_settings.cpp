@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/mesh_settings.hpp"
+
+#include "core/error.hpp"
+#include "mesh/gmsh_program.hpp"
+
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+
+template <int dim>
+Mesh<dim> make(const SeabedMesh& seabed, const fs::path&, const fs::path& work_folder)
+{
+  if (dim != 2) throw InputError("a mesh of kind \"seabed\" is plane; the case is 3D: use kind \"gmsh\" or \"box\"");
+  const fs::path geo = work_folder / "mesh.geo", msh = work_folder / "mesh.msh";
+  write_geo(seabed, geo);
+  run_gmsh(geo, msh);
+  return read_msh<dim>(msh);
+}
+
+template <int dim>
+Mesh<dim> make(const GmshFile& mesh, const fs::path& case_folder, const fs::path& work_folder)
+{
+  const fs::path theirs = case_folder / mesh.file, ours = work_folder / "mesh.msh";
+  Mesh<dim> read = read_msh<dim>(theirs);
+  if (!fs::exists(ours) || !fs::equivalent(theirs, ours)) fs::copy_file(theirs, ours, fs::copy_options::overwrite_existing);
+  return read;
+}
+
+template <int dim>
+Mesh<dim> make(const BoxMesh& box, const fs::path&, const fs::path&)
+{
+  return make_box<dim>(box);
+}
+
+}  // namespace
+
+void describe(Describe& d, MeshSettings& mesh)
+{
+  d.one_of("kind", mesh, {"seabed", "gmsh", "box"},
+           {.meaning = "where the mesh comes from: made for a pipe on a flat bed, read from a file of Gmsh, or a structured box",
+            .required = true});
+}
+
+template <int dim>
+Mesh<dim> make_mesh(const MeshSettings& settings, const fs::path& case_folder, const fs::path& work_folder)
+{
+  try {
+    fs::create_directories(work_folder);
+    return std::visit([&](const auto& kind) { return make<dim>(kind, case_folder, work_folder); }, settings);
+  } catch (const fs::filesystem_error& error) {
+    throw RunError(fmt::format("the mesh cannot be kept in the run folder: {}", error.what()));
+  }
+}
+
+template Mesh<2> make_mesh<2>(const MeshSettings&, const fs::path&, const fs::path&);
+template Mesh<3> make_mesh<3>(const MeshSettings&, const fs::path&, const fs::path&);
+
+}  // namespace berm

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/seabed.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace berm {
+namespace {
+
+// The bed with its defaults filled in: x of the walls, and the largest size of a cell.
+struct Layout {
+  Real left, right, far_size;
+};
+
+Layout layout_of(const SeabedMesh& bed)
+{
+  const Real left = -bed.left.value_or(bed.length / 2);
+  // A layer thinner than its cells would be made of flat ones.
+  const Real far_size = std::min(bed.far_size.value_or(infinity), bed.layer > 0 ? bed.layer : infinity);
+  return {left, left + bed.length, std::max(far_size, bed.near_size)};
+}
+
+Real size_at(const SeabedMesh& bed, Real far_size, Real x, Real y)
+{
+  const Real dx = std::max({0., bed.near_left - x, x - bed.near_right});
+  const Real dy = std::max({0., -bed.near_depth - y, y - bed.near_height});
+  return std::min(far_size, bed.near_size + bed.growth * std::hypot(dx, dy));
+}
+
+void check(const SeabedMesh& bed, const Layout& at)
+{
+  const auto fits = [](bool fine, const std::string& message) {
+    if (!fine) throw InputError("seabed mesh: " + message);
+  };
+  for (const auto& [key, value] :
+       {std::pair{"length", bed.length}, {"depth", bed.depth}, {"headroom", bed.headroom}, {"near_size", bed.near_size}})
+    fits(std::isfinite(value) && value > 0, fmt::format("{} is {}; it must be positive", key, value));
+  for (const auto& [key, value] : {std::pair{"growth", bed.growth}, {"layer", bed.layer}})
+    fits(std::isfinite(value) && value >= 0, fmt::format("{} is {}; it must not be negative", key, value));
+  const Real h = bed.near_size;
+  fits(!bed.far_size || *bed.far_size >= h, fmt::format("far_size {} m is smaller than near_size {} m", bed.far_size.value_or(0), h));
+  fits(bed.layer == 0 || bed.layer >= h, fmt::format("layer {} m is thinner than near_size {} m", bed.layer, h));
+  fits(bed.near_height >= h, fmt::format("near_height {} m is lower than near_size {} m", bed.near_height, h));
+  fits(bed.headroom >= bed.near_height + h,
+       fmt::format("headroom {} m must be higher than near_height by near_size: at least {} m", bed.headroom, bed.near_height + h));
+  fits(bed.near_depth >= h, fmt::format("near_depth {} m is smaller than near_size {} m", bed.near_depth, h));
+  fits(bed.near_right - bed.near_left >= h,
+       fmt::format("the fine zone from near_left {} m to near_right {} m is narrower than near_size {} m", bed.near_left, bed.near_right,
+                   h));
+  fits(bed.near_left >= at.left + bed.layer + h,
+       fmt::format("near_left {} m must be right of the left wall and its layer by near_size: at least {} m", bed.near_left,
+                   at.left + bed.layer + h));
+  fits(bed.near_right <= at.right - bed.layer - h,
+       fmt::format("near_right {} m must be left of the right wall and its layer by near_size: at most {} m", bed.near_right,
+                   at.right - bed.layer - h));
+  fits(bed.near_depth <= bed.depth - bed.layer - h,
+       fmt::format("near_depth {} m must stay above the base and its layer by near_size: at most {} m", bed.near_depth,
+                   bed.depth - bed.layer - h));
+  constexpr Real most = 2e7;
+  fits(expected_cells(bed) <= most,
+       fmt::format("about {:.2g} cells would be made; at most {:.0e}: enlarge near_size, growth or far_size", expected_cells(bed), most));
+}
+
+// The points and lines of every bed; lines run to the right or up. The fine zone above the surface is a surface of its own: so its cells come out better.
+constexpr const char* lines_of_bed = R"(
+Point(1) = {near_left, 0, 0};
+Point(2) = {near_right, 0, 0};
+Point(3) = {near_left, -near_depth, 0};
+Point(4) = {near_right, -near_depth, 0};
+Point(5) = {left + layer, 0, 0};
+Point(6) = {right - layer, 0, 0};
+Point(7) = {left + layer, -depth + layer, 0};
+Point(8) = {right - layer, -depth + layer, 0};
+Point(9) = {left, headroom, 0};
+Point(10) = {right, headroom, 0};
+Point(11) = {near_left, near_height, 0};
+Point(12) = {near_right, near_height, 0};
+Line(1) = {1, 2};
+Line(2) = {3, 4};
+Line(3) = {3, 1};
+Line(4) = {4, 2};
+Line(5) = {5, 1};
+Line(6) = {2, 6};
+Line(7) = {7, 5};
+Line(8) = {8, 6};
+Line(9) = {7, 8};
+Line(10) = {9, 10};
+Line(11) = {1, 11};
+Line(12) = {2, 12};
+Line(13) = {11, 12};
+Curve Loop(1) = {2, 4, -1, -3};
+Curve Loop(2) = {9, 8, -6, -4, -2, 3, -5, -7};
+Curve Loop(3) = {1, 12, -13, -11};
+Plane Surface(1) = {1};
+Plane Surface(2) = {2};
+Plane Surface(3) = {3};
+Physical Surface("near") = {1};
+Physical Surface("bed") = {2};
+Physical Curve("top") = {10};
+)";
+
+constexpr const char* without_layer = R"(
+Line(21) = {5, 9};
+Line(22) = {6, 10};
+Curve Loop(4) = {5, 11, 13, -12, 6, 22, -10, -21};
+Plane Surface(4) = {4};
+Physical Surface("headroom") = {3, 4};
+Physical Curve("left") = {7, 21};
+Physical Curve("right") = {8, 22};
+Physical Curve("base") = {9};
+)";
+
+constexpr const char* with_layer = R"(
+Point(21) = {left, 0, 0};
+Point(22) = {right, 0, 0};
+Point(23) = {left, -depth, 0};
+Point(24) = {right, -depth, 0};
+Line(21) = {21, 9};
+Line(22) = {22, 10};
+Line(23) = {21, 5};
+Line(24) = {6, 22};
+Line(25) = {23, 21};
+Line(26) = {24, 22};
+Line(27) = {23, 24};
+Curve Loop(4) = {23, 5, 11, 13, -12, 6, 24, 22, -10, -21};
+Curve Loop(5) = {27, 26, -24, -8, -9, 7, -23, -25};
+Plane Surface(4) = {4};
+Plane Surface(5) = {5};
+Physical Surface("headroom") = {3, 4};
+Physical Surface("layer") = {5};
+Physical Curve("left") = {25, 21};
+Physical Curve("right") = {26, 22};
+Physical Curve("base") = {27};
+)";
+
+// Of Gmsh's algorithms for the plane, frontal Delaunay (6) with smoothing gives the largest smallest height, which sets the time step.
+constexpr const char* options = R"(
+Mesh.MeshSizeExtendFromBoundary = 0;
+Mesh.MeshSizeFromPoints = 0;
+Mesh.MeshSizeFromCurvature = 0;
+Mesh.Algorithm = 6;
+Mesh.Smoothing = 5;
+Mesh.RandomSeed = 1;
+Mesh.MshFileVersion = 4.1;
+Mesh.Binary = 0;
+General.NumThreads = 1;
+)";
+
+}  // namespace
+
+void describe(Describe& d, SeabedMesh& bed)
+{
+  d.value("length", bed.length, {.meaning = "length of the bed, from wall to wall", .unit = "m", .range = positive, .required = true});
+  d.value("depth", bed.depth,
+          {.meaning = "depth of the bed, from its surface y = 0 to the base", .unit = "m", .range = positive, .required = true});
+  d.value("headroom", bed.headroom,
+          {.meaning = "height of free space above the surface, for the berm", .unit = "m", .range = positive, .required = true});
+  d.value("left", bed.left,
+          {.meaning = "distance from the pipe's start x = 0 to the left wall; left out: half the length", .unit = "m", .range = positive});
+  d.value("near_size", bed.near_size,
+          {.meaning = "size of the cells in the fine zone around the pipe's path", .unit = "m", .range = positive, .required = true});
+  d.value("near_left", bed.near_left,
+          {.meaning = "x where the fine zone begins (negative: left of the pipe's start)", .unit = "m", .required = true});
+  d.value("near_right", bed.near_right, {.meaning = "x where the fine zone ends", .unit = "m", .required = true});
+  d.value("near_depth", bed.near_depth,
+          {.meaning = "depth of the fine zone below the surface", .unit = "m", .range = positive, .required = true});
+  d.value("near_height", bed.near_height,
+          {.meaning = "height of the fine zone above the surface", .unit = "m", .range = positive, .required = true});
+  d.value("growth", bed.growth, {.meaning = "growth of the cells' size per distance from the fine zone (m/m)", .range = not_negative});
+  d.value("far_size", bed.far_size, {.meaning = "largest size of a cell; left out: not limited", .unit = "m", .range = positive});
+  d.value("layer", bed.layer,
+          {.meaning = "thickness of the outer layer along walls and base, and then the largest size of any cell; 0: none",
+           .unit = "m",
+           .range = not_negative});
+}
+
+Real expected_cells(const SeabedMesh& bed)
+{
+  const Layout at = layout_of(bed);
+  constexpr int points = 400;
+  Real sum = 0;
+  for (int i = 0; i < points; ++i)
+    for (int j = 0; j < points; ++j) {
+      const Real x = at.left + (i + 0.5) / points * bed.length, y = -bed.depth + (j + 0.5) / points * (bed.depth + bed.headroom);
+      const Real size = size_at(bed, at.far_size, x, y);
+      sum += 1 / (size * size);
+    }
+  return sum * bed.length * (bed.depth + bed.headroom) / (points * points) / (std::sqrt(3.) / 4);
+}
+
+void write_geo(const SeabedMesh& bed, const std::filesystem::path& path)
+{
+  const Layout at = layout_of(bed);
+  check(bed, at);
+  std::ofstream out(path);
+  out << "// A flat bed for a pipe, made by berm. Lengths in metres; the bed's surface is y = 0.\n";
+  for (const auto& [name, value] : {std::pair{"left", at.left},
+                                    {"right", at.right},
+                                    {"depth", bed.depth},
+                                    {"headroom", bed.headroom},
+                                    {"layer", bed.layer},
+                                    {"near_left", bed.near_left},
+                                    {"near_right", bed.near_right},
+                                    {"near_depth", bed.near_depth},
+                                    {"near_height", bed.near_height},
+                                    {"near_size", bed.near_size},
+                                    {"growth", bed.growth}})
+    out << fmt::format("{} = {};\n", name, value);
+  out << lines_of_bed << (bed.layer > 0 ? with_layer : without_layer);
+  const std::string limit = std::isfinite(at.far_size) ? fmt::format("Min({}, ", at.far_size) : "(";
+  out << "\n// The size of a cell grows with its distance from the fine zone.\n"
+      << "Field[1] = MathEval;\n"
+      << fmt::format("Field[1].F = \"{}{} + {} * Sqrt(Max(0, Max({} - x, x - ({})))^2 + Max(0, Max({} - y, y - {}))^2))\";\n", limit,
+                     bed.near_size, bed.growth, bed.near_left, bed.near_right, -bed.near_depth, bed.near_height)
+      << "Background Field = 1;\n"
+      << options;
+  if (!out.flush()) throw RunError(fmt::format("{} cannot be written", path.string()));
+}
+
+}  // namespace berm

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/describe.hpp"
+
+#include <filesystem>
+
+namespace berm {
+
+/// The mesh of a flat bed with free space above it, fine around the path of a pipe that starts at x = 0. The bed's surface is y = 0. In metres:
+///
+///     top     +-----------------------------------+  y = headroom
+///             |           +------+                |  y = near_height
+///             | headroom  |      |                |
+///     surface +--+--------+======+-------------+--+  y = 0
+///             |  |  bed   | near |             |  |
+///     left    |  |        +------+             |  |  right         near: near_left < x < near_right, -near_depth < y < 0
+///             |  +-----------------------------+  |
+///             |              layer                |
+///     base    +-----------------------------------+  y = -depth
+///
+/// Regions "near", "bed", "layer" (where there is one), "headroom"; boundaries "left", "right", "base", "top". The size of the cells is near_size
+/// in the fine zone (up to near_height above the surface) and min(near_size + growth * distance, far_size) at a distance from it.
+struct SeabedMesh {
+  Real length = 0;
+  Real depth = 0;
+  Real headroom = 0;
+  std::optional<Real> left;  ///< from x = 0 to the left wall; empty: length / 2
+  Real near_size = 0;
+  Real near_left = 0;   ///< x, negative left of the pipe's start
+  Real near_right = 0;  ///< x
+  Real near_depth = 0;
+  Real near_height = 0;
+  Real growth = 0.15;
+  std::optional<Real> far_size;  ///< empty: not limited
+  Real layer = 0;                ///< thickness, and the largest size of a cell; 0: no layer
+};
+
+void describe(Describe& d, SeabedMesh& seabed);
+
+/// About how many cells the mesh will have: the integral of 1 / (area of an equilateral triangle of the size wanted there).
+Real expected_cells(const SeabedMesh& seabed);
+
+/// Writes the geometry for the gmsh program. Throws InputError where the lengths do not fit each other, RunError where it cannot write.
+void write_geo(const SeabedMesh& seabed, const std::filesystem::path& path);
+
+}  // namespace berm

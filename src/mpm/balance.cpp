@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/balance.hpp"
+
+#include "core/for_each.hpp"
+#include "problem/stages.hpp"
+
+namespace berm {
+namespace {
+
+/// What the nodes contribute to the totals in one step, per unit of time.
+template <int dim>
+struct NodalSums {
+  Vec<dim> gravity = Vec<dim>::Zero(), damping = Vec<dim>::Zero(), support = Vec<dim>::Zero();  // forces, N
+  Real gravity_power = 0, damping_power = 0;
+  Real unbalanced = 0;
+
+  NodalSums& operator+=(const NodalSums& other)
+  {
+    gravity += other.gravity;
+    damping += other.damping;
+    support += other.support;
+    gravity_power += other.gravity_power;
+    damping_power += other.damping_power;
+    unbalanced = std::max(unbalanced, other.unbalanced);
+    return *this;
+  }
+};
+
+}  // namespace
+
+template <int dim>
+void solve_momentum_balance(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
+{
+  const Mesh<dim>& mesh = model.mesh;
+  BodyGrid<dim>& grid = work.grids[body];
+  const Vec<dim> gravity = gravity_now(model, state.time);
+  const Real dt = state.dt;
+  const auto sums = sum_of<NodalSums<dim>>("momentum balance of nodes", static_cast<Index>(grid.nodes.size()), [&](Index n) {
+    const Index i = grid.nodes[n];
+    NodalSums<dim> sums_i;
+    const Real m = grid.mass[i];
+    Vec<dim>& a = grid.acceleration[i];
+    if (!(m > 0)) {
+      a.setZero();
+      return sums_i;
+    }
+    Vec<dim> force = Vec<dim>::Zero();
+    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) force += grid.corner_force[mesh.entries[e]];
+    const Vec<dim> weight = m * gravity;
+    force += weight;
+
+    const Vec<dim>& v = grid.velocity[i];
+    const Real factor = grid.touching[i] ? 0 : model.bodies[body].damping[i];
+    Vec<dim> damping = Vec<dim>::Zero();
+    for (int d = 0; d < dim; ++d) {
+      const bool held = model.fixed[i] >> d & 1;
+      if (!held && v[d] != 0) damping[d] = -factor * std::abs(force[d]) * (v[d] > 0 ? 1 : -1);
+      if (!held && !grid.touching[i]) sums_i.unbalanced = std::max(sums_i.unbalanced, std::abs(force[d]));
+    }
+    const Vec<dim> total = force + damping;
+    a = total / m;
+    for (int d = 0; d < dim; ++d)
+      if (model.fixed[i] >> d & 1) a[d] = -v[d] / dt;
+    const Vec<dim> mid_velocity = v + 0.5 * dt * a;
+    sums_i.gravity = weight;
+    sums_i.damping = damping;
+    sums_i.support = m * a - total;
+    sums_i.gravity_power = weight.dot(mid_velocity);
+    sums_i.damping_power = damping.dot(mid_velocity);
+    return sums_i;
+  });
+
+  Totals<dim>& totals = state.totals;
+  totals.gravity_impulse += dt * sums.gravity;
+  totals.damping_impulse += dt * sums.damping;
+  totals.support_impulse += dt * sums.support;
+  totals.external += dt * sums.gravity_power;
+  totals.damping -= dt * sums.damping_power;
+  work.unbalanced = body == 0 ? sums.unbalanced : std::max(work.unbalanced, sums.unbalanced);
+}
+
+template void solve_momentum_balance(const Model<2>&, State<2>&, Work<2>&, Index);
+template void solve_momentum_balance(const Model<3>&, State<3>&, Work<3>&, Index);
+
+}  // namespace berm

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/grid.hpp"
+
+#include <omp.h>
+
+namespace berm {
+
+template <int dim>
+BodyGrid<dim>::BodyGrid(const Mesh<dim>& mesh)
+    : moments(mesh.cell_count()), corner_sums(mesh.entries.size(), CornerSums<dim>{}), corner_force(mesh.entries.size(), Vec<dim>::Zero()),
+      corner_momentum(mesh.entries.size(), Vec<dim>::Zero()), volume_change(mesh.cell_count(), 0), mass(mesh.node_count(), 0),
+      volume(mesh.node_count(), 0), pressure(mesh.node_count(), 0), velocity(mesh.node_count(), Vec<dim>::Zero()),
+      acceleration(mesh.node_count(), Vec<dim>::Zero()), moved_velocity(mesh.node_count(), Vec<dim>::Zero()), dilation(mesh.node_count(), 0),
+      touching(mesh.node_count(), 0)
+{
+  nodes.reserve(mesh.node_count());
+}
+
+template <int dim>
+void find_nodes(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid<dim>& grid)
+{
+  std::fill(grid.mass.begin(), grid.mass.end(), 0);
+  for (Index cell : particles.occupied())
+    for (Index node : mesh.nodes[cell]) grid.mass[node] = 1;
+  grid.nodes.clear();
+  for (Index node = 0; node < mesh.node_count(); ++node)
+    if (grid.mass[node] > 0) grid.nodes.push_back(node);
+}
+
+template <int dim>
+Work<dim>::Work(const Model<dim>& model, const State<dim>& state) : contact_nodes(model.contacts.size()), movers(omp_get_max_threads())
+{
+  std::size_t most = 0;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    grids.emplace_back(model.mesh);
+    find_nodes(model.mesh, state.particles[b], grids[b]);
+    laws.push_back(std::visit([](const auto& law) { return PreparedMaterial(prepare(law)); }, model.bodies[b].material));
+    most = std::max<std::size_t>(most, state.particles[b].size());
+  }
+  // A sixteenth of all particles at once is far more than ever change cell in one step of a stable run.
+  for (auto& list : movers) list.reserve(most / 16 + 1024);
+  moving.reserve(most / 16 + 1024);
+}
+
+template struct BodyGrid<2>;
+template struct BodyGrid<3>;
+template void find_nodes(const Mesh<2>&, const Particles<2>&, BodyGrid<2>&);
+template void find_nodes(const Mesh<3>&, const Particles<3>&, BodyGrid<3>&);
+template struct Work<2>;
+template struct Work<3>;
+
+}  // namespace berm

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/move.hpp"
+
+#include "core/error.hpp"
+#include "core/for_each.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm {
+namespace {
+
+/// A field that is linear within the cell: value(x) = c + sum_a slope[a] x_a.
+template <int dim>
+struct LinearField {
+  Real c[dim] = {}, slope[dim][dim] = {};  // slope[d][a]
+
+  [[gnu::always_inline]] LinearField(const Shape<dim>& shape, const std::array<Index, dim + 1>& nodes, const NodeField<Vec<dim>>& field)
+  {
+    for (int k = 0; k <= dim; ++k)
+      for (int d = 0; d < dim; ++d) {
+        const Real value = field[nodes[k]][d];
+        c[d] += shape.a[k] * value;
+        for (int a = 0; a < dim; ++a) slope[d][a] += shape.b[a][k] * value;
+      }
+  }
+  [[gnu::always_inline]] Lanes at(int d, const Lanes* x) const
+  {
+    Lanes value = c[d] + slope[d][0] * x[0];
+    for (int a = 1; a < dim; ++a) value += slope[d][a] * x[a];
+    return value;
+  }
+};
+
+/// Strain increment, spin and dilation that a whole cell shares.
+template <int dim>
+struct CellStrain {
+  SymTensor<dim> strain{};
+  Real spin[dim][dim] = {};
+  Real dilation = 0;
+  Real deviatoric = 0;
+
+  [[gnu::always_inline]] CellStrain(const LinearField<dim>& velocity, Real dt)
+  {
+    for (int a = 0; a < dim; ++a) {
+      dilation += velocity.slope[a][a] * dt;
+      for (int b = a; b < dim; ++b) strain[tensor_place(a, b)] = 0.5 * dt * (velocity.slope[a][b] + velocity.slope[b][a]);
+      for (int b = 0; b < dim; ++b) spin[a][b] = 0.5 * dt * (velocity.slope[a][b] - velocity.slope[b][a]);
+    }
+  }
+  /// Takes over the projected dilation: the change is shared by the directions of the mesh, so that plane strain stays plane.
+  [[gnu::always_inline]] void project(Real projected)
+  {
+    for (int a = 0; a < dim; ++a) strain[a] += (projected - dilation) / dim;
+    dilation = projected;
+  }
+};
+
+/// stress += spin stress - stress spin (Jaumann).
+[[gnu::always_inline]] inline void rotate(SymTensor<2, Lanes>& s, const Real (&spin)[2][2])
+{
+  const Real w = spin[0][1];
+  const Lanes turned = w * (s[1] - s[0]), change = 2 * w * s[3];
+  s[0] += change;
+  s[1] -= change;
+  s[3] += turned;
+}
+[[gnu::always_inline]] inline void rotate(SymTensor<3, Lanes>& s, const Real (&spin)[3][3])
+{
+  const SymTensor<3, Lanes> old = s;
+  for (int a = 0; a < 3; ++a)
+    for (int b = a; b < 3; ++b) {
+      Lanes change{};
+      for (int k = 0; k < 3; ++k) change += spin[a][k] * old[tensor_place(k, b)] - old[tensor_place(a, k)] * spin[k][b];
+      s[tensor_place(a, b)] += change;
+    }
+}
+
+/// Replaces the stress of all particles of a full cell by their volume average (MPM-MIXED).
+template <int dim>
+void average_stress(const Mesh<dim>& mesh, Particles<dim>& particles, Index cell)
+{
+  constexpr Real full = 0.9;  // part of the cell that particles fill
+  Lanes volume{}, total[tensor_size<dim>]{};
+  Index left = particles.count_in(cell);
+  for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) {
+    const Block<dim>& p = particles.block(b);
+    volume += p.volume;
+    for (int k = 0; k < tensor_size<dim>; ++k) total[k] += p.volume * p.stress[k];
+  }
+  if (sum(volume) < full * mesh.volume[cell]) return;
+  left = particles.count_in(cell);
+  for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
+    for (int k = 0; k < tensor_size<dim>; ++k)
+      particles.block(b).stress[k] = lane_numbers < all_lanes(left) ? all_lanes(sum(total[k]) / sum(volume)) : Lanes{};
+}
+
+/// A point that round-off put beyond a face is moved onto it: negative shape functions become zero. True where it was no more than that.
+template <int dim>
+bool bring_back(const Mesh<dim>& mesh, Index cell, Vec<dim>& x)
+{
+  constexpr Real round_off = 1e-6;  // of a cell's height
+  Real n[dim + 1], total = 0;
+  for (int k = 0; k <= dim; ++k) {
+    n[k] = mesh.shape[cell].value(k, x);
+    if (n[k] < -round_off) return false;
+    total += n[k] = std::max(n[k], Real(0));
+  }
+  x.setZero();
+  for (int k = 0; k <= dim; ++k) x += n[k] / total * mesh.position[mesh.nodes[cell][k]];
+  return true;
+}
+
+template <int dim, class Law>
+void move_and_strain_with(const Law& law, const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
+{
+  const Mesh<dim>& mesh = model.mesh;
+  const BodyGrid<dim>& grid = work.grids[body];
+  Particles<dim>& particles = state.particles[body];
+  const Real dt = state.dt, per_density = 1 / density(model.bodies[body].material);
+  const Real least_volume = model.mpm.least_volume_ratio * per_density, most_volume = model.mpm.most_volume_ratio * per_density;
+  for (auto& list : work.movers) list.clear();
+
+  state.totals.internal += sum_of<Real>("move and strain particles", static_cast<Index>(particles.occupied().size()), [&](Index c) {
+    const Index cell = particles.occupied()[c];
+    const auto& nodes = mesh.nodes[cell];
+    const Shape<dim>& shape = mesh.shape[cell];
+    const LinearField<dim> acceleration(shape, nodes, grid.acceleration), velocity(shape, nodes, grid.moved_velocity);
+    CellStrain<dim> cell_strain(velocity, dt);
+    if (model.mpm.volumetric_projection) {
+      Real projected = 0;
+      for (Index node : nodes) projected += grid.dilation[node];
+      cell_strain.project(projected / (dim + 1));
+    }
+    const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
+    SymTensor<dim, Lanes> strain;
+    for (int k = 0; k < tensor_size<dim>; ++k) strain[k] = all_lanes(cell_strain.strain[k]);
+
+    Index left = particles.count_in(cell), place = 0;
+    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes, place += lanes) {
+      Block<dim>& p = particles.block(b);
+      const LaneMask alive = lane_numbers < all_lanes(left);
+      Lanes x[dim], least_shape = all_lanes(1);
+      for (int d = 0; d < dim; ++d) {
+        p.v[d] = alive ? p.v[d] + dt * acceleration.at(d, p.x) : p.v[d];
+        x[d] = alive ? p.x[d] + dt * velocity.at(d, p.x) : p.x[d];
+      }
+      for (int d = 0; d < dim; ++d) p.x[d] = x[d];
+      for (int k = 0; k <= dim; ++k) {
+        Lanes n = shape.a[k] + shape.b[0][k] * x[0];
+        for (int d = 1; d < dim; ++d) n += shape.b[d][k] * x[d];
+        least_shape = smaller(least_shape, n);
+      }
+
+      SymTensor<dim, Lanes> stress;
+      for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = p.stress[k];
+      rotate(stress, cell_strain.spin);
+      update_stress<dim, Lanes>(law, stress, strain, particles.state(b));
+      for (int k = 0; k < tensor_size<dim>; ++k) p.stress[k] = alive ? stress[k] : Lanes{};
+      p.volume = smaller(larger(p.volume * stretch, p.mass * least_volume), p.mass * most_volume);
+      p.deviatoric_strain += deviatoric;
+
+      const LaneMask leaves = alive & (least_shape < Lanes{});
+      if (any(leaves)) [[unlikely]]
+        for (int l = 0; l < lanes; ++l)
+          if (leaves[l]) {
+            Vec<dim> at;
+            for (int d = 0; d < dim; ++d) at[d] = p.x[d][l];
+            const Location found = locate(mesh, at, cell);
+            if (!found.inside && bring_back(mesh, found.cell, at))
+              for (int d = 0; d < dim; ++d) p.x[d][l] = at[d];
+            else if (!found.inside)
+              work.movers[omp_get_thread_num()].push_back({cell, place + l, none});
+            if (found.inside && found.cell != cell) work.movers[omp_get_thread_num()].push_back({cell, place + l, found.cell});
+          }
+    }
+    if (model.mpm.mixed_stress) average_stress(mesh, particles, cell);
+
+    Real work_of_cell = 0;
+    for (int a = 0; a < dim; ++a)
+      for (int b = a; b < dim; ++b)
+        work_of_cell += (a == b ? 1 : 2) * grid.moments[cell].stress[Moments<dim>::pair(a, b)] * cell_strain.strain[tensor_place(a, b)];
+    return work_of_cell;
+  });
+}
+
+template <int dim>
+[[noreturn]] void refuse(const Model<dim>& model, const State<dim>& state, const Particle<dim>& p, Index body)
+{
+  throw RunError(fmt::format("particle {} of body \"{}\" left the mesh at ({:.6g}) m at t = {:.6g} s (step {}), moving at ({:.3g}) m/s; "
+                             "make the mesh larger there, hold that boundary with a [support.NAME], or take a smaller mpm.courant",
+                             p.id, model.bodies[body].name, fmt::join(p.x.begin(), p.x.end(), ", "), state.time, state.step,
+                             fmt::join(p.v.begin(), p.v.end(), ", ")));
+}
+
+}  // namespace
+
+template <int dim>
+void move_and_strain(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
+{
+  std::visit([&](const auto& law) { move_and_strain_with<dim>(law, model, state, work, body); }, work.laws[body]);
+}
+
+template <int dim>
+void change_cells(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
+{
+  const Timer timer("change cells");
+  Particles<dim>& particles = state.particles[body];
+  BodyGrid<dim>& grid = work.grids[body];
+  std::vector<Mover>& movers = work.movers.front();
+  for (std::size_t t = 1; t < work.movers.size(); ++t) movers.insert(movers.end(), work.movers[t].begin(), work.movers[t].end());
+  if (movers.empty()) return;
+  std::sort(movers.begin(), movers.end(), [](const Mover& a, const Mover& b) { return a.from != b.from ? a.from < b.from : a.place < b.place; });
+
+  // The last first: taking a particle moves only ones that were behind it.
+  work.moving.resize(movers.size());
+  for (std::size_t m = movers.size(); m-- > 0;) {
+    work.moving[m] = particles.take(movers[m].from, movers[m].place);
+    if (movers[m].to == none) refuse(model, state, work.moving[m], body);
+  }
+  for (std::size_t m = 0; m < movers.size(); ++m) particles.insert(movers[m].to, work.moving[m]);
+  for (const Mover& mover : movers)
+    if (particles.count_in(mover.from) == 0) {
+      grid.moments[mover.from] = {};
+      grid.volume_change[mover.from] = 0;
+      for (int k = 0; k <= dim; ++k) {
+        const Index entry = (dim + 1) * mover.from + k;
+        grid.corner_sums[entry] = {};
+        grid.corner_force[entry].setZero();
+        grid.corner_momentum[entry].setZero();
+      }
+    }
+  if (particles.sort_occupied()) find_nodes(model.mesh, particles, grid);
+}
+
+#define BERM_INSTANTIATE(dim)                                                                  \
+  template void move_and_strain(const Model<dim>&, State<dim>&, Work<dim>&, Index);            \
+  template void change_cells(const Model<dim>&, State<dim>&, Work<dim>&, Index);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mpm/grid.hpp"
+
+namespace berm {
+
+/// Steps 5 and 9 to 11 on the particles of one body: velocity from the corrected acceleration (14), position from the corrected velocity of the
+/// nodes (20), strain increment (21) with its volumetric part projected, Jaumann rotation of the stress, the law (22, 23), volume, accumulated
+/// deviatoric strain; and notes which particles now lie in another cell.
+template <int dim>
+void move_and_strain(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body);
+
+/// Hands the noted particles to their new cells, in the order of their old ones. Throws RunError for a particle that has left the mesh.
+template <int dim>
+void change_cells(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body);
+
+}  // namespace berm

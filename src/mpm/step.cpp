@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/step.hpp"
+
+#include "mpm/balance.hpp"
+#include "mpm/move.hpp"
+#include "mpm/rigid_contact.hpp"
+#include "mpm/time_step.hpp"
+#include "mpm/transfer.hpp"
+#include "problem/stages.hpp"
+
+namespace berm {
+
+// Numbers in brackets are the paper's equations. Each body has nodal fields of its own, so the loops over bodies come first.
+template <int dim>
+void step(const Model<dim>& model, State<dim>& state, Work<dim>& work)
+{
+  const Index bodies = static_cast<Index>(model.bodies.size());
+  if (state.step % steps_between_time_steps == 0) state.dt = stable_time_step(model, state, work);
+  drive_rigids(model, state, state.dt);
+
+  for (Index b = 0; b < bodies; ++b) {
+    sum_moments(model.mesh, state.particles[b], work.grids[b]);                            // 1: sums over the particles of each cell
+    gather_mass_and_momentum(model.mesh, work.grids[b]);                                   // 1: (1), and velocities before the step
+    spread_internal_forces(model, state.particles[b], work.grids[b]);                      // 1: (2)
+  }
+  find_contacts(model, state, work);                                                       // 4: who touches whom
+  for (Index b = 0; b < bodies; ++b) solve_momentum_balance(model, state, work, b);        // 1-4: (3), (4), (6), supports
+  correct_accelerations(model, state, work);                                               // 4: (8)-(14)
+
+  for (Index b = 0; b < bodies; ++b) {
+    spread_new_momentum(model.mesh, state.particles[b], state.dt, work.grids[b]);          // 5-6: (14)-(16) from the moments
+    gather_new_velocities(model, work.grids[b]);                                           // 7-8: (18), supports
+  }
+  correct_velocities(model, state, work);                                                  // 8: (8)-(13) again
+
+  for (Index b = 0; b < bodies; ++b) {
+    if (model.mpm.volumetric_projection) project_dilation(model.mesh, state.particles[b], state.dt, work.grids[b]);
+    move_and_strain(model, state, work, b);                                                // 5, 9-11: (14), (19)-(23)
+    change_cells(model, state, work, b);
+  }
+  move_rigids(model, state);
+  state.time += state.dt;
+  ++state.step;
+}
+
+template void step(const Model<2>&, State<2>&, Work<2>&);
+template void step(const Model<3>&, State<3>&, Work<3>&);
+
+}  // namespace berm

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mpm/grid.hpp"
+
+namespace berm {
+
+/// Advances the state by one time step: modified update-stress-last with frictional contact corrected in steps 4 and 8 (paper, section 2.2,
+/// steps 1-11). Throws RunError where a particle leaves the mesh.
+template <int dim>
+void step(const Model<dim>& model, State<dim>& state, Work<dim>& work);
+
+}  // namespace berm

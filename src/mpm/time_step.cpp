@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/time_step.hpp"
+
+#include "core/error.hpp"
+#include "core/for_each.hpp"
+
+#include <fmt/format.h>
+
+namespace berm {
+
+template <int dim>
+Real stable_time_step(const Model<dim>& model, const State<dim>& state, Work<dim>& work)
+{
+  Real fastest = 0;
+  for (const RigidState<dim>& rigid : state.rigids) fastest = std::max(fastest, rigid.velocity.norm());
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyGrid<dim>& grid = work.grids[b];
+    // A comparison with NaN is false, so NaN is turned into infinity to be seen.
+    fastest = largest_of("fastest node", static_cast<Index>(grid.nodes.size()), fastest, [&](Index n) {
+      const Real speed = grid.moved_velocity[grid.nodes[n]].norm();
+      return std::isfinite(speed) ? speed : infinity;
+    });
+  }
+  if (!std::isfinite(fastest))
+    throw RunError(fmt::format("velocities are not finite at t = {} s (step {}); try a smaller mpm.courant (now {})", state.time, state.step,
+                               model.mpm.courant));
+  work.fastest = fastest;
+
+  Real least = infinity;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Material& material = model.bodies[b].material;
+    const Real wave_speed = std::sqrt(p_wave_modulus(material) / density(material));
+    const auto& occupied = state.particles[b].occupied();
+    const Real height = -largest_of("smallest height", static_cast<Index>(occupied.size()), -infinity,
+                                    [&](Index c) { return -model.mesh.height[occupied[c]]; });
+    least = std::min(least, height / (wave_speed + fastest));
+  }
+  return model.mpm.courant * least;
+}
+
+template Real stable_time_step(const Model<2>&, const State<2>&, Work<2>&);
+template Real stable_time_step(const Model<3>&, const State<3>&, Work<3>&);
+
+}  // namespace berm

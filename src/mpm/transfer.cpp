@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/transfer.hpp"
+
+#include "core/for_each.hpp"
+
+namespace berm {
+namespace {
+
+/// Corner k of a cell gets a_k q + b_k . qx, the sum over particles of N_k times a quantity with sums q and (times x) qx.
+template <int dim>
+[[gnu::always_inline]] inline Real at_corner(const Shape<dim>& shape, int k, Real q, const Real* qx)
+{
+  Real sum = shape.a[k] * q;
+  for (int d = 0; d < dim; ++d) sum += shape.b[d][k] * qx[d];
+  return sum;
+}
+
+/// The moments in Lanes while they are summed, block by block.
+template <int dim>
+struct LaneMoments {
+  Lanes m{}, mx[dim]{}, mxx[Moments<dim>::pairs]{}, mv[dim]{}, mvx[dim][dim]{}, volume{}, stress[Moments<dim>::pairs]{};
+
+  [[gnu::always_inline]] void add(const Block<dim>& p)
+  {
+    m += p.mass;
+    volume += p.volume;
+    Lanes at[dim];
+    for (int a = 0; a < dim; ++a) {
+      at[a] = p.mass * p.x[a];
+      mx[a] += at[a];
+      mv[a] += p.mass * p.v[a];
+    }
+    for (int a = 0; a < dim; ++a)
+      for (int b = a; b < dim; ++b) {
+        mxx[Moments<dim>::pair(a, b)] += at[a] * p.x[b];
+        stress[Moments<dim>::pair(a, b)] += p.volume * p.stress[tensor_place(a, b)];
+      }
+    for (int d = 0; d < dim; ++d)
+      for (int a = 0; a < dim; ++a) mvx[d][a] += at[a] * p.v[d];
+  }
+
+  [[gnu::always_inline]] void total(Moments<dim>& t) const
+  {
+    t.m = sum(m);
+    t.volume = sum(volume);
+    for (int a = 0; a < dim; ++a) t.mx[a] = sum(mx[a]), t.mv[a] = sum(mv[a]);
+    for (int k = 0; k < Moments<dim>::pairs; ++k) t.mxx[k] = sum(mxx[k]), t.stress[k] = sum(stress[k]);
+    for (int d = 0; d < dim; ++d)
+      for (int a = 0; a < dim; ++a) t.mvx[d][a] = sum(mvx[d][a]);
+  }
+};
+
+}  // namespace
+
+template <int dim>
+void sum_moments(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid<dim>& grid)
+{
+  const auto& occupied = particles.occupied();
+  for_each("sum moments of cells", static_cast<Index>(occupied.size()), [&](Index c) {
+    const Index cell = occupied[c];
+    LaneMoments<dim> sums;
+    Index left = particles.count_in(cell);
+    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) sums.add(particles.block(b));
+    Moments<dim>& t = grid.moments[cell];
+    sums.total(t);
+
+    const Shape<dim>& shape = mesh.shape[cell];
+    Real trace_of_stress = 0;
+    for (int d = 0; d < dim; ++d) trace_of_stress += t.stress[Moments<dim>::pair(d, d)];
+    for (int k = 0; k <= dim; ++k) {
+      CornerSums<dim>& corner = grid.corner_sums[(dim + 1) * cell + k];
+      corner.mass = at_corner(shape, k, t.m, t.mx);
+      for (int d = 0; d < dim; ++d) corner.momentum[d] = at_corner(shape, k, t.mv[d], t.mvx[d]);
+      corner.volume = t.volume;
+      corner.volume_pressure = trace_of_stress / dim;
+    }
+  });
+}
+
+template <int dim>
+void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid)
+{
+  for_each("gather mass and momentum", static_cast<Index>(grid.nodes.size()), [&](Index n) {
+    const Index i = grid.nodes[n];
+    CornerSums<dim> total{};
+    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) {
+      const CornerSums<dim>& corner = grid.corner_sums[mesh.entries[e]];
+      total.mass += corner.mass;
+      total.volume += corner.volume;
+      total.volume_pressure += corner.volume_pressure;
+      for (int d = 0; d < dim; ++d) total.momentum[d] += corner.momentum[d];
+    }
+    // A node that only particles on the opposite faces see has a mass of round-off, which must not be divided by.
+    if (!(total.mass > 0)) total.mass = 0;
+    const Real per_mass = total.mass > 0 ? 1 / total.mass : 0;
+    grid.mass[i] = total.mass;
+    grid.volume[i] = total.volume;
+    grid.pressure[i] = total.volume_pressure / total.volume;
+    for (int d = 0; d < dim; ++d) grid.velocity[i][d] = total.momentum[d] * per_mass;
+  });
+}
+
+template <int dim>
+void spread_internal_forces(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid)
+{
+  const Mesh<dim>& mesh = model.mesh;
+  const auto& occupied = particles.occupied();
+  const bool project = model.mpm.volumetric_projection;
+  for_each("internal forces of cells", static_cast<Index>(occupied.size()), [&](Index c) {
+    const Index cell = occupied[c];
+    const Moments<dim>& t = grid.moments[cell];
+    Real change = 0;  // of volume times mean stress
+    if (project) {
+      for (Index node : mesh.nodes[cell]) change += grid.pressure[node];
+      change = change / (dim + 1) * t.volume - grid.corner_sums[(dim + 1) * cell].volume_pressure;
+    }
+    Matrix<dim> stress;
+    for (int a = 0; a < dim; ++a)
+      for (int b = 0; b < dim; ++b) stress(a, b) = t.stress[Moments<dim>::pair(std::min(a, b), std::max(a, b))] + (a == b ? change : 0);
+    for (int k = 0; k <= dim; ++k) grid.corner_force[(dim + 1) * cell + k] = -stress * mesh.shape[cell].gradient(k);
+  });
+}
+
+template <int dim>
+void spread_new_momentum(const Mesh<dim>& mesh, const Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
+{
+  const auto& occupied = particles.occupied();
+  for_each("momentum after the forces", static_cast<Index>(occupied.size()), [&](Index c) {
+    const Index cell = occupied[c];
+    const Moments<dim>& t = grid.moments[cell];
+    const Shape<dim>& shape = mesh.shape[cell];
+    Vec<dim>* corners = &grid.corner_momentum[(dim + 1) * cell];
+    for (int d = 0; d < dim; ++d) {
+      Real a0 = 0, slope[dim] = {};  // a(x) = a0 + slope . x
+      for (int k = 0; k <= dim; ++k) {
+        const Real a = grid.acceleration[mesh.nodes[cell][k]][d];
+        a0 += shape.a[k] * a;
+        for (int e = 0; e < dim; ++e) slope[e] += shape.b[e][k] * a;
+      }
+      Real momentum = a0 * t.m, times_x[dim];
+      for (int e = 0; e < dim; ++e) momentum += slope[e] * t.mx[e];
+      for (int f = 0; f < dim; ++f) {
+        times_x[f] = a0 * t.mx[f];
+        for (int e = 0; e < dim; ++e) times_x[f] += slope[e] * t.mxx[Moments<dim>::pair(std::min(e, f), std::max(e, f))];
+        times_x[f] = t.mvx[d][f] + dt * times_x[f];
+      }
+      momentum = t.mv[d] + dt * momentum;
+      for (int k = 0; k <= dim; ++k) corners[k][d] = at_corner(shape, k, momentum, times_x);
+    }
+  });
+}
+
+template <int dim>
+void gather_new_velocities(const Model<dim>& model, BodyGrid<dim>& grid)
+{
+  const Mesh<dim>& mesh = model.mesh;
+  for_each("gather new velocities", static_cast<Index>(grid.nodes.size()), [&](Index n) {
+    const Index i = grid.nodes[n];
+    Vec<dim> momentum = Vec<dim>::Zero();
+    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) momentum += grid.corner_momentum[mesh.entries[e]];
+    Vec<dim> v = grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : Vec<dim>(Vec<dim>::Zero());
+    for (int d = 0; d < dim; ++d)
+      if (model.fixed[i] >> d & 1) v[d] = 0;
+    grid.moved_velocity[i] = v;
+  });
+}
+
+template <int dim>
+void project_dilation(const Mesh<dim>& mesh, const Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
+{
+  const auto& occupied = particles.occupied();
+  for_each("volume change of cells", static_cast<Index>(occupied.size()), [&](Index c) {
+    const Index cell = occupied[c];
+    Real divergence = 0;
+    for (int k = 0; k <= dim; ++k) divergence += mesh.shape[cell].gradient(k).dot(grid.moved_velocity[mesh.nodes[cell][k]]);
+    grid.volume_change[cell] = grid.moments[cell].volume * divergence * dt;
+  });
+  for_each("dilation of nodes", static_cast<Index>(grid.nodes.size()), [&](Index n) {
+    const Index i = grid.nodes[n];
+    Real change = 0;
+    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) change += grid.volume_change[mesh.entries[e] / (dim + 1)];
+    grid.dilation[i] = change / grid.volume[i];
+  });
+}
+
+#define BERM_INSTANTIATE(dim)                                                                          \
+  template void sum_moments(const Mesh<dim>&, const Particles<dim>&, BodyGrid<dim>&);                  \
+  template void gather_mass_and_momentum(const Mesh<dim>&, BodyGrid<dim>&);                            \
+  template void spread_internal_forces(const Model<dim>&, const Particles<dim>&, BodyGrid<dim>&);      \
+  template void spread_new_momentum(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);    \
+  template void gather_new_velocities(const Model<dim>&, BodyGrid<dim>&);                              \
+  template void project_dilation(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm

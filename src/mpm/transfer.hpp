@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mpm/grid.hpp"
+
+namespace berm {
+
+/// Step 1: the moments of each cell, and what they give to its corners: mass sum m N_k, momentum sum m v N_k, volume, volume times mean stress.
+template <int dim>
+void sum_moments(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid<dim>& grid);
+
+/// Step 1: nodes gather mass, velocity v = momentum / mass, particle volume and volume-averaged mean stress from their cells, always in the same order.
+template <int dim>
+void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid);
+
+/// Step 1, equation 2: the internal force of each cell on its corners, -sum V sigma grad N. With the volumetric projection the cell's mean stress is
+/// first replaced by the mean of its nodes' (volume-averaged) mean stress: the transpose of what project_dilation does to the strain.
+template <int dim>
+void spread_internal_forces(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid);
+
+/// Steps 5 and 6: the momentum that the corners get from the particles once these have the corrected acceleration, from the moments alone:
+/// sum m N_k (v + dt a(x)) with a linear in x needs only sums of m, m x, m x x, m v, m v x.
+template <int dim>
+void spread_new_momentum(const Mesh<dim>& mesh, const Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
+
+/// Steps 7 and 8: the nodes' velocities from that momentum, with the supports.
+template <int dim>
+void gather_new_velocities(const Model<dim>& model, BodyGrid<dim>& grid);
+
+/// The volumetric strain increment of each node: the volume average of its cells'. A cell then strains by the mean of its corners'.
+template <int dim>
+void project_dilation(const Mesh<dim>& mesh, const Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
+
+}  // namespace berm

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/frames.hpp"
+
+#include "core/error.hpp"
+#include "output/whole_file.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+/// Visits visit(block index, lane) for all particles of a body, whether or not its list of occupied cells is up to date.
+template <int dim, class Visit> void visit_all(const Particles<dim>& particles, Index cells, const Visit& visit)
+{
+  for (Index cell = 0; cell < cells; ++cell)
+    for (Index left = particles.count_in(cell), b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
+      for (int l = 0; l < std::min<Index>(lanes, left); ++l) visit(b, l);
+}
+
+template <int dim, class T> void append(std::vector<T>& list, const Vec<dim>& v)
+{
+  for (int d = 0; d < 3; ++d) list.push_back(d < dim ? static_cast<T>(v[d]) : T{0});
+}
+
+std::string file_name(const char* kind, Index number)
+{
+  return fmt::format("{}_{:04}.vtu", kind, number);
+}
+
+} // namespace
+
+template <int dim>
+FrameWriter<dim>::FrameWriter(const std::filesystem::path& folder, const Model<dim>& model, const State<dim>& start)
+    : folder_(folder),
+      model_(model),
+      first_(start.particles.size())
+{
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw RunError(fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
+  for (std::size_t body = 0; body < start.particles.size(); ++body)
+    visit_all<dim>(start.particles[body], model.mesh.cell_count(), [&](Index b, int l) {
+      const Block<dim>& block = start.particles[body].block(b);
+      const auto id = static_cast<std::size_t>(block.id[l]);
+      if (first_[body].size() <= id) first_[body].resize(id + 1);
+      for (int d = 0; d < dim; ++d) first_[body][id].x[d] = block.x[d][l];
+      first_[body][id].strain = block.deviatoric_strain[l];
+    });
+  write_mesh();
+}
+
+template <int dim> Frame<dim> FrameWriter<dim>::frame_of(const State<dim>& state)
+{
+  Frame<dim> frame;
+  frame.time = state.time;
+  for (std::size_t body = 0; body < state.particles.size(); ++body) {
+    std::vector<Particle<dim>> by_id(first_[body].size());
+    visit_all<dim>(state.particles[body], model_.mesh.cell_count(), [&](Index b, int l) {
+      const Particle<dim> p = state.particles[body].read(b, l);
+      by_id.at(static_cast<std::size_t>(p.id)) = p;
+    });
+    for (const Particle<dim>& p : by_id) {
+      if (p.id == none) continue;
+      First& first = first_[body][static_cast<std::size_t>(p.id)];
+      frame.particles.push_back({p, static_cast<Index>(body), p.x - first.x, p.deviatoric_strain - first.strain});
+      first.strain = p.deviatoric_strain;
+    }
+  }
+  for (std::size_t r = 0; r < model_.rigids.size(); ++r)
+    frame.rigids.push_back(
+        surface_of<dim>(moved<dim>(model_.rigids[r].shape, state.rigids[r].displacement), model_.mesh.lower, model_.mesh.upper));
+  return frame;
+}
+
+template <int dim> void FrameWriter<dim>::write(const State<dim>& state)
+{
+  if (!times_.empty() && times_.back() == state.time) return;
+  last_ = frame_of(state);
+  write_particles(file_name("particles", count()));
+  if (!model_.rigids.empty()) write_rigids(file_name("rigid", count()), state);
+  times_.push_back(state.time);
+  write_collection();
+}
+
+template <int dim> void FrameWriter<dim>::write_mesh() const
+{
+  const Mesh<dim>& mesh = model_.mesh;
+  std::vector<Real> points;
+  for (const Vec<dim>& x : mesh.position) append<dim>(points, x);
+  Vtu vtu(std::move(points));
+  for (const auto& nodes : mesh.nodes)
+    vtu.add_cell(dim == 2 ? VtkCell::triangle : VtkCell::tetrahedron, std::vector<Index>(nodes.begin(), nodes.end()));
+  vtu.cell_field("region", 1, std::vector<std::int32_t>(mesh.region.begin(), mesh.region.end()));
+  write_whole(folder_ / "mesh.vtu", vtu.text());
+}
+
+template <int dim> void FrameWriter<dim>::write_particles(const std::string& name) const
+{
+  std::vector<Real> points;
+  std::vector<float> velocity, displacement, stress, mean_stress, strain, increment, volume;
+  std::vector<std::int32_t> body, id;
+  for (const FrameParticle<dim>& f : last_.particles) {
+    const Particle<dim>& p = f.particle;
+    append<dim>(points, p.x);
+    append<dim>(velocity, p.v);
+    append<dim>(displacement, f.displacement);
+    for (int k = 0; k < 6; ++k) stress.push_back(k < tensor_size<dim> ? static_cast<float>(p.stress[k]) : 0);
+    mean_stress.push_back(static_cast<float>(trace(p.stress) / 3));
+    strain.push_back(static_cast<float>(p.deviatoric_strain));
+    increment.push_back(static_cast<float>(f.strain_increment));
+    volume.push_back(static_cast<float>(p.volume));
+    body.push_back(f.body);
+    id.push_back(p.id);
+  }
+  Vtu vtu(std::move(points));
+  for (Index k = 0; k < static_cast<Index>(last_.particles.size()); ++k) vtu.add_cell(VtkCell::vertex, {k});
+  vtu.set_time(last_.time);
+  vtu.point_field("velocity", 3, velocity);
+  vtu.point_field("displacement", 3, displacement);
+  vtu.point_field("stress", 6, stress, {"XX", "YY", "ZZ", "XY", "YZ", "XZ"});
+  vtu.point_field("mean_stress", 1, mean_stress);
+  vtu.point_field("deviatoric_strain", 1, strain);
+  vtu.point_field("incremental_deviatoric_strain", 1, increment);
+  vtu.point_field("volume", 1, volume);
+  vtu.point_field("body", 1, body);
+  vtu.point_field("id", 1, id);
+  write_whole(folder_ / name, vtu.text());
+}
+
+template <int dim> void FrameWriter<dim>::write_rigids(const std::string& name, const State<dim>& state) const
+{
+  std::vector<Real> points;
+  for (const RigidSurface<dim>& surface : last_.rigids)
+    for (const Vec<dim>& x : surface.points) append<dim>(points, x);
+  Vtu vtu(std::move(points));
+  std::vector<std::int32_t> rigid;
+  std::vector<float> velocity;
+  Index first = 0;
+  for (std::size_t r = 0; r < last_.rigids.size(); ++r) {
+    for (const auto& cell : last_.rigids[r].cells) {
+      std::vector<Index> corners = cell.points;
+      for (Index& corner : corners) corner += first;
+      vtu.add_cell(cell.type, corners);
+      rigid.push_back(static_cast<std::int32_t>(r));
+      append<dim>(velocity, state.rigids[r].velocity);
+    }
+    first += static_cast<Index>(last_.rigids[r].points.size());
+  }
+  vtu.set_time(last_.time);
+  vtu.cell_field("rigid", 1, rigid);
+  vtu.cell_field("velocity", 3, velocity);
+  write_whole(folder_ / name, vtu.text());
+}
+
+template <int dim> void FrameWriter<dim>::write_collection() const
+{
+  std::string xml = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>\n";
+  for (Index k = 0; k < count(); ++k) {
+    const auto line = [&](int part, const char* kind) {
+      xml += fmt::format("<DataSet timestep=\"{}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n", times_[k], part, kind, file_name(kind, k));
+    };
+    line(0, "particles");
+    if (!model_.rigids.empty()) line(1, "rigid");
+  }
+  write_whole(folder_ / "frames.pvd", xml + "</Collection>\n</VTKFile>\n");
+}
+
+template class FrameWriter<2>;
+template class FrameWriter<3>;
+
+} // namespace berm

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/history.hpp"
+
+#include "core/error.hpp"
+#include "output/whole_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
+
+namespace berm {
+namespace {
+
+constexpr const char* stage_column = "stage";
+
+// As RFC 4180 wants it: quoted only where the text holds a comma, a quote or the end of a line.
+std::string csv_field(const std::string& text)
+{
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string csv_number(Real value)
+{
+  return std::isnan(value) ? "nan" : fmt::format("{}", value);
+}
+
+/// Takes the next line's fields from `text` and moves `at` behind it; false where no whole line is left.
+bool next_line(const std::string& text, std::size_t& at, std::vector<std::string>& fields)
+{
+  fields.assign(1, "");
+  bool quoted = false;
+  for (std::size_t k = at; k < text.size(); ++k) {
+    const char c = text[k];
+    if (quoted && c == '"' && k + 1 < text.size() && text[k + 1] == '"') {
+      fields.back() += text[++k];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      fields.emplace_back();
+    } else if (c == '\n' && !quoted) {
+      if (!fields.back().empty() && fields.back().back() == '\r') fields.back().pop_back();
+      at = k + 1;
+      return true;
+    } else {
+      fields.back() += c;
+    }
+  }
+  return false;
+}
+
+bool read_number(const std::string& field, Real& value)
+{
+  const char* end = field.data() + field.size();
+  const auto [stop, error] = std::from_chars(field.data(), end, value);
+  return error == std::errc() && stop == end && !field.empty();
+}
+
+} // namespace
+
+HistoryFile::HistoryFile(const std::filesystem::path& path, const std::vector<std::string>& columns) : path_(path), columns_(columns.size())
+{
+  file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
+  if (file_ < 0) throw_errno(fmt::format("cannot write {}", path.string()));
+  std::string line = "time_s,stage";
+  for (const std::string& column : columns) line += ',' + csv_field(column);
+  try {
+    write(line + '\n');
+  } catch (...) {
+    ::close(file_);
+    throw;
+  }
+}
+
+HistoryFile::~HistoryFile()
+{
+  ::close(file_);
+}
+
+void HistoryFile::write(const std::string& line)
+{
+  if (!write_all(file_, line)) throw_errno(fmt::format("cannot write {}", path_.string()));
+}
+
+void HistoryFile::add(Real time, const std::string& stage, const std::vector<Real>& values)
+{
+  if (values.size() != columns_)
+    throw RunError(fmt::format("{}: a row of {} numbers for {} columns", path_.string(), values.size(), columns_));
+  std::string line = csv_number(time) + ',' + csv_field(stage);
+  for (const Real value : values) line += ',' + csv_number(value);
+  write(line + '\n');
+}
+
+bool History::has(const std::string& column) const
+{
+  return std::find(columns.begin(), columns.end(), column) != columns.end();
+}
+
+const std::vector<Real>& History::operator[](const std::string& column) const
+{
+  const auto found = std::find(columns.begin(), columns.end(), column);
+  if (found == columns.end()) throw RunError(fmt::format("the history has no column {}; it has {}", column, fmt::join(columns, ", ")));
+  return values[static_cast<std::size_t>(found - columns.begin())];
+}
+
+History read_history(const std::filesystem::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw_errno(fmt::format("cannot read {}", path.string()));
+  std::ostringstream content;
+  content << file.rdbuf();
+  const std::string text = content.str();
+
+  History history;
+  std::vector<std::string> header, fields;
+  std::size_t at = 0;
+  if (!next_line(text, at, header)) throw RunError(fmt::format("{}: it has no header line", path.string()));
+  const auto stage = static_cast<std::size_t>(std::find(header.begin(), header.end(), stage_column) - header.begin());
+  if (stage == header.size()) throw RunError(fmt::format("{}: line 1: there is no column {}", path.string(), stage_column));
+  for (std::size_t k = 0; k < header.size(); ++k)
+    if (k != stage) history.columns.push_back(header[k]);
+  history.values.resize(history.columns.size());
+
+  for (Index line = 2; next_line(text, at, fields); ++line) {
+    if (fields.size() != header.size())
+      throw RunError(fmt::format("{}: line {}: {} fields for {} columns", path.string(), line, fields.size(), header.size()));
+    history.stage.push_back(fields[stage]);
+    for (std::size_t k = 0, column = 0; k < fields.size(); ++k) {
+      if (k == stage) continue;
+      Real value = 0;
+      if (!read_number(fields[k], value))
+        throw RunError(fmt::format("{}: line {}: \"{}\" is not a number", path.string(), line, fields[k]));
+      history.values[column++].push_back(value);
+    }
+  }
+  return history;
+}
+
+} // namespace berm

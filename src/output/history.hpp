@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/numbers.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace berm {
+
+/// history.csv on its way to the disk: a header, then one line a row, each handed to the system whole, so that a reader at any time
+/// sees whole rows but perhaps the last. Numbers are written in the shortest form that reads back to the same number, NaN as "nan".
+class HistoryFile {
+public:
+  /// The columns are time_s, stage and then `columns`. Throws RunError.
+  HistoryFile(const std::filesystem::path& path, const std::vector<std::string>& columns);
+  ~HistoryFile();
+  HistoryFile(const HistoryFile&) = delete;
+  HistoryFile& operator=(const HistoryFile&) = delete;
+
+  /// One row: values in the order of the columns. Throws RunError where it cannot be written.
+  void add(Real time, const std::string& stage, const std::vector<Real>& values);
+
+private:
+  void write(const std::string& line);
+
+  std::filesystem::path path_;
+  std::size_t columns_;
+  int file_;
+};
+
+/// A history read back: columns of numbers by name, and the name of the stage of each row.
+struct History {
+  std::vector<std::string> columns;      ///< all but the stage, in the order of the file
+  std::vector<std::vector<Real>> values; ///< by column, then row
+  std::vector<std::string> stage;        ///< by row
+
+  Index rows() const { return static_cast<Index>(stage.size()); }
+  bool has(const std::string& column) const;
+  /// The numbers of a column. Throws RunError where there is no such column.
+  const std::vector<Real>& operator[](const std::string& column) const;
+};
+
+/// Reads a history.csv. A last line without its end is left out. Throws RunError with file and line for anything that is not a history.
+History read_history(const std::filesystem::path& path);
+
+} // namespace berm

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/pipe_quantities.hpp"
+
+#include "output/travel_curve.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace berm {
+namespace {
+
+constexpr Real drag_points[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.75, 1.0}; // of D
+constexpr Real push_spacing = 0.05;                                  // of D
+constexpr Real reached = 1e-4; // of D: a stage that ends at a displacement may stop this much short of it, by rounding and by a step
+
+bool contains(const std::vector<std::string>& list, const std::string& name)
+{
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+/// Collects quantities, each with its dimensionless twin.
+class Collector {
+public:
+  explicit Collector(const PipeScale& scale) : scale_(scale) {}
+
+  void force(const std::string& name, Real value)
+  {
+    list_.push_back({name, value, "N/m"});
+    const Real unit = scale_.unit_weight * scale_.diameter * scale_.diameter;
+    if (unit > 0) list_.push_back({name + "_over_gammaD2", value / unit, "1"});
+  }
+  void length(const std::string& name, Real value)
+  {
+    list_.push_back({name, value, "m"});
+    list_.push_back({name + "_over_D", value / scale_.diameter, "1"});
+  }
+  void ratio(const std::string& name, Real value) { list_.push_back({name, value, "1"}); }
+  std::vector<Quantity> list() && { return std::move(list_); }
+
+private:
+  PipeScale scale_;
+  std::vector<Quantity> list_;
+};
+
+void add_push(Collector& collector, const PipePath& path, Real D)
+{
+  const TravelCurve V(path.w, path.V);
+  if (V.empty()) return;
+  const Real half = averaging_half_width * D;
+  for (int k = 1; k * push_spacing * D <= V.end() + reached * D; ++k)
+    collector.force(fmt::format("V_at_w_{:g}D", k * push_spacing), V.at(std::min(k * push_spacing * D, V.end()), half));
+  collector.force("V_end_of_push", V.at(V.end(), half));
+  collector.length("w_end_of_push", V.end());
+}
+
+void add_drag(Collector& collector, const PipePath& path, std::optional<Real> held, Real D)
+{
+  const TravelCurve H(path.drag_u, path.drag_H), V(path.drag_u, path.drag_V), w(path.drag_u, path.drag_w);
+  if (H.empty() || V.empty() || w.empty()) return;
+  const Real half = averaging_half_width * D;
+  for (const Real point : drag_points) {
+    if (point * D > H.end() + reached * D) break;
+    const Real u = std::min(point * D, H.end());
+    collector.force(fmt::format("H_at_u_{:g}D", point), H.at(u, half));
+    collector.length(fmt::format("w_at_u_{:g}D", point), w.at(u, half));
+    collector.ratio(fmt::format("H_over_V_at_u_{:g}D", point), H.at(u, half) / V.at(u, half));
+  }
+  Real H_max = -infinity, u_max = 0;
+  for (const Real u : H.travel())
+    if (const Real here = H.at(u, half); here > H_max) H_max = here, u_max = u;
+  collector.force("H_max", H_max);
+  collector.length("u_at_H_max", u_max);
+
+  // The first row is the push's last.
+  const std::vector<Real> force(path.drag_V.begin() + 1, path.drag_V.end());
+  if (force.empty()) return;
+  const Real target = held ? *held : std::accumulate(force.begin(), force.end(), Real{0}) / static_cast<Real>(force.size());
+  Real squares = 0;
+  for (const Real f : force) squares += (f - target) * (f - target);
+  collector.ratio("V_rms_error_in_drag", std::sqrt(squares / static_cast<Real>(force.size())) / std::abs(target));
+}
+
+void add_contact(Collector& collector, const History& history, const PipeStages& stages)
+{
+  Real most = -infinity, sum = 0;
+  Index overlaps = 0, gaps = 0;
+  for (Index k = 0; k < history.rows(); ++k) {
+    if (!contains(stages.push, history.stage[k]) && !contains(stages.drag, history.stage[k])) continue;
+    if (history.has("overlap_m") && !std::isnan(history["overlap_m"][k])) most = std::max(most, history["overlap_m"][k]), ++overlaps;
+    if (history.has("gap_m") && std::isfinite(history["gap_m"][k])) sum += history["gap_m"][k], ++gaps;
+  }
+  if (overlaps > 0) collector.length("overlap_max", most);
+  if (gaps > 0) collector.length("gap_mean", sum / gaps);
+}
+
+/// Four digits that count, without an exponent in the range of engineering numbers.
+std::string four_digits(Real value)
+{
+  const Real size = std::abs(value);
+  if (!std::isfinite(value) || (size > 0 && (size < 1e-5 || size >= 1e7))) return fmt::format("{:.3e}", value);
+  const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
+  return fmt::format("{:.{}f}", value, std::max(0, 4 - before));
+}
+
+} // namespace
+
+PipePath pipe_path(const History& history, const PipeStages& stages)
+{
+  const auto &u = history["u_m"], &w = history["w_m"], &H = history["H_N_m"], &V = history["V_N_m"];
+  PipePath path;
+  Real begin = 0;
+  for (Index k = 0; k < history.rows(); ++k) {
+    if (contains(stages.push, history.stage[k])) path.w.push_back(w[k]), path.V.push_back(V[k]);
+    if (!contains(stages.drag, history.stage[k])) continue;
+    const Index from = path.drag_u.empty() ? std::max(k - 1, 0) : k;
+    if (path.drag_u.empty()) begin = u[from];
+    for (Index row = from; row <= k; ++row) {
+      path.drag_u.push_back(std::abs(u[row] - begin));
+      path.drag_w.push_back(w[row]);
+      path.drag_H.push_back(H[row]);
+      path.drag_V.push_back(V[row]);
+    }
+  }
+  return path;
+}
+
+std::vector<Quantity> pipe_quantities(const History& history, const PipeScale& scale, const PipeStages& stages)
+{
+  const PipePath path = pipe_path(history, stages);
+  Collector collector(scale);
+  add_push(collector, path, scale.diameter);
+  add_drag(collector, path, stages.held_force, scale.diameter);
+  add_contact(collector, history, stages);
+  return std::move(collector).list();
+}
+
+std::string key_results_table(const std::vector<Quantity>& quantities, const PipeScale& scale)
+{
+  const auto find = [&](const std::string& name) {
+    return std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& q) { return q.name == name; });
+  };
+  const bool prototype = std::abs(scale.gravity_level - 1) > 1e-3;
+  std::string table = fmt::format("{:<24}{:>18}{:>16}", "", "model", "dimensionless");
+  if (prototype) table += fmt::format("{:>20}", fmt::format("prototype ({:.4g} g)", scale.gravity_level));
+  table += '\n';
+  for (const Quantity& q : quantities) {
+    if (q.name.ends_with("_over_gammaD2") || q.name.ends_with("_over_D")) continue;
+    const bool force = q.unit == "N/m", length = q.unit == "m";
+    const auto twin = find(q.name + (force ? "_over_gammaD2" : "_over_D"));
+    const std::string model = force ? four_digits(q.value) + " N/m " : length ? four_digits(1000 * q.value) + " mm  " : "";
+    const std::string bare = !force && !length ? four_digits(q.value) : twin != quantities.end() ? four_digits(twin->value) : "";
+    table += fmt::format("{:<24}{:>18}{:>16}", q.name, model, bare);
+    const Real scaled = q.value * scale.gravity_level;
+    if (prototype && force) table += fmt::format("{:>20}", four_digits(scaled / 1000) + " kN/m");
+    if (prototype && length) table += fmt::format("{:>20}", four_digits(scaled) + " m   ");
+    table.erase(table.find_last_not_of(' ') + 1);
+    table += '\n';
+  }
+  if (scale.unit_weight > 0) table += "dimensionless: forces over gamma' D^2, lengths over D\n";
+  return table;
+}
+
+} // namespace berm

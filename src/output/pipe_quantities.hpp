@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "output/history.hpp"
+#include "output/summary.hpp"
+
+#include <optional>
+
+namespace berm {
+
+/// What the results of a pipe are made dimensionless with, and carried to the prototype.
+struct PipeScale {
+  Real diameter;          ///< m, in the model
+  Real unit_weight;       ///< effective unit weight of the soil in the model, N/m3: under all its gravity; 0 = weightless
+  Real gravity_level = 1; ///< gravity in the model over that of the earth
+};
+
+/// The stages of a pipe's run by what they do, in the order in which they ran. A name stands for one kind only.
+struct PipeStages {
+  std::vector<std::string> push, drag;
+  std::optional<Real> held_force; ///< N/m, V that the drag is to hold; without it the mean of V over the drag
+};
+
+/// The pushes and the drags of a history, as columns.
+struct PipePath {
+  std::vector<Real> w, V;                           ///< of the push, by row: m, N/m
+  std::vector<Real> drag_u, drag_w, drag_H, drag_V; ///< of the drag; u counts from where it began (always positive): m, m, N/m, N/m
+};
+
+/// Takes push and drag out of a history. The row before the first of the drag is where the drag begins, and is its first.
+PipePath pipe_path(const History& history, const PipeStages& stages);
+
+/// The half width of the travel over which noisy forces are averaged, as part of the diameter.
+constexpr Real averaging_half_width = 0.01;
+
+/// The numbers that a report wants of a run that pushes a pipe into the bed and drags it (as far as it came):
+///   V_at_w_{0.05,0.1,...}D, V_end_of_push, w_end_of_push;
+///   H, w and H_over_V _at_u_{0.1,0.2,0.3,0.4,0.5,0.75,1.0}D, with u from the begin of the drag;
+///   H_max and u_at_H_max; V_rms_error_in_drag, the root mean square of (V - held)/held over the rows of the drag;
+///   overlap_max and gap_mean (over push and drag), where the history has them.
+/// Forces (N/m) come once more over gamma' D^2 (suffix _over_gammaD2), lengths (m) over D (_over_D). Forces and w are taken from the straight
+/// line fitted over +-0.01 D of travel (TravelCurve::at).
+std::vector<Quantity> pipe_quantities(const History& history, const PipeScale& scale, const PipeStages& stages);
+
+/// The same as a table for people: model, dimensionless, and prototype (force per metre and length times the gravity level) where the model is
+/// not under one gravity.
+std::string key_results_table(const std::vector<Quantity>& quantities, const PipeScale& scale);
+
+} // namespace berm

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "output/frames.hpp"
+#include "output/pipe_quantities.hpp"
+#include "output/run_folder.hpp"
+
+namespace berm {
+
+/// curves.png: V(w) of the push, H(u) and w(u) of the drag (as far as there are both), with dimensionless axes beside. Thin: every row; thick:
+/// freed from noise over +-0.01 D. False, with a warning, where it could not be drawn.
+bool draw_pipe_curves(const RunFolder& folder, const History& history, const PipeScale& scale, const PipeStages& stages,
+                      const std::string& title);
+
+/// curves.png of any run: the columns named against time, one panel for each unit.
+bool draw_columns(const RunFolder& folder, const History& history, const std::vector<std::string>& columns, const std::string& title);
+
+/// "tip_x_m" in two: what it is ("tip x") and the unit that the name ends with ("m"); "1" where it ends with none.
+std::pair<std::string, std::string> name_and_unit(const std::string& column);
+
+/// What colours the particles.
+enum class SoilColor { deviatoric_strain, incremental_deviatoric_strain };
+
+/// The part of the soil that a picture shows.
+struct SoilView {
+  Vec<2> lower, upper;         ///< m
+  std::optional<Real> surface; ///< m, level of the original surface, drawn as a dashed line
+};
+
+/// soil.png (accumulated) or soil_increment.png (since the frame before): particles coloured by their deviatoric strain, rigid bodies grey,
+/// equal axes. The colours end at the value that one particle in a hundred exceeds. False, with a warning, where it could not be drawn.
+bool draw_soil(const RunFolder& folder, const Frame<2>& frame, SoilColor color, const SoilView& view, const std::string& title);
+
+} // namespace berm

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/run_folder.hpp"
+
+#include "core/error.hpp"
+#include "output/whole_file.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+
+// All that a run writes. resolved.toml goes last: until then the folder is known as one of a run, so that an interrupted removal can be repeated.
+constexpr const char* own_files[] = {"history.csv",
+                                     "summary.json",
+                                     "run.log",
+                                     "case.toml",
+                                     "mesh.geo",
+                                     "mesh.msh",
+                                     "report.html",
+                                     "curves.png",
+                                     "soil.png",
+                                     "soil_increment.png",
+                                     "plots/curves.dat",
+                                     "plots/curves.gp",
+                                     "plots/soil.dat",
+                                     "plots/soil.gp",
+                                     "plots/soil_rigid.dat",
+                                     "plots/soil_increment.dat",
+                                     "plots/soil_increment.gp",
+                                     "plots/soil_increment_rigid.dat",
+                                     "frames",
+                                     "checkpoint",
+                                     "resolved.toml"};
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& reason)
+{
+  throw RunError(fmt::format("cannot use {} as the run folder: {}", path.string(), reason));
+}
+
+} // namespace
+
+RunFolder::RunFolder(const fs::path& path) : path_(path)
+{
+  try {
+    if (fs::exists(path) && !fs::is_directory(path)) refuse(path, "it is not a folder");
+    fs::create_directories(path);
+    if (::access(path.c_str(), W_OK | X_OK) != 0) throw_errno(fmt::format("cannot use {} as the run folder", path.string()));
+    if (fs::exists(path / "resolved.toml")) {
+      for (const char* name : own_files) fs::remove_all(path / name);
+    } else if (!fs::is_empty(path)) {
+      refuse(path, "it holds files that are not of a run (there is no resolved.toml); name another folder with -o");
+    }
+  } catch (const fs::filesystem_error& error) {
+    refuse(path, error.code().message());
+  }
+}
+
+fs::path RunFolder::subfolder(std::string_view name) const
+{
+  std::error_code error;
+  fs::create_directories(path_ / name, error);
+  if (error) throw RunError(fmt::format("cannot make the folder {}: {}", (path_ / name).string(), error.message()));
+  return path_ / name;
+}
+
+} // namespace berm

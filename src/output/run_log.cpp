@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/run_log.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <fmt/format.h>
+#include <spdlog/pattern_formatter.h>
+#include <spdlog/sinks/ansicolor_sink.h>
+#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/spdlog.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace berm {
+namespace {
+
+/// "warning: " before what is not plain information.
+class LevelWord : public spdlog::custom_flag_formatter {
+public:
+  void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override
+  {
+    if (message.level == spdlog::level::info) return;
+    const auto word = spdlog::level::to_string_view(message.level);
+    out.append(word.data(), word.data() + word.size());
+    out.push_back(':');
+    out.push_back(' ');
+  }
+  std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<LevelWord>(); }
+};
+
+std::unique_ptr<spdlog::formatter> formatter(const char* pattern)
+{
+  auto result = std::make_unique<spdlog::pattern_formatter>();
+  result->add_flag<LevelWord>('*').set_pattern(pattern);
+  return result;
+}
+
+std::size_t terminal_width()
+{
+  winsize size{};
+  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+} // namespace
+
+/// Clears the line in place before a message and shows it again behind it.
+class StderrSink : public spdlog::sinks::ansicolor_stderr_sink_mt {
+public:
+  void log(const spdlog::details::log_msg& message) override
+  {
+    const std::string line = line_;
+    rewrite("");
+    ansicolor_sink::log(message);
+    if (!line.empty()) rewrite(line);
+  }
+  void rewrite(std::string_view line)
+  {
+    if (line.empty() && line_.empty()) return;
+    line_ = line.substr(0, std::min(line.size(), terminal_width() - 1));
+    fmt::print(stderr, "\r\x1b[2K{}", line_);
+    std::fflush(stderr);
+  }
+
+private:
+  std::string line_;
+};
+
+RunLog::RunLog(const std::filesystem::path& file)
+    : has_terminal_(::isatty(STDERR_FILENO) == 1),
+      terminal_(std::make_shared<StderrSink>()),
+      before_(spdlog::default_logger())
+{
+  std::shared_ptr<spdlog::sinks::sink> to_file;
+  try {
+    to_file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(file.string(), true);
+  } catch (const spdlog::spdlog_ex& error) {
+    throw RunError(fmt::format("cannot write the log: {}", error.what()));
+  }
+  to_file->set_formatter(formatter("%Y-%m-%d %H:%M:%S %*%v"));
+  terminal_->set_formatter(formatter("%^%*%$%v"));
+  file_only_ = std::make_shared<spdlog::logger>("file", to_file);
+  file_only_->flush_on(spdlog::level::info);
+  auto both = std::make_shared<spdlog::logger>("berm", spdlog::sinks_init_list{terminal_, to_file});
+  both->flush_on(spdlog::level::info);
+  spdlog::set_default_logger(both);
+}
+
+RunLog::~RunLog()
+{
+  rewrite_line("");
+  spdlog::set_default_logger(before_);
+}
+
+void RunLog::rewrite_line(std::string_view line)
+{
+  if (has_terminal_) terminal_->rewrite(line);
+}
+
+void RunLog::info_to_file(std::string_view message)
+{
+  file_only_->info("{}", message);
+}
+
+} // namespace berm

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/travel_curve.hpp"
+
+#include <algorithm>
+
+namespace berm {
+
+TravelCurve::TravelCurve(const std::vector<Real>& travel, const std::vector<Real>& value)
+{
+  for (std::size_t k = 0; k < travel.size(); ++k) {
+    if (std::isnan(travel[k]) || std::isnan(value[k]) || (!travel_.empty() && travel[k] <= travel_.back())) continue;
+    travel_.push_back(travel[k]);
+    value_.push_back(value[k]);
+  }
+}
+
+Real TravelCurve::interpolated(Real s) const
+{
+  const auto above = std::lower_bound(travel_.begin(), travel_.end(), s) - travel_.begin();
+  if (above == 0) return value_.front();
+  const Real part = (s - travel_[above - 1]) / (travel_[above] - travel_[above - 1]);
+  return value_[above - 1] + part * (value_[above] - value_[above - 1]);
+}
+
+Real TravelCurve::at(Real s, Real half) const
+{
+  if (empty() || s < begin() || s > end()) return std::numeric_limits<Real>::quiet_NaN();
+  const auto first = std::lower_bound(travel_.begin(), travel_.end(), s - half) - travel_.begin();
+  const auto last = std::upper_bound(travel_.begin(), travel_.end(), s + half) - travel_.begin() - 1;
+  if (last - first < 2) return interpolated(s);
+  Real weight = 0, mean_s = 0, mean_y = 0, along = 0, product = 0;
+  const auto weight_of = [&](auto k) { return (travel_[std::min(k + 1, last)] - travel_[std::max(k - 1, first)]) / 2; };
+  for (auto k = first; k <= last; ++k) {
+    const Real w = weight_of(k);
+    weight += w;
+    mean_s += w * (travel_[k] - s);
+    mean_y += w * value_[k];
+  }
+  mean_s /= weight;
+  mean_y /= weight;
+  for (auto k = first; k <= last; ++k) {
+    const Real w = weight_of(k), ds = travel_[k] - s - mean_s;
+    along += w * ds * ds;
+    product += w * ds * (value_[k] - mean_y);
+  }
+  return mean_y - product / along * mean_s;
+}
+
+} // namespace berm

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bodies/fill.hpp"
+#include "core/error.hpp"
+#include "problem/model.hpp"
+#include "problem/stages.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm {
+namespace {
+
+template <class T>
+Index place_of(const std::vector<std::pair<std::string, T>>& tables, const std::string& name)
+{
+  for (Index k = 0; k < static_cast<Index>(tables.size()); ++k)
+    if (tables[k].first == name) return k;
+  return none;
+}
+
+/// A node takes the largest damping of the regions that its cells belong to, so that a damping layer acts up to its border.
+template <int dim>
+NodeField<Real> nodal_damping(const Mesh<dim>& mesh, const BodySettings& body)
+{
+  std::vector<Real> of_region(mesh.region_names.size(), body.damping);
+  for (const auto& [region, damping] : body.region_damping) of_region[mesh.find_region(region)] = damping;
+  NodeField<Real> damping(mesh.node_count(), 0);
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+    for (Index node : mesh.nodes[cell]) damping[node] = std::max(damping[node], of_region[mesh.region[cell]]);
+  return damping;
+}
+
+template <int dim>
+NodeField<std::uint8_t> fixed_directions(const Mesh<dim>& mesh, const Case& c)
+{
+  NodeField<std::uint8_t> fixed(mesh.node_count(), 0);
+  for (const auto& [name, support] : c.support) {
+    const Index boundary = mesh.find_boundary(support.boundary);
+    if (boundary == none)
+      throw InputError(fmt::format("support.{}.boundary: the mesh has no boundary \"{}\"; it has {}", name, support.boundary,
+                                   fmt::join(mesh.boundary_names, ", ")));
+    for (const std::string& direction : support.fixed)
+      for (Index node : mesh.boundary_nodes[boundary]) fixed[node] = static_cast<std::uint8_t>(fixed[node] | 1 << (direction[0] - 'x'));
+  }
+  return fixed;
+}
+
+template <int dim>
+std::int32_t nearest_particle(const Particles<dim>& particles, const std::vector<Real>& point)
+{
+  std::int32_t nearest = none;
+  Real least = infinity;
+  particles.visit([&](Index, Index b, int l) {
+    Real square = 0;
+    for (int d = 0; d < dim; ++d) square += std::pow(particles.block(b).x[d][l] - point[d], 2);
+    if (square < least) least = square, nearest = particles.block(b).id[l];
+  });
+  return nearest;
+}
+
+}  // namespace
+
+template <int dim>
+Problem<dim> build(const Case& c, const std::string& case_folder, const std::string& work_folder)
+{
+  Problem<dim> problem;
+  Model<dim>& model = problem.model;
+  State<dim>& state = problem.state;
+  model.mesh = make_mesh<dim>(c.mesh, case_folder, work_folder);
+  model.gravity = Vec<dim>::Zero();
+  for (int d = 0; d < dim && !c.gravity.empty(); ++d) model.gravity[d] = c.gravity[d];
+  model.gravity_ramp = c.gravity_ramp;
+  model.surface = c.surface;
+  model.mpm = c.mpm;
+  model.fixed = fixed_directions(model.mesh, c);
+
+  for (const auto& [name, settings] : c.body) {
+    const Material& material = c.material[place_of(c.material, settings.material)].second;
+    const StartState<dim> start{density(material), -model.gravity[1], c.surface, state_size(material)};
+    state.particles.push_back(fill(model.mesh, name, settings, start));
+    if (state.particles.back().size() == 0) throw InputError(fmt::format("body.{}: its regions have no cells, so it has no particles", name));
+    model.bodies.push_back({name, material, nodal_damping(model.mesh, settings)});
+  }
+  for (const auto& [name, settings] : c.rigid) {
+    model.rigids.push_back({name, make_shape<dim>(settings.shape), settings.mass});
+    state.rigids.emplace_back();
+  }
+  for (const auto& [name, s] : c.contact)
+    model.contacts.push_back({place_of(c.body, s.body), place_of(c.rigid, s.rigid), std::tan(s.friction_angle), s.adhesion, s.scheme, s.detection,
+                              s.approach_steps});
+  model.stages = c.stage;
+  model.main_rigid = main_rigid(c);
+  for (const StageSettings& stage : c.stage) {
+    const bool drives = stage.kind == StageKind::push || stage.kind == StageKind::drag;
+    model.driven.push_back(!drives ? none : stage.rigid.empty() ? 0 : place_of(c.rigid, stage.rigid));
+  }
+  for (const auto& [name, watch] : c.watch) {
+    const Index body = place_of(c.body, watch.body);
+    model.watches.push_back({name, body, nearest_particle(state.particles[body], watch.point)});
+  }
+  begin_stage(model, state);
+  return problem;
+}
+
+template Problem<2> build(const Case&, const std::string&, const std::string&);
+template Problem<3> build(const Case&, const std::string&, const std::string&);
+
+}  // namespace berm

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problem/case.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+template <class T>
+std::vector<std::string> names_of(const std::vector<std::pair<std::string, T>>& tables)
+{
+  std::vector<std::string> names;
+  for (const auto& entry : tables) names.push_back(entry.first);
+  return names;
+}
+
+bool among(const std::string& word, const std::vector<std::string>& words)
+{
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+void check_name(Describe& d, const std::string& path, const std::string& word, const char* table, const std::vector<std::string>& known)
+{
+  d.check(among(word, known), path, fmt::format("there is no [{}.{}]", table, word), known);
+}
+
+void check_entries(Describe& d, const std::string& path, const std::vector<Real>& numbers, int dimension, bool may_be_empty = false)
+{
+  d.check((may_be_empty && numbers.empty()) || static_cast<int>(numbers.size()) == dimension, path,
+          fmt::format("needs {} numbers, one a direction, and has {}", dimension, numbers.size()));
+}
+
+bool is_power(int count, int dimension)
+{
+  for (int n = 1, power = 1; power <= count; ++n, power = dimension == 2 ? n * n : n * n * n)
+    if (power == count) return true;
+  return false;
+}
+
+void check_bodies(Describe& d, const Case& c)
+{
+  d.check(!c.body.empty(), "body", "a case needs at least one [body.NAME]");
+  for (const auto& [name, body] : c.body) {
+    const std::string path = "body." + name;
+    check_name(d, path + ".material", body.material, "material", names_of(c.material));
+    d.check(!body.k0 || c.gravity_ramp == 0, path + ".k0", "the stress of a bed under full gravity does not go with gravity_ramp");
+    d.check(body.regions.empty() == body.block.has_value(), path, "needs either regions = [...] or a [body." + name + ".block], and not both");
+    const char* counts = c.dimension == 2 ? "must be 1, 4, 9, 16, ... in triangles" : "must be 1, 8, 27, ... in tetrahedra";
+    d.check(body.particles_per_cell == 0 || is_power(body.particles_per_cell, c.dimension), path + ".particles_per_cell", counts);
+    for (const auto& [region, count] : body.region_particles_per_cell) {
+      const std::string key = path + ".region_particles_per_cell." + region;
+      d.check(is_power(count, c.dimension), key, counts);
+      d.check(among(region, body.regions), key, "the body does not fill this region", body.regions);
+    }
+    for (const auto& entry : body.region_damping)
+      d.check(among(entry.first, body.regions), path + ".region_damping." + entry.first, "the body does not fill this region", body.regions);
+    if (body.block) {
+      check_entries(d, path + ".block.center", body.block->center, c.dimension);
+      check_entries(d, path + ".block.size", body.block->size, c.dimension);
+      d.check(c.dimension == 2 || body.block->angle == 0, path + ".block.angle", "a block can be turned in two dimensions only");
+    }
+    if (body.initial_velocity) {
+      check_entries(d, path + ".initial_velocity.amplitude", body.initial_velocity->amplitude, c.dimension);
+      check_entries(d, path + ".initial_velocity.wave_number", body.initial_velocity->wave_number, c.dimension, true);
+    }
+  }
+}
+
+void check_rigids(Describe& d, const Case& c)
+{
+  for (const auto& [name, rigid] : c.rigid) {
+    const std::string path = "rigid." + name;
+    if (const auto* circle = std::get_if<CircleSettings>(&rigid.shape)) check_entries(d, path + ".center", circle->center, c.dimension);
+    if (const auto* plane = std::get_if<HalfPlaneSettings>(&rigid.shape)) {
+      check_entries(d, path + ".point", plane->point, c.dimension);
+      check_entries(d, path + ".normal", plane->normal, c.dimension);
+      d.check(std::any_of(plane->normal.begin(), plane->normal.end(), [](Real n) { return n != 0; }), path + ".normal", "must not be zero");
+    }
+    if (const auto* box = std::get_if<BoxSettings>(&rigid.shape)) {
+      check_entries(d, path + ".center", box->center, c.dimension);
+      check_entries(d, path + ".size", box->size, c.dimension);
+      d.check(c.dimension == 2 || box->angle == 0, path + ".angle", "a box can be turned in two dimensions only");
+    }
+  }
+  for (const auto& [name, contact] : c.contact) {
+    check_name(d, "contact." + name + ".body", contact.body, "body", names_of(c.body));
+    check_name(d, "contact." + name + ".rigid", contact.rigid, "rigid", names_of(c.rigid));
+  }
+}
+
+void check_stages(Describe& d, const Case& c)
+{
+  d.check(!c.stage.empty(), "stage", "a case needs at least one [[stage]]");
+  std::vector<std::string> seen;
+  for (int k = 0; k < static_cast<int>(c.stage.size()); ++k) {
+    const StageSettings& s = c.stage[k];
+    const std::string path = fmt::format("stage[{}]", k);
+    const bool push = s.kind == StageKind::push, drag = s.kind == StageKind::drag, driven = push || drag;
+    d.check(!s.name.empty() && s.name.find_first_of(",\"\n\r.") == std::string::npos, path + ".name", "must be a word without comma, dot or quotes");
+    d.check(!among(s.name, seen), path + ".name", "another stage has this name");
+    seen.push_back(s.name);
+    if (!s.rigid.empty()) check_name(d, path + ".rigid", s.rigid, "rigid", names_of(c.rigid));
+    d.check(driven || s.rigid.empty(), path + ".rigid", "only a push or a drag drives a rigid body");
+    d.check(!driven || !c.rigid.empty(), path + ".kind", "there is no [rigid.NAME] to drive");
+    d.check(!driven || !s.rigid.empty() || c.rigid.size() == 1, path, "must say which rigid body it drives: rigid = \"...\"", names_of(c.rigid));
+    d.check(!driven || s.velocity.has_value() != s.force.has_value(), path, "needs either velocity or force, and not both");
+    d.check(driven || !s.velocity, path + ".velocity", "only a push or a drag has a velocity");
+    d.check(driven || !s.force, path + ".force", "only a push or a drag has a force");
+    d.check(drag || !s.vertical_force, path + ".vertical_force", "only a drag has a vertical force; a push has `force`");
+    d.check(!s.vertical_force || s.vertical == Vertical::hold, path + ".vertical_force", "does not go with vertical = \"fixed\"");
+    const Until& u = s.until;
+    d.check(u.time || u.displacement || u.embedment || u.force, path + ".until", "needs at least one of time, displacement, embedment, force");
+    d.check(driven || (!u.displacement && !u.embedment && !u.force), path + ".until", "a stage that drives nothing ends at a time");
+    if (driven) {
+      const std::string& name = s.rigid.empty() ? c.rigid.front().first : s.rigid;
+      for (const auto& [rigid, settings] : c.rigid)
+        d.check(rigid != name || settings.mass > 0 || !(s.force || (drag && s.vertical == Vertical::hold)), path,
+                fmt::format("a force drives [rigid.{}], which therefore needs a mass", name));
+    }
+  }
+}
+
+}  // namespace
+
+void describe(Describe& d, MpmSettings& mpm)
+{
+  d.value("courant", mpm.courant, {.meaning = "time step over the time that a wave needs across the smallest height of a cell", .range = {0, 1, true}});
+  d.value("volumetric_projection", mpm.volumetric_projection, {.meaning = "project volume changes on the nodes, the cure against locking"});
+  d.value("mixed_stress", mpm.mixed_stress, {.meaning = "average the stress over the particles of a full cell (MPM-MIXED)"});
+  d.value("least_volume_ratio", mpm.least_volume_ratio, {.meaning = "smallest volume of a particle, over its first", .range = {0, 1, true}});
+  d.value("most_volume_ratio", mpm.most_volume_ratio, {.meaning = "largest volume of a particle, over its first", .range = {1, 10}});
+}
+
+void describe(Describe& d, WatchSettings& watch)
+{
+  d.value("body", watch.body, {.meaning = "name of the body", .required = true});
+  d.value("point", watch.point, {.meaning = "the particle nearest to this point at the start is watched", .unit = "m", .required = true});
+}
+
+void describe(Describe& d, OutputSettings& output)
+{
+  d.value("history_time", output.history_time,
+          {.meaning = "time between rows of history.csv; absent = a thousandth of the time that the stages take", .unit = "s", .range = positive});
+  d.value("frame_time", output.frame_time, {.meaning = "time between frames; begin and end of every stage are always written", .unit = "s", .range = positive});
+  d.value("frame_travel", output.frame_travel, {.meaning = "travel of the driven rigid body between frames", .unit = "m", .range = positive});
+}
+
+void describe(Describe& d, Case& c)
+{
+  d.value("title", c.title, {.meaning = "one line that says what this is"});
+  d.value("dimension", c.dimension, {.meaning = "2 = plane strain, per metre run; 3 = space", .range = {2, 3}});
+  d.value("gravity", c.gravity, {.meaning = "gravity, one number a direction, such as [0, \"-50 gravity\"]; absent = none", .unit = "m/s^2"});
+  d.value("gravity_ramp", c.gravity_ramp, {.meaning = "time from no gravity to all of it at the start", .unit = "s", .range = not_negative});
+  d.value("surface", c.surface, {.meaning = "level y of the bed's surface at the start", .unit = "m"});
+  d.table("mesh", c.mesh, {.meaning = "the background mesh", .required = true});
+  d.named_tables("material", c.material, {.meaning = "materials", .required = true});
+  d.named_tables("body", c.body, {.meaning = "deformable bodies", .required = true});
+  d.named_tables("rigid", c.rigid, {.meaning = "rigid bodies"});
+  d.named_tables("contact", c.contact, {.meaning = "contacts between a deformable and a rigid body"});
+  d.named_tables("support", c.support, {.meaning = "boundaries that are held"});
+  d.array("stage", c.stage, {.meaning = "what happens, one stage after the other", .required = true});
+  d.table("mpm", c.mpm, {.meaning = "the material point method"});
+  d.named_tables("watch", c.watch, {.meaning = "particles whose motion is written to the history"});
+  d.table("output", c.output, {.meaning = "what is written"});
+
+  check_entries(d, "gravity", c.gravity, c.dimension, true);
+  for (const auto& [name, material] : c.material) check(d, "material." + name, material);
+  check_bodies(d, c);
+  check_rigids(d, c);
+  const std::vector<std::string> directions = c.dimension == 2 ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x", "y", "z"};
+  for (const auto& [name, support] : c.support)
+    for (const std::string& direction : support.fixed)
+      d.check(among(direction, directions), "support." + name + ".fixed", fmt::format("\"{}\" is no direction", direction), directions);
+  for (const auto& [name, watch] : c.watch) {
+    check_name(d, "watch." + name + ".body", watch.body, "body", names_of(c.body));
+    check_entries(d, "watch." + name + ".point", watch.point, c.dimension);
+  }
+  check_stages(d, c);
+}
+
+Index main_rigid(const Case& c)
+{
+  for (const StageSettings& stage : c.stage)
+    for (Index k = 0; k < static_cast<Index>(c.rigid.size()); ++k)
+      if (c.rigid[k].first == stage.rigid) return k;
+  return c.rigid.empty() ? none : 0;
+}
+
+}  // namespace berm

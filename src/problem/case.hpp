@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "bodies/body_settings.hpp"
+#include "bodies/rigid_settings.hpp"
+#include "boundary/support.hpp"
+#include "contact/contact_settings.hpp"
+#include "material/material.hpp"
+#include "mesh/mesh_settings.hpp"
+#include "problem/stage.hpp"
+
+namespace berm {
+
+/// How the material point method runs.
+struct MpmSettings {
+  Real courant = 0.5;                ///< time step over the time that a wave needs across the smallest height
+  bool volumetric_projection = true;  ///< the cure against volumetric locking
+  bool mixed_stress = false;          ///< average the stress over the particles of full cells (MPM-MIXED)
+  Real least_volume_ratio = 0.5;      ///< bounds of a particle's volume over its first
+  Real most_volume_ratio = 1.5;
+};
+
+/// A particle whose motion is written to the history: the one nearest to `point` at the start.
+struct WatchSettings {
+  std::string body;
+  std::vector<Real> point;  ///< m
+};
+
+/// What is written, and how often.
+struct OutputSettings {
+  std::optional<Real> history_time;  ///< s between rows of history.csv
+  std::optional<Real> frame_time;    ///< s between frames
+  std::optional<Real> frame_travel;  ///< m of travel of the driven rigid body between frames
+};
+
+/// One input file, in SI units: everything that the user can choose.
+struct Case {
+  std::string title;
+  int dimension = 2;
+  std::vector<Real> gravity;  ///< m/s2, one entry a direction; empty = none
+  Real gravity_ramp = 0;      ///< s from no gravity to all of it, at the start
+  Real surface = 0;           ///< m, level y of the bed's surface at the start
+  MeshSettings mesh;
+  std::vector<std::pair<std::string, Material>> material;
+  std::vector<std::pair<std::string, BodySettings>> body;
+  std::vector<std::pair<std::string, RigidSettings>> rigid;
+  std::vector<std::pair<std::string, ContactSettings>> contact;
+  std::vector<std::pair<std::string, SupportSettings>> support;
+  std::vector<StageSettings> stage;
+  MpmSettings mpm;
+  std::vector<std::pair<std::string, WatchSettings>> watch;
+  OutputSettings output;
+};
+
+void describe(Describe& d, MpmSettings& mpm);
+void describe(Describe& d, WatchSettings& watch);
+void describe(Describe& d, OutputSettings& output);
+
+/// All parameters of a case, then what must fit together: names that refer to something, numbers of directions, stages that can end.
+void describe(Describe& d, Case& c);
+
+/// The rigid body whose u, w, H and V the history tells: the first that a stage names, else the first there is; none without rigid bodies.
+Index main_rigid(const Case& c);
+
+}  // namespace berm

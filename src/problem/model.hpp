@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "bodies/particles.hpp"
+#include "bodies/rigid.hpp"
+#include "problem/case.hpp"
+
+namespace berm {
+
+/// A deformable body: all of it that does not change.
+template <int dim>
+struct Body {
+  std::string name;
+  Material material;
+  NodeField<Real> damping;  ///< local damping factor of each node for this body
+};
+
+/// A contact with its names looked up.
+struct Contact {
+  Index body, rigid;
+  Real friction;        ///< tan of the friction angle
+  Real adhesion;        ///< Pa
+  Scheme scheme;
+  Detection detection;
+  Real approach_steps;
+};
+
+/// A particle that is watched: body and id.
+struct Watch {
+  std::string name;
+  Index body;
+  std::int32_t id;
+};
+
+/// What cannot change during a run.
+template <int dim>
+struct Model {
+  Mesh<dim> mesh;
+  std::vector<Body<dim>> bodies;
+  std::vector<Rigid<dim>> rigids;
+  std::vector<Contact> contacts;
+  NodeField<std::uint8_t> fixed;  ///< bit d: direction d of the node is held
+  Vec<dim> gravity;               ///< m/s2
+  Real gravity_ramp;              ///< s
+  Real surface;                   ///< m
+  std::vector<StageSettings> stages;
+  std::vector<Index> driven;      ///< the rigid body that each stage drives, or none
+  Index main_rigid;               ///< whose u, w, H and V are told, or none
+  std::vector<Watch> watches;
+  MpmSettings mpm;
+};
+
+/// What has been given and taken since the start, per metre run (in space: in all).
+template <int dim>
+struct Totals {
+  // Work, J/m. kinetic + internal + damping + friction = external + what the method itself adds or loses.
+  Real internal = 0;   ///< stored and dissipated by the material
+  Real external = 0;   ///< of gravity and of the rigid bodies
+  Real damping = 0;    ///< taken out by local damping
+  Real friction = 0;   ///< taken out at the contacts
+  // Impulse given to the deformable bodies, N s/m.
+  Vec<dim> gravity_impulse = Vec<dim>::Zero();
+  Vec<dim> contact_impulse = Vec<dim>::Zero();
+  Vec<dim> support_impulse = Vec<dim>::Zero();
+  Vec<dim> damping_impulse = Vec<dim>::Zero();
+};
+
+/// How one direction of a rigid body is driven in the present stage.
+struct Drive {
+  bool by_force = false;
+  Real from = 0, to = 0;  ///< m/s or N/m, along +x or +y
+};
+
+/// Where the run stands in its list of stages.
+template <int dim>
+struct StageState {
+  Index index = 0;
+  Real begin_time = 0;
+  Vec<dim> begin_displacement = Vec<dim>::Zero();  ///< of the driven rigid body
+  Drive drive[dim] = {};
+};
+
+/// Everything that changes during a run; a checkpoint is exactly this.
+template <int dim>
+struct State {
+  Real time = 0;
+  BigIndex step = 0;
+  Real dt = 0;  ///< s, the time step in force
+  std::vector<Particles<dim>> particles;  ///< by body
+  std::vector<RigidState<dim>> rigids;
+  StageState<dim> stage;
+  Totals<dim> totals;
+};
+
+/// The problem that a case asks for.
+template <int dim>
+struct Problem {
+  Model<dim> model;
+  State<dim> state;
+};
+
+/// Builds mesh, particles and rigid bodies. Relative paths are those of case_folder; the mesh generator writes into work_folder.
+/// Throws InputError where a name refers to nothing in the mesh or a body has no particles.
+template <int dim>
+Problem<dim> build(const Case& c, const std::string& case_folder, const std::string& work_folder);
+
+}  // namespace berm

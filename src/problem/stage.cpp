@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problem/stage.hpp"
+
+namespace berm {
+
+void describe(Describe& d, Until& until)
+{
+  d.value("time", until.time, {.meaning = "time since the stage began", .unit = "s", .range = not_negative});
+  d.value("displacement", until.displacement, {.meaning = "horizontal travel of the rigid body in this stage", .unit = "m", .range = positive});
+  d.value("embedment", until.embedment, {.meaning = "depth of the rigid body's lowest point below the surface", .unit = "m"});
+  d.value("force", until.force, {.meaning = "soil reaction: V in a push, H in a drag", .unit = "N/m", .range = positive});
+}
+
+void describe(Describe& d, StageSettings& stage)
+{
+  d.value("name", stage.name, {.meaning = "name of the stage, for the history and for --set", .required = true});
+  d.choice("kind", stage.kind, {"geostatic", "push", "drag", "free"},
+           {.meaning = "find equilibrium; push down; drag along x; or let time go on", .required = true});
+  d.value("rigid", stage.rigid, {.meaning = "rigid body that is driven; may be left out where there is only one"});
+  d.value("velocity", stage.velocity, {.meaning = "speed of the drive: down in a push, along x in a drag", .unit = "m/s"});
+  d.value("force", stage.force, {.meaning = "force of the drive, instead of a velocity", .unit = "N/m"});
+  d.choice("vertical", stage.vertical, {"hold", "fixed"},
+           {.meaning = "in a drag: hold the vertical force of the stage's begin, or do not move vertically"});
+  d.value("vertical_force", stage.vertical_force, {.meaning = "in a drag: downward force, instead of the one held", .unit = "N/m"});
+  d.value("ramp", stage.ramp, {.meaning = "time in which the drive goes from what it was to its value", .unit = "s", .range = not_negative});
+  d.table("until", stage.until, {.meaning = "the stage ends at the first of these that is reached"});
+  d.value("equilibrium", stage.equilibrium,
+          {.meaning = "geostatic: largest out-of-balance force, over the weight, that is called equilibrium", .range = positive});
+}
+
+}  // namespace berm

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/describe.hpp"
+
+namespace berm {
+
+/// What a stage does with the rigid body that it drives.
+enum class StageKind {
+  geostatic,  ///< rigid bodies rest; the soil finds its equilibrium, which is checked at the end
+  push,       ///< down, by velocity or force; no horizontal motion
+  drag,       ///< along x, by velocity or force
+  free        ///< rigid bodies rest; time goes on
+};
+
+/// What the vertical direction does while the body is dragged.
+enum class Vertical {
+  hold,  ///< the vertical force that was there when the stage began stays
+  fixed  ///< no vertical motion
+};
+
+/// A stage ends when the first of the limits that are given is reached.
+struct Until {
+  std::optional<Real> time;          ///< s since the stage began
+  std::optional<Real> displacement;  ///< m, |u - u at the stage's begin|
+  std::optional<Real> embedment;     ///< m, w
+  std::optional<Real> force;         ///< N per metre: V in a push, H in a drag
+};
+
+/// One stage of a run.
+struct StageSettings {
+  std::string name;
+  StageKind kind = StageKind::free;
+  std::string rigid;              ///< which rigid body; empty = the only one
+  std::optional<Real> velocity;   ///< m/s; push: down, drag: along +x
+  std::optional<Real> force;      ///< N/m, instead of velocity
+  Vertical vertical = Vertical::hold;
+  std::optional<Real> vertical_force;  ///< N/m downwards in a drag, instead of the one held
+  Real ramp = 0;                  ///< s, time in which the drive goes from what it was to its value; 0 = at once
+  Until until;
+  Real equilibrium = 0.01;        ///< geostatic: largest out-of-balance force over the weight that is accepted
+};
+
+void describe(Describe& d, Until& until);
+void describe(Describe& d, StageSettings& stage);
+
+}  // namespace berm

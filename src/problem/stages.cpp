@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problem/stages.hpp"
+
+namespace berm {
+
+template <int dim>
+PipeMotion pipe_motion(const Model<dim>& model, const State<dim>& state, Index rigid)
+{
+  const Vec<dim>& moved_by = state.rigids[rigid].displacement;
+  return {moved_by[0], model.surface - (lowest_level<dim>(model.rigids[rigid].shape) + moved_by[1])};
+}
+
+template <int dim>
+Real drag_direction(const Model<dim>& model, const State<dim>& state)
+{
+  const StageSettings& stage = model.stages[state.stage.index];
+  return stage.kind == StageKind::drag && (stage.velocity ? *stage.velocity : *stage.force) < 0 ? -1 : 1;
+}
+
+template <int dim>
+void begin_stage(const Model<dim>& model, State<dim>& state)
+{
+  StageState<dim>& now = state.stage;
+  const StageSettings& stage = model.stages[now.index];
+  const Index driven = model.driven[now.index];
+  now.begin_time = state.time;
+  for (Drive& drive : now.drive) drive = {};
+  if (driven == none) return;
+
+  const RigidState<dim>& rigid = state.rigids[driven];
+  now.begin_displacement = rigid.displacement;
+  const auto by_velocity = [&](int d, Real v) { now.drive[d] = {false, rigid.velocity[d], v}; };
+  const auto by_force = [&](int d, Real f) { now.drive[d] = {true, -rigid.smooth_reaction[d], f}; };
+  for (int d = 0; d < dim; ++d) by_velocity(d, 0);
+  if (stage.kind == StageKind::push) {
+    if (stage.velocity)
+      by_velocity(1, -*stage.velocity);
+    else
+      by_force(1, -*stage.force);
+  } else {
+    if (stage.velocity)
+      by_velocity(0, *stage.velocity);
+    else
+      by_force(0, *stage.force);
+    if (stage.vertical == Vertical::hold) by_force(1, stage.vertical_force ? -*stage.vertical_force : -rigid.smooth_reaction[1]);
+  }
+}
+
+template <int dim>
+bool stage_ended(const Model<dim>& model, const State<dim>& state)
+{
+  const StageState<dim>& now = state.stage;
+  const StageSettings& stage = model.stages[now.index];
+  const Until& until = stage.until;
+  // The slack is for the round-off in the sum of time steps.
+  if (until.time && state.time - now.begin_time >= *until.time * (1 - 1e-12)) return true;
+  const Index driven = model.driven[now.index];
+  if (driven == none) return false;
+  const RigidState<dim>& rigid = state.rigids[driven];
+  if (until.displacement && std::abs(rigid.displacement[0] - now.begin_displacement[0]) >= *until.displacement) return true;
+  if (until.embedment && pipe_motion(model, state, driven).w >= *until.embedment) return true;
+  const Real force = stage.kind == StageKind::push ? rigid.smooth_reaction[1] : -drag_direction(model, state) * rigid.smooth_reaction[0];
+  return until.force && force >= *until.force;
+}
+
+template <int dim>
+void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
+{
+  const StageSettings& stage = model.stages[state.stage.index];
+  const Real since = state.time + dt - state.stage.begin_time;
+  const Real part = stage.ramp > since ? since / stage.ramp : 1;
+  for (Index r = 0; r < static_cast<Index>(state.rigids.size()); ++r) {
+    RigidState<dim>& rigid = state.rigids[r];
+    if (r != model.driven[state.stage.index]) {
+      rigid.velocity.setZero();
+      continue;
+    }
+    for (int d = 0; d < dim; ++d) {
+      const Drive& drive = state.stage.drive[d];
+      const Real value = drive.from + part * (drive.to - drive.from);
+      rigid.velocity[d] = drive.by_force ? rigid.velocity[d] + dt * (value + rigid.reaction[d]) / model.rigids[r].mass : value;
+    }
+  }
+}
+
+Real expected_time(const StageSettings& stage)
+{
+  Real least = stage.until.time.value_or(infinity);
+  if (stage.velocity && *stage.velocity != 0) {
+    const Real speed = std::abs(*stage.velocity);
+    if (stage.kind == StageKind::drag && stage.until.displacement) least = std::min(least, *stage.until.displacement / speed + stage.ramp / 2);
+    if (stage.kind == StageKind::push && stage.until.embedment) least = std::min(least, *stage.until.embedment / speed + stage.ramp / 2);
+  }
+  return least < infinity ? least : 0;
+}
+
+#define BERM_INSTANTIATE(dim)                                                                    \
+  template PipeMotion pipe_motion(const Model<dim>&, const State<dim>&, Index);                  \
+  template Real drag_direction(const Model<dim>&, const State<dim>&);                            \
+  template void begin_stage(const Model<dim>&, State<dim>&);                                     \
+  template bool stage_ended(const Model<dim>&, const State<dim>&);                               \
+  template void drive_rigids(const Model<dim>&, State<dim>&, Real);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/model.hpp"
+
+namespace berm {
+
+/// The pipe as the engineer sees it: displacements in m, forces in N/m (in space: N).
+struct PipeMotion {
+  Real u = 0;  ///< horizontal displacement along +x
+  Real w = 0;  ///< depth of the lowest point below the bed's first surface
+};
+template <int dim>
+PipeMotion pipe_motion(const Model<dim>& model, const State<dim>& state, Index rigid);
+
+/// +1, or -1 in a drag along -x: H = -direction times the horizontal force of the soil on the body.
+template <int dim>
+Real drag_direction(const Model<dim>& model, const State<dim>& state);
+
+/// Sets the drives of the stage that state.stage.index names. A velocity starts from the present velocity and a force from the one that balances
+/// the present (averaged) reaction, so that nothing jumps when the drive changes.
+template <int dim>
+void begin_stage(const Model<dim>& model, State<dim>& state);
+
+/// True when a limit of the present stage is reached.
+template <int dim>
+bool stage_ended(const Model<dim>& model, const State<dim>& state);
+
+/// The velocity of each rigid body in the coming step: given, or mass times acceleration = drive + reaction of the last step.
+template <int dim>
+void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt);
+
+/// The time that a stage is expected to take, s; 0 where it cannot be told from its input.
+Real expected_time(const StageSettings& stage);
+
+/// Gravity at the present time, m/s2.
+template <int dim>
+Vec<dim> gravity_now(const Model<dim>& model, Real time)
+{
+  return model.gravity_ramp > time ? Vec<dim>(model.gravity * (time / model.gravity_ramp)) : model.gravity;
+}
+
+}  // namespace berm

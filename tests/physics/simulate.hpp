@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mpm/measure.hpp"
+#include "mpm/step.hpp"
+#include "problem/stages.hpp"
+
+namespace berm {
+
+/// A case, built and stepped without files.
+template <int dim>
+struct Simulation {
+  explicit Simulation(const Case& c) : problem(build<dim>(c, ".", ".")), work(problem.model, problem.state) {}
+
+  Model<dim>& model() { return problem.model; }
+  State<dim>& state() { return problem.state; }
+
+  /// Steps until `end` (s); calls after_step() after each step.
+  template <class After>
+  void run_until(Real end, const After& after_step)
+  {
+    while (state().time < end) {
+      step(model(), state(), work);
+      after_step();
+    }
+  }
+  void run_until(Real end)
+  {
+    run_until(end, [] {});
+  }
+
+  Problem<dim> problem;
+  Work<dim> work;
+};
+
+/// A case with one linear elastic body that fills a box mesh.
+inline Case elastic_box(int dim, std::vector<Real> size, std::vector<Real> cells, Real young_modulus, Real poisson_ratio, Real density)
+{
+  Case c;
+  c.dimension = dim;
+  BoxMesh box;
+  box.size = size;
+  box.cells = cells;
+  c.mesh = box;
+  LinearElastic law;
+  law.young_modulus = young_modulus;
+  law.poisson_ratio = poisson_ratio;
+  law.density = density;
+  c.material = {{"solid", law}};
+  BodySettings body;
+  body.material = "solid";
+  body.regions = {"box"};
+  c.body = {{"body", body}};
+  StageSettings stage;
+  stage.name = "all";
+  stage.until.time = infinity;
+  c.stage = {stage};
+  return c;
+}
+
+}  // namespace berm

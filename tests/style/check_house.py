@@ -1,0 +1,319 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks of the house: what STYLE says and no compiler sees.
+
+check_house.py NAME [ROOT]      runs one check on the tree at ROOT (default: the repository); exit 1 and a list where it fails, 77 where it is skipped
+check_house.py NAME --broken    shows the check a sample that is wrong and one that is right; exit 1 unless it tells them apart
+check_house.py --list           names of all checks
+"""
+
+import fnmatch
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+SKIPPED = 77
+CPP = (".cpp", ".hpp")
+CODE = CPP + (".py", ".sh", ".cmake", ".ts", ".js", ".geo")
+LICENCE = "SPDX-License-Identifier: BSD-3-Clause"
+MOST_LINES, MANY_LINES = 600, 400
+# clang-format lays code out a little differently in every version; the house uses the one of Debian 12.
+CLANG_FORMAT = "14."
+
+
+class Skip(Exception):
+    pass
+
+
+class Tree:
+    """The files of a repository, without what .gitignore names."""
+
+    def __init__(self, root):
+        self.root = root
+        self.paths = []
+        ignored = [line.strip() for line in self.read(".gitignore").splitlines() if line.strip() and not line.startswith("#")]
+        for folder, folders, names in os.walk(root):
+            here = os.path.relpath(folder, root)
+            keep = lambda name: name != ".git" and not any(self._matches(pattern, here, name) for pattern in ignored)
+            folders[:] = sorted(filter(keep, folders))
+            self.paths += [os.path.normpath(os.path.join(here, name)) for name in sorted(filter(keep, names))]
+
+    @staticmethod
+    def _matches(pattern, folder, name):
+        if pattern.startswith("/"):
+            return fnmatch.fnmatch(os.path.normpath(os.path.join(folder, name)), pattern.strip("/"))
+        return fnmatch.fnmatch(name, pattern.strip("/"))
+
+    def read(self, path):
+        try:
+            with open(os.path.join(self.root, path), encoding="utf-8") as file:
+                return file.read()
+        except (OSError, UnicodeDecodeError):
+            return ""
+
+    def ending(self, endings, under=""):
+        return [path for path in self.paths if path.endswith(endings) and path.startswith(under)]
+
+    def code(self):
+        """Sources, CMake files and scripts, these last by their first line."""
+        special = ("CMakeLists.txt", "Makefile", ".clang-format", ".clang-tidy")
+        return [
+            path
+            for path in self.paths
+            if path.endswith(CODE) or os.path.basename(path) in special or (not os.path.splitext(path)[1] and self.read(path).startswith("#!"))
+        ]
+
+
+def lines_matching(tree, paths, pattern, message):
+    for path in paths:
+        for number, line in enumerate(tree.read(path).splitlines(), 1):
+            found = re.search(pattern, line)
+            if found:
+                yield f"{path}:{number}: {message}: {found.group(0).strip()}"
+
+
+def without_words(text):
+    """C++ without comments, strings and characters; lines stay where they are."""
+    blank = lambda match: re.sub(r"[^\n]", " ", match.group(0))
+    return re.sub(r'//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|(?<!\w)\'(?:\\.|[^\'\\\n])+\'', blank, text, flags=re.S)
+
+
+def code_matching(tree, paths, pattern, message):
+    for path in paths:
+        for number, line in enumerate(without_words(tree.read(path)).splitlines(), 1):
+            found = re.search(pattern, line)
+            if found:
+                yield f"{path}:{number}: {message}: {found.group(0).strip()}"
+
+
+def licence(tree):
+    """Every source, script and CMake file names its licence in its first two lines."""
+    for path in tree.code():
+        if not any(LICENCE in line for line in tree.read(path).splitlines()[:2]):
+            yield f"{path}: no '{LICENCE}' in the first two lines"
+
+
+def length(tree):
+    """No file of code is longer than 600 lines."""
+    for path in tree.code():
+        count = len(tree.read(path).splitlines())
+        if count > MOST_LINES:
+            yield f"{path}: {count} lines; split it, {MOST_LINES} is the most"
+        elif count > MANY_LINES:
+            print(f"note: {path} has {count} lines; beyond {MANY_LINES} a file should be able to say why")
+
+
+def names(tree):
+    """A name says what lives there."""
+    for path in tree.paths:
+        found = re.search(r"util|helper|misc|common", path, re.I)
+        if found:
+            yield f"{path}: '{found.group(0)}' says nothing of what lives there"
+
+
+def folders_of(cmake):
+    """The folders that CMakeLists.txt declares with berm_folder, each with the folders it uses, in their order."""
+    folders = {}
+    for name, rest in re.findall(r"^\s*berm_folder\((\w+)\s*([^)]*)\)", cmake, re.M):
+        used = re.search(r"USES\s+(.*?)(?:\bLINKS\b|\bENGINE\b|$)", rest, re.S)
+        folders[name] = used.group(1).split() if used else []
+    return folders
+
+
+def tiers(tree):
+    """A folder of src/ includes itself and what it USES in CMakeLists.txt, which are folders above it in that list."""
+    folders = folders_of(tree.read("CMakeLists.txt"))
+    reach = {}
+    for name, used in folders.items():
+        for other in used:
+            if other not in reach:
+                yield f"CMakeLists.txt: {name} uses {other}, which is not a folder declared before it"
+        reach[name] = {name}.union(*(reach.get(other, set()) for other in used))
+    for path in tree.ending(CPP, "src/"):
+        parts = path.split("/")
+        if len(parts) < 3:
+            continue
+        if parts[1] not in reach:
+            yield f"{path}: CMakeLists.txt does not declare the folder {parts[1]}"
+            continue
+        for number, line in enumerate(tree.read(path).splitlines(), 1):
+            found = re.match(r'\s*#\s*include\s*"([^"]+)"', line)
+            if found and found.group(1).split("/")[0] not in reach[parts[1]]:
+                yield f'{path}:{number}: {parts[1]} may not include "{found.group(1)}"; it uses {", ".join(sorted(reach[parts[1]]))}'
+
+
+def places(tree):
+    """Nothing tracked names a folder of one machine or a package registry."""
+    folder = r"(?:^|[^A-Za-z0-9_.\-])/(?:home|root|work|Users)/"
+    host = "|".join(re.escape(name) for name in ("deb." + "debian.org", "snapshot." + "debian.org", "registry." + "npmjs.org", "pypi." + "org"))
+    text = [path for path in tree.paths if not path.endswith(".msh")]
+    yield from lines_matching(tree, text, folder, "a path of one machine")
+    yield from lines_matching(tree, text, host + r"|\"resolved\": *\"https?:", "a package registry")
+
+
+def loose_ends(tree):
+    """What is left to do is done or written down, not marked in passing."""
+    yield from lines_matching(tree, tree.paths, r"\b(?:TO" + r"DO|FIX" + r"ME|X" + r"XX)\b", "a loose end")
+
+
+def toml(tree):
+    """TOML is known to one file."""
+    found = [path for path in tree.ending(CPP) if re.search(r"#\s*include\s*[<\"]toml", tree.read(path))]
+    if len(found) > 1:
+        yield "toml++ is included by " + ", ".join(found) + "; one file is the most"
+
+
+def layout(tree):
+    """C++ is laid out by .clang-format."""
+    program = shutil.which("clang-format-14") or shutil.which("clang-format")
+    if not program:
+        raise Skip("clang-format is not installed")
+    version = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout
+    if f"version {CLANG_FORMAT}" not in version:
+        raise Skip(f"clang-format {CLANG_FORMAT}x is wanted, this is: {version.strip()}")
+    paths = tree.ending(CPP)
+    if paths:
+        told = subprocess.run([program, "--dry-run", "-Werror", "--style=file", *paths], cwd=tree.root, capture_output=True, text=True).stderr
+        wrong = sorted(set(re.findall(r"^(\S+?):\d+:\d+: error", told, re.M)))
+        yield from (f"{path}: run clang-format -i {path}" for path in wrong)
+
+
+def examples(tree):
+    """Every example has a page, a case and the numbers to expect."""
+    for example in sorted({path.split("/")[1] for path in tree.paths if path.startswith("examples/") and path.count("/") > 1}):
+        folder = f"examples/{example}/"
+        files = {path[len(folder) :] for path in tree.paths if path.startswith(folder)}
+        for needed in ("README.md", "expected.toml"):
+            if needed not in files:
+                yield f"{folder}: {needed} is missing"
+        if not any(name.endswith(".toml") and name != "expected.toml" for name in files):
+            yield f"{folder}: there is no case (a .toml file beside expected.toml)"
+
+
+def silence(tree):
+    """Only run/, main.cpp and the progress line write to the terminal."""
+    allowed = ("src/run/", "src/main.cpp", "src/output/progress")
+    paths = [path for path in tree.ending(CPP, "src/") if not path.startswith(allowed)]
+    pattern = r"\bstd::(?:cout|cerr|clog)\b|\b(?:v?printf|puts|putchar)\s*\(|\b(?:fprintf|fputs|print)\s*\([^;]*\bstd(?:out|err)\b"
+    yield from code_matching(tree, paths, pattern, "writes to the terminal")
+    yield from lines_matching(tree, paths, r"\bfmt::print\s*\(\s*\"", "writes to the terminal")
+
+
+def allocation(tree):
+    """The step and the contact take no memory by hand."""
+    paths = tree.ending(CPP, ("src/mpm/", "src/contact/"))
+    yield from code_matching(tree, paths, r"\bnew\b|\b(?:malloc|calloc|realloc)\s*\(", "takes memory")
+
+
+def links(tree):
+    """Links between the pages of the manual lead somewhere."""
+    for path in tree.ending(".md"):
+        for target in re.findall(r"\]\(([^)\s#]+)[^)]*\)", tree.read(path)):
+            if re.match(r"[a-z]+:", target):
+                continue
+            if not os.path.exists(os.path.join(tree.root, os.path.dirname(path), target)):
+                yield f"{path}: {target} does not exist"
+
+
+SPDX = "// " + LICENCE + "\n"
+TIERS = "berm_folder(core ENGINE)\nberm_folder(mesh ENGINE USES core)\nberm_folder(mpm ENGINE USES core mesh)\nberm_folder(input USES mpm LINKS toml)\n"
+EXAMPLE = {"examples/slope/README.md": "a", "examples/slope/case.toml": "a", "examples/slope/expected.toml": "a"}
+
+# Each check with trees that it must refuse and trees that it must let pass: {path: text}.
+CHECKS = {
+    licence: (
+        [{"src/a.cpp": "int a;\n"}, {"run": "#!/bin/sh\nls\n"}, {"CMakeLists.txt": "\n\n# " + LICENCE + "\n"}],
+        [{"src/a.cpp": SPDX, "run": "#!/bin/sh\n# " + LICENCE + "\n", "notes.md": "words"}],
+    ),
+    length: ([{"a.cpp": "\n" * 601}, {"a.py": "\n" * 700}], [{"a.cpp": "\n" * 600, "a.md": "\n" * 900}]),
+    names: ([{"src/string_utils.hpp": ""}, {"src/common/a.hpp": ""}], [{"src/mesh/locate.hpp": ""}]),
+    tiers: (
+        [
+            {"CMakeLists.txt": TIERS, "src/core/a.hpp": '#include "mesh/mesh.hpp"\n'},
+            {"CMakeLists.txt": TIERS, "src/mesh/a.cpp": '#include "../core/a.hpp"\n'},
+            {"CMakeLists.txt": TIERS, "src/fem/a.cpp": ""},
+            {"CMakeLists.txt": "berm_folder(core USES mesh)\nberm_folder(mesh)\n"},
+        ],
+        [{"CMakeLists.txt": TIERS, "src/input/a.cpp": '#include "core/a.hpp"\n#include "mpm/b.hpp"\n#include <vector>\n', "src/main.cpp": '#include "run/a.hpp"\n'}],
+    ),
+    places: (
+        [{"a.md": "see /ho" + "me/me/x"}, {"a.sh": "cd /wo" + "rk/main"}, {"a.lock": "https://registry." + "npmjs.org/x"}],
+        [{"a.md": "https://berm.example/work/x and out/work/y and /usr/bin/python3"}],
+    ),
+    loose_ends: ([{"a.cpp": "// TO" + "DO later\n"}, {"a.md": "FIX" + "ME\n"}], [{"a.cpp": "// to do nothing is allowed\n"}]),
+    toml: (
+        [{"src/a.cpp": "#include <toml++/toml.h>\n", "src/b.hpp": "#include <toml++/toml.h>\n"}],
+        [{"src/a.cpp": "#include <toml++/toml.h>\n", "src/b.cpp": '#include "input/toml_reader.hpp"\n'}],
+    ),
+    layout: (
+        [{".clang-format": "BasedOnStyle: LLVM\n", "a.cpp": "int  a ;\n"}],
+        [{".clang-format": "BasedOnStyle: LLVM\n", "a.cpp": "int a;\n"}],
+    ),
+    examples: (
+        [{path: text for path, text in EXAMPLE.items() if path != left_out} for left_out in EXAMPLE],
+        [EXAMPLE],
+    ),
+    silence: (
+        [
+            {"src/mpm/a.cpp": "std::cout << 1;\n"},
+            {"src/mesh/a.cpp": 'printf("x");\n'},
+            {"src/output/table.cpp": 'std::fprintf(stderr, "x");\n'},
+            {"src/mpm/b.cpp": 'fmt::print("{}", 1);\n'},
+        ],
+        [{"src/run/a.cpp": "std::cout << 1;\n", "src/output/table.cpp": 'std::fprintf(file, "x"); // not printf( here\n', "src/mpm/a.cpp": 'snprintf(s, 3, "a");\n'}],
+    ),
+    allocation: (
+        [{"src/mpm/a.cpp": "int* a = new int;\n"}, {"src/contact/a.hpp": "void* p = std::malloc(3);\n"}],
+        [{"src/mpm/a.cpp": '// a new step\nthrow RunError("no new one");\n', "src/output/a.cpp": "new int;\n"}],
+    ),
+    links: ([{"docs/a.md": "[b](b.md)"}], [{"docs/a.md": "[b](../b.md#part) [c](https://berm.example/c.md)", "b.md": ""}]),
+}
+
+
+def tells_apart(check):
+    """Whether the check refuses each of its wrong samples and passes the right ones."""
+    wrong, right = CHECKS[check]
+    fine = True
+    for samples, refused in ((wrong, True), (right, False)):
+        for sample in samples:
+            with tempfile.TemporaryDirectory() as folder:
+                for path, text in sample.items():
+                    os.makedirs(os.path.dirname(os.path.join(folder, path)), exist_ok=True)
+                    with open(os.path.join(folder, path), "w", encoding="utf-8") as file:
+                        file.write(text)
+                found = list(check(Tree(folder)))
+            if bool(found) != refused:
+                fine = False
+                print(f"{check.__name__} {'lets pass' if refused else 'refuses'} {sample}: {found}")
+    return fine
+
+
+def main(arguments):
+    if arguments == ["--list"]:
+        print("\n".join(check.__name__ for check in CHECKS))
+        return 0
+    by_name = {check.__name__: check for check in CHECKS}
+    if not arguments or arguments[0] not in by_name or len(arguments) > 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    check = by_name[arguments[0]]
+    try:
+        if arguments[1:] == ["--broken"]:
+            return 0 if tells_apart(check) else 1
+        found = list(check(Tree(arguments[1] if len(arguments) == 2 else REPOSITORY)))
+    except Skip as reason:
+        print(f"skipped: {reason}")
+        return SKIPPED
+    for line in found:
+        print(line)
+    if found:
+        print(f"{check.__name__}: {check.__doc__}")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace berm::test {
+
+/// A case without fault, which every wrong input spoils in one place. Its first line is line 1.
+constexpr std::string_view good_case = R"(title = "a pipe on sand"
+gravity = [0, "-1 gravity"]
+surface = 0.0
+
+[mesh]
+kind = "box"
+size = ["2 m", "1 m"]
+cells = [20, 10]
+
+[material.sand]
+law = "mohr_coulomb"
+density = "1800 kg/m^3"
+young_modulus = "7 MPa"
+poisson_ratio = 0.3
+friction_angle = "35 deg"
+dilation_angle = "5 deg"
+
+[material.rubber]
+law = "linear_elastic"
+density = 1100
+young_modulus = 2e6
+poisson_ratio = 0.4
+
+[body.bed]
+material = "sand"
+regions = ["box"]
+particles_per_cell = 9
+region_damping = {box = 0.05}
+
+[rigid.pipe]
+shape = "circle"
+center = [1.0, "1.4 m"]
+diameter = "0.8 m"
+mass = "430 kg/m"
+
+[contact.pipe_on_bed]
+body = "bed"
+rigid = "pipe"
+friction_angle = "20 deg"
+scheme = "twice"
+
+[support.base]
+boundary = "bottom"
+fixed = ["x", "y"]
+
+[[stage]]
+name = "push"
+kind = "push"
+velocity = "0.1 m/s"
+until = {embedment = "80 mm"}
+
+[[stage]]
+name = "drag"
+kind = "drag"
+velocity = "0.1 m/s"
+ramp = 0.1
+
+[stage.until]
+displacement = "0.4 m"
+time = 20
+
+[watch.tip]
+body = "bed"
+point = [1.0, 0.9]
+
+[output]
+frame_time = "0.5 s"
+)";
+
+/// One fault, and what the message must say of it.
+struct WrongInput {
+  const char* name;
+  std::string_view replaced, by;      ///< the first place in good_case where `replaced` stands becomes `by`
+  int line;                           ///< the line that the message must name; 0 = none
+  std::vector<std::string> says;      ///< parts of the message
+  std::vector<std::string> overrides; ///< KEY=VALUE, as for --set
+};
+
+inline std::string text_of(const WrongInput& wrong)
+{
+  std::string text(good_case);
+  if (!wrong.replaced.empty()) text.replace(text.find(wrong.replaced), wrong.replaced.size(), wrong.by);
+  return text;
+}
+
+inline const std::vector<WrongInput>& wrong_inputs()
+{
+  static const std::vector<WrongInput> all = {
+      // Keys.
+      {"misspelt_key",
+       "friction_angle = \"35 deg\"",
+       "friction_angel = \"35 deg\"",
+       15,
+       {"material.sand.friction_angel", "unknown key", "did you mean \"friction_angle\"?", "allowed: law, density"},
+       {}},
+      {"misspelt_key_at_the_top", "gravity =", "gravty =", 2, {"gravty", "did you mean \"gravity\"?", "title"}, {}},
+      {"key_without_a_near_one", "surface = 0.0", "colour = 0.0", 3, {"colour", "unknown key", "allowed: title, dimension"}, {}},
+      {"misspelt_table", "[output]", "[ouput]", 65, {"ouput", "unknown table", "did you mean \"output\"?"}, {}},
+      {"misspelt_table_with_a_name", "[support.base]", "[suport.base]", 42, {"suport", "did you mean \"support\"?"}, {}},
+      {"misspelt_key_in_a_stage", "ramp = 0.1", "rmap = 0.1", 55, {"stage.drag.rmap", "did you mean \"ramp\"?"}, {}},
+      {"misspelt_key_in_an_inner_table",
+       "displacement = \"0.4 m\"",
+       "displacment = \"0.4 m\"",
+       58,
+       {"stage.drag.until.displacment", "did you mean \"displacement\"?", "allowed: time, displacement, embedment, force"},
+       {}},
+      {"misspelt_key_in_an_inline_table",
+       "{embedment",
+       "{embedmant",
+       49,
+       {"stage.push.until.embedmant", "did you mean \"embedment\"?"},
+       {}},
+      {"key_of_another_alternative",
+       "poisson_ratio = 0.4",
+       "poisson_ratio = 0.4\ncohesion = 0",
+       23,
+       {"material.rubber.cohesion", "law = \"mohr_coulomb\"", "law = \"linear_elastic\"", "allowed: law, density"},
+       {}},
+      {"key_of_another_shape",
+       "diameter = \"0.8 m\"",
+       "diameter = \"0.8 m\"\nnormal = [0, 1]",
+       34,
+       {"rigid.pipe.normal", "shape = \"half_plane\"", "center, diameter"},
+       {}},
+      {"key_twice", "young_modulus = \"7 MPa\"", "density = 1800\nyoung_modulus = \"7 MPa\"", 13, {"density"}, {}},
+      {"table_twice", "[output]", "[mesh]", 65, {"mesh"}, {}},
+      // What is missing.
+      {"key_missing",
+       "friction_angle = \"35 deg\"\n",
+       "",
+       10,
+       {"material.sand.friction_angle", "missing in [material.sand]", "an angle", "\"35 deg\""},
+       {}},
+      {"key_missing_in_a_stage",
+       "kind = \"push\"\n",
+       "",
+       45,
+       {"stage.push.kind", "missing in [stage.push]", "allowed: geostatic, push, drag, free"},
+       {}},
+      {"list_missing", "center = [1.0, \"1.4 m\"]\n", "", 30, {"rigid.pipe.center", "missing", "a list of numbers", "\"20 mm\""}, {}},
+      {"table_missing", "[mesh]\nkind = \"box\"\nsize = [\"2 m\", \"1 m\"]\ncells = [20, 10]\n", "", 1, {"mesh", "[mesh] is missing"}, {}},
+      {"law_missing", "law = \"mohr_coulomb\"\n", "", 10, {"material.sand.law", "missing", "linear_elastic, mohr_coulomb"}, {}},
+      {"nothing_at_all", good_case, "", 1, {"mesh"}, {}},
+      {"until_missing", "until = {embedment = \"80 mm\"}\n", "", 45, {"stage.push.until", "at least one of time"}, {}},
+      // Units and kinds.
+      {"wrong_dimension",
+       "diameter = \"0.8 m\"",
+       "diameter = \"3 kg\"",
+       33,
+       {"rigid.pipe.diameter", "\"3 kg\"", "wrong dimension", "a length", "\"20 mm\"", "\"0.8 m\""},
+       {}},
+      {"wrong_dimension_in_a_list", "\"1.4 m\"", "\"1.4 s\"", 32, {"rigid.pipe.center[1]", "wrong dimension", "a length"}, {}},
+      {"unknown_unit",
+       "\"7 MPa\"",
+       "\"7 MPaa\"",
+       13,
+       {"material.sand.young_modulus", "unknown unit \"MPaa\"", "a pressure or stress", "\"20 kPa\""},
+       {}},
+      {"text_without_a_number", "\"7 MPa\"", "\"stiff\"", 13, {"young_modulus", "\"stiff\"", "does not begin with a number"}, {}},
+      {"decimal_comma", "\"0.1 m/s\"", "\"0,1 m/s\"", 48, {"stage.push.velocity", "decimal comma"}, {}},
+      {"angle_for_a_bare_number",
+       "poisson_ratio = 0.3",
+       "poisson_ratio = \"0.3 deg\"",
+       14,
+       {"poisson_ratio", "wrong dimension", "a bare number"},
+       {}},
+      {"nan", "surface = 0.0", "surface = nan", 3, {"surface", "finite"}, {}},
+      {"infinity", "surface = 0.0", "surface = inf", 3, {"surface", "finite"}, {}},
+      {"truth_for_a_number", "ramp = 0.1", "ramp = true", 55, {"stage.drag.ramp", "a time", "not true"}, {}},
+      {"number_for_a_text", "boundary = \"bottom\"", "boundary = 3", 43, {"support.base.boundary", "text in quotes", "the number 3"}, {}},
+      {"date_for_a_number", "ramp = 0.1", "ramp = 2024-01-01", 55, {"stage.drag.ramp", "not a date"}, {}},
+      {"lone_number_for_a_list",
+       "gravity = [0, \"-1 gravity\"]",
+       "gravity = -9.81",
+       2,
+       {"gravity", "must be a list of numbers", "not the number -9.81"},
+       {}},
+      {"lone_text_for_a_list",
+       "fixed = [\"x\", \"y\"]",
+       "fixed = \"x\"",
+       44,
+       {"support.base.fixed", "must be a list of texts", "not the text \"x\""},
+       {}},
+      {"list_for_a_number", "diameter = \"0.8 m\"", "diameter = [0.8]", 33, {"rigid.pipe.diameter", "a length", "not an array"}, {}},
+      {"part_of_a_whole_number",
+       "particles_per_cell = 9",
+       "particles_per_cell = 9.5",
+       27,
+       {"body.bed.particles_per_cell", "whole number"},
+       {}},
+      {"huge_whole_number",
+       "particles_per_cell = 9",
+       "particles_per_cell = 9000000000",
+       27,
+       {"body.bed.particles_per_cell", "from 0 to 400"},
+       {}},
+      {"number_for_a_table", "{box = 0.05}", "0.05", 28, {"body.bed.region_damping", "table from names to numbers"}, {}},
+      {"text_for_a_table", "[output]\nframe_time = \"0.5 s\"", "[watch.other]\nbody = 3", 66, {"watch.other.body", "text in quotes"}, {}},
+      {"table_instead_of_tables_in_a_row",
+       "[[stage]]\nname = \"push\"\nkind = \"push\"\nvelocity = \"0.1 m/s\"\nuntil = {embedment = \"80 mm\"}\n\n[[stage]]",
+       "[stage]",
+       46,
+       {"stage", "[[stage]]", "not a table"},
+       {}},
+      {"material_without_a_name", "[material.rubber]", "[material]", 19, {"material.law", "[material.NAME]"}, {}},
+      // Ranges and words.
+      {"number_out_of_range",
+       "poisson_ratio = 0.3",
+       "poisson_ratio = 0.6",
+       14,
+       {"material.sand.poisson_ratio", "from 0 to 0.495", "it is 0.6"},
+       {}},
+      {"quantity_out_of_range", "\"0.8 m\"", "\"-800 mm\"", 33, {"rigid.pipe.diameter", "more than 0 m", "\"-800 mm\" is -0.8 m"}, {}},
+      {"degrees_taken_for_radians", "\"35 deg\"", "35", 15, {"material.sand.friction_angle", "60 deg", "write \"35 deg\""}, {}},
+      {"angle_out_of_range",
+       "\"20 deg\"",
+       "\"95 deg\"",
+       39,
+       {"contact.pipe_on_bed.friction_angle", "from 0 to 89.9 deg (0 to 1.569 rad)", "1.65806 rad"},
+       {}},
+      {"number_by_name_out_of_range", "{box = 0.05}", "{box = 5}", 28, {"body.bed.region_damping.box", "from 0 to 1"}, {}},
+      {"unknown_word",
+       "scheme = \"twice\"",
+       "scheme = \"twise\"",
+       40,
+       {"contact.pipe_on_bed.scheme", "did you mean \"twice\"?", "allowed: twice, once"},
+       {}},
+      {"unknown_law",
+       "\"mohr_coulomb\"",
+       "\"mohr_columb\"",
+       11,
+       {"material.sand.law", "did you mean \"mohr_coulomb\"?", "linear_elastic, mohr_coulomb"},
+       {}},
+      {"number_for_a_word", "kind = \"push\"", "kind = 1", 47, {"stage.push.kind", "word in quotes", "geostatic, push, drag, free"}, {}},
+      {"empty_name", "name = \"push\"", "name = \"\"", 46, {"name", "must not be empty"}, {}},
+      {"empty_name_of_a_table", "[material.rubber]", "[material.\"\"]", 18, {"material.", "is no name"}, {}},
+      {"odd_name_of_a_table", "[material.rubber]", "[material.\"a.b\"]", 18, {"\"a.b\"", "is no name"}, {}},
+      {"empty_text", "material = \"sand\"", "material = \"\"", 25, {"body.bed.material", "must not be empty"}, {}},
+      // What must fit together.
+      {"unknown_material",
+       "material = \"sand\"",
+       "material = \"snad\"",
+       25,
+       {"body.bed.material", "there is no [material.snad]", "did you mean \"sand\"?", "allowed: sand, rubber"},
+       {}},
+      {"unknown_direction",
+       "fixed = [\"x\", \"y\"]",
+       "fixed = [\"x\", \"z\"]",
+       44,
+       {"support.base.fixed", "\"z\" is no direction", "allowed: x, y"},
+       {}},
+      {"unknown_body_watched", "body = \"bed\"\npoint", "body = \"bad\"\npoint", 62, {"watch.tip.body", "did you mean \"bed\"?"}, {}},
+      {"unknown_region", "{box = 0.05}", "{bx = 0.05}", 28, {"body.bed.region_damping.bx", "did you mean \"box\"?"}, {}},
+      {"three_numbers_in_a_plane", "point = [1.0, 0.9]", "point = [1.0, 0.9, 0]", 63, {"watch.tip.point", "needs 2 numbers"}, {}},
+      {"two_stages_of_one_name", "name = \"drag\"", "name = \"push\"", 52, {"stage.push.name", "another stage has this name"}, {}},
+      {"velocity_and_force", "ramp = 0.1", "force = \"1 kN/m\"", 51, {"stage.drag", "either velocity or force"}, {}},
+      // No TOML.
+      {"bracket_without_its_pair", "[mesh]", "[mesh", 5, {}, {}},
+      {"parser_gives_up", "title = ", "[&\ntitle = ", 1, {}, {}},
+      {"quote_not_closed", "\"0.5 s\"", "\"0.5 s", 66, {}, {}},
+      {"value_without_quotes", "\"0.5 s\"", "0.5 s", 66, {}, {}},
+      // Overrides.
+      {"override_of_an_unknown_key",
+       "",
+       "",
+       0,
+       {"--set material.sand.frction_angle: ", "unknown key", "did you mean \"friction_angle\"?"},
+       {"material.sand.frction_angle=0.5"}},
+      {"override_of_an_unknown_material",
+       "",
+       "",
+       0,
+       {"--set material.snad.friction_angle: ", "there is no [material.snad]", "did you mean \"sand\"?"},
+       {"material.snad.friction_angle=0.5"}},
+      {"override_of_an_unknown_stage",
+       "",
+       "",
+       0,
+       {"--set stage.darg.ramp: ", "no stage named \"darg\"", "did you mean \"drag\"?", "push, drag"},
+       {"stage.darg.ramp=1"}},
+      {"override_through_a_number", "", "", 0, {"--set surface.level: ", "surface is the number 0"}, {"surface.level=1"}},
+      {"override_of_the_wrong_dimension", "", "", 0, {"--set rigid.pipe.diameter: \"3 kg\"", "a length"}, {"rigid.pipe.diameter=3 kg"}},
+      {"override_out_of_range", "", "", 0, {"--set rigid.pipe.diameter: must be more than 0 m"}, {"rigid.pipe.diameter=0"}},
+      {"override_without_a_value", "", "", 0, {"--set rigid.pipe.diameter: ", "KEY=VALUE"}, {"rigid.pipe.diameter"}},
+      {"override_with_an_empty_part", "", "", 0, {"--set rigid..diameter: ", "empty part"}, {"rigid..diameter=1"}},
+      {"override_with_broken_toml", "", "", 0, {"--set gravity: ", "not valid TOML"}, {"gravity=[0, -1 gravity]"}},
+  };
+  return all;
+}
+
+} // namespace berm::test

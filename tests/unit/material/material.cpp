@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "material/material.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+/// Chooses one law, and keeps what is said of every key.
+class Recorder : public Describe {
+public:
+  explicit Recorder(int law) : law_(law) {}
+
+  std::vector<std::pair<std::string, Parameter>> said;
+  std::vector<std::string> words, refused;
+
+  const Parameter* of(const std::string& key) const
+  {
+    for (const auto& [name, parameter] : said)
+      if (name == key) return &parameter;
+    return nullptr;
+  }
+  void check(bool fine, const std::string& path, const std::string&, const std::vector<std::string>&) override
+  {
+    if (!fine) refused.push_back(path);
+  }
+
+protected:
+  void leaf(const char* key, Leaf, const Parameter& parameter) override { said.emplace_back(key, parameter); }
+  int choose(const char*, const std::vector<const char*>& names, int, const Parameter&) override
+  {
+    words.assign(names.begin(), names.end());
+    return law_;
+  }
+  void enter(const char*, const Parameter&) override {}
+  void leave() override {}
+  bool has_table(const char*, bool) override { return false; }
+  std::vector<std::string> names_in(const char*, const std::vector<std::string>&, const Parameter&) override { return {}; }
+  void enter_named(const char*, const std::string&) override {}
+  int count_in(const char*, int, const Parameter&) override { return 0; }
+  void enter_item(const char*, int) override {}
+
+private:
+  int law_;
+};
+
+TEST(Material, the_word_decides_which_law_the_keys_fill)
+{
+  Material material;
+  Recorder elastic(0), soil(1);
+  describe(elastic, material);
+  EXPECT_EQ(material.index(), 0u);
+  EXPECT_EQ(elastic.of("cohesion"), nullptr);
+  describe(soil, material);
+  EXPECT_EQ(material.index(), 1u);
+  ASSERT_NE(soil.of("cohesion"), nullptr);
+  EXPECT_EQ(soil.words[material.index()], "mohr_coulomb");
+}
+
+TEST(Material, what_no_law_can_guess_is_required)
+{
+  for (const int law : {0, 1}) {
+    Material material;
+    Recorder recorder(law);
+    describe(recorder, material);
+    for (const char* key : {"density", "young_modulus", "poisson_ratio"}) {
+      ASSERT_NE(recorder.of(key), nullptr);
+      EXPECT_TRUE(recorder.of(key)->required) << key;
+    }
+  }
+  Material material;
+  Recorder recorder(1);
+  describe(recorder, material);
+  EXPECT_TRUE(recorder.of("friction_angle")->required);
+  EXPECT_STREQ(recorder.of("friction_angle")->unit, "rad");
+  EXPECT_GE(recorder.of("friction_angle")->range.most, 60 * pi / 180);
+}
+
+TEST(Material, dilation_larger_than_friction_is_refused_at_its_key)
+{
+  MohrCoulomb law;
+  law.friction_angle = 0.5;
+  law.dilation_angle = 0.5;
+  Recorder recorder(1);
+  check(recorder, "material.sand", law);
+  EXPECT_TRUE(recorder.refused.empty());
+  law.dilation_angle = 0.6;
+  check(recorder, "material.sand", law);
+  ASSERT_EQ(recorder.refused.size(), 1u);
+  EXPECT_EQ(recorder.refused[0], "material.sand.dilation_angle");
+}
+
+TEST(Material, answers_for_the_law_it_holds)
+{
+  const Material elastic = LinearElastic{.density = 2000, .young_modulus = 3e6, .poisson_ratio = 0};
+  EXPECT_EQ(density(elastic), 2000);
+  EXPECT_DOUBLE_EQ(p_wave_modulus(elastic), 3e6);
+  EXPECT_EQ(state_size(elastic), 0);
+  MohrCoulomb law;
+  law.density = 1800;
+  law.young_modulus = 1e7;
+  law.poisson_ratio = 0.25;
+  const Material soil = law;
+  EXPECT_EQ(density(soil), 1800);
+  EXPECT_DOUBLE_EQ(p_wave_modulus(soil), 1.2e7);
+  EXPECT_EQ(state_size(soil), 1);
+}
+
+} // namespace
+} // namespace berm

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mesh/mesh_settings.hpp"
+
+#include "core/error.hpp"
+#include "mesh/gmsh_program.hpp"
+#include "sample_meshes.hpp"
+#include "temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+constexpr const char* square = R"(
+Point(1) = {0, 0, 0, 0.3};
+Point(2) = {1, 0, 0, 0.3};
+Point(3) = {1, 1, 0, 0.3};
+Point(4) = {0, 1, 0, 0.3};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Physical Surface("soil") = {1};
+Physical Curve("base") = {1};
+)";
+
+// Restores PATH at its end.
+class Path {
+public:
+  explicit Path(const std::string& path) : before_(getenv("PATH")) { setenv("PATH", path.c_str(), 1); }
+  ~Path() { setenv("PATH", before_.c_str(), 1); }
+
+private:
+  std::string before_;
+};
+
+std::string failure_of(const std::filesystem::path& geo, const std::filesystem::path& msh)
+{
+  try {
+    run_gmsh(geo, msh);
+  } catch (const RunError& error) {
+    return error.what();
+  }
+  return "none";
+}
+
+TEST(RunGmsh, meshes_a_geometry_and_keeps_what_gmsh_said)
+{
+  const TemporaryFolder folder;
+  run_gmsh(folder.write("square.geo", square), folder / "mesh.msh");
+  const auto mesh = read_msh<2>(folder / "mesh.msh");
+  EXPECT_GT(mesh.cell_count(), 10);
+  EXPECT_GT(mesh.boundary_nodes[mesh.find_boundary("base")].size(), 3u);
+  EXPECT_TRUE(std::filesystem::exists(folder / "mesh.log"));
+}
+
+TEST(RunGmsh, does_not_read_its_users_options)
+{
+  const TemporaryFolder folder;
+  const auto geo = folder.write("square.geo", square);
+  run_gmsh(geo, folder / "first.msh");
+  folder.write(".gmsh-options", "Mesh.MeshSizeFactor = 0.2;\n");
+  const std::string home = getenv("HOME") == nullptr ? "" : getenv("HOME");
+  setenv("HOME", folder.path().c_str(), 1);
+  const TemporaryFolder elsewhere;
+  run_gmsh(geo, elsewhere / "second.msh");
+  setenv("HOME", home.c_str(), 1);
+  EXPECT_EQ(folder.read("first.msh"), elsewhere.read("second.msh"));
+}
+
+TEST(RunGmsh, says_how_to_install_what_is_missing)
+{
+  const TemporaryFolder folder;
+  const auto geo = folder.write("square.geo", square);
+  const Path nowhere(folder.path().string());
+  EXPECT_EQ(failure_of(geo, folder / "mesh.msh"), "gmsh is not installed: sudo apt-get install gmsh");
+}
+
+TEST(RunGmsh, shows_the_end_of_what_gmsh_said_when_it_fails)
+{
+  const TemporaryFolder folder;
+  const std::string broken = failure_of(folder.write("broken.geo", "Point(1) = {0, 0;\n"), folder / "mesh.msh");
+  EXPECT_NE(broken.find("gmsh failed on"), broken.npos) << broken;
+  EXPECT_NE(broken.find("broken.geo"), broken.npos) << broken;
+  EXPECT_NE(broken.find("syntax error"), broken.npos) << broken;
+  EXPECT_NE(failure_of(folder / "missing.geo", folder / "mesh.msh").find("no geometry"), std::string::npos);
+  EXPECT_NE(failure_of(folder / "broken.geo", folder / "missing/mesh.msh").find("no folder"), std::string::npos);
+}
+
+TEST(RunGmsh, tells_a_signal_from_a_failure_and_never_takes_an_old_mesh_for_a_result)
+{
+  const TemporaryFolder folder;
+  const auto geo = folder.write("square.geo", square);
+  std::filesystem::permissions(folder.write("gmsh", "#!/bin/sh\nkill -2 $$\n"), std::filesystem::perms::owner_all);
+  folder.write("mesh.msh", "old");
+  {
+    const Path first(folder.path().string() + ":/bin:/usr/bin");
+    const std::string message = failure_of(geo, folder / "mesh.msh");
+    EXPECT_NE(message.find("signal 2"), message.npos) << message;
+    EXPECT_FALSE(std::filesystem::exists(folder / "mesh.msh"));
+    folder.write("gmsh", "#!/bin/sh\necho all is well\n");
+    EXPECT_NE(failure_of(geo, folder / "mesh.msh").find("all is well"), std::string::npos);
+  }
+}
+
+TEST(MakeMesh, keeps_a_copy_of_the_users_mesh)
+{
+  const TemporaryFolder theirs, ours;
+  run_gmsh(theirs.write("square.geo", square), theirs / "square.msh");
+  const auto mesh = make_mesh<2>(GmshFile{"square.msh"}, theirs.path(), ours / "run");
+  EXPECT_GT(mesh.cell_count(), 10);
+  EXPECT_EQ(ours.read("run/mesh.msh"), theirs.read("square.msh"));
+  // A path from the root is taken as it is, and the kept copy can be read again into its own place.
+  EXPECT_EQ(make_mesh<2>(GmshFile{(ours / "run/mesh.msh").string()}, theirs.path(), ours / "run").cell_count(), mesh.cell_count());
+}
+
+TEST(MakeMesh, refuses_a_missing_file_with_its_name)
+{
+  const TemporaryFolder folder;
+  try {
+    make_mesh<2>(GmshFile{"missing.msh"}, folder.path(), folder.path());
+    FAIL() << "accepted";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find((folder / "missing.msh").string()), std::string::npos) << error.what();
+  }
+}
+
+TEST(MakeMesh, makes_boxes)
+{
+  const TemporaryFolder folder;
+  EXPECT_EQ(make_mesh<2>(sample_box<2>(), ".", folder.path()).cell_count(), 56);
+  EXPECT_EQ(make_mesh<3>(sample_box<3>(), ".", folder.path()).cell_count(), 504);
+}
+
+TEST(MakeMesh, says_when_the_run_folder_cannot_be_made)
+{
+  const TemporaryFolder folder;
+  folder.write("file", "");
+  EXPECT_THROW(make_mesh<2>(sample_box<2>(), ".", folder / "file"), RunError);
+}
+
+}  // namespace
+}  // namespace berm
