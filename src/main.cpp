@@ -1,2 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-int main() {}
+#include "run/commands.hpp"
+
+int main(int argc, char** argv)
+{
+  return berm::run_commands(argc, argv);
+}

@@ -94,6 +94,14 @@ Real lowest_level(const RigidShape<dim>& shape)
 }
 
 template <int dim>
+Vec<dim> center_of(const RigidShape<dim>& shape)
+{
+  if (const auto* circle = std::get_if<Circle<dim>>(&shape)) return circle->center;
+  if (const auto* plane = std::get_if<HalfPlane<dim>>(&shape)) return plane->point;
+  return std::get<Box<dim>>(shape).center;
+}
+
+template <int dim>
 Real width_of(const RigidShape<dim>& shape)
 {
   if (const auto* circle = std::get_if<Circle<dim>>(&shape)) return 2 * circle->radius;
@@ -107,6 +115,7 @@ Real width_of(const RigidShape<dim>& shape)
   template SurfacePoint<dim> surface_at<dim>(const HalfPlane<dim>&, const Vec<dim>&);      \
   template SurfacePoint<dim> surface_at<dim>(const Box<dim>&, const Vec<dim>&);            \
   template RigidShape<dim> moved<dim>(const RigidShape<dim>&, const Vec<dim>&);            \
+  template Vec<dim> center_of<dim>(const RigidShape<dim>&);                                \
   template Real lowest_level<dim>(const RigidShape<dim>&);                                 \
   template Real width_of<dim>(const RigidShape<dim>&);
 BERM_INSTANTIATE(2)

@@ -55,6 +55,10 @@ RigidShape<dim> moved(const RigidShape<dim>& shape, const Vec<dim>& by);
 template <int dim>
 Real lowest_level(const RigidShape<dim>& shape);
 
+/// Its centre (of a half-plane: its point).
+template <int dim>
+Vec<dim> center_of(const RigidShape<dim>& shape);
+
 /// The length that results are made dimensionless with: diameter of a circle, width of a box, 0 for a half-plane.
 template <int dim>
 Real width_of(const RigidShape<dim>& shape);
@@ -76,6 +80,9 @@ struct RigidState {
   Vec<dim> smooth_reaction = Vec<dim>::Zero();  ///< the same, averaged over about a hundred steps
   Vec<dim> impulse = Vec<dim>::Zero();         ///< what its contacts gave to the soil since the start (step 4), N s/m or N s
   Vec<dim> second_impulse = Vec<dim>::Zero();  ///< the same for the correction of step 8, which is no force
+  Real pressed = 0;           ///< sum of the magnitudes of all nodal impulses since the start, N s/m or N s
+  Real pressed_distance = 0;  ///< the same, each times the distance of the node's nearest particle from the surface; over pressed: the contact gap
+  Real deepest = 0;           ///< m, how far a particle was inside the body since the last row of the history
 };
 
 }  // namespace berm

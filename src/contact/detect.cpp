@@ -92,12 +92,13 @@ void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<
       const bool first = place == none;
       if (first) {
         place = static_cast<Index>(found.list.size());
-        found.list.push_back({node, surface_at(shape, mesh.position[node]).normal, gap, false});
+        found.list.push_back({node, surface_at(shape, mesh.position[node]).normal, gap, infinity, false});
       }
       ContactNode<dim>& contact = found.list[place];
       // Inside a shape with corners the side that is nearest to a node says nothing of the side that the soil touches.
       if (has_corners && cell.gap < infinity && (first || gap < contact.gap)) contact.normal = cell.normal;
       contact.gap = std::min(contact.gap, gap);
+      contact.distance = std::min(contact.distance, cell.distance);
       contact.touching = contact.touching || detection == Detection::overlap || cell.gap < cell.half_width;
     }
   }

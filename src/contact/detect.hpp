@@ -13,6 +13,7 @@ struct ContactNode {
   Index node;
   Vec<dim> normal;  ///< unit vector out of the rigid body, at the node
   Real gap;         ///< m between the rigid surface and the rim of the nearest particle; at most 0 where they touch
+  Real distance;    ///< m between the rigid surface and the nearest particle's centre
   bool touching;    ///< the gap is less than half a particle's width
 };
 

@@ -95,6 +95,16 @@ int line_of_too_deep_key(const std::string& text)
   return 0;
 }
 
+/// What toml++ says without its first words, and what is behind the two slips that are made most.
+std::string advised(std::string description)
+{
+  if (const std::string words = "Error while parsing "; description.starts_with(words)) description.erase(0, words.size());
+  if (description.find("unescaped control characters") != std::string::npos) return description + "; is a quote left open?";
+  if (description.find("expected a comment or whitespace") != std::string::npos)
+    return description + "; texts and quantities with units stand in quotes: \"20 mm\"";
+  return description;
+}
+
 [[noreturn]] void refuse_line(const std::string& file, std::size_t line, const std::string& message)
 {
   throw InputError(one_line(fmt::format("{}:{}: {}", file, std::max<std::size_t>(line, 1), message)));
@@ -130,9 +140,9 @@ Document parse_text(const std::string& file, const std::string& text)
     document.root.line = 1;
     return document;
   } catch (const toml::parse_error& error) {
-    refuse_line(file, error.source().begin.line, std::string(error.description()));
+    refuse_line(file, error.source().begin.line, "not valid TOML, " + advised(std::string(error.description())));
   } catch (const TomlStumbled&) {
-    throw InputError(one_line(fmt::format("{}:1: is not valid TOML (the parser gave up)", file)));
+    throw InputError(one_line(fmt::format("{}:1: not valid TOML, a bracket, a quote or a key is wrong", file)));
   }
 }
 

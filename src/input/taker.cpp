@@ -51,7 +51,8 @@ int Taker::whole_number(const Node& node, const std::string& path) const
   if (!std::isfinite(value) || value != std::floor(value))
     refuse(document_, node, path, fmt::format("must be a whole number, such as 4, not {}", kind_of(node)));
   check_range(node, path, value);
-  if (std::abs(value) > std::numeric_limits<int>::max()) refuse(document_, node, path, fmt::format("{} is too large", value));
+  using Limits = std::numeric_limits<int>;
+  if (value < Limits::min() || value > Limits::max()) refuse(document_, node, path, fmt::format("{} is too large a number", value));
   return static_cast<int>(value);
 }
 
@@ -68,16 +69,16 @@ void Taker::operator()(bool* value) const
   *value = node_.truth;
 }
 
-void Taker::check_array(const char* what, const char* example) const
+void Taker::check_array(const char* what, const char* example, const std::string& entries) const
 {
   if (node_.kind != Node::Kind::array)
-    refuse(document_, node_, path_, fmt::format("must be a list of {}, such as {}, not {}", what, example, kind_of(node_)));
+    refuse(document_, node_, path_, fmt::format("must be a list of {}, such as {}, not {}{}", what, example, kind_of(node_), entries));
   if (node_.items.empty() && parameter_.required) refuse(document_, node_, path_, "must not be empty");
 }
 
 void Taker::operator()(std::vector<std::string>* values) const
 {
-  check_array("texts", "[\"left\", \"right\"]");
+  check_array("texts", "[\"left\", \"right\"]", "");
   values->clear();
   for (std::size_t k = 0; k < node_.items.size(); ++k) {
     const std::string path = fmt::format("{}[{}]", path_, k);
@@ -88,7 +89,7 @@ void Taker::operator()(std::vector<std::string>* values) const
 
 void Taker::operator()(std::vector<Real>* values) const
 {
-  check_array(fmt::format("numbers, each {}", wanted(parameter_.unit)).c_str(), "[0, 1]");
+  check_array("numbers", "[0, 1]", fmt::format("; each is {}", wanted(parameter_.unit)));
   values->clear();
   for (std::size_t k = 0; k < node_.items.size(); ++k) values->push_back(number(node_.items[k], fmt::format("{}[{}]", path_, k)));
 }

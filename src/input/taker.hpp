@@ -33,7 +33,7 @@ private:
   int whole_number(const Node& node, const std::string& path) const;
   std::string text(const Node& node, const std::string& path) const;
   void check_range(const Node& node, const std::string& path, Real value) const;
-  void check_array(const char* what, const char* example) const;
+  void check_array(const char* what, const char* example, const std::string& entries) const;
   void check_names(const char* example) const;
 
   const Document& document_;

@@ -4,7 +4,6 @@
 #include "core/error.hpp"
 #include "input/wording.hpp"
 
-#include <cctype>
 #include <charconv>
 #include <cstring>
 #include <fmt/format.h>
@@ -45,12 +44,14 @@ struct Free {
 };
 using Unit = std::unique_ptr<ut_unit, Free>;
 
-const ut_system* unit_system()
+ut_system* unit_system()
 {
-  static const ut_system* const system = [] {
+  static ut_system* const system = [] {
     ut_set_error_message_handler(ut_ignore);
-    const ut_system* read = ut_read_xml(nullptr);
+    ut_system* read = ut_read_xml(nullptr);
     if (read == nullptr) throw RunError("the table of units of UDUNITS-2 cannot be read; is the package libudunits2-data installed?");
+    const Unit degree(ut_get_unit_by_name(read, "degree"));
+    ut_map_symbol_to_unit("deg", UT_ASCII, degree.get());
     return read;
   }();
   return system;
@@ -60,7 +61,7 @@ Unit parse_unit(const std::string& text)
 {
   bool ascii = true;
   for (const char c : text) ascii = ascii && static_cast<unsigned char>(c) < 0x80;
-  return Unit(ut_parse(const_cast<ut_system*>(unit_system()), text.c_str(), ascii ? UT_ASCII : UT_UTF8));
+  return Unit(ut_parse(unit_system(), text.c_str(), ascii ? UT_ASCII : UT_UTF8));
 }
 
 bool is_radian(const ut_unit* basic)
@@ -92,18 +93,30 @@ int power_of_radian(const ut_unit* unit)
   return power;
 }
 
-/// UDUNITS-2 multiplies: it would read "3 20 mm" as 60 mm. Here the only numbers in a unit are exponents, and the 1 of "1/s".
-bool spelled_as_unit(const std::string& text)
+/// The same with letters outside ASCII that occur in units taken out.
+std::string without_letters_of_units(std::string text)
 {
-  const auto digit = [&](std::size_t k) { return std::isdigit(static_cast<unsigned char>(text[k])) != 0; };
-  const auto carries_exponent = [&](std::size_t k) { return std::isalpha(static_cast<unsigned char>(text[k])) != 0 || text[k] == '^'; };
+  for (const char* letter : {"µ", "μ", "°", "·", "²", "³"})
+    for (std::size_t at; (at = text.find(letter)) != std::string::npos;) text.erase(at, std::strlen(letter));
+  return text;
+}
+
+/// UDUNITS-2 multiplies, it would read "3 20 mm" as 60 mm, and it overlooks letters that it does not know. Here the only numbers in a unit are
+/// exponents, and the 1 of "1/s".
+bool spelled_as_unit(const std::string& unit)
+{
+  const std::string text = without_letters_of_units(unit);
+  const auto digit = [&](std::size_t k) { return text[k] >= '0' && text[k] <= '9'; };
+  const auto letter = [&](std::size_t k) { return (text[k] >= 'a' && text[k] <= 'z') || (text[k] >= 'A' && text[k] <= 'Z'); };
+  const auto carries_exponent = [&](std::size_t k) {
+    return letter(k) || text[k] == '^' || (k > 0 && text[k] == '*' && text[k - 1] == '*');
+  };
   for (std::size_t k = 0; k < text.size(); ++k) {
-    const char c = text[k];
-    const bool high = static_cast<unsigned char>(c) >= 0x80;
-    if (!high && std::isalnum(static_cast<unsigned char>(c)) == 0 && std::strchr("_%^*/.-+() ", c) == nullptr) return false;
-    if (!digit(k) || (k > 0 && digit(k - 1)) || (k == 0 && c == '1' && text.size() > 1 && text[1] == '/')) continue;
+    if (!digit(k) && !letter(k) && std::strchr("_%^*/.-+() ", text[k]) == nullptr) return false;
+    const bool begins_number = digit(k) && (k == 0 || !digit(k - 1));
+    if (!begins_number || (k == 0 && text.starts_with("1/"))) continue;
     const std::size_t before = k > 0 && (text[k - 1] == '-' || text[k - 1] == '+') ? k - 1 : k;
-    if (before == 0 || !(carries_exponent(before - 1) || (before > 1 && text[before - 1] == '*' && text[before - 2] == '*'))) return false;
+    if (before == 0 || !carries_exponent(before - 1)) return false;
   }
   return true;
 }

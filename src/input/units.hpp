@@ -15,7 +15,7 @@ struct UnitError : std::invalid_argument {
 
 /// The number in SI units that a text such as "20 mm", "35 deg" or "-50 gravity" stands for; a text without a unit is in SI units already.
 /// si_unit is spelled as UDUNITS-2 does ("" = a bare number). Throws UnitError where the number, the unit or the dimension is wrong, where
-/// the number is not finite, and for scales that do not begin at zero (degC). Units are those of UDUNITS-2.
+/// the number is not finite, and for scales that do not begin at zero (degC). Units are those of UDUNITS-2, and deg.
 Real to_si(const std::string& text, const std::string& si_unit);
 
 /// What a quantity in si_unit is, with two examples: `a length, such as "20 mm" or "0.8 m"`.

@@ -73,11 +73,12 @@ struct Mesh {
 /// Where a walk through the mesh ended.
 struct Location {
   Index cell;   ///< the cell that holds x, or the last one before the boundary was crossed
-  bool inside;  ///< false: x lies outside the mesh, beyond a face of `cell`
+  bool inside;  ///< false: x lies outside the mesh, beyond a face of `cell` at the boundary
 };
 
-/// Walks from cell `start` to the cell that holds x: each step crosses the face with the most negative shape function. A point is held where no
-/// shape function is below -1e-12. O(cells crossed).
+/// Walks from cell `start` to the cell that holds x: each step crosses the face with the most negative shape function that leads to a cell. A point is
+/// held where no shape function is below -1e-12. O(cells crossed); where a hole or a bay of the mesh ends the walk inside the box around the mesh,
+/// or the walk does not end, all cells are looked at. A position that is not finite is outside.
 template <int dim>
 Location locate(const Mesh<dim>& mesh, const Vec<dim>& x, Index start);
 

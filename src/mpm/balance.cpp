@@ -12,7 +12,7 @@ template <int dim>
 struct NodalSums {
   Vec<dim> gravity = Vec<dim>::Zero(), damping = Vec<dim>::Zero(), support = Vec<dim>::Zero();  // forces, N
   Real gravity_power = 0, damping_power = 0;
-  Real unbalanced = 0;
+  Real unbalanced = 0;  // sum of the absolute components, N
 
   NodalSums& operator+=(const NodalSums& other)
   {
@@ -21,7 +21,7 @@ struct NodalSums {
     support += other.support;
     gravity_power += other.gravity_power;
     damping_power += other.damping_power;
-    unbalanced = std::max(unbalanced, other.unbalanced);
+    unbalanced += other.unbalanced;
     return *this;
   }
 };
@@ -55,7 +55,7 @@ void solve_momentum_balance(const Model<dim>& model, State<dim>& state, Work<dim
     for (int d = 0; d < dim; ++d) {
       const bool held = model.fixed[i] >> d & 1;
       if (!held && v[d] != 0) damping[d] = -factor * std::abs(force[d]) * (v[d] > 0 ? 1 : -1);
-      if (!held && !grid.touching[i]) sums_i.unbalanced = std::max(sums_i.unbalanced, std::abs(force[d]));
+      if (!held && !grid.touching[i]) sums_i.unbalanced += std::abs(force[d]);
     }
     const Vec<dim> total = force + damping;
     a = total / m;
@@ -76,7 +76,8 @@ void solve_momentum_balance(const Model<dim>& model, State<dim>& state, Work<dim
   totals.support_impulse += dt * sums.support;
   totals.external += dt * sums.gravity_power;
   totals.damping -= dt * sums.damping_power;
-  work.unbalanced = body == 0 ? sums.unbalanced : std::max(work.unbalanced, sums.unbalanced);
+  work.unbalanced = (body == 0 ? 0 : work.unbalanced) + sums.unbalanced;
+  work.weight = (body == 0 ? 0 : work.weight) + sums.gravity.norm();
 }
 
 template void solve_momentum_balance(const Model<2>&, State<2>&, Work<2>&, Index);

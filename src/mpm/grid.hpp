@@ -78,7 +78,7 @@ struct Work {
   std::vector<std::vector<Mover>> movers;           ///< by thread
   std::vector<Particle<dim>> moving;
   std::vector<PreparedMaterial> laws;               ///< by body
-  Real unbalanced = 0;                              ///< N, largest unbalanced nodal force of the last step away from contacts
+  Real unbalanced = 0, weight = 0;                  ///< N, sums over the nodes of |unbalanced force| (away from contacts) and of m g, last step
   Real fastest = 0;                                 ///< m/s, of the nodes when it was last looked at
 
   Work(const Model<dim>& model, const State<dim>& state);

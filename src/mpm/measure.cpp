@@ -28,6 +28,17 @@ BodySums<dim> measure(const Particles<dim>& particles)
 }
 
 template <int dim>
+Real momentum_error(const State<dim>& state)
+{
+  Vec<dim> now = Vec<dim>::Zero();
+  for (const Particles<dim>& particles : state.particles) now += measure(particles).momentum;
+  const Totals<dim>& t = state.totals;
+  const Vec<dim> given = t.gravity_impulse + t.contact_impulse + t.support_impulse + t.damping_impulse;
+  const Real size = t.first_momentum.norm() + t.gravity_impulse.norm() + t.contact_impulse.norm() + t.support_impulse.norm() + t.damping_impulse.norm();
+  return size > 0 ? (now - t.first_momentum - given).norm() / size : 0;
+}
+
+template <int dim>
 Vec<dim> position_of(const Particles<dim>& particles, std::int32_t id)
 {
   Vec<dim> x = Vec<dim>::Constant(std::numeric_limits<Real>::quiet_NaN());
@@ -40,6 +51,8 @@ Vec<dim> position_of(const Particles<dim>& particles, std::int32_t id)
 
 template BodySums<2> measure(const Particles<2>&);
 template BodySums<3> measure(const Particles<3>&);
+template Real momentum_error(const State<2>&);
+template Real momentum_error(const State<3>&);
 template Vec<2> position_of(const Particles<2>&, std::int32_t);
 template Vec<3> position_of(const Particles<3>&, std::int32_t);
 

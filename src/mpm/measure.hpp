@@ -26,6 +26,10 @@ struct BodySums {
 template <int dim>
 BodySums<dim> measure(const Particles<dim>& particles);
 
+/// |momentum now - momentum at the start - impulses of gravity, contact, supports and damping| over the sum of the sizes of all these: round-off.
+template <int dim>
+Real momentum_error(const State<dim>& state);
+
 /// Position of the particle with this id, m.
 template <int dim>
 Vec<dim> position_of(const Particles<dim>& particles, std::int32_t id);

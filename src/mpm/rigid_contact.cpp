@@ -34,7 +34,7 @@ Vec<dim> correction(const Model<dim>& model, const BodyGrid<dim>& grid, const Co
 }  // namespace
 
 template <int dim>
-void find_contacts(const Model<dim>& model, const State<dim>& state, Work<dim>& work)
+void find_contacts(const Model<dim>& model, State<dim>& state, Work<dim>& work)
 {
   for (std::size_t k = 0; k < model.contacts.size(); ++k)
     for (const ContactNode<dim>& c : work.contact_nodes[k].list) work.grids[model.contacts[k].body].touching[c.node] = 0;
@@ -45,6 +45,8 @@ void find_contacts(const Model<dim>& model, const State<dim>& state, Work<dim>& 
            work.contact_nodes[k]);
     for (const ContactNode<dim>& c : work.contact_nodes[k].list)
       if (c.touching) grid.touching[c.node] = 1;
+    RigidState<dim>& rigid = state.rigids[contact.rigid];
+    rigid.deepest = std::max(rigid.deepest, -work.contact_nodes[k].nearest_particle);
   }
 }
 
@@ -65,6 +67,10 @@ void correct_accelerations(const Model<dim>& model, State<dim>& state, Work<dim>
       const Vec<dim> impulse = grid.mass[c.node] * change;
       rigid.reaction -= impulse / dt;
       rigid.impulse += impulse;
+      if (c.distance < infinity) {
+        rigid.pressed += impulse.norm();
+        rigid.pressed_distance += impulse.norm() * c.distance;
+      }
       state.totals.contact_impulse += impulse;
       state.totals.external += impulse.dot(rigid.velocity);
       state.totals.friction -= impulse.dot(relative + 0.5 * change);
@@ -101,7 +107,7 @@ void move_rigids(const Model<dim>& model, State<dim>& state)
 }
 
 #define BERM_INSTANTIATE(dim)                                                                  \
-  template void find_contacts(const Model<dim>&, const State<dim>&, Work<dim>&);               \
+  template void find_contacts(const Model<dim>&, State<dim>&, Work<dim>&);               \
   template void correct_accelerations(const Model<dim>&, State<dim>&, Work<dim>&);             \
   template void correct_velocities(const Model<dim>&, State<dim>&, Work<dim>&);                \
   template void move_rigids(const Model<dim>&, State<dim>&);

@@ -7,7 +7,7 @@ namespace berm {
 
 /// Finds the contact nodes of all contacts and marks the nodes that damping leaves alone.
 template <int dim>
-void find_contacts(const Model<dim>& model, const State<dim>& state, Work<dim>& work);
+void find_contacts(const Model<dim>& model, State<dim>& state, Work<dim>& work);
 
 /// Step 4: corrects the accelerations of contact nodes so that the predicted velocities v + dt a keep to the contact law (equations 8-14). The
 /// impulse of these corrections is the reaction: the rigid body gets the opposite.

@@ -52,13 +52,44 @@ std::string block(const std::vector<Real>& travel, const std::vector<std::vector
   return text;
 }
 
-/// The second axis is the first one times a factor.
-std::string linked_axis(char axis, Real factor, const std::string& label)
+/// 1, 2 or 5 times a power of ten, so that about five steps make the range.
+Real tic_step(Real range)
 {
-  return fmt::format("set link {0}2 via {0}*{1} inverse {0}/{1}\nset {0}2tics\nset {0}2label {2}\n", axis, factor, gnuplot_text(label));
+  const Real rough = range / 5, power = std::pow(10, std::floor(std::log10(rough)));
+  return power * (rough < 1.5 * power ? 1 : rough < 3.5 * power ? 2 : rough < 7.5 * power ? 5 : 10);
 }
 
-constexpr const char* no_linked_axes = "unset link\nunset x2tics\nunset x2label\nunset y2tics\nunset y2label\n";
+/// One axis of a panel from 0, or from the least number where that is negative, to the most; in the plot's unit.
+struct Axis {
+  char letter; ///< x or y
+  std::string label;
+  bool downwards;
+  Real least = 0, most = 0;
+  Real second = 0; ///< the axis on the other side is this one times this; 0 = there is none
+  std::string second_label;
+
+  void take(const std::vector<Real>& values, Real per_si)
+  {
+    for (const Real value : values)
+      if (!std::isnan(value)) least = std::min(least, value * per_si), most = std::max(most, value * per_si);
+  }
+
+  std::string script() const
+  {
+    const Real margin = most > least ? 0.04 * (most - least) : 1, from = least < 0 ? least - margin : 0, to = most + margin;
+    const auto range = [&](Real factor) {
+      return fmt::format("[{:.6g}:{:.6g}]", factor * (downwards ? to : from), factor * (downwards ? from : to));
+    };
+    std::string words = fmt::format("set {0}label {1}\nset {0}range {2}\nset {0}tics {3:.6g}\n", letter, gnuplot_text(label), range(1),
+                                    tic_step(to - from));
+    if (second > 0)
+      words += fmt::format("set {0}2label {1}\nset {0}2range {2}\nset {0}2tics {3:.6g}\n", letter, gnuplot_text(second_label),
+                           range(second), tic_step(second * (to - from)));
+    return words;
+  }
+};
+
+constexpr const char* next_panel = "unset label 1\nunset x2tics\nunset x2label\nunset y2tics\nunset y2label\n";
 
 } // namespace
 
@@ -84,39 +115,50 @@ bool draw_pipe_curves(const RunFolder& folder, const History& history, const Pip
                    : "NaN NaN NaN NaN NaN NaN NaN\n";
   write_whole(folder.file("plots/curves.dat"), data);
 
-  const std::string force_label = fmt::format(" ({})", force.name), length_label = fmt::format(" ({})", length.name);
-  const auto second_force = [&](char axis, char letter) {
-    return unit_force > 0 ? linked_axis(axis, 1 / (unit_force * force.per_si), fmt::format("{}/(γ'D²)", letter)) : "";
+  const Real per_force = unit_force > 0 ? 1 / (unit_force * force.per_si) : 0, per_length = 1 / (D * length.per_si);
+  const auto force_axis = [&](char axis, const std::string& words, const char* symbol) {
+    return Axis{.letter = axis,
+                .label = fmt::format("{} {} ({})", words, symbol, force.name),
+                .downwards = false,
+                .second = per_force,
+                .second_label = fmt::format("{}/(γ'D²)", symbol)};
   };
-  const auto second_length = [&](char axis, char letter) {
-    return linked_axis(axis, 1 / (D * length.per_si), fmt::format("{}/D", letter));
+  const auto length_axis = [&](char axis, const std::string& words, const char* symbol, bool downwards) {
+    return Axis{.letter = axis,
+                .label = fmt::format("{} {} ({})", words, symbol, length.name),
+                .downwards = downwards,
+                .second = per_length,
+                .second_label = fmt::format("{}/D", symbol)};
   };
+  const auto embedment_from_zero = [](std::vector<Real> w) { // the way down to the surface is of no interest
+    for (Real& value : w) value = std::max<Real>(value, 0);
+    return w;
+  };
+  Axis V = force_axis('x', "vertical reaction", "V"), H = force_axis('y', "soil resistance", "H");
+  Axis w = length_axis('y', "embedment", "w", true), w_drag = w, u = length_axis('x', "horizontal displacement", "u", false), u_below = u;
+  V.take(path.V, force.per_si);
+  w.take(embedment_from_zero(path.w), length.per_si);
+  H.take(path.drag_H, force.per_si);
+  w_drag.take(path.drag_w, length.per_si);
+  if (has_drag) V.take(path.drag_V, force.per_si), w.take(path.drag_w, length.per_si);
+  for (Axis* axis : {&u, &u_below}) axis->take(path.drag_u, length.per_si);
+  u_below.second = 0;
 
   std::string script = begin_panels(title);
   if (has_push) {
-    script += margins(has_drag ? Place{0.075, 0.40, 0.085, 0.85} : Place{0.10, 0.88, 0.085, 0.85});
-    script += fmt::format("set xlabel 'vertical reaction V{}'\nset ylabel 'embedment w{}'\n", force_label, length_label);
-    script += "set xrange [0:*]\nset yrange [*:*] reverse\nset key bottom left opaque\n";
-    script += second_force('x', 'V') + second_length('y', 'w');
-    script += "plot 'curves.dat' index 0 using 2:1 with lines lc rgb '#b8d0ea' lw 1 notitle, \\\n";
-    if (has_drag)
-      script += "     '' index 1 using 6:4 with lines lc rgb '#f0c4bb' lw 1 notitle, '' index 1 using 7:5 with lines lc rgb drag lw 2.5 "
-                "title 'drag', \\\n";
-    script += "     '' index 0 using 3:1 with lines lc rgb push lw 2.5 title 'push'\n";
-    script += std::string("unset label 1\n") + no_linked_axes;
+    script += margins(has_drag ? Place{0.075, 0.40, 0.085, 0.84} : Place{0.10, 0.88, 0.085, 0.84}) + V.script() + w.script();
+    script += "set key bottom left opaque\n";
+    script += "plot 'curves.dat' index 0 using 2:1 with lines lc rgb '#b8d0ea' lw 1 notitle, \\\n"
+              "     '' index 0 using 3:1 with lines lc rgb push lw 2.5 title 'push'";
+    script += has_drag ? ", \\\n     '' index 1 using 7:5 with lines lc rgb drag lw 2.5 title 'drag'\n" : "\n";
+    script += next_panel;
   }
   if (has_drag) {
     const Real left = has_push ? 0.565 : 0.10, right = has_push ? 0.915 : 0.88;
-    script += margins({left, right, 0.53, 0.85});
-    script += fmt::format("set xlabel 'horizontal displacement u{}'\nset ylabel 'soil resistance H{}'\n", length_label, force_label);
-    script += "set xrange [0:*]\nset yrange [*:*] noreverse\nset key bottom right\n";
-    script += second_length('x', 'u') + second_force('y', 'H');
+    script += margins({left, right, 0.52, 0.84}) + u.script() + H.script();
     script += "plot 'curves.dat' index 1 using 1:2 with lines lc rgb '#f0c4bb' lw 1 notitle, '' index 1 using 1:3 with lines lc rgb drag "
               "lw 2.5 notitle\n";
-    script += std::string("unset label 1\n") + no_linked_axes;
-    script += margins({left, right, 0.085, 0.435});
-    script += fmt::format("set ylabel 'embedment w{}'\nset yrange [*:*] reverse\n", length_label);
-    script += second_length('y', 'w');
+    script += next_panel + margins({left, right, 0.085, 0.43}) + u_below.script() + w_drag.script();
     script += "plot 'curves.dat' index 1 using 1:5 with lines lc rgb drag lw 2.5 notitle\n";
   }
   return draw(folder, "curves", width, height, script + "unset multiplot\n");
@@ -170,15 +212,20 @@ bool draw_columns(const RunFolder& folder, const History& history, const std::ve
   write_whole(folder.file("plots/curves.dat"), data);
 
   constexpr std::array colors{"#1764ab", "#c8452f", "#2f8f4e", "#8155a6", "#c98a16", "#4a4a4a"};
-  std::string script = begin_panels(title) + "set xlabel 'time (s)'\n";
+  std::string script = begin_panels(title) + "set key at graph 0,1.01 left bottom horizontal Left reverse\n";
+  script += fmt::format("set xrange [{:.8g}:{:.8g}]\n", history["time_s"].front(),
+                        std::max(history["time_s"].back(), history["time_s"].front() + 1e-9));
   const Real rows = static_cast<Real>(panels.size());
   for (std::size_t p = 0; p < panels.size(); ++p) {
-    const Real top = 0.92 - static_cast<Real>(p) * 0.92 / rows;
-    script += margins({0.10, 0.97, top - 0.92 / rows + 0.085, top});
+    const Real top = 0.89 - static_cast<Real>(p) * 0.87 / rows;
+    script += margins({0.10, 0.97, top - 0.87 / rows + 0.065, top});
     const auto& [unit, list] = panels[p];
     const std::string unit_label = unit == "1" ? "" : fmt::format(" ({})", unit);
+    if (p + 1 == panels.size()) script += "set xlabel 'time (s)'\n";
     const bool alone = list.size() == 1;
-    script += fmt::format("set ylabel {}\nplot ", gnuplot_text((alone ? name_and_unit(columns[list[0]]).first + unit_label : unit_label)));
+    script += fmt::format("set ylabel {}\nplot ", gnuplot_text(alone         ? name_and_unit(columns[list[0]]).first + unit_label
+                                                               : unit == "1" ? ""
+                                                                             : unit));
     for (std::size_t k = 0; k < list.size(); ++k)
       script += fmt::format("{}'curves.dat' using 1:{} with lines lw 2 lc rgb '{}' {}", k > 0 ? ", \\\n     " : "", list[k] + 2,
                             colors[k % colors.size()], alone ? "notitle" : "title " + gnuplot_text(name_and_unit(columns[list[k]]).first));

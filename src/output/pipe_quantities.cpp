@@ -12,7 +12,7 @@ namespace {
 
 constexpr Real drag_points[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.75, 1.0}; // of D
 constexpr Real push_spacing = 0.05;                                  // of D
-constexpr Real reached = 1e-4; // of D: a stage that ends at a displacement may stop this much short of it, by rounding and by a step
+constexpr Real reached = 1e-3; // of D: a stage that ends at a displacement may stop this much short of it, by rounding and by a step
 
 bool contains(const std::vector<std::string>& list, const std::string& name)
 {

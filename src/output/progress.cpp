@@ -13,8 +13,8 @@ constexpr std::chrono::seconds between_plain_lines{30};
 
 std::string words_of_speed(Real per_s)
 {
-  return per_s >= 1e6   ? fmt::format("{:.1f} M", per_s / 1e6)
-         : per_s >= 1e3 ? fmt::format("{:.1f} k", per_s / 1e3)
+  return per_s >= 1e6   ? fmt::format("{:.1f} M ", per_s / 1e6)
+         : per_s >= 1e3 ? fmt::format("{:.1f} k ", per_s / 1e3)
                         : fmt::format("{:.0f} ", per_s);
 }
 

@@ -9,7 +9,7 @@
 namespace berm {
 namespace {
 
-constexpr int width = 1200, left = 95, right = 165, bottom = 80, top = 70; // pixels; the plot's height follows from the view
+constexpr int width = 1200, left = 95, right = 175, bottom = 80, top = 70; // pixels; the plot's height follows from the view
 // Ten equally spaced colours of viridis, which is even to the eye and in grey.
 constexpr const char* palette =
     "set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', "
@@ -28,7 +28,7 @@ Real round_up(Real value)
 /// Radius of the disk that stands for a particle: a little more than its share, so that neighbours close the ground between them.
 Real shown_radius(const Particle<2>& p)
 {
-  return 0.62 * std::sqrt(p.volume);
+  return 0.68 * std::sqrt(p.volume);
 }
 
 } // namespace
@@ -76,8 +76,8 @@ bool draw_soil(const RunFolder& folder, const Frame<2>& frame, SoilColor color, 
   script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", view.lower[0] * unit.per_si,
                         view.upper[0] * unit.per_si, view.lower[1] * unit.per_si, view.upper[1] * unit.per_si);
   script += fmt::format("set xlabel 'x ({0})'\nset ylabel 'y ({0})'\nset tics out nomirror\nset border lc rgb '#444444'\n", unit.name);
-  script += fmt::format("set cblabel '{} deviatoric strain' offset 1.5,0\nset cbrange [0:{:g}]\n",
-                        accumulated ? "accumulated" : "incremental", round_up(*hundredth));
+  script += fmt::format("set cblabel '{} deviatoric strain'\nset cbrange [0:{:g}]\n", accumulated ? "accumulated" : "incremental",
+                        round_up(*hundredth));
   script += std::string(palette) + "unset key\nset style fill solid noborder\n";
   if (view.surface) {
     const Real level = *view.surface * unit.per_si;

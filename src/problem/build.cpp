@@ -79,6 +79,10 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
     const StartState<dim> start{density(material), -model.gravity[1], c.surface, state_size(material)};
     state.particles.push_back(fill(model.mesh, name, settings, start));
     if (state.particles.back().size() == 0) throw InputError(fmt::format("body.{}: its regions have no cells, so it has no particles", name));
+    state.particles.back().visit([&](Index, Index b, int l) {
+      const Block<dim>& p = state.particles.back().block(b);
+      for (int d = 0; d < dim; ++d) state.totals.first_momentum[d] += p.mass[l] * p.v[d][l];
+    });
     model.bodies.push_back({name, material, nodal_damping(model.mesh, settings)});
   }
   for (const auto& [name, settings] : c.rigid) {

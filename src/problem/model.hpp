@@ -58,7 +58,8 @@ struct Totals {
   Real external = 0;   ///< of gravity and of the rigid bodies
   Real damping = 0;    ///< taken out by local damping
   Real friction = 0;   ///< taken out at the contacts
-  // Impulse given to the deformable bodies, N s/m.
+  // Momentum of the deformable bodies at the start, and the impulses given to them since, N s/m.
+  Vec<dim> first_momentum = Vec<dim>::Zero();
   Vec<dim> gravity_impulse = Vec<dim>::Zero();
   Vec<dim> contact_impulse = Vec<dim>::Zero();
   Vec<dim> support_impulse = Vec<dim>::Zero();

@@ -132,32 +132,6 @@ TEST(Document, counts_dots_of_keys_and_not_of_texts_or_numbers)
       parse_text("case.toml", "a = \"" + repeated(". ", 200) + "\"\nb = [" + repeated("0.5, ", 200) + "]\n# " + repeated("x", 10) + "\n"));
 }
 
-// Whatever a slip of the hand does to a good file: it is read, or refused with InputError; it never stops the program.
-TEST(Document, survives_random_damage)
-{
-  std::mt19937 random(1);
-  const std::string marks = "[]{}\"'=.,#\n\r\t &\\_-+0xeEnT:\xff\xc3";
-  int refused = 0;
-  for (int trial = 0; trial < 20000; ++trial) {
-    std::string text(test::good_case.substr(0, 300 + random() % 1200));
-    for (auto hits = 1 + random() % 4; hits > 0; --hits) {
-      const std::size_t place = random() % text.size();
-      switch (random() % 3) {
-      case 0:
-        text[place] = marks[random() % marks.size()];
-        break;
-      case 1:
-        text.insert(place, 1, marks[random() % marks.size()]);
-        break;
-      default:
-        text.erase(place, 1 + random() % 5);
-      }
-    }
-    refused += message_of(text).empty() ? 0 : 1;
-  }
-  EXPECT_GT(refused, 5000);
-}
-
 TEST(Document, survives_random_marks)
 {
   std::mt19937 random(2);

@@ -85,8 +85,9 @@ TEST(Units, of_another_dimension_are_refused_with_two_examples)
 
 TEST(Units, that_are_no_units_are_refused)
 {
-  for (const char* text : {"3 furlongs_", "3 20 mm", "3 m 4", "3 4", "3 2m", "3 m @ 5", "3 s since 2000-01-01", "3 lg(re 1 mW)", "3 m;",
-                           "3 ^", "3 /", "3 ((m)", "0x10 m", "3 \"m\"", "3 m - 4", "3 \xff", "3 m\n", "3 µ"})
+  for (const char* text : {"3 furlongs_",   "3 20 mm", "3 m 4", "3 4", "3 2m",    "3 m @ 5", "3 s since 2000-01-01",
+                           "3 lg(re 1 mW)", "3 m;",    "3 ^",   "3 /", "3 ((m)",  "0x10 m",  "3 \"m\"",
+                           "3 m - 4",       "3 \xff",  "3 m\n", "3 µ", "3 m\xff", "3 mé",    "3 m\xc3"})
     EXPECT_NE(message_of(text, "m").find("unknown unit"), std::string::npos) << text << ": " << message_of(text, "m");
 }
 

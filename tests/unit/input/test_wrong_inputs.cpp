@@ -4,6 +4,7 @@
 #include "wrong_inputs.hpp"
 
 #include <gtest/gtest.h>
+#include <random>
 
 namespace berm {
 namespace {
@@ -68,6 +69,36 @@ TEST(ReadCase, says_that_a_file_is_missing_or_a_folder)
       EXPECT_TRUE(std::string(error.what()).starts_with(path)) << error.what();
     }
   }
+}
+
+// Whatever a slip of the hand does to a good file: it is read, or refused with InputError; it never stops the program.
+TEST(ReadCase, survives_random_damage)
+{
+  std::mt19937 random(1);
+  const std::string marks = "[]{}\"'=.,#\n\r\t &\\_-+0xeEnT:\xff\xc3";
+  int refused = 0;
+  for (int trial = 0; trial < 10000; ++trial) {
+    std::string text(test::good_case);
+    for (auto hits = 1 + random() % 4; hits > 0; --hits) {
+      const std::size_t place = random() % text.size();
+      switch (random() % 3) {
+      case 0:
+        text[place] = marks[random() % marks.size()];
+        break;
+      case 1:
+        text.insert(place, 1, marks[random() % marks.size()]);
+        break;
+      default:
+        text.erase(place, 1 + random() % 5);
+      }
+    }
+    try {
+      read_case_text("case.toml", text);
+    } catch (const InputError&) {
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 5000);
 }
 
 } // namespace

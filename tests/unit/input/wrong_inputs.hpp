@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ostream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -86,6 +87,12 @@ struct WrongInput {
   std::vector<std::string> overrides; ///< KEY=VALUE, as for --set
 };
 
+/// For the messages of GoogleTest.
+inline void PrintTo(const WrongInput& wrong, std::ostream* stream)
+{
+  *stream << wrong.name;
+}
+
 inline std::string text_of(const WrongInput& wrong)
 {
   std::string text(good_case);
@@ -105,19 +112,19 @@ inline const std::vector<WrongInput>& wrong_inputs()
        {}},
       {"misspelt_key_at_the_top", "gravity =", "gravty =", 2, {"gravty", "did you mean \"gravity\"?", "title"}, {}},
       {"key_without_a_near_one", "surface = 0.0", "colour = 0.0", 3, {"colour", "unknown key", "allowed: title, dimension"}, {}},
-      {"misspelt_table", "[output]", "[ouput]", 65, {"ouput", "unknown table", "did you mean \"output\"?"}, {}},
+      {"misspelt_table", "[output]", "[ouput]", 66, {"ouput", "unknown table", "did you mean \"output\"?"}, {}},
       {"misspelt_table_with_a_name", "[support.base]", "[suport.base]", 42, {"suport", "did you mean \"support\"?"}, {}},
-      {"misspelt_key_in_a_stage", "ramp = 0.1", "rmap = 0.1", 55, {"stage.drag.rmap", "did you mean \"ramp\"?"}, {}},
+      {"misspelt_key_in_a_stage", "ramp = 0.1", "rmap = 0.1", 56, {"stage.drag.rmap", "did you mean \"ramp\"?"}, {}},
       {"misspelt_key_in_an_inner_table",
        "displacement = \"0.4 m\"",
        "displacment = \"0.4 m\"",
-       58,
+       59,
        {"stage.drag.until.displacment", "did you mean \"displacement\"?", "allowed: time, displacement, embedment, force"},
        {}},
       {"misspelt_key_in_an_inline_table",
        "{embedment",
        "{embedmant",
-       49,
+       50,
        {"stage.push.until.embedmant", "did you mean \"embedment\"?"},
        {}},
       {"key_of_another_alternative",
@@ -133,7 +140,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
        {"rigid.pipe.normal", "shape = \"half_plane\"", "center, diameter"},
        {}},
       {"key_twice", "young_modulus = \"7 MPa\"", "density = 1800\nyoung_modulus = \"7 MPa\"", 13, {"density"}, {}},
-      {"table_twice", "[output]", "[mesh]", 65, {"mesh"}, {}},
+      {"table_twice", "[output]", "[mesh]", 66, {"mesh"}, {}},
       // What is missing.
       {"key_missing",
        "friction_angle = \"35 deg\"\n",
@@ -144,14 +151,14 @@ inline const std::vector<WrongInput>& wrong_inputs()
       {"key_missing_in_a_stage",
        "kind = \"push\"\n",
        "",
-       45,
+       46,
        {"stage.push.kind", "missing in [stage.push]", "allowed: geostatic, push, drag, free"},
        {}},
       {"list_missing", "center = [1.0, \"1.4 m\"]\n", "", 30, {"rigid.pipe.center", "missing", "a list of numbers", "\"20 mm\""}, {}},
       {"table_missing", "[mesh]\nkind = \"box\"\nsize = [\"2 m\", \"1 m\"]\ncells = [20, 10]\n", "", 1, {"mesh", "[mesh] is missing"}, {}},
       {"law_missing", "law = \"mohr_coulomb\"\n", "", 10, {"material.sand.law", "missing", "linear_elastic, mohr_coulomb"}, {}},
       {"nothing_at_all", good_case, "", 1, {"mesh"}, {}},
-      {"until_missing", "until = {embedment = \"80 mm\"}\n", "", 45, {"stage.push.until", "at least one of time"}, {}},
+      {"until_missing", "until = {embedment = \"80 mm\"}\n", "", 46, {"stage.push.until", "at least one of time"}, {}},
       // Units and kinds.
       {"wrong_dimension",
        "diameter = \"0.8 m\"",
@@ -167,7 +174,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
        {"material.sand.young_modulus", "unknown unit \"MPaa\"", "a pressure or stress", "\"20 kPa\""},
        {}},
       {"text_without_a_number", "\"7 MPa\"", "\"stiff\"", 13, {"young_modulus", "\"stiff\"", "does not begin with a number"}, {}},
-      {"decimal_comma", "\"0.1 m/s\"", "\"0,1 m/s\"", 48, {"stage.push.velocity", "decimal comma"}, {}},
+      {"decimal_comma", "\"0.1 m/s\"", "\"0,1 m/s\"", 49, {"stage.push.velocity", "decimal comma"}, {}},
       {"angle_for_a_bare_number",
        "poisson_ratio = 0.3",
        "poisson_ratio = \"0.3 deg\"",
@@ -176,9 +183,9 @@ inline const std::vector<WrongInput>& wrong_inputs()
        {}},
       {"nan", "surface = 0.0", "surface = nan", 3, {"surface", "finite"}, {}},
       {"infinity", "surface = 0.0", "surface = inf", 3, {"surface", "finite"}, {}},
-      {"truth_for_a_number", "ramp = 0.1", "ramp = true", 55, {"stage.drag.ramp", "a time", "not true"}, {}},
+      {"truth_for_a_number", "ramp = 0.1", "ramp = true", 56, {"stage.drag.ramp", "a time", "not true"}, {}},
       {"number_for_a_text", "boundary = \"bottom\"", "boundary = 3", 43, {"support.base.boundary", "text in quotes", "the number 3"}, {}},
-      {"date_for_a_number", "ramp = 0.1", "ramp = 2024-01-01", 55, {"stage.drag.ramp", "not a date"}, {}},
+      {"date_for_a_number", "ramp = 0.1", "ramp = 2024-01-01", 56, {"stage.drag.ramp", "not a date"}, {}},
       {"lone_number_for_a_list",
        "gravity = [0, \"-1 gravity\"]",
        "gravity = -9.81",
@@ -205,7 +212,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
        {"body.bed.particles_per_cell", "from 0 to 400"},
        {}},
       {"number_for_a_table", "{box = 0.05}", "0.05", 28, {"body.bed.region_damping", "table from names to numbers"}, {}},
-      {"text_for_a_table", "[output]\nframe_time = \"0.5 s\"", "[watch.other]\nbody = 3", 66, {"watch.other.body", "text in quotes"}, {}},
+      {"text_for_a_table", "[output]\nframe_time = \"0.5 s\"", "[watch.other]\nbody = 3", 67, {"watch.other.body", "text in quotes"}, {}},
       {"table_instead_of_tables_in_a_row",
        "[[stage]]\nname = \"push\"\nkind = \"push\"\nvelocity = \"0.1 m/s\"\nuntil = {embedment = \"80 mm\"}\n\n[[stage]]",
        "[stage]",
@@ -241,8 +248,8 @@ inline const std::vector<WrongInput>& wrong_inputs()
        11,
        {"material.sand.law", "did you mean \"mohr_coulomb\"?", "linear_elastic, mohr_coulomb"},
        {}},
-      {"number_for_a_word", "kind = \"push\"", "kind = 1", 47, {"stage.push.kind", "word in quotes", "geostatic, push, drag, free"}, {}},
-      {"empty_name", "name = \"push\"", "name = \"\"", 46, {"name", "must not be empty"}, {}},
+      {"number_for_a_word", "kind = \"push\"", "kind = 1", 48, {"stage.push.kind", "word in quotes", "geostatic, push, drag, free"}, {}},
+      {"empty_name", "name = \"push\"", "name = \"\"", 47, {"name", "must not be empty"}, {}},
       {"empty_name_of_a_table", "[material.rubber]", "[material.\"\"]", 18, {"material.", "is no name"}, {}},
       {"odd_name_of_a_table", "[material.rubber]", "[material.\"a.b\"]", 18, {"\"a.b\"", "is no name"}, {}},
       {"empty_text", "material = \"sand\"", "material = \"\"", 25, {"body.bed.material", "must not be empty"}, {}},
@@ -259,16 +266,16 @@ inline const std::vector<WrongInput>& wrong_inputs()
        44,
        {"support.base.fixed", "\"z\" is no direction", "allowed: x, y"},
        {}},
-      {"unknown_body_watched", "body = \"bed\"\npoint", "body = \"bad\"\npoint", 62, {"watch.tip.body", "did you mean \"bed\"?"}, {}},
+      {"unknown_body_watched", "body = \"bed\"\npoint", "body = \"bad\"\npoint", 63, {"watch.tip.body", "did you mean \"bed\"?"}, {}},
       {"unknown_region", "{box = 0.05}", "{bx = 0.05}", 28, {"body.bed.region_damping.bx", "did you mean \"box\"?"}, {}},
-      {"three_numbers_in_a_plane", "point = [1.0, 0.9]", "point = [1.0, 0.9, 0]", 63, {"watch.tip.point", "needs 2 numbers"}, {}},
-      {"two_stages_of_one_name", "name = \"drag\"", "name = \"push\"", 52, {"stage.push.name", "another stage has this name"}, {}},
-      {"velocity_and_force", "ramp = 0.1", "force = \"1 kN/m\"", 51, {"stage.drag", "either velocity or force"}, {}},
+      {"three_numbers_in_a_plane", "point = [1.0, 0.9]", "point = [1.0, 0.9, 0]", 64, {"watch.tip.point", "needs 2 numbers"}, {}},
+      {"two_stages_of_one_name", "name = \"drag\"", "name = \"push\"", 53, {"stage.push.name", "another stage has this name"}, {}},
+      {"velocity_and_force", "ramp = 0.1", "force = \"1 kN/m\"", 52, {"stage.drag", "either velocity or force"}, {}},
       // No TOML.
       {"bracket_without_its_pair", "[mesh]", "[mesh", 5, {}, {}},
       {"parser_gives_up", "title = ", "[&\ntitle = ", 1, {}, {}},
-      {"quote_not_closed", "\"0.5 s\"", "\"0.5 s", 66, {}, {}},
-      {"value_without_quotes", "\"0.5 s\"", "0.5 s", 66, {}, {}},
+      {"quote_not_closed", "\"0.5 s\"", "\"0.5 s", 67, {}, {}},
+      {"value_without_quotes", "\"0.5 s\"", "0.5 s", 67, {}, {}},
       // Overrides.
       {"override_of_an_unknown_key",
        "",

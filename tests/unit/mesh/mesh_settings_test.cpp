@@ -93,16 +93,80 @@ TEST(RunGmsh, tells_a_signal_from_a_failure_and_never_takes_an_old_mesh_for_a_re
 {
   const TemporaryFolder folder;
   const auto geo = folder.write("square.geo", square);
-  std::filesystem::permissions(folder.write("gmsh", "#!/bin/sh\nkill -2 $$\n"), std::filesystem::perms::owner_all);
   folder.write("mesh.msh", "old");
+  const auto stand_in = [&](const std::string& script) {
+    std::filesystem::permissions(folder.write("gmsh", "#!/bin/sh\n" + script), std::filesystem::perms::owner_all);
+  };
+  const Path stand_in_first(folder.path().string() + ":/bin:/usr/bin");
+  stand_in("kill -2 $$\n");
+  const std::string message = failure_of(geo, folder / "mesh.msh");
+  EXPECT_NE(message.find("signal 2"), message.npos) << message;
+  EXPECT_FALSE(std::filesystem::exists(folder / "mesh.msh"));
+  stand_in("echo all is well\n");
+  EXPECT_NE(failure_of(geo, folder / "mesh.msh").find("all is well"), std::string::npos);
+}
+
+// Takes down which member each key stands for.
+class Keys : public Describe {
+public:
+  std::map<std::string, Leaf> leaves;
+  std::map<std::string, Parameter> parameters;
+  std::vector<std::string> kinds;
+  int kind = 0;
+
+  void check(bool, const std::string&, const std::string&, const std::vector<std::string>&) override {}
+
+protected:
+  void leaf(const char* key, Leaf variable, const Parameter& parameter) override
   {
-    const Path first(folder.path().string() + ":/bin:/usr/bin");
-    const std::string message = failure_of(geo, folder / "mesh.msh");
-    EXPECT_NE(message.find("signal 2"), message.npos) << message;
-    EXPECT_FALSE(std::filesystem::exists(folder / "mesh.msh"));
-    folder.write("gmsh", "#!/bin/sh\necho all is well\n");
-    EXPECT_NE(failure_of(geo, folder / "mesh.msh").find("all is well"), std::string::npos);
+    EXPECT_TRUE(leaves.emplace(key, variable).second) << "a second key " << key;
+    parameters[key] = parameter;
   }
+  int choose(const char* key, const std::vector<const char*>& names, int current, const Parameter&) override
+  {
+    if (std::string(key) != "kind") return current;
+    kinds.assign(names.begin(), names.end());
+    return kind;
+  }
+  void enter(const char*, const Parameter&) override {}
+  void leave() override {}
+  bool has_table(const char*, bool present) override { return present; }
+  std::vector<std::string> names_in(const char*, const std::vector<std::string>&, const Parameter&) override { return {}; }
+  void enter_named(const char*, const std::string&) override {}
+  int count_in(const char*, int present, const Parameter&) override { return present; }
+  void enter_item(const char*, int) override {}
+};
+
+TEST(MeshSettings, kind_chooses_the_struct_that_the_other_keys_fill)
+{
+  MeshSettings settings;
+  Keys keys;
+  keys.kind = 1;
+  describe(keys, settings);
+  EXPECT_EQ(keys.kinds, (std::vector<std::string>{"seabed", "gmsh", "box"}));
+  ASSERT_TRUE(std::holds_alternative<GmshFile>(settings));
+  EXPECT_EQ(std::get<std::string*>(keys.leaves.at("file")), &std::get<GmshFile>(settings).file);
+  EXPECT_TRUE(keys.parameters.at("file").required);
+}
+
+TEST(MeshSettings, keys_of_a_seabed_stand_for_their_members)
+{
+  SeabedMesh bed;
+  Keys keys;
+  describe(keys, bed);
+  const std::map<std::string, Real*> members = {{"length", &bed.length},         {"depth", &bed.depth},
+                                                {"headroom", &bed.headroom},     {"near_size", &bed.near_size},
+                                                {"near_left", &bed.near_left},   {"near_right", &bed.near_right},
+                                                {"near_depth", &bed.near_depth}, {"near_height", &bed.near_height},
+                                                {"growth", &bed.growth},         {"layer", &bed.layer}};
+  EXPECT_EQ(keys.leaves.size(), members.size() + 2);
+  for (const auto& [key, member] : members) {
+    EXPECT_EQ(std::get<Real*>(keys.leaves.at(key)), member) << key;
+    EXPECT_STREQ(keys.parameters.at(key).unit, key == "growth" ? "" : "m");
+    EXPECT_EQ(keys.parameters.at(key).required, key != "growth" && key != "layer") << key;
+  }
+  EXPECT_EQ(std::get<std::optional<Real>*>(keys.leaves.at("left")), &bed.left);
+  EXPECT_EQ(std::get<std::optional<Real>*>(keys.leaves.at("far_size")), &bed.far_size);
 }
 
 TEST(MakeMesh, keeps_a_copy_of_the_users_mesh)

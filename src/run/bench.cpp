@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/bench.hpp"
+
+#include "core/timer.hpp"
+#include "mpm/step.hpp"
+#include "output/whole_file.hpp"
+#include "run/scratch_folder.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace berm {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+MohrCoulomb sand(Real density)
+{
+  MohrCoulomb law;
+  law.density = density;
+  law.young_modulus = 7e6;
+  law.poisson_ratio = 0.25;
+  law.friction_angle = 35 * pi / 180;
+  return law;
+}
+
+StageSettings endless(StageKind kind)
+{
+  StageSettings stage;
+  stage.name = "bench";
+  stage.kind = kind;
+  stage.until.time = infinity;
+  return stage;
+}
+
+/// A pipe of 20 mm that is pushed into the centrifuge's bed, with cells of near_size around it.
+Case pipe_in_sand(Real near_size)
+{
+  Case c;
+  c.gravity = {0, -50 * standard_gravity};
+  SeabedMesh mesh;
+  mesh.length = 0.65;
+  mesh.depth = 0.14;
+  mesh.headroom = 0.03;
+  mesh.near_size = near_size;
+  mesh.near_left = -0.03;
+  mesh.near_right = 0.05;
+  mesh.near_depth = 0.02;
+  mesh.near_height = 0.012;
+  c.mesh = mesh;
+  c.material = {{"sand", sand(877)}};
+  BodySettings body;
+  body.material = "sand";
+  body.regions = {"near", "bed"};
+  body.region_particles_per_cell = {{"bed", 4}};
+  body.damping = 0.02;
+  body.k0 = 0.5;
+  c.body = {{"sand", body}};
+  RigidSettings pipe;
+  pipe.shape = CircleSettings{{0, 0.01}, 0.02};
+  c.rigid = {{"pipe", pipe}};
+  ContactSettings contact;
+  contact.body = "sand";
+  contact.rigid = "pipe";
+  contact.friction_angle = 23.33 * pi / 180;
+  c.contact = {{"skin", contact}};
+  c.support = {{"base", {"base", {"x", "y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}};
+  StageSettings push = endless(StageKind::push);
+  push.velocity = 0.1;
+  c.stage = {push};
+  return c;
+}
+
+/// A column of sand that collapses over a rigid floor: all of it moves and yields.
+Case column(Real particles)
+{
+  Case c;
+  c.gravity = {0, -standard_gravity};
+  // The column, 1 wide and 2 high, is a sixth of a mesh of 6 x 2.
+  const Real per_side = std::round(std::sqrt(particles / 9 / 2 / 2));
+  BoxMesh mesh;
+  mesh.size = {6, 2.25};
+  mesh.cells = {6 * per_side, std::round(2.25 * per_side)};
+  c.mesh = mesh;
+  c.material = {{"sand", sand(1600)}};
+  BodySettings body;
+  body.material = "sand";
+  BlockSettings block;
+  block.center = {0.5, 1};
+  block.size = {1, 2};
+  block.spacing = 1 / per_side / std::sqrt(18.);
+  body.block = block;
+  c.body = {{"sand", body}};
+  RigidSettings floor;
+  floor.shape = HalfPlaneSettings{{0, 0}, {0, 1}};
+  c.rigid = {{"floor", floor}};
+  ContactSettings contact;
+  contact.body = "sand";
+  contact.rigid = "floor";
+  contact.friction_angle = 0.5;
+  c.contact = {{"floor", contact}};
+  c.support = {{"left", {"left", {"x"}}}, {"bottom", {"bottom", {"y"}}}, {"right", {"right", {"x"}}}};
+  c.stage = {endless(StageKind::free)};
+  return c;
+}
+
+struct BenchProblem {
+  const char* name;
+  Case (*make)();
+};
+
+constexpr BenchProblem problems[] = {
+    {"probe_D10", [] { return pipe_in_sand(0.002); }},
+    {"probe_D20", [] { return pipe_in_sand(0.001); }},
+    {"probe_D40", [] { return pipe_in_sand(0.0005); }},
+    {"column_1e5", [] { return column(1e5); }},
+    {"column_1e6", [] { return column(1e6); }},
+};
+
+nlohmann::ordered_json measure_speed(const BenchProblem& bench, int threads)
+{
+  const ScratchFolder scratch;
+  Problem<2> problem = build<2>(bench.make(), ".", scratch.path().string());
+  Work<2> work(problem.model, problem.state);
+  const BigIndex particles = problem.state.particles[0].size();
+  const auto seconds = [&](Real least, BigIndex least_steps) {
+    const Clock::time_point start = Clock::now();
+    Real passed = 0;
+    for (BigIndex k = 0; k < least_steps || passed < least; ++k) {
+      step(problem.model, problem.state, work);
+      passed = std::chrono::duration<Real>(Clock::now() - start).count();
+    }
+    return passed;
+  };
+  seconds(0.5, 16);  // warm-up
+  reset_timings();
+  const BigIndex before = problem.state.step;
+  const Real wall = seconds(3, 32);
+  const BigIndex steps = problem.state.step - before;
+  const Real speed = static_cast<Real>(particles * steps) / wall;
+
+  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>16.2f}\n", bench.name, particles, problem.model.mesh.cell_count(), steps, threads, speed / 1e6);
+  nlohmann::ordered_json result = {{"name", bench.name},   {"particles", particles}, {"cells", problem.model.mesh.cell_count()}, {"steps", steps},
+                                   {"threads", threads}, {"wall_s", wall},         {"particle_steps_per_s", speed}};
+  for (const Timing& loop : timings()) {
+    const Real nanoseconds = loop.seconds / static_cast<Real>(particles * steps) * 1e9;
+    fmt::print("    {:<32} {:>8.2f} ns a particle-step\n", loop.label, nanoseconds);
+    result["loops"].push_back({{"label", loop.label}, {"ns_per_particle_step", nanoseconds}});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> bench_names()
+{
+  std::vector<std::string> names;
+  for (const BenchProblem& bench : problems) names.push_back(bench.name);
+  return names;
+}
+
+void run_bench(const std::vector<std::string>& names, const std::string& json_file, int threads)
+{
+  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>16}\n", "problem", "particles", "cells", "steps", "threads", "10^6 p-steps/s");
+  nlohmann::ordered_json table = {{"version", BERM_VERSION}, {"problems", nlohmann::ordered_json::array()}};
+  for (const BenchProblem& bench : problems)
+    if (names.empty() || std::find(names.begin(), names.end(), bench.name) != names.end()) table["problems"].push_back(measure_speed(bench, threads));
+  if (!json_file.empty()) write_whole(json_file, table.dump(2) + "\n");
+}
+
+}  // namespace berm

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/commands.hpp"
+
+#include "core/error.hpp"
+#include "core/threads.hpp"
+#include "input/parameters.hpp"
+#include "input/read_case.hpp"
+#include "run/bench.hpp"
+#include "run/interrupt.hpp"
+#include "run/simulate.hpp"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// All cases are read before the first one runs, so that a wrong one costs nothing. One case goes to `output` itself, several to folders in it
+/// that are named like their files.
+std::vector<RunRequest> requests(const std::vector<std::string>& files, const std::string& output, const std::vector<std::string>& overrides,
+                                 int threads)
+{
+  std::vector<RunRequest> all;
+  for (const std::string& file : files) {
+    const fs::path name = fs::path(file).stem();
+    const fs::path folder = output.empty() ? fs::path("out") / name : files.size() == 1 ? fs::path(output) : fs::path(output) / name;
+    for (const RunRequest& other : all)
+      if (other.folder == folder) throw InputError(fmt::format("{} and {} would both be written to {}", other.case_file.string(), file, folder.string()));
+    all.push_back({read_case(file, overrides), file, folder, threads});
+  }
+  return all;
+}
+
+int run_all(const std::vector<RunRequest>& all)
+{
+  catch_interrupts();
+  for (const RunRequest& request : all)
+    if (!run_case(request)) return 1;
+  return 0;
+}
+
+int dispatch(int argc, char** argv)
+{
+  CLI::App app("berm pushes a pipe or cable into the seabed, drags it sideways, and says how the soil answers.", "berm");
+  app.set_version_flag("--version", "berm " BERM_VERSION);
+  app.require_subcommand(1);
+
+  std::vector<std::string> files, overrides, names;
+  std::string output, json;
+  int threads = 0;
+  bool markdown = false;
+
+  const auto takes_cases = [&](CLI::App* command) {
+    command->add_option("CASE", files, "case files (TOML)")->required();
+    command->add_option("--set", overrides, "set a parameter: material.sand.friction_angle=\"40 deg\"; stages by their names")->take_all()->allow_extra_args(false);
+  };
+  const auto takes_threads = [&](CLI::App* command) {
+    command->add_option("--threads", threads, "threads to use (default: all processors)")->check(CLI::Range(1, 1024));
+  };
+  CLI::App* run = app.add_subcommand("run", "run cases");
+  takes_cases(run);
+  takes_threads(run);
+  run->add_option("-o,--output", output, "run folder; of several cases: the folder that theirs go into (default: out/)");
+  CLI::App* check = app.add_subcommand("check", "validate a case and tell what a run would take");
+  takes_cases(check);
+  takes_threads(check);
+  CLI::App* params = app.add_subcommand("params", "list all parameters of a case file");
+  params->add_flag("--markdown", markdown, "as Markdown");
+  CLI::App* bench = app.add_subcommand("bench", "measure the speed on fixed problems");
+  bench->add_option("NAME", names, "problems (default: all)")->check(CLI::IsMember(bench_names()));
+  bench->add_option("--json", json, "also write the table to this file");
+  takes_threads(bench);
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+
+  if (params->parsed()) {
+    fmt::print("{}", markdown ? parameter_page() : parameter_table());
+    return 0;
+  }
+  if (bench->parsed()) {
+    run_bench(names, json, use_threads(threads));
+    return 0;
+  }
+  const std::vector<RunRequest> all = requests(files, output, overrides, use_threads(threads));
+  if (run->parsed()) return run_all(all);
+  for (const RunRequest& request : all) check_case(request);
+  return 0;
+}
+
+}  // namespace
+
+int run_commands(int argc, char** argv)
+{
+  try {
+    return dispatch(argc, argv);
+  } catch (const InputError& error) {
+    fmt::print(stderr, "berm: {}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "berm: {}\n", error.what());
+    return 1;
+  }
+}
+
+}  // namespace berm

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/recorder.hpp"
+
+#include "core/error.hpp"
+#include "mpm/measure.hpp"
+#include "problem/stages.hpp"
+
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
+constexpr const char* direction_names[3] = {"x", "y", "z"};
+
+}  // namespace
+
+template <int dim>
+std::vector<std::string> Recorder<dim>::columns(const Model<dim>& model)
+{
+  std::vector<std::string> names = {"u_m", "w_m", "H_N_m", "V_N_m", "kinetic_J_m", "internal_J_m", "damping_J_m", "friction_J_m", "external_J_m",
+                                    "energy_error_J_m", "out_of_balance", "gap_m", "overlap_m", "second_impulse_N_m"};
+  for (Index r = 0; r < static_cast<Index>(model.rigids.size()); ++r)
+    if (r != model.main_rigid)
+      for (const char* column : {"u_m", "w_m", "H_N_m", "V_N_m"}) names.push_back(fmt::format("{}_{}", model.rigids[r].name, column));
+  for (const Body<dim>& body : model.bodies) {
+    for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_u{}_m", body.name, direction_names[d]));
+    for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_v{}_m_s", body.name, direction_names[d]));
+  }
+  for (const Watch& watch : model.watches)
+    for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_u{}_m", watch.name, direction_names[d]));
+  return names;
+}
+
+template <int dim>
+Recorder<dim>::Recorder(const std::filesystem::path& path, const Model<dim>& model, const State<dim>& state)
+    : file_(path, columns(model)), last_time_(state.time), last_rigids_(state.rigids)
+{
+  for (const Particles<dim>& particles : state.particles) {
+    const BodySums<dim> sums = measure(particles);
+    first_centers_.push_back(sums.moment / sums.mass);
+    first_kinetic_ += sums.kinetic;
+  }
+  for (const Watch& watch : model.watches) first_watched_.push_back(position_of(state.particles[watch.body], watch.id));
+}
+
+template <int dim>
+void Recorder<dim>::add_rigid(const Model<dim>& model, const State<dim>& state, Index rigid, std::vector<Real>& row)
+{
+  const PipeMotion motion = pipe_motion(model, state, rigid);
+  const Real time = state.time - last_time_;
+  const Vec<dim> impulse = state.rigids[rigid].impulse - last_rigids_[rigid].impulse;
+  const Vec<dim> reaction = time > 0 ? Vec<dim>(-impulse / time) : Vec<dim>(Vec<dim>::Zero());
+  row.insert(row.end(), {motion.u, motion.w, -drag_direction(model, state) * reaction[0] + 0., reaction[1] + 0.});
+}
+
+template <int dim>
+void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Work<dim>& work)
+{
+  std::vector<Real> row;
+  if (model.main_rigid != none)
+    add_rigid(model, state, model.main_rigid, row);
+  else
+    row.assign(4, unknown);
+  horizontal_ = row[2];
+  vertical_ = row[3];
+
+  Real kinetic = 0;
+  std::vector<BodySums<dim>> sums;
+  for (const Particles<dim>& particles : state.particles) {
+    sums.push_back(measure(particles));
+    kinetic += sums.back().kinetic;
+  }
+  const Totals<dim>& t = state.totals;
+  const Real error = kinetic - first_kinetic_ + t.internal + t.damping + t.friction - t.external;
+  if (!std::isfinite(error))
+    throw RunError(fmt::format("energies are not finite at t = {} s (step {}); try a smaller mpm.courant (now {})", state.time, state.step,
+                               model.mpm.courant));
+  largest_error_ = std::max(largest_error_, std::abs(error));
+  largest_work_ = std::max({largest_work_, std::abs(t.external), std::abs(t.internal), first_kinetic_});
+  out_of_balance_ = work.weight > 0 ? work.unbalanced / work.weight : unknown;
+  row.insert(row.end(), {kinetic, t.internal, t.damping, t.friction, t.external, error, out_of_balance_});
+
+  if (model.main_rigid != none) {
+    RigidState<dim>& now = state.rigids[model.main_rigid];
+    const RigidState<dim>& last = last_rigids_[model.main_rigid];
+    const Real pressed = now.pressed - last.pressed, time = state.time - last_time_;
+    row.push_back(pressed > 0 ? (now.pressed_distance - last.pressed_distance) / pressed : unknown);
+    row.push_back(now.deepest);
+    row.push_back(time > 0 ? (now.second_impulse - last.second_impulse).norm() / time : 0);
+    now.deepest = 0;
+  } else {
+    row.insert(row.end(), 3, unknown);
+  }
+  for (Index r = 0; r < static_cast<Index>(model.rigids.size()); ++r)
+    if (r != model.main_rigid) add_rigid(model, state, r, row);
+  for (std::size_t b = 0; b < sums.size(); ++b) {
+    const Vec<dim> moved_by = sums[b].moment / sums[b].mass - first_centers_[b], velocity = sums[b].momentum / sums[b].mass;
+    row.insert(row.end(), moved_by.begin(), moved_by.end());
+    row.insert(row.end(), velocity.begin(), velocity.end());
+  }
+  for (std::size_t k = 0; k < model.watches.size(); ++k) {
+    const Vec<dim> moved_by = position_of(state.particles[model.watches[k].body], model.watches[k].id) - first_watched_[k];
+    row.insert(row.end(), moved_by.begin(), moved_by.end());
+  }
+  file_.add(state.time, model.stages[state.stage.index].name, row);
+  last_time_ = state.time;
+  last_rigids_ = state.rigids;
+}
+
+template class Recorder<2>;
+template class Recorder<3>;
+
+}  // namespace berm

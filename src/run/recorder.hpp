@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mpm/grid.hpp"
+#include "output/history.hpp"
+
+namespace berm {
+
+/// Writes the rows of history.csv. Forces are impulses over the time since the row before, so that nothing between two rows is lost.
+template <int dim>
+class Recorder {
+public:
+  Recorder(const std::filesystem::path& path, const Model<dim>& model, const State<dim>& state);
+
+  /// Throws RunError where a number is not finite that must be.
+  void add_row(const Model<dim>& model, State<dim>& state, const Work<dim>& work);
+
+  /// V and H of the last row, N/m.
+  Real vertical() const { return vertical_; }
+  Real horizontal() const { return horizontal_; }
+  /// Of the last row: sum of unbalanced nodal forces over the weight.
+  Real out_of_balance() const { return out_of_balance_; }
+  /// The largest |energy error| of all rows over the largest work done so far.
+  Real energy_error() const { return largest_work_ > 0 ? largest_error_ / largest_work_ : 0; }
+
+private:
+  static std::vector<std::string> columns(const Model<dim>& model);
+  void add_rigid(const Model<dim>& model, const State<dim>& state, Index rigid, std::vector<Real>& row);
+
+  HistoryFile file_;
+  Real last_time_ = 0;
+  std::vector<RigidState<dim>> last_rigids_;
+  std::vector<Vec<dim>> first_centers_;   ///< of mass, by body
+  std::vector<Vec<dim>> first_watched_;
+  Real first_kinetic_ = 0;
+  Real vertical_ = 0, horizontal_ = 0, out_of_balance_ = 0, largest_error_ = 0, largest_work_ = 0;
+};
+
+}  // namespace berm

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/results.hpp"
+
+#include "mpm/measure.hpp"
+#include "output/plots.hpp"
+#include "output/progress.hpp"
+#include "problem/stages.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+namespace berm {
+namespace {
+
+PipeStages pipe_stages(const Case& c, const RunOutcome& outcome)
+{
+  PipeStages stages;
+  for (const StageSettings& stage : c.stage) {
+    if (stage.kind == StageKind::push) stages.push.push_back(stage.name);
+    if (stage.kind == StageKind::drag) stages.drag.push_back(stage.name);
+  }
+  stages.held_force = outcome.held_force;
+  return stages;
+}
+
+/// The scale of the main rigid body and of the body that it touches; no diameter where there is nothing to drive.
+template <int dim>
+PipeScale pipe_scale(const Case& c, const Model<dim>& model)
+{
+  PipeScale scale{0, 0, model.gravity.norm() / standard_gravity};
+  if (model.main_rigid == none) return scale;
+  scale.diameter = width_of<dim>(model.rigids[model.main_rigid].shape);
+  for (const Contact& contact : model.contacts)
+    if (contact.rigid == model.main_rigid) scale.unit_weight = density(model.bodies[contact.body].material) * model.gravity.norm();
+  if (pipe_stages(c, {}).push.empty() && pipe_stages(c, {}).drag.empty()) scale.diameter = 0;
+  return scale;
+}
+
+/// Columns that are worth a curve where there is no pipe: of watched particles, else of the bodies.
+template <int dim>
+std::vector<std::string> curve_columns(const Model<dim>& model, const History& history)
+{
+  std::vector<std::string> chosen;
+  for (const std::string& column : history.columns)
+    for (const Watch& watch : model.watches)
+      if (column.starts_with(watch.name + "_u")) chosen.push_back(column);
+  if (chosen.empty())
+    for (const std::string& column : history.columns)
+      for (const Body<dim>& body : model.bodies)
+        if (column.starts_with(body.name + "_")) chosen.push_back(column);
+  return chosen;
+}
+
+void draw(const RunRequest& request, const RunFolder& folder, const Model<2>& model, const State<2>& state, const FrameWriter<2>& frames,
+          const PipeScale& scale)
+{
+  SoilView view{model.mesh.lower, model.mesh.upper, model.surface};
+  if (scale.diameter > 0) {
+    const Rigid<2>& pipe = model.rigids[model.main_rigid];
+    const Vec<2>& moved_by = state.rigids[model.main_rigid].displacement;
+    const Real low = lowest_level<2>(pipe.shape) + moved_by[1], center = center_of<2>(pipe.shape)[0] + moved_by[0];
+    view.lower = Vec<2>(center - 2.5 * scale.diameter, low - 1.2 * scale.diameter);
+    view.upper = Vec<2>(center + 2.5 * scale.diameter, low + 1.3 * scale.diameter);
+  }
+  draw_soil(folder, frames.last(), SoilColor::deviatoric_strain, view, request.settings.title);
+  draw_soil(folder, frames.last(), SoilColor::incremental_deviatoric_strain, view, request.settings.title);
+}
+void draw(const RunRequest&, const RunFolder&, const Model<3>&, const State<3>&, const FrameWriter<3>&, const PipeScale&) {}
+
+void print_timings(const RunTiming& timing)
+{
+  std::string table = fmt::format("{:<32} {:>10} {:>8}\n", "time by loop", "s", "part");
+  for (const Timing& loop : timing.loops)
+    table += fmt::format("{:<32} {:>10.3f} {:>7.1f}%\n", loop.label, loop.seconds, 100 * loop.seconds / timing.wall_s);
+  table += fmt::format("{:<32} {:>10.3f}          {} steps of {} particles, {:.1f} million particle-steps/s on {} threads", "all", timing.wall_s,
+                       timing.steps, timing.particles, timing.particle_steps_per_s / 1e6, timing.threads);
+  spdlog::info("{}", table);
+}
+
+}  // namespace
+
+template <int dim>
+void write_results(const RunRequest& request, const RunFolder& folder, const Model<dim>& model, const State<dim>& state,
+                   const FrameWriter<dim>& frames, const RunOutcome& outcome, const RunTiming& timing)
+{
+  const History history = read_history(folder.file("history.csv"));
+  const PipeScale scale = pipe_scale(request.settings, model);
+  const PipeStages stages = pipe_stages(request.settings, outcome);
+  const bool pipe = scale.diameter > 0;
+
+  Summary summary;
+  if (pipe) summary.quantities = pipe_quantities(history, scale, stages);
+  summary.timing = timing;
+  summary.text = {{"title", request.settings.title}, {"case", request.case_file.filename().string()}, {"version", BERM_VERSION}};
+  summary.checks = {{"finished", outcome.finished}, {"energy_error", outcome.energy_error}};
+  if (std::isfinite(outcome.equilibrium)) summary.checks.emplace_back("out_of_balance_after_geostatic", outcome.equilibrium);
+  const Totals<dim>& t = state.totals;
+  summary.checks.emplace_back("momentum_error", momentum_error(state));
+  summary.checks.emplace_back("friction_work_is_loss", t.friction >= 0);
+  summary.write(folder.file("summary.json"));
+
+  if (pipe)
+    draw_pipe_curves(folder, history, scale, stages, request.settings.title);
+  else
+    draw_columns(folder, history, curve_columns(model, history), request.settings.title);
+  draw(request, folder, model, state, frames, scale);
+  print_timings(timing);
+  if (pipe) spdlog::info("key results\n{}", key_results_table(summary.quantities, scale));
+  spdlog::info("everything is in {}", folder.path().string());
+}
+
+template void write_results(const RunRequest&, const RunFolder&, const Model<2>&, const State<2>&, const FrameWriter<2>&, const RunOutcome&,
+                            const RunTiming&);
+template void write_results(const RunRequest&, const RunFolder&, const Model<3>&, const State<3>&, const FrameWriter<3>&, const RunOutcome&,
+                            const RunTiming&);
+
+}  // namespace berm

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/simulate.hpp"
+
+#include "core/error.hpp"
+#include "core/for_each.hpp"
+#include "input/write_case.hpp"
+#include "mpm/step.hpp"
+#include "mpm/time_step.hpp"
+#include "output/progress.hpp"
+#include "output/whole_file.hpp"
+#include "problem/stages.hpp"
+#include "run/interrupt.hpp"
+#include "run/recorder.hpp"
+#include "run/results.hpp"
+#include "run/scratch_folder.hpp"
+
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <spdlog/spdlog.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+std::string text_of(const fs::path& file)
+{
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Real expected_time(const Case& c)
+{
+  Real total = 0;
+  for (const StageSettings& stage : c.stage) total += expected_time(stage);
+  return total;
+}
+
+/// A thousandth of the time that the stages take, unless the user says.
+Real history_interval(const Case& c)
+{
+  if (c.output.history_time) return *c.output.history_time;
+  for (const StageSettings& stage : c.stage)
+    if (expected_time(stage) <= 0)
+      throw InputError(fmt::format("output.history_time: is needed, since it cannot be told how long stage \"{}\" takes", stage.name));
+  return expected_time(c) / 1000;
+}
+
+template <int dim>
+BigIndex particle_count(const State<dim>& state)
+{
+  BigIndex count = 0;
+  for (const Particles<dim>& particles : state.particles) count += particles.size();
+  return count;
+}
+
+/// The run itself: steps, and what is written on the way.
+template <int dim>
+class Run {
+public:
+  Run(const RunRequest& request, Problem<dim> problem, const RunFolder& folder, RunLog& log)
+      : request_(request), folder_(folder), problem_(std::move(problem)), work_(model(), state()), interval_(history_interval(request.settings)),
+        recorder_(folder.file("history.csv"), model(), state()), frames_(folder.subfolder("frames"), model(), state()), progress_(log)
+  {
+  }
+
+  bool to_the_end()
+  {
+    reset_timings();
+    const Clock::time_point start = Clock::now();
+    record();
+    frame();
+    while (!interrupted() && !finished_) {
+      step(model(), state(), work_);
+      const bool ended = stage_ended(model(), state());
+      if (ended || state().time >= next_row_) record();
+      if (ended || frame_is_due()) frame();
+      if (ended || progress_.due()) tell();
+      if (ended) next_stage();
+    }
+    if (!finished_) {
+      record();
+      frame();
+      spdlog::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}", state().time, stage().name, folder_.path().string());
+    }
+    const Real wall = std::chrono::duration<Real>(Clock::now() - start).count();
+    const RunTiming timing{static_cast<Real>(particle_count(state()) * state().step) / wall, wall, request_.threads, particle_count(state()),
+                           model().mesh.cell_count(), state().step, timings()};
+    write_results(request_, folder_, model(), state(), frames_, {finished_, equilibrium_, recorder_.energy_error(), held_force_}, timing);
+    return finished_;
+  }
+
+private:
+  const Model<dim>& model() const { return problem_.model; }
+  State<dim>& state() { return problem_.state; }
+  const StageSettings& stage() { return model().stages[state().stage.index]; }
+
+  void record()
+  {
+    recorder_.add_row(model(), state(), work_);
+    next_row_ = (std::floor(state().time / interval_ * (1 + 1e-12)) + 1) * interval_;
+  }
+
+  Real travel()
+  {
+    const Index driven = model().driven[state().stage.index];
+    return driven == none ? 0 : (state().rigids[driven].displacement - frame_displacement_).norm();
+  }
+  bool frame_is_due()
+  {
+    const OutputSettings& output = request_.settings.output;
+    return (output.frame_time && state().time >= frame_time_ + *output.frame_time) || (output.frame_travel && travel() >= *output.frame_travel);
+  }
+  void frame()
+  {
+    const Timer timer("write frames");
+    frames_.write(state());
+    frame_time_ = state().time;
+    const Index driven = model().driven[state().stage.index];
+    if (driven != none) frame_displacement_ = state().rigids[driven].displacement;
+  }
+
+  void next_stage()
+  {
+    if (stage().kind == StageKind::geostatic) {
+      equilibrium_ = recorder_.out_of_balance();
+      const char* verdict = equilibrium_ <= stage().equilibrium ? "in equilibrium" : "NOT in equilibrium";
+      spdlog::info("stage \"{}\": the soil is {}: out-of-balance force over weight {:.3g}, accepted {:.3g}", stage().name, verdict, equilibrium_,
+                   stage().equilibrium);
+      if (equilibrium_ > stage().equilibrium) spdlog::warn("give stage \"{}\" more time or damping", stage().name);
+    }
+    if (state().stage.index + 1 == static_cast<Index>(model().stages.size())) {
+      finished_ = true;
+      return;
+    }
+    ++state().stage.index;
+    begin_stage(model(), state());
+    const Drive& vertical = state().stage.drive[1];
+    if (stage().kind == StageKind::drag && vertical.by_force && !held_force_) held_force_ = -vertical.to;
+  }
+
+  /// The part of the run that is done, by the limits that the stages name.
+  Real part_done()
+  {
+    Real passed = 0;
+    for (Index k = 0; k < state().stage.index; ++k) passed += expected_time(model().stages[k]);
+    const Real of_stage = expected_time(stage()), total = expected_time(request_.settings);
+    if (!(of_stage > 0)) return std::numeric_limits<Real>::quiet_NaN();
+    return std::min(Real(1), (passed + std::min(of_stage, state().time - state().stage.begin_time)) / total);
+  }
+  void tell()
+  {
+    ProgressReport report;
+    report.stage = stage().name;
+    report.done = part_done();
+    report.drag = stage().kind == StageKind::drag;
+    if (model().main_rigid != none) {
+      const PipeMotion motion = pipe_motion(model(), state(), model().main_rigid);
+      report.u = motion.u;
+      report.w = motion.w;
+      report.V = recorder_.vertical();
+      report.H = recorder_.horizontal();
+      report.diameter = width_of<dim>(model().rigids[model().main_rigid].shape);
+    }
+    report.particle_steps = static_cast<Real>(particle_count(state()) * state().step);
+    progress_.update(report);
+  }
+
+  const RunRequest& request_;
+  const RunFolder& folder_;
+  Problem<dim> problem_;
+  Work<dim> work_;
+  Real interval_;
+  Recorder<dim> recorder_;
+  FrameWriter<dim> frames_;
+  Progress progress_;
+  bool finished_ = false;
+  Real next_row_ = 0, frame_time_ = 0, equilibrium_ = std::numeric_limits<Real>::quiet_NaN();
+  Vec<dim> frame_displacement_ = Vec<dim>::Zero();
+  std::optional<Real> held_force_;
+};
+
+template <int dim>
+bool run_in(const RunRequest& request)
+{
+  const ScratchFolder scratch;
+  history_interval(request.settings);
+  Problem<dim> problem = build<dim>(request.settings, request.case_file.parent_path().string(), scratch.path().string());
+
+  const RunFolder folder(request.folder);
+  write_whole(folder.file("resolved.toml"), resolved_toml(request.settings));
+  write_whole(folder.file("case.toml"), text_of(request.case_file));
+  scratch.move_files_to(folder.path());
+  RunLog log(folder.file("run.log"));
+  spdlog::info("{} -> {}: {} cells, {} particles, {} threads", request.case_file.string(), folder.path().string(), problem.model.mesh.cell_count(),
+               particle_count(problem.state), request.threads);
+  try {
+    return Run<dim>(request, std::move(problem), folder, log).to_the_end();
+  } catch (const RunError& error) {
+    log.info_to_file(error.what());
+    throw;
+  }
+}
+
+template <int dim>
+void check_in(const RunRequest& request)
+{
+  const ScratchFolder scratch;
+  const Real interval = history_interval(request.settings);
+  Problem<dim> problem = build<dim>(request.settings, request.case_file.parent_path().string(), scratch.path().string());
+  Work<dim> work(problem.model, problem.state);
+  const Real dt = stable_time_step(problem.model, problem.state, work);
+  fmt::print("{}\n", request.case_file.string());
+  fmt::print("  cells        {}\n  nodes        {}\n", problem.model.mesh.cell_count(), problem.model.mesh.node_count());
+  for (std::size_t b = 0; b < problem.model.bodies.size(); ++b)
+    fmt::print("  particles    {} in body \"{}\"\n", problem.state.particles[b].size(), problem.model.bodies[b].name);
+  fmt::print("  time step    {:.4g} s\n", dt);
+
+  // The speed is measured on the first steps, for a quarter of a second.
+  const Clock::time_point start = Clock::now();
+  Real wall = 0;
+  while (wall < 0.25) {
+    step(problem.model, problem.state, work);
+    wall = std::chrono::duration<Real>(Clock::now() - start).count();
+  }
+  const Real seconds_a_step = wall / static_cast<Real>(problem.state.step);
+  const Real total = expected_time(request.settings);
+  for (const StageSettings& stage : request.settings.stage)
+    if (!(expected_time(stage) > 0)) fmt::print("  stage \"{}\": its end cannot be foretold and is not counted below\n", stage.name);
+  fmt::print("  steps        about {:.0f}, {} rows of history\n", total / dt, static_cast<BigIndex>(total / interval));
+  fmt::print("  time         about {} with {} threads ({:.3g} million particle-steps/s)\n", words_of_duration(total / dt * seconds_a_step), request.threads,
+             static_cast<Real>(particle_count(problem.state)) / seconds_a_step / 1e6);
+}
+
+}  // namespace
+
+bool run_case(const RunRequest& request)
+{
+  return request.settings.dimension == 2 ? run_in<2>(request) : run_in<3>(request);
+}
+
+void check_case(const RunRequest& request)
+{
+  request.settings.dimension == 2 ? check_in<2>(request) : check_in<3>(request);
+}
+
+}  // namespace berm

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/plots.hpp"
+
+#include "output/gnuplot.hpp"
+#include "sample_run.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+
+const PipeScale scale{.diameter = 0.02, .unit_weight = 430e3, .gravity_level = 50};
+const PipeStages stages{.push = {"push"}, .drag = {"drag"}, .held_force = {}};
+
+/// Width and height of a PNG from its first chunk; 0, 0 where the file is not a whole one.
+std::pair<int, int> png_size(const fs::path& path)
+{
+  const std::string bytes = content_of(path);
+  if (bytes.size() < 33 || bytes.substr(0, 8) != "\x89PNG\r\n\x1a\n" || bytes.find("IEND") == std::string::npos) return {0, 0};
+  const auto number = [&](std::size_t at) {
+    int n = 0;
+    for (std::size_t k = 0; k < 4; ++k) n = 256 * n + static_cast<unsigned char>(bytes[at + k]);
+    return n;
+  };
+  return {number(16), number(20)};
+}
+
+class Plots : public testing::Test {
+protected:
+  TemporaryFolder base;
+  RunFolder folder{base.path / "run"};
+
+  static bool gnuplot_is_there() { return std::system("gnuplot --version > /dev/null 2>&1") == 0; }
+  History pipe_history(Real drag)
+  {
+    SamplePipe pipe;
+    pipe.drag = drag;
+    pipe.ripple = 20;
+    pipe.write(folder.file("history.csv"));
+    return read_history(folder.file("history.csv"));
+  }
+  static Frame<2> frame()
+  {
+    static const Problem<2> problem = sample_problem<2>();
+    const TemporaryFolder frames_folder;
+    FrameWriter<2> frames(frames_folder.path, problem.model, problem.state);
+    frames.write(problem.state);
+    return frames.last();
+  }
+};
+
+TEST_F(Plots, the_curves_of_a_pipe_are_drawn_with_and_without_a_drag)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  for (const Real drag : {0.01, 0.}) {
+    fs::remove(folder.file("curves.png"));
+    ASSERT_TRUE(draw_pipe_curves(folder, pipe_history(drag), scale, stages, "it's a pipe"));
+    EXPECT_EQ(png_size(folder.file("curves.png")), (std::pair{1200, 900}));
+  }
+  EXPECT_TRUE(fs::exists(folder.file("plots/curves.dat")));
+  EXPECT_TRUE(fs::exists(folder.file("plots/curves.gp")));
+  EXPECT_FALSE(fs::exists(folder.file("plots/curves.messages")));
+}
+
+TEST_F(Plots, any_columns_are_drawn_against_time)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  ASSERT_TRUE(draw_columns(folder, pipe_history(0.01), {"u_m", "w_m", "H_N_m"}, "columns"));
+  EXPECT_EQ(png_size(folder.file("curves.png")), (std::pair{1200, 900}));
+}
+
+TEST_F(Plots, the_soil_is_drawn_in_both_colourings)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  const SoilView view{Vec<2>(0, 0), Vec<2>(0.2, 0.1), 0.09};
+  ASSERT_TRUE(draw_soil(folder, frame(), SoilColor::deviatoric_strain, view, "soil"));
+  ASSERT_TRUE(draw_soil(folder, frame(), SoilColor::incremental_deviatoric_strain, view, "increment of nothing"));
+  EXPECT_EQ(png_size(folder.file("soil.png")).first, 1200);
+  EXPECT_EQ(png_size(folder.file("soil_increment.png")).first, 1200);
+}
+
+TEST_F(Plots, particles_outside_the_view_are_left_out)
+{
+  const SoilView left_half{Vec<2>(0, 0), Vec<2>(0.1, 0.1), {}};
+  Frame<2> one = frame();
+  for (auto& p : one.particles) p.particle.volume = 1e-8;
+  draw_soil(folder, one, SoilColor::deviatoric_strain, left_half, "left");
+  std::istringstream lines(content_of(folder.file("plots/soil.dat")));
+  std::vector<Real> shown; // x, mm
+  for (std::string line; std::getline(lines, line);)
+    if (line[0] != '#') shown.push_back(std::stod(line));
+  ASSERT_FALSE(shown.empty());
+  EXPECT_LT(*std::max_element(shown.begin(), shown.end()), 100);
+}
+
+TEST_F(Plots, of_nothing_there_is_no_picture)
+{
+  const SoilView elsewhere{Vec<2>(5, 5), Vec<2>(6, 6), {}};
+  EXPECT_FALSE(draw_soil(folder, frame(), SoilColor::deviatoric_strain, elsewhere, "nothing"));
+  put(folder.file("history.csv"), "time_s,stage,u_m,w_m,H_N_m,V_N_m\n");
+  const History empty = read_history(folder.file("history.csv"));
+  EXPECT_FALSE(draw_pipe_curves(folder, empty, scale, stages, "nothing"));
+  EXPECT_FALSE(draw_columns(folder, empty, {"u_m"}, "nothing"));
+}
+
+TEST_F(Plots, a_missing_gnuplot_is_no_failure_and_the_script_stays)
+{
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", base.path.c_str(), 1);
+  bool drawn = true;
+  EXPECT_NO_THROW(drawn = draw(folder, "curves", 100, 100, "plot x\n"));
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_FALSE(drawn);
+  EXPECT_TRUE(fs::exists(folder.file("plots/curves.gp")));
+}
+
+TEST_F(Plots, a_script_that_fails_is_no_failure_and_leaves_no_broken_picture)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  EXPECT_FALSE(draw(folder, "curves", 100, 100, "plot 'not there'\n"));
+  EXPECT_FALSE(fs::exists(folder.file("curves.png")));
+}
+
+TEST(ColumnNames, end_with_their_unit)
+{
+  EXPECT_EQ(name_and_unit("tip_x_m"), (std::pair<std::string, std::string>{"tip x", "m"}));
+  EXPECT_EQ(name_and_unit("second_impulse_N_m"), (std::pair<std::string, std::string>{"second impulse", "N/m"}));
+  EXPECT_EQ(name_and_unit("tip_velocity_m_s"), (std::pair<std::string, std::string>{"tip velocity", "m/s"}));
+  EXPECT_EQ(name_and_unit("steps"), (std::pair<std::string, std::string>{"steps", "1"}));
+}
+
+TEST(GnuplotText, cannot_leave_its_quotes)
+{
+  EXPECT_EQ(gnuplot_text("it's\n`x`"), "'it''s `x`'");
+}
+
+} // namespace
+} // namespace berm
