@@ -59,8 +59,7 @@ PreparedMohrCoulomb prepare(const MohrCoulomb& law)
     p.line_1 = (p.drop_2 * lame - p.drop_3 * lame) / determinant;
     p.line_3 = (p.drop_1 * lame - p.drop_2 * stiffness) / determinant;
   }
-  const Real tilt = friction * friction / 3;
-  p.inner_cone = std::sqrt(1 + tilt);
+  p.inner_cone = std::sqrt(1 + friction * friction / 3);
   return p;
 }
 

@@ -12,8 +12,8 @@ void rotate(Matrix<3>& a, Matrix<3>& axes, int i, int j)
 {
   if (a(i, j) == 0) return;
   const Real ratio = (a(j, j) - a(i, i)) / (2 * a(i, j));
-  const Real tangent = (ratio < 0 ? -1 : 1) / (std::abs(ratio) + std::hypot(ratio, 1.));
-  const Real c = 1 / std::hypot(tangent, 1.), s = tangent * c;
+  const Real tangent = (ratio < 0 ? -1 : 1) / (std::abs(ratio) + std::sqrt(ratio * ratio + 1));
+  const Real c = 1 / std::sqrt(tangent * tangent + 1), s = tangent * c;
   const int k = 3 - i - j;
   const Real a_ki = a(k, i), a_kj = a(k, j), change = tangent * a(i, j);
   a(k, i) = a(i, k) = c * a_ki - s * a_kj;

@@ -96,7 +96,13 @@ constexpr const char* next_panel = "unset label 1\nunset x2tics\nunset x2label\n
 bool draw_pipe_curves(const RunFolder& folder, const History& history, const PipeScale& scale, const PipeStages& stages,
                       const std::string& title)
 {
-  const PipePath path = pipe_path(history, stages);
+  PipePath path = pipe_path(history, stages);
+  // The way down to the surface is of no interest, and its V = 0 would smooth away the first touch.
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < path.w.size(); ++k)
+    if (path.w[k] >= 0) path.w[kept] = path.w[k], path.V[kept++] = path.V[k];
+  path.w.resize(kept);
+  path.V.resize(kept);
   const bool has_push = path.w.size() > 1, has_drag = path.drag_u.size() > 1;
   if (!has_push && !has_drag) return false;
   const Real D = scale.diameter, half = averaging_half_width * D, unit_force = scale.unit_weight * D * D;
@@ -130,14 +136,10 @@ bool draw_pipe_curves(const RunFolder& folder, const History& history, const Pip
                 .second = per_length,
                 .second_label = fmt::format("{}/D", symbol)};
   };
-  const auto embedment_from_zero = [](std::vector<Real> w) { // the way down to the surface is of no interest
-    for (Real& value : w) value = std::max<Real>(value, 0);
-    return w;
-  };
   Axis V = force_axis('x', "vertical reaction", "V"), H = force_axis('y', "soil resistance", "H");
   Axis w = length_axis('y', "embedment", "w", true), w_drag = w, u = length_axis('x', "horizontal displacement", "u", false), u_below = u;
   V.take(path.V, force.per_si);
-  w.take(embedment_from_zero(path.w), length.per_si);
+  w.take(path.w, length.per_si);
   H.take(path.drag_H, force.per_si);
   w_drag.take(path.drag_w, length.per_si);
   if (has_drag) V.take(path.drag_V, force.per_si), w.take(path.drag_w, length.per_si);

@@ -67,8 +67,12 @@ void add_drag(Collector& collector, const PipePath& path, std::optional<Real> he
     collector.ratio(fmt::format("H_over_V_at_u_{:g}D", point), H.at(u, half) / V.at(u, half));
   }
   Real H_max = -infinity, u_max = 0;
-  for (const Real u : H.travel())
-    if (const Real here = H.at(u, half); here > H_max) H_max = here, u_max = u;
+  for (const Real u : H.travel()) {
+    const bool whole_window =
+        u >= H.begin() + half && u <= H.end() - half; // at the ends the noise is twice as large and would be the maximum
+    if (const Real here = H.at(u, half); whole_window && here > H_max) H_max = here, u_max = u;
+  }
+  if (H_max == -infinity) return;
   collector.force("H_max", H_max);
   collector.length("u_at_H_max", u_max);
 

@@ -36,7 +36,8 @@ constexpr Real averaging_half_width = 0.01;
 /// The numbers that a report wants of a run that pushes a pipe into the bed and drags it (as far as it came):
 ///   V_at_w_{0.05,0.1,...}D, V_end_of_push, w_end_of_push;
 ///   H, w and H_over_V _at_u_{0.1,0.2,0.3,0.4,0.5,0.75,1.0}D, with u from the begin of the drag;
-///   H_max and u_at_H_max; V_rms_error_in_drag, the root mean square of (V - held)/held over the rows of the drag;
+///   H_max and u_at_H_max (not within 0.01 D of the ends of the drag);
+///   V_rms_error_in_drag, the root mean square of (V - held)/held over the rows of the drag;
 ///   overlap_max and gap_mean (over push and drag), where the history has them.
 /// Forces (N/m) come once more over gamma' D^2 (suffix _over_gammaD2), lengths (m) over D (_over_D). Forces and w are taken from the straight
 /// line fitted over +-0.01 D of travel (TravelCurve::at).

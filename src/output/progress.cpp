@@ -40,6 +40,7 @@ std::string progress_line(const ProgressReport& r, Real elapsed)
 {
   std::string line = r.stage;
   if (!std::isnan(r.done)) line += fmt::format("  {:.0f} %", 100 * std::clamp<Real>(r.done, 0, 1));
+  if (r.done > 0 && r.done < 1) line += fmt::format("  {} left", words_of_duration(elapsed * (1 - r.done) / r.done));
   if (r.drag && !std::isnan(r.u))
     line += r.diameter > 0 ? fmt::format("  u/D {:.3f}", r.u / r.diameter) : fmt::format("  u {:.2f} mm", r.u * 1000);
   if (!std::isnan(r.w)) line += fmt::format("  w {:.2f} mm", r.w * 1000);
@@ -47,7 +48,6 @@ std::string progress_line(const ProgressReport& r, Real elapsed)
   if (!std::isnan(r.H)) line += fmt::format("  H {:.3f}", r.H / 1000);
   if (!std::isnan(r.V) || !std::isnan(r.H)) line += " kN/m";
   if (r.particle_steps > 0 && elapsed > 0) line += fmt::format("  {}particle-steps/s", words_of_speed(r.particle_steps / elapsed));
-  if (r.done > 0) line += fmt::format("  {} left", words_of_duration(elapsed * std::max<Real>(0, 1 - r.done) / r.done));
   return line;
 }
 

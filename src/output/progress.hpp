@@ -24,7 +24,8 @@ struct ProgressReport {
 /// "40 ms", "3.1 s", "12 min 05 s", "1 h 02 min"; "?" where it is not a duration.
 std::string words_of_duration(Real seconds);
 
-/// One line that says how far the run is: stage, part done, u and w, V and H, speed, and the time left if the run goes on as since its start.
+/// One line that says how far the run is, what matters most first (a narrow terminal cuts it): stage, part done, the time left if the run goes
+/// on as since its start, u and w, V and H, speed.
 std::string progress_line(const ProgressReport& report, Real seconds_since_start);
 
 /// Tells how far a run is: on a terminal in one line that is rewritten at most five times a second; else, and in the run's log always, in a plain

@@ -25,10 +25,10 @@ Real round_up(Real value)
   return 10 * power;
 }
 
-/// Radius of the disk that stands for a particle: a little more than its share, so that neighbours close the ground between them.
+/// Radius of the disk that stands for a particle: larger than its share, so that neighbours close the ground between them.
 Real shown_radius(const Particle<2>& p)
 {
-  return 0.68 * std::sqrt(p.volume);
+  return 0.85 * std::sqrt(p.volume);
 }
 
 } // namespace

@@ -25,8 +25,9 @@ Real TravelCurve::interpolated(Real s) const
 Real TravelCurve::at(Real s, Real half) const
 {
   if (empty() || s < begin() || s > end()) return std::numeric_limits<Real>::quiet_NaN();
-  const auto first = std::lower_bound(travel_.begin(), travel_.end(), s - half) - travel_.begin();
-  const auto last = std::upper_bound(travel_.begin(), travel_.end(), s + half) - travel_.begin() - 1;
+  const Real from = std::max(begin(), std::min(s - half, end() - 2 * half)), to = std::min(end(), std::max(s + half, begin() + 2 * half));
+  const auto first = std::lower_bound(travel_.begin(), travel_.end(), from) - travel_.begin();
+  const auto last = std::upper_bound(travel_.begin(), travel_.end(), to) - travel_.begin() - 1;
   if (last - first < 2) return interpolated(s);
   Real weight = 0, mean_s = 0, mean_y = 0, along = 0, product = 0;
   const auto weight_of = [&](auto k) { return (travel_[std::min(k + 1, last)] - travel_[std::max(k - 1, first)]) / 2; };

@@ -19,8 +19,9 @@ public:
   Real end() const { return travel_.back(); }
 
   /// The value at s, freed from noise: that of the straight line fitted over s - half ... s + half, each row weighted by the travel that it
-  /// stands for. Away from the ends this is the mean over that travel; at an end the line is followed to it, where a mean would lag by half a
-  /// window. With fewer than three rows in the window, linear interpolation. NaN where s is outside the curve or the curve is empty.
+  /// stands for. Away from the ends this is the mean over that travel; near an end the window stays inside the curve and the line is followed
+  /// to s, where a mean would lag by half a window. With fewer than three rows in the window, linear interpolation. NaN where s is outside the
+  /// curve or the curve is empty.
   Real at(Real s, Real half) const;
 
 private:

@@ -195,8 +195,8 @@ def examples(tree):
 
 
 def silence(tree):
-    """Only run/, main.cpp and the progress line write to the terminal."""
-    allowed = ("src/run/", "src/main.cpp", "src/output/progress")
+    """Only run/, main.cpp, the progress line and the run log write to the terminal."""
+    allowed = ("src/run/", "src/main.cpp", "src/output/progress", "src/output/run_log")
     paths = [path for path in tree.ending(CPP, "src/") if not path.startswith(allowed)]
     pattern = r"\bstd::(?:cout|cerr|clog)\b|\b(?:v?printf|puts|putchar)\s*\(|\b(?:fprintf|fputs|print)\s*\([^;]*\bstd(?:out|err)\b"
     yield from code_matching(tree, paths, pattern, "writes to the terminal")

@@ -107,7 +107,12 @@ TEST(Document, refuses_what_is_no_toml_in_one_line_with_its_place)
                                "a = \"\\ud800\"",
                                "[a\n]",
                                "a = {b = 1,}",
-                               "a = {b = 1\n}"};
+                               "a = {b = 1\n}",
+                               "é = 1",
+                               "a é = 1",
+                               "a = é",
+                               "a = 1 é",
+                               "[é]"};
   for (const std::string& text : wrong) {
     const std::string message = message_of(text);
     EXPECT_TRUE(message.starts_with("case.toml:")) << text.substr(0, 40) << " gives: " << message;

@@ -272,10 +272,10 @@ inline const std::vector<WrongInput>& wrong_inputs()
       {"two_stages_of_one_name", "name = \"drag\"", "name = \"push\"", 53, {"stage.push.name", "another stage has this name"}, {}},
       {"velocity_and_force", "ramp = 0.1", "force = \"1 kN/m\"", 52, {"stage.drag", "either velocity or force"}, {}},
       // No TOML.
-      {"bracket_without_its_pair", "[mesh]", "[mesh", 5, {}, {}},
-      {"parser_gives_up", "title = ", "[&\ntitle = ", 1, {}, {}},
-      {"quote_not_closed", "\"0.5 s\"", "\"0.5 s", 67, {}, {}},
-      {"value_without_quotes", "\"0.5 s\"", "0.5 s", 67, {}, {}},
+      {"bracket_without_its_pair", "[mesh]", "[mesh", 5, {"not valid TOML", "']'"}, {}},
+      {"parser_gives_up", "[output]", "[&", 66, {"not valid TOML"}, {}},
+      {"quote_not_closed", "\"0.5 s\"", "\"0.5 s", 67, {"is a quote left open?"}, {}},
+      {"value_without_quotes", "\"0.5 s\"", "0.5 s", 67, {"stand in quotes"}, {}},
       // Overrides.
       {"override_of_an_unknown_key",
        "",

@@ -66,13 +66,15 @@ struct ReadVtu {
 template <int dim> void move_all(Problem<dim>& problem, const Vec<dim>& by, Real strain)
 {
   for (auto& particles : problem.state.particles)
-    for (Index cell = 0; cell < problem.model.mesh.cell_count(); ++cell)
-      for (Index k = particles.count_in(cell); k > 0; --k) {
-        Particle<dim> p = particles.take(cell, 0);
+    for (Index cell = 0; cell < problem.model.mesh.cell_count(); ++cell) {
+      std::vector<Particle<dim>> taken;
+      while (particles.count_in(cell) > 0) taken.push_back(particles.take(cell, 0));
+      for (Particle<dim>& p : taken) {
         p.x += by;
         p.deviatoric_strain += strain;
         particles.insert(cell, p);
       }
+    }
 }
 
 template <class T> class FramesIn : public testing::Test {

@@ -34,7 +34,7 @@ TEST(ProgressLine, says_stage_travel_forces_speed_and_time_left)
                         .diameter = 0.02,
                         .particle_steps = 6.12e9};
   EXPECT_EQ(progress_line(report, 100),
-            "drag  25 %  u/D 0.300  w 2.50 mm  V 2.000  H 0.700 kN/m  61.2 M particle-steps/s  5 min 00 s left");
+            "drag  25 %  5 min 00 s left  u/D 0.300  w 2.50 mm  V 2.000  H 0.700 kN/m  61.2 M particle-steps/s");
   report.drag = false;
   EXPECT_EQ(progress_line(report, 100).find("u/D"), std::string::npos);
 }
