@@ -35,6 +35,7 @@ void solve_momentum_balance(const Model<dim>& model, State<dim>& state, Work<dim
   BodyGrid<dim>& grid = work.grids[body];
   const Vec<dim> gravity = gravity_now(model, state.time);
   const Real dt = state.dt;
+  const std::optional<Real> stage_damping = model.stages[state.stage.index].damping;
   const auto sums = sum_of<NodalSums<dim>>("momentum balance of nodes", static_cast<Index>(grid.nodes.size()), [&](Index n) {
     const Index i = grid.nodes[n];
     NodalSums<dim> sums_i;
@@ -50,7 +51,7 @@ void solve_momentum_balance(const Model<dim>& model, State<dim>& state, Work<dim
     force += weight;
 
     const Vec<dim>& v = grid.velocity[i];
-    const Real factor = grid.touching[i] ? 0 : model.bodies[body].damping[i];
+    const Real factor = grid.touching[i] ? 0 : stage_damping ? *stage_damping : model.bodies[body].damping[i];
     Vec<dim> damping = Vec<dim>::Zero();
     for (int d = 0; d < dim; ++d) {
       const bool held = model.fixed[i] >> d & 1;

@@ -9,8 +9,8 @@ template <int dim>
 BodyGrid<dim>::BodyGrid(const Mesh<dim>& mesh)
     : moments(mesh.cell_count()), corner_sums(mesh.entries.size(), CornerSums<dim>{}), corner_force(mesh.entries.size(), Vec<dim>::Zero()),
       corner_momentum(mesh.entries.size(), Vec<dim>::Zero()), volume_change(mesh.cell_count(), 0), mass(mesh.node_count(), 0),
-      volume(mesh.node_count(), 0), pressure(mesh.node_count(), 0), velocity(mesh.node_count(), Vec<dim>::Zero()),
-      acceleration(mesh.node_count(), Vec<dim>::Zero()), moved_velocity(mesh.node_count(), Vec<dim>::Zero()), dilation(mesh.node_count(), 0),
+      velocity(mesh.node_count(), Vec<dim>::Zero()),
+      acceleration(mesh.node_count(), Vec<dim>::Zero()), moved_velocity(mesh.node_count(), Vec<dim>::Zero()),
       touching(mesh.node_count(), 0)
 {
   nodes.reserve(mesh.node_count());

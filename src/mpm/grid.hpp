@@ -47,12 +47,10 @@ struct BodyGrid {
   std::vector<Vec<dim>> corner_momentum;      ///< after step 5, kg m/s
   CellField<Real> volume_change;              ///< sum V times div(v) dt of the cell
 
-  NodeField<Real> mass, volume;
-  NodeField<Real> pressure;                   ///< volume average of the cells' mean stress, Pa
+  NodeField<Real> mass;
   NodeField<Vec<dim>> velocity;               ///< v^t
   NodeField<Vec<dim>> acceleration;           ///< corrected, step 4
   NodeField<Vec<dim>> moved_velocity;         ///< v^(t+1) of steps 7 and 8: moves and strains the particles
-  NodeField<Real> dilation;                   ///< volume average of the cells' volumetric strain increment
   NodeField<std::uint8_t> touching;           ///< 1: near a contact; damping leaves it alone
 
   std::vector<Index> nodes;                   ///< that have a cell with particles, ascending

@@ -129,9 +129,13 @@ void move_and_strain_with(const Law& law, const Model<dim>& model, State<dim>& s
     const LinearField<dim> acceleration(shape, nodes, grid.acceleration), velocity(shape, nodes, grid.moved_velocity);
     CellStrain<dim> cell_strain(velocity, dt);
     if (model.mpm.volumetric_projection) {
-      Real projected = 0;
-      for (Index node : nodes) projected += grid.dilation[node];
-      cell_strain.project(projected / (dim + 1));
+      Real volume = 0, change = 0;
+      for (Index member : model.patches[cell]) {
+        if (member == none) break;
+        volume += grid.moments[member].volume;
+        change += grid.volume_change[member];
+      }
+      cell_strain.project(change / volume);
     }
     const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
     SymTensor<dim, Lanes> strain;

@@ -73,7 +73,8 @@ void correct_accelerations(const Model<dim>& model, State<dim>& state, Work<dim>
       }
       state.totals.contact_impulse += impulse;
       state.totals.external += impulse.dot(rigid.velocity);
-      state.totals.friction -= impulse.dot(relative + 0.5 * change);
+      const Vec<dim> mid_velocity = grid.velocity[c.node] + 0.5 * dt * grid.acceleration[c.node];
+      state.totals.friction -= impulse.dot(mid_velocity - rigid.velocity);
     }
   }
 }

@@ -34,7 +34,7 @@ void step(const Model<dim>& model, State<dim>& state, Work<dim>& work)
   correct_velocities(model, state, work);                                                  // 8: (8)-(13) again
 
   for (Index b = 0; b < bodies; ++b) {
-    if (model.mpm.volumetric_projection) project_dilation(model.mesh, state.particles[b], state.dt, work.grids[b]);
+    if (model.mpm.volumetric_projection) sum_volume_changes(model.mesh, state.particles[b], state.dt, work.grids[b]);
     move_and_strain(model, state, work, b);                                                // 5, 9-11: (14), (19)-(23)
     change_cells(model, state, work, b);
   }

@@ -86,16 +86,12 @@ void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid)
     for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) {
       const CornerSums<dim>& corner = grid.corner_sums[mesh.entries[e]];
       total.mass += corner.mass;
-      total.volume += corner.volume;
-      total.volume_pressure += corner.volume_pressure;
       for (int d = 0; d < dim; ++d) total.momentum[d] += corner.momentum[d];
     }
     // A node that only particles on the opposite faces see has a mass of round-off, which must not be divided by.
     if (!(total.mass > 0)) total.mass = 0;
     const Real per_mass = total.mass > 0 ? 1 / total.mass : 0;
     grid.mass[i] = total.mass;
-    grid.volume[i] = total.volume;
-    grid.pressure[i] = total.volume_pressure / total.volume;
     for (int d = 0; d < dim; ++d) grid.velocity[i][d] = total.momentum[d] * per_mass;
   });
 }
@@ -111,8 +107,14 @@ void spread_internal_forces(const Model<dim>& model, const Particles<dim>& parti
     const Moments<dim>& t = grid.moments[cell];
     Real change = 0;  // of volume times mean stress
     if (project) {
-      for (Index node : mesh.nodes[cell]) change += grid.pressure[node];
-      change = change / (dim + 1) * t.volume - grid.corner_sums[(dim + 1) * cell].volume_pressure;
+      Real volume = 0, volume_pressure = 0;
+      for (Index member : model.patches[cell]) {
+        if (member == none) break;
+        const CornerSums<dim>& sums = grid.corner_sums[(dim + 1) * member];
+        volume += sums.volume;
+        volume_pressure += sums.volume_pressure;
+      }
+      change = volume_pressure / volume * t.volume - grid.corner_sums[(dim + 1) * cell].volume_pressure;
     }
     Matrix<dim> stress;
     for (int a = 0; a < dim; ++a)
@@ -166,7 +168,7 @@ void gather_new_velocities(const Model<dim>& model, BodyGrid<dim>& grid)
 }
 
 template <int dim>
-void project_dilation(const Mesh<dim>& mesh, const Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
+void sum_volume_changes(const Mesh<dim>& mesh, const Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
   const auto& occupied = particles.occupied();
   for_each("volume change of cells", static_cast<Index>(occupied.size()), [&](Index c) {
@@ -174,12 +176,6 @@ void project_dilation(const Mesh<dim>& mesh, const Particles<dim>& particles, Re
     Real divergence = 0;
     for (int k = 0; k <= dim; ++k) divergence += mesh.shape[cell].gradient(k).dot(grid.moved_velocity[mesh.nodes[cell][k]]);
     grid.volume_change[cell] = grid.moments[cell].volume * divergence * dt;
-  });
-  for_each("dilation of nodes", static_cast<Index>(grid.nodes.size()), [&](Index n) {
-    const Index i = grid.nodes[n];
-    Real change = 0;
-    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) change += grid.volume_change[mesh.entries[e] / (dim + 1)];
-    grid.dilation[i] = change / grid.volume[i];
   });
 }
 
@@ -189,7 +185,7 @@ void project_dilation(const Mesh<dim>& mesh, const Particles<dim>& particles, Re
   template void spread_internal_forces(const Model<dim>&, const Particles<dim>&, BodyGrid<dim>&);      \
   template void spread_new_momentum(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);    \
   template void gather_new_velocities(const Model<dim>&, BodyGrid<dim>&);                              \
-  template void project_dilation(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);
+  template void sum_volume_changes(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

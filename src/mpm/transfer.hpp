@@ -9,12 +9,12 @@ namespace berm {
 template <int dim>
 void sum_moments(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid<dim>& grid);
 
-/// Step 1: nodes gather mass, velocity v = momentum / mass, particle volume and volume-averaged mean stress from their cells, always in the same order.
+/// Step 1: nodes gather mass and velocity v = momentum / mass from their cells, always in the same order.
 template <int dim>
 void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid);
 
 /// Step 1, equation 2: the internal force of each cell on its corners, -sum V sigma grad N. With the volumetric projection the cell's mean stress is
-/// first replaced by the mean of its nodes' (volume-averaged) mean stress: the transpose of what project_dilation does to the strain.
+/// first replaced by the volume average over its patch: the same average that the strain gets, so that strain and force stay conjugate.
 template <int dim>
 void spread_internal_forces(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid);
 
@@ -27,8 +27,8 @@ void spread_new_momentum(const Mesh<dim>& mesh, const Particles<dim>& particles,
 template <int dim>
 void gather_new_velocities(const Model<dim>& model, BodyGrid<dim>& grid);
 
-/// The volumetric strain increment of each node: the volume average of its cells'. A cell then strains by the mean of its corners'.
+/// The volume change sum V div(v) dt of each cell, for the projection.
 template <int dim>
-void project_dilation(const Mesh<dim>& mesh, const Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
+void sum_volume_changes(const Mesh<dim>& mesh, const Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
 
 }  // namespace berm

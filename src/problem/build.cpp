@@ -67,6 +67,7 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
   Model<dim>& model = problem.model;
   State<dim>& state = problem.state;
   model.mesh = make_mesh<dim>(c.mesh, case_folder, work_folder);
+  model.patches = make_patches(model.mesh, dim == 2 ? 1 : 2);
   model.gravity = Vec<dim>::Zero();
   for (int d = 0; d < dim && !c.gravity.empty(); ++d) model.gravity[d] = c.gravity[d];
   model.gravity_ramp = c.gravity_ramp;

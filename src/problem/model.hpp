@@ -3,6 +3,7 @@
 
 #include "bodies/particles.hpp"
 #include "bodies/rigid.hpp"
+#include "mesh/patches.hpp"
 #include "problem/case.hpp"
 
 namespace berm {
@@ -36,6 +37,7 @@ struct Watch {
 template <int dim>
 struct Model {
   Mesh<dim> mesh;
+  CellField<Patch> patches;       ///< that share one volume change (volumetric projection)
   std::vector<Body<dim>> bodies;
   std::vector<Rigid<dim>> rigids;
   std::vector<Contact> contacts;

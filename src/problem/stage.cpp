@@ -23,6 +23,8 @@ void describe(Describe& d, StageSettings& stage)
            {.meaning = "in a drag: hold the vertical force of the stage's begin, or do not move vertically"});
   d.value("vertical_force", stage.vertical_force, {.meaning = "in a drag: downward force, instead of the one held", .unit = "N/m"});
   d.value("ramp", stage.ramp, {.meaning = "time in which the drive goes from what it was to its value", .unit = "s", .range = not_negative});
+  d.value("damping", stage.damping,
+          {.meaning = "local damping of all bodies in this stage, instead of their own; a geostatic stage likes 0.7", .range = {0, 1}});
   d.table("until", stage.until, {.meaning = "the stage ends at the first of these that is reached"});
   d.value("equilibrium", stage.equilibrium,
           {.meaning = "geostatic: largest out-of-balance force, over the weight, that is called equilibrium", .range = positive});

@@ -37,6 +37,7 @@ struct StageSettings {
   Vertical vertical = Vertical::hold;
   std::optional<Real> vertical_force;  ///< N/m downwards in a drag, instead of the one held
   Real ramp = 0;                  ///< s, time in which the drive goes from what it was to its value; 0 = at once
+  std::optional<Real> damping;    ///< local damping of all bodies in this stage, instead of their own
   Until until;
   Real equilibrium = 0.01;        ///< geostatic: largest out-of-balance force over the weight that is accepted
 };
