@@ -3,7 +3,6 @@
 #
 #   berm_folder(NAME [ENGINE] [USES folder...] [LINKS library...])
 #   berm_engine()            links all ENGINE folders into libberm_engine.so, once for every vector unit
-#   berm_finds_engine(EXE)   lets a program find the engine beside itself
 
 set(BERM_UNITS baseline)
 if(BERM_VECTOR_UNITS AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND NOT BERM_SANITIZE)
@@ -70,8 +69,4 @@ function(berm_engine)
       add_dependencies(berm_engine_baseline berm_engine_${unit})
     endif()
   endforeach()
-endfunction()
-
-function(berm_finds_engine program)
-  set_target_properties(${program} PROPERTIES BUILD_RPATH ${CMAKE_BINARY_DIR}/lib INSTALL_RPATH "$ORIGIN/lib")
 endfunction()

@@ -23,14 +23,17 @@ void describe(Describe& d, BodySettings& body)
   d.value("material", body.material, {.meaning = "name of its [material.NAME]", .required = true});
   d.value("regions", body.regions, {.meaning = "regions of the mesh that it fills at the start"});
   d.value("particles_per_cell", body.particles_per_cell,
-          {.meaning = "particles a cell at the start: 1, 4, 9, 16 ... in triangles, 1, 8, 27 ... in tetrahedra; 0 = 9 or 8", .range = {0, 400}});
+          {.meaning = "particles a cell at the start: 1, 4, 9, 16 ... in triangles, 1, 8, 27 ... in tetrahedra; 0 = 9 or 8",
+           .range = {0, 400}});
   d.value("region_particles_per_cell", body.region_particles_per_cell,
           {.meaning = "particles a cell in single regions, by the region's name", .range = {1, 400}});
   d.optional_table("block", body.block, {.meaning = "a block of particles on a lattice of its own, instead of regions"});
-  d.value("damping", body.damping, {.meaning = "local damping: part of a node's unbalanced force that opposes its velocity", .range = {0, 1}});
+  d.value("damping", body.damping,
+          {.meaning = "local damping: part of a node's unbalanced force that opposes its velocity", .range = {0, 1}});
   d.value("region_damping", body.region_damping, {.meaning = "local damping in single regions, by the region's name", .range = {0, 1}});
   d.value("k0", body.k0,
-          {.meaning = "stress at the start is that of a flat bed below `surface`: horizontal over vertical stress; absent = no stress", .range = {0, 5}});
+          {.meaning = "stress at the start is that of a flat bed below `surface`: horizontal over vertical stress; absent = no stress",
+           .range = {0, 5}});
   d.optional_table("initial_velocity", body.initial_velocity, {.meaning = "motion at the start"});
 }
 

@@ -21,13 +21,13 @@ struct InitialVelocity {
 /// A deformable body as the user gives it: what it is made of and which part of the mesh it fills at the start.
 struct BodySettings {
   std::string material;
-  std::vector<std::string> regions;                  ///< of the mesh, filled cell by cell
-  int particles_per_cell = 0;                        ///< n^dim; 0 = 9 in triangles, 8 in tetrahedra
+  std::vector<std::string> regions;  ///< of the mesh, filled cell by cell
+  int particles_per_cell = 0;        ///< n^dim; 0 = 9 in triangles, 8 in tetrahedra
   std::map<std::string, int> region_particles_per_cell;
-  std::optional<BlockSettings> block;                        ///< instead of regions
-  Real damping = 0;                                  ///< local damping factor
+  std::optional<BlockSettings> block;  ///< instead of regions
+  Real damping = 0;                    ///< local damping factor
   std::map<std::string, Real> region_damping;
-  std::optional<Real> k0;                            ///< horizontal over vertical stress at the start; absent: no stress at the start
+  std::optional<Real> k0;  ///< horizontal over vertical stress at the start; absent: no stress at the start
   std::optional<InitialVelocity> initial_velocity;
 };
 

@@ -31,7 +31,8 @@ std::vector<Seed<dim>> seeds_in_regions(const Mesh<dim>& mesh, const std::string
   for (const std::string& region : body.regions) {
     const Index r = mesh.find_region(region);
     if (r == none)
-      throw InputError(fmt::format("body.{}.regions: the mesh has no region \"{}\"; it has {}", name, region, fmt::join(mesh.region_names, ", ")));
+      throw InputError(
+          fmt::format("body.{}.regions: the mesh has no region \"{}\"; it has {}", name, region, fmt::join(mesh.region_names, ", ")));
     const auto special = body.region_particles_per_cell.find(region);
     sides[r] = per_side<dim>(special == body.region_particles_per_cell.end() ? body.particles_per_cell : special->second);
   }
@@ -74,7 +75,8 @@ std::vector<Seed<dim>> seeds_in_block(const Mesh<dim>& mesh, const std::string& 
         for (int d = 0; d < dim; ++d) local[d] = (place[d] + 0.5 - 0.5 * count[d]) * spacing[d];
         const Vec<dim> x = center + axes * local;
         const Location location = locate(mesh, x, cell);
-        if (!location.inside) throw InputError(fmt::format("body.{}.block: the block leaves the mesh at ({})", name, fmt::join(x.begin(), x.end(), ", ")));
+        if (!location.inside)
+          throw InputError(fmt::format("body.{}.block: the block leaves the mesh at ({})", name, fmt::join(x.begin(), x.end(), ", ")));
         cell = location.cell;
         seeds.push_back({x, cell, spacing.prod()});
       }
@@ -127,7 +129,8 @@ Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySe
 {
   const auto seeds = body.block ? seeds_in_block(mesh, name, *body.block) : seeds_in_regions(mesh, name, body);
   if (seeds.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max() / 2))
-    throw InputError(fmt::format("body.{}: {} particles are too many; {} can be numbered", name, seeds.size(), std::numeric_limits<Index>::max() / 2));
+    throw InputError(
+        fmt::format("body.{}: {} particles are too many; {} can be numbered", name, seeds.size(), std::numeric_limits<Index>::max() / 2));
   Particles<dim> particles(mesh, static_cast<Index>(seeds.size()), start.state_size);
   std::int32_t id = 0;
   for (const Seed<dim>& seed : seeds) {

@@ -7,7 +7,9 @@ namespace berm {
 
 template <int dim>
 Particles<dim>::Particles(const Mesh<dim>& mesh, Index most, int state_size)
-    : head_(mesh.cell_count(), none), count_(mesh.cell_count(), 0), state_size_(state_size)
+    : head_(mesh.cell_count(), none),
+      count_(mesh.cell_count(), 0),
+      state_size_(state_size)
 {
   // A cell wastes less than one block, so this many blocks are never exceeded.
   const std::size_t most_blocks = static_cast<std::size_t>(most / lanes) + std::min(most, mesh.cell_count()) + 1;

@@ -11,14 +11,14 @@ namespace berm {
 /// Eight particles of one cell. Lanes beyond the cell's count hold no particle: mass, volume and stress zero, a finite position.
 template <int dim>
 struct alignas(64) Block {
-  Lanes x[dim];                     ///< position, m
-  Lanes v[dim];                     ///< velocity, m/s
-  Lanes stress[tensor_size<dim>];   ///< Pa, tension positive; components as in SymTensor
-  Lanes volume;                     ///< m2 (per metre run) or m3
-  Lanes mass;                       ///< kg/m or kg
-  Lanes deviatoric_strain;          ///< accumulated equivalent deviatoric strain
-  std::int32_t id[lanes];           ///< 0 ... count - 1, kept for life
-  Index next;                       ///< the cell's next block, or none
+  Lanes x[dim];                    ///< position, m
+  Lanes v[dim];                    ///< velocity, m/s
+  Lanes stress[tensor_size<dim>];  ///< Pa, tension positive; components as in SymTensor
+  Lanes volume;                    ///< m2 (per metre run) or m3
+  Lanes mass;                      ///< kg/m or kg
+  Lanes deviatoric_strain;         ///< accumulated equivalent deviatoric strain
+  std::int32_t id[lanes];          ///< 0 ... count - 1, kept for life
+  Index next;                      ///< the cell's next block, or none
 };
 
 /// One particle on its own: on its way from one cell to another, or read for output.

@@ -109,14 +109,14 @@ Real width_of(const RigidShape<dim>& shape)
   return 0;
 }
 
-#define BERM_INSTANTIATE(dim)                                                              \
-  template RigidShape<dim> make_shape<dim>(const RigidShapeSettings&);                     \
-  template SurfacePoint<dim> surface_at<dim>(const Circle<dim>&, const Vec<dim>&);         \
-  template SurfacePoint<dim> surface_at<dim>(const HalfPlane<dim>&, const Vec<dim>&);      \
-  template SurfacePoint<dim> surface_at<dim>(const Box<dim>&, const Vec<dim>&);            \
-  template RigidShape<dim> moved<dim>(const RigidShape<dim>&, const Vec<dim>&);            \
-  template Vec<dim> center_of<dim>(const RigidShape<dim>&);                                \
-  template Real lowest_level<dim>(const RigidShape<dim>&);                                 \
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template RigidShape<dim> make_shape<dim>(const RigidShapeSettings&);                                                                     \
+  template SurfacePoint<dim> surface_at<dim>(const Circle<dim>&, const Vec<dim>&);                                                         \
+  template SurfacePoint<dim> surface_at<dim>(const HalfPlane<dim>&, const Vec<dim>&);                                                      \
+  template SurfacePoint<dim> surface_at<dim>(const Box<dim>&, const Vec<dim>&);                                                            \
+  template RigidShape<dim> moved<dim>(const RigidShape<dim>&, const Vec<dim>&);                                                            \
+  template Vec<dim> center_of<dim>(const RigidShape<dim>&);                                                                                \
+  template Real lowest_level<dim>(const RigidShape<dim>&);                                                                                 \
   template Real width_of<dim>(const RigidShape<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

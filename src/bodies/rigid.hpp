@@ -4,14 +4,13 @@
 #include "bodies/rigid_settings.hpp"
 #include "core/numbers.hpp"
 
-
 namespace berm {
 
 /// Distance and normal of a rigid surface as seen from a point.
 template <int dim>
 struct SurfacePoint {
-  Real distance;     ///< m, negative inside the rigid body
-  Vec<dim> normal;   ///< unit vector out of the rigid body
+  Real distance;    ///< m, negative inside the rigid body
+  Vec<dim> normal;  ///< unit vector out of the rigid body
 };
 
 template <int dim>
@@ -74,15 +73,16 @@ struct Rigid {
 /// What changes of a rigid body.
 template <int dim>
 struct RigidState {
-  Vec<dim> displacement = Vec<dim>::Zero();  ///< since the start, m
-  Vec<dim> velocity = Vec<dim>::Zero();      ///< m/s, in force during the step
-  Vec<dim> reaction = Vec<dim>::Zero();      ///< force of the soil on it in the last step, N/m or N
+  Vec<dim> displacement = Vec<dim>::Zero();     ///< since the start, m
+  Vec<dim> velocity = Vec<dim>::Zero();         ///< m/s, in force during the step
+  Vec<dim> reaction = Vec<dim>::Zero();         ///< force of the soil on it in the last step, N/m or N
   Vec<dim> smooth_reaction = Vec<dim>::Zero();  ///< the same, averaged over about a hundred steps
-  Vec<dim> impulse = Vec<dim>::Zero();         ///< what its contacts gave to the soil since the start (step 4), N s/m or N s
-  Vec<dim> second_impulse = Vec<dim>::Zero();  ///< the same for the correction of step 8, which is no force
-  Real pressed = 0;           ///< sum of the magnitudes of all nodal impulses since the start, N s/m or N s
-  Real pressed_distance = 0;  ///< the same, each times the distance of the node's nearest particle from the surface; over pressed: the contact gap
-  Real deepest = 0;           ///< m, how far a particle was inside the body since the last row of the history
+  Vec<dim> impulse = Vec<dim>::Zero();          ///< what its contacts gave to the soil since the start (step 4), N s/m or N s
+  Vec<dim> second_impulse = Vec<dim>::Zero();   ///< the same for the correction of step 8, which is no force
+  Real pressed = 0;                             ///< sum of the magnitudes of all nodal impulses since the start, N s/m or N s
+  Real pressed_distance =
+      0;             ///< the same, each times the distance of the node's nearest particle from the surface; over pressed: the contact gap
+  Real deepest = 0;  ///< m, how far a particle was inside the body since the last row of the history
 };
 
 }  // namespace berm

@@ -26,7 +26,9 @@ void describe(Describe& d, RigidSettings& rigid)
 {
   d.one_of("shape", rigid.shape, {"circle", "half_plane", "box"}, {.meaning = "exact surface of the body", .required = true});
   d.value("mass", rigid.mass,
-          {.meaning = "mass per metre run (in space: mass in kg); a direction that a force drives needs it", .unit = "kg/m", .range = not_negative});
+          {.meaning = "mass per metre run (in space: mass in kg); a direction that a force drives needs it",
+           .unit = "kg/m",
+           .range = not_negative});
 }
 
 }  // namespace berm

@@ -20,8 +20,8 @@ enum class Detection {
 /// Frictional contact between a deformable and a rigid body.
 struct ContactSettings {
   std::string body, rigid;
-  Real friction_angle = 0;   ///< rad
-  Real adhesion = 0;         ///< Pa
+  Real friction_angle = 0;  ///< rad
+  Real adhesion = 0;        ///< Pa
   Scheme scheme = Scheme::twice;
   Detection detection = Detection::gap;
   Real approach_steps = 20;  ///< T/dt: a gap closes over this many steps

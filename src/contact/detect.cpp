@@ -50,8 +50,8 @@ Real half_width(Real volume)
 }  // namespace
 
 template <int dim>
-void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<dim>& rigid, const RigidState<dim>& state, Detection detection,
-            const NodeField<Real>& mass, ContactNodes<dim>& found)
+void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<dim>& rigid, const RigidState<dim>& state,
+            Detection detection, const NodeField<Real>& mass, ContactNodes<dim>& found)
 {
   const RigidShape<dim> shape = moved<dim>(rigid.shape, state.displacement);
   find_near_cells(mesh, shape, state.displacement, found);
@@ -105,8 +105,8 @@ void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void detect(const Mesh<dim>&, const Particles<dim>&, const Rigid<dim>&, const RigidState<dim>&, Detection, const NodeField<Real>&, \
-                       ContactNodes<dim>&);
+  template void detect(const Mesh<dim>&, const Particles<dim>&, const Rigid<dim>&, const RigidState<dim>&, Detection,                      \
+                       const NodeField<Real>&, ContactNodes<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

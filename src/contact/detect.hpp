@@ -24,7 +24,7 @@ struct ContactNodes {
   Real nearest_particle = infinity;    ///< m, distance of the nearest particle from the surface, negative inside
   Real least_gap = infinity;           ///< m, least of the nodes' gaps
 
-  std::vector<Index> near_cells;       ///< cells that the surface can reach until it has moved `reach`
+  std::vector<Index> near_cells;                    ///< cells that the surface can reach until it has moved `reach`
   Vec<dim> near_at = Vec<dim>::Constant(infinity);  ///< displacement of the rigid body when near_cells was made
   Real reach = 0;
   struct CellContact {
@@ -32,15 +32,15 @@ struct ContactNodes {
     Vec<dim> normal = Vec<dim>::Zero();  ///< at the particle with the least gap
     bool cut = false;                    ///< the rigid body reaches into the cell
   };
-  std::vector<CellContact> cells;      ///< of near_cells
-  NodeField<Index> place;              ///< of a node in list, or none
+  std::vector<CellContact> cells;  ///< of near_cells
+  NodeField<Index> place;          ///< of a node in list, or none
 };
 
 /// Finds the nodes that may be in contact. With Detection::gap: the nodes of cells with particles near the surface, and for each the least gap of
 /// the particles in its cells; a particle is as wide as a square (cube) of its volume. With Detection::overlap: each node of a cell that the rigid
 /// body reaches into, with gap 0. Nodes without mass are left out.
 template <int dim>
-void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<dim>& rigid, const RigidState<dim>& state, Detection detection,
-            const NodeField<Real>& mass, ContactNodes<dim>& found);
+void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<dim>& rigid, const RigidState<dim>& state,
+            Detection detection, const NodeField<Real>& mass, ContactNodes<dim>& found);
 
 }  // namespace berm

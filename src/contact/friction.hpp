@@ -7,9 +7,9 @@ namespace berm {
 
 /// How fast two surfaces may still approach each other, and what the interface can carry along it.
 struct Interface {
-  Real friction;         ///< coefficient mu
-  Real adhesion_speed;   ///< m/s: velocity change that the adhesion alone can make in this step
-  Real allowed_approach; ///< m/s: max(0, gap) / T
+  Real friction;          ///< coefficient mu
+  Real adhesion_speed;    ///< m/s: velocity change that the adhesion alone can make in this step
+  Real allowed_approach;  ///< m/s: max(0, gap) / T
 };
 
 /// The change of velocity that keeps a point with velocity `relative` to a rigid surface from approaching it faster than allowed, and that

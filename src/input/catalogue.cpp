@@ -33,7 +33,7 @@ struct TypeAndDefault {
   Pair operator()(const std::map<std::string, int>*) const { return {"whole number by name", ""}; }
 };
 
-} // namespace
+}  // namespace
 
 Listed& Lister::add(Listed::Kind kind, const char* key, const Parameter& parameter)
 {
@@ -92,4 +92,4 @@ void Lister::enter_item(const char*, int)
   levels_.push_back({&levels_.back().table->children.back(), {}});
 }
 
-} // namespace berm
+}  // namespace berm

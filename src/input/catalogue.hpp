@@ -14,21 +14,21 @@ struct Condition {
 struct Listed {
   enum class Kind {
     value,
-    word,         ///< one of `words`
-    table,        ///< [mesh]
-    named_tables, ///< [material.NAME]
-    array         ///< [[stage]]
+    word,          ///< one of `words`
+    table,         ///< [mesh]
+    named_tables,  ///< [material.NAME]
+    array          ///< [[stage]]
   };
 
   Kind kind = Kind::table;
   std::string key, meaning, unit;
-  std::string type;         ///< of a value: "number", "list of texts", ...
-  std::string default_text; ///< "" where there is none
+  std::string type;          ///< of a value: "number", "list of texts", ...
+  std::string default_text;  ///< "" where there is none
   Range range;
   bool required = false;
   std::vector<std::string> words;
   std::vector<Condition> conditions;
-  std::vector<Listed> children; ///< of tables
+  std::vector<Listed> children;  ///< of tables
 };
 
 /// Visits a struct and lists all of its parameters, those of every alternative included.
@@ -65,7 +65,8 @@ private:
 };
 
 /// All parameters of a struct. describe(Describe&, T&) must not depend on values.
-template <class T> Listed catalogue_of()
+template <class T>
+Listed catalogue_of()
 {
   T all{};
   Lister lister;
@@ -73,4 +74,4 @@ template <class T> Listed catalogue_of()
   return lister.root();
 }
 
-} // namespace berm
+}  // namespace berm

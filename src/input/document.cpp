@@ -13,8 +13,8 @@ struct TomlStumbled {};
 {
   throw TomlStumbled();
 }
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm
 #include <cstdint>
 #include <toml++/impl/preprocessor.h>
 // A letter such as é where a space could stand makes toml++ 3.3 reach a place that it takes for unreachable; the answer there is "no space".
@@ -138,7 +138,7 @@ int line_of_stumble(const std::string& text)
   throw InputError(one_line(fmt::format("{}:{}: {}", file, std::max<std::size_t>(line, 1), message)));
 }
 
-} // namespace
+}  // namespace
 
 Document parse_file(const std::filesystem::path& file)
 {
@@ -233,4 +233,4 @@ void refuse(const Document& document, const Node& node, const std::string& path,
   throw InputError(one_line(place + ": " + (path.empty() || repeats ? "" : path + ": ") + message));
 }
 
-} // namespace berm
+}  // namespace berm

@@ -15,16 +15,16 @@ struct Node {
   enum class Kind { boolean, whole, number, text, date, array, table };
 
   Kind kind = Kind::table;
-  std::string key;         ///< in the table that it belongs to; empty in an array
-  bool truth = false;      ///< boolean
-  std::int64_t whole = 0;  ///< whole
-  Real number = 0;         ///< number
-  std::string text;        ///< text
-  std::vector<Node> items; ///< of an array in their order; of a table in the order of the file
+  std::string key;          ///< in the table that it belongs to; empty in an array
+  bool truth = false;       ///< boolean
+  std::int64_t whole = 0;   ///< whole
+  Real number = 0;          ///< number
+  std::string text;         ///< text
+  std::vector<Node> items;  ///< of an array in their order; of a table in the order of the file
   int line = 0, column = 0;
-  std::string override_key; ///< the KEY of `--set KEY=VALUE` that made it; empty where the file did
-  bool implied = false;     ///< a table that an override went through and that the file does not have
-  bool used = false;        ///< somebody read it
+  std::string override_key;  ///< the KEY of `--set KEY=VALUE` that made it; empty where the file did
+  bool implied = false;      ///< a table that an override went through and that the file does not have
+  bool used = false;         ///< somebody read it
 };
 
 /// An input file as it was written.
@@ -55,4 +55,4 @@ std::string kind_of(const Node& node);
 /// Throws InputError "FILE:LINE: PATH: MESSAGE", with "--set KEY" instead of FILE:LINE where an override made the node.
 [[noreturn]] void refuse(const Document& document, const Node& node, const std::string& path, const std::string& message);
 
-} // namespace berm
+}  // namespace berm

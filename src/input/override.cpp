@@ -63,7 +63,7 @@ Node& item_named(Node& array, const std::string& part, const std::string& path, 
   refuse_override(key, fmt::format("there is no {} named {}{}", path, in_quotes(part), suggestion(part, names)));
 }
 
-} // namespace
+}  // namespace
 
 void apply_override(Document& document, const std::string& key_and_value)
 {
@@ -102,4 +102,4 @@ void apply_override(Document& document, const std::string& key_and_value)
   *at = std::move(value);
 }
 
-} // namespace berm
+}  // namespace berm

@@ -10,4 +10,4 @@ namespace berm {
 /// Throws InputError "--set KEY: ..." where there is no key, or the path goes through something that is not there or is no table.
 void apply_override(Document& document, const std::string& key_and_value);
 
-} // namespace berm
+}  // namespace berm

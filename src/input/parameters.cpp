@@ -16,8 +16,8 @@ using Row = std::vector<std::string>;
 
 /// Rows of one table that exist under the same condition.
 struct Group {
-  std::string condition; ///< `law = "mohr_coulomb"`; "" = always
-  std::vector<Row> rows; ///< key, kind, unit, values, default, meaning
+  std::string condition;  ///< `law = "mohr_coulomb"`; "" = always
+  std::vector<Row> rows;  ///< key, kind, unit, values, default, meaning
 };
 
 struct Section {
@@ -84,7 +84,7 @@ std::string cell(const std::string& text)
   return escaped;
 }
 
-} // namespace
+}  // namespace
 
 std::string parameter_table()
 {
@@ -138,4 +138,4 @@ std::string parameter_page()
   return text;
 }
 
-} // namespace berm
+}  // namespace berm

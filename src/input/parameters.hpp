@@ -11,4 +11,4 @@ std::string parameter_table();
 /// All parameters of a case as Markdown: docs/parameters.md, for `berm params --markdown`.
 std::string parameter_page();
 
-} // namespace berm
+}  // namespace berm

@@ -15,7 +15,7 @@ Case case_of(Document document, const std::vector<std::string>& overrides)
   return read_into;
 }
 
-} // namespace
+}  // namespace
 
 Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
@@ -27,4 +27,4 @@ Case read_case_text(const std::string& file, const std::string& text, const std:
   return case_of(parse_text(file, text), overrides);
 }
 
-} // namespace berm
+}  // namespace berm

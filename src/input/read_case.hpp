@@ -14,4 +14,4 @@ Case read_case(const std::filesystem::path& file, const std::vector<std::string>
 /// As above, of a text; `file` is for the messages.
 Case read_case_text(const std::string& file, const std::string& text, const std::vector<std::string>& overrides = {});
 
-} // namespace berm
+}  // namespace berm

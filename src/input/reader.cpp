@@ -43,10 +43,10 @@ std::string hint(const Describe::Leaf& variable, const Parameter& parameter)
 
 /// Where a path of Describe::check leads.
 struct Found {
-  const Node* node; ///< the last node on the path that exists
-  bool whole;       ///< whether that is the end of the path
-  std::string path; ///< with names for items of arrays
-  std::string last; ///< the last key of the path
+  const Node* node;  ///< the last node on the path that exists
+  bool whole;        ///< whether that is the end of the path
+  std::string path;  ///< with names for items of arrays
+  std::string last;  ///< the last key of the path
 };
 
 Found follow(const Node& root, std::string rest)
@@ -62,7 +62,7 @@ Found follow(const Node& root, std::string rest)
       rest.erase(0, std::min(rest.size(), rest.find(']') + 1));
     } else {
       const std::string key_and_more = rest.substr(rest[0] == '.' ? 1 : 0);
-      const Node* next = nullptr; // the longest key that fits, since a key may hold dots
+      const Node* next = nullptr;  // the longest key that fits, since a key may hold dots
       if (at.node->kind == Node::Kind::table)
         for (const Node& item : at.node->items)
           if (key_and_more.starts_with(item.key) && (next == nullptr || item.key.size() > next->key.size()) &&
@@ -90,7 +90,7 @@ std::string wrong_word(const Found& found, const std::vector<std::string>& allow
   return found.last;
 }
 
-} // namespace
+}  // namespace
 
 Reader::Reader(Document& document) : document_(document)
 {
@@ -227,4 +227,4 @@ void Reader::enter_item(const char* key, int item)
   step_into(&array->items[item], item_path(path_of(key), array->items[item], item));
 }
 
-} // namespace berm
+}  // namespace berm

@@ -40,7 +40,8 @@ private:
 };
 
 /// Reads a document into a struct and refuses every key that the struct does not have.
-template <class T> void read(Document& document, T& value)
+template <class T>
+void read(Document& document, T& value)
 {
   refuse_unknown_keys(document, catalogue_of<T>());
   Reader reader(document);
@@ -48,4 +49,4 @@ template <class T> void read(Document& document, T& value)
   refuse_unused_keys(document);
 }
 
-} // namespace berm
+}  // namespace berm

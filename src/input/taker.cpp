@@ -116,4 +116,4 @@ void Taker::operator()(std::map<std::string, int>* values) const
   for (const Node& item : node_.items) (*values)[item.key] = whole_number(item, path_ + "." + item.key);
 }
 
-} // namespace berm
+}  // namespace berm

@@ -42,4 +42,4 @@ private:
   const Parameter& parameter_;
 };
 
-} // namespace berm
+}  // namespace berm

@@ -127,7 +127,7 @@ std::string trimmed(const std::string& text)
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-} // namespace
+}  // namespace
 
 std::string wanted(const std::string& si_unit)
 {
@@ -165,4 +165,4 @@ Real to_si(const std::string& text, const std::string& si_unit)
   return value;
 }
 
-} // namespace berm
+}  // namespace berm

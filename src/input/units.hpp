@@ -21,4 +21,4 @@ Real to_si(const std::string& text, const std::string& si_unit);
 /// What a quantity in si_unit is, with two examples: `a length, such as "20 mm" or "0.8 m"`.
 std::string wanted(const std::string& si_unit);
 
-} // namespace berm
+}  // namespace berm

@@ -107,7 +107,7 @@ void refuse_unused(const Document& document, const Node& node, const std::string
   }
 }
 
-} // namespace
+}  // namespace
 
 void refuse_unknown_keys(const Document& document, const Listed& catalogue)
 {
@@ -119,4 +119,4 @@ void refuse_unused_keys(const Document& document)
   refuse_unused(document, document.root, "");
 }
 
-} // namespace berm
+}  // namespace berm

@@ -13,4 +13,4 @@ void refuse_unknown_keys(const Document& document, const Listed& catalogue);
 /// Throws InputError for the first key that nobody read.
 void refuse_unused_keys(const Document& document);
 
-} // namespace berm
+}  // namespace berm

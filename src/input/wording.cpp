@@ -26,7 +26,7 @@ std::string bounds(const Range& range, Real scale, const std::string& unit)
   return with_unit(text, unit);
 }
 
-} // namespace
+}  // namespace
 
 int edit_distance(const std::string& a, const std::string& b)
 {
@@ -75,7 +75,7 @@ std::string in_quotes(const std::string& text)
 {
   constexpr std::size_t most = 60;
   std::size_t end = std::min(text.size(), most);
-  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end; // not inside a UTF-8 character
+  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a UTF-8 character
   return one_line(fmt::format("\"{}{}\"", text.substr(0, end), end < text.size() ? "..." : ""));
 }
 
@@ -108,4 +108,4 @@ bool within(Real value, const Range& range)
   return above && below;
 }
 
-} // namespace berm
+}  // namespace berm

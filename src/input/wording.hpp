@@ -32,4 +32,4 @@ std::string range_text(const Range& range, const std::string& si_unit);
 
 bool within(Real value, const Range& range);
 
-} // namespace berm
+}  // namespace berm

@@ -35,7 +35,8 @@ std::string toml_number(Real value)
   return value == 0 && std::signbit(value) ? "-0.0" : fmt::format("{}", value);
 }
 
-template <class Items, class ToText> std::string enclosed(const char* begin, const Items& items, const char* end, const ToText& to_text)
+template <class Items, class ToText>
+std::string enclosed(const char* begin, const Items& items, const char* end, const ToText& to_text)
 {
   std::string text = begin;
   for (const auto& item : items) text += (text.size() == 1 ? "" : ", ") + to_text(item);
@@ -61,7 +62,7 @@ struct ToToml {
   }
 };
 
-} // namespace
+}  // namespace
 
 void Writer::leaf(const char* key, Leaf variable, const Parameter& parameter)
 {
@@ -126,4 +127,4 @@ std::string resolved_toml(const Case& settings)
   return "# The whole case: every default filled in, numbers in SI units, angles in radians.\n" + writer.text();
 }
 
-} // namespace berm
+}  // namespace berm

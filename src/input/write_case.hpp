@@ -28,8 +28,8 @@ private:
     std::string setting, comment;
   };
   struct Table {
-    std::string path;  ///< dotted, "" of the root
-    bool item = false; ///< of an array
+    std::string path;   ///< dotted, "" of the root
+    bool item = false;  ///< of an array
     std::vector<Line> lines;
     std::vector<Table> tables;
   };
@@ -44,4 +44,4 @@ private:
 /// The whole case as TOML, with every default filled in, in SI units: resolved.toml.
 std::string resolved_toml(const Case& settings);
 
-} // namespace berm
+}  // namespace berm

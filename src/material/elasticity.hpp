@@ -9,7 +9,7 @@ namespace berm {
 /// The moduli of an isotropic linear elastic solid, Pa.
 struct Elasticity {
   Real bulk = 0, shear = 0;
-  Real lame = 0; ///< K - 2G/3
+  Real lame = 0;  ///< K - 2G/3
 };
 
 /// K = E / (3 (1 - 2 nu)), G = E / (2 (1 + nu)); E in Pa, nu in [0, 0.5).
@@ -35,4 +35,4 @@ template <int dim, class T>
   for (int k = 3; k < tensor_size<dim>; ++k) stress[k] += two_shear * strain[k];
 }
 
-} // namespace berm
+}  // namespace berm

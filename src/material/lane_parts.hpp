@@ -49,4 +49,4 @@ requires(std::is_same_v<Part, LanePart>&& part_lanes < lanes) [[gnu::always_inli
   std::memcpy(reinterpret_cast<char*>(&x) + first * sizeof(Real), &part, sizeof part);
 }
 
-} // namespace berm
+}  // namespace berm

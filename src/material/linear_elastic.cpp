@@ -10,4 +10,4 @@ void describe(Describe& d, LinearElastic& law)
   d.value("poisson_ratio", law.poisson_ratio, {.meaning = "Poisson's ratio", .range = {0, 0.495}, .required = true});
 }
 
-} // namespace berm
+}  // namespace berm

@@ -10,8 +10,8 @@ namespace berm {
 struct LinearElastic {
   static constexpr int state_size = 0;
 
-  Real density = 0;       ///< kg/m3
-  Real young_modulus = 0; ///< Pa
+  Real density = 0;        ///< kg/m3
+  Real young_modulus = 0;  ///< Pa
   Real poisson_ratio = 0;
 };
 
@@ -42,4 +42,4 @@ template <int dim, class T>
   add_elastic_stress(law.elastic, stress, strain_increment);
 }
 
-} // namespace berm
+}  // namespace berm

@@ -35,4 +35,4 @@ int state_size(const Material& material)
   return std::visit([](const auto& law) { return law.state_size; }, material);
 }
 
-} // namespace berm
+}  // namespace berm

@@ -30,4 +30,4 @@ Real p_wave_modulus(const Material& material);
 /// How many numbers of its own a particle of this material keeps.
 int state_size(const Material& material);
 
-} // namespace berm
+}  // namespace berm

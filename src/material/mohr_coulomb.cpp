@@ -70,7 +70,7 @@ Real yield_value(const PreparedMohrCoulomb& law, Real s1, Real s3)
   return std::max(law.weight_1 * s1 - law.weight_3 * s3 - law.strength, s1 - law.tension);
 }
 
-} // namespace
+}  // namespace
 
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<2>& stress)
 {
@@ -94,4 +94,4 @@ void return_one_to_surface(const PreparedMohrCoulomb& law, SymTensor<3>& stress,
   stress = tensor_from({s.s1, s.s2, s.s3}, axes.direction);
 }
 
-} // namespace berm
+}  // namespace berm

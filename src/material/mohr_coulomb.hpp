@@ -27,13 +27,13 @@ namespace berm {
 struct MohrCoulomb {
   static constexpr int state_size = 1;
 
-  Real density = 0;       ///< kg/m3
-  Real young_modulus = 0; ///< Pa
+  Real density = 0;        ///< kg/m3
+  Real young_modulus = 0;  ///< Pa
   Real poisson_ratio = 0;
-  Real cohesion = 0;                  ///< Pa
-  Real friction_angle = 0;            ///< rad
-  Real dilation_angle = 0;            ///< rad
-  std::optional<Real> tension_cutoff; ///< Pa; absent, or above the apex c cot(phi): the cone alone
+  Real cohesion = 0;                   ///< Pa
+  Real friction_angle = 0;             ///< rad
+  Real dilation_angle = 0;             ///< rad
+  std::optional<Real> tension_cutoff;  ///< Pa; absent, or above the apex c cot(phi): the cone alone
   Real most_opening = 0.2;
 };
 
@@ -96,4 +96,4 @@ template <int dim, class T>
   }
 }
 
-} // namespace berm
+}  // namespace berm

@@ -13,31 +13,33 @@ struct PreparedMohrCoulomb {
   static constexpr int state_size = 1;
 
   Elasticity elastic;
-  Real weight_1 = 0, weight_3 = 0; ///< (1 + sin phi)/2, (1 - sin phi)/2
-  Real strength = 0;               ///< c cos phi, Pa
-  Real tension = infinity;         ///< of the cut-off, Pa; infinity where the cone ends below it
-  Real cone_apex = infinity;       ///< c cot phi, Pa
-  Real apex = infinity;            ///< the largest possible mean stress, Pa
-  Real most_opening = 0;           ///< 0 also where there is no apex
+  Real weight_1 = 0, weight_3 = 0;  ///< (1 + sin phi)/2, (1 - sin phi)/2
+  Real strength = 0;                ///< c cos phi, Pa
+  Real tension = infinity;          ///< of the cut-off, Pa; infinity where the cone ends below it
+  Real cone_apex = infinity;        ///< c cot phi, Pa
+  Real apex = infinity;             ///< the largest possible mean stress, Pa
+  Real most_opening = 0;            ///< 0 also where there is no apex
 
-  Real drop_1 = 0, drop_2 = 0, drop_3 = 0;      ///< C m, Pa
-  Real drop_high = 0, drop_low = 0;             ///< means of drop_1 and drop_2, of drop_2 and drop_3
-  Real per_face = 0, per_high = 0, per_low = 0; ///< amount of flow per Pa of f: on the face, on the edges s1 = s2 and s2 = s3
-  Real cut_3 = 0;                               ///< s3 where the face meets the cut-off s1 = tension, Pa
-  Real pull_one = 0, pull_two = 0;              ///< fall of the other principal stresses per Pa of the one or two that are cut
-  Real line_1 = 0, line_3 = 0;                  ///< fall of s2 per Pa of s1 and of s3 on the line where face and cut-off meet
-  Real inner_cone = 1;                          ///< sqrt(1 + sin2 phi / 3): f <= inner_cone sqrt(J2) + p sin phi - strength
+  Real drop_1 = 0, drop_2 = 0, drop_3 = 0;       ///< C m, Pa
+  Real drop_high = 0, drop_low = 0;              ///< means of drop_1 and drop_2, of drop_2 and drop_3
+  Real per_face = 0, per_high = 0, per_low = 0;  ///< amount of flow per Pa of f: on the face, on the edges s1 = s2 and s2 = s3
+  Real cut_3 = 0;                                ///< s3 where the face meets the cut-off s1 = tension, Pa
+  Real pull_one = 0, pull_two = 0;               ///< fall of the other principal stresses per Pa of the one or two that are cut
+  Real line_1 = 0, line_3 = 0;                   ///< fall of s2 per Pa of s1 and of s3 on the line where face and cut-off meet
+  Real inner_cone = 1;                           ///< sqrt(1 + sin2 phi / 3): f <= inner_cone sqrt(J2) + p sin phi - strength
 };
 
 /// Principal stresses, s1 >= s2 >= s3, Pa.
-template <class T> struct Principal {
+template <class T>
+struct Principal {
   T s1, s2, s3;
 };
 
 /// Returns principal trial stresses to the surface and gives the volumetric plastic strain of returns that end at the apex, 0 elsewhere.
 /// Stresses on or inside the surface stay as they are. Without branches over the lanes: face, the two edges and the apex of the cone; then, where
 /// a tension above the cut-off remains, the cut-off's planes and their meeting with the cone.
-template <class T> [[gnu::always_inline]] inline T return_principal(const PreparedMohrCoulomb& law, Principal<T>& s)
+template <class T>
+[[gnu::always_inline]] inline T return_principal(const PreparedMohrCoulomb& law, Principal<T>& s)
 {
   using Mask = decltype(T{} < T{});
   const T s1 = s.s1, s2 = s.s2, s3 = s.s3;
@@ -95,7 +97,8 @@ template <class T> [[gnu::always_inline]] inline T return_principal(const Prepar
 }
 
 /// Returns a trial stress of plane strain to the surface; what opens at the apex is added to the opening.
-template <class T> [[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, SymTensor<2, T>& stress, T& opening)
+template <class T>
+[[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, SymTensor<2, T>& stress, T& opening)
 {
   using Mask = decltype(T{} < T{});
   const T mean = (stress[0] + stress[1]) * 0.5, half = (stress[0] - stress[1]) * 0.5, z = stress[2];
@@ -126,14 +129,15 @@ void return_one_to_surface(const PreparedMohrCoulomb& law, SymTensor<3>& stress,
 
 /// Returns a trial stress in space to the surface. The check for all lanes takes the cone inside the pyramid that touches its faces, and needs no principal
 /// stress; what fails it is treated one particle at a time.
-template <class T> [[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, SymTensor<3, T>& stress, T& opening)
+template <class T>
+[[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, SymTensor<3, T>& stress, T& opening)
 {
   const T mean = trace(stress) * (1. / 3);
   SymTensor<3, T> deviator = stress;
   for (int k = 0; k < 3; ++k) deviator[k] -= mean;
   const T size = square_root(double_dot(deviator, deviator) * 0.5);
   const auto outside = (law.inner_cone * size + (law.weight_1 - law.weight_3) * mean - law.strength > T{}) |
-                       (mean + 1.1547005383792517 * size > law.tension); // 2/sqrt(3): s1 <= p + 2/sqrt(3) sqrt(J2)
+                       (mean + 1.1547005383792517 * size > law.tension);  // 2/sqrt(3): s1 <= p + 2/sqrt(3) sqrt(J2)
   if (!any(outside)) [[likely]]
     return;
   if constexpr (std::is_same_v<T, Real>) {
@@ -151,4 +155,4 @@ template <class T> [[gnu::always_inline]] inline void return_to_surface(const Pr
   }
 }
 
-} // namespace berm
+}  // namespace berm

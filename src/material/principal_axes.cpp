@@ -26,7 +26,7 @@ void rotate(Matrix<3>& a, Matrix<3>& axes, int i, int j)
   axes.col(j) = s * axis_i + c * axis_j;
 }
 
-} // namespace
+}  // namespace
 
 PrincipalAxes principal_axes(const SymTensor<3>& tensor)
 {
@@ -65,4 +65,4 @@ SymTensor<3> tensor_from(const std::array<Real, 3>& value, const std::array<Vec<
   return a;
 }
 
-} // namespace berm
+}  // namespace berm

@@ -19,4 +19,4 @@ PrincipalAxes principal_axes(const SymTensor<3>& a);
 /// sum_k value[k] direction[k] direction[k]^T.
 SymTensor<3> tensor_from(const std::array<Real, 3>& value, const std::array<Vec<3>, 3>& direction);
 
-} // namespace berm
+}  // namespace berm

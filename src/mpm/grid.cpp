@@ -7,10 +7,15 @@ namespace berm {
 
 template <int dim>
 BodyGrid<dim>::BodyGrid(const Mesh<dim>& mesh)
-    : moments(mesh.cell_count()), corner_sums(mesh.entries.size(), CornerSums<dim>{}), corner_force(mesh.entries.size(), Vec<dim>::Zero()),
-      corner_momentum(mesh.entries.size(), Vec<dim>::Zero()), volume_change(mesh.cell_count(), 0), mass(mesh.node_count(), 0),
+    : moments(mesh.cell_count()),
+      corner_sums(mesh.entries.size(), CornerSums<dim>{}),
+      corner_force(mesh.entries.size(), Vec<dim>::Zero()),
+      corner_momentum(mesh.entries.size(), Vec<dim>::Zero()),
+      volume_change(mesh.cell_count(), 0),
+      mass(mesh.node_count(), 0),
       velocity(mesh.node_count(), Vec<dim>::Zero()),
-      acceleration(mesh.node_count(), Vec<dim>::Zero()), moved_velocity(mesh.node_count(), Vec<dim>::Zero()),
+      acceleration(mesh.node_count(), Vec<dim>::Zero()),
+      moved_velocity(mesh.node_count(), Vec<dim>::Zero()),
       touching(mesh.node_count(), 0)
 {
   nodes.reserve(mesh.node_count());
@@ -28,7 +33,8 @@ void find_nodes(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid
 }
 
 template <int dim>
-Work<dim>::Work(const Model<dim>& model, const State<dim>& state) : contact_nodes(model.contacts.size()), movers(omp_get_max_threads())
+Work<dim>::Work(const Model<dim>& model, const State<dim>& state) : contact_nodes(model.contacts.size()),
+                                                                    movers(omp_get_max_threads())
 {
   std::size_t most = 0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {

@@ -14,13 +14,13 @@ template <int dim>
 struct Moments {
   static constexpr int pairs = dim * (dim + 1) / 2;
 
-  Real m = 0;                   ///< sum m, kg
-  Real mx[dim] = {};            ///< sum m x
-  Real mxx[pairs] = {};         ///< sum m x_a x_b, place pair(a, b)
-  Real mv[dim] = {};            ///< sum m v
-  Real mvx[dim][dim] = {};      ///< [d][a]: sum m v_d x_a
-  Real volume = 0;              ///< sum V
-  Real stress[pairs] = {};      ///< sum V sigma_ab, place pair(a, b), N m
+  Real m = 0;               ///< sum m, kg
+  Real mx[dim] = {};        ///< sum m x
+  Real mxx[pairs] = {};     ///< sum m x_a x_b, place pair(a, b)
+  Real mv[dim] = {};        ///< sum m v
+  Real mvx[dim][dim] = {};  ///< [d][a]: sum m v_d x_a
+  Real volume = 0;          ///< sum V
+  Real stress[pairs] = {};  ///< sum V sigma_ab, place pair(a, b), N m
 
   static constexpr int pair(int a, int b)
   {
@@ -42,18 +42,18 @@ struct CornerSums {
 template <int dim>
 struct BodyGrid {
   CellField<Moments<dim>> moments;
-  std::vector<CornerSums<dim>> corner_sums;   ///< by corner entry; zero where a cell has no particles
-  std::vector<Vec<dim>> corner_force;         ///< internal force, N
-  std::vector<Vec<dim>> corner_momentum;      ///< after step 5, kg m/s
-  CellField<Real> volume_change;              ///< sum V times div(v) dt of the cell
+  std::vector<CornerSums<dim>> corner_sums;  ///< by corner entry; zero where a cell has no particles
+  std::vector<Vec<dim>> corner_force;        ///< internal force, N
+  std::vector<Vec<dim>> corner_momentum;     ///< after step 5, kg m/s
+  CellField<Real> volume_change;             ///< sum V times div(v) dt of the cell
 
   NodeField<Real> mass;
-  NodeField<Vec<dim>> velocity;               ///< v^t
-  NodeField<Vec<dim>> acceleration;           ///< corrected, step 4
-  NodeField<Vec<dim>> moved_velocity;         ///< v^(t+1) of steps 7 and 8: moves and strains the particles
-  NodeField<std::uint8_t> touching;           ///< 1: near a contact; damping leaves it alone
+  NodeField<Vec<dim>> velocity;        ///< v^t
+  NodeField<Vec<dim>> acceleration;    ///< corrected, step 4
+  NodeField<Vec<dim>> moved_velocity;  ///< v^(t+1) of steps 7 and 8: moves and strains the particles
+  NodeField<std::uint8_t> touching;    ///< 1: near a contact; damping leaves it alone
 
-  std::vector<Index> nodes;                   ///< that have a cell with particles, ascending
+  std::vector<Index> nodes;  ///< that have a cell with particles, ascending
 
   BodyGrid() = default;
   explicit BodyGrid(const Mesh<dim>& mesh);
@@ -71,13 +71,13 @@ struct Mover {
 /// All memory that a step needs beside Model and State; made once.
 template <int dim>
 struct Work {
-  std::vector<BodyGrid<dim>> grids;                 ///< by body
-  std::vector<ContactNodes<dim>> contact_nodes;     ///< by contact
-  std::vector<std::vector<Mover>> movers;           ///< by thread
+  std::vector<BodyGrid<dim>> grids;              ///< by body
+  std::vector<ContactNodes<dim>> contact_nodes;  ///< by contact
+  std::vector<std::vector<Mover>> movers;        ///< by thread
   std::vector<Particle<dim>> moving;
-  std::vector<PreparedMaterial> laws;               ///< by body
-  Real unbalanced = 0, weight = 0;                  ///< N, sums over the nodes of |unbalanced force| (away from contacts) and of m g, last step
-  Real fastest = 0;                                 ///< m/s, of the nodes when it was last looked at
+  std::vector<PreparedMaterial> laws;  ///< by body
+  Real unbalanced = 0, weight = 0;     ///< N, sums over the nodes of |unbalanced force| (away from contacts) and of m g, last step
+  Real fastest = 0;                    ///< m/s, of the nodes when it was last looked at
 
   Work(const Model<dim>& model, const State<dim>& state);
 };

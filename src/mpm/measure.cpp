@@ -34,7 +34,8 @@ Real momentum_error(const State<dim>& state)
   for (const Particles<dim>& particles : state.particles) now += measure(particles).momentum;
   const Totals<dim>& t = state.totals;
   const Vec<dim> given = t.gravity_impulse + t.contact_impulse + t.support_impulse + t.damping_impulse;
-  const Real size = t.first_momentum.norm() + t.gravity_impulse.norm() + t.contact_impulse.norm() + t.support_impulse.norm() + t.damping_impulse.norm();
+  const Real size =
+      t.first_momentum.norm() + t.gravity_impulse.norm() + t.contact_impulse.norm() + t.support_impulse.norm() + t.damping_impulse.norm();
   return size > 0 ? (now - t.first_momentum - given).norm() / size : 0;
 }
 

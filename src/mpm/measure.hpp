@@ -8,10 +8,10 @@ namespace berm {
 /// Sums over the particles of one body.
 template <int dim>
 struct BodySums {
-  Real mass = 0;                            ///< kg/m or kg
-  Real kinetic = 0;                         ///< J/m or J
-  Vec<dim> momentum = Vec<dim>::Zero();     ///< N s/m or N s
-  Vec<dim> moment = Vec<dim>::Zero();       ///< sum m x; over mass: the centre of mass
+  Real mass = 0;                         ///< kg/m or kg
+  Real kinetic = 0;                      ///< J/m or J
+  Vec<dim> momentum = Vec<dim>::Zero();  ///< N s/m or N s
+  Vec<dim> moment = Vec<dim>::Zero();    ///< sum m x; over mass: the centre of mass
 
   BodySums& operator+=(const BodySums& other)
   {

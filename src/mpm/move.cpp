@@ -215,7 +215,8 @@ void change_cells(const Model<dim>& model, State<dim>& state, Work<dim>& work, I
   std::vector<Mover>& movers = work.movers.front();
   for (std::size_t t = 1; t < work.movers.size(); ++t) movers.insert(movers.end(), work.movers[t].begin(), work.movers[t].end());
   if (movers.empty()) return;
-  std::sort(movers.begin(), movers.end(), [](const Mover& a, const Mover& b) { return a.from != b.from ? a.from < b.from : a.place < b.place; });
+  std::sort(movers.begin(), movers.end(),
+            [](const Mover& a, const Mover& b) { return a.from != b.from ? a.from < b.from : a.place < b.place; });
 
   // The last first: taking a particle moves only ones that were behind it.
   work.moving.resize(movers.size());
@@ -238,8 +239,8 @@ void change_cells(const Model<dim>& model, State<dim>& state, Work<dim>& work, I
   if (particles.sort_occupied()) find_nodes(model.mesh, particles, grid);
 }
 
-#define BERM_INSTANTIATE(dim)                                                                  \
-  template void move_and_strain(const Model<dim>&, State<dim>&, Work<dim>&, Index);            \
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void move_and_strain(const Model<dim>&, State<dim>&, Work<dim>&, Index);                                                        \
   template void change_cells(const Model<dim>&, State<dim>&, Work<dim>&, Index);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

@@ -21,7 +21,8 @@ Real surface_area(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
 
 /// The change of velocity of one contact node; held directions do not change.
 template <int dim>
-Vec<dim> correction(const Model<dim>& model, const BodyGrid<dim>& grid, const Contact& contact, const ContactNode<dim>& c, const Vec<dim>& relative, Real dt)
+Vec<dim> correction(const Model<dim>& model, const BodyGrid<dim>& grid, const Contact& contact, const ContactNode<dim>& c,
+                    const Vec<dim>& relative, Real dt)
 {
   const Real period = contact.approach_steps * dt;
   const Real adhesion = contact.adhesion > 0 ? contact.adhesion * surface_area(model.mesh, grid, c.node) * dt / grid.mass[c.node] : 0;
@@ -41,8 +42,8 @@ void find_contacts(const Model<dim>& model, State<dim>& state, Work<dim>& work)
   for (std::size_t k = 0; k < model.contacts.size(); ++k) {
     const Contact& contact = model.contacts[k];
     BodyGrid<dim>& grid = work.grids[contact.body];
-    detect(model.mesh, state.particles[contact.body], model.rigids[contact.rigid], state.rigids[contact.rigid], contact.detection, grid.mass,
-           work.contact_nodes[k]);
+    detect(model.mesh, state.particles[contact.body], model.rigids[contact.rigid], state.rigids[contact.rigid], contact.detection,
+           grid.mass, work.contact_nodes[k]);
     for (const ContactNode<dim>& c : work.contact_nodes[k].list)
       if (c.touching) grid.touching[c.node] = 1;
     RigidState<dim>& rigid = state.rigids[contact.rigid];
@@ -107,10 +108,10 @@ void move_rigids(const Model<dim>& model, State<dim>& state)
   }
 }
 
-#define BERM_INSTANTIATE(dim)                                                                  \
-  template void find_contacts(const Model<dim>&, State<dim>&, Work<dim>&);               \
-  template void correct_accelerations(const Model<dim>&, State<dim>&, Work<dim>&);             \
-  template void correct_velocities(const Model<dim>&, State<dim>&, Work<dim>&);                \
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void find_contacts(const Model<dim>&, State<dim>&, Work<dim>&);                                                                 \
+  template void correct_accelerations(const Model<dim>&, State<dim>&, Work<dim>&);                                                         \
+  template void correct_velocities(const Model<dim>&, State<dim>&, Work<dim>&);                                                            \
   template void move_rigids(const Model<dim>&, State<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

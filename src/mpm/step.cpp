@@ -19,23 +19,23 @@ void step(const Model<dim>& model, State<dim>& state, Work<dim>& work)
   drive_rigids(model, state, state.dt);
 
   for (Index b = 0; b < bodies; ++b) {
-    sum_moments(model.mesh, state.particles[b], work.grids[b]);                            // 1: sums over the particles of each cell
-    gather_mass_and_momentum(model.mesh, work.grids[b]);                                   // 1: (1), and velocities before the step
-    spread_internal_forces(model, state.particles[b], work.grids[b]);                      // 1: (2)
+    sum_moments(model.mesh, state.particles[b], work.grids[b]);        // 1: sums over the particles of each cell
+    gather_mass_and_momentum(model.mesh, work.grids[b]);               // 1: (1), and velocities before the step
+    spread_internal_forces(model, state.particles[b], work.grids[b]);  // 1: (2)
   }
-  find_contacts(model, state, work);                                                       // 4: who touches whom
-  for (Index b = 0; b < bodies; ++b) solve_momentum_balance(model, state, work, b);        // 1-4: (3), (4), (6), supports
-  correct_accelerations(model, state, work);                                               // 4: (8)-(14)
+  find_contacts(model, state, work);                                                 // 4: who touches whom
+  for (Index b = 0; b < bodies; ++b) solve_momentum_balance(model, state, work, b);  // 1-4: (3), (4), (6), supports
+  correct_accelerations(model, state, work);                                         // 4: (8)-(14)
 
   for (Index b = 0; b < bodies; ++b) {
-    spread_new_momentum(model.mesh, state.particles[b], state.dt, work.grids[b]);          // 5-6: (14)-(16) from the moments
-    gather_new_velocities(model, work.grids[b]);                                           // 7-8: (18), supports
+    spread_new_momentum(model.mesh, state.particles[b], state.dt, work.grids[b]);  // 5-6: (14)-(16) from the moments
+    gather_new_velocities(model, work.grids[b]);                                   // 7-8: (18), supports
   }
-  correct_velocities(model, state, work);                                                  // 8: (8)-(13) again
+  correct_velocities(model, state, work);  // 8: (8)-(13) again
 
   for (Index b = 0; b < bodies; ++b) {
     if (model.mpm.volumetric_projection) sum_volume_changes(model.mesh, state.particles[b], state.dt, work.grids[b]);
-    move_and_strain(model, state, work, b);                                                // 5, 9-11: (14), (19)-(23)
+    move_and_strain(model, state, work, b);  // 5, 9-11: (14), (19)-(23)
     change_cells(model, state, work, b);
   }
   move_rigids(model, state);

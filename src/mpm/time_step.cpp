@@ -22,8 +22,8 @@ Real stable_time_step(const Model<dim>& model, const State<dim>& state, Work<dim
     });
   }
   if (!std::isfinite(fastest))
-    throw RunError(fmt::format("velocities are not finite at t = {} s (step {}); try a smaller mpm.courant (now {})", state.time, state.step,
-                               model.mpm.courant));
+    throw RunError(fmt::format("velocities are not finite at t = {} s (step {}); try a smaller mpm.courant (now {})", state.time,
+                               state.step, model.mpm.courant));
   work.fastest = fastest;
 
   Real least = infinity;

@@ -179,12 +179,12 @@ void sum_volume_changes(const Mesh<dim>& mesh, const Particles<dim>& particles, 
   });
 }
 
-#define BERM_INSTANTIATE(dim)                                                                          \
-  template void sum_moments(const Mesh<dim>&, const Particles<dim>&, BodyGrid<dim>&);                  \
-  template void gather_mass_and_momentum(const Mesh<dim>&, BodyGrid<dim>&);                            \
-  template void spread_internal_forces(const Model<dim>&, const Particles<dim>&, BodyGrid<dim>&);      \
-  template void spread_new_momentum(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);    \
-  template void gather_new_velocities(const Model<dim>&, BodyGrid<dim>&);                              \
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void sum_moments(const Mesh<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                                      \
+  template void gather_mass_and_momentum(const Mesh<dim>&, BodyGrid<dim>&);                                                                \
+  template void spread_internal_forces(const Model<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                          \
+  template void spread_new_momentum(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);                                        \
+  template void gather_new_velocities(const Model<dim>&, BodyGrid<dim>&);                                                                  \
   template void sum_volume_changes(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

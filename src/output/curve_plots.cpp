@@ -61,11 +61,11 @@ Real tic_step(Real range)
 
 /// One axis of a panel from 0, or from the least number where that is negative, to the most; in the plot's unit.
 struct Axis {
-  char letter; ///< x or y
+  char letter;  ///< x or y
   std::string label;
   bool downwards;
   Real least = 0, most = 0;
-  Real second = 0; ///< the axis on the other side is this one times this; 0 = there is none
+  Real second = 0;  ///< the axis on the other side is this one times this; 0 = there is none
   std::string second_label;
 
   void take(const std::vector<Real>& values, Real per_si)
@@ -91,7 +91,7 @@ struct Axis {
 
 constexpr const char* next_panel = "unset label 1\nunset x2tics\nunset x2label\nunset y2tics\nunset y2label\n";
 
-} // namespace
+}  // namespace
 
 bool draw_pipe_curves(const RunFolder& folder, const History& history, const PipeScale& scale, const PipeStages& stages,
                       const std::string& title)
@@ -192,7 +192,7 @@ std::pair<std::string, std::string> name_and_unit(const std::string& column)
 
 bool draw_columns(const RunFolder& folder, const History& history, const std::vector<std::string>& columns, const std::string& title)
 {
-  std::vector<std::pair<std::string, std::vector<std::size_t>>> panels; // unit, columns
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> panels;  // unit, columns
   for (std::size_t k = 0; k < columns.size(); ++k) {
     const std::string unit = name_and_unit(columns[k]).second;
     auto panel = std::find_if(panels.begin(), panels.end(), [&](const auto& p) { return p.first == unit; });
@@ -236,4 +236,4 @@ bool draw_columns(const RunFolder& folder, const History& history, const std::ve
   return draw(folder, "curves", width, height, script + "unset multiplot\n");
 }
 
-} // namespace berm
+}  // namespace berm

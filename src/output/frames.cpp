@@ -11,14 +11,16 @@ namespace berm {
 namespace {
 
 /// Visits visit(block index, lane) for all particles of a body, whether or not its list of occupied cells is up to date.
-template <int dim, class Visit> void visit_all(const Particles<dim>& particles, Index cells, const Visit& visit)
+template <int dim, class Visit>
+void visit_all(const Particles<dim>& particles, Index cells, const Visit& visit)
 {
   for (Index cell = 0; cell < cells; ++cell)
     for (Index left = particles.count_in(cell), b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
       for (int l = 0; l < std::min<Index>(lanes, left); ++l) visit(b, l);
 }
 
-template <int dim, class T> void append(std::vector<T>& list, const Vec<dim>& v)
+template <int dim, class T>
+void append(std::vector<T>& list, const Vec<dim>& v)
 {
   for (int d = 0; d < 3; ++d) list.push_back(d < dim ? static_cast<T>(v[d]) : T{0});
 }
@@ -28,7 +30,7 @@ std::string file_name(const char* kind, Index number)
   return fmt::format("{}_{:04}.vtu", kind, number);
 }
 
-} // namespace
+}  // namespace
 
 template <int dim>
 FrameWriter<dim>::FrameWriter(const std::filesystem::path& folder, const Model<dim>& model, const State<dim>& start)
@@ -50,7 +52,8 @@ FrameWriter<dim>::FrameWriter(const std::filesystem::path& folder, const Model<d
   write_mesh();
 }
 
-template <int dim> Frame<dim> FrameWriter<dim>::frame_of(const State<dim>& state)
+template <int dim>
+Frame<dim> FrameWriter<dim>::frame_of(const State<dim>& state)
 {
   Frame<dim> frame;
   frame.time = state.time;
@@ -73,7 +76,8 @@ template <int dim> Frame<dim> FrameWriter<dim>::frame_of(const State<dim>& state
   return frame;
 }
 
-template <int dim> void FrameWriter<dim>::write(const State<dim>& state)
+template <int dim>
+void FrameWriter<dim>::write(const State<dim>& state)
 {
   if (!times_.empty() && times_.back() == state.time) return;
   last_ = frame_of(state);
@@ -83,7 +87,8 @@ template <int dim> void FrameWriter<dim>::write(const State<dim>& state)
   write_collection();
 }
 
-template <int dim> void FrameWriter<dim>::write_mesh() const
+template <int dim>
+void FrameWriter<dim>::write_mesh() const
 {
   const Mesh<dim>& mesh = model_.mesh;
   std::vector<Real> points;
@@ -95,7 +100,8 @@ template <int dim> void FrameWriter<dim>::write_mesh() const
   write_whole(folder_ / "mesh.vtu", vtu.text());
 }
 
-template <int dim> void FrameWriter<dim>::write_particles(const std::string& name) const
+template <int dim>
+void FrameWriter<dim>::write_particles(const std::string& name) const
 {
   std::vector<Real> points;
   std::vector<float> velocity, displacement, stress, mean_stress, strain, increment, volume;
@@ -128,7 +134,8 @@ template <int dim> void FrameWriter<dim>::write_particles(const std::string& nam
   write_whole(folder_ / name, vtu.text());
 }
 
-template <int dim> void FrameWriter<dim>::write_rigids(const std::string& name, const State<dim>& state) const
+template <int dim>
+void FrameWriter<dim>::write_rigids(const std::string& name, const State<dim>& state) const
 {
   std::vector<Real> points;
   for (const RigidSurface<dim>& surface : last_.rigids)
@@ -153,7 +160,8 @@ template <int dim> void FrameWriter<dim>::write_rigids(const std::string& name, 
   write_whole(folder_ / name, vtu.text());
 }
 
-template <int dim> void FrameWriter<dim>::write_collection() const
+template <int dim>
+void FrameWriter<dim>::write_collection() const
 {
   std::string xml = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>\n";
   for (Index k = 0; k < count(); ++k) {
@@ -169,4 +177,4 @@ template <int dim> void FrameWriter<dim>::write_collection() const
 template class FrameWriter<2>;
 template class FrameWriter<3>;
 
-} // namespace berm
+}  // namespace berm

@@ -9,16 +9,18 @@
 namespace berm {
 
 /// A particle as a frame shows it.
-template <int dim> struct FrameParticle {
+template <int dim>
+struct FrameParticle {
   Particle<dim> particle;
   Index body;
-  Vec<dim> displacement; ///< since the start, m
-  Real strain_increment; ///< of the accumulated deviatoric strain, since the frame before
+  Vec<dim> displacement;  ///< since the start, m
+  Real strain_increment;  ///< of the accumulated deviatoric strain, since the frame before
 };
 
 /// What one frame shows: the particles by body and then id, and the rigid bodies where they are.
-template <int dim> struct Frame {
-  Real time = 0; ///< s
+template <int dim>
+struct Frame {
+  Real time = 0;  ///< s
   std::vector<FrameParticle<dim>> particles;
   std::vector<RigidSurface<dim>> rigids;
 };
@@ -27,7 +29,8 @@ template <int dim> struct Frame {
 /// frames.pvd, which lists all frames so far. Every file is written whole. Errors are RunErrors.
 /// Fields of the particles: velocity (m/s), displacement (m), stress (Pa, tension positive, XX YY ZZ XY YZ XZ), mean_stress (Pa, tension
 /// positive), deviatoric_strain (accumulated), incremental_deviatoric_strain (since the frame before), volume (m2 or m3), body, id.
-template <int dim> class FrameWriter {
+template <int dim>
+class FrameWriter {
 public:
   /// Remembers where the particles of `start` are, and keeps the model, which must outlive it. Makes the folder where it is missing.
   FrameWriter(const std::filesystem::path& folder, const Model<dim>& model, const State<dim>& start);
@@ -42,7 +45,7 @@ public:
 private:
   struct First {
     Vec<dim> x = Vec<dim>::Zero();
-    Real strain = 0; ///< at the frame before
+    Real strain = 0;  ///< at the frame before
   };
   Frame<dim> frame_of(const State<dim>& state);
   void write_mesh() const;
@@ -52,9 +55,9 @@ private:
 
   std::filesystem::path folder_;
   const Model<dim>& model_;
-  std::vector<std::vector<First>> first_; ///< by body, then id
+  std::vector<std::vector<First>> first_;  ///< by body, then id
   std::vector<Real> times_;
   Frame<dim> last_;
 };
 
-} // namespace berm
+}  // namespace berm

@@ -49,7 +49,7 @@ std::string last_message(const std::filesystem::path& file)
   return last;
 }
 
-} // namespace
+}  // namespace
 
 std::string gnuplot_text(const std::string& text)
 {
@@ -93,4 +93,4 @@ bool draw(const RunFolder& folder, const std::string& name, int width, int heigh
   return false;
 }
 
-} // namespace berm
+}  // namespace berm

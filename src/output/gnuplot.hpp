@@ -13,15 +13,15 @@ std::string gnuplot_text(const std::string& text);
 
 /// A length or force in the unit that suits its size.
 struct PlotUnit {
-  Real per_si; ///< numbers in the plot per number in SI
+  Real per_si;  ///< numbers in the plot per number in SI
   const char* name;
 };
-PlotUnit length_unit(Real size); ///< mm below 1 m, else m
-PlotUnit force_unit(Real size);  ///< N/m below 100 N/m, else kN/m
+PlotUnit length_unit(Real size);  ///< mm below 1 m, else m
+PlotUnit force_unit(Real size);   ///< N/m below 100 N/m, else kN/m
 
 /// Writes plots/NAME.gp and lets the program gnuplot make NAME.png of it in the run folder. The script runs in plots/, beside its data, so
 /// that a user can change it and run it again there. width and height are in pixels. Where gnuplot is missing or fails a warning says so and the
 /// result is false; a run never fails for want of a picture.
 bool draw(const RunFolder& folder, const std::string& name, int width, int height, const std::string& script);
 
-} // namespace berm
+}  // namespace berm

@@ -62,7 +62,7 @@ bool read_number(const std::string& field, Real& value)
   return error == std::errc() && stop == end && !field.empty();
 }
 
-} // namespace
+}  // namespace
 
 HistoryFile::HistoryFile(const std::filesystem::path& path, const std::vector<std::string>& columns) : path_(path), columns_(columns.size())
 {
@@ -142,4 +142,4 @@ History read_history(const std::filesystem::path& path)
   return history;
 }
 
-} // namespace berm
+}  // namespace berm

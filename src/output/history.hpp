@@ -32,9 +32,9 @@ private:
 
 /// A history read back: columns of numbers by name, and the name of the stage of each row.
 struct History {
-  std::vector<std::string> columns;      ///< all but the stage, in the order of the file
-  std::vector<std::vector<Real>> values; ///< by column, then row
-  std::vector<std::string> stage;        ///< by row
+  std::vector<std::string> columns;       ///< all but the stage, in the order of the file
+  std::vector<std::vector<Real>> values;  ///< by column, then row
+  std::vector<std::string> stage;         ///< by row
 
   Index rows() const { return static_cast<Index>(stage.size()); }
   bool has(const std::string& column) const;
@@ -45,4 +45,4 @@ struct History {
 /// Reads a history.csv. A last line without its end is left out. Throws RunError with file and line for anything that is not a history.
 History read_history(const std::filesystem::path& path);
 
-} // namespace berm
+}  // namespace berm

@@ -10,9 +10,9 @@
 namespace berm {
 namespace {
 
-constexpr Real drag_points[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.75, 1.0}; // of D
-constexpr Real push_spacing = 0.05;                                  // of D
-constexpr Real reached = 1e-3; // of D: a stage that ends at a displacement may stop this much short of it, by rounding and by a step
+constexpr Real drag_points[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.75, 1.0};  // of D
+constexpr Real push_spacing = 0.05;                                   // of D
+constexpr Real reached = 1e-3;  // of D: a stage that ends at a displacement may stop this much short of it, by rounding and by a step
 
 bool contains(const std::vector<std::string>& list, const std::string& name)
 {
@@ -69,7 +69,7 @@ void add_drag(Collector& collector, const PipePath& path, std::optional<Real> he
   Real H_max = -infinity, u_max = 0;
   for (const Real u : H.travel()) {
     const bool whole_window =
-        u >= H.begin() + half && u <= H.end() - half; // at the ends the noise is twice as large and would be the maximum
+        u >= H.begin() + half && u <= H.end() - half;  // at the ends the noise is twice as large and would be the maximum
     if (const Real here = H.at(u, half); whole_window && here > H_max) H_max = here, u_max = u;
   }
   if (H_max == -infinity) return;
@@ -107,7 +107,7 @@ std::string four_digits(Real value)
   return fmt::format("{:.{}f}", value, std::max(0, 4 - before));
 }
 
-} // namespace
+}  // namespace
 
 PipePath pipe_path(const History& history, const PipeStages& stages)
 {
@@ -165,4 +165,4 @@ std::string key_results_table(const std::vector<Quantity>& quantities, const Pip
   return table;
 }
 
-} // namespace berm
+}  // namespace berm

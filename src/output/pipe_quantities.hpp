@@ -10,21 +10,21 @@ namespace berm {
 
 /// What the results of a pipe are made dimensionless with, and carried to the prototype.
 struct PipeScale {
-  Real diameter;          ///< m, in the model
-  Real unit_weight;       ///< effective unit weight of the soil in the model, N/m3: under all its gravity; 0 = weightless
-  Real gravity_level = 1; ///< gravity in the model over that of the earth
+  Real diameter;           ///< m, in the model
+  Real unit_weight;        ///< effective unit weight of the soil in the model, N/m3: under all its gravity; 0 = weightless
+  Real gravity_level = 1;  ///< gravity in the model over that of the earth
 };
 
 /// The stages of a pipe's run by what they do, in the order in which they ran. A name stands for one kind only.
 struct PipeStages {
   std::vector<std::string> push, drag;
-  std::optional<Real> held_force; ///< N/m, V that the drag is to hold; without it the mean of V over the drag
+  std::optional<Real> held_force;  ///< N/m, V that the drag is to hold; without it the mean of V over the drag
 };
 
 /// The pushes and the drags of a history, as columns.
 struct PipePath {
-  std::vector<Real> w, V;                           ///< of the push, by row: m, N/m
-  std::vector<Real> drag_u, drag_w, drag_H, drag_V; ///< of the drag; u counts from where it began (always positive): m, m, N/m, N/m
+  std::vector<Real> w, V;                            ///< of the push, by row: m, N/m
+  std::vector<Real> drag_u, drag_w, drag_H, drag_V;  ///< of the drag; u counts from where it began (always positive): m, m, N/m, N/m
 };
 
 /// Takes push and drag out of a history. The row before the first of the drag is where the drag begins, and is its first.
@@ -47,4 +47,4 @@ std::vector<Quantity> pipe_quantities(const History& history, const PipeScale& s
 /// not under one gravity.
 std::string key_results_table(const std::vector<Quantity>& quantities, const PipeScale& scale);
 
-} // namespace berm
+}  // namespace berm

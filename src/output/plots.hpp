@@ -23,12 +23,12 @@ enum class SoilColor { deviatoric_strain, incremental_deviatoric_strain };
 
 /// The part of the soil that a picture shows.
 struct SoilView {
-  Vec<2> lower, upper;         ///< m
-  std::optional<Real> surface; ///< m, level of the original surface, drawn as a dashed line
+  Vec<2> lower, upper;          ///< m
+  std::optional<Real> surface;  ///< m, level of the original surface, drawn as a dashed line
 };
 
 /// soil.png (accumulated) or soil_increment.png (since the frame before): particles coloured by their deviatoric strain, rigid bodies grey,
 /// equal axes. The colours end at the value that one particle in a hundred exceeds. False, with a warning, where it could not be drawn.
 bool draw_soil(const RunFolder& folder, const Frame<2>& frame, SoilColor color, const SoilView& view, const std::string& title);
 
-} // namespace berm
+}  // namespace berm

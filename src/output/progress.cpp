@@ -23,7 +23,7 @@ Real seconds(std::chrono::steady_clock::duration duration)
   return std::chrono::duration<Real>(duration).count();
 }
 
-} // namespace
+}  // namespace
 
 std::string words_of_duration(Real s)
 {
@@ -83,4 +83,4 @@ void Progress::update(const ProgressReport& report)
   }
 }
 
-} // namespace berm
+}  // namespace berm

@@ -15,7 +15,8 @@ std::vector<Index> count_up(Index count)
   return list;
 }
 
-template <int dim> RigidSurface<dim> make(const Circle<dim>& circle, const Vec<dim>& lower, const Vec<dim>& upper)
+template <int dim>
+RigidSurface<dim> make(const Circle<dim>& circle, const Vec<dim>& lower, const Vec<dim>& upper)
 {
   RigidSurface<dim> s;
   for (Index k = 0; k < circle_points; ++k) {
@@ -41,7 +42,8 @@ template <int dim> RigidSurface<dim> make(const Circle<dim>& circle, const Vec<d
   return s;
 }
 
-template <int dim> RigidSurface<dim> make(const Box<dim>& box, const Vec<dim>&, const Vec<dim>&)
+template <int dim>
+RigidSurface<dim> make(const Box<dim>& box, const Vec<dim>&, const Vec<dim>&)
 {
   RigidSurface<dim> s;
   constexpr int corners[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}};
@@ -55,7 +57,8 @@ template <int dim> RigidSurface<dim> make(const Box<dim>& box, const Vec<dim>&, 
 }
 
 /// The part of a flat convex piece whose coordinate d times `sign` is at most sign * level.
-template <int dim> std::vector<Vec<dim>> clipped(const std::vector<Vec<dim>>& piece, int d, Real sign, Real level)
+template <int dim>
+std::vector<Vec<dim>> clipped(const std::vector<Vec<dim>>& piece, int d, Real sign, Real level)
 {
   std::vector<Vec<dim>> kept;
   const std::size_t n = piece.size();
@@ -70,7 +73,8 @@ template <int dim> std::vector<Vec<dim>> clipped(const std::vector<Vec<dim>>& pi
   return kept;
 }
 
-template <int dim> RigidSurface<dim> make(const HalfPlane<dim>& plane, const Vec<dim>& lower, const Vec<dim>& upper)
+template <int dim>
+RigidSurface<dim> make(const HalfPlane<dim>& plane, const Vec<dim>& lower, const Vec<dim>& upper)
 {
   // A piece that is larger than the box wherever the plane passes through it, around the plane's point nearest to the box's centre.
   const Vec<dim> middle = (lower + upper) / 2;
@@ -101,9 +105,10 @@ template <int dim> RigidSurface<dim> make(const HalfPlane<dim>& plane, const Vec
   return s;
 }
 
-} // namespace
+}  // namespace
 
-template <int dim> RigidSurface<dim> surface_of(const RigidShape<dim>& shape, const Vec<dim>& lower, const Vec<dim>& upper)
+template <int dim>
+RigidSurface<dim> surface_of(const RigidShape<dim>& shape, const Vec<dim>& lower, const Vec<dim>& upper)
 {
   return std::visit([&](const auto& s) { return make<dim>(s, lower, upper); }, shape);
 }
@@ -111,4 +116,4 @@ template <int dim> RigidSurface<dim> surface_of(const RigidShape<dim>& shape, co
 template RigidSurface<2> surface_of<2>(const RigidShape<2>&, const Vec<2>&, const Vec<2>&);
 template RigidSurface<3> surface_of<3>(const RigidShape<3>&, const Vec<3>&, const Vec<3>&);
 
-} // namespace berm
+}  // namespace berm

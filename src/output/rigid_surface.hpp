@@ -7,17 +7,19 @@
 namespace berm {
 
 /// A rigid body's surface as points and flat cells, for pictures.
-template <int dim> struct RigidSurface {
+template <int dim>
+struct RigidSurface {
   struct Cell {
     VtkCell type;
     std::vector<Index> points;
   };
-  std::vector<Vec<dim>> points; ///< m
+  std::vector<Vec<dim>> points;  ///< m
   std::vector<Cell> cells;
 };
 
 /// A circle becomes a polygon of 128 points (in space: 128 quads along z from lower to upper), a box a quad (hexahedron), a half-plane the
 /// part of its line (polygon) inside the box from lower to upper: no cell where it misses the box.
-template <int dim> RigidSurface<dim> surface_of(const RigidShape<dim>& shape, const Vec<dim>& lower, const Vec<dim>& upper);
+template <int dim>
+RigidSurface<dim> surface_of(const RigidShape<dim>& shape, const Vec<dim>& lower, const Vec<dim>& upper);
 
-} // namespace berm
+}  // namespace berm

@@ -40,7 +40,7 @@ constexpr const char* own_files[] = {"history.csv",
   throw RunError(fmt::format("cannot use {} as the run folder: {}", path.string(), reason));
 }
 
-} // namespace
+}  // namespace
 
 RunFolder::RunFolder(const fs::path& path) : path_(path)
 {
@@ -66,4 +66,4 @@ fs::path RunFolder::subfolder(std::string_view name) const
   return path_ / name;
 }
 
-} // namespace berm
+}  // namespace berm

@@ -43,7 +43,7 @@ std::size_t terminal_width()
   return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-} // namespace
+}  // namespace
 
 /// Clears the line in place before a message and shows it again behind it.
 class StderrSink : public spdlog::sinks::ansicolor_stderr_sink_mt {
@@ -103,4 +103,4 @@ void RunLog::info_to_file(std::string_view message)
   file_only_->info("{}", message);
 }
 
-} // namespace berm
+}  // namespace berm

@@ -33,4 +33,4 @@ private:
   std::shared_ptr<spdlog::logger> file_only_, before_;
 };
 
-} // namespace berm
+}  // namespace berm

@@ -9,7 +9,7 @@
 namespace berm {
 namespace {
 
-constexpr int width = 1200, left = 95, right = 175, bottom = 80, top = 70; // pixels; the plot's height follows from the view
+constexpr int width = 1200, left = 95, right = 175, bottom = 80, top = 70;  // pixels; the plot's height follows from the view
 // Ten equally spaced colours of viridis, which is even to the eye and in grey.
 constexpr const char* palette =
     "set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', "
@@ -31,7 +31,7 @@ Real shown_radius(const Particle<2>& p)
   return 0.85 * std::sqrt(p.volume);
 }
 
-} // namespace
+}  // namespace
 
 bool draw_soil(const RunFolder& folder, const Frame<2>& frame, SoilColor color, const SoilView& view, const std::string& title)
 {
@@ -91,4 +91,4 @@ bool draw_soil(const RunFolder& folder, const Frame<2>& frame, SoilColor color, 
   return draw(folder, name, width, height, script + '\n');
 }
 
-} // namespace berm
+}  // namespace berm

@@ -34,4 +34,4 @@ void Summary::write(const std::filesystem::path& path) const
   write_whole(path, json());
 }
 
-} // namespace berm
+}  // namespace berm

@@ -32,8 +32,8 @@ public:
 
   std::vector<Quantity> quantities;
   RunTiming timing;
-  std::vector<std::pair<std::string, Check>> checks;     ///< e.g. energy balance, reached the end
-  std::vector<std::pair<std::string, std::string>> text; ///< e.g. title, version
+  std::vector<std::pair<std::string, Check>> checks;      ///< e.g. energy balance, reached the end
+  std::vector<std::pair<std::string, std::string>> text;  ///< e.g. title, version
 
   /// {"quantities": {NAME: {"value", "unit"}}, "timing": {...}, "checks": {NAME: number or bool}, "text": {NAME: words}}, in the order in which
   /// they were added. A number that is not finite becomes null.
@@ -42,4 +42,4 @@ public:
   void write(const std::filesystem::path& path) const;
 };
 
-} // namespace berm
+}  // namespace berm

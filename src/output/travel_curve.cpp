@@ -47,4 +47,4 @@ Real TravelCurve::at(Real s, Real half) const
   return mean_y - product / along * mean_s;
 }
 
-} // namespace berm
+}  // namespace berm

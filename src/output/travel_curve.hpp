@@ -30,4 +30,4 @@ private:
   std::vector<Real> travel_, value_;
 };
 
-} // namespace berm
+}  // namespace berm

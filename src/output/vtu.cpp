@@ -9,24 +9,32 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "the .vtu files say that their data is little-endian");
 
-template <class T> constexpr const char* vtk_name = nullptr;
-template <> constexpr const char* vtk_name<double> = "Float64";
-template <> constexpr const char* vtk_name<float> = "Float32";
-template <> constexpr const char* vtk_name<std::int32_t> = "Int32";
-template <> constexpr const char* vtk_name<std::int64_t> = "Int64";
-template <> constexpr const char* vtk_name<std::uint8_t> = "UInt8";
+template <class T>
+constexpr const char* vtk_name = nullptr;
+template <>
+constexpr const char* vtk_name<double> = "Float64";
+template <>
+constexpr const char* vtk_name<float> = "Float32";
+template <>
+constexpr const char* vtk_name<std::int32_t> = "Int32";
+template <>
+constexpr const char* vtk_name<std::int64_t> = "Int64";
+template <>
+constexpr const char* vtk_name<std::uint8_t> = "UInt8";
 
-template <class T> std::string attributes(const std::string& name, int components)
+template <class T>
+std::string attributes(const std::string& name, int components)
 {
   return fmt::format("type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"", vtk_name<T>, name, components);
 }
 
-template <class T> std::string bytes_of(const std::vector<T>& values)
+template <class T>
+std::string bytes_of(const std::vector<T>& values)
 {
   return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
 }
 
-} // namespace
+}  // namespace
 
 void Vtu::add_cell(VtkCell type, const std::vector<Index>& points)
 {
@@ -45,7 +53,8 @@ void Vtu::point_field(const std::string& name, int components, const std::vector
   point_fields_.push_back({words, bytes_of(values)});
 }
 
-template <class T> void Vtu::cell_field(const std::string& name, int components, const std::vector<T>& values)
+template <class T>
+void Vtu::cell_field(const std::string& name, int components, const std::vector<T>& values)
 {
   cell_fields_.push_back({attributes<T>(name, components), bytes_of(values)});
 }
@@ -87,4 +96,4 @@ template void Vtu::cell_field(const std::string&, int, const std::vector<double>
 template void Vtu::cell_field(const std::string&, int, const std::vector<float>&);
 template void Vtu::cell_field(const std::string&, int, const std::vector<std::int32_t>&);
 
-} // namespace berm
+}  // namespace berm

@@ -27,7 +27,8 @@ public:
   template <class T>
   void point_field(const std::string& name, int components, const std::vector<T>& values,
                    std::initializer_list<const char*> component_names = {});
-  template <class T> void cell_field(const std::string& name, int components, const std::vector<T>& values);
+  template <class T>
+  void cell_field(const std::string& name, int components, const std::vector<T>& values);
   /// The time of the grid, s, as VTK programs look for it (TimeValue).
   void set_time(Real time) { time_ = time; }
 
@@ -45,4 +46,4 @@ private:
   Real time_ = std::numeric_limits<Real>::quiet_NaN();
 };
 
-} // namespace berm
+}  // namespace berm

@@ -42,4 +42,4 @@ void write_whole(const std::filesystem::path& path, std::string_view text)
   throw_errno(fmt::format("cannot write {}", path.string()));
 }
 
-} // namespace berm
+}  // namespace berm

@@ -17,4 +17,4 @@ void write_whole(const std::filesystem::path& path, std::string_view text);
 /// Writes all of `text` to a file descriptor, in one write() where the system takes it at once. False, and errno says why, where it failed.
 bool write_all(int file, std::string_view text);
 
-} // namespace berm
+}  // namespace berm

@@ -79,7 +79,8 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
     const Material& material = c.material[place_of(c.material, settings.material)].second;
     const StartState<dim> start{density(material), -model.gravity[1], c.surface, state_size(material)};
     state.particles.push_back(fill(model.mesh, name, settings, start));
-    if (state.particles.back().size() == 0) throw InputError(fmt::format("body.{}: its regions have no cells, so it has no particles", name));
+    if (state.particles.back().size() == 0)
+      throw InputError(fmt::format("body.{}: its regions have no cells, so it has no particles", name));
     state.particles.back().visit([&](Index, Index b, int l) {
       const Block<dim>& p = state.particles.back().block(b);
       for (int d = 0; d < dim; ++d) state.totals.first_momentum[d] += p.mass[l] * p.v[d][l];
@@ -91,8 +92,8 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
     state.rigids.emplace_back();
   }
   for (const auto& [name, s] : c.contact)
-    model.contacts.push_back({place_of(c.body, s.body), place_of(c.rigid, s.rigid), std::tan(s.friction_angle), s.adhesion, s.scheme, s.detection,
-                              s.approach_steps});
+    model.contacts.push_back({place_of(c.body, s.body), place_of(c.rigid, s.rigid), std::tan(s.friction_angle), s.adhesion, s.scheme,
+                              s.detection, s.approach_steps});
   model.stages = c.stage;
   model.main_rigid = main_rigid(c);
   for (const StageSettings& stage : c.stage) {

@@ -45,7 +45,8 @@ void check_bodies(Describe& d, const Case& c)
     const std::string path = "body." + name;
     check_name(d, path + ".material", body.material, "material", names_of(c.material));
     d.check(!body.k0 || c.gravity_ramp == 0, path + ".k0", "the stress of a bed under full gravity does not go with gravity_ramp");
-    d.check(body.regions.empty() == body.block.has_value(), path, "needs either regions = [...] or a [body." + name + ".block], and not both");
+    d.check(body.regions.empty() == body.block.has_value(), path,
+            "needs either regions = [...] or a [body." + name + ".block], and not both");
     const char* counts = c.dimension == 2 ? "must be 1, 4, 9, 16, ... in triangles" : "must be 1, 8, 27, ... in tetrahedra";
     d.check(body.particles_per_cell == 0 || is_power(body.particles_per_cell, c.dimension), path + ".particles_per_cell", counts);
     for (const auto& [region, count] : body.region_particles_per_cell) {
@@ -54,7 +55,8 @@ void check_bodies(Describe& d, const Case& c)
       d.check(among(region, body.regions), key, "the body does not fill this region", body.regions);
     }
     for (const auto& entry : body.region_damping)
-      d.check(among(entry.first, body.regions), path + ".region_damping." + entry.first, "the body does not fill this region", body.regions);
+      d.check(among(entry.first, body.regions), path + ".region_damping." + entry.first, "the body does not fill this region",
+              body.regions);
     if (body.block) {
       check_entries(d, path + ".block.center", body.block->center, c.dimension);
       check_entries(d, path + ".block.size", body.block->size, c.dimension);
@@ -97,20 +99,23 @@ void check_stages(Describe& d, const Case& c)
     const StageSettings& s = c.stage[k];
     const std::string path = fmt::format("stage[{}]", k);
     const bool push = s.kind == StageKind::push, drag = s.kind == StageKind::drag, driven = push || drag;
-    d.check(!s.name.empty() && s.name.find_first_of(",\"\n\r.") == std::string::npos, path + ".name", "must be a word without comma, dot or quotes");
+    d.check(!s.name.empty() && s.name.find_first_of(",\"\n\r.") == std::string::npos, path + ".name",
+            "must be a word without comma, dot or quotes");
     d.check(!among(s.name, seen), path + ".name", "another stage has this name");
     seen.push_back(s.name);
     if (!s.rigid.empty()) check_name(d, path + ".rigid", s.rigid, "rigid", names_of(c.rigid));
     d.check(driven || s.rigid.empty(), path + ".rigid", "only a push or a drag drives a rigid body");
     d.check(!driven || !c.rigid.empty(), path + ".kind", "there is no [rigid.NAME] to drive");
-    d.check(!driven || !s.rigid.empty() || c.rigid.size() == 1, path, "must say which rigid body it drives: rigid = \"...\"", names_of(c.rigid));
+    d.check(!driven || !s.rigid.empty() || c.rigid.size() == 1, path, "must say which rigid body it drives: rigid = \"...\"",
+            names_of(c.rigid));
     d.check(!driven || s.velocity.has_value() != s.force.has_value(), path, "needs either velocity or force, and not both");
     d.check(driven || !s.velocity, path + ".velocity", "only a push or a drag has a velocity");
     d.check(driven || !s.force, path + ".force", "only a push or a drag has a force");
     d.check(drag || !s.vertical_force, path + ".vertical_force", "only a drag has a vertical force; a push has `force`");
     d.check(!s.vertical_force || s.vertical == Vertical::hold, path + ".vertical_force", "does not go with vertical = \"fixed\"");
     const Until& u = s.until;
-    d.check(u.time || u.displacement || u.embedment || u.force, path + ".until", "needs at least one of time, displacement, embedment, force");
+    d.check(u.time || u.displacement || u.embedment || u.force, path + ".until",
+            "needs at least one of time, displacement, embedment, force");
     d.check(driven || (!u.displacement && !u.embedment && !u.force), path + ".until", "a stage that drives nothing ends at a time");
     if (driven) {
       const std::string& name = s.rigid.empty() ? c.rigid.front().first : s.rigid;
@@ -125,10 +130,12 @@ void check_stages(Describe& d, const Case& c)
 
 void describe(Describe& d, MpmSettings& mpm)
 {
-  d.value("courant", mpm.courant, {.meaning = "time step over the time that a wave needs across the smallest height of a cell", .range = {0, 1, true}});
+  d.value("courant", mpm.courant,
+          {.meaning = "time step over the time that a wave needs across the smallest height of a cell", .range = {0, 1, true}});
   d.value("volumetric_projection", mpm.volumetric_projection, {.meaning = "project volume changes on the nodes, the cure against locking"});
   d.value("mixed_stress", mpm.mixed_stress, {.meaning = "average the stress over the particles of a full cell (MPM-MIXED)"});
-  d.value("least_volume_ratio", mpm.least_volume_ratio, {.meaning = "smallest volume of a particle, over its first", .range = {0, 1, true}});
+  d.value("least_volume_ratio", mpm.least_volume_ratio,
+          {.meaning = "smallest volume of a particle, over its first", .range = {0, 1, true}});
   d.value("most_volume_ratio", mpm.most_volume_ratio, {.meaning = "largest volume of a particle, over its first", .range = {1, 10}});
 }
 
@@ -141,17 +148,23 @@ void describe(Describe& d, WatchSettings& watch)
 void describe(Describe& d, OutputSettings& output)
 {
   d.value("history_time", output.history_time,
-          {.meaning = "time between rows of history.csv; absent = a thousandth of the time that the stages take", .unit = "s", .range = positive});
-  d.value("frame_time", output.frame_time, {.meaning = "time between frames; begin and end of every stage are always written", .unit = "s", .range = positive});
-  d.value("frame_travel", output.frame_travel, {.meaning = "travel of the driven rigid body between frames", .unit = "m", .range = positive});
+          {.meaning = "time between rows of history.csv; absent = a thousandth of the time that the stages take",
+           .unit = "s",
+           .range = positive});
+  d.value("frame_time", output.frame_time,
+          {.meaning = "time between frames; begin and end of every stage are always written", .unit = "s", .range = positive});
+  d.value("frame_travel", output.frame_travel,
+          {.meaning = "travel of the driven rigid body between frames", .unit = "m", .range = positive});
 }
 
 void describe(Describe& d, Case& c)
 {
   d.value("title", c.title, {.meaning = "one line that says what this is"});
   d.value("dimension", c.dimension, {.meaning = "2 = plane strain, per metre run; 3 = space", .range = {2, 3}});
-  d.value("gravity", c.gravity, {.meaning = "gravity, one number a direction, such as [0, \"-50 gravity\"]; absent = none", .unit = "m/s^2"});
-  d.value("gravity_ramp", c.gravity_ramp, {.meaning = "time from no gravity to all of it at the start", .unit = "s", .range = not_negative});
+  d.value("gravity", c.gravity,
+          {.meaning = "gravity, one number a direction, such as [0, \"-50 gravity\"]; absent = none", .unit = "m/s^2"});
+  d.value("gravity_ramp", c.gravity_ramp,
+          {.meaning = "time from no gravity to all of it at the start", .unit = "s", .range = not_negative});
   d.value("surface", c.surface, {.meaning = "level y of the bed's surface at the start", .unit = "m"});
   d.table("mesh", c.mesh, {.meaning = "the background mesh", .required = true});
   d.named_tables("material", c.material, {.meaning = "materials", .required = true});
@@ -168,7 +181,8 @@ void describe(Describe& d, Case& c)
   for (const auto& [name, material] : c.material) check(d, "material." + name, material);
   check_bodies(d, c);
   check_rigids(d, c);
-  const std::vector<std::string> directions = c.dimension == 2 ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x", "y", "z"};
+  const std::vector<std::string> directions =
+      c.dimension == 2 ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x", "y", "z"};
   for (const auto& [name, support] : c.support)
     for (const std::string& direction : support.fixed)
       d.check(among(direction, directions), "support." + name + ".fixed", fmt::format("\"{}\" is no direction", direction), directions);

@@ -13,7 +13,7 @@ namespace berm {
 
 /// How the material point method runs.
 struct MpmSettings {
-  Real courant = 0.5;                ///< time step over the time that a wave needs across the smallest height
+  Real courant = 0.5;                 ///< time step over the time that a wave needs across the smallest height
   bool volumetric_projection = true;  ///< the cure against volumetric locking
   bool mixed_stress = false;          ///< average the stress over the particles of full cells (MPM-MIXED)
   Real least_volume_ratio = 0.5;      ///< bounds of a particle's volume over its first

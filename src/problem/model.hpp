@@ -19,8 +19,8 @@ struct Body {
 /// A contact with its names looked up.
 struct Contact {
   Index body, rigid;
-  Real friction;        ///< tan of the friction angle
-  Real adhesion;        ///< Pa
+  Real friction;  ///< tan of the friction angle
+  Real adhesion;  ///< Pa
   Scheme scheme;
   Detection detection;
   Real approach_steps;
@@ -37,7 +37,7 @@ struct Watch {
 template <int dim>
 struct Model {
   Mesh<dim> mesh;
-  CellField<Patch> patches;       ///< that share one volume change (volumetric projection)
+  CellField<Patch> patches;  ///< that share one volume change (volumetric projection)
   std::vector<Body<dim>> bodies;
   std::vector<Rigid<dim>> rigids;
   std::vector<Contact> contacts;
@@ -46,8 +46,8 @@ struct Model {
   Real gravity_ramp;              ///< s
   Real surface;                   ///< m
   std::vector<StageSettings> stages;
-  std::vector<Index> driven;      ///< the rigid body that each stage drives, or none
-  Index main_rigid;               ///< whose u, w, H and V are told, or none
+  std::vector<Index> driven;  ///< the rigid body that each stage drives, or none
+  Index main_rigid;           ///< whose u, w, H and V are told, or none
   std::vector<Watch> watches;
   MpmSettings mpm;
 };
@@ -56,10 +56,10 @@ struct Model {
 template <int dim>
 struct Totals {
   // Work, J/m. kinetic + internal + damping + friction = external + what the method itself adds or loses.
-  Real internal = 0;   ///< stored and dissipated by the material
-  Real external = 0;   ///< of gravity and of the rigid bodies
-  Real damping = 0;    ///< taken out by local damping
-  Real friction = 0;   ///< taken out at the contacts
+  Real internal = 0;  ///< stored and dissipated by the material
+  Real external = 0;  ///< of gravity and of the rigid bodies
+  Real damping = 0;   ///< taken out by local damping
+  Real friction = 0;  ///< taken out at the contacts
   // Momentum of the deformable bodies at the start, and the impulses given to them since, N s/m.
   Vec<dim> first_momentum = Vec<dim>::Zero();
   Vec<dim> gravity_impulse = Vec<dim>::Zero();
@@ -88,7 +88,7 @@ template <int dim>
 struct State {
   Real time = 0;
   BigIndex step = 0;
-  Real dt = 0;  ///< s, the time step in force
+  Real dt = 0;                            ///< s, the time step in force
   std::vector<Particles<dim>> particles;  ///< by body
   std::vector<RigidState<dim>> rigids;
   StageState<dim> stage;

@@ -6,7 +6,8 @@ namespace berm {
 void describe(Describe& d, Until& until)
 {
   d.value("time", until.time, {.meaning = "time since the stage began", .unit = "s", .range = not_negative});
-  d.value("displacement", until.displacement, {.meaning = "horizontal travel of the rigid body in this stage", .unit = "m", .range = positive});
+  d.value("displacement", until.displacement,
+          {.meaning = "horizontal travel of the rigid body in this stage", .unit = "m", .range = positive});
   d.value("embedment", until.embedment, {.meaning = "depth of the rigid body's lowest point below the surface", .unit = "m"});
   d.value("force", until.force, {.meaning = "soil reaction: V in a push, H in a drag", .unit = "N/m", .range = positive});
 }
@@ -22,7 +23,8 @@ void describe(Describe& d, StageSettings& stage)
   d.choice("vertical", stage.vertical, {"hold", "fixed"},
            {.meaning = "in a drag: hold the vertical force of the stage's begin, or do not move vertically"});
   d.value("vertical_force", stage.vertical_force, {.meaning = "in a drag: downward force, instead of the one held", .unit = "N/m"});
-  d.value("ramp", stage.ramp, {.meaning = "time in which the drive goes from what it was to its value", .unit = "s", .range = not_negative});
+  d.value("ramp", stage.ramp,
+          {.meaning = "time in which the drive goes from what it was to its value", .unit = "s", .range = not_negative});
   d.value("damping", stage.damping,
           {.meaning = "local damping of all bodies in this stage, instead of their own; a geostatic stage likes 0.7", .range = {0, 1}});
   d.table("until", stage.until, {.meaning = "the stage ends at the first of these that is reached"});

@@ -88,17 +88,18 @@ Real expected_time(const StageSettings& stage)
   Real least = stage.until.time.value_or(infinity);
   if (stage.velocity && *stage.velocity != 0) {
     const Real speed = std::abs(*stage.velocity);
-    if (stage.kind == StageKind::drag && stage.until.displacement) least = std::min(least, *stage.until.displacement / speed + stage.ramp / 2);
+    if (stage.kind == StageKind::drag && stage.until.displacement)
+      least = std::min(least, *stage.until.displacement / speed + stage.ramp / 2);
     if (stage.kind == StageKind::push && stage.until.embedment) least = std::min(least, *stage.until.embedment / speed + stage.ramp / 2);
   }
   return least < infinity ? least : 0;
 }
 
-#define BERM_INSTANTIATE(dim)                                                                    \
-  template PipeMotion pipe_motion(const Model<dim>&, const State<dim>&, Index);                  \
-  template Real drag_direction(const Model<dim>&, const State<dim>&);                            \
-  template void begin_stage(const Model<dim>&, State<dim>&);                                     \
-  template bool stage_ended(const Model<dim>&, const State<dim>&);                               \
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template PipeMotion pipe_motion(const Model<dim>&, const State<dim>&, Index);                                                            \
+  template Real drag_direction(const Model<dim>&, const State<dim>&);                                                                      \
+  template void begin_stage(const Model<dim>&, State<dim>&);                                                                               \
+  template bool stage_ended(const Model<dim>&, const State<dim>&);                                                                         \
   template void drive_rigids(const Model<dim>&, State<dim>&, Real);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

@@ -111,10 +111,8 @@ struct BenchProblem {
 };
 
 constexpr BenchProblem problems[] = {
-    {"probe_D10", [] { return pipe_in_sand(0.002); }},
-    {"probe_D20", [] { return pipe_in_sand(0.001); }},
-    {"probe_D40", [] { return pipe_in_sand(0.0005); }},
-    {"column_1e5", [] { return column(1e5); }},
+    {"probe_D10", [] { return pipe_in_sand(0.002); }},  {"probe_D20", [] { return pipe_in_sand(0.001); }},
+    {"probe_D40", [] { return pipe_in_sand(0.0005); }}, {"column_1e5", [] { return column(1e5); }},
     {"column_1e6", [] { return column(1e6); }},
 };
 
@@ -140,9 +138,15 @@ nlohmann::ordered_json measure_speed(const BenchProblem& bench, int threads)
   const BigIndex steps = problem.state.step - before;
   const Real speed = static_cast<Real>(particles * steps) / wall;
 
-  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>16.2f}\n", bench.name, particles, problem.model.mesh.cell_count(), steps, threads, speed / 1e6);
-  nlohmann::ordered_json result = {{"name", bench.name},   {"particles", particles}, {"cells", problem.model.mesh.cell_count()}, {"steps", steps},
-                                   {"threads", threads}, {"wall_s", wall},         {"particle_steps_per_s", speed}};
+  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>16.2f}\n", bench.name, particles, problem.model.mesh.cell_count(), steps, threads,
+             speed / 1e6);
+  nlohmann::ordered_json result = {{"name", bench.name},
+                                   {"particles", particles},
+                                   {"cells", problem.model.mesh.cell_count()},
+                                   {"steps", steps},
+                                   {"threads", threads},
+                                   {"wall_s", wall},
+                                   {"particle_steps_per_s", speed}};
   for (const Timing& loop : timings()) {
     const Real nanoseconds = loop.seconds / static_cast<Real>(particles * steps) * 1e9;
     fmt::print("    {:<32} {:>8.2f} ns a particle-step\n", loop.label, nanoseconds);
@@ -165,7 +169,8 @@ void run_bench(const std::vector<std::string>& names, const std::string& json_fi
   fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>16}\n", "problem", "particles", "cells", "steps", "threads", "10^6 p-steps/s");
   nlohmann::ordered_json table = {{"version", BERM_VERSION}, {"problems", nlohmann::ordered_json::array()}};
   for (const BenchProblem& bench : problems)
-    if (names.empty() || std::find(names.begin(), names.end(), bench.name) != names.end()) table["problems"].push_back(measure_speed(bench, threads));
+    if (names.empty() || std::find(names.begin(), names.end(), bench.name) != names.end())
+      table["problems"].push_back(measure_speed(bench, threads));
   if (!json_file.empty()) write_whole(json_file, table.dump(2) + "\n");
 }
 

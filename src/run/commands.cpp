@@ -19,15 +19,16 @@ namespace fs = std::filesystem;
 
 /// All cases are read before the first one runs, so that a wrong one costs nothing. One case goes to `output` itself, several to folders in it
 /// that are named like their files.
-std::vector<RunRequest> requests(const std::vector<std::string>& files, const std::string& output, const std::vector<std::string>& overrides,
-                                 int threads)
+std::vector<RunRequest> requests(const std::vector<std::string>& files, const std::string& output,
+                                 const std::vector<std::string>& overrides, int threads)
 {
   std::vector<RunRequest> all;
   for (const std::string& file : files) {
     const fs::path name = fs::path(file).stem();
     const fs::path folder = output.empty() ? fs::path("out") / name : files.size() == 1 ? fs::path(output) : fs::path(output) / name;
     for (const RunRequest& other : all)
-      if (other.folder == folder) throw InputError(fmt::format("{} and {} would both be written to {}", other.case_file.string(), file, folder.string()));
+      if (other.folder == folder)
+        throw InputError(fmt::format("{} and {} would both be written to {}", other.case_file.string(), file, folder.string()));
     all.push_back({read_case(file, overrides), file, folder, threads});
   }
   return all;
@@ -54,7 +55,9 @@ int dispatch(int argc, char** argv)
 
   const auto takes_cases = [&](CLI::App* command) {
     command->add_option("CASE", files, "case files (TOML)")->required();
-    command->add_option("--set", overrides, "set a parameter: material.sand.friction_angle=\"40 deg\"; stages by their names")->take_all()->allow_extra_args(false);
+    command->add_option("--set", overrides, "set a parameter: material.sand.friction_angle=\"40 deg\"; stages by their names")
+        ->take_all()
+        ->allow_extra_args(false);
   };
   const auto takes_threads = [&](CLI::App* command) {
     command->add_option("--threads", threads, "threads to use (default: all processors)")->check(CLI::Range(1, 1024));

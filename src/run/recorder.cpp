@@ -18,8 +18,20 @@ constexpr const char* direction_names[3] = {"x", "y", "z"};
 template <int dim>
 std::vector<std::string> Recorder<dim>::columns(const Model<dim>& model)
 {
-  std::vector<std::string> names = {"u_m", "w_m", "H_N_m", "V_N_m", "kinetic_J_m", "internal_J_m", "damping_J_m", "friction_J_m", "external_J_m",
-                                    "energy_error_J_m", "out_of_balance", "gap_m", "overlap_m", "second_impulse_N_m"};
+  std::vector<std::string> names = {"u_m",
+                                    "w_m",
+                                    "H_N_m",
+                                    "V_N_m",
+                                    "kinetic_J_m",
+                                    "internal_J_m",
+                                    "damping_J_m",
+                                    "friction_J_m",
+                                    "external_J_m",
+                                    "energy_error_J_m",
+                                    "out_of_balance",
+                                    "gap_m",
+                                    "overlap_m",
+                                    "second_impulse_N_m"};
   for (Index r = 0; r < static_cast<Index>(model.rigids.size()); ++r)
     if (r != model.main_rigid)
       for (const char* column : {"u_m", "w_m", "H_N_m", "V_N_m"}) names.push_back(fmt::format("{}_{}", model.rigids[r].name, column));
@@ -34,7 +46,9 @@ std::vector<std::string> Recorder<dim>::columns(const Model<dim>& model)
 
 template <int dim>
 Recorder<dim>::Recorder(const std::filesystem::path& path, const Model<dim>& model, const State<dim>& state)
-    : file_(path, columns(model)), last_time_(state.time), last_rigids_(state.rigids)
+    : file_(path, columns(model)),
+      last_time_(state.time),
+      last_rigids_(state.rigids)
 {
   for (const Particles<dim>& particles : state.particles) {
     const BodySums<dim> sums = measure(particles);

@@ -30,7 +30,7 @@ private:
   HistoryFile file_;
   Real last_time_ = 0;
   std::vector<RigidState<dim>> last_rigids_;
-  std::vector<Vec<dim>> first_centers_;   ///< of mass, by body
+  std::vector<Vec<dim>> first_centers_;  ///< of mass, by body
   std::vector<Vec<dim>> first_watched_;
   Real first_kinetic_ = 0;
   Real vertical_ = 0, horizontal_ = 0, out_of_balance_ = 0, largest_error_ = 0, largest_work_ = 0;

@@ -72,8 +72,8 @@ void print_timings(const RunTiming& timing)
   std::string table = fmt::format("{:<32} {:>10} {:>8}\n", "time by loop", "s", "part");
   for (const Timing& loop : timing.loops)
     table += fmt::format("{:<32} {:>10.3f} {:>7.1f}%\n", loop.label, loop.seconds, 100 * loop.seconds / timing.wall_s);
-  table += fmt::format("{:<32} {:>10.3f}          {} steps of {} particles, {:.1f} million particle-steps/s on {} threads", "all", timing.wall_s,
-                       timing.steps, timing.particles, timing.particle_steps_per_s / 1e6, timing.threads);
+  table += fmt::format("{:<32} {:>10.3f}          {} steps of {} particles, {:.1f} million particle-steps/s on {} threads", "all",
+                       timing.wall_s, timing.steps, timing.particles, timing.particle_steps_per_s / 1e6, timing.threads);
   spdlog::info("{}", table);
 }
 

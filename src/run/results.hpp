@@ -10,9 +10,9 @@ namespace berm {
 /// What a run found out about itself.
 struct RunOutcome {
   bool finished;
-  Real equilibrium;                 ///< out-of-balance force over weight at the end of the geostatic stage; NaN without one
-  Real energy_error;                ///< largest, over the largest work
-  std::optional<Real> held_force;   ///< N/m, V that the first drag holds
+  Real equilibrium;                ///< out-of-balance force over weight at the end of the geostatic stage; NaN without one
+  Real energy_error;               ///< largest, over the largest work
+  std::optional<Real> held_force;  ///< N/m, V that the first drag holds
 };
 
 /// Reads the history back and writes what follows from it: summary.json, curves, pictures; prints the key results and the time by loop.

@@ -61,8 +61,14 @@ template <int dim>
 class Run {
 public:
   Run(const RunRequest& request, Problem<dim> problem, const RunFolder& folder, RunLog& log)
-      : request_(request), folder_(folder), problem_(std::move(problem)), work_(model(), state()), interval_(history_interval(request.settings)),
-        recorder_(folder.file("history.csv"), model(), state()), frames_(folder.subfolder("frames"), model(), state()), progress_(log)
+      : request_(request),
+        folder_(folder),
+        problem_(std::move(problem)),
+        work_(model(), state()),
+        interval_(history_interval(request.settings)),
+        recorder_(folder.file("history.csv"), model(), state()),
+        frames_(folder.subfolder("frames"), model(), state()),
+        progress_(log)
   {
   }
 
@@ -83,11 +89,17 @@ public:
     if (!finished_) {
       record();
       frame();
-      spdlog::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}", state().time, stage().name, folder_.path().string());
+      spdlog::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}", state().time, stage().name,
+                   folder_.path().string());
     }
     const Real wall = std::chrono::duration<Real>(Clock::now() - start).count();
-    const RunTiming timing{static_cast<Real>(particle_count(state()) * state().step) / wall, wall, request_.threads, particle_count(state()),
-                           model().mesh.cell_count(), state().step, timings()};
+    const RunTiming timing{static_cast<Real>(particle_count(state()) * state().step) / wall,
+                           wall,
+                           request_.threads,
+                           particle_count(state()),
+                           model().mesh.cell_count(),
+                           state().step,
+                           timings()};
     write_results(request_, folder_, model(), state(), frames_, {finished_, equilibrium_, recorder_.energy_error(), held_force_}, timing);
     return finished_;
   }
@@ -111,7 +123,8 @@ private:
   bool frame_is_due()
   {
     const OutputSettings& output = request_.settings.output;
-    return (output.frame_time && state().time >= frame_time_ + *output.frame_time) || (output.frame_travel && travel() >= *output.frame_travel);
+    return (output.frame_time && state().time >= frame_time_ + *output.frame_time) ||
+           (output.frame_travel && travel() >= *output.frame_travel);
   }
   void frame()
   {
@@ -127,8 +140,8 @@ private:
     if (stage().kind == StageKind::geostatic) {
       equilibrium_ = recorder_.out_of_balance();
       const char* verdict = equilibrium_ <= stage().equilibrium ? "in equilibrium" : "NOT in equilibrium";
-      spdlog::info("stage \"{}\": the soil is {}: out-of-balance force over weight {:.3g}, accepted {:.3g}", stage().name, verdict, equilibrium_,
-                   stage().equilibrium);
+      spdlog::info("stage \"{}\": the soil is {}: out-of-balance force over weight {:.3g}, accepted {:.3g}", stage().name, verdict,
+                   equilibrium_, stage().equilibrium);
       if (equilibrium_ > stage().equilibrium) spdlog::warn("give stage \"{}\" more time or damping", stage().name);
     }
     if (state().stage.index + 1 == static_cast<Index>(model().stages.size())) {
@@ -194,8 +207,8 @@ bool run_in(const RunRequest& request)
   write_whole(folder.file("case.toml"), text_of(request.case_file));
   scratch.move_files_to(folder.path());
   RunLog log(folder.file("run.log"));
-  spdlog::info("{} -> {}: {} cells, {} particles, {} threads", request.case_file.string(), folder.path().string(), problem.model.mesh.cell_count(),
-               particle_count(problem.state), request.threads);
+  spdlog::info("{} -> {}: {} cells, {} particles, {} threads", request.case_file.string(), folder.path().string(),
+               problem.model.mesh.cell_count(), particle_count(problem.state), request.threads);
   try {
     return Run<dim>(request, std::move(problem), folder, log).to_the_end();
   } catch (const RunError& error) {
@@ -230,8 +243,8 @@ void check_in(const RunRequest& request)
   for (const StageSettings& stage : request.settings.stage)
     if (!(expected_time(stage) > 0)) fmt::print("  stage \"{}\": its end cannot be foretold and is not counted below\n", stage.name);
   fmt::print("  steps        about {:.0f}, {} rows of history\n", total / dt, static_cast<BigIndex>(total / interval));
-  fmt::print("  time         about {} with {} threads ({:.3g} million particle-steps/s)\n", words_of_duration(total / dt * seconds_a_step), request.threads,
-             static_cast<Real>(particle_count(problem.state)) / seconds_a_step / 1e6);
+  fmt::print("  time         about {} with {} threads ({:.3g} million particle-steps/s)\n", words_of_duration(total / dt * seconds_a_step),
+             request.threads, static_cast<Real>(particle_count(problem.state)) / seconds_a_step / 1e6);
 }
 
 }  // namespace

@@ -176,5 +176,5 @@ TEST(Override, cannot_bring_a_second_key)
   EXPECT_EQ(document.root.items[0].text, "1\nsurface=2");
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

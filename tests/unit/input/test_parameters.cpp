@@ -89,5 +89,5 @@ TEST(Words, for_a_range_show_angles_in_degrees)
   EXPECT_FALSE(within(1, Range{0, 1, false, true}));
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

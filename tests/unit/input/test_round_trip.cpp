@@ -167,5 +167,5 @@ TEST(RoundTrip, of_an_override_is_as_if_the_file_said_so)
   EXPECT_EQ(resolved_toml(by_override), resolved_toml(read_case_text("case.toml", changed)));
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

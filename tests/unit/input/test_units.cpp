@@ -128,5 +128,5 @@ TEST(Units, keep_every_number_that_is_written_in_SI)
   });
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

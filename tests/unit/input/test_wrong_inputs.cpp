@@ -101,5 +101,5 @@ TEST(ReadCase, survives_random_damage)
   EXPECT_GT(refused, 5000);
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

@@ -81,10 +81,10 @@ frame_time = "0.5 s"
 /// One fault, and what the message must say of it.
 struct WrongInput {
   const char* name;
-  std::string_view replaced, by;      ///< the first place in good_case where `replaced` stands becomes `by`
-  int line;                           ///< the line that the message must name; 0 = none
-  std::vector<std::string> says;      ///< parts of the message
-  std::vector<std::string> overrides; ///< KEY=VALUE, as for --set
+  std::string_view replaced, by;       ///< the first place in good_case where `replaced` stands becomes `by`
+  int line;                            ///< the line that the message must name; 0 = none
+  std::vector<std::string> says;       ///< parts of the message
+  std::vector<std::string> overrides;  ///< KEY=VALUE, as for --set
 };
 
 /// For the messages of GoogleTest.
@@ -305,4 +305,4 @@ inline const std::vector<WrongInput>& wrong_inputs()
   return all;
 }
 
-} // namespace berm::test
+}  // namespace berm::test

@@ -56,5 +56,5 @@ TEST(LinearElastic, plane_strain_and_space_and_lanes_agree)
   EXPECT_EQ(space[5], 0);
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

@@ -107,5 +107,5 @@ TEST(Material, answers_for_the_law_it_holds)
   EXPECT_EQ(state_size(soil), 1);
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

@@ -59,7 +59,8 @@ inline Real spread_number(std::mt19937_64& random, Real largest)
 }
 
 /// A trial stress with components of many sizes, shifted along the axis so that tension and compression both occur, Pa.
-template <int dim> SymTensor<dim> random_trial(std::mt19937_64& random)
+template <int dim>
+SymTensor<dim> random_trial(std::mt19937_64& random)
 {
   SymTensor<dim> trial;
   const Real largest = std::abs(spread_number(random, 1e6)), shift = spread_number(random, 1e6);
@@ -69,7 +70,8 @@ template <int dim> SymTensor<dim> random_trial(std::mt19937_64& random)
 }
 
 /// The elastic strain of a stress: the inverse of Hooke's law.
-template <int dim> SymTensor<dim> elastic_strain(const Elasticity& elastic, const SymTensor<dim>& stress)
+template <int dim>
+SymTensor<dim> elastic_strain(const Elasticity& elastic, const SymTensor<dim>& stress)
 {
   SymTensor<dim> strain;
   const Real mean = trace(stress) / 3;
@@ -78,12 +80,14 @@ template <int dim> SymTensor<dim> elastic_strain(const Elasticity& elastic, cons
   return strain;
 }
 
-template <int dim> Real size_of(const SymTensor<dim>& a)
+template <int dim>
+Real size_of(const SymTensor<dim>& a)
 {
   return std::sqrt(double_dot(a, a));
 }
 
-template <int dim> SymTensor<dim> difference(const SymTensor<dim>& a, const SymTensor<dim>& b)
+template <int dim>
+SymTensor<dim> difference(const SymTensor<dim>& a, const SymTensor<dim>& b)
 {
   SymTensor<dim> c;
   for (int k = 0; k < tensor_size<dim>; ++k) c[k] = a[k] - b[k];
@@ -91,7 +95,8 @@ template <int dim> SymTensor<dim> difference(const SymTensor<dim>& a, const SymT
 }
 
 /// The returned stress of a trial stress, for a particle that has not opened.
-template <int dim> SymTensor<dim> returned(const PreparedMohrCoulomb& law, SymTensor<dim> trial)
+template <int dim>
+SymTensor<dim> returned(const PreparedMohrCoulomb& law, SymTensor<dim> trial)
 {
   Real opening = 0;
   return_to_surface(law, trial, opening);
@@ -106,4 +111,4 @@ inline SymTensor<3> in_space(const SymTensor<2>& a)
   return b;
 }
 
-} // namespace berm
+}  // namespace berm

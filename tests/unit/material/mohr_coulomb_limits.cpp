@@ -153,5 +153,5 @@ TEST(MohrCoulomb, soil_without_strength_is_a_fluid)
   EXPECT_NEAR(stress[3], 0, 1e-9);
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

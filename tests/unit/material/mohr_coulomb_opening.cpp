@@ -152,7 +152,7 @@ TEST(MohrCoulombOpening, random_cycles_make_no_energy)
       const SymTensor<2> elastic = elastic_strain(prepared.elastic, difference(stress, before));
       const Real work = double_dot(stress, difference(strain, elastic)) + prepared.apex * part_while_open * volume;
       const Real dissipated = work - prepared.apex * (opening - opening_before);
-      ASSERT_GE(dissipated, -1e-9) << step; // rounding; a step's work is about 1 J/m3
+      ASSERT_GE(dissipated, -1e-9) << step;  // rounding; a step's work is about 1 J/m3
       total += dissipated;
     }
     EXPECT_GT(opened, 1e-3);
@@ -160,5 +160,5 @@ TEST(MohrCoulombOpening, random_cycles_make_no_energy)
   EXPECT_GT(total, 1);
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

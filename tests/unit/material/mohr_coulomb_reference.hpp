@@ -11,7 +11,7 @@ namespace berm {
 struct ReferenceReturn {
   bool found = false;
   Vec<3> stress = Vec<3>::Zero();
-  Real disagreement = 0; ///< between admissible sets of planes, Pa
+  Real disagreement = 0;  ///< between admissible sets of planes, Pa
 };
 
 /// Koiter's return in principal space by brute force: every set of at most three of the nine planes (six of Mohr-Coulomb, three of the cut-off) is
@@ -73,4 +73,4 @@ inline ReferenceReturn reference_return(const MohrCoulomb& law, const Vec<3>& tr
   return result;
 }
 
-} // namespace berm
+}  // namespace berm

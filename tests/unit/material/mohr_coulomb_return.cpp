@@ -162,5 +162,5 @@ TEST(MohrCoulomb, return_is_continuous_across_all_regions)
   }
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

@@ -124,5 +124,5 @@ TEST(MohrCoulomb, rotated_trial_gives_rotated_stress)
   }
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

@@ -20,7 +20,7 @@ struct ReadVtu {
   };
   std::map<std::string, Array> arrays;
   int points = 0, cells = 0;
-  bool tight = true; ///< every block begins where the one before ends, and the last ends at the closing tag
+  bool tight = true;  ///< every block begins where the one before ends, and the last ends at the closing tag
 
   explicit ReadVtu(const std::filesystem::path& path)
   {
@@ -54,7 +54,8 @@ struct ReadVtu {
     tight = tight && text.substr(data + mark.size() + end) == "\n</AppendedData>\n</VTKFile>\n";
   }
 
-  template <class T> std::vector<T> numbers(const std::string& name) const
+  template <class T>
+  std::vector<T> numbers(const std::string& name) const
   {
     const std::string& bytes = arrays.at(name).bytes;
     std::vector<T> list(bytes.size() / sizeof(T));
@@ -63,7 +64,8 @@ struct ReadVtu {
   }
 };
 
-template <int dim> void move_all(Problem<dim>& problem, const Vec<dim>& by, Real strain)
+template <int dim>
+void move_all(Problem<dim>& problem, const Vec<dim>& by, Real strain)
 {
   for (auto& particles : problem.state.particles)
     for (Index cell = 0; cell < problem.model.mesh.cell_count(); ++cell) {
@@ -77,7 +79,8 @@ template <int dim> void move_all(Problem<dim>& problem, const Vec<dim>& by, Real
     }
 }
 
-template <class T> class FramesIn : public testing::Test {
+template <class T>
+class FramesIn : public testing::Test {
 };
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(FramesIn, Dimensions);
@@ -117,7 +120,7 @@ TYPED_TEST(FramesIn, particles_read_back_by_body_then_id_with_every_field)
     EXPECT_EQ(types[k], 1);
     for (int d = 0; d < 3; ++d) {
       EXPECT_FLOAT_EQ(velocity[3 * k + d], d < dim ? static_cast<float>(100 * b + i + 0.25 * d) : 0);
-      EXPECT_NEAR(moved_by[3 * k + d], d < dim ? 0.001 : 0, 1e-9); // single precision of 0.001
+      EXPECT_NEAR(moved_by[3 * k + d], d < dim ? 0.001 : 0, 1e-9);  // single precision of 0.001
     }
     for (int c = 0; c < 6; ++c) EXPECT_FLOAT_EQ(stress[6 * k + c], c < tensor_size<dim> ? static_cast<float>(10 * i + c) : 0);
     EXPECT_FLOAT_EQ(mean[k], static_cast<float>(10 * i + 1));
@@ -160,7 +163,7 @@ TYPED_TEST(FramesIn, rigid_bodies_move_with_their_displacement)
   EXPECT_EQ(rigid.front(), 0);
   EXPECT_EQ(rigid.back(), 2);
   for (int k = 0; k < (dim == 2 ? 128 : 256); ++k)
-    EXPECT_NEAR(std::hypot(x[3 * k] - 0.13, x[3 * k + 1] - 0.05), 0.02, 1e-12); // the circle's centre is at (0.1, 0.05)
+    EXPECT_NEAR(std::hypot(x[3 * k] - 0.13, x[3 * k + 1] - 0.05), 0.02, 1e-12);  // the circle's centre is at (0.1, 0.05)
   for (const auto corner : vtu.numbers<std::int64_t>("connectivity")) EXPECT_LT(corner, vtu.points);
 }
 
@@ -173,7 +176,7 @@ TYPED_TEST(FramesIn, the_collection_lists_every_frame_and_every_file_it_lists_is
   for (int k = 0; k < 3; ++k) {
     problem.state.time = 0.125 * k;
     frames.write(problem.state);
-    frames.write(problem.state); // the same time: nothing new
+    frames.write(problem.state);  // the same time: nothing new
     EXPECT_EQ(frames.count(), k + 1);
     const std::string pvd = content_of(folder.path / "frames.pvd");
     EXPECT_EQ(pvd.rfind("</VTKFile>\n"), pvd.size() - 11);
@@ -212,5 +215,5 @@ TEST(Frames, without_rigid_bodies_there_is_no_rigid_file)
   EXPECT_EQ(content_of(folder.path / "frames.pvd").find("rigid"), std::string::npos);
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

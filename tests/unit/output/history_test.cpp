@@ -119,5 +119,5 @@ TEST(HistoryFile, a_row_of_the_wrong_length_is_refused)
   EXPECT_THROW(file.add(0, "push", {1}), RunError);
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

@@ -67,8 +67,8 @@ TEST(PipeQuantities, a_drag_is_read_at_its_travel_as_far_as_it_went)
     EXPECT_NEAR(value(list, "H_over_V" + at), pipe.H(u) / (pipe.stiffness * 0.25 * pipe.D), 2 * bend / 2000);
   }
   EXPECT_EQ(find(list, "H_at_u_0.75D"), nullptr);
-  EXPECT_NEAR(value(list, "H_max"), pipe.H(pipe.drag - 0.011 * pipe.D), 0.3); // H grows by 0.2 N/m in a row
-  EXPECT_NEAR(value(list, "u_at_H_max"), pipe.drag, 0.013 * pipe.D);          // 0.01 D short of the end, and a row
+  EXPECT_NEAR(value(list, "H_max"), pipe.H(pipe.drag - 0.011 * pipe.D), 0.3);  // H grows by 0.2 N/m in a row
+  EXPECT_NEAR(value(list, "u_at_H_max"), pipe.drag, 0.013 * pipe.D);           // 0.01 D short of the end, and a row
   EXPECT_NEAR(value(list, "V_rms_error_in_drag"), 0, 1e-12);
 }
 
@@ -88,7 +88,7 @@ TEST(PipeQuantities, the_error_in_V_counts_from_the_held_force_where_it_is_given
 {
   PipeStages held = stages;
   held.held_force = 1600;
-  EXPECT_NEAR(value(quantities_of({}, held), "V_rms_error_in_drag"), 0.25, 1e-12); // V is 2000 N/m
+  EXPECT_NEAR(value(quantities_of({}, held), "V_rms_error_in_drag"), 0.25, 1e-12);  // V is 2000 N/m
 }
 
 TEST(PipeQuantities, a_push_alone_has_no_numbers_of_a_drag)
@@ -163,5 +163,5 @@ TEST(TravelCurve, leaves_out_rows_that_go_back_and_does_not_reach_beyond_its_end
   EXPECT_TRUE(std::isnan(TravelCurve({}, {}).at(0, 1)));
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

@@ -89,7 +89,7 @@ TEST_F(Plots, particles_outside_the_view_are_left_out)
   for (auto& p : one.particles) p.particle.volume = 1e-8;
   draw_soil(folder, one, SoilColor::deviatoric_strain, left_half, "left");
   std::istringstream lines(content_of(folder.file("plots/soil.dat")));
-  std::vector<Real> shown; // x, mm
+  std::vector<Real> shown;  // x, mm
   for (std::string line; std::getline(lines, line);)
     if (line[0] != '#') shown.push_back(std::stod(line));
   ASSERT_FALSE(shown.empty());
@@ -137,5 +137,5 @@ TEST(GnuplotText, cannot_leave_its_quotes)
   EXPECT_EQ(gnuplot_text("it's\n`x`"), "'it''s `x`'");
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

@@ -55,7 +55,7 @@ std::vector<std::string> log_of(const std::function<void(Progress&)>& run)
   }
   std::ifstream file(folder.path / "run.log");
   std::vector<std::string> lines;
-  for (std::string line; std::getline(file, line);) lines.push_back(line.substr(20)); // after the date and time
+  for (std::string line; std::getline(file, line);) lines.push_back(line.substr(20));  // after the date and time
   return lines;
 }
 
@@ -81,7 +81,7 @@ TEST(Progress, is_due_at_most_five_times_a_second)
   log_of([](Progress& progress) {
     EXPECT_TRUE(progress.due());
     progress.update({.stage = "push", .done = 0.01});
-    EXPECT_FALSE(progress.due()); // asked within 0.2 s
+    EXPECT_FALSE(progress.due());  // asked within 0.2 s
   });
 }
 
@@ -94,7 +94,7 @@ TEST(RunLog, messages_go_to_the_file_with_their_level_and_end_with_the_log)
     spdlog::info("plain");
     spdlog::warn("odd {}", 7);
     log.info_to_file("quiet {}");
-    EXPECT_NE(content_of(folder.path / "run.log").find("quiet {}\n"), std::string::npos); // on the disk at once
+    EXPECT_NE(content_of(folder.path / "run.log").find("quiet {}\n"), std::string::npos);  // on the disk at once
   }
   EXPECT_EQ(spdlog::default_logger(), before);
   const std::string text = content_of(folder.path / "run.log");
@@ -108,5 +108,5 @@ TEST(RunLog, a_file_that_cannot_be_written_is_an_error)
   EXPECT_THROW(RunLog("/proc/berm/run.log"), RunError);
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

@@ -12,7 +12,8 @@ Real random_number(Real least, Real most)
   return least + (most - least) * *rc::gen::inRange(0, 1000001) / 1e6;
 }
 
-template <int dim> void half_plane_is_clipped_to_the_box()
+template <int dim>
+void half_plane_is_clipped_to_the_box()
 {
   Vec<dim> lower, upper, normal, point;
   for (int d = 0; d < dim; ++d) {
@@ -24,10 +25,10 @@ template <int dim> void half_plane_is_clipped_to_the_box()
   RC_PRE(normal.norm() > 0.1);
   const HalfPlane<dim> plane{point, normal.normalized()};
   const RigidSurface<dim> surface = surface_of<dim>(RigidShape<dim>(plane), lower, upper);
-  RC_ASSERT(surface.cells.size() == 1u); // the plane's point is inside the box
+  RC_ASSERT(surface.cells.size() == 1u);  // the plane's point is inside the box
   RC_ASSERT(surface.points.size() >= static_cast<std::size_t>(dim));
   for (const Vec<dim>& x : surface.points) {
-    RC_ASSERT(std::abs(surface_at<dim>(plane, x).distance) < 1e-9); // rounding of lengths near 10
+    RC_ASSERT(std::abs(surface_at<dim>(plane, x).distance) < 1e-9);  // rounding of lengths near 10
     // Inside the box, and on one of its sides: no part of the plane in the box is left out.
     const Real beyond = (lower - x).cwiseMax(x - upper).maxCoeff();
     RC_ASSERT(std::abs(beyond) < 1e-7);
@@ -54,7 +55,7 @@ TEST(RigidSurface, of_a_half_plane_on_the_side_of_the_box_is_that_side)
   const HalfPlane<2> bottom{Vec<2>(7, 0), Vec<2>(0, 1)};
   const auto surface = surface_of<2>(RigidShape<2>(bottom), Vec<2>(0, 0), Vec<2>(1, 1));
   ASSERT_EQ(surface.points.size(), 2u);
-  EXPECT_NEAR((surface.points[0] - surface.points[1]).norm(), 1, 1e-6); // the clip leaves 1e-9 of the box on each end
+  EXPECT_NEAR((surface.points[0] - surface.points[1]).norm(), 1, 1e-6);  // the clip leaves 1e-9 of the box on each end
 }
 
 TEST(RigidSurface, of_a_circle_goes_round_once_and_lies_on_it)
@@ -67,7 +68,7 @@ TEST(RigidSurface, of_a_circle_goes_round_once_and_lies_on_it)
     EXPECT_NEAR(a.norm(), 0.5, 1e-14);
     area += (a[0] * b[1] - a[1] * b[0]) / 2;
   }
-  EXPECT_NEAR(area, 64 * 0.25 * std::sin(2 * pi / 128), 1e-14); // the polygon's exact area, counter-clockwise
+  EXPECT_NEAR(area, 64 * 0.25 * std::sin(2 * pi / 128), 1e-14);  // the polygon's exact area, counter-clockwise
 }
 
 TEST(RigidSurface, of_a_circle_in_space_reaches_through_the_mesh)
@@ -92,5 +93,5 @@ TEST(RigidSurface, of_a_turned_box_has_its_corners)
   }
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

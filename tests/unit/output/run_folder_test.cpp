@@ -125,5 +125,5 @@ TEST(WholeFile, a_missing_folder_is_named)
   EXPECT_THROW(write_whole("/nowhere/a", "x"), RunError);
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm

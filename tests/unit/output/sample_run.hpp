@@ -44,7 +44,8 @@ inline void put(const std::filesystem::path& path, const std::string& content)
 
 /// A box of 0.2 x 0.1 (x 0.05) m with one particle near the middle of each cell, in two bodies (left and right half), and a circle, a box and
 /// a half-plane as rigid bodies. The particles' numbers are functions of body and id, so that a test can tell them.
-template <int dim> Problem<dim> sample_problem()
+template <int dim>
+Problem<dim> sample_problem()
 {
   Problem<dim> problem{};
   BoxMesh box{.lower = {0, 0, 0}, .size = {0.2, 0.1, 0.05}, .cells = {8, 4, 2}};
@@ -56,7 +57,7 @@ template <int dim> Problem<dim> sample_problem()
   model.mesh = make_box<dim>(box);
   for (int body = 0; body < 2; ++body) state.particles.emplace_back(model.mesh, model.mesh.cell_count(), 0);
   model.bodies.resize(2);
-  for (Index cell = model.mesh.cell_count() - 1; cell >= 0; --cell) { // backwards: storage is by cell, ids run against it
+  for (Index cell = model.mesh.cell_count() - 1; cell >= 0; --cell) {  // backwards: storage is by cell, ids run against it
     Particle<dim> p;
     p.x = model.mesh.centroid(cell);
     const int body = p.x[0] < 0.1 ? 0 : 1;
@@ -105,4 +106,4 @@ struct SamplePipe {
   }
 };
 
-} // namespace berm
+}  // namespace berm

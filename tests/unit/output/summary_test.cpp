@@ -62,5 +62,5 @@ TEST(Summary, quantities_keep_their_order)
   EXPECT_LT(text.find("V_at_w_0.1D"), text.find("H_max"));
 }
 
-} // namespace
-} // namespace berm
+}  // namespace
+}  // namespace berm
