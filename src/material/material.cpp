@@ -35,4 +35,16 @@ int state_size(const Material& material)
   return std::visit([](const auto& law) { return law.state_size; }, material);
 }
 
+bool dilates(const Material& material)
+{
+  const auto* law = std::get_if<MohrCoulomb>(&material);
+  return law != nullptr && law->dilation_angle > 0;
+}
+
+Material without_dilation(Material material)
+{
+  if (auto* law = std::get_if<MohrCoulomb>(&material)) law->dilation_angle = 0;
+  return material;
+}
+
 }  // namespace berm

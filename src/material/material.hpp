@@ -27,6 +27,12 @@ Elasticity elasticity(const Material& material);
 /// The modulus that gives the speed of pressure waves sqrt(M / density), Pa.
 Real p_wave_modulus(const Material& material);
 
+/// Whether shearing the material at yield makes its volume grow.
+bool dilates(const Material& material);
+
+/// The same material with a dilation angle of zero: what becomes of it once it cannot grow any further.
+Material without_dilation(Material material);
+
 /// How many numbers of its own a particle of this material keeps.
 int state_size(const Material& material);
 

@@ -40,7 +40,9 @@ Work<dim>::Work(const Model<dim>& model, const State<dim>& state) : contact_node
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     grids.emplace_back(model.mesh);
     find_nodes(model.mesh, state.particles[b], grids[b]);
-    laws.push_back(std::visit([](const auto& law) { return PreparedMaterial(prepare(law)); }, model.bodies[b].material));
+    const auto prepared = [](const auto& law) { return PreparedMaterial(prepare(law)); };
+    laws.push_back(std::visit(prepared, model.bodies[b].material));
+    spent_laws.push_back(std::visit(prepared, without_dilation(model.bodies[b].material)));
     most = std::max<std::size_t>(most, state.particles[b].size());
   }
   // A sixteenth of all particles at once is far more than ever change cell in one step of a stable run.

@@ -112,8 +112,27 @@ bool bring_back(const Mesh<dim>& mesh, Index cell, Vec<dim>& x)
   return true;
 }
 
+/// The law, but for particles that have grown to their largest volume: these dilate no more.
 template <int dim, class Law>
-void move_and_strain_with(const Law& law, const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
+[[gnu::always_inline]] inline void update_stress_of(const Law& law, const Law* spent_law, LaneMask spent, SymTensor<dim, Lanes>& stress,
+                                                    const SymTensor<dim, Lanes>& strain, Lanes* state)
+{
+  if (spent_law == nullptr || !any(spent)) {
+    update_stress<dim, Lanes>(law, stress, strain, state);
+    return;
+  }
+  SymTensor<dim, Lanes> spent_stress = stress;
+  Lanes spent_state[std::max(Law::state_size, 1)];
+  std::copy_n(state, Law::state_size, spent_state);
+  update_stress<dim, Lanes>(law, stress, strain, state);
+  update_stress<dim, Lanes>(*spent_law, spent_stress, strain, spent_state);
+  for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = spent ? spent_stress[k] : stress[k];
+  for (int k = 0; k < Law::state_size; ++k) state[k] = spent ? spent_state[k] : state[k];
+}
+
+/// spent_law is null where the law does not dilate.
+template <int dim, class Law>
+void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
 {
   const Mesh<dim>& mesh = model.mesh;
   const BodyGrid<dim>& grid = work.grids[body];
@@ -160,7 +179,7 @@ void move_and_strain_with(const Law& law, const Model<dim>& model, State<dim>& s
       SymTensor<dim, Lanes> stress;
       for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = p.stress[k];
       rotate(stress, cell_strain.spin);
-      update_stress<dim, Lanes>(law, stress, strain, particles.state(b));
+      update_stress_of<dim>(law, spent_law, p.volume >= p.mass * most_volume, stress, strain, particles.state(b));
       for (int k = 0; k < tensor_size<dim>; ++k) p.stress[k] = alive ? stress[k] : Lanes{};
       p.volume = smaller(larger(p.volume * stretch, p.mass * least_volume), p.mass * most_volume);
       p.deviatoric_strain += deviatoric;
@@ -203,7 +222,13 @@ template <int dim>
 template <int dim>
 void move_and_strain(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
 {
-  std::visit([&](const auto& law) { move_and_strain_with<dim>(law, model, state, work, body); }, work.laws[body]);
+  const bool dilates = berm::dilates(model.bodies[body].material);
+  std::visit(
+      [&](const auto& law) {
+        const auto& spent_law = std::get<std::decay_t<decltype(law)>>(work.spent_laws[body]);
+        move_and_strain_with<dim>(law, dilates ? &spent_law : nullptr, model, state, work, body);
+      },
+      work.laws[body]);
 }
 
 template <int dim>

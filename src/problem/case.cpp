@@ -136,7 +136,7 @@ void describe(Describe& d, MpmSettings& mpm)
   d.value("mixed_stress", mpm.mixed_stress, {.meaning = "average the stress over the particles of a full cell (MPM-MIXED)"});
   d.value("least_volume_ratio", mpm.least_volume_ratio,
           {.meaning = "smallest volume of a particle, over its first", .range = {0, 1, true}});
-  d.value("most_volume_ratio", mpm.most_volume_ratio, {.meaning = "largest volume of a particle, over its first", .range = {1, 10}});
+  d.value("most_volume_ratio", mpm.most_volume_ratio, {.meaning = "largest volume of a particle, over its first; a particle that has it dilates no more", .range = {1, 10}});
 }
 
 void describe(Describe& d, WatchSettings& watch)

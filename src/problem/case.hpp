@@ -16,8 +16,8 @@ struct MpmSettings {
   Real courant = 0.5;                 ///< time step over the time that a wave needs across the smallest height
   bool volumetric_projection = true;  ///< the cure against volumetric locking
   bool mixed_stress = false;          ///< average the stress over the particles of full cells (MPM-MIXED)
-  Real least_volume_ratio = 0.5;      ///< bounds of a particle's volume over its first
-  Real most_volume_ratio = 1.5;
+  Real least_volume_ratio = 0.8;      ///< bounds of a particle's volume over its first
+  Real most_volume_ratio = 1.2;
 };
 
 /// A particle whose motion is written to the history: the one nearest to `point` at the start.

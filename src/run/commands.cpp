@@ -8,6 +8,7 @@
 #include "run/bench.hpp"
 #include "run/interrupt.hpp"
 #include "run/simulate.hpp"
+#include "run/verify.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -48,7 +49,7 @@ int dispatch(int argc, char** argv)
   app.set_version_flag("--version", "berm " BERM_VERSION);
   app.require_subcommand(1);
 
-  std::vector<std::string> files, overrides, names;
+  std::vector<std::string> files, overrides, names, examples;
   std::string output, json;
   int threads = 0;
   bool markdown = false;
@@ -75,6 +76,10 @@ int dispatch(int argc, char** argv)
   bench->add_option("NAME", names, "problems (default: all)")->check(CLI::IsMember(bench_names()));
   bench->add_option("--json", json, "also write the table to this file");
   takes_threads(bench);
+  CLI::App* verify_command = app.add_subcommand("verify", "run examples and compare their results with what they expect");
+  verify_command->add_option("EXAMPLE", examples, "folders that hold an expected.toml")->required();
+  verify_command->add_option("-o,--output", output, "folder for the runs (default: out/verify)");
+  takes_threads(verify_command);
 
   try {
     app.parse(argc, argv);
@@ -89,6 +94,10 @@ int dispatch(int argc, char** argv)
   if (bench->parsed()) {
     run_bench(names, json, use_threads(threads));
     return 0;
+  }
+  if (verify_command->parsed()) {
+    catch_interrupts();
+    return verify(examples, output.empty() ? "out/verify" : output, use_threads(threads)) ? 0 : 1;
   }
   const std::vector<RunRequest> all = requests(files, output, overrides, use_threads(threads));
   if (run->parsed()) return run_all(all);

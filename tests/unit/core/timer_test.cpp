@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/for_each.hpp"
+#include "core/timer.hpp"
+
+#include <gtest/gtest.h>
+#include <thread>
+
+namespace berm {
+namespace {
+
+class Timers : public testing::Test {
+protected:
+  void SetUp() override { reset_timings(); }
+};
+
+void wait(int milliseconds)
+{
+  std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+}
+
+TEST_F(Timers, add_up_under_their_label_in_order_of_first_use)
+{
+  for (int k = 0; k < 3; ++k) {
+    {
+      const Timer timer("first");
+      wait(2);
+    }
+    {
+      const Timer timer("second");
+    }
+  }
+  const auto table = timings();
+  ASSERT_EQ(table.size(), 2u);
+  EXPECT_EQ(table[0].label, "first");
+  EXPECT_EQ(table[1].label, "second");
+  EXPECT_EQ(table[0].calls, 3);
+  EXPECT_EQ(table[1].calls, 3);
+  EXPECT_GE(table[0].seconds, 0.006);  // a sleep is never shorter than asked for
+  EXPECT_LT(table[1].seconds, table[0].seconds);
+}
+
+TEST_F(Timers, take_equal_words_for_one_label_wherever_they_are_stored)
+{
+  const std::string same_words = "loop";
+  {
+    const Timer timer("loop");
+  }
+  {
+    const Timer timer(same_words.c_str());
+  }
+  ASSERT_EQ(timings().size(), 1u);
+  EXPECT_EQ(timings()[0].calls, 2);
+}
+
+TEST_F(Timers, may_lie_inside_each_other)
+{
+  {
+    const Timer outer("outer");
+    wait(1);
+    const Timer inner("inner");
+    wait(2);
+  }
+  const auto table = timings();
+  ASSERT_EQ(table.size(), 2u);
+  EXPECT_GE(table[1].seconds, 0.002);
+  EXPECT_GE(table[0].seconds, table[1].seconds + 0.001);
+}
+
+TEST_F(Timers, forget_all_when_they_are_reset)
+{
+  {
+    const Timer timer("something");
+  }
+  reset_timings();
+  EXPECT_TRUE(timings().empty());
+}
+
+TEST_F(Timers, count_the_loops_by_their_label)
+{
+  for_each("a loop", 3, [](Index) {});
+  sum_of<Real>("a sum", 3, [](Index) { return 1.; });
+  ASSERT_EQ(timings().size(), 2u);
+  EXPECT_EQ(timings()[0].label, "a loop");
+  EXPECT_EQ(timings()[1].label, "a sum");
+}
+
+}  // namespace
+}  // namespace berm
