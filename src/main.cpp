@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "core/threads.hpp"
 #include "run/commands.hpp"
 
 int main(int argc, char** argv)
 {
+  berm::restart_with_short_waits(argv);
   return berm::run_commands(argc, argv);
 }
