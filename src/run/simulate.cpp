@@ -14,6 +14,7 @@
 #include "run/results.hpp"
 #include "run/scratch_folder.hpp"
 
+#include <exception>
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
@@ -72,10 +73,38 @@ public:
   {
   }
 
+  /// A run that fails leaves what it had: the results are written before the error goes on.
   bool to_the_end()
   {
     reset_timings();
     const Clock::time_point start = Clock::now();
+    std::exception_ptr failure;
+    try {
+      step_to_the_end();
+    } catch (const RunError&) {
+      failure = std::current_exception();
+    }
+    if (!finished_) frame();
+    const Real wall = std::chrono::duration<Real>(Clock::now() - start).count();
+    const RunTiming timing{static_cast<Real>(particle_count(state()) * state().step) / wall,
+                           wall,
+                           request_.threads,
+                           particle_count(state()),
+                           model().mesh.cell_count(),
+                           state().step,
+                           timings()};
+    write_results(request_, folder_, model(), state(), frames_, {finished_, equilibrium_, recorder_.energy_error(), held_force_}, timing);
+    if (failure) std::rethrow_exception(failure);
+    return finished_;
+  }
+
+private:
+  const Model<dim>& model() const { return problem_.model; }
+  State<dim>& state() { return problem_.state; }
+  const StageSettings& stage() { return model().stages[state().stage.index]; }
+
+  void step_to_the_end()
+  {
     record();
     frame();
     while (!interrupted() && !finished_) {
@@ -86,28 +115,11 @@ public:
       if (ended || progress_.due()) tell();
       if (ended) next_stage();
     }
-    if (!finished_) {
-      record();
-      frame();
-      spdlog::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}", state().time, stage().name,
-                   folder_.path().string());
-    }
-    const Real wall = std::chrono::duration<Real>(Clock::now() - start).count();
-    const RunTiming timing{static_cast<Real>(particle_count(state()) * state().step) / wall,
-                           wall,
-                           request_.threads,
-                           particle_count(state()),
-                           model().mesh.cell_count(),
-                           state().step,
-                           timings()};
-    write_results(request_, folder_, model(), state(), frames_, {finished_, equilibrium_, recorder_.energy_error(), held_force_}, timing);
-    return finished_;
+    if (finished_) return;
+    record();
+    spdlog::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}", state().time, stage().name,
+                 folder_.path().string());
   }
-
-private:
-  const Model<dim>& model() const { return problem_.model; }
-  State<dim>& state() { return problem_.state; }
-  const StageSettings& stage() { return model().stages[state().stage.index]; }
 
   void record()
   {
