@@ -3,6 +3,7 @@
 
 #include "contact/friction.hpp"
 #include "core/timer.hpp"
+#include "problem/stages.hpp"
 
 namespace berm {
 namespace {
@@ -56,6 +57,7 @@ void correct_accelerations(const Model<dim>& model, State<dim>& state, Work<dim>
 {
   const Timer timer("contact: step 4");
   const Real dt = state.dt;
+  const Vec<dim> gravity = gravity_now(model, state.time);
   for (RigidState<dim>& rigid : state.rigids) rigid.reaction.setZero();
   for (std::size_t k = 0; k < model.contacts.size(); ++k) {
     const Contact& contact = model.contacts[k];
@@ -73,7 +75,8 @@ void correct_accelerations(const Model<dim>& model, State<dim>& state, Work<dim>
         rigid.pressed_distance += impulse.norm() * c.distance;
       }
       state.totals.contact_impulse += impulse;
-      state.totals.external += impulse.dot(rigid.velocity);
+      // The change also moves the mid velocity with which gravity was taken to work.
+      state.totals.external += impulse.dot(rigid.velocity) + 0.5 * dt * gravity.dot(impulse);
       const Vec<dim> mid_velocity = grid.velocity[c.node] + 0.5 * dt * grid.acceleration[c.node];
       state.totals.friction -= impulse.dot(mid_velocity - rigid.velocity);
     }

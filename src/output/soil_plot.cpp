@@ -28,7 +28,7 @@ Real round_up(Real value)
 /// Radius of the disk that stands for a particle: larger than its share, so that neighbours close the ground between them.
 Real shown_radius(const Particle<2>& p)
 {
-  return 1.0 * std::sqrt(p.volume);
+  return std::sqrt(p.volume);
 }
 
 }  // namespace

@@ -132,11 +132,13 @@ void describe(Describe& d, MpmSettings& mpm)
 {
   d.value("courant", mpm.courant,
           {.meaning = "time step over the time that a wave needs across the smallest height of a cell", .range = {0, 1, true}});
-  d.value("volumetric_projection", mpm.volumetric_projection, {.meaning = "project volume changes on the nodes, the cure against locking"});
+  d.value("volumetric_projection", mpm.volumetric_projection,
+          {.meaning = "average volume changes over patches of two triangles (four tetrahedra), the cure against locking"});
   d.value("mixed_stress", mpm.mixed_stress, {.meaning = "average the stress over the particles of a full cell (MPM-MIXED)"});
   d.value("least_volume_ratio", mpm.least_volume_ratio,
           {.meaning = "smallest volume of a particle, over its first", .range = {0, 1, true}});
-  d.value("most_volume_ratio", mpm.most_volume_ratio, {.meaning = "largest volume of a particle, over its first; a particle that has it dilates no more", .range = {1, 10}});
+  d.value("most_volume_ratio", mpm.most_volume_ratio,
+          {.meaning = "largest volume of a particle, over its first; a particle that has it dilates no more", .range = {1, 10}});
 }
 
 void describe(Describe& d, WatchSettings& watch)

@@ -3,7 +3,6 @@
 
 #include "core/error.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -53,20 +52,26 @@ Rows rows_of(const Expectation& e, const History& history)
   return rows;
 }
 
-/// The coefficient of t^degree in the least-squares polynomial of that degree through the rows.
+/// The coefficient of t^degree in the least-squares polynomial of that degree through the rows: that of the last of the polynomials
+/// p_k = t p_(k-1) less its parts along the earlier ones, which are orthogonal over the rows.
 Real highest_coefficient(const Rows& rows, int degree)
 {
-  const auto count = static_cast<Eigen::Index>(rows.time.size());
-  if (count <= degree) return unknown;
-  const Real middle = (rows.time.front() + rows.time.back()) / 2, half = (rows.time.back() - rows.time.front()) / 2;
-  Eigen::MatrixXd powers(count, degree + 1);
-  Eigen::VectorXd value(count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    const auto row = static_cast<std::size_t>(k);
-    for (int p = 0; p <= degree; ++p) powers(k, p) = std::pow((rows.time[row] - middle) / half, p);
-    value(k) = rows.value[row];
+  const std::size_t count = rows.time.size();
+  if (count <= static_cast<std::size_t>(degree)) return unknown;
+  const auto dot = [](const std::vector<Real>& a, const std::vector<Real>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), Real(0));
+  };
+  std::vector<std::vector<Real>> polynomials = {std::vector<Real>(count, 1)};
+  for (int k = 1; k <= degree; ++k) {
+    std::vector<Real> next = polynomials.back();
+    for (std::size_t row = 0; row < count; ++row) next[row] *= rows.time[row] - rows.time[0];
+    for (const std::vector<Real>& earlier : polynomials) {
+      const Real part = dot(next, earlier) / dot(earlier, earlier);
+      for (std::size_t row = 0; row < count; ++row) next[row] -= part * earlier[row];
+    }
+    polynomials.push_back(next);
   }
-  return powers.colPivHouseholderQr().solve(value)(degree) / std::pow(half, degree);
+  return dot(rows.value, polynomials.back()) / dot(polynomials.back(), polynomials.back());
 }
 
 /// Mean distance of each crossing of the mean from the next but one: a level that is a little off moves neighbours apart, but not these.
@@ -80,7 +85,7 @@ Real period_of(const Rows& rows)
   }
   const std::size_t n = crossings.size();
   if (n < 3) return unknown;
-  return (crossings[n - 1] + crossings[n - 2] - crossings[1] - crossings[0]) / (2 * static_cast<Real>(n - 2));
+  return (crossings[n - 1] + crossings[n - 2] - crossings[1] - crossings[0]) / static_cast<Real>(n - 2);
 }
 
 }  // namespace

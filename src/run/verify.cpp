@@ -81,16 +81,15 @@ Row row_of(const Claim& claim, Real value)
   std::string what = e.quantity;
   if (what.empty()) what = fmt::format("{} {}", e.column, measure_words[static_cast<std::size_t>(e.measure)]);
   const bool relative = e.tolerance.has_value();
-  const Real error = error_of(e, value), tolerance = e.absolute_tolerance.value_or(0);
+  const Real error = error_of(e, value);
+  const std::string tolerance = relative ? percent(*e.tolerance) : e.absolute_tolerance ? number(*e.absolute_tolerance) : "";
   return {claim.example,
           claim.run,
           what,
           expected_of(e) + of_unit,
           number(value) + of_unit,
           relative ? percent(error) : number(error),
-          relative  ? percent(*e.tolerance)
-          : e.exact ? number(tolerance)
-                    : "",
+          tolerance,
           is_met(e, value) ? "met" : "MISSED",
           e.source};
 }
