@@ -29,15 +29,13 @@ SymTensor<dim> random_tensor(std::mt19937& random)
 
 template <class Dimension>
 class SymTensors : public testing::Test {
-public:
-  static constexpr int dim = Dimension::value;
 };
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(SymTensors, Dimensions);
 
 TYPED_TEST(SymTensors, have_a_place_of_their_own_for_each_component)
 {
-  constexpr int dim = TestFixture::dim;
+  constexpr int dim = TypeParam::value;
   std::vector<int> seen(tensor_size<dim>, 0);
   for (int i = 0; i < dim; ++i)
     for (int j = i; j < dim; ++j) {
@@ -50,7 +48,7 @@ TYPED_TEST(SymTensors, have_a_place_of_their_own_for_each_component)
 
 TYPED_TEST(SymTensors, trace_and_double_dot_are_those_of_the_matrices)
 {
-  constexpr int dim = TestFixture::dim;
+  constexpr int dim = TypeParam::value;
   std::mt19937 random(1);
   for (int trial = 0; trial < 100; ++trial) {
     const auto a = random_tensor<dim>(random), b = random_tensor<dim>(random);
@@ -61,7 +59,7 @@ TYPED_TEST(SymTensors, trace_and_double_dot_are_those_of_the_matrices)
 
 TYPED_TEST(SymTensors, double_dot_of_lanes_is_that_of_each_lane)
 {
-  constexpr int dim = TestFixture::dim;
+  constexpr int dim = TypeParam::value;
   std::mt19937 random(2);
   SymTensor<dim, Lanes> wide;
   SymTensor<dim> single[lanes];
@@ -76,7 +74,7 @@ TYPED_TEST(SymTensors, double_dot_of_lanes_is_that_of_each_lane)
 
 TYPED_TEST(SymTensors, equivalent_strain_is_that_of_the_deviator)
 {
-  constexpr int dim = TestFixture::dim;
+  constexpr int dim = TypeParam::value;
   std::mt19937 random(3);
   for (int trial = 0; trial < 100; ++trial) {
     const auto a = random_tensor<dim>(random);
@@ -87,7 +85,7 @@ TYPED_TEST(SymTensors, equivalent_strain_is_that_of_the_deviator)
 
 TYPED_TEST(SymTensors, equivalent_strain_of_known_states)
 {
-  constexpr int dim = TestFixture::dim;
+  constexpr int dim = TypeParam::value;
   SymTensor<dim> volumetric;
   for (int k = 0; k < 3; ++k) volumetric[k] = 0.3;
   EXPECT_NEAR(equivalent_deviatoric_strain(volumetric), 0, 1e-16);

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bodies/fill.hpp"
+
+#include "../mesh/sample_meshes.hpp"
+#include "core/error.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+template <int dim>
+constexpr StartState<dim> at_rest{1000, 10, 0, 0};
+
+/// A mesh with the regions "low" (y < 0.8), "high" and "empty", which has no cells.
+template <int dim>
+Mesh<dim> mesh_of_two_regions()
+{
+  Mesh<dim> mesh = shaken_box<dim>();
+  mesh.region_names = {"low", "high", "empty"};
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) mesh.region[cell] = mesh.centroid(cell)[1] < 0.8 ? 0 : 1;
+  return mesh;
+}
+
+template <int dim>
+std::vector<Particle<dim>> all_of(const Particles<dim>& particles)
+{
+  std::vector<Particle<dim>> all(particles.size());
+  particles.visit([&](Index, Index b, int l) {
+    const auto p = particles.read(b, l);
+    all.at(p.id) = p;
+  });
+  return all;
+}
+
+BodySettings in_regions(std::vector<std::string> regions, int particles_per_cell = 0)
+{
+  BodySettings body;
+  body.regions = std::move(regions);
+  body.particles_per_cell = particles_per_cell;
+  return body;
+}
+
+BlockSettings block_of(std::vector<Real> center, std::vector<Real> size, Real spacing, Real angle = 0)
+{
+  BlockSettings block;
+  block.center = std::move(center);
+  block.size = std::move(size);
+  block.spacing = spacing;
+  block.angle = angle;
+  return block;
+}
+
+template <class Dimension>
+class Fill : public testing::Test {
+};
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(Fill, Dimensions);
+
+TYPED_TEST(Fill, puts_the_particles_into_the_cells_of_its_regions_alone)
+{
+  constexpr int dim = TypeParam::value;
+  const auto mesh = mesh_of_two_regions<dim>();
+  auto body = in_regions({"low", "high"}, 1);
+  const int special = dim == 2 ? 16 : 27;
+  body.region_particles_per_cell = {{"high", special}};
+  const auto particles = fill<dim>(mesh, "sand", body, at_rest<dim>);
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) EXPECT_EQ(particles.count_in(cell), mesh.region[cell] == 0 ? 1 : special) << cell;
+
+  const auto half = fill<dim>(mesh, "sand", in_regions({"low"}), at_rest<dim>);
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+    EXPECT_EQ(half.count_in(cell), mesh.region[cell] == 0 ? (dim == 2 ? 9 : 8) : 0) << cell;
+}
+
+TYPED_TEST(Fill, keeps_each_particle_in_the_cell_that_holds_it_and_numbers_them_from_zero)
+{
+  constexpr int dim = TypeParam::value;
+  const auto mesh = mesh_of_two_regions<dim>();
+  const auto particles = fill<dim>(mesh, "sand", in_regions({"high"}), at_rest<dim>);
+  std::vector<int> seen(particles.size(), 0);
+  particles.visit([&](Index cell, Index b, int l) {
+    const auto p = particles.read(b, l);
+    ++seen.at(p.id);
+    for (int k = 0; k <= dim; ++k) EXPECT_GT(mesh.shape[cell].value(k, p.x), 0);
+  });
+  EXPECT_EQ(seen, std::vector<int>(particles.size(), 1));
+}
+
+TYPED_TEST(Fill, volumes_masses_and_centres_add_up_to_those_of_the_cells)
+{
+  constexpr int dim = TypeParam::value;
+  const auto mesh = mesh_of_two_regions<dim>();
+  Real volume = 0, mass = 0, region_volume = 0;
+  Vec<dim> moment = Vec<dim>::Zero(), region_moment = Vec<dim>::Zero();
+  for (const auto& p : all_of(fill<dim>(mesh, "sand", in_regions({"low"}), at_rest<dim>)))
+    volume += p.volume, mass += p.mass, moment += p.volume * p.x;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+    if (mesh.region[cell] == 0) region_volume += mesh.volume[cell], region_moment += mesh.volume[cell] * mesh.centroid(cell);
+  EXPECT_NEAR(volume / region_volume, 1, 1e-13);
+  EXPECT_NEAR(mass / region_volume, 1000, 1e-10);
+  EXPECT_NEAR((moment - region_moment).norm(), 0, 1e-13);
+}
+
+TYPED_TEST(Fill, says_which_regions_there_are_when_one_is_unknown)
+{
+  constexpr int dim = TypeParam::value;
+  try {
+    fill<dim>(mesh_of_two_regions<dim>(), "sand", in_regions({"low", "bed"}), at_rest<dim>);
+    FAIL() << "nothing was thrown";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "body.sand.regions: the mesh has no region \"bed\"; it has low, high, empty");
+  }
+}
+
+TYPED_TEST(Fill, gives_no_particle_where_the_region_has_no_cell)
+{
+  constexpr int dim = TypeParam::value;
+  EXPECT_EQ(fill<dim>(mesh_of_two_regions<dim>(), "sand", in_regions({"empty"}), at_rest<dim>).size(), 0);
+}
+
+TYPED_TEST(Fill, the_stress_of_a_flat_bed_grows_with_depth)
+{
+  constexpr int dim = TypeParam::value;
+  const auto mesh = mesh_of_two_regions<dim>();
+  auto body = in_regions({"low", "high"});
+  body.k0 = 0.4;
+  StartState<dim> start{1500, 20, 0.9, 1};  // the surface lies within the body: what is above it has no stress
+  int above = 0;
+  for (const auto& p : all_of(fill<dim>(mesh, "sand", body, start))) {
+    const Real vertical = p.x[1] < 0.9 ? -1500. * 20 * (0.9 - p.x[1]) : 0;
+    above += p.x[1] > 0.9;
+    EXPECT_NEAR(p.stress[1], vertical, 1e-9);
+    EXPECT_NEAR(p.stress[0], 0.4 * vertical, 1e-9);
+    EXPECT_NEAR(p.stress[2], 0.4 * vertical, 1e-9);
+    for (int k = 3; k < tensor_size<dim>; ++k) EXPECT_EQ(p.stress[k], 0);
+  }
+  EXPECT_GT(above, 0);
+}
+
+TYPED_TEST(Fill, without_k0_there_is_no_stress_and_no_motion)
+{
+  constexpr int dim = TypeParam::value;
+  for (const auto& p : all_of(fill<dim>(mesh_of_two_regions<dim>(), "sand", in_regions({"low"}), at_rest<dim>))) {
+    for (int k = 0; k < tensor_size<dim>; ++k) EXPECT_EQ(p.stress[k], 0);
+    EXPECT_EQ(p.v.norm(), 0);
+    EXPECT_EQ(p.deviatoric_strain, 0);
+  }
+}
+
+TYPED_TEST(Fill, starts_with_a_uniform_velocity_or_a_standing_wave)
+{
+  constexpr int dim = TypeParam::value;
+  auto body = in_regions({"low"});
+  InitialVelocity motion;
+  motion.amplitude = {1, -2, 3};
+  motion.amplitude.resize(dim);
+  body.initial_velocity = motion;
+  Vec<dim> amplitude, wave;
+  for (int d = 0; d < dim; ++d) amplitude[d] = motion.amplitude[d], wave[d] = 2 + d;
+  for (const auto& p : all_of(fill<dim>(mesh_of_two_regions<dim>(), "sand", body, at_rest<dim>))) EXPECT_EQ(p.v, amplitude);
+
+  body.initial_velocity->wave_number.assign(wave.begin(), wave.end());
+  for (const auto& p : all_of(fill<dim>(mesh_of_two_regions<dim>(), "sand", body, at_rest<dim>)))
+    EXPECT_NEAR((p.v - amplitude * std::sin(wave.dot(p.x))).norm(), 0, 1e-14);
+}
+
+TYPED_TEST(Fill, a_block_is_filled_with_whole_equal_parts)
+{
+  constexpr int dim = TypeParam::value;
+  const auto mesh = mesh_of_two_regions<dim>();
+  // 0.9 / 0.14 rounds to 6 and 0.5 / 0.14 to 4 parts.
+  std::vector<Real> center = {0.7, 0.8, 1.4}, size = {0.9, 0.5, 0.5};
+  center.resize(dim), size.resize(dim);
+  BodySettings body;
+  body.block = block_of(center, size, 0.14);
+  const auto all = all_of(fill<dim>(mesh, "block", body, at_rest<dim>));
+  ASSERT_EQ(all.size(), dim == 2 ? 24u : 96u);
+  const Real part = dim == 2 ? 0.9 * 0.5 / 24 : 0.9 * 0.5 * 0.5 / 96;
+  Vec<dim> mean = Vec<dim>::Zero();
+  for (const auto& p : all) {
+    EXPECT_NEAR(p.volume, part, 1e-15);
+    EXPECT_NEAR(p.mass, 1000 * part, 1e-12);
+    for (int d = 0; d < dim; ++d) EXPECT_LT(std::abs(p.x[d] - center[d]), size[d] / 2);
+    mean += p.x / static_cast<Real>(all.size());
+  }
+  for (int d = 0; d < dim; ++d) EXPECT_NEAR(mean[d], center[d], 1e-14);
+}
+
+TYPED_TEST(Fill, a_block_that_leaves_the_mesh_is_refused_with_the_place)
+{
+  constexpr int dim = TypeParam::value;
+  std::vector<Real> center = {0, 0.8, 1.4}, size = {0.9, 0.5, 0.5};
+  center.resize(dim), size.resize(dim);
+  BodySettings body;
+  body.block = block_of(center, size, 0.1);
+  try {
+    fill<dim>(mesh_of_two_regions<dim>(), "brick", body, at_rest<dim>);
+    FAIL() << "nothing was thrown";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find("body.brick.block: the block leaves the mesh at (-0.4"), 0u) << error.what();
+  }
+}
+
+TEST(FillBlock, may_be_turned)
+{
+  // A square turned by 45 degrees: a particle's coordinates along the diagonals stay within half a side, and the lattice lies along them.
+  constexpr Real side = 0.4, half = side / 2;
+  const auto mesh = mesh_of_two_regions<2>();
+  BodySettings body;
+  body.block = block_of({0.7, 0.8}, {side, side / 2}, 0.1, pi / 4);
+  const auto all = all_of(fill<2>(mesh, "block", body, at_rest<2>));
+  ASSERT_EQ(all.size(), 8u);
+  const Vec<2> center(0.7, 0.8), along = Vec<2>(1, 1).normalized(), across = Vec<2>(-1, 1).normalized();
+  std::vector<int> columns(4, 0);
+  for (const auto& p : all) {
+    const Real a = along.dot(p.x - center), b = across.dot(p.x - center);
+    EXPECT_NEAR(std::abs(b), 0.05, 1e-14);
+    const Real column = (a + half) / 0.1 - 0.5;
+    EXPECT_NEAR(column, std::round(column), 1e-12);
+    ++columns.at(std::lround(column));
+  }
+  EXPECT_EQ(columns, std::vector<int>(4, 2));
+}
+
+}  // namespace
+}  // namespace berm

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bodies/particles.hpp"
+
+#include "../mesh/sample_meshes.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+#include <set>
+
+namespace berm {
+namespace {
+
+/// A particle whose every number tells which one it is.
+template <int dim>
+Particle<dim> particle_number(std::int32_t id, int state_size)
+{
+  Particle<dim> p;
+  p.id = id;
+  p.mass = id + 0.125;
+  p.volume = id + 0.25;
+  p.deviatoric_strain = id + 0.5;
+  for (int d = 0; d < dim; ++d) p.x[d] = id + 0.01 * d, p.v[d] = -id - 0.01 * d;
+  for (int k = 0; k < tensor_size<dim>; ++k) p.stress[k] = id + 0.001 * k;
+  for (int k = 0; k < state_size; ++k) p.state[k] = id + 0.3 + k;
+  return p;
+}
+
+template <int dim>
+bool same(const Particle<dim>& a, const Particle<dim>& b)
+{
+  return a.id == b.id && a.mass == b.mass && a.volume == b.volume && a.deviatoric_strain == b.deviatoric_strain && a.x == b.x &&
+         a.v == b.v && std::equal(a.stress.c, a.stress.c + tensor_size<dim>, b.stress.c) &&
+         std::equal(a.state, a.state + Particle<dim>::most_state, b.state);
+}
+
+/// What Particles promises, in the simplest form: a list of particles for each cell.
+template <int dim>
+struct Expected {
+  std::vector<std::vector<Particle<dim>>> cells;
+
+  Index blocks() const
+  {
+    Index count = 0;
+    for (const auto& list : cells) count += static_cast<Index>((list.size() + lanes - 1) / lanes);
+    return count;
+  }
+  Index size() const
+  {
+    Index count = 0;
+    for (const auto& list : cells) count += static_cast<Index>(list.size());
+    return count;
+  }
+};
+
+/// Each cell's chain holds the expected particles in their order; lanes without a particle weigh nothing. Gives the largest block in use.
+template <int dim>
+Index expect_same(const Particles<dim>& particles, const Expected<dim>& expected)
+{
+  std::set<Index> used;
+  RC_ASSERT(particles.size() == expected.size());
+  for (Index cell = 0; cell < static_cast<Index>(expected.cells.size()); ++cell) {
+    const auto& list = expected.cells[cell];
+    RC_ASSERT(particles.count_in(cell) == static_cast<Index>(list.size()));
+    Index b = particles.first_block(cell);
+    for (std::size_t first = 0; first < list.size(); first += lanes, b = particles.block(b).next) {
+      RC_ASSERT(b != none);
+      RC_ASSERT(used.insert(b).second);
+      const Block<dim>& block = particles.block(b);
+      for (int l = 0; l < lanes; ++l) {
+        if (first + l < list.size()) {
+          RC_ASSERT(same(particles.read(b, l), list[first + l]));
+          continue;
+        }
+        RC_ASSERT(block.mass[l] == 0 && block.volume[l] == 0 && block.id[l] == none);
+        for (int k = 0; k < tensor_size<dim>; ++k) RC_ASSERT(block.stress[k][l] == 0);
+        for (int d = 0; d < dim; ++d) RC_ASSERT(std::isfinite(block.x[d][l]) && std::isfinite(block.v[d][l]));
+      }
+    }
+    RC_ASSERT(b == none);
+  }
+  return used.empty() ? none : *used.rbegin();
+}
+
+template <int dim>
+void behaves_like_a_list_for_each_cell()
+{
+  constexpr Index most = 60;
+  const auto mesh = make_box<dim>(sample_box<dim>());
+  const int state_size = *rc::gen::inRange(0, Particle<dim>::most_state + 1);
+  const Index cells = 5;  // few, so that chains of several blocks are common
+  Particles<dim> particles(mesh, most, state_size);
+  Expected<dim> expected;
+  expected.cells.resize(mesh.cell_count());
+  const Block<dim>* memory = nullptr;
+  const Lanes* state_memory = nullptr;
+  Index peak = 0, largest_block = none;
+  std::int32_t next_id = 0;
+
+  const auto actions =
+      *rc::gen::container<std::vector<std::pair<int, int>>>(rc::gen::pair(rc::gen::inRange(0, 100), rc::gen::inRange(0, 1000)));
+  for (const auto& [action, number] : actions) {
+    // The cells spread over the mesh, in an order that is not theirs.
+    const Index cell = (3 - number % cells + cells) * 7 % mesh.cell_count();
+    auto& list = expected.cells[cell];
+    if (action < 60 && expected.size() < most) {
+      for (int repeat = 0; repeat < 1 + action % 9 && expected.size() < most; ++repeat) {
+        const auto p = particle_number<dim>(next_id++, state_size);
+        particles.insert(cell, p);
+        list.push_back(p);
+      }
+    } else if (!list.empty()) {
+      const std::size_t place = number / cells % list.size();
+      const auto taken = particles.take(cell, static_cast<Index>(place));
+      RC_ASSERT(same(taken, list[place]));
+      list[place] = list.back();
+      list.pop_back();
+    }
+    if (memory == nullptr && particles.size() > 0) memory = &particles.block(0), state_memory = particles.state(0);
+    peak = std::max(peak, expected.blocks());
+    largest_block = std::max(largest_block, expect_same(particles, expected));
+  }
+
+  if (memory != nullptr) {
+    RC_ASSERT(memory == &particles.block(0));  // no growth beyond what was reserved
+    RC_ASSERT(state_memory == particles.state(0));
+  }
+  RC_ASSERT(largest_block < peak);  // a freed block is used before a new one
+
+  std::vector<Index> occupied;
+  std::vector<Particle<dim>> in_order;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    const auto& list = expected.cells[cell];
+    if (!list.empty()) occupied.push_back(cell);
+    in_order.insert(in_order.end(), list.begin(), list.end());
+  }
+  particles.sort_occupied();
+  RC_ASSERT(particles.occupied() == occupied);
+  RC_ASSERT(!particles.sort_occupied());
+  std::size_t visited = 0;
+  particles.visit([&](Index, Index b, int l) { RC_ASSERT(same(particles.read(b, l), in_order.at(visited++))); });
+  RC_ASSERT(visited == in_order.size());
+}
+
+RC_GTEST_PROP(Particles, behave_like_a_list_for_each_cell_in_triangles, ())
+{
+  behaves_like_a_list_for_each_cell<2>();
+}
+RC_GTEST_PROP(Particles, behave_like_a_list_for_each_cell_in_tetrahedra, ())
+{
+  behaves_like_a_list_for_each_cell<3>();
+}
+
+TEST(Particles, never_need_more_memory_than_was_reserved_wherever_they_gather)
+{
+  // The worst case for blocks: as many cells as possible with one particle beyond full blocks.
+  const auto mesh = make_box<2>(sample_box<2>());
+  for (const Index most : {1, 8, 9, 56, 57, 200}) {
+    Particles<2> particles(mesh, most, 1);
+    particles.insert(0, particle_number<2>(0, 1));
+    const Block<2>* memory = &particles.block(0);
+    for (Index k = 1; k < most; ++k) particles.insert(k % std::min(most, mesh.cell_count()), particle_number<2>(k, 1));
+    EXPECT_EQ(memory, &particles.block(0)) << most;
+    for (Index cell = 1; cell < mesh.cell_count(); ++cell)
+      while (particles.count_in(cell) > 0) particles.insert(0, particles.take(cell, 0));
+    EXPECT_EQ(memory, &particles.block(0)) << most;
+    EXPECT_EQ(particles.size(), most);
+  }
+}
+
+TEST(Particles, tell_whether_the_occupied_cells_changed)
+{
+  const auto mesh = make_box<2>(sample_box<2>());
+  Particles<2> particles(mesh, 10, 0);
+  EXPECT_FALSE(particles.sort_occupied());
+  particles.insert(4, particle_number<2>(0, 0));
+  particles.insert(2, particle_number<2>(1, 0));
+  EXPECT_TRUE(particles.sort_occupied());
+  EXPECT_EQ(particles.occupied(), (std::vector<Index>{2, 4}));
+  particles.insert(4, particle_number<2>(2, 0));
+  EXPECT_FALSE(particles.sort_occupied());
+  particles.take(2, 0);
+  EXPECT_TRUE(particles.sort_occupied());
+  EXPECT_EQ(particles.occupied(), std::vector<Index>{4});
+}
+
+}  // namespace
+}  // namespace berm

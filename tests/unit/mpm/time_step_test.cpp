@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/time_step.hpp"
+
+#include "core/error.hpp"
+#include "sample_problem.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+template <class Dimension>
+class TimeStep : public testing::Test {
+};
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(TimeStep, Dimensions);
+
+TYPED_TEST(TimeStep, is_courant_times_the_least_height_over_the_speeds_of_wave_and_soil)
+{
+  constexpr int dim = TypeParam::value;
+  auto problem = problem_on<dim>(shaken_box<dim>(), sample_solid(0.2), 0);
+  problem.model.mpm.courant = 0.4;
+  // Only cells with particles count: the lowest one loses its particles.
+  const Mesh<dim>& mesh = problem.model.mesh;
+  const Index lowest = static_cast<Index>(std::min_element(mesh.height.begin(), mesh.height.end()) - mesh.height.begin());
+  auto& particles = problem.state.particles[0];
+  Real height = infinity;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+    if (cell != lowest) height = std::min(height, mesh.height[cell]);
+  while (particles.count_in(lowest) > 0) particles.take(lowest, 0);
+  particles.sort_occupied();
+  ASSERT_GT(height, mesh.height[lowest]);
+
+  // M = E (1 - nu) / ((1 + nu)(1 - 2 nu)).
+  const Real wave = std::sqrt(2e6 * 0.8 / (1.2 * 0.6) / 1500);
+  Work<dim> work(problem.model, problem.state);
+  EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / wave), 1, 1e-14);
+
+  work.grids[0].moved_velocity[work.grids[0].nodes.back()] = 3 * Vec<dim>::UnitX() - 4 * Vec<dim>::UnitY();
+  EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / (wave + 5)), 1, 1e-14);
+  EXPECT_EQ(work.fastest, 5);
+
+  problem.state.rigids.emplace_back();
+  problem.state.rigids[0].velocity = 7 * Vec<dim>::UnitX();
+  EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / (wave + 7)), 1, 1e-14);
+}
+
+TYPED_TEST(TimeStep, a_velocity_that_is_not_finite_ends_the_run_with_time_step_and_advice)
+{
+  constexpr int dim = TypeParam::value;
+  auto problem = problem_on<dim>(shaken_box<dim>(), sample_solid(), 0);
+  problem.state.time = 0.5;
+  problem.state.step = 33;
+  Work<dim> work(problem.model, problem.state);
+  work.grids[0].moved_velocity[work.grids[0].nodes[3]][0] = std::numeric_limits<Real>::quiet_NaN();
+  try {
+    stable_time_step(problem.model, problem.state, work);
+    FAIL() << "nothing was thrown";
+  } catch (const RunError& error) {
+    const std::string message = error.what();
+    for (const char* part : {"not finite", "t = 0.5 s", "step 33", "mpm.courant"})
+      EXPECT_NE(message.find(part), std::string::npos) << message;
+  }
+}
+
+}  // namespace
+}  // namespace berm

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/error.hpp"
+#include "sample_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+StageSettings rest()
+{
+  return stage_of(StageKind::free);
+}
+StageSettings push_of(const char* rigid)
+{
+  StageSettings stage = stage_of(StageKind::push, rigid);
+  stage.rigid = rigid;
+  stage.velocity = 1;
+  return stage;
+}
+
+std::string message_of(const Case& c)
+{
+  try {
+    build<2>(c, ".", ".");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Build, names_the_regions_there_are_when_one_is_unknown)
+{
+  Case c = pipe_over_box({rest()});
+  c.body[0].second.regions = {"bed"};
+  EXPECT_EQ(message_of(c), "body.bed.regions: the mesh has no region \"bed\"; it has box");
+}
+
+TEST(Build, names_the_boundaries_there_are_when_one_is_unknown)
+{
+  Case c = pipe_over_box({rest()});
+  c.support = {{"base", {"base", {"x"}}}};
+  EXPECT_EQ(message_of(c), "support.base.boundary: the mesh has no boundary \"base\"; it has left, right, bottom, top");
+}
+
+TEST(Build, refuses_a_block_that_leaves_the_mesh)
+{
+  Case c = pipe_over_box({rest()});
+  BlockSettings block;
+  block.center = {0, 0};
+  block.size = {1, 1};
+  block.spacing = 0.5;
+  c.body[0].second.regions.clear();
+  c.body[0].second.block = block;
+  EXPECT_EQ(message_of(c).find("body.bed.block: the block leaves the mesh"), 0u) << message_of(c);
+}
+
+TEST(Build, holds_the_nodes_of_a_boundary_in_the_directions_named)
+{
+  Case c = pipe_over_box({rest()});
+  c.support = {{"left", {"left", {"x"}}}, {"base", {"bottom", {"x", "y"}}}};
+  const auto model = build<2>(c, ".", ".").model;
+  for (Index i = 0; i < model.mesh.node_count(); ++i) {
+    const Vec<2>& x = model.mesh.position[i];
+    EXPECT_EQ(model.fixed[i], x[1] == 0 ? 3 : x[0] == 0 ? 1 : 0) << x.transpose();
+  }
+}
+
+TEST(Build, starts_at_rest_with_the_momentum_of_the_particles)
+{
+  Case c = pipe_over_box({rest()});
+  InitialVelocity motion;
+  motion.amplitude = {0.5, -0.25};
+  c.body[0].second.initial_velocity = motion;
+  const auto state = build<2>(c, ".", ".").state;
+  EXPECT_NEAR((state.totals.first_momentum - 4000 * Vec<2>(0.5, -0.25)).norm(), 0, 1e-9);
+  EXPECT_EQ(state.time, 0);
+  EXPECT_EQ(state.step, 0);
+  EXPECT_EQ(state.particles[0].size(), 32 * 9);
+}
+
+TEST(Build, looks_contacts_and_watched_points_up)
+{
+  Case c = pipe_over_box({rest()});
+  c.body.push_back({"second", c.body[0].second});
+  ContactSettings contact;
+  contact.body = "second";
+  contact.rigid = "pipe";
+  contact.friction_angle = pi / 6;
+  contact.adhesion = 30;
+  c.contact = {{"skin", contact}};
+  c.watch = {{"tip", {"second", {1.98, 1.97}}}};
+  const auto problem = build<2>(c, ".", ".");
+  ASSERT_EQ(problem.model.contacts.size(), 1u);
+  EXPECT_EQ(problem.model.contacts[0].body, 1);
+  EXPECT_EQ(problem.model.contacts[0].rigid, 0);
+  EXPECT_NEAR(problem.model.contacts[0].friction, 1 / std::sqrt(3.), 1e-15);
+  EXPECT_EQ(problem.model.contacts[0].adhesion, 30);
+
+  const Watch& watch = problem.model.watches.at(0);
+  EXPECT_EQ(watch.body, 1);
+  Real least = infinity, of_watched = infinity;
+  problem.state.particles[1].visit([&](Index, Index b, int l) {
+    const auto p = problem.state.particles[1].read(b, l);
+    const Real distance = (p.x - Vec<2>(1.98, 1.97)).norm();
+    least = std::min(least, distance);
+    if (p.id == watch.id) of_watched = distance;
+  });
+  EXPECT_EQ(of_watched, least);
+}
+
+TEST(Build, damps_a_node_as_the_most_damped_of_its_regions)
+{
+  Case c = pipe_over_box({rest()});
+  c.body[0].second.damping = 0.1;
+  c.body[0].second.region_damping = {{"box", 0.3}};
+  const auto model = build<2>(c, ".", ".").model;
+  for (const Real damping : model.bodies[0].damping) EXPECT_EQ(damping, 0.3);
+}
+
+TEST(MainRigid, is_the_first_that_a_stage_names_else_the_first_there_is)
+{
+  Case c = pipe_over_box({rest()});
+  EXPECT_EQ(main_rigid(c), 0);
+  c.rigid.push_back({"floor", c.rigid[0].second});
+  c.rigid.push_back({"wall", c.rigid[0].second});
+  EXPECT_EQ(main_rigid(c), 0);
+  c.stage = {rest(), push_of("wall"), push_of("floor")};
+  EXPECT_EQ(main_rigid(c), 2);
+  c.stage = {rest()};
+  c.rigid.clear();
+  EXPECT_EQ(main_rigid(c), none);
+}
+
+}  // namespace
+}  // namespace berm

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sample_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+constexpr Real dt = 1e-3;
+
+/// The rigid body of a problem alone: the soil's force on it is whatever the test says.
+struct Driver {
+  Problem<2> problem;
+  RigidState<2>& pipe;
+
+  explicit Driver(std::vector<StageSettings> stages)
+      : problem(build<2>(pipe_over_box(std::move(stages)), ".", ".")),
+        pipe(problem.state.rigids[0])
+  {
+  }
+  void soil_pushes(const Vec<2>& force) { pipe.reaction = pipe.smooth_reaction = force; }
+  void step()
+  {
+    drive_rigids(problem.model, problem.state, dt);
+    pipe.displacement += dt * pipe.velocity;
+    problem.state.time += dt;
+  }
+  void next_stage()
+  {
+    ++problem.state.stage.index;
+    begin_stage(problem.model, problem.state);
+  }
+  bool ended() const { return stage_ended(problem.model, problem.state); }
+  Real w() const { return pipe_motion(problem.model, problem.state, 0).w; }
+};
+
+StageSettings push(Real velocity, Real ramp = 0)
+{
+  StageSettings stage = stage_of(StageKind::push, "push");
+  stage.velocity = velocity;
+  stage.ramp = ramp;
+  return stage;
+}
+StageSettings drag(Real velocity, Real ramp = 0)
+{
+  StageSettings stage = stage_of(StageKind::drag, "drag");
+  stage.velocity = velocity;
+  stage.ramp = ramp;
+  return stage;
+}
+
+TEST(Push, ramps_the_velocity_downwards_in_equal_parts)
+{
+  Driver run({push(0.5, 0.1)});
+  for (int n = 1; n <= 150; ++n) {
+    run.step();
+    EXPECT_NEAR(run.pipe.velocity[1], n < 100 ? -0.5 * n / 100 : -0.5, 1e-12);
+    EXPECT_EQ(run.pipe.velocity[0], 0);
+  }
+}
+
+TEST(Push, without_a_ramp_moves_at_once)
+{
+  Driver run({push(0.5)});
+  run.step();
+  EXPECT_EQ(run.pipe.velocity, Vec<2>(0, -0.5));
+}
+
+TEST(Push, by_force_begins_with_the_force_that_balances_the_soil)
+{
+  StageSettings by_force = stage_of(StageKind::push, "force");
+  by_force.force = 300;
+  by_force.ramp = 0.1;
+  Driver run({push(0.5), by_force});
+  run.step();
+  run.soil_pushes({0, 100});
+  run.next_stage();
+  for (int n = 1; n <= 200; ++n) {
+    const Real before = run.pipe.velocity[1];
+    run.step();
+    // m a = reaction - drive, and the drive goes from 100 N/m to 300 N/m.
+    const Real driven_by = n < 100 ? 100 + 2 * n : 300;
+    EXPECT_NEAR((run.pipe.velocity[1] - before) / dt, (100 - driven_by) / 2, 1e-8) << n;
+  }
+}
+
+TEST(Drag, begins_without_a_jump_of_the_velocity)
+{
+  Driver run({push(0.5), drag(0.2, 0.1)});
+  run.step();
+  run.soil_pushes({3, 70});
+  run.next_stage();
+  Vec<2> before = run.pipe.velocity;
+  for (int n = 1; n <= 150; ++n) {
+    run.step();
+    EXPECT_LE((run.pipe.velocity - before).norm(), 0.2 / 100 + 1e-12);
+    before = run.pipe.velocity;
+  }
+  EXPECT_NEAR(run.pipe.velocity[0], 0.2, 1e-15);
+}
+
+TEST(Drag, holds_the_vertical_force_of_the_moment_when_it_begins)
+{
+  Driver run({push(0), drag(0.2, 0.1)});
+  run.step();
+  run.soil_pushes({0, 70});
+  run.next_stage();
+  EXPECT_TRUE(run.problem.state.stage.drive[1].by_force);
+  for (int n = 0; n < 150; ++n) {
+    run.step();
+    EXPECT_EQ(run.pipe.velocity[1], 0);
+  }
+  // 70 N/m stay, whatever the soil does.
+  run.soil_pushes({0, 80});
+  run.step();
+  EXPECT_NEAR(run.pipe.velocity[1], dt * (80 - 70) / 2, 1e-15);
+  run.soil_pushes({0, 60});
+  run.step();
+  EXPECT_NEAR(run.pipe.velocity[1], 0, 1e-15);
+}
+
+TEST(Drag, goes_to_another_vertical_force_over_the_ramp)
+{
+  StageSettings lighter = drag(0.2, 0.1);
+  lighter.vertical_force = 20;
+  Driver run({push(0), lighter});
+  run.step();
+  run.soil_pushes({0, 70});
+  run.next_stage();
+  for (int n = 1; n <= 120; ++n) {
+    const Real before = run.pipe.velocity[1];
+    run.step();
+    EXPECT_NEAR((run.pipe.velocity[1] - before) / dt, (70 - (n < 100 ? 70 - 0.5 * n : 20)) / 2, 1e-8);
+  }
+}
+
+TEST(Drag, with_the_vertical_fixed_stops_the_vertical_motion_over_the_ramp)
+{
+  StageSettings level = drag(0.2, 0.1);
+  level.vertical = Vertical::fixed;
+  Driver run({push(0.5), level});
+  run.step();
+  run.soil_pushes({0, 70});
+  run.next_stage();
+  for (int n = 1; n <= 120; ++n) {
+    run.step();
+    EXPECT_NEAR(run.pipe.velocity[1], n < 100 ? -0.5 * (1 - n / 100.) : 0, 1e-12);
+  }
+}
+
+TEST(Drag, by_force_moves_the_body_by_its_mass_and_what_the_soil_leaves)
+{
+  StageSettings by_force = stage_of(StageKind::drag, "drag");
+  by_force.force = 50;
+  Driver run({by_force});
+  run.soil_pushes({-30, 0});
+  run.step();
+  EXPECT_NEAR(run.pipe.velocity[0], dt * (50 - 30) / 2, 1e-15);
+}
+
+TEST(Drag, along_minus_x_meets_a_positive_resistance)
+{
+  StageSettings back = drag(-0.2);
+  back.until = {};
+  back.until.force = 40;
+  Driver run({back});
+  EXPECT_EQ(drag_direction(run.problem.model, run.problem.state), -1);
+  run.step();
+  EXPECT_EQ(run.pipe.velocity[0], -0.2);
+  run.soil_pushes({39, 0});  // the soil pushes along +x, against the drag
+  EXPECT_FALSE(run.ended());
+  run.soil_pushes({40, 0});
+  EXPECT_TRUE(run.ended());
+
+  StageSettings pulled = stage_of(StageKind::drag, "pulled");
+  pulled.force = -5;
+  EXPECT_EQ(drag_direction(Driver({pulled}).problem.model, Driver({pulled}).problem.state), -1);
+  EXPECT_EQ(drag_direction(Driver({drag(0.2)}).problem.model, Driver({drag(0.2)}).problem.state), 1);
+  EXPECT_EQ(drag_direction(Driver({push(-0.2)}).problem.model, Driver({push(-0.2)}).problem.state), 1);
+}
+
+TEST(Stage, ends_after_its_time)
+{
+  StageSettings stage = push(0.5);
+  stage.until.time = 0.1;
+  Driver run({stage, stage});
+  for (const int begun_at : {0, 100}) {  // the second counts from its own beginning
+    for (int n = 1; n <= 100; ++n) {
+      run.step();
+      EXPECT_EQ(run.ended(), n == 100) << begun_at;
+    }
+    if (begun_at == 0) run.next_stage();
+  }
+}
+
+TEST(Stage, ends_after_its_horizontal_travel_in_either_direction)
+{
+  for (const Real velocity : {0.5, -0.5}) {
+    StageSettings stage = drag(velocity);
+    stage.until = {};
+    stage.until.displacement = 0.02;
+    Driver run({drag(0.1), stage});
+    run.step();
+    run.next_stage();
+    int steps = 0;
+    while (!run.ended() && steps < 1000) run.step(), ++steps;
+    EXPECT_NEAR(steps, 40, 1);
+  }
+}
+
+TEST(Stage, ends_at_its_embedment_below_the_surface)
+{
+  StageSettings stage = push(0.5);
+  stage.until = {};
+  stage.until.embedment = 0.02;
+  Driver run({stage});
+  EXPECT_NEAR(run.w(), -0.1, 1e-15);  // the invert is 0.1 m above the surface
+  int steps = 0;
+  while (!run.ended() && steps < 1000) run.step(), ++steps;
+  EXPECT_NEAR(steps, 240, 1);
+  EXPECT_NEAR(run.w(), 0.02, 0.5 * dt);
+}
+
+TEST(Stage, ends_at_its_force)
+{
+  StageSettings down = push(0.5), along = drag(0.5);
+  down.until = along.until = {};
+  down.until.force = along.until.force = 25;
+  Driver pushed({down}), dragged({along});
+  pushed.soil_pushes({-100, 24.9});
+  dragged.soil_pushes({-24.9, 100});
+  EXPECT_FALSE(pushed.ended());
+  EXPECT_FALSE(dragged.ended());
+  pushed.soil_pushes({0, 25});
+  dragged.soil_pushes({-25, 0});
+  EXPECT_TRUE(pushed.ended());
+  EXPECT_TRUE(dragged.ended());
+}
+
+TEST(Stage, moves_no_rigid_body_where_it_drives_none)
+{
+  for (const StageKind kind : {StageKind::free, StageKind::geostatic}) {
+    Driver run({push(0.5), stage_of(kind)});
+    run.step();
+    run.next_stage();
+    run.soil_pushes({5, 70});
+    run.step();
+    EXPECT_EQ(run.pipe.velocity, Vec<2>(0, 0));
+    EXPECT_FALSE(run.ended());
+  }
+}
+
+TEST(Stage, drives_the_rigid_body_that_it_names_alone)
+{
+  Case c = pipe_over_box({push(0.5)});
+  c.rigid.push_back(c.rigid[0]);
+  c.rigid[1].first = "other";
+  c.stage[0].rigid = "other";
+  auto problem = build<2>(c, ".", ".");
+  drive_rigids(problem.model, problem.state, dt);
+  EXPECT_EQ(problem.state.rigids[0].velocity, Vec<2>(0, 0));
+  EXPECT_EQ(problem.state.rigids[1].velocity, Vec<2>(0, -0.5));
+}
+
+TEST(Stage, expected_time_follows_from_travel_speed_and_ramp)
+{
+  StageSettings stage = push(0.5, 0.2);
+  stage.until = {};
+  stage.until.embedment = 0.1;
+  EXPECT_NEAR(expected_time(stage), 0.3, 1e-15);
+  stage.until.time = 0.25;
+  EXPECT_NEAR(expected_time(stage), 0.25, 1e-15);
+  StageSettings along = drag(-0.5, 0.2);
+  along.until = {};
+  along.until.displacement = 0.1;
+  EXPECT_NEAR(expected_time(along), 0.3, 1e-15);
+  along.until = {};
+  along.until.force = 3;
+  EXPECT_EQ(expected_time(along), 0);
+}
+
+TEST(Gravity, grows_from_nothing_over_its_ramp)
+{
+  Case c = pipe_over_box({push(0.5)});
+  c.gravity = {1, -10};
+  c.gravity_ramp = 2;
+  const auto problem = build<2>(c, ".", ".");
+  EXPECT_EQ(gravity_now(problem.model, 0), Vec<2>(0, 0));
+  EXPECT_NEAR((gravity_now(problem.model, 0.5) - Vec<2>(0.25, -2.5)).norm(), 0, 1e-15);
+  EXPECT_EQ(gravity_now(problem.model, 2), Vec<2>(1, -10));
+  EXPECT_EQ(gravity_now(problem.model, 5), Vec<2>(1, -10));
+}
+
+}  // namespace
+}  // namespace berm
