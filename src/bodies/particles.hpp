@@ -61,6 +61,8 @@ public:
   /// Takes out the particle at `place` (0 ... count - 1) of a cell; the cell's last particle takes its place.
   Particle<dim> take(Index cell, Index place);
   Particle<dim> read(Index block, int lane) const;
+  /// The particle at `place` of a cell.
+  Particle<dim> read_at(Index cell, Index place) const { return read(block_at(cell, place), place % lanes); }
 
   /// Visits visit(cell, block index, lane) for each particle, cell by cell in ascending order.
   template <class Visit>

@@ -100,7 +100,7 @@ void average_stress(const Mesh<dim>& mesh, Particles<dim>& particles, Index cell
 template <int dim>
 bool bring_back(const Mesh<dim>& mesh, Index cell, Vec<dim>& x)
 {
-  constexpr Real round_off = 1e-6;  // of a cell's height
+  constexpr Real round_off = 1e-9;  // of a cell's height
   Real n[dim + 1], total = 0;
   for (int k = 0; k <= dim; ++k) {
     n[k] = mesh.shape[cell].value(k, x);
@@ -160,6 +160,7 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
     SymTensor<dim, Lanes> strain;
     for (int k = 0; k < tensor_size<dim>; ++k) strain[k] = all_lanes(cell_strain.strain[k]);
 
+    Lanes work_done{};  // with the mean of old and new stress
     Index left = particles.count_in(cell), place = 0;
     for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes, place += lanes) {
       Block<dim>& p = particles.block(b);
@@ -176,11 +177,12 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
         least_shape = smaller(least_shape, n);
       }
 
-      SymTensor<dim, Lanes> stress;
-      for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = p.stress[k];
+      SymTensor<dim, Lanes> stress, both_stresses;
+      for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = both_stresses[k] = p.stress[k];
       rotate(stress, cell_strain.spin);
-      update_stress_of<dim>(law, spent_law, p.volume >= p.mass * most_volume, stress, strain, particles.state(b));
-      for (int k = 0; k < tensor_size<dim>; ++k) p.stress[k] = alive ? stress[k] : Lanes{};
+      update_stress_of<dim>(law, spent_law, alive & (p.volume >= p.mass * most_volume), stress, strain, particles.state(b));
+      for (int k = 0; k < tensor_size<dim>; ++k) both_stresses[k] += p.stress[k] = alive ? stress[k] : Lanes{};
+      work_done += 0.5 * p.volume * double_dot(both_stresses, strain);
       p.volume = smaller(larger(p.volume * stretch, p.mass * least_volume), p.mass * most_volume);
       p.deviatoric_strain += deviatoric;
 
@@ -191,20 +193,14 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
             Vec<dim> at;
             for (int d = 0; d < dim; ++d) at[d] = p.x[d][l];
             const Location found = locate(mesh, at, cell);
-            if (!found.inside && bring_back(mesh, found.cell, at))
-              for (int d = 0; d < dim; ++d) p.x[d][l] = at[d];
-            else if (!found.inside)
-              work.movers[omp_get_thread_num()].push_back({cell, place + l, none});
-            if (found.inside && found.cell != cell) work.movers[omp_get_thread_num()].push_back({cell, place + l, found.cell});
+            const bool in_mesh = found.inside || bring_back(mesh, found.cell, at);
+            for (int d = 0; d < dim; ++d) p.x[d][l] = at[d];
+            if (!in_mesh || found.cell != cell) work.movers[omp_get_thread_num()].push_back({cell, place + l, in_mesh ? found.cell : none});
           }
     }
     if (model.mpm.mixed_stress) average_stress(mesh, particles, cell);
 
-    Real work_of_cell = 0;
-    for (int a = 0; a < dim; ++a)
-      for (int b = a; b < dim; ++b)
-        work_of_cell += (a == b ? 1 : 2) * grid.moments[cell].stress[Moments<dim>::pair(a, b)] * cell_strain.strain[tensor_place(a, b)];
-    return work_of_cell;
+    return sum(work_done);
   });
 }
 
@@ -243,12 +239,11 @@ void change_cells(const Model<dim>& model, State<dim>& state, Work<dim>& work, I
   std::sort(movers.begin(), movers.end(),
             [](const Mover& a, const Mover& b) { return a.from != b.from ? a.from < b.from : a.place < b.place; });
 
+  for (const Mover& mover : movers)
+    if (mover.to == none) refuse(model, state, particles.read_at(mover.from, mover.place), body);
   // The last first: taking a particle moves only ones that were behind it.
   work.moving.resize(movers.size());
-  for (std::size_t m = movers.size(); m-- > 0;) {
-    work.moving[m] = particles.take(movers[m].from, movers[m].place);
-    if (movers[m].to == none) refuse(model, state, work.moving[m], body);
-  }
+  for (std::size_t m = movers.size(); m-- > 0;) work.moving[m] = particles.take(movers[m].from, movers[m].place);
   for (std::size_t m = 0; m < movers.size(); ++m) particles.insert(movers[m].to, work.moving[m]);
   for (const Mover& mover : movers)
     if (particles.count_in(mover.from) == 0) {

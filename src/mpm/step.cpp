@@ -19,9 +19,9 @@ void step(const Model<dim>& model, State<dim>& state, Work<dim>& work)
   drive_rigids(model, state, state.dt);
 
   for (Index b = 0; b < bodies; ++b) {
-    sum_moments(model.mesh, state.particles[b], work.grids[b]);        // 1: sums over the particles of each cell
-    gather_mass_and_momentum(model.mesh, work.grids[b]);               // 1: (1), and velocities before the step
-    spread_internal_forces(model, state.particles[b], work.grids[b]);  // 1: (2)
+    sum_moments(model.mesh, state.particles[b], work.grids[b]);                              // 1: sums over the particles of each cell
+    gather_mass_and_momentum(model.mesh, density(model.bodies[b].material), work.grids[b]);  // 1: (1), and velocities before the step
+    spread_internal_forces(model, state.particles[b], work.grids[b]);                        // 1: (2)
   }
   find_contacts(model, state, work);                                                 // 4: who touches whom
   for (Index b = 0; b < bodies; ++b) solve_momentum_balance(model, state, work, b);  // 1-4: (3), (4), (6), supports

@@ -13,6 +13,16 @@ Real stable_time_step(const Model<dim>& model, const State<dim>& state, Work<dim
 {
   Real fastest = 0;
   for (const RigidState<dim>& rigid : state.rigids) fastest = std::max(fastest, rigid.velocity.norm());
+  for (const Drive& drive : state.stage.drive)
+    if (!drive.by_force) fastest = std::max(fastest, std::abs(drive.to));
+  if (state.step == 0)  // the nodes do not move yet
+    for (const Particles<dim>& particles : state.particles) {
+      particles.visit([&](Index, Index b, int l) {
+        Real square = 0;
+        for (int d = 0; d < dim; ++d) square += particles.block(b).v[d][l] * particles.block(b).v[d][l];
+        fastest = std::max(fastest, std::sqrt(square));
+      });
+    }
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyGrid<dim>& grid = work.grids[b];
     // A comparison with NaN is false, so NaN is turned into infinity to be seen.

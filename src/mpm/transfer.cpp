@@ -77,8 +77,25 @@ void sum_moments(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGri
   });
 }
 
+/// A node with less than this part of the mass that fills its cells has none: the rest is round-off, which must not be divided by.
+constexpr Real least_mass_part = 1e-9;
+
+/// The mean velocity of all particles in a node's cells: for a node without mass, which then strains nothing that moves as one.
 template <int dim>
-void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid)
+Vec<dim> velocity_of_cells(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
+{
+  Vec<dim> momentum = Vec<dim>::Zero();
+  Real mass = 0;
+  for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
+    const Index cell = mesh.entries[e] / (dim + 1);
+    mass += grid.moments[cell].m;
+    for (int k = 0; k <= dim; ++k) momentum += grid.corner_momentum[(dim + 1) * cell + k];
+  }
+  return mass > 0 ? Vec<dim>(momentum / mass) : Vec<dim>(Vec<dim>::Zero());
+}
+
+template <int dim>
+void gather_mass_and_momentum(const Mesh<dim>& mesh, Real density, BodyGrid<dim>& grid)
 {
   for_each("gather mass and momentum", static_cast<Index>(grid.nodes.size()), [&](Index n) {
     const Index i = grid.nodes[n];
@@ -86,10 +103,10 @@ void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid)
     for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) {
       const CornerSums<dim>& corner = grid.corner_sums[mesh.entries[e]];
       total.mass += corner.mass;
+      total.volume += corner.volume;
       for (int d = 0; d < dim; ++d) total.momentum[d] += corner.momentum[d];
     }
-    // A node that only particles on the opposite faces see has a mass of round-off, which must not be divided by.
-    if (!(total.mass > 0)) total.mass = 0;
+    if (!(total.mass > least_mass_part * density * total.volume)) total.mass = 0;
     const Real per_mass = total.mass > 0 ? 1 / total.mass : 0;
     grid.mass[i] = total.mass;
     for (int d = 0; d < dim; ++d) grid.velocity[i][d] = total.momentum[d] * per_mass;
@@ -160,7 +177,7 @@ void gather_new_velocities(const Model<dim>& model, BodyGrid<dim>& grid)
     const Index i = grid.nodes[n];
     Vec<dim> momentum = Vec<dim>::Zero();
     for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) momentum += grid.corner_momentum[mesh.entries[e]];
-    Vec<dim> v = grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : Vec<dim>(Vec<dim>::Zero());
+    Vec<dim> v = grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i);
     for (int d = 0; d < dim; ++d)
       if (model.fixed[i] >> d & 1) v[d] = 0;
     grid.moved_velocity[i] = v;
@@ -181,7 +198,7 @@ void sum_volume_changes(const Mesh<dim>& mesh, const Particles<dim>& particles, 
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void sum_moments(const Mesh<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                                      \
-  template void gather_mass_and_momentum(const Mesh<dim>&, BodyGrid<dim>&);                                                                \
+  template void gather_mass_and_momentum(const Mesh<dim>&, Real, BodyGrid<dim>&);                                                          \
   template void spread_internal_forces(const Model<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                          \
   template void spread_new_momentum(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);                                        \
   template void gather_new_velocities(const Model<dim>&, BodyGrid<dim>&);                                                                  \

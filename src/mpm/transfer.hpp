@@ -9,9 +9,10 @@ namespace berm {
 template <int dim>
 void sum_moments(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid<dim>& grid);
 
-/// Step 1: nodes gather mass and velocity v = momentum / mass from their cells, always in the same order.
+/// Step 1: nodes gather mass and velocity v = momentum / mass from their cells, always in the same order. `density`
+/// (kg/m3) tells how much mass fills a cell: a node with next to none of it has mass 0.
 template <int dim>
-void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid);
+void gather_mass_and_momentum(const Mesh<dim>& mesh, Real density, BodyGrid<dim>& grid);
 
 /// Step 1, equation 2: the internal force of each cell on its corners, -sum V sigma grad N. With the volumetric projection the cell's mean stress is
 /// first replaced by the volume average over its patch: the same average that the strain gets, so that strain and force stay conjugate.

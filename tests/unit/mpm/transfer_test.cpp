@@ -47,7 +47,7 @@ struct Random {
   {
     problem.model.mpm.volumetric_projection = project;
     sum_moments(mesh(), particles(), grid());
-    gather_mass_and_momentum(mesh(), grid());
+    gather_mass_and_momentum(mesh(), density(problem.model.bodies[0].material), grid());
     spread_internal_forces(problem.model, particles(), grid());
   }
   Vec<dim> force(Index node) const
@@ -181,7 +181,7 @@ void expect_no_force_of_a_uniform_stress(const Mesh<dim>& mesh)
         for (int k = 0; k < tensor_size<dim>; ++k) p.stress[k][l] = stress[k];
       });
       sum_moments(mesh, particles, work.grids[0]);
-      gather_mass_and_momentum(mesh, work.grids[0]);
+      gather_mass_and_momentum(mesh, density(problem.model.bodies[0].material), work.grids[0]);
       spread_internal_forces(problem.model, particles, work.grids[0]);
       const auto at_boundary = boundary_flags(mesh);
       Real inner = 0, outer = 0;
