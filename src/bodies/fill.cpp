@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -80,6 +81,8 @@ std::vector<Seed<dim>> seeds_in_block(const Mesh<dim>& mesh, const std::string& 
         cell = location.cell;
         seeds.push_back({x, cell, spacing.prod()});
       }
+  // Particles of one cell are stored together, and cells that are neighbours in number near each other.
+  std::stable_sort(seeds.begin(), seeds.end(), [](const Seed<dim>& a, const Seed<dim>& b) { return a.cell < b.cell; });
   return seeds;
 }
 

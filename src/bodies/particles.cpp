@@ -29,7 +29,7 @@ Index Particles<dim>::free_block(const Vec<dim>& x)
   } else {
     b = static_cast<Index>(blocks_.size());
     blocks_.emplace_back();
-    state_.resize(state_.size() + state_size_, Lanes{});
+    state_.resize(state_.size() + state_size_, StoredLanes{});
   }
   Block<dim>& block = blocks_[b];
   for (int d = 0; d < dim; ++d) block.x[d] = all_lanes(x[d]);

@@ -9,6 +9,10 @@ namespace berm {
 /// as for a Real, so that a law written for a type T serves one particle (T = Real) and eight (T = Lanes).
 constexpr int lanes = 8;
 using Lanes = Real __attribute__((vector_size(lanes * sizeof(Real))));
+/// In memory that program and engine share: the alignment of Lanes itself depends on the vector unit that a file is compiled for.
+struct alignas(64) StoredLanes {
+  Lanes value;
+};
 using LaneMask = std::int64_t __attribute__((vector_size(lanes * sizeof(Real))));
 
 [[gnu::always_inline]] inline Lanes all_lanes(Real value)

@@ -143,6 +143,7 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
 
   state.totals.internal += sum_of<Real>("move and strain particles", static_cast<Index>(particles.occupied().size()), [&](Index c) {
     const Index cell = particles.occupied()[c];
+    particles.prefetch_after(c);
     const auto& nodes = mesh.nodes[cell];
     const Shape<dim>& shape = mesh.shape[cell];
     const LinearField<dim> acceleration(shape, nodes, grid.acceleration), velocity(shape, nodes, grid.moved_velocity);

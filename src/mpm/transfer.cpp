@@ -58,6 +58,7 @@ void sum_moments(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGri
   const auto& occupied = particles.occupied();
   for_each("sum moments of cells", static_cast<Index>(occupied.size()), [&](Index c) {
     const Index cell = occupied[c];
+    particles.prefetch_after(c);
     LaneMoments<dim> sums;
     Index left = particles.count_in(cell);
     for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) sums.add(particles.block(b));

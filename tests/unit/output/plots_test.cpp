@@ -98,7 +98,7 @@ TEST_F(Plots, particles_outside_the_view_are_left_out)
 
 TEST_F(Plots, of_nothing_there_is_no_picture)
 {
-  const SoilView elsewhere{Vec<2>(5, 5), Vec<2>(6, 6), {}};
+  const SoilView elsewhere{Vec<2>(50, 50), Vec<2>(51, 51), {}};
   EXPECT_FALSE(draw_soil(folder, frame(), SoilColor::deviatoric_strain, elsewhere, "nothing"));
   put(folder.file("history.csv"), "time_s,stage,u_m,w_m,H_N_m,V_N_m\n");
   const History empty = read_history(folder.file("history.csv"));
