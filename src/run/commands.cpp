@@ -38,6 +38,9 @@ std::vector<RunRequest> requests(const std::vector<std::string>& files, const st
 int run_all(const std::vector<RunRequest>& all)
 {
   catch_interrupts();
+  // A case that does not fit its mesh is refused before the first one runs.
+  if (all.size() > 1)
+    for (const RunRequest& request : all) try_to_build(request);
   for (const RunRequest& request : all)
     if (!run_case(request)) return 1;
   return 0;

@@ -207,12 +207,19 @@ private:
   std::optional<Real> held_force_;
 };
 
+/// Mesh files go to the scratch folder.
+template <int dim>
+Problem<dim> build_for(const RunRequest& request, const ScratchFolder& scratch)
+{
+  history_interval(request.settings);  // refuses a case in which it cannot be told
+  return build<dim>(request.settings, request.case_file.parent_path().string(), scratch.path().string());
+}
+
 template <int dim>
 bool run_in(const RunRequest& request)
 {
   const ScratchFolder scratch;
-  history_interval(request.settings);
-  Problem<dim> problem = build<dim>(request.settings, request.case_file.parent_path().string(), scratch.path().string());
+  Problem<dim> problem = build_for<dim>(request, scratch);
 
   const RunFolder folder(request.folder);
   write_whole(folder.file("resolved.toml"), resolved_toml(request.settings));
@@ -233,8 +240,7 @@ template <int dim>
 void check_in(const RunRequest& request)
 {
   const ScratchFolder scratch;
-  const Real interval = history_interval(request.settings);
-  Problem<dim> problem = build<dim>(request.settings, request.case_file.parent_path().string(), scratch.path().string());
+  Problem<dim> problem = build_for<dim>(request, scratch);
   Work<dim> work(problem.model, problem.state);
   const Real dt = stable_time_step(problem.model, problem.state, work);
   fmt::print("{}\n", request.case_file.string());
@@ -254,7 +260,8 @@ void check_in(const RunRequest& request)
   const Real total = expected_time(request.settings);
   for (const StageSettings& stage : request.settings.stage)
     if (!(expected_time(stage) > 0)) fmt::print("  stage \"{}\": its end cannot be foretold and is not counted below\n", stage.name);
-  fmt::print("  steps        about {:.0f}, {} rows of history\n", total / dt, static_cast<BigIndex>(total / interval));
+  fmt::print("  steps        about {:.0f}, {} rows of history\n", total / dt,
+             static_cast<BigIndex>(total / history_interval(request.settings)));
   fmt::print("  time         about {} with {} threads ({:.3g} million particle-steps/s)\n", words_of_duration(total / dt * seconds_a_step),
              request.threads, static_cast<Real>(particle_count(problem.state)) / seconds_a_step / 1e6);
 }
@@ -264,6 +271,15 @@ void check_in(const RunRequest& request)
 bool run_case(const RunRequest& request)
 {
   return request.settings.dimension == 2 ? run_in<2>(request) : run_in<3>(request);
+}
+
+void try_to_build(const RunRequest& request)
+{
+  const ScratchFolder scratch;
+  if (request.settings.dimension == 2)
+    build_for<2>(request, scratch);
+  else
+    build_for<3>(request, scratch);
 }
 
 void check_case(const RunRequest& request)

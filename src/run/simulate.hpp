@@ -21,6 +21,9 @@ struct RunRequest {
 /// Throws InputError and RunError.
 bool run_case(const RunRequest& request);
 
+/// Builds the problem and drops it. Throws InputError where the case does not fit its mesh.
+void try_to_build(const RunRequest& request);
+
 /// Builds the problem and prints what it is and what a run would take.
 void check_case(const RunRequest& request);
 
