@@ -50,8 +50,8 @@ public:
   Block<dim>& block(Index b) { return blocks_[b]; }
   const Block<dim>& block(Index b) const { return blocks_[b]; }
   /// The law's numbers of block b: state_size() Lanes.
-  Lanes* state(Index b) { return &state_.data()[static_cast<std::size_t>(b) * state_size_].value; }
-  const Lanes* state(Index b) const { return &state_.data()[static_cast<std::size_t>(b) * state_size_].value; }
+  Lanes* state(Index b) { return reinterpret_cast<Lanes*>(state_.data() + static_cast<std::size_t>(b) * state_size_); }
+  const Lanes* state(Index b) const { return reinterpret_cast<const Lanes*>(state_.data() + static_cast<std::size_t>(b) * state_size_); }
 
   /// Asks for the first two blocks of the cell four places behind occupied()[c], so that they are in the cache when their turn comes: cells
   /// differ in their number of blocks, which the processor's own prefetching does not foresee (docs/performance.md).
