@@ -66,11 +66,5 @@ template <class T>
 {
   return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
 }
-[[gnu::always_inline]] inline Real smallest(Lanes x)
-{
-  Real least = x[0];
-  for (int l = 1; l < lanes; ++l) least = x[l] < least ? x[l] : least;
-  return least;
-}
 
 }  // namespace berm

@@ -78,7 +78,6 @@ struct Work {
   std::vector<PreparedMaterial> laws;        ///< by body
   std::vector<PreparedMaterial> spent_laws;  ///< by body: the same without dilation, for particles at their largest volume
   Real unbalanced = 0, weight = 0;           ///< N, sums over the nodes of |unbalanced force| (away from contacts) and of m g, last step
-  Real fastest = 0;                          ///< m/s, of the nodes when it was last looked at
 
   Work(const Model<dim>& model, const State<dim>& state);
 };

@@ -9,7 +9,7 @@
 namespace berm {
 
 template <int dim>
-Real stable_time_step(const Model<dim>& model, const State<dim>& state, Work<dim>& work)
+Real stable_time_step(const Model<dim>& model, const State<dim>& state, const Work<dim>& work)
 {
   Real fastest = 0;
   for (const RigidState<dim>& rigid : state.rigids) fastest = std::max(fastest, rigid.velocity.norm());
@@ -34,7 +34,6 @@ Real stable_time_step(const Model<dim>& model, const State<dim>& state, Work<dim
   if (!std::isfinite(fastest))
     throw RunError(fmt::format("velocities are not finite at t = {} s (step {}); try a smaller mpm.courant (now {})", state.time,
                                state.step, model.mpm.courant));
-  work.fastest = fastest;
 
   Real least = infinity;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
@@ -48,7 +47,7 @@ Real stable_time_step(const Model<dim>& model, const State<dim>& state, Work<dim
   return model.mpm.courant * least;
 }
 
-template Real stable_time_step(const Model<2>&, const State<2>&, Work<2>&);
-template Real stable_time_step(const Model<3>&, const State<3>&, Work<3>&);
+template Real stable_time_step(const Model<2>&, const State<2>&, const Work<2>&);
+template Real stable_time_step(const Model<3>&, const State<3>&, const Work<3>&);
 
 }  // namespace berm

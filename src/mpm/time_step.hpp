@@ -11,6 +11,6 @@ constexpr BigIndex steps_between_time_steps = 16;
 /// courant times the least of height / (c + v) over the cells with particles: c = sqrt(M / density) the speed of pressure waves, v the largest
 /// speed of a node or rigid body. Seconds. Throws RunError where speeds are not finite.
 template <int dim>
-Real stable_time_step(const Model<dim>& model, const State<dim>& state, Work<dim>& work);
+Real stable_time_step(const Model<dim>& model, const State<dim>& state, const Work<dim>& work);
 
 }  // namespace berm
