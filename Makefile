@@ -26,8 +26,7 @@ build: configure ## build the program, build/release/berm (some minutes the firs
 probe_cases = $(filter-out %/expected.toml,$(wildcard examples/probe_test/*.toml))
 probe: build ## run every case of examples/probe_test; results go to out/probe_test
 	@test -n '$(probe_cases)' || { echo 'make probe: examples/probe_test holds no case' >&2; exit 1; }
-	@export OMP_PROC_BIND=$${OMP_PROC_BIND:-true} OMP_NUM_THREADS=$${OMP_NUM_THREADS:-$(cores)}; \
-	$(release)/berm run $(probe_cases) -o out/probe_test --threads $$OMP_NUM_THREADS
+	@$(release)/berm run $(probe_cases) -o out/probe_test
 
 # Tests run side by side, so each takes one thread unless it asks for more.
 test: configure ## build and run all tests

@@ -77,12 +77,11 @@ void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<
 
   for (const ContactNode<dim>& contact : found.list) found.place[contact.node] = none;
   found.list.clear();
-  found.nearest_particle = found.least_gap = infinity;
+  found.nearest_particle = infinity;
   const bool has_corners = std::holds_alternative<Box<dim>>(shape);
   for (std::size_t k = 0; k < found.near_cells.size(); ++k) {
     const auto& cell = found.cells[k];
     found.nearest_particle = std::min(found.nearest_particle, cell.distance);
-    found.least_gap = std::min(found.least_gap, cell.gap);
     const bool touches = detection == Detection::overlap ? cell.cut : cell.gap < infinity;
     if (!touches) continue;
     for (Index node : mesh.nodes[found.near_cells[k]]) {

@@ -22,7 +22,6 @@ template <int dim>
 struct ContactNodes {
   std::vector<ContactNode<dim>> list;  ///< in the order of the cells that found them
   Real nearest_particle = infinity;    ///< m, distance of the nearest particle from the surface, negative inside
-  Real least_gap = infinity;           ///< m, least of the nodes' gaps
 
   std::vector<Index> near_cells;                    ///< cells that the surface can reach until it has moved `reach`
   Vec<dim> near_at = Vec<dim>::Constant(infinity);  ///< displacement of the rigid body when near_cells was made

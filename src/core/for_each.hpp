@@ -18,20 +18,6 @@ void for_each(const char* label, Index count, const Body& body)
   for (Index i = 0; i < count; ++i) body(i);
 }
 
-/// As for_each, and body(i, thread) also learns its thread: for lists that every thread keeps by itself. Ranges ascend with the thread, so
-/// such lists laid end to end in the order of the threads are the same for any number of threads.
-template <class Body>
-void for_each_with_thread(const char* label, Index count, const Body& body)
-{
-  const Timer timer(label);
-#pragma omp parallel
-  {
-    const int thread = omp_get_thread_num();
-#pragma omp for schedule(static)
-    for (Index i = 0; i < count; ++i) body(i, thread);
-  }
-}
-
 /// The sum of term(i) over i = 0 ... count-1, equal to the last bit for any number of threads: chunks of fixed size are summed by themselves,
 /// then one after the other. Sum needs a default value of zero and +=.
 template <class Sum, class Term>

@@ -237,6 +237,7 @@ void change_cells(const Model<dim>& model, State<dim>& state, Work<dim>& work, I
   std::vector<Mover>& movers = work.movers.front();
   for (std::size_t t = 1; t < work.movers.size(); ++t) movers.insert(movers.end(), work.movers[t].begin(), work.movers[t].end());
   if (movers.empty()) return;
+  // Threads share a large body's cells in several rounds, so their lists laid end to end are not in the order of the cells yet.
   std::sort(movers.begin(), movers.end(),
             [](const Mover& a, const Mover& b) { return a.from != b.from ? a.from < b.from : a.place < b.place; });
 

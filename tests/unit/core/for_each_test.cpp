@@ -92,19 +92,5 @@ TEST(ForEach, runs_each_index_once)
   }
 }
 
-TEST(ForEachWithThread, lists_of_the_threads_laid_end_to_end_ascend)
-{
-  for (const int threads : {1, 2, 3, 7})
-    for (const Index count : {0, 1, 2, 5, 1000}) {
-      const Threads some(threads);
-      std::vector<std::vector<Index>> lists(threads);
-      for_each_with_thread("test", count, [&](Index i, int thread) { lists.at(thread).push_back(i); });
-      std::vector<Index> all;
-      for (const auto& list : lists) all.insert(all.end(), list.begin(), list.end());
-      ASSERT_EQ(all.size(), static_cast<std::size_t>(count));
-      for (Index i = 0; i < count; ++i) EXPECT_EQ(all[i], i);
-    }
-}
-
 }  // namespace
 }  // namespace berm
