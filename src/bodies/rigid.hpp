@@ -4,6 +4,8 @@
 #include "bodies/rigid_settings.hpp"
 #include "core/numbers.hpp"
 
+#include <memory>
+
 namespace berm {
 
 /// Distance and normal of a rigid surface as seen from a point.
@@ -17,6 +19,7 @@ template <int dim>
 struct Circle {
   Vec<dim> center;
   Real radius;
+  Real angle = 0;  ///< rad, of a mark on it, for pictures
 };
 template <int dim>
 struct HalfPlane {
@@ -28,7 +31,13 @@ struct Box {
   Matrix<dim> axes;  ///< columns: the directions of the sides
 };
 template <int dim>
-using RigidShape = std::variant<Circle<dim>, HalfPlane<dim>, Box<dim>>;
+struct Polygon {
+  Vec<dim> center;  ///< centroid
+  Matrix<dim> axes;
+  std::shared_ptr<const std::vector<Vec<2>>> corners;  ///< counter-clockwise, seen from the centroid along the axes
+};
+template <int dim>
+using RigidShape = std::variant<Circle<dim>, HalfPlane<dim>, Box<dim>, Polygon<dim>>;
 
 template <int dim>
 RigidShape<dim> make_shape(const RigidShapeSettings& settings);
@@ -41,14 +50,12 @@ SurfacePoint<dim> surface_at(const HalfPlane<dim>& plane, const Vec<dim>& x);
 template <int dim>
 SurfacePoint<dim> surface_at(const Box<dim>& box, const Vec<dim>& x);
 template <int dim>
+SurfacePoint<dim> surface_at(const Polygon<dim>& polygon, const Vec<dim>& x);
+template <int dim>
 SurfacePoint<dim> surface_at(const RigidShape<dim>& shape, const Vec<dim>& x)
 {
   return std::visit([&](const auto& s) { return surface_at<dim>(s, x); }, shape);
 }
-
-/// The shape moved by `by`.
-template <int dim>
-RigidShape<dim> moved(const RigidShape<dim>& shape, const Vec<dim>& by);
 
 /// The level y of its lowest point (of a half-plane: of its point).
 template <int dim>
@@ -58,31 +65,65 @@ Real lowest_level(const RigidShape<dim>& shape);
 template <int dim>
 Vec<dim> center_of(const RigidShape<dim>& shape);
 
-/// The length that results are made dimensionless with: diameter of a circle, width of a box, 0 for a half-plane.
+/// The length that results are made dimensionless with: diameter of a circle, width of a box or polygon, 0 for a
+/// half-plane.
 template <int dim>
 Real width_of(const RigidShape<dim>& shape);
 
-/// A rigid body: where it is at the start and how heavy it is.
+/// How far from its centre its surface reaches; 0 for a half-plane, which never turns.
+template <int dim>
+Real reach_of(const RigidShape<dim>& shape);
+
+/// Moment of inertia of a solid of this shape about its centre (in space: about z), over its mass: m2. 0 for a half-plane.
+template <int dim>
+Real inertia_over_mass(const RigidShape<dim>& shape);
+
+/// A rigid body: where it is at the start, how heavy it is and how it may move.
 template <int dim>
 struct Rigid {
   std::string name;
   RigidShape<dim> shape;
-  Real mass;  ///< kg/m or kg
+  Real mass = 0;  ///< kg/m or kg
+  Rotation rotation = Rotation::fixed;
+  Real inertia = 0;  ///< about its centre (in space: about z), kg m or kg m2
 };
 
 /// What changes of a rigid body.
 template <int dim>
 struct RigidState {
   Vec<dim> displacement = Vec<dim>::Zero();     ///< since the start, m
-  Vec<dim> velocity = Vec<dim>::Zero();         ///< m/s, in force during the step
+  Real angle = 0;                               ///< since the start, counter-clockwise about the centre (in space: about z), rad
+  Vec<dim> velocity = Vec<dim>::Zero();         ///< of the centre, m/s, in force during the step
+  Real spin = 0;                                ///< rad/s, in force during the step
   Vec<dim> reaction = Vec<dim>::Zero();         ///< force of the soil on it in the last step, N/m or N
   Vec<dim> smooth_reaction = Vec<dim>::Zero();  ///< the same, averaged over about a hundred steps
+  Real torque = 0;                              ///< of the soil on it about its centre in the last step, N m/m or N m
   Vec<dim> impulse = Vec<dim>::Zero();          ///< what its contacts gave to the soil since the start (step 4), N s/m or N s
+  Real torque_impulse = 0;                      ///< the same about the centre as it was at the time, N s or N m s
   Vec<dim> second_impulse = Vec<dim>::Zero();   ///< the same for the correction of step 8, which is no force
   Real pressed = 0;                             ///< sum of the magnitudes of all nodal impulses since the start, N s/m or N s
   Real pressed_distance =
       0;             ///< the same, each times the distance of the node's nearest particle from the surface; over pressed: the contact gap
   Real deepest = 0;  ///< m, how far a particle was inside the body since the last row of the history
 };
+
+/// Where its centre is now (of a half-plane: its point).
+template <int dim>
+Vec<dim> center_now(const Rigid<dim>& rigid, const RigidState<dim>& state);
+
+/// Its shape where it is now, moved and turned.
+template <int dim>
+RigidShape<dim> placed(const Rigid<dim>& rigid, const RigidState<dim>& state);
+
+/// The velocity of its point that is at x now: velocity + spin x (x - centre).
+template <int dim>
+Vec<dim> velocity_at(const Rigid<dim>& rigid, const RigidState<dim>& state, const Vec<dim>& x)
+{
+  const Vec<dim> from = x - center_now(rigid, state);
+  Vec<dim> v = state.velocity;
+  v[0] -= state.spin * from[1];
+  v[1] += state.spin * from[0];
+  return v;
+}
 
 }  // namespace berm

@@ -23,17 +23,35 @@ struct BoxSettings {
   Real angle = 0;                  ///< rad, counter-clockwise; 2D only
 };
 
-using RigidShapeSettings = std::variant<CircleSettings, HalfPlaneSettings, BoxSettings>;
+/// A polygon, convex or not, in space an endless prism along z. Its corners in order, either way round.
+struct PolygonSettings {
+  std::vector<Real> x, y;  ///< m
+};
 
-/// A rigid body as the user gives it. It moves only where a stage drives it.
+using RigidShapeSettings = std::variant<CircleSettings, HalfPlaneSettings, BoxSettings, PolygonSettings>;
+
+/// Whether at least three corners with different places make a polygon whose sides meet at its corners only.
+bool is_simple(const PolygonSettings& polygon);
+
+/// Whether a rigid body turns.
+enum class Rotation {
+  fixed,
+  free  ///< about its centre (in space: about z), by the moment of its contacts
+};
+
+/// A rigid body as the user gives it. It rests where no stage drives it.
 struct RigidSettings {
   RigidShapeSettings shape;
   Real mass = 0;  ///< kg per metre run (in space: kg); needed where a force drives it
+  Rotation rotation = Rotation::fixed;
+  std::optional<Real>
+      moment_of_inertia;  ///< kg m2 per metre run (in space: kg m2) about its centre; absent: a solid of this shape and mass
 };
 
 void describe(Describe& d, CircleSettings& circle);
 void describe(Describe& d, HalfPlaneSettings& plane);
 void describe(Describe& d, BoxSettings& box);
+void describe(Describe& d, PolygonSettings& polygon);
 void describe(Describe& d, RigidSettings& rigid);
 
 }  // namespace berm

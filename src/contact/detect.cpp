@@ -53,7 +53,7 @@ template <int dim>
 void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<dim>& rigid, const RigidState<dim>& state,
             Detection detection, const NodeField<Real>& mass, ContactNodes<dim>& found)
 {
-  const RigidShape<dim> shape = moved<dim>(rigid.shape, state.displacement);
+  const RigidShape<dim> shape = placed<dim>(rigid, state);
   find_near_cells(mesh, shape, state.displacement, found);
 
   for_each("contact: distances", static_cast<Index>(found.near_cells.size()), [&](Index k) {
@@ -78,7 +78,7 @@ void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<
   for (const ContactNode<dim>& contact : found.list) found.place[contact.node] = none;
   found.list.clear();
   found.nearest_particle = infinity;
-  const bool has_corners = std::holds_alternative<Box<dim>>(shape);
+  const bool has_corners = std::holds_alternative<Box<dim>>(shape) || std::holds_alternative<Polygon<dim>>(shape);
   for (std::size_t k = 0; k < found.near_cells.size(); ++k) {
     const auto& cell = found.cells[k];
     found.nearest_particle = std::min(found.nearest_particle, cell.distance);

@@ -107,6 +107,7 @@ void move_rigids(const Model<dim>& model, State<dim>& state)
   for (std::size_t r = 0; r < model.rigids.size(); ++r) {
     RigidState<dim>& rigid = state.rigids[r];
     rigid.displacement += state.dt * rigid.velocity;
+    rigid.angle += state.dt * rigid.spin;
     rigid.smooth_reaction += (rigid.reaction - rigid.smooth_reaction) / averaged_steps;
   }
 }

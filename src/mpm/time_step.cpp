@@ -12,7 +12,10 @@ template <int dim>
 Real stable_time_step(const Model<dim>& model, const State<dim>& state, const Work<dim>& work)
 {
   Real fastest = 0;
-  for (const RigidState<dim>& rigid : state.rigids) fastest = std::max(fastest, rigid.velocity.norm());
+  for (std::size_t r = 0; r < state.rigids.size(); ++r) {
+    const RigidState<dim>& rigid = state.rigids[r];
+    fastest = std::max(fastest, rigid.velocity.norm() + std::abs(rigid.spin) * reach_of<dim>(model.rigids[r].shape));
+  }
   for (const Drive& drive : state.stage.drive)
     if (!drive.by_force) fastest = std::max(fastest, std::abs(drive.to));
   if (state.step == 0)  // the nodes do not move yet

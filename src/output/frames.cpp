@@ -71,8 +71,7 @@ Frame<dim> FrameWriter<dim>::frame_of(const State<dim>& state)
     }
   }
   for (std::size_t r = 0; r < model_.rigids.size(); ++r)
-    frame.rigids.push_back(
-        surface_of<dim>(moved<dim>(model_.rigids[r].shape, state.rigids[r].displacement), model_.mesh.lower, model_.mesh.upper));
+    frame.rigids.push_back(surface_of<dim>(placed<dim>(model_.rigids[r], state.rigids[r]), model_.mesh.lower, model_.mesh.upper));
   return frame;
 }
 

@@ -15,31 +15,54 @@ std::vector<Index> count_up(Index count)
   return list;
 }
 
+/// The surface with this outline; in space it goes along z from lower to upper.
 template <int dim>
-RigidSurface<dim> make(const Circle<dim>& circle, const Vec<dim>& lower, const Vec<dim>& upper)
+RigidSurface<dim> along_z(const std::vector<Vec<dim>>& outline, const Vec<dim>& lower, const Vec<dim>& upper)
 {
   RigidSurface<dim> s;
-  for (Index k = 0; k < circle_points; ++k) {
-    const Real angle = 2 * pi * k / circle_points;
-    Vec<dim> x = circle.center;
-    x[0] += circle.radius * std::cos(angle);
-    x[1] += circle.radius * std::sin(angle);
-    if constexpr (dim == 3) {
-      x[2] = lower[2];
-      s.points.push_back(x);
-      x[2] = upper[2];
-    }
-    s.points.push_back(x);
-  }
+  const Index n = static_cast<Index>(outline.size());
   if constexpr (dim == 2) {
-    s.cells.push_back({VtkCell::polygon, count_up(circle_points)});
+    s.points = outline;
+    s.cells.push_back({VtkCell::polygon, count_up(n)});
   } else {
-    for (Index k = 0; k < circle_points; ++k) {
-      const Index a = 2 * k, b = 2 * ((k + 1) % circle_points);
+    for (Vec<dim> x : outline)
+      for (const Real z : {lower[2], upper[2]}) {
+        x[2] = z;
+        s.points.push_back(x);
+      }
+    for (Index k = 0; k < n; ++k) {
+      const Index a = 2 * k, b = 2 * ((k + 1) % n);
       s.cells.push_back({VtkCell::quad, {a, b, b + 1, a + 1}});
     }
   }
   return s;
+}
+
+template <int dim>
+RigidSurface<dim> make(const Circle<dim>& circle, const Vec<dim>& lower, const Vec<dim>& upper)
+{
+  std::vector<Vec<dim>> outline;
+  for (Index k = 0; k < circle_points; ++k) {
+    const Real angle = circle.angle + 2 * pi * k / circle_points;
+    Vec<dim> x = circle.center;
+    x[0] += circle.radius * std::cos(angle);
+    x[1] += circle.radius * std::sin(angle);
+    outline.push_back(x);
+  }
+  RigidSurface<dim> s = along_z(outline, lower, upper);
+  if (dim == 2 && circle.angle != 0) {  // a spoke shows the turn
+    s.points.push_back(circle.center);
+    s.cells.push_back({VtkCell::line, {circle_points, 0}});
+  }
+  return s;
+}
+
+template <int dim>
+RigidSurface<dim> make(const Polygon<dim>& polygon, const Vec<dim>& lower, const Vec<dim>& upper)
+{
+  std::vector<Vec<dim>> outline;
+  for (const Vec<2>& corner : *polygon.corners) outline.push_back(polygon.center + polygon.axes.template leftCols<2>() * corner);
+  return along_z(outline, lower, upper);
 }
 
 template <int dim>

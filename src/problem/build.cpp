@@ -88,7 +88,9 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
     model.bodies.push_back({name, material, nodal_damping(model.mesh, settings)});
   }
   for (const auto& [name, settings] : c.rigid) {
-    model.rigids.push_back({name, make_shape<dim>(settings.shape), settings.mass});
+    const RigidShape<dim> shape = make_shape<dim>(settings.shape);
+    const Real inertia = settings.moment_of_inertia.value_or(settings.mass * inertia_over_mass<dim>(shape));
+    model.rigids.push_back({name, shape, settings.mass, settings.rotation, inertia});
     state.rigids.emplace_back();
   }
   for (const auto& [name, s] : c.contact)

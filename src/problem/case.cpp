@@ -84,6 +84,16 @@ void check_rigids(Describe& d, const Case& c)
       check_entries(d, path + ".size", box->size, c.dimension);
       d.check(c.dimension == 2 || box->angle == 0, path + ".angle", "a box can be turned in two dimensions only");
     }
+    if (const auto* polygon = std::get_if<PolygonSettings>(&rigid.shape)) {
+      d.check(polygon->x.size() == polygon->y.size(), path + ".y",
+              fmt::format("has {} numbers, and x has {}", polygon->y.size(), polygon->x.size()));
+      d.check(polygon->x.size() >= 3, path + ".x", fmt::format("needs three corners or more, and has {}", polygon->x.size()));
+      d.check(is_simple(*polygon), path + ".x", "the sides of a polygon must not cross or touch each other");
+    }
+    if (rigid.rotation == Rotation::free) {
+      d.check(!std::holds_alternative<HalfPlaneSettings>(rigid.shape), path + ".rotation", "a half-plane cannot turn");
+      d.check(rigid.mass > 0 || rigid.moment_of_inertia, path + ".rotation", "a body that turns needs a mass or a moment_of_inertia");
+    }
   }
   for (const auto& [name, contact] : c.contact) {
     check_name(d, "contact." + name + ".body", contact.body, "body", names_of(c.body));

@@ -6,8 +6,7 @@ namespace berm {
 template <int dim>
 PipeMotion pipe_motion(const Model<dim>& model, const State<dim>& state, Index rigid)
 {
-  const Vec<dim>& moved_by = state.rigids[rigid].displacement;
-  return {moved_by[0], model.surface - (lowest_level<dim>(model.rigids[rigid].shape) + moved_by[1])};
+  return {state.rigids[rigid].displacement[0], model.surface - lowest_level<dim>(placed<dim>(model.rigids[rigid], state.rigids[rigid]))};
 }
 
 template <int dim>
@@ -73,8 +72,10 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
     RigidState<dim>& rigid = state.rigids[r];
     if (r != model.driven[state.stage.index]) {
       rigid.velocity.setZero();
+      rigid.spin = 0;
       continue;
     }
+    if (model.rigids[r].rotation == Rotation::free) rigid.spin += dt * rigid.torque / model.rigids[r].inertia;
     for (int d = 0; d < dim; ++d) {
       const Drive& drive = state.stage.drive[d];
       const Real value = drive.from + part * (drive.to - drive.from);

@@ -31,10 +31,13 @@ std::vector<std::string> Recorder<dim>::columns(const Model<dim>& model)
                                     "out_of_balance",
                                     "gap_m",
                                     "overlap_m",
-                                    "second_impulse_N_m"};
+                                    "second_impulse_N_m",
+                                    "M_Nm_m",
+                                    "angle_rad"};
   for (Index r = 0; r < static_cast<Index>(model.rigids.size()); ++r)
     if (r != model.main_rigid)
-      for (const char* column : {"u_m", "w_m", "H_N_m", "V_N_m"}) names.push_back(fmt::format("{}_{}", model.rigids[r].name, column));
+      for (const char* column : {"u_m", "w_m", "H_N_m", "V_N_m", "M_Nm_m", "angle_rad"})
+        names.push_back(fmt::format("{}_{}", model.rigids[r].name, column));
   for (const Body<dim>& body : model.bodies) {
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_u{}_m", body.name, direction_names[d]));
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_v{}_m_s", body.name, direction_names[d]));
@@ -59,7 +62,7 @@ Recorder<dim>::Recorder(const std::filesystem::path& path, const Model<dim>& mod
 }
 
 template <int dim>
-void Recorder<dim>::add_rigid(const Model<dim>& model, const State<dim>& state, Index rigid, std::vector<Real>& row)
+void Recorder<dim>::add_motion(const Model<dim>& model, const State<dim>& state, Index rigid, std::vector<Real>& row)
 {
   const PipeMotion motion = pipe_motion(model, state, rigid);
   const Real time = state.time - last_time_;
@@ -69,11 +72,18 @@ void Recorder<dim>::add_rigid(const Model<dim>& model, const State<dim>& state, 
 }
 
 template <int dim>
+void Recorder<dim>::add_turn(const State<dim>& state, Index rigid, std::vector<Real>& row)
+{
+  const Real time = state.time - last_time_, impulse = state.rigids[rigid].torque_impulse - last_rigids_[rigid].torque_impulse;
+  row.insert(row.end(), {time > 0 ? -impulse / time + 0. : 0, state.rigids[rigid].angle});
+}
+
+template <int dim>
 void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Work<dim>& work)
 {
   std::vector<Real> row;
   if (model.main_rigid != none)
-    add_rigid(model, state, model.main_rigid, row);
+    add_motion(model, state, model.main_rigid, row);
   else
     row.assign(4, unknown);
   horizontal_ = row[2];
@@ -103,11 +113,15 @@ void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Wo
     row.push_back(now.deepest);
     row.push_back(time > 0 ? (now.second_impulse - last.second_impulse).norm() / time : 0);
     now.deepest = 0;
+    add_turn(state, model.main_rigid, row);
   } else {
-    row.insert(row.end(), 3, unknown);
+    row.insert(row.end(), 5, unknown);
   }
   for (Index r = 0; r < static_cast<Index>(model.rigids.size()); ++r)
-    if (r != model.main_rigid) add_rigid(model, state, r, row);
+    if (r != model.main_rigid) {
+      add_motion(model, state, r, row);
+      add_turn(state, r, row);
+    }
   for (std::size_t b = 0; b < sums.size(); ++b) {
     const Vec<dim> moved_by = sums[b].moment / sums[b].mass - first_centers_[b], velocity = sums[b].momentum / sums[b].mass;
     row.insert(row.end(), moved_by.begin(), moved_by.end());

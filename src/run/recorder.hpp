@@ -25,7 +25,8 @@ public:
 
 private:
   static std::vector<std::string> columns(const Model<dim>& model);
-  void add_rigid(const Model<dim>& model, const State<dim>& state, Index rigid, std::vector<Real>& row);
+  void add_motion(const Model<dim>& model, const State<dim>& state, Index rigid, std::vector<Real>& row);
+  void add_turn(const State<dim>& state, Index rigid, std::vector<Real>& row);
 
   HistoryFile file_;
   Real last_time_ = 0;

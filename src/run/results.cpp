@@ -57,8 +57,8 @@ void draw(const RunRequest& request, const RunFolder& folder, const Model<2>& mo
   SoilView view{model.mesh.lower, model.mesh.upper, model.surface};
   if (scale.diameter > 0) {
     const Rigid<2>& pipe = model.rigids[model.main_rigid];
-    const Vec<2>& moved_by = state.rigids[model.main_rigid].displacement;
-    const Real low = lowest_level<2>(pipe.shape) + moved_by[1], center = center_of<2>(pipe.shape)[0] + moved_by[0];
+    const RigidState<2>& now = state.rigids[model.main_rigid];
+    const Real low = lowest_level<2>(placed<2>(pipe, now)), center = center_now<2>(pipe, now)[0];
     view.lower = Vec<2>(center - 2.5 * scale.diameter, low - 1.2 * scale.diameter);
     view.upper = Vec<2>(center + 2.5 * scale.diameter, low + 1.3 * scale.diameter);
   }

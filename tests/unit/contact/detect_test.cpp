@@ -98,7 +98,7 @@ std::map<Index, ContactNode<dim>> by_node(const ContactNodes<dim>& found)
 template <int dim>
 void expect_gaps(const Bed<dim>& bed, const Rigid<dim>& rigid, const Vec<dim>& displacement, const ContactNodes<dim>& found)
 {
-  const auto shape = moved<dim>(rigid.shape, displacement);
+  const auto shape = placed<dim>(rigid, RigidState<dim>{displacement});
   const auto expected = brute_force(bed, shape);
   const auto nodes = by_node(found);
   Real nearest = infinity, least = infinity;
@@ -199,7 +199,7 @@ TYPED_TEST(Detect, overlap_lists_the_nodes_with_mass_of_all_cells_that_the_body_
     for (int n = 0; n <= 10; ++n) {
       const Vec<dim> displacement = at<dim>(0.02 * n, -0.02 * n);
       bed.find_again(rigid, displacement, Detection::overlap, found);
-      const auto shape = moved<dim>(rigid.shape, displacement);
+      const auto shape = placed<dim>(rigid, RigidState<dim>{displacement});
       // Certainly in: a corner lies in the body. Certainly out: none of many points does.
       std::vector<bool> surely(bed.mesh.node_count(), false), perhaps(bed.mesh.node_count(), false);
       for (Index cell = 0; cell < bed.mesh.cell_count(); ++cell) {
