@@ -130,7 +130,10 @@ std::vector<std::array<Real, 4>> points_in_simplex<3>(int n)
 template <int dim>
 Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body, const StartState<dim>& start)
 {
-  const auto seeds = body.block ? seeds_in_block(mesh, name, *body.block) : seeds_in_regions(mesh, name, body);
+  auto seeds = body.block ? seeds_in_block(mesh, name, *body.block) : seeds_in_regions(mesh, name, body);
+  std::erase_if(seeds, [&](const Seed<dim>& seed) {
+    return std::any_of(start.holes.begin(), start.holes.end(), [&](const auto& hole) { return surface_at(hole, seed.x).distance < 0; });
+  });
   if (seeds.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max() / 2))
     throw InputError(
         fmt::format("body.{}: {} particles are too many; {} can be numbered", name, seeds.size(), std::numeric_limits<Index>::max() / 2));

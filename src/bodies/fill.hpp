@@ -3,6 +3,7 @@
 
 #include "bodies/body_settings.hpp"
 #include "bodies/particles.hpp"
+#include "bodies/rigid.hpp"
 
 namespace berm {
 
@@ -13,14 +14,15 @@ std::vector<std::array<Real, dim + 1>> points_in_simplex(int n);
 /// The state of the body at the start.
 template <int dim>
 struct StartState {
-  Real density;           ///< kg/m3
-  Real vertical_gravity;  ///< m/s2, positive downwards
-  Real surface;           ///< m, level of the bed's surface
-  int state_size;         ///< numbers that the law keeps for a particle
+  Real density;                             ///< kg/m3
+  Real vertical_gravity;                    ///< m/s2, positive downwards
+  Real surface;                             ///< m, level of the bed's surface
+  int state_size;                           ///< numbers that the law keeps for a particle
+  std::vector<RigidShape<dim>> holes = {};  ///< rigid bodies that it has a contact with: they take the place of its particles
 };
 
-/// Fills the body's regions or block with particles at rest or with its first velocity, and with the stress of a flat bed where k0 is given:
-/// sigma_yy = -density g (surface - y), sigma_xx = sigma_zz = k0 sigma_yy. Throws InputError where a region is unknown or a block leaves the mesh.
+/// Fills the body's regions or block, but for the holes, with particles at rest or with its first velocity, and with the stress of a flat bed
+/// where k0 is given: sigma_yy = -density g (surface - y), sigma_xx = sigma_zz = k0 sigma_yy. Throws InputError where a region is unknown or a block leaves the mesh.
 template <int dim>
 Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body, const StartState<dim>& start);
 

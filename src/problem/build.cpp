@@ -75,23 +75,25 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
   model.mpm = c.mpm;
   model.fixed = fixed_directions(model.mesh, c);
 
-  for (const auto& [name, settings] : c.body) {
-    const Material& material = c.material[place_of(c.material, settings.material)].second;
-    const StartState<dim> start{density(material), -model.gravity[1], c.surface, state_size(material)};
-    state.particles.push_back(fill(model.mesh, name, settings, start));
-    if (state.particles.back().size() == 0)
-      throw InputError(fmt::format("body.{}: its regions have no cells, so it has no particles", name));
-    state.particles.back().visit([&](Index, Index b, int l) {
-      const Block<dim>& p = state.particles.back().block(b);
-      for (int d = 0; d < dim; ++d) state.totals.first_momentum[d] += p.mass[l] * p.v[d][l];
-    });
-    model.bodies.push_back({name, material, nodal_damping(model.mesh, settings)});
-  }
   for (const auto& [name, settings] : c.rigid) {
     const RigidShape<dim> shape = make_shape<dim>(settings.shape);
     const Real inertia = settings.moment_of_inertia.value_or(settings.mass * inertia_over_mass<dim>(shape));
     model.rigids.push_back({name, shape, settings.mass, settings.rotation, inertia});
     state.rigids.emplace_back();
+  }
+  for (const auto& [name, settings] : c.body) {
+    const Material& material = c.material[place_of(c.material, settings.material)].second;
+    StartState<dim> start{density(material), -model.gravity[1], c.surface, state_size(material)};
+    for (const auto& entry : c.contact)
+      if (entry.second.body == name) start.holes.push_back(model.rigids[place_of(c.rigid, entry.second.rigid)].shape);
+    state.particles.push_back(fill(model.mesh, name, settings, start));
+    if (state.particles.back().size() == 0)
+      throw InputError(fmt::format("body.{}: its regions have no cells outside the rigid bodies, so it has no particles", name));
+    state.particles.back().visit([&](Index, Index b, int l) {
+      const Block<dim>& p = state.particles.back().block(b);
+      for (int d = 0; d < dim; ++d) state.totals.first_momentum[d] += p.mass[l] * p.v[d][l];
+    });
+    model.bodies.push_back({name, material, nodal_damping(model.mesh, settings)});
   }
   for (const auto& [name, s] : c.contact)
     model.contacts.push_back({place_of(c.body, s.body), place_of(c.rigid, s.rigid), std::tan(s.friction_angle), s.adhesion, s.scheme,

@@ -10,7 +10,7 @@ namespace berm {
 namespace {
 
 template <int dim>
-constexpr StartState<dim> at_rest{1000, 10, 0, 0};
+const StartState<dim> at_rest{1000, 10, 0, 0};
 
 /// A mesh with the regions "low" (y < 0.8), "high" and "empty", which has no cells.
 template <int dim>
@@ -56,6 +56,27 @@ class Fill : public testing::Test {
 };
 using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(Fill, Dimensions);
+
+TYPED_TEST(Fill, leaves_out_the_particles_inside_a_hole_and_changes_no_other)
+{
+  constexpr int dim = TypeParam::value;
+  const Mesh<dim> mesh = mesh_of_two_regions<dim>();
+  StartState<dim> start = at_rest<dim>;
+  start.holes = {make_shape<dim>(CircleSettings{std::vector<Real>(dim, 0.5), 0.5})};
+  const auto whole = fill<dim>(mesh, "bed", in_regions({"low", "high"}), at_rest<dim>);
+  const auto cut = fill<dim>(mesh, "bed", in_regions({"low", "high"}), start);
+  const auto particles = all_of(cut);
+  std::size_t next = 0;
+  for (const auto& p : all_of(whole)) {
+    if (std::hypot(p.x[0] - 0.5, p.x[1] - 0.5) < 0.25) continue;
+    ASSERT_LT(next, particles.size());
+    EXPECT_EQ(particles[next].x, p.x);
+    EXPECT_EQ(particles[next].volume, p.volume);
+    ++next;
+  }
+  EXPECT_EQ(next, particles.size());
+  EXPECT_LT(next, static_cast<std::size_t>(whole.size()));
+}
 
 TYPED_TEST(Fill, puts_the_particles_into_the_cells_of_its_regions_alone)
 {

@@ -55,6 +55,39 @@ TEST(Build, refuses_a_block_that_leaves_the_mesh)
   EXPECT_EQ(message_of(c).find("body.bed.block: the block leaves the mesh"), 0u) << message_of(c);
 }
 
+TEST(Build, fills_no_body_where_a_rigid_body_is_that_it_has_a_contact_with)
+{
+  Case c = pipe_over_box({rest()});
+  std::get<CircleSettings>(c.rigid[0].second.shape).center[1] = 1;
+  const auto least_distance = [&] {
+    const auto problem = build<2>(c, ".", ".");
+    Real least = infinity;
+    problem.state.particles[0].visit([&](Index, Index b, int l) {
+      const Block<2>& p = problem.state.particles[0].block(b);
+      least = std::min(least, surface_at<2>(problem.model.rigids[0].shape, Vec<2>(p.x[0][l], p.x[1][l])).distance);
+    });
+    return least;
+  };
+  EXPECT_LT(least_distance(), 0);
+  ContactSettings skin;
+  skin.body = "bed";
+  skin.rigid = "pipe";
+  c.contact = {{"skin", skin}};
+  EXPECT_GE(least_distance(), 0);
+  std::get<CircleSettings>(c.rigid[0].second.shape).diameter = 10;
+  EXPECT_EQ(message_of(c), "body.bed: its regions have no cells outside the rigid bodies, so it has no particles");
+}
+
+TEST(Build, gives_a_rigid_body_that_turns_the_inertia_of_a_solid_or_its_own)
+{
+  Case c = pipe_over_box({rest()});
+  c.rigid[0].second.rotation = Rotation::free;
+  const auto inertia = [&] { return build<2>(c, ".", ".").model.rigids[0].inertia; };
+  EXPECT_NEAR(inertia(), 2 * 0.2 * 0.2 / 2, 1e-15);  // m R^2 / 2
+  c.rigid[0].second.moment_of_inertia = 3;
+  EXPECT_EQ(inertia(), 3);
+}
+
 TEST(Build, holds_the_nodes_of_a_boundary_in_the_directions_named)
 {
   Case c = pipe_over_box({rest()});
