@@ -5,23 +5,29 @@
 
 namespace berm {
 
-/// When the contact of a node is corrected within a step (paper, section 2.2).
+/// When contact is corrected within a step (paper, section 2).
 enum class Scheme {
-  twice,  ///< steps 4 and 8: accelerations and re-mapped velocities
-  once    ///< step 4 only
+  twice,   ///< steps 4 and 8: accelerations and re-mapped velocities
+  once,    ///< step 4 only
+  hybrid,  ///< step 4; nodes in contact then move and strain with that velocity (update stress last), all others with the re-mapped one
+  usf,     ///< update stress first: the velocities before the step, which strain, and those after it, which move
+  sticky   ///< one velocity field: what touches neither slides nor parts
 };
 
-/// Which nodes are in contact.
+/// Where two bodies are in contact.
 enum class Detection {
-  gap,     ///< the approach velocity is compared with the gap that the nearest particles still have
-  overlap  ///< every node that both the soil and the rigid body reach through a cell, as published
+  gap,       ///< nodes: the approach velocity is compared with the gap that the nearest particles still have
+  overlap,   ///< every node that both bodies reach through a cell, as published
+  distance,  ///< nodes whose nearest particles touch
+  particle   ///< particles at the surface of a rigid body instead of nodes, with the rule for the gap
 };
 
-/// Frictional contact between a deformable and a rigid body.
+/// Frictional contact of a deformable body with a rigid one or another deformable one.
 struct ContactSettings {
-  std::string body, rigid;
-  Real friction_angle = 0;  ///< rad
-  Real adhesion = 0;        ///< Pa
+  std::string body;
+  std::string rigid, other_body;  ///< one of the two; the other is empty
+  Real friction_angle = 0;        ///< rad
+  Real adhesion = 0;              ///< Pa
   Scheme scheme = Scheme::twice;
   Detection detection = Detection::gap;
   Real approach_steps = 20;  ///< T/dt: a gap closes over this many steps

@@ -8,7 +8,7 @@ namespace {
 
 /// The cells that the surface, or the body behind it, can reach before it has moved by `reach`.
 template <int dim>
-void find_near_cells(const Mesh<dim>& mesh, const RigidShape<dim>& shape, const Vec<dim>& displacement, ContactNodes<dim>& found)
+void find_near_cells(const Mesh<dim>& mesh, const RigidShape<dim>& shape, const RigidState<dim>& state, ContactPoints<dim>& found)
 {
   if (found.place.size() == 0) {
     found.place.assign(mesh.node_count(), none);
@@ -16,8 +16,10 @@ void find_near_cells(const Mesh<dim>& mesh, const RigidShape<dim>& shape, const 
     for (Real height : mesh.height) least = std::min(least, height);
     found.reach = least;
   }
-  if ((displacement - found.near_at).norm() < found.reach) return;
-  found.near_at = displacement;
+  const Real moved = (state.displacement - found.near_at).norm() + std::abs(state.angle - found.near_angle) * reach_of<dim>(shape);
+  if (moved < found.reach) return;
+  found.near_at = state.displacement;
+  found.near_angle = state.angle;
   found.near_cells.clear();
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     const Vec<dim> center = mesh.centroid(cell);
@@ -26,7 +28,7 @@ void find_near_cells(const Mesh<dim>& mesh, const RigidShape<dim>& shape, const 
     if (surface_at(shape, center).distance < 2 * radius + found.reach) found.near_cells.push_back(cell);
   }
   found.cells.resize(found.near_cells.size());
-  found.list.reserve(static_cast<std::size_t>(dim + 1) * found.near_cells.size());
+  found.list.reserve(static_cast<std::size_t>(lanes) * found.near_cells.size());
 }
 
 /// Whether the body reaches into a cell, tried at its corners and at the quarter points of its edges.
@@ -41,20 +43,83 @@ bool reaches_into(const RigidShape<dim>& shape, const Mesh<dim>& mesh, Index cel
   return false;
 }
 
+/// The nodes of the cells that touch, each once, with the least gap of their cells.
 template <int dim>
-Real half_width(Real volume)
+void list_nodes(const Mesh<dim>& mesh, const RigidShape<dim>& shape, Detection detection, const NodeField<Real>& mass,
+                ContactPoints<dim>& found)
 {
-  return 0.5 * (dim == 2 ? std::sqrt(volume) : std::cbrt(volume));
+  const bool overlap = detection == Detection::overlap;
+  const bool has_corners = !std::holds_alternative<Circle<dim>>(shape) && !std::holds_alternative<HalfPlane<dim>>(shape);
+  for (std::size_t k = 0; k < found.near_cells.size(); ++k) {
+    const auto& cell = found.cells[k];
+    if (overlap ? !cell.cut : !(cell.gap < infinity)) continue;
+    for (Index node : mesh.nodes[found.near_cells[k]]) {
+      if (mass[node] <= 0) continue;
+      const Real gap = overlap ? 0 : cell.gap;
+      Index& place = found.place[node];
+      const bool first = place == none;
+      if (first) {
+        place = static_cast<Index>(found.list.size());
+        ContactPoint<dim> point;
+        point.nodes[0] = node;
+        point.weights[0] = 1;
+        const SurfacePoint<dim> surface = surface_at(shape, mesh.position[node]);
+        point.normal = surface.normal;
+        point.place = mesh.position[node] - surface.distance * surface.normal;
+        point.gap = gap;
+        point.distance = infinity;
+        found.list.push_back(point);
+      }
+      ContactPoint<dim>& point = found.list[place];
+      // Inside a shape with corners the side that is nearest to a node says nothing of the side that the soil touches.
+      if (has_corners && cell.gap < infinity && (first || gap < point.gap)) point.normal = cell.normal;
+      point.gap = std::min(point.gap, gap);
+      point.distance = std::min(point.distance, cell.distance);
+      point.touching = point.touching || overlap || cell.gap < cell.half_width;
+    }
+  }
+  for (const ContactPoint<dim>& point : found.list) found.place[point.nodes[0]] = none;
+  if (detection == Detection::distance) std::erase_if(found.list, [](const ContactPoint<dim>& point) { return point.gap > 0; });
+}
+
+/// The particles whose gap is less than their width. A cell that has a node without mass moves no particle there.
+template <int dim>
+void list_particles(const Mesh<dim>& mesh, const Particles<dim>& particles, const RigidShape<dim>& shape, ContactPoints<dim>& found)
+{
+  for (std::size_t k = 0; k < found.near_cells.size(); ++k) {
+    const Index cell = found.near_cells[k];
+    if (!(found.cells[k].gap < 2 * found.cells[k].half_width)) continue;
+    Index left = particles.count_in(cell);
+    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
+      for (int l = 0; l < lanes && l < left; ++l) {
+        const Block<dim>& p = particles.block(b);
+        ContactPoint<dim> point;
+        Vec<dim> x;
+        for (int d = 0; d < dim; ++d) x[d] = p.x[d][l];
+        const SurfacePoint<dim> surface = surface_at(shape, x);
+        const Real half = half_width<dim>(p.volume[l]);
+        point.gap = surface.distance - half;
+        if (!(point.gap < 2 * half)) continue;
+        point.nodes = mesh.nodes[cell];
+        for (int n = 0; n <= dim; ++n) point.weights[n] = mesh.shape[cell].value(n, x);
+        point.node_count = dim + 1;
+        point.normal = surface.normal;
+        point.place = x - surface.distance * surface.normal;
+        point.distance = surface.distance;
+        point.touching = point.gap < half;
+        found.list.push_back(point);
+      }
+  }
 }
 
 }  // namespace
 
 template <int dim>
 void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<dim>& rigid, const RigidState<dim>& state,
-            Detection detection, const NodeField<Real>& mass, ContactNodes<dim>& found)
+            Detection detection, const NodeField<Real>& mass, ContactPoints<dim>& found)
 {
   const RigidShape<dim> shape = placed<dim>(rigid, state);
-  find_near_cells(mesh, shape, state.displacement, found);
+  find_near_cells(mesh, shape, state, found);
 
   for_each("contact: distances", static_cast<Index>(found.near_cells.size()), [&](Index k) {
     const Index cell = found.near_cells[k];
@@ -75,37 +140,18 @@ void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<
     if (detection == Detection::overlap) result.cut = reaches_into(shape, mesh, cell);
   });
 
-  for (const ContactNode<dim>& contact : found.list) found.place[contact.node] = none;
   found.list.clear();
   found.nearest_particle = infinity;
-  const bool has_corners = std::holds_alternative<Box<dim>>(shape) || std::holds_alternative<Polygon<dim>>(shape);
-  for (std::size_t k = 0; k < found.near_cells.size(); ++k) {
-    const auto& cell = found.cells[k];
-    found.nearest_particle = std::min(found.nearest_particle, cell.distance);
-    const bool touches = detection == Detection::overlap ? cell.cut : cell.gap < infinity;
-    if (!touches) continue;
-    for (Index node : mesh.nodes[found.near_cells[k]]) {
-      if (mass[node] <= 0) continue;
-      const Real gap = detection == Detection::overlap ? 0 : cell.gap;
-      Index& place = found.place[node];
-      const bool first = place == none;
-      if (first) {
-        place = static_cast<Index>(found.list.size());
-        found.list.push_back({node, surface_at(shape, mesh.position[node]).normal, gap, infinity, false});
-      }
-      ContactNode<dim>& contact = found.list[place];
-      // Inside a shape with corners the side that is nearest to a node says nothing of the side that the soil touches.
-      if (has_corners && cell.gap < infinity && (first || gap < contact.gap)) contact.normal = cell.normal;
-      contact.gap = std::min(contact.gap, gap);
-      contact.distance = std::min(contact.distance, cell.distance);
-      contact.touching = contact.touching || detection == Detection::overlap || cell.gap < cell.half_width;
-    }
-  }
+  for (const auto& cell : found.cells) found.nearest_particle = std::min(found.nearest_particle, cell.distance);
+  if (detection == Detection::particle)
+    list_particles(mesh, particles, shape, found);
+  else
+    list_nodes(mesh, shape, detection, mass, found);
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void detect(const Mesh<dim>&, const Particles<dim>&, const Rigid<dim>&, const RigidState<dim>&, Detection,                      \
-                       const NodeField<Real>&, ContactNodes<dim>&);
+                       const NodeField<Real>&, ContactPoints<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

@@ -3,43 +3,39 @@
 
 #include "bodies/particles.hpp"
 #include "bodies/rigid.hpp"
+#include "contact/contact_point.hpp"
 #include "contact/contact_settings.hpp"
 
 namespace berm {
 
-/// One node of a deformable body that may touch a rigid body in this step.
+/// Half the width of a particle: of a square (cube) of its volume. m
 template <int dim>
-struct ContactNode {
-  Index node;
-  Vec<dim> normal;  ///< unit vector out of the rigid body, at the node
-  Real gap;         ///< m between the rigid surface and the rim of the nearest particle; at most 0 where they touch
-  Real distance;    ///< m between the rigid surface and the nearest particle's centre
-  bool touching;    ///< the gap is less than half a particle's width
-};
+Real half_width(Real volume)
+{
+  return 0.5 * (dim == 2 ? std::sqrt(volume) : std::cbrt(volume));
+}
 
-/// The nodes of one contact, found anew in each step, and what finding them needs. Memory is kept from step to step.
-template <int dim>
-struct ContactNodes {
-  std::vector<ContactNode<dim>> list;  ///< in the order of the cells that found them
-  Real nearest_particle = infinity;    ///< m, distance of the nearest particle from the surface, negative inside
-
-  std::vector<Index> near_cells;                    ///< cells that the surface can reach until it has moved `reach`
-  Vec<dim> near_at = Vec<dim>::Constant(infinity);  ///< displacement of the rigid body when near_cells was made
-  Real reach = 0;
-  struct CellContact {
-    Real gap = infinity, distance = infinity, half_width = 0;
-    Vec<dim> normal = Vec<dim>::Zero();  ///< at the particle with the least gap
-    bool cut = false;                    ///< the rigid body reaches into the cell
-  };
-  std::vector<CellContact> cells;  ///< of near_cells
-  NodeField<Index> place;          ///< of a node in list, or none
-};
-
-/// Finds the nodes that may be in contact. With Detection::gap: the nodes of cells with particles near the surface, and for each the least gap of
-/// the particles in its cells; a particle is as wide as a square (cube) of its volume. With Detection::overlap: each node of a cell that the rigid
-/// body reaches into, with gap 0. Nodes without mass are left out.
+/// Finds where a body may be in contact with a rigid one.
+///
+/// Detection::gap: the nodes of cells with particles near the surface, each with the least gap of the particles in its cells. Detection::distance:
+/// those of them whose gap is closed. Detection::overlap: each node of a cell that the rigid body reaches into, with gap 0.
+/// Detection::particle: the particles whose gap is less than their width. Nodes without mass are left out.
 template <int dim>
 void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<dim>& rigid, const RigidState<dim>& state,
-            Detection detection, const NodeField<Real>& mass, ContactNodes<dim>& found);
+            Detection detection, const NodeField<Real>& mass, ContactPoints<dim>& found);
+
+/// One of two deformable bodies: its particles, and the mass that its nodes have.
+template <int dim>
+struct BodyView {
+  const Particles<dim>& particles;
+  const NodeField<Real>& mass;
+  const std::vector<Index>& nodes;  ///< that may have mass, ascending
+};
+
+/// Finds the nodes where two deformable bodies may be in contact: those at which both have mass. Both share one normal, out of `other`, along the
+/// difference of their volume gradients sum V grad N; the gap is that between the rims of their particles in the node's cells, seen along it.
+/// Detection::overlap takes the gap for 0, Detection::distance leaves out nodes whose gap is open.
+template <int dim>
+void detect(const Mesh<dim>& mesh, const BodyView<dim>& body, const BodyView<dim>& other, Detection detection, ContactPoints<dim>& found);
 
 }  // namespace berm

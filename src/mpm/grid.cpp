@@ -16,7 +16,8 @@ BodyGrid<dim>::BodyGrid(const Mesh<dim>& mesh)
       velocity(mesh.node_count(), Vec<dim>::Zero()),
       acceleration(mesh.node_count(), Vec<dim>::Zero()),
       moved_velocity(mesh.node_count(), Vec<dim>::Zero()),
-      touching(mesh.node_count(), 0)
+      touching(mesh.node_count(), 0),
+      contact_points(mesh.node_count(), 0)
 {
   nodes.reserve(mesh.node_count());
 }
@@ -33,7 +34,7 @@ void find_nodes(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid
 }
 
 template <int dim>
-Work<dim>::Work(const Model<dim>& model, const State<dim>& state) : contact_nodes(model.contacts.size()),
+Work<dim>::Work(const Model<dim>& model, const State<dim>& state) : contact_points(model.contacts.size()),
                                                                     movers(omp_get_max_threads())
 {
   std::size_t most = 0;

@@ -48,10 +48,11 @@ struct BodyGrid {
   CellField<Real> volume_change;             ///< sum V times div(v) dt of the cell
 
   NodeField<Real> mass;
-  NodeField<Vec<dim>> velocity;        ///< v^t
-  NodeField<Vec<dim>> acceleration;    ///< corrected, step 4
-  NodeField<Vec<dim>> moved_velocity;  ///< v^(t+1) of steps 7 and 8: moves and strains the particles
-  NodeField<std::uint8_t> touching;    ///< 1: near a contact; damping leaves it alone
+  NodeField<Vec<dim>> velocity;            ///< v^t
+  NodeField<Vec<dim>> acceleration;        ///< corrected, step 4
+  NodeField<Vec<dim>> moved_velocity;      ///< v^(t+1) of steps 7 and 8: moves and strains the particles
+  NodeField<std::uint8_t> touching;        ///< 1: near a contact; damping leaves it alone
+  NodeField<std::uint8_t> contact_points;  ///< 1: a contact point of this step moves the node
 
   std::vector<Index> nodes;  ///< that have a cell with particles, ascending
 
@@ -71,9 +72,10 @@ struct Mover {
 /// All memory that a step needs beside Model and State; made once.
 template <int dim>
 struct Work {
-  std::vector<BodyGrid<dim>> grids;              ///< by body
-  std::vector<ContactNodes<dim>> contact_nodes;  ///< by contact
-  std::vector<std::vector<Mover>> movers;        ///< by thread
+  std::vector<BodyGrid<dim>> grids;                ///< by body
+  std::vector<ContactPoints<dim>> contact_points;  ///< by contact
+  bool contacts_share_nodes = false;               ///< some node is moved by more than one contact point
+  std::vector<std::vector<Mover>> movers;          ///< by thread
   std::vector<Particle<dim>> moving;
   std::vector<PreparedMaterial> laws;        ///< by body
   std::vector<PreparedMaterial> spent_laws;  ///< by body: the same without dilation, for particles at their largest volume

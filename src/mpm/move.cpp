@@ -130,8 +130,15 @@ template <int dim, class Law>
   for (int k = 0; k < Law::state_size; ++k) state[k] = spent ? spent_state[k] : state[k];
 }
 
+/// What a pass over the particles does; the steps of the paper that are meant.
+enum class Pass {
+  both,    ///< 5, 9-11
+  move,    ///< 5, 9
+  strain,  ///< 10, 11
+};
+
 /// spent_law is null where the law does not dilate.
-template <int dim, class Law>
+template <Pass pass, int dim, class Law>
 void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
 {
   const Mesh<dim>& mesh = model.mesh;
@@ -148,7 +155,7 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
     const Shape<dim>& shape = mesh.shape[cell];
     const LinearField<dim> acceleration(shape, nodes, grid.acceleration), velocity(shape, nodes, grid.moved_velocity);
     CellStrain<dim> cell_strain(velocity, dt);
-    if (model.mpm.volumetric_projection) {
+    if (pass != Pass::move && model.mpm.volumetric_projection) {
       Real volume = 0, change = 0;
       for (Index member : model.patches[cell]) {
         if (member == none) break;
@@ -166,26 +173,30 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
     for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes, place += lanes) {
       Block<dim>& p = particles.block(b);
       const LaneMask alive = lane_numbers < all_lanes(left);
-      Lanes x[dim], least_shape = all_lanes(1);
-      for (int d = 0; d < dim; ++d) {
-        p.v[d] = alive ? p.v[d] + dt * acceleration.at(d, p.x) : p.v[d];
-        x[d] = alive ? p.x[d] + dt * velocity.at(d, p.x) : p.x[d];
+      Lanes least_shape = all_lanes(1);
+      if constexpr (pass != Pass::strain) {
+        Lanes x[dim];
+        for (int d = 0; d < dim; ++d) {
+          p.v[d] = alive ? p.v[d] + dt * acceleration.at(d, p.x) : p.v[d];
+          x[d] = alive ? p.x[d] + dt * velocity.at(d, p.x) : p.x[d];
+        }
+        for (int d = 0; d < dim; ++d) p.x[d] = x[d];
+        for (int k = 0; k <= dim; ++k) {
+          Lanes n = shape.a[k] + shape.b[0][k] * x[0];
+          for (int d = 1; d < dim; ++d) n += shape.b[d][k] * x[d];
+          least_shape = smaller(least_shape, n);
+        }
       }
-      for (int d = 0; d < dim; ++d) p.x[d] = x[d];
-      for (int k = 0; k <= dim; ++k) {
-        Lanes n = shape.a[k] + shape.b[0][k] * x[0];
-        for (int d = 1; d < dim; ++d) n += shape.b[d][k] * x[d];
-        least_shape = smaller(least_shape, n);
+      if constexpr (pass != Pass::move) {
+        SymTensor<dim, Lanes> stress, both_stresses;
+        for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = both_stresses[k] = p.stress[k];
+        rotate(stress, cell_strain.spin);
+        update_stress_of<dim>(law, spent_law, alive & (p.volume >= p.mass * most_volume), stress, strain, particles.state(b));
+        for (int k = 0; k < tensor_size<dim>; ++k) both_stresses[k] += p.stress[k] = alive ? stress[k] : Lanes{};
+        work_done += 0.5 * p.volume * double_dot(both_stresses, strain);
+        p.volume = smaller(larger(p.volume * stretch, p.mass * least_volume), p.mass * most_volume);
+        p.deviatoric_strain += deviatoric;
       }
-
-      SymTensor<dim, Lanes> stress, both_stresses;
-      for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = both_stresses[k] = p.stress[k];
-      rotate(stress, cell_strain.spin);
-      update_stress_of<dim>(law, spent_law, alive & (p.volume >= p.mass * most_volume), stress, strain, particles.state(b));
-      for (int k = 0; k < tensor_size<dim>; ++k) both_stresses[k] += p.stress[k] = alive ? stress[k] : Lanes{};
-      work_done += 0.5 * p.volume * double_dot(both_stresses, strain);
-      p.volume = smaller(larger(p.volume * stretch, p.mass * least_volume), p.mass * most_volume);
-      p.deviatoric_strain += deviatoric;
 
       const LaneMask leaves = alive & (least_shape < Lanes{});
       if (any(leaves)) [[unlikely]]
@@ -199,10 +210,22 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
             if (!in_mesh || found.cell != cell) work.movers[omp_get_thread_num()].push_back({cell, place + l, in_mesh ? found.cell : none});
           }
     }
-    if (model.mpm.mixed_stress) average_stress(mesh, particles, cell);
+    if (pass != Pass::move && model.mpm.mixed_stress) average_stress(mesh, particles, cell);
 
     return sum(work_done);
   });
+}
+
+template <Pass pass, int dim>
+void pass_over_particles(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
+{
+  const bool dilates = berm::dilates(model.bodies[body].material);
+  std::visit(
+      [&](const auto& law) {
+        const auto& spent_law = std::get<std::decay_t<decltype(law)>>(work.spent_laws[body]);
+        move_and_strain_with<pass, dim>(law, dilates ? &spent_law : nullptr, model, state, work, body);
+      },
+      work.laws[body]);
 }
 
 template <int dim>
@@ -219,13 +242,19 @@ template <int dim>
 template <int dim>
 void move_and_strain(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
 {
-  const bool dilates = berm::dilates(model.bodies[body].material);
-  std::visit(
-      [&](const auto& law) {
-        const auto& spent_law = std::get<std::decay_t<decltype(law)>>(work.spent_laws[body]);
-        move_and_strain_with<dim>(law, dilates ? &spent_law : nullptr, model, state, work, body);
-      },
-      work.laws[body]);
+  pass_over_particles<Pass::both>(model, state, work, body);
+}
+
+template <int dim>
+void strain_particles(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
+{
+  pass_over_particles<Pass::strain>(model, state, work, body);
+}
+
+template <int dim>
+void move_particles(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
+{
+  pass_over_particles<Pass::move>(model, state, work, body);
 }
 
 template <int dim>
@@ -263,6 +292,8 @@ void change_cells(const Model<dim>& model, State<dim>& state, Work<dim>& work, I
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void move_and_strain(const Model<dim>&, State<dim>&, Work<dim>&, Index);                                                        \
+  template void strain_particles(const Model<dim>&, State<dim>&, Work<dim>&, Index);                                                       \
+  template void move_particles(const Model<dim>&, State<dim>&, Work<dim>&, Index);                                                         \
   template void change_cells(const Model<dim>&, State<dim>&, Work<dim>&, Index);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

@@ -11,6 +11,12 @@ namespace berm {
 template <int dim>
 void move_and_strain(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body);
 
+/// The parts of it that update stress first takes one by one: steps 10 and 11 (strain, stress, volume), and steps 5 and 9 (velocity, position).
+template <int dim>
+void strain_particles(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body);
+template <int dim>
+void move_particles(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body);
+
 /// Hands the noted particles to their new cells, in the order of their old ones. Throws RunError for a particle that has left the mesh.
 template <int dim>
 void change_cells(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body);

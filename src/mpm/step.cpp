@@ -2,22 +2,20 @@
 #include "mpm/step.hpp"
 
 #include "mpm/balance.hpp"
+#include "mpm/contact.hpp"
 #include "mpm/move.hpp"
-#include "mpm/rigid_contact.hpp"
 #include "mpm/time_step.hpp"
 #include "mpm/transfer.hpp"
 #include "problem/stages.hpp"
 
 namespace berm {
+namespace {
 
 // Numbers in brackets are the paper's equations. Each body has nodal fields of its own, so the loops over bodies come first.
 template <int dim>
-void step(const Model<dim>& model, State<dim>& state, Work<dim>& work)
+void update_stress_last(const Model<dim>& model, State<dim>& state, Work<dim>& work)
 {
   const Index bodies = static_cast<Index>(model.bodies.size());
-  if (state.step % steps_between_time_steps == 0) state.dt = stable_time_step(model, state, work);
-  drive_rigids(model, state, state.dt);
-
   for (Index b = 0; b < bodies; ++b) {
     sum_moments(model.mesh, state.particles[b], work.grids[b]);                              // 1: sums over the particles of each cell
     gather_mass_and_momentum(model.mesh, density(model.bodies[b].material), work.grids[b]);  // 1: (1), and velocities before the step
@@ -38,6 +36,48 @@ void step(const Model<dim>& model, State<dim>& state, Work<dim>& work)
     move_and_strain(model, state, work, b);  // 5, 9-11: (14), (19)-(23)
     change_cells(model, state, work, b);
   }
+}
+
+// Scheme::usf (Bardenhagen and others 2000, 2001): stress comes first, from the corrected velocities before the step.
+template <int dim>
+void update_stress_first(const Model<dim>& model, State<dim>& state, Work<dim>& work)
+{
+  const Index bodies = static_cast<Index>(model.bodies.size());
+  for (Index b = 0; b < bodies; ++b) {
+    sum_moments(model.mesh, state.particles[b], work.grids[b]);
+    gather_mass_and_momentum(model.mesh, density(model.bodies[b].material), work.grids[b]);
+    predict_velocities(model, 0, work.grids[b]);  // those before the step, with the supports
+  }
+  find_contacts(model, state, work);
+  correct_velocities(model, state, work);
+
+  for (Index b = 0; b < bodies; ++b) {
+    if (model.mpm.volumetric_projection) sum_volume_changes(model.mesh, state.particles[b], state.dt, work.grids[b]);
+    strain_particles(model, state, work, b);
+    sum_moments(model.mesh, state.particles[b], work.grids[b]);
+    spread_internal_forces(model, state.particles[b], work.grids[b]);
+    solve_momentum_balance(model, state, work, b);
+  }
+  correct_accelerations(model, state, work);
+
+  for (Index b = 0; b < bodies; ++b) {
+    predict_velocities(model, state.dt, work.grids[b]);
+    move_particles(model, state, work, b);
+    change_cells(model, state, work, b);
+  }
+}
+
+}  // namespace
+
+template <int dim>
+void step(const Model<dim>& model, State<dim>& state, Work<dim>& work)
+{
+  if (state.step % steps_between_time_steps == 0) state.dt = stable_time_step(model, state, work);
+  drive_rigids(model, state, state.dt);
+  if (model.update_stress_first)
+    update_stress_first(model, state, work);
+  else
+    update_stress_last(model, state, work);
   move_rigids(model, state);
   state.time += state.dt;
   ++state.step;

@@ -81,18 +81,28 @@ void sum_moments(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGri
 /// A node with less than this part of the mass that fills its cells has none: the rest is round-off, which must not be divided by.
 constexpr Real least_mass_part = 1e-9;
 
-/// The mean velocity of all particles in a node's cells: for a node without mass, which then strains nothing that moves as one.
-template <int dim>
-Vec<dim> velocity_of_cells(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
+/// The mean velocity of all particles in a node's cells: for a node without mass, which then strains nothing that moves as one. The momentum of a
+/// cell is told by momentum_of(cell).
+template <int dim, class MomentumOf>
+Vec<dim> velocity_of_cells(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node, const MomentumOf& momentum_of)
 {
   Vec<dim> momentum = Vec<dim>::Zero();
   Real mass = 0;
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
     const Index cell = mesh.entries[e] / (dim + 1);
     mass += grid.moments[cell].m;
-    for (int k = 0; k <= dim; ++k) momentum += grid.corner_momentum[(dim + 1) * cell + k];
+    momentum += momentum_of(cell);
   }
   return mass > 0 ? Vec<dim>(momentum / mass) : Vec<dim>(Vec<dim>::Zero());
+}
+
+/// A node's velocity without the directions that are held.
+template <int dim>
+Vec<dim> supported(const Model<dim>& model, Index node, Vec<dim> v)
+{
+  for (int d = 0; d < dim; ++d)
+    if (model.fixed[node] >> d & 1) v[d] = 0;
+  return v;
 }
 
 template <int dim>
@@ -178,10 +188,25 @@ void gather_new_velocities(const Model<dim>& model, BodyGrid<dim>& grid)
     const Index i = grid.nodes[n];
     Vec<dim> momentum = Vec<dim>::Zero();
     for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) momentum += grid.corner_momentum[mesh.entries[e]];
-    Vec<dim> v = grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i);
-    for (int d = 0; d < dim; ++d)
-      if (model.fixed[i] >> d & 1) v[d] = 0;
-    grid.moved_velocity[i] = v;
+    const auto momentum_of = [&](Index cell) {
+      Vec<dim> sum = Vec<dim>::Zero();
+      for (int k = 0; k <= dim; ++k) sum += grid.corner_momentum[(dim + 1) * cell + k];
+      return sum;
+    };
+    grid.moved_velocity[i] =
+        supported<dim>(model, i, grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
+  });
+}
+
+template <int dim>
+void predict_velocities(const Model<dim>& model, Real ahead, BodyGrid<dim>& grid)
+{
+  for_each("predict velocities", static_cast<Index>(grid.nodes.size()), [&](Index n) {
+    const Index i = grid.nodes[n];
+    const auto momentum_of = [&](Index cell) { return Eigen::Map<const Vec<dim>>(grid.moments[cell].mv); };
+    grid.moved_velocity[i] = supported<dim>(model, i,
+                                            grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
+                                                             : velocity_of_cells(model.mesh, grid, i, momentum_of));
   });
 }
 
@@ -203,6 +228,7 @@ void sum_volume_changes(const Mesh<dim>& mesh, const Particles<dim>& particles, 
   template void spread_internal_forces(const Model<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                          \
   template void spread_new_momentum(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);                                        \
   template void gather_new_velocities(const Model<dim>&, BodyGrid<dim>&);                                                                  \
+  template void predict_velocities(const Model<dim>&, Real, BodyGrid<dim>&);                                                               \
   template void sum_volume_changes(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

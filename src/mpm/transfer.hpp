@@ -28,6 +28,10 @@ void spread_new_momentum(const Mesh<dim>& mesh, const Particles<dim>& particles,
 template <int dim>
 void gather_new_velocities(const Model<dim>& model, BodyGrid<dim>& grid);
 
+/// Update stress first: the nodes' velocities at a time `ahead` (s) of the step's begin, v + ahead a, with the supports.
+template <int dim>
+void predict_velocities(const Model<dim>& model, Real ahead, BodyGrid<dim>& grid);
+
 /// The volume change sum V div(v) dt of each cell, for the projection.
 template <int dim>
 void sum_volume_changes(const Mesh<dim>& mesh, const Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);

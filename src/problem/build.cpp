@@ -85,7 +85,8 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
     const Material& material = c.material[place_of(c.material, settings.material)].second;
     StartState<dim> start{density(material), -model.gravity[1], c.surface, state_size(material)};
     for (const auto& entry : c.contact)
-      if (entry.second.body == name) start.holes.push_back(model.rigids[place_of(c.rigid, entry.second.rigid)].shape);
+      if (entry.second.body == name && !entry.second.rigid.empty())
+        start.holes.push_back(model.rigids[place_of(c.rigid, entry.second.rigid)].shape);
     state.particles.push_back(fill(model.mesh, name, settings, start));
     if (state.particles.back().size() == 0)
       throw InputError(fmt::format("body.{}: its regions have no cells outside the rigid bodies, so it has no particles", name));
@@ -96,8 +97,10 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
     model.bodies.push_back({name, material, nodal_damping(model.mesh, settings)});
   }
   for (const auto& [name, s] : c.contact)
-    model.contacts.push_back({place_of(c.body, s.body), place_of(c.rigid, s.rigid), std::tan(s.friction_angle), s.adhesion, s.scheme,
-                              s.detection, s.approach_steps});
+    model.contacts.push_back({name, place_of(c.body, s.body), place_of(c.rigid, s.rigid), place_of(c.body, s.other_body),
+                              std::tan(s.friction_angle), s.adhesion, s.scheme, s.detection, s.approach_steps});
+  state.pair_impulses.assign(c.contact.size(), Vec<dim>::Zero());
+  model.update_stress_first = !c.contact.empty() && c.contact.front().second.scheme == Scheme::usf;
   model.stages = c.stage;
   model.main_rigid = main_rigid(c);
   for (const StageSettings& stage : c.stage) {

@@ -96,8 +96,16 @@ void check_rigids(Describe& d, const Case& c)
     }
   }
   for (const auto& [name, contact] : c.contact) {
-    check_name(d, "contact." + name + ".body", contact.body, "body", names_of(c.body));
-    check_name(d, "contact." + name + ".rigid", contact.rigid, "rigid", names_of(c.rigid));
+    const std::string path = "contact." + name;
+    check_name(d, path + ".body", contact.body, "body", names_of(c.body));
+    d.check(contact.rigid.empty() != contact.other_body.empty(), path, "needs either rigid or other_body, and not both");
+    if (!contact.rigid.empty()) check_name(d, path + ".rigid", contact.rigid, "rigid", names_of(c.rigid));
+    if (!contact.other_body.empty()) check_name(d, path + ".other_body", contact.other_body, "body", names_of(c.body));
+    d.check(contact.other_body != contact.body, path + ".other_body", "a body is in no contact with itself");
+    d.check(contact.other_body.empty() || contact.detection != Detection::particle, path + ".detection",
+            "\"particle\" is for contact with a rigid body", {"gap", "overlap", "distance"});
+    d.check((contact.scheme == Scheme::usf) == (c.contact.front().second.scheme == Scheme::usf), path + ".scheme",
+            "\"usf\" is another order of the step, so all contacts must have it, or none");
   }
 }
 
@@ -182,7 +190,7 @@ void describe(Describe& d, Case& c)
   d.named_tables("material", c.material, {.meaning = "materials", .required = true});
   d.named_tables("body", c.body, {.meaning = "deformable bodies", .required = true});
   d.named_tables("rigid", c.rigid, {.meaning = "rigid bodies"});
-  d.named_tables("contact", c.contact, {.meaning = "contacts between a deformable and a rigid body"});
+  d.named_tables("contact", c.contact, {.meaning = "contacts of a deformable body with a rigid one or another deformable one"});
   d.named_tables("support", c.support, {.meaning = "boundaries that are held"});
   d.array("stage", c.stage, {.meaning = "what happens, one stage after the other", .required = true});
   d.table("mpm", c.mpm, {.meaning = "the material point method"});

@@ -18,9 +18,10 @@ struct Body {
 
 /// A contact with its names looked up.
 struct Contact {
-  Index body, rigid;
-  Real friction;  ///< tan of the friction angle
-  Real adhesion;  ///< Pa
+  std::string name;
+  Index body, rigid, other_body;  ///< rigid or other_body is none
+  Real friction;                  ///< tan of the friction angle
+  Real adhesion;                  ///< Pa
   Scheme scheme;
   Detection detection;
   Real approach_steps;
@@ -50,6 +51,7 @@ struct Model {
   Index main_rigid;           ///< whose u, w, H and V are told, or none
   std::vector<Watch> watches;
   MpmSettings mpm;
+  bool update_stress_first;  ///< Scheme::usf
 };
 
 /// What has been given and taken since the start, per metre run (in space: in all).
@@ -91,6 +93,8 @@ struct State {
   Real dt = 0;                            ///< s, the time step in force
   std::vector<Particles<dim>> particles;  ///< by body
   std::vector<RigidState<dim>> rigids;
+  std::vector<Vec<dim>>
+      pair_impulses;  ///< by contact: what the other body gave to the body since the start, N s/m or N s; zero at rigid bodies
   StageState<dim> stage;
   Totals<dim> totals;
 };

@@ -28,13 +28,13 @@ struct Bed {
       for (Index node : mesh.nodes[cell]) mass[node] = 1;
   }
 
-  ContactNodes<dim> found(const Rigid<dim>& rigid, const Vec<dim>& displacement, Detection detection) const
+  ContactPoints<dim> found(const Rigid<dim>& rigid, const Vec<dim>& displacement, Detection detection) const
   {
-    ContactNodes<dim> result;
+    ContactPoints<dim> result;
     find_again(rigid, displacement, detection, result);
     return result;
   }
-  void find_again(const Rigid<dim>& rigid, const Vec<dim>& displacement, Detection detection, ContactNodes<dim>& result) const
+  void find_again(const Rigid<dim>& rigid, const Vec<dim>& displacement, Detection detection, ContactPoints<dim>& result) const
   {
     RigidState<dim> state;
     state.displacement = displacement;
@@ -88,15 +88,15 @@ std::vector<Brute> brute_force(const Bed<dim>& bed, const RigidShape<dim>& shape
 }
 
 template <int dim>
-std::map<Index, ContactNode<dim>> by_node(const ContactNodes<dim>& found)
+std::map<Index, ContactPoint<dim>> by_node(const ContactPoints<dim>& found)
 {
-  std::map<Index, ContactNode<dim>> nodes;
-  for (const auto& contact : found.list) EXPECT_TRUE(nodes.emplace(contact.node, contact).second) << "a node is listed twice";
+  std::map<Index, ContactPoint<dim>> nodes;
+  for (const auto& contact : found.list) EXPECT_TRUE(nodes.emplace(contact.nodes[0], contact).second) << "a node is listed twice";
   return nodes;
 }
 
 template <int dim>
-void expect_gaps(const Bed<dim>& bed, const Rigid<dim>& rigid, const Vec<dim>& displacement, const ContactNodes<dim>& found)
+void expect_gaps(const Bed<dim>& bed, const Rigid<dim>& rigid, const Vec<dim>& displacement, const ContactPoints<dim>& found)
 {
   const auto shape = placed<dim>(rigid, RigidState<dim>{displacement});
   const auto expected = brute_force(bed, shape);
@@ -153,7 +153,7 @@ TYPED_TEST(Detect, the_gaps_follow_the_body_as_it_moves)
   constexpr int dim = TypeParam::value;
   const Bed<dim> bed;
   for (const auto& rigid : rigids<dim>()) {
-    ContactNodes<dim> found;
+    ContactPoints<dim> found;
     for (int n = 0; n <= 60; ++n) {
       const Vec<dim> displacement = at<dim>(0.02 * n - 0.6, -0.001 * n);
       bed.find_again(rigid, displacement, Detection::gap, found);
@@ -195,7 +195,7 @@ TYPED_TEST(Detect, overlap_lists_the_nodes_with_mass_of_all_cells_that_the_body_
   constexpr int dim = TypeParam::value;
   const Bed<dim> bed;
   for (const auto& rigid : rigids<dim>()) {
-    ContactNodes<dim> found;
+    ContactPoints<dim> found;
     for (int n = 0; n <= 10; ++n) {
       const Vec<dim> displacement = at<dim>(0.02 * n, -0.02 * n);
       bed.find_again(rigid, displacement, Detection::overlap, found);
@@ -242,7 +242,7 @@ TEST(DetectBox, nodes_beside_a_corner_take_the_normal_of_the_side_that_the_soil_
     Vec<2> normal = Vec<2>::Zero();
     bed.particles.visit([&](Index cell, Index b, int l) {
       const auto& corners = bed.mesh.nodes[cell];
-      if (std::find(corners.begin(), corners.end(), contact.node) == corners.end()) return;
+      if (std::find(corners.begin(), corners.end(), contact.nodes[0]) == corners.end()) return;
       const auto p = bed.particles.read(b, l);
       const auto surface = surface_at<2>(shape, p.x);
       const Real gap = surface.distance - std::sqrt(p.volume) / 2;

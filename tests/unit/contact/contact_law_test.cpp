@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "contact/friction.hpp"
+#include "contact/contact_law.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -26,7 +26,8 @@ struct Meeting {
     normal.normalize();
     interface = {number_between(0, 1.5), *rc::gen::element(0., 0.3), *rc::gen::element(0., 0.1, 1., 10.)};
   }
-  Vec<dim> change() const { return contact_correction<dim>(relative, normal, interface); }
+  /// The change of velocity that one correction makes of a point of 3 kg.
+  Vec<dim> change() const { return contact_impulse<dim>(relative, normal, 3, interface, Vec<dim>::Zero()) / 3; }
   Vec<dim> along(const Vec<dim>& v) const { return v - v.dot(normal) * normal; }
   Real approach() const { return -relative.dot(normal); }
 };
@@ -57,7 +58,7 @@ void friction_stays_below_its_limit_and_is_spent_before_anything_slides()
 {
   const Meeting<dim> m;
   const Vec<dim> change = m.change(), slip = m.along(m.relative + change);
-  const Real push = change.dot(m.normal), limit = m.interface.friction * push + m.interface.adhesion_speed;
+  const Real push = change.dot(m.normal), limit = m.interface.friction * push + m.interface.adhesion_impulse / 3;
   RC_ASSERT(m.along(change).norm() <= limit + round_off);
   if (push > round_off) {
     if (m.along(m.relative).norm() <= limit)
@@ -114,7 +115,7 @@ void size_of_the_velocities_does_not_matter()
   Meeting<dim> m;
   const Vec<dim> change = m.change();
   m.relative *= 4;  // a power of two scales without rounding
-  m.interface.adhesion_speed *= 4;
+  m.interface.adhesion_impulse *= 4;
   m.interface.allowed_approach *= 4;
   RC_ASSERT((m.change() - 4 * change).norm() == 0);
 }
@@ -134,23 +135,52 @@ BERM_IN_PLANE_AND_SPACE(friction_stays_below_its_limit_and_is_spent_before_anyth
 BERM_IN_PLANE_AND_SPACE(energy_of_the_relative_motion_never_grows)
 BERM_IN_PLANE_AND_SPACE(turned_input_gives_the_turned_answer)
 BERM_IN_PLANE_AND_SPACE(size_of_the_velocities_does_not_matter)
-#undef BERM_IN_PLANE_AND_SPACE
 
 TEST(ContactCorrection, of_known_meetings)
 {
-  const Vec<2> up(0, 1);
+  const Vec<2> up(0, 1), none_yet(0, 0);
+  const auto change = [&](const Vec<2>& relative, const Interface& interface) {
+    return Vec<2>(contact_impulse<2>(relative, up, 2, interface, none_yet) / 2);
+  };
   // Falls at 3 m/s, slides at 2 m/s, mu = 0.5: stopped, and slowed by 1.5 m/s.
-  EXPECT_NEAR((contact_correction<2>(Vec<2>(2, -3), up, {0.5, 0, 0}) - Vec<2>(-1.5, 3)).norm(), 0, 1e-15);
-  // 0.1 m/s of adhesion more.
-  EXPECT_NEAR((contact_correction<2>(Vec<2>(2, -3), up, {0.5, 0.1, 0}) - Vec<2>(-1.6, 3)).norm(), 0, 1e-15);
+  EXPECT_NEAR((change(Vec<2>(2, -3), {0.5, 0, 0}) - Vec<2>(-1.5, 3)).norm(), 0, 1e-15);
+  // 0.2 N s of adhesion more, on 2 kg.
+  EXPECT_NEAR((change(Vec<2>(2, -3), {0.5, 0.2, 0}) - Vec<2>(-1.6, 3)).norm(), 0, 1e-15);
   // A gap allows 2 m/s of the approach: only the rest is stopped, and only it makes friction.
-  EXPECT_NEAR((contact_correction<2>(Vec<2>(2, -3), up, {0.5, 0, 2}) - Vec<2>(-0.5, 1)).norm(), 0, 1e-15);
+  EXPECT_NEAR((change(Vec<2>(2, -3), {0.5, 0, 2}) - Vec<2>(-0.5, 1)).norm(), 0, 1e-15);
   // Parting surfaces leave each other alone, adhesion or not.
-  EXPECT_EQ(contact_correction<2>(Vec<2>(2, 1e-9), up, {0.5, 1, 0}).norm(), 0);
+  EXPECT_EQ(change(Vec<2>(2, 1e-9), {0.5, 1, 0}).norm(), 0);
   // Without friction and adhesion the slip stays.
-  EXPECT_NEAR((contact_correction<2>(Vec<2>(2, -3), up, {0, 0, 0}) - Vec<2>(0, 3)).norm(), 0, 1e-15);
-  EXPECT_EQ(contact_correction<2>(Vec<2>(0, -3), up, {0.5, 0, 0}), Vec<2>(0, 3));
+  EXPECT_NEAR((change(Vec<2>(2, -3), {0, 0, 0}) - Vec<2>(0, 3)).norm(), 0, 1e-15);
+  EXPECT_EQ(change(Vec<2>(0, -3), {0.5, 0, 0}), Vec<2>(0, 3));
+  // Welded: all of the motion is taken, parting too.
+  EXPECT_EQ(change(Vec<2>(2, 3), {0, 0, 0, true}), Vec<2>(-2, -3));
 }
+
+template <int dim>
+void an_impulse_that_is_right_already_stays()
+{
+  const Meeting<dim> m;
+  const Vec<dim> impulse = contact_impulse<dim>(m.relative, m.normal, 3, m.interface, Vec<dim>::Zero());
+  const Vec<dim> after = m.relative + impulse / 3;
+  const Vec<dim> again = contact_impulse<dim>(after, m.normal, 3, m.interface, impulse);
+  RC_ASSERT((again - impulse).norm() < 1e-13);
+}
+
+template <int dim>
+void an_impulse_that_is_too_large_is_taken_back()
+{
+  // The point carries far too much, and flies off with it: the law finds the impulse of the first correction again.
+  const Meeting<dim> m;
+  const Vec<dim> right = contact_impulse<dim>(m.relative, m.normal, 3, m.interface, Vec<dim>::Zero());
+  const Vec<dim> too_much = right + 50 * m.normal;
+  const Vec<dim> found = contact_impulse<dim>(m.relative + too_much / 3, m.normal, 3, m.interface, too_much);
+  RC_ASSERT((found - right).norm() < 1e-12);
+}
+
+BERM_IN_PLANE_AND_SPACE(an_impulse_that_is_right_already_stays)
+BERM_IN_PLANE_AND_SPACE(an_impulse_that_is_too_large_is_taken_back)
+#undef BERM_IN_PLANE_AND_SPACE
 
 }  // namespace
 }  // namespace berm

@@ -5,17 +5,17 @@
 
 namespace berm {
 
-/// Finds the contact nodes of all contacts and marks the nodes that damping leaves alone.
+/// Finds the contact points of all contacts and marks the nodes that damping leaves alone.
 template <int dim>
 void find_contacts(const Model<dim>& model, State<dim>& state, Work<dim>& work);
 
 /// Step 4: corrects the accelerations of contact nodes so that the predicted velocities v + dt a keep to the contact law (equations 8-14). The
-/// impulse of these corrections is the reaction: the rigid body gets the opposite.
+/// impulses of these corrections are the reactions: the rigid or the other body gets the opposite.
 template <int dim>
 void correct_accelerations(const Model<dim>& model, State<dim>& state, Work<dim>& work);
 
-/// Step 8: corrects the re-mapped velocities, which move and strain the particles, in the same way. Its impulse is reported, but is no force: the
-/// particles' own velocities do not get it.
+/// Step 8: corrects the velocities that move and strain the particles in the same way, as each contact's scheme wants it. Its impulse is reported,
+/// but is no force: the particles' own velocities do not get it.
 template <int dim>
 void correct_velocities(const Model<dim>& model, State<dim>& state, Work<dim>& work);
 

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/numbers.hpp"
+
+namespace berm {
+
+/// What a contact point can carry in one step.
+struct Interface {
+  Real friction;          ///< coefficient mu
+  Real adhesion_impulse;  ///< N s: adhesion (Pa) times area times dt
+  Real allowed_approach;  ///< m/s: max(0, gap) / T
+  bool welded = false;    ///< one velocity field: whatever touches moves as one
+};
+
+/// The impulse that a contact point of effective mass m (1/m = sum of N^2 / m over what it moves) has to carry, when it carries `before` already
+/// and its relative velocity with that is `relative`:
+///
+///   j_n = max(0, before_n + m (-relative . n - allowed_approach)),   j_t = before_t - m relative_t, cut to |j_t| <= mu j_n + adhesion_impulse.
+///
+/// n is the unit normal towards the body that gets the impulse; N s (per metre run). Zero where j_n is zero. With `before` = 0 this is one correction
+/// of the paper (equations 8-13); with the impulses of the last sweep it is one step of a projected Gauss-Seidel iteration. Welded points take all
+/// of the relative velocity away, in any direction.
+template <int dim>
+Vec<dim> contact_impulse(const Vec<dim>& relative, const Vec<dim>& n, Real m, const Interface& interface, const Vec<dim>& before)
+{
+  if (interface.welded) return before - m * relative;
+  const Real speed = relative.dot(n), before_n = before.dot(n);
+  const Real pressed = before_n - m * (speed + interface.allowed_approach);
+  if (!(pressed > 0)) return Vec<dim>::Zero();
+  const Vec<dim> sticking = before - before_n * n - m * (relative - speed * n);
+  const Real needed = sticking.norm(), limit = interface.friction * pressed + interface.adhesion_impulse;
+  return pressed * n + (needed <= limit ? Real(1) : limit / needed) * sticking;
+}
+
+}  // namespace berm

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/fields.hpp"
+
+#include <array>
+
+namespace berm {
+
+/// One place where a deformable body may press on a rigid one or on another deformable one: a node, or a particle.
+template <int dim>
+struct ContactPoint {
+  std::array<Index, dim + 1> nodes{};   ///< of the body whose velocity counts at the point: one, or all of the particle's cell
+  std::array<Real, dim + 1> weights{};  ///< their shape functions at the point
+  int node_count = 1;                   ///< 1 or dim + 1
+  Vec<dim> normal = Vec<dim>::Zero();   ///< unit vector towards the body: out of the rigid or of the other body
+  Vec<dim> place = Vec<dim>::Zero();    ///< on the rigid surface: where the two meet
+  Real gap = 0;                         ///< m between the two; at most 0 where they touch
+  Real distance = 0;                    ///< m between the rigid surface (the other body's particle) and the nearest particle's centre
+  bool touching = false;                ///< the gap is less than half a particle's width
+  Real area = 0;                        ///< m2 (per metre run: m) of the body's surface that belongs to the point; 0 where nobody needs it
+  Real mass = 0;                        ///< kg, effective: 1 / sum of N^2 / m over all that the point moves
+  Vec<dim> impulse = Vec<dim>::Zero();  ///< that it carries in the present correction, on the body
+};
+
+/// The points of one contact, found anew in each step, and what finding them needs. Memory is kept from step to step.
+template <int dim>
+struct ContactPoints {
+  std::vector<ContactPoint<dim>> list;  ///< in the order of the cells or nodes that found them
+  Real nearest_particle = infinity;     ///< m, distance of the nearest particle from the rigid surface, negative inside
+
+  // At a rigid body:
+  std::vector<Index> near_cells;                    ///< cells that the surface can reach until it has moved `reach`
+  Vec<dim> near_at = Vec<dim>::Constant(infinity);  ///< displacement of the rigid body when near_cells was made
+  Real near_angle = 0;                              ///< and its angle
+  Real reach = 0;
+  struct CellContact {
+    Real gap = infinity, distance = infinity, half_width = 0;
+    Vec<dim> normal = Vec<dim>::Zero();  ///< at the particle with the least gap
+    bool cut = false;                    ///< the rigid body reaches into the cell
+  };
+  std::vector<CellContact> cells;  ///< of near_cells
+  NodeField<Index> place;          ///< of a node in list, or none
+
+  // Between two deformable bodies:
+  std::vector<Index> shared_nodes;        ///< nodes that both bodies reach
+  std::vector<ContactPoint<dim>> shared;  ///< one for each of them
+};
+
+}  // namespace berm
