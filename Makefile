@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build probe test clean
+.PHONY: help setup configure build probe test verify clean
 
 cores := $(shell env -u OMP_NUM_THREADS nproc)
 release := build/release
@@ -33,6 +33,9 @@ test: configure ## build and run all tests
 	@ninja -C $(release) | $(only_news)
 	@OMP_NUM_THREADS=$${OMP_NUM_THREADS:-1} OMP_WAIT_POLICY=passive ctest --preset release --parallel $(cores) --output-log $(release)/tests.log
 	@grep 'tests passed' $(release)/tests.log | sed 's/^/make test: /'
+
+verify: build ## run the whole verification book; it is out/verification/index.html
+	@$(release)/berm verify
 
 clean: ## remove what was built; runs in out/ stay
 	@rm -rf build

@@ -23,16 +23,29 @@ void take_tiny_numbers_as_zero()
 #endif
 }
 
-}  // namespace
-
-int use_threads(int count)
+/// Those that this process may use; none where the system does not say.
+std::vector<int> allowed_processors()
 {
   cpu_set_t allowed;
   std::vector<int> processors;
   if (sched_getaffinity(0, sizeof allowed, &allowed) == 0)
     for (int p = 0; p < CPU_SETSIZE; ++p)
       if (CPU_ISSET(p, &allowed)) processors.push_back(p);
-  if (count <= 0) count = processors.empty() ? omp_get_num_procs() : static_cast<int>(processors.size());
+  return processors;
+}
+
+}  // namespace
+
+int processor_count()
+{
+  const std::vector<int> processors = allowed_processors();
+  return processors.empty() ? omp_get_num_procs() : static_cast<int>(processors.size());
+}
+
+int use_threads(int count)
+{
+  const std::vector<int> processors = allowed_processors();
+  if (count <= 0) count = processor_count();
   omp_set_num_threads(count);
   const bool bind = count > 1 && count <= static_cast<int>(processors.size()) && std::getenv("OMP_PROC_BIND") == nullptr;
 #pragma omp parallel

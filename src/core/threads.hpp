@@ -3,6 +3,9 @@
 
 namespace berm {
 
+/// The number of processors that this process may use.
+int processor_count();
+
 /// Uses `count` threads from now on (0: one for each processor that this process may use) and gives the number. More than one thread are bound to a
 /// processor each, unless OMP_PROC_BIND says otherwise: threads that wander can be slower together than one alone.
 int use_threads(int count);

@@ -52,10 +52,11 @@ int dispatch(int argc, char** argv)
   app.set_version_flag("--version", "berm " BERM_VERSION);
   app.require_subcommand(1);
 
-  std::vector<std::string> files, overrides, names, examples;
+  std::vector<std::string> files, overrides, names;
   std::string output, json;
+  ProblemChoice problems;
   int threads = 0;
-  bool markdown = false;
+  bool markdown = false, list = false;
 
   const auto takes_cases = [&](CLI::App* command) {
     command->add_option("CASE", files, "case files (TOML)")->required();
@@ -80,9 +81,14 @@ int dispatch(int argc, char** argv)
   bench->add_option("--json", json, "also write the table to this file");
   takes_threads(bench);
   CLI::App* verify_command = app.add_subcommand("verify", "run examples and compare their results with what they expect");
-  verify_command->add_option("EXAMPLE", examples, "folders that hold an expected.toml")->required();
-  verify_command->add_option("-o,--output", output, "folder for the runs (default: out/verify)");
-  takes_threads(verify_command);
+  verify_command->add_option("NAME", problems.names,
+                             "examples, problems (EXAMPLE/RUN) or folders that hold an expected.toml (default: all)");
+  verify_command->add_flag("--list", list, "list the problems and run nothing");
+  verify_command->add_flag("--fast", problems.fast, "fast problems only");
+  verify_command->add_option("--examples", problems.examples, "folder of the examples (default: examples)");
+  verify_command->add_option("-o,--output", output, "folder for the book and its runs (default: out/verification)");
+  verify_command->add_option("--threads", threads, "runs at a time, each on one thread (default: all processors)")
+      ->check(CLI::Range(1, 1024));
 
   try {
     app.parse(argc, argv);
@@ -99,8 +105,9 @@ int dispatch(int argc, char** argv)
     return 0;
   }
   if (verify_command->parsed()) {
+    if (list) return list_problems(problems), 0;
     catch_interrupts();
-    return verify(examples, output.empty() ? "out/verify" : output, use_threads(threads)) ? 0 : 1;
+    return verify({problems, output.empty() ? "out/verification" : output, threads > 0 ? threads : processor_count()}) ? 0 : 1;
   }
   const std::vector<RunRequest> all = requests(files, output, overrides, use_threads(threads));
   if (run->parsed()) return run_all(all);

@@ -9,31 +9,6 @@
 namespace berm {
 namespace {
 
-/// Rows of one column, 0.013 s apart: no multiple of it is a period.
-template <class Function>
-History sampled(const std::string& column, Real end, const Function& value)
-{
-  History history;
-  history.columns = {"time_s", column};
-  history.values.resize(2);
-  for (Real t = 0; t <= end; t += 0.013) {
-    history.values[0].push_back(t);
-    history.values[1].push_back(value(t));
-    history.stage.push_back("all");
-  }
-  return history;
-}
-
-Expectation of_column(const std::string& column, Measure measure, std::optional<Real> from = {}, std::optional<Real> to = {})
-{
-  Expectation e;
-  e.column = column;
-  e.measure = measure;
-  e.from = from;
-  e.to = to;
-  return e;
-}
-
 /// What reading an expected.toml complains of, or "".
 std::string complaint(const std::string& text)
 {
@@ -47,42 +22,8 @@ std::string complaint(const std::string& text)
   return "";
 }
 
+const std::string one_run = "[run.a]\n";
 const std::string words = "source = \"here\"\nwhy = \"so\"\n";
-
-TEST(Expectation, measures_the_period_of_a_sine_about_any_level)
-{
-  // 2.3 periods: the mean of the rows is not the sine's level. Linear interpolation over 0.013 s is good for 1e-4.
-  const History history = sampled("a_ux_m", 2.3 * 1.7, [](Real t) { return 5 + std::sin(2 * pi / 1.7 * t + 0.4); });
-  EXPECT_NEAR(evaluate(of_column("a_ux_m", Measure::period), history), 1.7, 2e-4);
-}
-TEST(Expectation, measures_no_period_where_there_is_none)
-{
-  const History history = sampled("a_ux_m", 1, [](Real t) { return t; });
-  EXPECT_TRUE(std::isnan(evaluate(of_column("a_ux_m", Measure::period), history)));
-}
-TEST(Expectation, measures_the_acceleration_of_a_displacement_and_of_a_velocity)
-{
-  // Far from t = 0, where a fit with powers of t itself would lose digits.
-  const History u = sampled("a_ux_m", 100, [](Real t) { return 3 - 2 * t + 0.5 * 1.25 * t * t; });
-  const History v = sampled("a_vx_m_s", 100, [](Real t) { return -2 + 1.25 * t; });
-  EXPECT_NEAR(evaluate(of_column("a_ux_m", Measure::acceleration, 90., 99.), u), 1.25, 1e-9);
-  EXPECT_NEAR(evaluate(of_column("a_vx_m_s", Measure::acceleration, 90., 99.), v), 1.25, 1e-12);
-  EXPECT_NEAR(evaluate(of_column("a_vx_m_s", Measure::slope), v), 1.25, 1e-12);
-}
-TEST(Expectation, measures_within_its_window_only)
-{
-  const History history = sampled("V_N_m", 1, [](Real t) { return t < 0.5 ? 1e6 : t; });
-  EXPECT_NEAR(evaluate(of_column("V_N_m", Measure::mean, 0.6, 0.8), history), 0.7, 0.01);
-  EXPECT_NEAR(evaluate(of_column("V_N_m", Measure::largest, 0.6, 0.8), history), 0.8, 0.013);
-  EXPECT_NEAR(evaluate(of_column("V_N_m", Measure::least, 0.6, 0.8), history), 0.6, 0.013);
-  EXPECT_NEAR(evaluate(of_column("V_N_m", Measure::change, 0.6, 0.8), history), 0.2, 0.026);
-  EXPECT_EQ(evaluate(of_column("V_N_m", Measure::end), history), history["V_N_m"].back());
-  EXPECT_TRUE(std::isnan(evaluate(of_column("V_N_m", Measure::end, 7.), history)));
-}
-TEST(Expectation, is_an_input_error_where_the_history_has_no_such_column)
-{
-  EXPECT_THROW(evaluate(of_column("W_N_m", Measure::end), sampled("V_N_m", 1, [](Real t) { return t; })), InputError);
-}
 
 TEST(Expectation, is_met_within_its_tolerance_and_bounds)
 {
@@ -115,29 +56,61 @@ TEST(Expectation, is_never_met_by_what_is_not_a_number)
 TEST(Expectation, takes_the_unit_from_the_name)
 {
   Expectations all;
-  Document document = parse_text("expected.toml", "[[expect]]\nquantity = \"w_at_u_0.3D\"\nleast = \"5 mm\"\nmost = 0.0066\n" + words);
+  Document document = parse_text(
+      "expected.toml", one_run + "[[expect]]\nrun = \"a\"\nquantity = \"w_at_u_0.3D\"\nleast = \"5 mm\"\nmost = 0.0066\n" + words);
   read(document, all);
   EXPECT_DOUBLE_EQ(all.expect.at(0).least.value(), 0.005);
-  EXPECT_EQ(unit_of("V_at_w_0.1D"), "N/m");
-  EXPECT_EQ(unit_of("V_at_w_0.1D_over_gammaD2"), "");
-  EXPECT_EQ(unit_of("H_over_V_at_u_0.3D"), "");
-  EXPECT_EQ(unit_of(of_column("block_ux_m", Measure::acceleration)), "m/s^2");
-  EXPECT_EQ(unit_of(of_column("bar_vx_m_s", Measure::period)), "s");
+  EXPECT_EQ(unit_of(all.expect.at(0)), "m");
+}
+TEST(Expectation, measures_the_order_of_convergence)
+{
+  Expectation order;
+  order.runs = {"h8", "h16", "h32"};
+  order.limit = 2;
+  EXPECT_NEAR(number_of(order, {2 - 0.16, 2 - 0.04, 2 - 0.01}), 2, 1e-12);
+  EXPECT_NEAR(number_of(order, {2 + 0.1, 2 - 0.05, 2 + 0.025}), 1, 1e-12);
+  // Of logarithms 0, -1, -4 the least-squares slope is -2.
+  EXPECT_NEAR(number_of(order, {3, 2.5, 2.0625}), 2, 1e-12);
+  EXPECT_TRUE(std::isnan(number_of(order, {2.1, std::nan(""), 2.01})));
+  EXPECT_TRUE(std::isnan(number_of(order, {2.1, 2, 2.01})));
+}
+TEST(Expectation, of_an_order_has_a_limit_with_a_unit_and_bounds_without)
+{
+  const std::string runs = "[run.h8]\n[run.h16]\n[[expect]]\nruns = [\"h8\", \"h16\"]\ncolumn = \"a_ux_m\"\n" + words;
+  Expectations all;
+  Document document = parse_text("expected.toml", runs + "limit = \"1 mm\"\nleast = 1.8\n");
+  read(document, all);
+  EXPECT_DOUBLE_EQ(all.expect.at(0).limit.value(), 0.001);
+  EXPECT_EQ(unit_of(all.expect.at(0)), "");
+  EXPECT_NE(complaint(runs + "limit = \"1 mm\"\nleast = \"1.8 mm\"\n").find("expected.toml:9: expect[0].least"), std::string::npos);
+  EXPECT_NE(complaint(runs + "least = 1.8\n").find("runs and a limit go together"), std::string::npos);
+  EXPECT_NE(complaint(runs + "limit = 1\nleast = 1.8\nrun = \"h8\"\n").find("either a run or"), std::string::npos);
 }
 TEST(Expectation, is_refused_at_its_line_where_it_cannot_be)
 {
-  const std::string head = "[[expect]]\ncolumn = \"a_ux_m\"\n";
+  const std::string head = one_run + "[[expect]]\nrun = \"a\"\ncolumn = \"a_ux_m\"\n";
   EXPECT_EQ(complaint(head + "exact = \"1 mm\"\ntolerance = 0.1\n" + words), "");
-  EXPECT_NE(complaint(head + "exact = \"1 kN\"\ntolerance = 0.1\n" + words).find("expected.toml:3"), std::string::npos);
+  EXPECT_NE(complaint(head + "exact = \"1 kN\"\ntolerance = 0.1\n" + words).find("expected.toml:5"), std::string::npos);
   EXPECT_NE(complaint(head + "exakt = 1\ntolerance = 0.1\n" + words).find("did you mean \"exact\""), std::string::npos);
   EXPECT_NE(complaint(head + "measure = \"peak\"\nexact = 1\ntolerance = 0.1\n" + words).find("largest"), std::string::npos);
   EXPECT_NE(complaint(head + "exact = 1\ntolerance = 0.1\n").find("source"), std::string::npos);
-  for (const char* wrong :
-       {"exact = 1\n", "tolerance = 0.1\n", "exact = 1\ntolerance = 0.1\nleast = 0\n", "exact = 0\ntolerance = 0.1\n",
-        "least = 1\nmost = 0\n", "least = 1\ntolerance = 0.1\n", "quantity = \"b\"\nleast = 1\n", "from = 2\nto = 1\nleast = 1\n"})
+  for (const char* wrong : {"exact = 1\n", "tolerance = 0.1\n", "exact = 1\ntolerance = 0.1\nleast = 0\n", "exact = 0\ntolerance = 0.1\n",
+                            "least = 1\nmost = 0\n", "least = 1\ntolerance = 0.1\n", "quantity = \"b\"\nleast = 1\n",
+                            "from = 2\nto = 1\nleast = 1\n", "least = 1\nlimit = 1\n"})
     EXPECT_NE(complaint(head + wrong + words), "") << wrong;
   EXPECT_NE(complaint(""), "");
-  EXPECT_NE(complaint("[[expect]]\nquantity = \"V\"\nfrom = 1\nleast = 1\n" + words), "");
+  EXPECT_NE(complaint(one_run + "[[expect]]\nrun = \"a\"\nquantity = \"V\"\nfrom = 1\nleast = 1\n" + words), "");
+}
+TEST(Expectation, and_run_belong_together)
+{
+  const std::string rest = "quantity = \"V\"\nleast = 1\n" + words;
+  EXPECT_NE(complaint("[run.slow]\n[[expect]]\nrun = \"slwo\"\n" + rest)
+                .find("expected.toml:3: expect[0].run: there is no such [run.NAME]; did you mean \"slow\"?"),
+            std::string::npos);
+  EXPECT_NE(complaint(one_run + "[[expect]]\n" + rest).find("either a run or"), std::string::npos);
+  EXPECT_NE(
+      complaint(one_run + "[run.b]\n[[expect]]\nrun = \"a\"\n" + rest).find("expected.toml:2: run.b: no [[expect]] is about this run"),
+      std::string::npos);
 }
 
 }  // namespace

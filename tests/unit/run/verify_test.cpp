@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "run/verify.hpp"
+#include "program.hpp"
 
-#include "core/error.hpp"
-
-#include <cstdlib>
-#include <fstream>
 #include <gtest/gtest.h>
 
 namespace berm {
 namespace {
 
-namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
 
-/// An example of one block that falls freely for 0.1 s: v_y = -g t.
-class Verify : public testing::Test {
-protected:
-  void SetUp() override
-  {
-    std::string pattern = (fs::temp_directory_path() / "berm verify XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-    fs::create_directories(folder_ / "fall");
-    write("case.toml", R"(gravity = [0, "-10 m/s^2"]
+/// Blocks that fall freely for 0.1 s: v_y = -g t. One example of it is `fall`.
+constexpr const char* fall = R"(gravity = [0, "-10 m/s^2"]
 mesh = {kind = "box", size = [1, 1], cells = [4, 4]}
 material.stone = {law = "linear_elastic", density = 1000, young_modulus = 1e6, poisson_ratio = 0}
 body.stone = {material = "stone", block = {center = [0.5, 0.7], size = [0.2, 0.2], spacing = 0.1}}
@@ -29,48 +18,139 @@ output.history_time = "1 ms"
 name = "fall"
 kind = "free"
 until.time = "0.1 s"
-)");
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+)";
 
-  void write(const std::string& name, const std::string& text) const { std::ofstream(folder_ / "fall" / name) << text; }
-  bool run() const { return verify({(folder_ / "fall").string()}, folder_ / "out", 1); }
-  /// A claim that the fall has this acceleration.
-  static std::string claim(const std::string& acceleration, const std::string& more = "")
+constexpr const char* two_runs = "[run.earth]\nfast = true\ntitle = \"on earth\"\n[run.light]\nset = ['gravity=[0, -5]']\n";
+
+/// A claim that a run's stone has this acceleration.
+std::string claim(const std::string& run, const std::string& acceleration, const std::string& more = "")
+{
+  return "[[expect]]\nrun = \"" + run + "\"\ncolumn = \"stone_vy_m_s\"\nmeasure = \"acceleration\"\ntolerance = 1e-6\nsource = " +
+         "\"g\"\nwhy = \"round-off\"\nexact = " + acceleration + "\n" + more;
+}
+
+class Verify : public testing::Test {
+protected:
+  void example(const std::string& name, const std::string& expected) const
   {
-    return "[[expect]]\ncolumn = \"stone_vy_m_s\"\nmeasure = \"acceleration\"\ntolerance = 1e-6\nsource = \"g\"\nwhy = "
-           "\"round-off\"\nexact = " +
-           acceleration + "\n" + more;
+    std::filesystem::create_directories(folder_ / ("examples/" + name));
+    folder_.write("examples/" + name + "/case.toml", fall);
+    folder_.write("examples/" + name + "/README.md", "# A stone that falls\n\nIt obeys $v = -g t$.\n");
+    folder_.write("examples/" + name + "/expected.toml", expected);
+  }
+  Ended verify(Words words) const
+  {
+    words.insert(words.begin(), "verify");
+    return run_program(folder_.path(), words);
+  }
+  std::vector<std::string> made() const
+  {
+    std::vector<std::string> runs;
+    for (const auto& name : names_in(folder_ / "out/verification/fall")) runs.push_back(name);
+    return runs;
   }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
-TEST_F(Verify, is_true_where_all_is_met)
+TEST_F(Verify, ends_with_0_where_all_is_met)
 {
-  write("expected.toml", claim("\"-10 m/s^2\"") + claim("-5", "set = ['gravity=[0, -5]']\n"));
-  EXPECT_TRUE(run());
+  example("fall", two_runs + claim("earth", "\"-10 m/s^2\"") + claim("light", "-5"));
+  const Ended ended = verify({});
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  EXPECT_NE(ended.out.find("fall/earth  stone_vy_m_s acceleration  -10 m/s^2  -10 m/s^2"), std::string::npos) << ended.out;
+  EXPECT_EQ(made(), (Words{"earth/", "light/"}));
 }
-TEST_F(Verify, is_false_where_one_is_missed)
+TEST_F(Verify, ends_with_1_where_one_is_missed)
 {
-  write("expected.toml", claim("-10") + claim("-10.01"));
-  EXPECT_FALSE(run());
+  example("fall", two_runs + claim("earth", "-10.01") + claim("light", "-5"));
+  const Ended ended = verify({"fall"});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_NE(ended.out.find("MISSED"), std::string::npos);
 }
-TEST_F(Verify, runs_a_case_with_equal_overrides_once)
+TEST_F(Verify, runs_what_is_named_and_no_more)
 {
-  write("expected.toml", claim("-10") + claim("-10") + claim("-5", "set = ['gravity=[0, -5]']\n"));
-  EXPECT_TRUE(run());
-  int folders = 0;
-  for ([[maybe_unused]] const auto& entry : fs::directory_iterator(folder_ / "out" / "fall")) ++folders;
-  EXPECT_EQ(folders, 2);
+  example("fall", two_runs + claim("earth", "-10") + claim("light", "-5"));
+  EXPECT_EQ(verify({"fall/light"}).status, 0);
+  EXPECT_EQ(made(), Words{"light/"});
+  EXPECT_EQ(verify({"--fast", "examples/fall"}).status, 0);
+  EXPECT_EQ(made(), (Words{"earth/", "light/"}));
+}
+TEST_F(Verify, lists_its_problems_and_runs_nothing)
+{
+  example("fall", two_runs + claim("earth", "-10") + claim("earth", "-10") + claim("light", "-5"));
+  const Ended ended = verify({"--list"});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_NE(ended.out.find("fall/earth  fast  2        on earth"), std::string::npos) << ended.out;
+  EXPECT_NE(ended.out.find("fall/light        1"), std::string::npos) << ended.out;
+  EXPECT_EQ(verify({"--list", "--fast"}).out.find("light"), std::string::npos);
+  EXPECT_EQ(names_in(folder_.path()), Words{"examples/"});
+}
+TEST_F(Verify, knows_the_nearest_name)
+{
+  example("fall", two_runs + claim("earth", "-10") + claim("light", "-5"));
+  for (const auto& [name, says] : std::vector<std::pair<std::string, std::string>>{
+           {"fal", "did you mean \"fall\"?"}, {"fall/lihgt", "did you mean \"fall/light\"?"}, {"fals/light", "did you mean \"fall\"?"}}) {
+    const Ended ended = verify({name});
+    EXPECT_EQ(ended.status, 2) << name;
+    EXPECT_NE(ended.err.find(says), std::string::npos) << ended.err;
+    EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
+  }
+  const Ended none = verify({"--examples", "exampels"});
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("exampels: No such file"), std::string::npos) << none.err;
 }
 TEST_F(Verify, refuses_wrong_input_before_anything_runs)
 {
-  for (const char* more : {"case = \"cave.toml\"\n", "set = [\"gravty=1\"]\n", "most = 1\n"}) {
-    write("expected.toml", claim("-10") + claim("-10", more));
-    EXPECT_THROW(run(), InputError) << more;
-    EXPECT_FALSE(fs::exists(folder_ / "out")) << more;
+  for (const auto& [more, says] : std::vector<std::pair<std::string, std::string>>{
+           {"[run.b]\ncase = \"cave.toml\"\n", "expected.toml: run.b: examples/fall/cave.toml: there is no such file"},
+           {"[run.b]\nset = [\"gravty=1\"]\n", "expected.toml: run.b: --set gravty: "},
+           {"[run.b]\nfats = true\n", "expected.toml:2: run.b.fats: unknown key; did you mean \"fast\"?"}}) {
+    example("fall", more + two_runs + claim("earth", "-10") + claim("light", "-5") + claim("b", "-10"));
+    const Ended ended = verify({});
+    EXPECT_EQ(ended.status, 2) << more;
+    EXPECT_NE(ended.err.find(says), std::string::npos) << ended.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out")) << more;
   }
+}
+TEST_F(Verify, has_a_row_for_a_run_that_fails_and_goes_on)
+{
+  // The stone of the second run begins below the mesh.
+  example("fall", std::string("[run.deep]\nset = ['body.stone.block.center=[0.5, -3]']\n") + two_runs + claim("deep", "-10") +
+                      claim("earth", "-10") + claim("light", "-5") + claim("light", "-5") +
+                      "[[expect]]\nrun = \"earth\"\ncolumn = \"stne_ux_m\"\nleast = 0\nsource = \"s\"\nwhy = \"w\"\n");
+  const Ended ended = verify({});
+  EXPECT_EQ(ended.status, 1);
+  std::istringstream lines(ended.out);
+  std::string line;
+  int failed = 0, met = 0;
+  while (std::getline(lines, line)) {
+    const bool fails = line.find("FAILED") != std::string::npos;
+    failed += fails;
+    met += line.find(" met ") != std::string::npos;
+    if (!fails) continue;
+    const std::string says = line.starts_with("fall/deep") ? "body.stone" : "did you mean \"stone_ux_m\"";
+    EXPECT_NE(line.find(says), std::string::npos) << line;
+  }
+  EXPECT_EQ(failed, 2) << ended.out;
+  EXPECT_EQ(met, 3) << ended.out;
+}
+TEST_F(Verify, that_is_interrupted_ends_its_runs_and_tells_what_is_done)
+{
+  const std::string endless = "[run.endless]\nset = ['stage.fall.until.time=1e6', 'gravity=[0, 0]']\n";
+  const std::string ends = "[[expect]]\nrun = \"endless\"\nquantity = \"finished\"\nleast = 1\nsource = \"s\"\nwhy = \"w\"\n";
+  example("fall", endless + two_runs + ends + claim("earth", "-10") + claim("light", "-5"));
+  Program program(folder_.path(), {"verify", "--threads", "2"});
+  const std::string run = "out/verification/fall/";
+  const auto is_there = [&](const std::string& name) { return std::filesystem::exists(folder_ / (run + name)); };
+  ASSERT_TRUE(wait_until([&] { return is_there("earth/summary.json") && !is_there("earth.messages") && is_there("endless/history.csv"); }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // until it is known that the others have ended
+  program.signal(SIGINT);
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_NE(ended.err.find("interrupted: 2 of 3 problems are done"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.out.find("not run"), std::string::npos) << ended.out;
+  EXPECT_NE(text_of_file(folder_ / (run + "endless/summary.json")).find("\"finished\": false"), std::string::npos);
 }
 
 }  // namespace
