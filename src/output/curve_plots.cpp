@@ -163,7 +163,7 @@ bool draw_pipe_curves(const RunFolder& folder, const History& history, const Pip
     script += next_panel + margins({left, right, 0.085, 0.43}) + u_below.script() + w_drag.script();
     script += "plot 'curves.dat' index 1 using 1:5 with lines lc rgb drag lw 2.5 notitle\n";
   }
-  return draw(folder, "curves", width, height, script + "unset multiplot\n");
+  return draw(folder.path(), "curves", width, height, script + "unset multiplot\n");
 }
 
 std::pair<std::string, std::string> name_and_unit(const std::string& column)
@@ -233,7 +233,7 @@ bool draw_columns(const RunFolder& folder, const History& history, const std::ve
                             colors[k % colors.size()], alone ? "notitle" : "title " + gnuplot_text(name_and_unit(columns[list[k]]).first));
     script += "\nunset label 1\n";
   }
-  return draw(folder, "curves", width, height, script + "unset multiplot\n");
+  return draw(folder.path(), "curves", width, height, script + "unset multiplot\n");
 }
 
 }  // namespace berm

@@ -68,9 +68,11 @@ PlotUnit force_unit(Real size)
   return size < 100 ? PlotUnit{1, "N/m"} : PlotUnit{1e-3, "kN/m"};
 }
 
-bool draw(const RunFolder& folder, const std::string& name, int width, int height, const std::string& script)
+bool draw(const std::filesystem::path& folder, const std::string& name, int width, int height, const std::string& script)
 {
-  const std::filesystem::path plots = folder.subfolder("plots"), messages = plots / (name + ".messages");
+  const std::filesystem::path plots = folder / "plots", messages = plots / (name + ".messages");
+  std::error_code ignored;
+  std::filesystem::create_directories(plots, ignored);  // where it cannot be made, write_whole says why
   const std::string head =
       fmt::format("# Draws ../{0}.png: run 'gnuplot {0}.gp' in this folder.\n"
                   "set terminal pngcairo size {1},{2} noenhanced font 'DejaVu Sans,13' linewidth 1.2 background '#ffffff'\n"
@@ -87,9 +89,8 @@ bool draw(const RunFolder& folder, const std::string& name, int width, int heigh
                  std::generic_category().message(errno), (plots / (name + ".gp")).string());
   else
     spdlog::warn("{}.png is not drawn: gnuplot says: {}", name, last_message(messages));
-  std::error_code ignored;
   std::filesystem::remove(messages, ignored);
-  std::filesystem::remove(folder.file(name + ".png"), ignored);
+  std::filesystem::remove(folder / (name + ".png"), ignored);
   return false;
 }
 

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/numbers.hpp"
-#include "output/run_folder.hpp"
 
+#include <filesystem>
 #include <string>
 
 namespace berm {
@@ -19,9 +19,9 @@ struct PlotUnit {
 PlotUnit length_unit(Real size);  ///< mm below 1 m, else m
 PlotUnit force_unit(Real size);   ///< N/m below 100 N/m, else kN/m
 
-/// Writes plots/NAME.gp and lets the program gnuplot make NAME.png of it in the run folder. The script runs in plots/, beside its data, so
+/// Writes plots/NAME.gp and lets the program gnuplot make NAME.png of it in the folder. The script runs in plots/, beside its data, so
 /// that a user can change it and run it again there. width and height are in pixels. Where gnuplot is missing or fails a warning says so and the
 /// result is false; a run never fails for want of a picture.
-bool draw(const RunFolder& folder, const std::string& name, int width, int height, const std::string& script);
+bool draw(const std::filesystem::path& folder, const std::string& name, int width, int height, const std::string& script);
 
 }  // namespace berm

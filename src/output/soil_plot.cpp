@@ -88,7 +88,7 @@ bool draw_soil(const RunFolder& folder, const Frame<2>& frame, SoilColor color, 
   if (!frame.rigids.empty())
     script +=
         fmt::format(", \\\n     '{0}_rigid.dat' with filledcurves closed lc rgb '#c9ccd1', '' with lines lc rgb '#33373d' lw 2", name);
-  return draw(folder, name, width, height, script + '\n');
+  return draw(folder.path(), name, width, height, script + '\n');
 }
 
 }  // namespace berm

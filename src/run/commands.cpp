@@ -12,6 +12,8 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <spdlog/sinks/stdout_color_sinks.h>
+#include <spdlog/spdlog.h>
 
 namespace berm {
 namespace {
@@ -107,6 +109,8 @@ int dispatch(int argc, char** argv)
   if (verify_command->parsed()) {
     if (list) return list_problems(problems), 0;
     catch_interrupts();
+    spdlog::set_default_logger(spdlog::stderr_color_st("berm"));
+    spdlog::set_pattern("%l: %v");
     return verify({problems, output.empty() ? "out/verification" : output, threads > 0 ? threads : processor_count()}) ? 0 : 1;
   }
   const std::vector<RunRequest> all = requests(files, output, overrides, use_threads(threads));

@@ -2,6 +2,7 @@
 #include "run/finding.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace berm {
@@ -17,12 +18,32 @@ std::string percent(Real part)
   return fmt::format("{:.3g} %", 100 * part);
 }
 
-std::string exact_of(const Expectation& e)
+/// The unit in which the numbers of an expectation are easiest to read.
+struct ShownUnit {
+  Real per_si;
+  std::string name;
+
+  std::string number(Real value) const { return number_text(value * per_si); }
+  std::string value(Real value) const { return number(value) + (name.empty() ? "" : " " + name); }
+};
+
+ShownUnit shown_unit(const Expectation& e)
 {
   const std::string unit = unit_of(e);
-  if (e.exact) return value_text(*e.exact, unit);
-  if (e.least && e.most) return number_text(*e.least) + " .. " + value_text(*e.most, unit);
-  return e.least ? ">= " + value_text(*e.least, unit) : "<= " + value_text(*e.most, unit);
+  Real size = e.exact == 0. && e.absolute_tolerance ? *e.absolute_tolerance : 0;
+  for (const auto& value : {e.exact, e.least, e.most}) size = std::max(size, std::abs(value.value_or(0)));
+  if (unit == "m" && size < 1e-5) return {1e6, "um"};
+  if (unit == "m" && size < 0.1) return {1e3, "mm"};
+  if ((unit == "N/m" || unit == "Pa" || unit == "J/m") && size >= 1e3 && size < 1e6) return {1e-3, "k" + unit};
+  if ((unit == "N/m" || unit == "Pa" || unit == "J/m") && size >= 1e6) return {1e-6, "M" + unit};
+  return {1, unit};
+}
+
+std::string exact_of(const Expectation& e, const ShownUnit& unit)
+{
+  if (e.exact) return unit.value(*e.exact);
+  if (e.least && e.most) return unit.number(*e.least) + " .. " + unit.value(*e.most);
+  return e.least ? ">= " + unit.value(*e.least) : "<= " + unit.value(*e.most);
 }
 
 const ProblemResult& result_of(const std::string& run, const Example& example, const std::vector<ProblemResult>& results)
@@ -58,27 +79,24 @@ const char* word_of(Verdict verdict)
   return words[static_cast<int>(verdict)];
 }
 
-std::string value_text(Real value, const std::string& unit)
-{
-  return number_text(value) + (unit.empty() ? "" : " " + unit);
-}
-
 Finding find_out(const Example& example, const Expectation& e, const std::vector<ProblemResult>& results)
 {
   Finding finding;
   finding.problem = fmt::format("{}/{}", example.name, e.runs.empty() ? e.run : e.runs.front() + " .. " + e.runs.back());
   finding.what = words_of(e);
-  finding.exact = exact_of(e);
-  finding.tolerance = e.tolerance ? percent(*e.tolerance) : e.absolute_tolerance ? value_text(*e.absolute_tolerance, unit_of(e)) : "";
+  const ShownUnit unit = shown_unit(e);
+  finding.exact = exact_of(e, unit);
+  finding.tolerance = e.tolerance ? percent(*e.tolerance) : e.absolute_tolerance ? unit.value(*e.absolute_tolerance) : "";
   if (!take_values(finding, example, e, results)) {
     finding.values.clear();
     return finding;
   }
   finding.number = number_of(e, finding.values);
   finding.reason.clear();
-  finding.berm = value_text(finding.number, unit_of(e));
+  finding.berm = unit.value(finding.number);
   const Real error = error_of(e, finding.number);
-  finding.error = e.tolerance ? percent(error) : number_text(error);
+  const bool within_bounds = !e.exact && error == 0;
+  finding.error = within_bounds ? "" : e.tolerance ? percent(error) : unit.value(error);
   finding.verdict = is_met(e, finding.number) ? Verdict::met : Verdict::missed;
   return finding;
 }

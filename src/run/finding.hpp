@@ -27,9 +27,6 @@ struct Finding {
 /// "met", "MISSED", "FAILED", "not run".
 const char* word_of(Verdict verdict);
 
-/// A value and its unit: "2.4019 m/s^2".
-std::string value_text(Real value, const std::string& unit);
-
 /// Compares what an expectation wants with what its runs gave; `results` are of example.runs, in their order. Never throws for want of a result: then
 /// the verdict is `failed` with the reason, or `not_run`.
 Finding find_out(const Example& example, const Expectation& e, const std::vector<ProblemResult>& results);

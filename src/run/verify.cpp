@@ -3,7 +3,7 @@
 
 #include "core/error.hpp"
 #include "input/read_case.hpp"
-#include "run/finding.hpp"
+#include "run/book.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -88,21 +88,26 @@ bool verify(const VerifyRequest& request)
   });
 
   std::vector<Row> rows = {{"problem", "quantity", "exact", "berm", "error", "tolerance", "verdict", "source"}};
+  std::vector<Chapter> chapters;
   bool all_met = true;
   auto first = results.begin();
   for (const Example& example : examples) {
-    const std::vector<ProblemResult> own(first, first + static_cast<std::ptrdiff_t>(example.runs.size()));
-    first += static_cast<std::ptrdiff_t>(example.runs.size());
-    for (const ProblemResult& result : own) all_met = all_met && result.end.kind == JobEnd::Kind::finished;
+    const auto last = first + static_cast<std::ptrdiff_t>(example.runs.size());
+    Chapter& chapter = chapters.emplace_back(Chapter{example, {first, last}, {}});
+    first = last;
+    for (const ProblemResult& result : chapter.results) all_met = all_met && result.end.kind == JobEnd::Kind::finished;
     for (const Expectation& e : example.expectations) {
-      const Finding f = find_out(example, e, own);
+      const Finding& f = chapter.findings.emplace_back(find_out(example, e, chapter.results));
       rows.push_back(
           {f.problem, f.what, f.exact, f.berm, f.error, f.tolerance, word_of(f.verdict), f.reason.empty() ? e.source : f.reason});
       all_met = all_met && f.verdict == Verdict::met;
     }
   }
   print(rows);
+  std::fflush(stdout);
   if (teller.done() < jobs.size()) fmt::print(stderr, "interrupted: {} of {} problems are done\n", teller.done(), jobs.size());
+  write_book(request.output, chapters);
+  fmt::print(stderr, "the book is {}\n", (request.output / "index.html").string());
   return all_met;
 }
 

@@ -111,7 +111,7 @@ TEST_F(Plots, a_missing_gnuplot_is_no_failure_and_the_script_stays)
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", base.path.c_str(), 1);
   bool drawn = true;
-  EXPECT_NO_THROW(drawn = draw(folder, "curves", 100, 100, "plot x\n"));
+  EXPECT_NO_THROW(drawn = draw(folder.path(), "curves", 100, 100, "plot x\n"));
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_FALSE(drawn);
   EXPECT_TRUE(fs::exists(folder.file("plots/curves.gp")));
@@ -120,7 +120,7 @@ TEST_F(Plots, a_missing_gnuplot_is_no_failure_and_the_script_stays)
 TEST_F(Plots, a_script_that_fails_is_no_failure_and_leaves_no_broken_picture)
 {
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
-  EXPECT_FALSE(draw(folder, "curves", 100, 100, "plot 'not there'\n"));
+  EXPECT_FALSE(draw(folder.path(), "curves", 100, 100, "plot 'not there'\n"));
   EXPECT_FALSE(fs::exists(folder.file("curves.png")));
 }
 

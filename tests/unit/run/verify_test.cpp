@@ -135,6 +135,33 @@ TEST_F(Verify, has_a_row_for_a_run_that_fails_and_goes_on)
   EXPECT_EQ(failed, 2) << ended.out;
   EXPECT_EQ(met, 3) << ended.out;
 }
+TEST_F(Verify, writes_a_book_that_needs_no_network)
+{
+  example("fall", two_runs + claim("earth", "-10") + claim("light", "-5.1") +
+                      "[[expect]]\nruns = [\"earth\", \"light\"]\ncolumn = \"stone_vy_m_s\"\nmeasure = \"acceleration\"\nlimit = 0\nexact "
+                      "= 1\ntolerance = 1e-6\n"
+                      "source = \"-10 and -5\"\nwhy = \"round-off\"\n");
+  EXPECT_EQ(verify({}).status, 1);
+  const std::string book = "out/verification/";
+  EXPECT_EQ(names_in(folder_ / "out/verification"), (Words{"fall.html", "fall/", "figures/", "index.html"}));
+  const std::string index = text_of_file(folder_ / (book + "index.html")), page = text_of_file(folder_ / (book + "fall.html"));
+  for (const char* part :
+       {"fall.html#earth", "-10 m/s^2", ">met<", ">MISSED<", "2 numbers met, 1 missed", "order of stone_vy_m_s acceleration"})
+    EXPECT_NE(index.find(part), std::string::npos) << part;
+  for (const char* part : {"<h1>A stone that falls</h1>", "<math", "earth: on earth", "round-off", "fall/light/history.csv",
+                           "id=\"convergence\"", "berm run examples/fall/case.toml --set 'gravity=[0, -5]'"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  for (const std::string& text : {index, page}) {
+    EXPECT_EQ(text.find("http"), std::string::npos);
+    for (std::size_t at = 0; (at = text.find(" src=\"", at)) != std::string::npos; ++at) {
+      const std::string address = text.substr(at + 6, text.find('"', at + 6) - at - 6);
+      EXPECT_TRUE(std::filesystem::exists(folder_ / (book + address))) << address;
+    }
+  }
+  // A column of each run and the order.
+  for (const char* name : {"fall_earth_1", "fall_light_2", "fall_convergence_3"})
+    EXPECT_TRUE(std::filesystem::exists(folder_ / (book + "figures/plots/" + name + ".gp"))) << name;
+}
 TEST_F(Verify, that_is_interrupted_ends_its_runs_and_tells_what_is_done)
 {
   const std::string endless = "[run.endless]\nset = ['stage.fall.until.time=1e6', 'gravity=[0, 0]']\n";

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/figure.hpp"
+
+#include "output/gnuplot.hpp"
+#include "output/whole_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+/// Colours that differ for most eyes, also in their lightness.
+constexpr std::array colors{"#1764ab", "#c8452f", "#2f8f4e", "#8155a6", "#c98a16", "#4a4a4a", "#2aa5b5", "#d3649f"};
+constexpr std::array dashes{"solid", "'-'", "'.'", "'_.'"};
+
+std::string style_of(const FigureCurve& curve, std::size_t k)
+{
+  if (!curve.style.empty()) return curve.style;
+  return fmt::format("lines lw 2 lc rgb '{}' dt {}", colors[k % colors.size()], dashes[k / colors.size() % dashes.size()]);
+}
+
+std::string block(const FigureCurve& curve)
+{
+  std::string text;
+  for (std::size_t k = 0; k < curve.x.size(); ++k)
+    text += std::isfinite(curve.x[k]) && std::isfinite(curve.y[k]) ? fmt::format("{:.9g} {:.9g}\n", curve.x[k], curve.y[k]) : "\n";
+  return text;
+}
+
+}  // namespace
+
+bool draw_figure(const std::filesystem::path& folder, const std::string& name, const Figure& figure)
+{
+  const auto has_points = [](const FigureCurve& curve) {
+    for (std::size_t k = 0; k < curve.x.size(); ++k)
+      if (std::isfinite(curve.x[k]) && std::isfinite(curve.y[k])) return true;
+    return false;
+  };
+  std::string plot;
+  std::size_t own_styles = 0;
+  std::error_code ignored;
+  std::filesystem::create_directories(folder / "plots", ignored);  // where it cannot be made, write_whole says why
+  for (std::size_t k = 0; k < figure.curves.size(); ++k) {
+    const FigureCurve& curve = figure.curves[k];
+    const std::string style = style_of(curve, curve.style.empty() ? own_styles++ : 0);
+    if (!has_points(curve)) continue;
+    const std::string data = fmt::format("{}_{}.dat", name, k);
+    write_whole(folder / "plots" / data, block(curve));
+    plot += fmt::format("{}{} using 1:2 with {} {}", plot.empty() ? "plot " : ", \\\n     ", gnuplot_text(data), style,
+                        curve.title.empty() ? "notitle" : "title " + gnuplot_text(curve.title));
+  }
+  if (plot.empty()) return false;
+  const std::string script =
+      fmt::format("set title {} font 'DejaVu Sans,14'\nset xlabel {}\nset ylabel {}\n"
+                  "set grid lc rgb '#dddddd' lt 1\nset border lc rgb '#444444'\n"
+                  "set tics nomirror textcolor rgb '#222222'\n"
+                  "set key outside right top samplen 3 spacing 1.2\n{}{}\n",
+                  gnuplot_text(figure.title), gnuplot_text(figure.x_label), gnuplot_text(figure.y_label), figure.more, plot);
+  return draw(folder, name, figure.width, figure.height, script);
+}
+
+}  // namespace berm

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/numbers.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace berm {
+
+/// One line of a figure, broken where a number is NaN.
+struct FigureCurve {
+  std::string title;  ///< in the key; "" = not there
+  std::string style;  ///< as gnuplot's `with` takes it: "lines lc rgb 'black'"; "" = the figure's next colour and dashes
+  std::vector<Real> x, y;
+};
+
+/// A figure of curves over one another.
+struct Figure {
+  std::string title, x_label, y_label;
+  std::vector<FigureCurve> curves;
+  std::string more;  ///< gnuplot commands before the plot
+  int width = 1000, height = 460;
+};
+
+/// Draws FOLDER/NAME.png, with the key beside the curves; its script and data go to FOLDER/plots. False, with a warning, where it could not be drawn
+/// (see draw) or where there is nothing to draw.
+bool draw_figure(const std::filesystem::path& folder, const std::string& name, const Figure& figure);
+
+}  // namespace berm
