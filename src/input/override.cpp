@@ -63,6 +63,59 @@ Node& item_named(Node& array, const std::string& part, const std::string& path, 
   refuse_override(key, fmt::format("there is no {} named {}{}", path, in_quotes(part), suggestion(part, names)));
 }
 
+/// Puts one value into the tables of a document.
+class Override {
+public:
+  Override(const std::string& key, const Node& value) : key_(key), parts_(split(key)), value_(value) { mark(value_, key); }
+
+  void put_into(Node& root) const { put(root, 0, ""); }
+
+private:
+  void put(Node& at, std::size_t k, const std::string& path) const
+  {
+    if (k == parts_.size()) {
+      Node value = value_;
+      value.key = at.key;
+      value.line = at.line;
+      value.column = at.column;
+      at = std::move(value);
+      return;
+    }
+    const std::string& part = parts_[k];
+    const std::string inner = path.empty() ? part : path + "." + part;
+    const bool tables_in_a_row = at.kind == Node::Kind::array && !at.items.empty() && at.items[0].kind == Node::Kind::table;
+    if (part == "*" && (tables_in_a_row || at.kind == Node::Kind::table)) return put_into_all(at, k, path);
+    if (tables_in_a_row) return put(item_named(at, part, path, key_), k + 1, inner);
+    if (at.kind != Node::Kind::table) refuse_override(key_, fmt::format("{} is {}, which has no {}", path, kind_of(at), in_quotes(part)));
+    Node* next = member(at, part);
+    if (next == nullptr) {
+      next = &at.items.emplace_back();
+      next->key = part;
+      next->override_key = key_;
+      next->implied = k + 1 < parts_.size();
+    }
+    put(*next, k + 1, inner);
+  }
+
+  /// The part is *: into every table of this one.
+  void put_into_all(Node& tables, std::size_t k, const std::string& path) const
+  {
+    if (k + 1 == parts_.size()) refuse_override(key_, "* stands for names of tables; wanted is a key behind it");
+    bool found = false;
+    for (Node& item : tables.items) {
+      if (item.kind != Node::Kind::table) continue;
+      const std::string name = tables.kind == Node::Kind::array ? name_of(item) : item.key;
+      put(item, k + 1, path.empty() ? name : path + "." + name);
+      found = true;
+    }
+    if (!found) refuse_override(key_, fmt::format("there is no table in {} that * could stand for", path.empty() ? "the file" : path));
+  }
+
+  const std::string& key_;
+  std::vector<std::string> parts_;
+  Node value_;
+};
+
 }  // namespace
 
 void apply_override(Document& document, const std::string& key_and_value)
@@ -72,34 +125,7 @@ void apply_override(Document& document, const std::string& key_and_value)
     throw InputError(
         one_line(fmt::format("--set {}: wanted is KEY=VALUE, such as material.sand.friction_angle=\"40 deg\"", key_and_value)));
   const std::string key = key_and_value.substr(0, equals);
-  const std::vector<std::string> parts = split(key);
-  Node value = value_of(key, key_and_value.substr(equals + 1));
-  mark(value, key);
-
-  Node* at = &document.root;
-  std::string path;
-  for (std::size_t k = 0; k < parts.size(); ++k) {
-    const bool last = k + 1 == parts.size();
-    if (at->kind == Node::Kind::array && !at->items.empty() && at->items[0].kind == Node::Kind::table) {
-      at = &item_named(*at, parts[k], path, key);
-    } else if (at->kind != Node::Kind::table) {
-      refuse_override(key, fmt::format("{} is {}, which has no {}", path, kind_of(*at), in_quotes(parts[k])));
-    } else {
-      Node* next = member(*at, parts[k]);
-      if (next == nullptr) {
-        next = &at->items.emplace_back();
-        next->key = parts[k];
-        next->override_key = key;
-        next->implied = !last;
-      }
-      at = next;
-    }
-    path += (k == 0 ? "" : ".") + parts[k];
-  }
-  value.key = at->key;
-  value.line = at->line;
-  value.column = at->column;
-  *at = std::move(value);
+  Override(key, value_of(key, key_and_value.substr(equals + 1))).put_into(document.root);
 }
 
 }  // namespace berm

@@ -62,7 +62,7 @@ int dispatch(int argc, char** argv)
 
   const auto takes_cases = [&](CLI::App* command) {
     command->add_option("CASE", files, "case files (TOML)")->required();
-    command->add_option("--set", overrides, "set a parameter: material.sand.friction_angle=\"40 deg\"; stages by their names")
+    command->add_option("--set", overrides, "set a parameter: material.sand.friction_angle=\"40 deg\"; stages by their names; * for every name")
         ->take_all()
         ->allow_extra_args(false);
   };

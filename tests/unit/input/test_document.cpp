@@ -168,6 +168,15 @@ TEST(Override, replaces_and_adds_values)
   EXPECT_EQ(at(root, "gravity").items[1].override_key, "gravity");
 }
 
+TEST(Override, with_a_star_sets_every_table_of_its_place)
+{
+  Document document = parse_text("case.toml", std::string(test::good_case));
+  apply_override(document, "material.*.density=1500");
+  apply_override(document, "stage.*.damping=0.3");
+  for (const char* name : {"sand", "rubber"}) EXPECT_EQ(at(at(at(document.root, "material"), name), "density").whole, 1500) << name;
+  for (const Node& stage : at(document.root, "stage").items) EXPECT_DOUBLE_EQ(at(stage, "damping").number, 0.3);
+}
+
 TEST(Override, cannot_bring_a_second_key)
 {
   Document document = parse_text("case.toml", "");

@@ -300,6 +300,14 @@ inline const std::vector<WrongInput>& wrong_inputs()
       {"override_out_of_range", "", "", 0, {"--set rigid.pipe.diameter: must be more than 0 m"}, {"rigid.pipe.diameter=0"}},
       {"override_without_a_value", "", "", 0, {"--set rigid.pipe.diameter: ", "KEY=VALUE"}, {"rigid.pipe.diameter"}},
       {"override_with_an_empty_part", "", "", 0, {"--set rigid..diameter: ", "empty part"}, {"rigid..diameter=1"}},
+      {"override_of_every_table_with_an_unknown_key",
+       "",
+       "",
+       0,
+       {"--set material.*.densty: material.sand.densty: unknown key", "did you mean \"density\"?"},
+       {"material.*.densty=1"}},
+      {"override_of_every_table_where_there_is_none", "", "", 0, {"--set mesh.*.size: ", "no table in mesh"}, {"mesh.*.size=1"}},
+      {"override_of_every_table_itself", "", "", 0, {"--set material.*: ", "a key behind it"}, {"material.*=1"}},
       {"override_with_broken_toml", "", "", 0, {"--set gravity: ", "not valid TOML"}, {"gravity=[0, -1 gravity]"}},
   };
   return all;
