@@ -1,9 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/measure.hpp"
 
+#include "core/error.hpp"
 #include "core/for_each.hpp"
 
 namespace berm {
+
+template <int dim>
+Vec<3> BodySums<dim>::spin() const
+{
+  Vec<3> of_center = Vec<3>::Zero();
+  const Vec<dim> x = center();
+  if constexpr (dim == 3) {
+    of_center[0] = x[1] * momentum[2] - x[2] * momentum[1];
+    of_center[1] = x[2] * momentum[0] - x[0] * momentum[2];
+  }
+  of_center[2] = x[0] * momentum[1] - x[1] * momentum[0];
+  return turn - of_center;
+}
 
 template <int dim>
 BodySums<dim> measure(const Particles<dim>& particles)
@@ -19,7 +33,17 @@ BodySums<dim> measure(const Particles<dim>& particles)
         square += p.v[d] * p.v[d];
         sums.momentum[d] += sum(p.mass * p.v[d]);
         sums.moment[d] += sum(p.mass * p.x[d]);
+        // Lanes without a particle have a finite position, which is no part of the body.
+        for (int l = 0; l < std::min<Index>(lanes, left); ++l) {
+          sums.lower[d] = std::min(sums.lower[d], p.x[d][l]);
+          sums.upper[d] = std::max(sums.upper[d], p.x[d][l]);
+        }
       }
+      if constexpr (dim == 3) {
+        sums.turn[0] += sum(p.mass * (p.x[1] * p.v[2] - p.x[2] * p.v[1]));
+        sums.turn[1] += sum(p.mass * (p.x[2] * p.v[0] - p.x[0] * p.v[2]));
+      }
+      sums.turn[2] += sum(p.mass * (p.x[0] * p.v[1] - p.x[1] * p.v[0]));
       sums.mass += sum(p.mass);
       sums.kinetic += 0.5 * sum(p.mass * square);
     }
@@ -40,21 +64,24 @@ Real momentum_error(const State<dim>& state)
 }
 
 template <int dim>
-Vec<dim> position_of(const Particles<dim>& particles, std::int32_t id)
+Particle<dim> particle_of(const Particles<dim>& particles, std::int32_t id)
 {
-  Vec<dim> x = Vec<dim>::Constant(std::numeric_limits<Real>::quiet_NaN());
+  Index block = none;
+  int lane = 0;
   particles.visit([&](Index, Index b, int l) {
-    if (particles.block(b).id[l] == id)
-      for (int d = 0; d < dim; ++d) x[d] = particles.block(b).x[d][l];
+    if (particles.block(b).id[l] == id) block = b, lane = l;
   });
-  return x;
+  if (block == none) throw RunError("there is no particle " + std::to_string(id));
+  return particles.read(block, lane);
 }
 
+template struct BodySums<2>;
+template struct BodySums<3>;
 template BodySums<2> measure(const Particles<2>&);
 template BodySums<3> measure(const Particles<3>&);
 template Real momentum_error(const State<2>&);
 template Real momentum_error(const State<3>&);
-template Vec<2> position_of(const Particles<2>&, std::int32_t);
-template Vec<3> position_of(const Particles<3>&, std::int32_t);
+template Particle<2> particle_of(const Particles<2>&, std::int32_t);
+template Particle<3> particle_of(const Particles<3>&, std::int32_t);
 
 }  // namespace berm

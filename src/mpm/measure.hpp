@@ -12,6 +12,12 @@ struct BodySums {
   Real kinetic = 0;                      ///< J/m or J
   Vec<dim> momentum = Vec<dim>::Zero();  ///< N s/m or N s
   Vec<dim> moment = Vec<dim>::Zero();    ///< sum m x; over mass: the centre of mass
+  Vec<3> turn = Vec<3>::Zero();          ///< sum x cross m v, angular momentum about the origin, N s or N m s; in 2D about z only
+  Vec<dim> lower = Vec<dim>::Constant(infinity), upper = Vec<dim>::Constant(-infinity);  ///< extents of the particles' centres
+
+  Vec<dim> center() const { return moment / mass; }
+  /// Angular momentum about the centre of mass.
+  Vec<3> spin() const;
 
   BodySums& operator+=(const BodySums& other)
   {
@@ -19,6 +25,9 @@ struct BodySums {
     kinetic += other.kinetic;
     momentum += other.momentum;
     moment += other.moment;
+    turn += other.turn;
+    lower = lower.cwiseMin(other.lower);
+    upper = upper.cwiseMax(other.upper);
     return *this;
   }
 };
@@ -30,8 +39,8 @@ BodySums<dim> measure(const Particles<dim>& particles);
 template <int dim>
 Real momentum_error(const State<dim>& state);
 
-/// Position of the particle with this id, m.
+/// The particle with this id. Throws RunError where there is none.
 template <int dim>
-Vec<dim> position_of(const Particles<dim>& particles, std::int32_t id);
+Particle<dim> particle_of(const Particles<dim>& particles, std::int32_t id);
 
 }  // namespace berm

@@ -84,6 +84,7 @@ std::string unit_of(const std::string& name)
   if (name.ends_with("_rad_s")) return "rad/s";
   if (name.ends_with("_rad")) return "rad";
   if (name.ends_with("_Pa")) return "Pa";
+  if (name.ends_with("_N_s")) return "N s";
   if (name.ends_with("_J_m")) return "J/m";
   if (name.ends_with("_N_m") || starts("V_") || starts("H_") || starts("second_impulse")) return "N/m";
   if (name.ends_with("_m") || starts("w_") || starts("u_") || starts("overlap") || starts("gap")) return "m";

@@ -12,6 +12,7 @@ namespace {
 
 constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
 constexpr const char* direction_names[3] = {"x", "y", "z"};
+constexpr const char* component_names[6] = {"xx", "yy", "zz", "xy", "yz", "zx"};
 
 }  // namespace
 
@@ -41,9 +42,15 @@ std::vector<std::string> Recorder<dim>::columns(const Model<dim>& model)
   for (const Body<dim>& body : model.bodies) {
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_u{}_m", body.name, direction_names[d]));
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_v{}_m_s", body.name, direction_names[d]));
+    for (int d = 0; d < dim; ++d)
+      for (const char* end : {"min", "max"}) names.push_back(fmt::format("{}_{}{}_m", body.name, direction_names[d], end));
+    for (int d = dim == 2 ? 2 : 0; d < 3; ++d) names.push_back(fmt::format("{}_L{}_N_s", body.name, direction_names[d]));
   }
-  for (const Watch& watch : model.watches)
+  for (const Watch& watch : model.watches) {
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_u{}_m", watch.name, direction_names[d]));
+    for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_v{}_m_s", watch.name, direction_names[d]));
+    for (int k = 0; k < tensor_size<dim>; ++k) names.push_back(fmt::format("{}_s{}_Pa", watch.name, component_names[k]));
+  }
   return names;
 }
 
@@ -55,10 +62,10 @@ Recorder<dim>::Recorder(const std::filesystem::path& path, const Model<dim>& mod
 {
   for (const Particles<dim>& particles : state.particles) {
     const BodySums<dim> sums = measure(particles);
-    first_centers_.push_back(sums.moment / sums.mass);
+    first_centers_.push_back(sums.center());
     first_kinetic_ += sums.kinetic;
   }
-  for (const Watch& watch : model.watches) first_watched_.push_back(position_of(state.particles[watch.body], watch.id));
+  for (const Watch& watch : model.watches) first_watched_.push_back(particle_of(state.particles[watch.body], watch.id).x);
 }
 
 template <int dim>
@@ -123,13 +130,19 @@ void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Wo
       add_turn(state, r, row);
     }
   for (std::size_t b = 0; b < sums.size(); ++b) {
-    const Vec<dim> moved_by = sums[b].moment / sums[b].mass - first_centers_[b], velocity = sums[b].momentum / sums[b].mass;
+    const Vec<dim> moved_by = sums[b].center() - first_centers_[b], velocity = sums[b].momentum / sums[b].mass;
     row.insert(row.end(), moved_by.begin(), moved_by.end());
     row.insert(row.end(), velocity.begin(), velocity.end());
+    for (int d = 0; d < dim; ++d) row.insert(row.end(), {sums[b].lower[d], sums[b].upper[d]});
+    const Vec<3> spin = sums[b].spin();
+    row.insert(row.end(), dim == 2 ? spin.end() - 1 : spin.begin(), spin.end());
   }
   for (std::size_t k = 0; k < model.watches.size(); ++k) {
-    const Vec<dim> moved_by = position_of(state.particles[model.watches[k].body], model.watches[k].id) - first_watched_[k];
+    const Particle<dim> watched = particle_of(state.particles[model.watches[k].body], model.watches[k].id);
+    const Vec<dim> moved_by = watched.x - first_watched_[k];
     row.insert(row.end(), moved_by.begin(), moved_by.end());
+    row.insert(row.end(), watched.v.begin(), watched.v.end());
+    row.insert(row.end(), watched.stress.c, watched.stress.c + tensor_size<dim>);
   }
   file_.add(state.time, model.stages[state.stage.index].name, row);
   last_time_ = state.time;

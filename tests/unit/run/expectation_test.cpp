@@ -61,6 +61,12 @@ TEST(Expectation, takes_the_unit_from_the_name)
   read(document, all);
   EXPECT_DOUBLE_EQ(all.expect.at(0).least.value(), 0.005);
   EXPECT_EQ(unit_of(all.expect.at(0)), "m");
+  EXPECT_EQ(unit_of("V_at_w_0.1D"), "N/m");
+  EXPECT_EQ(unit_of("V_at_w_0.1D_over_gammaD2"), "");
+  EXPECT_EQ(unit_of("H_over_V_at_u_0.3D"), "");
+  EXPECT_EQ(unit_of("wall_sxx_Pa"), "Pa");
+  EXPECT_EQ(unit_of("disk_Lz_N_s"), "N s");
+  EXPECT_EQ(unit_of("disk_xmax_m"), "m");
 }
 TEST(Expectation, measures_the_order_of_convergence)
 {

@@ -3,6 +3,8 @@
 #include "program.hpp"
 #include "small_case.hpp"
 
+#include "output/history.hpp"
+
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -91,6 +93,31 @@ TEST(Run, history_has_the_promised_columns_and_a_row_for_each_interval_and_stage
   }
   EXPECT_EQ(stages, "rest push drag ");
   EXPECT_GT(rows, 90);
+}
+
+TEST(Run, history_tells_extents_and_spin_of_a_body_and_motion_and_stress_of_a_watched_particle)
+{
+  const Place place;
+  place.folder.write("small.toml", std::string(test::small_case) + "[watch.deep]\nbody = \"sand\"\npoint = [0.0006, 0.0006]\n"
+                                                                   "[body.sand.initial_velocity]\namplitude = [0.1, -0.2]\n");
+  ASSERT_EQ(place.berm({"run", "small.toml", "--threads", "1"}).status, 0);
+  const History history = read_history(place.folder / "out/small/history.csv");
+  const auto first = [&](const char* column) { return history[column].at(0); };
+  // Particles are 4/3 mm apart in 120 mm x 40 mm.
+  constexpr Real half = 0.0006666667, digits = 1e-9;
+  EXPECT_NEAR(first("sand_xmin_m"), half, digits);
+  EXPECT_NEAR(first("sand_xmax_m"), 0.12 - half, digits);
+  EXPECT_NEAR(first("sand_ymin_m"), half, digits);
+  EXPECT_NEAR(first("sand_ymax_m"), 0.04 - half, digits);
+  EXPECT_NEAR(first("sand_Lz_N_s"), 0, digits);
+  EXPECT_NEAR(first("deep_vx_m_s"), 0.1, digits);
+  EXPECT_NEAR(first("deep_vy_m_s"), -0.2, digits);
+  // The weight of the sand above the particle, and K0 of it sideways.
+  const Real vertical = -877 * 50 * standard_gravity * (0.04 - half);
+  EXPECT_NEAR(first("deep_syy_Pa") / vertical, 1, 1e-6);
+  EXPECT_NEAR(first("deep_sxx_Pa") / vertical, 0.43, 1e-6);
+  EXPECT_NEAR(first("deep_szz_Pa") / vertical, 0.43, 1e-6);
+  EXPECT_EQ(first("deep_sxy_Pa"), 0);
 }
 
 TEST(Run, summary_has_the_promised_form)
