@@ -335,7 +335,9 @@ private:
 
 void describe(Describe& d, GmshFile& mesh)
 {
-  d.value("file", mesh.file, {.meaning = "mesh of Gmsh (.msh, format 4.1, ASCII), its path relative to this file", .required = true});
+  d.value("file", mesh.file,
+          {.meaning = "mesh of Gmsh (.msh, format 4.1, ASCII), or a geometry (.geo) for Gmsh to mesh; its path relative to this file",
+           .required = true});
 }
 
 template <int dim>

@@ -8,9 +8,9 @@
 
 namespace berm {
 
-/// A mesh that the user made with Gmsh.
+/// A mesh that the user made with Gmsh, or a geometry that Gmsh is to mesh.
 struct GmshFile {
-  std::string file;  ///< .msh, format 4.1, ASCII
+  std::string file;  ///< .msh, format 4.1, ASCII; or .geo
 };
 
 void describe(Describe& d, GmshFile& mesh);

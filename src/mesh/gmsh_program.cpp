@@ -69,7 +69,7 @@ int run_and_wait(std::vector<std::string> words, std::vector<std::string> enviro
 
 }  // namespace
 
-void run_gmsh(const fs::path& geo, const fs::path& msh)
+void run_gmsh(const fs::path& geo, const fs::path& msh, int dim)
 {
   const fs::path folder = fs::absolute(msh).parent_path();
   const fs::path log = fs::path(msh).replace_extension(".log");
@@ -77,9 +77,9 @@ void run_gmsh(const fs::path& geo, const fs::path& msh)
   if (!fs::is_directory(folder)) throw RunError(fmt::format("gmsh: there is no folder {} for the mesh", folder.string()));
   if (!fs::is_regular_file(geo)) throw RunError(fmt::format("gmsh: there is no geometry {}", geo.string()));
   fs::remove(msh);
-  const int status =
-      run_and_wait({"gmsh", fs::absolute(geo).string(), "-2", "-nt", "1", "-v", "3", "-format", "msh41", "-o", fs::absolute(msh).string()},
-                   environment_with_home(folder), log);
+  const int status = run_and_wait({"gmsh", fs::absolute(geo).string(), fmt::format("-{}", dim), "-nt", "1", "-v", "3", "-format", "msh41",
+                                   "-o", fs::absolute(msh).string()},
+                                  environment_with_home(folder), log);
   if (WIFSIGNALED(status)) throw RunError(fmt::format("gmsh was stopped by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status))));
   if (WEXITSTATUS(status) != 0 || !fs::exists(msh))
     throw RunError(fmt::format("gmsh failed on {} (exit status {}); the end of {}:{}", geo.string(), WEXITSTATUS(status), log.string(),

@@ -17,7 +17,7 @@ Mesh<dim> make(const SeabedMesh& seabed, const fs::path&, const fs::path& work_f
   if (dim != 2) throw InputError("a mesh of kind \"seabed\" is plane; the case is 3D: use kind \"gmsh\" or \"box\"");
   const fs::path geo = work_folder / "mesh.geo", msh = work_folder / "mesh.msh";
   write_geo(seabed, geo);
-  run_gmsh(geo, msh);
+  run_gmsh(geo, msh, dim);
   return read_msh<dim>(msh);
 }
 
@@ -25,6 +25,11 @@ template <int dim>
 Mesh<dim> make(const GmshFile& mesh, const fs::path& case_folder, const fs::path& work_folder)
 {
   const fs::path theirs = case_folder / mesh.file, ours = work_folder / "mesh.msh";
+  if (theirs.extension() == ".geo") {
+    if (!fs::is_regular_file(theirs)) throw InputError(fmt::format("mesh.file: there is no geometry {}", theirs.string()));
+    run_gmsh(theirs, ours, dim);
+    return read_msh<dim>(ours);
+  }
   Mesh<dim> read = read_msh<dim>(theirs);
   if (!fs::exists(ours) || !fs::equivalent(theirs, ours)) fs::copy_file(theirs, ours, fs::copy_options::overwrite_existing);
   return read;

@@ -39,7 +39,7 @@ private:
 std::string failure_of(const std::filesystem::path& geo, const std::filesystem::path& msh)
 {
   try {
-    run_gmsh(geo, msh);
+    run_gmsh(geo, msh, 2);
   } catch (const RunError& error) {
     return error.what();
   }
@@ -49,7 +49,7 @@ std::string failure_of(const std::filesystem::path& geo, const std::filesystem::
 TEST(RunGmsh, meshes_a_geometry_and_keeps_what_gmsh_said)
 {
   const TemporaryFolder folder;
-  run_gmsh(folder.write("square.geo", square), folder / "mesh.msh");
+  run_gmsh(folder.write("square.geo", square), folder / "mesh.msh", 2);
   const auto mesh = read_msh<2>(folder / "mesh.msh");
   EXPECT_GT(mesh.cell_count(), 10);
   EXPECT_GT(mesh.boundary_nodes[mesh.find_boundary("base")].size(), 3u);
@@ -60,12 +60,12 @@ TEST(RunGmsh, does_not_read_its_users_options)
 {
   const TemporaryFolder folder;
   const auto geo = folder.write("square.geo", square);
-  run_gmsh(geo, folder / "first.msh");
+  run_gmsh(geo, folder / "first.msh", 2);
   folder.write(".gmsh-options", "Mesh.MeshSizeFactor = 0.2;\n");
   const std::string home = getenv("HOME") == nullptr ? "" : getenv("HOME");
   setenv("HOME", folder.path().c_str(), 1);
   const TemporaryFolder elsewhere;
-  run_gmsh(geo, elsewhere / "second.msh");
+  run_gmsh(geo, elsewhere / "second.msh", 2);
   setenv("HOME", home.c_str(), 1);
   EXPECT_EQ(folder.read("first.msh"), elsewhere.read("second.msh"));
 }
@@ -172,7 +172,7 @@ TEST(MeshSettings, keys_of_a_seabed_stand_for_their_members)
 TEST(MakeMesh, keeps_a_copy_of_the_users_mesh)
 {
   const TemporaryFolder theirs, ours;
-  run_gmsh(theirs.write("square.geo", square), theirs / "square.msh");
+  run_gmsh(theirs.write("square.geo", square), theirs / "square.msh", 2);
   const auto mesh = make_mesh<2>(GmshFile{"square.msh"}, theirs.path(), ours / "run");
   EXPECT_GT(mesh.cell_count(), 10);
   EXPECT_EQ(ours.read("run/mesh.msh"), theirs.read("square.msh"));
@@ -180,15 +180,28 @@ TEST(MakeMesh, keeps_a_copy_of_the_users_mesh)
   EXPECT_EQ(make_mesh<2>(GmshFile{(ours / "run/mesh.msh").string()}, theirs.path(), ours / "run").cell_count(), mesh.cell_count());
 }
 
+TEST(MakeMesh, lets_gmsh_mesh_the_users_geometry_in_the_plane_and_in_space)
+{
+  const TemporaryFolder theirs, ours;
+  theirs.write("square.geo", square);
+  theirs.write("cube.geo", std::string(square) + "box[] = Extrude {0, 0, 1} {Surface{1};};\nPhysical Volume(\"rock\") = {box[1]};\n");
+  const auto plane = make_mesh<2>(GmshFile{"square.geo"}, theirs.path(), ours / "plane");
+  EXPECT_GT(plane.cell_count(), 10);
+  EXPECT_EQ(read_msh<2>(ours / "plane/mesh.msh").cell_count(), plane.cell_count());
+  const auto space = make_mesh<3>(GmshFile{"cube.geo"}, theirs.path(), ours / "space");
+  EXPECT_GT(space.cell_count(), 50);
+  EXPECT_NE(space.find_region("rock"), none);
+}
+
 TEST(MakeMesh, refuses_a_missing_file_with_its_name)
 {
   const TemporaryFolder folder;
-  try {
-    make_mesh<2>(GmshFile{"missing.msh"}, folder.path(), folder.path());
-    FAIL() << "accepted";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find((folder / "missing.msh").string()), std::string::npos) << error.what();
-  }
+  for (const char* name : {"missing.msh", "missing.geo"}) try {
+      make_mesh<2>(GmshFile{name}, folder.path(), folder.path());
+      FAIL() << "accepted";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find((folder / name).string()), std::string::npos) << error.what();
+    }
 }
 
 TEST(MakeMesh, makes_boxes)
