@@ -84,6 +84,7 @@ struct Rigid {
   std::string name;
   RigidShape<dim> shape;
   Real mass = 0;  ///< kg/m or kg
+  Motion motion = Motion::driven;
   Rotation rotation = Rotation::fixed;
   Real inertia = 0;  ///< about its centre (in space: about z), kg m or kg m2
 };
@@ -114,6 +115,13 @@ Vec<dim> center_now(const Rigid<dim>& rigid, const RigidState<dim>& state);
 /// Its shape where it is now, moved and turned.
 template <int dim>
 RigidShape<dim> placed(const Rigid<dim>& rigid, const RigidState<dim>& state);
+
+/// Its kinetic energy, J/m or J.
+template <int dim>
+Real kinetic_energy(const Rigid<dim>& rigid, const RigidState<dim>& state)
+{
+  return 0.5 * (rigid.mass * state.velocity.squaredNorm() + rigid.inertia * state.spin * state.spin);
+}
 
 /// The velocity of its point that is at x now: velocity + spin x (x - centre).
 template <int dim>

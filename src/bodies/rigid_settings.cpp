@@ -74,9 +74,11 @@ void describe(Describe& d, RigidSettings& rigid)
 {
   d.one_of("shape", rigid.shape, {"circle", "half_plane", "box", "polygon"}, {.meaning = "exact surface of the body", .required = true});
   d.value("mass", rigid.mass,
-          {.meaning = "mass per metre run (in space: mass in kg); a direction that a force drives needs it",
+          {.meaning = "mass per metre run (in space: mass in kg); a direction that a force moves needs it",
            .unit = "kg/m",
            .range = not_negative});
+  d.choice("motion", rigid.motion, {"driven", "free"},
+           {.meaning = "where no stage drives it: rest, or let gravity and its contacts move it (but not in a geostatic stage)"});
   d.choice("rotation", rigid.rotation, {"fixed", "free"},
            {.meaning = "whether the moment of its contacts turns it about its centre (in space: about z)"});
   d.value(

@@ -33,19 +33,25 @@ using RigidShapeSettings = std::variant<CircleSettings, HalfPlaneSettings, BoxSe
 /// Whether at least three corners with different places make a polygon whose sides meet at its corners only.
 bool is_simple(const PolygonSettings& polygon);
 
+/// What a rigid body does where no stage drives it.
+enum class Motion {
+  driven,  ///< it rests
+  free     ///< gravity and its contacts move it; in a geostatic stage it rests
+};
+
 /// Whether a rigid body turns.
 enum class Rotation {
   fixed,
   free  ///< about its centre (in space: about z), by the moment of its contacts
 };
 
-/// A rigid body as the user gives it. It rests where no stage drives it.
+/// A rigid body as the user gives it.
 struct RigidSettings {
   RigidShapeSettings shape;
-  Real mass = 0;  ///< kg per metre run (in space: kg); needed where a force drives it
+  Real mass = 0;  ///< kg per metre run (in space: kg); needed where a force moves it
+  Motion motion = Motion::driven;
   Rotation rotation = Rotation::fixed;
-  std::optional<Real>
-      moment_of_inertia;  ///< kg m2 per metre run (in space: kg m2) about its centre; absent: a solid of this shape and mass
+  std::optional<Real> moment_of_inertia;  ///< kg m (in space: kg m2) about its centre; absent: that of a solid of this shape and mass
 };
 
 void describe(Describe& d, CircleSettings& circle);

@@ -78,7 +78,7 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
   for (const auto& [name, settings] : c.rigid) {
     const RigidShape<dim> shape = make_shape<dim>(settings.shape);
     const Real inertia = settings.moment_of_inertia.value_or(settings.mass * inertia_over_mass<dim>(shape));
-    model.rigids.push_back({name, shape, settings.mass, settings.rotation, inertia});
+    model.rigids.push_back({name, shape, settings.mass, settings.motion, settings.rotation, inertia});
     state.rigids.emplace_back();
   }
   for (const auto& [name, settings] : c.body) {

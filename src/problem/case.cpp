@@ -90,6 +90,7 @@ void check_rigids(Describe& d, const Case& c)
       d.check(polygon->x.size() >= 3, path + ".x", fmt::format("needs three corners or more, and has {}", polygon->x.size()));
       d.check(is_simple(*polygon), path + ".x", "the sides of a polygon must not cross or touch each other");
     }
+    d.check(rigid.motion == Motion::driven || rigid.mass > 0, path + ".motion", "a free body needs a mass");
     if (rigid.rotation == Rotation::free) {
       d.check(!std::holds_alternative<HalfPlaneSettings>(rigid.shape), path + ".rotation", "a half-plane cannot turn");
       d.check(rigid.mass > 0 || rigid.moment_of_inertia, path + ".rotation", "a body that turns needs a mass or a moment_of_inertia");

@@ -59,7 +59,7 @@ template <int dim>
 struct Totals {
   // Work, J/m. kinetic + internal + damping + friction = external + what the method itself adds or loses.
   Real internal = 0;  ///< stored and dissipated by the material
-  Real external = 0;  ///< of gravity and of the rigid bodies
+  Real external = 0;  ///< of gravity and of the driven rigid bodies
   Real damping = 0;   ///< taken out by local damping
   Real friction = 0;  ///< taken out at the contacts
   // Momentum of the deformable bodies at the start, and the impulses given to them since, N s/m.

@@ -7,10 +7,10 @@ namespace berm {
 
 /// What a stage does with the rigid body that it drives.
 enum class StageKind {
-  geostatic,  ///< rigid bodies rest; the soil finds its equilibrium, which is checked at the end
+  geostatic,  ///< all rigid bodies rest; the soil finds its equilibrium, which is checked at the end
   push,       ///< down, by velocity or force; no horizontal motion
   drag,       ///< along x, by velocity or force
-  free        ///< rigid bodies rest; time goes on
+  free        ///< time goes on; rigid bodies rest, but for free ones
 };
 
 /// What the vertical direction does while the body is dragged.

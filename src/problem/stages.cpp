@@ -2,6 +2,20 @@
 #include "problem/stages.hpp"
 
 namespace berm {
+namespace {
+
+/// What gravity and a drive did to a free rigid body when they and its contacts changed its motion, less the work that the contacts counted when
+/// they gave their part to the soil: the kinetic energy of a free body is in the balance, so what passes between it and the soil is not from outside.
+template <int dim>
+Real work_of_outside(const Rigid<dim>& body, const RigidState<dim>& before, const RigidState<dim>& after, Real dt)
+{
+  const Vec<dim> impulse = body.mass * (after.velocity - before.velocity) - dt * after.reaction;
+  const Real torque_impulse = body.inertia * (after.spin - before.spin) - dt * after.torque;
+  return impulse.dot(after.velocity + before.velocity) / 2 + torque_impulse * (after.spin + before.spin) / 2 +
+         dt * (after.reaction.dot(before.velocity) + after.torque * before.spin);
+}
+
+}  // namespace
 
 template <int dim>
 PipeMotion pipe_motion(const Model<dim>& model, const State<dim>& state, Index rigid)
@@ -68,19 +82,23 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
   const StageSettings& stage = model.stages[state.stage.index];
   const Real since = state.time + dt - state.stage.begin_time;
   const Real part = stage.ramp > since ? since / stage.ramp : 1;
+  const Vec<dim> gravity = gravity_now(model, state.time);
   for (Index r = 0; r < static_cast<Index>(state.rigids.size()); ++r) {
+    const Rigid<dim>& body = model.rigids[r];
     RigidState<dim>& rigid = state.rigids[r];
-    if (r != model.driven[state.stage.index]) {
-      rigid.velocity.setZero();
-      rigid.spin = 0;
-      continue;
-    }
-    if (model.rigids[r].rotation == Rotation::free) rigid.spin += dt * rigid.torque / model.rigids[r].inertia;
+    const RigidState<dim> before = rigid;
+    const bool driven = r == model.driven[state.stage.index];
+    const bool moves = driven || (body.motion == Motion::free && stage.kind != StageKind::geostatic);
     for (int d = 0; d < dim; ++d) {
       const Drive& drive = state.stage.drive[d];
       const Real value = drive.from + part * (drive.to - drive.from);
-      rigid.velocity[d] = drive.by_force ? rigid.velocity[d] + dt * (value + rigid.reaction[d]) / model.rigids[r].mass : value;
+      if (driven)
+        rigid.velocity[d] = drive.by_force ? rigid.velocity[d] + dt * (value + rigid.reaction[d]) / body.mass : value;
+      else
+        rigid.velocity[d] = moves ? rigid.velocity[d] + dt * (gravity[d] + rigid.reaction[d] / body.mass) : 0;
     }
+    rigid.spin = moves && body.rotation == Rotation::free ? rigid.spin + dt * rigid.torque / body.inertia : 0;
+    if (body.motion == Motion::free) state.totals.external += work_of_outside(body, before, rigid, dt);
   }
 }
 

@@ -26,7 +26,8 @@ void begin_stage(const Model<dim>& model, State<dim>& state);
 template <int dim>
 bool stage_ended(const Model<dim>& model, const State<dim>& state);
 
-/// The velocity of each rigid body in the coming step: given, or mass times acceleration = drive + reaction of the last step.
+/// The velocity and spin of each rigid body in the coming step: given, or mass times acceleration = drive or weight + reaction of the last step and
+/// inertia times angular acceleration = torque of the last step. Adds the work of gravity and drives on free bodies to the totals.
 template <int dim>
 void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt);
 

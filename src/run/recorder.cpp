@@ -102,6 +102,8 @@ void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Wo
     sums.push_back(measure(particles));
     kinetic += sums.back().kinetic;
   }
+  for (std::size_t r = 0; r < model.rigids.size(); ++r)
+    if (model.rigids[r].motion == Motion::free) kinetic += kinetic_energy(model.rigids[r], state.rigids[r]);
   const Totals<dim>& t = state.totals;
   const Real error = kinetic - first_kinetic_ + t.internal + t.damping + t.friction - t.external;
   if (!std::isfinite(error))

@@ -250,6 +250,83 @@ TEST(Stage, moves_no_rigid_body_where_it_drives_none)
   }
 }
 
+Case free_pipe(std::vector<StageSettings> stages)
+{
+  Case c = pipe_over_box(std::move(stages));
+  c.gravity = {3, -10};
+  c.rigid[0].second.motion = Motion::free;
+  return c;
+}
+
+TEST(FreeBody, moves_by_its_weight_and_the_force_of_the_soil)
+{
+  auto problem = build<2>(free_pipe({stage_of(StageKind::free)}), ".", ".");
+  RigidState<2>& pipe = problem.state.rigids[0];
+  pipe.velocity = {1, 2};
+  pipe.reaction = {8, 12};  // 4 and 6 m/s2 of its 2 kg/m
+  drive_rigids(problem.model, problem.state, dt);
+  EXPECT_NEAR((pipe.velocity - Vec<2>(1 + 7 * dt, 2 - 4 * dt)).norm(), 0, 1e-15);
+  EXPECT_EQ(pipe.spin, 0);
+}
+
+TEST(FreeBody, rests_in_a_geostatic_stage_and_follows_the_drive_of_a_stage)
+{
+  auto problem = build<2>(free_pipe({stage_of(StageKind::geostatic), drag(0.2)}), ".", ".");
+  RigidState<2>& pipe = problem.state.rigids[0];
+  pipe.reaction = pipe.smooth_reaction = {8, 12};
+  drive_rigids(problem.model, problem.state, dt);
+  EXPECT_EQ(pipe.velocity, Vec<2>(0, 0));
+  ++problem.state.stage.index;
+  begin_stage(problem.model, problem.state);
+  drive_rigids(problem.model, problem.state, dt);
+  EXPECT_EQ(pipe.velocity, Vec<2>(0.2, 0));  // the 12 N/m that the soil carries are held
+}
+
+TEST(FreeBody, gets_the_work_of_its_weight_from_outside_and_that_of_the_soil_from_within)
+{
+  auto problem = build<2>(free_pipe({stage_of(StageKind::free)}), ".", ".");
+  RigidState<2>& pipe = problem.state.rigids[0];
+  Real of_weight = 0;
+  for (int n = 0; n < 100; ++n) {
+    pipe.reaction = {5. + n, 40. - n};
+    problem.state.totals.external -= dt * pipe.reaction.dot(pipe.velocity);  // what the contact counts as work on the soil
+    const Vec<2> before = pipe.velocity;
+    drive_rigids(problem.model, problem.state, dt);
+    of_weight += dt * 2 * Vec<2>(3, -10).dot(before + pipe.velocity) / 2;
+    EXPECT_NEAR(problem.state.totals.external, of_weight, 1e-13);
+  }
+}
+
+TEST(FreeBody, gets_its_kinetic_energy_from_a_drive_and_loses_it_where_it_is_stopped)
+{
+  auto problem = build<2>(free_pipe({drag(0.2, 0.1), stage_of(StageKind::geostatic)}), ".", ".");
+  RigidState<2>& pipe = problem.state.rigids[0];
+  for (int n = 0; n < 150; ++n) {
+    drive_rigids(problem.model, problem.state, dt);
+    problem.state.time += dt;
+  }
+  EXPECT_NEAR(problem.state.totals.external, 0.5 * 2 * 0.2 * 0.2, 1e-14);
+  EXPECT_NEAR(kinetic_energy(problem.model.rigids[0], pipe), 0.5 * 2 * 0.2 * 0.2, 1e-14);
+  ++problem.state.stage.index;
+  begin_stage(problem.model, problem.state);
+  drive_rigids(problem.model, problem.state, dt);
+  EXPECT_NEAR(problem.state.totals.external, 0, 1e-14);
+}
+
+TEST(FreeRotation, follows_the_moment_of_the_soil_and_the_inertia)
+{
+  Case c = pipe_over_box({drag(0.2), stage_of(StageKind::free)});
+  c.rigid[0].second.rotation = Rotation::free;
+  auto problem = build<2>(c, ".", ".");
+  RigidState<2>& pipe = problem.state.rigids[0];
+  pipe.torque = 0.3;
+  drive_rigids(problem.model, problem.state, dt);
+  EXPECT_NEAR(pipe.spin, dt * 0.3 / (2 * 0.2 * 0.2 / 2), 1e-15);
+  problem.state.stage.index = 1;  // it rests where nothing drives it
+  drive_rigids(problem.model, problem.state, dt);
+  EXPECT_EQ(pipe.spin, 0);
+}
+
 TEST(Stage, drives_the_rigid_body_that_it_names_alone)
 {
   Case c = pipe_over_box({push(0.5)});

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Rigid bodies that move freely.
+#include "simulate.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+/// A free cylinder of 0.4 m and 200 kg/m, 5 mm above an elastic bed of 2 m x 0.5 m on a fixed base.
+Case cylinder_over_bed()
+{
+  Case c = elastic_box(2, {2, 1}, {40, 20}, 1e6, 0.3, 1000);
+  BlockSettings bed;
+  bed.center = {1, 0.25};
+  bed.size = {2, 0.5};
+  bed.spacing = 0.05 / 3;
+  c.body[0].second.regions.clear();
+  c.body[0].second.block = bed;
+  c.support = {{"base", {"bottom", {"x", "y"}}}};
+  RigidSettings cylinder;
+  cylinder.shape = CircleSettings{{1.01, 0.705}, 0.4};
+  cylinder.mass = 200;
+  cylinder.motion = Motion::free;
+  c.rigid = {{"cylinder", cylinder}};
+  ContactSettings contact;
+  contact.body = "body";
+  contact.rigid = "cylinder";
+  c.contact = {{"contact", contact}};
+  return c;
+}
+
+TEST(FreeCylinder, falls_as_gravity_says_until_it_touches)
+{
+  Case c = cylinder_over_bed();
+  c.gravity = {1, -10};
+  c.contact.clear();
+  Simulation<2> run(c);
+  run.run_until(0.1);
+  const RigidState<2>& cylinder = run.state().rigids[0];
+  const Real t = run.state().time;
+  EXPECT_NEAR((cylinder.velocity - t * Vec<2>(1, -10)).norm(), 0, 1e-12);
+  // Each step moves it by the velocity at its end: g t dt / 2 too far.
+  EXPECT_NEAR((cylinder.displacement - 0.5 * t * (t + run.state().dt) * Vec<2>(1, -10)).norm(), 0, 1e-4);
+}
+
+TEST(FreeCylinder, gives_the_bed_the_momentum_that_it_loses_and_energy_balances)
+{
+  Case c = cylinder_over_bed();
+  c.mpm.courant = 0.125;
+  Simulation<2> run(c);
+  RigidState<2>& cylinder = run.state().rigids[0];
+  const Rigid<2>& body = run.model().rigids[0];
+  cylinder.velocity = {0, -0.5};
+  const Real first = kinetic_energy(body, cylinder);
+  Real worst = 0, slowest = infinity;
+  run.run_until(0.15, [&] {
+    const Totals<2>& t = run.state().totals;
+    const Real kinetic = measure(run.state().particles[0]).kinetic + kinetic_energy(body, cylinder);
+    worst = std::max(worst, std::abs(kinetic + t.internal + t.friction + t.damping - t.external - first));
+    slowest = std::min(slowest, kinetic_energy(body, cylinder));
+    // What the soil gave it by the step before is what it has got by now.
+    const Vec<2> lost = 200 * (Vec<2>(0, -0.5) - cylinder.velocity), given = cylinder.impulse + run.state().dt * cylinder.reaction;
+    EXPECT_NEAR((lost - given).norm(), 0, 1e-3 * 100);  // the last force acts over the next step, which is not quite as long
+  });
+  EXPECT_LT(worst, 0.02 * first);      // in proportion to the time step: 3.5 % with courant 0.5, 2.1 % with 0.25, 1.2 % with 0.125
+  EXPECT_LT(slowest, 0.01 * first);    // it has come to rest,
+  EXPECT_GT(cylinder.velocity[1], 0);  // and is on its way back
+}
+
+}  // namespace
+}  // namespace berm
