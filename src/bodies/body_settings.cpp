@@ -11,11 +11,23 @@ void describe(Describe& d, BlockSettings& block)
   d.value("spacing", block.spacing, {.meaning = "distance between its particles", .unit = "m", .range = positive, .required = true});
 }
 
+void describe(Describe& d, DiskSettings& disk)
+{
+  d.value("center", disk.center, {.meaning = "centre of the disk", .unit = "m", .required = true});
+  d.value("diameter", disk.diameter, {.meaning = "diameter of the disk", .unit = "m", .range = positive, .required = true});
+  d.value("spacing", disk.spacing,
+          {.meaning = "distance between its particles; their volumes are scaled so that they sum up to that of the disk",
+           .unit = "m",
+           .range = positive,
+           .required = true});
+}
+
 void describe(Describe& d, InitialVelocity& velocity)
 {
   d.value("amplitude", velocity.amplitude, {.meaning = "velocity of the particles at the start", .unit = "m/s", .required = true});
   d.value("wave_number", velocity.wave_number,
-          {.meaning = "makes it a standing wave: amplitude times sin(wave_number . x)", .unit = "rad/m"});
+          {.meaning = "makes it a standing wave: amplitude times sin(wave_number . x + phase)", .unit = "rad/m"});
+  d.value("phase", velocity.phase, {.meaning = "phase of the wave", .unit = "rad"});
 }
 
 void describe(Describe& d, BodySettings& body)
@@ -28,13 +40,19 @@ void describe(Describe& d, BodySettings& body)
   d.value("region_particles_per_cell", body.region_particles_per_cell,
           {.meaning = "particles a cell in single regions, by the region's name", .range = {1, 400}});
   d.optional_table("block", body.block, {.meaning = "a block of particles on a lattice of its own, instead of regions"});
+  d.optional_table("disk", body.disk, {.meaning = "a disk of particles on a lattice of its own, instead of regions; 2D only"});
   d.value("damping", body.damping,
           {.meaning = "local damping: part of a node's unbalanced force that opposes its velocity", .range = {0, 1}});
   d.value("region_damping", body.region_damping, {.meaning = "local damping in single regions, by the region's name", .range = {0, 1}});
   d.value("k0", body.k0,
           {.meaning = "stress at the start is that of a flat bed below `surface`: horizontal over vertical stress; absent = no stress",
            .range = {0, 5}});
-  d.optional_table("initial_velocity", body.initial_velocity, {.meaning = "motion at the start"});
+  d.value("initial_stress", body.initial_stress,
+          {.meaning = "stresses xx, yy and zz at the start, the same everywhere, tension positive; instead of k0", .unit = "Pa"});
+  d.value("initial_spin", body.initial_spin,
+          {.meaning = "turning about its centre of mass (in space: about z) at the start, counter-clockwise; added to initial_velocity",
+           .unit = "rad/s"});
+  d.array("initial_velocity", body.initial_velocity, {.meaning = "motion at the start; several are added up"});
 }
 
 }  // namespace berm

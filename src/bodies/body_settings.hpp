@@ -12,10 +12,19 @@ struct BlockSettings {
   Real spacing = 0;                ///< m, of the lattice; rounded so that whole particles fill the block
 };
 
-/// The velocity of the particles at the start: v(x) = amplitude sin(wave_number . x), or amplitude everywhere where wave_number is empty.
+/// A disk of material (2D), filled with the particles of a square lattice around its centre that lie inside.
+struct DiskSettings {
+  std::vector<Real> center;  ///< m
+  Real diameter = 0;         ///< m
+  Real spacing = 0;          ///< m, of the lattice
+};
+
+/// A part of the velocity of the particles at the start: v(x) = amplitude sin(wave_number . x + phase), or amplitude everywhere where wave_number
+/// is empty.
 struct InitialVelocity {
   std::vector<Real> amplitude;    ///< m/s
   std::vector<Real> wave_number;  ///< rad/m
+  Real phase = 0;                 ///< rad
 };
 
 /// A deformable body as the user gives it: what it is made of and which part of the mesh it fills at the start.
@@ -25,13 +34,17 @@ struct BodySettings {
   int particles_per_cell = 0;        ///< n^dim; 0 = 9 in triangles, 8 in tetrahedra
   std::map<std::string, int> region_particles_per_cell;
   std::optional<BlockSettings> block;  ///< instead of regions
+  std::optional<DiskSettings> disk;    ///< instead of regions
   Real damping = 0;                    ///< local damping factor
   std::map<std::string, Real> region_damping;
-  std::optional<Real> k0;  ///< horizontal over vertical stress at the start; absent: no stress at the start
-  std::optional<InitialVelocity> initial_velocity;
+  std::optional<Real> k0;                         ///< horizontal over vertical stress at the start; absent: no stress at the start
+  std::vector<Real> initial_stress;               ///< Pa, xx, yy and zz everywhere, tension positive, instead of k0
+  std::vector<InitialVelocity> initial_velocity;  ///< added up
+  Real initial_spin = 0;                          ///< rad/s about the centre of mass (in space: about z), added to initial_velocity
 };
 
 void describe(Describe& d, BlockSettings& block);
+void describe(Describe& d, DiskSettings& disk);
 void describe(Describe& d, InitialVelocity& velocity);
 void describe(Describe& d, BodySettings& body);
 

@@ -52,6 +52,30 @@ std::vector<Seed<dim>> seeds_in_regions(const Mesh<dim>& mesh, const std::string
   return seeds;
 }
 
+/// Finds the cells of points that lie near each other, for one `part` (block or disk) of a body.
+template <int dim>
+struct Finder {
+  const Mesh<dim>& mesh;
+  const std::string& body;
+  const char* part;
+  Index cell = 0;
+
+  Index cell_at(const Vec<dim>& x)
+  {
+    const Location location = locate(mesh, x, cell);
+    if (!location.inside)
+      throw InputError(fmt::format("body.{0}.{1}: the {1} leaves the mesh at ({2})", body, part, fmt::join(x.begin(), x.end(), ", ")));
+    return cell = location.cell;
+  }
+};
+
+/// Particles of one cell are stored together, and cells that are neighbours in number near each other.
+template <int dim>
+void sort_by_cell(std::vector<Seed<dim>>& seeds)
+{
+  std::stable_sort(seeds.begin(), seeds.end(), [](const Seed<dim>& a, const Seed<dim>& b) { return a.cell < b.cell; });
+}
+
 template <int dim>
 std::vector<Seed<dim>> seeds_in_block(const Mesh<dim>& mesh, const std::string& name, const BlockSettings& block)
 {
@@ -67,7 +91,7 @@ std::vector<Seed<dim>> seeds_in_block(const Mesh<dim>& mesh, const std::string& 
     spacing[d] = block.size[d] / count[d];
   }
   std::vector<Seed<dim>> seeds;
-  Index cell = 0;
+  Finder<dim> finder{mesh, name, "block"};
   for (int k = 0; k < count[2]; ++k)
     for (int j = 0; j < count[1]; ++j)
       for (int i = 0; i < count[0]; ++i) {
@@ -75,24 +99,60 @@ std::vector<Seed<dim>> seeds_in_block(const Mesh<dim>& mesh, const std::string& 
         Vec<dim> local;
         for (int d = 0; d < dim; ++d) local[d] = (place[d] + 0.5 - 0.5 * count[d]) * spacing[d];
         const Vec<dim> x = center + axes * local;
-        const Location location = locate(mesh, x, cell);
-        if (!location.inside)
-          throw InputError(fmt::format("body.{}.block: the block leaves the mesh at ({})", name, fmt::join(x.begin(), x.end(), ", ")));
-        cell = location.cell;
-        seeds.push_back({x, cell, spacing.prod()});
+        seeds.push_back({x, finder.cell_at(x), spacing.prod()});
       }
-  // Particles of one cell are stored together, and cells that are neighbours in number near each other.
-  std::stable_sort(seeds.begin(), seeds.end(), [](const Seed<dim>& a, const Seed<dim>& b) { return a.cell < b.cell; });
+  sort_by_cell(seeds);
+  return seeds;
+}
+
+std::vector<Seed<2>> seeds_in_disk(const Mesh<2>& mesh, const std::string& name, const DiskSettings& disk)
+{
+  const Vec<2> center(disk.center[0], disk.center[1]);
+  const Real radius = disk.diameter / 2;
+  const int most = static_cast<int>(std::ceil(radius / disk.spacing));
+  std::vector<Seed<2>> seeds;
+  Finder<2> finder{mesh, name, "disk"};
+  for (int j = -most; j < most; ++j)
+    for (int i = -most; i < most; ++i) {
+      const Vec<2> local = disk.spacing * Vec<2>(i + 0.5, j + 0.5);
+      if (local.norm() < radius) seeds.push_back({center + local, finder.cell_at(center + local), 0});
+    }
+  for (Seed<2>& seed : seeds) seed.volume = pi * radius * radius / static_cast<Real>(seeds.size());
+  sort_by_cell(seeds);
   return seeds;
 }
 
 template <int dim>
-Vec<dim> first_velocity(const InitialVelocity& initial, const Vec<dim>& x)
+std::vector<Seed<dim>> seeds_of(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body)
 {
-  Vec<dim> v;
-  Real phase = 0;
-  for (int d = 0; d < dim; ++d) v[d] = initial.amplitude[d], phase += initial.wave_number.empty() ? 0 : initial.wave_number[d] * x[d];
-  return initial.wave_number.empty() ? v : Vec<dim>(v * std::sin(phase));
+  if (body.block) return seeds_in_block(mesh, name, *body.block);
+  if constexpr (dim == 2)
+    if (body.disk) return seeds_in_disk(mesh, name, *body.disk);
+  return seeds_in_regions(mesh, name, body);
+}
+
+template <int dim>
+Vec<dim> first_velocity(const BodySettings& body, const Vec<dim>& from_center, const Vec<dim>& x)
+{
+  Vec<dim> v = Vec<dim>::Zero();
+  for (const InitialVelocity& wave : body.initial_velocity) {
+    Real phase = wave.phase;
+    for (std::size_t d = 0; d < wave.wave_number.size(); ++d) phase += wave.wave_number[d] * x[static_cast<Index>(d)];
+    const Real size = wave.wave_number.empty() ? 1 : std::sin(phase);
+    for (int d = 0; d < dim; ++d) v[d] += size * wave.amplitude[d];
+  }
+  v[0] -= body.initial_spin * from_center[1];
+  v[1] += body.initial_spin * from_center[0];
+  return v;
+}
+
+template <int dim>
+Vec<dim> center_of_mass(const std::vector<Seed<dim>>& seeds)
+{
+  Vec<dim> moment = Vec<dim>::Zero();
+  Real volume = 0;
+  for (const Seed<dim>& seed : seeds) moment += seed.volume * seed.x, volume += seed.volume;
+  return moment / volume;
 }
 
 }  // namespace
@@ -130,7 +190,7 @@ std::vector<std::array<Real, 4>> points_in_simplex<3>(int n)
 template <int dim>
 Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body, const StartState<dim>& start)
 {
-  auto seeds = body.block ? seeds_in_block(mesh, name, *body.block) : seeds_in_regions(mesh, name, body);
+  auto seeds = seeds_of(mesh, name, body);
   std::erase_if(seeds, [&](const Seed<dim>& seed) {
     return std::any_of(start.holes.begin(), start.holes.end(), [&](const auto& hole) { return surface_at(hole, seed.x).distance < 0; });
   });
@@ -138,13 +198,15 @@ Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySe
     throw InputError(
         fmt::format("body.{}: {} particles are too many; {} can be numbered", name, seeds.size(), std::numeric_limits<Index>::max() / 2));
   Particles<dim> particles(mesh, static_cast<Index>(seeds.size()), start.state_size);
+  const Vec<dim> center = center_of_mass(seeds);
   std::int32_t id = 0;
   for (const Seed<dim>& seed : seeds) {
     Particle<dim> p;
     p.x = seed.x;
     p.volume = seed.volume;
     p.mass = start.density * seed.volume;
-    if (body.initial_velocity) p.v = first_velocity<dim>(*body.initial_velocity, seed.x);
+    p.v = first_velocity<dim>(body, seed.x - center, seed.x);
+    for (std::size_t k = 0; k < body.initial_stress.size(); ++k) p.stress[static_cast<int>(k)] = body.initial_stress[k];
     if (body.k0) {
       p.stress[1] = -start.density * start.vertical_gravity * std::max(Real(0), start.surface - seed.x[1]);
       p.stress[0] = p.stress[2] = *body.k0 * p.stress[1];

@@ -45,8 +45,11 @@ void check_bodies(Describe& d, const Case& c)
     const std::string path = "body." + name;
     check_name(d, path + ".material", body.material, "material", names_of(c.material));
     d.check(!body.k0 || c.gravity_ramp == 0, path + ".k0", "the stress of a bed under full gravity does not go with gravity_ramp");
-    d.check(body.regions.empty() == body.block.has_value(), path,
-            "needs either regions = [...] or a [body." + name + ".block], and not both");
+    d.check(!body.regions.empty() + body.block.has_value() + body.disk.has_value() == 1, path,
+            fmt::format("needs one of regions = [...], [body.{0}.block] and [body.{0}.disk]", name));
+    d.check(body.initial_stress.empty() || !body.k0, path + ".initial_stress", "does not go with k0");
+    d.check(body.initial_stress.empty() || body.initial_stress.size() == 3, path + ".initial_stress",
+            fmt::format("needs 3 numbers, xx, yy and zz, and has {}", body.initial_stress.size()));
     const char* counts = c.dimension == 2 ? "must be 1, 4, 9, 16, ... in triangles" : "must be 1, 8, 27, ... in tetrahedra";
     d.check(body.particles_per_cell == 0 || is_power(body.particles_per_cell, c.dimension), path + ".particles_per_cell", counts);
     for (const auto& [region, count] : body.region_particles_per_cell) {
@@ -62,9 +65,17 @@ void check_bodies(Describe& d, const Case& c)
       check_entries(d, path + ".block.size", body.block->size, c.dimension);
       d.check(c.dimension == 2 || body.block->angle == 0, path + ".block.angle", "a block can be turned in two dimensions only");
     }
-    if (body.initial_velocity) {
-      check_entries(d, path + ".initial_velocity.amplitude", body.initial_velocity->amplitude, c.dimension);
-      check_entries(d, path + ".initial_velocity.wave_number", body.initial_velocity->wave_number, c.dimension, true);
+    if (body.disk) {
+      d.check(c.dimension == 2, path + ".disk", "there are disks in two dimensions only");
+      check_entries(d, path + ".disk.center", body.disk->center, c.dimension);
+      d.check(body.disk->spacing < body.disk->diameter / 2, path + ".disk.spacing", "must be less than half the diameter");
+    }
+    for (std::size_t k = 0; k < body.initial_velocity.size(); ++k) {
+      const InitialVelocity& wave = body.initial_velocity[k];
+      const std::string item = fmt::format("{}.initial_velocity[{}]", path, k);
+      check_entries(d, item + ".amplitude", wave.amplitude, c.dimension);
+      check_entries(d, item + ".wave_number", wave.wave_number, c.dimension, true);
+      d.check(wave.phase == 0 || !wave.wave_number.empty(), item + ".phase", "only a wave has a phase: it needs a wave_number");
     }
   }
 }

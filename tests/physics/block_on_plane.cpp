@@ -69,7 +69,7 @@ TEST(Bounce, energy_is_kept_stored_or_lost_at_the_contact)
   c.body[0].second.block->spacing = 0.05 / 3;
   InitialVelocity motion;
   motion.amplitude = {0, -0.5};
-  c.body[0].second.initial_velocity = motion;
+  c.body[0].second.initial_velocity = {motion};
   Simulation<2> run(c);
   const Real first = measure(run.state().particles[0]).kinetic;
   Real worst = 0, last = 0;

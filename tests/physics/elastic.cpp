@@ -18,7 +18,7 @@ Real bar_period_ratio()
 {
   constexpr Real length = 25, young_modulus = 100, density = 1, v0 = 0.1;
   std::vector<Real> size = {length, 1}, cells = {50, 2};
-  InitialVelocity mode{{v0, 0}, {pi / (2 * length), 0}};
+  InitialVelocity mode{{v0, 0}, {pi / (2 * length), 0}, 0};
   if (dim == 3) size.push_back(1), cells.push_back(2), mode.amplitude.push_back(0), mode.wave_number.push_back(0);
   Case c = elastic_box(dim, size, cells, young_modulus, 0, density);
   // The mesh ends at the tip, so a moving tip needs room: the body fills the mesh but for one column of cells.
@@ -31,7 +31,7 @@ Real bar_period_ratio()
   block.spacing = 0.25;
   c.body[0].second.regions.clear();
   c.body[0].second.block = block;
-  c.body[0].second.initial_velocity = mode;
+  c.body[0].second.initial_velocity = {mode};
   c.support = {{"left", held("left", {"x"})}, {"bottom", held("bottom", {"y"})}, {"top", held("top", {"y"})}};
   if (dim == 3) c.support.emplace_back("front", held("front", {"z"})), c.support.emplace_back("back", held("back", {"z"}));
 

@@ -29,7 +29,7 @@ void expect_free_fall(Case c, int steps)
   InitialVelocity motion;
   motion.amplitude = {0.7, 0.9, -0.5};
   motion.amplitude.resize(dim);
-  c.body[0].second.initial_velocity = motion;
+  c.body[0].second.initial_velocity = {motion};
   c.gravity = {0, -10, 1};
   c.gravity.resize(dim);
   Simulation<dim> run(c);

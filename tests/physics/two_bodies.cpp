@@ -20,7 +20,7 @@ BodySettings block_at(std::vector<Real> center, std::vector<Real> size, std::vec
   body.block = block;
   InitialVelocity motion;
   motion.amplitude = velocity;
-  body.initial_velocity = motion;
+  body.initial_velocity = {motion};
   return body;
 }
 

@@ -175,14 +175,46 @@ TYPED_TEST(Fill, starts_with_a_uniform_velocity_or_a_standing_wave)
   InitialVelocity motion;
   motion.amplitude = {1, -2, 3};
   motion.amplitude.resize(dim);
-  body.initial_velocity = motion;
+  body.initial_velocity = {motion};
   Vec<dim> amplitude, wave;
   for (int d = 0; d < dim; ++d) amplitude[d] = motion.amplitude[d], wave[d] = 2 + d;
   for (const auto& p : all_of(fill<dim>(mesh_of_two_regions<dim>(), "sand", body, at_rest<dim>))) EXPECT_EQ(p.v, amplitude);
 
-  body.initial_velocity->wave_number.assign(wave.begin(), wave.end());
+  body.initial_velocity[0].wave_number.assign(wave.begin(), wave.end());
   for (const auto& p : all_of(fill<dim>(mesh_of_two_regions<dim>(), "sand", body, at_rest<dim>)))
     EXPECT_NEAR((p.v - amplitude * std::sin(wave.dot(p.x))).norm(), 0, 1e-14);
+}
+
+TYPED_TEST(Fill, adds_up_waves_with_their_phases_and_a_spin_about_the_centre_of_mass)
+{
+  constexpr int dim = TypeParam::value;
+  auto body = in_regions({"low"});
+  const auto entries = [](std::vector<Real> v) { return v.resize(dim), v; };
+  body.initial_velocity = {{entries({1, -2, 3}), {}, 0}, {entries({0.5, 1, 2}), entries({3, 4, 5}), 0.7}};
+  body.initial_spin = 1.5;
+  const auto all = all_of(fill<dim>(mesh_of_two_regions<dim>(), "sand", body, at_rest<dim>));
+  Vec<dim> center = Vec<dim>::Zero();
+  Real mass = 0;
+  for (const auto& p : all) center += p.mass * p.x, mass += p.mass;
+  center /= mass;
+  for (const auto& p : all) {
+    Real phase = 0.7;
+    for (int d = 0; d < dim; ++d) phase += (3 + d) * p.x[d];
+    Vec<dim> v;
+    for (int d = 0; d < dim; ++d) v[d] = entries({1, -2, 3})[d] + entries({0.5, 1, 2})[d] * std::sin(phase);
+    v[0] -= 1.5 * (p.x[1] - center[1]);
+    v[1] += 1.5 * (p.x[0] - center[0]);
+    EXPECT_NEAR((p.v - v).norm(), 0, 1e-13);
+  }
+}
+
+TYPED_TEST(Fill, starts_with_the_same_stress_everywhere_where_one_is_given)
+{
+  constexpr int dim = TypeParam::value;
+  auto body = in_regions({"low", "high"});
+  body.initial_stress = {-100, -200, -50};
+  for (const auto& p : all_of(fill<dim>(mesh_of_two_regions<dim>(), "sand", body, at_rest<dim>)))
+    for (int k = 0; k < tensor_size<dim>; ++k) EXPECT_EQ(p.stress[k], k < 3 ? body.initial_stress[k] : 0);
 }
 
 TYPED_TEST(Fill, a_block_is_filled_with_whole_equal_parts)
@@ -219,6 +251,40 @@ TYPED_TEST(Fill, a_block_that_leaves_the_mesh_is_refused_with_the_place)
     FAIL() << "nothing was thrown";
   } catch (const InputError& error) {
     EXPECT_EQ(std::string(error.what()).find("body.brick.block: the block leaves the mesh at (-0.4"), 0u) << error.what();
+  }
+}
+
+TEST(FillDisk, has_its_exact_volume_and_lies_round_its_centre)
+{
+  const auto mesh = mesh_of_two_regions<2>();
+  BodySettings body;
+  body.disk = DiskSettings{{0.7, 0.8}, 0.8, 0.05};
+  const auto all = all_of(fill<2>(mesh, "disk", body, at_rest<2>));
+  Real volume = 0, second = 0;
+  Vec<2> moment = Vec<2>::Zero();
+  for (const auto& p : all) {
+    const Vec<2> from = p.x - Vec<2>(0.7, 0.8);
+    EXPECT_LT(from.norm(), 0.4);
+    const Vec<2> place = from / 0.05 - Vec<2>(0.5, 0.5);
+    EXPECT_NEAR((place - Vec<2>(std::round(place[0]), std::round(place[1]))).norm(), 0, 1e-10);
+    volume += p.volume, moment += p.volume * from, second += p.volume * from.squaredNorm();
+  }
+  EXPECT_NEAR(volume, pi * 0.16, 1e-14);
+  EXPECT_NEAR(moment.norm(), 0, 1e-15);
+  // m R^2 / 2 but for the steps of the rim: half a spacing in 8, on one side or the other.
+  EXPECT_NEAR(second / (volume * 0.16 / 2), 1, 0.5 / 8);
+  EXPECT_NEAR(static_cast<Real>(all.size()), pi * 64, 8);  // no lattice point is left out
+}
+
+TEST(FillDisk, that_leaves_the_mesh_is_refused_with_the_place)
+{
+  BodySettings body;
+  body.disk = DiskSettings{{0, 0.8}, 0.8, 0.05};
+  try {
+    fill<2>(mesh_of_two_regions<2>(), "ball", body, at_rest<2>);
+    FAIL() << "nothing was thrown";
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).find("body.ball.disk: the disk leaves the mesh at (-0."), 0u) << error.what();
   }
 }
 

@@ -104,7 +104,7 @@ TEST(Build, starts_at_rest_with_the_momentum_of_the_particles)
   Case c = pipe_over_box({rest()});
   InitialVelocity motion;
   motion.amplitude = {0.5, -0.25};
-  c.body[0].second.initial_velocity = motion;
+  c.body[0].second.initial_velocity = {motion};
   const auto state = build<2>(c, ".", ".").state;
   EXPECT_NEAR((state.totals.first_momentum - 4000 * Vec<2>(0.5, -0.25)).norm(), 0, 1e-9);
   EXPECT_EQ(state.time, 0);

@@ -99,7 +99,7 @@ TEST(Run, history_tells_extents_and_spin_of_a_body_and_motion_and_stress_of_a_wa
 {
   const Place place;
   place.folder.write("small.toml", std::string(test::small_case) + "[watch.deep]\nbody = \"sand\"\npoint = [0.0006, 0.0006]\n"
-                                                                   "[body.sand.initial_velocity]\namplitude = [0.1, -0.2]\n");
+                                                                   "[[body.sand.initial_velocity]]\namplitude = [0.1, -0.2]\n");
   ASSERT_EQ(place.berm({"run", "small.toml", "--threads", "1"}).status, 0);
   const History history = read_history(place.folder / "out/small/history.csv");
   const auto first = [&](const char* column) { return history[column].at(0); };
