@@ -5,21 +5,13 @@
 #include "output/whole_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 
 namespace berm {
 namespace {
 
-/// Colours that differ for most eyes, also in their lightness.
-constexpr std::array colors{"#1764ab", "#c8452f", "#2f8f4e", "#8155a6", "#c98a16", "#4a4a4a", "#2aa5b5", "#d3649f"};
-constexpr std::array dashes{"solid", "'-'", "'.'", "'_.'"};
-
-std::string style_of(const FigureCurve& curve, std::size_t k)
-{
-  if (!curve.style.empty()) return curve.style;
-  return fmt::format("lines lw 2 lc rgb '{}' dt {}", colors[k % colors.size()], dashes[k / colors.size() % dashes.size()]);
-}
+constexpr const char* colors[curve_colors] = {"#1764ab", "#c8452f", "#2f8f4e", "#8155a6", "#c98a16", "#4a4a4a", "#2aa5b5", "#d3649f"};
+constexpr const char* dashes[curve_dashes] = {"solid", "'-'", "'.'", "'_.'"};
 
 std::string block(const FigureCurve& curve)
 {
@@ -31,6 +23,11 @@ std::string block(const FigureCurve& curve)
 
 }  // namespace
 
+std::string curve_style(std::size_t color, std::size_t dash)
+{
+  return fmt::format("lines lw 2 lc rgb '{}' dt {}", colors[color % curve_colors], dashes[dash % curve_dashes]);
+}
+
 bool draw_figure(const std::filesystem::path& folder, const std::string& name, const Figure& figure)
 {
   const auto has_points = [](const FigureCurve& curve) {
@@ -39,22 +36,20 @@ bool draw_figure(const std::filesystem::path& folder, const std::string& name, c
     return false;
   };
   std::string plot;
-  std::size_t own_styles = 0;
   std::error_code ignored;
   std::filesystem::create_directories(folder / "plots", ignored);  // where it cannot be made, write_whole says why
   for (std::size_t k = 0; k < figure.curves.size(); ++k) {
     const FigureCurve& curve = figure.curves[k];
-    const std::string style = style_of(curve, curve.style.empty() ? own_styles++ : 0);
     if (!has_points(curve)) continue;
     const std::string data = fmt::format("{}_{}.dat", name, k);
     write_whole(folder / "plots" / data, block(curve));
-    plot += fmt::format("{}{} using 1:2 with {} {}", plot.empty() ? "plot " : ", \\\n     ", gnuplot_text(data), style,
+    plot += fmt::format("{}{} using 1:2 with {} {}", plot.empty() ? "plot " : ", \\\n     ", gnuplot_text(data), curve.style,
                         curve.title.empty() ? "notitle" : "title " + gnuplot_text(curve.title));
   }
   if (plot.empty()) return false;
   const std::string script =
       fmt::format("set title {} font 'DejaVu Sans,14'\nset xlabel {}\nset ylabel {}\n"
-                  "set grid lc rgb '#dddddd' lt 1\nset border lc rgb '#444444'\n"
+                  "set autoscale xfix\nset grid lc rgb '#dddddd' lt 1\nset border lc rgb '#444444'\n"
                   "set tics nomirror textcolor rgb '#222222'\n"
                   "set key outside right top samplen 3 spacing 1.2\n{}{}\n",
                   gnuplot_text(figure.title), gnuplot_text(figure.x_label), gnuplot_text(figure.y_label), figure.more, plot);

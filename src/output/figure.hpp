@@ -9,10 +9,14 @@
 
 namespace berm {
 
+/// A line's style by two numbers, below these counts: colours differ for most eyes, also in their lightness.
+constexpr std::size_t curve_colors = 8, curve_dashes = 4;
+std::string curve_style(std::size_t color, std::size_t dash);
+
 /// One line of a figure, broken where a number is NaN.
 struct FigureCurve {
   std::string title;  ///< in the key; "" = not there
-  std::string style;  ///< as gnuplot's `with` takes it: "lines lc rgb 'black'"; "" = the figure's next colour and dashes
+  std::string style;  ///< as gnuplot's `with` takes it: "lines lc rgb 'black'"
   std::vector<Real> x, y;
 };
 

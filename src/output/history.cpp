@@ -17,15 +17,6 @@ namespace {
 
 constexpr const char* stage_column = "stage";
 
-// As RFC 4180 wants it: quoted only where the text holds a comma, a quote or the end of a line.
-std::string csv_field(const std::string& text)
-{
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 std::string csv_number(Real value)
 {
   return std::isnan(value) ? "nan" : fmt::format("{}", value);
@@ -63,6 +54,14 @@ bool read_number(const std::string& field, Real& value)
 }
 
 }  // namespace
+
+std::string csv_field(const std::string& text)
+{
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
 
 HistoryFile::HistoryFile(const std::filesystem::path& path, const std::vector<std::string>& columns) : path_(path), columns_(columns.size())
 {

@@ -42,6 +42,9 @@ struct History {
   const std::vector<Real>& operator[](const std::string& column) const;
 };
 
+/// A text as a field of a .csv file (RFC 4180): quoted only where it holds a comma, a quote or the end of a line.
+std::string csv_field(const std::string& text);
+
 /// Reads a history.csv. A last line without its end is left out. Throws RunError with file and line for anything that is not a history.
 History read_history(const std::filesystem::path& path);
 

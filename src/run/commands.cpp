@@ -8,6 +8,7 @@
 #include "run/bench.hpp"
 #include "run/interrupt.hpp"
 #include "run/simulate.hpp"
+#include "run/study.hpp"
 #include "run/verify.hpp"
 
 #include <CLI/CLI.hpp>
@@ -48,6 +49,27 @@ int run_all(const std::vector<RunRequest>& all)
   return 0;
 }
 
+/// All studies are read before the first one runs. One study goes to `output` itself, several to folders in it that are named like their folders, or
+/// like their files where these are not study.toml.
+int study_all(const std::vector<std::string>& studies, const std::string& output, int at_once)
+{
+  std::vector<std::pair<StudyPlan, fs::path>> plans;
+  for (const std::string& study : studies) {
+    const fs::path file = fs::is_directory(study) ? fs::path(study) / "study.toml" : fs::path(study),
+                   whole = fs::absolute(file).lexically_normal();
+    const fs::path name = file.filename() == "study.toml" ? whole.parent_path().filename() : file.stem();
+    const fs::path folder = output.empty()        ? fs::path("out/study") / name
+                            : studies.size() == 1 ? fs::path(output)
+                                                  : fs::path(output) / name;
+    for (const auto& other : plans)
+      if (other.second == folder) throw InputError(fmt::format("{} and another study would both be written to {}", study, folder.string()));
+    plans.emplace_back(plan_study(file, folder), folder);
+  }
+  for (auto& [plan, folder] : plans)
+    if (!run_study(plan, folder, at_once)) return 1;
+  return 0;
+}
+
 int dispatch(int argc, char** argv)
 {
   CLI::App app("berm pushes a pipe or cable into the seabed, drags it sideways, and says how the soil answers.", "berm");
@@ -62,12 +84,17 @@ int dispatch(int argc, char** argv)
 
   const auto takes_cases = [&](CLI::App* command) {
     command->add_option("CASE", files, "case files (TOML)")->required();
-    command->add_option("--set", overrides, "set a parameter: material.sand.friction_angle=\"40 deg\"; stages by their names; * for every name")
+    command
+        ->add_option("--set", overrides,
+                     "set a parameter: material.sand.friction_angle=\"40 deg\"; stages by their names; * for every name")
         ->take_all()
         ->allow_extra_args(false);
   };
   const auto takes_threads = [&](CLI::App* command) {
     command->add_option("--threads", threads, "threads to use (default: all processors)")->check(CLI::Range(1, 1024));
+  };
+  const auto takes_jobs = [&](CLI::App* command) {
+    command->add_option("--threads", threads, "runs at a time, each on one thread (default: all processors)")->check(CLI::Range(1, 1024));
   };
   CLI::App* run = app.add_subcommand("run", "run cases");
   takes_cases(run);
@@ -91,6 +118,11 @@ int dispatch(int argc, char** argv)
   verify_command->add_option("-o,--output", output, "folder for the book and its runs (default: out/verification)");
   verify_command->add_option("--threads", threads, "runs at a time, each on one thread (default: all processors)")
       ->check(CLI::Range(1, 1024));
+  CLI::App* study_command = app.add_subcommand("study", "run a matrix of cases and make a table and figures of it");
+  study_command->add_option("STUDY", files, "study files, or folders that hold a study.toml")->required();
+  study_command->add_option("-o,--output", output,
+                            "folder for the results; of several studies: the folder that theirs go into (default: out/study)");
+  takes_jobs(study_command);
 
   try {
     app.parse(argc, argv);
@@ -106,12 +138,14 @@ int dispatch(int argc, char** argv)
     run_bench(names, json, use_threads(threads));
     return 0;
   }
-  if (verify_command->parsed()) {
+  if (verify_command->parsed() || study_command->parsed()) {
+    const int at_once = threads > 0 ? threads : processor_count();
     if (list) return list_problems(problems), 0;
     catch_interrupts();
     spdlog::set_default_logger(spdlog::stderr_color_st("berm"));
     spdlog::set_pattern("%l: %v");
-    return verify({problems, output.empty() ? "out/verification" : output, threads > 0 ? threads : processor_count()}) ? 0 : 1;
+    if (study_command->parsed()) return study_all(files, output, at_once);
+    return verify({problems, output.empty() ? "out/verification" : output, at_once}) ? 0 : 1;
   }
   const std::vector<RunRequest> all = requests(files, output, overrides, use_threads(threads));
   if (run->parsed()) return run_all(all);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "falling_stone.hpp"
 #include "program.hpp"
 
 #include <gtest/gtest.h>
@@ -7,18 +8,6 @@ namespace berm {
 namespace {
 
 using Words = std::vector<std::string>;
-
-/// Blocks that fall freely for 0.1 s: v_y = -g t. One example of it is `fall`.
-constexpr const char* fall = R"(gravity = [0, "-10 m/s^2"]
-mesh = {kind = "box", size = [1, 1], cells = [4, 4]}
-material.stone = {law = "linear_elastic", density = 1000, young_modulus = 1e6, poisson_ratio = 0}
-body.stone = {material = "stone", block = {center = [0.5, 0.7], size = [0.2, 0.2], spacing = 0.1}}
-output.history_time = "1 ms"
-[[stage]]
-name = "fall"
-kind = "free"
-until.time = "0.1 s"
-)";
 
 constexpr const char* two_runs = "[run.earth]\nfast = true\ntitle = \"on earth\"\n[run.light]\nset = ['gravity=[0, -5]']\n";
 
@@ -34,7 +23,7 @@ protected:
   void example(const std::string& name, const std::string& expected) const
   {
     std::filesystem::create_directories(folder_ / ("examples/" + name));
-    folder_.write("examples/" + name + "/case.toml", fall);
+    folder_.write("examples/" + name + "/case.toml", test::falling_stone);
     folder_.write("examples/" + name + "/README.md", "# A stone that falls\n\nIt obeys $v = -g t$.\n");
     folder_.write("examples/" + name + "/expected.toml", expected);
   }
