@@ -32,8 +32,8 @@ struct BodyView {
   const std::vector<Index>& nodes;  ///< that may have mass, ascending
 };
 
-/// Finds the nodes where two deformable bodies may be in contact: those at which both have mass. Both share one normal, out of `other`, along the
-/// difference of their volume gradients sum V grad N; the gap is that between the rims of their particles in the node's cells, seen along it.
+/// Finds the nodes where two deformable bodies may be in contact: those at which both have mass. The two share one normal, out of `other`: the
+/// direction along which their particles in the node's cells are farthest apart; the gap is that between the rims of these particles along it.
 /// Detection::overlap takes the gap for 0, Detection::distance leaves out nodes whose gap is open.
 template <int dim>
 void detect(const Mesh<dim>& mesh, const BodyView<dim>& body, const BodyView<dim>& other, Detection detection, ContactPoints<dim>& found);

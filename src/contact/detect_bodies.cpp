@@ -2,23 +2,10 @@
 #include "contact/detect.hpp"
 #include "core/for_each.hpp"
 
+#include <Eigen/Geometry>
+
 namespace berm {
 namespace {
-
-/// sum V grad N of a node over the cells of one body: along the body's outward normal there, and vanishing inside. m2 (per metre run: m)
-template <int dim>
-Vec<dim> volume_gradient(const Mesh<dim>& mesh, const Particles<dim>& particles, Index node)
-{
-  Vec<dim> gradient = Vec<dim>::Zero();
-  for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
-    const Index cell = mesh.entries[e] / (dim + 1), corner = mesh.entries[e] % (dim + 1);
-    Lanes volume{};
-    Index left = particles.count_in(cell);
-    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) volume += particles.block(b).volume;
-    gradient += sum(volume) * mesh.shape[cell].gradient(corner);
-  }
-  return gradient;
-}
 
 /// How far the particles in a node's cells reach along a direction: their centres, or (with their half widths) their rims. m
 template <int dim>
@@ -51,32 +38,50 @@ struct Meeting {
 
   Real gap(const Vec<dim>& n, bool rims) const { return -reach<dim>(mesh, body, node, -n, rims) - reach(mesh, other, node, n, rims); }
 
-  /// The direction along which the centres of the two bodies' particles are farthest apart, sought within 45 degrees of `start` by golden sections
-  /// (in space: of two angles in turn). For two convex clouds the gap has one maximum, and their nearest points lie along it.
-  Vec<dim> widest(Vec<dim> n) const
+  /// The direction along which the centres of the two bodies' particles are farthest apart: for two convex clouds that of their nearest points. All
+  /// directions are tried coarsely, then the best one is turned by golden sections (in space: about two axes in turn).
+  Vec<dim> widest() const
+  {
+    Vec<dim> best = Vec<dim>::Zero();
+    Real most = -infinity;
+    const auto attempt = [&](Vec<dim> n) {
+      n.normalize();
+      if (const Real wide = gap(n, false); wide > most) most = wide, best = n;
+    };
+    if constexpr (dim == 2) {
+      for (int k = 0; k < 16; ++k) attempt(Vec<2>(std::cos(k * pi / 8), std::sin(k * pi / 8)));
+    } else {
+      for (int k = 0; k < 27; ++k)
+        if (k != 13) attempt(Vec<3>(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));
+    }
+    const Real reach = dim == 2 ? pi / 8 : pi / 4;
+    for (int turn = 0; turn < (dim == 2 ? 1 : 4); ++turn) best = turned_to_the_widest(best, turn, reach);
+    return best;
+  }
+
+  Vec<dim> turned_to_the_widest(const Vec<dim>& n, int turn, Real most_angle) const
   {
     constexpr Real golden = 0.6180339887498949, narrow = 1e-3;
-    for (int turn = 0; turn < (dim == 2 ? 1 : 4); ++turn) {
-      Vec<dim> side = Vec<dim>::Unit(turn % dim);
-      if constexpr (dim == 2) side = Vec<2>(-n[1], n[0]);
-      side -= side.dot(n) * n;
-      if (side.norm() < 0.1) continue;
-      side.normalize();
-      const auto turned = [&](Real angle) { return Vec<dim>(std::cos(angle) * n + std::sin(angle) * side); };
-      Real from = -pi / 4, to = pi / 4;
-      Real a = to - golden * (to - from), b = from + golden * (to - from), at_a = gap(turned(a), false), at_b = gap(turned(b), false);
-      while (to - from > narrow) {
-        if (at_a > at_b) {
-          to = b, b = a, at_b = at_a;
-          a = to - golden * (to - from), at_a = gap(turned(a), false);
-        } else {
-          from = a, a = b, at_a = at_b;
-          b = from + golden * (to - from), at_b = gap(turned(b), false);
-        }
-      }
-      n = turned(0.5 * (from + to)).normalized();
+    Vec<dim> side;
+    if constexpr (dim == 2) {
+      side = Vec<2>(-n[1], n[0]);
+    } else {
+      const Vec<3> across = n.unitOrthogonal();
+      side = turn % 2 == 0 ? across : Vec<3>(n.cross(across));
     }
-    return n;
+    const auto turned = [&](Real angle) { return Vec<dim>(std::cos(angle) * n + std::sin(angle) * side); };
+    Real from = -most_angle, to = most_angle;
+    Real a = to - golden * (to - from), b = from + golden * (to - from), at_a = gap(turned(a), false), at_b = gap(turned(b), false);
+    while (to - from > narrow) {
+      if (at_a > at_b) {
+        to = b, b = a, at_b = at_a;
+        a = to - golden * (to - from), at_a = gap(turned(a), false);
+      } else {
+        from = a, a = b, at_a = at_b;
+        b = from + golden * (to - from), at_b = gap(turned(b), false);
+      }
+    }
+    return turned(0.5 * (from + to)).normalized();
   }
 };
 
@@ -95,24 +100,18 @@ void detect(const Mesh<dim>& mesh, const BodyView<dim>& body, const BodyView<dim
     point.nodes[0] = node;
     point.weights[0] = 1;
     point.place = mesh.position[node];
-    const Vec<dim> out_of_body = volume_gradient(mesh, body.particles, node), out_of_other = volume_gradient(mesh, other.particles, node);
-    // The body whose surface fills more of the cells tells its direction best.
-    const Vec<dim> start = out_of_body.squaredNorm() > out_of_other.squaredNorm() ? Vec<dim>(-out_of_body) : out_of_other;
     const Meeting<dim> meeting{mesh, body.particles, other.particles, node};
-    if (start.norm() > 0) {
-      point.normal = meeting.widest(start.normalized());
-      point.gap = meeting.gap(point.normal, true);
-      point.distance = meeting.gap(point.normal, false);
-      const Real width = point.distance - point.gap;  // half a particle of each
-      point.touching = point.gap < 0.5 * width;
-    }
+    point.normal = meeting.widest();
+    point.gap = meeting.gap(point.normal, true);
+    point.distance = meeting.gap(point.normal, false);
+    const Real width = point.distance - point.gap;  // half a particle of each
+    point.touching = point.gap < 0.5 * width;
     if (detection == Detection::overlap) point.gap = 0, point.touching = true;
     found.shared[k] = point;
   });
-  // Where a node has no direction to press in, both bodies fill its cells alike: they are mixed there already.
   found.list.clear();
   for (const ContactPoint<dim>& point : found.shared)
-    if (!point.normal.isZero() && (detection != Detection::distance || point.gap <= 0)) found.list.push_back(point);
+    if (detection != Detection::distance || point.gap <= 0) found.list.push_back(point);
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \

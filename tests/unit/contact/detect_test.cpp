@@ -228,6 +228,56 @@ TYPED_TEST(Detect, overlap_lists_the_nodes_with_mass_of_all_cells_that_the_body_
   }
 }
 
+TYPED_TEST(Detect, distance_lists_the_nodes_of_gap_whose_gap_is_closed)
+{
+  constexpr int dim = TypeParam::value;
+  const Bed<dim> bed;
+  int closed = 0;
+  for (const auto& rigid : rigids<dim>()) {
+    const Vec<dim> displacement = at<dim>(0.01, -0.1);
+    const auto all = by_node(bed.found(rigid, displacement, Detection::gap));
+    const auto found = by_node(bed.found(rigid, displacement, Detection::distance));
+    for (const auto& [node, point] : all) EXPECT_EQ(found.contains(node), point.gap <= 0) << rigid.name;
+    for (const auto& [node, point] : found) {
+      ASSERT_TRUE(all.contains(node));
+      EXPECT_EQ(point.gap, all.at(node).gap);
+    }
+    closed += static_cast<int>(found.size());
+  }
+  EXPECT_GT(closed, 5);
+}
+
+TYPED_TEST(Detect, particle_lists_each_particle_whose_gap_is_less_than_its_width)
+{
+  constexpr int dim = TypeParam::value;
+  const Bed<dim> bed;
+  for (const auto& rigid : rigids<dim>()) {
+    const Vec<dim> displacement = at<dim>(0.01, -0.05);
+    const auto found = bed.found(rigid, displacement, Detection::particle);
+    RigidState<dim> state;
+    state.displacement = displacement;
+    const auto shape = placed<dim>(rigid, state);
+    std::size_t expected = 0;
+    bed.particles.visit([&](Index, Index b, int l) {
+      const Particle<dim> p = bed.particles.read(b, l);
+      const Real width = std::pow(p.volume, 1. / dim);
+      expected += surface_at<dim>(shape, p.x).distance - width / 2 < width;
+    });
+    EXPECT_EQ(found.list.size(), expected) << rigid.name;
+    EXPECT_GT(expected, 5u) << rigid.name;
+    for (const auto& point : found.list) {
+      // The shape functions at a particle give back its place: `distance` out of the surface along the normal.
+      ASSERT_EQ(point.node_count, dim + 1);
+      Vec<dim> x = Vec<dim>::Zero();
+      Real total = 0;
+      for (int n = 0; n <= dim; ++n) x += point.weights[n] * bed.mesh.position[point.nodes[n]], total += point.weights[n];
+      EXPECT_NEAR(total, 1, 1e-13);
+      EXPECT_NEAR((x - point.place - point.distance * point.normal).norm(), 0, 1e-13);
+      EXPECT_NEAR(surface_at<dim>(shape, point.place).distance, 0, 1e-13);
+    }
+  }
+}
+
 TEST(DetectBox, nodes_beside_a_corner_take_the_normal_of_the_side_that_the_soil_touches)
 {
   // The box stands 0.3 m deep in the bed. A node inside it, nearer to its wall than to its base, still gets the base's normal where its nearest
