@@ -145,7 +145,8 @@ TEST(DetectTurnedBodies, share_the_normal_of_an_interface_that_lies_at_any_angle
 
 TEST(DetectBodies2, far_apart_share_no_node)
 {
-  EXPECT_TRUE(stacked<2>(0.3).found(Detection::gap).list.empty());
+  const TwoBlocks<2> blocks(block({0.1, 0.6}, {0.4, 0.4}, 2), block({1.4, 0.6}, {0.4, 0.4}, 2));
+  EXPECT_TRUE(blocks.found(Detection::gap).list.empty());
 }
 
 }  // namespace
