@@ -12,6 +12,7 @@ BodyGrid<dim>::BodyGrid(const Mesh<dim>& mesh)
       corner_force(mesh.entries.size(), Vec<dim>::Zero()),
       corner_momentum(mesh.entries.size(), Vec<dim>::Zero()),
       volume_change(mesh.cell_count(), 0),
+      viscous_stress(mesh.cell_count(), 0),
       mass(mesh.node_count(), 0),
       velocity(mesh.node_count(), Vec<dim>::Zero()),
       acceleration(mesh.node_count(), Vec<dim>::Zero()),
@@ -41,9 +42,11 @@ Work<dim>::Work(const Model<dim>& model, const State<dim>& state) : contact_poin
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     grids.emplace_back(model.mesh);
     find_nodes(model.mesh, state.particles[b], grids[b]);
+    const Material& material = model.bodies[b].material;
+    if (dilates(material)) grids[b].bulk_viscosity = model.mpm.bulk_viscosity * std::sqrt(p_wave_modulus(material) * density(material));
     const auto prepared = [](const auto& law) { return PreparedMaterial(prepare(law)); };
-    laws.push_back(std::visit(prepared, model.bodies[b].material));
-    spent_laws.push_back(std::visit(prepared, without_dilation(model.bodies[b].material)));
+    laws.push_back(std::visit(prepared, material));
+    spent_laws.push_back(std::visit(prepared, without_dilation(material)));
     most = std::max<std::size_t>(most, state.particles[b].size());
   }
   // A sixteenth of all particles at once is far more than ever change cell in one step of a stable run.

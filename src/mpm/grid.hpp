@@ -46,6 +46,8 @@ struct BodyGrid {
   std::vector<Vec<dim>> corner_force;        ///< internal force, N
   std::vector<Vec<dim>> corner_momentum;     ///< after step 5, kg m/s
   CellField<Real> volume_change;             ///< sum V times div(v) dt of the cell
+  CellField<Real> viscous_stress;            ///< Pa, tension positive; 0 where the body does not dilate
+  Real bulk_viscosity = 0;                   ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
 
   NodeField<Real> mass;
   NodeField<Vec<dim>> velocity;            ///< v^t

@@ -212,7 +212,8 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
     }
     if (pass != Pass::move && model.mpm.mixed_stress) average_stress(mesh, particles, cell);
 
-    return sum(work_done);
+    if (pass == Pass::move) return Real(0);
+    return sum(work_done) + grid.moments[cell].volume * grid.viscous_stress[cell] * cell_strain.dilation;
   });
 }
 
@@ -280,6 +281,7 @@ void change_cells(const Model<dim>& model, State<dim>& state, Work<dim>& work, I
     if (particles.count_in(mover.from) == 0) {
       grid.moments[mover.from] = {};
       grid.volume_change[mover.from] = 0;
+      grid.viscous_stress[mover.from] = 0;
       for (int k = 0; k <= dim; ++k) {
         const Index entry = (dim + 1) * mover.from + k;
         grid.corner_sums[entry] = {};

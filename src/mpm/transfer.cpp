@@ -124,6 +124,34 @@ void gather_mass_and_momentum(const Mesh<dim>& mesh, Real density, BodyGrid<dim>
   });
 }
 
+namespace {
+
+/// The viscous mean stress of a cell, eta h div(v) with the means of h and div(v) over the cells of its patch, `none` after the last. Pa.
+template <int dim>
+Real viscous_stress(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, const Patch& patch)
+{
+  Real volume = 0, height = 0, divergence = 0;
+  for (Index cell : patch) {
+    if (cell == none) break;
+    const Real of_cell = grid.moments[cell].volume;
+    volume += of_cell;
+    height += of_cell * mesh.height[cell];
+    for (int k = 0; k <= dim; ++k) divergence += of_cell * mesh.shape[cell].gradient(k).dot(grid.velocity[mesh.nodes[cell][k]]);
+  }
+  return grid.bulk_viscosity * (height / volume) * (divergence / volume);
+}
+
+/// A patch of one cell.
+Patch alone(Index cell)
+{
+  Patch patch;
+  patch.fill(none);
+  patch[0] = cell;
+  return patch;
+}
+
+}  // namespace
+
 template <int dim>
 void spread_internal_forces(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid)
 {
@@ -143,6 +171,10 @@ void spread_internal_forces(const Model<dim>& model, const Particles<dim>& parti
         volume_pressure += sums.volume_pressure;
       }
       change = volume_pressure / volume * t.volume - grid.corner_sums[(dim + 1) * cell].volume_pressure;
+    }
+    if (grid.bulk_viscosity > 0) {
+      grid.viscous_stress[cell] = viscous_stress(mesh, grid, project ? model.patches[cell] : alone(cell));
+      change += t.volume * grid.viscous_stress[cell];
     }
     Matrix<dim> stress;
     for (int a = 0; a < dim; ++a)

@@ -16,6 +16,7 @@ void gather_mass_and_momentum(const Mesh<dim>& mesh, Real density, BodyGrid<dim>
 
 /// Step 1, equation 2: the internal force of each cell on its corners, -sum V sigma grad N. With the volumetric projection the cell's mean stress is
 /// first replaced by the volume average over its patch: the same average that the strain gets, so that strain and force stay conjugate.
+/// A body that dilates has a viscous mean stress besides.
 template <int dim>
 void spread_internal_forces(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid);
 

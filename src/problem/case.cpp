@@ -169,6 +169,10 @@ void describe(Describe& d, MpmSettings& mpm)
           {.meaning = "smallest volume of a particle, over its first", .range = {0, 1, true}});
   d.value("most_volume_ratio", mpm.most_volume_ratio,
           {.meaning = "largest volume of a particle, over its first; a particle that has it dilates no more", .range = {1, 10}});
+  d.value("bulk_viscosity", mpm.bulk_viscosity,
+          {.meaning = "in bodies that dilate: viscous mean stress over density x wave speed x height of a cell x rate of volume change; "
+                      "calms the waves that such soil throws grains with",
+           .range = {0, 1}});
 }
 
 void describe(Describe& d, WatchSettings& watch)

@@ -18,6 +18,7 @@ struct MpmSettings {
   bool mixed_stress = false;          ///< average the stress over the particles of full cells (MPM-MIXED)
   Real least_volume_ratio = 0.8;      ///< bounds of a particle's volume over its first
   Real most_volume_ratio = 1.2;
+  Real bulk_viscosity = 0.06;  ///< of bodies that dilate: viscous mean stress over density, wave speed, height and rate of volume change
 };
 
 /// A particle whose motion is written to the history: the one nearest to `point` at the start.
