@@ -19,6 +19,26 @@ bool contains(const std::vector<std::string>& list, const std::string& name)
   return std::find(list.begin(), list.end(), name) != list.end();
 }
 
+constexpr Real noise_of_V_from = 0.02, noise_of_H_from = 0.1;  // of D: the forces grow from zero before
+constexpr Real widest_spacing = 0.005;                         // of D: rows farther apart tell no noise
+
+/// The standard deviation of a force about its moving mean, over its mean, from a travel on; NaN where there are too few rows for it.
+Real noise_of(const std::vector<Real>& travel, const std::vector<Real>& force, Real from, Real D)
+{
+  const TravelCurve curve(travel, force);
+  Real squares = 0, sum = 0;
+  int count = 0;
+  for (std::size_t k = 0; k < travel.size(); ++k) {
+    const Real off = travel[k] >= from ? force[k] - curve.at(travel[k], averaging_half_width * D) : std::numeric_limits<Real>::quiet_NaN();
+    if (std::isnan(off)) continue;
+    squares += off * off;
+    sum += force[k];
+    ++count;
+  }
+  if (count < 2 || curve.end() - from > (count - 1) * widest_spacing * D) return std::numeric_limits<Real>::quiet_NaN();
+  return std::sqrt(squares / count) / std::abs(sum / count);
+}
+
 /// Collects quantities, each with its dimensionless twin.
 class Collector {
 public:
@@ -36,6 +56,10 @@ public:
     list_.push_back({name + "_over_D", value / scale_.diameter, "1"});
   }
   void ratio(const std::string& name, Real value) { list_.push_back({name, value, "1"}); }
+  void ratio_if_known(const std::string& name, Real value)
+  {
+    if (!std::isnan(value)) ratio(name, value);
+  }
   std::vector<Quantity> list() && { return std::move(list_); }
 
 private:
@@ -52,6 +76,7 @@ void add_push(Collector& collector, const PipePath& path, Real D)
     collector.force(fmt::format("V_at_w_{:g}D", k * push_spacing), V.at(std::min(k * push_spacing * D, V.end()), half));
   collector.force("V_end_of_push", V.at(V.end(), half));
   collector.length("w_end_of_push", V.end());
+  collector.ratio_if_known("V_noise", noise_of(path.w, path.V, noise_of_V_from * D, D));
 }
 
 void add_drag(Collector& collector, const PipePath& path, std::optional<Real> held, Real D)
@@ -66,6 +91,7 @@ void add_drag(Collector& collector, const PipePath& path, std::optional<Real> he
     collector.length(fmt::format("w_at_u_{:g}D", point), w.at(u, half));
     collector.ratio(fmt::format("H_over_V_at_u_{:g}D", point), H.at(u, half) / V.at(u, half));
   }
+  collector.ratio_if_known("H_noise", noise_of(path.drag_u, path.drag_H, noise_of_H_from * D, D));
   Real H_max = -infinity, u_max = 0;
   for (const Real u : H.travel()) {
     const bool whole_window =
@@ -96,6 +122,19 @@ void add_contact(Collector& collector, const History& history, const PipeStages&
   }
   if (overlaps > 0) collector.length("overlap_max", most);
   if (gaps > 0) collector.length("gap_mean", sum / gaps);
+}
+
+void add_second_impulse(Collector& collector, const History& history, const PipeStages& stages)
+{
+  constexpr const char* column = "second_impulse_N_m";
+  if (!history.has(column)) return;
+  Real second = 0, V = 0;
+  for (Index k = 0; k < history.rows(); ++k) {
+    if (!contains(stages.push, history.stage[k]) || !std::isfinite(history[column][k]) || !std::isfinite(history["V_N_m"][k])) continue;
+    second += history[column][k];
+    V += history["V_N_m"][k];
+  }
+  if (V != 0) collector.ratio("second_impulse_over_V", second / std::abs(V));
 }
 
 /// Four digits that count, without an exponent in the range of engineering numbers.
@@ -135,6 +174,7 @@ std::vector<Quantity> pipe_quantities(const History& history, const PipeScale& s
   Collector collector(scale);
   add_push(collector, path, scale.diameter);
   add_drag(collector, path, stages.held_force, scale.diameter);
+  add_second_impulse(collector, history, stages);
   add_contact(collector, history, stages);
   return std::move(collector).list();
 }

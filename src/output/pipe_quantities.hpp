@@ -38,7 +38,10 @@ constexpr Real averaging_half_width = 0.01;
 ///   H, w and H_over_V _at_u_{0.1,0.2,0.3,0.4,0.5,0.75,1.0}D, with u from the begin of the drag;
 ///   H_max and u_at_H_max (not within 0.01 D of the ends of the drag);
 ///   V_rms_error_in_drag, the root mean square of (V - held)/held over the rows of the drag;
-///   overlap_max and gap_mean (over push and drag), where the history has them.
+///   V_noise and H_noise, the standard deviation of the force about its moving mean (as below) over the mean of the force: of V in the push from
+///   w = 0.02 D on, of H in the drag from u = 0.1 D on; not where rows are farther than 0.005 D apart, too few to tell a mean from noise;
+///   second_impulse_over_V, the mean of second_impulse_N_m in the push over that of V, and overlap_max and gap_mean (over push and drag), where the
+///   history has them.
 /// Forces (N/m) come once more over gamma' D^2 (suffix _over_gammaD2), lengths (m) over D (_over_D). Forces and w are taken from the straight
 /// line fitted over +-0.01 D of travel (TravelCurve::at).
 std::vector<Quantity> pipe_quantities(const History& history, const PipeScale& scale, const PipeStages& stages);

@@ -20,6 +20,7 @@ std::string Summary::json() const
        {"particles", timing.particles},
        {"cells", timing.cells},
        {"steps", timing.steps},
+       {"seconds_per_step", timing.wall_s / static_cast<Real>(timing.steps)},
        {"loops", Json::array()}};
   for (const Timing& loop : timing.loops) t["loops"].push_back({{"label", loop.label}, {"seconds", loop.seconds}, {"calls", loop.calls}});
   root["checks"] = Json::object();

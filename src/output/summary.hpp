@@ -35,7 +35,7 @@ public:
   std::vector<std::pair<std::string, Check>> checks;      ///< e.g. energy balance, reached the end
   std::vector<std::pair<std::string, std::string>> text;  ///< e.g. title, version
 
-  /// {"quantities": {NAME: {"value", "unit"}}, "timing": {...}, "checks": {NAME: number or bool}, "text": {NAME: words}}, in the order in which
+  /// {"quantities": {NAME: {"value", "unit"}}, "timing": {...; seconds_per_step is the wall time over the steps}, "checks": {NAME: number or bool}, "text": {NAME: words}}, in the order in which
   /// they were added. A number that is not finite becomes null.
   std::string json() const;
   /// Writes it whole. Throws RunError.

@@ -78,7 +78,7 @@ std::string words_of(const Reading& reading)
 std::string unit_of(const std::string& name)
 {
   const auto starts = [&](const char* text) { return name.starts_with(text); };
-  if (name.find("_over_") != std::string::npos || starts("V_rms_error")) return "";
+  if (name.find("_over_") != std::string::npos || starts("V_rms_error") || name.ends_with("_noise")) return "";
   if (name.ends_with("_per_s")) return "1/s";
   if (name.ends_with("_m_s")) return "m/s";
   if (name.ends_with("_rad_s")) return "rad/s";
@@ -88,7 +88,7 @@ std::string unit_of(const std::string& name)
   if (name.ends_with("_J_m")) return "J/m";
   if (name.ends_with("_N_m") || starts("V_") || starts("H_") || starts("second_impulse")) return "N/m";
   if (name.ends_with("_m") || starts("w_") || starts("u_") || starts("overlap") || starts("gap")) return "m";
-  if (name.ends_with("_s")) return "s";
+  if (name.ends_with("_s") || name == "seconds_per_step") return "s";
   return "";
 }
 

@@ -84,6 +84,40 @@ TEST(PipeQuantities, noise_from_row_to_row_is_averaged_away_and_its_size_is_told
   EXPECT_NEAR(value(list, "V_rms_error_in_drag"), 100 / (pipe.stiffness * 0.25 * pipe.D), 1e-4);
 }
 
+TEST(PipeQuantities, noise_is_the_deviation_from_the_moving_mean_over_the_mean)
+{
+  const SamplePipe quiet;
+  const auto without = quantities_of(quiet);
+  EXPECT_NEAR(value(without, "V_noise"), 0, 1e-12);
+  EXPECT_NEAR(value(without, "H_noise"), 0, 1e-3);  // the curve itself bends
+  SamplePipe pipe;
+  pipe.ripple = 100;
+  const auto list = quantities_of(pipe);
+  // Rows of +100 and -100 N/m have a moving mean of zero; the means of V and H are those from 0.02 D of push and 0.1 D of drag on.
+  Real H = 0;
+  for (int k = 50; k <= 250; ++k) H += pipe.H(k * 0.002 * pipe.D) / 201;
+  EXPECT_NEAR(value(list, "V_noise"), 100 / (pipe.stiffness * 0.135 * pipe.D), 0.001);
+  EXPECT_NEAR(value(list, "H_noise"), 100 / H, 0.001);
+  EXPECT_EQ(find(list, "V_noise")->unit, "1");
+}
+
+TEST(PipeQuantities, noise_is_not_told_of_rows_too_far_apart)
+{
+  const TemporaryFolder folder;
+  {
+    HistoryFile file(folder.path / "h", {"u_m", "w_m", "H_N_m", "V_N_m"});
+    for (int k = 0; k <= 20; ++k) file.add(k, "push", {0, k * 0.01 * scale.diameter, 0, k % 2 == 0 ? 900. : 1100.});
+  }
+  EXPECT_EQ(find(pipe_quantities(read_history(folder.path / "h"), scale, stages), "V_noise"), nullptr);
+}
+
+TEST(PipeQuantities, the_second_impulse_is_told_over_V_of_the_push)
+{
+  SamplePipe pipe;
+  pipe.second = 0.25;
+  EXPECT_NEAR(value(quantities_of(pipe), "second_impulse_over_V"), 0.25, 1e-12);
+}
+
 TEST(PipeQuantities, the_error_in_V_counts_from_the_held_force_where_it_is_given)
 {
   PipeStages held = stages;

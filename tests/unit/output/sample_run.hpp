@@ -78,30 +78,30 @@ Problem<dim> sample_problem()
 }
 
 /// The history of a pipe with D = 0.02 m that is pushed to 0.25 D with V = stiffness w and then dragged to `drag` with H = H_end tanh(u/a)
-/// and w growing with u, V held; a known ripple lies on the forces. Rows every 0.002 D.
+/// and w growing with u, V held; a known ripple lies on the forces, and the second impulse is a known part of V. Rows every 0.002 D.
 struct SamplePipe {
-  Real D = 0.02, stiffness = 4e5, H_end = 800, a = 0.004, drag = 0.5 * 0.02, ripple = 0;
+  Real D = 0.02, stiffness = 4e5, H_end = 800, a = 0.004, drag = 0.5 * 0.02, ripple = 0, second = 0;
 
   Real H(Real u) const { return H_end * std::tanh(u / a); }
   Real w(Real u) const { return 0.25 * D + 0.2 * u; }
 
   void write(const std::filesystem::path& path) const
   {
-    HistoryFile file(path, {"u_m", "w_m", "H_N_m", "V_N_m", "gap_m", "overlap_m"});
+    HistoryFile file(path, {"u_m", "w_m", "H_N_m", "V_N_m", "gap_m", "overlap_m", "second_impulse_N_m"});
     const Real spacing = 0.002 * D;
     Real time = 0;
     Index row = 0;
     const auto noise = [&] { return ripple * (row++ % 2 == 0 ? 1 : -1); };
-    file.add(time, "settle", {0, -0.01 * D, 0, 0, 1e9, 0});
+    file.add(time, "settle", {0, -0.01 * D, 0, 0, 1e9, 0, 1e9});
     for (int k = -5; k <= 125; ++k, time += 0.01) {
       const Real w = k * spacing;
-      file.add(time, "push", {0, w, 0, std::max<Real>(0, stiffness * w) + noise(), 1e-4, 2e-5});
+      file.add(time, "push", {0, w, 0, std::max<Real>(0, stiffness * w) + noise(), 1e-4, 2e-5, second * std::max<Real>(0, stiffness * w)});
     }
     const Real held = stiffness * 0.25 * D;
     for (int k = 1; k * spacing <= drag * (1 + 1e-9); ++k, time += 0.01) {
       const Real u = k * spacing;
       const Real now = noise();
-      file.add(time, "drag", {u, w(u), H(u) + now, held + now, 3e-4, 1e-5});
+      file.add(time, "drag", {u, w(u), H(u) + now, held + now, 3e-4, 1e-5, 1e3});
     }
   }
 };

@@ -36,6 +36,7 @@ TEST(Summary, has_the_form_that_readers_rely_on)
   EXPECT_EQ(json["timing"]["wall_s"].get<double>(), 12.5);
   EXPECT_EQ(json["timing"]["threads"].get<int>(), 2);
   EXPECT_EQ(json["timing"]["steps"].get<std::int64_t>(), 5'000'000'000);
+  EXPECT_DOUBLE_EQ(json["timing"]["seconds_per_step"].get<double>(), 2.5e-9);
   EXPECT_EQ(json["timing"]["loops"][0]["label"], "move");
   EXPECT_EQ(json["checks"]["reached_the_end"], true);
   EXPECT_EQ(json["checks"]["energy_balance"].get<double>(), 0.01);
