@@ -86,6 +86,7 @@ std::string unit_of(const std::string& name)
   if (name.ends_with("_Pa")) return "Pa";
   if (name.ends_with("_N_s")) return "N s";
   if (name.ends_with("_J_m")) return "J/m";
+  if (name.ends_with("_Nm_m")) return "N";
   if (name.ends_with("_N_m") || starts("V_") || starts("H_") || starts("second_impulse")) return "N/m";
   if (name.ends_with("_m") || starts("w_") || starts("u_") || starts("overlap") || starts("gap")) return "m";
   if (name.ends_with("_s") || name == "seconds_per_step") return "s";
@@ -97,7 +98,7 @@ std::string unit_of(const Reading& reading)
   if (reading.column.empty()) return unit_of(reading.quantity);
   const std::string unit = unit_of(reading.column);
   if (reading.measure == Measure::period) return "s";
-  if (reading.measure == Measure::acceleration) return "m/s^2";
+  if (reading.measure == Measure::acceleration) return unit == "rad" ? "rad/s^2" : "m/s^2";
   if (reading.measure == Measure::slope) return fmt::format("{}/s", unit.empty() ? "1" : unit);
   return unit;
 }

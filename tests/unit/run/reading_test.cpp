@@ -79,6 +79,8 @@ TEST(Reading, takes_the_unit_from_the_name)
                                                                                    {"disk_angle_rad", "rad"}})
     EXPECT_EQ(unit_of(name), unit) << name;
   EXPECT_EQ(unit_of(of_column("block_ux_m", Measure::acceleration)), "m/s^2");
+  EXPECT_EQ(unit_of(of_column("angle_rad", Measure::acceleration)), "rad/s^2");
+  EXPECT_EQ(unit_of("pipe_M_Nm_m"), "N");
   EXPECT_EQ(unit_of(of_column("bar_vx_m_s", Measure::period)), "s");
   EXPECT_EQ(unit_of(of_column("V_N_m", Measure::slope)), "N/m/s");
 }
