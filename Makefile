@@ -22,8 +22,8 @@ only_news := sed -u -e '/no work to do/d' -e '/Re-checking globbed/d' -e '/Enter
 build: configure ## build the program, build/release/berm (some minutes the first time)
 	@ninja -C $(release) berm | $(only_news)
 
-# A case file's name is its run folder's name; expected.toml holds the numbers to expect and is no case.
-probe_cases = $(filter-out %/expected.toml,$(wildcard examples/probe_test/*.toml))
+# A case file's name is its run folder's name; expected.toml and study.toml are no cases.
+probe_cases = $(filter-out %/expected.toml %/study.toml,$(wildcard examples/probe_test/*.toml))
 probe: build ## run every case of examples/probe_test; results go to out/probe_test
 	@test -n '$(probe_cases)' || { echo 'make probe: examples/probe_test holds no case' >&2; exit 1; }
 	@$(release)/berm run $(probe_cases) -o out/probe_test

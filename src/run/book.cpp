@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
 namespace berm {
 namespace {
@@ -34,7 +35,7 @@ code, pre { font: .9em/1.45 'DejaVu Sans Mono', monospace; } pre { background: #
 pre, .tex { border-radius: 4px; } .tex { background: #f5f7f9; padding: 1px 5px; }
 math[display=block] { margin: 1em 0; font-size: 1.1em; }
 img { max-width: 100%; height: auto; display: block; margin: .6em 0; }
-.pictures { display: flex; flex-wrap: wrap; align-items: flex-start; gap: 12px; } .pictures img { max-width: 560px; flex: 1 1 420px; border: 1px solid var(--line); }
+.pictures { display: flex; flex-wrap: wrap; align-items: flex-start; gap: 12px; } .pictures img { width: 49%; min-width: 320px; border: 1px solid var(--line); }
 .verdict { padding: 1px 9px; border-radius: 9px; font-size: .9em; white-space: nowrap; color: #fff; }
 .met { background: #23813f; } .missed, .failed { background: #bf3425; } .not_run { background: #77818c; }
 )";
@@ -91,10 +92,22 @@ std::string time_of(const ProblemResult& result)
   return result.end.kind == JobEnd::Kind::finished ? words_of_duration(wall_time_of(result.folder)) : "";
 }
 
-/// The section of the example's page that an expectation belongs to.
-std::string section_of(const Expectation& e)
+constexpr const char* convergence = "convergence";  // the section of the orders, which belong to no one run
+
+/// The text of the example's README.
+std::string readme_of(const Example& example)
 {
-  return e.runs.empty() ? e.run : "convergence";
+  std::ifstream file(example.folder / "README.md", std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Its name and the first heading of its README.
+std::string title_of(const Example& example)
+{
+  std::istringstream lines(readme_of(example));
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("# ")) return example.name + ": " + line.substr(2);
+  return example.name;
 }
 
 const ProblemResult* result_of(const Chapter& chapter, const std::string& run)
@@ -129,13 +142,15 @@ std::string index_page(const std::vector<Chapter>& chapters)
   html += "<table>\n" + row({"problem", "what", "exact", "berm", "error", "tolerance", "", "time"}, 2, 5, "th");
   for (const Chapter& chapter : chapters) {
     const std::string& name = chapter.example.name;
-    html += fmt::format("<tr class=\"chapter\"><td colspan=\"8\">{}</td></tr>\n", link_to(address_of(name + ".html"), name));
+    html += fmt::format("<tr class=\"chapter\"><td colspan=\"8\">{}</td></tr>\n",
+                        link_to(address_of(name + ".html"), title_of(chapter.example)));
     for (std::size_t k = 0; k < chapter.findings.size(); ++k) {
       const Expectation& e = chapter.example.expectations[k];
       const Finding& f = chapter.findings[k];
       const ProblemResult* result = result_of(chapter, e.run);
       const std::string problem = f.problem.substr(name.size() + 1);
-      std::vector<std::string> cells = {link_to(address_of(name + ".html") + "#" + section_of(e), problem), html_text(f.what)};
+      std::vector<std::string> cells = {link_to(address_of(name + ".html") + "#" + (e.runs.empty() ? e.run : convergence), problem),
+                                        html_text(f.what)};
       for (const std::string& cell : numbers_of(f)) cells.push_back(cell);
       cells.push_back(result == nullptr ? "" : time_of(*result));
       html += row(cells, 2, 5, "td");
@@ -148,9 +163,7 @@ std::string index_page(const std::vector<Chapter>& chapters)
 std::string readme(const Chapter& chapter, const fs::path& output)
 {
   const fs::path& folder = chapter.example.folder;
-  std::ifstream file(folder / "README.md", std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  return html_of_markdown(text, [&](const std::string& address) {
+  return html_of_markdown(readme_of(chapter.example), [&](const std::string& address) {
     const fs::path target = folder / address.substr(0, address.find('#'));
     std::error_code error;
     if (address.starts_with("#") || address.find(':') != std::string::npos || !fs::exists(target, error)) return address;
@@ -164,19 +177,19 @@ std::string readme(const Chapter& chapter, const fs::path& output)
   });
 }
 
-/// Table and figures of the expectations of one section.
-std::string findings_html(const Chapter& chapter, const std::string& section, const fs::path& output)
+/// Table and figures of what is expected of one run, or of the orders of convergence ("").
+std::string findings_html(const Chapter& chapter, const std::string& run, const fs::path& output)
 {
   std::string rows, figures;
   for (std::size_t k = 0; k < chapter.findings.size(); ++k) {
     const Expectation& e = chapter.example.expectations[k];
     const Finding& f = chapter.findings[k];
-    if (section_of(e) != section) continue;
+    if (e.run != run) continue;
     std::vector<std::string> cells = {html_text(f.what)};
     for (const std::string& cell : numbers_of(f)) cells.push_back(cell);
     cells.push_back(html_text(e.source) + fmt::format("<br><span class=\"quiet\">{}</span>", html_text(e.why)));
     rows += row(cells, 1, 4, "td");
-    const std::string name = fmt::format("{}_{}_{}", chapter.example.name, section, k + 1);
+    const std::string name = fmt::format("{}_{}_{}", chapter.example.name, run.empty() ? convergence : run, k + 1);
     const ProblemResult* result = result_of(chapter, e.run);
     if (draw_finding(output / "figures", name, e, f, result == nullptr ? "" : result->folder))
       figures += fmt::format("<img src=\"{}\" alt=\"{}\">\n", address_of("figures/" + name + ".png"), html_text(f.what));
@@ -217,8 +230,8 @@ std::string chapter_page(const Chapter& chapter, const fs::path& output)
 {
   std::string html = "<nav>" + link_to("index.html", "verification book") + "</nav>\n" + readme(chapter, output) + "<h2>Problems</h2>\n";
   for (std::size_t k = 0; k < chapter.example.runs.size(); ++k) html += problem_html(chapter, k, output);
-  if (const std::string orders = findings_html(chapter, "convergence", output); !orders.empty())
-    html += "<h2 id=\"convergence\">Convergence</h2>\n" + orders;
+  if (const std::string orders = findings_html(chapter, "", output); !orders.empty())
+    html += fmt::format("<h2 id=\"{}\">Convergence</h2>\n{}", convergence, orders);
   return page("berm: " + chapter.example.name, html);
 }
 

@@ -8,11 +8,6 @@
 namespace berm {
 namespace {
 
-std::string number_text(Real value)
-{
-  return fmt::format("{:.5g}", value);
-}
-
 std::string percent(Real part)
 {
   return fmt::format("{:.3g} %", 100 * part);
@@ -23,8 +18,8 @@ struct ShownUnit {
   Real per_si;
   std::string name;
 
-  std::string number(Real value) const { return number_text(value * per_si); }
-  std::string value(Real value) const { return number(value) + (name.empty() ? "" : " " + name); }
+  std::string number(Real value, int digits = 5) const { return fmt::format("{:.{}g}", value * per_si, digits); }
+  std::string value(Real value, int digits = 5) const { return number(value, digits) + (name.empty() ? "" : " " + name); }
 };
 
 ShownUnit shown_unit(const Expectation& e)
@@ -96,7 +91,7 @@ Finding find_out(const Example& example, const Expectation& e, const std::vector
   finding.berm = unit.value(finding.number);
   const Real error = error_of(e, finding.number);
   const bool within_bounds = !e.exact && error == 0;
-  finding.error = within_bounds ? "" : e.tolerance ? percent(error) : unit.value(error);
+  finding.error = within_bounds ? "" : e.tolerance ? percent(error) : unit.value(error, 3);
   finding.verdict = is_met(e, finding.number) ? Verdict::met : Verdict::missed;
   return finding;
 }
