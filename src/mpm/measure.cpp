@@ -55,11 +55,16 @@ template <int dim>
 Real momentum_error(const State<dim>& state)
 {
   Vec<dim> now = Vec<dim>::Zero();
-  for (const Particles<dim>& particles : state.particles) now += measure(particles).momentum;
+  Real moving = 0;  // what the bodies would have if all their particles went the same way
+  for (const Particles<dim>& particles : state.particles) {
+    const BodySums<dim> sums = measure(particles);
+    now += sums.momentum;
+    moving += std::sqrt(2 * sums.mass * sums.kinetic);
+  }
   const Totals<dim>& t = state.totals;
   const Vec<dim> given = t.gravity_impulse + t.contact_impulse + t.support_impulse + t.damping_impulse;
-  const Real size =
-      t.first_momentum.norm() + t.gravity_impulse.norm() + t.contact_impulse.norm() + t.support_impulse.norm() + t.damping_impulse.norm();
+  const Real size = moving + t.first_momentum.norm() + t.gravity_impulse.norm() + t.contact_impulse.norm() + t.support_impulse.norm() +
+                    t.damping_impulse.norm();
   return size > 0 ? (now - t.first_momentum - given).norm() / size : 0;
 }
 

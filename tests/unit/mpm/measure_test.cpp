@@ -62,6 +62,16 @@ TEST(Measure, extents_are_those_of_the_particles_and_not_of_empty_lanes)
   EXPECT_EQ(sums.upper, upper);
 }
 
+TEST(MomentumError, is_told_against_the_motion_where_all_momenta_cancel)
+{
+  auto problem = problem_on(criss_cross<2>(), sample_solid(), 4);
+  spin<2>(problem.state.particles[0], {0, 0, 0}, {0, 0, 0.5});
+  EXPECT_LT(momentum_error(problem.state), 1e-12);
+  const BodySums<2> sums = measure(problem.state.particles[0]);
+  problem.state.totals.contact_impulse[0] = 1e-3 * std::sqrt(2 * sums.mass * sums.kinetic);
+  EXPECT_NEAR(momentum_error(problem.state), 1e-3 / 1.001, 1e-10);
+}
+
 TEST(Measure, finds_a_particle_by_its_id_and_refuses_an_id_that_there_is_not)
 {
   auto problem = problem_on(criss_cross<2>(), sample_solid(), 4);

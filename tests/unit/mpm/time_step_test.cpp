@@ -39,9 +39,13 @@ TYPED_TEST(TimeStep, is_courant_times_the_least_height_over_the_speeds_of_wave_a
   work.grids[0].moved_velocity[work.grids[0].nodes.back()] = 3 * Vec<dim>::UnitX() - 4 * Vec<dim>::UnitY();
   EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / (wave + 5)), 1, 1e-14);
 
+  problem.model.rigids.push_back({"pipe", make_shape<dim>(CircleSettings{std::vector<Real>(dim, 0), 0.5})});
   problem.state.rigids.emplace_back();
   problem.state.rigids[0].velocity = 7 * Vec<dim>::UnitX();
   EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / (wave + 7)), 1, 1e-14);
+
+  problem.state.rigids[0].spin = -8;  // its rim is 0.25 m away
+  EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / (wave + 9)), 1, 1e-14);
 }
 
 TYPED_TEST(TimeStep, a_velocity_that_is_not_finite_ends_the_run_with_time_step_and_advice)
