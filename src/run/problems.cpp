@@ -39,7 +39,7 @@ std::vector<std::string> names_in(const fs::path& examples)
 /// The folder and, where one problem is meant, its run.
 std::pair<fs::path, std::string> place_of(const std::string& name, const fs::path& examples)
 {
-  const fs::path path = (fs::path(name) / "").lexically_normal().parent_path();
+  const fs::path clean = (fs::path(name) / "").lexically_normal(), path = clean.has_parent_path() ? clean.parent_path() : clean;
   for (const fs::path& folder : {path, examples / path})
     if (fs::exists(folder / expected_file)) return {folder, ""};
   const std::string example = path.parent_path().string();

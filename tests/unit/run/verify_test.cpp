@@ -65,6 +65,13 @@ TEST_F(Verify, runs_what_is_named_and_no_more)
   EXPECT_EQ(verify({"--fast", "examples/fall"}).status, 0);
   EXPECT_EQ(made(), (Words{"earth/", "light/"}));
 }
+TEST_F(Verify, takes_the_folder_in_which_it_is_started)
+{
+  example("fall", two_runs + claim("earth", "-10") + claim("light", "-5"));
+  const Ended ended = run_program(folder_ / "examples/fall", {"verify", "."});
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  EXPECT_NE(ended.out.find("fall/light"), std::string::npos) << ended.out;
+}
 TEST_F(Verify, lists_its_problems_and_runs_nothing)
 {
   example("fall", two_runs + claim("earth", "-10") + claim("earth", "-10") + claim("light", "-5"));
