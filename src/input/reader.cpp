@@ -95,6 +95,8 @@ std::string wrong_word(const Found& found, const std::vector<std::string>& allow
 Reader::Reader(Document& document) : document_(document)
 {
   document.root.used = true;
+  const Node* dimension = member(document.root, "dimension");
+  in_space_ = dimension != nullptr && dimension->kind == Node::Kind::whole && dimension->whole == 3;
   levels_.push_back({&document.root, &document.root, ""});
 }
 
@@ -123,8 +125,10 @@ void Reader::refuse_missing(const char* key, const std::string& what) const
   refuse(document_, *level.place, path_of(key), fmt::format("is missing {}: {}", where, what));
 }
 
-void Reader::leaf(const char* key, Leaf variable, const Parameter& parameter)
+void Reader::leaf(const char* key, Leaf variable, const Parameter& declared)
 {
+  Parameter parameter = declared;
+  if (in_space_) parameter.unit = unit_in_space(declared.unit);
   Node* node = find(key);
   if (node == nullptr) {
     if (parameter.required) refuse_missing(key, hint(variable, parameter));

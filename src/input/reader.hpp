@@ -36,6 +36,7 @@ private:
   [[noreturn]] void refuse_missing(const char* key, const std::string& what) const;
 
   Document& document_;
+  bool in_space_ = false;  ///< `dimension = 3`: quantities per metre run are whole
   std::vector<Level> levels_;
 };
 

@@ -129,6 +129,14 @@ std::string trimmed(const std::string& text)
 
 }  // namespace
 
+const char* unit_in_space(const char* si_unit)
+{
+  constexpr const char* pairs[][2] = {{"N/m", "N"}, {"kg/m", "kg"}, {"kg m", "kg m^2"}};
+  for (const auto& [per_metre, in_space] : pairs)
+    if (std::strcmp(si_unit, per_metre) == 0) return in_space;
+  return si_unit;
+}
+
 std::string wanted(const std::string& si_unit)
 {
   for (const Dimension& d : dimensions)

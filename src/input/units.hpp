@@ -18,6 +18,9 @@ struct UnitError : std::invalid_argument {
 /// the number is not finite, and for scales that do not begin at zero (degC). Units are those of UDUNITS-2, and deg.
 Real to_si(const std::string& text, const std::string& si_unit);
 
+/// The unit in space of a quantity that plane strain counts per metre run: N for N/m, kg for kg/m, kg m^2 for kg m; any other as it is.
+const char* unit_in_space(const char* si_unit);
+
 /// What a quantity in si_unit is, with two examples: `a length, such as "20 mm" or "0.8 m"`.
 std::string wanted(const std::string& si_unit);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/write_case.hpp"
 
+#include "input/units.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
@@ -67,7 +69,8 @@ struct ToToml {
 void Writer::leaf(const char* key, Leaf variable, const Parameter& parameter)
 {
   const std::string value = std::visit(ToToml{}, variable);
-  const std::string unit = *parameter.unit == '\0' ? "" : fmt::format("[{}] ", parameter.unit);
+  const char* si_unit = in_space_ ? unit_in_space(parameter.unit) : parameter.unit;
+  const std::string unit = *si_unit == '\0' ? "" : fmt::format("[{}] ", si_unit);
   open_.back()->lines.push_back(
       {value.empty() ? fmt::format("# {} is not set", key) : fmt::format("{} = {}", key, value), unit + parameter.meaning});
 }
@@ -122,7 +125,7 @@ std::string Writer::text() const
 std::string resolved_toml(const Case& settings)
 {
   Case copy = settings;
-  Writer writer;
+  Writer writer(settings.dimension == 3);
   describe(writer, copy);
   return "# The whole case: every default filled in, numbers in SI units, angles in radians.\n" + writer.text();
 }

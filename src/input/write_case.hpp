@@ -8,7 +8,7 @@ namespace berm {
 /// Writes a struct as TOML: every value in SI units, with its unit and meaning beside it. Reading the text gives the same struct.
 class Writer : public Describe {
 public:
-  Writer() { open_.push_back(&root_); }
+  explicit Writer(bool in_space = false) : in_space_(in_space) { open_.push_back(&root_); }
   std::string text() const;
   void check(bool, const std::string&, const std::string&, const std::vector<std::string>&) override {}
 
@@ -39,6 +39,7 @@ private:
 
   Table root_;
   std::vector<Table*> open_;
+  bool in_space_;  ///< quantities per metre run are whole
 };
 
 /// The whole case as TOML, with every default filled in, in SI units: resolved.toml.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "core/error.hpp"
 #include "input/read_case.hpp"
 #include "input/reader.hpp"
 #include "input/write_case.hpp"
@@ -157,6 +158,42 @@ TEST(RoundTrip, of_a_case_is_the_same_text_twice_and_has_every_default)
     EXPECT_NE(once.find(part), std::string::npos) << part << " is not in\n" << once;
 }
 
+TEST(RoundTrip, in_space_has_whole_forces_and_masses_where_the_plane_has_them_per_metre)
+{
+  const std::string text = R"(dimension = 3
+[mesh]
+kind = "box"
+size = [1, 1, 1]
+cells = [2, 2, 2]
+[material.solid]
+law = "linear_elastic"
+density = 1000
+young_modulus = 1e6
+poisson_ratio = 0.3
+[body.solid]
+material = "solid"
+regions = ["box"]
+[rigid.plate]
+shape = "half_plane"
+point = [0, 1, 0]
+normal = [0, -1, 0]
+mass = "5 kg"
+[contact.above]
+body = "solid"
+rigid = "plate"
+friction_angle = 0
+[[stage]]
+name = "push"
+kind = "push"
+force = "2 kN"
+until.time = 1
+)";
+  const Case c = read_case_text("case.toml", text);
+  EXPECT_EQ(c.rigid[0].second.mass, 5);
+  EXPECT_EQ(c.stage[0].force.value(), 2000);
+  EXPECT_NE(resolved_toml(c).find("# [N] force of the drive"), std::string::npos) << resolved_toml(c);
+  EXPECT_THROW(read_case_text("case.toml", text, {"stage.push.force=\"2 kN/m\""}), InputError);
+}
 TEST(RoundTrip, of_an_override_is_as_if_the_file_said_so)
 {
   std::string changed(test::good_case);
