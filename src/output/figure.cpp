@@ -49,7 +49,7 @@ bool draw_figure(const std::filesystem::path& folder, const std::string& name, c
   if (plot.empty()) return false;
   const std::string script =
       fmt::format("set title {} font 'DejaVu Sans,14'\nset xlabel {}\nset ylabel {}\n"
-                  "set autoscale xfix\nset grid lc rgb '#dddddd' lt 1\nset border lc rgb '#444444'\n"
+                  "set autoscale xfix\nset format '%g'\nset grid lc rgb '#dddddd' lt 1\nset border lc rgb '#444444'\n"
                   "set tics nomirror textcolor rgb '#222222'\n"
                   "set key outside right top samplen 3 spacing 1.2\n{}{}\n",
                   gnuplot_text(figure.title), gnuplot_text(figure.x_label), gnuplot_text(figure.y_label), figure.more, plot);

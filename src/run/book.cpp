@@ -195,6 +195,7 @@ std::string findings_html(const Chapter& chapter, const std::string& run, const 
       figures += fmt::format("<img src=\"{}\" alt=\"{}\">\n", address_of("figures/" + name + ".png"), html_text(f.what));
   }
   if (rows.empty()) return "";
+  if (!figures.empty()) figures = fmt::format("<div class=\"pictures\">\n{}</div>\n", figures);
   return "<table>\n" + row({"what", "exact", "berm", "error", "tolerance", "", "source, and why the tolerance is what it is"}, 1, 4, "th") +
          rows + "</table>\n" + figures;
 }

@@ -107,7 +107,7 @@ Figure order_figure(const Expectation& e, const Finding& finding)
   Figure figure;
   const auto [name, unit] = name_and_unit(e.reading.column.empty() ? e.reading.quantity : e.reading.column);
   figure.title = fmt::format("{}: order {:.3g}", name, finding.number);
-  figure.x_label = "cell size over the coarsest";
+  figure.x_label = "size over the coarsest, halved each time";
   figure.y_label = fmt::format("|{} - limit|{}", name, unit == "1" ? "" : fmt::format(" ({})", unit));
   figure.width = 800;
   figure.more = "set logscale xy\nset format y '%.0e'\n";
