@@ -33,4 +33,27 @@ Vec<dim> contact_impulse(const Vec<dim>& relative, const Vec<dim>& n, Real m, co
   return pressed * n + (needed <= limit ? Real(1) : limit / needed) * sticking;
 }
 
+/// What a contact point does under the impulse that it carries.
+enum class Grip : std::uint8_t { open, slides, sticks };
+
+/// Points at the limit of friction slide; 1e-9 of it is round-off.
+template <int dim>
+Grip grip_of(const Vec<dim>& impulse, const Vec<dim>& n, const Interface& interface)
+{
+  const Real pressed = impulse.dot(n);
+  if (!(pressed > 0)) return Grip::open;
+  const Real limit = interface.friction * pressed + interface.adhesion_impulse;
+  return (impulse - pressed * n).norm() < (1 - 1e-9) * limit ? Grip::sticks : Grip::slides;
+}
+
+/// The impulse that keeps together what is pressed together, when the point carries `before` already: the gap closes at the speed that it allows,
+/// neither faster nor slower, and points that stick do not move along the surface. No limits: this is no force (step 8).
+template <int dim>
+Vec<dim> holding_impulse(const Vec<dim>& relative, const Vec<dim>& n, Real m, const Interface& interface, Grip grip, const Vec<dim>& before)
+{
+  const Real speed = relative.dot(n);
+  const Vec<dim> normal = (speed + interface.allowed_approach) * n;
+  return before - m * (grip == Grip::sticks ? Vec<dim>(normal + relative - speed * n) : normal);
+}
+
 }  // namespace berm

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "contact/contact_law.hpp"
 #include "core/fields.hpp"
 
 #include <array>
@@ -21,6 +22,7 @@ struct ContactPoint {
   Real area = 0;                        ///< m2 (per metre run: m) of the body's surface that belongs to the point; 0 where nobody needs it
   Real mass = 0;                        ///< kg, effective: 1 / sum of N^2 / m over all that the point moves
   Vec<dim> impulse = Vec<dim>::Zero();  ///< that it carries in the present correction, on the body
+  Grip grip = Grip::open;               ///< under the impulse of step 4
 };
 
 /// The points of one contact, found anew in each step, and what finding them needs. Memory is kept from step to step.

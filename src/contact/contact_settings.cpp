@@ -12,14 +12,14 @@ void describe(Describe& d, ContactSettings& contact)
           {.meaning = "Coulomb friction angle of the interface", .unit = "rad", .range = {0, 89.9 * pi / 180}, .required = true});
   d.value("adhesion", contact.adhesion,
           {.meaning = "shear strength of the interface without normal stress", .unit = "Pa", .range = not_negative});
-  d.choice("scheme", contact.scheme, {"twice", "once", "hybrid", "usf", "sticky"},
-           {.meaning =
-                "correction in steps 4 and 8 of the algorithm; in step 4 only; in step 4 with nodes in contact updated stress last; update "
-                "stress first (of all contacts or none); or no relative motion at all"});
-  d.choice("detection", contact.detection, {"gap", "overlap", "distance", "particle"},
-           {.meaning =
-                "in contact are: nodes whose particles have closed their gap, at a speed that the gap allows; nodes that both bodies "
-                "reach (as published); nodes whose particles touch; or particles at the surface of a rigid body"});
+  d.choice("scheme", contact.scheme, {"two_sided", "twice", "once", "hybrid", "usf", "sticky"},
+           {.meaning = "correction in steps 4 and 8 of the algorithm, in step 8 against parting, too; in both against approach only (as "
+                       "published); in step 4 only; in step 4 with nodes in contact updated stress last; update "
+                       "stress first (of all contacts or none); or no relative motion at all"});
+  d.choice("detection", contact.detection, {"automatic", "gap", "overlap", "distance", "particle"},
+           {.meaning = "automatic: particle at a rigid body, gap between deformable ones. In contact are: nodes whose particles have "
+                       "closed their gap, at a speed that the gap allows; nodes that both bodies "
+                       "reach (as published); nodes whose particles touch; or particles at the surface of a rigid body"});
   d.value("approach_steps", contact.approach_steps,
           {.meaning = "steps over which detection by gap or particle lets a gap close", .range = {1, 1000}});
 }

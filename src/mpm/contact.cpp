@@ -43,12 +43,14 @@ void weigh(const Model<dim>& model, const Work<dim>& work, const Contact& contac
 /// What one correction works on: the nodal velocity that has to keep to the law, and how a change of it is kept.
 template <int dim>
 struct Predicted {  ///< step 4: v + dt a
+  static constexpr bool is_force = true;
   Real dt;
   Vec<dim> velocity(const BodyGrid<dim>& grid, Index node) const { return grid.velocity[node] + dt * grid.acceleration[node]; }
   void change(BodyGrid<dim>& grid, Index node, const Vec<dim>& by) const { grid.acceleration[node] += by / dt; }
 };
 template <int dim>
 struct Moved {  ///< step 8: the velocity that moves the particles
+  static constexpr bool is_force = false;
   Vec<dim> velocity(const BodyGrid<dim>& grid, Index node) const { return grid.moved_velocity[node]; }
   void change(BodyGrid<dim>& grid, Index node, const Vec<dim>& by) const { grid.moved_velocity[node] += by; }
 };
@@ -80,7 +82,10 @@ void sweep(const Model<dim>& model, const State<dim>& state, Work<dim>& work, In
     const Interface interface {
       contact.friction, contact.adhesion *point.area *state.dt, std::max(Real(0), point.gap) / period, sticky
     };
-    const Vec<dim> impulse = contact_impulse<dim>(relative, point.normal, point.mass, interface, point.impulse);
+    const bool holds = !Field::is_force && contact.scheme == Scheme::two_sided && point.grip != Grip::open;
+    const Vec<dim> impulse = holds ? holding_impulse<dim>(relative, point.normal, point.mass, interface, point.grip, point.impulse)
+                                   : contact_impulse<dim>(relative, point.normal, point.mass, interface, point.impulse);
+    if (Field::is_force) point.grip = grip_of<dim>(impulse, point.normal, interface);
     const Vec<dim> change = impulse - point.impulse;
     point.impulse = impulse;
     for (int n = 0; n < point.node_count; ++n) {

@@ -96,9 +96,12 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
     });
     model.bodies.push_back({name, material, nodal_damping(model.mesh, settings)});
   }
-  for (const auto& [name, s] : c.contact)
+  for (const auto& [name, s] : c.contact) {
+    const Detection best = s.rigid.empty() ? Detection::gap : Detection::particle;
     model.contacts.push_back({name, place_of(c.body, s.body), place_of(c.rigid, s.rigid), place_of(c.body, s.other_body),
-                              std::tan(s.friction_angle), s.adhesion, s.scheme, s.detection, s.approach_steps});
+                              std::tan(s.friction_angle), s.adhesion, s.scheme, s.detection == Detection::automatic ? best : s.detection,
+                              s.approach_steps});
+  }
   state.pair_impulses.assign(c.contact.size(), Vec<dim>::Zero());
   model.update_stress_first = !c.contact.empty() && c.contact.front().second.scheme == Scheme::usf;
   model.stages = c.stage;

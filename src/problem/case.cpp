@@ -115,7 +115,7 @@ void check_rigids(Describe& d, const Case& c)
     if (!contact.other_body.empty()) check_name(d, path + ".other_body", contact.other_body, "body", names_of(c.body));
     d.check(contact.other_body != contact.body, path + ".other_body", "a body is in no contact with itself");
     d.check(contact.other_body.empty() || contact.detection != Detection::particle, path + ".detection",
-            "\"particle\" is for contact with a rigid body", {"gap", "overlap", "distance"});
+            "\"particle\" is for contact with a rigid body", {"automatic", "gap", "overlap", "distance"});
     d.check((contact.scheme == Scheme::usf) == (c.contact.front().second.scheme == Scheme::usf), path + ".scheme",
             "\"usf\" is another order of the step, so all contacts must have it, or none");
   }

@@ -178,8 +178,34 @@ void an_impulse_that_is_too_large_is_taken_back()
   RC_ASSERT((found - right).norm() < 1e-12);
 }
 
+template <int dim>
+void held_points_keep_their_distance_and_stuck_ones_their_place()
+{
+  const Meeting<dim> m;
+  for (const Grip grip : {Grip::slides, Grip::sticks}) {
+    const Vec<dim> held = m.relative + holding_impulse<dim>(m.relative, m.normal, 3, m.interface, grip, Vec<dim>::Zero()) / 3;
+    RC_ASSERT(std::abs(held.dot(m.normal) + m.interface.allowed_approach) < 1e-13);
+    RC_ASSERT((m.along(held) - (grip == Grip::sticks ? Vec<dim>(Vec<dim>::Zero()) : m.along(m.relative))).norm() < 1e-13);
+  }
+}
+
+TEST(Grip, is_told_by_the_impulse)
+{
+  const Vec<2> up(0, 1);
+  const Interface interface {
+    0.5, 0, 0
+  };
+  EXPECT_EQ(grip_of<2>(Vec<2>(0, 0), up, interface), Grip::open);
+  EXPECT_EQ(grip_of<2>(Vec<2>(0.4, 1), up, interface), Grip::sticks);
+  EXPECT_EQ(grip_of<2>(Vec<2>(-0.5, 1), up, interface), Grip::slides);
+  EXPECT_EQ(grip_of<2>(Vec<2>(0.5, 1), up, {0.5, 0.1, 0}), Grip::sticks);
+  // What the law gives to a point that slides is at the limit, whatever the rounding.
+  EXPECT_EQ(grip_of<2>(contact_impulse<2>(Vec<2>(2.1, -3.3), up, 0.7, interface, Vec<2>(0, 0)), up, interface), Grip::slides);
+}
+
 BERM_IN_PLANE_AND_SPACE(an_impulse_that_is_right_already_stays)
 BERM_IN_PLANE_AND_SPACE(an_impulse_that_is_too_large_is_taken_back)
+BERM_IN_PLANE_AND_SPACE(held_points_keep_their_distance_and_stuck_ones_their_place)
 #undef BERM_IN_PLANE_AND_SPACE
 
 }  // namespace
