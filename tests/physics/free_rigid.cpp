@@ -68,5 +68,21 @@ TEST(FreeCylinder, gives_the_bed_the_momentum_that_it_loses_and_energy_balances)
   EXPECT_GT(cylinder.velocity[1], 0);  // and is on its way back
 }
 
+TEST(FreeCylinder, is_turned_by_friction_as_much_as_the_bed_is_turned_back)
+{
+  Case c = cylinder_over_bed();
+  std::get<CircleSettings>(c.rigid[0].second.shape).center[1] = 0.695;  // 5 mm in the bed: it is pressed from the start
+  c.gravity = {2, -10};
+  c.rigid[0].second.rotation = Rotation::free;
+  c.contact[0].second.friction_angle = 0.2;
+  Simulation<2> run(c);
+  const RigidState<2>& cylinder = run.state().rigids[0];
+  run.run_until(0.1);
+  EXPECT_LT(cylinder.spin, -0.1);  // it goes along x on top of the bed, so it rolls clockwise
+  // I times its spin, and the moment that its contacts gave to the bed, but for the last step's, which acts in the next.
+  const Real lost = -run.model().rigids[0].inertia * cylinder.spin;
+  EXPECT_NEAR(cylinder.torque_impulse + run.state().dt * cylinder.torque, lost, 1e-3 * lost);
+}
+
 }  // namespace
 }  // namespace berm

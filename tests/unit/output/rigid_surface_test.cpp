@@ -71,6 +71,44 @@ TEST(RigidSurface, of_a_circle_goes_round_once_and_lies_on_it)
   EXPECT_NEAR(area, 64 * 0.25 * std::sin(2 * pi / 128), 1e-14);  // the polygon's exact area, counter-clockwise
 }
 
+TEST(RigidSurface, of_a_circle_that_has_turned_has_a_spoke_that_tells_the_angle)
+{
+  const Circle<2> circle{Vec<2>(1, 2), 0.5, 0.7};
+  const auto surface = surface_of<2>(RigidShape<2>(circle), Vec<2>(0, 0), Vec<2>(3, 3));
+  ASSERT_EQ(surface.cells.size(), 2u);
+  EXPECT_EQ(surface.cells[0].points.size(), 128u);
+  ASSERT_EQ(surface.cells[1].type, VtkCell::line);
+  const Vec<2> spoke = surface.points[surface.cells[1].points[1]] - surface.points[surface.cells[1].points[0]];
+  EXPECT_NEAR((spoke - 0.5 * Vec<2>(std::cos(0.7), std::sin(0.7))).norm(), 0, 1e-14);
+}
+
+TEST(RigidSurface, of_a_turned_polygon_has_its_corners_in_order)
+{
+  const Rigid<2> angle{"angle", make_shape<2>(PolygonSettings{{0, 2, 2, 1, 1, 0}, {0, 0, 1, 1, 2, 2}})};
+  RigidState<2> state;
+  state.displacement = {3, 4};
+  state.angle = pi / 2;
+  const auto surface = surface_of<2>(placed<2>(angle, state), Vec<2>(0, 0), Vec<2>(1, 1));
+  const Vec<2> center(5. / 6, 5. / 6);
+  const std::vector<Vec<2>> corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};
+  ASSERT_EQ(surface.points.size(), 6u);
+  ASSERT_EQ(surface.cells.size(), 1u);
+  EXPECT_EQ(surface.cells[0].type, VtkCell::polygon);
+  for (std::size_t k = 0; k < 6; ++k) {
+    const Vec<2> from = corners[k] - center;  // a quarter turn takes (x, y) to (-y, x)
+    EXPECT_NEAR((surface.points[k] - (center + Vec<2>(3, 4) + Vec<2>(-from[1], from[0]))).norm(), 0, 1e-14);
+  }
+}
+
+TEST(RigidSurface, of_a_prism_reaches_through_the_mesh)
+{
+  const auto prism = make_shape<3>(PolygonSettings{{0, 1, 0}, {0, 0, 1}});
+  const auto surface = surface_of<3>(prism, Vec<3>(-1, -1, 2), Vec<3>(1, 1, 5));
+  EXPECT_EQ(surface.cells.size(), 3u);
+  EXPECT_EQ(surface.points.size(), 6u);
+  for (const auto& x : surface.points) EXPECT_TRUE(x[2] == 2 || x[2] == 5);
+}
+
 TEST(RigidSurface, of_a_circle_in_space_reaches_through_the_mesh)
 {
   const Circle<3> circle{Vec<3>(0, 0, 9), 1};

@@ -76,7 +76,8 @@ TEST(Run, history_has_the_promised_columns_and_a_row_for_each_interval_and_stage
   std::string line;
   std::getline(history, line);
   EXPECT_EQ(line.find("time_s,stage,u_m,w_m,H_N_m,V_N_m,kinetic_J_m,"), 0u) << line;
-  for (const char* column : {",gap_m", ",overlap_m", ",second_impulse_N_m"}) EXPECT_NE(line.find(column), std::string::npos) << column;
+  for (const char* column : {",gap_m", ",overlap_m", ",second_impulse_N_m", ",M_Nm_m", ",angle_rad"})
+    EXPECT_NE(line.find(column), std::string::npos) << column;
   const auto columns = std::count(line.begin(), line.end(), ',');
   double last = -1;
   std::string stage, stages;
