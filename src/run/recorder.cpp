@@ -46,6 +46,9 @@ std::vector<std::string> Recorder<dim>::columns(const Model<dim>& model)
       for (const char* end : {"min", "max"}) names.push_back(fmt::format("{}_{}{}_m", body.name, direction_names[d], end));
     for (int d = dim == 2 ? 2 : 0; d < 3; ++d) names.push_back(fmt::format("{}_L{}_N_s", body.name, direction_names[d]));
   }
+  for (const Contact& contact : model.contacts)
+    for (int d = 0; d < dim && contact.other_body != none; ++d)
+      names.push_back(fmt::format("{}_F{}_N_m", contact.name, direction_names[d]));
   for (const Watch& watch : model.watches) {
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_u{}_m", watch.name, direction_names[d]));
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_v{}_m_s", watch.name, direction_names[d]));
@@ -58,7 +61,8 @@ template <int dim>
 Recorder<dim>::Recorder(const std::filesystem::path& path, const Model<dim>& model, const State<dim>& state)
     : file_(path, columns(model)),
       last_time_(state.time),
-      last_rigids_(state.rigids)
+      last_rigids_(state.rigids),
+      last_pair_impulses_(state.pair_impulses)
 {
   for (const Particles<dim>& particles : state.particles) {
     const BodySums<dim> sums = measure(particles);
@@ -139,6 +143,10 @@ void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Wo
     const Vec<3> spin = sums[b].spin();
     row.insert(row.end(), dim == 2 ? spin.end() - 1 : spin.begin(), spin.end());
   }
+  const Real time = state.time - last_time_;
+  for (std::size_t k = 0; k < model.contacts.size(); ++k)
+    for (int d = 0; d < dim && model.contacts[k].other_body != none; ++d)
+      row.push_back(time > 0 ? (state.pair_impulses[k][d] - last_pair_impulses_[k][d]) / time : 0);
   for (std::size_t k = 0; k < model.watches.size(); ++k) {
     const Particle<dim> watched = particle_of(state.particles[model.watches[k].body], model.watches[k].id);
     const Vec<dim> moved_by = watched.x - first_watched_[k];
@@ -149,6 +157,7 @@ void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Wo
   file_.add(state.time, model.stages[state.stage.index].name, row);
   last_time_ = state.time;
   last_rigids_ = state.rigids;
+  last_pair_impulses_ = state.pair_impulses;
 }
 
 template class Recorder<2>;

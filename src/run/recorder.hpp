@@ -31,6 +31,7 @@ private:
   HistoryFile file_;
   Real last_time_ = 0;
   std::vector<RigidState<dim>> last_rigids_;
+  std::vector<Vec<dim>> last_pair_impulses_;
   std::vector<Vec<dim>> first_centers_;  ///< of mass, by body
   std::vector<Vec<dim>> first_watched_;
   Real first_kinetic_ = 0;

@@ -183,14 +183,15 @@ def layout(tree):
 
 
 def examples(tree):
-    """Every example has a page, a case and the numbers to expect."""
+    """Every example has a page, a case and the numbers to expect; a study has a page and study.toml."""
     for example in sorted({path.split("/")[1] for path in tree.paths if path.startswith("examples/") and path.count("/") > 1}):
         folder = f"examples/{example}/"
         files = {path[len(folder) :] for path in tree.paths if path.startswith(folder)}
-        for needed in ("README.md", "expected.toml"):
+        study = "study.toml" in files
+        for needed in ("README.md",) if study else ("README.md", "expected.toml"):
             if needed not in files:
                 yield f"{folder}: {needed} is missing"
-        if not any(name.endswith(".toml") and name != "expected.toml" for name in files):
+        if not study and not any(name.endswith(".toml") and name != "expected.toml" for name in files):
             yield f"{folder}: there is no case (a .toml file beside expected.toml)"
 
 
@@ -254,8 +255,8 @@ CHECKS = {
         [{".clang-format": "BasedOnStyle: LLVM\n", "a.cpp": "int a;\n"}],
     ),
     examples: (
-        [{path: text for path, text in EXAMPLE.items() if path != left_out} for left_out in EXAMPLE],
-        [EXAMPLE],
+        [{path: text for path, text in EXAMPLE.items() if path != left_out} for left_out in EXAMPLE] + [{"examples/sizes/study.toml": "a"}],
+        [EXAMPLE, {"examples/sizes/README.md": "a", "examples/sizes/study.toml": "a"}],
     ),
     silence: (
         [
