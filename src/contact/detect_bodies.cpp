@@ -90,6 +90,11 @@ struct Meeting {
 template <int dim>
 void detect(const Mesh<dim>& mesh, const BodyView<dim>& body, const BodyView<dim>& other, Detection detection, ContactPoints<dim>& found)
 {
+  if (found.shared.capacity() == 0) {
+    found.shared_nodes.reserve(mesh.node_count());
+    found.shared.reserve(mesh.node_count());
+    found.list.reserve(mesh.node_count());
+  }
   found.shared_nodes.clear();
   for (Index node : body.nodes)
     if (body.mass[node] > 0 && other.mass[node] > 0) found.shared_nodes.push_back(node);
