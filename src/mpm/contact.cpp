@@ -115,7 +115,7 @@ void solve(const Model<dim>& model, const State<dim>& state, Work<dim>& work, co
 template <int dim>
 void move_with_predicted(const Model<dim>& model, const State<dim>& state, Work<dim>& work, Index k)
 {
-  constexpr Real little = 0.01;  // of the mass that the volume around a node gives it where particles fill its cells evenly
+  constexpr Real little = 0.05;  // of the mass that the volume around a node gives it where particles fill its cells evenly
   const Contact& contact = model.contacts[k];
   const auto use = [&](Index b, Index node) {
     BodyGrid<dim>& grid = work.grids[b];
