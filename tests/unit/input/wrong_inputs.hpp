@@ -240,7 +240,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
        "scheme = \"twice\"",
        "scheme = \"twise\"",
        40,
-       {"contact.pipe_on_bed.scheme", "did you mean \"twice\"?", "allowed: twice, once"},
+       {"contact.pipe_on_bed.scheme", "did you mean \"twice\"?", "allowed: two_sided, twice, once"},
        {}},
       {"unknown_law",
        "\"mohr_coulomb\"",
