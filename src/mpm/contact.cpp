@@ -79,9 +79,8 @@ void sweep(const Model<dim>& model, const State<dim>& state, Work<dim>& work, In
                             ? Vec<dim>(-velocity_at(model.rigids[contact.rigid], state.rigids[contact.rigid], point.place))
                             : Vec<dim>(-field.velocity(work.grids[contact.other_body], point.nodes[0]));
     for (int n = 0; n < point.node_count; ++n) relative += point.weights[n] * field.velocity(grid, point.nodes[n]);
-    const Interface interface {
-      contact.friction, contact.adhesion *point.area *state.dt, std::max(Real(0), point.gap) / period, sticky
-    };
+    const Real allowed_approach = std::max(Real(0), point.gap) / period;
+    const Interface interface = {contact.friction, contact.adhesion * point.area * state.dt, allowed_approach, sticky};
     const bool holds = !Field::is_force && contact.scheme == Scheme::two_sided && point.grip != Grip::open;
     const Vec<dim> impulse = holds ? holding_impulse<dim>(relative, point.normal, point.mass, interface, point.grip, point.impulse)
                                    : contact_impulse<dim>(relative, point.normal, point.mass, interface, point.impulse);
