@@ -7,7 +7,7 @@
 namespace berm {
 namespace {
 
-/// A block of 0.4 m x 0.2 m with 4 particles a cell on a plane that leans by `angle` against the mesh; gravity of 10 m/s2 grows within 0.1 s.
+/// A block of 0.4 m x 0.2 m with 4 particles a square on a plane that leans by `angle` against the mesh; gravity of 10 m/s2 grows within 0.1 s.
 Case block_on_incline(Scheme scheme, Detection detection, Real friction_angle)
 {
   constexpr Real angle = pi / 6;
@@ -55,7 +55,7 @@ Slide slide(const Case& c)
           (first.moment - after.moment).dot(up) / after.mass};
 }
 
-TEST(BlockOnIncline, slides_as_coulomb_says_across_the_mesh_with_4_particles_a_cell)
+TEST(BlockOnIncline, slides_as_coulomb_says_across_the_mesh_with_4_particles_a_square)
 {
   const Real friction_angle = std::atan(0.3), exact = 10 * (0.5 - 0.3 * std::cos(pi / 6));
   for (const Scheme scheme : {Scheme::two_sided, Scheme::twice, Scheme::once, Scheme::usf})
