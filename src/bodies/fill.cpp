@@ -79,10 +79,7 @@ void sort_by_cell(std::vector<Seed<dim>>& seeds)
 template <int dim>
 std::vector<Seed<dim>> seeds_in_block(const Mesh<dim>& mesh, const std::string& name, const BlockSettings& block)
 {
-  Matrix<dim> axes = Matrix<dim>::Identity();
-  axes(0, 0) = axes(1, 1) = std::cos(block.angle);
-  axes(1, 0) = std::sin(block.angle);
-  axes(0, 1) = -axes(1, 0);
+  const Matrix<dim> axes = turn<dim>(block.angle);
   Vec<dim> center, spacing;
   int count[3] = {1, 1, 1};
   for (int d = 0; d < dim; ++d) {

@@ -14,17 +14,6 @@ Vec<dim> to_vec(const std::vector<Real>& numbers)
   return v;
 }
 
-/// The turn by an angle about z.
-template <int dim>
-Matrix<dim> turn(Real angle)
-{
-  Matrix<dim> q = Matrix<dim>::Identity();
-  q(0, 0) = q(1, 1) = std::cos(angle);
-  q(1, 0) = std::sin(angle);
-  q(0, 1) = -q(1, 0);
-  return q;
-}
-
 Real cross(const Vec<2>& a, const Vec<2>& b)
 {
   return a[0] * b[1] - a[1] * b[0];

@@ -8,6 +8,17 @@
 
 namespace berm {
 
+/// The turn by an angle (rad, counter-clockwise) about z.
+template <int dim>
+Matrix<dim> turn(Real angle)
+{
+  Matrix<dim> q = Matrix<dim>::Identity();
+  q(0, 0) = q(1, 1) = std::cos(angle);
+  q(1, 0) = std::sin(angle);
+  q(0, 1) = -q(1, 0);
+  return q;
+}
+
 /// Distance and normal of a rigid surface as seen from a point.
 template <int dim>
 struct SurfacePoint {

@@ -82,7 +82,7 @@ void list_nodes(const Mesh<dim>& mesh, const RigidShape<dim>& shape, Detection d
   if (detection == Detection::distance) std::erase_if(found.list, [](const ContactPoint<dim>& point) { return point.gap > 0; });
 }
 
-/// The particles whose gap is less than their width. A cell that has a node without mass moves no particle there.
+/// The particles whose gap is less than their width; cells without any are passed over by their least gap.
 template <int dim>
 void list_particles(const Mesh<dim>& mesh, const Particles<dim>& particles, const RigidShape<dim>& shape, ContactPoints<dim>& found)
 {

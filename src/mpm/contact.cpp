@@ -55,15 +55,6 @@ struct Moved {  ///< step 8: the velocity that moves the particles
   void change(BodyGrid<dim>& grid, Index node, const Vec<dim>& by) const { grid.moved_velocity[node] += by; }
 };
 
-/// The part of an impulse that a node takes: not in the directions in which it is held.
-template <int dim>
-Vec<dim> taken(const Model<dim>& model, Index node, Vec<dim> impulse)
-{
-  for (int d = 0; d < dim; ++d)
-    if (model.fixed[node] >> d & 1) impulse[d] = 0;
-  return impulse;
-}
-
 /// The work of one contact in one correction: all its points once.
 template <int dim, class Field>
 void sweep(const Model<dim>& model, const State<dim>& state, Work<dim>& work, Index k, const Field& field)
@@ -89,11 +80,11 @@ void sweep(const Model<dim>& model, const State<dim>& state, Work<dim>& work, In
     point.impulse = impulse;
     for (int n = 0; n < point.node_count; ++n) {
       const Index node = point.nodes[n];
-      if (grid.mass[node] > 0) field.change(grid, node, taken<dim>(model, node, point.weights[n] / grid.mass[node] * change));
+      if (grid.mass[node] > 0) field.change(grid, node, without_held<dim>(model, node, point.weights[n] / grid.mass[node] * change));
     }
     if (contact.other_body != none) {
       BodyGrid<dim>& other = work.grids[contact.other_body];
-      field.change(other, point.nodes[0], taken<dim>(model, point.nodes[0], -change / other.mass[point.nodes[0]]));
+      field.change(other, point.nodes[0], without_held<dim>(model, point.nodes[0], -change / other.mass[point.nodes[0]]));
     }
   }
 }
@@ -193,7 +184,7 @@ void correct_accelerations(const Model<dim>& model, State<dim>& state, Work<dim>
       if (point.impulse.isZero()) continue;
       if (contact.other_body != none) {
         const Index node = point.nodes[0];
-        const Vec<dim> here = taken<dim>(model, node, point.impulse);
+        const Vec<dim> here = without_held<dim>(model, node, point.impulse);
         add(contact.body, node, here, Vec<dim>::Zero());
         add(contact.other_body, node, -here, Vec<dim>::Zero());
         state.pair_impulses[k] += here;
@@ -203,7 +194,7 @@ void correct_accelerations(const Model<dim>& model, State<dim>& state, Work<dim>
       const Vec<dim> surface_velocity = velocity_at(model.rigids[contact.rigid], rigid, point.place);
       Vec<dim> impulse = Vec<dim>::Zero();
       for (int n = 0; n < point.node_count; ++n) {
-        const Vec<dim> of_node = taken<dim>(model, point.nodes[n], point.weights[n] * point.impulse);
+        const Vec<dim> of_node = without_held<dim>(model, point.nodes[n], point.weights[n] * point.impulse);
         add(contact.body, point.nodes[n], of_node, surface_velocity);
         impulse += of_node;
       }

@@ -96,15 +96,6 @@ Vec<dim> velocity_of_cells(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Ind
   return mass > 0 ? Vec<dim>(momentum / mass) : Vec<dim>(Vec<dim>::Zero());
 }
 
-/// A node's velocity without the directions that are held.
-template <int dim>
-Vec<dim> supported(const Model<dim>& model, Index node, Vec<dim> v)
-{
-  for (int d = 0; d < dim; ++d)
-    if (model.fixed[node] >> d & 1) v[d] = 0;
-  return v;
-}
-
 template <int dim>
 void gather_mass_and_momentum(const Mesh<dim>& mesh, Real density, BodyGrid<dim>& grid)
 {
@@ -226,7 +217,7 @@ void gather_new_velocities(const Model<dim>& model, BodyGrid<dim>& grid)
       return sum;
     };
     grid.moved_velocity[i] =
-        supported<dim>(model, i, grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
+        without_held<dim>(model, i, grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
   });
 }
 
@@ -236,9 +227,9 @@ void predict_velocities(const Model<dim>& model, Real ahead, BodyGrid<dim>& grid
   for_each("predict velocities", static_cast<Index>(grid.nodes.size()), [&](Index n) {
     const Index i = grid.nodes[n];
     const auto momentum_of = [&](Index cell) { return Eigen::Map<const Vec<dim>>(grid.moments[cell].mv); };
-    grid.moved_velocity[i] = supported<dim>(model, i,
-                                            grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
-                                                             : velocity_of_cells(model.mesh, grid, i, momentum_of));
+    grid.moved_velocity[i] = without_held<dim>(model, i,
+                                               grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
+                                                                : velocity_of_cells(model.mesh, grid, i, momentum_of));
   });
 }
 

@@ -6,6 +6,8 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 #include <unistd.h>
 
@@ -25,6 +27,12 @@ bool write_all(int file, std::string_view text)
     text.remove_prefix(static_cast<std::size_t>(written));
   }
   return true;
+}
+
+std::string read_whole(const std::filesystem::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 void write_whole(const std::filesystem::path& path, std::string_view text)

@@ -11,6 +11,9 @@ namespace berm {
 /// sees the old content or the new one. Throws RunError with the reason (disk full, no permission, ...); the old file is untouched then.
 void write_whole(const std::filesystem::path& path, std::string_view text);
 
+/// All bytes of a file; "" where it cannot be read.
+std::string read_whole(const std::filesystem::path& path);
+
 /// Throws RunError with the words of the present errno.
 [[noreturn]] void throw_errno(const std::string& what);
 

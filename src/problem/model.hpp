@@ -54,6 +54,15 @@ struct Model {
   bool update_stress_first;  ///< Scheme::usf
 };
 
+/// A vector at a node without its components in the directions that are held there.
+template <int dim>
+Vec<dim> without_held(const Model<dim>& model, Index node, Vec<dim> v)
+{
+  for (int d = 0; d < dim; ++d)
+    if (model.fixed[node] >> d & 1) v[d] = 0;
+  return v;
+}
+
 /// What has been given and taken since the start, per metre run (in space: in all).
 template <int dim>
 struct Totals {

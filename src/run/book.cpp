@@ -10,8 +10,6 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
 namespace berm {
@@ -94,11 +92,9 @@ std::string time_of(const ProblemResult& result)
 
 constexpr const char* convergence = "convergence";  // the section of the orders, which belong to no one run
 
-/// The text of the example's README.
 std::string readme_of(const Example& example)
 {
-  std::ifstream file(example.folder / "README.md", std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  return read_whole(example.folder / "README.md");
 }
 
 /// Its name and the first heading of its README.

@@ -16,8 +16,6 @@
 
 #include <exception>
 #include <fmt/format.h>
-#include <fstream>
-#include <iterator>
 #include <spdlog/spdlog.h>
 
 namespace berm {
@@ -25,12 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
-
-std::string text_of(const fs::path& file)
-{
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 Real expected_time(const Case& c)
 {
@@ -223,7 +215,7 @@ bool run_in(const RunRequest& request)
 
   const RunFolder folder(request.folder);
   write_whole(folder.file("resolved.toml"), resolved_toml(request.settings));
-  write_whole(folder.file("case.toml"), text_of(request.case_file));
+  write_whole(folder.file("case.toml"), read_whole(request.case_file));
   scratch.move_files_to(folder.path());
   RunLog log(folder.file("run.log"));
   spdlog::info("{} -> {}: {} cells, {} particles, {} threads", request.case_file.string(), folder.path().string(),

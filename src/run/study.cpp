@@ -6,14 +6,13 @@
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
 #include "output/progress.hpp"
+#include "output/whole_file.hpp"
 #include "run/study_report.hpp"
 
 #include <algorithm>
 #include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
@@ -79,17 +78,13 @@ fs::path engine_file()
 /// Whether the run folder holds a finished result of this very case, by this version and an engine that has not changed since.
 bool has_result(const StudyRow& row)
 {
-  const auto text_of = [](const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return std::string{std::istreambuf_iterator<char>(file), {}};
-  };
   const fs::path summary_file = row.job.folder / "summary.json";
-  const nlohmann::json summary = nlohmann::json::parse(text_of(summary_file), nullptr, false);
+  const nlohmann::json summary = nlohmann::json::parse(read_whole(summary_file), nullptr, false);
   if (summary.is_discarded() || summary.value("/checks/finished"_json_pointer, false) == false) return false;
   if (summary.value("/text/version"_json_pointer, std::string()) != BERM_VERSION) return false;
   std::error_code error;
   if (fs::last_write_time(summary_file, error) < fs::last_write_time(engine_file(), error) || error) return false;
-  return text_of(row.job.folder / "resolved.toml") == resolved_toml(read_case(row.job.case_file, row.job.set));
+  return read_whole(row.job.folder / "resolved.toml") == resolved_toml(read_case(row.job.case_file, row.job.set));
 }
 
 /// The numbers of a row; says once for each measure why it has none.
