@@ -134,7 +134,7 @@ TEST(ThreeBodies, that_meet_at_a_node_press_on_each_other_consistently)
   for (Index b = 0; b < 3; ++b) after += momentum_of(run.state(), b);
   EXPECT_GT(shared_by_three, 0);
   EXPECT_LT((after - before).norm(), 1e-12 * before.norm());
-  EXPECT_LT(worst, 0.01);  // of meetings at 1 m/s: what ten sweeps leave
+  EXPECT_LT(worst, 0.002);  // m/s, of meetings at 1 m/s: ten sweeps leave 0.0005, one leaves 0.008
   for (const Vec<2>& impulse : run.state().pair_impulses) EXPECT_GT(impulse.norm(), 0.05 * before.norm());
 }
 
