@@ -175,6 +175,12 @@ void describe(Describe& d, MpmSettings& mpm)
            .range = {0, 1}});
 }
 
+void describe(Describe& d, FemSettings& fem)
+{
+  d.value("contact_size", fem.contact_size,
+          {.meaning = "size of the elements at the rigid body; absent: that of the mesh there", .unit = "m", .range = positive});
+}
+
 void describe(Describe& d, WatchSettings& watch)
 {
   d.value("body", watch.body, {.meaning = "name of the body", .required = true});
@@ -196,6 +202,8 @@ void describe(Describe& d, OutputSettings& output)
 void describe(Describe& d, Case& c)
 {
   d.value("title", c.title, {.meaning = "one line that says what this is"});
+  d.choice("method", c.method, {"mpm", "fem"},
+           {.meaning = "material point method, or small-strain finite elements around a rigid body wished in place"});
   d.value("dimension", c.dimension, {.meaning = "2 = plane strain, per metre run; 3 = space", .range = {2, 3}});
   d.value("gravity", c.gravity,
           {.meaning = "gravity, one number a direction, such as [0, \"-50 gravity\"]; absent = none", .unit = "m/s^2"});
@@ -210,9 +218,11 @@ void describe(Describe& d, Case& c)
   d.named_tables("support", c.support, {.meaning = "boundaries that are held"});
   d.array("stage", c.stage, {.meaning = "what happens, one stage after the other", .required = true});
   d.table("mpm", c.mpm, {.meaning = "the material point method"});
+  d.table("fem", c.fem, {.meaning = "the finite element method"});
   d.named_tables("watch", c.watch, {.meaning = "particles whose motion is written to the history"});
   d.table("output", c.output, {.meaning = "what is written"});
 
+  d.check(c.method == Method::mpm || c.dimension == 2, "method", "finite elements are plane: they need dimension = 2");
   check_entries(d, "gravity", c.gravity, c.dimension, true);
   for (const auto& [name, material] : c.material) check(d, "material." + name, material);
   check_bodies(d, c);

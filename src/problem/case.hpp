@@ -21,6 +21,17 @@ struct MpmSettings {
   Real bulk_viscosity = 0.06;  ///< of bodies that dilate: viscous mean stress over density, wave speed, height and rate of volume change
 };
 
+/// What computes a case.
+enum class Method {
+  mpm,  ///< the material point method: large deformation
+  fem   ///< small-strain finite elements around a rigid body that is wished in place
+};
+
+/// How the finite element method runs.
+struct FemSettings {
+  std::optional<Real> contact_size;  ///< m, of the elements at the rigid body; empty: that of the fine zone
+};
+
 /// A particle whose motion is written to the history: the one nearest to `point` at the start.
 struct WatchSettings {
   std::string body;
@@ -37,6 +48,7 @@ struct OutputSettings {
 /// One input file, in SI units: everything that the user can choose.
 struct Case {
   std::string title;
+  Method method = Method::mpm;
   int dimension = 2;
   std::vector<Real> gravity;  ///< m/s2, one entry a direction; empty = none
   Real gravity_ramp = 0;      ///< s from no gravity to all of it, at the start
@@ -49,11 +61,13 @@ struct Case {
   std::vector<std::pair<std::string, SupportSettings>> support;
   std::vector<StageSettings> stage;
   MpmSettings mpm;
+  FemSettings fem;
   std::vector<std::pair<std::string, WatchSettings>> watch;
   OutputSettings output;
 };
 
 void describe(Describe& d, MpmSettings& mpm);
+void describe(Describe& d, FemSettings& fem);
 void describe(Describe& d, WatchSettings& watch);
 void describe(Describe& d, OutputSettings& output);
 

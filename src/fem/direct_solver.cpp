@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fem/direct_solver.hpp"
+
+#include "core/error.hpp"
+#include "core/timer.hpp"
+
+#include <algorithm>
+#include <dmumps_c.h>
+#include <fmt/format.h>
+
+namespace berm {
+
+Index SparsePattern::place(Index row, Index col) const
+{
+  const auto begin = column.begin() + first[row], end = column.begin() + first[row + 1];
+  return static_cast<Index>(std::lower_bound(begin, end, col) - column.begin());
+}
+
+struct DirectSolver::Mumps {
+  DMUMPS_STRUC_C call{};
+  std::vector<MUMPS_INT> row, column;  // counted from 1
+  std::vector<Real> entries;
+
+  // The users' guide's names of controls count from 1.
+  MUMPS_INT& control(int number) { return call.icntl[number - 1]; }
+  MUMPS_INT run(int job)
+  {
+    call.job = job;
+    dmumps_c(&call);
+    return call.infog[0];
+  }
+};
+
+DirectSolver::DirectSolver(const SparsePattern& pattern) : mumps_(std::make_unique<Mumps>())
+{
+  const Timer timer("order equations");
+  Mumps& m = *mumps_;
+  for (Index r = 0; r < pattern.size(); ++r)
+    for (Index k = pattern.first[r]; k < pattern.first[r + 1]; ++k) {
+      m.row.push_back(r + 1);
+      m.column.push_back(pattern.column[k] + 1);
+    }
+  m.entries.resize(m.row.size());
+  m.call.par = 1;
+  m.call.sym = 0;
+  m.call.comm_fortran = -987654;  // MPI_COMM_WORLD
+  m.run(-1);
+  for (const int stream : {1, 2, 3}) m.control(stream) = 0;  // no messages
+  m.control(4) = 0;
+  m.control(6) = 0;    // rows stay where they are: the diagonal is as good as any
+  m.control(7) = 4;    // nested dissection by PORD
+  m.control(14) = 60;  // per cent of memory beyond what was foretold, for pivots that move
+  m.call.n = pattern.size();
+  m.call.nnz = pattern.entry_count();
+  m.call.irn = m.row.data();
+  m.call.jcn = m.column.data();
+  m.call.a = m.entries.data();
+  if (const MUMPS_INT error = m.run(1); error < 0) throw RunError(fmt::format("MUMPS cannot order the equations (error {})", error));
+}
+
+DirectSolver::~DirectSolver()
+{
+  mumps_->run(-2);
+}
+
+bool DirectSolver::decompose(std::span<const Real> entries)
+{
+  const Timer timer("decompose matrix");
+  Mumps& m = *mumps_;
+  std::copy(entries.begin(), entries.end(), m.entries.begin());
+  const MUMPS_INT error = m.run(2);
+  if (error == -10) return false;
+  if (error == -9) {  // the foretold memory did not do
+    m.control(14) *= 2;
+    if (m.control(14) < 2000) return decompose(entries);
+  }
+  if (error < 0) throw RunError(fmt::format("MUMPS cannot decompose the matrix (error {}, {})", error, m.call.infog[1]));
+  return true;
+}
+
+void DirectSolver::solve(std::span<Real> b)
+{
+  const Timer timer("solve equations");
+  Mumps& m = *mumps_;
+  m.call.rhs = b.data();
+  if (const MUMPS_INT error = m.run(3); error < 0) throw RunError(fmt::format("MUMPS cannot solve (error {})", error));
+}
+
+}  // namespace berm
