@@ -9,8 +9,8 @@
 
 namespace berm {
 
-/// The closed list of laws. Each law L has prepare(L), and update_stress(prepared, stress, strain_increment, state) for T = Real and T = Lanes;
-/// choose once per body with std::visit, outside the loop over particles.
+/// The closed list of laws. Each law L has prepare(L), and update_stress(prepared, stress, strain_increment, state) for T = Real, T = Lanes and, in
+/// plane strain, T = Dual; choose once per body with std::visit, outside the loop over particles.
 using Material = std::variant<LinearElastic, MohrCoulomb>;
 
 void describe(Describe& d, Material& material);

@@ -79,7 +79,7 @@ template <int dim, class T>
 [[gnu::always_inline]] inline void update_stress(const PreparedMohrCoulomb& law, SymTensor<dim, T>& stress,
                                                  const SymTensor<dim, T>& strain_increment, T* state)
 {
-  if constexpr (std::is_same_v<T, Real> || part_lanes == lanes) {
+  if constexpr (!std::is_same_v<T, Lanes> || part_lanes == lanes) {
     update_stress_in_register(law, stress, strain_increment, state[0]);
   } else {
     for (int first = 0; first < lanes; first += part_lanes) {
