@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "formulas/footing.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+constexpr Real degree = pi / 180;
+
+// Tabulated values have five digits: half a unit of the last.
+constexpr Real digits = 0.0005;
+
+TEST(Footing, n_q_and_n_c_are_those_of_the_tables)
+{
+  EXPECT_NEAR(n_q(30 * degree).value, 18.401, digits);
+  EXPECT_NEAR(n_q(35 * degree).value, 33.296, digits);
+  EXPECT_NEAR(n_c(30 * degree).value, 30.140, digits);
+  EXPECT_NEAR(n_c(35 * degree).value, 46.124, digits);
+  EXPECT_NEAR(n_c(0).value, 5.1416, digits / 10);
+}
+
+TEST(Footing, n_c_has_no_step_where_friction_vanishes)
+{
+  EXPECT_DOUBLE_EQ(n_q(0).value, 1);
+  EXPECT_NEAR(n_c(1e-12).value, 2 + pi, 1e-10);  // its slope is of the order of 10
+}
+
+TEST(Footing, n_gamma_is_that_of_the_table_and_a_rough_base_carries_twice_as_much)
+{
+  EXPECT_NEAR(n_gamma(30 * degree, Base::rough).value, 14.754, 1e-9);
+  EXPECT_NEAR(n_gamma(35 * degree, Base::rough).value, 34.476, 1e-9);
+  EXPECT_NEAR(n_gamma(30 * degree, Base::smooth).value, 7.653, 1e-9);
+  EXPECT_NEAR(n_gamma(35 * degree, Base::smooth).value, 17.577, 1e-9);
+  for (const Real phi : {30., 32.5, 35.}) {
+    const Real smooth = n_gamma(phi * degree, Base::smooth).value, rough = n_gamma(phi * degree, Base::rough).value;
+    EXPECT_NEAR(rough / smooth, 1.945, 0.02) << phi;  // 1.928 and 1.961 at the ends
+    EXPECT_GE(smooth, 7.653 - 1e-9);
+    EXPECT_LE(rough, 34.476 + 1e-9);
+  }
+}
+
+TEST(Footing, the_factor_of_design_codes_is_near_that_of_a_rough_base)
+{
+  for (const Real phi : {30., 35.}) {
+    const Real exact = n_gamma(phi * degree, Base::rough).value;
+    EXPECT_NEAR(n_gamma_hansen(phi * degree).value / exact, 1, 0.03) << phi;  // 2.1 % above and 1.6 % below
+  }
+}
+
+TEST(Footing, values_out_of_range_are_told)
+{
+  EXPECT_TRUE(n_q(0).valid);
+  EXPECT_FALSE(n_q(-0.1).valid);
+  EXPECT_FALSE(n_c(pi / 2).valid);
+  EXPECT_TRUE(n_gamma(30 * degree, Base::rough).valid);
+  EXPECT_TRUE(n_gamma(35 * degree, Base::rough).valid);
+  EXPECT_FALSE(n_gamma(36 * degree, Base::rough).valid);
+  EXPECT_FALSE(n_gamma(29 * degree, Base::smooth).valid);
+  EXPECT_TRUE(n_gamma_hansen(15 * degree).valid);
+  EXPECT_FALSE(n_gamma_hansen(51 * degree).valid);
+}
+
+TEST(Footing, a_source_says_how_far_to_trust_it)
+{
+  EXPECT_STREQ(word_of(n_q(0.5).source.label), "exact");
+  EXPECT_STREQ(word_of(n_gamma_hansen(0.5).source.label), "recalled");
+  EXPECT_STREQ(word_of(Label::fit), "fit");
+}
+
+}  // namespace
+}  // namespace berm
