@@ -33,7 +33,7 @@ Formula f114_undrained_model_1(const PipeInClay& pipe, Real F)
 {
   constexpr Source source = f114("s_u >= 0 at the surface, 0 <= w/D <= 1");
   const Real D = pipe.diameter, w = pipe.embedment, k = pipe.strength_gradient, N_c = 2 + pi, surface = pipe.strength - k * w;
-  const bool in_range = D > 0 && within(w / D, 0, 1) && surface >= 0 && k >= 0 && F > 0;
+  const bool in_range = D > 0 && within(w / D, 0, 1) && surface >= -1e-9 * pipe.strength && k >= 0 && F > 0;
   if (w == 0) return formula(0, source, in_range);
   const Real B = f114_contact_width(D, w);
   const Real z = w < D / 2 * (1 - root_2 / 2) ? 0 : w + D / 2 * (root_2 - 1) - B / 2;

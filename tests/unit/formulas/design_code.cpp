@@ -141,6 +141,8 @@ TEST(DesignCode, values_out_of_range_are_told)
   EXPECT_FALSE(f114_drained_lateral(sand_at(0.1), -1).valid);
   EXPECT_FALSE(f114_breakout(D, 1.1 * D).mean.valid);
   PipeInClay growing = clay_at(0.5);
+  growing.strength_gradient = 2000 / (0.5 * D);  // from nothing at the surface
+  EXPECT_TRUE(f114_undrained_model_1(growing, 1).valid);
   growing.strength_gradient = 20e3;  // the surface would have a negative strength
   EXPECT_FALSE(f114_undrained_model_1(growing, 1).valid);
 }
