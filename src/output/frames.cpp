@@ -4,20 +4,10 @@
 #include "core/error.hpp"
 #include "output/whole_file.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 
 namespace berm {
 namespace {
-
-/// Visits visit(block index, lane) for all particles of a body, whether or not its list of occupied cells is up to date.
-template <int dim, class Visit>
-void visit_all(const Particles<dim>& particles, Index cells, const Visit& visit)
-{
-  for (Index cell = 0; cell < cells; ++cell)
-    for (Index left = particles.count_in(cell), b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
-      for (int l = 0; l < std::min<Index>(lanes, left); ++l) visit(b, l);
-}
 
 template <int dim, class T>
 void append(std::vector<T>& list, const Vec<dim>& v)
@@ -33,63 +23,29 @@ std::string file_name(const char* kind, Index number)
 }  // namespace
 
 template <int dim>
-FrameWriter<dim>::FrameWriter(const std::filesystem::path& folder, const Model<dim>& model, const State<dim>& start)
-    : folder_(folder),
-      model_(model),
-      first_(start.particles.size())
+FrameWriter<dim>::FrameWriter(const std::filesystem::path& folder, const Mesh<dim>& mesh) : folder_(folder)
 {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw RunError(fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
-  for (std::size_t body = 0; body < start.particles.size(); ++body)
-    visit_all<dim>(start.particles[body], model.mesh.cell_count(), [&](Index b, int l) {
-      const Block<dim>& block = start.particles[body].block(b);
-      const auto id = static_cast<std::size_t>(block.id[l]);
-      if (first_[body].size() <= id) first_[body].resize(id + 1);
-      for (int d = 0; d < dim; ++d) first_[body][id].x[d] = block.x[d][l];
-      first_[body][id].strain = block.deviatoric_strain[l];
-    });
-  write_mesh();
+  write_mesh(mesh);
 }
 
 template <int dim>
-Frame<dim> FrameWriter<dim>::frame_of(const State<dim>& state)
+void FrameWriter<dim>::write(Frame<dim> frame)
 {
-  Frame<dim> frame;
-  frame.time = state.time;
-  for (std::size_t body = 0; body < state.particles.size(); ++body) {
-    std::vector<Particle<dim>> by_id(first_[body].size());
-    visit_all<dim>(state.particles[body], model_.mesh.cell_count(), [&](Index b, int l) {
-      const Particle<dim> p = state.particles[body].read(b, l);
-      by_id.at(static_cast<std::size_t>(p.id)) = p;
-    });
-    for (const Particle<dim>& p : by_id) {
-      if (p.id == none) continue;
-      First& first = first_[body][static_cast<std::size_t>(p.id)];
-      frame.particles.push_back({p, static_cast<Index>(body), p.x - first.x, p.deviatoric_strain - first.strain});
-      first.strain = p.deviatoric_strain;
-    }
-  }
-  for (std::size_t r = 0; r < model_.rigids.size(); ++r)
-    frame.rigids.push_back(surface_of<dim>(placed<dim>(model_.rigids[r], state.rigids[r]), model_.mesh.lower, model_.mesh.upper));
-  return frame;
-}
-
-template <int dim>
-void FrameWriter<dim>::write(const State<dim>& state)
-{
-  if (!times_.empty() && times_.back() == state.time) return;
-  last_ = frame_of(state);
-  write_particles(file_name("particles", count()));
-  if (!model_.rigids.empty()) write_rigids(file_name("rigid", count()), state);
-  times_.push_back(state.time);
+  if (!times_.empty() && times_.back() == frame.time) return;
+  last_ = std::move(frame);
+  const Index number = static_cast<Index>(times_.size());
+  write_soil(file_name(soil_kind(), number));
+  if (!last_.rigids.empty()) write_rigids(file_name("rigid", number));
+  times_.push_back(last_.time);
   write_collection();
 }
 
 template <int dim>
-void FrameWriter<dim>::write_mesh() const
+void FrameWriter<dim>::write_mesh(const Mesh<dim>& mesh) const
 {
-  const Mesh<dim>& mesh = model_.mesh;
   std::vector<Real> points;
   for (const Vec<dim>& x : mesh.position) append<dim>(points, x);
   Vtu vtu(std::move(points));
@@ -100,7 +56,7 @@ void FrameWriter<dim>::write_mesh() const
 }
 
 template <int dim>
-void FrameWriter<dim>::write_particles(const std::string& name) const
+void FrameWriter<dim>::write_soil(const std::string& name) const
 {
   std::vector<Real> points;
   std::vector<float> velocity, displacement, stress, mean_stress, strain, increment, volume;
@@ -119,7 +75,9 @@ void FrameWriter<dim>::write_particles(const std::string& name) const
     id.push_back(p.id);
   }
   Vtu vtu(std::move(points));
-  for (Index k = 0; k < static_cast<Index>(last_.particles.size()); ++k) vtu.add_cell(VtkCell::vertex, {k});
+  for (const auto& nodes : last_.triangles) vtu.add_cell(VtkCell::quadratic_triangle, std::vector<Index>(nodes.begin(), nodes.end()));
+  if (last_.triangles.empty())
+    for (Index k = 0; k < static_cast<Index>(last_.particles.size()); ++k) vtu.add_cell(VtkCell::vertex, {k});
   vtu.set_time(last_.time);
   vtu.point_field("velocity", 3, velocity);
   vtu.point_field("displacement", 3, displacement);
@@ -134,24 +92,24 @@ void FrameWriter<dim>::write_particles(const std::string& name) const
 }
 
 template <int dim>
-void FrameWriter<dim>::write_rigids(const std::string& name, const State<dim>& state) const
+void FrameWriter<dim>::write_rigids(const std::string& name) const
 {
   std::vector<Real> points;
-  for (const RigidSurface<dim>& surface : last_.rigids)
-    for (const Vec<dim>& x : surface.points) append<dim>(points, x);
+  for (const FrameRigid<dim>& f : last_.rigids)
+    for (const Vec<dim>& x : f.surface.points) append<dim>(points, x);
   Vtu vtu(std::move(points));
   std::vector<std::int32_t> rigid;
   std::vector<float> velocity;
   Index first = 0;
   for (std::size_t r = 0; r < last_.rigids.size(); ++r) {
-    for (const auto& cell : last_.rigids[r].cells) {
+    for (const auto& cell : last_.rigids[r].surface.cells) {
       std::vector<Index> corners = cell.points;
       for (Index& corner : corners) corner += first;
       vtu.add_cell(cell.type, corners);
       rigid.push_back(static_cast<std::int32_t>(r));
-      append<dim>(velocity, state.rigids[r].velocity);
+      append<dim>(velocity, last_.rigids[r].velocity);
     }
-    first += static_cast<Index>(last_.rigids[r].points.size());
+    first += static_cast<Index>(last_.rigids[r].surface.points.size());
   }
   vtu.set_time(last_.time);
   vtu.cell_field("rigid", 1, rigid);
@@ -163,12 +121,13 @@ template <int dim>
 void FrameWriter<dim>::write_collection() const
 {
   std::string xml = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n<Collection>\n";
-  for (Index k = 0; k < count(); ++k) {
+  for (std::size_t k = 0; k < times_.size(); ++k) {
     const auto line = [&](int part, const char* kind) {
-      xml += fmt::format("<DataSet timestep=\"{}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n", times_[k], part, kind, file_name(kind, k));
+      xml += fmt::format("<DataSet timestep=\"{}\" part=\"{}\" name=\"{}\" file=\"{}\"/>\n", times_[k], part, kind,
+                         file_name(kind, static_cast<Index>(k)));
     };
-    line(0, "particles");
-    if (!model_.rigids.empty()) line(1, "rigid");
+    line(0, soil_kind());
+    if (!last_.rigids.empty()) line(1, "rigid");
   }
   write_whole(folder_ / "frames.pvd", xml + "</Collection>\n</VTKFile>\n");
 }

@@ -1,61 +1,38 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "output/rigid_surface.hpp"
-#include "problem/model.hpp"
+#include "output/frame.hpp"
 
 #include <filesystem>
 
 namespace berm {
 
-/// A particle as a frame shows it.
-template <int dim>
-struct FrameParticle {
-  Particle<dim> particle;
-  Index body;
-  Vec<dim> displacement;  ///< since the start, m
-  Real strain_increment;  ///< of the accumulated deviatoric strain, since the frame before
-};
-
-/// What one frame shows: the particles by body and then id, and the rigid bodies where they are.
-template <int dim>
-struct Frame {
-  Real time = 0;  ///< s
-  std::vector<FrameParticle<dim>> particles;
-  std::vector<RigidSurface<dim>> rigids;
-};
-
-/// Writes the frames of a run for ParaView: mesh.vtu once; at each frame particles_NNNN.vtu, rigid_NNNN.vtu where there are rigid bodies, and
-/// frames.pvd, which lists all frames so far. Every file is written whole. Errors are RunErrors.
-/// Fields of the particles: velocity (m/s), displacement (m), stress (Pa, tension positive, XX YY ZZ XY YZ XZ), mean_stress (Pa, tension
-/// positive), deviatoric_strain (accumulated), incremental_deviatoric_strain (since the frame before), volume (m2 or m3), body, id.
+/// Writes the frames of a run for ParaView: mesh.vtu once; at each frame particles_NNNN.vtu, or soil_NNNN.vtu where there are triangles,
+/// rigid_NNNN.vtu where there are rigid bodies, and frames.pvd, which lists all frames so far. Every file is written whole. Errors are RunErrors.
+/// Fields of the particles or nodes: velocity (m/s), displacement (m), stress (Pa, tension positive, XX YY ZZ XY YZ XZ), mean_stress (Pa,
+/// tension positive), deviatoric_strain (accumulated), incremental_deviatoric_strain (since the frame before), volume (m2 or m3), body, id.
 template <int dim>
 class FrameWriter {
 public:
-  /// Remembers where the particles of `start` are, and keeps the model, which must outlive it. Makes the folder where it is missing.
-  FrameWriter(const std::filesystem::path& folder, const Model<dim>& model, const State<dim>& start);
+  /// Makes the folder where it is missing and writes the mesh.
+  FrameWriter(const std::filesystem::path& folder, const Mesh<dim>& mesh);
 
-  /// Writes one frame, unless the last one is of the same time.
-  void write(const State<dim>& state);
+  /// Writes one frame, unless the last one is of the same time. All frames of a run have triangles or none, rigid bodies or none.
+  void write(Frame<dim> frame);
 
-  Index count() const { return static_cast<Index>(times_.size()); }
+  /// Of the frames written, s.
+  const std::vector<Real>& times() const { return times_; }
   /// The last frame written.
   const Frame<dim>& last() const { return last_; }
 
 private:
-  struct First {
-    Vec<dim> x = Vec<dim>::Zero();
-    Real strain = 0;  ///< at the frame before
-  };
-  Frame<dim> frame_of(const State<dim>& state);
-  void write_mesh() const;
-  void write_particles(const std::string& name) const;
-  void write_rigids(const std::string& name, const State<dim>& state) const;
+  void write_mesh(const Mesh<dim>& mesh) const;
+  void write_soil(const std::string& name) const;
+  void write_rigids(const std::string& name) const;
   void write_collection() const;
+  const char* soil_kind() const { return last_.triangles.empty() ? "particles" : "soil"; }
 
   std::filesystem::path folder_;
-  const Model<dim>& model_;
-  std::vector<std::vector<First>> first_;  ///< by body, then id
   std::vector<Real> times_;
   Frame<dim> last_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "output/frames.hpp"
+#include "output/frame.hpp"
 #include "output/pipe_quantities.hpp"
 #include "output/run_folder.hpp"
 
@@ -18,7 +18,7 @@ bool draw_columns(const RunFolder& folder, const History& history, const std::ve
 /// "tip_x_m" in two: what it is ("tip x") and the unit that the name ends with ("m"); "1" where it ends with none.
 std::pair<std::string, std::string> name_and_unit(const std::string& column);
 
-/// What colours the particles.
+/// What colours the soil.
 enum class SoilColor { deviatoric_strain, incremental_deviatoric_strain };
 
 /// The part of the soil that a picture shows.
@@ -27,8 +27,9 @@ struct SoilView {
   std::optional<Real> surface;  ///< m, level of the original surface, drawn as a dashed line
 };
 
-/// soil.png (accumulated) or soil_increment.png (since the frame before): particles coloured by their deviatoric strain, rigid bodies grey,
-/// equal axes. The colours end at the value that one particle in a hundred exceeds. False, with a warning, where it could not be drawn.
+/// soil.png (accumulated) or soil_increment.png (since the frame before): particles as disks, or the triangles of the frame filled, coloured by
+/// their deviatoric strain; rigid bodies grey, equal axes. The colours end at the value that one particle or node in a hundred exceeds. False,
+/// with a warning, where it could not be drawn.
 bool draw_soil(const RunFolder& folder, const Frame<2>& frame, SoilColor color, const SoilView& view, const std::string& title);
 
 }  // namespace berm

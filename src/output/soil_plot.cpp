@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/gnuplot.hpp"
 #include "output/plots.hpp"
+#include "output/raster.hpp"
 #include "output/whole_file.hpp"
 
 #include <algorithm>
@@ -10,6 +11,7 @@ namespace berm {
 namespace {
 
 constexpr int width = 1200, left = 95, right = 175, bottom = 80, top = 70;  // pixels; the plot's height follows from the view
+constexpr int plot_width = width - left - right;
 // Ten equally spaced colours of viridis, which is even to the eye and in grey.
 constexpr const char* palette =
     "set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', "
@@ -25,49 +27,97 @@ Real round_up(Real value)
   return 10 * power;
 }
 
+/// A picture in the making: what it shows and in which unit.
+struct Picture {
+  const Frame<2>& frame;
+  bool accumulated;
+  const SoilView& view;
+  PlotUnit unit;
+  Vec<2> size() const { return view.upper - view.lower; }
+  int plot_height() const { return std::clamp(static_cast<int>(std::lround(plot_width * size()[1] / size()[0])), 200, 1400); }
+  const char* name() const { return accumulated ? "soil" : "soil_increment"; }
+  const char* word() const { return accumulated ? "accumulated" : "incremental"; }
+  Real value(const FrameParticle<2>& f) const { return accumulated ? f.particle.deviatoric_strain : f.strain_increment; }
+};
+
 /// Radius of the disk that stands for a particle: larger than its share, so that neighbours close the ground between them.
 Real shown_radius(const Particle<2>& p)
 {
   return std::sqrt(p.volume);
 }
 
-}  // namespace
-
-bool draw_soil(const RunFolder& folder, const Frame<2>& frame, SoilColor color, const SoilView& view, const std::string& title)
+std::vector<const FrameParticle<2>*> particles_in_view(const Picture& picture)
 {
-  const bool accumulated = color == SoilColor::deviatoric_strain;
-  const std::string name = accumulated ? "soil" : "soil_increment";
-  const Vec<2> size = view.upper - view.lower;
-  const PlotUnit unit = length_unit(size.maxCoeff());
-
-  folder.subfolder("plots");
-  std::string data = fmt::format("# x, y, radius ({}), {} deviatoric strain\n", unit.name, accumulated ? "accumulated" : "incremental");
-  std::vector<Real> values;
-  for (const FrameParticle<2>& f : frame.particles) {
-    const Vec<2>& x = f.particle.x;
-    const Real radius = shown_radius(f.particle), value = accumulated ? f.particle.deviatoric_strain : f.strain_increment;
-    if ((x.array() < view.lower.array() - radius).any() || (x.array() > view.upper.array() + radius).any()) continue;
-    data += fmt::format("{:.6g} {:.6g} {:.4g} {:.5g}\n", x[0] * unit.per_si, x[1] * unit.per_si, radius * unit.per_si, value);
-    values.push_back(value);
+  std::vector<const FrameParticle<2>*> shown;
+  for (const FrameParticle<2>& f : picture.frame.particles) {
+    const auto x = f.particle.x.array();
+    const Real radius = shown_radius(f.particle);
+    if ((x >= picture.view.lower.array() - radius).all() && (x <= picture.view.upper.array() + radius).all()) shown.push_back(&f);
   }
-  if (values.empty()) return false;
-  write_whole(folder.file("plots/" + name + ".dat"), data);
-  std::string outlines = fmt::format("# x, y ({}) of each rigid body\n", unit.name);
-  for (const RigidSurface<2>& rigid : frame.rigids) {
-    for (const auto& cell : rigid.cells) {
-      for (const Index k : cell.points)
-        outlines += fmt::format("{:.6g} {:.6g}\n", rigid.points[k][0] * unit.per_si, rigid.points[k][1] * unit.per_si);
-      outlines +=
-          fmt::format("{:.6g} {:.6g}\n\n", rigid.points[cell.points[0]][0] * unit.per_si, rigid.points[cell.points[0]][1] * unit.per_si);
+  return shown;
+}
+
+/// The data of a picture of disks.
+std::string disks(const Picture& picture, const std::vector<const FrameParticle<2>*>& particles)
+{
+  const PlotUnit& unit = picture.unit;
+  std::string data = fmt::format("# x, y, radius ({}), {} deviatoric strain\n", unit.name, picture.word());
+  for (const FrameParticle<2>* f : particles)
+    data += fmt::format("{:.6g} {:.6g} {:.4g} {:.5g}\n", f->particle.x[0] * unit.per_si, f->particle.x[1] * unit.per_si,
+                        shown_radius(f->particle) * unit.per_si, picture.value(*f));
+  return data;
+}
+
+/// The data of a picture of triangles: each is painted as four, between its corners and the middles of its sides.
+std::string pixels(const Picture& picture)
+{
+  constexpr int parts[4][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+  Raster raster(picture.view.lower, picture.view.upper, plot_width, picture.plot_height());
+  for (const std::array<Index, 6>& nodes : picture.frame.triangles)
+    for (const auto& part : parts) {
+      std::array<Vec<2>, 3> corners;
+      std::array<Real, 3> values;
+      for (int k = 0; k < 3; ++k) {
+        const FrameParticle<2>& node = picture.frame.particles[nodes[part[k]]];
+        corners[k] = node.particle.x;
+        values[k] = picture.value(node);
+      }
+      raster.paint(corners, values);
     }
-  }
-  write_whole(folder.file("plots/" + name + "_rigid.dat"), outlines);
-  const auto hundredth = values.end() - 1 - static_cast<std::ptrdiff_t>(values.size() / 100);
-  std::nth_element(values.begin(), hundredth, values.end());
+  return fmt::format("# {} deviatoric strain of each pixel, a line a row, the lowest first\n", picture.word()) + raster.text();
+}
 
-  const int plot_width = width - left - right;
-  const int plot_height = std::clamp(static_cast<int>(std::lround(plot_width * size[1] / size[0])), 200, 1400);
-  const int height = plot_height + bottom + top;
+std::string outlines(const Picture& picture)
+{
+  const Real per_si = picture.unit.per_si;
+  std::string data = fmt::format("# x, y ({}) of each rigid body\n", picture.unit.name);
+  for (const FrameRigid<2>& rigid : picture.frame.rigids)
+    for (const auto& cell : rigid.surface.cells) {
+      const auto line = [&](Index k) {
+        return fmt::format("{:.6g} {:.6g}\n", rigid.surface.points[k][0] * per_si, rigid.surface.points[k][1] * per_si);
+      };
+      for (const Index k : cell.points) data += line(k);
+      data += line(cell.points[0]) + '\n';
+    }
+  return data;
+}
+
+/// The value that one particle in a hundred exceeds.
+Real hundredth(const Picture& picture, const std::vector<const FrameParticle<2>*>& particles)
+{
+  std::vector<Real> values;
+  for (const FrameParticle<2>* f : particles) values.push_back(picture.value(*f));
+  const auto place = values.end() - 1 - static_cast<std::ptrdiff_t>(values.size() / 100);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+/// Axes, colours and the line of the surface.
+std::string axes(const Picture& picture, Real most, const std::string& title)
+{
+  const int height = picture.plot_height() + bottom + top;
+  const SoilView& view = picture.view;
+  const PlotUnit& unit = picture.unit;
   const auto part = [](int pixels, int of) { return static_cast<Real>(pixels) / of; };
   std::string script = fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset bmargin at screen {:.4f}\nset tmargin at screen {:.4f}\n",
@@ -76,19 +126,46 @@ bool draw_soil(const RunFolder& folder, const Frame<2>& frame, SoilColor color, 
   script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", view.lower[0] * unit.per_si,
                         view.upper[0] * unit.per_si, view.lower[1] * unit.per_si, view.upper[1] * unit.per_si);
   script += fmt::format("set xlabel 'x ({0})'\nset ylabel 'y ({0})'\nset tics out nomirror\nset border lc rgb '#444444'\n", unit.name);
-  script += fmt::format("set cblabel '{} deviatoric strain'\nset cbrange [0:{:g}]\n", accumulated ? "accumulated" : "incremental",
-                        round_up(*hundredth));
+  script += fmt::format("set cblabel '{} deviatoric strain'\nset cbrange [0:{:g}]\n", picture.word(), round_up(most));
   script += std::string(palette) + "unset key\nset style fill solid noborder\n";
   if (view.surface) {
     const Real level = *view.surface * unit.per_si;
     script += fmt::format("set arrow 1 from {:.6g},{:.6g} to {:.6g},{:.6g} nohead dt 2 lc rgb '#666666' lw 1 front\n",
                           view.lower[0] * unit.per_si, level, view.upper[0] * unit.per_si, level);
   }
-  script += fmt::format("plot '{}.dat' using 1:2:3:4 with circles lc palette", name);
-  if (!frame.rigids.empty())
-    script +=
-        fmt::format(", \\\n     '{0}_rigid.dat' with filledcurves closed lc rgb '#c9ccd1', '' with lines lc rgb '#33373d' lw 2", name);
-  return draw(folder.path(), name, width, height, script + '\n');
+  return script;
+}
+
+/// The command that draws the data.
+std::string plot(const Picture& picture)
+{
+  std::string command;
+  if (picture.frame.triangles.empty()) {
+    command = fmt::format("plot '{}.dat' using 1:2:3:4 with circles lc palette", picture.name());
+  } else {
+    const Vec<2> lower = picture.view.lower * picture.unit.per_si, size = picture.size() * picture.unit.per_si;
+    command = fmt::format("plot '{}.dat' matrix using ({:.9g}+($1+0.5)*{:.9g}):({:.9g}+($2+0.5)*{:.9g}):3 with image", picture.name(),
+                          lower[0], size[0] / plot_width, lower[1], size[1] / picture.plot_height());
+  }
+  if (!picture.frame.rigids.empty())
+    command += fmt::format(", \\\n     '{0}_rigid.dat' with filledcurves closed lc rgb '#c9ccd1', '' with lines lc rgb '#33373d' lw 2",
+                           picture.name());
+  return command + '\n';
+}
+
+}  // namespace
+
+bool draw_soil(const RunFolder& folder, const Frame<2>& frame, SoilColor color, const SoilView& view, const std::string& title)
+{
+  const Picture picture{frame, color == SoilColor::deviatoric_strain, view, length_unit((view.upper - view.lower).maxCoeff())};
+  const std::vector<const FrameParticle<2>*> particles = particles_in_view(picture);
+  folder.subfolder("plots");
+  if (particles.empty()) return false;
+  const std::string data = fmt::format("plots/{}", picture.name());
+  write_whole(folder.file(data + ".dat"), frame.triangles.empty() ? disks(picture, particles) : pixels(picture));
+  write_whole(folder.file(data + "_rigid.dat"), outlines(picture));
+  return draw(folder.path(), picture.name(), width, picture.plot_height() + bottom + top,
+              axes(picture, hundredth(picture, particles), title) + plot(picture));
 }
 
 }  // namespace berm

@@ -11,7 +11,16 @@
 namespace berm {
 
 /// Kinds of cells, as VTK numbers them.
-enum class VtkCell : std::uint8_t { vertex = 1, line = 3, triangle = 5, polygon = 7, quad = 9, tetrahedron = 10, hexahedron = 12 };
+enum class VtkCell : std::uint8_t {
+  vertex = 1,
+  line = 3,
+  triangle = 5,
+  polygon = 7,
+  quad = 9,
+  tetrahedron = 10,
+  hexahedron = 12,
+  quadratic_triangle = 22
+};
 
 /// An unstructured grid on its way to a .vtu file: VTK's XML format, version 1.0, with raw appended little-endian data and UInt64 headers.
 class Vtu {

@@ -6,6 +6,7 @@
 #include "input/write_case.hpp"
 #include "mpm/step.hpp"
 #include "mpm/time_step.hpp"
+#include "output/frame_maker.hpp"
 #include "output/progress.hpp"
 #include "output/whole_file.hpp"
 #include "problem/stages.hpp"
@@ -60,7 +61,8 @@ public:
         work_(model(), state()),
         interval_(history_interval(request.settings)),
         recorder_(folder.file("history.csv"), model(), state()),
-        frames_(folder.subfolder("frames"), model(), state()),
+        frame_maker_(model(), state()),
+        frames_(folder.subfolder("frames"), model().mesh),
         progress_(log)
   {
   }
@@ -133,7 +135,7 @@ private:
   void frame()
   {
     const Timer timer("write frames");
-    frames_.write(state());
+    frames_.write(frame_maker_.make(state()));
     frame_time_ = state().time;
     const Index driven = model().driven[state().stage.index];
     if (driven != none) frame_displacement_ = state().rigids[driven].displacement;
@@ -191,6 +193,7 @@ private:
   Work<dim> work_;
   Real interval_;
   Recorder<dim> recorder_;
+  FrameMaker<dim> frame_maker_;
   FrameWriter<dim> frames_;
   Progress progress_;
   bool finished_ = false;

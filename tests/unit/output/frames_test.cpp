@@ -90,7 +90,7 @@ TYPED_TEST(FramesIn, particles_read_back_by_body_then_id_with_every_field)
   constexpr int dim = TypeParam::value;
   const TemporaryFolder folder;
   Problem<dim> problem = sample_problem<dim>();
-  FrameWriter<dim> frames(folder.path / "frames", problem.model, problem.state);
+  SampleFrames<dim> frames(folder.path / "frames", problem);
   frames.write(problem.state);
   const Vec<dim> by = Vec<dim>::Constant(0.001);
   move_all<dim>(problem, by, 0.25);
@@ -135,7 +135,7 @@ TYPED_TEST(FramesIn, positions_are_exact_and_the_mesh_is_there)
   constexpr int dim = TypeParam::value;
   const TemporaryFolder folder;
   const Problem<dim> problem = sample_problem<dim>();
-  FrameWriter<dim> frames(folder.path, problem.model, problem.state);
+  SampleFrames<dim> frames(folder.path, problem);
   frames.write(problem.state);
   const ReadVtu particles(folder.path / "particles_0000.vtu"), mesh(folder.path / "mesh.vtu");
   const auto x = particles.numbers<double>("Points");
@@ -153,7 +153,7 @@ TYPED_TEST(FramesIn, rigid_bodies_move_with_their_displacement)
   constexpr int dim = TypeParam::value;
   const TemporaryFolder folder;
   Problem<dim> problem = sample_problem<dim>();
-  FrameWriter<dim> frames(folder.path, problem.model, problem.state);
+  SampleFrames<dim> frames(folder.path, problem);
   problem.state.rigids[0].displacement[0] = 0.03;
   frames.write(problem.state);
   const ReadVtu vtu(folder.path / "rigid_0000.vtu");
@@ -172,12 +172,12 @@ TYPED_TEST(FramesIn, the_collection_lists_every_frame_and_every_file_it_lists_is
   constexpr int dim = TypeParam::value;
   const TemporaryFolder folder;
   Problem<dim> problem = sample_problem<dim>();
-  FrameWriter<dim> frames(folder.path, problem.model, problem.state);
+  SampleFrames<dim> frames(folder.path, problem);
   for (int k = 0; k < 3; ++k) {
     problem.state.time = 0.125 * k;
     frames.write(problem.state);
     frames.write(problem.state);  // the same time: nothing new
-    EXPECT_EQ(frames.count(), k + 1);
+    EXPECT_EQ(frames.count(), static_cast<std::size_t>(k + 1));
     const std::string pvd = content_of(folder.path / "frames.pvd");
     EXPECT_EQ(pvd.rfind("</VTKFile>\n"), pvd.size() - 11);
     const std::regex entry("<DataSet timestep=\"([^\"]+)\" part=\"(\\d)\" name=\"(\\w+)\" file=\"([^\"]+)\"/>");
@@ -194,7 +194,7 @@ TEST(Frames, increments_count_from_the_frame_before)
 {
   const TemporaryFolder folder;
   Problem<2> problem = sample_problem<2>();
-  FrameWriter<2> frames(folder.path, problem.model, problem.state);
+  SampleFrames<2> frames(folder.path, problem);
   for (int k = 1; k <= 3; ++k) {
     move_all<2>(problem, Vec<2>::Zero(), 0.125 * k);
     problem.state.time = k;
@@ -209,10 +209,65 @@ TEST(Frames, without_rigid_bodies_there_is_no_rigid_file)
   Problem<2> problem = sample_problem<2>();
   problem.model.rigids.clear();
   problem.state.rigids.clear();
-  FrameWriter<2> frames(folder.path, problem.model, problem.state);
+  SampleFrames<2> frames(folder.path, problem);
   frames.write(problem.state);
   EXPECT_FALSE(std::filesystem::exists(folder.path / "rigid_0000.vtu"));
   EXPECT_EQ(content_of(folder.path / "frames.pvd").find("rigid"), std::string::npos);
+}
+
+TEST(Frames, of_finite_elements_are_quadratic_triangles_with_every_field_at_their_nodes)
+{
+  const TemporaryFolder folder;
+  FrameWriter<2> frames(folder.path, sample_problem<2>().model.mesh);
+  Frame<2> frame = two_triangles();
+  frames.write(frame);
+  frame.time = 0.5;
+  frames.write(frame);
+  EXPECT_EQ(frames.times(), (std::vector<Real>{0, 0.5}));
+  EXPECT_FALSE(std::filesystem::exists(folder.path / "particles_0000.vtu"));
+  const std::string pvd = content_of(folder.path / "frames.pvd");
+  for (const char* name : {"soil_0000.vtu", "soil_0001.vtu"}) EXPECT_NE(pvd.find(name), std::string::npos) << name;
+
+  const ReadVtu vtu(folder.path / "soil_0001.vtu");
+  EXPECT_TRUE(vtu.tight);
+  ASSERT_EQ(vtu.points, 9);
+  ASSERT_EQ(vtu.cells, 2);
+  EXPECT_EQ(vtu.numbers<std::uint8_t>("types"), (std::vector<std::uint8_t>{22, 22}));
+  EXPECT_EQ(vtu.numbers<std::int64_t>("offsets"), (std::vector<std::int64_t>{6, 12}));
+  EXPECT_EQ(vtu.numbers<std::int64_t>("connectivity"), (std::vector<std::int64_t>{0, 2, 8, 1, 5, 4, 0, 8, 6, 4, 7, 3}));
+  EXPECT_EQ(vtu.numbers<double>("TimeValue"), std::vector<double>{0.5});
+  EXPECT_EQ(vtu.numbers<float>("velocity"), std::vector<float>(27, 0));
+  EXPECT_EQ(vtu.numbers<std::int32_t>("body"), std::vector<std::int32_t>(9, 0));
+  const auto x = vtu.numbers<double>("Points");
+  for (std::size_t k = 0; k < 9; ++k) {
+    const FrameParticle<2>& f = frame.particles[k];
+    EXPECT_EQ(x[3 * k], f.particle.x[0]);
+    EXPECT_EQ(x[3 * k + 1], f.particle.x[1]);
+    EXPECT_EQ(vtu.numbers<float>("displacement")[3 * k], static_cast<float>(0.001 * static_cast<Real>(k)));
+    EXPECT_EQ(vtu.numbers<float>("stress")[6 * k + 3], static_cast<float>(10 * k + 3));
+    EXPECT_EQ(vtu.numbers<float>("mean_stress")[k], static_cast<float>(10 * k + 1));
+    EXPECT_EQ(vtu.numbers<float>("deviatoric_strain")[k], static_cast<float>(f.particle.deviatoric_strain));
+    EXPECT_EQ(vtu.numbers<float>("incremental_deviatoric_strain")[k], 0.25f);
+    EXPECT_EQ(vtu.numbers<float>("volume")[k], static_cast<float>(0.04 / 9));
+    EXPECT_EQ(vtu.numbers<std::int32_t>("id")[k], static_cast<std::int32_t>(k));
+  }
+}
+
+TEST(Frames, rigid_bodies_have_their_velocities)
+{
+  const TemporaryFolder folder;
+  Problem<2> problem = sample_problem<2>();
+  for (std::size_t r = 0; r < 3; ++r) problem.state.rigids[r].velocity = Vec<2>(static_cast<Real>(r), -0.5);
+  SampleFrames<2> frames(folder.path, problem);
+  frames.write(problem.state);
+  const ReadVtu vtu(folder.path / "rigid_0000.vtu");
+  const auto rigid = vtu.numbers<std::int32_t>("rigid");
+  const auto velocity = vtu.numbers<float>("velocity");
+  ASSERT_EQ(velocity.size(), 3 * rigid.size());
+  for (std::size_t k = 0; k < rigid.size(); ++k) {
+    EXPECT_EQ(velocity[3 * k], static_cast<float>(rigid[k]));
+    EXPECT_EQ(velocity[3 * k + 1], -0.5f);
+  }
 }
 
 }  // namespace

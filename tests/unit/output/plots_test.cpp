@@ -5,6 +5,7 @@
 #include "sample_run.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace berm {
@@ -28,6 +29,26 @@ std::pair<int, int> png_size(const fs::path& path)
   return {number(16), number(20)};
 }
 
+using Color = std::array<int, 3>;
+
+/// Red, green and blue of a pixel of a PNG, counted from the upper left corner, as gnuplot reads it.
+Color color_at(const fs::path& picture, int column, int row)
+{
+  const TemporaryFolder folder;
+  const fs::path table = folder.path / "table";
+  const std::string command =
+      fmt::format("gnuplot -e \"set table '{}'; plot '{}' binary filetype=png every ::{}:{}:{}:{} with rgbimage\" > /dev/null 2>&1",
+                  table.string(), picture.string(), column, row, column + 1, row + 1);
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("gnuplot cannot read " + picture.string());
+  std::istringstream lines(content_of(table));
+  for (std::string line; std::getline(lines, line);) {
+    Color color;
+    int x, y;
+    if (std::istringstream(line) >> x >> y >> color[0] >> color[1] >> color[2]) return color;
+  }
+  throw std::runtime_error("no pixel in " + table.string());
+}
+
 class Plots : public testing::Test {
 protected:
   TemporaryFolder base;
@@ -46,7 +67,7 @@ protected:
   {
     static const Problem<2> problem = sample_problem<2>();
     const TemporaryFolder frames_folder;
-    FrameWriter<2> frames(frames_folder.path, problem.model, problem.state);
+    SampleFrames<2> frames(frames_folder.path, problem);
     frames.write(problem.state);
     return frames.last();
   }
@@ -80,6 +101,46 @@ TEST_F(Plots, the_soil_is_drawn_in_both_colourings)
   ASSERT_TRUE(draw_soil(folder, frame(), SoilColor::incremental_deviatoric_strain, view, "increment of nothing"));
   EXPECT_EQ(png_size(folder.file("soil.png")).first, 1200);
   EXPECT_EQ(png_size(folder.file("soil_increment.png")).first, 1200);
+}
+
+TEST_F(Plots, triangles_are_filled_with_the_colour_of_their_strain)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  const SoilView view{Vec<2>(-0.1, -0.1), Vec<2>(0.3, 0.3), {}};
+  ASSERT_TRUE(draw_soil(folder, two_triangles(), SoilColor::deviatoric_strain, view, "two triangles"));
+  ASSERT_EQ(png_size(folder.file("soil.png")), (std::pair{1200, 1080}));
+  // The view is 930 pixels wide and high, 95 from the left and 70 from the top.
+  const auto color = [&](Real x, Real y) {
+    return color_at(folder.file("soil.png"), 95 + static_cast<int>(930 * (x + 0.1) / 0.4), 70 + static_cast<int>(930 * (0.3 - y) / 0.4));
+  };
+  const Color below = color(0.15, 0.05), above = color(0.05, 0.15), white = {255, 255, 255};
+  EXPECT_GT(below[1], above[1] + 60);  // strain 0.75 is green: 96 200 96; strain 0.25 is blue: 59 81 138
+  EXPECT_GT(above[2], below[2] + 20);
+  EXPECT_EQ(color(-0.05, 0.1), white);
+  EXPECT_EQ(color(0.1, 0.25), white);
+}
+
+TEST_F(Plots, triangles_are_painted_without_gaps_as_far_as_the_middles_of_their_sides_reach)
+{
+  Frame<2> frame = two_triangles();
+  const auto strain = [](Real x, Real y) { return 0.5 + (x - y) / 0.4; };
+  Particle<2>& middle = frame.particles[1].particle;  // of the lower side
+  middle.x[1] = -0.03;
+  middle.deviatoric_strain = strain(0.1, -0.03);
+  draw_soil(folder, frame, SoilColor::deviatoric_strain, {Vec<2>(-0.1, -0.1), Vec<2>(0.31, 0.3), {}}, "two triangles");
+  std::istringstream words(content_of(folder.file("plots/soil.dat")));
+  std::string word;
+  std::getline(words, word);
+  constexpr int columns = 930, rows = 907;
+  int wrong = 0;
+  for (int k = 0; k < rows * columns; ++k) {
+    const Real x = -0.1 + (k % columns + 0.5) * 0.41 / columns, y = -0.1 + (k / columns + 0.5) * 0.4 / rows;
+    const bool inside = x > 0 && x < 0.2 && y < 0.2 && y > -0.3 * std::min(x, 0.2 - x);
+    words >> word;
+    if (inside ? !(std::abs(std::stod(word) - strain(x, y)) < 1e-3) : word != "nan") ++wrong;  // four digits are written
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_FALSE(words >> word);
 }
 
 TEST_F(Plots, particles_outside_the_view_are_left_out)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "mesh/box.hpp"
+#include "output/frame_maker.hpp"
 #include "output/frames.hpp"
 #include "output/history.hpp"
 
@@ -75,6 +76,42 @@ Problem<dim> sample_problem()
                   {"floor", HalfPlane<dim>{middle, Vec<dim>::UnitY()}, 1}};
   state.rigids.resize(3);
   return problem;
+}
+
+/// The frames of a problem, made and written.
+template <int dim>
+class SampleFrames {
+public:
+  SampleFrames(const std::filesystem::path& folder, const Problem<dim>& problem)
+      : maker_(problem.model, problem.state),
+        writer_(folder, problem.model.mesh)
+  {
+  }
+  void write(const State<dim>& state) { writer_.write(maker_.make(state)); }
+  std::size_t count() const { return writer_.times().size(); }
+  const Frame<dim>& last() const { return writer_.last(); }
+
+private:
+  FrameMaker<dim> maker_;
+  FrameWriter<dim> writer_;
+};
+
+/// A square of 0.2 m of two 6-node triangles, below and above the diagonal through its origin: node 3 j + i is at (0.1 i, 0.1 j), and the
+/// strain is 0 in the corner x = 0, 1 in the corner y = 0 and linear between.
+inline Frame<2> two_triangles()
+{
+  Frame<2> frame;
+  frame.triangles = {{0, 2, 8, 1, 5, 4}, {0, 8, 6, 4, 7, 3}};
+  for (int k = 0; k < 9; ++k) {
+    FrameParticle<2> f{{}, 0, Vec<2>(0.001 * k, 0), 0.25};
+    f.particle.x = Vec<2>(0.1 * (k % 3), 0.1 * static_cast<Real>(k / 3));
+    f.particle.id = k;
+    f.particle.volume = 0.04 / 9;
+    f.particle.deviatoric_strain = 0.5 + (f.particle.x[0] - f.particle.x[1]) / 0.4;
+    for (int c = 0; c < tensor_size<2>; ++c) f.particle.stress[c] = 10 * k + c;
+    frame.particles.push_back(f);
+  }
+  return frame;
 }
 
 /// The history of a pipe with D = 0.02 m that is pushed to 0.25 D with V = stiffness w and then dragged to `drag` with H = H_end tanh(u/a)
