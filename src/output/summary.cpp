@@ -6,22 +6,42 @@
 #include <nlohmann/json.hpp>
 
 namespace berm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const RunTiming& t, const MpmCounts& counts)
+{
+  return {{"particle_steps_per_s", particle_steps_per_s(t, counts)},
+          {"wall_s", t.wall_s},
+          {"threads", t.threads},
+          {"particles", counts.particles},
+          {"cells", t.cells},
+          {"steps", t.steps},
+          {"seconds_per_step", t.wall_s / static_cast<Real>(t.steps)}};
+}
+
+Json json_of(const RunTiming& t, const FemCounts& counts)
+{
+  return {{"wall_s", t.wall_s}, {"threads", t.threads}, {"nodes", counts.nodes},
+          {"cells", t.cells},   {"steps", t.steps},     {"iterations", counts.iterations}};
+}
+
+}  // namespace
+
+Real particle_steps_per_s(const RunTiming& timing, const MpmCounts& counts)
+{
+  return static_cast<Real>(counts.particles * timing.steps) / timing.wall_s;
+}
 
 std::string Summary::json() const
 {
-  using Json = nlohmann::ordered_json;
   Json root;
   root["quantities"] = Json::object();
   for (const Quantity& q : quantities) root["quantities"][q.name] = {{"value", q.value}, {"unit", q.unit}};
   Json& t = root["timing"];
-  t = {{"particle_steps_per_s", timing.particle_steps_per_s},
-       {"wall_s", timing.wall_s},
-       {"threads", timing.threads},
-       {"particles", timing.particles},
-       {"cells", timing.cells},
-       {"steps", timing.steps},
-       {"seconds_per_step", timing.wall_s / static_cast<Real>(timing.steps)},
-       {"loops", Json::array()}};
+  t = std::visit([&](const auto& counts) { return json_of(timing, counts); }, timing.counts);
+  t["loops"] = Json::array();
   for (const Timing& loop : timing.loops) t["loops"].push_back({{"label", loop.label}, {"seconds", loop.seconds}, {"calls", loop.calls}});
   root["checks"] = Json::object();
   for (const auto& [name, check] : checks) std::visit([&](auto value) { root["checks"][name] = value; }, check);

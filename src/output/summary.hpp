@@ -17,26 +17,41 @@ struct Quantity {
   std::string unit;
 };
 
+/// What a run of the material point method counts.
+struct MpmCounts {
+  BigIndex particles = 0;
+};
+
+/// What a run of the finite element method counts.
+struct FemCounts {
+  BigIndex nodes = 0, iterations = 0;  ///< iterations: of all steps together
+};
+
 /// How long a run took.
 struct RunTiming {
-  Real particle_steps_per_s = 0, wall_s = 0;
+  Real wall_s = 0;
   int threads = 1;
-  BigIndex particles = 0, cells = 0, steps = 0;
+  BigIndex cells = 0, steps = 0;
+  std::variant<MpmCounts, FemCounts> counts;
   std::vector<Timing> loops;
 };
+
+/// Particles times steps, over the wall time.
+Real particle_steps_per_s(const RunTiming& timing, const MpmCounts& counts);
 
 /// What summary.json says of a run.
 class Summary {
 public:
-  using Check = std::variant<bool, Real>;
+  using Checks = std::vector<std::pair<std::string, std::variant<bool, Real>>>;
 
   std::vector<Quantity> quantities;
   RunTiming timing;
-  std::vector<std::pair<std::string, Check>> checks;      ///< e.g. energy balance, reached the end
+  Checks checks;                                          ///< e.g. energy balance, reached the end
   std::vector<std::pair<std::string, std::string>> text;  ///< e.g. title, version
 
-  /// {"quantities": {NAME: {"value", "unit"}}, "timing": {...; seconds_per_step is the wall time over the steps}, "checks": {NAME: number or bool}, "text": {NAME: words}}, in the order in which
-  /// they were added. A number that is not finite becomes null.
+  /// {"quantities": {NAME: {"value", "unit"}}, "timing": {...}, "checks": {NAME: number or bool}, "text": {NAME: words}}, in the order in which
+  /// they were added. Timing has wall_s, threads, cells, steps and loops; in MPM also particle_steps_per_s, particles and seconds_per_step (wall
+  /// time over steps), in FEM nodes and iterations. A number that is not finite becomes null.
   std::string json() const;
   /// Writes it whole. Throws RunError.
   void write(const std::filesystem::path& path) const;

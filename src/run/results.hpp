@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "output/frames.hpp"
+#include "output/frame.hpp"
 #include "output/run_folder.hpp"
 #include "run/simulate.hpp"
 
@@ -10,14 +10,14 @@ namespace berm {
 /// What a run found out about itself.
 struct RunOutcome {
   bool finished;
-  Real equilibrium;                ///< out-of-balance force over weight at the end of the geostatic stage; NaN without one
-  Real energy_error;               ///< largest, over the largest work
   std::optional<Real> held_force;  ///< N/m, V that the first drag holds
+  Summary::Checks checks;          ///< others than "finished"
 };
 
-/// Reads the history back and writes what follows from it: summary.json, curves, pictures; prints the key results and the time by loop.
+/// Reads the history back and writes what follows from it and from the last frame: summary.json, curves, pictures; prints the key results and the
+/// time by loop. `rigids` says where the rigid bodies are at the end.
 template <int dim>
-void write_results(const RunRequest& request, const RunFolder& folder, const Model<dim>& model, const State<dim>& state,
-                   const FrameWriter<dim>& frames, const RunOutcome& outcome, const RunTiming& timing);
+void write_results(const RunRequest& request, const RunFolder& folder, const Model<dim>& model, const std::vector<RigidState<dim>>& rigids,
+                   const Frame<dim>& last, const RunOutcome& outcome, const RunTiming& timing);
 
 }  // namespace berm

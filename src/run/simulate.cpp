@@ -4,9 +4,11 @@
 #include "core/error.hpp"
 #include "core/for_each.hpp"
 #include "input/write_case.hpp"
+#include "mpm/measure.hpp"
 #include "mpm/step.hpp"
 #include "mpm/time_step.hpp"
 #include "output/frame_maker.hpp"
+#include "output/frames.hpp"
 #include "output/progress.hpp"
 #include "output/whole_file.hpp"
 #include "problem/stages.hpp"
@@ -80,14 +82,8 @@ public:
     }
     if (!finished_) frame();
     const Real wall = std::chrono::duration<Real>(Clock::now() - start).count();
-    const RunTiming timing{static_cast<Real>(particle_count(state()) * state().step) / wall,
-                           wall,
-                           request_.threads,
-                           particle_count(state()),
-                           model().mesh.cell_count(),
-                           state().step,
-                           timings()};
-    write_results(request_, folder_, model(), state(), frames_, {finished_, equilibrium_, recorder_.energy_error(), held_force_}, timing);
+    const RunTiming timing{wall, request_.threads, model().mesh.cell_count(), state().step, MpmCounts{particle_count(state())}, timings()};
+    write_results(request_, folder_, model(), state().rigids, frames_.last(), {finished_, held_force_, checks()}, timing);
     if (failure) std::rethrow_exception(failure);
     return finished_;
   }
@@ -185,6 +181,16 @@ private:
     }
     report.particle_steps = static_cast<Real>(particle_count(state()) * state().step);
     progress_.update(report);
+  }
+
+  /// What tells that the run can be trusted.
+  Summary::Checks checks()
+  {
+    Summary::Checks found = {{"energy_error", recorder_.energy_error()}};
+    if (std::isfinite(equilibrium_)) found.emplace_back("out_of_balance_after_geostatic", equilibrium_);
+    found.emplace_back("momentum_error", momentum_error(state()));
+    found.emplace_back("friction_work_is_loss", state().totals.friction >= 0);
+    return found;
   }
 
   const RunRequest& request_;
