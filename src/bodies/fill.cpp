@@ -30,10 +30,7 @@ std::vector<Seed<dim>> seeds_in_regions(const Mesh<dim>& mesh, const std::string
 {
   std::vector<int> sides(mesh.region_names.size(), 0);
   for (const std::string& region : body.regions) {
-    const Index r = mesh.find_region(region);
-    if (r == none)
-      throw InputError(
-          fmt::format("body.{}.regions: the mesh has no region \"{}\"; it has {}", name, region, fmt::join(mesh.region_names, ", ")));
+    const Index r = filled_region(mesh, name, region);
     const auto special = body.region_particles_per_cell.find(region);
     sides[r] = per_side<dim>(special == body.region_particles_per_cell.end() ? body.particles_per_cell : special->second);
   }
@@ -185,6 +182,16 @@ std::vector<std::array<Real, 4>> points_in_simplex<3>(int n)
 }
 
 template <int dim>
+Index filled_region(const Mesh<dim>& mesh, const std::string& name, const std::string& region)
+{
+  const Index found = mesh.find_region(region);
+  if (found == none)
+    throw InputError(
+        fmt::format("body.{}.regions: the mesh has no region \"{}\"; it has {}", name, region, fmt::join(mesh.region_names, ", ")));
+  return found;
+}
+
+template <int dim>
 Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body, const StartState<dim>& start)
 {
   auto seeds = seeds_of(mesh, name, body);
@@ -215,6 +222,8 @@ Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySe
   return particles;
 }
 
+template Index filled_region<2>(const Mesh<2>&, const std::string&, const std::string&);
+template Index filled_region<3>(const Mesh<3>&, const std::string&, const std::string&);
 template Particles<2> fill(const Mesh<2>&, const std::string&, const BodySettings&, const StartState<2>&);
 template Particles<3> fill(const Mesh<3>&, const std::string&, const BodySettings&, const StartState<3>&);
 

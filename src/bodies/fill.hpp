@@ -11,6 +11,10 @@ namespace berm {
 template <int dim>
 std::vector<std::array<Real, dim + 1>> points_in_simplex(int n);
 
+/// The region of the mesh that the body `name` fills. Throws InputError where the mesh has none of that name.
+template <int dim>
+Index filled_region(const Mesh<dim>& mesh, const std::string& name, const std::string& region);
+
 /// The state of the body at the start.
 template <int dim>
 struct StartState {

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "boundary/support.hpp"
 
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 namespace berm {
 
 void describe(Describe& d, SupportSettings& support)
@@ -8,5 +13,25 @@ void describe(Describe& d, SupportSettings& support)
   d.value("boundary", support.boundary, {.meaning = "boundary of the mesh that is held", .required = true});
   d.value("fixed", support.fixed, {.meaning = "directions that are held: \"x\", \"y\", \"z\"", .required = true});
 }
+
+template <int dim>
+Index held_boundary(const Mesh<dim>& mesh, const std::string& name, const SupportSettings& support)
+{
+  const Index boundary = mesh.find_boundary(support.boundary);
+  if (boundary == none)
+    throw InputError(fmt::format("support.{}.boundary: the mesh has no boundary \"{}\"; it has {}", name, support.boundary,
+                                 fmt::join(mesh.boundary_names, ", ")));
+  return boundary;
+}
+
+std::uint8_t held_directions(const SupportSettings& support)
+{
+  int held = 0;
+  for (const std::string& direction : support.fixed) held |= 1 << (direction[0] - 'x');
+  return static_cast<std::uint8_t>(held);
+}
+
+template Index held_boundary<2>(const Mesh<2>&, const std::string&, const SupportSettings&);
+template Index held_boundary<3>(const Mesh<3>&, const std::string&, const SupportSettings&);
 
 }  // namespace berm

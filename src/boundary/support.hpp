@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/describe.hpp"
+#include "mesh/mesh.hpp"
 
 namespace berm {
 
@@ -12,5 +13,12 @@ struct SupportSettings {
 };
 
 void describe(Describe& d, SupportSettings& support);
+
+/// The boundary of the mesh that the support `name` holds. Throws InputError where the mesh has none of that name.
+template <int dim>
+Index held_boundary(const Mesh<dim>& mesh, const std::string& name, const SupportSettings& support);
+
+/// Bit d is set where direction d is held.
+std::uint8_t held_directions(const SupportSettings& support);
 
 }  // namespace berm

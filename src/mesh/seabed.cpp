@@ -10,58 +10,11 @@
 namespace berm {
 namespace {
 
-// The bed with its defaults filled in: x of the walls, and the largest size of a cell.
-struct Layout {
-  Real left, right, far_size;
-};
-
-Layout layout_of(const SeabedMesh& bed)
-{
-  const Real left = -bed.left.value_or(bed.length / 2);
-  // A layer thinner than its cells would be made of flat ones.
-  const Real far_size = std::min(bed.far_size.value_or(infinity), bed.layer > 0 ? bed.layer : infinity);
-  return {left, left + bed.length, std::max(far_size, bed.near_size)};
-}
-
 Real size_at(const SeabedMesh& bed, Real far_size, Real x, Real y)
 {
   const Real dx = std::max({0., bed.near_left - x, x - bed.near_right});
   const Real dy = std::max({0., -bed.near_depth - y, y - bed.near_height});
   return std::min(far_size, bed.near_size + bed.growth * std::hypot(dx, dy));
-}
-
-void check(const SeabedMesh& bed, const Layout& at)
-{
-  const auto fits = [](bool fine, const std::string& message) {
-    if (!fine) throw InputError("seabed mesh: " + message);
-  };
-  for (const auto& [key, value] :
-       {std::pair{"length", bed.length}, {"depth", bed.depth}, {"headroom", bed.headroom}, {"near_size", bed.near_size}})
-    fits(std::isfinite(value) && value > 0, fmt::format("{} is {}; it must be positive", key, value));
-  for (const auto& [key, value] : {std::pair{"growth", bed.growth}, {"layer", bed.layer}})
-    fits(std::isfinite(value) && value >= 0, fmt::format("{} is {}; it must not be negative", key, value));
-  const Real h = bed.near_size;
-  fits(!bed.far_size || *bed.far_size >= h, fmt::format("far_size {} m is smaller than near_size {} m", bed.far_size.value_or(0), h));
-  fits(bed.layer == 0 || bed.layer >= h, fmt::format("layer {} m is thinner than near_size {} m", bed.layer, h));
-  fits(bed.near_height >= h, fmt::format("near_height {} m is lower than near_size {} m", bed.near_height, h));
-  fits(bed.headroom >= bed.near_height + h,
-       fmt::format("headroom {} m must be higher than near_height by near_size: at least {} m", bed.headroom, bed.near_height + h));
-  fits(bed.near_depth >= h, fmt::format("near_depth {} m is smaller than near_size {} m", bed.near_depth, h));
-  fits(bed.near_right - bed.near_left >= h,
-       fmt::format("the fine zone from near_left {} m to near_right {} m is narrower than near_size {} m", bed.near_left, bed.near_right,
-                   h));
-  fits(bed.near_left >= at.left + bed.layer + h,
-       fmt::format("near_left {} m must be right of the left wall and its layer by near_size: at least {} m", bed.near_left,
-                   at.left + bed.layer + h));
-  fits(bed.near_right <= at.right - bed.layer - h,
-       fmt::format("near_right {} m must be left of the right wall and its layer by near_size: at most {} m", bed.near_right,
-                   at.right - bed.layer - h));
-  fits(bed.near_depth <= bed.depth - bed.layer - h,
-       fmt::format("near_depth {} m must stay above the base and its layer by near_size: at most {} m", bed.near_depth,
-                   bed.depth - bed.layer - h));
-  constexpr Real most = 2e7;
-  fits(expected_cells(bed) <= most,
-       fmt::format("about {:.2g} cells would be made; at most {:.0e}: enlarge near_size, growth or far_size", expected_cells(bed), most));
 }
 
 // The points and lines of every bed; lines run to the right or up. The fine zone above the surface is a surface of its own: so its cells come out better.
@@ -136,8 +89,10 @@ Physical Curve("right") = {26, 22};
 Physical Curve("base") = {27};
 )";
 
+}  // namespace
+
 // Of Gmsh's algorithms for the plane, frontal Delaunay (6) with smoothing gives the largest smallest height, which sets the time step.
-constexpr const char* options = R"(
+const char* const gmsh_options = R"(
 Mesh.MeshSizeExtendFromBoundary = 0;
 Mesh.MeshSizeFromPoints = 0;
 Mesh.MeshSizeFromCurvature = 0;
@@ -148,8 +103,6 @@ Mesh.MshFileVersion = 4.1;
 Mesh.Binary = 0;
 General.NumThreads = 1;
 )";
-
-}  // namespace
 
 void describe(Describe& d, SeabedMesh& bed)
 {
@@ -177,9 +130,60 @@ void describe(Describe& d, SeabedMesh& bed)
            .range = not_negative});
 }
 
+SeabedLayout layout_of(const SeabedMesh& bed)
+{
+  const Real left = -bed.left.value_or(bed.length / 2);
+  // A layer thinner than its cells would be made of flat ones.
+  const Real far_size = std::min(bed.far_size.value_or(infinity), bed.layer > 0 ? bed.layer : infinity);
+  return {left, left + bed.length, std::max(far_size, bed.near_size)};
+}
+
+void check(const SeabedMesh& bed)
+{
+  const SeabedLayout at = layout_of(bed);
+  const auto fits = [](bool fine, const std::string& message) {
+    if (!fine) throw InputError("seabed mesh: " + message);
+  };
+  for (const auto& [key, value] :
+       {std::pair{"length", bed.length}, {"depth", bed.depth}, {"headroom", bed.headroom}, {"near_size", bed.near_size}})
+    fits(std::isfinite(value) && value > 0, fmt::format("{} is {}; it must be positive", key, value));
+  for (const auto& [key, value] : {std::pair{"growth", bed.growth}, {"layer", bed.layer}})
+    fits(std::isfinite(value) && value >= 0, fmt::format("{} is {}; it must not be negative", key, value));
+  const Real h = bed.near_size;
+  fits(!bed.far_size || *bed.far_size >= h, fmt::format("far_size {} m is smaller than near_size {} m", bed.far_size.value_or(0), h));
+  fits(bed.layer == 0 || bed.layer >= h, fmt::format("layer {} m is thinner than near_size {} m", bed.layer, h));
+  fits(bed.near_height >= h, fmt::format("near_height {} m is lower than near_size {} m", bed.near_height, h));
+  fits(bed.headroom >= bed.near_height + h,
+       fmt::format("headroom {} m must be higher than near_height by near_size: at least {} m", bed.headroom, bed.near_height + h));
+  fits(bed.near_depth >= h, fmt::format("near_depth {} m is smaller than near_size {} m", bed.near_depth, h));
+  fits(bed.near_right - bed.near_left >= h,
+       fmt::format("the fine zone from near_left {} m to near_right {} m is narrower than near_size {} m", bed.near_left, bed.near_right,
+                   h));
+  fits(bed.near_left >= at.left + bed.layer + h,
+       fmt::format("near_left {} m must be right of the left wall and its layer by near_size: at least {} m", bed.near_left,
+                   at.left + bed.layer + h));
+  fits(bed.near_right <= at.right - bed.layer - h,
+       fmt::format("near_right {} m must be left of the right wall and its layer by near_size: at most {} m", bed.near_right,
+                   at.right - bed.layer - h));
+  fits(bed.near_depth <= bed.depth - bed.layer - h,
+       fmt::format("near_depth {} m must stay above the base and its layer by near_size: at most {} m", bed.near_depth,
+                   bed.depth - bed.layer - h));
+  constexpr Real most = 2e7;
+  fits(expected_cells(bed) <= most,
+       fmt::format("about {:.2g} cells would be made; at most {:.0e}: enlarge near_size, growth or far_size", expected_cells(bed), most));
+}
+
+std::string size_formula(const SeabedMesh& bed)
+{
+  const Real far_size = layout_of(bed).far_size;
+  const std::string limit = std::isfinite(far_size) ? fmt::format("Min({}, ", far_size) : "(";
+  return fmt::format("{}{} + {} * Sqrt(Max(0, Max({} - x, x - ({})))^2 + Max(0, Max({} - y, y - {}))^2))", limit, bed.near_size, bed.growth,
+                     bed.near_left, bed.near_right, -bed.near_depth, bed.near_height);
+}
+
 Real expected_cells(const SeabedMesh& bed)
 {
-  const Layout at = layout_of(bed);
+  const SeabedLayout at = layout_of(bed);
   constexpr int points = 400;
   Real sum = 0;
   for (int i = 0; i < points; ++i)
@@ -193,8 +197,8 @@ Real expected_cells(const SeabedMesh& bed)
 
 void write_geo(const SeabedMesh& bed, const std::filesystem::path& path)
 {
-  const Layout at = layout_of(bed);
-  check(bed, at);
+  check(bed);
+  const SeabedLayout at = layout_of(bed);
   std::ofstream out(path);
   out << "// A flat bed for a pipe, made by berm. Lengths in metres; the bed's surface is y = 0.\n";
   for (const auto& [name, value] : {std::pair{"left", at.left},
@@ -210,13 +214,10 @@ void write_geo(const SeabedMesh& bed, const std::filesystem::path& path)
                                     {"growth", bed.growth}})
     out << fmt::format("{} = {};\n", name, value);
   out << lines_of_bed << (bed.layer > 0 ? with_layer : without_layer);
-  const std::string limit = std::isfinite(at.far_size) ? fmt::format("Min({}, ", at.far_size) : "(";
   out << "\n// The size of a cell grows with its distance from the fine zone.\n"
       << "Field[1] = MathEval;\n"
-      << fmt::format("Field[1].F = \"{}{} + {} * Sqrt(Max(0, Max({} - x, x - ({})))^2 + Max(0, Max({} - y, y - {}))^2))\";\n", limit,
-                     bed.near_size, bed.growth, bed.near_left, bed.near_right, -bed.near_depth, bed.near_height)
-      << "Background Field = 1;\n"
-      << options;
+      << fmt::format("Field[1].F = \"{}\";\n", size_formula(bed)) << "Background Field = 1;\n"
+      << gmsh_options;
   if (!out.flush()) throw RunError(fmt::format("{} cannot be written", path.string()));
 }
 

@@ -4,6 +4,7 @@
 #include "core/describe.hpp"
 
 #include <filesystem>
+#include <string>
 
 namespace berm {
 
@@ -37,6 +38,21 @@ struct SeabedMesh {
 };
 
 void describe(Describe& d, SeabedMesh& seabed);
+
+/// The bed with its defaults filled in: x of the walls, and the largest size of a cell, m.
+struct SeabedLayout {
+  Real left, right, far_size;
+};
+SeabedLayout layout_of(const SeabedMesh& seabed);
+
+/// Throws InputError where the lengths do not fit each other.
+void check(const SeabedMesh& seabed);
+
+/// The size of a cell, m, as a formula of x and y that Gmsh evaluates.
+std::string size_formula(const SeabedMesh& seabed);
+
+/// Settings of Gmsh for well shaped triangles, the same at every run.
+extern const char* const gmsh_options;
 
 /// About how many cells the mesh will have: the integral of 1 / (area of an equilateral triangle of the size wanted there).
 Real expected_cells(const SeabedMesh& seabed);

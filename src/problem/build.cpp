@@ -5,18 +5,9 @@
 #include "problem/stages.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm {
 namespace {
-
-template <class T>
-Index place_of(const std::vector<std::pair<std::string, T>>& tables, const std::string& name)
-{
-  for (Index k = 0; k < static_cast<Index>(tables.size()); ++k)
-    if (tables[k].first == name) return k;
-  return none;
-}
 
 /// A node takes the largest damping of the regions that its cells belong to, so that a damping layer acts up to its border.
 template <int dim>
@@ -34,14 +25,8 @@ template <int dim>
 NodeField<std::uint8_t> fixed_directions(const Mesh<dim>& mesh, const Case& c)
 {
   NodeField<std::uint8_t> fixed(mesh.node_count(), 0);
-  for (const auto& [name, support] : c.support) {
-    const Index boundary = mesh.find_boundary(support.boundary);
-    if (boundary == none)
-      throw InputError(fmt::format("support.{}.boundary: the mesh has no boundary \"{}\"; it has {}", name, support.boundary,
-                                   fmt::join(mesh.boundary_names, ", ")));
-    for (const std::string& direction : support.fixed)
-      for (Index node : mesh.boundary_nodes[boundary]) fixed[node] = static_cast<std::uint8_t>(fixed[node] | 1 << (direction[0] - 'x'));
-  }
+  for (const auto& [name, support] : c.support)
+    for (Index node : mesh.boundary_nodes[held_boundary(mesh, name, support)]) fixed[node] |= held_directions(support);
   return fixed;
 }
 

@@ -74,6 +74,15 @@ void describe(Describe& d, OutputSettings& output);
 /// All parameters of a case, then what must fit together: names that refer to something, numbers of directions, stages that can end.
 void describe(Describe& d, Case& c);
 
+/// The place of the table of that name, or none.
+template <class T>
+Index place_of(const std::vector<std::pair<std::string, T>>& tables, const std::string& name)
+{
+  for (Index k = 0; k < static_cast<Index>(tables.size()); ++k)
+    if (tables[k].first == name) return k;
+  return none;
+}
+
 /// The rigid body whose u, w, H and V the history tells: the first that a stage names, else the first there is; none without rigid bodies.
 Index main_rigid(const Case& c);
 
