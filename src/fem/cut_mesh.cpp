@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fem/cut_mesh.hpp"
+
+#include "bodies/rigid.hpp"
+#include "core/error.hpp"
+#include "mesh/gmsh_program.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What the rigid bodies do to the bed.
+struct Cuts {
+  std::vector<std::string> surfaces;   // commands that draw what is cut out, after Surface(1)
+  std::vector<Real> points;            // x of vertices that the surface y = 0 must have
+  std::vector<std::string> distances;  // from each body, as formulas of x and y
+};
+
+std::array<Vec<2>, 4> corners_of(const Box<2>& box)
+{
+  const auto corner = [&](int a, int b) { return Vec<2>(box.center + box.axes * Vec<2>(a * box.half[0], b * box.half[1])); };
+  return {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
+}
+
+// Half the width and height of the upright rectangle around a shape.
+Vec<2> half_extent(const Circle<2>& circle)
+{
+  return {circle.radius, circle.radius};
+}
+Vec<2> half_extent(const Box<2>& box)
+{
+  return box.axes.cwiseAbs() * box.half;
+}
+
+std::string draw(const Circle<2>& circle, std::size_t tag)
+{
+  return fmt::format("Disk({}) = {{{}, {}, 0, {}}};\n", tag, circle.center[0], circle.center[1], circle.radius);
+}
+std::string draw(const Box<2>& box, std::size_t tag)
+{
+  const Vec<2>&c = box.center, &h = box.half;
+  return fmt::format("Rectangle({}) = {{{}, {}, 0, {}, {}}};\n", tag, c[0] - h[0], c[1] - h[1], 2 * h[0], 2 * h[1]) +
+         fmt::format("Rotate {{{{0, 0, 1}}, {{{}, {}, 0}}, {}}} {{ Surface{{{}}}; }}\n", c[0], c[1],
+                     std::atan2(box.axes(1, 0), box.axes(0, 0)), tag);
+}
+
+std::string distance_from(const Circle<2>& circle)
+{
+  return fmt::format("Abs(Sqrt((x - ({}))^2 + (y - ({}))^2) - {})", circle.center[0], circle.center[1], circle.radius);
+}
+std::string distance_from(const Box<2>& box)
+{
+  const auto beyond = [&](int side) {
+    return fmt::format("Max(0, Abs(({}) * (x - ({})) + ({}) * (y - ({}))) - {})^2", box.axes(0, side), box.center[0], box.axes(1, side),
+                       box.center[1], box.half[side]);
+  };
+  return fmt::format("Sqrt({} + {})", beyond(0), beyond(1));
+}
+
+// x of the corners that lie on the surface of the bed, to rounding.
+std::vector<Real> ends_on_surface(const Circle<2>&)
+{
+  return {};
+}
+std::vector<Real> ends_on_surface(const Box<2>& box)
+{
+  std::vector<Real> ends;
+  for (const Vec<2>& corner : corners_of(box))
+    if (std::abs(corner[1]) <= 1e-9 * box.half.maxCoeff()) ends.push_back(corner[0]);
+  return ends;
+}
+
+template <class Shape>
+void add_cut(Cuts& cuts, const SeabedMesh& bed, const std::string& name, const Shape& shape)
+{
+  const SeabedLayout at = layout_of(bed);
+  const Vec<2> half = half_extent(shape), lower = shape.center - half, upper = shape.center + half;
+  const Real rounding = 1e-9 * half.maxCoeff();
+  const std::vector<Real> ends = ends_on_surface(shape);
+  const bool beside = lower[0] >= at.right || upper[0] <= at.left || upper[1] <= -bed.depth;
+  const bool on_surface = lower[1] >= -rounding && ends.size() == 2;
+  if (beside || (lower[1] >= -rounding && !on_surface))
+    throw InputError(
+        fmt::format("rigid.{}.center: the body reaches from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m; for finite elements it must "
+                    "lie in the soil, {:.6g} < x < {:.6g} m and {:.6g} < y < 0 m, at least partly, or be a box that lies on it",
+                    name, lower[0], lower[1], upper[0], upper[1], at.left, at.right, -bed.depth));
+  if (on_surface)
+    std::copy_if(ends.begin(), ends.end(), std::back_inserter(cuts.points), [&](Real x) { return at.left < x && x < at.right; });
+  else
+    cuts.surfaces.push_back(draw(shape, cuts.surfaces.size() + 2));
+  cuts.distances.push_back(distance_from(shape));
+}
+
+Cuts cuts_of(const Case& c, const SeabedMesh& bed)
+{
+  Cuts cuts;
+  for (const auto& [name, rigid] : c.rigid) {
+    const auto touches = [&](const auto& contact) { return contact.second.rigid == name; };
+    if (std::none_of(c.contact.begin(), c.contact.end(), touches)) continue;
+    const RigidShape<2> shape = make_shape<2>(rigid.shape);
+    const Real width = width_of<2>(shape);
+    if (c.fem.contact_size && *c.fem.contact_size < 1e-3 * width)
+      throw InputError(fmt::format("fem.contact_size: {} m is less than a thousandth of the width of [rigid.{}], {} m", *c.fem.contact_size,
+                                   name, width));
+    if (const auto* circle = std::get_if<Circle<2>>(&shape))
+      add_cut(cuts, bed, name, *circle);
+    else if (const auto* box = std::get_if<Box<2>>(&shape))
+      add_cut(cuts, bed, name, *box);
+    else
+      throw InputError(fmt::format("rigid.{}.shape: of a mesh of kind \"seabed\" only a \"circle\" or a \"box\" can be cut out; a mesh of "
+                                   "kind \"gmsh\" may have any hole",
+                                   name));
+  }
+  return cuts;
+}
+
+// A part of the bed: left < x < right, bottom < y < 0.
+struct Part {
+  Real left, right, bottom;
+
+  bool holds(const Vec<2>& x) const { return left < x[0] && x[0] < right && bottom < x[1]; }
+};
+
+Part fine_zone(const SeabedMesh& bed)
+{
+  return {bed.near_left, bed.near_right, -bed.near_depth};
+}
+Part inside_of_layer(const SeabedMesh& bed)
+{
+  const SeabedLayout at = layout_of(bed);
+  return {at.left + bed.layer, at.right - bed.layer, -bed.depth + bed.layer};
+}
+
+// Whether the same bodies fill both regions.
+bool alike(const Case& c, const std::string& region, const std::string& other)
+{
+  return std::all_of(c.body.begin(), c.body.end(), [&](const auto& body) {
+    const auto& regions = body.second.regions;
+    return std::count(regions.begin(), regions.end(), region) == std::count(regions.begin(), regions.end(), other);
+  });
+}
+
+// Lines of a rigid body and of a region that nearly touch make flat cells, so the mesh has the border of a part only where it divides bodies.
+std::vector<Part> parts_to_draw(const Case& c, const SeabedMesh& bed)
+{
+  std::vector<Part> parts;
+  if (!alike(c, "near", "bed")) parts.push_back(fine_zone(bed));
+  if (bed.layer > 0 && !alike(c, "layer", "bed")) parts.push_back(inside_of_layer(bed));
+  return parts;
+}
+
+// The border of a part, from the surface down, along and up again.
+std::string draw(const Part& part)
+{
+  return fmt::format("p = newp;\nPoint(p) = {{{0}, 0, 0}};\nPoint(p + 1) = {{{0}, {2}, 0}};\nPoint(p + 2) = {{{1}, {2}, 0}};\n"
+                     "Point(p + 3) = {{{1}, 0, 0}};\nl = newl;\nLine(l) = {{p, p + 1}};\nLine(l + 1) = {{p + 1, p + 2}};\n"
+                     "Line(l + 2) = {{p + 2, p + 3}};\nlines() += {{l, l + 1, l + 2}};\n",
+                     part.left, part.right, part.bottom);
+}
+
+// The curves on a side of the bed, to a margin that is small for the mesh and large for rounding.
+std::string curves_on(Real left, Real right, Real bottom, Real top, Real margin)
+{
+  return fmt::format("Curve In BoundingBox{{{}, {}, {}, {}, {}, {}}};\n", left - margin, bottom - margin, -margin, right + margin,
+                     top + margin, margin);
+}
+
+void write_cut_geo(const SeabedMesh& bed, const Cuts& cuts, const std::vector<Part>& parts, Real contact_size, const fs::path& path)
+{
+  const SeabedLayout at = layout_of(bed);
+  std::ofstream out(path);
+  out << "// A flat bed without what rigid bodies take of it, made by berm. Lengths in metres; the bed's surface is y = 0.\n"
+      << "SetFactory(\"OpenCASCADE\");\n"
+      << fmt::format("Rectangle(1) = {{{}, {}, 0, {}, {}}};\n", at.left, -bed.depth, bed.length, bed.depth);
+  for (const std::string& surface : cuts.surfaces) out << surface;
+  if (!cuts.surfaces.empty())
+    out << fmt::format("BooleanDifference{{ Surface{{1}}; Delete; }}{{ Surface{{2:{}}}; Delete; }}\n", cuts.surfaces.size() + 1);
+
+  out << "lines() = {};\nends() = {};\n";
+  for (const Part& part : parts) out << draw(part);
+  for (const Real x : cuts.points) out << fmt::format("p = newp;\nPoint(p) = {{{}, 0, 0}};\nends() += {{p}};\n", x);
+  if (!parts.empty()) out << "BooleanFragments{ Surface{:}; Delete; }{ Curve{lines()}; Delete; }\n";
+  if (!cuts.points.empty()) out << "BooleanFragments{ Surface{:}; Delete; }{ Point{ends()}; Delete; }\n";
+
+  const Real margin = 0.01 * bed.near_size;
+  out << "Physical Surface(\"soil\") = Surface{:};\n"
+      << "Physical Curve(\"left\") = " << curves_on(at.left, at.left, -bed.depth, 0, margin)
+      << "Physical Curve(\"right\") = " << curves_on(at.right, at.right, -bed.depth, 0, margin)
+      << "Physical Curve(\"base\") = " << curves_on(at.left, at.right, -bed.depth, -bed.depth, margin);
+
+  std::string size = size_formula(bed);
+  for (const std::string& distance : cuts.distances) size = fmt::format("Min({}, {} + {} * {})", size, contact_size, bed.growth, distance);
+  out << "\n// The size of a cell grows with its distance from the fine zone and from the rigid bodies.\n"
+      << fmt::format("Field[1] = MathEval;\nField[1].F = \"{}\";\n", size) << "Background Field = 1;\n"
+      << gmsh_options;
+  if (!out.flush()) throw RunError(fmt::format("{} cannot be written", path.string()));
+}
+
+// By the cells' centroids.
+void name_regions(Mesh<2>& mesh, const SeabedMesh& bed)
+{
+  mesh.region_names = {"near", "bed"};
+  if (bed.layer > 0) mesh.region_names.emplace_back("layer");
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    const Vec<2> x = mesh.centroid(cell);
+    mesh.region[cell] = fine_zone(bed).holds(x) ? 0 : bed.layer == 0 || inside_of_layer(bed).holds(x) ? 1 : 2;
+  }
+}
+
+}  // namespace
+
+Mesh<2> make_cut_mesh(const Case& c, const fs::path& case_folder, const fs::path& work_folder)
+{
+  const auto* bed = std::get_if<SeabedMesh>(&c.mesh);
+  if (bed == nullptr) return make_mesh<2>(c.mesh, case_folder, work_folder);
+  check(*bed);
+  const Cuts cuts = cuts_of(c, *bed);
+  std::error_code failure;
+  fs::create_directories(work_folder, failure);
+  if (failure) throw RunError(fmt::format("the mesh cannot be kept in {}: {}", work_folder.string(), failure.message()));
+  const fs::path geo = work_folder / "mesh.geo", msh = work_folder / "mesh.msh";
+  write_cut_geo(*bed, cuts, parts_to_draw(c, *bed), c.fem.contact_size.value_or(bed->near_size), geo);
+  run_gmsh(geo, msh, 2);
+  Mesh<2> mesh = read_msh<2>(msh);
+  name_regions(mesh, *bed);
+  // The space above the bed is not in this mesh, so a support of its top holds nothing.
+  mesh.boundary_names.push_back("top");
+  mesh.boundary_nodes.emplace_back();
+  return mesh;
+}
+
+}  // namespace berm

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fem/quadratic_mesh.hpp"
+
+#include "bodies/fill.hpp"
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+// The body of each region of the mesh, or none.
+std::vector<Index> bodies_of_regions(const Mesh<2>& mesh, const Case& c)
+{
+  std::vector<Index> body_of(mesh.region_names.size(), none);
+  for (Index b = 0; b < static_cast<Index>(c.body.size()); ++b) {
+    const auto& [name, body] = c.body[b];
+    if (body.block || body.disk)
+      throw InputError(fmt::format("body.{}.{}: for finite elements a body must fill regions of the mesh: regions = [...]", name,
+                                   body.block ? "block" : "disk"));
+    for (const std::string& region : body.regions) {
+      Index& holder = body_of[filled_region(mesh, name, region)];
+      if (holder != none && holder != b)
+        throw InputError(fmt::format("body.{}.regions: the region \"{}\" is filled by [body.{}] already; for finite elements a region has "
+                                     "one body",
+                                     name, region, c.body[holder].first));
+      holder = b;
+    }
+  }
+  return body_of;
+}
+
+// The cells of bodies become triangles with six nodes.
+class Maker {
+public:
+  Maker(const Mesh<2>& mesh, const Case& c)
+      : mesh_(mesh),
+        body_of_(bodies_of_regions(mesh, c)),
+        node_number_(mesh.node_count(), none),
+        cell_number_(mesh.cell_count(), none)
+  {
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+      if (body_of(cell) != none) add_cell(cell);
+  }
+
+  void hold(Index boundary, std::uint8_t directions)
+  {
+    NodeField<char> at_boundary(made.node_count(), false);
+    for (const Index i : mesh_.boundary_nodes[boundary])
+      if (const Index node = node_number_[i]; node != none) at_boundary[node] = true, made.fixed[node] |= directions;
+    for (const BoundarySide& side : made.boundary_sides)
+      if (at_boundary[side.from] && at_boundary[side.to]) made.fixed[side.middle] |= directions;
+  }
+
+  QuadraticMesh made;
+
+private:
+  Index body_of(Index cell) const { return cell == none ? none : body_of_[mesh_.region[cell]]; }
+
+  void add_cell(Index cell)
+  {
+    AtSixNodes<Index> nodes;
+    for (int k = 0; k < 3; ++k) nodes[k] = vertex(mesh_.nodes[cell][k]);
+    for (int k = 0; k < 3; ++k) nodes[3 + k] = middle(cell, k, nodes[k], nodes[(k + 1) % 3]);
+    cell_number_[cell] = made.cell_count();
+    made.nodes.push_back(nodes);
+    made.body.push_back(body_of(cell));
+  }
+
+  Index add_node(const Vec<2>& x)
+  {
+    made.position.push_back(x);
+    made.fixed.push_back(0);
+    return made.node_count() - 1;
+  }
+
+  Index vertex(Index i)
+  {
+    if (node_number_[i] == none) node_number_[i] = add_node(mesh_.position[i]);
+    return node_number_[i];
+  }
+
+  // The middle of side k, from corner k to the next; the corner opposite to it is the one after that.
+  Index middle(Index cell, int k, Index from, Index to)
+  {
+    const Index beyond = mesh_.neighbor[cell][(k + 2) % 3];
+    if (body_of(beyond) != none && cell_number_[beyond] != none) {
+      int opposite = 0;
+      while (mesh_.neighbor[beyond][opposite] != cell) ++opposite;
+      return made.nodes[cell_number_[beyond]][3 + (opposite + 1) % 3];
+    }
+    const Index middle = add_node((made.position[from] + made.position[to]) / 2);
+    if (body_of(beyond) == none) made.boundary_sides.push_back({from, to, middle});
+    return middle;
+  }
+
+  const Mesh<2>& mesh_;
+  std::vector<Index> body_of_;  // by region
+  NodeField<Index> node_number_;
+  CellField<Index> cell_number_;  // of the cells that are made already
+};
+
+// Whether nodes lie on the surface of the shape, to a millionth of the side.
+bool on_surface(const QuadraticMesh& mesh, const RigidShape<2>& shape, const BoundarySide& side, std::initializer_list<Index> nodes)
+{
+  const Real tolerance = 1e-6 * (mesh.position[side.to] - mesh.position[side.from]).norm();
+  return std::all_of(nodes.begin(), nodes.end(),
+                     [&](Index node) { return std::abs(surface_at<2>(shape, mesh.position[node]).distance) < tolerance; });
+}
+
+void bend_onto(QuadraticMesh& mesh, const RigidShape<2>& shape)
+{
+  for (const BoundarySide& side : mesh.boundary_sides) {
+    if (!on_surface(mesh, shape, side, {side.from, side.to})) continue;
+    Vec<2>& x = mesh.position[side.middle];
+    const SurfacePoint<2> nearest = surface_at<2>(shape, x);
+    x -= nearest.distance * nearest.normal;
+  }
+}
+
+void check_unfolded(const QuadraticMesh& mesh)
+{
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+    for (const Vec<2>& at : six_nodes)
+      if (const AtSixNodes<Vec<2>> x = mesh.positions_of(cell); jacobian(x, at).determinant() <= 0)
+        throw InputError(fmt::format("fem.contact_size: an element near ({:.6g}, {:.6g}) m is folded, because its side is too long for the "
+                                     "rigid body's curve: the mesh must be finer there",
+                                     x[0][0], x[0][1]));
+}
+
+}  // namespace
+
+AtSixNodes<Vec<2>> QuadraticMesh::positions_of(Index cell) const
+{
+  AtSixNodes<Vec<2>> x;
+  for (int k = 0; k < 6; ++k) x[k] = position[nodes[cell][k]];
+  return x;
+}
+
+QuadraticMesh make_quadratic(const Mesh<2>& mesh, const Case& c, const std::vector<RigidShape<2>>& shapes)
+{
+  Maker maker(mesh, c);
+  for (const auto& [name, support] : c.support) maker.hold(held_boundary(mesh, name, support), held_directions(support));
+  for (const RigidShape<2>& shape : shapes) bend_onto(maker.made, shape);
+  check_unfolded(maker.made);
+  return std::move(maker.made);
+}
+
+std::vector<BoundarySide> contact_sides(const QuadraticMesh& mesh, const RigidShape<2>& shape)
+{
+  std::vector<BoundarySide> sides;
+  for (const BoundarySide& side : mesh.boundary_sides)
+    if (on_surface(mesh, shape, side, {side.from, side.to, side.middle})) sides.push_back(side);
+  return sides;
+}
+
+}  // namespace berm
