@@ -27,6 +27,17 @@ void describe(Describe& d, MohrCoulomb& law)
            .range = {0, 1}});
 }
 
+namespace {
+
+/// The largest and the smallest principal stress.
+std::pair<Real, Real> extreme_stresses(const SymTensor<2>& stress)
+{
+  const Real mean = (stress[0] + stress[1]) / 2, radius = std::hypot((stress[0] - stress[1]) / 2, stress[3]);
+  return {std::max(mean + radius, stress[2]), std::min(mean - radius, stress[2])};
+}
+
+}  // namespace
+
 PreparedMohrCoulomb prepare(const MohrCoulomb& law)
 {
   PreparedMohrCoulomb p;
@@ -63,6 +74,20 @@ PreparedMohrCoulomb prepare(const MohrCoulomb& law)
   return p;
 }
 
+MohrCoulomb associated(const MohrCoulomb& law, const SymTensor<2>& stress)
+{
+  if (law.dilation_angle == law.friction_angle) return law;
+  const Real apex = law.cohesion / std::tan(law.friction_angle);
+  MohrCoulomb same = law;
+  same.friction_angle = law.dilation_angle;
+  same.tension_cutoff = law.tension_cutoff ? std::min(*law.tension_cutoff, apex) : apex;
+  const auto [s1, s3] = extreme_stresses(stress);
+  const Real middle = std::min((s1 + s3) / 2, *same.tension_cutoff);
+  same.cohesion = (law.cohesion * std::cos(law.friction_angle) - middle * (std::sin(law.friction_angle) - std::sin(law.dilation_angle))) /
+                  std::cos(law.dilation_angle);
+  return same;
+}
+
 namespace {
 
 Real yield_value(const PreparedMohrCoulomb& law, Real s1, Real s3)
@@ -74,8 +99,8 @@ Real yield_value(const PreparedMohrCoulomb& law, Real s1, Real s3)
 
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<2>& stress)
 {
-  const Real mean = (stress[0] + stress[1]) / 2, radius = std::hypot((stress[0] - stress[1]) / 2, stress[3]);
-  return yield_value(law, std::max(mean + radius, stress[2]), std::min(mean - radius, stress[2]));
+  const auto [s1, s3] = extreme_stresses(stress);
+  return yield_value(law, s1, s3);
 }
 
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<3>& stress)

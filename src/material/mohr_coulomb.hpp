@@ -50,6 +50,12 @@ PreparedMohrCoulomb prepare(const MohrCoulomb& law);
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<2>& stress);
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<3>& stress);
 
+/// The law whose flow is associated and which for one increment stands for this one, from a stress on (Krabbenhoft, Karim, Lyamin and Sloan, Int. J.
+/// Numer. Meth. Engng 90, 2012): its friction angle is the dilation angle, and its cohesion such that the shear strength at the present mean of the
+/// extreme principal stresses, (s1 + s3)/2, is the same; the largest tension is the same. A steady flow of the one is a steady flow of the other. The
+/// law itself where its flow is associated.
+MohrCoulomb associated(const MohrCoulomb& law, const SymTensor<2>& stress);
+
 /// The update in one width of numbers, which must fit a register of the machine.
 template <int dim, class T>
 [[gnu::always_inline]] inline void update_stress_in_register(const PreparedMohrCoulomb& law, SymTensor<dim, T>& stress,

@@ -46,13 +46,10 @@ std::int32_t nearest_particle(const Particles<dim>& particles, const std::vector
 }  // namespace
 
 template <int dim>
-Problem<dim> build(const Case& c, const std::string& case_folder, const std::string& work_folder)
+Model<dim> make_model(const Case& c, Mesh<dim> mesh)
 {
-  Problem<dim> problem;
-  Model<dim>& model = problem.model;
-  State<dim>& state = problem.state;
-  model.mesh = make_mesh<dim>(c.mesh, case_folder, work_folder);
-  model.patches = make_patches(model.mesh, dim == 2 ? 1 : 2);
+  Model<dim> model;
+  model.mesh = std::move(mesh);
   model.gravity = Vec<dim>::Zero();
   for (int d = 0; d < dim && !c.gravity.empty(); ++d) model.gravity[d] = c.gravity[d];
   model.gravity_ramp = c.gravity_ramp;
@@ -64,8 +61,36 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
     const RigidShape<dim> shape = make_shape<dim>(settings.shape);
     const Real inertia = settings.moment_of_inertia.value_or(settings.mass * inertia_over_mass<dim>(shape));
     model.rigids.push_back({name, shape, settings.mass, settings.motion, settings.rotation, inertia});
-    state.rigids.emplace_back();
   }
+  for (const auto& [name, settings] : c.body) {
+    const Material& material = c.material[place_of(c.material, settings.material)].second;
+    model.bodies.push_back({name, material, nodal_damping(model.mesh, settings)});
+  }
+  for (const auto& [name, s] : c.contact) {
+    const Detection best = s.rigid.empty() ? Detection::gap : Detection::particle;
+    model.contacts.push_back({name, place_of(c.body, s.body), place_of(c.rigid, s.rigid), place_of(c.body, s.other_body),
+                              std::tan(s.friction_angle), s.adhesion, s.scheme, s.detection == Detection::automatic ? best : s.detection,
+                              s.approach_steps});
+  }
+  model.update_stress_first = !c.contact.empty() && c.contact.front().second.scheme == Scheme::usf;
+  model.stages = c.stage;
+  model.main_rigid = main_rigid(c);
+  for (const StageSettings& stage : c.stage) {
+    const bool drives = stage.kind == StageKind::push || stage.kind == StageKind::drag;
+    model.driven.push_back(!drives ? none : stage.rigid.empty() ? 0 : place_of(c.rigid, stage.rigid));
+  }
+  return model;
+}
+
+template <int dim>
+Problem<dim> build(const Case& c, const std::string& case_folder, const std::string& work_folder)
+{
+  Problem<dim> problem;
+  Model<dim>& model = problem.model;
+  State<dim>& state = problem.state;
+  model = make_model(c, make_mesh<dim>(c.mesh, case_folder, work_folder));
+  model.patches = make_patches(model.mesh, dim == 2 ? 1 : 2);
+  state.rigids.resize(model.rigids.size());
   for (const auto& [name, settings] : c.body) {
     const Material& material = c.material[place_of(c.material, settings.material)].second;
     StartState<dim> start{density(material), -model.gravity[1], c.surface, state_size(material)};
@@ -79,22 +104,8 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
       const Block<dim>& p = state.particles.back().block(b);
       for (int d = 0; d < dim; ++d) state.totals.first_momentum[d] += p.mass[l] * p.v[d][l];
     });
-    model.bodies.push_back({name, material, nodal_damping(model.mesh, settings)});
-  }
-  for (const auto& [name, s] : c.contact) {
-    const Detection best = s.rigid.empty() ? Detection::gap : Detection::particle;
-    model.contacts.push_back({name, place_of(c.body, s.body), place_of(c.rigid, s.rigid), place_of(c.body, s.other_body),
-                              std::tan(s.friction_angle), s.adhesion, s.scheme, s.detection == Detection::automatic ? best : s.detection,
-                              s.approach_steps});
   }
   state.pair_impulses.assign(c.contact.size(), Vec<dim>::Zero());
-  model.update_stress_first = !c.contact.empty() && c.contact.front().second.scheme == Scheme::usf;
-  model.stages = c.stage;
-  model.main_rigid = main_rigid(c);
-  for (const StageSettings& stage : c.stage) {
-    const bool drives = stage.kind == StageKind::push || stage.kind == StageKind::drag;
-    model.driven.push_back(!drives ? none : stage.rigid.empty() ? 0 : place_of(c.rigid, stage.rigid));
-  }
   for (const auto& [name, watch] : c.watch) {
     const Index body = place_of(c.body, watch.body);
     model.watches.push_back({name, body, nearest_particle(state.particles[body], watch.point)});
@@ -103,6 +114,8 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
   return problem;
 }
 
+template Model<2> make_model(const Case&, Mesh<2>);
+template Model<3> make_model(const Case&, Mesh<3>);
 template Problem<2> build(const Case&, const std::string&, const std::string&);
 template Problem<3> build(const Case&, const std::string&, const std::string&);
 

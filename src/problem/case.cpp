@@ -179,6 +179,15 @@ void describe(Describe& d, FemSettings& fem)
 {
   d.value("contact_size", fem.contact_size,
           {.meaning = "size of the elements at the rigid body; absent: that of the mesh there", .unit = "m", .range = positive});
+  d.value("tolerance", fem.tolerance,
+          {.meaning = "sum of the unbalanced nodal forces, over that of the contact forces, that is called equilibrium",
+           .range = {0, 0.1, true}});
+  d.value("largest_step", fem.largest_step,
+          {.meaning = "largest travel in one increment, over the width of the rigid body", .range = {0, 1, true}});
+  d.value("relaxation", fem.relaxation,
+          {.meaning = "travel over which stress beyond the strength fades, over the width of the rigid body: the most that is used where "
+                      "increments do not converge with less",
+           .range = {0, 1, true}});
 }
 
 void describe(Describe& d, WatchSettings& watch)

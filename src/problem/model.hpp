@@ -115,6 +115,10 @@ struct Problem {
   State<dim> state;
 };
 
+/// All of the model that follows from the case and this mesh; patches and watches stay empty. Throws InputError where a name refers to nothing in the mesh.
+template <int dim>
+Model<dim> make_model(const Case& c, Mesh<dim> mesh);
+
 /// Builds mesh, particles and rigid bodies. Relative paths are those of case_folder; the mesh generator writes into work_folder.
 /// Throws InputError where a name refers to nothing in the mesh or a body has no particles.
 template <int dim>

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fem/assembly.hpp"
+
+#include "core/for_each.hpp"
+#include "material/tangent.hpp"
+
+namespace berm {
+namespace {
+
+/// Of the elastic stiffness: what is left of it where the law has none, so that stress-free soil does not make the matrix singular.
+constexpr Real least_stiffness = 1e-6;
+
+using Stiffness = Eigen::Matrix<Real, 3, 3, Eigen::DontAlign>;  ///< (xx, yy, xy) by (e_xx, e_yy, gamma_xy)
+
+Stiffness elastic_stiffness(const Elasticity& elastic)
+{
+  const Real along = p_wave_modulus(elastic), across = elastic.lame;
+  return Stiffness{{along, across, 0}, {across, along, 0}, {0, 0, elastic.shear}};
+}
+
+PreparedLinearElastic law_from(const LinearElastic& law, const SymTensor<2>&)
+{
+  return prepare(law);
+}
+PreparedMohrCoulomb law_from(const MohrCoulomb& law, const SymTensor<2>& stress)
+{
+  return prepare(associated(law, stress));
+}
+
+/// The law, mixed with its elastic trial stress.
+template <class Law>
+Stiffness update_point(const Law& law, Real viscosity, const SymTensor<2>& strain, SoilPoint& point)
+{
+  SymTensor<2> trial = point.stress;
+  add_elastic_stress(law.elastic, trial, strain);
+  Tangent tangent;
+  update_stress_and_tangent(law, point.stress, strain, &point.law_state, tangent);
+  SymTensor<2> over;
+  for (int k = 0; k < 4; ++k) {
+    over[k] = (trial[k] - point.stress[k]) * (viscosity / (1 + viscosity));
+    point.stress[k] += over[k];
+  }
+  point.overstress = std::sqrt(double_dot(over, over));
+  point.deviatoric_strain += equivalent_deviatoric_strain(strain);
+  Stiffness d;
+  for (int j = 0; j < 3; ++j) d.col(j) = Eigen::Vector3d(tangent(0, j), tangent(1, j), tangent(3, j));
+  return (d + (viscosity + least_stiffness) * elastic_stiffness(law.elastic)) / (1 + viscosity);
+}
+
+/// Columns: how the node and the rigid body (x, y, angle) move a contact point's soil relative to the body.
+Eigen::Matrix<Real, 2, 5> relative_movement(const FemContactPoint& point)
+{
+  return Eigen::Matrix<Real, 2, 5>{{1, 0, -1, 0, point.arm[1]}, {0, 1, 0, -1, -point.arm[0]}};
+}
+
+}  // namespace
+
+Assembly::Assembly(const FemModel& model)
+    : model_(model),
+      cells_(model.mesh.nodes.size()),
+      points_(model.mesh.nodes.size()),
+      contact_(model.contact.size()),
+      residual_(model.unknowns()),
+      matrix_(model.pattern.entry_count()),
+      held_back_(model.unknowns(), 0.),
+      given_(model.unknowns())
+{
+}
+
+void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& change, const Vec<2>& gravity, Real viscosity, Index cell)
+{
+  const auto& nodes = model_.mesh.nodes[cell];
+  CellWork& work = cells_[cell];
+  Eigen::Map<Eigen::Matrix<Real, 12, 12, Eigen::RowMajor>, Eigen::Unaligned> stiffness(work.stiffness.data());
+  Eigen::Map<Eigen::Matrix<Real, 12, 1>, Eigen::Unaligned> force(work.force.data());
+  stiffness.setZero();
+  force.setZero();
+  const Material& material = model_.model.bodies[model_.mesh.body[cell]].material;
+  const Vec<2> weight = density(material) * gravity;
+  work.work = 0;
+  for (int q = 0; q < triangle_points; ++q) {
+    const ShapeAtPoint& shape = model_.shape[cell][q];
+    Eigen::Matrix<Real, 3, 12> b = Eigen::Matrix<Real, 3, 12>::Zero();
+    Eigen::Matrix<Real, 12, 1> moved;
+    for (int k = 0; k < 6; ++k) {
+      b(0, 2 * k) = b(2, 2 * k + 1) = shape.gradient[k][0];
+      b(1, 2 * k + 1) = b(2, 2 * k) = shape.gradient[k][1];
+      for (int d = 0; d < 2; ++d) moved[2 * k + d] = change[2 * nodes[k] + d];
+    }
+    const Eigen::Vector3d strain = b * moved;
+    SoilPoint& point = points_[cell][q];
+    point = begin.points[cell][q];
+    const SymTensor<2> tensor{{strain[0], strain[1], 0, strain[2] / 2}};
+    SymTensor<2> mean;
+    const Stiffness d =
+        std::visit([&](const auto& law) { return update_point(law_from(law, point.stress), viscosity, tensor, point); }, material);
+    for (int k = 0; k < 4; ++k) mean[k] = (begin.points[cell][q].stress[k] + point.stress[k]) / 2;
+    work.work += shape.area * double_dot(mean, tensor);
+    force += shape.area * b.transpose() * Eigen::Vector3d(point.stress[0], point.stress[1], point.stress[3]);
+    for (int k = 0; k < 6; ++k) force.segment<2>(2 * k) -= shape.area * shape.value[k] * weight;
+    stiffness += b.transpose() * (shape.area * d * b);
+  }
+}
+
+void Assembly::add_contact(const FemState& begin, const std::vector<Real>& change)
+{
+  contact_force_ = 0;
+  for (std::size_t k = 0; k < contact_.size(); ++k) {
+    const FemContactPoint& point = model_.contact[k];
+    const Eigen::Matrix<Real, 2, 5> p = relative_movement(point);
+    const Index unknowns[5] = {2 * point.node, 2 * point.node + 1, model_.rigid_unknown(), model_.rigid_unknown() + 1,
+                               model_.rigid_unknown() + 2};
+    Eigen::Matrix<Real, 5, 1> moved;
+    for (int i = 0; i < 5; ++i) moved[i] = change[unknowns[i]];
+    const FemTraction now = update_traction(model_.interface, point.normal, begin.contact[k], p * moved);
+    contact_[k] = now.state;
+    const Eigen::Matrix<Real, 5, 1> force = point.area * p.transpose() * now.state.traction;
+    const Eigen::Matrix<Real, 5, 5> stiffness = point.area * p.transpose() * now.stiffness * p;
+    contact_force_ += point.area * now.state.traction.norm();
+    for (int i = 0; i < 5; ++i) {
+      residual_[unknowns[i]] -= force[i];
+      for (int j = 0; j < 5; ++j) matrix_[model_.contact_places[k][5 * i + j]] -= stiffness(i, j);
+    }
+  }
+}
+
+void Assembly::give_unknowns(const FemLoads& loads)
+{
+  const NodeField<std::uint8_t>& fixed = model_.mesh.fixed;
+  for (Index node = 0; node < fixed.size(); ++node)
+    for (int d = 0; d < 2; ++d) given_[2 * node + d] = static_cast<char>(fixed[node] >> d & 1);
+  if (model_.rigid != none)
+    for (int d = 0; d < 3; ++d) {
+      const Index unknown = model_.rigid_unknown() + d;
+      given_[unknown] = static_cast<char>(!loads.rigid[d].by_force);
+      if (loads.rigid[d].by_force) residual_[unknown] -= loads.rigid[d].value;
+    }
+  const SparsePattern& pattern = model_.pattern;
+  for (Index row = 0; row < pattern.size(); ++row)
+    if (given_[row])
+      for (Index k = pattern.first[row]; k < pattern.first[row + 1]; ++k) matrix_[k] = pattern.column[k] == row ? 1 : 0;
+}
+
+void Assembly::evaluate(const FemState& begin, const std::vector<Real>& change, const FemLoads& loads, Real viscosity)
+{
+  for_each("evaluate elements", cells_.size(), [&](Index cell) { evaluate_cell(begin, change, loads.gravity, viscosity, cell); });
+  const Timer timer("assemble");
+  std::fill(matrix_.begin(), matrix_.end(), 0.);
+  for (std::size_t k = 0; k < residual_.size(); ++k) residual_[k] = -loads.held_back * held_back_[k];
+  for (Index cell = 0; cell < cells_.size(); ++cell) {
+    const auto& nodes = model_.mesh.nodes[cell];
+    for (int k = 0; k < 12; ++k) residual_[2 * nodes[k / 2] + k % 2] += cells_[cell].force[k];
+    for (int k = 0; k < 144; ++k) matrix_[model_.cell_places[cell][k]] += cells_[cell].stiffness[k];
+  }
+  add_contact(begin, change);
+  give_unknowns(loads);
+
+  unbalanced_ = 0;
+  for (Index node = 0; node < model_.mesh.position.size(); ++node) {
+    Vec<2> force;
+    for (int d = 0; d < 2; ++d) force[d] = given_[2 * node + d] ? 0 : residual_[2 * node + d];
+    unbalanced_ += force.norm();
+  }
+  for (Index unknown = model_.rigid_unknown(); unknown < std::min(model_.rigid_unknown() + 2, model_.unknowns()); ++unknown)
+    if (!given_[unknown]) unbalanced_ += std::abs(residual_[unknown]);
+}
+
+Vec<2> Assembly::reaction() const
+{
+  Vec<2> sum = Vec<2>::Zero();
+  for (std::size_t k = 0; k < contact_.size(); ++k) sum -= model_.contact[k].area * contact_[k].traction;
+  return sum;
+}
+
+Real Assembly::torque() const
+{
+  Real sum = 0;
+  for (std::size_t k = 0; k < contact_.size(); ++k) {
+    const Vec<2>&arm = model_.contact[k].arm, &traction = contact_[k].traction;
+    sum -= model_.contact[k].area * (arm[0] * traction[1] - arm[1] * traction[0]);
+  }
+  return sum;
+}
+
+void Assembly::count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const
+{
+  Totals<2>& totals = state.state.totals;
+  for (const CellWork& cell : cells_) totals.internal += cell.work;
+  for (Index cell = 0; cell < cells_.size(); ++cell)
+    for (const ShapeAtPoint& shape : model_.shape[cell])
+      for (int k = 0; k < 6; ++k)
+        for (int d = 0; d < 2; ++d)
+          totals.external += shape.area * shape.value[k] * density(model_.model.bodies[model_.mesh.body[cell]].material) *
+                             loads.gravity[d] * change[2 * model_.mesh.nodes[cell][k] + d];
+  if (model_.rigid == none) return;
+  const RigidState<2>& rigid = state.state.rigids[model_.rigid];
+  const Index first = model_.rigid_unknown();
+  const Vec<2> moved(change[first], change[first + 1]), force = -(rigid.reaction + reaction()) / 2;
+  totals.external += force.dot(moved) - (rigid.torque + torque()) / 2 * change[first + 2];
+  for (std::size_t k = 0; k < contact_.size(); ++k) {
+    const FemContactPoint& point = model_.contact[k];
+    const Vec<2> relative =
+        Vec<2>(change[2 * point.node], change[2 * point.node + 1]) - moved - change[first + 2] * Vec<2>(-point.arm[1], point.arm[0]);
+    totals.friction -= point.area * (state.contact[k].traction + contact_[k].traction).dot(relative) / 2;
+  }
+}
+
+void Assembly::accept(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const
+{
+  count_work(state, change, loads);
+  state.points = points_;
+  state.contact = contact_;
+  for (std::size_t k = 0; k < change.size(); ++k) state.displacement[k] += change[k];
+  Real over = 0, carried = 0;
+  for (Index cell = 0; cell < cells_.size(); ++cell)
+    for (int q = 0; q < triangle_points; ++q)
+      if (const SoilPoint& point = points_[cell][q]; point.overstress > 0) {
+        over += model_.shape[cell][q].area * point.overstress;
+        carried += model_.shape[cell][q].area * std::sqrt(double_dot(point.stress, point.stress));
+      }
+  state.overstress = carried > 0 ? over / carried : 0;
+  if (model_.rigid == none) return;
+  RigidState<2>& rigid = state.state.rigids[model_.rigid];
+  rigid.reaction = rigid.smooth_reaction = reaction();
+  rigid.torque = torque();
+  for (const FemContactState& point : contact_) rigid.deepest = std::max(rigid.deepest, -point.gap);
+  const Index first = model_.rigid_unknown();
+  rigid.displacement = Vec<2>(state.displacement[first], state.displacement[first + 1]);
+  rigid.angle = state.displacement[first + 2];
+}
+
+void Assembly::hold_back(const FemState& state, const FemLoads& loads)
+{
+  FemLoads nothing = loads;
+  nothing.held_back = 0;
+  evaluate(state, std::vector<Real>(model_.unknowns(), 0.), nothing, 0);
+  held_back_ = residual_;
+}
+
+}  // namespace berm

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fem/fem_problem.hpp"
+
+namespace berm {
+
+/// What acts in an increment, and how the rigid body moves.
+struct FemLoads {
+  Vec<2> gravity = Vec<2>::Zero();  ///< m/s2
+  Real held_back = 0;               ///< part of the first state's unbalanced forces that is still held back by fictitious ones
+  struct Direction {
+    bool by_force = false;
+    Real value = 0;  ///< m (rad): movement in this increment; or N/m (N m/m): force on the body
+  } rigid[3];        ///< x, y, angle
+};
+
+/// The elements and contact points at the end of an increment that is tried: forces and their derivatives.
+class Assembly {
+public:
+  explicit Assembly(const FemModel& model);
+
+  /// Computes stresses and tractions for the change of displacement since `begin`, and from them the residual and the matrix. `viscosity` is eta:
+  ///
+  ///   stress = (law's stress + eta elastic trial stress) / (1 + eta)   (Duvaut and Lions),
+  ///
+  /// so that soil at yield keeps a stiffness; what lies outside the law's surface is the overstress.
+  void evaluate(const FemState& begin, const std::vector<Real>& change, const FemLoads& loads, Real viscosity);
+
+  /// internal - external forces by unknown, N/m; not zeroed where the unknown is given.
+  const std::vector<Real>& residual() const { return residual_; }
+  /// Derivative of the residual by the unknowns, in the model's pattern. Rows of given unknowns are those of the identity.
+  const std::vector<Real>& matrix() const { return matrix_; }
+  bool given(Index unknown) const { return given_[unknown]; }
+  /// Sum over the nodes of the unbalanced forces' magnitudes, and over the contact points of the forces', N/m.
+  Real unbalanced() const { return unbalanced_; }
+  Real contact_force() const { return contact_force_; }
+
+  /// Force of the soil on the rigid body, N/m, and its moment about the body's centre, N m/m.
+  Vec<2> reaction() const;
+  Real torque() const;
+
+  /// Makes what was evaluated last the state, and counts its work.
+  void accept(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const;
+
+  /// The forces that are held back where nothing has moved yet: residual of the state as it is.
+  void hold_back(const FemState& state, const FemLoads& loads);
+
+private:
+  void evaluate_cell(const FemState& begin, const std::vector<Real>& change, const Vec<2>& gravity, Real viscosity, Index cell);
+  void add_contact(const FemState& begin, const std::vector<Real>& change);
+  void count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const;
+  void give_unknowns(const FemLoads& loads);
+
+  struct CellWork {
+    std::array<Real, 12> force;
+    std::array<Real, 144> stiffness;
+    Real work;  ///< J/m, of the stresses in the increment
+  };
+  const FemModel& model_;
+  CellField<CellWork> cells_;
+  CellField<std::array<SoilPoint, triangle_points>> points_;
+  std::vector<FemContactState> contact_;
+  std::vector<Real> residual_, matrix_, held_back_;
+  std::vector<char> given_;
+  Real unbalanced_ = 0, contact_force_ = 0;
+};
+
+}  // namespace berm

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/error.hpp"
+#include "fem/cut_mesh.hpp"
+#include "fem/fem_problem.hpp"
+#include "problem/stages.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+/// Of the contact's springs: this many times the stiffness of a layer of soil as thick as the elements at the body.
+constexpr Real contact_stiffness = 100;
+
+/// The unknowns that belong to an element or contact point, and which entries of the matrix they couple.
+class PatternMaker {
+public:
+  explicit PatternMaker(Index unknowns) : rows_(unknowns) {}
+
+  void couple(std::span<const Index> unknowns)
+  {
+    for (const Index row : unknowns) rows_[row].insert(rows_[row].end(), unknowns.begin(), unknowns.end());
+  }
+  SparsePattern pattern()
+  {
+    SparsePattern made;
+    made.first.push_back(0);
+    for (std::vector<Index>& row : rows_) {
+      std::sort(row.begin(), row.end());
+      row.erase(std::unique(row.begin(), row.end()), row.end());
+      made.column.insert(made.column.end(), row.begin(), row.end());
+      made.first.push_back(static_cast<Index>(made.column.size()));
+    }
+    return made;
+  }
+
+private:
+  std::vector<std::vector<Index>> rows_;
+};
+
+std::array<Index, 12> unknowns_of(const AtSixNodes<Index>& nodes)
+{
+  std::array<Index, 12> unknowns;
+  for (int k = 0; k < 12; ++k) unknowns[k] = 2 * nodes[k / 2] + k % 2;
+  return unknowns;
+}
+
+void number_unknowns(FemModel& model)
+{
+  const auto of_contact = [&](const FemContactPoint& point) {
+    const Index r = model.rigid_unknown();
+    return std::array<Index, 5>{2 * point.node, 2 * point.node + 1, r, r + 1, r + 2};
+  };
+  PatternMaker maker(model.unknowns());
+  for (const auto& nodes : model.mesh.nodes) maker.couple(unknowns_of(nodes));
+  for (const FemContactPoint& point : model.contact) maker.couple(of_contact(point));
+  model.pattern = maker.pattern();
+  const auto places = [&](const auto& unknowns, auto& made) {
+    int k = 0;
+    for (const Index row : unknowns)
+      for (const Index column : unknowns) made[k++] = model.pattern.place(row, column);
+  };
+  model.cell_places.assign(model.mesh.nodes.size());
+  for (Index cell = 0; cell < model.mesh.nodes.size(); ++cell) places(unknowns_of(model.mesh.nodes[cell]), model.cell_places[cell]);
+  for (const FemContactPoint& point : model.contact) places(of_contact(point), model.contact_places.emplace_back());
+}
+
+/// The stress of a flat bed, or the given one, as for the particles of the other method.
+SymTensor<2> first_stress(const BodySettings& body, Real unit_weight, Real depth)
+{
+  SymTensor<2> stress;
+  for (std::size_t k = 0; k < body.initial_stress.size(); ++k) stress[static_cast<int>(k)] = body.initial_stress[k];
+  if (body.k0) {
+    stress[1] = -unit_weight * std::max(Real(0), depth);
+    stress[0] = stress[2] = *body.k0 * stress[1];
+  }
+  return stress;
+}
+
+void make_contact(FemModel& model)
+{
+  for (const Contact& contact : model.model.contacts) {
+    if (contact.rigid == none)
+      throw InputError(fmt::format("contact.{}.other_body: finite elements know contact with a rigid body only", contact.name));
+    if (model.rigid != none) throw InputError(fmt::format("contact.{}: finite elements know one contact only", contact.name));
+    model.rigid = contact.rigid;
+    const Rigid<2>& rigid = model.model.rigids[contact.rigid];
+    const auto sides = contact_sides(model.mesh, rigid.shape);
+    if (sides.empty())
+      throw InputError(fmt::format("contact.{}: the mesh has no side on the surface of rigid.{}", contact.name, rigid.name));
+    model.contact = make_contact_points(sides, model.mesh.position, rigid.shape);
+    Real length = 0;
+    for (const FemContactPoint& point : model.contact) length += point.area;
+    model.interface = {contact.friction, contact.adhesion, contact.scheme == Scheme::sticky,
+                       contact_stiffness * p_wave_modulus(model.model.bodies[contact.body].material) * static_cast<Real>(sides.size()) /
+                           length};
+  }
+}
+
+}  // namespace
+
+FemProblem build_fem(const Case& c, const std::string& case_folder, const std::string& work_folder)
+{
+  FemProblem problem;
+  FemModel& model = problem.model;
+  FemState& state = problem.state;
+  model.model = make_model(c, make_cut_mesh(c, case_folder, work_folder));
+  model.settings = c.fem;
+  std::vector<RigidShape<2>> shapes;
+  for (const Rigid<2>& rigid : model.model.rigids) shapes.push_back(rigid.shape);
+  model.mesh = make_quadratic(model.model.mesh, c, shapes);
+  make_contact(model);
+
+  const Real gravity = -model.model.gravity[1];
+  model.shape.assign(model.mesh.nodes.size());
+  state.points.assign(model.mesh.nodes.size());
+  for (Index cell = 0; cell < model.mesh.nodes.size(); ++cell) {
+    const AtSixNodes<Vec<2>> nodes = model.mesh.positions_of(cell);
+    const Index body = model.mesh.body[cell];
+    for (int q = 0; q < triangle_points; ++q) {
+      const ShapeAtPoint& shape = model.shape[cell][q] = shape_at(nodes, q);
+      if (!(shape.area > 0)) throw RunError(fmt::format("the curved element at ({}, {}) is turned inside out", nodes[0][0], nodes[0][1]));
+      Real y = 0;
+      for (int k = 0; k < 6; ++k) y += shape.value[k] * nodes[k][1];
+      state.points[cell][q].stress =
+          first_stress(c.body[body].second, density(model.model.bodies[body].material) * gravity, model.model.surface - y);
+    }
+  }
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
+    for (const ShapeAtPoint& shape : model.shape[cell])
+      model.weight += shape.area * density(model.model.bodies[model.mesh.body[cell]].material) * model.model.gravity.norm();
+  if (model.rigid != none) model.width = width_of<2>(model.model.rigids[model.rigid].shape);
+  number_unknowns(model);
+  state.displacement.assign(model.unknowns(), 0.);
+  state.contact.resize(model.contact.size());
+  state.state.rigids.resize(model.model.rigids.size());
+  begin_stage(model.model, state.state);
+  return problem;
+}
+
+}  // namespace berm

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fem/contact_points.hpp"
+
+#include <map>
+
+namespace berm {
+
+FemTraction update_traction(const FemInterface& interface, const Vec<2>& normal, const FemContactState& before, const Vec<2>& movement)
+{
+  const Real k = interface.stiffness;
+  FemTraction now{{before.gap + movement.dot(normal), Vec<2>::Zero()}, Matrix<2>::Zero()};
+  if (interface.sticks) {
+    now.state.traction = before.traction - k * movement;
+    now.stiffness = -k * Matrix<2>::Identity();
+    return now;
+  }
+  const Real pressure = -k * now.state.gap;
+  if (!(pressure > 0)) return now;
+  const Vec<2> tangent(-normal[1], normal[0]);
+  const Real trial = before.traction.dot(tangent) - k * movement.dot(tangent), limit = interface.friction * pressure + interface.adhesion;
+  const bool slides = std::abs(trial) > limit;
+  const Real sign = trial < 0 ? -1 : 1, shear = slides ? sign * limit : trial;
+  now.state.traction = pressure * normal + shear * tangent;
+  now.stiffness = -k * normal * normal.transpose();
+  if (slides)
+    now.stiffness -= sign * interface.friction * k * tangent * normal.transpose();
+  else
+    now.stiffness -= k * tangent * tangent.transpose();
+  return now;
+}
+
+std::vector<FemContactPoint> make_contact_points(const std::vector<BoundarySide>& sides, const NodeField<Vec<2>>& position,
+                                                 const RigidShape<2>& shape)
+{
+  std::map<Index, FemContactPoint> points;
+  for (const auto& [from, to, middle] : sides) {
+    const Vec<2>&a = position[from], &b = position[to], &m = position[middle];
+    // dx/ds at the ends and in the middle of the parabola through the three nodes, s from 0 to 1.
+    const Real speed[3] = {(-3 * a - b + 4 * m).norm(), (a + 3 * b - 4 * m).norm(), (b - a).norm()};
+    const Real part[3] = {1. / 6, 1. / 6, 4. / 6};
+    const Index nodes[3] = {from, to, middle};
+    for (int k = 0; k < 3; ++k) {
+      FemContactPoint& point = points.try_emplace(nodes[k], FemContactPoint{nodes[k], Vec<2>::Zero(), Vec<2>::Zero(), 0}).first->second;
+      const Vec<2>& x = position[nodes[k]];
+      // At a corner of the body the surface's normal is that of the side.
+      point.normal += part[k] * speed[k] * surface_at<2>(shape, Vec<2>(x + 1e-3 * (m - x))).normal;
+      point.area += part[k] * speed[k];
+      point.arm = x - center_of<2>(shape);
+    }
+  }
+  std::vector<FemContactPoint> list;
+  for (auto& [node, point] : points) {
+    point.normal.normalize();
+    list.push_back(point);
+  }
+  return list;
+}
+
+}  // namespace berm

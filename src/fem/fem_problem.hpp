@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fem/contact_points.hpp"
+#include "fem/direct_solver.hpp"
+#include "fem/element.hpp"
+#include "fem/quadratic_mesh.hpp"
+#include "problem/model.hpp"
+
+namespace berm {
+
+/// What cannot change during a finite element run: the same model as for the material point method, and the elements.
+struct FemModel {
+  Model<2> model;  ///< its mesh is that of the corners
+  QuadraticMesh mesh;
+  CellField<std::array<ShapeAtPoint, triangle_points>> shape;
+  Index rigid = none;  ///< the rigid body in contact with the soil
+  std::vector<FemContactPoint> contact;
+  FemInterface interface;
+  Real width = 1;   ///< m, of the rigid body, which increments of travel are measured with; 1 where there is none
+  Real weight = 0;  ///< N/m, of all soil
+  FemSettings settings;
+
+  // Unknowns: node i moves by 2 i and 2 i + 1 (x, y); the rigid body, where there is one, by the last three (x, y, angle).
+  SparsePattern pattern;
+  CellField<std::array<Index, 144>> cell_places;      ///< of the 12 x 12 entries of each element, row by row
+  std::vector<std::array<Index, 25>> contact_places;  ///< of the 5 x 5 entries of each contact point: its node and the rigid body
+  Index unknowns() const { return 2 * mesh.position.size() + (rigid == none ? 0 : 3); }
+  Index rigid_unknown() const { return 2 * mesh.position.size(); }
+};
+
+/// The soil at a point of integration.
+struct SoilPoint {
+  SymTensor<2> stress;         ///< Pa, tension positive
+  Real law_state = 0;          ///< what the law keeps: the opening of Mohr-Coulomb
+  Real deviatoric_strain = 0;  ///< accumulated
+  Real overstress = 0;         ///< Pa, how far the stress lies outside the law's surface, in the norm of a tensor
+};
+
+/// Everything that changes during a finite element run.
+struct FemState {
+  State<2> state;                  ///< time, stage, rigid bodies, totals; no particles
+  std::vector<Real> displacement;  ///< by unknown: m, and rad for the angle
+  CellField<std::array<SoilPoint, triangle_points>> points;
+  std::vector<FemContactState> contact;
+  Real overstress = 0;  ///< part of the stress that is beyond the law's surface: integral of both over the soil at yield
+};
+
+struct FemProblem {
+  FemModel model;
+  FemState state;
+};
+
+/// Builds mesh, elements and the first state. Throws InputError where the case does not fit the method.
+FemProblem build_fem(const Case& c, const std::string& case_folder, const std::string& work_folder);
+
+}  // namespace berm

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fem/load_steps.hpp"
+
+#include "core/error.hpp"
+#include "problem/stages.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+constexpr Real settling_viscosity = 0.1;
+constexpr Real first_travel = 2e-4;          // of the width, in the first increment of a stage
+constexpr Real least_relaxation = 1e-3;      // of the one that the user asks for
+constexpr int quick = 5, quick_enough = 12;  // iterations
+
+}  // namespace
+
+LoadSteps::LoadSteps(const FemModel& model, FemState& state)
+    : model_(model),
+      state_(state),
+      newton_(model),
+      relaxation_(model.settings.relaxation)
+{
+  begin();
+}
+
+void LoadSteps::settle()
+{
+  FemLoads loads;
+  loads.gravity = gravity_now(model_.model, 0);
+  newton_.assembly().hold_back(state_, loads);
+  Real held_back = 1, part = 1;
+  while (held_back > 0) {
+    loads.held_back = std::max(Real(0), held_back - part);
+    std::vector<Real> change(model_.unknowns(), 0.);
+    const IncrementEnd end = newton_.find_equilibrium(state_, loads, settling_viscosity, change);
+    if (end.converged) {
+      newton_.assembly().accept(state_, change, loads);
+      held_back = loads.held_back;
+      part *= 1.5;
+    } else if ((part /= 2) < 1e-4) {
+      throw RunError("the soil as it is at the start finds no equilibrium: it cannot carry its weight with these stresses (k0, strength)");
+    }
+  }
+}
+
+void LoadSteps::begin()
+{
+  const StageSettings& now = stage();
+  const bool moves = driven() != none && now.velocity && *now.velocity != 0;
+  first_dt_ = moves ? first_travel * model_.width / std::abs(*now.velocity) + (now.ramp > 0 ? now.ramp / 100 : 0)
+                    : (now.ramp > 0 ? now.ramp : now.until.time.value_or(1)) / 50;
+  dt_ = first_dt_;
+  last_dt_ = 0;
+}
+
+Real LoadSteps::travel(int direction, Real from, Real to) const
+{
+  const Drive& drive = state_.state.stage.drive[direction];
+  const Real ramp = stage().ramp;
+  const auto until = [&](Real t) { return t < ramp ? drive.to * t * t / (2 * ramp) : drive.to * (t - ramp / 2); };
+  return drive.by_force ? 0 : until(to) - until(from);
+}
+
+Real LoadSteps::up_to_the_end(Real dt) const
+{
+  const StageState<2>& now = state_.state.stage;
+  const Until& until = stage().until;
+  const Real since = state_.state.time - now.begin_time;
+  if (until.time) dt = std::min(dt, *until.time - since);
+  if (driven() == none) return dt;
+  const auto cut = [&](int direction, Real left) {
+    Real low = 0, high = dt;
+    if (std::abs(travel(direction, since, since + dt)) <= left) return;
+    for (int k = 0; k < 60; ++k) {
+      const Real middle = (low + high) / 2;
+      (std::abs(travel(direction, since, since + middle)) < left ? low : high) = middle;
+    }
+    dt = high;
+  };
+  if (until.displacement) cut(0, *until.displacement - std::abs(state_.state.rigids[driven()].displacement[0] - now.begin_displacement[0]));
+  if (until.embedment && travel(1, since, since + dt) < 0) cut(1, *until.embedment - pipe_motion(model_.model, state_.state, driven()).w);
+  return dt;
+}
+
+FemLoads LoadSteps::loads_after(Real dt) const
+{
+  FemLoads loads;
+  loads.gravity = gravity_now(model_.model, state_.state.time + dt);
+  if (driven() == none) return loads;
+  const StageState<2>& now = state_.state.stage;
+  const Real since = state_.state.time - now.begin_time, ramp = stage().ramp, part = ramp > since + dt ? (since + dt) / ramp : 1;
+  for (int d = 0; d < 2; ++d) {
+    const Drive& drive = now.drive[d];
+    loads.rigid[d] = {drive.by_force, drive.by_force ? drive.from + part * (drive.to - drive.from) : travel(d, since, since + dt)};
+  }
+  loads.rigid[2].by_force = model_.model.rigids[driven()].rotation == Rotation::free;
+  return loads;
+}
+
+/// The part of the increment in hand after which the stage's limit of force is reached; 1 where it is not.
+Real LoadSteps::part_within_force(const IncrementEnd& end) const
+{
+  const std::optional<Real>& limit = stage().until.force;
+  if (!limit || driven() == none || !end.converged) return 1;
+  const int d = stage().kind == StageKind::push ? 1 : 0;
+  const Real sign = d == 1 ? 1 : -drag_direction(model_.model, state_.state);
+  const Real before = sign * state_.state.rigids[driven()].reaction[d], after = sign * newton_.assembly().reaction()[d];
+  return after > *limit * (1 + 1e-4) ? std::max(0.1, (*limit - before) / (after - before)) : 1;
+}
+
+IncrementEnd LoadSteps::advance()
+{
+  const Real largest_dt = first_dt_ * std::max(Real(1), model_.settings.largest_step / first_travel);
+  Real shortest = 1;  // where a limit of force cuts the increment
+  for (;;) {
+    const Real dt = up_to_the_end(std::min(dt_, largest_dt) * shortest);
+    const FemLoads loads = loads_after(dt);
+    std::vector<Real> change(model_.unknowns(), 0.);
+    if (last_dt_ > 0)
+      for (std::size_t k = 0; k < change.size(); ++k) change[k] = last_change_[k] * (dt / last_dt_);
+    const IncrementEnd end = newton_.find_equilibrium(state_, loads, relaxation_ / first_travel * (first_dt_ / dt), change);
+    if (const Real part = part_within_force(end); part < 1 && shortest > 1e-6) {
+      shortest *= part;
+      continue;
+    }
+    if (end.converged) {
+      newton_.assembly().accept(state_, change, loads);
+      accept(change, dt, end);
+      return end;
+    }
+    dt_ = dt / 2;
+    relaxation_ = std::min(2 * relaxation_, model_.settings.relaxation);
+    if (dt_ < last_dt_ / 8) last_dt_ = 0;  // the last increment is no guide any more
+    if (dt_ < 1e-4 * first_dt_)
+      throw RunError(fmt::format(
+          "stage \"{}\": no equilibrium at t = {:.6g} s, even with an increment of {:.2g} s; the unbalanced forces stay at {:.2g} "
+          "of the contact forces. A larger fem.relaxation (now {}) or a finer mesh may help",
+          stage().name, state_.state.time, dt, end.unbalance, model_.settings.relaxation));
+  }
+}
+
+void LoadSteps::accept(const std::vector<Real>& change, Real dt, const IncrementEnd& end)
+{
+  state_.state.time += dt;
+  ++state_.state.step;
+  last_change_ = change;
+  last_dt_ = dt;
+  if (end.iterations <= quick) relaxation_ = std::max(relaxation_ / 2, least_relaxation * model_.settings.relaxation);
+  if (end.iterations <= quick_enough) dt_ = std::max(dt_, dt * 1.5);
+}
+
+bool LoadSteps::next_stage()
+{
+  if (state_.state.stage.index + 1 == static_cast<Index>(model_.model.stages.size())) return false;
+  ++state_.state.stage.index;
+  begin_stage(model_.model, state_.state);
+  begin();
+  return true;
+}
+
+}  // namespace berm

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fem/newton.hpp"
+
+namespace berm {
+
+/// Goes through the stages of a case in increments that adapt: one that does not converge is tried again at half its size, one that converges quickly
+/// lets the next grow. Each starts from the last one's change, scaled. The viscosity eta of an increment (Assembly::evaluate) is relaxation over
+/// travel, so that the overstress belongs to the speed of the strain and not to the size of the increments; the relaxation falls while increments
+/// converge quickly, and rises where they do not.
+class LoadSteps {
+public:
+  LoadSteps(const FemModel& model, FemState& state);
+
+  /// Lets the first state find its equilibrium, the rigid body at rest. Throws RunError where it finds none.
+  void settle();
+
+  /// One increment of the present stage, to its end at most. Throws RunError where even the smallest increment finds no equilibrium.
+  IncrementEnd advance();
+
+  /// Goes to the next stage; false after the last one.
+  bool next_stage();
+
+  /// Travel over which overstress fades, over the width of the rigid body: of the last increment.
+  Real relaxation() const { return relaxation_; }
+
+private:
+  const StageSettings& stage() const { return model_.model.stages[state_.state.stage.index]; }
+  Index driven() const { return model_.model.driven[state_.state.stage.index]; }
+  void begin();
+  Real travel(int direction, Real from, Real to) const;
+  Real up_to_the_end(Real dt) const;
+  FemLoads loads_after(Real dt) const;
+  Real part_within_force(const IncrementEnd& end) const;
+  void accept(const std::vector<Real>& change, Real dt, const IncrementEnd& end);
+
+  const FemModel& model_;
+  FemState& state_;
+  Newton newton_;
+  Real relaxation_;
+  Real first_dt_ = 0, dt_ = 0;     ///< s, of the first and of the next increment of the stage
+  Real last_dt_ = 0;               ///< s, of the last increment in this stage; 0 = none
+  std::vector<Real> last_change_;  ///< of displacement in it
+};
+
+}  // namespace berm

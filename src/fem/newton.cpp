@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fem/newton.hpp"
+
+#include <algorithm>
+
+namespace berm {
+namespace {
+
+constexpr int most_iterations = 25;
+constexpr int most_searches = 6;
+constexpr Real enough_descent = 0.7;  // a slope of this part of the first one ends the line search
+
+}  // namespace
+
+Newton::Newton(const FemModel& model)
+    : model_(model),
+      assembly_(model),
+      solver_(model.pattern),
+      least_force_(std::max(1e-3 * model.weight, 1e-300))
+{
+}
+
+bool Newton::set_step(const FemLoads& loads, const std::vector<Real>& change)
+{
+  bool moves_as_given = true;
+  for (Index k = 0; k < model_.unknowns(); ++k) {
+    if (!assembly_.given(k)) {
+      step_[k] = -assembly_.residual()[k];
+      continue;
+    }
+    const Real given = k >= model_.rigid_unknown() ? loads.rigid[k - model_.rigid_unknown()].value : 0;
+    step_[k] = given - change[k];
+    moves_as_given = moves_as_given && std::abs(step_[k]) <= 1e-12 * std::abs(given);
+  }
+  return moves_as_given;
+}
+
+Real Newton::slope() const
+{
+  Real sum = 0;
+  for (Index k = 0; k < model_.unknowns(); ++k)
+    if (!assembly_.given(k)) sum += step_[k] * assembly_.residual()[k];
+  return sum;
+}
+
+void Newton::search_line(const FemState& begin, const FemLoads& loads, Real viscosity, std::vector<Real>& change)
+{
+  const Real first = slope();
+  const auto go = [&](Real by) {
+    for (Index k = 0; k < model_.unknowns(); ++k) change[k] += by * step_[k];
+    assembly_.evaluate(begin, change, loads, viscosity);
+    return slope();
+  };
+  Real at = 1, here = go(1), low = 0, low_slope = first, high = 0, high_slope = 0;
+  if (!(first < 0)) return;
+  for (int k = 0; k < most_searches && !(std::abs(here) <= -enough_descent * first); ++k) {
+    if (here < 0 && high == 0) return;  // still downhill after the whole step
+    if (here < 0)
+      low = at, low_slope = here;
+    else
+      high = at, high_slope = here;
+    const Real next = low + (high - low) * std::clamp(-low_slope / (high_slope - low_slope), 0.1, 0.9);
+    here = go(next - at);
+    at = next;
+  }
+}
+
+IncrementEnd Newton::find_equilibrium(const FemState& begin, const FemLoads& loads, Real viscosity, std::vector<Real>& change)
+{
+  IncrementEnd end;
+  step_.resize(change.size());
+  assembly_.evaluate(begin, change, loads, viscosity);
+  for (;; ++end.iterations) {
+    const bool moves_as_given = set_step(loads, change);
+    end.unbalance = assembly_.unbalanced() / std::max(assembly_.contact_force(), least_force_);
+    end.converged = moves_as_given && end.unbalance <= model_.settings.tolerance;
+    if (end.converged || end.iterations == most_iterations || !std::isfinite(end.unbalance)) return end;
+    if (!solver_.decompose(assembly_.matrix())) return end;
+    solver_.solve(step_);
+    if (moves_as_given) {
+      search_line(begin, loads, viscosity, change);
+    } else {
+      for (Index k = 0; k < model_.unknowns(); ++k) change[k] += step_[k];
+      assembly_.evaluate(begin, change, loads, viscosity);
+    }
+  }
+}
+
+}  // namespace berm

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fem/assembly.hpp"
+
+namespace berm {
+
+/// How an increment ended.
+struct IncrementEnd {
+  bool converged = false;
+  Real unbalance =
+      infinity;  ///< sum of the unbalanced nodal forces over that of the contact forces, or over a thousandth of the weight if that is more
+  int iterations = 0;
+};
+
+/// Newton's iteration with the consistent tangent for one increment. Each increment is a convex problem but for the friction of the interface, so a
+/// line search along the Newton step, on the slope of the energy, keeps the iteration from cycling between states of soil without tension.
+class Newton {
+public:
+  explicit Newton(const FemModel& model);
+
+  /// Looks for the change of displacement that brings equilibrium; `change` is the guess at first. The state stays as it is; assembly() holds what was found.
+  IncrementEnd find_equilibrium(const FemState& begin, const FemLoads& loads, Real viscosity, std::vector<Real>& change);
+
+  Assembly& assembly() { return assembly_; }
+  const Assembly& assembly() const { return assembly_; }
+
+private:
+  bool set_step(const FemLoads& loads, const std::vector<Real>& change);
+  Real slope() const;
+  void search_line(const FemState& begin, const FemLoads& loads, Real viscosity, std::vector<Real>& change);
+
+  const FemModel& model_;
+  Assembly assembly_;
+  DirectSolver solver_;
+  Real least_force_;  ///< N/m, that unbalanced forces are compared with at least
+  std::vector<Real> step_;
+};
+
+}  // namespace berm
