@@ -210,6 +210,7 @@ void Assembly::accept(FemState& state, const std::vector<Real>& change, const Fe
   count_work(state, change, loads);
   state.points = points_;
   state.contact = contact_;
+  state.unbalanced = unbalanced_;
   for (std::size_t k = 0; k < change.size(); ++k) state.displacement[k] += change[k];
   Real over = 0, carried = 0;
   for (Index cell = 0; cell < cells_.size(); ++cell)

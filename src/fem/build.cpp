@@ -78,6 +78,34 @@ SymTensor<2> first_stress(const BodySettings& body, Real unit_weight, Real depth
   return stress;
 }
 
+FemWatch make_watch(const FemModel& model, const std::string& name, const WatchSettings& watch, Index body)
+{
+  FemWatch made{name, none, none, 0};
+  const Vec<2> place(watch.point[0], watch.point[1]);
+  Real nearest_node = infinity, nearest_point = infinity;
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
+    if (model.mesh.body[cell] != body) continue;
+    const AtSixNodes<Vec<2>> nodes = model.mesh.positions_of(cell);
+    for (int k = 0; k < 6; ++k)
+      if (const Real away = (nodes[k] - place).norm(); away < nearest_node) nearest_node = away, made.node = model.mesh.nodes[cell][k];
+    for (int q = 0; q < triangle_points; ++q) {
+      Vec<2> x = Vec<2>::Zero();
+      for (int k = 0; k < 6; ++k) x += model.shape[cell][q].value[k] * nodes[k];
+      if (const Real away = (x - place).norm(); away < nearest_point) nearest_point = away, made.cell = cell, made.point = q;
+    }
+  }
+  return made;
+}
+
+/// Soil whose flow is not associated needs more: it has no unique answer without.
+Real default_relaxation(const Model<2>& model)
+{
+  for (const Body<2>& body : model.bodies)
+    if (const auto* law = std::get_if<MohrCoulomb>(&body.material); law != nullptr && law->dilation_angle < law->friction_angle)
+      return 1e-6;
+  return 1e-8;
+}
+
 void make_contact(FemModel& model)
 {
   for (const Contact& contact : model.model.contacts) {
@@ -105,8 +133,12 @@ FemProblem build_fem(const Case& c, const std::string& case_folder, const std::s
   FemProblem problem;
   FemModel& model = problem.model;
   FemState& state = problem.state;
+  for (const auto& [name, rigid] : c.rigid)
+    if (rigid.motion == Motion::free)
+      throw InputError(fmt::format("rigid.{}.motion: finite elements move a rigid body as a stage drives it; it cannot be \"free\"", name));
   model.model = make_model(c, make_cut_mesh(c, case_folder, work_folder));
   model.settings = c.fem;
+  model.relaxation = c.fem.relaxation.value_or(default_relaxation(model.model));
   std::vector<RigidShape<2>> shapes;
   for (const Rigid<2>& rigid : model.model.rigids) shapes.push_back(rigid.shape);
   model.mesh = make_quadratic(model.model.mesh, c, shapes);
@@ -132,6 +164,7 @@ FemProblem build_fem(const Case& c, const std::string& case_folder, const std::s
       model.weight += shape.area * density(model.model.bodies[model.mesh.body[cell]].material) * model.model.gravity.norm();
   if (model.rigid != none) model.width = width_of<2>(model.model.rigids[model.rigid].shape);
   number_unknowns(model);
+  for (const auto& [name, watch] : c.watch) model.watches.push_back(make_watch(model, name, watch, place_of(c.body, watch.body)));
   state.displacement.assign(model.unknowns(), 0.);
   state.contact.resize(model.contact.size());
   state.state.rigids.resize(model.model.rigids.size());

@@ -9,6 +9,13 @@
 
 namespace berm {
 
+/// A place of the soil whose motion and stress are written to the history: the node and the point of integration nearest to it.
+struct FemWatch {
+  std::string name;
+  Index node, cell;
+  int point;
+};
+
 /// What cannot change during a finite element run: the same model as for the material point method, and the elements.
 struct FemModel {
   Model<2> model;  ///< its mesh is that of the corners
@@ -20,6 +27,8 @@ struct FemModel {
   Real width = 1;   ///< m, of the rigid body, which increments of travel are measured with; 1 where there is none
   Real weight = 0;  ///< N/m, of all soil
   FemSettings settings;
+  Real relaxation = 0;  ///< travel over which overstress fades, over the width: at most
+  std::vector<FemWatch> watches;
 
   // Unknowns: node i moves by 2 i and 2 i + 1 (x, y); the rigid body, where there is one, by the last three (x, y, angle).
   SparsePattern pattern;
@@ -43,6 +52,7 @@ struct FemState {
   std::vector<Real> displacement;  ///< by unknown: m, and rad for the angle
   CellField<std::array<SoilPoint, triangle_points>> points;
   std::vector<FemContactState> contact;
+  Real unbalanced = 0;  ///< N/m, sum of the unbalanced nodal forces
   Real overstress = 0;  ///< part of the stress that is beyond the law's surface: integral of both over the soil at yield
 };
 

@@ -12,16 +12,12 @@ namespace {
 
 constexpr Real settling_viscosity = 0.1;
 constexpr Real first_travel = 2e-4;          // of the width, in the first increment of a stage
-constexpr Real least_relaxation = 1e-3;      // of the one that the user asks for
+constexpr Real least_relaxation = 0.1;       // of the one that the user asks for
 constexpr int quick = 5, quick_enough = 12;  // iterations
 
 }  // namespace
 
-LoadSteps::LoadSteps(const FemModel& model, FemState& state)
-    : model_(model),
-      state_(state),
-      newton_(model),
-      relaxation_(model.settings.relaxation)
+LoadSteps::LoadSteps(const FemModel& model, FemState& state) : model_(model), state_(state), newton_(model), relaxation_(model.relaxation)
 {
   begin();
 }
@@ -132,13 +128,13 @@ IncrementEnd LoadSteps::advance()
       return end;
     }
     dt_ = dt / 2;
-    relaxation_ = std::min(2 * relaxation_, model_.settings.relaxation);
+    relaxation_ = std::min(2 * relaxation_, model_.relaxation);
     if (dt_ < last_dt_ / 8) last_dt_ = 0;  // the last increment is no guide any more
     if (dt_ < 1e-4 * first_dt_)
       throw RunError(fmt::format(
           "stage \"{}\": no equilibrium at t = {:.6g} s, even with an increment of {:.2g} s; the unbalanced forces stay at {:.2g} "
           "of the contact forces. A larger fem.relaxation (now {}) or a finer mesh may help",
-          stage().name, state_.state.time, dt, end.unbalance, model_.settings.relaxation));
+          stage().name, state_.state.time, dt, end.unbalance, model_.relaxation));
   }
 }
 
@@ -148,7 +144,7 @@ void LoadSteps::accept(const std::vector<Real>& change, Real dt, const Increment
   ++state_.state.step;
   last_change_ = change;
   last_dt_ = dt;
-  if (end.iterations <= quick) relaxation_ = std::max(relaxation_ / 2, least_relaxation * model_.settings.relaxation);
+  if (end.iterations <= quick) relaxation_ = std::max(relaxation_ / 2, least_relaxation * model_.relaxation);
   if (end.iterations <= quick_enough) dt_ = std::max(dt_, dt * 1.5);
 }
 

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int most_iterations = 25;
 constexpr int most_searches = 6;
-constexpr Real enough_descent = 0.7;  // a slope of this part of the first one ends the line search
+constexpr Real enough_descent = 0.3;  // a slope of this part of the first one ends the line search
 
 }  // namespace
 

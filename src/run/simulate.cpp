@@ -16,6 +16,7 @@
 #include "run/recorder.hpp"
 #include "run/results.hpp"
 #include "run/scratch_folder.hpp"
+#include "run/simulate_fem.hpp"
 
 #include <exception>
 #include <fmt/format.h>
@@ -271,11 +272,13 @@ void check_in(const RunRequest& request)
 
 bool run_case(const RunRequest& request)
 {
+  if (request.settings.method == Method::fem) return run_fem(request);
   return request.settings.dimension == 2 ? run_in<2>(request) : run_in<3>(request);
 }
 
 void try_to_build(const RunRequest& request)
 {
+  if (request.settings.method == Method::fem) return try_to_build_fem(request);
   const ScratchFolder scratch;
   if (request.settings.dimension == 2)
     build_for<2>(request, scratch);
@@ -285,6 +288,7 @@ void try_to_build(const RunRequest& request)
 
 void check_case(const RunRequest& request)
 {
+  if (request.settings.method == Method::fem) return check_fem(request);
   request.settings.dimension == 2 ? check_in<2>(request) : check_in<3>(request);
 }
 

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fem/fem_problem.hpp"
+#include "output/frame.hpp"
+
+namespace berm {
+
+/// Makes frames of a finite element run: its nodes, displaced, with what their elements' points of integration carry, drawn out linearly to the
+/// nodes of each element and averaged over the elements by their area.
+class FemFrameMaker {
+public:
+  explicit FemFrameMaker(const FemModel& model);
+
+  /// The strain increment is that since the frame before.
+  Frame<2> make(const FemState& state);
+
+private:
+  const FemModel& model_;
+  std::vector<Real> last_strain_;  ///< by node, at the frame before
+};
+
+}  // namespace berm

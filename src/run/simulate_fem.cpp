@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run/simulate_fem.hpp"
+
+#include "core/error.hpp"
+#include "fem/load_steps.hpp"
+#include "input/write_case.hpp"
+#include "output/fem_frame.hpp"
+#include "output/frames.hpp"
+#include "output/progress.hpp"
+#include "output/whole_file.hpp"
+#include "problem/stages.hpp"
+#include "run/fem_recorder.hpp"
+#include "run/interrupt.hpp"
+#include "run/results.hpp"
+#include "run/scratch_folder.hpp"
+
+#include <exception>
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+namespace berm {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+Real seconds_since(Clock::time_point start)
+{
+  return std::chrono::duration<Real>(Clock::now() - start).count();
+}
+
+/// The run itself: increments, and what is written on the way.
+class FemRun {
+public:
+  FemRun(const RunRequest& request, FemProblem problem, const RunFolder& folder, RunLog& log)
+      : request_(request),
+        folder_(folder),
+        problem_(std::move(problem)),
+        steps_(model(), state()),
+        recorder_(folder.file("history.csv"), model()),
+        frame_maker_(model()),
+        frames_(folder.subfolder("frames"), model().model.mesh),
+        progress_(log)
+  {
+  }
+
+  /// A run that fails leaves what it had: the results are written before the error goes on.
+  bool to_the_end()
+  {
+    reset_timings();
+    const Clock::time_point start = Clock::now();
+    std::exception_ptr failure;
+    try {
+      step_to_the_end();
+    } catch (const RunError&) {
+      failure = std::current_exception();
+    }
+    frame();
+    const RunTiming timing{seconds_since(start),
+                           request_.threads,
+                           model().mesh.cell_count(),
+                           state().state.step,
+                           FemCounts{model().mesh.node_count(), iterations_},
+                           timings()};
+    const Summary::Checks checks = {{"energy_error", recorder_.energy_error()},
+                                    {"largest_unbalance", recorder_.largest_unbalance()},
+                                    {"largest_overstress", recorder_.largest_overstress()},
+                                    {"friction_work_is_loss", state().state.totals.friction >= 0}};
+    write_results(request_, folder_, model().model, state().state.rigids, frames_.last(), {finished_, held_force_, checks}, timing);
+    if (failure) std::rethrow_exception(failure);
+    return finished_;
+  }
+
+private:
+  const FemModel& model() const { return problem_.model; }
+  FemState& state() { return problem_.state; }
+  const StageSettings& stage() { return model().model.stages[state().state.stage.index]; }
+
+  void step_to_the_end()
+  {
+    steps_.settle();
+    recorder_.add_row(model(), state(), {true, 0, 0});
+    frame();
+    while (!interrupted() && !finished_) {
+      const IncrementEnd end = steps_.advance();
+      iterations_ += end.iterations;
+      recorder_.add_row(model(), state(), end);
+      const bool ended = stage_ended(model().model, state().state);
+      if (ended || frame_is_due()) frame();
+      if (ended || progress_.due()) tell();
+      if (ended) next_stage();
+    }
+    if (!finished_)
+      spdlog::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}", state().state.time, stage().name,
+                   folder_.path().string());
+  }
+
+  bool frame_is_due()
+  {
+    const OutputSettings& output = request_.settings.output;
+    const Real travel = model().rigid == none ? 0 : (state().state.rigids[model().rigid].displacement - frame_displacement_).norm();
+    return (output.frame_time && state().state.time >= frame_time_ + *output.frame_time) ||
+           (output.frame_travel && travel >= *output.frame_travel);
+  }
+  void frame()
+  {
+    if (!frames_.times().empty() && state().state.time == frame_time_) return;
+    frames_.write(frame_maker_.make(state()));
+    frame_time_ = state().state.time;
+    if (model().rigid != none) frame_displacement_ = state().state.rigids[model().rigid].displacement;
+  }
+
+  void next_stage()
+  {
+    finished_ = !steps_.next_stage();
+    if (finished_) return;
+    const Drive& vertical = state().state.stage.drive[1];
+    if (stage().kind == StageKind::drag && vertical.by_force && !held_force_) held_force_ = -vertical.to;
+  }
+
+  void tell()
+  {
+    ProgressReport report;
+    report.stage = stage().name;
+    report.done = std::numeric_limits<Real>::quiet_NaN();
+    report.drag = stage().kind == StageKind::drag;
+    if (model().rigid != none) {
+      const PipeMotion motion = pipe_motion(model().model, state().state, model().rigid);
+      report.u = motion.u;
+      report.w = motion.w;
+      report.V = recorder_.vertical();
+      report.H = recorder_.horizontal();
+      report.diameter = model().width;
+    }
+    progress_.update(report);
+  }
+
+  const RunRequest& request_;
+  const RunFolder& folder_;
+  FemProblem problem_;
+  LoadSteps steps_;
+  FemRecorder recorder_;
+  FemFrameMaker frame_maker_;
+  FrameWriter<2> frames_;
+  Progress progress_;
+  bool finished_ = false;
+  BigIndex iterations_ = 0;
+  Real frame_time_ = 0;
+  Vec<2> frame_displacement_ = Vec<2>::Zero();
+  std::optional<Real> held_force_;
+};
+
+FemProblem build_for(const RunRequest& request, const ScratchFolder& scratch)
+{
+  return build_fem(request.settings, request.case_file.parent_path().string(), scratch.path().string());
+}
+
+}  // namespace
+
+bool run_fem(const RunRequest& request)
+{
+  const ScratchFolder scratch;
+  FemProblem problem = build_for(request, scratch);
+  const RunFolder folder(request.folder);
+  write_whole(folder.file("resolved.toml"), resolved_toml(request.settings));
+  write_whole(folder.file("case.toml"), read_whole(request.case_file));
+  scratch.move_files_to(folder.path());
+  RunLog log(folder.file("run.log"));
+  spdlog::info("{} -> {}: {} elements, {} nodes, {} threads", request.case_file.string(), folder.path().string(),
+               problem.model.mesh.cell_count(), problem.model.mesh.node_count(), request.threads);
+  try {
+    return FemRun(request, std::move(problem), folder, log).to_the_end();
+  } catch (const RunError& error) {
+    log.info_to_file(error.what());
+    throw;
+  }
+}
+
+void try_to_build_fem(const RunRequest& request)
+{
+  const ScratchFolder scratch;
+  build_for(request, scratch);
+}
+
+void check_fem(const RunRequest& request)
+{
+  const ScratchFolder scratch;
+  FemProblem problem = build_for(request, scratch);
+  fmt::print("{}\n", request.case_file.string());
+  fmt::print("  elements     {}\n  nodes        {}\n  contact      {} points\n", problem.model.mesh.cell_count(),
+             problem.model.mesh.node_count(), problem.model.contact.size());
+
+  const Clock::time_point start = Clock::now();
+  Newton newton(problem.model);
+  std::vector<Real> change(problem.model.unknowns(), 0.);
+  FemLoads loads;
+  loads.gravity = gravity_now(problem.model.model, problem.state.state.time);
+  newton.assembly().hold_back(problem.state, loads);
+  const IncrementEnd end = newton.find_equilibrium(problem.state, loads, 1, change);
+  fmt::print("  time         about {:.2g} s an iteration with {} threads; a push or a drag takes some hundred iterations\n",
+             seconds_since(start) / (end.iterations + 1), request.threads);
+}
+
+}  // namespace berm
