@@ -13,6 +13,7 @@ namespace {
 constexpr Real settling_viscosity = 0.1;
 constexpr Real first_travel = 2e-4;          // of the width, in the first increment of a stage
 constexpr Real least_relaxation = 0.1;       // of the one that the user asks for
+constexpr Real loose = 10;  // times the tolerance: taken where even the smallest increment comes no nearer
 constexpr int quick = 5, quick_enough = 12;  // iterations
 
 }  // namespace
@@ -122,7 +123,8 @@ IncrementEnd LoadSteps::advance()
       shortest *= part;
       continue;
     }
-    if (end.converged) {
+    const bool last_resort = dt < 2e-4 * first_dt_ && end.unbalance <= loose * model_.settings.tolerance;
+    if (end.converged || last_resort) {
       newton_.assembly().accept(state_, change, loads);
       accept(change, dt, end);
       return end;
@@ -146,6 +148,7 @@ void LoadSteps::accept(const std::vector<Real>& change, Real dt, const Increment
   last_dt_ = dt;
   if (end.iterations <= quick) relaxation_ = std::max(relaxation_ / 2, least_relaxation * model_.relaxation);
   if (end.iterations <= quick_enough) dt_ = std::max(dt_, dt * 1.5);
+  if (!end.converged) dt_ = first_dt_;
 }
 
 bool LoadSteps::next_stage()
