@@ -15,7 +15,7 @@ FemTraction update_traction(const FemInterface& interface, const Vec<2>& normal,
     return now;
   }
   const Real pressure = -k * now.state.gap;
-  if (!(pressure > 0)) return now;
+  if (pressure < 0) return now;
   const Vec<2> tangent(-normal[1], normal[0]);
   const Real trial = before.traction.dot(tangent) - k * movement.dot(tangent), limit = interface.friction * pressure + interface.adhesion;
   const bool slides = std::abs(trial) > limit;

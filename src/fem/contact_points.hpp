@@ -36,7 +36,8 @@ struct FemTraction {
   Matrix<2> stiffness;
 };
 
-/// The traction after a relative movement (soil - body, m) since `before`.
+/// The traction after a relative movement (soil - body, m) since `before`. A point whose gap is 0 is closed: it has a
+/// stiffness, so that a force finds something to push against at the start.
 FemTraction update_traction(const FemInterface& interface, const Vec<2>& normal, const FemContactState& before, const Vec<2>& movement);
 
 /// The contact points of sides that lie on the surface of the shape. Simpson's rule gives the areas.
