@@ -185,13 +185,16 @@ Real Assembly::torque() const
 void Assembly::count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const
 {
   Totals<2>& totals = state.state.totals;
+  const Vec<2> gravity = (state.gravity + loads.gravity) / 2;
+  const Real held_back = (state.held_back + loads.held_back) / 2;
   for (const CellWork& cell : cells_) totals.internal += cell.work;
   for (Index cell = 0; cell < cells_.size(); ++cell)
     for (const ShapeAtPoint& shape : model_.shape[cell])
       for (int k = 0; k < 6; ++k)
         for (int d = 0; d < 2; ++d)
-          totals.external += shape.area * shape.value[k] * density(model_.model.bodies[model_.mesh.body[cell]].material) *
-                             loads.gravity[d] * change[2 * model_.mesh.nodes[cell][k] + d];
+          totals.external += shape.area * shape.value[k] * density(model_.model.bodies[model_.mesh.body[cell]].material) * gravity[d] *
+                             change[2 * model_.mesh.nodes[cell][k] + d];
+  for (std::size_t k = 0; k < change.size(); ++k) totals.external += held_back * held_back_[k] * change[k];
   if (model_.rigid == none) return;
   const RigidState<2>& rigid = state.state.rigids[model_.rigid];
   const Index first = model_.rigid_unknown();
@@ -210,6 +213,8 @@ void Assembly::accept(FemState& state, const std::vector<Real>& change, const Fe
   count_work(state, change, loads);
   state.points = points_;
   state.contact = contact_;
+  state.gravity = loads.gravity;
+  state.held_back = loads.held_back;
   state.unbalanced = unbalanced_;
   for (std::size_t k = 0; k < change.size(); ++k) state.displacement[k] += change[k];
   Real over = 0, carried = 0;

@@ -52,8 +52,10 @@ struct FemState {
   std::vector<Real> displacement;  ///< by unknown: m, and rad for the angle
   CellField<std::array<SoilPoint, triangle_points>> points;
   std::vector<FemContactState> contact;
-  Real unbalanced = 0;  ///< N/m, sum of the unbalanced nodal forces
-  Real overstress = 0;  ///< part of the stress that is beyond the law's surface: integral of both over the soil at yield
+  Vec<2> gravity = Vec<2>::Zero();  ///< m/s2, that acts
+  Real held_back = 0;               ///< part of the first state's unbalanced forces that is held back
+  Real unbalanced = 0;              ///< N/m, sum of the unbalanced nodal forces
+  Real overstress = 0;              ///< part of the stress that is beyond the law's surface: integral of both over the soil at yield
 };
 
 struct FemProblem {

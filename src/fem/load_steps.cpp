@@ -28,14 +28,15 @@ void LoadSteps::settle()
   FemLoads loads;
   loads.gravity = gravity_now(model_.model, 0);
   newton_.assembly().hold_back(state_, loads);
-  Real held_back = 1, part = 1;
-  while (held_back > 0) {
-    loads.held_back = std::max(Real(0), held_back - part);
+  state_.gravity = loads.gravity;
+  state_.held_back = 1;
+  Real part = 1;
+  while (state_.held_back > 0) {
+    loads.held_back = std::max(Real(0), state_.held_back - part);
     std::vector<Real> change(model_.unknowns(), 0.);
     const IncrementEnd end = newton_.find_equilibrium(state_, loads, settling_viscosity, change);
     if (end.converged) {
       newton_.assembly().accept(state_, change, loads);
-      held_back = loads.held_back;
       part *= 1.5;
     } else if ((part /= 2) < 1e-4) {
       throw RunError("the soil as it is at the start finds no equilibrium: it cannot carry its weight with these stresses (k0, strength)");
