@@ -47,8 +47,9 @@ void LoadSteps::settle()
 void LoadSteps::begin()
 {
   const StageSettings& now = stage();
-  const bool moves = driven() != none && now.velocity && *now.velocity != 0;
-  first_dt_ = moves ? first_travel * model_.width / std::abs(*now.velocity) + (now.ramp > 0 ? now.ramp / 100 : 0)
+  const Real speed = std::hypot(now.velocity.value_or(0), now.vertical_velocity.value_or(0));
+  const bool moves = driven() != none && speed > 0;
+  first_dt_ = moves ? first_travel * model_.width / speed + (now.ramp > 0 ? now.ramp / 100 : 0)
                     : (now.ramp > 0 ? now.ramp : now.until.time.value_or(1)) / 50;
   dt_ = first_dt_;
   last_dt_ = 0;

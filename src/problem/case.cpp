@@ -143,14 +143,18 @@ void check_stages(Describe& d, const Case& c)
     d.check(driven || !s.force, path + ".force", "only a push or a drag has a force");
     d.check(drag || !s.vertical_force, path + ".vertical_force", "only a drag has a vertical force; a push has `force`");
     d.check(!s.vertical_force || s.vertical == Vertical::hold, path + ".vertical_force", "does not go with vertical = \"fixed\"");
+    d.check(drag || !s.vertical_velocity, path + ".vertical_velocity", "only a drag has a vertical velocity; a push has `velocity`");
+    d.check(!s.vertical_velocity || s.vertical == Vertical::hold, path + ".vertical_velocity", "does not go with vertical = \"fixed\"");
+    d.check(!s.vertical_velocity || !s.vertical_force, path + ".vertical_velocity", "does not go with vertical_force");
     const Until& u = s.until;
     d.check(u.time || u.displacement || u.embedment || u.force, path + ".until",
             "needs at least one of time, displacement, embedment, force");
     d.check(driven || (!u.displacement && !u.embedment && !u.force), path + ".until", "a stage that drives nothing ends at a time");
     if (driven) {
       const std::string& name = s.rigid.empty() ? c.rigid.front().first : s.rigid;
+      const bool by_force = s.force || (drag && s.vertical == Vertical::hold && !s.vertical_velocity);
       for (const auto& [rigid, settings] : c.rigid)
-        d.check(rigid != name || settings.mass > 0 || !(s.force || (drag && s.vertical == Vertical::hold)), path,
+        d.check(rigid != name || settings.mass > 0 || !by_force, path,
                 fmt::format("a force drives [rigid.{}], which therefore needs a mass", name));
     }
   }

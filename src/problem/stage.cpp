@@ -23,6 +23,8 @@ void describe(Describe& d, StageSettings& stage)
   d.choice("vertical", stage.vertical, {"hold", "fixed"},
            {.meaning = "in a drag: hold the vertical force of the stage's begin, or do not move vertically"});
   d.value("vertical_force", stage.vertical_force, {.meaning = "in a drag: downward force, instead of the one held", .unit = "N/m"});
+  d.value("vertical_velocity", stage.vertical_velocity,
+          {.meaning = "in a drag: downward speed, instead of holding a force; less than 0 = upwards", .unit = "m/s"});
   d.value("ramp", stage.ramp,
           {.meaning = "time in which the drive goes from what it was to its value", .unit = "s", .range = not_negative});
   d.value("damping", stage.damping,

@@ -35,9 +35,10 @@ struct StageSettings {
   std::optional<Real> velocity;  ///< m/s; push: down, drag: along +x
   std::optional<Real> force;     ///< N/m, instead of velocity
   Vertical vertical = Vertical::hold;
-  std::optional<Real> vertical_force;  ///< N/m downwards in a drag, instead of the one held
-  Real ramp = 0;                       ///< s, time in which the drive goes from what it was to its value; 0 = at once
-  std::optional<Real> damping;         ///< local damping of all bodies in this stage, instead of their own
+  std::optional<Real> vertical_force;     ///< N/m downwards in a drag, instead of the one held
+  std::optional<Real> vertical_velocity;  ///< m/s downwards in a drag, instead of holding a force
+  Real ramp = 0;                          ///< s, time in which the drive goes from what it was to its value; 0 = at once
+  std::optional<Real> damping;            ///< local damping of all bodies in this stage, instead of their own
   Until until;
   Real equilibrium = 0.01;  ///< geostatic: largest out-of-balance force over the weight that is accepted
 };

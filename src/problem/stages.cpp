@@ -55,7 +55,10 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
       by_velocity(0, *stage.velocity);
     else
       by_force(0, *stage.force);
-    if (stage.vertical == Vertical::hold) by_force(1, stage.vertical_force ? -*stage.vertical_force : -rigid.smooth_reaction[1]);
+    if (stage.vertical_velocity)
+      by_velocity(1, -*stage.vertical_velocity);
+    else if (stage.vertical == Vertical::hold)
+      by_force(1, stage.vertical_force ? -*stage.vertical_force : -rigid.smooth_reaction[1]);
   }
 }
 

@@ -331,6 +331,12 @@ inline const std::vector<WrongInput>& wrong_inputs()
        34,
        {"rigid.pipe.rotation", "needs a mass or a moment_of_inertia"},
        {"stage.drag.vertical=fixed"}},
+      {"drag_that_is_fixed_and_moves_vertically",
+       "",
+       "",
+       0,
+       {"stage.drag.vertical_velocity", "does not go with vertical = \"fixed\""},
+       {"stage.drag.vertical=fixed", "stage.drag.vertical_velocity=1"}},
       {"weightless_body_that_moves_freely", "mass = \"430 kg/m\"", "motion = \"free\"", 34, {"rigid.pipe.motion", "needs a mass"}, {}},
       // No TOML.
       {"bracket_without_its_pair", "[mesh]", "[mesh", 5, {"not valid TOML", "']'"}, {}},

@@ -148,6 +148,20 @@ TEST(Drag, with_the_vertical_fixed_stops_the_vertical_motion_over_the_ramp)
   }
 }
 
+TEST(Drag, with_a_vertical_velocity_reaches_it_over_the_ramp_whatever_the_soil_does)
+{
+  StageSettings slanted = drag(0.2, 0.1);
+  slanted.vertical_velocity = 0.05;
+  Driver run({push(0.5), slanted});
+  run.step();
+  run.soil_pushes({0, 70});
+  run.next_stage();
+  for (int n = 1; n <= 120; ++n) {
+    run.step();
+    EXPECT_NEAR(run.pipe.velocity[1], n < 100 ? -0.5 + 0.45 * n / 100 : -0.05, 1e-12);
+  }
+}
+
 TEST(Drag, by_force_moves_the_body_by_its_mass_and_what_the_soil_leaves)
 {
   StageSettings by_force = stage_of(StageKind::drag, "drag");
