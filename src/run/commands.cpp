@@ -6,6 +6,7 @@
 #include "input/parameters.hpp"
 #include "input/read_case.hpp"
 #include "run/bench.hpp"
+#include "run/envelope.hpp"
 #include "run/interrupt.hpp"
 #include "run/simulate.hpp"
 #include "run/study.hpp"
@@ -70,6 +71,14 @@ int study_all(const std::vector<std::string>& studies, const std::string& output
   return 0;
 }
 
+int envelope_of(const std::vector<std::string>& files, const std::string& output, const std::vector<std::string>& overrides,
+                const EnvelopeSettings& how, int at_once)
+{
+  if (files.size() > 1) throw InputError(fmt::format("an envelope is that of one case, and here are {}", files.size()));
+  const fs::path file = files[0], folder = output.empty() ? fs::path("out/envelope") / file.stem() : fs::path(output);
+  return find_envelope({read_case(file, overrides), file, folder, how, at_once}) ? 0 : 1;
+}
+
 int dispatch(int argc, char** argv)
 {
   CLI::App app("berm pushes a pipe or cable into the seabed, drags it sideways, and says how the soil answers.", "berm");
@@ -124,6 +133,16 @@ int dispatch(int argc, char** argv)
                             "folder for the results; of several studies: the folder that theirs go into (default: out/study)");
   takes_jobs(study_command);
 
+  EnvelopeSettings envelope;
+  CLI::App* envelope_command = app.add_subcommand("envelope", "find the V-H yield envelope of the pipe of a case, where it lies");
+  takes_cases(envelope_command);
+  takes_jobs(envelope_command);
+  envelope_command->add_option("-o,--output", output, "folder for the envelope and its runs (default: out/envelope/CASE)");
+  envelope_command->add_option("--points", envelope.directions, "directions between straight down and 45 degrees upwards (default: 10)")
+      ->check(CLI::Range(2, 50));
+  envelope_command->add_option("--travel", envelope.travel, "travel of each probe over the diameter (default: 0.1)")
+      ->check(CLI::Range(1e-3, 1.));
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -138,12 +157,13 @@ int dispatch(int argc, char** argv)
     run_bench(names, json, use_threads(threads));
     return 0;
   }
-  if (verify_command->parsed() || study_command->parsed()) {
+  if (verify_command->parsed() || study_command->parsed() || envelope_command->parsed()) {
     const int at_once = threads > 0 ? threads : processor_count();
     if (list) return list_problems(problems), 0;
     catch_interrupts();
     spdlog::set_default_logger(spdlog::stderr_color_st("berm"));
     spdlog::set_pattern("%l: %v");
+    if (envelope_command->parsed()) return envelope_of(files, output, overrides, envelope, at_once);
     if (study_command->parsed()) return study_all(files, output, at_once);
     return verify({problems, output.empty() ? "out/verification" : output, at_once}) ? 0 : 1;
   }

@@ -2,6 +2,9 @@
 #include "run/jobs.hpp"
 
 #include "core/error.hpp"
+#include "core/timer.hpp"
+#include "input/read_case.hpp"
+#include "input/write_case.hpp"
 #include "output/whole_file.hpp"
 #include "run/interrupt.hpp"
 
@@ -9,6 +12,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
@@ -92,6 +96,14 @@ JobEnd end_of(const Job& job, int status, bool stopped)
   return {JobEnd::Kind::failed, last.empty() ? fmt::format("ended with status {} and without a word", WEXITSTATUS(status)) : last};
 }
 
+/// The file that the method was loaded from: finite elements are part of the program.
+fs::path engine_file(Method method)
+{
+  if (method == Method::fem) return "/proc/self/exe";
+  Dl_info info{};
+  return ::dladdr(reinterpret_cast<void*>(&reset_timings), &info) != 0 && info.dli_fname != nullptr ? info.dli_fname : "";
+}
+
 /// The numbers of the jobs, the longest first.
 std::vector<std::size_t> by_time(const std::vector<Job>& jobs)
 {
@@ -136,6 +148,18 @@ void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<voi
     if (gone.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   for (; next < order.size(); ++next) ended(order[next], {});
+}
+
+bool has_result(const Job& job)
+{
+  const fs::path summary_file = job.folder / "summary.json";
+  const nlohmann::json summary = nlohmann::json::parse(read_whole(summary_file), nullptr, false);
+  if (summary.is_discarded() || summary.value("/checks/finished"_json_pointer, false) == false) return false;
+  if (summary.value("/text/version"_json_pointer, std::string()) != BERM_VERSION) return false;
+  const Case settings = read_case(job.case_file, job.set);
+  std::error_code error;
+  if (fs::last_write_time(summary_file, error) < fs::last_write_time(engine_file(settings.method), error) || error) return false;
+  return read_whole(job.folder / "resolved.toml") == resolved_toml(settings);
 }
 
 Real wall_time_of(const fs::path& folder)

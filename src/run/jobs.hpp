@@ -31,6 +31,9 @@ struct JobEnd {
 /// more; `ended` is called for each job all the same. Throws RunError where no process can be started at all.
 void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<void(std::size_t job, const JobEnd& end)>& ended);
 
+/// Whether the run folder holds a finished result of this very case, by this version and an engine that has not changed since.
+bool has_result(const Job& job);
+
 /// s that the run in this folder took, as its summary.json tells; NaN where there is none.
 Real wall_time_of(const std::filesystem::path& folder);
 

@@ -2,15 +2,12 @@
 #include "run/study.hpp"
 
 #include "core/error.hpp"
-#include "core/timer.hpp"
 #include "input/read_case.hpp"
-#include "input/write_case.hpp"
 #include "output/progress.hpp"
 #include "output/whole_file.hpp"
 #include "run/study_report.hpp"
 
 #include <algorithm>
-#include <dlfcn.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
@@ -66,25 +63,6 @@ Case read_row(const fs::path& file, const StudyRow& row)
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}: {}", file.string(), name_of(row.names), error.what()));
   }
-}
-
-/// The file that the engine was loaded from.
-fs::path engine_file()
-{
-  Dl_info info{};
-  return ::dladdr(reinterpret_cast<void*>(&reset_timings), &info) != 0 && info.dli_fname != nullptr ? info.dli_fname : "";
-}
-
-/// Whether the run folder holds a finished result of this very case, by this version and an engine that has not changed since.
-bool has_result(const StudyRow& row)
-{
-  const fs::path summary_file = row.job.folder / "summary.json";
-  const nlohmann::json summary = nlohmann::json::parse(read_whole(summary_file), nullptr, false);
-  if (summary.is_discarded() || summary.value("/checks/finished"_json_pointer, false) == false) return false;
-  if (summary.value("/text/version"_json_pointer, std::string()) != BERM_VERSION) return false;
-  std::error_code error;
-  if (fs::last_write_time(summary_file, error) < fs::last_write_time(engine_file(), error) || error) return false;
-  return read_whole(row.job.folder / "resolved.toml") == resolved_toml(read_case(row.job.case_file, row.job.set));
 }
 
 /// The numbers of a row; says once for each measure why it has none.
@@ -145,7 +123,7 @@ bool run_study(StudyPlan& plan, const fs::path& output, int at_once)
   std::vector<std::size_t> row_of_job;
   for (std::size_t k = 0; k < plan.rows.size(); ++k) {
     plan.rows[k].end.kind = JobEnd::Kind::finished;
-    if (has_result(plan.rows[k])) continue;
+    if (has_result(plan.rows[k].job)) continue;
     jobs.push_back(plan.rows[k].job);
     row_of_job.push_back(k);
   }

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/case.hpp"
+
+namespace berm {
+
+/// How the envelope of a pipe is looked for.
+struct EnvelopeSettings {
+  int directions = 10;
+  Real travel = 0.1;  ///< of each probe, over the diameter
+};
+
+/// The pipe of a case, as it lies before the first stage.
+struct WishedPipe {
+  Real diameter = 0;   ///< m
+  Real embedment = 0;  ///< m, depth of the lowest point below the bed's surface
+};
+
+/// The pipe that the case drives. Throws InputError where the case is not plane, drives no circle, or the pipe lies above the bed or beyond the walls.
+WishedPipe wished_pipe(const Case& c);
+
+/// What a probe does: it goes in one direction until the soil yields, or pushes first and then drags at that depth.
+enum class ProbeKind { direction, swipe };
+
+/// One run towards the envelope, from the case's first state.
+struct Probe {
+  std::string name;
+  ProbeKind kind = ProbeKind::direction;
+  Real angle = 0;     ///< degrees below the horizontal in which a direction probe goes; NaN of a swipe
+  Case settings;      ///< the case with the probe's own stages
+  std::string stage;  ///< whose rows of the history tell the probe's path
+};
+
+/// The probes of an envelope: straight down (the first), in equal steps of angle to 45 degrees above the horizontal, and a swipe. The stages of the
+/// case before its first push or drag stay; those from there on give way to the probe's, which take its speed, ramp, rigid body and damping. Throws
+/// InputError as wished_pipe, and where that stage has no velocity.
+std::vector<Probe> choose_probes(const Case& c, const EnvelopeSettings& settings);
+
+}  // namespace berm
