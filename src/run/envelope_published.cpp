@@ -88,7 +88,10 @@ Published for_sand(const PipeInSoil& soil, const std::vector<EnvelopeRow>& rows)
   published.unit = pipe.unit_weight * pipe.diameter * pipe.diameter;
   published.unit_name = "(γ' D²)";
   Formula V_max = sand_vertical(pipe);
-  V_max.valid = V_max.valid && soil.law->dilation_angle == soil.law->friction_angle;
+  if (soil.law->dilation_angle != soil.law->friction_angle) {
+    V_max.valid = false;
+    V_max.source.range = "dilation angle = phi";
+  }
   if (std::isfinite(V_max.value)) {
     published.numbers.push_back({"V_max", V_max});
     published.curves.push_back({titled("Vmax, characteristics", V_max), {V_max.value}, {0}});
