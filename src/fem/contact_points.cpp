@@ -15,7 +15,8 @@ FemTraction update_traction(const FemInterface& interface, const Vec<2>& normal,
     return now;
   }
   const Real pressure = -k * now.state.gap;
-  if (pressure < 0) return now;
+  // At zero pressure they touch, so that the first guess for soil without stress moves it with the body.
+  if (!(pressure >= 0)) return now;
   const Vec<2> tangent(-normal[1], normal[0]);
   const Real trial = before.traction.dot(tangent) - k * movement.dot(tangent), limit = interface.friction * pressure + interface.adhesion;
   const bool slides = std::abs(trial) > limit;
