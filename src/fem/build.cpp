@@ -97,13 +97,12 @@ FemWatch make_watch(const FemModel& model, const std::string& name, const WatchS
   return made;
 }
 
-/// Soil whose flow is not associated needs more: it has no unique answer without.
-Real default_relaxation(const Model<2>& model)
+bool flows_unassociated(const Model<2>& model)
 {
-  for (const Body<2>& body : model.bodies)
-    if (const auto* law = std::get_if<MohrCoulomb>(&body.material); law != nullptr && law->dilation_angle < law->friction_angle)
-      return 1e-6;
-  return 1e-8;
+  return std::any_of(model.bodies.begin(), model.bodies.end(), [](const Body<2>& body) {
+    const auto* law = std::get_if<MohrCoulomb>(&body.material);
+    return law != nullptr && law->dilation_angle < law->friction_angle;
+  });
 }
 
 void make_contact(FemModel& model)
@@ -138,7 +137,9 @@ FemProblem build_fem(const Case& c, const std::string& case_folder, const std::s
       throw InputError(fmt::format("rigid.{}.motion: finite elements move a rigid body as a stage drives it; it cannot be \"free\"", name));
   model.model = make_model(c, make_cut_mesh(c, case_folder, work_folder));
   model.settings = c.fem;
-  model.relaxation = c.fem.relaxation.value_or(default_relaxation(model.model));
+  model.strength_lags = flows_unassociated(model.model);
+  model.relaxation = c.fem.relaxation;
+  model.least_relaxation = (model.strength_lags ? 0.1 : 1e-4) * model.relaxation;
   std::vector<RigidShape<2>> shapes;
   for (const Rigid<2>& rigid : model.model.rigids) shapes.push_back(rigid.shape);
   model.mesh = make_quadratic(model.model.mesh, c, shapes);

@@ -4,6 +4,11 @@
 #include <map>
 
 namespace berm {
+namespace {
+
+constexpr Real adhesion_per_pressure = 10;
+
+}  // namespace
 
 FemTraction update_traction(const FemInterface& interface, const Vec<2>& normal, const FemContactState& before, const Vec<2>& movement)
 {
@@ -18,13 +23,15 @@ FemTraction update_traction(const FemInterface& interface, const Vec<2>& normal,
   // At zero pressure they touch, so that the first guess for soil without stress moves it with the body.
   if (!(pressure >= 0)) return now;
   const Vec<2> tangent(-normal[1], normal[0]);
-  const Real trial = before.traction.dot(tangent) - k * movement.dot(tangent), limit = interface.friction * pressure + interface.adhesion;
+  const Real grip = std::min(interface.adhesion, adhesion_per_pressure * pressure);
+  const Real trial = before.traction.dot(tangent) - k * movement.dot(tangent), limit = interface.friction * pressure + grip;
+  const Real rise = interface.friction + (grip < interface.adhesion ? adhesion_per_pressure : 0);
   const bool slides = std::abs(trial) > limit;
   const Real sign = trial < 0 ? -1 : 1, shear = slides ? sign * limit : trial;
   now.state.traction = pressure * normal + shear * tangent;
   now.stiffness = -k * normal * normal.transpose();
   if (slides)
-    now.stiffness -= sign * interface.friction * k * tangent * normal.transpose();
+    now.stiffness -= sign * rise * k * tangent * normal.transpose();
   else
     now.stiffness -= k * tangent * tangent.transpose();
   return now;

@@ -11,9 +11,11 @@ namespace berm {
 namespace {
 
 constexpr Real settling_viscosity = 0.1;
-constexpr Real first_travel = 2e-4;          // of the width, in the first increment of a stage
-constexpr Real least_relaxation = 0.1;       // of the one that the user asks for
-constexpr Real loose = 10;  // times the tolerance: taken where even the smallest increment comes no nearer
+constexpr Real first_travel = 2e-4;     // of the width, in the first increment of a stage
+constexpr Real loose = 10;              // times the tolerance: taken where even the smallest increment comes no nearer
+constexpr Real least_growth = 5e-3;     // of the width: an increment of this travel is never too long for the pressure that it brings
+constexpr Real pressure_change = 0.02;  // of the contact force, in one increment: the strengths that follow it lag one increment behind
+constexpr Real most_overstress = 0.05;  // of the stress of soil at yield
 constexpr int quick = 5, quick_enough = 12;  // iterations
 
 }  // namespace
@@ -127,8 +129,11 @@ IncrementEnd LoadSteps::advance()
     }
     const bool last_resort = dt < 2e-4 * first_dt_ && end.unbalance <= loose * model_.settings.tolerance;
     if (end.converged || last_resort) {
+      const Vec<2> before = driven() == none ? Vec<2>(Vec<2>::Zero()) : state_.state.rigids[driven()].reaction;
       newton_.assembly().accept(state_, change, loads);
-      accept(change, dt, end);
+      const Real force = newton_.assembly().contact_force();
+      accept(change, dt, end, force > 0 ? (newton_.assembly().reaction() - before).norm() / force : 0);
+      if (state_.overstress > most_overstress && driven() != none) refuse_overstress();
       return end;
     }
     dt_ = dt / 2;
@@ -142,15 +147,24 @@ IncrementEnd LoadSteps::advance()
   }
 }
 
-void LoadSteps::accept(const std::vector<Real>& change, Real dt, const IncrementEnd& end)
+void LoadSteps::accept(const std::vector<Real>& change, Real dt, const IncrementEnd& end, Real force_change)
 {
   state_.state.time += dt;
   ++state_.state.step;
   last_change_ = change;
   last_dt_ = dt;
-  if (end.iterations <= quick) relaxation_ = std::max(relaxation_ / 2, least_relaxation * model_.relaxation);
+  if (end.iterations <= quick) relaxation_ = std::max(relaxation_ / 2, model_.least_relaxation);
   if (end.iterations <= quick_enough) dt_ = std::max(dt_, dt * 1.5);
+  if (model_.strength_lags) dt_ = std::min(dt_, std::max(dt * pressure_change / force_change, first_dt_ * least_growth / first_travel));
   if (!end.converged) dt_ = first_dt_;
+}
+
+void LoadSteps::refuse_overstress() const
+{
+  throw RunError(
+      fmt::format("stage \"{}\": the soil cannot carry the force at t = {:.6g} s: {:.2g} of its stress is beyond its strength, held "
+                  "by the speed of the flow alone",
+                  stage().name, state_.state.time, state_.overstress));
 }
 
 bool LoadSteps::next_stage()

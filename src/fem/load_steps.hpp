@@ -8,7 +8,8 @@ namespace berm {
 /// Goes through the stages of a case in increments that adapt: one that does not converge is tried again at half its size, one that converges quickly
 /// lets the next grow. Each starts from the last one's change, scaled. The viscosity eta of an increment (Assembly::evaluate) is relaxation over
 /// travel, so that the overstress belongs to the speed of the strain and not to the size of the increments; the relaxation falls while increments
-/// converge quickly, and rises where they do not.
+/// converge quickly, and rises where they do not. Where the strength follows the pressure one increment behind (associated()), an increment in which the
+/// contact force changes by more than a fiftieth makes the next shorter.
 class LoadSteps {
 public:
   LoadSteps(const FemModel& model, FemState& state);
@@ -33,7 +34,8 @@ private:
   Real up_to_the_end(Real dt) const;
   FemLoads loads_after(Real dt) const;
   Real part_within_force(const IncrementEnd& end) const;
-  void accept(const std::vector<Real>& change, Real dt, const IncrementEnd& end);
+  void accept(const std::vector<Real>& change, Real dt, const IncrementEnd& end, Real force_change);
+  [[noreturn]] void refuse_overstress() const;
 
   const FemModel& model_;
   FemState& state_;

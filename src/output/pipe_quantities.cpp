@@ -73,7 +73,8 @@ void add_push(Collector& collector, const PipePath& path, Real D)
   if (V.empty()) return;
   const Real half = averaging_half_width * D;
   for (int k = 1; k * push_spacing * D <= V.end() + reached * D; ++k)
-    collector.force(fmt::format("V_at_w_{:g}D", k * push_spacing), V.at(std::min(k * push_spacing * D, V.end()), half));
+    if (k * push_spacing * D >= V.begin())
+      collector.force(fmt::format("V_at_w_{:g}D", k * push_spacing), V.at(std::min(k * push_spacing * D, V.end()), half));
   collector.force("V_end_of_push", V.at(V.end(), half));
   collector.length("w_end_of_push", V.end());
   collector.ratio_if_known("V_noise", noise_of(path.w, path.V, noise_of_V_from * D, D));

@@ -189,9 +189,9 @@ void describe(Describe& d, FemSettings& fem)
   d.value("largest_step", fem.largest_step,
           {.meaning = "largest travel in one increment, over the width of the rigid body", .range = {0, 1, true}});
   d.value("relaxation", fem.relaxation,
-          {.meaning = "travel over which stress beyond the strength fades, over the width of the rigid body; absent: 1e-6, or 1e-8 where "
-                      "every soil flows as it is strong (dilation_angle = friction_angle). A tenth of it is used while increments converge "
-                      "quickly",
+          {.meaning = "travel over which stress beyond the strength fades, over the width of the rigid body: the most that is used. While "
+                      "increments converge quickly it falls to a tenth, or to a ten-thousandth where all soil has dilation_angle = "
+                      "friction_angle",
            .range = {0, 1, true}});
 }
 

@@ -32,8 +32,7 @@ struct FemSettings {
   std::optional<Real> contact_size;  ///< m, of the elements at the rigid body; empty: that of the fine zone
   Real tolerance = 1e-3;             ///< unbalanced forces over contact forces
   Real largest_step = 0.02;          ///< travel in one increment, over the width of the rigid body
-  std::optional<Real>
-      relaxation;  ///< travel over which stress beyond the strength fades, over the width of the rigid body; empty: see describe
+  Real relaxation = 1e-6;            ///< travel over which stress beyond the strength fades, over the width of the rigid body: at most
 };
 
 /// A particle whose motion is written to the history: the one nearest to `point` at the start.
