@@ -18,13 +18,13 @@ Stiffness elastic_stiffness(const Elasticity& elastic)
   return Stiffness{{along, across, 0}, {across, along, 0}, {0, 0, elastic.shear}};
 }
 
-PreparedLinearElastic law_from(const LinearElastic& law, const SymTensor<2>&)
+PreparedLinearElastic law_from(const LinearElastic& law, const SymTensor<2>&, Real)
 {
   return prepare(law);
 }
-PreparedMohrCoulomb law_from(const MohrCoulomb& law, const SymTensor<2>& stress)
+PreparedMohrCoulomb law_from(const MohrCoulomb& law, const SymTensor<2>& stress, Real depth)
 {
-  return prepare(associated(law, stress));
+  return prepare(associated(at_depth(law, depth), stress));
 }
 
 /// The law, mixed with its elastic trial stress.
@@ -92,8 +92,9 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
     point = begin.points[cell][q];
     const SymTensor<2> tensor{{strain[0], strain[1], 0, strain[2] / 2}};
     SymTensor<2> mean;
-    const Stiffness d =
-        std::visit([&](const auto& law) { return update_point(law_from(law, point.stress), viscosity, tensor, point); }, material);
+    const Stiffness d = std::visit(
+        [&](const auto& law) { return update_point(law_from(law, point.stress, model_.depth[cell][q]), viscosity, tensor, point); },
+        material);
     for (int k = 0; k < 4; ++k) mean[k] = (begin.points[cell][q].stress[k] + point.stress[k]) / 2;
     work.work += shape.area * double_dot(mean, tensor);
     force += shape.area * b.transpose() * Eigen::Vector3d(point.stress[0], point.stress[1], point.stress[3]);

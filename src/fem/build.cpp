@@ -147,6 +147,7 @@ FemProblem build_fem(const Case& c, const std::string& case_folder, const std::s
 
   const Real gravity = -model.model.gravity[1];
   model.shape.assign(model.mesh.nodes.size());
+  model.depth.assign(model.mesh.nodes.size());
   state.points.assign(model.mesh.nodes.size());
   for (Index cell = 0; cell < model.mesh.nodes.size(); ++cell) {
     const AtSixNodes<Vec<2>> nodes = model.mesh.positions_of(cell);
@@ -156,8 +157,9 @@ FemProblem build_fem(const Case& c, const std::string& case_folder, const std::s
       if (!(shape.area > 0)) throw RunError(fmt::format("the curved element at ({}, {}) is turned inside out", nodes[0][0], nodes[0][1]));
       Real y = 0;
       for (int k = 0; k < 6; ++k) y += shape.value[k] * nodes[k][1];
+      model.depth[cell][q] = model.model.surface - y;
       state.points[cell][q].stress =
-          first_stress(c.body[body].second, density(model.model.bodies[body].material) * gravity, model.model.surface - y);
+          first_stress(c.body[body].second, density(model.model.bodies[body].material) * gravity, model.depth[cell][q]);
     }
   }
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)

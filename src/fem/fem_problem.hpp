@@ -21,7 +21,8 @@ struct FemModel {
   Model<2> model;  ///< its mesh is that of the corners
   QuadraticMesh mesh;
   CellField<std::array<ShapeAtPoint, triangle_points>> shape;
-  Index rigid = none;  ///< the rigid body in contact with the soil
+  CellField<std::array<Real, triangle_points>> depth;  ///< m, of the points of integration below the bed's surface at the start
+  Index rigid = none;                                  ///< the rigid body in contact with the soil
   std::vector<FemContactPoint> contact;
   FemInterface interface;
   Real width = 1;   ///< m, of the rigid body, which increments of travel are measured with; 1 where there is none

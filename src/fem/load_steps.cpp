@@ -137,7 +137,7 @@ IncrementEnd LoadSteps::advance()
       return end;
     }
     dt_ = dt / 2;
-    relaxation_ = std::min(2 * relaxation_, model_.relaxation);
+    relaxation_ = std::min(10 * relaxation_, model_.relaxation);
     if (dt_ < last_dt_ / 8) last_dt_ = 0;  // the last increment is no guide any more
     if (dt_ < 1e-4 * first_dt_)
       throw RunError(fmt::format(

@@ -16,6 +16,10 @@ void describe(Describe& d, MohrCoulomb& law)
   d.value("poisson_ratio", law.poisson_ratio, {.meaning = "Poisson's ratio", .range = {0, 0.495}, .required = true});
   d.value("cohesion", law.cohesion,
           {.meaning = "cohesion; the undrained strength where friction_angle is 0", .unit = "Pa", .range = not_negative});
+  d.value("cohesion_gradient", law.cohesion_gradient,
+          {.meaning = "growth of the cohesion with depth below the bed's surface; finite elements only",
+           .unit = "Pa/m",
+           .range = not_negative});
   d.value("friction_angle", law.friction_angle,
           {.meaning = "angle of internal friction; 0 is Tresca", .unit = "rad", .range = {0, steepest}, .required = true});
   d.value("dilation_angle", law.dilation_angle,
@@ -72,6 +76,13 @@ PreparedMohrCoulomb prepare(const MohrCoulomb& law)
   }
   p.inner_cone = std::sqrt(1 + friction * friction / 3);
   return p;
+}
+
+MohrCoulomb at_depth(MohrCoulomb law, Real depth)
+{
+  law.cohesion += law.cohesion_gradient * std::max(Real(0), depth);
+  law.cohesion_gradient = 0;
+  return law;
 }
 
 MohrCoulomb associated(const MohrCoulomb& law, const SymTensor<2>& stress)

@@ -31,6 +31,7 @@ struct MohrCoulomb {
   Real young_modulus = 0;  ///< Pa
   Real poisson_ratio = 0;
   Real cohesion = 0;                   ///< Pa
+  Real cohesion_gradient = 0;          ///< Pa/m, growth of the cohesion with the depth below the bed's surface at the start
   Real friction_angle = 0;             ///< rad
   Real dilation_angle = 0;             ///< rad
   std::optional<Real> tension_cutoff;  ///< Pa; absent, or above the apex c cot(phi): the cone alone
@@ -49,6 +50,9 @@ PreparedMohrCoulomb prepare(const MohrCoulomb& law);
 /// How far a stress lies outside the surface, Pa: max(f, s1 - tension_cutoff), at most 0 inside.
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<2>& stress);
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<3>& stress);
+
+/// The law at a depth (m) below the bed's surface: its cohesion has grown.
+MohrCoulomb at_depth(MohrCoulomb law, Real depth);
 
 /// The law whose flow is associated and which for one increment stands for this one, from a stress on (Krabbenhoft, Karim, Lyamin and Sloan, Int. J.
 /// Numer. Meth. Engng 90, 2012): its friction angle is the dilation angle, and its cohesion such that the shear strength at the present mean of the

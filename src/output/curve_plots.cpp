@@ -105,7 +105,7 @@ bool draw_pipe_curves(const RunFolder& folder, const History& history, const Pip
   path.V.resize(kept);
   const bool has_push = path.w.size() > 1, has_drag = path.drag_u.size() > 1;
   if (!has_push && !has_drag) return false;
-  const Real D = scale.diameter, half = averaging_half_width * D, unit_force = scale.unit_weight * D * D;
+  const Real D = scale.diameter, half = averaging_half(scale), unit_force = scale.unit_weight * D * D;
   Real most = 0;
   for (const auto* list : {&path.V, &path.drag_V, &path.drag_H})
     for (const Real force : *list) most = std::isnan(force) ? most : std::max(most, std::abs(force));

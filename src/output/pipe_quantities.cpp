@@ -23,8 +23,10 @@ constexpr Real noise_of_V_from = 0.02, noise_of_H_from = 0.1;  // of D: the forc
 constexpr Real widest_spacing = 0.005;                         // of D: rows farther apart tell no noise
 
 /// The standard deviation of a force about its moving mean, over its mean, from a travel on; NaN where there are too few rows for it.
-Real noise_of(const std::vector<Real>& travel, const std::vector<Real>& force, Real from, Real D)
+Real noise_of(const std::vector<Real>& travel, const std::vector<Real>& force, Real from, const PipeScale& scale)
 {
+  if (!scale.noisy) return std::numeric_limits<Real>::quiet_NaN();
+  const Real D = scale.diameter;
   const TravelCurve curve(travel, force);
   Real squares = 0, sum = 0;
   int count = 0;
@@ -67,24 +69,26 @@ private:
   std::vector<Quantity> list_;
 };
 
-void add_push(Collector& collector, const PipePath& path, Real D)
+void add_push(Collector& collector, const PipePath& path, const PipeScale& scale)
 {
+  const Real D = scale.diameter;
   const TravelCurve V(path.w, path.V);
   if (V.empty()) return;
-  const Real half = averaging_half_width * D;
+  const Real half = averaging_half(scale);
   for (int k = 1; k * push_spacing * D <= V.end() + reached * D; ++k)
     if (k * push_spacing * D >= V.begin())
       collector.force(fmt::format("V_at_w_{:g}D", k * push_spacing), V.at(std::min(k * push_spacing * D, V.end()), half));
   collector.force("V_end_of_push", V.at(V.end(), half));
   collector.length("w_end_of_push", V.end());
-  collector.ratio_if_known("V_noise", noise_of(path.w, path.V, noise_of_V_from * D, D));
+  collector.ratio_if_known("V_noise", noise_of(path.w, path.V, noise_of_V_from * D, scale));
 }
 
-void add_drag(Collector& collector, const PipePath& path, std::optional<Real> held, Real D)
+void add_drag(Collector& collector, const PipePath& path, std::optional<Real> held, const PipeScale& scale)
 {
+  const Real D = scale.diameter;
   const TravelCurve H(path.drag_u, path.drag_H), V(path.drag_u, path.drag_V), w(path.drag_u, path.drag_w);
   if (H.empty() || V.empty() || w.empty()) return;
-  const Real half = averaging_half_width * D;
+  const Real half = averaging_half(scale);
   for (const Real point : drag_points) {
     if (point * D > H.end() + reached * D) break;
     const Real u = std::min(point * D, H.end());
@@ -92,7 +96,7 @@ void add_drag(Collector& collector, const PipePath& path, std::optional<Real> he
     collector.length(fmt::format("w_at_u_{:g}D", point), w.at(u, half));
     collector.ratio(fmt::format("H_over_V_at_u_{:g}D", point), H.at(u, half) / V.at(u, half));
   }
-  collector.ratio_if_known("H_noise", noise_of(path.drag_u, path.drag_H, noise_of_H_from * D, D));
+  collector.ratio_if_known("H_noise", noise_of(path.drag_u, path.drag_H, noise_of_H_from * D, scale));
   Real H_max = -infinity, u_max = 0;
   for (const Real u : H.travel()) {
     const bool whole_window =
@@ -149,6 +153,11 @@ std::string four_digits(Real value)
 
 }  // namespace
 
+Real averaging_half(const PipeScale& scale)
+{
+  return scale.noisy ? averaging_half_width * scale.diameter : 0;
+}
+
 PipePath pipe_path(const History& history, const PipeStages& stages)
 {
   const auto &u = history["u_m"], &w = history["w_m"], &H = history["H_N_m"], &V = history["V_N_m"];
@@ -173,8 +182,8 @@ std::vector<Quantity> pipe_quantities(const History& history, const PipeScale& s
 {
   const PipePath path = pipe_path(history, stages);
   Collector collector(scale);
-  add_push(collector, path, scale.diameter);
-  add_drag(collector, path, stages.held_force, scale.diameter);
+  add_push(collector, path, scale);
+  add_drag(collector, path, stages.held_force, scale);
   add_second_impulse(collector, history, stages);
   add_contact(collector, history, stages);
   return std::move(collector).list();

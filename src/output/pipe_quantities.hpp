@@ -13,6 +13,7 @@ struct PipeScale {
   Real diameter;           ///< m, in the model
   Real unit_weight;        ///< effective unit weight of the soil in the model, N/m3: under all its gravity; 0 = weightless
   Real gravity_level = 1;  ///< gravity in the model over that of the earth
+  bool noisy = true;       ///< whether forces have the noise of a dynamic method
 };
 
 /// The stages of a pipe's run by what they do, in the order in which they ran. A name stands for one kind only.
@@ -33,17 +34,20 @@ PipePath pipe_path(const History& history, const PipeStages& stages);
 /// The half width of the travel over which noisy forces are averaged, as part of the diameter.
 constexpr Real averaging_half_width = 0.01;
 
+/// The same in metres; 0 where there is no noise.
+Real averaging_half(const PipeScale& scale);
+
 /// The numbers that a report wants of a run that pushes a pipe into the bed and drags it (as far as it came):
 ///   V_at_w_{0.05,0.1,...}D, V_end_of_push, w_end_of_push;
 ///   H, w and H_over_V _at_u_{0.1,0.2,0.3,0.4,0.5,0.75,1.0}D, with u from the begin of the drag;
 ///   H_max and u_at_H_max (not within 0.01 D of the ends of the drag);
 ///   V_rms_error_in_drag, the root mean square of (V - held)/held over the rows of the drag;
 ///   V_noise and H_noise, the standard deviation of the force about its moving mean (as below) over the mean of the force: of V in the push from
-///   w = 0.02 D on, of H in the drag from u = 0.1 D on; not where rows are farther than 0.005 D apart, too few to tell a mean from noise;
+///   w = 0.02 D on, of H in the drag from u = 0.1 D on; not where rows are farther than 0.005 D apart, too few to tell a mean from noise, and not where the scale says that there is none;
 ///   second_impulse_over_V, the mean of second_impulse_N_m in the push over that of V, and overlap_max and gap_mean (over push and drag), where the
 ///   history has them.
 /// Forces (N/m) come once more over gamma' D^2 (suffix _over_gammaD2), lengths (m) over D (_over_D). Forces and w are taken from the straight
-/// line fitted over +-0.01 D of travel (TravelCurve::at).
+/// line fitted over +-0.01 D of travel (TravelCurve::at), or between two rows where there is no noise.
 std::vector<Quantity> pipe_quantities(const History& history, const PipeScale& scale, const PipeStages& stages);
 
 /// The same as a table for people: model, dimensionless, and prototype (force per metre and length times the gravity level) where the model is

@@ -238,7 +238,12 @@ void describe(Describe& d, Case& c)
 
   d.check(c.method == Method::mpm || c.dimension == 2, "method", "finite elements are plane: they need dimension = 2");
   check_entries(d, "gravity", c.gravity, c.dimension, true);
-  for (const auto& [name, material] : c.material) check(d, "material." + name, material);
+  for (const auto& [name, material] : c.material) {
+    check(d, "material." + name, material);
+    const auto* law = std::get_if<MohrCoulomb>(&material);
+    d.check(c.method == Method::fem || law == nullptr || law->cohesion_gradient == 0, "material." + name + ".cohesion_gradient",
+            "needs method = \"fem\": a particle does not keep a strength of its own");
+  }
   check_bodies(d, c);
   check_rigids(d, c);
   const std::vector<std::string> directions =

@@ -26,7 +26,7 @@ PipeStages pipe_stages(const Case& c, const RunOutcome& outcome)
 template <int dim>
 PipeScale pipe_scale(const Case& c, const Model<dim>& model)
 {
-  PipeScale scale{0, 0, model.gravity.norm() / standard_gravity};
+  PipeScale scale{0, 0, model.gravity.norm() / standard_gravity, c.method == Method::mpm};
   if (model.main_rigid == none) return scale;
   scale.diameter = width_of<dim>(model.rigids[model.main_rigid].shape);
   for (const Contact& contact : model.contacts)
