@@ -12,7 +12,7 @@ int use_threads(int count);
 
 /// Lets threads wait for each other awake for some 30 microseconds and asleep from then on, where the environment does not say how: OpenMP's own
 /// choice is to stay awake, which takes the processor from the very thread that is waited for as soon as anything else runs on the machine.
-/// OpenMP reads this when it is loaded, so the program is started once more with argv; to be called first of all.
+/// OpenMP reads this when it is loaded, so the program is started once more with argv; to be called first of all. OpenBLAS gets one thread.
 void restart_with_short_waits(char** argv);
 
 }  // namespace berm

@@ -73,5 +73,14 @@ TEST(AssociatedLaw, from_a_stress_beyond_the_apex_has_no_negative_strength)
   EXPECT_GE(associated(soil(0, 30, 0), {{9e3, 9e3, 9e3, 0}}).cohesion, 0);
 }
 
+TEST(MohrCoulombAtDepth, has_the_cohesion_of_its_depth_and_that_of_the_surface_above_it)
+{
+  MohrCoulomb law = soil(1e3, 0, 0);
+  law.cohesion_gradient = 2e3;
+  EXPECT_EQ(at_depth(law, 3).cohesion, 7e3);
+  EXPECT_EQ(at_depth(law, 3).cohesion_gradient, 0);
+  EXPECT_EQ(at_depth(law, -1).cohesion, 1e3);
+}
+
 }  // namespace
 }  // namespace berm
