@@ -20,7 +20,11 @@ constexpr int quick = 5, quick_enough = 12;  // iterations
 
 }  // namespace
 
-LoadSteps::LoadSteps(const FemModel& model, FemState& state) : model_(model), state_(state), newton_(model), relaxation_(model.relaxation)
+LoadSteps::LoadSteps(const FemModel& model, FemState& state)
+    : model_(model),
+      state_(state),
+      newton_(model),
+      relaxation_(model.strength_lags ? model.relaxation : model.relaxation / 100)
 {
   begin();
 }
