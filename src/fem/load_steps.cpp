@@ -24,7 +24,7 @@ LoadSteps::LoadSteps(const FemModel& model, FemState& state)
     : model_(model),
       state_(state),
       newton_(model),
-      relaxation_(model.strength_lags ? model.relaxation : model.relaxation / 100)
+      relaxation_(model.strength_lags ? model.relaxation : model.least_relaxation)
 {
   begin();
 }
