@@ -68,7 +68,7 @@ void restart_with_short_waits(char** argv)
   // Where the loader was called by name, it is the program that would be started.
   if (error || program.filename().string().starts_with("ld-") || setenv(spins, "10000", 1) != 0) return;
   setenv("OPENBLAS_NUM_THREADS", "1", 0);  // its threads gain nothing on matrices of this size, and spin
-  execv(program.c_str(), argv);  // where this fails, the run goes on, only slower
+  execv(program.c_str(), argv);            // where this fails, the run goes on, only slower
 }
 
 }  // namespace berm
