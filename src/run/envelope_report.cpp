@@ -87,7 +87,7 @@ void draw(const Case& c, const std::vector<EnvelopeRow>& rows, const std::filesy
     for (const Real V : curve.x) V_most = std::max(V_most, V);
     for (const Real H : curve.y) H_most = std::max(H_most, H);
   }
-  figure.more = "set key outside bottom center horizontal maxcols 1 font ',10'\n";
+  figure.more = "set key inside bottom center vertical font ',11'\n";  // under the arch
   if (V_most > 0 && H_most > 0) figure.more += fmt::format("set xrange [0:{:.6g}]\nset yrange [0:{:.6g}]\n", 1.06 * V_most, 1.1 * H_most);
   figure.width = 1000;
   figure.height = 680;
