@@ -192,6 +192,18 @@ Index filled_region(const Mesh<dim>& mesh, const std::string& name, const std::s
 }
 
 template <int dim>
+SymTensor<dim> first_stress(const BodySettings& body, Real unit_weight, Real depth)
+{
+  SymTensor<dim> stress;
+  for (std::size_t k = 0; k < body.initial_stress.size(); ++k) stress[static_cast<int>(k)] = body.initial_stress[k];
+  if (body.k0) {
+    stress[1] = -unit_weight * std::max(Real(0), depth);
+    stress[0] = stress[2] = *body.k0 * stress[1];
+  }
+  return stress;
+}
+
+template <int dim>
 Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body, const StartState<dim>& start)
 {
   auto seeds = seeds_of(mesh, name, body);
@@ -210,11 +222,7 @@ Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySe
     p.volume = seed.volume;
     p.mass = start.density * seed.volume;
     p.v = first_velocity<dim>(body, seed.x - center, seed.x);
-    for (std::size_t k = 0; k < body.initial_stress.size(); ++k) p.stress[static_cast<int>(k)] = body.initial_stress[k];
-    if (body.k0) {
-      p.stress[1] = -start.density * start.vertical_gravity * std::max(Real(0), start.surface - seed.x[1]);
-      p.stress[0] = p.stress[2] = *body.k0 * p.stress[1];
-    }
+    p.stress = first_stress<dim>(body, start.density * start.vertical_gravity, start.surface - seed.x[1]);
     p.id = id++;
     particles.insert(seed.cell, p);
   }
@@ -222,6 +230,8 @@ Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySe
   return particles;
 }
 
+template SymTensor<2> first_stress(const BodySettings&, Real, Real);
+template SymTensor<3> first_stress(const BodySettings&, Real, Real);
 template Index filled_region<2>(const Mesh<2>&, const std::string&, const std::string&);
 template Index filled_region<3>(const Mesh<3>&, const std::string&, const std::string&);
 template Particles<2> fill(const Mesh<2>&, const std::string&, const BodySettings&, const StartState<2>&);

@@ -25,8 +25,12 @@ struct StartState {
   std::vector<RigidShape<dim>> holes = {};  ///< rigid bodies that it has a contact with: they take the place of its particles
 };
 
-/// Fills the body's regions, block or disk, but for the holes, with particles at rest or with its first velocity, and with its first stress:
-/// initial_stress, or that of a flat bed where k0 is given: sigma_yy = -density g (surface - y), sigma_xx = sigma_zz = k0 sigma_yy.
+/// The stress of a body at the start, Pa: initial_stress, or that of a flat bed where k0 is given: sigma_yy = -unit_weight depth, not above the bed's
+/// surface, and sigma_xx = sigma_zz = k0 sigma_yy. unit_weight in N/m3, depth in m.
+template <int dim>
+SymTensor<dim> first_stress(const BodySettings& body, Real unit_weight, Real depth);
+
+/// Fills the body's regions, block or disk, but for the holes, with particles at rest or with its first velocity, and with its first stress.
 /// Throws InputError where a region is unknown or a block or disk leaves the mesh.
 template <int dim>
 Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body, const StartState<dim>& start);

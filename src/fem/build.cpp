@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bodies/fill.hpp"
 #include "core/error.hpp"
 #include "fem/cut_mesh.hpp"
 #include "fem/fem_problem.hpp"
@@ -66,18 +67,6 @@ void number_unknowns(FemModel& model)
   for (const FemContactPoint& point : model.contact) places(of_contact(point), model.contact_places.emplace_back());
 }
 
-/// The stress of a flat bed, or the given one, as for the particles of the other method.
-SymTensor<2> first_stress(const BodySettings& body, Real unit_weight, Real depth)
-{
-  SymTensor<2> stress;
-  for (std::size_t k = 0; k < body.initial_stress.size(); ++k) stress[static_cast<int>(k)] = body.initial_stress[k];
-  if (body.k0) {
-    stress[1] = -unit_weight * std::max(Real(0), depth);
-    stress[0] = stress[2] = *body.k0 * stress[1];
-  }
-  return stress;
-}
-
 FemWatch make_watch(const FemModel& model, const std::string& name, const WatchSettings& watch, Index body)
 {
   FemWatch made{name, none, none, 0};
@@ -138,12 +127,15 @@ FemProblem build_fem(const Case& c, const std::string& case_folder, const std::s
   model.model = make_model(c, make_cut_mesh(c, case_folder, work_folder));
   model.settings = c.fem;
   model.strength_lags = flows_unassociated(model.model);
-  model.relaxation = c.fem.relaxation;
-  model.least_relaxation = (model.strength_lags ? 0.1 : 1e-4) * model.relaxation;
   std::vector<RigidShape<2>> shapes;
   for (const Rigid<2>& rigid : model.model.rigids) shapes.push_back(rigid.shape);
   model.mesh = make_quadratic(model.model.mesh, c, shapes);
   make_contact(model);
+  for (std::size_t k = 0; k < model.model.stages.size(); ++k)
+    if (model.model.driven[k] != none && model.model.driven[k] != model.rigid)
+      throw InputError(
+          fmt::format("stage \"{}\": finite elements move the rigid body that a contact joins with the soil; rigid.{} has none",
+                      model.model.stages[k].name, model.model.rigids[model.model.driven[k]].name));
 
   const Real gravity = -model.model.gravity[1];
   model.shape.assign(model.mesh.nodes.size());
@@ -159,7 +151,7 @@ FemProblem build_fem(const Case& c, const std::string& case_folder, const std::s
       for (int k = 0; k < 6; ++k) y += shape.value[k] * nodes[k][1];
       model.depth[cell][q] = model.model.surface - y;
       state.points[cell][q].stress =
-          first_stress(c.body[body].second, density(model.model.bodies[body].material) * gravity, model.depth[cell][q]);
+          first_stress<2>(c.body[body].second, density(model.model.bodies[body].material) * gravity, model.depth[cell][q]);
     }
   }
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)

@@ -22,7 +22,8 @@ struct FemContactState {
 };
 
 /// The law of the interface. The normal is held by a spring of stiffness (Pa/m) that acts in compression only, the tangent by one that slides at
-/// friction times pressure + adhesion, which under small pressure is ten times the pressure at most: so the shear does not jump where a point opens. How deep the soil is in the body measures the error of the springs.
+/// friction times pressure + adhesion. Under small pressure adhesion is ten times the pressure at most, so that the shear does not jump where a point
+/// opens. How deep the soil is in the body measures the error of the springs.
 struct FemInterface {
   Real friction = 0;    ///< coefficient
   Real adhesion = 0;    ///< Pa

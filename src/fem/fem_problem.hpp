@@ -28,8 +28,7 @@ struct FemModel {
   Real width = 1;   ///< m, of the rigid body, which increments of travel are measured with; 1 where there is none
   Real weight = 0;  ///< N/m, of all soil
   FemSettings settings;
-  Real relaxation = 0, least_relaxation = 0;  ///< travel over which overstress fades, over the width: at most and at least
-  bool strength_lags = false;                 ///< some soil's flow is not associated
+  bool strength_lags = false;  ///< some soil's flow is not associated
   std::vector<FemWatch> watches;
 
   // Unknowns: node i moves by 2 i and 2 i + 1 (x, y); the rigid body, where there is one, by the last three (x, y, angle).

@@ -24,7 +24,8 @@ LoadSteps::LoadSteps(const FemModel& model, FemState& state)
     : model_(model),
       state_(state),
       newton_(model),
-      relaxation_(model.strength_lags ? model.relaxation : model.least_relaxation)
+      least_relaxation_((model.strength_lags ? 0.1 : 1e-4) * model.settings.relaxation),
+      relaxation_(model.strength_lags ? model.settings.relaxation : least_relaxation_)
 {
   begin();
 }
@@ -96,10 +97,10 @@ FemLoads LoadSteps::loads_after(Real dt) const
   loads.gravity = gravity_now(model_.model, state_.state.time + dt);
   if (driven() == none) return loads;
   const StageState<2>& now = state_.state.stage;
-  const Real since = state_.state.time - now.begin_time, ramp = stage().ramp, part = ramp > since + dt ? (since + dt) / ramp : 1;
+  const Real since = state_.state.time - now.begin_time;
   for (int d = 0; d < 2; ++d) {
     const Drive& drive = now.drive[d];
-    loads.rigid[d] = {drive.by_force, drive.by_force ? drive.from + part * (drive.to - drive.from) : travel(d, since, since + dt)};
+    loads.rigid[d] = {drive.by_force, drive.by_force ? ramped(stage(), drive, since + dt) : travel(d, since, since + dt)};
   }
   loads.rigid[2].by_force = model_.model.rigids[driven()].rotation == Rotation::free;
   return loads;
@@ -110,9 +111,8 @@ Real LoadSteps::part_within_force(const IncrementEnd& end) const
 {
   const std::optional<Real>& limit = stage().until.force;
   if (!limit || driven() == none || !end.converged) return 1;
-  const int d = stage().kind == StageKind::push ? 1 : 0;
-  const Real sign = d == 1 ? 1 : -drag_direction(model_.model, state_.state);
-  const Real before = sign * state_.state.rigids[driven()].reaction[d], after = sign * newton_.assembly().reaction()[d];
+  const Real before = resistance(model_.model, state_.state, state_.state.rigids[driven()].reaction),
+             after = resistance(model_.model, state_.state, newton_.assembly().reaction());
   return after > *limit * (1 + 1e-4) ? std::max(0.1, (*limit - before) / (after - before)) : 1;
 }
 
@@ -141,13 +141,13 @@ IncrementEnd LoadSteps::advance()
       return end;
     }
     dt_ = dt / 2;
-    relaxation_ = std::min(10 * relaxation_, model_.relaxation);
+    relaxation_ = std::min(10 * relaxation_, model_.settings.relaxation);
     if (dt_ < last_dt_ / 8) last_dt_ = 0;  // the last increment is no guide any more
     if (dt_ < 1e-4 * first_dt_)
       throw RunError(fmt::format(
           "stage \"{}\": no equilibrium at t = {:.6g} s, even with an increment of {:.2g} s; the unbalanced forces stay at {:.2g} "
           "of the contact forces. A larger fem.relaxation (now {}) or a finer mesh may help",
-          stage().name, state_.state.time, dt, end.unbalance, model_.relaxation));
+          stage().name, state_.state.time, dt, end.unbalance, model_.settings.relaxation));
   }
 }
 
@@ -157,7 +157,7 @@ void LoadSteps::accept(const std::vector<Real>& change, Real dt, const Increment
   ++state_.state.step;
   last_change_ = change;
   last_dt_ = dt;
-  if (end.iterations <= quick) relaxation_ = std::max(relaxation_ / 2, model_.least_relaxation);
+  if (end.iterations <= quick) relaxation_ = std::max(relaxation_ / 2, least_relaxation_);
   if (end.iterations <= quick_enough) dt_ = std::max(dt_, dt * 1.5);
   if (model_.strength_lags) dt_ = std::min(dt_, std::max(dt * pressure_change / force_change, first_dt_ * least_growth / first_travel));
   if (!end.converged) dt_ = first_dt_;

@@ -23,9 +23,6 @@ public:
   /// Goes to the next stage; false after the last one.
   bool next_stage();
 
-  /// Travel over which overstress fades, over the width of the rigid body: of the last increment.
-  Real relaxation() const { return relaxation_; }
-
 private:
   const StageSettings& stage() const { return model_.model.stages[state_.state.stage.index]; }
   Index driven() const { return model_.model.driven[state_.state.stage.index]; }
@@ -40,10 +37,10 @@ private:
   const FemModel& model_;
   FemState& state_;
   Newton newton_;
-  Real relaxation_;
-  Real first_dt_ = 0, dt_ = 0;     ///< s, of the first and of the next increment of the stage
-  Real last_dt_ = 0;               ///< s, of the last increment in this stage; 0 = none
-  std::vector<Real> last_change_;  ///< of displacement in it
+  Real least_relaxation_, relaxation_;  ///< travel over which overstress fades, over the width: at least, and of the next increment
+  Real first_dt_ = 0, dt_ = 0;          ///< s, of the first and of the next increment of the stage
+  Real last_dt_ = 0;                    ///< s, of the last increment in this stage; 0 = none
+  std::vector<Real> last_change_;       ///< of displacement in it
 };
 
 }  // namespace berm

@@ -63,6 +63,27 @@ std::string csv_field(const std::string& text)
   return quoted + '"';
 }
 
+const std::vector<std::string>& common_columns()
+{
+  static const std::vector<std::string> names = {"u_m",
+                                                 "w_m",
+                                                 "H_N_m",
+                                                 "V_N_m",
+                                                 "kinetic_J_m",
+                                                 "internal_J_m",
+                                                 "damping_J_m",
+                                                 "friction_J_m",
+                                                 "external_J_m",
+                                                 "energy_error_J_m",
+                                                 "out_of_balance",
+                                                 "gap_m",
+                                                 "overlap_m",
+                                                 "second_impulse_N_m",
+                                                 "M_Nm_m",
+                                                 "angle_rad"};
+  return names;
+}
+
 HistoryFile::HistoryFile(const std::filesystem::path& path, const std::vector<std::string>& columns) : path_(path), columns_(columns.size())
 {
   file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);

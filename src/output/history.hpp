@@ -9,6 +9,9 @@
 
 namespace berm {
 
+/// The columns behind time_s and stage that the history of both methods begins with.
+const std::vector<std::string>& common_columns();
+
 /// history.csv on its way to the disk: a header, then one line a row, each handed to the system whole, so that a reader at any time
 /// sees whole rows but perhaps the last. Numbers are written in the shortest form that reads back to the same number, NaN as "nan".
 class HistoryFile {

@@ -75,8 +75,7 @@ bool stage_ended(const Model<dim>& model, const State<dim>& state)
   const RigidState<dim>& rigid = state.rigids[driven];
   if (until.displacement && std::abs(rigid.displacement[0] - now.begin_displacement[0]) >= *until.displacement) return true;
   if (until.embedment && pipe_motion(model, state, driven).w >= *until.embedment) return true;
-  const Real force = stage.kind == StageKind::push ? rigid.smooth_reaction[1] : -drag_direction(model, state) * rigid.smooth_reaction[0];
-  return until.force && force >= *until.force;
+  return until.force && resistance(model, state, rigid.smooth_reaction) >= *until.force;
 }
 
 template <int dim>
@@ -84,7 +83,6 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
 {
   const StageSettings& stage = model.stages[state.stage.index];
   const Real since = state.time + dt - state.stage.begin_time;
-  const Real part = stage.ramp > since ? since / stage.ramp : 1;
   const Vec<dim> gravity = gravity_now(model, state.time);
   for (Index r = 0; r < static_cast<Index>(state.rigids.size()); ++r) {
     const Rigid<dim>& body = model.rigids[r];
@@ -94,7 +92,7 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
     const bool moves = driven || (body.motion == Motion::free && stage.kind != StageKind::geostatic);
     for (int d = 0; d < dim; ++d) {
       const Drive& drive = state.stage.drive[d];
-      const Real value = drive.from + part * (drive.to - drive.from);
+      const Real value = ramped(stage, drive, since);
       if (driven)
         rigid.velocity[d] = drive.by_force ? rigid.velocity[d] + dt * (value + rigid.reaction[d]) / body.mass : value;
       else

@@ -17,6 +17,20 @@ PipeMotion pipe_motion(const Model<dim>& model, const State<dim>& state, Index r
 template <int dim>
 Real drag_direction(const Model<dim>& model, const State<dim>& state);
 
+/// What the present stage's limit of force is compared with: V in a push, H in a drag, of this force of the soil on the driven body (N/m).
+template <int dim>
+Real resistance(const Model<dim>& model, const State<dim>& state, const Vec<dim>& reaction)
+{
+  return model.stages[state.stage.index].kind == StageKind::push ? reaction[1] : -drag_direction(model, state) * reaction[0];
+}
+
+/// The value of a drive at a time since the stage's begin, s: it goes from what it was to its own over the stage's ramp.
+inline Real ramped(const StageSettings& stage, const Drive& drive, Real since)
+{
+  const Real part = stage.ramp > since ? since / stage.ramp : 1;
+  return drive.from + part * (drive.to - drive.from);
+}
+
 /// Sets the drives of the stage that state.stage.index names. A velocity starts from the present velocity and a force from the one that balances
 /// the present (averaged) reaction, so that nothing jumps when the drive changes.
 template <int dim>

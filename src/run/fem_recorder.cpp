@@ -14,25 +14,8 @@ constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
 
 std::vector<std::string> FemRecorder::columns(const FemModel& model)
 {
-  std::vector<std::string> names = {"u_m",
-                                    "w_m",
-                                    "H_N_m",
-                                    "V_N_m",
-                                    "kinetic_J_m",
-                                    "internal_J_m",
-                                    "damping_J_m",
-                                    "friction_J_m",
-                                    "external_J_m",
-                                    "energy_error_J_m",
-                                    "out_of_balance",
-                                    "gap_m",
-                                    "overlap_m",
-                                    "second_impulse_N_m",
-                                    "M_Nm_m",
-                                    "angle_rad",
-                                    "iterations",
-                                    "unbalance",
-                                    "overstress"};
+  std::vector<std::string> names = common_columns();
+  names.insert(names.end(), {"iterations", "unbalance", "overstress"});
   for (const FemWatch& watch : model.watches)
     for (const char* column : {"ux_m", "uy_m", "sxx_Pa", "syy_Pa", "szz_Pa", "sxy_Pa"})
       names.push_back(fmt::format("{}_{}", watch.name, column));

@@ -19,22 +19,7 @@ constexpr const char* component_names[6] = {"xx", "yy", "zz", "xy", "yz", "zx"};
 template <int dim>
 std::vector<std::string> Recorder<dim>::columns(const Model<dim>& model)
 {
-  std::vector<std::string> names = {"u_m",
-                                    "w_m",
-                                    "H_N_m",
-                                    "V_N_m",
-                                    "kinetic_J_m",
-                                    "internal_J_m",
-                                    "damping_J_m",
-                                    "friction_J_m",
-                                    "external_J_m",
-                                    "energy_error_J_m",
-                                    "out_of_balance",
-                                    "gap_m",
-                                    "overlap_m",
-                                    "second_impulse_N_m",
-                                    "M_Nm_m",
-                                    "angle_rad"};
+  std::vector<std::string> names = common_columns();
   for (Index r = 0; r < static_cast<Index>(model.rigids.size()); ++r)
     if (r != model.main_rigid)
       for (const char* column : {"u_m", "w_m", "H_N_m", "V_N_m", "M_Nm_m", "angle_rad"})

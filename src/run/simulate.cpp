@@ -3,15 +3,14 @@
 
 #include "core/error.hpp"
 #include "core/for_each.hpp"
-#include "input/write_case.hpp"
 #include "mpm/measure.hpp"
 #include "mpm/step.hpp"
 #include "mpm/time_step.hpp"
 #include "output/frame_maker.hpp"
 #include "output/frames.hpp"
 #include "output/progress.hpp"
-#include "output/whole_file.hpp"
 #include "problem/stages.hpp"
+#include "run/in_run_folder.hpp"
 #include "run/interrupt.hpp"
 #include "run/recorder.hpp"
 #include "run/results.hpp"
@@ -223,19 +222,10 @@ bool run_in(const RunRequest& request)
   const ScratchFolder scratch;
   Problem<dim> problem = build_for<dim>(request, scratch);
 
-  const RunFolder folder(request.folder);
-  write_whole(folder.file("resolved.toml"), resolved_toml(request.settings));
-  write_whole(folder.file("case.toml"), read_whole(request.case_file));
-  scratch.move_files_to(folder.path());
-  RunLog log(folder.file("run.log"));
-  spdlog::info("{} -> {}: {} cells, {} particles, {} threads", request.case_file.string(), folder.path().string(),
-               problem.model.mesh.cell_count(), particle_count(problem.state), request.threads);
-  try {
+  const std::string size = fmt::format("{} cells, {} particles", problem.model.mesh.cell_count(), particle_count(problem.state));
+  return in_run_folder(request, scratch, size, [&](const RunFolder& folder, RunLog& log) {
     return Run<dim>(request, std::move(problem), folder, log).to_the_end();
-  } catch (const RunError& error) {
-    log.info_to_file(error.what());
-    throw;
-  }
+  });
 }
 
 template <int dim>

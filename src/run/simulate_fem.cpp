@@ -3,13 +3,12 @@
 
 #include "core/error.hpp"
 #include "fem/load_steps.hpp"
-#include "input/write_case.hpp"
 #include "output/fem_frame.hpp"
 #include "output/frames.hpp"
 #include "output/progress.hpp"
-#include "output/whole_file.hpp"
 #include "problem/stages.hpp"
 #include "run/fem_recorder.hpp"
+#include "run/in_run_folder.hpp"
 #include "run/interrupt.hpp"
 #include "run/results.hpp"
 #include "run/scratch_folder.hpp"
@@ -63,6 +62,7 @@ public:
                            timings()};
     const Summary::Checks checks = {{"energy_error", recorder_.energy_error()},
                                     {"largest_unbalance", recorder_.largest_unbalance()},
+                                    {"loose_increments", static_cast<Real>(loose_)},
                                     {"largest_overstress", recorder_.largest_overstress()},
                                     {"friction_work_is_loss", state().state.totals.friction >= 0}};
     write_results(request_, folder_, model().model, state().state.rigids, frames_.last(), {finished_, held_force_, checks}, timing);
@@ -83,6 +83,11 @@ private:
     while (!interrupted() && !finished_) {
       const IncrementEnd end = steps_.advance();
       iterations_ += end.iterations;
+      if (!end.converged) {
+        ++loose_;
+        spdlog::warn("t = {:.6g} s: the increment is loosely converged only, with unbalanced forces of {:.2g} of the contact forces",
+                     state().state.time, end.unbalance);
+      }
       recorder_.add_row(model(), state(), end);
       const bool ended = stage_ended(model().model, state().state);
       if (ended || frame_is_due()) frame();
@@ -143,7 +148,7 @@ private:
   FrameWriter<2> frames_;
   Progress progress_;
   bool finished_ = false;
-  BigIndex iterations_ = 0;
+  BigIndex iterations_ = 0, loose_ = 0;
   Real frame_time_ = 0;
   Vec<2> frame_displacement_ = Vec<2>::Zero();
   std::optional<Real> held_force_;
@@ -160,19 +165,9 @@ bool run_fem(const RunRequest& request)
 {
   const ScratchFolder scratch;
   FemProblem problem = build_for(request, scratch);
-  const RunFolder folder(request.folder);
-  write_whole(folder.file("resolved.toml"), resolved_toml(request.settings));
-  write_whole(folder.file("case.toml"), read_whole(request.case_file));
-  scratch.move_files_to(folder.path());
-  RunLog log(folder.file("run.log"));
-  spdlog::info("{} -> {}: {} elements, {} nodes, {} threads", request.case_file.string(), folder.path().string(),
-               problem.model.mesh.cell_count(), problem.model.mesh.node_count(), request.threads);
-  try {
-    return FemRun(request, std::move(problem), folder, log).to_the_end();
-  } catch (const RunError& error) {
-    log.info_to_file(error.what());
-    throw;
-  }
+  const std::string size = fmt::format("{} elements, {} nodes", problem.model.mesh.cell_count(), problem.model.mesh.node_count());
+  return in_run_folder(request, scratch, size,
+                       [&](const RunFolder& folder, RunLog& log) { return FemRun(request, std::move(problem), folder, log).to_the_end(); });
 }
 
 void try_to_build_fem(const RunRequest& request)

@@ -64,6 +64,17 @@ TEST(UpdateTraction, adhesion_adds_to_the_friction_of_closed_points_alone)
   EXPECT_EQ(update_traction(sticky, normal, {}, 1e-6 * normal + 5e-3 * tangent).state.traction.norm(), 0);
 }
 
+TEST(UpdateTraction, adhesion_ends_without_a_jump_where_a_point_opens)
+{
+  FemInterface clay = rough;
+  clay.friction = 0;
+  clay.adhesion = 300;
+  // The full adhesion from a tenth of it as pressure on; below, ten times the pressure.
+  EXPECT_NEAR(shear(update_traction(clay, normal, {}, -31e-6 * normal + 5e-3 * tangent)), -300, rounding);
+  EXPECT_NEAR(shear(update_traction(clay, normal, {}, -10e-6 * normal + 5e-3 * tangent)), -100, rounding);
+  EXPECT_NEAR(shear(update_traction(clay, normal, {}, -1e-9 * normal + 5e-3 * tangent)), -0.01, rounding);
+}
+
 TEST(UpdateTraction, goes_on_from_the_shear_that_was_there)
 {
   const FemContactState before{-2e-3, 2000 * normal + 800 * tangent};

@@ -188,6 +188,47 @@ TEST(LoadSteps, a_bed_that_cannot_carry_its_weight_flows_and_its_overstress_tell
   EXPECT_LT(strong.problem.state.overstress, 1e-3);
 }
 
+TEST(LoadSteps, a_force_beyond_the_strength_of_the_soil_is_refused)
+{
+  // The plate carries (2 + pi) x 1 kPa x 0.4 m = 2.06 kN/m at most.
+  Case c = plate_on_clay();
+  c.stage[0].velocity.reset();
+  c.stage[0].force = 8e3;
+  c.stage[0].ramp = 1;
+  c.stage[0].until = {};
+  c.stage[0].until.time = 2;
+  Way way(c);
+  try {
+    way.to_end_of_stage();
+    ADD_FAILURE() << "8 kN/m were carried, with an overstress of " << way.problem.state.overstress;
+  } catch (const RunError& error) {
+    EXPECT_NE(std::string(error.what()).find("cannot carry the force"), std::string::npos) << error.what();
+  }
+  EXPECT_GT(way.V(), 2e3);
+}
+
+TEST(LoadSteps, increments_are_short_while_strength_follows_a_growing_pressure)
+{
+  Case c = plate_on_block(plastic_soil(500, 30, 0), 0.4, {10, 5});
+  c.contact[0].second.friction_angle = std::atan(0.5);
+  c.fem.largest_step = 0.5;
+  c.stage = {pushing()};
+  c.stage[0].until.embedment = 0.04;
+  Way way(c);
+  Real force = 0, time = 0, growth = 0;
+  int grown = 0;
+  way.to_end_of_stage([&](const IncrementEnd&) {
+    // 0.005 of the width at the speed of 1 m/s is 2 ms.
+    const Real dt = way.problem.state.state.time - time;
+    EXPECT_LE(dt, growth > 0.02 ? 2e-3 * (1 + 1e-9) : 1) << "after a growth of " << growth;
+    grown += growth > 0.02;
+    growth = std::abs(way.V() - force) / way.V();
+    force = way.V();
+    time += dt;
+  });
+  EXPECT_GT(grown, 5);
+}
+
 TEST(LoadSteps, gravity_grows_over_its_ramp)
 {
   Case c = block_of(elastic_soil());

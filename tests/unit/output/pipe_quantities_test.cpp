@@ -52,6 +52,24 @@ TEST(PipeQuantities, a_linear_push_is_read_exactly_up_to_its_very_end)
   EXPECT_EQ(find(list, "w_end_of_push")->unit, "m");
 }
 
+TEST(PipeQuantities, forces_without_noise_are_taken_between_two_rows)
+{
+  // Rises to its plateau within the window of +-0.01 D that noise would be averaged over, from an embedment of 0.1 D.
+  const TemporaryFolder folder;
+  {
+    HistoryFile file(folder.path / "h", {"u_m", "w_m", "H_N_m", "V_N_m"});
+    for (const auto& [w, V] : std::vector<std::pair<Real, Real>>{{0.1, 0}, {0.105, 900}, {0.11, 1000}})
+      file.add(w, "push", {0, w * scale.diameter, 0, V});
+  }
+  PipeScale exact = scale;
+  exact.noisy = false;
+  const auto list = pipe_quantities(read_history(folder.path / "h"), exact, stages);
+  EXPECT_EQ(value(list, "V_end_of_push"), 1000);
+  EXPECT_EQ(value(list, "V_at_w_0.1D"), 0);
+  EXPECT_EQ(find(list, "V_at_w_0.05D"), nullptr);  // above where the push began
+  EXPECT_EQ(find(list, "V_noise"), nullptr);
+}
+
 TEST(PipeQuantities, a_drag_is_read_at_its_travel_as_far_as_it_went)
 {
   const SamplePipe pipe;

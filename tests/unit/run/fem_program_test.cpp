@@ -234,6 +234,10 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"pipe_above_the_surface", "center = [0, 0]", "center = [0, \"15 mm\"]", {"rigid.pipe"}},
                     Wrong{"pipe_without_mass_under_a_force", "mass = 1\n", "", {"stage", "[rigid.pipe]", "needs a mass"}},
                     Wrong{"push_without_drive", "velocity = \"1 m/s\"\n", "", {"stage", "needs either velocity or force"}},
+                    Wrong{"drive_without_contact",
+                          "[contact.skin]\nbody = \"clay\"\nrigid = \"pipe\"\nfriction_angle = 0\nadhesion = \"500 Pa\"\n",
+                          "",
+                          {"stage \"push\"", "a contact joins with the soil", "rigid.pipe"}},
                     Wrong{"no_tolerance", "[fem]\n", "[fem]\ntolerance = 0\n", {"fem.tolerance"}}),
     [](const auto& row) { return row.param.name; });
 

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "output/run_folder.hpp"
+#include "output/run_log.hpp"
+#include "run/scratch_folder.hpp"
+#include "run/simulate.hpp"
+
+#include <functional>
+
+namespace berm {
+
+/// Makes the run folder with case.toml, resolved.toml, the mesh files that building left in `scratch` and run.log, says what is run (`size`: "3052 elements,
+/// 6287 nodes"), and runs. A RunError goes to run.log as well. Returns what `run` does.
+bool in_run_folder(const RunRequest& request, const ScratchFolder& scratch, const std::string& size,
+                   const std::function<bool(const RunFolder&, RunLog&)>& run);
+
+}  // namespace berm
