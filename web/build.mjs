@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// node build.mjs page OUT.cpp     the page's script and style, minified, as C++ constants that the program holds
+// node build.mjs tests FOLDER     the tests of the page, for node
+import { build } from "esbuild";
+import { writeFileSync } from "node:fs";
+import { readdirSync } from "node:fs";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const here = dirname(fileURLToPath(import.meta.url));
+
+// String literals of C++ may be this long; they are joined when the program starts to need them.
+const LONGEST = 16000;
+
+function constant(name, text) {
+  const parts = [];
+  for (let at = 0; at < text.length; at += LONGEST) parts.push(`R"~page~(${text.slice(at, at + LONGEST)})~page~"`);
+  return `const std::string_view ${name} =\n${parts.join("\n")};\n`;
+}
+
+async function bundle(entry, options) {
+  const result = await build({
+    entryPoints: [join(here, "src", entry)],
+    bundle: true,
+    minify: true,
+    write: false,
+    charset: "ascii",
+    legalComments: "inline",
+    target: "es2022",
+    ...options,
+  });
+  // A page ends its script at the first "</script", wherever that stands.
+  return result.outputFiles[0].text.replaceAll("</script", "<\\/script").replaceAll("</style", "<\\/style");
+}
+
+async function page(out) {
+  const script = await bundle("main.ts", { format: "iife" });
+  const style = await bundle("page.css", {});
+  writeFileSync(
+    out,
+    `// SPDX-License-Identifier: BSD-3-Clause\n// Made by web/build.mjs.\n#include "report/page_files.hpp"\n\nnamespace berm {\n\n` +
+      constant("page_script", script) + "\n" + constant("page_style", style) + "\n}  // namespace berm\n",
+  );
+}
+
+async function tests(folder) {
+  const names = readdirSync(join(here, "tests")).filter((name) => name.endsWith(".test.ts"));
+  await build({
+    entryPoints: names.map((name) => join(here, "tests", name)),
+    bundle: true,
+    platform: "node",
+    format: "esm",
+    outdir: folder,
+    outExtension: { ".js": ".mjs" },
+    packages: "external",
+    sourcemap: "inline",
+  });
+}
+
+const [what, out] = process.argv.slice(2);
+if (what === "page" && out) await page(out);
+else if (what === "tests" && out) await tests(out);
+else throw new Error("build.mjs page OUT.cpp | build.mjs tests FOLDER");

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `berm report` writes into the page for the script: JSON in the element #berm-data, and blocks of numbers in elements of their own.
+
+/** Lengths in m, forces in N/m, times in s, as in history.csv; a number that is not finite is null. */
+export interface PageData {
+  version: string;
+  runs: RunData[];
+  /** What the paper states; empty where the runs are not of its test. */
+  paper: PaperPoint[];
+}
+
+export interface RunData {
+  /** Name of the run folder, and the case's title. Text of the user's: never markup. */
+  name: string;
+  title: string;
+  method: "mpm" | "fem";
+  /** null where there is no pipe (no rigid body that a push or drag drives). */
+  diameter: number | null;
+  /** N/m3, 0 = weightless: forces are made dimensionless with unit_weight diameter^2. */
+  unit_weight: number;
+  /** Gravity in the model over that of the earth. */
+  gravity_level: number;
+  /** Pa, undrained strength of soil without friction, else null. */
+  strength: number | null;
+  /** Columns of history.csv by name, each as long as `stage`. */
+  columns: Record<string, (number | null)[]>;
+  stage: string[];
+  /** Every how manieth row of history.csv this is (1: all). */
+  row_step: number;
+  push: PathData;
+  drag: PathData;
+  film: FilmData | null;
+}
+
+/** Rows (of `columns`) that pushes or drags consist of. The drag begins with the row before its first. */
+export interface PathData {
+  rows: number[];
+  /** u where the drag began; travel in the drag is |u - u_begin|. */
+  u_begin: number;
+  /** Forces freed from noise over +-0.01 D of travel, by row of the path. */
+  V_mean: (number | null)[];
+  H_mean: (number | null)[];
+}
+
+/** A number or a level that the paper gives, in model units. */
+export interface PaperPoint {
+  chart: "V_w" | "H_u" | "w_u";
+  /** null: a level, over the whole axis. */
+  x: number | null;
+  y: number;
+  label: string;
+}
+
+/** The soil of a run, frame by frame. A block is the id of an element <script type="text/plain"> that holds base64 of zlib-compressed bytes, little-endian. */
+export interface FilmData {
+  kind: "particles" | "triangles";
+  count: number;
+  frames: FrameData[];
+  /** x = lower + step * code. */
+  lower: [number, number];
+  step: number;
+  /** Region of interest, m: around the pipe's path; all of the soil without a pipe. */
+  view: { lower: [number, number]; upper: [number, number] };
+  /** m, original surface; null: not known. */
+  surface: number | null;
+  /** Codes (16 bits) of all positions. Bytes in planes: [x low][x high][y low][y high], each by frame, then point. Frame 0 holds codes, each later
+   * one the change since the frame before, modulo 2^16 and folded: 0, -1, 1, -2, ... are 0, 1, 2, 3, ... */
+  position: string;
+  /** Side of the square that a particle stands for at the start, as codes (uint16), by point; only for particles. */
+  size: string | null;
+  /** Corners of triangles (uint32, three each), only for triangles; `elements` of them in a row make one element. */
+  triangles: string | null;
+  elements: number;
+  fields: FieldData[];
+  rigids: RigidData[];
+}
+
+export interface FrameData {
+  time: number;
+  stage: string;
+  /** m; null without a pipe. */
+  u: number | null;
+  w: number | null;
+  /** N/m; null without a pipe. */
+  H: number | null;
+  V: number | null;
+}
+
+/** One byte for each frame and point: value = low + (high - low) * byte / 255, clipped. Frame 0 holds bytes, each later one the change modulo 256. */
+export interface FieldData {
+  name: "deviatoric_strain" | "incremental_deviatoric_strain" | "mean_stress" | "speed" | "displacement";
+  label: string;
+  unit: string;
+  low: number;
+  high: number;
+  block: string;
+}
+
+/** A rigid body's outline: float32 x, y of `points` corners by frame. */
+export interface RigidData {
+  name: string;
+  points: number;
+  block: string;
+}
+
+export function page_data(): PageData {
+  return JSON.parse(document.getElementById("berm-data")!.textContent!) as PageData;
+}
