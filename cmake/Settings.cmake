@@ -35,6 +35,7 @@ find_package(spdlog REQUIRED)
 find_package(tomlplusplus REQUIRED) # its headers; input/document.cpp compiles them
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(ZLIB REQUIRED)
 find_library(UDUNITS_LIBRARY udunits2 REQUIRED)
 add_library(udunits2 INTERFACE)
 target_link_libraries(udunits2 INTERFACE ${UDUNITS_LIBRARY})

@@ -5,6 +5,7 @@
 #include "core/threads.hpp"
 #include "input/parameters.hpp"
 #include "input/read_case.hpp"
+#include "report/report.hpp"
 #include "run/bench.hpp"
 #include "run/envelope.hpp"
 #include "run/interrupt.hpp"
@@ -143,6 +144,13 @@ int dispatch(int argc, char** argv)
   envelope_command->add_option("--travel", envelope.travel, "travel of each probe over the diameter (default: 0.1)")
       ->check(CLI::Range(1e-3, 1.));
 
+  ReportRequest report;
+  CLI::App* report_command = app.add_subcommand("report", "write one page, report.html, that shows what runs found");
+  report_command->add_option("DIR", report.folders, "run folders, or folders that hold run folders")->required();
+  report_command->add_option("-o,--output", report.output, "the page's file (default: report.html in the folder that holds the runs)");
+  report_command->add_flag("--figures", report.figures,
+                           "also draw the curves and mechanisms as SVG and PNG, in report_figures beside the page");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -151,6 +159,10 @@ int dispatch(int argc, char** argv)
 
   if (params->parsed()) {
     fmt::print("{}", markdown ? parameter_page() : parameter_table());
+    return 0;
+  }
+  if (report_command->parsed()) {
+    write_report(report);
     return 0;
   }
   if (bench->parsed()) {

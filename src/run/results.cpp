@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/results.hpp"
 
+#include "output/pipe_case.hpp"
 #include "output/plots.hpp"
 #include "output/progress.hpp"
 #include "problem/stages.hpp"
@@ -10,30 +11,6 @@
 
 namespace berm {
 namespace {
-
-PipeStages pipe_stages(const Case& c, const RunOutcome& outcome)
-{
-  PipeStages stages;
-  for (const StageSettings& stage : c.stage) {
-    if (stage.kind == StageKind::push) stages.push.push_back(stage.name);
-    if (stage.kind == StageKind::drag) stages.drag.push_back(stage.name);
-  }
-  stages.held_force = outcome.held_force;
-  return stages;
-}
-
-/// The scale of the main rigid body and of the body that it touches; no diameter where there is nothing to drive.
-template <int dim>
-PipeScale pipe_scale(const Case& c, const Model<dim>& model)
-{
-  PipeScale scale{0, 0, model.gravity.norm() / standard_gravity, c.method == Method::mpm};
-  if (model.main_rigid == none) return scale;
-  scale.diameter = width_of<dim>(model.rigids[model.main_rigid].shape);
-  for (const Contact& contact : model.contacts)
-    if (contact.rigid == model.main_rigid) scale.unit_weight = density(model.bodies[contact.body].material) * model.gravity.norm();
-  if (pipe_stages(c, {}).push.empty() && pipe_stages(c, {}).drag.empty()) scale.diameter = 0;
-  return scale;
-}
 
 /// Columns that are worth a curve where there is no pipe: of watched particles, else of the bodies.
 template <int dim>
@@ -93,8 +70,9 @@ void write_results(const RunRequest& request, const RunFolder& folder, const Mod
                    const Frame<dim>& last, const RunOutcome& outcome, const RunTiming& timing)
 {
   const History history = read_history(folder.file("history.csv"));
-  const PipeScale scale = pipe_scale(request.settings, model);
-  const PipeStages stages = pipe_stages(request.settings, outcome);
+  const PipeScale scale = pipe_scale(request.settings);
+  PipeStages stages = pipe_stages(request.settings);
+  stages.held_force = outcome.held_force;
   const bool pipe = scale.diameter > 0;
 
   Summary summary;

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "output/pipe_case.hpp"
+
+#include "bodies/rigid.hpp"
+
+#include <Eigen/Core>
+
+namespace berm {
+
+PipeStages pipe_stages(const Case& c)
+{
+  PipeStages stages;
+  for (const StageSettings& stage : c.stage) {
+    if (stage.kind == StageKind::push) stages.push.push_back(stage.name);
+    if (stage.kind == StageKind::drag) stages.drag.push_back(stage.name);
+  }
+  return stages;
+}
+
+const Material* touched_material(const Case& c)
+{
+  const Index rigid = main_rigid(c);
+  if (rigid == none) return nullptr;
+  const Material* touched = nullptr;
+  for (const auto& [name, contact] : c.contact) {
+    if (contact.rigid != c.rigid[rigid].first) continue;
+    const Index body = place_of(c.body, contact.body);
+    const Index material = body == none ? none : place_of(c.material, c.body[body].second.material);
+    if (material != none) touched = &c.material[material].second;
+  }
+  return touched;
+}
+
+PipeScale pipe_scale(const Case& c)
+{
+  const Real gravity = Eigen::Map<const Eigen::VectorXd>(c.gravity.data(), static_cast<Eigen::Index>(c.gravity.size())).norm();
+  PipeScale scale{0, 0, gravity / standard_gravity, c.method == Method::mpm};
+  const Index rigid = main_rigid(c);
+  if (rigid == none) return scale;
+  const RigidShapeSettings& shape = c.rigid[rigid].second.shape;
+  const PipeStages stages = pipe_stages(c);
+  if (!stages.push.empty() || !stages.drag.empty())
+    scale.diameter = c.dimension == 2 ? width_of<2>(make_shape<2>(shape)) : width_of<3>(make_shape<3>(shape));
+  if (const Material* material = touched_material(c)) scale.unit_weight = density(*material) * gravity;
+  return scale;
+}
+
+}  // namespace berm

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace berm {
+
+/// One cell of a table. The content is HTML: text of the user's goes through html_text first.
+struct HtmlCell {
+  std::string content;
+  bool number = false;  ///< aligned to the right
+};
+
+/// A table of a page, in a box that scrolls sideways where it is too wide.
+class HtmlTable {
+public:
+  /// `id` names it for links and for copying, `caption` is text.
+  HtmlTable(std::string id, std::string caption) : id_(std::move(id)), caption_(std::move(caption)) {}
+
+  /// The header: HTML, by column.
+  void columns(std::vector<HtmlCell> cells) { columns_ = std::move(cells); }
+  /// A row; its first cell is its header. `row_class` as the page's style knows it ("out_of_range", "group"), or "".
+  void row(std::vector<HtmlCell> cells, std::string row_class = "");
+  bool empty() const { return rows_.empty(); }
+
+  /// With a button that copies it.
+  std::string html() const;
+
+private:
+  std::string id_, caption_;
+  std::vector<HtmlCell> columns_;
+  std::vector<std::pair<std::string, std::string>> rows_;  ///< class, HTML
+};
+
+/// A section of the page: `id`, its title (text), HTML below it.
+std::string html_section(const std::string& id, const std::string& title, const std::string& content);
+
+/// A paragraph of text.
+std::string html_paragraph(const std::string& text, const std::string& css_class = "");
+
+/// How well something stands.
+enum class Standing { good, fair, bad, unknown };
+
+/// A short verdict with a colour (and the word itself for those who do not see it).
+std::string html_badge(Standing standing, const std::string& word);
+
+}  // namespace berm

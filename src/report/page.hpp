@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "report/run_record.hpp"
+
+namespace berm {
+
+/// The whole page: one file that needs no other. Finest run first: by method, then by particles or nodes.
+std::string report_page(std::vector<RunRecord> runs);
+
+}  // namespace berm

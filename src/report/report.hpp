@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace berm {
+
+/// What `berm report` was asked for.
+struct ReportRequest {
+  std::vector<std::string> folders;  ///< run folders, or folders that hold run folders
+  std::string output;                ///< file; "": report.html in the run folder, of several in the folder that holds them
+  bool figures = false;              ///< also SVG and PNG, in the folder report_figures beside the page
+};
+
+/// Writes the page and says where. Throws InputError where a folder is none of a run, RunError where the page cannot be written.
+void write_report(const ReportRequest& request);
+
+}  // namespace berm

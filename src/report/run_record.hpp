@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "output/pipe_case.hpp"
+
+#include <map>
+
+namespace berm {
+
+/// What summary.json says of a run. A number that was not finite is NaN.
+struct RunSummary {
+  std::vector<Quantity> quantities;
+  std::map<std::string, Real> timing;  ///< wall_s, threads, cells, steps, particles, particle_steps_per_s, nodes, iterations ...
+  std::map<std::string, Real> checks;  ///< true is 1, false 0
+  std::map<std::string, std::string> text;
+};
+
+/// How a run ended, as its folder tells.
+enum class RunEnd {
+  finished,   ///< all of its stages
+  stopped,    ///< its results are there, but not all of its stages: stopped by the user or by an error
+  unfinished  ///< no results: it was killed, crashed or still runs
+};
+
+/// All that a run folder holds, but the frames.
+struct RunRecord {
+  std::filesystem::path folder;
+  std::string name;  ///< of the folder
+  Case settings;     ///< of resolved.toml
+  PipeScale scale;   ///< diameter 0: there is no pipe
+  PipeStages stages;
+  History history;                    ///< without rows where there is none
+  std::optional<RunSummary> summary;  ///< none in an unfinished run
+  std::vector<Quantity> quantities;   ///< of the summary; of an unfinished run, from its history
+  RunEnd end = RunEnd::unfinished;
+  std::string begun;                  ///< date and time of the first line of run.log; "" where that is missing
+  std::vector<std::string> warnings;  ///< of run.log, without their times
+  std::string last_words;             ///< the last line of run.log, without its time
+  std::vector<std::string> faults;    ///< what is missing or damaged in the folder, in words
+
+  bool has_pipe() const { return scale.diameter > 0; }
+  /// A number of the summary's checks or timing; NaN where it is not there.
+  Real check(const std::string& name) const;
+  Real timing(const std::string& name) const;
+  /// The quantity of that name, or null.
+  const Quantity* quantity(const std::string& name) const;
+};
+
+/// Whether a folder is one of a run: it holds a resolved.toml.
+bool is_run_folder(const std::filesystem::path& folder);
+
+/// Reads a run folder, as far as there is something: what is missing or damaged goes to `faults`. Throws InputError where its resolved.toml cannot be
+/// read.
+RunRecord read_run(const std::filesystem::path& folder);
+
+}  // namespace berm
