@@ -24,9 +24,11 @@ build: configure ## build the program, build/release/berm (some minutes the firs
 
 # A case file's name is its run folder's name; expected.toml and study.toml are no cases.
 probe_cases = $(filter-out %/expected.toml %/study.toml,$(wildcard examples/probe_test/*.toml))
-probe: build ## run every case of examples/probe_test; results go to out/probe_test
+probe_runs = $(patsubst examples/%.toml,out/%,$(probe_cases))
+probe: build ## run every case of examples/probe_test; results go to out/probe_test, and the page of them all is report.html there
 	@test -n '$(probe_cases)' || { echo 'make probe: examples/probe_test holds no case' >&2; exit 1; }
 	@$(release)/berm run $(probe_cases) -o out/probe_test
+	@$(release)/berm report $(probe_runs)
 
 # Tests run side by side, so each takes one thread unless it asks for more.
 test: configure ## build and run all tests

@@ -21,6 +21,7 @@ add_custom_command(
 
 add_custom_command(
   OUTPUT ${BERM_WEB}/page_files.cpp
+  COMMAND ${CMAKE_COMMAND} -E rm -rf ${BERM_WEB}/src ${BERM_WEB}/tests
   COMMAND ${CMAKE_COMMAND} -E copy_directory ${web_source}/src ${BERM_WEB}/src
   COMMAND ${CMAKE_COMMAND} -E copy_directory ${web_source}/tests ${BERM_WEB}/tests
   COMMAND ${CMAKE_COMMAND} -E copy ${web_source}/build.mjs ${web_source}/tsconfig.json ${BERM_WEB}
@@ -28,3 +29,17 @@ add_custom_command(
   DEPENDS ${BERM_WEB}/node_modules/fetched ${web_sources}
   COMMENT "Bundling the report's page"
   VERBATIM)
+
+# Types are checked and the tests bundled with the tests of the program.
+if(BERM_TESTS)
+  add_custom_command(
+    OUTPUT ${BERM_WEB}/tests_built/made
+    COMMAND ${CMAKE_COMMAND} -E chdir ${BERM_WEB} ${BERM_NODE} node_modules/typescript/bin/tsc --noEmit --project .
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${BERM_WEB}/tests_built
+    COMMAND ${CMAKE_COMMAND} -E chdir ${BERM_WEB} ${BERM_NODE} build.mjs tests ${BERM_WEB}/tests_built
+    COMMAND ${CMAKE_COMMAND} -E touch ${BERM_WEB}/tests_built/made
+    DEPENDS ${BERM_WEB}/page_files.cpp ${web_sources}
+    COMMENT "Bundling the tests of the report's page"
+    VERBATIM)
+  add_custom_target(web_tests ALL DEPENDS ${BERM_WEB}/tests_built/made)
+endif()
