@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/figure.hpp"
 
-#include "output/gnuplot.hpp"
 #include "output/whole_file.hpp"
 
 #include <algorithm>
@@ -28,7 +27,7 @@ std::string curve_style(std::size_t color, std::size_t dash)
   return fmt::format("lines lw 2 lc rgb '{}' dt {}", colors[color % curve_colors], dashes[dash % curve_dashes]);
 }
 
-bool draw_figure(const std::filesystem::path& folder, const std::string& name, const Figure& figure)
+bool draw_figure(const std::filesystem::path& folder, const std::string& name, const Figure& figure, PlotFormat format)
 {
   const auto has_points = [](const FigureCurve& curve) {
     for (std::size_t k = 0; k < curve.x.size(); ++k)
@@ -53,7 +52,7 @@ bool draw_figure(const std::filesystem::path& folder, const std::string& name, c
                   "set tics nomirror textcolor rgb '#222222'\n"
                   "set key outside right top samplen 3 spacing 1.2\n{}{}\n",
                   gnuplot_text(figure.title), gnuplot_text(figure.x_label), gnuplot_text(figure.y_label), figure.more, plot);
-  return draw(folder, name, figure.width, figure.height, script);
+  return draw(folder, name, figure.width, figure.height, script, format);
 }
 
 }  // namespace berm

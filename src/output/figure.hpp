@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/numbers.hpp"
+#include "output/gnuplot.hpp"
 
-#include <filesystem>
-#include <string>
 #include <vector>
 
 namespace berm {
@@ -28,8 +26,8 @@ struct Figure {
   int width = 1000, height = 460;
 };
 
-/// Draws FOLDER/NAME.png, with the key beside the curves; its script and data go to FOLDER/plots. False, with a warning, where it could not be drawn
+/// Draws FOLDER/NAME.png or .svg, with the key beside the curves; its script and data go to FOLDER/plots. False, with a warning, where it could not be drawn
 /// (see draw) or where there is nothing to draw.
-bool draw_figure(const std::filesystem::path& folder, const std::string& name, const Figure& figure);
+bool draw_figure(const std::filesystem::path& folder, const std::string& name, const Figure& figure, PlotFormat format = PlotFormat::png);
 
 }  // namespace berm

@@ -68,29 +68,30 @@ PlotUnit force_unit(Real size)
   return size < 100 ? PlotUnit{1, "N/m"} : PlotUnit{1e-3, "kN/m"};
 }
 
-bool draw(const std::filesystem::path& folder, const std::string& name, int width, int height, const std::string& script)
+bool draw(const std::filesystem::path& folder, const std::string& name, int width, int height, const std::string& script, PlotFormat format)
 {
-  const std::filesystem::path plots = folder / "plots", messages = plots / (name + ".messages");
+  const bool vector = format == PlotFormat::svg;
+  const std::string stem = vector ? name + "_svg" : name, picture = name + (vector ? ".svg" : ".png");
+  const std::filesystem::path plots = folder / "plots", messages = plots / (stem + ".messages");
   std::error_code ignored;
   std::filesystem::create_directories(plots, ignored);  // where it cannot be made, write_whole says why
-  const std::string head =
-      fmt::format("# Draws ../{0}.png: run 'gnuplot {0}.gp' in this folder.\n"
-                  "set terminal pngcairo size {1},{2} noenhanced font 'DejaVu Sans,13' linewidth 1.2 background '#ffffff'\n"
-                  "set output '../{0}.png'\nset encoding utf8\n",
-                  name, width, height);
-  write_whole(plots / (name + ".gp"), head + script);
-  const int status = run_gnuplot(plots, name + ".gp", messages.filename().string());
+  const std::string head = fmt::format("# Draws ../{0}: run 'gnuplot {1}.gp' in this folder.\n"
+                                       "set terminal {2} size {3},{4} noenhanced font 'DejaVu Sans,13' linewidth 1.2 background '#ffffff'\n"
+                                       "set output {5}\nset encoding utf8\n",
+                                       picture, stem, vector ? "svg" : "pngcairo", width, height, gnuplot_text("../" + picture));
+  write_whole(plots / (stem + ".gp"), head + script);
+  const int status = run_gnuplot(plots, stem + ".gp", messages.filename().string());
   if (status == 0) {
     std::filesystem::remove(messages);
     return true;
   }
   if (status < 0)
-    spdlog::warn("{}.png is not drawn: the program gnuplot did not start ({}); its script is {}", name,
-                 std::generic_category().message(errno), (plots / (name + ".gp")).string());
+    spdlog::warn("{} is not drawn: the program gnuplot did not start ({}); its script is {}", picture,
+                 std::generic_category().message(errno), (plots / (stem + ".gp")).string());
   else
-    spdlog::warn("{}.png is not drawn: gnuplot says: {}", name, last_message(messages));
+    spdlog::warn("{} is not drawn: gnuplot says: {}", picture, last_message(messages));
   std::filesystem::remove(messages, ignored);
-  std::filesystem::remove(folder / (name + ".png"), ignored);
+  std::filesystem::remove(folder / picture, ignored);
   return false;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "output/frame.hpp"
+#include "output/gnuplot.hpp"
 #include "output/pipe_quantities.hpp"
 #include "output/run_folder.hpp"
 
@@ -27,9 +28,20 @@ struct SoilView {
   std::optional<Real> surface;  ///< m, level of the original surface, drawn as a dashed line
 };
 
-/// soil.png (accumulated) or soil_increment.png (since the frame before): particles as disks, or the triangles of the frame filled, coloured by
-/// their deviatoric strain; rigid bodies grey, equal axes. The colours end at the value that one particle or node in a hundred exceeds. False,
-/// with a warning, where it could not be drawn.
-bool draw_soil(const RunFolder& folder, const Frame<2>& frame, SoilColor color, const SoilView& view, const std::string& title);
+/// The view around a pipe: its axis at `x`, its lowest point at `lowest`, m.
+SoilView view_around_pipe(Real x, Real lowest, Real diameter, Real surface);
+
+/// A picture of the soil: NAME.png or NAME.svg.
+struct SoilPicture {
+  std::string name;
+  SoilColor color;
+  SoilView view;
+  std::string title;
+};
+
+/// Particles as disks, or the triangles of the frame filled, coloured by their deviatoric strain (accumulated, or since the frame before);
+/// rigid bodies grey, equal axes. The colours end at the value that one particle or node in a hundred exceeds. Script and data go to FOLDER/plots.
+/// False, with a warning, where it could not be drawn.
+bool draw_soil(const std::filesystem::path& folder, const Frame<2>& frame, const SoilPicture& picture, PlotFormat format = PlotFormat::png);
 
 }  // namespace berm

@@ -30,12 +30,12 @@ Real round_up(Real value)
 /// A picture in the making: what it shows and in which unit.
 struct Picture {
   const Frame<2>& frame;
+  const std::string& name;
   bool accumulated;
   const SoilView& view;
   PlotUnit unit;
   Vec<2> size() const { return view.upper - view.lower; }
   int plot_height() const { return std::clamp(static_cast<int>(std::lround(plot_width * size()[1] / size()[0])), 200, 1400); }
-  const char* name() const { return accumulated ? "soil" : "soil_increment"; }
   const char* word() const { return accumulated ? "accumulated" : "incremental"; }
   Real value(const FrameParticle<2>& f) const { return accumulated ? f.particle.deviatoric_strain : f.strain_increment; }
 };
@@ -141,31 +141,39 @@ std::string plot(const Picture& picture)
 {
   std::string command;
   if (picture.frame.triangles.empty()) {
-    command = fmt::format("plot '{}.dat' using 1:2:3:4 with circles lc palette", picture.name());
+    command = fmt::format("plot '{}.dat' using 1:2:3:4 with circles lc palette", picture.name);
   } else {
     const Vec<2> lower = picture.view.lower * picture.unit.per_si, size = picture.size() * picture.unit.per_si;
-    command = fmt::format("plot '{}.dat' matrix using ({:.9g}+($1+0.5)*{:.9g}):({:.9g}+($2+0.5)*{:.9g}):3 with image", picture.name(),
+    command = fmt::format("plot '{}.dat' matrix using ({:.9g}+($1+0.5)*{:.9g}):({:.9g}+($2+0.5)*{:.9g}):3 with image", picture.name,
                           lower[0], size[0] / plot_width, lower[1], size[1] / picture.plot_height());
   }
   if (!picture.frame.rigids.empty())
     command += fmt::format(", \\\n     '{0}_rigid.dat' with filledcurves closed lc rgb '#c9ccd1', '' with lines lc rgb '#33373d' lw 2",
-                           picture.name());
+                           picture.name);
   return command + '\n';
 }
 
 }  // namespace
 
-bool draw_soil(const RunFolder& folder, const Frame<2>& frame, SoilColor color, const SoilView& view, const std::string& title)
+SoilView view_around_pipe(Real x, Real lowest, Real diameter, Real surface)
 {
-  const Picture picture{frame, color == SoilColor::deviatoric_strain, view, length_unit((view.upper - view.lower).maxCoeff())};
+  return {Vec<2>(x - 2.5 * diameter, lowest - 1.2 * diameter), Vec<2>(x + 2.5 * diameter, lowest + 1.3 * diameter), surface};
+}
+
+bool draw_soil(const std::filesystem::path& folder, const Frame<2>& frame, const SoilPicture& wanted, PlotFormat format)
+{
+  const SoilView& view = wanted.view;
+  const Picture picture{frame, wanted.name, wanted.color == SoilColor::deviatoric_strain, view,
+                        length_unit((view.upper - view.lower).maxCoeff())};
   const std::vector<const FrameParticle<2>*> particles = particles_in_view(picture);
-  folder.subfolder("plots");
+  const std::filesystem::path plots = folder / "plots";
+  std::error_code ignored;
+  std::filesystem::create_directories(plots, ignored);  // where it cannot be made, write_whole says why
   if (particles.empty()) return false;
-  const std::string data = fmt::format("plots/{}", picture.name());
-  write_whole(folder.file(data + ".dat"), frame.triangles.empty() ? disks(picture, particles) : pixels(picture));
-  write_whole(folder.file(data + "_rigid.dat"), outlines(picture));
-  return draw(folder.path(), picture.name(), width, picture.plot_height() + bottom + top,
-              axes(picture, hundredth(picture, particles), title) + plot(picture));
+  write_whole(plots / (picture.name + ".dat"), frame.triangles.empty() ? disks(picture, particles) : pixels(picture));
+  write_whole(plots / (picture.name + "_rigid.dat"), outlines(picture));
+  return draw(folder, picture.name, width, picture.plot_height() + bottom + top,
+              axes(picture, hundredth(picture, particles), wanted.title) + plot(picture), format);
 }
 
 }  // namespace berm

@@ -41,6 +41,14 @@ std::string script_json(const Json& json)
   return text;
 }
 
+Json paper_json(const std::vector<RunRecord>& runs)
+{
+  Json points = Json::array();
+  for (const PaperPoint& p : paper_points(runs))
+    points.push_back({{"chart", p.chart}, {"x", p.x ? Json(*p.x) : Json(nullptr)}, {"y", p.y}, {"label", p.label}});
+  return points;
+}
+
 std::string header_of(const std::vector<RunRecord>& runs, const std::vector<std::pair<std::string, std::string>>& sections)
 {
   std::vector<std::string> names, links;
@@ -75,7 +83,7 @@ std::string report_page(std::vector<RunRecord> runs)
 {
   std::stable_sort(runs.begin(), runs.end(), finer);
 
-  Json data = {{"version", BERM_VERSION}, {"runs", Json::array()}, {"paper", paper_points(runs)}};
+  Json data = {{"version", BERM_VERSION}, {"runs", Json::array()}, {"paper", paper_json(runs)}};
   std::string blocks;
   std::size_t left = most_film_bytes;
   for (std::size_t k = runs.size(); k-- > 0;) {  // the smaller runs first: what they leave is the larger ones'

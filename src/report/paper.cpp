@@ -2,11 +2,10 @@
 #include "report/paper.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace berm {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 bool near(Real value, Real published)
 {
@@ -29,23 +28,22 @@ bool is_of_paper(const RunRecord& run)
   const Case& c = run.settings;
   const Material* material = touched_material(c);
   const auto* sand = material == nullptr ? nullptr : std::get_if<MohrCoulomb>(material);
-  if (!run.has_pipe() || sand == nullptr) return false;
-  const bool pipe = std::holds_alternative<CircleSettings>(c.rigid[main_rigid(c)].second.shape) && near(run.scale.diameter, 0.02) &&
-                    near(run.scale.gravity_level, 50);
+  if (!run.has_pipe() || sand == nullptr || c.dimension != 2) return false;
+  const bool pipe = std::holds_alternative<CircleSettings>(c.rigid[main_rigid(c)].second.shape) &&
+                    near(run.scale.diameter, paper_diameter) && near(run.scale.gravity_level, 50);
   const bool soil =
       near(sand->friction_angle, 35 * pi / 180) && sand->cohesion == 0 && near(sand->young_modulus, 7e6) && near(sand->poisson_ratio, 0.25);
   return pipe && soil && near(interface_angle(c), 23.33 * pi / 180);
 }
 
-Json paper_points(const std::vector<RunRecord>& runs)
+std::vector<PaperPoint> paper_points(const std::vector<RunRecord>& runs)
 {
-  Json points = Json::array();
-  if (std::none_of(runs.begin(), runs.end(), is_of_paper)) return points;
-  const Real D = 0.02;
-  points.push_back({{"chart", "V_w"}, {"x", 0.1 * D}, {"y", 4000.}, {"label", "paper: V = 4 kN at w = 0.1 D"}});
-  points.push_back({{"chart", "w_u"}, {"x", 0.3 * D}, {"y", 0.25 * D}, {"label", "paper: w = 0.25 D at u = 0.3 D"}});
-  points.push_back({{"chart", "H_u"}, {"x", nullptr}, {"y", 1000.}, {"label", "paper, FEM at 0.1 D: about 1 kN"}});
-  points.push_back({{"chart", "H_u"}, {"x", nullptr}, {"y", 2000.}, {"label", "paper, FEM at 0.25 D: about 2 kN"}});
+  if (std::none_of(runs.begin(), runs.end(), is_of_paper)) return {};
+  const Real D = paper_diameter;
+  std::vector<PaperPoint> points = {
+      {"V_w", paper_w_push * D, paper_V_push, fmt::format("paper: V = {:g} kN at w = {:g} D", paper_V_push / 1000, paper_w_push)},
+      {"w_u", paper_u_drag * D, paper_w_drag * D, fmt::format("paper: w = {:g} D at u = {:g} D", paper_w_drag, paper_u_drag)}};
+  for (const auto& [w, H] : paper_H_fem) points.push_back({"H_u", {}, H, fmt::format("paper, FEM at {:g} D: about {:g} kN", w, H / 1000)});
   return points;
 }
 

@@ -34,12 +34,10 @@ void draw(const RunRequest& request, const RunFolder& folder, const Model<2>& mo
   if (scale.diameter > 0) {
     const Rigid<2>& pipe = model.rigids[model.main_rigid];
     const RigidState<2>& now = rigids[model.main_rigid];
-    const Real low = lowest_level<2>(placed<2>(pipe, now)), center = center_now<2>(pipe, now)[0];
-    view.lower = Vec<2>(center - 2.5 * scale.diameter, low - 1.2 * scale.diameter);
-    view.upper = Vec<2>(center + 2.5 * scale.diameter, low + 1.3 * scale.diameter);
+    view = view_around_pipe(center_now<2>(pipe, now)[0], lowest_level<2>(placed<2>(pipe, now)), scale.diameter, model.surface);
   }
-  draw_soil(folder, last, SoilColor::deviatoric_strain, view, request.settings.title);
-  draw_soil(folder, last, SoilColor::incremental_deviatoric_strain, view, request.settings.title);
+  draw_soil(folder.path(), last, {"soil", SoilColor::deviatoric_strain, view, request.settings.title});
+  draw_soil(folder.path(), last, {"soil_increment", SoilColor::incremental_deviatoric_strain, view, request.settings.title});
 }
 void draw(const RunRequest&, const RunFolder&, const Model<3>&, const std::vector<RigidState<3>>&, const Frame<3>&, const PipeScale&) {}
 

@@ -97,8 +97,9 @@ TEST_F(Plots, the_soil_is_drawn_in_both_colourings)
 {
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
   const SoilView view{Vec<2>(0, 0), Vec<2>(0.2, 0.1), 0.09};
-  ASSERT_TRUE(draw_soil(folder, frame(), SoilColor::deviatoric_strain, view, "soil"));
-  ASSERT_TRUE(draw_soil(folder, frame(), SoilColor::incremental_deviatoric_strain, view, "increment of nothing"));
+  ASSERT_TRUE(draw_soil(folder.path(), frame(), {"soil", SoilColor::deviatoric_strain, view, "soil"}));
+  ASSERT_TRUE(
+      draw_soil(folder.path(), frame(), {"soil_increment", SoilColor::incremental_deviatoric_strain, view, "increment of nothing"}));
   EXPECT_EQ(png_size(folder.file("soil.png")).first, 1200);
   EXPECT_EQ(png_size(folder.file("soil_increment.png")).first, 1200);
 }
@@ -107,7 +108,7 @@ TEST_F(Plots, triangles_are_filled_with_the_colour_of_their_strain)
 {
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
   const SoilView view{Vec<2>(-0.1, -0.1), Vec<2>(0.3, 0.3), {}};
-  ASSERT_TRUE(draw_soil(folder, two_triangles(), SoilColor::deviatoric_strain, view, "two triangles"));
+  ASSERT_TRUE(draw_soil(folder.path(), two_triangles(), {"soil", SoilColor::deviatoric_strain, view, "two triangles"}));
   ASSERT_EQ(png_size(folder.file("soil.png")), (std::pair{1200, 1080}));
   // The view is 930 pixels wide and high, 95 from the left and 70 from the top.
   const auto color = [&](Real x, Real y) {
@@ -127,7 +128,7 @@ TEST_F(Plots, triangles_are_painted_without_gaps_as_far_as_the_middles_of_their_
   Particle<2>& middle = frame.particles[1].particle;  // of the lower side
   middle.x[1] = -0.03;
   middle.deviatoric_strain = strain(0.1, -0.03);
-  draw_soil(folder, frame, SoilColor::deviatoric_strain, {Vec<2>(-0.1, -0.1), Vec<2>(0.31, 0.3), {}}, "two triangles");
+  draw_soil(folder.path(), frame, {"soil", SoilColor::deviatoric_strain, {Vec<2>(-0.1, -0.1), Vec<2>(0.31, 0.3), {}}, "two triangles"});
   std::istringstream words(content_of(folder.file("plots/soil.dat")));
   std::string word;
   std::getline(words, word);
@@ -148,7 +149,7 @@ TEST_F(Plots, particles_outside_the_view_are_left_out)
   const SoilView left_half{Vec<2>(0, 0), Vec<2>(0.1, 0.1), {}};
   Frame<2> one = frame();
   for (auto& p : one.particles) p.particle.volume = 1e-8;
-  draw_soil(folder, one, SoilColor::deviatoric_strain, left_half, "left");
+  draw_soil(folder.path(), one, {"soil", SoilColor::deviatoric_strain, left_half, "left"});
   std::istringstream lines(content_of(folder.file("plots/soil.dat")));
   std::vector<Real> shown;  // x, mm
   for (std::string line; std::getline(lines, line);)
@@ -160,7 +161,7 @@ TEST_F(Plots, particles_outside_the_view_are_left_out)
 TEST_F(Plots, of_nothing_there_is_no_picture)
 {
   const SoilView elsewhere{Vec<2>(50, 50), Vec<2>(51, 51), {}};
-  EXPECT_FALSE(draw_soil(folder, frame(), SoilColor::deviatoric_strain, elsewhere, "nothing"));
+  EXPECT_FALSE(draw_soil(folder.path(), frame(), {"soil", SoilColor::deviatoric_strain, elsewhere, "nothing"}));
   put(folder.file("history.csv"), "time_s,stage,u_m,w_m,H_N_m,V_N_m\n");
   const History empty = read_history(folder.file("history.csv"));
   EXPECT_FALSE(draw_pipe_curves(folder, empty, scale, stages, "nothing"));
