@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "output/frame.hpp"
+#include "output/vtu.hpp"
 
+#include <array>
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -22,21 +22,21 @@ std::vector<FrameFiles> frame_files(const std::filesystem::path& frames_folder);
 
 /// A frame as it was written: in space with three coordinates, in plane strain with z = 0. Numbers in single precision.
 struct SavedSoil {
-  std::vector<float> x, y, z;                 ///< m, by point: where it is now
+  std::vector<float> x, y, z;                 ///< m, by point: where it is now; finite
   std::vector<float> velocity, displacement;  ///< three each, by point: m/s, m
   std::vector<float> mean_stress;             ///< Pa, tension positive
   std::vector<float> deviatoric_strain;       ///< accumulated
   std::vector<float> volume;                  ///< m2 in plane strain, m3 in space
-  std::vector<std::int64_t> id;
-  std::vector<std::int32_t> body;
+  std::vector<std::int32_t> id, body;
   std::vector<std::array<Index, 6>> triangles;  ///< quadratic, of points; none in MPM
 };
 
-/// The outline or surface of the rigid bodies: closed polygons of points in plane strain.
+/// The outline or surface of the rigid bodies: closed polygons and lines of points in plane strain.
 struct SavedRigids {
-  std::vector<float> x, y;                ///< m, by point
+  std::vector<float> x, y, z;             ///< m, by point; finite
   std::vector<std::vector<Index>> cells;  ///< points of each cell
-  std::vector<std::int32_t> rigid;        ///< by cell
+  std::vector<VtkCell> types;             ///< by cell
+  std::vector<std::int32_t> rigid;        ///< by cell: the number of the rigid body, as in the case
 };
 
 /// Read the files of a frame. Throw RunError, with the file's name, where a file is missing, cut off or not one of a frame.

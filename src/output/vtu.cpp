@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/vtu.hpp"
 
-#include <bit>
+#include "output/vtk_name.hpp"
+
 #include <fmt/format.h>
 
 namespace berm {
 namespace {
-
-static_assert(std::endian::native == std::endian::little, "the .vtu files say that their data is little-endian");
-
-template <class T>
-constexpr const char* vtk_name = nullptr;
-template <>
-constexpr const char* vtk_name<double> = "Float64";
-template <>
-constexpr const char* vtk_name<float> = "Float32";
-template <>
-constexpr const char* vtk_name<std::int32_t> = "Int32";
-template <>
-constexpr const char* vtk_name<std::int64_t> = "Int64";
-template <>
-constexpr const char* vtk_name<std::uint8_t> = "UInt8";
 
 template <class T>
 std::string attributes(const std::string& name, int components)

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+namespace berm {
+
+static_assert(std::endian::native == std::endian::little, "the .vtu files say that their data is little-endian");
+
+/// What VTK's XML calls a type of numbers.
+template <class T>
+constexpr const char* vtk_name = nullptr;
+template <>
+constexpr const char* vtk_name<double> = "Float64";
+template <>
+constexpr const char* vtk_name<float> = "Float32";
+template <>
+constexpr const char* vtk_name<std::int32_t> = "Int32";
+template <>
+constexpr const char* vtk_name<std::int64_t> = "Int64";
+template <>
+constexpr const char* vtk_name<std::uint8_t> = "UInt8";
+
+}  // namespace berm

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace berm {
+
+/// A tag of the XML that berm writes: no quotes or brackets within its values.
+class XmlTag {
+public:
+  explicit XmlTag(std::string_view text) : text_(text) {}
+
+  /// The value of an attribute; "" where there is none.
+  std::string operator[](const std::string& attribute) const;
+  /// The value as a whole number that is not negative; none where it is none.
+  std::optional<std::uint64_t> whole_number(const std::string& attribute) const;
+  /// The value as a finite number; none where it is none.
+  std::optional<double> number(const std::string& attribute) const;
+
+private:
+  std::string_view text_;
+};
+
+/// The tags of that name in a text, in their order; they look into the text.
+std::vector<XmlTag> xml_tags(std::string_view text, const std::string& name);
+
+}  // namespace berm
