@@ -22,9 +22,9 @@ std::string block(const FigureCurve& curve)
 
 }  // namespace
 
-std::string curve_style(std::size_t color, std::size_t dash)
+std::string curve_style(std::size_t color, std::size_t dash, Real width)
 {
-  return fmt::format("lines lw 2 lc rgb '{}' dt {}", colors[color % curve_colors], dashes[dash % curve_dashes]);
+  return fmt::format("lines lw {} lc rgb '{}' dt {}", width, colors[color % curve_colors], dashes[dash % curve_dashes]);
 }
 
 bool draw_figure(const std::filesystem::path& folder, const std::string& name, const Figure& figure, PlotFormat format)

@@ -9,7 +9,7 @@ namespace berm {
 
 /// A line's style by two numbers, below these counts: colours differ for most eyes, also in their lightness.
 constexpr std::size_t curve_colors = 8, curve_dashes = 4;
-std::string curve_style(std::size_t color, std::size_t dash);
+std::string curve_style(std::size_t color, std::size_t dash, Real width = 2);
 
 /// One line of a figure, broken where a number is NaN.
 struct FigureCurve {

@@ -45,10 +45,9 @@ void add_run(Figure& figure, const Chart& chart, const RunRecord& run, std::size
   if (curve.empty()) return;
   std::vector<Real> smooth;
   for (const Real x : curve.travel()) smooth.push_back(curve.at(x, averaging_half(run.scale)));
-  const std::string style = curve_style(number, number);
   if (run.scale.noisy)
-    figure.curves.push_back({"", style + " lw 0.4", scaled(path.*chart.x, x_unit.per_si), scaled(path.*chart.y, y_unit.per_si)});
-  figure.curves.push_back({run.name, style, scaled(curve.travel(), x_unit.per_si), scaled(smooth, y_unit.per_si)});
+    figure.curves.push_back({"", curve_style(number, 0, 0.4), scaled(path.*chart.x, x_unit.per_si), scaled(path.*chart.y, y_unit.per_si)});
+  figure.curves.push_back({run.name, curve_style(number, number), scaled(curve.travel(), x_unit.per_si), scaled(smooth, y_unit.per_si)});
 }
 
 /// A figure of all runs over one another, with what the paper states; false where no run has the curve.
@@ -85,12 +84,13 @@ Frame<2> frame_of(const SavedSoil& soil, const SavedSoil* before, const SavedRig
   for (std::size_t k = 0; k < soil.x.size(); ++k) {
     FrameParticle<2> shown{};
     shown.particle.x = Vec<2>(soil.x[k], soil.y[k]);
+    shown.displacement = Vec<2>::Zero();
     shown.particle.volume = soil.volume[k];
     shown.particle.deviatoric_strain = soil.deviatoric_strain[k];
     shown.strain_increment = before == nullptr ? 0 : std::max(0.f, soil.deviatoric_strain[k] - before->deviatoric_strain[k]);
     frame.particles.push_back(shown);
   }
-  FrameRigid<2> all{};
+  FrameRigid<2> all{{}, Vec<2>::Zero()};
   for (std::size_t k = 0; k < rigids.x.size(); ++k) all.surface.points.emplace_back(rigids.x[k], rigids.y[k]);
   for (const std::vector<Index>& cell : rigids.cells) all.surface.cells.push_back({VtkCell::polygon, cell});
   if (!rigids.cells.empty()) frame.rigids.push_back(all);

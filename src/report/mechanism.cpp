@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/mechanism.hpp"
 
+#include "bodies/rigid.hpp"
+
 #include <algorithm>
 #include <map>
 

@@ -9,7 +9,6 @@
 #include "report/paper.hpp"
 #include "report/sections.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,18 +19,6 @@ using Json = nlohmann::ordered_json;
 
 // Of all films together, as base64: the page of a study stays under 15 MB.
 constexpr std::size_t most_film_bytes = 12'000'000;
-
-Real size_of(const RunRecord& run)
-{
-  const Real particles = run.timing("particles");
-  return std::isnan(particles) ? 0 : particles;
-}
-
-bool finer(const RunRecord& a, const RunRecord& b)
-{
-  if (a.settings.method != b.settings.method) return a.settings.method == Method::mpm;
-  return size_of(a) > size_of(b);
-}
 
 /// JSON within a page: no "</script" or "<!--" can stand in it.
 std::string script_json(const Json& json)
@@ -81,8 +68,6 @@ std::string faults_of(const std::vector<RunRecord>& runs)
 
 std::string report_page(std::vector<RunRecord> runs)
 {
-  std::stable_sort(runs.begin(), runs.end(), finer);
-
   Json data = {{"version", BERM_VERSION}, {"runs", Json::array()}, {"paper", paper_json(runs)}};
   std::string blocks;
   std::size_t left = most_film_bytes;

@@ -5,7 +5,7 @@
 
 namespace berm {
 
-/// The whole page: one file that needs no other. Finest run first: by method, then by particles or nodes.
+/// The whole page, one file that needs no other; the runs in the order given.
 std::string report_page(std::vector<RunRecord> runs);
 
 }  // namespace berm

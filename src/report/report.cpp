@@ -58,6 +58,19 @@ std::vector<fs::path> run_folders(const std::vector<std::string>& names)
   return unique;
 }
 
+Real particles_of(const RunRecord& run)
+{
+  const Real count = run.timing("particles");
+  return std::isnan(count) ? 0 : count;
+}
+
+/// The order of the page: the material point method first, then by number of particles.
+bool finer(const RunRecord& a, const RunRecord& b)
+{
+  if (a.settings.method != b.settings.method) return a.settings.method == Method::mpm;
+  return particles_of(a) > particles_of(b);
+}
+
 /// The folder of a single run, or the deepest folder that holds all.
 fs::path common_folder(const std::vector<fs::path>& folders)
 {
@@ -75,6 +88,7 @@ void write_report(const ReportRequest& request)
   const fs::path page = request.output.empty() ? common_folder(folders) / page_name : fs::path(request.output);
   std::vector<RunRecord> runs;
   for (const fs::path& folder : folders) runs.push_back(read_run(folder));
+  std::stable_sort(runs.begin(), runs.end(), finer);
 
   const std::string text = report_page(runs);
   write_whole(page, text);

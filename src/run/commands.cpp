@@ -80,6 +80,13 @@ int envelope_of(const std::vector<std::string>& files, const std::string& output
   return find_envelope({read_case(file, overrides), file, folder, how, at_once}) ? 0 : 1;
 }
 
+/// Messages of commands that write no run.log.
+void messages_to_stderr()
+{
+  spdlog::set_default_logger(spdlog::stderr_color_st("berm"));
+  spdlog::set_pattern("%l: %v");
+}
+
 int dispatch(int argc, char** argv)
 {
   CLI::App app("berm pushes a pipe or cable into the seabed, drags it sideways, and says how the soil answers.", "berm");
@@ -161,20 +168,20 @@ int dispatch(int argc, char** argv)
     fmt::print("{}", markdown ? parameter_page() : parameter_table());
     return 0;
   }
-  if (report_command->parsed()) {
-    write_report(report);
-    return 0;
-  }
   if (bench->parsed()) {
     run_bench(names, json, use_threads(threads));
+    return 0;
+  }
+  if (report_command->parsed()) {
+    messages_to_stderr();
+    write_report(report);
     return 0;
   }
   if (verify_command->parsed() || study_command->parsed() || envelope_command->parsed()) {
     const int at_once = threads > 0 ? threads : processor_count();
     if (list) return list_problems(problems), 0;
     catch_interrupts();
-    spdlog::set_default_logger(spdlog::stderr_color_st("berm"));
-    spdlog::set_pattern("%l: %v");
+    messages_to_stderr();
     if (envelope_command->parsed()) return envelope_of(files, output, overrides, envelope, at_once);
     if (study_command->parsed()) return study_all(files, output, at_once);
     return verify({problems, output.empty() ? "out/verification" : output, at_once}) ? 0 : 1;
