@@ -68,6 +68,11 @@ std::string disks(const Picture& picture, const std::vector<const FrameParticle<
   return data;
 }
 
+std::string pixel_text(const Picture& picture, const Raster& raster)
+{
+  return fmt::format("# {} deviatoric strain of each pixel, a line a row, the lowest first\n", picture.word()) + raster.text();
+}
+
 /// The data of a picture of triangles: each is painted as four, between its corners and the middles of its sides.
 std::string pixels(const Picture& picture)
 {
@@ -84,7 +89,20 @@ std::string pixels(const Picture& picture)
       }
       raster.paint(corners, values);
     }
-  return fmt::format("# {} deviatoric strain of each pixel, a line a row, the lowest first\n", picture.word()) + raster.text();
+  return pixel_text(picture, raster);
+}
+
+/// Particles as pixels, each as the square of its radius: a vector graphic of a disk for every particle would be tens of megabytes.
+std::string pixels(const Picture& picture, const std::vector<const FrameParticle<2>*>& particles)
+{
+  Raster raster(picture.view.lower, picture.view.upper, plot_width, picture.plot_height());
+  for (const FrameParticle<2>* f : particles) {
+    const Real half = shown_radius(f->particle), value = picture.value(*f);
+    const Vec<2> x = f->particle.x, across(half, -half), up(half, half);
+    raster.paint({x - up, Vec<2>(x + across), Vec<2>(x + up)}, {value, value, value});
+    raster.paint({x - up, Vec<2>(x + up), Vec<2>(x - across)}, {value, value, value});
+  }
+  return pixel_text(picture, raster);
 }
 
 std::string outlines(const Picture& picture)
@@ -137,10 +155,10 @@ std::string axes(const Picture& picture, Real most, const std::string& title)
 }
 
 /// The command that draws the data.
-std::string plot(const Picture& picture)
+std::string plot(const Picture& picture, bool as_disks)
 {
   std::string command;
-  if (picture.frame.triangles.empty()) {
+  if (as_disks) {
     command = fmt::format("plot '{}.dat' using 1:2:3:4 with circles lc palette", picture.name);
   } else {
     const Vec<2> lower = picture.view.lower * picture.unit.per_si, size = picture.size() * picture.unit.per_si;
@@ -170,10 +188,13 @@ bool draw_soil(const std::filesystem::path& folder, const Frame<2>& frame, const
   std::error_code ignored;
   std::filesystem::create_directories(plots, ignored);  // where it cannot be made, write_whole says why
   if (particles.empty()) return false;
-  write_whole(plots / (picture.name + ".dat"), frame.triangles.empty() ? disks(picture, particles) : pixels(picture));
+  const bool as_disks = frame.triangles.empty() && format == PlotFormat::png;
+  write_whole(plots / (picture.name + ".dat"), as_disks                  ? disks(picture, particles)
+                                               : frame.triangles.empty() ? pixels(picture, particles)
+                                                                         : pixels(picture));
   write_whole(plots / (picture.name + "_rigid.dat"), outlines(picture));
   return draw(folder, picture.name, width, picture.plot_height() + bottom + top,
-              axes(picture, hundredth(picture, particles), wanted.title) + plot(picture), format);
+              axes(picture, hundredth(picture, particles), wanted.title) + plot(picture, as_disks), format);
 }
 
 }  // namespace berm

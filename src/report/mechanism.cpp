@@ -9,9 +9,25 @@
 namespace berm {
 namespace {
 
-constexpr Real near_pipe = 1.5;     // of D
-constexpr Real column_width = 0.1;  // of D
-constexpr Real most_of_it = 0.9;
+constexpr Real beside_pipe = 1.5, around_pipe = 4;  // of D
+constexpr Real column_width = 0.1;                  // of D
+constexpr Real a_tenth = 0.1, nine_tenths = 0.9, a_hundredth = 0.01;
+
+/// The volume of a particle's square that lies above a level.
+Real volume_above(const SavedSoil& soil, std::size_t k, Real level)
+{
+  const Real side = std::sqrt(Real(soil.volume[k]));
+  return side * std::clamp(soil.y[k] + side / 2 - level, Real(0), side);
+}
+
+/// Height of the soil above the surface by column, counted from the pipe's centre: m.
+std::map<Index, Real> columns_above(const SavedSoil& soil, Real surface, Real center, Real width)
+{
+  std::map<Index, Real> columns;
+  for (std::size_t k = 0; k < soil.x.size(); ++k)
+    columns[static_cast<Index>(std::floor((soil.x[k] - center) / width))] += volume_above(soil, k, surface) / width;
+  return columns;
+}
 
 Real start_of_pipe(const Case& c)
 {
@@ -20,46 +36,60 @@ Real start_of_pipe(const Case& c)
 
 }  // namespace
 
-Heave heave_of(const SavedSoil& soil, Real surface, const PipePlace& pipe, Real diameter)
+Heave heave_of(const SavedSoil& start, const SavedSoil& now, Real surface, const PipePlace& pipe, Real diameter)
 {
-  Heave heave{0, 0, 0};
   const Real width = column_width * diameter;
-  std::map<Index, Real> columns;  // volume above the surface, by column from the pipe's centre
-  for (std::size_t k = 0; k < soil.x.size(); ++k) {
-    if (soil.y[k] <= surface) continue;
-    const Real ahead = soil.x[k] - pipe.x, volume = soil.volume[k];
-    if (ahead > 0) heave.berm += volume;
-    if (std::abs(ahead) <= near_pipe * diameter) columns[static_cast<Index>(std::floor(ahead / width))] += volume;
-  }
-  for (const auto& [column, volume] : columns) {
+  std::map<Index, Real> columns = columns_above(now, surface, pipe.x, width);
+  for (const auto& [column, height] : columns_above(start, surface, pipe.x, width)) columns[column] -= height;
+  Heave heave{0, 0, 0};
+  const auto most = static_cast<Index>(beside_pipe / column_width);
+  for (const auto& [column, rise] : columns) {
+    if (column >= 0) heave.berm += std::max(Real(0), rise) * width;
+    if (column < -most || column >= most) continue;
     Real& highest = column < 0 ? heave.behind : heave.ahead;
-    highest = std::max(highest, volume / width);
+    highest = std::max(highest, rise);
   }
   return heave;
 }
 
-Shearing shearing_of(const SavedSoil& before, const SavedSoil& after, Real surface, const PipePlace& pipe)
+Mechanism mechanism_of(const SavedSoil& before, const SavedSoil& after, Real surface, const PipePlace& from, const PipePlace& to,
+                       Real diameter)
 {
-  Real all = 0, behind = 0, above = 0;
-  std::vector<std::pair<Real, Real>> ahead;  // distance, strain times volume
+  std::vector<std::size_t> close;
+  std::vector<Real> growth;
   for (std::size_t k = 0; k < after.x.size(); ++k) {
-    const Real part = std::max(0.f, after.deviatoric_strain[k] - before.deviatoric_strain[k]) * after.volume[k];
-    const Real distance = after.x[k] - pipe.x;
-    all += part;
-    if (distance < 0)
-      behind += part;
-    else
-      ahead.emplace_back(distance, part);
-    if (after.y[k] > surface) above += part;
+    if (std::abs(after.x[k] - to.x) > around_pipe * diameter) continue;
+    close.push_back(k);
+    growth.push_back(after.deviatoric_strain[k] - before.deviatoric_strain[k]);
+  }
+  if (close.empty()) return {0, 0, std::numeric_limits<Real>::quiet_NaN()};
+  std::vector<Real> sorted = growth;
+  std::sort(sorted.begin(), sorted.end());
+  const Real least = a_tenth * sorted[static_cast<std::size_t>((1 - a_hundredth) * static_cast<Real>(sorted.size() - 1))];
+
+  Real all = 0, behind = 0, heaped = 0, dragged = 0;
+  std::vector<std::pair<Real, Real>> ahead;  // distance, shearing
+  for (std::size_t n = 0; n < close.size(); ++n) {
+    const std::size_t k = close[n];
+    const Real distance = after.x[k] - to.x, shearing = growth[n] > least ? growth[n] * after.volume[k] : 0;
+    all += shearing;
+    if (distance < 0) {
+      behind += shearing;
+      continue;
+    }
+    ahead.emplace_back(distance, shearing);
+    if (after.y[k] <= surface) continue;
+    heaped += after.volume[k];
+    if (after.x[k] - before.x[k] >= a_tenth * (to.x - from.x)) dragged += after.volume[k];
   }
   std::sort(ahead.begin(), ahead.end());
   Real reach = 0, sum = 0;
-  for (const auto& [distance, part] : ahead) {
-    if (sum >= most_of_it * (all - behind)) break;
-    sum += part;
+  for (const auto& [distance, shearing] : ahead) {
+    if (sum >= nine_tenths * (all - behind)) break;
+    sum += shearing;
     reach = distance;
   }
-  return {behind / all, above / all, reach};
+  return {all > 0 ? behind / all : 0, reach, dragged / heaped};
 }
 
 PipeFrames::PipeFrames(const RunRecord& run)

@@ -14,24 +14,28 @@ struct PipePlace {
   Real u, w;  ///< as in the history
 };
 
-/// The soil that lies above the original surface.
+/// How the surface has risen beside the pipe.
 struct Heave {
-  Real behind, ahead;  ///< m, highest column of soil within 1.5 D of the pipe's axis, on the side x < and x > its centre
-  Real berm;           ///< m2, area of the soil above the surface ahead of the centre
+  Real behind, ahead;  ///< m, largest rise of a column of soil within 1.5 D of the pipe's axis, on the side x < and x > its centre
+  Real berm;           ///< m2, area of the soil that has risen above the surface, ahead of the centre
 };
 
-/// Columns are D/10 wide and hold the soil's volume above the `surface` (m): a grain that was thrown up counts as the soil that it is.
-Heave heave_of(const SavedSoil& soil, Real surface, const PipePlace& pipe, Real diameter);
+/// Soil above the `surface` (m) now, less that at the `start`: columns are D/10 wide, each particle a square, so that a grain that was thrown up
+/// counts for the soil that it is.
+Heave heave_of(const SavedSoil& start, const SavedSoil& now, Real surface, const PipePlace& pipe, Real diameter);
 
-/// Where soil shears between two frames.
-struct Shearing {
-  Real behind;  ///< part of the deviatoric strain (by volume) on the side x < the pipe's centre
-  Real above;   ///< part of it above the original surface
-  Real reach;   ///< m, distance ahead of the centre within which nine tenths of the part ahead lie
+/// What moves between two frames with the same points.
+struct Mechanism {
+  Real behind;  ///< part of the shearing (deviatoric strain times volume) on the side x < the pipe's centre
+  Real reach;   ///< m, distance ahead of the centre within which nine tenths of the shearing ahead lie
+  Real
+      dragged;  ///< part of the soil above the surface, ahead of the centre, that moves along by at least a tenth of the pipe's way; NaN without any
 };
 
-/// Of the growth of the accumulated deviatoric strain from one frame to another with the same points.
-Shearing shearing_of(const SavedSoil& before, const SavedSoil& after, Real surface, const PipePlace& pipe);
+/// Of the soil within 4 D of the pipe's axis. Strain of less than a tenth of what one point in a hundred exceeds there does not count: everywhere
+/// else the soil shakes a little.
+Mechanism mechanism_of(const SavedSoil& before, const SavedSoil& after, Real surface, const PipePlace& from, const PipePlace& to,
+                       Real diameter);
 
 /// A run's frames with the place of the pipe in each; none without a pipe, without frames or in space.
 class PipeFrames {

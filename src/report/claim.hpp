@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "report/html.hpp"
+#include "report/test_run.hpp"
+
+namespace berm {
+
+/// What one run says of a claim.
+struct Finding {
+  std::string run;
+  Standing standing;
+  std::string words;
+};
+
+/// A claim of the paper and what the runs say of it.
+struct Claim {
+  std::string statement, where;
+  std::vector<Finding> findings;
+  std::string why;
+};
+
+// How near is near: the paper gives its numbers with one or two digits, and berm's own depend on the mesh by some 10 %.
+constexpr Real near_enough = 0.15, not_far = 0.4;
+
+/// By the distance from the published value: good within near_enough, fair within not_far.
+Standing standing_of(Real value, Real published);
+Standing standing_if(bool holds);
+
+/// Numbers for sentences.
+std::string newtons(Real force);                         ///< "784 N/m", "2.92 kN/m"
+std::string diameters(const TestRun& run, Real length);  ///< "0.25 D"
+
+/// The claims of the paper about push and drag, and about contact, as the runs of the material point method find them.
+std::vector<Claim> claims_of_the_drag(const TestRuns& mpm);
+std::vector<Claim> claims_of_contact(const TestRuns& mpm);
+/// The claims about finite elements around a pipe wished in place, beside the material point method.
+std::vector<Claim> claims_of_finite_elements(const TestRuns& mpm, const TestRuns& fem);
+
+}  // namespace berm
