@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "formulas/design_code.hpp"
 #include "report/claim.hpp"
 #include "report/paper.hpp"
 
@@ -35,14 +36,18 @@ Claim heave_of_the_push(const TestRuns& mpm)
   Claim claim{"Soil heaves at both sides of the pipe as it is pushed in",
               "3.4",
               {},
-              "Heave is the height of the soil's columns beside the pipe above the first surface; above 0.01 D on both sides counts."};
+              "Heave is the largest rise of the surface beside the pipe. It counts where it is at least half of what the displaced soil "
+              "would make, spread "
+              "evenly over 1.5 D to both sides of the axis."};
   for (const TestRun& run : mpm) {
     const auto frame = run.frames.last(StageKind::push);
     if (!frame) continue;
-    const Heave heave = heave_of(run.frames.soil(0), run.frames.soil(*frame), run.record.settings.surface, run.frames.place(*frame), run.D);
-    claim.findings.push_back({run.record.name, standing_if(std::min(heave.behind, heave.ahead) > 0.01 * run.D),
-                              fmt::format("{} and {} high at w = {}", diameters(run, heave.behind), diameters(run, heave.ahead),
-                                          diameters(run, run.frames.place(*frame).w))});
+    const PipePlace& pipe = run.frames.place(*frame);
+    const Heave heave = heave_of(run.frames.soil(0), run.frames.soil(*frame), run.record.settings.surface, pipe, run.D);
+    const Real even = f114_penetrated_area(run.D, pipe.w) / (3 * run.D);
+    claim.findings.push_back({run.record.name, standing_if(std::min(heave.behind, heave.ahead) >= even / 2),
+                              fmt::format("{} and {} high at w = {}; spread evenly {}", diameters(run, heave.behind),
+                                          diameters(run, heave.ahead), diameters(run, pipe.w), diameters(run, even))});
   }
   return claim;
 }
