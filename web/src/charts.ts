@@ -1,7 +1,88 @@
 // SPDX-License-Identifier: BSD-3-Clause
+import { ChartView } from "./charts/chart_view";
+import { chart_controls, labelled_select } from "./charts/controls";
+import { drag_plans, push_plans } from "./charts/path_charts";
+import type { Plan } from "./charts/plan";
+import type { Settings } from "./charts/scene";
+import { column_names, contact_plans, energy_plan, free_plan, quiet_plans, runs_with_energies } from "./charts/time_charts";
 import type { PageData } from "./data";
+import { element } from "./element";
 
 /** Fills the section with the charts of all runs. */
 export function show_charts(section: HTMLElement, data: PageData): void {
-  section.dataset.runs = String(data.runs.length);
+  const settings: Settings = { units: "model", raw: true, paper: true, hidden: new Set() };
+  const views: ChartView[] = [];
+  const view = (plan: Plan, choices: HTMLElement | null = null) => {
+    const made = new ChartView(plan, settings, data.runs, choices);
+    views.push(made);
+    return made;
+  };
+  const [forces, noise] = parted([...push_plans(data), ...drag_plans(data)], (plan) => plan.id.endsWith("_noise"));
+  section.append(chart_controls(data, settings, () => views.forEach((each) => each.show(settings))));
+  const thinned = data.runs.filter((run) => run.row_step > 1).map((run) => `${run.name} (every ${run.row_step}th)`);
+  if (thinned.length > 0) section.append(element("p", { class: "quiet" }, `Not all rows of history.csv are in this page: ${thinned.join(", ")}.`));
+  section.append(
+    ...group("Push and drag", with_data(forces).map((plan) => view(plan))),
+    ...group("Energy and equilibrium", [...energy_views(data, view), ...with_data(quiet_plans(data.runs)).map((plan) => view(plan))]),
+    ...group("Contact and noise", with_data([...contact_plans(data.runs), ...noise]).map((plan) => view(plan))),
+    ...group("Any column of history.csv", free_views(data, view)),
+  );
+  section.append(element("p", { class: "quiet chart_hint" },
+    "Drag over a chart to zoom, double-click to see all of it again. Point at it, or move through it with the arrow keys, to read rows of history.csv."));
+  for (const each of views) each.show(settings);
+  follow_size(views);
+  document.addEventListener("theme", () => views.forEach((each) => each.draw()));
+}
+
+function parted<T>(all: T[], is_second: (each: T) => boolean): [T[], T[]] {
+  return [all.filter((each) => !is_second(each)), all.filter(is_second)];
+}
+
+function with_data(plans: Plan[]): Plan[] {
+  return plans.filter((plan) => plan.traces.length > 0);
+}
+
+type View = (plan: Plan, choices: HTMLElement) => ChartView;
+
+function energy_views(data: PageData, view: View): ChartView[] {
+  const runs = runs_with_energies(data.runs);
+  if (runs.length === 0) return [];
+  const names = runs.map((run, i): [string, string] => [String(i), run.name]);
+  const choice = labelled_select("Run", "chart_run", names, "0", (index) => made.set_plan(energy_plan(runs[Number(index)])));
+  const made = view(energy_plan(runs[0]), element("div", { class: "chart_choices" }, choice));
+  return [made];
+}
+
+function free_views(data: PageData, view: View): ChartView[] {
+  const columns = column_names(data.runs);
+  if (columns.length < 2) return [];
+  let argument = columns.includes("time_s") ? "time_s" : columns[0];
+  let value = columns.find((name) => /^[uw]_m$/.test(name) || name.endsWith("_vy_m_s")) ?? columns.find((name) => name !== argument)!;
+  const names = columns.map((name): [string, string] => [name, name]);
+  const show = () => made.set_plan(free_plan(data.runs, argument, value));
+  const choices = element(
+    "div", { class: "chart_choices" },
+    labelled_select("Up", "chart_value", names, value, (name) => ((value = name), show())),
+    labelled_select("across", "chart_argument", names, argument, (name) => ((argument = name), show())),
+  );
+  const made = view(free_plan(data.runs, argument, value), choices);
+  return [made];
+}
+
+function group(title: string, views: ChartView[]): HTMLElement[] {
+  if (views.length === 0) return [];
+  return [element("h3", {}, title), element("div", { class: "chart_group" }, ...views.map((each) => each.figure))];
+}
+
+/** Charts are as wide as their place, whenever that changes. */
+function follow_size(views: ChartView[]): void {
+  const widths = new Map<Element, number>();
+  const observer = new ResizeObserver((entries) => {
+    for (const { target, contentRect } of entries) {
+      if (widths.get(target) === Math.floor(contentRect.width)) continue;
+      widths.set(target, Math.floor(contentRect.width));
+      views.find((each) => each.figure === target)?.draw();
+    }
+  });
+  for (const each of views) observer.observe(each.figure);
 }

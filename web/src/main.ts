@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { page_data } from "./data";
 import { show_charts } from "./charts";
+import { serve_copy_buttons } from "./copy";
 import { show_films } from "./films";
+import { open_details_in_print } from "./print";
+import { follow_theme } from "./theme";
 
 const data = page_data();
+follow_theme();
+serve_copy_buttons();
+open_details_in_print();
 show_charts(document.getElementById("curves")!, data);
 show_films(document.getElementById("soil")!, data);

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import { svg_element } from "../element";
+import type { View } from "./plot";
+import type { Line, Mark, Scene, SceneAxis } from "./scene";
+import { ticks_of } from "./ticks";
+import type { Range } from "./ticks";
+
+// The figure's plotting area, px.
+const area = { left: 74, top: 16, width: 520, height: 340 };
+const legend_step = 18;
+const ink = "#1a1a1a", faint = "#dddddd", paper_ink = "#7a1f5c";
+const weights = { raw: 0.7, plain: 1.6, mean: 1.9 };
+
+type To = (value: number) => number;
+
+/** A drawing of the scene that stands alone: axes, lines, marks and legend, black on white, as a file of SVG. */
+export function figure_svg(scene: Scene, view: View): string {
+  const height = area.top + area.height + 62 + legend_step * scene.traces.length;
+  const width = area.left + area.width + 22;
+  const x = place(view.x, scene.x, area.left, area.width, false);
+  const y = place(view.y, scene.y, area.top, area.height, true);
+  const clip = svg_element("clipPath", { id: "area" }, svg_element("rect", { x: area.left, y: area.top, width: area.width, height: area.height }));
+  const drawn = svg_element("g", { "clip-path": "url(#area)", fill: "none" });
+  for (const line of scene.lines) drawn.append(line_path(line, x, y));
+  for (const mark of scene.marks) drawn.append(mark_group(mark, x, y));
+  const figure = svg_element(
+    "svg",
+    { xmlns: "http://www.w3.org/2000/svg", width, height, viewBox: `0 0 ${width} ${height}`, "font-family": "Helvetica, Arial, 'DejaVu Sans', sans-serif", "font-size": 13, fill: ink },
+    svg_element("title", {}, scene.plan.title),
+    svg_element("defs", {}, clip),
+    svg_element("rect", { width, height, fill: "#ffffff" }),
+    axis_group(scene.x, view.x, x, true),
+    axis_group(scene.y, view.y, y, false),
+    drawn,
+    svg_element("rect", { x: area.left, y: area.top, width: area.width, height: area.height, fill: "none", stroke: ink }),
+    legend(scene),
+  );
+  return `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(figure)}\n`;
+}
+
+/** Where a value lies on an axis, px. */
+function place([low, high]: Range, axis: SceneAxis, start: number, length: number, vertical: boolean): To {
+  const of = (value: number) => (axis.logarithmic ? Math.log10(value) : value);
+  const turned = vertical !== axis.downwards;
+  return (value) => {
+    const part = (of(value) - of(low)) / (of(high) - of(low));
+    return rounded(start + length * (turned ? 1 - part : part));
+  };
+}
+
+function rounded(value: number): number {
+  return Math.round(100 * value) / 100;
+}
+
+function line_path(line: Line, x: To, y: To): SVGPathElement {
+  let path = "", pen_down = false;
+  line.x.forEach((at, i) => {
+    const value = line.y[i];
+    if (at !== null && value !== null) path += `${pen_down ? "L" : "M"}${x(at)} ${y(value)}`;
+    pen_down = at !== null && value !== null;
+  });
+  return svg_element("path", {
+    d: path, stroke: line.style.colour.light, "stroke-width": weights[line.weight], "stroke-linejoin": "round",
+    "stroke-dasharray": line.weight === "raw" ? null : line.style.dash.join(" ") || null, "stroke-opacity": line.weight === "raw" ? 0.5 : null,
+  });
+}
+
+function axis_group(axis: SceneAxis, range: Range, to: To, horizontal: boolean): SVGGElement {
+  const group = svg_element("g", { class: "axis" });
+  const { at, labels } = ticks_of(range, axis.logarithmic, horizontal ? 6 : 7);
+  const bottom = area.top + area.height, right = area.left + area.width;
+  at.forEach((value, i) => {
+    const p = to(value);
+    const line = (x1: number, y1: number, x2: number, y2: number, stroke: string) => svg_element("line", { x1, y1, x2, y2, stroke });
+    group.append(
+      horizontal ? line(p, area.top, p, bottom, faint) : line(area.left, p, right, p, faint),
+      horizontal ? line(p, bottom, p, bottom - 5, ink) : line(area.left, p, area.left + 5, p, ink),
+      horizontal
+        ? svg_element("text", { x: p, y: bottom + 17, "text-anchor": "middle" }, labels[i])
+        : svg_element("text", { x: area.left - 6, y: p, "text-anchor": "end", dy: "0.35em" }, labels[i]),
+    );
+  });
+  const middle = area.top + area.height / 2;
+  group.append(
+    horizontal
+      ? svg_element("text", { class: "title", x: area.left + area.width / 2, y: bottom + 40, "text-anchor": "middle" }, axis.title)
+      : svg_element("text", { class: "title", x: 16, y: middle, "text-anchor": "middle", transform: `rotate(-90 16 ${middle})` }, axis.title),
+  );
+  return group;
+}
+
+function mark_group(mark: Mark, to_x: To, to_y: To): SVGGElement {
+  const colour = mark.of_paper ? paper_ink : "#666666";
+  const x = mark.x === null ? null : to_x(mark.x), y = mark.y === null ? null : to_y(mark.y);
+  const right = area.left + area.width;
+  // About what the text takes: the reader's fonts are not known.
+  const fits = x !== null && x + 10 + 6 * mark.label.length < right;
+  const text = (at_x: number, at_y: number, anchor: string) =>
+    svg_element("text", { x: at_x, y: at_y, "text-anchor": anchor, "font-size": 11, fill: colour, stroke: "#ffffff", "stroke-width": 3, "paint-order": "stroke" }, mark.label);
+  const group = svg_element("g", { stroke: colour });
+  if (x !== null && y !== null)
+    group.append(
+      svg_element("path", { d: `M${x} ${y - 5}L${x + 5} ${y}L${x} ${y + 5}L${x - 5} ${y}Z`, fill: "#ffffff", "stroke-width": 1.3 }),
+      text(x + (fits ? 9 : -9), y + 4, fits ? "start" : "end"),
+    );
+  else if (y !== null)
+    group.append(svg_element("line", { x1: area.left, x2: right, y1: y, y2: y, "stroke-dasharray": "4 4" }), text(right - 5, y - 4, "end"));
+  else if (x !== null)
+    group.append(
+      svg_element("line", { x1: x, x2: x, y1: area.top, y2: area.top + area.height, "stroke-dasharray": "2 3" }),
+      text(x + (fits ? 4 : -4), area.top + 14, fits ? "start" : "end"),
+    );
+  return group;
+}
+
+function legend(scene: Scene): SVGGElement {
+  const group = svg_element("g", { class: "legend" });
+  scene.traces.forEach((trace, i) => {
+    const y = area.top + area.height + 62 + legend_step * i;
+    const dash = trace.style.dash.join(" ") || null;
+    group.append(
+      svg_element("line", { x1: area.left, x2: area.left + 36, y1: y, y2: y, stroke: trace.style.colour.light, "stroke-width": 2, "stroke-dasharray": dash }),
+      svg_element("text", { x: area.left + 44, y, dy: "0.35em" }, trace.label),
+    );
+  });
+  return group;
+}

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What is seen over the pipe's path: forces and embedment in the push and in the drag.
+import type { PageData, PathData, RunData } from "../data";
+import { at_rows, combined, paper_marks, plan, run_traces } from "./plan";
+import type { Curve, Numbers, Plan } from "./plan";
+import { quantity_of_column, ratio } from "./quantity";
+import type { Quantity } from "./quantity";
+
+const embedment = quantity_of_column("w_m");
+const vertical = quantity_of_column("V_N_m");
+const horizontal = quantity_of_column("H_N_m");
+const travel: Quantity = { words: "horizontal travel", symbol: "u", kind: "length", unit: "m" };
+const travel_column = "|u_m - u_begin|";
+
+type CurveOf = (run: RunData) => Curve | null;
+
+/** The charts of the push. */
+export function push_plans(data: PageData): Plan[] {
+  const traces = (curve: CurveOf) => run_traces(data.runs, curve);
+  const over_depth = (run: RunData, value: Numbers | null, value_column: string, mean: Numbers | null) =>
+    curve_of(run, run.push, at_rows(run, "w_m", run.push.rows), "w_m", value, value_column, mean);
+  return [
+    plan({
+      id: "V_w", title: "Push: V(w)", argument: embedment, value: vertical, upright: true, zero: true,
+      traces: traces((run) => over_depth(run, at_rows(run, "V_N_m", run.push.rows), "V_N_m", run.push.V_mean)),
+      marks: paper_marks(data.paper, "V_w"),
+    }),
+    plan({
+      id: "V_noise", title: "Noise of V in the push", argument: embedment, value: { ...vertical, words: "vertical reaction less its mean", symbol: "\u0394V" },
+      traces: traces((run) => over_depth(run, noise(at_rows(run, "V_N_m", run.push.rows), run.push.V_mean), "V_N_m - V_mean", null)),
+    }),
+  ];
+}
+
+/** The charts of the drag. */
+export function drag_plans(data: PageData): Plan[] {
+  const traces = (curve: CurveOf) => run_traces(data.runs, curve);
+  const over_travel = (run: RunData, value: Numbers | null, value_column: string, mean: Numbers | null) =>
+    curve_of(run, run.drag, travelled(run), travel_column, value, value_column, mean);
+  const column = (run: RunData, name: string) => at_rows(run, name, run.drag.rows);
+  const common = { argument: travel, zero: true };
+  return [
+    plan({
+      ...common, id: "H_u", title: "Drag: H(u)", value: horizontal,
+      traces: traces((run) => over_travel(run, column(run, "H_N_m"), "H_N_m", run.drag.H_mean)),
+      marks: paper_marks(data.paper, "H_u"),
+    }),
+    plan({
+      ...common, id: "w_u", title: "Drag: w(u)", value: embedment, value_downwards: true,
+      traces: traces((run) => over_travel(run, column(run, "w_m"), "w_m", null)),
+      marks: paper_marks(data.paper, "w_u"),
+    }),
+    plan({
+      ...common, id: "H_over_V", title: "Drag: H/V", value: ratio("ratio of forces", "H/V"),
+      traces: traces((run) =>
+        over_travel(run, quotient(column(run, "H_N_m"), column(run, "V_N_m")), "H_N_m/V_N_m", quotient(run.drag.H_mean, run.drag.V_mean))),
+    }),
+    plan({
+      id: "H_V", title: "Drag: path of H against V", argument: vertical, value: horizontal, zero: true, in_plane: true,
+      traces: traces((run) => curve_of(run, run.drag, run.drag.V_mean, "V_mean", run.drag.H_mean, "H_mean", null)),
+    }),
+    plan({
+      ...common, id: "H_noise", title: "Noise of H in the drag", zero: false, value: { ...horizontal, words: "horizontal resistance less its mean", symbol: "\u0394H" },
+      traces: traces((run) => over_travel(run, noise(column(run, "H_N_m"), run.drag.H_mean), "H_N_m - H_mean", null)),
+    }),
+  ];
+}
+
+function curve_of(
+  run: RunData, path: PathData, argument: Numbers | null, argument_column: string, value: Numbers | null, value_column: string, mean: Numbers | null,
+): Curve | null {
+  if (run.diameter === null || argument === null || value === null) return null;
+  return { rows: path.rows, argument, value, mean, argument_column, value_column };
+}
+
+function travelled(run: RunData): Numbers | null {
+  const u = at_rows(run, "u_m", run.drag.rows);
+  return u === null ? null : u.map((each) => (each === null ? null : Math.abs(each - run.drag.u_begin)));
+}
+
+function noise(values: Numbers | null, mean: Numbers): Numbers | null {
+  return values === null ? null : combined(values, mean, (value, smooth) => value - smooth);
+}
+
+/** a / b, where b is more than a hundredth of its largest: what is left of a force says nothing. */
+function quotient(a: Numbers | null, b: Numbers | null): Numbers | null {
+  if (a === null || b === null) return null;
+  const least = 0.01 * Math.max(...b.map((each) => Math.abs(each ?? 0)));
+  return combined(a, b, (above, below) => (Math.abs(below) > least ? above / below : NaN));
+}

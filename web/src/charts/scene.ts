@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import type { RunData } from "../data";
+import type { Numbers, Plan, Trace } from "./plan";
+import type { RunStyle } from "./run_style";
+import type { Range } from "./ticks";
+import { axis_title, short_title, unit_of } from "./units";
+import type { Unit, UnitSystem } from "./units";
+
+/** What the controls above the charts say. */
+export interface Settings {
+  units: UnitSystem;
+  /** Every row as it was computed, beside what is freed from noise. */
+  raw: boolean;
+  paper: boolean;
+  hidden: Set<RunData>;
+}
+
+export interface SceneAxis {
+  title: string;
+  /** The title without words. */
+  short: string;
+  unit: Unit;
+  logarithmic: boolean;
+  downwards: boolean;
+  /** Holds all that is drawn. */
+  full: Range;
+}
+
+/** A line to be drawn: numbers in the units of the axes. */
+export interface Line {
+  /** Of `traces`. */
+  trace: number;
+  x: Numbers;
+  y: Numbers;
+  weight: "raw" | "plain" | "mean";
+  style: RunStyle;
+}
+
+/** A point; a level where x or y is null. */
+export interface Mark {
+  x: number | null;
+  y: number | null;
+  label: string;
+  of_paper: boolean;
+}
+
+/** A plan in units, without what is switched off: all that is needed to draw it, on the page or in a file. */
+export interface Scene {
+  plan: Plan;
+  x: SceneAxis;
+  y: SceneAxis;
+  traces: Trace[];
+  lines: Line[];
+  marks: Mark[];
+}
+
+/** The axis on which the plan's argument (or value) stands. */
+export function argument_axis(scene: Scene): SceneAxis {
+  return scene.plan.upright ? scene.y : scene.x;
+}
+export function value_axis(scene: Scene): SceneAxis {
+  return scene.plan.upright ? scene.x : scene.y;
+}
+
+export function scaled(values: Numbers, factor: number): Numbers {
+  return values.map((value) => (value === null ? null : value * factor));
+}
+
+function largest(lists: Numbers[]): number {
+  return lists.reduce((most, list) => list.reduce<number>((found, value) => Math.max(found, Math.abs(value ?? 0)), most), 0);
+}
+
+export function make_scene(plan: Plan, settings: Settings, runs: RunData[]): Scene {
+  const all = plan.traces;
+  const argument = unit_of(settings.units, plan.argument, largest(all.map((trace) => trace.argument)), runs);
+  const value = unit_of(settings.units, plan.value, largest(all.map((trace) => trace.value)), runs);
+  const traces = all.filter(
+    ({ run }) => argument.factor(run) !== null && value.factor(run) !== null && !(plan.by_run && settings.hidden.has(run)),
+  );
+  const lines = traces.flatMap((trace, index) => trace_lines(trace, index, settings.raw, plan.upright, argument, value));
+  const reference = runs.find((run) => run.diameter !== null) ?? runs[0];
+  const marks = plan.marks
+    .filter((mark) => settings.paper || !mark.of_paper)
+    .map((mark) => {
+      const along = mark.argument === null ? null : mark.argument * argument.factor(reference)!;
+      const of = mark.value === null ? null : mark.value * value.factor(reference)!;
+      const made_with = mark.of_paper && value.divisor !== "" && differs(value, runs) ? ` (with D, \u03b3\u2032 of ${reference.name})` : "";
+      return { x: plan.upright ? of : along, y: plan.upright ? along : of, label: mark.label + made_with, of_paper: mark.of_paper };
+    });
+  const axis = (which: "x" | "y"): SceneAxis => {
+    const is_argument = (which === "y") === plan.upright;
+    const [quantity, unit] = is_argument ? [plan.argument, argument] : [plan.value, value];
+    const logarithmic = plan.logarithmic && !is_argument;
+    const numbers = [...lines.map((line) => line[which]), marks.map((mark) => mark[which])];
+    return {
+      title: axis_title(quantity, unit),
+      short: short_title(quantity, unit),
+      unit,
+      logarithmic,
+      downwards: is_argument ? plan.upright : plan.value_downwards,
+      full: logarithmic ? decades(numbers) : full_range(numbers, plan.zero),
+    };
+  };
+  return { plan, x: axis("x"), y: axis("y"), traces, lines, marks };
+}
+
+function trace_lines(trace: Trace, index: number, raw: boolean, upright: boolean, argument: Unit, value: Unit): Line[] {
+  const along = scaled(trace.argument, argument.factor(trace.run)!);
+  const line = (values: Numbers, weight: Line["weight"]): Line => {
+    const of = scaled(values, value.factor(trace.run)!);
+    return { trace: index, x: upright ? of : along, y: upright ? along : of, weight, style: trace.style };
+  };
+  if (trace.mean === null) return [line(trace.value, "plain")];
+  return raw ? [line(trace.value, "raw"), line(trace.mean, "mean")] : [line(trace.mean, "mean")];
+}
+
+function differs(unit: Unit, runs: RunData[]): boolean {
+  const factors = runs.flatMap((run) => unit.factor(run) ?? []);
+  return factors.some((factor) => Math.abs(factor - factors[0]) > 1e-9 * factors[0]);
+}
+
+function extremes(lists: Numbers[]): [number, number] {
+  let low = Infinity, high = -Infinity;
+  for (const list of lists)
+    for (const value of list) if (value !== null) (low = Math.min(low, value)), (high = Math.max(high, value));
+  return [low, high];
+}
+
+/** With a margin, but none beyond zero where the range ends there. */
+function full_range(lists: Numbers[], zero: boolean): Range {
+  let [low, high] = extremes(lists);
+  if (low > high) return [0, 1];
+  if (zero) [low, high] = [Math.min(low, 0), Math.max(high, 0)];
+  if (high === low) return high === 0 ? [0, 1] : [low - 0.1 * Math.abs(low), high + 0.1 * Math.abs(high)];
+  const margin = 0.04 * (high - low);
+  return [low === 0 ? 0 : low - margin, high === 0 ? 0 : high + margin];
+}
+
+// As many powers of ten as are shown below the largest number; the rest is seen where one zooms.
+const most_decades = 8;
+
+function decades(lists: Numbers[]): Range {
+  const [low, high] = extremes(lists);
+  if (low > high) return [0.1, 1];
+  const top = high * 1.5;
+  return [Math.max(low / 1.5, top / 10 ** most_decades), top];
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import { argument_axis, value_axis } from "./scene";
+import type { Scene } from "./scene";
+import { time_of } from "./readout";
+
+/** All rows of the shown traces, unrounded, in the units of the axes. */
+export function table_csv(scene: Scene): string {
+  const argument = argument_axis(scene), value = value_axis(scene);
+  const has_mean = scene.traces.some((trace) => trace.mean !== null);
+  const lines: (string | number | null)[][] = [
+    [...(scene.plan.by_run ? ["run"] : ["run", "of"]), "row", "stage", "time (s)", argument.title, value.title, ...(has_mean ? [`${value.title}, freed from noise`] : [])],
+  ];
+  for (const trace of scene.traces) {
+    const along = argument.unit.factor(trace.run)!, of = value.unit.factor(trace.run)!;
+    const times = (number: number | null | undefined, factor: number) => (number === null || number === undefined ? null : number * factor);
+    trace.rows.forEach((row, i) => {
+      lines.push([
+        ...(scene.plan.by_run ? [trace.run.name] : [trace.run.name, trace.label]),
+        row * trace.run.row_step,
+        trace.run.stage[row],
+        time_of(trace, i),
+        times(trace.argument[i], along),
+        times(trace.value[i], of),
+        ...(has_mean ? [times(trace.mean?.[i], of)] : []),
+      ]);
+    });
+  }
+  return lines.map((line) => line.map(field).join(",") + "\n").join("");
+}
+
+function field(value: string | number | null): string {
+  const text = value === null ? "" : String(value);
+  return /[",\r\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text;
+}
