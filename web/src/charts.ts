@@ -23,12 +23,14 @@ export function show_charts(section: HTMLElement, data: PageData): void {
   if (thinned.length > 0) section.append(element("p", { class: "quiet" }, `Not all rows of history.csv are in this page: ${thinned.join(", ")}.`));
   section.append(
     ...group("Push and drag", with_data(forces).map((plan) => view(plan))),
-    ...group("Energy and equilibrium", [...energy_views(data, view), ...with_data(quiet_plans(data.runs)).map((plan) => view(plan))]),
-    ...group("Contact and noise", with_data([...contact_plans(data.runs), ...noise]).map((plan) => view(plan))),
+    ...group("Energy, equilibrium, contact and noise", [
+      ...energy_views(data, view),
+      ...with_data([...quiet_plans(data.runs), ...contact_plans(data.runs), ...noise]).map((plan) => view(plan)),
+    ]),
     ...group("Any column of history.csv", free_views(data, view)),
   );
   section.append(element("p", { class: "quiet chart_hint" },
-    "Drag over a chart to zoom, double-click to see all of it again. Point at it, or move through it with the arrow keys, to read rows of history.csv."));
+    "Drag over a chart to zoom, double-click to see all of it again. Point at it, or move through it with the arrow keys, to read rows of history.csv; \"mean\" is freed from noise, over 0.01 D of travel to either side."));
   for (const each of views) each.show(settings);
   follow_size(views);
   document.addEventListener("theme", () => views.forEach((each) => each.draw()));

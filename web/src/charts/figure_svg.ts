@@ -22,7 +22,7 @@ export function figure_svg(scene: Scene, view: View): string {
   const clip = svg_element("clipPath", { id: "area" }, svg_element("rect", { x: area.left, y: area.top, width: area.width, height: area.height }));
   const drawn = svg_element("g", { "clip-path": "url(#area)", fill: "none" });
   for (const line of scene.lines) drawn.append(line_path(line, x, y));
-  for (const mark of scene.marks) drawn.append(mark_group(mark, x, y));
+  scene.marks.forEach((mark, index) => drawn.append(mark_group(mark, index, x, y)));
   const figure = svg_element(
     "svg",
     { xmlns: "http://www.w3.org/2000/svg", width, height, viewBox: `0 0 ${width} ${height}`, "font-family": "Helvetica, Arial, 'DejaVu Sans', sans-serif", "font-size": 13, fill: ink },
@@ -89,7 +89,7 @@ function axis_group(axis: SceneAxis, range: Range, to: To, horizontal: boolean):
   return group;
 }
 
-function mark_group(mark: Mark, to_x: To, to_y: To): SVGGElement {
+function mark_group(mark: Mark, index: number, to_x: To, to_y: To): SVGGElement {
   const colour = mark.of_paper ? paper_ink : "#666666";
   const x = mark.x === null ? null : to_x(mark.x), y = mark.y === null ? null : to_y(mark.y);
   const right = area.left + area.width;
@@ -104,11 +104,11 @@ function mark_group(mark: Mark, to_x: To, to_y: To): SVGGElement {
       text(x + (fits ? 9 : -9), y + 4, fits ? "start" : "end"),
     );
   else if (y !== null)
-    group.append(svg_element("line", { x1: area.left, x2: right, y1: y, y2: y, "stroke-dasharray": "4 4" }), text(right - 5, y - 4, "end"));
+    group.append(svg_element("line", { x1: area.left, x2: right, y1: y, y2: y, "stroke-dasharray": "4 4" }), text(right - 5, y + (y - area.top > 18 ? -4 : 14), "end"));
   else if (x !== null)
     group.append(
       svg_element("line", { x1: x, x2: x, y1: area.top, y2: area.top + area.height, "stroke-dasharray": "2 3" }),
-      text(x + (fits ? 4 : -4), area.top + 14, fits ? "start" : "end"),
+      text(x + (fits ? 4 : -4), area.top + 14 + 14 * (index % 4), fits ? "start" : "end"),
     );
   return group;
 }

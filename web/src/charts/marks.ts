@@ -3,7 +3,7 @@ import type uPlot from "uplot";
 import { page_colour } from "../theme";
 import type { Mark, Scene } from "./scene";
 
-/** Draws the scene's points and levels over its lines, with labels inside the plotting area. */
+/** Draws the scene's points and levels over its lines, with labels inside the plotting area; those of levels along y one below the other, for they may be near each other. */
 export function draw_marks(u: uPlot, scene: Scene): void {
   const { ctx, bbox } = u;
   const px = devicePixelRatio;
@@ -13,14 +13,14 @@ export function draw_marks(u: uPlot, scene: Scene): void {
   ctx.clip();
   ctx.font = `${11 * px}px system-ui, "DejaVu Sans", sans-serif`;
   ctx.lineWidth = 1.25 * px;
-  for (const mark of scene.marks) {
+  scene.marks.forEach((mark, index) => {
     ctx.strokeStyle = ctx.fillStyle = page_colour(mark.of_paper ? "--paper" : "--quiet");
-    draw_mark(u, mark, px);
-  }
+    draw_mark(u, mark, index, px);
+  });
   ctx.restore();
 }
 
-function draw_mark(u: uPlot, mark: Mark, px: number): void {
+function draw_mark(u: uPlot, mark: Mark, index: number, px: number): void {
   const { ctx, bbox } = u;
   const x = mark.x === null ? null : u.valToPos(mark.x, "x", true);
   const y = mark.y === null ? null : u.valToPos(mark.y, "y", true);
@@ -42,14 +42,15 @@ function draw_mark(u: uPlot, mark: Mark, px: number): void {
     ctx.moveTo(bbox.left, y);
     ctx.lineTo(bbox.left + bbox.width, y);
     ctx.stroke();
-    write(ctx, mark.label, bbox.left + bbox.width - 4 * px, y - 3 * px, "right", "bottom", px);
+    const above = y - bbox.top > 18 * px;
+    write(ctx, mark.label, bbox.left + bbox.width - 4 * px, y + (above ? -3 : 4) * px, "right", above ? "bottom" : "top", px);
   } else if (x !== null) {
     ctx.setLineDash([2 * px, 3 * px]);
     ctx.moveTo(x, bbox.top);
     ctx.lineTo(x, bbox.top + bbox.height);
     ctx.stroke();
     const right = x + 4 * px + ctx.measureText(mark.label).width < bbox.left + bbox.width;
-    write(ctx, mark.label, x + (right ? 4 : -4) * px, bbox.top + 4 * px, right ? "left" : "right", "top", px);
+    write(ctx, mark.label, x + (right ? 4 : -4) * px, bbox.top + (4 + 14 * (index % 4)) * px, right ? "left" : "right", "top", px);
   }
 }
 

@@ -57,7 +57,7 @@ export function drag_plans(data: PageData): Plan[] {
     }),
     plan({
       id: "H_V", title: "Drag: path of H against V", argument: vertical, value: horizontal, zero: true, in_plane: true,
-      traces: traces((run) => curve_of(run, run.drag, run.drag.V_mean, "V_mean", run.drag.H_mean, "H_mean", null)),
+      traces: data.runs.some((run) => V_varies(run.drag)) ? traces((run) => curve_of(run, run.drag, run.drag.V_mean, "V_mean", run.drag.H_mean, "H_mean", null)) : [],
     }),
     plan({
       ...common, id: "H_noise", title: "Noise of H in the drag", zero: false, value: { ...horizontal, words: "horizontal resistance less its mean", symbol: "\u0394H" },
@@ -71,6 +71,12 @@ function curve_of(
 ): Curve | null {
   if (run.diameter === null || argument === null || value === null) return null;
   return { rows: path.rows, argument, value, mean, argument_column, value_column };
+}
+
+/** Where V is held in all drags the path of forces is an upright line, which says nothing. */
+function V_varies(path: PathData): boolean {
+  const V = path.V_mean.filter((each) => each !== null);
+  return V.length > 0 && Math.min(...V) < 0.75 * Math.max(...V);
 }
 
 function travelled(run: RunData): Numbers | null {

@@ -10,8 +10,9 @@ import { five_digits } from "./ticks";
 export function readout(scene: Scene, picked: (number | null)[]): HTMLTableElement {
   const argument = argument_axis(scene), value = value_axis(scene);
   const has_mean = scene.traces.some((trace) => trace.mean !== null);
-  const heads = ["row", "time (s)", argument.short, value.short, ...(has_mean ? [`${value.short}, freed from noise`] : [])];
-  const head = element("tr", {}, element("th", { scope: "col" }, scene.plan.by_run ? "run" : ""));
+  const over_time = scene.plan.argument.kind === "time";
+  const heads = ["time (s)", ...(over_time ? [] : [argument.short]), value.short, ...(has_mean ? [`${value.short}, mean`] : [])];
+  const head = element("tr", {}, element("th", { scope: "col" }, scene.plan.by_run ? "run" : ""), element("th", { scope: "col", class: "number chart_row" }, "row"));
   for (const text of heads) head.append(element("th", { scope: "col", class: "number" }, text));
   const body = element("tbody");
   scene.traces.forEach((trace, index) => {
@@ -20,7 +21,7 @@ export function readout(scene: Scene, picked: (number | null)[]): HTMLTableEleme
     const row = element("tr", {}, name);
     body.append(row);
     if (at === null || at === undefined) {
-      for (const _ of heads) row.append(element("td", { class: "number" }, "\u2013"));
+      for (const text of ["row", ...heads]) row.append(element("td", { class: text === "row" ? "number chart_row" : "number" }, "\u2013"));
       return;
     }
     const history_row = trace.rows[at] * trace.run.row_step;
@@ -30,9 +31,9 @@ export function readout(scene: Scene, picked: (number | null)[]): HTMLTableEleme
         { class: "number", "data-run": trace.run.name, "data-row": history_row, "data-column": column, "data-value": si },
         si === null ? "\u2013" : five_digits(si * factor),
       ));
-    row.append(element("td", { class: "number quiet" }, String(history_row)));
+    row.append(element("td", { class: "number quiet chart_row" }, String(history_row)));
     cell("time_s", time_of(trace, at), 1);
-    cell(trace.argument_column, trace.argument[at], argument.unit.factor(trace.run)!);
+    if (!over_time) cell(trace.argument_column, trace.argument[at], argument.unit.factor(trace.run)!);
     cell(trace.value_column, trace.value[at], value.unit.factor(trace.run)!);
     if (has_mean) cell(`${trace.value_column} mean`, trace.mean?.[at] ?? null, value.unit.factor(trace.run)!);
   });

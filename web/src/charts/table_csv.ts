@@ -7,8 +7,9 @@ import { time_of } from "./readout";
 export function table_csv(scene: Scene): string {
   const argument = argument_axis(scene), value = value_axis(scene);
   const has_mean = scene.traces.some((trace) => trace.mean !== null);
+  const over_time = scene.plan.argument.kind === "time";
   const lines: (string | number | null)[][] = [
-    [...(scene.plan.by_run ? ["run"] : ["run", "of"]), "row", "stage", "time (s)", argument.title, value.title, ...(has_mean ? [`${value.title}, freed from noise`] : [])],
+    [...(scene.plan.by_run ? ["run"] : ["run", "of"]), "row", "stage", "time (s)", ...(over_time ? [] : [argument.title]), value.title, ...(has_mean ? [`${value.title}, freed from noise`] : [])],
   ];
   for (const trace of scene.traces) {
     const along = argument.unit.factor(trace.run)!, of = value.unit.factor(trace.run)!;
@@ -19,7 +20,7 @@ export function table_csv(scene: Scene): string {
         row * trace.run.row_step,
         trace.run.stage[row],
         time_of(trace, i),
-        times(trace.argument[i], along),
+        ...(over_time ? [] : [times(trace.argument[i], along)]),
         times(trace.value[i], of),
         ...(has_mean ? [times(trace.mean?.[i], of)] : []),
       ]);

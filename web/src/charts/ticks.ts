@@ -26,7 +26,7 @@ function multiples(low: number, high: number, count: number): Ticks {
   const step = tick_step(high - low, count);
   const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
   const largest = Math.max(Math.abs(low), Math.abs(high));
-  const plain = decimals <= 6 && largest < 1e7;
+  const plain = decimals <= 4 && largest < 1e6;
   const at: number[] = [];
   for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i) at.push(Number((i * step).toPrecision(12)));
   return { at, labels: at.map((value) => signed(plain ? value.toFixed(decimals) : short_exponent(value))) };
@@ -60,9 +60,10 @@ function signed(text: string): string {
   return text.replace("-", "\u2212");
 }
 
-/** A number to five digits, as it may be copied into a table. */
+/** A number to five digits, as a table of numbers may be read in by other programs. */
 export function five_digits(value: number): string {
   if (value === 0) return "0";
   const size = Math.abs(value);
+  if (size < 1e-3) return value.toExponential(4);
   return size >= 99999.5 && size < 1e9 ? value.toFixed(0) : value.toPrecision(5).replace("e+", "e");
 }
