@@ -1,7 +1,230 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import type { PageData } from "./data";
+// The section with the moving soil: one panel, or two that go together.
+import type { FieldData, PageData } from "./data";
+import type { Camera } from "./film_camera";
+import { Clock } from "./film_clock";
+import { common_range, type Range } from "./film_colours";
+import { button, choice, make, set_options, tick_box } from "./film_elements";
+import { KEYS_HELP } from "./film_gestures";
+import { FilmPanel } from "./film_panel";
+import { FilmParts } from "./film_soil";
+import { embedment_at, embedment_joins, type FilmedRun, first_pair, frame_of_drag, when_embedded } from "./film_together";
+
+const SPEEDS = [1, 2, 5, 10, 20, 40];
 
 /** Fills the section with the moving soil. */
 export function show_films(section: HTMLElement, data: PageData): void {
-  section.dataset.films = String(data.runs.filter((run) => run.film !== null).length);
+  const runs = data.runs.filter((run): run is FilmedRun => run.film !== null && run.film.frames.length > 0);
+  if (runs.length === 0) section.append(make("p", "film-none quiet", "These runs hold no film of the soil."));
+  else new Films(section, runs);
+}
+
+class Films {
+  private parts: FilmParts[];
+  private panels: FilmPanel[];
+  private clocks: Clock[];
+  private linked = true;
+  private by_embedment = false;
+  private speed = 10;
+  private ranges = new Map<FilmPanel, Map<string, Range>>();
+  private together = choice("film-together", "together by", (value) => this.join(value === "embedment"));
+  private same = button("film-same", "Same embedment", "Put the left panel on the frame of its drag where the pipe is as deep as in the right panel", () => this.same_embedment());
+
+  constructor(section: HTMLElement, private runs: FilmedRun[]) {
+    this.parts = runs.map((run) => new FilmParts(run.film));
+    const chosen = first_pair(runs);
+    this.panels = chosen.map((run, i) => this.make_panel(run, i));
+    this.clocks = this.panels.map((panel) => new Clock((seconds) => this.advance(panel, seconds), () => this.show_playing()));
+    section.append(this.make_bar(), make("div", "film-panels", ...this.panels.map((panel) => panel.page.element)), make("p", "film-help quiet", KEYS_HELP));
+    section.classList.add("film");
+
+    const names = this.fields_of(this.panels).map((field) => field.name);
+    const field = names.includes("incremental_deviatoric_strain") ? "incremental_deviatoric_strain" : names[0];
+    for (const [i, panel] of this.panels.entries()) {
+      panel.field_name = field;
+      panel.show_run(runs[chosen[i]], this.parts[chosen[i]]);
+      panel.at = panel.last;
+    }
+    this.describe();
+    this.same_embedment();
+    this.show_playing();
+    this.wake(section);
+  }
+
+  private make_panel(run: number, place: number): FilmPanel {
+    const me = () => this.panels[place];
+    return new FilmPanel(this.runs[run], this.parts[run], {
+      run: (index) => this.show_run(me(), index),
+      field: (name) => this.show_field(me(), name),
+      move: (at) => this.move(me(), at),
+      step: (frames) => this.move(me(), frames > 0 ? Math.floor(me().at + 1e-9) + frames : Math.ceil(me().at - 1e-9) + frames),
+      first: () => this.move(me(), 0),
+      last: () => this.move(me(), me().last),
+      play: () => this.play_or_pause(me()),
+      look: (camera) => this.look(me(), camera),
+      whole_bed: () => this.look(me(), me().whole_bed()),
+      range: (range) => this.set_range(me(), range),
+    });
+  }
+
+  private make_bar(): HTMLElement {
+    const speed = choice("film-speed", "Speed", (value) => (this.speed = Number(value)));
+    set_options(speed.select, SPEEDS.map((frames) => [String(frames), `${frames} frame${frames === 1 ? "" : "s"}/s`]), String(this.speed));
+    const bar = make("div", "film-bar-of-all", speed.label);
+    if (this.panels.length === 2) {
+      bar.append(tick_box("film-linked", "Linked", true, (on) => this.link(on)), this.together.label, this.same);
+    }
+    return bar;
+  }
+
+  /** Unpacks when the section comes near or the browser has time; draws only what is seen. */
+  private wake(section: HTMLElement): void {
+    const begin = () => this.panels.forEach((panel) => panel.begin());
+    new IntersectionObserver((entries) => entries.some((entry) => entry.isIntersecting) && begin(), { rootMargin: "600px" }).observe(section);
+    window.addEventListener("load", () => setTimeout(begin, 500));
+    let on_screen = false;
+    const look_again = () => {
+      const seen = on_screen && !document.hidden;
+      this.clocks.forEach((clock) => clock.hold(!seen));
+      this.panels.forEach((panel) => panel.see(seen));
+    };
+    new IntersectionObserver((entries) => {
+      on_screen = entries[entries.length - 1].isIntersecting;
+      look_again();
+    }).observe(section);
+    document.addEventListener("visibilitychange", look_again);
+    const recolour = () => this.panels.forEach((panel) => panel.redraw_all());
+    document.addEventListener("theme", recolour);
+    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", recolour);
+  }
+
+  private get right(): FilmPanel | undefined {
+    return this.panels[1];
+  }
+
+  /** The panel and, where they are linked, the other. */
+  private with(panel: FilmPanel): FilmPanel[] {
+    return this.linked ? this.panels : [panel];
+  }
+
+  private show_run(panel: FilmPanel, index: number): void {
+    this.pause();
+    panel.show_run(this.runs[index], this.parts[index]);
+    this.describe();
+    const other = this.panels.find((one) => one !== panel);
+    panel.go_to(this.linked && other !== undefined ? this.partner(other, panel) : panel.last);
+  }
+
+  private show_field(panel: FilmPanel, name: FieldData["name"]): void {
+    for (const one of this.with(panel)) one.show_field(name);
+    this.describe();
+  }
+
+  private move(panel: FilmPanel, at: number): void {
+    this.pause();
+    this.go(panel, at);
+  }
+
+  private go(panel: FilmPanel, at: number): void {
+    panel.go_to(at);
+    for (const one of this.with(panel)) if (one !== panel) one.go_to(this.partner(panel, one));
+  }
+
+  /** Where `follower` is when `leader` is where it is. */
+  private partner(leader: FilmPanel, follower: FilmPanel): number {
+    if (this.by_embedment) return when_embedded(follower.run, embedment_at(leader.run, leader.at));
+    return leader.last === 0 ? follower.last : (leader.at / leader.last) * follower.last;
+  }
+
+  private look(panel: FilmPanel, camera: Camera | null): void {
+    if (camera !== null) for (const one of this.with(panel)) one.look(camera);
+  }
+
+  private play_or_pause(panel: FilmPanel): void {
+    const clock = this.clocks[this.panels.indexOf(panel)];
+    if (this.linked ? this.clocks.some((one) => one.playing) : clock.playing) {
+      for (const one of this.with(panel)) this.clocks[this.panels.indexOf(one)].pause();
+      return;
+    }
+    if (panel.at >= panel.last) this.go(panel, 0);
+    clock.play();
+  }
+
+  private pause(): void {
+    this.clocks.forEach((clock) => clock.pause());
+  }
+
+  /** Goes on by so many seconds; false at the end. Films that go together by the part of the run are as fast as the longer one. */
+  private advance(panel: FilmPanel, seconds: number): boolean {
+    const longest = Math.max(...this.with(panel).map((one) => one.last));
+    const pace = this.linked && !this.by_embedment && longest > 0 ? panel.last / longest : 1;
+    this.go(panel, panel.at + seconds * this.speed * pace);
+    return panel.at < panel.last;
+  }
+
+  private show_playing(): void {
+    for (const [i, panel] of this.panels.entries()) {
+      panel.page.show_playing(this.linked ? this.clocks.some((clock) => clock.playing) : this.clocks[i].playing);
+    }
+  }
+
+  private link(on: boolean): void {
+    this.linked = on;
+    this.pause();
+    const [left, right] = this.panels;
+    if (on) {
+      right.show_field(left.field_name);
+      right.look(left.camera);
+    }
+    this.together.select.disabled = !on;
+    this.describe();
+    this.show_playing();
+  }
+
+  private join(by_embedment: boolean): void {
+    this.by_embedment = by_embedment;
+    this.go(this.panels[0], this.panels[0].at);
+  }
+
+  private same_embedment(): void {
+    const [left, right] = this.panels;
+    if (right === undefined) return;
+    this.pause();
+    const frame = frame_of_drag(left.run, embedment_at(right.run, right.at));
+    if (frame !== null) left.go_to(frame);
+  }
+
+  private set_range(panel: FilmPanel, range: Range | null): void {
+    for (const one of this.with(panel)) {
+      const own = this.ranges.get(one) ?? new Map<string, Range>();
+      if (range === null) own.delete(one.field_name);
+      else own.set(one.field_name, range);
+      this.ranges.set(one, own);
+    }
+    this.describe();
+  }
+
+  /** Brings all controls to what the panels show. */
+  private describe(): void {
+    for (const panel of this.panels) {
+      const shown = this.with(panel);
+      panel.page.set_runs(this.runs, this.runs.indexOf(panel.run));
+      panel.page.set_fields(this.fields_of(shown), panel.field_name);
+      const fields = shown.flatMap((one) => one.film.fields.filter((field) => field.name === panel.field_name));
+      const usual = fields.length > 0 ? common_range(fields) : { from: 0, to: 1 };
+      panel.set_range(this.ranges.get(panel)?.get(panel.field_name) ?? usual, usual);
+    }
+    if (this.right === undefined) return;
+    const joins = embedment_joins(this.panels[0].run, this.right.run);
+    if (!joins) this.by_embedment = false;
+    set_options(this.together.select, [["part", "part of the run"], ...(joins ? [["embedment", "embedment w/D"] as [string, string]] : [])], this.by_embedment ? "embedment" : "part");
+    this.same.disabled = frame_of_drag(this.panels[0].run, embedment_at(this.right.run, this.right.at)) === null;
+  }
+
+  /** All fields that one of the panels' films holds. */
+  private fields_of(panels: FilmPanel[]): FieldData[] {
+    const all = new Map<string, FieldData>();
+    for (const panel of panels) for (const field of panel.film.fields) if (!all.has(field.name)) all.set(field.name, field);
+    return [...all.values()];
+  }
 }

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A panel as a picture for a paper: black on white, with colour bar and caption.
+import { draw_axes, MARGIN, PAPER, type Scene } from "./film_axes";
+import { BAR_HEIGHT, type ColourBar, draw_colour_bar } from "./film_colour_bar";
+
+export interface Picture {
+  scene: Scene;
+  /** null: the soil has no field. */
+  bar: ColourBar | null;
+  bar_title: string;
+  caption: string;
+  /** Pixels for one px of the page. */
+  ratio: number;
+}
+
+const LINE = 17;
+const FONT = '12.5px system-ui, "DejaVu Sans", sans-serif';
+
+export function compose(picture: Picture, soil: HTMLCanvasElement): HTMLCanvasElement {
+  const { scene, ratio } = picture;
+  const canvas = document.createElement("canvas");
+  const context = canvas.getContext("2d")!;
+  context.font = FONT;
+  const lines = wrap(context, picture.caption, scene.width - 2 * 12);
+  const height = scene.height + (picture.bar === null ? 0 : LINE + BAR_HEIGHT + 10) + LINE * lines.length + 14;
+  canvas.width = Math.round(scene.width * ratio);
+  canvas.height = Math.round(height * ratio);
+  context.scale(ratio, ratio);
+  context.fillStyle = PAPER.ground;
+  context.fillRect(0, 0, scene.width, height);
+  context.drawImage(soil, MARGIN.left, MARGIN.top, scene.width - MARGIN.left - MARGIN.right, scene.height - MARGIN.top - MARGIN.bottom);
+  draw_axes(context, scene, PAPER);
+  let y = scene.height + 4;
+  const write = (text: string) => {
+    context.font = FONT;
+    context.fillStyle = PAPER.text;
+    context.textAlign = "left";
+    context.textBaseline = "top";
+    context.fillText(text, 12, y);
+    y += LINE;
+  };
+  if (picture.bar !== null) {
+    write(picture.bar_title);
+    draw_colour_bar(context, picture.bar, 12, y, scene.width - 2 * 12, PAPER);
+    y += BAR_HEIGHT + 10;
+  }
+  for (const line of lines) write(line);
+  return canvas;
+}
+
+/** Gives the reader a file. */
+export function save_picture(canvas: HTMLCanvasElement, name: string): void {
+  canvas.toBlob((blob) => {
+    if (blob === null) return;
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(blob);
+    link.download = `${name.replaceAll(/[^\p{L}\p{N}._-]+/gu, "_")}.png`;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
+  }, "image/png");
+}
+
+function wrap(context: CanvasRenderingContext2D, text: string, width: number): string[] {
+  const lines: string[] = [];
+  for (const word of text.split(" ")) {
+    const longer = lines.length === 0 ? word : `${lines[lines.length - 1]} ${word}`;
+    if (lines.length === 0 || context.measureText(longer).width > width) lines.push(word);
+    else lines[lines.length - 1] = longer;
+  }
+  return lines;
+}
