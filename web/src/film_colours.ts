@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Colour maps, all perceptually uniform, and the range of a field that they span.
-import { interpolateCividis, interpolateInferno, interpolatePlasma, interpolateViridis } from "d3-scale-chromatic";
+import { interpolateCividis, interpolatePlasma, interpolateViridis } from "d3-scale-chromatic";
 import type { FieldData } from "./data";
 
 export interface Range {
@@ -10,7 +10,7 @@ export interface Range {
 
 const MAPS: Record<FieldData["name"], (t: number) => string> = {
   deviatoric_strain: interpolateViridis,
-  incremental_deviatoric_strain: interpolateInferno,
+  incremental_deviatoric_strain: interpolateViridis,
   mean_stress: interpolateCividis,
   speed: interpolatePlasma,
   displacement: interpolateViridis,

@@ -25,8 +25,8 @@ export interface Painter {
   free(): void;
 }
 
-/** Squares are drawn a little larger than the particles are, so that no gaps show. */
-export const CLOSE_GAPS = 1.15;
+/** Squares are drawn larger than the particles are: they do not lie on a square grid, and soil stretches. */
+export const CLOSE_GAPS = 1.6;
 /** px of the device. */
 export const SMALLEST_SQUARE = 1.5;
 export const PLAIN = [150, 150, 150] as const;
