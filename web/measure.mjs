@@ -10,7 +10,7 @@ if (!report) throw new Error("measure.mjs REPORT.html");
 const executablePath = process.env.CHROMIUM ?? ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find((path) => existsSync(path));
 const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] });
 
-for (const query of ["", "?painter=2d"]) {
+for (const query of ["", "?painter=webgl", "?painter=2d"]) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 900 } });
   await page.goto(pathToFileURL(resolve(report)).href + query);
   await page.waitForFunction(() => performance.getEntriesByName("first-contentful-paint").length > 0);

@@ -50,7 +50,8 @@ export class Clock {
     // A slow machine skips; after a long pause the film does not jump.
     const seconds = this.last < 0 ? 0 : Math.min(0.25, (now - this.last) / 1000);
     this.last = now;
-    this.pending = requestAnimationFrame((next) => this.tick(next));
     if (!this.advance(seconds)) this.pause();
+    // Only now, so that what `advance` asked to have drawn is drawn before the next tick, not after it.
+    if (this.running) this.pending = requestAnimationFrame((next) => this.tick(next));
   }
 }

@@ -26,7 +26,7 @@ export class FilmStage {
     this.over.setAttribute("role", "img");
     this.message.setAttribute("role", "status");
     this.element.append(this.over, this.message);
-    this.take_painter(new URLSearchParams(location.search).get("painter") === "2d" ? new CanvasPainter() : this.best_painter());
+    this.take_painter(this.best_painter(new URLSearchParams(location.search).get("painter")));
     new ResizeObserver(() => this.repaint(false)).observe(this.element);
     window.addEventListener("resize", () => this.repaint(false));
   }
@@ -85,9 +85,11 @@ export class FilmStage {
     painter.canvas.style.height = `${plot.height}px`;
   }
 
-  private best_painter(): Painter {
+  /** WebGL by a graphics card, else the 2D canvas, which is faster than WebGL by software; ?painter=webgl or ?painter=2d in the address decide otherwise. */
+  private best_painter(wanted: string | null): Painter {
+    if (wanted === "2d") return new CanvasPainter();
     try {
-      const painter = new WebglPainter(() => {
+      const painter = new WebglPainter(wanted === "webgl", () => {
         if (this.painter !== painter) return;
         this.take_painter(new CanvasPainter());
         this.repaint(true);

@@ -40,10 +40,14 @@ export class WebglPainter implements Painter {
   private width = 1;
   private height = 1;
 
-  /** Throws where the browser has no WebGL 2; `lost` is called when the context goes. */
-  constructor(lost: () => void) {
+  /** Throws where the browser has no WebGL 2, or none by a graphics card and `by_software` is false; `lost` is called when the context goes. */
+  constructor(by_software: boolean, lost: () => void) {
     const context = this.canvas.getContext("webgl2", { alpha: true, antialias: false, depth: false, stencil: false });
     if (context === null) throw new Error("no WebGL 2");
+    if (!by_software && is_software(context)) {
+      context.getExtension("WEBGL_lose_context")?.loseContext();
+      throw new Error("WebGL 2 by software only");
+    }
     this.renderer = new WebGLRenderer({ canvas: this.canvas, context });
     this.renderer.setClearColor(0, 0);
     this.renderer.sortObjects = false;
@@ -127,4 +131,12 @@ export class WebglPainter implements Painter {
     attribute.array = array;
     attribute.needsUpdate = true;
   }
+}
+
+/** Whether the processor does what a graphics card should; browsers do not agree on failIfMajorPerformanceCaveat, so by name. */
+function is_software(context: WebGL2RenderingContext): boolean {
+  let name = String(context.getParameter(context.RENDERER));
+  const info = name === "WebKit WebGL" ? context.getExtension("WEBGL_debug_renderer_info") : null;
+  if (info !== null) name = String(context.getParameter(info.UNMASKED_RENDERER_WEBGL));
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
 }
