@@ -2,6 +2,7 @@
 #include "output/gnuplot.hpp"
 #include "output/plots.hpp"
 #include "output/raster.hpp"
+#include "output/round_up.hpp"
 #include "output/whole_file.hpp"
 
 #include <algorithm>
@@ -16,16 +17,6 @@ constexpr int plot_width = width - left - right;
 constexpr const char* palette =
     "set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', "
     "7 '#6ece58', 8 '#b5de2b', 9 '#fde725')\n";
-
-/// The next of 1, 1.5, 2, 3, 4, 5, 6, 8 times a power of ten; 1 where there is nothing to show.
-Real round_up(Real value)
-{
-  if (!(value > 0)) return 1;
-  const Real power = std::pow(10, std::floor(std::log10(value)));
-  for (const Real step : {1., 1.5, 2., 3., 4., 5., 6., 8.})
-    if (value <= step * power * (1 + 1e-9)) return step * power;
-  return 10 * power;
-}
 
 /// A picture in the making: what it shows and in which unit.
 struct Picture {

@@ -63,6 +63,8 @@ export interface FilmData {
   view: { lower: [number, number]; upper: [number, number] };
   /** m, original surface; null: not known. */
   surface: number | null;
+  /** What of the run the film leaves out, for a caption: "every 2nd frame"; null: nothing. */
+  note: string | null;
   /** Codes (16 bits) of all positions. Bytes in planes: [x low][x high][y low][y high], each by frame, then point. Frame 0 holds codes, each later
    * one the change since the frame before, modulo 2^16 and folded: 0, -1, 1, -2, ... are 0, 1, 2, 3, ... */
   position: string;
@@ -96,7 +98,7 @@ export interface FieldData {
   block: string;
 }
 
-/** A rigid body's outline: float32 x, y of `points` corners by frame. */
+/** A rigid body's outline: float32 x, y of `points` corners by frame, m; not a number in frames where it is not there. Two corners are a line. */
 export interface RigidData {
   name: string;
   points: number;

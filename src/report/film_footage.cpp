@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/film_footage.hpp"
+
+#include "core/error.hpp"
+#include "core/for_each_task.hpp"
+#include "report/film_choice.hpp"
+
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+// Frames are held in memory until it is known how many of them the page can take.
+constexpr std::size_t most_memory = 1'000'000'000, bytes_of_point = 6 * sizeof(float);
+
+std::vector<std::string> stages_of(const std::vector<FilmMoment>& moments)
+{
+  std::vector<std::string> stages;
+  for (const FilmMoment& moment : moments) stages.push_back(moment.stage);
+  return stages;
+}
+
+/// Reads those of the files that are wanted, until one cannot be read.
+void read_frames(Footage& footage, const RunRecord& run, const std::vector<FrameFiles>& files, const FilmReader& reader)
+{
+  std::vector<FilmMoment> moments;
+  for (const FrameFiles& frame : files) moments.push_back(moment_at(run.history, frame.time));
+  footage.step = static_cast<Index>(files.size() * reader.count() * bytes_of_point / most_memory) + 1;
+  const std::vector<Index> wanted = kept_frames(stages_of(moments), footage.step);
+
+  footage.frames.resize(wanted.size());
+  std::vector<std::string> refusals(wanted.size());
+  for_each_task("read frames", static_cast<Index>(wanted.size()), [&](Index k) {
+    try {
+      footage.frames[k] = reader.read(files[wanted[k]]);
+    } catch (const RunError& error) {
+      refusals[k] = error.what();
+    }
+  });
+  std::size_t good = 0;
+  for (; good < wanted.size() && refusals[good].empty(); ++good) {
+    footage.time.push_back(files[wanted[good]].time);
+    footage.moments.push_back(moments[wanted[good]]);
+  }
+  footage.frames.resize(good);
+  if (good < wanted.size())
+    footage.fault =
+        fmt::format("frame {} of {} cannot be read: {}; the film ends before it", wanted[good] + 1, files.size(), refusals[good]);
+}
+
+}  // namespace
+
+std::vector<std::string> Footage::stages() const
+{
+  return stages_of(moments);
+}
+
+Footage read_footage(const RunRecord& run)
+{
+  Footage footage;
+  std::vector<FrameFiles> files;
+  try {
+    files = frame_files(run.folder / "frames");
+    if (files.empty()) return footage;
+    const FilmReader reader(files.front(), run.settings.dimension);
+    footage.sizes = reader.sizes();
+    footage.triangles = reader.triangles();
+    if (run.settings.dimension == 3) footage.slice = reader.middle();
+    read_frames(footage, run, files, reader);
+  } catch (const RunError& error) {
+    footage.fault = files.empty() ? fmt::format("there is no film of the soil: {}", error.what())
+                                  : fmt::format("frame 1 of {} cannot be read: {}; there is no film", files.size(), error.what());
+  }
+  return footage;
+}
+
+}  // namespace berm
