@@ -47,87 +47,111 @@ std::string enclosed(const char* begin, const Items& items, const char* end, con
 
 /// The TOML of a value; "" for one that is left out.
 struct ToToml {
-  std::string operator()(const Real* v) const { return std::isfinite(*v) ? toml_number(*v) : ""; }
-  std::string operator()(const std::optional<Real>* v) const { return *v ? toml_number(**v) : ""; }
-  std::string operator()(const int* v) const { return std::to_string(*v); }
-  std::string operator()(const bool* v) const { return *v ? "true" : "false"; }
-  std::string operator()(const std::string* v) const { return v->empty() ? "" : toml_text(*v); }
-  std::string operator()(const std::vector<std::string>* v) const { return v->empty() ? "" : enclosed("[", *v, "]", toml_text); }
-  std::string operator()(const std::vector<Real>* v) const { return v->empty() ? "" : enclosed("[", *v, "]", toml_number); }
-  std::string operator()(const std::map<std::string, Real>* v) const
+  std::string operator()(std::monostate) const { return ""; }
+  std::string operator()(Real v) const { return toml_number(v); }
+  std::string operator()(int v) const { return std::to_string(v); }
+  std::string operator()(bool v) const { return v ? "true" : "false"; }
+  std::string operator()(const std::string& v) const { return toml_text(v); }
+  std::string operator()(const std::vector<std::string>& v) const { return enclosed("[", v, "]", toml_text); }
+  std::string operator()(const std::vector<Real>& v) const { return enclosed("[", v, "]", toml_number); }
+  std::string operator()(const std::map<std::string, Real>& v) const
   {
-    return v->empty() ? "" : enclosed("{", *v, "}", [](const auto& e) { return toml_key(e.first) + " = " + toml_number(e.second); });
+    return enclosed("{", v, "}", [](const auto& e) { return toml_key(e.first) + " = " + toml_number(e.second); });
   }
-  std::string operator()(const std::map<std::string, int>* v) const
+  std::string operator()(const std::map<std::string, int>& v) const
   {
-    return v->empty() ? "" : enclosed("{", *v, "}", [](const auto& e) { return toml_key(e.first) + " = " + std::to_string(e.second); });
+    return enclosed("{", v, "}", [](const auto& e) { return toml_key(e.first) + " = " + std::to_string(e.second); });
   }
+};
+
+/// What a variable holds; nothing where it is one that is left out.
+struct ToSetting {
+  SettingValue operator()(const Real* v) const { return std::isfinite(*v) ? SettingValue(*v) : SettingValue(); }
+  SettingValue operator()(const std::optional<Real>* v) const { return *v ? SettingValue(**v) : SettingValue(); }
+  SettingValue operator()(const int* v) const { return *v; }
+  SettingValue operator()(const bool* v) const { return *v; }
+  template <class T>
+  SettingValue operator()(const T* v) const
+  {
+    return v->empty() ? SettingValue() : SettingValue(*v);
+  }
+};
+
+void write(const SettingTable& table, std::string& text)
+{
+  struct Line {
+    std::string setting, comment;
+  };
+  std::vector<Line> lines;
+  for (const auto& [key, value, unit, meaning] : table.settings) {
+    const std::string toml = std::visit(ToToml{}, value);
+    lines.push_back({toml.empty() ? fmt::format("# {} is not set", key) : fmt::format("{} = {}", key, toml),
+                     unit.empty() ? meaning : fmt::format("[{}] {}", unit, meaning)});
+  }
+  if (!table.path.empty()) text += table.item ? fmt::format("\n[[{}]]\n", table.path) : fmt::format("\n[{}]\n", table.path);
+  std::size_t width = 0;
+  constexpr std::size_t widest = 60;
+  for (const Line& line : lines) width = std::max(width, std::min(line.setting.size(), widest));
+  for (const Line& line : lines) text += fmt::format("{:<{}}  # {}\n", line.setting, width, line.comment);
+  for (const SettingTable& inner : table.tables) write(inner, text);
+}
+
+/// Takes down every parameter of a struct.
+class SettingVisitor : public Describe {
+public:
+  explicit SettingVisitor(bool in_space) : in_space_(in_space) { open_.push_back(&root_); }
+  const SettingTable& root() const { return root_; }
+  void check(bool, const std::string&, const std::string&, const std::vector<std::string>&) override {}
+
+protected:
+  void leaf(const char* key, Leaf variable, const Parameter& parameter) override
+  {
+    const char* unit = in_space_ ? unit_in_space(parameter.unit) : parameter.unit;
+    open_.back()->settings.push_back({key, std::visit(ToSetting{}, variable), unit, parameter.meaning});
+  }
+  int choose(const char* key, const std::vector<const char*>& names, int current, const Parameter& parameter) override
+  {
+    open_.back()->settings.push_back({key, std::string(names.at(current)), "", parameter.meaning});
+    return current;
+  }
+  void enter(const char* key, const Parameter&) override { open(toml_key(key)); }
+  void leave() override { open_.pop_back(); }
+  bool has_table(const char*, bool present) override { return present; }
+  std::vector<std::string> names_in(const char*, const std::vector<std::string>& present, const Parameter&) override { return present; }
+  void enter_named(const char* key, const std::string& name) override { open(toml_key(key) + "." + toml_key(name)); }
+  int count_in(const char*, int present, const Parameter&) override { return present; }
+  void enter_item(const char* key, int) override { open(toml_key(key)).item = true; }
+
+private:
+  SettingTable& open(const std::string& key)
+  {
+    SettingTable& outer = *open_.back();
+    SettingTable& table = outer.tables.emplace_back();
+    table.path = (outer.path.empty() ? "" : outer.path + ".") + key;
+    open_.push_back(&table);
+    return table;
+  }
+
+  SettingTable root_;
+  std::vector<SettingTable*> open_;
+  bool in_space_;  ///< quantities per metre run are whole
 };
 
 }  // namespace
 
-void Writer::leaf(const char* key, Leaf variable, const Parameter& parameter)
+SettingTable all_settings(const Case& settings)
 {
-  const std::string value = std::visit(ToToml{}, variable);
-  const char* si_unit = in_space_ ? unit_in_space(parameter.unit) : parameter.unit;
-  const std::string unit = *si_unit == '\0' ? "" : fmt::format("[{}] ", si_unit);
-  open_.back()->lines.push_back(
-      {value.empty() ? fmt::format("# {} is not set", key) : fmt::format("{} = {}", key, value), unit + parameter.meaning});
-}
-
-int Writer::choose(const char* key, const std::vector<const char*>& names, int current, const Parameter& parameter)
-{
-  open_.back()->lines.push_back({fmt::format("{} = {}", key, toml_text(names.at(current))), parameter.meaning});
-  return current;
-}
-
-Writer::Table& Writer::open(const std::string& key)
-{
-  Table& outer = *open_.back();
-  Table& table = outer.tables.emplace_back();
-  table.path = (outer.path.empty() ? "" : outer.path + ".") + key;
-  open_.push_back(&table);
-  return table;
-}
-
-void Writer::enter(const char* key, const Parameter&)
-{
-  open(toml_key(key));
-}
-
-void Writer::enter_named(const char* key, const std::string& name)
-{
-  open(toml_key(key) + "." + toml_key(name));
-}
-
-void Writer::enter_item(const char* key, int)
-{
-  open(toml_key(key)).item = true;
-}
-
-void Writer::write(const Table& table, std::string& text)
-{
-  if (!table.path.empty()) text += table.item ? fmt::format("\n[[{}]]\n", table.path) : fmt::format("\n[{}]\n", table.path);
-  std::size_t width = 0;
-  constexpr std::size_t widest = 60;
-  for (const Line& line : table.lines) width = std::max(width, std::min(line.setting.size(), widest));
-  for (const Line& line : table.lines) text += fmt::format("{:<{}}  # {}\n", line.setting, width, line.comment);
-  for (const Table& inner : table.tables) write(inner, text);
-}
-
-std::string Writer::text() const
-{
-  std::string text;
-  write(root_, text);
-  return text;
+  Case copy = settings;
+  SettingVisitor visitor(settings.dimension == 3);
+  describe(visitor, copy);
+  return visitor.root();
 }
 
 std::string resolved_toml(const Case& settings)
 {
-  Case copy = settings;
-  Writer writer(settings.dimension == 3);
-  describe(writer, copy);
-  return "# The whole case: every default filled in, numbers in SI units, angles in radians.\n" + writer.text();
+  std::string text = "# The whole case: every default filled in, numbers in SI units, angles in radians.\n";
+  write(all_settings(settings), text);
+  return text;
 }
 
 }  // namespace berm

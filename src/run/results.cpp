@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/results.hpp"
 
+#include "output/machine.hpp"
 #include "output/pipe_case.hpp"
 #include "output/plots.hpp"
 #include "output/progress.hpp"
@@ -76,7 +77,11 @@ void write_results(const RunRequest& request, const RunFolder& folder, const Mod
   Summary summary;
   if (pipe) summary.quantities = pipe_quantities(history, scale, stages);
   summary.timing = timing;
-  summary.text = {{"title", request.settings.title}, {"case", request.case_file.filename().string()}, {"version", BERM_VERSION}};
+  summary.text = {{"title", request.settings.title},
+                  {"case", request.case_file.filename().string()},
+                  {"version", BERM_VERSION},
+                  {"machine", machine_words()},
+                  {"date", utc_date(std::chrono::system_clock::now())}};
   summary.checks = {{"finished", outcome.finished}};
   summary.checks.insert(summary.checks.end(), outcome.checks.begin(), outcome.checks.end());
   summary.write(folder.file("summary.json"));
