@@ -36,6 +36,7 @@ if(BERM_TESTS)
     OUTPUT ${BERM_WEB}/tests_built/made
     COMMAND ${CMAKE_COMMAND} -E chdir ${BERM_WEB} ${BERM_NODE} node_modules/typescript/bin/tsc --noEmit --project .
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${BERM_WEB}/tests_built
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${BERM_WEB}/tests_built
     COMMAND ${CMAKE_COMMAND} -E chdir ${BERM_WEB} ${BERM_NODE} build.mjs tests ${BERM_WEB}/tests_built
     COMMAND ${CMAKE_COMMAND} -E touch ${BERM_WEB}/tests_built/made
     DEPENDS ${BERM_WEB}/page_files.cpp ${web_sources}
