@@ -96,48 +96,50 @@ void write(const SettingTable& table, std::string& text)
   for (const SettingTable& inner : table.tables) write(inner, text);
 }
 
-/// Takes down every parameter of a struct.
-class SettingVisitor : public Describe {
-public:
-  explicit SettingVisitor(bool in_space) : in_space_(in_space) { open_.push_back(&root_); }
-  const SettingTable& root() const { return root_; }
-  void check(bool, const std::string&, const std::string&, const std::vector<std::string>&) override {}
-
-protected:
-  void leaf(const char* key, Leaf variable, const Parameter& parameter) override
-  {
-    const char* unit = in_space_ ? unit_in_space(parameter.unit) : parameter.unit;
-    open_.back()->settings.push_back({key, std::visit(ToSetting{}, variable), unit, parameter.meaning});
-  }
-  int choose(const char* key, const std::vector<const char*>& names, int current, const Parameter& parameter) override
-  {
-    open_.back()->settings.push_back({key, std::string(names.at(current)), "", parameter.meaning});
-    return current;
-  }
-  void enter(const char* key, const Parameter&) override { open(toml_key(key)); }
-  void leave() override { open_.pop_back(); }
-  bool has_table(const char*, bool present) override { return present; }
-  std::vector<std::string> names_in(const char*, const std::vector<std::string>& present, const Parameter&) override { return present; }
-  void enter_named(const char* key, const std::string& name) override { open(toml_key(key) + "." + toml_key(name)); }
-  int count_in(const char*, int present, const Parameter&) override { return present; }
-  void enter_item(const char* key, int) override { open(toml_key(key)).item = true; }
-
-private:
-  SettingTable& open(const std::string& key)
-  {
-    SettingTable& outer = *open_.back();
-    SettingTable& table = outer.tables.emplace_back();
-    table.path = (outer.path.empty() ? "" : outer.path + ".") + key;
-    open_.push_back(&table);
-    return table;
-  }
-
-  SettingTable root_;
-  std::vector<SettingTable*> open_;
-  bool in_space_;  ///< quantities per metre run are whole
-};
-
 }  // namespace
+
+void SettingVisitor::leaf(const char* key, Leaf variable, const Parameter& parameter)
+{
+  const char* unit = in_space_ ? unit_in_space(parameter.unit) : parameter.unit;
+  open_.back()->settings.push_back({key, std::visit(ToSetting{}, variable), unit, parameter.meaning});
+}
+
+int SettingVisitor::choose(const char* key, const std::vector<const char*>& names, int current, const Parameter& parameter)
+{
+  open_.back()->settings.push_back({key, std::string(names.at(current)), "", parameter.meaning});
+  return current;
+}
+
+SettingTable& SettingVisitor::open(const std::string& key)
+{
+  SettingTable& outer = *open_.back();
+  SettingTable& table = outer.tables.emplace_back();
+  table.path = (outer.path.empty() ? "" : outer.path + ".") + key;
+  open_.push_back(&table);
+  return table;
+}
+
+void SettingVisitor::enter(const char* key, const Parameter&)
+{
+  open(toml_key(key));
+}
+
+void SettingVisitor::enter_named(const char* key, const std::string& name)
+{
+  open(toml_key(key) + "." + toml_key(name));
+}
+
+void SettingVisitor::enter_item(const char* key, int)
+{
+  open(toml_key(key)).item = true;
+}
+
+std::string toml_of(const SettingTable& table)
+{
+  std::string text;
+  write(table, text);
+  return text;
+}
 
 SettingTable all_settings(const Case& settings)
 {
@@ -149,9 +151,7 @@ SettingTable all_settings(const Case& settings)
 
 std::string resolved_toml(const Case& settings)
 {
-  std::string text = "# The whole case: every default filled in, numbers in SI units, angles in radians.\n";
-  write(all_settings(settings), text);
-  return text;
+  return "# The whole case: every default filled in, numbers in SI units, angles in radians.\n" + toml_of(all_settings(settings));
 }
 
 }  // namespace berm

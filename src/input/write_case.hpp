@@ -25,6 +25,35 @@ struct SettingTable {
   std::vector<SettingTable> tables;
 };
 
+/// Takes down every parameter of a struct, with its value, its SI unit and its meaning.
+class SettingVisitor : public Describe {
+public:
+  explicit SettingVisitor(bool in_space = false) : in_space_(in_space) { open_.push_back(&root_); }
+  const SettingTable& root() const { return root_; }
+  void check(bool, const std::string&, const std::string&, const std::vector<std::string>&) override {}
+
+protected:
+  void leaf(const char* key, Leaf variable, const Parameter& parameter) override;
+  int choose(const char* key, const std::vector<const char*>& names, int current, const Parameter& parameter) override;
+  void enter(const char* key, const Parameter& parameter) override;
+  void leave() override { open_.pop_back(); }
+  bool has_table(const char*, bool present) override { return present; }
+  std::vector<std::string> names_in(const char*, const std::vector<std::string>& present, const Parameter&) override { return present; }
+  void enter_named(const char* key, const std::string& name) override;
+  int count_in(const char*, int present, const Parameter&) override { return present; }
+  void enter_item(const char* key, int item) override;
+
+private:
+  SettingTable& open(const std::string& key);
+
+  SettingTable root_;
+  std::vector<SettingTable*> open_;
+  bool in_space_;  ///< quantities per metre run are whole
+};
+
+/// As TOML: every value in SI units, with its unit and meaning beside it. Reading the text gives the same struct.
+std::string toml_of(const SettingTable& table);
+
 /// All parameters of a case as they are, defaults included.
 SettingTable all_settings(const Case& settings);
 

@@ -31,9 +31,10 @@ std::string length_words(Real metres)
   return scaled(metres, {{0, 1e-3, "mm"}, {1, 1, "m"}});
 }
 
-std::string line_load_words(Real newtons_per_metre)
+std::string force_words(Real newtons, int dimension)
 {
-  return scaled(newtons_per_metre, {{0, 1, "N/m"}, {1e3, 1e3, "kN/m"}, {1e6, 1e6, "MN/m"}});
+  return dimension == 2 ? scaled(newtons, {{0, 1, "N/m"}, {1e3, 1e3, "kN/m"}, {1e6, 1e6, "MN/m"}})
+                        : scaled(newtons, {{0, 1, "N"}, {1e3, 1e3, "kN"}, {1e6, 1e6, "MN"}});
 }
 
 std::string stress_words(Real pascals)

@@ -11,8 +11,8 @@ namespace berm {
 
 /// A length in mm below a metre, else in m: "20 mm", "1.25 m".
 std::string length_words(Real metres);
-/// A force per metre run in N/m, kN/m or MN/m by its size.
-std::string line_load_words(Real newtons_per_metre);
+/// A force per metre run (in space: a force) in N/m, kN/m or MN/m (N, kN, MN) by its size.
+std::string force_words(Real newtons, int dimension);
 /// A stress in Pa, kPa, MPa or GPa by its size.
 std::string stress_words(Real pascals);
 /// A unit weight in kN/m3.

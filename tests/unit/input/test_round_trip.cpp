@@ -76,9 +76,9 @@ namespace {
 
 std::string written(Everything e)
 {
-  Writer writer;
-  describe(writer, e);
-  return writer.text();
+  SettingVisitor visitor;
+  describe(visitor, e);
+  return toml_of(visitor.root());
 }
 
 Everything read_back(const std::string& text)

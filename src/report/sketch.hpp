@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/case.hpp"
+
+namespace berm {
+
+/// A rectangle of the plane, m.
+struct Extent {
+  Vec<2> lower, upper;
+
+  Vec<2> size() const { return upper - lower; }
+};
+
+/// The smallest that holds both.
+Extent around(const Extent& a, const Extent& b);
+
+struct DiskOutline {
+  Vec<2> center;
+  Real radius;
+};
+struct CornersOutline {
+  std::vector<Vec<2>> corners;
+};
+/// The line of a half-plane; the normal (a unit vector) points out of the body.
+struct PlaneOutline {
+  Vec<2> point, normal;
+};
+using Outline = std::variant<DiskOutline, CornersOutline, PlaneOutline>;
+
+/// The smallest extent that holds an outline; of a half-plane its point.
+Extent extent_of(const Outline& outline);
+/// The part of a half-plane inside an extent, corner by corner; none where it misses it.
+std::vector<Vec<2>> part_inside(const PlaneOutline& plane, const Extent& extent);
+
+struct NamedOutline {
+  std::string name;
+  Outline outline;
+};
+
+/// A part of the bed that is filled with soil, without a part inside it.
+struct FilledPart {
+  Extent part;
+  std::optional<Extent> hole;
+};
+
+/// A boundary that is held, from end to end.
+struct HeldEdge {
+  Vec<2> from, to, outward;
+  bool wholly;        ///< in all directions of the plane
+  std::string words;  ///< "x, y held"
+};
+
+/// A straight part of the way of a driven rigid body.
+struct PathStep {
+  int stage;        ///< its place among the stages
+  int rigid;        ///< its place among the rigid bodies
+  Vec<2> from, to;  ///< of the body's centre
+  bool known;       ///< how far it goes; else `to` only shows the direction
+};
+
+/// A body that starts with a velocity.
+struct Flight {
+  std::string name;
+  Vec<2> at, velocity;  ///< its middle, m; m/s
+};
+
+/// What a case looks like at its start in the plane x-y, and where its rigid bodies are driven: all that can be told without its mesh.
+struct Sketch {
+  Extent domain;               ///< of the mesh; around the bodies where its outline is not known
+  bool domain_known = false;   ///< whether the outline of the mesh is known
+  std::optional<Extent> fine;  ///< zone of fine cells
+  std::vector<FilledPart> filled;
+  std::string filled_by;  ///< name of the body that fills the bed
+  std::vector<NamedOutline> bodies, rigids;
+  std::optional<Real> surface;  ///< level of the bed's surface
+  std::vector<HeldEdge> held;
+  std::vector<PathStep> path;
+  std::vector<Flight> flights;
+  Vec<2> gravity = Vec<2>::Zero();  ///< m/s2
+  std::vector<std::string> notes;   ///< what cannot be drawn, in words
+};
+
+Sketch sketch_of(const Case& settings);
+
+}  // namespace berm
