@@ -1,11 +1,70 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "output/tex_math.hpp"
+#include "report/asked_tables.hpp"
+#include "report/drawing.hpp"
+#include "report/html.hpp"
+#include "report/parameter_table.hpp"
 #include "report/sections.hpp"
 
-namespace berm {
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
-std::string asked_section(const std::vector<RunRecord>&)
+namespace berm {
+namespace {
+
+constexpr std::size_t most_open_drawings = 4;  // more than these are folded away
+
+/// Runs that look the same.
+struct Alike {
+  std::string look;  ///< their drawing without a title
+  const RunRecord* first;
+  std::vector<std::string> names;
+};
+
+std::vector<Alike> alike(const std::vector<RunRecord>& runs)
 {
-  return "";
+  std::vector<Alike> groups;
+  for (const RunRecord& run : runs) {
+    const std::string look = draw_case(run.settings, "").svgs;
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const Alike& group) { return group.look == look; });
+    if (same == groups.end())
+      groups.push_back({look, &run, {run.name}});
+    else
+      same->names.push_back(run.name);
+  }
+  return groups;
+}
+
+std::string figure_of(const Alike& group)
+{
+  const std::string names = fmt::format("{}", fmt::join(group.names, ", "));
+  const Drawing drawing = draw_case(group.first->settings, "Drawing to scale: " + names);
+  std::string words = fmt::format("<strong>{}</strong>, to scale.", html_text(names));
+  for (const std::string& note : drawing.notes) words += fmt::format(" {}", html_text(note));
+  return fmt::format("<figure>\n<div class=\"drawing\" style=\"display:flex;flex-wrap:wrap;gap:12px 24px\">\n{}</div>\n"
+                     "<figcaption>{}</figcaption>\n</figure>\n",
+                     drawing.svgs, words);
+}
+
+std::string drawings_of(const std::vector<RunRecord>& runs)
+{
+  std::string open, folded;
+  const std::vector<Alike> groups = alike(runs);
+  for (std::size_t k = 0; k < groups.size(); ++k) (k < most_open_drawings ? open : folded) += figure_of(groups[k]);
+  if (folded.empty()) return open;
+  return open + fmt::format("<details><summary>{} more drawings</summary>\n{}</details>\n", groups.size() - most_open_drawings, folded);
+}
+
+}  // namespace
+
+std::string asked_section(const std::vector<RunRecord>& runs)
+{
+  std::string content = drawings_of(runs);
+  content += compact_table(runs).html();
+  content += fmt::format("<details><summary>All parameters</summary>\n{}</details>\n", parameter_columns(runs).html());
+  content += computation_table(runs).html();
+  return html_section("asked", "What was asked", content);
 }
 
 }  // namespace berm

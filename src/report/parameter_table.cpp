@@ -48,12 +48,12 @@ void collect(const SettingTable& table, const std::string& path, std::vector<Par
   const std::string before = path.empty() ? "" : path + ".";
   for (const Setting& setting : table.settings)
     entries.push_back({before + setting.key, std::visit(ToWords{setting.unit == "rad"}, setting.value), setting.unit, setting.meaning});
-  int item = 0;
+  std::map<std::string, int> items;  // of each array
   for (const SettingTable& inner : table.tables) {
     const std::string key = table.path.empty() ? inner.path : inner.path.substr(table.path.size() + 1);
     const std::string name = name_in(inner);
-    collect(inner, before + key + (!inner.item ? "" : name.empty() ? fmt::format("[{}]", item) : "." + name), entries);
-    if (inner.item) ++item;
+    collect(inner, before + key + (!inner.item ? "" : name.empty() ? fmt::format("[{}]", items[key]) : "." + name), entries);
+    if (inner.item) ++items[key];
   }
 }
 
