@@ -1,11 +1,65 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "output/tex_math.hpp"
+#include "report/html.hpp"
+#include "report/in_words.hpp"
+#include "report/key_results.hpp"
+#include "report/other_results.hpp"
+#include "report/published_table.hpp"
 #include "report/sections.hpp"
 
-namespace berm {
+#include <algorithm>
+#include <fmt/format.h>
 
-std::string answer_section(const std::vector<RunRecord>&)
+namespace berm {
+namespace {
+
+std::string words_of(const std::vector<RunRecord>& runs, const Shown& shown)
 {
-  return "";
+  std::string html;
+  for (const RunRecord& run : runs) {
+    const std::string name = runs.size() > 1 ? fmt::format("<strong>{}</strong> ", html_text(run.name)) : "";
+    html +=
+        fmt::format("<p>{}{}{}</p>\n", name, run.end == RunEnd::finished ? "" : "(not finished) ",
+                    run.has_pipe() ? results_in_words(run, shown) : "There is no pipe in this run: no body that a push or drag drives.");
+  }
+  return html;
+}
+
+/// Of several runs each can be folded away; the first stands open.
+std::string formulas_beside(const std::vector<RunRecord>& runs, const Shown& shown)
+{
+  std::string html;
+  int place = 0;
+  for (const RunRecord& run : runs) {
+    if (!run.has_pipe()) continue;
+    const std::string table = published_table(run, shown, fmt::format("published-{}", place));
+    html += runs.size() == 1
+                ? table
+                : fmt::format("<details{}>\n<summary>{}</summary>\n{}</details>\n", place == 0 ? " open" : "", html_text(run.name), table);
+    ++place;
+  }
+  if (html.empty()) return "";
+  return "<h3>Design codes and published formulas</h3>\n" +
+         html_paragraph(
+             "What they give for the same soil, pipe and state: the embedment and the vertical load are those that the run found. Labels: "
+             "exact is a closed "
+             "form or computed to convergence, fit a published fit, recalled is quoted from memory and wants a look at its source.",
+             "quiet") +
+         html;
+}
+
+}  // namespace
+
+std::string answer_section(const std::vector<RunRecord>& runs)
+{
+  const Shown shown(runs);
+  std::string html = words_of(runs, shown);
+  const std::string key = key_results(runs, shown);
+  if (!key.empty()) html += "<h3>Key results</h3>\n" + key;
+  html += formulas_beside(runs, shown);
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (!runs[k].has_pipe()) html += other_results(runs[k], fmt::format("results-{}", k));
+  return html_section("answer", "Answer", html);
 }
 
 }  // namespace berm

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "made_run.hpp"
+#include "report/sections.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+bool holds(const std::string& html, const std::string& part)
+{
+  return html.find(part) != std::string::npos;
+}
+
+TEST(answer, says_in_words_what_the_pipe_met)
+{
+  MadeRun made;
+  made.dragged = 0.02;
+  const std::string html = answer_section({made.record()});
+  EXPECT_TRUE(holds(
+      html, "Pushed to w = 0.1 D (2 mm, 0.1 m in the prototype), the pipe carries V = 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²)."))
+      << html;
+  EXPECT_TRUE(
+      holds(html, "Dragged 1 D with V held, it meets H = 0.6 kN/m (30 kN/m in the prototype, 3.49 γ′ D²), 0.75 V, and sinks to w = 0.6 D"))
+      << html;
+  EXPECT_TRUE(holds(html, "There is no peak: H grows to the end of the drag.")) << html;
+}
+
+TEST(answer, key_results_stand_at_model_scale_dimensionless_and_at_prototype_scale)
+{
+  const std::string html = answer_section({MadeRun{}.record()});
+  EXPECT_TRUE(holds(html, "<th scope=\"col\" class=\"number\">V, kN/m</th><th scope=\"col\" class=\"number\">V/(γ′ D²)</th>"
+                          "<th scope=\"col\" class=\"number\">V in the prototype, kN/m</th>"));
+  EXPECT_TRUE(holds(html, "<th scope=\"row\">w = 0.05 D</th><td class=\"number\">0.05000</td><td class=\"number\">1.000</td>"
+                          "<td class=\"number\">0.05000</td><td class=\"number\">0.4000</td><td class=\"number\">2.326</td>"
+                          "<td class=\"number\">20.00</td>"))
+      << html;
+  // At u = 0.3 D: w = 5 mm, H = 180 N/m, V = 800 N/m.
+  EXPECT_TRUE(holds(html, "<th scope=\"row\">u = 0.3 D</th><td class=\"number\">0.2500</td><td class=\"number\">5.000</td>"
+                          "<td class=\"number\">0.2500</td><td class=\"number\">0.1800</td><td class=\"number\">1.047</td>"
+                          "<td class=\"number\">9.000</td><td class=\"number\">0.2250</td>"))
+      << html;
+}
+
+TEST(answer, a_model_under_one_gravity_has_no_prototype)
+{
+  MadeRun made;
+  made.gravity_level = 1;
+  const std::string html = answer_section({made.record()});
+  EXPECT_FALSE(holds(html, "prototype")) << html;
+  EXPECT_TRUE(holds(html, "V/(γ′ D²)"));
+  made.gravity_level = 0;
+  EXPECT_FALSE(holds(answer_section({made.record()}), "prototype"));
+}
+
+TEST(answer, clay_is_measured_by_its_strength)
+{
+  MadeRun made;
+  made.law = MadeRun::clay_law();
+  made.contact.friction_angle = 0;
+  const std::string html = answer_section({made.record()});
+  EXPECT_TRUE(holds(html, "V/(D s<sub>u</sub>)"));
+  EXPECT_FALSE(holds(html, "V/(γ′ D²)"));
+  EXPECT_TRUE(holds(html, "40 D s<sub>u</sub>")) << html;  // 800 N/m over 0.02 m x 1 kPa
+}
+
+TEST(answer, a_value_out_of_range_is_marked)
+{
+  MadeRun made;
+  made.law.dilation_angle = 0;
+  const std::string html = answer_section({made.record()});
+  EXPECT_TRUE(holds(html, "<tr class=\"out_of_range\"><th scope=\"row\">V</th>"));
+  EXPECT_TRUE(holds(html, "out of range: φ = ψ = 35°, δ = 0 or 2/3 φ, 0.05 ≤ w/D ≤ 0.5")) << html;
+  EXPECT_FALSE(holds(answer_section({MadeRun{}.record()}), "out_of_range"));
+}
+
+TEST(answer, breakout_is_told_where_there_is_one)
+{
+  MadeRun made;
+  made.dragged = 0.02;
+  made.H = [](Real u) { return u < 0.006 ? 5e4 * u : u < 0.012 ? std::lerp(300, 200, (u - 0.006) / 0.006) : 200; };
+  const std::string html = answer_section({made.record()});
+  EXPECT_TRUE(holds(html, "H peaks at u = 0.304 D (6.08 mm, 0.304 m in the prototype) with 0.298 kN/m")) << html;
+  EXPECT_TRUE(holds(html, "then comes to 0.2 kN/m")) << html;
+  EXPECT_TRUE(holds(html, "Breakout of the drag from w = 0.1 D<")) << html;
+  EXPECT_FALSE(holds(html, "no peak"));
+}
+
+TEST(answer, several_runs_stand_one_below_the_other_at_each_point)
+{
+  MadeRun other;
+  other.name = "other <run>";
+  other.V = [](Real w) { return 2e5 * w; };
+  const std::string html = answer_section({MadeRun{}.record(), other.record()});
+  const auto group = html.find("<tr class=\"group\"><th scope=\"row\">w = 0.05 D</th></tr>");
+  ASSERT_NE(group, std::string::npos) << html;
+  const auto first = html.find("<tr><th scope=\"row\">made</th>", group),
+             second = html.find("<tr><th scope=\"row\">other &lt;run&gt;</th>", group);
+  const auto next = html.find("<tr class=\"group\">", group + 1);
+  EXPECT_LT(group, first);
+  EXPECT_LT(first, second);
+  EXPECT_LT(second, next);
+  EXPECT_FALSE(holds(html, "<run>"));
+}
+
+TEST(answer, of_a_run_that_did_not_end_there_is_what_there_is)
+{
+  MadeRun made;
+  made.dragged = 0.004;
+  RunRecord run = made.record();
+  run.end = RunEnd::unfinished;
+  const std::string html = answer_section({run});
+  EXPECT_TRUE(holds(html, "(not finished) Pushed to w = 0.1 D"));
+  EXPECT_TRUE(holds(html, "Dragged 0.2 D"));
+  run.history = {};
+  run.quantities.clear();
+  EXPECT_TRUE(holds(answer_section({run}), "Nothing is known of its forces"));
+}
+
+TEST(answer, a_run_without_a_pipe_tells_its_quantities_and_what_it_watches)
+{
+  RunRecord run = MadeRun{}.record();
+  run.settings.stage.clear();
+  run.scale = pipe_scale(run.settings);
+  run.quantities = {{"run_out", 1.234, "m"}};
+  run.settings.watch = {{"ti<p", {"soil", {0, 0}}}};
+  run.history.columns.push_back("ti<p_uy_m");
+  run.history.values.emplace_back(run.history.rows(), -0.0125);
+  const std::string html = answer_section({run});
+  EXPECT_TRUE(holds(html, "There is no pipe in this run"));
+  EXPECT_TRUE(holds(html, "<th scope=\"row\">run_out</th><td class=\"number\">1.234</td><td>m</td>")) << html;
+  EXPECT_TRUE(holds(html, "<th scope=\"row\">ti&lt;p_uy_m</th><td class=\"number\">-0.01250</td>")) << html;
+  EXPECT_FALSE(holds(html, "<p_uy"));
+  EXPECT_FALSE(holds(html, "Key results"));
+  run.settings.watch.clear();
+  run.quantities.clear();
+  run.summary = RunSummary{{}, {}, {{"momentum_error", 1e-3}}, {}};
+  EXPECT_TRUE(holds(answer_section({run}), "<th scope=\"row\">momentum_error</th><td class=\"number\">0.001000</td>"));
+}
+
+}  // namespace
+}  // namespace berm
