@@ -6,10 +6,11 @@ namespace berm {
 Real round_up(Real value)
 {
   if (!(value > 0)) return 1;
-  const Real power = std::pow(10, std::floor(std::log10(value)));
+  const Real exponent = std::floor(std::log10(value)), power = std::pow(10, std::abs(exponent));
+  const auto scaled = [&](Real step) { return exponent < 0 ? step / power : step * power; };  // 0.3 as it is written, not 3 * 0.1
   for (const Real step : {1., 1.5, 2., 3., 4., 5., 6., 8.})
-    if (value <= step * power * (1 + 1e-9)) return step * power;
-  return 10 * power;
+    if (value <= scaled(step) * (1 + 1e-9)) return scaled(step);
+  return scaled(10);
 }
 
 }  // namespace berm

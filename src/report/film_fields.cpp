@@ -31,7 +31,7 @@ FieldWords words_of(FilmField field, bool with_pipe)
     return {"deviatoric_strain", "accumulated deviatoric strain", "1"};
   case FilmField::incremental_deviatoric_strain:
     return {"incremental_deviatoric_strain",
-            with_pipe ? "incremental deviatoric strain, per 0.01 D of the pipe's way (while it rests: since the frame before)"
+            with_pipe ? "incremental deviatoric strain, per 0.01 D of the pipe's way (at rest: since the frame before)"
                       : "incremental deviatoric strain, since the frame before",
             "1"};
   case FilmField::mean_stress:
