@@ -18,9 +18,10 @@ std::string class_attribute(const std::string& name)
 
 void HtmlTable::row(std::vector<HtmlCell> cells, std::string row_class)
 {
+  const std::string span = cells.size() == 1 && columns_.size() > 1 ? fmt::format(" colspan=\"{}\"", columns_.size()) : "";
   std::string html;
   for (std::size_t k = 0; k < cells.size(); ++k) {
-    const std::string attributes = class_attribute(cells[k].number ? "number" : "");
+    const std::string attributes = class_attribute(cells[k].number ? "number" : "") + span;
     html += k == 0 ? fmt::format("<th scope=\"row\"{}>{}</th>", attributes, cells[k].content)
                    : fmt::format("<td{}>{}</td>", attributes, cells[k].content);
   }

@@ -18,9 +18,9 @@ public:
   /// `id` names it for links and for copying, `caption` is text.
   HtmlTable(std::string id, std::string caption) : id_(std::move(id)), caption_(std::move(caption)) {}
 
-  /// The header: HTML, by column.
+  /// The header, before the rows: HTML, by column.
   void columns(std::vector<HtmlCell> cells) { columns_ = std::move(cells); }
-  /// A row; its first cell is its header. `row_class` as the page's style knows it ("out_of_range", "group"), or "".
+  /// A row; its first cell is its header, and as its only cell goes over all columns. `row_class` as the page's style knows it ("out_of_range", "group"), or "".
   void row(std::vector<HtmlCell> cells, std::string row_class = "");
   bool empty() const { return rows_.empty(); }
 

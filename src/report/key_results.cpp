@@ -93,7 +93,7 @@ std::string drag_table(const std::vector<RunRecord>& runs, const Shown& shown, b
 
 std::string residual_words(const Resistance& resistance)
 {
-  const std::string change = said_number(100 * resistance.last_change);
+  const std::string change = fmt::format("{:.2g}", 100 * resistance.last_change);
   return resistance.residual ? fmt::format("mean over the end of the drag, where H changes by {} %", change)
                              : fmt::format("not reached: H changes by {} % over the end of the drag", change);
 }
@@ -135,7 +135,8 @@ std::string resistance_table(const std::vector<RunRecord>& runs, const Shown& sh
 std::string key_results(const std::vector<RunRecord>& runs, const Shown& shown)
 {
   const bool several = std::count_if(runs.begin(), runs.end(), [](const RunRecord& run) { return run.has_pipe(); }) > 1;
-  return push_table(runs, shown, several) + drag_table(runs, shown, several) + resistance_table(runs, shown, several);
+  const std::string tables = push_table(runs, shown, several) + drag_table(runs, shown, several) + resistance_table(runs, shown, several);
+  return tables.empty() ? "" : shown.prototype_words() + tables;
 }
 
 }  // namespace berm

@@ -49,7 +49,7 @@ RunPoints points_of(const RunRecord& run)
 
 bool is_wished_in_place(const RunRecord& run)
 {
-  return run.settings.method == Method::fem || points_of(run).first_w > wished_beyond * run.scale.diameter;
+  return points_of(run).first_w > wished_beyond * run.scale.diameter;
 }
 
 }  // namespace berm

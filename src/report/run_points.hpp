@@ -28,7 +28,7 @@ struct RunPoints {
 
 RunPoints points_of(const RunRecord& run);
 
-/// Whether the pipe lay in the soil from the start, below a flat surface: all of the finite element method, and where it began deeper than 0.01 D.
+/// Whether the pipe lay in the soil from the start, below a flat surface: deeper than 0.01 D.
 bool is_wished_in_place(const RunRecord& run);
 
 }  // namespace berm

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace berm {
 namespace {
@@ -64,7 +65,8 @@ Shown::Shown(const std::vector<RunRecord>& runs) : force_{1, "N/m"}, prototype_f
   for (const RunRecord& run : runs) {
     if (!run.has_pipe()) continue;
     diameter = std::max(diameter, run.scale.diameter);
-    prototype_ = prototype_ || is_scaled(run);
+    const Real level = std::round(10 * run.scale.gravity_level) / 10;
+    if (is_scaled(run) && std::find(levels_.begin(), levels_.end(), level) == levels_.end()) levels_.push_back(level);
     by_weight_ = by_weight_ || force_measure(run).kind == ForceMeasure::Kind::weight;
     by_strength_ = by_strength_ || force_measure(run).kind == ForceMeasure::Kind::strength;
     for (const Quantity& q : run.quantities) {
@@ -83,7 +85,7 @@ std::vector<HtmlCell> Shown::force_columns(const std::string& symbol) const
   std::vector<HtmlCell> cells{{fmt::format("{}, {}", symbol, force_.name), true}};
   if (by_weight_) cells.push_back({fmt::format("{}/({})", symbol, letters_of(ForceMeasure::Kind::weight)), true});
   if (by_strength_) cells.push_back({fmt::format("{}/({})", symbol, letters_of(ForceMeasure::Kind::strength)), true});
-  if (prototype_) cells.push_back({fmt::format("{} in the prototype, {}", symbol, prototype_force_.name), true});
+  if (!levels_.empty()) cells.push_back({fmt::format("{} in the prototype, {}", symbol, prototype_force_.name), true});
   return cells;
 }
 
@@ -94,22 +96,33 @@ std::vector<HtmlCell> Shown::force_cells(const RunRecord& run, Real force) const
   std::vector<HtmlCell> cells{{table_number(force / force_.size), true}};
   if (by_weight_) cells.push_back({over(ForceMeasure::Kind::weight), true});
   if (by_strength_) cells.push_back({over(ForceMeasure::Kind::strength), true});
-  if (prototype_) cells.push_back({is_scaled(run) ? table_number(force * run.scale.gravity_level / prototype_force_.size) : nothing, true});
+  if (!levels_.empty())
+    cells.push_back({is_scaled(run) ? table_number(force * run.scale.gravity_level / prototype_force_.size) : nothing, true});
   return cells;
 }
 
 std::vector<HtmlCell> Shown::length_columns(const std::string& symbol) const
 {
   std::vector<HtmlCell> cells{{symbol + "/D", true}, {fmt::format("{}, {}", symbol, length_.name), true}};
-  if (prototype_) cells.push_back({symbol + " in the prototype, m", true});
+  if (!levels_.empty()) cells.push_back({symbol + " in the prototype, m", true});
   return cells;
 }
 
 std::vector<HtmlCell> Shown::length_cells(const RunRecord& run, Real length) const
 {
   std::vector<HtmlCell> cells{{table_number(length / run.scale.diameter), true}, {table_number(length / length_.size), true}};
-  if (prototype_) cells.push_back({is_scaled(run) ? table_number(length * run.scale.gravity_level) : nothing, true});
+  if (!levels_.empty()) cells.push_back({is_scaled(run) ? table_number(length * run.scale.gravity_level) : nothing, true});
   return cells;
+}
+
+std::string Shown::prototype_words() const
+{
+  if (levels_.empty()) return "";
+  std::vector<std::string> levels;
+  for (const Real level : levels_) levels.push_back(said_number(level));
+  return html_paragraph(fmt::format("In the prototype, lengths and forces per metre are those of the model times the gravity level ({}).",
+                                    fmt::join(levels, ", ")),
+                        "quiet");
 }
 
 std::string Shown::force_said(const RunRecord& run, Real force) const

@@ -46,6 +46,9 @@ public:
   /// "0.1 D (2 mm, 0.1 m in the prototype)".
   std::string length_said(const RunRecord& run, Real length) const;
 
+  /// What the prototype is, as a paragraph; "" without one.
+  std::string prototype_words() const;
+
   const char* force_unit() const { return force_.name; }
   /// A force (N/m) in that unit.
   Real in_force_unit(Real force) const { return force / force_.size; }
@@ -56,7 +59,8 @@ private:
     const char* name;
   };
   Unit force_, prototype_force_, length_;
-  bool prototype_ = false, by_weight_ = false, by_strength_ = false;
+  std::vector<Real> levels_;  ///< gravity levels of the runs that have a prototype, each once
+  bool by_weight_ = false, by_strength_ = false;
 };
 
 }  // namespace berm

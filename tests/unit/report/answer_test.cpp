@@ -31,6 +31,7 @@ TEST(answer, key_results_stand_at_model_scale_dimensionless_and_at_prototype_sca
   const std::string html = answer_section({MadeRun{}.record()});
   EXPECT_TRUE(holds(html, "<th scope=\"col\" class=\"number\">V, kN/m</th><th scope=\"col\" class=\"number\">V/(γ′ D²)</th>"
                           "<th scope=\"col\" class=\"number\">V in the prototype, kN/m</th>"));
+  EXPECT_TRUE(holds(html, "times the gravity level (50)"));
   EXPECT_TRUE(holds(html, "<th scope=\"row\">w = 0.05 D</th><td class=\"number\">0.05000</td><td class=\"number\">1.000</td>"
                           "<td class=\"number\">0.05000</td><td class=\"number\">0.4000</td><td class=\"number\">2.326</td>"
                           "<td class=\"number\">20.00</td>"))
@@ -92,7 +93,7 @@ TEST(answer, several_runs_stand_one_below_the_other_at_each_point)
   other.name = "other <run>";
   other.V = [](Real w) { return 2e5 * w; };
   const std::string html = answer_section({MadeRun{}.record(), other.record()});
-  const auto group = html.find("<tr class=\"group\"><th scope=\"row\">w = 0.05 D</th></tr>");
+  const auto group = html.find("<tr class=\"group\"><th scope=\"row\" colspan=\"7\">w = 0.05 D</th></tr>");
   ASSERT_NE(group, std::string::npos) << html;
   const auto first = html.find("<tr><th scope=\"row\">made</th>", group),
              second = html.find("<tr><th scope=\"row\">other &lt;run&gt;</th>", group);
