@@ -55,6 +55,7 @@ TEST(published, a_push_into_sand_stands_beside_what_carries_it)
   EXPECT_NEAR(embedment->berm, 0.002, 1e-9);
   EXPECT_NEAR(embedment->published.value, 0.02 * 0.037 * std::pow(800 / 172., 2. / 3), 1e-9);
   EXPECT_NE(by(state, "DNV-RP-F114"), nullptr);
+  EXPECT_EQ(state_at(values, Kind::end_of_push, 0.002), nullptr);  // the same point once more
 }
 
 TEST(published, a_drag_through_sand_takes_the_w_and_V_that_the_run_found)
@@ -122,6 +123,19 @@ TEST(published, clay_gets_the_formulas_for_clay)
   ASSERT_NE(apex, nullptr);
   EXPECT_NEAR(apex->published.value, 20 * 2.72 * std::pow(0.25, 0.78), 1e-6);
   EXPECT_NE(by(state_at(values, Kind::drag, 0.006), merifield, "envelope at the run's V"), nullptr);
+}
+
+TEST(published, the_clay_envelope_is_taken_at_V_less_the_weight_of_the_displaced_clay)
+{
+  // At u = 0.3 D, w = 0.25 D, smooth: b1 = 0.8 x 0.95, b2 = 0.35 x 2.25, so that the apex is at 0.76/1.5475 of V_max. A quarter of the depth is a segment of
+  // 60 deg to either side: (pi/3 - sqrt(3)/4) R^2.
+  MadeRun made = clay_run(0.002);
+  made.held_V = 0.76 / 1.5475 * 20 * 5.66 * std::pow(0.25, 0.32) + 430e3 * (pi / 3 - std::sqrt(3) / 4) * 1e-4;
+  const PublishedValues values = published_beside(made.record());
+  const ComparedState* drag = state_at(values, Kind::drag, 0.006);
+  const Comparison *at_V = by(drag, merifield, "envelope at the run's V"), *apex = by(drag, merifield, "apex");
+  ASSERT_NE(at_V, nullptr);
+  EXPECT_NEAR(at_V->published.value, apex->published.value, 1e-9);
 }
 
 TEST(published, clay_at_07_D_is_out_of_range)
