@@ -42,9 +42,10 @@ std::string figure_of(const Alike& group)
   const Drawing drawing = draw_case(group.first->settings, "Drawing to scale: " + names);
   std::string words = fmt::format("<strong>{}</strong>, to scale.", html_text(names));
   for (const std::string& note : drawing.notes) words += fmt::format(" {}", html_text(note));
-  return fmt::format("<figure>\n<div class=\"drawing\" style=\"display:flex;flex-wrap:wrap;gap:12px 24px\">\n{}</div>\n"
-                     "<figcaption>{}</figcaption>\n</figure>\n",
-                     drawing.svgs, words);
+  return fmt::format(
+      "<figure style=\"margin:0 0 28px\">\n<div class=\"drawing\" style=\"display:flex;flex-wrap:wrap;gap:12px 24px\">\n{}</div>\n"
+      "<figcaption>{}</figcaption>\n</figure>\n",
+      drawing.svgs, words);
 }
 
 std::string drawings_of(const std::vector<RunRecord>& runs)
