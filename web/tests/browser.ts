@@ -33,12 +33,13 @@ export interface OpenReport {
   requests: string[];
 }
 
-/** Opens BERM_REPORT, or `file`, from its file:// address; resolves when its script has run. */
+/** Opens BERM_REPORT, or `file`, from its file:// address, with `script` run before its own; resolves when its script has run. */
 export async function open_report(
   browser: Browser,
-  { file = report_file(), ...options }: BrowserContextOptions & { file?: string } = {},
+  { file = report_file(), script, ...options }: BrowserContextOptions & { file?: string; script?: () => void } = {},
 ): Promise<OpenReport> {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, colorScheme: "light", acceptDownloads: true, ...options });
+  if (script) await context.addInitScript(script);
   const page = await context.newPage();
   const errors: string[] = [];
   const requests: string[] = [];

@@ -63,6 +63,7 @@ export class ChartView {
     this.scene = make_scene(this.plan, settings, this.runs);
     this.picked = pointed && this.scene.traces.map((trace) => pointed.get(trace.label) ?? null);
     this.figure.dataset.chart = this.plan.id;
+    this.figure.classList.toggle("chart_own_key", !this.plan.by_run);
     this.heading.textContent = this.plan.title;
     this.holder.setAttribute("aria-label", `${this.plan.title}: arrow keys move the cursor from row to row`);
     this.draw();

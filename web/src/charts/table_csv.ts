@@ -26,7 +26,12 @@ export function table_csv(scene: Scene): string {
       ]);
     });
   }
-  return lines.map((line) => line.map(field).join(",") + "\n").join("");
+  return lines.map((line, i) => line.map((each) => field(i === 0 ? plain(String(each)) : each)).join(",") + "\n").join("");
+}
+
+// Letters that every program reads, for the heads of columns.
+function plain(text: string): string {
+  return text.replaceAll("\u03b3\u2032", "gamma'").replaceAll("\u00b2", "^2").replaceAll("\u00b3", "^3").replaceAll("\u0394", "delta ");
 }
 
 function field(value: string | number | null): string {

@@ -29,7 +29,7 @@ export function runs_with_energies(runs: RunData[]): RunData[] {
 /** All energies of one run. */
 export function energy_plan(run: RunData): Plan {
   return plan({
-    id: "energies", title: "Energies and work", argument: time, value: { words: "energy", symbol: "", kind: "energy", unit: "J/m" }, by_run: false,
+    id: "energies", title: `Energies and work of ${run.name}`, argument: time, value: { words: "energy", symbol: "", kind: "energy", unit: "J/m" }, by_run: false,
     traces: energies.flatMap((name, index) => {
       const curve = over(run, "time_s", column(run, name), name);
       return curve === null ? [] : [{ ...curve, label: quantity_of_column(name).words, style: run_style(index), run }];

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import type { Browser, Page } from "playwright-core";
+import { changed_report, launch_browser, open_report, report_data, take_screenshot } from "./browser";
+
+let browser: Browser;
+before(async () => void (browser = await launch_browser()));
+after(() => browser.close());
+
+/** What the theme gives the page and its first chart. */
+async function look(page: Page): Promise<string[]> {
+  return page.evaluate(() => [
+    getComputedStyle(document.body).backgroundColor,
+    getComputedStyle(document.body).color,
+    document.querySelector<HTMLCanvasElement>("#curves canvas")!.toDataURL(),
+  ]);
+}
+
+for (const colour of ["light", "dark"] as const)
+  for (const width of [1280, 400])
+    test(`page_is_quiet_and_fits_${width}_px_${colour}`, async () => {
+      const { page, context, errors, requests } = await open_report(browser, { viewport: { width, height: 900 }, colorScheme: colour });
+      assert.ok((await page.locator("#curves .chart canvas").count()) > 0);
+      const beyond = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+      assert.equal(beyond, 0, `the page is ${beyond} px wider than its window`);
+      await take_screenshot(page, `page_${width}_${colour}`, true);
+      await page.locator("#curves").scrollIntoViewIfNeeded();
+      await take_screenshot(page, `curves_${width}_${colour}`);
+      assert.deepEqual(errors, []);
+      assert.deepEqual(requests, []);
+      await context.close();
+    });
+
+test("theme_button_changes_colours", async () => {
+  const { page, context, errors } = await open_report(browser);
+  const light = await look(page);
+  const button = page.locator("button.theme");
+  await button.click();
+  assert.equal(await button.textContent(), "theme: light");
+  assert.deepEqual(await look(page), light);
+  await button.click();
+  assert.equal(await button.textContent(), "theme: dark");
+  const dark = await look(page);
+  for (let i = 0; i < light.length; ++i) assert.notEqual(dark[i], light[i]);
+  await page.reload();
+  assert.equal(await button.textContent(), "theme: dark", "the choice is kept");
+  await button.click();
+  assert.equal(await button.textContent(), "theme: auto");
+  assert.deepEqual(await look(page), light);
+  await page.emulateMedia({ colorScheme: "dark" });
+  await page.waitForFunction((was) => document.querySelector<HTMLCanvasElement>("#curves canvas")!.toDataURL() !== was, light[2]);
+  assert.deepEqual(await look(page), dark, "auto follows the system");
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("theme_works_without_storage", async () => {
+  const { page, context, errors } = await open_report(browser, {
+    script: () => Object.defineProperty(window, "localStorage", { get: () => { throw new Error("no storage"); } }),
+  });
+  const light = await look(page);
+  for (const choice of ["light", "dark"]) {
+    await page.locator("button.theme").click();
+    assert.equal(await page.locator("button.theme").textContent(), `theme: ${choice}`);
+  }
+  assert.notDeepEqual(await look(page), light);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("text_of_the_user_is_never_markup", async () => {
+  const markup = `<img src=x onerror="window.broken_in=1">`;
+  const file = changed_report((data) => {
+    for (const run of data.runs) {
+      run.name = `${markup} ${run.name}`;
+      run.title = markup + run.title;
+      run.stage = run.stage.map((stage) => markup + stage);
+      run.columns[markup] = run.columns.time_s;
+    }
+    for (const point of data.paper) point.label = markup + point.label;
+    data.paper.push({ chart: "H_u", x: null, y: 1, label: markup });
+  });
+  const { page: plain, context: plain_context } = await open_report(browser);
+  const images = await plain.locator("img").count();
+  await plain_context.close();
+  const { page, context, errors, requests } = await open_report(browser, { file });
+  await page.locator(".chart .chart_argument").selectOption(markup);
+  for (const plot of await page.locator(".chart_plot").all()) {
+    await plot.focus();
+    await page.keyboard.press("End");
+  }
+  assert.equal(await page.locator("img").count(), images);
+  assert.equal(await page.evaluate(() => "broken_in" in window), false);
+  assert.ok((await page.locator(".chart_runs").textContent())!.includes(markup), "the text is shown as it is");
+  assert.deepEqual(errors, []);
+  assert.deepEqual(requests, []);
+  await context.close();
+});
+
+/** What the table that the page's first copy button copies holds, with tabs and line ends. */
+async function first_table(page: Page): Promise<string> {
+  return page.evaluate(() => {
+    const id = document.querySelector<HTMLElement>("button.copy[data-copy]")!.dataset.copy!;
+    const rows = [...document.getElementById(id)!.querySelectorAll("tr")];
+    return rows.map((row) => [...row.querySelectorAll("th, td")].map((cell) => cell.textContent!.trim().replace(/\s+/g, " ")).join("\t") + "\n").join("");
+  });
+}
+
+/** Clicks the first copy button, which may lie in a closed <details>. */
+async function copy(page: Page): Promise<void> {
+  await page.evaluate(() => document.querySelectorAll("details").forEach((each) => (each.open = true)));
+  await page.locator("button.copy[data-copy]").first().click();
+  await page.locator("button.copy", { hasText: "copied" }).waitFor();
+}
+
+test("copy_button_copies_the_table", async () => {
+  const { page, context, errors } = await open_report(browser, {
+    script: () => Object.defineProperty(navigator, "clipboard", { value: { writeText: async (text: string) => void (document.documentElement.dataset.copied = text) } }),
+  });
+  const words = await page.locator("button.copy").first().textContent();
+  await copy(page);
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.copied), await first_table(page));
+  await page.waitForFunction((was) => document.querySelector("button.copy")!.textContent === was, words);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("copy_button_works_where_the_clipboard_is_not_allowed", async () => {
+  const { page, context, errors } = await open_report(browser, {
+    script: () => {
+      Object.defineProperty(navigator, "clipboard", { value: undefined });
+      document.addEventListener("copy", (event) => {
+        document.documentElement.dataset.copied = (event.target as HTMLTextAreaElement).value;
+      });
+    },
+  });
+  await copy(page);
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.copied), await first_table(page));
+  assert.equal(await page.locator("textarea").count(), 0);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("print_is_light_with_all_details_open", async () => {
+  const { page, context, errors } = await open_report(browser, { colorScheme: "dark" });
+  const closed = () => page.locator("details:not([open])").count();
+  const before_print = await closed();
+  await page.evaluate(() => void dispatchEvent(new Event("beforeprint")));
+  assert.equal(await closed(), 0);
+  await page.emulateMedia({ media: "print", colorScheme: "dark" });
+  assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(255, 255, 255)");
+  for (const hidden of ["nav", "button.copy", "button.theme", ".chart_buttons button", ".chart_options"])
+    if ((await page.locator(hidden).count()) > 0) assert.equal(await page.locator(hidden).first().isVisible(), false, hidden);
+  assert.ok(await page.locator("#curves canvas").first().isVisible());
+  await page.setViewportSize({ width: 700, height: 990 });
+  const beyond = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+  assert.equal(beyond, 0, `the print is ${beyond} px wider than the paper`);
+  await take_screenshot(page, "print", true);
+  await page.emulateMedia({ media: "screen", colorScheme: "dark" });
+  await page.evaluate(() => void dispatchEvent(new Event("afterprint")));
+  assert.equal(await closed(), before_print);
+  assert.ok((await page.pdf({ format: "A4" })).length > 1000);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("every_control_has_a_name_and_every_canvas_says_what_is_seen", async () => {
+  const { page, context } = await open_report(browser);
+  const nameless = await page.evaluate(() => {
+    const named = (each: Element) =>
+      each.getAttribute("aria-label") || each.textContent!.trim() || [...((each as HTMLInputElement).labels ?? [])].some((label) => label.textContent!.trim());
+    return [...document.querySelectorAll("button, select, input, a[href]")].filter((each) => !named(each)).map((each) => each.outerHTML);
+  });
+  assert.deepEqual(nameless, []);
+  for (const canvas of await page.locator("#curves canvas").all()) {
+    assert.equal(await canvas.getAttribute("role"), "img");
+    assert.match((await canvas.getAttribute("aria-label"))!, /Across: .*up: .*Lines: /);
+  }
+  assert.ok(report_data().runs.length > 0);
+  await context.close();
+});
