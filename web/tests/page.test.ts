@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { changed_report, launch_browser, open_report, report_data, take_screenshot } from "./browser";
+import { changed_report, launch_browser, open_report, take_screenshot } from "./browser";
 
 let browser: Browser;
 before(async () => void (browser = await launch_browser()));
@@ -15,6 +15,10 @@ async function look(page: Page): Promise<string[]> {
     getComputedStyle(document.body).color,
     document.querySelector<HTMLCanvasElement>("#curves canvas")!.toDataURL(),
   ]);
+}
+
+function same(a: string[], b: string[]): boolean {
+  return a.every((each, i) => each === b[i]);
 }
 
 for (const colour of ["light", "dark"] as const)
@@ -38,19 +42,19 @@ test("theme_button_changes_colours", async () => {
   const button = page.locator("button.theme");
   await button.click();
   assert.equal(await button.textContent(), "theme: light");
-  assert.deepEqual(await look(page), light);
+  assert.ok(same(await look(page), light));
   await button.click();
   assert.equal(await button.textContent(), "theme: dark");
   const dark = await look(page);
-  for (let i = 0; i < light.length; ++i) assert.notEqual(dark[i], light[i]);
+  for (let i = 0; i < light.length; ++i) assert.ok(dark[i] !== light[i], "ground, text and chart change");
   await page.reload();
   assert.equal(await button.textContent(), "theme: dark", "the choice is kept");
   await button.click();
   assert.equal(await button.textContent(), "theme: auto");
-  assert.deepEqual(await look(page), light);
+  assert.ok(same(await look(page), light));
   await page.emulateMedia({ colorScheme: "dark" });
   await page.waitForFunction((was) => document.querySelector<HTMLCanvasElement>("#curves canvas")!.toDataURL() !== was, light[2]);
-  assert.deepEqual(await look(page), dark, "auto follows the system");
+  assert.ok(same(await look(page), dark), "auto follows the system");
   assert.deepEqual(errors, []);
   await context.close();
 });
@@ -64,7 +68,7 @@ test("theme_works_without_storage", async () => {
     await page.locator("button.theme").click();
     assert.equal(await page.locator("button.theme").textContent(), `theme: ${choice}`);
   }
-  assert.notDeepEqual(await look(page), light);
+  assert.ok(!same(await look(page), light));
   assert.deepEqual(errors, []);
   await context.close();
 });
@@ -177,6 +181,5 @@ test("every_control_has_a_name_and_every_canvas_says_what_is_seen", async () => 
     assert.equal(await canvas.getAttribute("role"), "img");
     assert.match((await canvas.getAttribute("aria-label"))!, /Across: .*up: .*Lines: /);
   }
-  assert.ok(report_data().runs.length > 0);
   await context.close();
 });

@@ -83,8 +83,7 @@ export class ChartView {
 
   private set_zoom(view: View | null): void {
     this.zoom = view;
-    this.plot.set_view(this.view());
-    this.tell();
+    this.draw();
   }
 
   private point_at(picked: (number | null)[]): void {

@@ -49,14 +49,6 @@ export class Plot {
     this.listen_to_touch();
   }
 
-  set_view(view: View): void {
-    this.view = view;
-    this.drawn?.batch(() => {
-      this.drawn!.setScale("x", { min: view.x[0], max: view.x[1] });
-      this.drawn!.setScale("y", { min: view.y[0], max: view.y[1] });
-    });
-  }
-
   /** Sets the cursor's lines at a point of the scene. */
   set_cursor(x: number, y: number): void {
     const [left, top] = this.place(x, y);
@@ -120,7 +112,8 @@ export class Plot {
     };
     const view = { x: range("x", left, left + width), y: range("y", top, top + height) };
     u.setSelect({ left: 0, top: 0, width: 0, height: 0 }, false);
-    this.events.zoomed(view);
+    // What this leads to replaces the plot whose event is at work here.
+    queueMicrotask(() => this.events.zoomed(view));
   }
 
   private place_dots(): void {

@@ -1,0 +1,365 @@
+// SPDX-License-Identifier: BSD-3-Clause
+import assert from "node:assert/strict";
+import { after, before, test } from "node:test";
+import type { Browser } from "playwright-core";
+import type { RunData } from "../src/data";
+import { changed_report, launch_browser, open_report, read_history, report_data, take_screenshot } from "./browser";
+import { assert_as_in_history, cells_of, chart_of, csv_rows, downloaded, drag, history_numbers, history_rows, pixels, point_at, range_of, unit_in } from "./charts";
+
+let browser: Browser;
+before(async () => void (browser = await launch_browser()));
+after(() => browser.close());
+
+const data = report_data();
+const pushed = data.runs.filter((run) => run.diameter !== null && run.push.rows.length > 1);
+const dragged = data.runs.filter((run) => run.diameter !== null && run.drag.rows.length > 1);
+
+/** A chart that this report has, of a path where there is one. */
+const main_chart = dragged.length > 0 ? "H_u" : pushed.length > 0 ? "V_w" : "any";
+/** The column of history.csv that it shows. */
+const main_column = { H_u: "H_N_m", V_w: "V_N_m", any: "" }[main_chart];
+
+test("hover_reads_rows_of_history_in_every_chart", async () => {
+  const { page, context, errors } = await open_report(browser);
+  const charts = await page.locator(".chart").all();
+  assert.ok(charts.length > 0);
+  for (const chart of charts) {
+    const id = await chart.getAttribute("data-chart");
+    const seen = new Set<string>();
+    for (const [across, down] of [[0.2, 0.3], [0.5, 0.6], [0.8, 0.5]]) {
+      await point_at(page, chart, across, down);
+      const cells = await cells_of(chart);
+      assert.ok(assert_as_in_history(cells) > 0, `${id} shows no column of history.csv`);
+      seen.add(cells.map((cell) => cell.row).join());
+      for (const { run, row } of cells) {
+        const time = cells.find((cell) => cell.run === run && cell.row === row && cell.column === "time_s")!;
+        assert.equal(time.value, history_numbers(run, "time_s")[row]);
+      }
+    }
+    assert.ok(seen.size > 1, `the readout of ${id} does not follow the mouse`);
+  }
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+/** Of rows the one whose argument is nearest to a number: its distance from that. */
+function least_distance(arguments_: (number | null)[], rows: number[], to: number): number {
+  return Math.min(...rows.map((row) => Math.abs((arguments_[row] ?? Infinity) - to)));
+}
+
+test("hover_reads_the_row_nearest_the_cursor", async (t) => {
+  if (dragged.length === 0 && pushed.length === 0) return t.skip("no pipe in these runs");
+  const { page, context } = await open_report(browser);
+  const charts: [string, RunData[], "push" | "drag"][] = [["V_w", pushed, "push"], ["H_u", dragged, "drag"]];
+  for (const [id, runs, path] of charts) {
+    if (runs.length === 0) continue;
+    const chart = chart_of(page, id);
+    // V(w) is upright: its argument runs down the y axis.
+    const axis = path === "push" ? "y" : "x";
+    const [low, high] = await range_of(chart, axis);
+    for (const part of [0.15, 0.45, 0.7]) {
+      const place = await point_at(page, chart, part, part);
+      const cells = await cells_of(chart);
+      const head = cells.find((cell) => (path === "push" ? cell.column === "w_m" : cell.column.startsWith("|u_m")))!.head;
+      const wanted = (low + (high - low) * place[axis === "x" ? 0 : 1]) * unit_in(head);
+      const pixel = ((high - low) / 300) * unit_in(head);
+      for (const run of runs) {
+        const arguments_ = history_numbers(run.name, path === "push" ? "w_m" : "u_m").map((value) =>
+          value === null ? null : path === "push" ? value : Math.abs(value - run.drag.u_begin));
+        const rows = history_rows(run, path);
+        const { row } = cells.find((cell) => cell.run === run.name)!;
+        assert.ok(rows.includes(row), `${id} of ${run.name}: row ${row} is not of the ${path}`);
+        const distance = Math.abs(arguments_[row]! - wanted);
+        assert.ok(distance <= least_distance(arguments_, rows, wanted) + pixel, `${id} of ${run.name}: row ${row} is not the nearest`);
+      }
+    }
+  }
+  await context.close();
+});
+
+test("mean_of_the_readout_is_what_the_program_made", async (t) => {
+  if (dragged.length === 0) return t.skip("no drag in these runs");
+  const { page, context } = await open_report(browser);
+  const chart = chart_of(page, "H_u");
+  await point_at(page, chart, 0.4, 0.5);
+  for (const cell of (await cells_of(chart)).filter((each) => each.column === "H_N_m mean")) {
+    const run = data.runs.find((each) => each.name === cell.run)!;
+    assert.equal(cell.value, run.drag.H_mean[history_rows(run, "drag").indexOf(cell.row)]);
+  }
+  await context.close();
+});
+
+test("run_checkbox_turns_the_run_off_in_all_charts", async () => {
+  const { page, context } = await open_report(browser);
+  const run = (dragged[0] ?? pushed[0] ?? data.runs[0]).name;
+  const chart = chart_of(page, main_chart);
+  const [lines, drawn] = [Number(await chart.getAttribute("data-lines")), await pixels(chart)];
+  const box = page.locator(".chart_runs input").nth(data.runs.findIndex((each) => each.name === run));
+  await box.click();
+  assert.ok(Number(await chart.getAttribute("data-lines")) < lines);
+  assert.ok((await pixels(chart)) !== drawn, "the picture has not changed");
+  for (const each of await page.locator(".chart:not(.chart_own_key)").all())
+    assert.ok(!(await cells_of(each)).some((cell) => cell.run === run), `${await each.getAttribute("data-chart")} still shows ${run}`);
+  await box.press("Space");
+  assert.ok((await pixels(chart)) === drawn, "the picture is not what it was");
+  await context.close();
+});
+
+test("raw_rows_and_the_papers_numbers_can_be_turned_off", async (t) => {
+  if (main_chart === "any") return t.skip("no pipe in these runs");
+  const { page, context } = await open_report(browser);
+  const chart = chart_of(page, main_chart);
+  const [lines, drawn] = [Number(await chart.getAttribute("data-lines")), await pixels(chart)];
+  await page.locator(".chart_raw").uncheck();
+  assert.equal(Number(await chart.getAttribute("data-lines")), lines / 2, "of raw and mean lines the means are left");
+  await page.locator(".chart_raw").check();
+  assert.ok((await pixels(chart)) === drawn, "the picture is not what it was");
+  assert.equal(await page.locator(".chart_paper").count(), data.paper.length > 0 ? 1 : 0);
+  await context.close();
+
+  const level = Math.max(...data.runs.flatMap((run) => history_numbers(run.name, main_column).map((each) => each ?? 0)));
+  const file = changed_report((changed) => {
+    changed.paper = [{ chart: main_chart === "H_u" ? "H_u" : "V_w", x: null, y: 3 * level, label: "three times as much" }];
+  });
+  const { page: with_paper, context: its_context } = await open_report(browser, { file });
+  const marked = chart_of(with_paper, main_chart);
+  const seen = await pixels(marked);
+  const axis = main_chart === "H_u" ? "y" : "x";
+  const [, top] = await range_of(marked, axis);
+  await with_paper.locator(".chart_paper").uncheck();
+  assert.ok((await pixels(marked)) !== seen, "the picture has not changed");
+  assert.ok((await range_of(marked, axis))[1] < 0.7 * top, "the axis no longer reaches up to the paper's level");
+  await its_context.close();
+});
+
+test("units_are_switched_for_all_charts", async (t) => {
+  if (main_chart === "any") return t.skip("no pipe in these runs");
+  const { page, context } = await open_report(browser);
+  const chart = chart_of(page, main_chart);
+  const select = page.locator(".chart_units");
+  const offered = await select.locator("option").evaluateAll((all) => all.map((each) => (each as HTMLOptionElement).value));
+  assert.equal(offered.includes("prototype"), data.runs.some((run) => run.gravity_level !== 1));
+  for (const system of offered) {
+    await select.selectOption(system);
+    await point_at(page, chart, 0.4, 0.4);
+    const cells = await cells_of(chart);
+    for (const cell of cells.filter((each) => each.column === main_column)) {
+      const run = data.runs.find((each) => each.name === cell.run)!;
+      const stress = run.unit_weight > 0 ? run.unit_weight * run.diameter! : run.strength!;
+      const expected = cell.value! * { model: 1, prototype: run.gravity_level, dimensionless: 1 / (stress * run.diameter!) }[system]!;
+      const shown = Number(cell.text) * unit_in(cell.head);
+      assert.ok(Math.abs(shown - expected) <= 0.6e-4 * Math.abs(expected), `${system}: ${cell.text} ${cell.head} is not ${expected}`);
+    }
+    const label = (await chart.locator("canvas").getAttribute("aria-label"))!;
+    assert.match(label, { model: /mm\)/, prototype: /\(m\).*\(kN\/m\)|\(kN\/m\).*\(m\)/, dimensionless: /\/D/ }[system]!);
+    await take_screenshot(page, `units_${system}`);
+  }
+  await context.close();
+});
+
+test("units_offered_are_those_that_the_runs_have", async (t) => {
+  if (main_chart === "any") return t.skip("no pipe in these runs");
+  const heads = async (change: (run: RunData) => void) => {
+    const file = changed_report((changed) => changed.runs.forEach(change));
+    const { page, context } = await open_report(browser, { file });
+    const options = await page.locator(".chart_units option").allTextContents();
+    await context.close();
+    return options;
+  };
+  const clay = await heads((run) => Object.assign(run, { unit_weight: 0, strength: 5e3, gravity_level: 1 }));
+  assert.deepEqual(clay, ["model (mm, N/m)", "dimensionless (w/D, V/(D s_u))"]);
+  const sand = await heads((run) => Object.assign(run, { unit_weight: 1e4, strength: null, gravity_level: 50 }));
+  assert.deepEqual(sand, ["model (mm, N/m)", "dimensionless (w/D, V/(\u03b3\u2032D\u00b2))", "prototype (m, kN/m)"]);
+  const neither = await heads((run) => Object.assign(run, { unit_weight: 0, strength: null, gravity_level: 1 }));
+  assert.deepEqual(neither, []);
+});
+
+test("drag_zooms_and_reset_shows_all_again", async () => {
+  const { page, context } = await open_report(browser);
+  const chart = chart_of(page, main_chart);
+  const drawn = await pixels(chart);
+  const [x, y] = [await range_of(chart, "x"), await range_of(chart, "y")];
+  const reset = chart.locator(".chart_reset");
+  assert.ok(await reset.isDisabled());
+  const zoom = async () => {
+    await drag(page, chart, [0.25, 0.25], [0.75, 0.75]);
+    for (const [axis, full] of [["x", x], ["y", y]] as const) {
+      const [low, high] = await range_of(chart, axis);
+      const part = (high - low) / (full[1] - full[0]);
+      assert.ok(part > 0.48 && part < 0.52, `${axis}: half of the axis was chosen, ${part} of it is seen`);
+      assert.ok(low > full[0] && high < full[1]);
+    }
+    assert.ok((await pixels(chart)) !== drawn, "the picture has not changed");
+  };
+  const all_seen = async () => {
+    assert.deepEqual([await range_of(chart, "x"), await range_of(chart, "y")], [x, y]);
+    assert.ok((await pixels(chart)) === drawn, "the picture is not what it was");
+  };
+  await zoom();
+  await reset.click();
+  await all_seen();
+  await zoom();
+  await chart.locator(".u-over").dblclick({ position: { x: 60, y: 60 } });
+  await all_seen();
+  await context.close();
+});
+
+test("csv_holds_the_rows_of_history", async () => {
+  const { page, context } = await open_report(browser);
+  let compared = 0;
+  for (const chart of await page.locator(".chart").all()) {
+    const [time, ...cells] = await cells_of(chart);
+    const column = cells.find((cell) => read_history(time.run).has(cell.column) && cell.column !== "time_s" && cell.row === time.row);
+    if (column === undefined) continue;
+    const file = await downloaded(page, chart, ".chart_csv");
+    assert.match(file.name, /^[A-Za-z0-9_]+\.csv$/);
+    const [heads, ...rows] = csv_rows(file.text);
+    const numbers = rows.filter((row) => row[heads.indexOf("run")] === time.run);
+    const at = heads.findIndex((head) => head.endsWith(column.head));
+    assert.ok(at > 0, `${heads} has no ${column.head}`);
+    const history = history_numbers(time.run, column.column);
+    for (const row of numbers) {
+      if (heads[1] === "of" && row[1] !== numbers[0][1]) continue;
+      const line = Number(row[heads.indexOf("row")]);
+      assert.equal(row[heads.indexOf("stage")], read_history(time.run).get("stage")![line]);
+      assert.equal(Number(row[heads.indexOf("time (s)")]), history_numbers(time.run, "time_s")[line]);
+      const expected = history[line], written = row[at] === "" ? null : Number(row[at]) * unit_in(heads[at]);
+      if (expected === null || written === null || unit_in(heads[at]) === 1) assert.equal(written, expected);
+      else assert.ok(Math.abs(written - expected) <= 1e-14 * Math.abs(expected));
+      ++compared;
+    }
+  }
+  assert.ok(compared > 0);
+  await context.close();
+});
+
+test("svg_stands_alone_with_titles_units_and_legend", async () => {
+  const label = `<b onload="x">"quoted" & 'odd'`;
+  const file = changed_report((changed) => (changed.runs[0].name = label));
+  const { page, context, errors } = await open_report(browser, { file });
+  for (const chart of await page.locator(".chart").all()) {
+    const id = (await chart.getAttribute("data-chart"))!;
+    const svg = await downloaded(page, chart, ".chart_svg");
+    assert.match(svg.name, /^[A-Za-z0-9_]+\.svg$/);
+    const read = await page.evaluate((text) => {
+      const document_ = new DOMParser().parseFromString(text, "image/svg+xml");
+      return {
+        broken: document_.querySelector("parsererror") !== null,
+        titles: [...document_.querySelectorAll("text.title")].map((each) => each.textContent!),
+        legend: [...document_.querySelectorAll(".legend text")].map((each) => each.textContent!),
+        paths: document_.querySelectorAll("path[stroke-linejoin]").length,
+        foreign: document_.querySelectorAll("b, script, foreignObject, image").length,
+        size: [document_.documentElement.getAttribute("width"), document_.documentElement.getAttribute("height")],
+      };
+    }, svg.text);
+    assert.equal(read.broken, false, id);
+    assert.equal(read.foreign, 0, id);
+    const described = (await chart.locator("canvas").getAttribute("aria-label"))!;
+    assert.equal(read.titles.length, 2, id);
+    for (const title of read.titles) assert.ok(title !== "" && described.includes(title), `${id}: ${title}`);
+    if (["V_w", "H_u", "w_u", "gap"].includes(id)) for (const title of read.titles) assert.match(title, /\((mm|m|s|N\/m|kN\/m)\)$/);
+    assert.equal(read.paths, Number(await chart.getAttribute("data-lines")), id);
+    assert.deepEqual(read.legend, await chart.locator(".chart_readout tbody th span").allTextContents(), id);
+    assert.ok(read.size.every((each) => Number(each) > 100));
+  }
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("svg_shows_the_zoom", async () => {
+  const { page, context } = await open_report(browser);
+  const chart = chart_of(page, main_chart);
+  const all = await downloaded(page, chart, ".chart_svg");
+  await drag(page, chart, [0.25, 0.25], [0.75, 0.75]);
+  assert.ok((await downloaded(page, chart, ".chart_svg")).text !== all.text);
+  await chart.locator(".chart_reset").click();
+  assert.ok((await downloaded(page, chart, ".chart_svg")).text === all.text);
+  await context.close();
+});
+
+test("arrow_keys_move_the_cursor_from_row_to_row", async () => {
+  const { page, context, errors } = await open_report(browser);
+  const chart = chart_of(page, main_chart);
+  await chart.locator(".chart_plot").focus();
+  const first_row = async () => (await cells_of(chart))[0].row;
+  await page.keyboard.press("Home");
+  const begin = await first_row();
+  const rows: number[] = [];
+  for (const key of ["ArrowRight", "ArrowRight", "ArrowDown", "ArrowLeft", "PageDown", "PageUp", "End"]) {
+    await page.keyboard.press(key);
+    assert.ok(assert_as_in_history(await cells_of(chart)) > 0);
+    rows.push(await first_row());
+  }
+  const run = (await cells_of(chart))[0].run;
+  const step = data.runs.find((each) => each.name === run)!.row_step;
+  assert.equal(rows[0], begin + step);
+  assert.equal(rows[1], begin + 2 * step);
+  assert.equal(rows[2], begin + 3 * step);
+  assert.equal(rows[3], begin + 2 * step);
+  assert.ok(rows[4] > rows[3] && rows[5] < rows[4]);
+  assert.ok(rows[6] >= Math.max(...rows));
+  assert.ok((await chart.locator(".chart_told").textContent())!.includes(String(rows[6])));
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("a_finger_reads_rows_too", async () => {
+  const { page, context } = await open_report(browser, { viewport: { width: 400, height: 800 }, hasTouch: true, isMobile: true });
+  const chart = chart_of(page, main_chart);
+  const over = chart.locator(".u-over");
+  await over.scrollIntoViewIfNeeded();
+  const rows = new Set<number>();
+  for (const part of [0.2, 0.6]) {
+    const box = (await over.boundingBox())!;
+    await over.tap({ position: { x: part * box.width, y: part * box.height } });
+    assert.ok(assert_as_in_history(await cells_of(chart)) > 0);
+    rows.add((await cells_of(chart))[0].row);
+  }
+  assert.equal(rows.size, 2);
+  await context.close();
+});
+
+test("any_column_is_shown_over_any_other", async () => {
+  const { page, context } = await open_report(browser);
+  const chart = chart_of(page, "any");
+  const columns = Object.keys(data.runs[0].columns);
+  const [value, argument] = [columns.at(-1)!, columns.find((name) => name !== "time_s" && name !== columns.at(-1))!];
+  await chart.locator(".chart_value").selectOption(value);
+  await chart.locator(".chart_argument").selectOption(argument);
+  await point_at(page, chart, 0.5, 0.5);
+  const cells = await cells_of(chart);
+  assert.deepEqual([...new Set(cells.map((cell) => cell.column))].sort(), [...new Set(["time_s", argument, value])].sort());
+  for (const cell of cells.filter((each) => read_history(each.run).has(each.column))) assert.equal(cell.value, history_numbers(cell.run, cell.column)[cell.row]);
+  await context.close();
+});
+
+test("charts_without_data_do_not_appear", async () => {
+  const file = changed_report((changed) => {
+    for (const run of changed.runs) {
+      run.diameter = null;
+      run.push = { rows: [], u_begin: 0, V_mean: [], H_mean: [] };
+      run.drag = { rows: [], u_begin: 0, V_mean: [], H_mean: [] };
+      for (const name of ["u_m", "w_m", "H_N_m", "V_N_m", "gap_m", "overlap_m", "second_impulse_N_m"]) delete run.columns[name];
+      run.columns.out_of_balance = run.columns.out_of_balance.map(() => null);
+    }
+    changed.paper = [];
+  });
+  const { page, context, errors } = await open_report(browser, { file });
+  const ids = await page.locator(".chart").evaluateAll((all) => all.map((each) => (each as HTMLElement).dataset.chart!));
+  const without_pipe = ["energies", "kinetic_over_internal", "any"];
+  assert.ok(ids.includes("any"));
+  assert.ok(ids.every((id) => without_pipe.includes(id)), ids.join());
+  assert.deepEqual(errors, []);
+  await take_screenshot(page, "without_pipe", true);
+  await context.close();
+});
+
+test("runs_keep_their_colour_in_all_charts", async () => {
+  const { page, context } = await open_report(browser);
+  const look = (sample: string) => page.locator(sample).evaluateAll((all) =>
+    all.map((each) => [each.parentElement!.textContent!.trim(), `${getComputedStyle(each).stroke} ${each.querySelector("line")!.getAttribute("stroke-dasharray")}`]));
+  const legend = new Map((await look(".chart_runs .line_sample")) as [string, string][]);
+  assert.equal(new Set(legend.values()).size, legend.size, "no two runs look alike");
+  for (const [name, style] of await look(".chart:not(.chart_own_key) .line_sample")) assert.equal(style, legend.get(name));
+  await context.close();
+});
