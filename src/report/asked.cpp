@@ -13,7 +13,7 @@
 namespace berm {
 namespace {
 
-constexpr std::size_t most_open_drawings = 4;  // more than these are folded away
+constexpr std::size_t most_open_drawings = 2;  // more than these are folded away
 
 /// Runs that look the same.
 struct Alike {
@@ -42,10 +42,7 @@ std::string figure_of(const Alike& group)
   const Drawing drawing = draw_case(group.first->settings, "Drawing to scale: " + names);
   std::string words = fmt::format("<strong>{}</strong>, to scale.", html_text(names));
   for (const std::string& note : drawing.notes) words += fmt::format(" {}", html_text(note));
-  return fmt::format(
-      "<figure style=\"margin:0 0 28px\">\n<div class=\"drawing\" style=\"display:flex;flex-wrap:wrap;gap:12px 24px\">\n{}</div>\n"
-      "<figcaption>{}</figcaption>\n</figure>\n",
-      drawing.svgs, words);
+  return fmt::format("<figure>\n<div class=\"drawing\">\n{}</div>\n<figcaption>{}</figcaption>\n</figure>\n", drawing.svgs, words);
 }
 
 std::string drawings_of(const std::vector<RunRecord>& runs)
@@ -53,8 +50,10 @@ std::string drawings_of(const std::vector<RunRecord>& runs)
   std::string open, folded;
   const std::vector<Alike> groups = alike(runs);
   for (std::size_t k = 0; k < groups.size(); ++k) (k < most_open_drawings ? open : folded) += figure_of(groups[k]);
-  if (folded.empty()) return open;
-  return open + fmt::format("<details><summary>{} more drawings</summary>\n{}</details>\n", groups.size() - most_open_drawings, folded);
+  const auto side_by_side = [](const std::string& figures) { return fmt::format("<div class=\"drawings\">\n{}</div>\n", figures); };
+  if (folded.empty()) return side_by_side(open);
+  return side_by_side(open) + fmt::format("<details><summary>Drawings of {} more</summary>\n{}</details>\n",
+                                          groups.size() - most_open_drawings, side_by_side(folded));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ public:
 
   void add(const std::string& heading, const std::string& words, const std::string& key = "")
   {
-    entries_.push_back({key.empty() ? heading : key, html_text(heading), html_text(words), true, "", ""});
+    entries_.push_back({key.empty() ? heading : key, html_text(heading), html_text(words), false, "", ""});
   }
   void length(const std::string& heading, Real metres)
   {

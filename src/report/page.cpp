@@ -85,14 +85,14 @@ std::string report_page(std::vector<RunRecord> runs)
 
   const std::string claims = claims_section(runs);
   std::vector<std::pair<std::string, std::string>> sections = {
-      {"asked", "What was asked"}, {"answer", "Answer"}, {"curves", "Curves"}, {"soil", "Soil"}, {"trust", "Trust"}};
+      {"answer", "Answer"}, {"asked", "What was asked"}, {"curves", "Curves"}, {"soil", "Soil"}, {"trust", "Trust"}};
   if (!claims.empty()) sections.emplace_back("claims", "Claims");
 
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   page +=
       fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n", html_text(runs.front().settings.title), page_style);
-  page += header_of(runs, sections) + faults_of(runs) + asked_section(runs) + answer_section(runs);
+  page += header_of(runs, sections) + faults_of(runs) + answer_section(runs) + asked_section(runs);
   page += html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
   page += html_section("soil", "The soil, moving",
                        "<noscript><p>The moving soil needs scripts, which this browser does not run.</p></noscript>\n");

@@ -82,7 +82,7 @@ fs::path common_folder(const std::vector<fs::path>& folders)
 
 }  // namespace
 
-void write_report(const ReportRequest& request)
+std::vector<fs::path> write_report(const ReportRequest& request)
 {
   const std::vector<fs::path> folders = run_folders(request.folders);
   const fs::path page = request.output.empty() ? common_folder(folders) / page_name : fs::path(request.output);
@@ -90,12 +90,13 @@ void write_report(const ReportRequest& request)
   for (const fs::path& folder : folders) runs.push_back(read_run(folder));
   std::stable_sort(runs.begin(), runs.end(), finer);
 
-  const std::string text = report_page(runs);
-  write_whole(page, text);
-  fmt::print("{} ({:.1f} MB)\n", fs::relative(page).string(), static_cast<Real>(text.size()) / 1e6);
-  if (!request.figures) return;
-  const fs::path figures = page.parent_path() / figures_name;
-  for (const std::string& name : draw_report_figures(runs, figures)) fmt::print("{}\n", fs::relative(figures / name).string());
+  write_whole(page, report_page(runs));
+  std::vector<fs::path> written = {page};
+  if (request.figures) {
+    const fs::path figures = page.parent_path() / figures_name;
+    for (const std::string& name : draw_report_figures(runs, figures)) written.push_back(figures / name);
+  }
+  return written;
 }
 
 }  // namespace berm

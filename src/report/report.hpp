@@ -14,7 +14,7 @@ struct ReportRequest {
   bool figures = false;              ///< also SVG and PNG, in the folder report_figures beside the page
 };
 
-/// Writes the page and says where. Throws InputError where a folder is none of a run, RunError where the page cannot be written.
-void write_report(const ReportRequest& request);
+/// Writes the page and gives it and the figures that were written, the page first. Throws InputError where a folder is none of a run, RunError where the page cannot be written.
+std::vector<std::filesystem::path> write_report(const ReportRequest& request);
 
 }  // namespace berm

@@ -36,7 +36,8 @@ HtmlTable RunColumns::table(const std::string& id, const std::string& caption) c
 
   HtmlTable table(id, caption);
   std::vector<HtmlCell> head = {{first_}};
-  for (const std::string& name : names_) head.push_back({html_text(name), true});
+  const bool numbers = std::any_of(rows.begin(), rows.end(), [](const RunEntry& entry) { return entry.number; });
+  for (const std::string& name : names_) head.push_back({html_text(name), numbers});
   if (!unit_.empty()) head.push_back({unit_});
   if (!note_.empty()) head.push_back({note_});
   table.columns(head);

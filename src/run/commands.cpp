@@ -174,7 +174,7 @@ int dispatch(int argc, char** argv)
   }
   if (report_command->parsed()) {
     messages_to_stderr();
-    write_report(report);
+    for (const fs::path& file : write_report(report)) fmt::print("{}\n", fs::proximate(file).string());
     return 0;
   }
   if (verify_command->parsed() || study_command->parsed() || envelope_command->parsed()) {
