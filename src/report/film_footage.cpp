@@ -10,8 +10,7 @@
 namespace berm {
 namespace {
 
-// Frames are held in memory until it is known how many of them the page can take.
-constexpr std::size_t most_memory = 1'000'000'000, bytes_of_point = 6 * sizeof(float);
+constexpr std::size_t bytes_of_point = 6 * sizeof(float);  // the lists of a FilmFrame
 
 std::vector<std::string> stages_of(const std::vector<FilmMoment>& moments)
 {
@@ -21,7 +20,8 @@ std::vector<std::string> stages_of(const std::vector<FilmMoment>& moments)
 }
 
 /// Reads those of the files that are wanted, until one cannot be read.
-void read_frames(Footage& footage, const RunRecord& run, const std::vector<FrameFiles>& files, const FilmReader& reader)
+void read_frames(Footage& footage, const RunRecord& run, const std::vector<FrameFiles>& files, const FilmReader& reader,
+                 std::size_t most_memory)
 {
   std::vector<FilmMoment> moments;
   for (const FrameFiles& frame : files) moments.push_back(moment_at(run.history, frame.time));
@@ -55,7 +55,7 @@ std::vector<std::string> Footage::stages() const
   return stages_of(moments);
 }
 
-Footage read_footage(const RunRecord& run)
+Footage read_footage(const RunRecord& run, std::size_t most_memory)
 {
   Footage footage;
   std::vector<FrameFiles> files;
@@ -66,7 +66,7 @@ Footage read_footage(const RunRecord& run)
     footage.sizes = reader.sizes();
     footage.triangles = reader.triangles();
     if (run.settings.dimension == 3) footage.slice = reader.middle();
-    read_frames(footage, run, files, reader);
+    read_frames(footage, run, files, reader, most_memory);
   } catch (const RunError& error) {
     footage.fault = files.empty() ? fmt::format("there is no film of the soil: {}", error.what())
                                   : fmt::format("frame 1 of {} cannot be read: {}; there is no film", files.size(), error.what());

@@ -23,7 +23,8 @@ struct Footage {
   std::vector<std::string> stages() const;
 };
 
-/// Reads the frames of a run up to the first that is missing or damaged; no frames where there are none.
-Footage read_footage(const RunRecord& run);
+/// Reads the frames of a run up to the first that is missing or damaged; no frames where there are none. They are held in memory until it is known how
+/// many of them the page can take: where all would take more than `most_memory` bytes, they are left out evenly (never the last of a stage).
+Footage read_footage(const RunRecord& run, std::size_t most_memory = 1'000'000'000);
 
 }  // namespace berm

@@ -5,6 +5,7 @@
 #include "sample_film_run.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 namespace berm {
 namespace {
@@ -69,6 +70,23 @@ TEST(film, tells_what_the_history_tells_of_each_frame)
     EXPECT_NEAR(frame["w"], sample.w(f), 1e-15);
     EXPECT_EQ(frame["H"], 20. * f);
     EXPECT_EQ(frame["V"], 200. * f);
+  }
+}
+
+TEST(film, is_the_same_for_any_number_of_threads)
+{
+  const SampleFilmRun<2> sample;
+  const int threads = omp_get_max_threads();
+  omp_set_num_threads(1);
+  const Film one = make_film(sample.run, "f", plenty);
+  omp_set_num_threads(3);
+  const Film three = make_film(sample.run, "f", plenty);
+  omp_set_num_threads(threads);
+  EXPECT_EQ(one.json, three.json);
+  ASSERT_EQ(one.blocks.size(), three.blocks.size());
+  for (std::size_t k = 0; k < one.blocks.size(); ++k) {
+    EXPECT_EQ(one.blocks[k].id, three.blocks[k].id);
+    EXPECT_EQ(one.blocks[k].base64, three.blocks[k].base64);
   }
 }
 
