@@ -174,7 +174,7 @@ HtmlTable compact_table(const std::vector<RunRecord>& runs)
     rows.add("method", c.method == Method::mpm ? "material point method" : "finite elements, wished in place");
     rows.add("gravity", rows.level() > 0 ? fmt::format("{:.4g} g", rows.level()) : "none");
     for (const auto& [name, rigid] : c.rigid)
-      add_rigid(rows, prefix_of(run.has_pipe() ? "pipe" : "rigid body", name, c.rigid.size()), rigid);
+      add_rigid(rows, prefix_of(std::holds_alternative<CircleSettings>(rigid.shape) ? "pipe" : "rigid body", name, c.rigid.size()), rigid);
     for (const auto& [name, material] : c.material) add_material(rows, prefix_of("material", name, c.material.size()), material);
     for (const auto& [name, contact] : c.contact) add_contact(rows, prefix_of("interface", name, c.contact.size()), name, contact);
     add_mesh(rows);

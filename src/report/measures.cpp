@@ -134,7 +134,7 @@ TrustMeasure size_at_pipe(const char* what, const Limit* limit)
           has_pipe,
           tightness,
           [](Run run, Real value) { return fmt::format("D/{:.3g} ({})", value, length_words(near_cell_size(run.settings))); },
-          [what](Run, Real value) { return fmt::format("{} is D/{:.3g}: resistance on a coarse mesh is too large", what, value); },
+          [what](Run, Real value) { return fmt::format("{} are D/{:.3g}: resistance on a coarse mesh is too large", what, value); },
           over_limit};
 }
 

@@ -15,7 +15,7 @@ struct ToWords {
   bool angle;
 
   std::string operator()(std::monostate) const { return "not set"; }
-  std::string operator()(Real v) const { return angle ? fmt::format("{:.6g} ({:.6g}°)", v, v * 180 / pi) : fmt::format("{:.6g}", v); }
+  std::string operator()(Real v) const { return angle ? fmt::format("{:.9g} ({:.9g}°)", v, v * 180 / pi) : fmt::format("{:.9g}", v); }
   std::string operator()(int v) const { return fmt::format("{}", v); }
   std::string operator()(bool v) const { return v ? "yes" : "no"; }
   std::string operator()(const std::string& v) const { return v; }

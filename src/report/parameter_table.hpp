@@ -9,7 +9,7 @@ namespace berm {
 
 /// A parameter by its dotted path, as `--set` takes it: "material.sand.friction_angle", "stage.push.until.embedment".
 struct ParameterEntry {
-  std::string path, value, unit, meaning;  ///< the value with six digits, angles in degrees behind it; "not set" where it is left out
+  std::string path, value, unit, meaning;  ///< the value with nine digits, angles in degrees behind it; "not set" where it is left out
 };
 
 /// Every parameter of a case, table by table.

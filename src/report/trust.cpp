@@ -19,8 +19,8 @@ std::string reason_of(const TrustMeasure& measure)
   if (measure.limit == nullptr) return "";
   const Limit& limit = *measure.limit;
   const std::string good = measure.limit_words(limit.good), bad = measure.limit_words(limit.bad);
-  return html_text(
-      fmt::format("good {} {}, bad {} {}: {}", limit.large ? "from" : "up to", good, limit.large ? "below" : "above", bad, limit.reason));
+  return fmt::format("<span class=\"quiet\">good {} {}, bad {} {}: {}</span>", limit.large ? "from" : "up to", good,
+                     limit.large ? "below" : "above", bad, html_text(limit.reason));
 }
 
 std::string content_of(const TrustMeasure& measure, const RunRecord& run)
@@ -44,8 +44,7 @@ std::string table_of(const std::vector<RunRecord>& runs, Method method, const st
     std::vector<RunEntry> entries;
     for (const TrustMeasure& measure : trust_measures(method))
       if (measure.applies(run))
-        entries.push_back({measure.what, html_text(measure.what), content_of(measure, run), true, "",
-                           fmt::format("<span class=\"quiet\">{}</span>", reason_of(measure))});
+        entries.push_back({measure.what, html_text(measure.what), content_of(measure, run), true, "", reason_of(measure)});
     columns.run(run.name, entries);
   }
   return any ? columns.table(id, caption).html() : "";
@@ -66,9 +65,8 @@ std::vector<std::string> warnings_of(const RunRecord& run)
   if (run.settings.method == Method::mpm && !run.settings.mpm.volumetric_projection)
     found.emplace_back("plain triangles lock: mpm.volumetric_projection is off, and resistance is too large.");
   if (run.check("friction_work_is_loss") == 0) found.emplace_back("friction gives energy instead of taking it.");
-  if (!not_known.empty())
-    found.push_back(
-        fmt::format("{}is not known: {}.", run.summary ? "" : "the run has left no summary: much ", fmt::join(not_known, "; ")));
+  if (!run.summary && !not_known.empty())
+    found.push_back(fmt::format("there is no summary of the run, so this is not known: {}.", fmt::join(not_known, "; ")));
   for (std::size_t k = 0; k < std::min(run.warnings.size(), most_log_warnings); ++k) found.push_back("run.log: " + run.warnings[k]);
   if (run.warnings.size() > most_log_warnings)
     found.push_back(fmt::format("run.log has {} more warnings.", run.warnings.size() - most_log_warnings));
