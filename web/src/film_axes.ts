@@ -4,7 +4,7 @@ import type { Window } from "./film_camera";
 import { tick_text, ticks } from "./film_numbers";
 
 /** px of the page around the plot. */
-export const MARGIN = { left: 46, right: 10, top: 10, bottom: 36 };
+export const MARGIN = { left: 52, right: 10, top: 10, bottom: 36 };
 
 export interface Ink {
   text: string;
@@ -83,7 +83,7 @@ export function draw_axes(context: CanvasRenderingContext2D, scene: Scene, ink: 
   }
   context.stroke();
   context.save();
-  context.translate(8, plot.y + plot.height / 2);
+  context.translate(9, plot.y + plot.height / 2);
   context.rotate(-Math.PI / 2);
   context.textAlign = "center";
   context.fillText("y (mm)", 0, 0);

@@ -24,19 +24,18 @@ export function colour_table(field: FieldData): Uint8Array {
   return table;
 }
 
-/** The range that one field has in all of these films: what the weakest still shows, but never under a tenth of the strongest. */
+/** The range that one field has in all of these films: at each end what the weakest film still shows, but not under a tenth of the strongest. */
 export function common_range(fields: FieldData[]): Range {
-  return {
-    from: weakest(fields.map((field) => field.low)),
-    to: weakest(fields.map((field) => field.high)),
-  };
+  const scale = Math.max(...fields.flatMap((field) => [Math.abs(field.low), Math.abs(field.high)]));
+  return { from: weakest(fields.map((field) => field.low), scale), to: weakest(fields.map((field) => field.high), scale) };
 }
 
-function weakest(ends: number[]): number {
-  const [smallest, largest] = [Math.min(...ends), Math.max(...ends)];
-  if (smallest >= 0) return Math.max(smallest, largest / 10);
-  if (largest <= 0) return Math.min(largest, smallest / 10);
-  return Math.abs(smallest) < Math.abs(largest) ? largest : smallest;
+function weakest(ends: number[], scale: number): number {
+  const sorted = [...ends].sort((a, b) => Math.abs(a) - Math.abs(b));
+  const [nearest, strongest] = [sorted[0], sorted[sorted.length - 1]];
+  // An end that is next to nothing for this field, such as a little tension where all else is pressed, asks for no room.
+  const of_no_weight = Math.abs(strongest) < scale / 20;
+  return of_no_weight || Math.abs(nearest) >= Math.abs(strongest) / 10 ? nearest : strongest / 10;
 }
 
 function rgb(colour: string): number[] {

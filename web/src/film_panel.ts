@@ -270,7 +270,9 @@ export class FilmPanel {
     const bar = this.colour_bar();
     const scene = { window: this.window, surface: this.film.surface, outlines: this.outlines_now(), width: element.clientWidth, height: element.clientHeight };
     this.stage.draw_at(ratio, this.make_look(), (soil) => {
-      const picture = { scene, bar, bar_title: bar === null ? "" : `${this.field!.label} (${bar.unit.name})`, caption: sentence(this.run, this.field, this.at), ratio };
+      const bar_title = bar === null ? "" : `${this.field!.label} (${bar.unit.name})`;
+      const caption = `${this.run.title}. ${sentence(this.run, this.field, this.at)}.`;
+      const picture = { scene, bar, bar_title, caption, ratio };
       save_picture(compose(picture, soil), `${this.run.name} ${this.field?.name ?? "soil"} frame ${Number(this.at.toFixed(1))}`);
     });
   }
