@@ -140,9 +140,11 @@ export class FilmPanel {
     });
   }
 
-  redraw_all(): void {
+  /** Draws with the page's colours as they are now; before a print at once, seen or not. */
+  recolour(): void {
     this.bar_of = "";
-    this.request_draw();
+    if (matchMedia("print").matches) this.draw();
+    else this.request_draw();
   }
 
   private get aspect(): number {

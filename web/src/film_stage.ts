@@ -18,6 +18,7 @@ export class FilmStage {
   readonly note = make("span", "film-note");
   painter!: Painter;
   private ratio = 0;
+  private height_over_width = 0.6;
 
   /** `repaint` is called when the picture has to be drawn again: another size, another painter. */
   constructor(private repaint: (another_painter: boolean) => void) {
@@ -27,8 +28,12 @@ export class FilmStage {
     this.message.setAttribute("role", "status");
     this.element.append(this.over, this.message);
     this.take_painter(this.best_painter(new URLSearchParams(location.search).get("painter")));
-    new ResizeObserver(() => this.repaint(false)).observe(this.element);
-    window.addEventListener("resize", () => this.repaint(false));
+    const follow = () => {
+      this.fit(this.height_over_width);
+      this.repaint(false);
+    };
+    new ResizeObserver(follow).observe(this.element);
+    window.addEventListener("resize", follow);
   }
 
   /** px of the page that the soil fills. */
@@ -39,12 +44,12 @@ export class FilmStage {
     };
   }
 
-  /** Makes the picture as high as the region of interest asks for. */
+  /** Makes the picture as high as the region of interest asks for; on paper it keeps its shape. */
   fit(height_over_width: number): void {
-    const { width } = this.plot;
-    const plot_height = Math.min(TALLEST, Math.max(0.45, Math.min(1, height_over_width)) * width);
-    const height = `${Math.round(plot_height) + MARGIN.top + MARGIN.bottom}px`;
-    if (this.element.style.height !== height) this.element.style.height = height;
+    this.height_over_width = height_over_width;
+    const plot_height = Math.min(TALLEST, Math.max(0.45, Math.min(1, height_over_width)) * this.plot.width);
+    const shape = `${this.element.clientWidth} / ${Math.round(plot_height) + MARGIN.top + MARGIN.bottom}`;
+    if (this.element.clientWidth > 0 && this.element.style.aspectRatio !== shape) this.element.style.aspectRatio = shape;
   }
 
   draw(look: Look, scene: Omit<Scene, "width" | "height">): void {
@@ -75,14 +80,19 @@ export class FilmStage {
   private follow_size(): void {
     const ratio = Math.min(2, window.devicePixelRatio || 1);
     const { plot, over, painter } = this;
-    const [width, height] = [Math.round(this.element.clientWidth * ratio), Math.round(this.element.clientHeight * ratio)];
+    const { clientWidth, clientHeight } = this.element;
+    const [width, height] = [Math.round(clientWidth * ratio), Math.round(clientHeight * ratio)];
     if (ratio === this.ratio && over.width === width && over.height === height) return;
     this.ratio = ratio;
     over.width = width;
     over.height = height;
     painter.resize(Math.round(plot.width * ratio), Math.round(plot.height * ratio));
-    painter.canvas.style.width = `${plot.width}px`;
-    painter.canvas.style.height = `${plot.height}px`;
+    // In parts of the whole, so that both canvases shrink alike on paper.
+    const { style } = painter.canvas;
+    style.left = `${(100 * MARGIN.left) / clientWidth}%`;
+    style.top = `${(100 * MARGIN.top) / clientHeight}%`;
+    style.width = `${(100 * plot.width) / clientWidth}%`;
+    style.height = `${(100 * plot.height) / clientHeight}%`;
   }
 
   /** WebGL by a graphics card, else the 2D canvas, which is faster than WebGL by software; ?painter=webgl or ?painter=2d in the address decide otherwise. */
@@ -106,8 +116,6 @@ export class FilmStage {
     this.painter = painter;
     this.ratio = 0;
     painter.canvas.className = "film-soil";
-    painter.canvas.style.left = `${MARGIN.left}px`;
-    painter.canvas.style.top = `${MARGIN.top}px`;
     painter.canvas.setAttribute("aria-hidden", "true");
     this.element.prepend(painter.canvas);
     this.note.textContent = NOTES[painter.kind];

@@ -93,9 +93,7 @@ class Films {
       look_again();
     }).observe(section);
     document.addEventListener("visibilitychange", look_again);
-    const recolour = () => this.panels.forEach((panel) => panel.redraw_all());
-    document.addEventListener("theme", recolour);
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", recolour);
+    document.addEventListener("theme", () => this.panels.forEach((panel) => panel.recolour()));
   }
 
   private get right(): FilmPanel | undefined {
