@@ -32,6 +32,7 @@ export class PanelPage {
   private slider = make("input", "film-frame");
   private frame = make("output", "film-frame-text");
   private readings = make("dl", "film-readings");
+  private left_out = make("p", "film-left-out quiet");
   private values: HTMLElement[] = [];
   private colours = make("div", "film-colours");
   private bar_title = make("div", "film-bar-title");
@@ -70,6 +71,7 @@ export class PanelPage {
         button("film-forward", icon("forward"), "One frame forward", () => wishes.step(1)),
         this.slider, this.frame),
       this.readings,
+      this.left_out,
       this.colours,
       make("div", "film-tools",
         button("film-farther", icon("farther"), "Zoom out", () => wishes.zoom(1 / 1.5)),
@@ -85,6 +87,8 @@ export class PanelPage {
     set_options(this.run.select, runs.map((run, i) => [String(i), run.title && run.title !== run.name ? `${run.name}: ${run.title}` : run.name]), String(chosen));
     const run = runs[chosen];
     this.slider.max = String(run.film.frames.length - 1);
+    this.left_out.textContent = run.film.note ?? "";
+    this.left_out.hidden = run.film.note === null;
     this.slider.setAttribute("aria-label", `Frame of ${run.name}`);
     const rows = readings(run, 0).map(([name]) => ({ name: make("dt", "", name), value: make("dd", "") }));
     this.values = rows.map((row) => row.value);
