@@ -19,21 +19,26 @@ export function show_charts(section: HTMLElement, data: PageData): void {
   };
   const [forces, noise] = parted([...push_plans(data), ...drag_plans(data)], (plan) => plan.id.endsWith("_noise"));
   section.append(chart_controls(data, settings, () => views.forEach((each) => each.show(settings))));
+  section.append(element("p", { class: "quiet chart_hint" }, hint(forces)));
   const thinned = data.runs.filter((run) => run.row_step > 1).map((run) => `${run.name} (every ${run.row_step}th)`);
   if (thinned.length > 0) section.append(element("p", { class: "quiet" }, `Not all rows of history.csv are in this page: ${thinned.join(", ")}.`));
   section.append(
     ...group("Push and drag", with_data(forces).map((plan) => view(plan))),
-    ...group("Energy, equilibrium, contact and noise", [
+    ...group(data.runs.some((run) => run.diameter !== null) ? "Energy, equilibrium, contact and noise" : "Energy and equilibrium", [
       ...energy_views(data, view),
       ...with_data([...quiet_plans(data.runs), ...contact_plans(data.runs), ...noise]).map((plan) => view(plan)),
     ]),
     ...group("Any column of history.csv", free_views(data, view)),
   );
-  section.append(element("p", { class: "quiet chart_hint" },
-    "Drag over a chart to zoom, double-click to see all of it again. Point at it, or move through it with the arrow keys, to read rows of history.csv; \"mean\" is freed from noise, over 0.01 D of travel to either side."));
   for (const each of views) each.show(settings);
   follow_size(views);
   document.addEventListener("theme", () => views.forEach((each) => each.draw()));
+}
+
+function hint(forces: Plan[]): string {
+  const means = forces.some((plan) => plan.traces.some((trace) => trace.mean !== null));
+  return "Point at a chart, or move through it with the arrow keys, to read rows of history.csv. Drag over it to zoom, double-click to see all again." +
+    (means ? " Thick lines and \u201cmean\u201d are freed from noise, over 0.01 D of travel to either side." : "");
 }
 
 function parted<T>(all: T[], is_second: (each: T) => boolean): [T[], T[]] {

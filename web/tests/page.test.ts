@@ -146,14 +146,38 @@ test("copy_button_works_where_the_clipboard_is_not_allowed", async () => {
   await context.close();
 });
 
+/** How many pixels of the first chart have exactly a colour (#rrggbb). */
+async function pixels_of(page: Page, colour: string): Promise<number> {
+  return page.locator("#curves canvas").first().evaluate((canvas: HTMLCanvasElement, wanted) => {
+    const { data } = canvas.getContext("2d")!.getImageData(0, 0, canvas.width, canvas.height);
+    let found = 0;
+    for (let i = 0; i < data.length; i += 4)
+      if (data[i + 3] === 255 && wanted === "#" + [...data.slice(i, i + 3)].map((each) => each.toString(16).padStart(2, "0")).join("")) ++found;
+    return found;
+  }, colour);
+}
+
+/** The colour of the page's letters. */
+async function letters(page: Page): Promise<string> {
+  return page.evaluate(() => getComputedStyle(document.documentElement).getPropertyValue("--text").trim());
+}
+
 test("print_is_light_with_all_details_open", async () => {
   const { page, context, errors } = await open_report(browser, { colorScheme: "dark" });
   const closed = () => page.locator("details:not([open])").count();
   const before_print = await closed();
-  await page.evaluate(() => void dispatchEvent(new Event("beforeprint")));
+  const dark_letters = await letters(page);
+  assert.ok((await pixels_of(page, dark_letters)) > 0);
+  await page.evaluate(() => {
+    document.addEventListener("theme", () => (document.body.dataset.drawn = "anew"));
+    dispatchEvent(new Event("beforeprint"));
+  });
   assert.equal(await closed(), 0);
   await page.emulateMedia({ media: "print", colorScheme: "dark" });
   assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(255, 255, 255)");
+  await page.waitForFunction(() => document.body.dataset.drawn === "anew");
+  assert.equal(await pixels_of(page, dark_letters), 0, "charts are drawn anew for paper");
+  assert.ok((await pixels_of(page, await letters(page))) > 0);
   for (const hidden of ["nav", "button.copy", "button.theme", ".chart_buttons button", ".chart_options"])
     if ((await page.locator(hidden).count()) > 0) assert.equal(await page.locator(hidden).first().isVisible(), false, hidden);
   assert.ok(await page.locator("#curves canvas").first().isVisible());
@@ -173,7 +197,7 @@ test("every_control_has_a_name_and_every_canvas_says_what_is_seen", async () => 
   const { page, context } = await open_report(browser);
   const nameless = await page.evaluate(() => {
     const named = (each: Element) =>
-      each.getAttribute("aria-label") || each.textContent!.trim() || [...((each as HTMLInputElement).labels ?? [])].some((label) => label.textContent!.trim());
+      each.getAttribute("aria-label") || (each.matches("button, a") && each.textContent!.trim()) || [...((each as HTMLInputElement).labels ?? [])].some((label) => label.textContent!.trim());
     return [...document.querySelectorAll("button, select, input, a[href]")].filter((each) => !named(each)).map((each) => each.outerHTML);
   });
   assert.deepEqual(nameless, []);

@@ -48,14 +48,14 @@ export function quiet_plans(runs: RunData[]): Plan[] {
   const positive = (values: Numbers | null) => values?.map((value) => (value !== null && value > 0 ? value : null)) ?? null;
   return [
     plan({
-      id: "kinetic_over_internal", title: "Kinetic over internal energy", argument: time, value: ratio("kinetic over internal energy", ""), logarithmic: true,
+      id: "kinetic_over_internal", title: "Kinetic over internal energy", argument: time, value: ratio("kinetic/internal energy", ""), logarithmic: true,
       traces: run_traces(runs, (run) => {
         const kinetic = column(run, "kinetic_J_m"), internal = column(run, "internal_J_m");
         return over(run, "time_s", kinetic && internal && positive(combined(kinetic, internal, (k, i) => k / i)), "kinetic_J_m/internal_J_m");
       }),
     }),
     plan({
-      id: "out_of_balance", title: "Force out of balance over weight", argument: time, value: ratio("force out of balance over weight", ""), logarithmic: true,
+      id: "out_of_balance", title: "Force out of balance over weight", argument: time, value: ratio("out of balance/weight", ""), logarithmic: true,
       traces: run_traces(runs, (run) => over(run, "time_s", positive(column(run, "out_of_balance")), "out_of_balance")),
     }),
   ];
