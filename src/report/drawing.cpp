@@ -64,8 +64,12 @@ std::vector<std::string> wrapped(const std::string& words, std::size_t most)
     lines.back() += (lines.back().empty() ? "" : " ") + word;
     begin = end + 1;
   }
-  for (std::string& line : lines)
-    if (line.size() > most) line = line.substr(0, most - 3) + "...";
+  for (std::string& line : lines) {
+    if (line.size() <= most) continue;
+    std::size_t end = most - 3;
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0) == 0x80) --end;  // not inside a UTF-8 character
+    line = line.substr(0, end) + "...";
+  }
   return lines;
 }
 

@@ -63,11 +63,14 @@ TEST(drawing, small_pipe_is_drawn_once_more_with_its_way)
   const std::string svg = svgs.substr(second);
   const auto pipe = numbers_of(svg, "circle", "rigid", {"cx", "cy", "r"});
   const auto after_push = numbers_of(svg, "circle", "later", {"cx", "cy", "r"});
+  ASSERT_EQ(pipe.size(), 3);
+  ASSERT_EQ(after_push.size(), 3);
   const Real per_metre = pipe[2] / 0.01;
   EXPECT_NEAR(after_push[0], pipe[0], 0.03);
   EXPECT_NEAR(after_push[1], pipe[1] + 0.002 * per_metre, 0.03);
   const std::string behind = svg.substr(svg.find("class=\"later\"") + 1);
   const auto after_drag = numbers_of(behind, "circle", "later", {"cx", "cy", "r"});
+  ASSERT_EQ(after_drag.size(), 3);
   EXPECT_NEAR(after_drag[0], pipe[0] + 0.020 * per_metre, 0.03);
   EXPECT_TRUE(contains(svg, "push 0.1 m/s to w = 2 mm")) << svg;
   EXPECT_TRUE(contains(svg, "drag 0.1 m/s, V held, 20 mm")) << svg;

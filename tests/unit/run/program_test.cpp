@@ -135,6 +135,8 @@ TEST(Run, summary_has_the_promised_form)
   const double scale = 877 * 50 * 9.80665 * 0.02 * 0.02;
   EXPECT_NEAR(summary["quantities"]["V_at_w_0.1D_over_gammaD2"]["value"].get<double>() * scale,
               summary["quantities"]["V_at_w_0.1D"]["value"].get<double>(), 1e-9);
+  EXPECT_NE(summary["text"]["machine"].get<std::string>().find("processor"), std::string::npos) << summary["text"];
+  EXPECT_EQ(summary["text"]["date"].get<std::string>().size(), std::string("2026-01-31T12:00:00Z").size()) << summary["text"];
   for (const char* name : {"particle_steps_per_s", "wall_s"}) EXPECT_GT(summary["timing"][name].get<double>(), 0) << name;
   EXPECT_EQ(summary["timing"]["threads"], 1);
   EXPECT_EQ(summary["timing"]["particles"], 2700);
