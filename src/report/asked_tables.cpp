@@ -32,7 +32,8 @@ public:
   {
     return is_model() && model != prototype ? fmt::format("{} ({})", model, prototype) : model;
   }
-  bool is_model() const { return level() > 0 && std::abs(level() - 1) > 0.01; }
+  /// Gravity rounded to 10 m/s2 makes no model.
+  bool is_model() const { return level() > 0 && std::abs(level() - 1) > 0.05; }
   Real level() const { return scale_.gravity_level; }
   const PipeScale& scale() const { return scale_; }
   const Case& settings() const { return case_; }

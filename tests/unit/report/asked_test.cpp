@@ -99,6 +99,13 @@ TEST(asked, compact_table_has_model_and_prototype)
     EXPECT_TRUE(contains(html, words)) << words << "\n" << html;
 }
 
+TEST(asked, gravity_rounded_to_ten_makes_no_prototype)
+{
+  const std::string html = compact_table({sample_record(sample_case({"gravity=[0, -10]"}))}).html();
+  EXPECT_TRUE(contains(html, "diameter</th><td class=\"number\">20 mm</td>")) << html;
+  EXPECT_FALSE(contains(html, "prototype"));
+}
+
 TEST(asked, what_older_runs_lack_is_told)
 {
   RunRecord run = sample_record(sample_case());
