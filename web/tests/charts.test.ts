@@ -272,7 +272,7 @@ test("svg_shows_the_zoom", async () => {
   const ticks = async () => page.evaluate(
     (text) => [...new DOMParser().parseFromString(text, "image/svg+xml").querySelectorAll(".axis")].map((axis) => {
       const ends = [...axis.querySelectorAll("text:not(.title)")].map((label) => `${label.textContent} at ${label.getAttribute("x")} ${label.getAttribute("y")}`);
-      return ends.join();
+      return ends.join(" ; ");
     }),
     (await downloaded(page, chart, ".chart_svg")).text);
   const all = await ticks();
@@ -281,7 +281,10 @@ test("svg_shows_the_zoom", async () => {
   assert.equal(all.length, 2);
   for (const axis of [0, 1]) {
     assert.notEqual(zoomed[axis], all[axis]);
-    for (const place of zoomed[axis].matchAll(/ at (\S+) (\S+)/g)) assert.ok(Number(place[1]) > 0 && Number(place[1]) < 640 && Number(place[2]) > 0 && Number(place[2]) < 400, place[0]);
+    // Labels fill the axis: steps of at most a quarter of it leave more than half between the first and the last.
+    const places = [...zoomed[axis].matchAll(/ at (\S+) (\S+)/g)].map((place) => Number(place[axis + 1]));
+    const spread = Math.max(...places) - Math.min(...places), length = [520, 340][axis];
+    assert.ok(spread > 0.51 * length && spread <= length, `labels spread over ${spread} of ${length} px`);
   }
   await chart.locator(".chart_reset").click();
   assert.deepEqual(await ticks(), all);
