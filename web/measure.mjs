@@ -8,7 +8,7 @@ import { chromium } from "playwright-core";
 const [report] = process.argv.slice(2);
 if (!report) throw new Error("measure.mjs REPORT.html");
 const executablePath = process.env.CHROMIUM ?? ["/usr/bin/chromium", "/usr/bin/chromium-browser", "/usr/bin/google-chrome"].find((path) => existsSync(path));
-const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] });
+const browser = await chromium.launch({ executablePath, args: ["--no-sandbox", "--enable-unsafe-swiftshader"] });
 
 for (const query of ["", "?painter=webgl", "?painter=2d"]) {
   const page = await browser.newPage({ viewport: { width: 1280, height: 900 } });
