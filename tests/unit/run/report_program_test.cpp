@@ -65,7 +65,7 @@ TEST_F(Report, passes_over_what_an_earlier_report_wrote)
 TEST_F(Report, draws_figures_for_print)
 {
   ASSERT_EQ(berm({"report", "out", "--figures"}).status, 0);
-  for (const char* name : {"V_w", "H_u", "w_u", "a_soil", "a_mechanism", "b_soil"})
+  for (const char* name : {"V_w", "H_u", "w_u", "H_over_V_u", "a_energies", "b_contact", "a_soil", "a_mechanism", "b_soil"})
     for (const char* ending : {".svg", ".png"})
       EXPECT_TRUE(fs::exists(file(std::string("out/report_figures/") + name + ending))) << name << ending;
 }
