@@ -109,8 +109,7 @@ TEST(asked, gravity_rounded_to_ten_makes_no_prototype)
 TEST(asked, what_older_runs_lack_is_told)
 {
   RunRecord run = sample_record(sample_case());
-  EXPECT_TRUE(contains(computation_table({run}).html(), "machine</th><td>not recorded"))
-      << computation_table({run}).html();
+  EXPECT_TRUE(contains(computation_table({run}).html(), "machine</th><td>not recorded")) << computation_table({run}).html();
   run.summary->text["machine"] = "a machine";
   EXPECT_TRUE(contains(computation_table({run}).html(), "machine</th><td>a machine"));
   run.summary.reset();
