@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/error.hpp"
 #include "report/html.hpp"
 #include "report/test_run.hpp"
 
@@ -17,13 +18,25 @@ struct Finding {
 struct Claim {
   std::string statement, where;
   std::vector<Finding> findings;
-  std::string why;
+  std::string why;                                              ///< said where there are findings
+  std::string missing = "No run here came so far as to tell.";  ///< said where there are none
 };
+
+/// Adds what `find(run)` says of each run, a std::optional<Finding>; a run whose frames are damaged says nothing.
+template <class Find>
+void add_findings(Claim& claim, const TestRuns& runs, const Find& find)
+{
+  for (const TestRun& run : runs) try {
+      if (const std::optional<Finding> finding = find(run)) claim.findings.push_back(*finding);
+    } catch (const RunError&) {
+      continue;  // the film of the run says which frame
+    }
+}
 
 // How near is near: the paper gives its numbers with one or two digits, and berm's own depend on the mesh by some 10 %.
 constexpr Real near_enough = 0.15, not_far = 0.4;
 
-/// By the distance from the published value: good within near_enough, fair within not_far.
+/// By the distance from the published value: good within near_enough, fair within not_far. Neither number may be NaN.
 Standing standing_of(Real value, Real published);
 Standing standing_if(bool holds);
 

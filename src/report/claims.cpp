@@ -103,7 +103,7 @@ std::string claims_section(const std::vector<RunRecord>& runs)
     table.row({{fmt::format("{} <span class=\"quiet\">({})</span>", html_text(claim.statement), html_text(claim.where))},
                {html_badge(verdict, word_of(verdict))},
                {cell_of(claim.findings)},
-               {html_text(claim.why)}});
+               {html_text(claim.findings.empty() ? claim.missing : claim.why)}});
   }
   const std::string intro = html_paragraph(
       fmt::format("M. Maglia, N. M. Pinyol and C. Hoffman, Material Point Method modelling of offshore unburied cable/pipe interacting "

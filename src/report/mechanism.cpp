@@ -2,6 +2,7 @@
 #include "report/mechanism.hpp"
 
 #include "bodies/rigid.hpp"
+#include "core/error.hpp"
 
 #include <algorithm>
 #include <map>
@@ -41,7 +42,7 @@ Heave heave_of(const SavedSoil& start, const SavedSoil& now, Real surface, const
   const Real width = column_width * diameter;
   std::map<Index, Real> columns = columns_above(now, surface, pipe.x, width);
   for (const auto& [column, height] : columns_above(start, surface, pipe.x, width)) columns[column] -= height;
-  Heave heave{0, 0, 0};
+  Heave heave{-infinity, -infinity, 0};
   const auto most = static_cast<Index>(beside_pipe / column_width);
   for (const auto& [column, rise] : columns) {
     if (column >= 0) heave.berm += std::max(Real(0), rise) * width;
@@ -95,7 +96,11 @@ Mechanism mechanism_of(const SavedSoil& before, const SavedSoil& after, Real sur
 PipeFrames::PipeFrames(const RunRecord& run)
 {
   if (!run.has_pipe() || run.history.rows() == 0 || run.settings.dimension != 2) return;
-  files_ = frame_files(run.folder / "frames");
+  try {
+    files_ = frame_files(run.folder / "frames");
+  } catch (const RunError&) {
+    return;  // the film says what is wrong with them
+  }
   const Real start = start_of_pipe(run.settings);
   const std::vector<Real>&time = run.history["time_s"], &u = run.history["u_m"], &w = run.history["w_m"];
   for (const FrameFiles& frame : files_) {

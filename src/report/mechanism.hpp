@@ -16,8 +16,9 @@ struct PipePlace {
 
 /// How the surface has risen beside the pipe.
 struct Heave {
-  Real behind, ahead;  ///< m, largest rise of a column of soil within 1.5 D of the pipe's axis, on the side x < and x > its centre
-  Real berm;           ///< m2, area of the soil that has risen above the surface, ahead of the centre
+  Real behind,
+      ahead;  ///< m, largest rise (negative: it sinks) of a column of soil within 1.5 D of the pipe's axis, on the side x < and x > its centre
+  Real berm;  ///< m2, area of the soil that has risen above the surface, ahead of the centre
 };
 
 /// Soil above the `surface` (m) now, less that at the `start`: columns are D/10 wide, each particle a square, so that a grain that was thrown up
@@ -37,7 +38,7 @@ struct Mechanism {
 Mechanism mechanism_of(const SavedSoil& before, const SavedSoil& after, Real surface, const PipePlace& from, const PipePlace& to,
                        Real diameter);
 
-/// A run's frames with the place of the pipe in each; none without a pipe, without frames or in space.
+/// A run's frames with the place of the pipe in each; none without a pipe, without frames that can be told or in space.
 class PipeFrames {
 public:
   explicit PipeFrames(const RunRecord& run);

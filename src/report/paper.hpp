@@ -7,7 +7,7 @@
 
 namespace berm {
 
-/// What the paper states of its test, in metres, diameters and N/m. It gives forces in kN without their length: taken as per metre run in the model.
+/// What the paper states of its test, in metres, diameters and N/m. It gives forces in kN and neither length nor scale. The curves show them per metre run of the model, as V is read.
 constexpr Real paper_diameter = 0.02;
 constexpr Real paper_V_push = 4000, paper_w_push = 0.1;  ///< section 3.4: 4 kN at 0.1 D, and held in the drag
 constexpr Real paper_u_drag = 0.3, paper_w_drag = 0.25;  ///< section 3.4: after 0.3 D the embedment is 0.25 D, its maximum

@@ -25,11 +25,11 @@ public:
   const RunRecord& record;
   const Real D;
 
+  /// N/m and m, freed from noise; NaN where the push or the drag does not come so far.
   Real V_of_push(Real w) const { return V_.at(w, half_); }
   Real H(Real u) const { return H_.at(u, half_); }
   Real V(Real u) const { return V_drag_.at(u, half_); }
   Real w(Real u) const { return w_.at(u, half_); }
-  bool has_push() const { return !V_.empty(); }
   bool has_drag() const { return !H_.empty() && !w_.empty() && H_.end() > 0; }
   Real end_of_drag() const { return H_.end(); }
   /// The embedment with which the drag begins.
@@ -42,8 +42,11 @@ public:
 private:
   std::optional<Real> first_travel(const TravelCurve& curve, Real value) const
   {
-    for (const Real travel : curve.travel())
+    constexpr int places = 2000;  // each costs the rows of a window, and a history may be long
+    for (int k = 0; k <= places && !curve.empty(); ++k) {
+      const Real travel = curve.begin() + (curve.end() - curve.begin()) * k / places;
       if (curve.at(travel, half_) >= value) return travel;
+    }
     return std::nullopt;
   }
 
