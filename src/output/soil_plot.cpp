@@ -145,20 +145,26 @@ std::string axes(const Picture& picture, Real most, const std::string& title)
   return script;
 }
 
+/// A file of plots/ between quotes. With ./ before it, since gnuplot runs a name that begins with < as a command.
+std::string data_file(const std::string& name)
+{
+  return gnuplot_text("./" + name + ".dat");
+}
+
 /// The command that draws the data.
 std::string plot(const Picture& picture, bool as_disks)
 {
   std::string command;
   if (as_disks) {
-    command = fmt::format("plot '{}.dat' using 1:2:3:4 with circles lc palette", picture.name);
+    command = fmt::format("plot {} using 1:2:3:4 with circles lc palette", data_file(picture.name));
   } else {
     const Vec<2> lower = picture.view.lower * picture.unit.per_si, size = picture.size() * picture.unit.per_si;
-    command = fmt::format("plot '{}.dat' matrix using ({:.9g}+($1+0.5)*{:.9g}):({:.9g}+($2+0.5)*{:.9g}):3 with image", picture.name,
+    command = fmt::format("plot {} matrix using ({:.9g}+($1+0.5)*{:.9g}):({:.9g}+($2+0.5)*{:.9g}):3 with image", data_file(picture.name),
                           lower[0], size[0] / plot_width, lower[1], size[1] / picture.plot_height());
   }
   if (!picture.frame.rigids.empty())
-    command += fmt::format(", \\\n     '{0}_rigid.dat' with filledcurves closed lc rgb '#c9ccd1', '' with lines lc rgb '#33373d' lw 2",
-                           picture.name);
+    command += fmt::format(", \\\n     {} with filledcurves closed lc rgb '#c9ccd1', '' with lines lc rgb '#33373d' lw 2",
+                           data_file(picture.name + "_rigid"));
   return command + '\n';
 }
 

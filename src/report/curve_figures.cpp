@@ -138,7 +138,7 @@ bool draw_time_chart(const RunRecord& run, const TimeChart& chart, const fs::pat
     if (run.history.has(column) && largest(run.history[column]) > 0)
       figure.curves.push_back({words, curve_style(number, number), run.history["time_s"], scaled(run.history[column], chart.per_si)});
   }
-  return !figure.curves.empty() && draw_both(folder, fmt::format("{}_{}", run.name, chart.name), figure);
+  return !figure.curves.empty() && draw_both(folder, fmt::format("{}_{}", file_name_of(run.name), chart.name), figure);
 }
 
 }  // namespace
@@ -150,7 +150,7 @@ std::vector<std::string> draw_curves(const std::vector<RunRecord>& runs, const f
     if (draw_chart(runs, chart, folder)) names.emplace_back(chart.name);
   for (const RunRecord& run : runs)
     for (const TimeChart& chart : time_charts)
-      if (draw_time_chart(run, chart, folder)) names.push_back(fmt::format("{}_{}", run.name, chart.name));
+      if (draw_time_chart(run, chart, folder)) names.push_back(fmt::format("{}_{}", file_name_of(run.name), chart.name));
   return names;
 }
 

@@ -52,7 +52,7 @@ std::vector<std::string> draw_frame(const RunRecord& run, const PipeFrames& fram
   const std::string place = fmt::format("{}: u = {:.3g} D, w = {:.3g} D", run.name, std::abs(pipe.u - frames.place(0).u) / D, pipe.w / D);
   std::vector<std::string> drawn;
   const auto draw_one = [&](const char* what, SoilColor color) {
-    const SoilPicture picture{run.name + "_" + what + when, color, view, place};
+    const SoilPicture picture{file_name_of(run.name) + "_" + what + when, color, view, place};
     if (std::all_of(std::begin(formats), std::end(formats), [&](PlotFormat format) { return draw_soil(folder, frame, picture, format); }))
       drawn.push_back(picture.name);
   };

@@ -61,7 +61,10 @@ Footage read_footage(const RunRecord& run, std::size_t most_memory)
   std::vector<FrameFiles> files;
   try {
     files = frame_files(run.folder / "frames");
-    if (files.empty()) return footage;
+    if (files.empty()) {
+      if (run.history.rows() > 0) footage.fault = "there is no film of the soil: frames/ lists no frames";
+      return footage;
+    }
     const FilmReader reader(files.front(), run.settings.dimension);
     footage.sizes = reader.sizes();
     footage.triangles = reader.triangles();

@@ -42,6 +42,16 @@ EnergyError energy_error(const RunRecord& run)
   return found;
 }
 
+Real work_of_contact(const RunRecord& run)
+{
+  const History& h = run.history;
+  if (h.rows() == 0 || !h.has("friction_J_m") || !h.has("external_J_m") || !h.has("internal_J_m"))
+    return std::numeric_limits<Real>::quiet_NaN();
+  Real work = 0;
+  for (Index k = 0; k < h.rows(); ++k) work = std::max({work, std::abs(h["external_J_m"][k]), std::abs(h["internal_J_m"][k])});
+  return work > 0 ? std::max(Real(0), -h["friction_J_m"].back() / work) : 0;
+}
+
 Real kinetic_over_internal(const RunRecord& run, const std::vector<std::string>& stages)
 {
   const History& h = run.history;

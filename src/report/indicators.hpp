@@ -23,6 +23,8 @@ inline constexpr Limit energy{
     0.01, 0.05,
     "a smaller mpm.courant lowers it; at D/20 the probe test has 0.5 to 0.9 % (docs/theory.md, section 6), the published "
     "contact scheme makes up to 2.5 % (examples/contact_schemes)"};
+inline constexpr Limit energy_of_fem{
+    0.01, 0.05, "stress and contact forces grow in a straight line within an increment: a smaller fem.largest_step lowers it"};
 inline constexpr Limit kinetic{
     0.05, 0.10, "the usual rule for explicit programs: a few per cent of the internal energy, or inertia is part of the answer"};
 inline constexpr Limit out_of_balance{
@@ -62,6 +64,9 @@ EnergyError energy_error(const RunRecord& run);
 /// The largest kinetic over internal energy in the stages of a list, beyond the first tenth of the rows of each (internal energy begins at nothing); NaN
 /// where there are no such rows.
 Real kinetic_over_internal(const RunRecord& run, const std::vector<std::string>& stages);
+
+/// The energy that contact (friction_J_m) gave in all, where it should take some, over the largest work; 0 where it took some, NaN without a history.
+Real work_of_contact(const RunRecord& run);
 
 /// Whether a drag of the run holds a vertical force.
 bool holds_force(const Case& settings);

@@ -74,10 +74,10 @@ Real tightness(Run run)
   return run.scale.diameter / near_cell_size(run.settings);
 }
 
-TrustMeasure energy()
+TrustMeasure energy(const Limit& limit)
 {
   return {"energy that does not balance, over the work",
-          &limits::energy,
+          &limit,
           always,
           [](Run run) { return energy_error(run).over_work; },
           energy_words,
@@ -147,7 +147,7 @@ TrustMeasure count(const char* what, const char* timing)
 std::vector<TrustMeasure> mpm_measures()
 {
   return {
-      energy(),
+      energy(limits::energy),
       kinetic("kinetic over internal energy, push", "push", pushes, &PipeStages::push),
       kinetic("kinetic over internal energy, drag", "drag", drags, &PipeStages::drag),
       {"out-of-balance force after the geostatic stage, over the weight", &limits::out_of_balance, settles,
@@ -208,7 +208,7 @@ std::vector<TrustMeasure> fem_measures()
       {"part of the stress beyond the strength", &limits::overstress, always, [](Run run) { return run.check("largest_overstress"); },
        percent, [](Run, Real value) { return fmt::format("{} of the stress is beyond the soil's strength", percent_words(value)); },
        percent_words},
-      energy(),
+      energy(limits::energy_of_fem),
       held(),
       overlap(),
       size_at_pipe("elements at the pipe", &limits::elements),

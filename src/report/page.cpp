@@ -48,15 +48,16 @@ std::string header_of(const std::vector<RunRecord>& runs, const std::vector<std:
 }
 
 /// What a reader must know first of runs that did not end well.
-std::string faults_of(const std::vector<RunRecord>& runs)
+std::string faults_of(const std::vector<RunRecord>& runs, const std::vector<std::string>& left_out)
 {
   std::string items;
+  for (const std::string& words : left_out) items += fmt::format("<li class=\"warning\">{}</li>\n", html_text(words));
   for (const RunRecord& run : runs) {
     std::vector<std::string> said;
     if (run.end == RunEnd::unfinished)
       said.emplace_back("did not come to its end: it was killed, crashed or still runs. Shown is what it wrote until then.");
     if (run.end == RunEnd::stopped)
-      said.push_back(fmt::format("was stopped before its end. Its last words: {}", run.last_words.empty() ? "none" : run.last_words));
+      said.push_back(fmt::format("was stopped before its end. It said: {}", run.last_words.empty() ? "nothing" : run.last_words));
     said.insert(said.end(), run.faults.begin(), run.faults.end());
     for (const std::string& words : said)
       items += fmt::format("<li class=\"warning\"><strong>{}</strong> {}</li>\n", html_text(run.name), html_text(words));
@@ -66,7 +67,7 @@ std::string faults_of(const std::vector<RunRecord>& runs)
 
 }  // namespace
 
-std::string report_page(std::vector<RunRecord> runs)
+std::string report_page(std::vector<RunRecord> runs, const std::vector<std::string>& left_out)
 {
   Json data = {{"version", BERM_VERSION}, {"runs", Json::array()}, {"paper", paper_json(runs)}};
   std::string blocks;
@@ -92,7 +93,7 @@ std::string report_page(std::vector<RunRecord> runs)
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   page +=
       fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n", html_text(runs.front().settings.title), page_style);
-  page += header_of(runs, sections) + faults_of(runs) + answer_section(runs) + asked_section(runs);
+  page += header_of(runs, sections) + faults_of(runs, left_out) + answer_section(runs) + asked_section(runs);
   page += html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
   page += html_section("soil", "The soil, moving",
                        "<noscript><p>The moving soil needs scripts, which this browser does not run.</p></noscript>\n");

@@ -17,15 +17,16 @@ struct RunSummary {
 
 /// How a run ended, as its folder tells.
 enum class RunEnd {
-  finished,   ///< all of its stages
-  stopped,    ///< its results are there, but not all of its stages: stopped by the user or by an error
-  unfinished  ///< no results: it was killed, crashed or still runs
+  finished,    ///< all of its stages
+  stopped,     ///< its results are there, but not all of its stages: stopped by the user or by an error
+  unfinished,  ///< no results: it was killed, crashed or still runs
+  not_told     ///< its summary.json is damaged
 };
 
 /// All that a run folder holds, but the frames.
 struct RunRecord {
   std::filesystem::path folder;
-  std::string name;  ///< of the folder
+  std::string name;  ///< of the folder, as valid UTF-8; a page tells runs apart by it
   Case settings;     ///< of resolved.toml
   PipeScale scale;   ///< diameter 0: there is no pipe
   PipeStages stages;
@@ -35,7 +36,7 @@ struct RunRecord {
   RunEnd end = RunEnd::unfinished;
   std::string begun;                  ///< date and time of the first line of run.log; "" where that is missing
   std::vector<std::string> warnings;  ///< of run.log, without their times
-  std::string last_words;             ///< the last line of run.log, without its time
+  std::string last_words;             ///< why the run ended, as run.log tells: its last line, or the warning before the results
   std::vector<std::string> faults;    ///< what is missing or damaged in the folder, in words
 
   bool has_pipe() const { return scale.diameter > 0; }
@@ -46,11 +47,14 @@ struct RunRecord {
   const Quantity* quantity(const std::string& name) const;
 };
 
-/// Whether a folder is one of a run: it holds a resolved.toml.
+/// A name that files may have: letters, digits, points, - and _; everything else becomes _.
+std::string file_name_of(const std::string& name);
+
+/// Whether a folder is one of a run: it holds a resolved.toml that may be looked at.
 bool is_run_folder(const std::filesystem::path& folder);
 
-/// Reads a run folder, as far as there is something: what is missing or damaged goes to `faults`. Throws InputError where its resolved.toml cannot be
-/// read.
+/// Reads a run folder, as far as there is something: what is missing or damaged goes to `faults`. Throws InputError or RunError where its
+/// resolved.toml cannot be read.
 RunRecord read_run(const std::filesystem::path& folder);
 
 }  // namespace berm

@@ -12,6 +12,7 @@
 namespace berm {
 namespace {
 
+constexpr Real most_work_of_contact = 0.01;   // of all work: round-off and the contact's springs give less
 constexpr std::size_t most_log_warnings = 5;  // of a run; a finite element run may warn at every increment
 
 std::string reason_of(const TrustMeasure& measure)
@@ -64,7 +65,8 @@ std::vector<std::string> warnings_of(const RunRecord& run)
   }
   if (run.settings.method == Method::mpm && !run.settings.mpm.volumetric_projection)
     found.emplace_back("plain triangles lock: mpm.volumetric_projection is off, and resistance is too large.");
-  if (run.check("friction_work_is_loss") == 0) found.emplace_back("friction gives energy instead of taking it.");
+  if (const Real given = work_of_contact(run); given > most_work_of_contact)
+    found.push_back(fmt::format("contact gave {:.2g} % of the work instead of taking energy.", 100 * given));
   if (!run.summary && !not_known.empty())
     found.push_back(fmt::format("there is no summary of the run, so this is not known: {}.", fmt::join(not_known, "; ")));
   for (std::size_t k = 0; k < std::min(run.warnings.size(), most_log_warnings); ++k) found.push_back("run.log: " + run.warnings[k]);

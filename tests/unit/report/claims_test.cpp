@@ -115,6 +115,42 @@ TEST(Claims, of_which_no_run_tells_anything_are_not_examined)
   EXPECT_EQ(verdict(html, "Correcting twice"), "not examined");
 }
 
+TEST(Claims, runs_that_have_only_begun_make_no_numbers)
+{
+  PaperRun begun;
+  begun.w_push = 0.01;
+  begun.u_end = 1e-4;
+  for (const std::string& html :
+       {claims_section({begun.record("begun")}), claims_section({PaperRun{.file = "wip_10.toml", .overrides = {}}.record("wip")})})
+    for (const char* number : {"inf", "nan"}) EXPECT_EQ(html.find(std::string(" ") + number), std::string::npos) << html;
+}
+
+TEST(Claims, a_larger_resistance_under_a_larger_load_proves_half)
+{
+  PaperRun wip{.file = "wip_10.toml", .overrides = {}};
+  wip.u_end = 0.3;
+  wip.w = [](double) { return 0.1; };
+  wip.H = [](double) { return 20; };
+  const auto verdict_with = [&](double V) {
+    wip.V = [=](double) { return V; };
+    return verdict(claims_section({PaperRun{}.record("case"), wip.record("wip")}), "Finite elements at the first embedment");
+  };
+  EXPECT_EQ(verdict_with(4000), "reproduced");
+  EXPECT_EQ(verdict_with(1000), "partly");
+}
+
+TEST(Claims, of_two_corrections_are_judged_by_runs_that_correct_twice)
+{
+  RunRecord once = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"once\""}}.record("run");
+  once.quantities = {{"overlap_max_over_D", 0, "1"}};
+  EXPECT_EQ(verdict(claims_section({once}), "With the two corrections"), "not examined");
+  RunRecord twice = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"twice\""}}.record("run");
+  twice.quantities = {{"overlap_max_over_D", 0, "1"}};
+  EXPECT_EQ(verdict(claims_section({twice}), "With the two corrections"), "reproduced");
+  twice.quantities = {{"overlap_max_over_D", 0.01, "1"}};
+  EXPECT_EQ(verdict(claims_section({twice}), "With the two corrections"), "not reproduced");
+}
+
 TEST(Claims, correcting_twice_is_judged_where_a_run_corrects_once)
 {
   RunRecord once =

@@ -115,6 +115,81 @@ TEST_F(Report, of_damaged_files_says_which)
   for (const char* said : {"summary.json is damaged", "is not a number"}) EXPECT_NE(page.find(said), std::string::npos) << said;
 }
 
+TEST_F(Report, of_several_runs_leaves_out_one_that_cannot_be_read_and_says_so)
+{
+  std::ofstream(file("out/b/resolved.toml")) << "title = 3\n";
+  const Ended ended = berm({"report", "out/a", "out/b"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.err.find("b is left out"), std::string::npos) << ended.err;
+  EXPECT_NE(text("out/report.html").find("b is left out"), std::string::npos);
+}
+
+TEST_F(Report, takes_a_folder_where_a_file_should_be_as_damaged)
+{
+  fs::remove(file("out/a/summary.json"));
+  fs::create_directory(file("out/a/summary.json"));
+  cut("out/a/frames/frames.pvd", 0.7);
+  const Ended ended = berm({"report", "out/a"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(text("out/a/report.html").find("summary.json is damaged"), std::string::npos);
+  EXPECT_NE(text("out/a/report.html").find("frames.pvd"), std::string::npos);
+}
+
+TEST_F(Report, tells_that_a_finished_run_lost_the_end_of_its_history)
+{
+  cut("out/a/history.csv", 0.3);
+  ASSERT_EQ(berm({"report", "out/a"}).status, 0);
+  EXPECT_NE(text("out/a/report.html").find("although the run finished: it was cut"), std::string::npos);
+}
+
+TEST_F(Report, says_why_a_run_was_stopped)
+{
+  std::string summary = text("out/a/summary.json"), log = text("out/a/run.log");
+  const std::string finished = "\"finished\": true", last = "everything is in";
+  ASSERT_NE(summary.find(finished), std::string::npos);
+  summary.replace(summary.find(finished), finished.size(), "\"finished\": false");
+  log.insert(log.rfind('\n', log.find(last)) + 1, "2026-01-31 12:00:00 warning: stopped at t = 0.4 s in stage \"push\"\n");
+  std::ofstream(file("out/a/summary.json")) << summary;
+  std::ofstream(file("out/a/run.log")) << log;
+  ASSERT_EQ(berm({"report", "out/a"}).status, 0);
+  EXPECT_NE(text("out/a/report.html").find("It said: stopped at t = 0.4 s"), std::string::npos);
+}
+
+TEST_F(Report, finds_the_runs_of_a_study_and_writes_beside_them)
+{
+  fs::create_directories(file("study/runs"));
+  fs::copy(file("out/a"), file("study/runs/a"), fs::copy_options::recursive);
+  const Ended ended = berm({"report", "study"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_TRUE(fs::exists(file("study/report.html")));
+}
+
+TEST_F(Report, tells_runs_of_one_name_apart)
+{
+  fs::create_directory(file("other"));
+  fs::copy(file("out/b"), file("other/a"), fs::copy_options::recursive);
+  const Ended ended = berm({"report", "out/a", "other/a", "out/../out/a", "--figures", "-o", "page.html"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const std::string page = text("page.html");
+  EXPECT_NE(page.find("2 runs"), std::string::npos);
+  for (const char* name : {"out/a", "other/a"}) EXPECT_NE(page.find(name), std::string::npos) << name;
+  for (const char* name : {"out_a_soil.png", "other_a_soil.png"}) EXPECT_TRUE(fs::exists(file("report_figures") / name)) << name;
+}
+
+TEST_F(Report, names_of_folders_run_nothing_and_are_no_markup)
+{
+  const std::string name = "<touch pwned; +';system(\"touch pwned\");y='z <img src=x>\xff";
+  fs::rename(file("out/a"), file("out") / name);
+  const Ended ended = berm({"report", "out", "--figures", "-o", "page.html"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_FALSE(fs::exists(file("pwned")));
+  EXPECT_FALSE(fs::exists(file("report_figures/plots/pwned")));
+  EXPECT_EQ(ended.err.find("not drawn"), std::string::npos) << ended.err;
+  const std::string page = text("page.html"), markup = page.substr(0, page.find("<script"));
+  EXPECT_EQ(markup.find("<img"), std::string::npos);
+  EXPECT_EQ(page.find('\xff'), std::string::npos);
+}
+
 TEST_F(Report, refuses_what_is_no_run_folder)
 {
   fs::create_directory(file("empty"));
