@@ -28,10 +28,12 @@ Real noise_of(const std::vector<Real>& travel, const std::vector<Real>& force, R
   if (!scale.noisy) return std::numeric_limits<Real>::quiet_NaN();
   const Real D = scale.diameter;
   const TravelCurve curve(travel, force);
+  if (curve.empty()) return std::numeric_limits<Real>::quiet_NaN();
+  const TravelCurve mean = curve.smoothed(averaging_half_width * D);
   Real squares = 0, sum = 0;
   int count = 0;
   for (std::size_t k = 0; k < travel.size(); ++k) {
-    const Real off = travel[k] >= from ? force[k] - curve.at(travel[k], averaging_half_width * D) : std::numeric_limits<Real>::quiet_NaN();
+    const Real off = travel[k] >= from ? force[k] - mean.at(travel[k], 0) : std::numeric_limits<Real>::quiet_NaN();
     if (std::isnan(off)) continue;
     squares += off * off;
     sum += force[k];
@@ -97,15 +99,10 @@ void add_drag(Collector& collector, const PipePath& path, std::optional<Real> he
     collector.ratio(fmt::format("H_over_V_at_u_{:g}D", point), H.at(u, half) / V.at(u, half));
   }
   collector.ratio_if_known("H_noise", noise_of(path.drag_u, path.drag_H, noise_of_H_from * D, scale));
-  Real H_max = -infinity, u_max = 0;
-  for (const Real u : H.travel()) {
-    const bool whole_window =
-        u >= H.begin() + half && u <= H.end() - half;  // at the ends the noise is twice as large and would be the maximum
-    if (const Real here = H.at(u, half); whole_window && here > H_max) H_max = here, u_max = u;
-  }
-  if (H_max == -infinity) return;
-  collector.force("H_max", H_max);
-  collector.length("u_at_H_max", u_max);
+  const TravelCurve smooth = H.smoothed(half);
+  const auto largest = std::max_element(smooth.value().begin(), smooth.value().end());
+  collector.force("H_max", *largest);
+  collector.length("u_at_H_max", smooth.travel()[largest - smooth.value().begin()]);
 
   // The first row is the push's last.
   const std::vector<Real> force(path.drag_V.begin() + 1, path.drag_V.end());
@@ -153,6 +150,11 @@ std::string four_digits(Real value)
 
 }  // namespace
 
+bool has_prototype(const PipeScale& scale)
+{
+  return scale.gravity_level > 0 && std::abs(scale.gravity_level - 1) > 0.05;
+}
+
 Real averaging_half(const PipeScale& scale)
 {
   return scale.noisy ? averaging_half_width * scale.diameter : 0;
@@ -194,7 +196,7 @@ std::string key_results_table(const std::vector<Quantity>& quantities, const Pip
   const auto find = [&](const std::string& name) {
     return std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& q) { return q.name == name; });
   };
-  const bool prototype = std::abs(scale.gravity_level - 1) > 1e-3;
+  const bool prototype = has_prototype(scale);
   std::string table = fmt::format("{:<24}{:>18}{:>16}", "", "model", "dimensionless");
   if (prototype) table += fmt::format("{:>20}", fmt::format("prototype ({:.4g} g)", scale.gravity_level));
   table += '\n';

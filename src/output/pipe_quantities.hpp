@@ -16,6 +16,10 @@ struct PipeScale {
   bool noisy = true;       ///< whether forces have the noise of a dynamic method
 };
 
+/// Whether a model stands for a larger prototype: under gravity that differs from the earth's by more than 5 %, which 10 m/s2 does not; without gravity
+/// there is none.
+bool has_prototype(const PipeScale& scale);
+
 /// The stages of a pipe's run by what they do, in the order in which they ran. A name stands for one kind only.
 struct PipeStages {
   std::vector<std::string> push, drag;
@@ -40,7 +44,7 @@ Real averaging_half(const PipeScale& scale);
 /// The numbers that a report wants of a run that pushes a pipe into the bed and drags it (as far as it came):
 ///   V_at_w_{0.05,0.1,...}D, V_end_of_push, w_end_of_push;
 ///   H, w and H_over_V _at_u_{0.1,0.2,0.3,0.4,0.5,0.75,1.0}D, with u from the begin of the drag;
-///   H_max and u_at_H_max (not within 0.01 D of the ends of the drag);
+///   H_max and u_at_H_max, of the drag to its very end;
 ///   V_rms_error_in_drag, the root mean square of (V - held)/held over the rows of the drag;
 ///   V_noise and H_noise, the standard deviation of the force about its moving mean (as below) over the mean of the force: of V in the push from
 ///   w = 0.02 D on, of H in the drag from u = 0.1 D on; not where rows are farther than 0.005 D apart, too few to tell a mean from noise, and not where the scale says that there is none;
@@ -50,8 +54,8 @@ Real averaging_half(const PipeScale& scale);
 /// line fitted over +-0.01 D of travel (TravelCurve::at), or between two rows where there is no noise.
 std::vector<Quantity> pipe_quantities(const History& history, const PipeScale& scale, const PipeStages& stages);
 
-/// The same as a table for people: model, dimensionless, and prototype (force per metre and length times the gravity level) where the model is
-/// not under one gravity.
+/// The same as a table for people: model, dimensionless, and prototype (force per metre and length times the gravity level) where the model has
+/// one.
 std::string key_results_table(const std::vector<Quantity>& quantities, const PipeScale& scale);
 
 }  // namespace berm

@@ -4,6 +4,11 @@
 #include <algorithm>
 
 namespace berm {
+namespace {
+
+constexpr std::size_t most_marks = 2000;  // each takes a sum over its window, which in a long history holds many rows
+
+}  // namespace
 
 TravelCurve::TravelCurve(const std::vector<Real>& travel, const std::vector<Real>& value)
 {
@@ -45,6 +50,18 @@ Real TravelCurve::at(Real s, Real half) const
     product += w * ds * (value_[k] - mean_y);
   }
   return mean_y - product / along * mean_s;
+}
+
+TravelCurve TravelCurve::smoothed(Real half) const
+{
+  std::vector<Real> marks = travel_, values;
+  if (marks.size() > most_marks) {
+    marks.resize(most_marks);
+    for (std::size_t k = 0; k < most_marks; ++k)
+      marks[k] = k + 1 == most_marks ? end() : begin() + static_cast<Real>(k) / (most_marks - 1) * (end() - begin());
+  }
+  for (const Real s : marks) values.push_back(at(s, half));
+  return {marks, values};
 }
 
 }  // namespace berm

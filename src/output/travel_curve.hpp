@@ -15,6 +15,7 @@ public:
 
   bool empty() const { return travel_.empty(); }
   const std::vector<Real>& travel() const { return travel_; }
+  const std::vector<Real>& value() const { return value_; }
   Real begin() const { return travel_.front(); }
   Real end() const { return travel_.back(); }
 
@@ -23,6 +24,9 @@ public:
   /// to s, where a mean would lag by half a window. With fewer than three rows in the window, linear interpolation. NaN where s is outside the
   /// curve or the curve is empty.
   Real at(Real s, Real half) const;
+
+  /// The curve of at(s, half), at its own travels; of more than 2000 travels, at 2000 equally spaced ones from begin to end.
+  TravelCurve smoothed(Real half) const;
 
 private:
   Real interpolated(Real s) const;

@@ -30,10 +30,8 @@ public:
   }
   std::string with_prototype(const std::string& model, const std::string& prototype) const
   {
-    return is_model() && model != prototype ? fmt::format("{} ({})", model, prototype) : model;
+    return has_prototype(scale_) && model != prototype ? fmt::format("{} ({})", model, prototype) : model;
   }
-  /// Gravity rounded to 10 m/s2 makes no model.
-  bool is_model() const { return level() > 0 && std::abs(level() - 1) > 0.05; }
   Real level() const { return scale_.gravity_level; }
   const PipeScale& scale() const { return scale_; }
   const Case& settings() const { return case_; }
@@ -171,7 +169,7 @@ HtmlTable compact_table(const std::vector<RunRecord>& runs)
   for (const RunRecord& run : runs) {
     const Case& c = run.settings;
     Rows rows(c);
-    models = models || rows.is_model();
+    models = models || has_prototype(rows.scale());
     rows.add("method", c.method == Method::mpm ? "material point method" : "finite elements, wished in place");
     rows.add("gravity", rows.level() > 0 ? fmt::format("{:.4g} g", rows.level()) : "none");
     for (const auto& [name, rigid] : c.rigid)
