@@ -13,15 +13,24 @@ struct Unit {
   const char* name;
 };
 
-/// In the last of the units that is not too large, the first for zero. Units are in order of size.
-std::string scaled(Real value, const std::vector<Unit>& units)
+/// The last of the units that is not too large, the first for zero. Units are in order of size.
+NamedUnit unit_of(Real value, const std::vector<Unit>& units)
 {
-  if (std::isnan(value)) return "not known";
   const Unit* chosen = units.data();
   if (value != 0)
     for (const Unit& unit : units)
       if (std::abs(value) >= unit.from * (1 - 1e-9)) chosen = &unit;
-  return fmt::format("{:.4g} {}", value / chosen->size + 0., chosen->name);
+  return {chosen->size, chosen->name};
+}
+
+std::string in_unit(Real value, const NamedUnit& unit)
+{
+  return std::isnan(value) ? "not known" : fmt::format("{:.4g} {}", value / unit.size + 0., unit.name);
+}
+
+std::string scaled(Real value, const std::vector<Unit>& units)
+{
+  return in_unit(value, unit_of(value, units));
 }
 
 }  // namespace
@@ -31,10 +40,15 @@ std::string length_words(Real metres)
   return scaled(metres, {{0, 1e-3, "mm"}, {1, 1, "m"}});
 }
 
+NamedUnit unit_of_forces(Real largest, int dimension)
+{
+  return dimension == 2 ? unit_of(largest, {{0, 1, "N/m"}, {100, 1e3, "kN/m"}, {1e7, 1e6, "MN/m"}})
+                        : unit_of(largest, {{0, 1, "N"}, {100, 1e3, "kN"}, {1e7, 1e6, "MN"}});
+}
+
 std::string force_words(Real newtons, int dimension)
 {
-  return dimension == 2 ? scaled(newtons, {{0, 1, "N/m"}, {1e3, 1e3, "kN/m"}, {1e6, 1e6, "MN/m"}})
-                        : scaled(newtons, {{0, 1, "N"}, {1e3, 1e3, "kN"}, {1e6, 1e6, "MN"}});
+  return in_unit(newtons, unit_of_forces(newtons, dimension));
 }
 
 std::string stress_words(Real pascals)

@@ -11,7 +11,15 @@ namespace berm {
 
 /// A length in mm below a metre, else in m: "20 mm", "1.25 m".
 std::string length_words(Real metres);
-/// A force per metre run (in space: a force) in N/m, kN/m or MN/m (N, kN, MN) by its size.
+/// A unit, and its size in SI.
+struct NamedUnit {
+  Real size;
+  const char* name;
+};
+/// The unit in which forces per metre run (in space: forces) of up to a size are told, in tables and in sentences: N/m below 100 N/m, kN/m, and MN/m from
+/// 10 MN/m on (N, kN, MN).
+NamedUnit unit_of_forces(Real largest, int dimension);
+/// A force in the unit of its size.
 std::string force_words(Real newtons, int dimension);
 /// A stress in Pa, kPa, MPa or GPa by its size.
 std::string stress_words(Real pascals);

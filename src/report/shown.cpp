@@ -9,7 +9,6 @@ namespace berm {
 namespace {
 
 constexpr const char* nothing = "–";
-constexpr Real largest_in_N = 500;   // N/m: beyond it forces are told in kN/m
 constexpr Real largest_in_mm = 0.5;  // m: beyond this diameter lengths are told in m
 
 /// Without an exponent in the range of engineering numbers.
@@ -19,12 +18,6 @@ std::string with_digits(Real value, int digits)
   if (size > 0 && (size < 1e-5 || size >= 1e7)) return fmt::format("{:.{}e}", value, digits - 1);
   const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
   return fmt::format("{:.{}f}", value, std::max(0, digits - before));
-}
-
-bool is_scaled(const RunRecord& run)
-{
-  // 9.8 and 10 m/s2 are the earth's gravity too; without gravity there is no scale.
-  return run.scale.gravity_level > 0 && std::abs(run.scale.gravity_level - 1) > 0.05;
 }
 
 }  // namespace
@@ -66,7 +59,7 @@ Shown::Shown(const std::vector<RunRecord>& runs) : force_{1, "N/m"}, prototype_f
     if (!run.has_pipe()) continue;
     diameter = std::max(diameter, run.scale.diameter);
     const Real level = std::round(10 * run.scale.gravity_level) / 10;
-    if (is_scaled(run) && std::find(levels_.begin(), levels_.end(), level) == levels_.end()) levels_.push_back(level);
+    if (has_prototype(run.scale) && std::find(levels_.begin(), levels_.end(), level) == levels_.end()) levels_.push_back(level);
     by_weight_ = by_weight_ || force_measure(run).kind == ForceMeasure::Kind::weight;
     by_strength_ = by_strength_ || force_measure(run).kind == ForceMeasure::Kind::strength;
     for (const Quantity& q : run.quantities) {
@@ -75,8 +68,8 @@ Shown::Shown(const std::vector<RunRecord>& runs) : force_{1, "N/m"}, prototype_f
       largest_prototype = std::max(largest_prototype, std::abs(q.value) * run.scale.gravity_level);
     }
   }
-  if (largest > largest_in_N) force_ = {1e3, "kN/m"};
-  if (largest_prototype > largest_in_N) prototype_force_ = {1e3, "kN/m"};
+  force_ = unit_of_forces(largest, 2);
+  prototype_force_ = unit_of_forces(largest_prototype, 2);
   if (diameter > largest_in_mm) length_ = {1, "m"};
 }
 
@@ -97,7 +90,7 @@ std::vector<HtmlCell> Shown::force_cells(const RunRecord& run, Real force) const
   if (by_weight_) cells.push_back({over(ForceMeasure::Kind::weight), true});
   if (by_strength_) cells.push_back({over(ForceMeasure::Kind::strength), true});
   if (!levels_.empty())
-    cells.push_back({is_scaled(run) ? table_number(force * run.scale.gravity_level / prototype_force_.size) : nothing, true});
+    cells.push_back({has_prototype(run.scale) ? table_number(force * run.scale.gravity_level / prototype_force_.size) : nothing, true});
   return cells;
 }
 
@@ -111,7 +104,7 @@ std::vector<HtmlCell> Shown::length_columns(const std::string& symbol) const
 std::vector<HtmlCell> Shown::length_cells(const RunRecord& run, Real length) const
 {
   std::vector<HtmlCell> cells{{table_number(length / run.scale.diameter), true}, {table_number(length / length_.size), true}};
-  if (!levels_.empty()) cells.push_back({is_scaled(run) ? table_number(length * run.scale.gravity_level) : nothing, true});
+  if (!levels_.empty()) cells.push_back({has_prototype(run.scale) ? table_number(length * run.scale.gravity_level) : nothing, true});
   return cells;
 }
 
@@ -129,7 +122,7 @@ std::string Shown::force_said(const RunRecord& run, Real force) const
 {
   const ForceMeasure measure = force_measure(run);
   std::string also;
-  if (is_scaled(run))
+  if (has_prototype(run.scale))
     also =
         fmt::format("{} {} in the prototype", said_number(force * run.scale.gravity_level / prototype_force_.size), prototype_force_.name);
   if (measure.kind != ForceMeasure::Kind::unknown)
@@ -141,7 +134,7 @@ std::string Shown::force_said(const RunRecord& run, Real force) const
 std::string Shown::length_said(const RunRecord& run, Real length) const
 {
   std::string also = fmt::format("{} {}", said_number(length / length_.size), length_.name);
-  if (is_scaled(run)) also += fmt::format(", {} m in the prototype", said_number(length * run.scale.gravity_level));
+  if (has_prototype(run.scale)) also += fmt::format(", {} m in the prototype", said_number(length * run.scale.gravity_level));
   return fmt::format("{} D ({})", said_number(length / run.scale.diameter), also);
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "report/html.hpp"
+#include "report/quantity_words.hpp"
 #include "report/run_record.hpp"
 
 namespace berm {
@@ -28,8 +29,8 @@ ForceMeasure force_measure(const RunRecord& run);
 /// The same in letters, as HTML.
 std::string letters_of(ForceMeasure::Kind kind);
 
-/// How forces per metre and lengths of all runs stand on one page: at model scale in units that fit the largest, dimensionless, and at prototype scale
-/// (times the gravity level) where a run's gravity level is not 1.
+/// How forces per metre and lengths of all runs stand on one page: at model scale in the units of the largest (unit_of_forces), dimensionless, and at prototype scale
+/// (times the gravity level) where a run has one.
 class Shown {
 public:
   explicit Shown(const std::vector<RunRecord>& runs);
@@ -54,11 +55,7 @@ public:
   Real in_force_unit(Real force) const { return force / force_.size; }
 
 private:
-  struct Unit {
-    Real size;  ///< N/m or m
-    const char* name;
-  };
-  Unit force_, prototype_force_, length_;
+  NamedUnit force_, prototype_force_, length_;
   std::vector<Real> levels_;  ///< gravity levels of the runs that have a prototype, each once
   bool by_weight_ = false, by_strength_ = false;
 };
