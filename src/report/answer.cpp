@@ -18,9 +18,11 @@ std::string words_of(const std::vector<RunRecord>& runs, const Shown& shown)
   std::string html;
   for (const RunRecord& run : runs) {
     const std::string name = runs.size() > 1 ? fmt::format("<strong>{}</strong> ", html_text(run.name)) : "";
-    html +=
-        fmt::format("<p>{}{}{}</p>\n", name, run.end == RunEnd::finished ? "" : "(not finished) ",
-                    run.has_pipe() ? results_in_words(run, shown) : "There is no pipe in this run: no body that a push or drag drives.");
+    const std::string results =
+        run.has_pipe() ? results_in_words(run, shown) : "There is no pipe in this run: no body that a push or drag drives.";
+    const std::string doubts = doubts_in_words(run);
+    html += fmt::format("<p>{}{}{}{}</p>\n", name, run.end == RunEnd::finished ? "" : "(not finished) ", results,
+                        doubts.empty() ? "" : " <span class=\"doubts\">" + doubts + "</span>");
   }
   return html;
 }
@@ -39,7 +41,9 @@ std::string formulas_beside(const std::vector<RunRecord>& runs, const Shown& sho
     ++place;
   }
   if (html.empty()) return "";
-  return "<h3>Design codes and published formulas</h3>\n" +
+  const std::string heading = "<h3>Design codes and published formulas</h3>\n";
+  if (html.find("<table") == std::string::npos) return heading + html;
+  return heading +
          html_paragraph(
              "What they give for the same soil, pipe and state: the embedment and the vertical load are those that the run found. Labels: "
              "exact is a closed "

@@ -13,7 +13,6 @@ namespace berm {
 namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-constexpr Real same_point = 2e-3;  // of D: a push that ends this near to a point ends there, but for a step
 
 std::vector<HtmlCell> joined(std::initializer_list<std::vector<HtmlCell>> parts)
 {
@@ -69,9 +68,14 @@ std::string push_table(const std::vector<RunRecord>& runs, const Shown& shown, b
       const Real part = p.w / run.scale.diameter;
       add(std::round(1000 * part), fmt::format("w = {} D", said_number(part)), p);
     }
-    const bool is_told =
-        points.push_end && !points.push.empty() && points.push_end->w - points.push.back().w < same_point * run.scale.diameter;
-    if (points.push_end && !is_told) add(infinity, "end of the push", *points.push_end);
+    if (!points.push_end) continue;
+    // An end at a round embedment stands among the points that other runs have there.
+    const StageEnd end = end_of_push(run);
+    const Real part = points.push_end->w / run.scale.diameter, round = std::round(20 * part) / 20;
+    if (end.reached && round > 0 && std::abs(part - round) < 5e-4)
+      add(std::round(1000 * round), fmt::format("w = {} D", said_number(round)), *points.push_end);
+    else
+      add(infinity, end.at, *points.push_end);
   }
   return table.html();
 }
@@ -91,11 +95,12 @@ std::string drag_table(const std::vector<RunRecord>& runs, const Shown& shown, b
   return table.html();
 }
 
-std::string residual_words(const Resistance& resistance)
+std::string residual_words(const Resistance& resistance, const StageEnd& end)
 {
   const std::string change = fmt::format("{:.2g}", 100 * resistance.last_change);
-  return resistance.residual ? fmt::format("mean over the end of the drag, where H changes by {} %", change)
-                             : fmt::format("not reached: H changes by {} % over the end of the drag", change);
+  const std::string last = end.reached ? "the end of the drag" : "the last part of the drag, " + end.at;
+  return resistance.residual ? fmt::format("mean over {}; H changes by {} % there", last, change)
+                             : fmt::format("not reached: H changes by {} % over {}", change, last);
 }
 
 std::string resistance_table(const std::vector<RunRecord>& runs, const Shown& shown, bool several)
@@ -103,31 +108,42 @@ std::string resistance_table(const std::vector<RunRecord>& runs, const Shown& sh
   PointTable table("key-resistance", "Resistance to the drag: largest, at breakout and residual H", several);
   table.columns("H", joined({shown.length_columns("u"), shown.force_columns("H"), {{"how it was found"}}}));
   for (const RunRecord& run : runs) {
-    const RunPoints points = points_of(run);
-    if (!run.has_pipe() || (points.drag.empty() && !points.largest_H)) continue;
+    if (!run.has_pipe()) continue;
     const Resistance resistance = resistance_of(run);
+    const StageEnd end = end_of_drag(run);
     const auto add = [&](Real rank, const std::string& name, Real u, Real H, const std::string& words) {
       table.add(rank, name, run, joined({shown.length_cells(run, u), shown.force_cells(run, H), {{words}}}));
     };
-    if (points.largest_H) add(0, "largest", points.largest_H->u, points.largest_H->H, "");
+    if (resistance.largest) add(0, "largest", resistance.largest->u, resistance.largest->H, "");
     if (std::isnan(resistance.last_change)) continue;
     if (resistance.breakout)
       add(1, "breakout", resistance.breakout->u, resistance.breakout->H, "first peak");
     else
-      add(1, "breakout", nan, nan, no_peak_words(resistance));
-    add(2, "residual", nan, resistance.residual.value_or(nan), residual_words(resistance));
+      add(1, "breakout", nan, nan, no_peak_words(resistance, end.to));
+    add(2, "residual", nan, resistance.residual.value_or(nan), residual_words(resistance, end));
   }
   const std::string html = table.html();
   if (html.empty()) return "";
   return html +
          html_paragraph(
              fmt::format(
-                 "Forces of the material point method are averaged over ±{:g} D of travel. Breakout is the first peak of H from which H "
+                 "Breakout is the first peak of H from which H "
                  "falls by at least {:g} % before it grows beyond it; where forces are averaged, H must also stay below it for {:g} D. "
                  "Residual is the mean of H over the end of the drag, its last tenth and at least its last {:g} D, if the straight line "
                  "fitted to H there changes by less than {:g} % of that mean.",
-                 averaging_half_width, 100 * least_fall, breakout_stays, least_residual_travel, 100 * most_residual_change),
+                 100 * least_fall, breakout_stays, least_residual_travel, 100 * most_residual_change),
              "quiet");
+}
+
+std::string averaging_words(const std::vector<RunRecord>& runs)
+{
+  if (std::none_of(runs.begin(), runs.end(), [](const RunRecord& run) { return run.has_pipe() && run.scale.noisy; })) return "";
+  return html_paragraph(
+      fmt::format(
+          "Forces of the material point method are averaged: each is taken from the straight line fitted to H or V within ±{:g} D of "
+          "travel, near the ends of a push or drag to its first or last {:g} D.",
+          averaging_half_width, 2 * averaging_half_width),
+      "quiet");
 }
 
 }  // namespace
@@ -136,7 +152,7 @@ std::string key_results(const std::vector<RunRecord>& runs, const Shown& shown)
 {
   const bool several = std::count_if(runs.begin(), runs.end(), [](const RunRecord& run) { return run.has_pipe(); }) > 1;
   const std::string tables = push_table(runs, shown, several) + drag_table(runs, shown, several) + resistance_table(runs, shown, several);
-  return tables.empty() ? "" : shown.prototype_words() + tables;
+  return tables.empty() ? "" : shown.prototype_words() + averaging_words(runs) + tables;
 }
 
 }  // namespace berm

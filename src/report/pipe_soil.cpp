@@ -38,6 +38,13 @@ bool is_circle(const Case& c)
   return circle_of(c) != nullptr;
 }
 
+const char* body_word(const Case& c)
+{
+  if (is_circle(c)) return "pipe";
+  const Index rigid = main_rigid(c);
+  return rigid != none && std::holds_alternative<BoxSettings>(c.rigid[rigid].second.shape) ? "footing" : "body";
+}
+
 Real modelled_part(const Case& c)
 {
   constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();

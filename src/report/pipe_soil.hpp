@@ -36,6 +36,9 @@ using PipeSoil = std::variant<SandAround, ClayAround, NoFormula>;
 /// Whether the main rigid body of a case is a pipe: a circle.
 bool is_circle(const Case& c);
 
+/// What to call the main rigid body of a case in a sentence: a circle is a pipe, a box a footing, any other a body.
+const char* body_word(const Case& c);
+
 /// The part of the pipe that a case models: 1, or 0.5 where a wall of a seabed goes through its centre, an axis of symmetry; NaN where a wall cuts it
 /// elsewhere, or the body is no circle.
 Real modelled_part(const Case& c);

@@ -14,7 +14,6 @@ namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real push_parts[] = {0.1, 0.25, 0.5, 0.75, 1}, drag_parts[] = {0.1, 0.3, 0.5, 1};  // of D
-constexpr Real same = 0.01;  // of D: the end of a push this near to a point before it tells nothing more
 
 template <std::size_t size>
 bool is_one_of(Real part, const Real (&parts)[size])
@@ -35,8 +34,7 @@ std::vector<ComparedState> states_of(const RunRecord& run)
       if (is_one_of(p.w / D, push_parts)) states.push_back({ComparedState::Kind::push, nan, p.w, p.V, {}});
   if (points.push_end) {
     const Real w = small_strain ? points.first_w : points.push_end->w;
-    if (states.empty() || std::abs(states.back().w - w) > same * D)
-      states.push_back({ComparedState::Kind::end_of_push, nan, w, points.push_end->V, {}});
+    states.push_back({ComparedState::Kind::end_of_push, nan, w, points.push_end->V, {}});
   }
   for (const DragPoint& p : points.drag)
     if (is_one_of(p.u / D, drag_parts)) states.push_back({ComparedState::Kind::drag, p.u, small_strain ? points.first_w : p.w, p.V, {}});
@@ -89,7 +87,7 @@ PublishedValues published_beside(const RunRecord& run)
   const auto* sand = std::get_if<SandAround>(&soil);
   const auto* clay = std::get_if<ClayAround>(&soil);
   const RunPoints points = points_of(run);
-  const bool heaves = run.settings.method == Method::mpm && !points.push.empty();
+  const bool heaves = run.settings.method == Method::mpm && points.push_end.has_value();
   const Real part = modelled_part(run.settings);
   for (ComparedState& state : values.states) {
     state.V /= part;

@@ -3,7 +3,9 @@
 
 #include "output/tex_math.hpp"
 #include "report/published.hpp"
+#include "report/run_points.hpp"
 
+#include <cctype>
 #include <fmt/format.h>
 
 namespace berm {
@@ -27,6 +29,12 @@ std::string printed_range(const char* range)
   return text;
 }
 
+std::string with_capital(std::string words)
+{
+  words[0] = static_cast<char>(std::toupper(words[0]));
+  return words;
+}
+
 std::string state_words(const ComparedState& state, const RunRecord& run, const Shown& shown)
 {
   const Real D = run.scale.diameter;
@@ -36,7 +44,7 @@ std::string state_words(const ComparedState& state, const RunRecord& run, const 
   case ComparedState::Kind::push:
     return fmt::format("Pushed to {}", w);
   case ComparedState::Kind::end_of_push:
-    return fmt::format("End of the push, {}", w);
+    return fmt::format("{}{} {}", with_capital(end_of_push(run).at), run.settings.method == Method::fem ? " from" : ",", w);
   case ComparedState::Kind::drag:
     return fmt::format("Dragged {} D: {}, {}", said_number(state.u / D), w, V);
   case ComparedState::Kind::breakout:

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/run_points.hpp"
 
+#include "bodies/rigid.hpp"
+
+#include <algorithm>
 #include <charconv>
+#include <fmt/format.h>
 #include <string_view>
 
 namespace berm {
@@ -28,13 +32,48 @@ Real value_of(const RunRecord& run, const std::string& name)
   return q == nullptr ? nan : q->value;
 }
 
+/// The embedment of the main rigid body as the case places it, m; NaN where there is none.
+Real placed_w(const Case& c)
+{
+  const Index rigid = main_rigid(c);
+  if (rigid == none) return nan;
+  const RigidShapeSettings& shape = c.rigid[rigid].second.shape;
+  return c.surface - (c.dimension == 2 ? lowest_level(make_shape<2>(shape)) : lowest_level(make_shape<3>(shape)));
+}
+
+bool contains(const std::vector<std::string>& stages, const std::string& stage)
+{
+  return std::find(stages.begin(), stages.end(), stage) != stages.end();
+}
+
+bool knows_w(const History& history)
+{
+  return history.rows() > 0 && history.has("w_m");
+}
+
+/// The embedment at which the push begins: in the row before its first, as far as there is one.
+Real push_begin(const RunRecord& run, Real first_w)
+{
+  const History& h = run.history;
+  for (Index k = 0; knows_w(h) && k < h.rows(); ++k)
+    if (contains(run.stages.push, h.stage[k])) return h["w_m"][std::max(k - 1, 0)];
+  return first_w;
+}
+
+StageEnd end_of(const RunRecord& run, const char* stage, bool reached)
+{
+  if (reached) return {true, fmt::format("to the end of the {}", stage), fmt::format("end of the {}", stage)};
+  if (run.end == RunEnd::stopped) return {false, "to where it was stopped", "where it was stopped"};
+  return {false, "as far as it came", "as far as it came"};
+}
+
 }  // namespace
 
 RunPoints points_of(const RunRecord& run)
 {
   RunPoints points;
   const Real D = run.scale.diameter;
-  points.first_w = run.history.rows() > 0 && run.history.has("w_m") ? run.history["w_m"].front() : nan;
+  points.first_w = knows_w(run.history) ? run.history["w_m"].front() : placed_w(run.settings);
   for (const Quantity& q : run.quantities) {
     if (const auto part = part_of_D(q.name, "V_at_w_")) points.push.push_back({*part * D, q.value});
     if (const auto part = part_of_D(q.name, "H_at_u_")) {
@@ -43,8 +82,23 @@ RunPoints points_of(const RunRecord& run)
     }
   }
   if (run.quantity("V_end_of_push") != nullptr) points.push_end = PushPoint{value_of(run, "w_end_of_push"), value_of(run, "V_end_of_push")};
-  if (run.quantity("H_max") != nullptr) points.largest_H = DragPoint{value_of(run, "u_at_H_max"), nan, value_of(run, "H_max"), nan};
+  const Real begin = push_begin(run, points.first_w), end = points.push_end ? points.push_end->w : nan;
+  std::erase_if(points.push,
+                [&](const PushPoint& p) { return std::abs(p.w - begin) < same_point * D || std::abs(p.w - end) < same_point * D; });
   return points;
+}
+
+StageEnd end_of_push(const RunRecord& run)
+{
+  const bool dragged = run.quantity("H_max") != nullptr;
+  const bool last = run.history.rows() > 0 ? contains(run.stages.push, run.history.stage.back()) : !dragged;
+  return end_of(run, "push", run.end == RunEnd::finished || !last);
+}
+
+StageEnd end_of_drag(const RunRecord& run)
+{
+  const bool last = run.history.rows() == 0 || contains(run.stages.drag, run.history.stage.back());
+  return end_of(run, "drag", run.end == RunEnd::finished || !last);
 }
 
 bool is_wished_in_place(const RunRecord& run)

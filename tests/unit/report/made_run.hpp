@@ -14,6 +14,7 @@ struct MadeRun {
   Real D = 0.02, first_w = 0, pushed_to = 0.002, dragged = 0.01;  ///< m; no push where pushed_to is first_w
   Real left = 0.3;                                                ///< m from the wall to the pipe
   Real gravity_level = 50, held_V = 800;                          ///< N/m
+  bool settles = true;                                            ///< whether a geostatic stage comes before the push
   MohrCoulomb law = sand_law();
   ContactSettings contact = contact_law();
   Method method = Method::mpm;
@@ -88,7 +89,7 @@ struct MadeRun {
       for (int k = 0; k < 5; ++k) h.values[k].push_back(row[k]);
       h.stage.push_back(stage);
     };
-    add("geostatic", 0, first_w, 0, pushed_to > first_w ? V(first_w) : held_V);
+    add(settles ? "geostatic" : "push", 0, first_w, 0, pushed_to > first_w ? V(first_w) : held_V);
     const Real step = 0.002 * D;
     for (int k = 1; first_w + k * step <= pushed_to + step / 2; ++k) add("push", 0, first_w + k * step, 0, V(first_w + k * step));
     for (int k = 1; k * step <= dragged + step / 2; ++k) add("drag", k * step, pushed_to + sunk(k * step), H(k * step), held_V);

@@ -42,7 +42,7 @@ constexpr const char* merifield = "Merifield, White and Randolph 2008";
 TEST(published, a_push_into_sand_stands_beside_what_carries_it)
 {
   const PublishedValues values = published_beside(MadeRun{}.record());
-  const ComparedState* state = state_at(values, Kind::push, 0.002);
+  const ComparedState* state = state_at(values, Kind::end_of_push, 0.002);
   const Comparison* exact = by(state, characteristics);
   ASSERT_NE(exact, nullptr);
   EXPECT_NEAR(exact->berm, 800, 1e-6);
@@ -55,7 +55,7 @@ TEST(published, a_push_into_sand_stands_beside_what_carries_it)
   EXPECT_NEAR(embedment->berm, 0.002, 1e-9);
   EXPECT_NEAR(embedment->published.value, 0.02 * 0.037 * std::pow(800 / 172., 2. / 3), 1e-9);
   EXPECT_NE(by(state, "DNV-RP-F114"), nullptr);
-  EXPECT_EQ(state_at(values, Kind::end_of_push, 0.002), nullptr);  // the same point once more
+  EXPECT_EQ(state_at(values, Kind::push, 0.002), nullptr);  // the same point once more
 }
 
 TEST(published, a_drag_through_sand_takes_the_w_and_V_that_the_run_found)
@@ -77,7 +77,7 @@ TEST(published, characteristics_are_out_of_range_where_the_sand_is_not_associate
   MadeRun made;
   made.law.dilation_angle = 0;
   const PublishedValues values = published_beside(made.record());
-  const Comparison* exact = by(state_at(values, Kind::push, 0.002), characteristics);
+  const Comparison* exact = by(state_at(values, Kind::end_of_push, 0.002), characteristics);
   ASSERT_NE(exact, nullptr);
   EXPECT_FALSE(exact->published.valid);
   EXPECT_TRUE(says(values, "ψ = 0°"));
@@ -107,7 +107,7 @@ MadeRun clay_run(Real pushed_to)
 TEST(published, clay_gets_the_formulas_for_clay)
 {
   const PublishedValues values = published_beside(clay_run(0.002).record());
-  const ComparedState* push = state_at(values, Kind::push, 0.002);
+  const ComparedState* push = state_at(values, Kind::end_of_push, 0.002);
   EXPECT_EQ(by(push, characteristics), nullptr);
   // Smooth slip lines at 0.1 D carry 2.713 D s_u; on top comes what the displaced clay weighs, 430e3 x 0.163501 R^2.
   const Comparison* smooth = by(push, "slip lines, weightless clay");
@@ -157,10 +157,10 @@ TEST(published, a_sticky_pipe_in_clay_is_rough)
   made.contact.scheme = Scheme::sticky;
   made.gravity_level = 0;
   const PublishedValues values = published_beside(made.record());
-  const Comparison* rough = by(state_at(values, Kind::push, 0.002), merifield);
+  const Comparison* rough = by(state_at(values, Kind::end_of_push, 0.002), merifield);
   ASSERT_NE(rough, nullptr);
   EXPECT_NEAR(rough->published.value, 20 * 7.40 * std::pow(0.1, 0.40), 1e-6);
-  EXPECT_EQ(by(state_at(values, Kind::push, 0.002), "slip lines, weightless clay"), nullptr);
+  EXPECT_EQ(by(state_at(values, Kind::end_of_push, 0.002), "slip lines, weightless clay"), nullptr);
 }
 
 TEST(published, clay_with_friction_at_the_pipe_has_no_formula_for_H)
@@ -169,8 +169,8 @@ TEST(published, clay_with_friction_at_the_pipe_has_no_formula_for_H)
   made.contact.friction_angle = 0.3;
   const PublishedValues values = published_beside(made.record());
   EXPECT_EQ(state_at(values, Kind::drag, 0.006), nullptr);
-  EXPECT_EQ(by(state_at(values, Kind::push, 0.002), merifield), nullptr);
-  EXPECT_NE(by(state_at(values, Kind::push, 0.002), "DNV-RP-F114", "model 2"), nullptr);
+  EXPECT_EQ(by(state_at(values, Kind::end_of_push, 0.002), merifield), nullptr);
+  EXPECT_NE(by(state_at(values, Kind::end_of_push, 0.002), "DNV-RP-F114", "model 2"), nullptr);
   EXPECT_TRUE(says(values, "friction"));
 }
 
@@ -202,12 +202,44 @@ TEST(published, a_push_of_the_finite_element_method_is_compared_at_its_end_and_f
   EXPECT_NEAR(exact->published.value, 5.915 * 172, 1e-3);
 }
 
+TEST(published, a_push_is_compared_where_it_ends_and_not_where_it_begins)
+{
+  // By MPM from 0.1 D to 0.106 D: V at 0.1 D is that of a pipe that has not met the soil yet.
+  MadeRun made = clay_run(0.00212);
+  made.first_w = 0.002;
+  made.settles = false;
+  const PublishedValues values = published_beside(made.record());
+  EXPECT_EQ(state_at(values, Kind::push, 0.002), nullptr);
+  ASSERT_NE(state_at(values, Kind::end_of_push, 0.00212), nullptr);
+  EXPECT_NE(by(state_at(values, Kind::end_of_push, 0.00212), merifield), nullptr);
+}
+
+TEST(published, the_end_of_a_push_stands_for_the_points_beside_it)
+{
+  const PublishedValues values = published_beside(clay_run(0.00516).record());  // 0.258 D, beside 0.25 D
+  EXPECT_NE(state_at(values, Kind::push, 0.002), nullptr);
+  EXPECT_EQ(state_at(values, Kind::push, 0.005), nullptr);
+  EXPECT_NE(state_at(values, Kind::end_of_push, 0.00516), nullptr);
+  EXPECT_NE(state_at(published_beside(clay_run(0.0054).record()), Kind::push, 0.005), nullptr);
+}
+
+TEST(published, without_a_history_the_case_tells_where_a_push_begins)
+{
+  MadeRun made = clay_run(0.00212);
+  made.first_w = 0.002;
+  made.settles = false;
+  RunRecord run = made.record();
+  run.history = {};
+  EXPECT_EQ(state_at(published_beside(run), Kind::push, 0.002), nullptr);
+  EXPECT_TRUE(says(published_beside(run), "wished in place at w = 0.1 D"));
+}
+
 TEST(published, forces_of_half_a_pipe_are_doubled)
 {
   MadeRun made;
   made.left = 0;
   const PublishedValues values = published_beside(made.record());
-  const Comparison* exact = by(state_at(values, Kind::push, 0.002), characteristics);
+  const Comparison* exact = by(state_at(values, Kind::end_of_push, 0.002), characteristics);
   ASSERT_NE(exact, nullptr);
   EXPECT_NEAR(exact->berm, 1600, 1e-6);
   EXPECT_NEAR(by(state_at(values, Kind::drag, 0.006), "DNV-RP-F114")->berm, 360, 1e-6);

@@ -39,7 +39,7 @@ TEST(resistance, a_fall_of_less_than_5_percent_is_no_breakout)
 {
   const Resistance found = of([](Real x) { return with_a_peak(x, 290); });
   EXPECT_FALSE(found.breakout);
-  EXPECT_EQ(no_peak_words(found), "no peak: H levels off");
+  EXPECT_EQ(no_peak_words(found, "to the end of the drag"), "no peak: H levels off");
 }
 
 TEST(resistance, the_first_of_two_peaks_is_the_breakout)
@@ -57,7 +57,7 @@ TEST(resistance, H_that_grows_to_the_end_has_no_peak_and_no_residual)
   EXPECT_FALSE(found.breakout);
   EXPECT_FALSE(found.residual);
   EXPECT_NEAR(found.last_change, 0.1 / 0.95, 1e-6);
-  EXPECT_EQ(no_peak_words(found), "no peak: H grows to the end of the drag");
+  EXPECT_EQ(no_peak_words(found, "to the end of the drag"), "no peak: H grows to the end of the drag");
 }
 
 TEST(resistance, waves_of_a_dynamic_method_are_no_breakout)
@@ -76,6 +76,35 @@ TEST(resistance, a_short_drag_is_residual_only_if_its_last_tenth_of_D_is_level)
   const Resistance level = of([](Real x) { return x < 0.1 ? 1000 * x : 100 * (1 + 0.1 * (x - 0.1)); }, 0.3 * D);
   ASSERT_TRUE(level.residual);
   EXPECT_NEAR(*level.residual, 101.5, 0.01);
+}
+
+TEST(resistance, the_largest_H_may_be_the_last)
+{
+  const Resistance found = of([](Real x) { return 600 * x; });
+  ASSERT_TRUE(found.largest);
+  EXPECT_NEAR(found.largest->u, D, 1e-12);
+  EXPECT_NEAR(found.largest->H, 600, 1e-9);
+  EXPECT_NEAR(found.V_at_largest, 800, 1e-9);
+  EXPECT_NEAR(found.travel, D, 1e-12);
+}
+
+TEST(resistance, of_a_long_history_is_that_of_a_short_one)
+{
+  const auto with_rows = [](int rows) {
+    std::vector<Real> u, H;
+    for (int k = 0; k < rows; ++k) {
+      const Real x = Real(k) / (rows - 1);
+      u.push_back(x * D);
+      H.push_back(400 * std::sin(4 * x) * std::exp(-x) + 150 * x);
+    }
+    return resistance_to({u, H}, {.diameter = D, .unit_weight = 0});
+  };
+  const Resistance few = with_rows(1001), many = with_rows(100001);
+  ASSERT_TRUE(few.breakout && many.breakout);
+  EXPECT_NEAR(many.breakout->u, few.breakout->u, 1e-3 * D);
+  EXPECT_NEAR(many.breakout->H, few.breakout->H, 1e-4 * few.breakout->H);
+  EXPECT_NEAR(many.largest->H, few.largest->H, 1e-4 * few.largest->H);
+  EXPECT_NEAR(many.last_change, few.last_change, 1e-4 * std::abs(few.last_change));
 }
 
 TEST(resistance, a_run_without_a_drag_has_none)
