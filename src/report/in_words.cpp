@@ -99,8 +99,8 @@ std::string results_in_words(const RunRecord& run, const Shown& shown)
     words += points.drag.empty() ? short_drag_words(run, points, resistance, shown) : drag_words(run, points, shown);
     words += resistance_words(run, resistance, shown);
   }
-  if (!is_circle(run.settings)) words += fmt::format(" D is the width of the {}.", body_word(run.settings));
   words.erase(words.find_last_not_of(' ') + 1);
+  if (!is_circle(run.settings)) words += fmt::format(" D is the width of the {}.", body_word(run.settings));
   return words;
 }
 

@@ -80,12 +80,12 @@ TEST(resistance, a_short_drag_is_residual_only_if_its_last_tenth_of_D_is_level)
 
 TEST(resistance, the_largest_H_may_be_the_last)
 {
-  const Resistance found = of([](Real x) { return 600 * x; });
+  const Resistance found = of([](Real x) { return 600 * x; }, 0.65 * D);  // of which no quantity tells
   ASSERT_TRUE(found.largest);
-  EXPECT_NEAR(found.largest->u, D, 1e-12);
-  EXPECT_NEAR(found.largest->H, 600, 1e-9);
+  EXPECT_NEAR(found.largest->u, 0.65 * D, 1e-12);
+  EXPECT_NEAR(found.largest->H, 390, 1e-9);
   EXPECT_NEAR(found.V_at_largest, 800, 1e-9);
-  EXPECT_NEAR(found.travel, D, 1e-12);
+  EXPECT_NEAR(found.travel, 0.65 * D, 1e-12);
 }
 
 TEST(resistance, of_a_long_history_is_that_of_a_short_one)
