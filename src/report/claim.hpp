@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "report/html.hpp"
+#include "report/quantity_words.hpp"
 #include "report/test_run.hpp"
 
 namespace berm {
@@ -40,8 +41,7 @@ constexpr Real near_enough = 0.15, not_far = 0.4;
 Standing standing_of(Real value, Real published);
 Standing standing_if(bool holds);
 
-/// Numbers for sentences.
-std::string newtons(Real force);                         ///< "784 N/m", "2.92 kN/m"
+/// A length for sentences.
 std::string diameters(const TestRun& run, Real length);  ///< "0.25 D"
 
 /// The claims of the paper about push and drag, and about contact, as the runs of the material point method find them.

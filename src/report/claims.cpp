@@ -72,11 +72,6 @@ Standing standing_if(bool holds)
   return holds ? Standing::good : Standing::bad;
 }
 
-std::string newtons(Real force)
-{
-  return std::abs(force) < 1000 ? fmt::format("{:.3g} N/m", force) : fmt::format("{:.3g} kN/m", force / 1000);
-}
-
 std::string diameters(const TestRun& run, Real length)
 {
   return fmt::format("{:.3g} D", length / run.D);

@@ -35,7 +35,7 @@ Claim force_of_the_push(const TestRuns& mpm)
     parts.take(V / paper_V_push);
     const auto w = run.w_where_V_is(paper_V_push);
     return Finding{run.record.name, standing_of(V, paper_V_push),
-                   fmt::format("V = {} at {:g} D; {}", newtons(V), paper_w_push,
+                   fmt::format("V = {} at {:g} D; {}", force_words(V, 2), paper_w_push,
                                w ? fmt::format("{:g} kN/m at {}", paper_V_push / 1000, diameters(run, *w))
                                  : fmt::format("{:g} kN/m is not reached", paper_V_push / 1000))};
   });
@@ -74,8 +74,8 @@ Claim growing_resistance(const TestRuns& mpm)
     const Real u = run.end_of_drag(), first = run.H(u / 3), second = run.H(2 * u / 3), last = run.H(u);
     if (std::isnan(first + second + last)) return {};
     return Finding{run.record.name, standing_if(first < second && second < last),
-                   fmt::format("{}, {}, {} at u = {}, {}, {}", newtons(first), newtons(second), newtons(last), diameters(run, u / 3),
-                               diameters(run, 2 * u / 3), diameters(run, u))};
+                   fmt::format("{}, {}, {} at u = {}, {}, {}", force_words(first, 2), force_words(second, 2), force_words(last, 2),
+                               diameters(run, u / 3), diameters(run, 2 * u / 3), diameters(run, u))};
   });
   return claim;
 }
@@ -128,7 +128,7 @@ Claim berm_of_soil(const TestRuns& mpm)
     sinks = sinks || sinks_on;
     const Standing standing = !grows ? Standing::bad : sinks_on ? Standing::fair : Standing::good;
     return Finding{run.record.name, standing,
-                   fmt::format("berm {:.3g} to {:.3g} D², H {} to {}", first, last, newtons(H_first), newtons(H_last))};
+                   fmt::format("berm {:.3g} to {:.3g} D², H {} to {}", first, last, force_words(H_first, 2), force_words(H_last, 2))};
   });
   claim.why = sinks ? "Berm and H grow together, but the pipe sinks on as well, so that these runs cannot tell the two apart."
                     : "The pipe sinks no more: what grows with H is the berm.";

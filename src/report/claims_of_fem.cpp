@@ -40,8 +40,8 @@ Claim force_of_finite_elements(const TestRuns& fem)
       forces.push_back(plateau(run));
       most = std::max(most, plateau(run) / H);
       return Finding{run.record.name, standing_of(prototype, H),
-                     fmt::format("{} at u = {}, {} in the prototype (paper {:g} kN)", newtons(plateau(run)),
-                                 diameters(run, run.end_of_drag()), newtons(prototype), H / 1000)};
+                     fmt::format("{} at u = {}, {} in the prototype (paper {:g} kN)", force_words(plateau(run), 2),
+                                 diameters(run, run.end_of_drag()), force_words(prototype, 2), H / 1000)};
     });
   claim.why = fmt::format("Judged per metre run of the prototype; read per metre run of the model, as V is above and in the curves, berm "
                           "gives at most {:.2g} of "
@@ -77,7 +77,7 @@ Claim finite_elements_fall_short(const TestRuns& mpm, const TestRuns& fem, Real 
     same_load = same_load && same;
     const Standing standing = ratio <= 1 + near_enough ? Standing::bad : same ? Standing::good : Standing::fair;
     return Finding{run.record.name, standing,
-                   fmt::format("H = {} at u = {} (w = {}): {:.2g} times that of {}, under {:.2g} times its V", newtons(H),
+                   fmt::format("H = {} at u = {} (w = {}): {:.2g} times that of {}, under {:.2g} times its V", force_words(H, 2),
                                diameters(run, *u), diameters(run, run.w(*u)), ratio, wished->record.name, ratio_V)};
   });
   claim.why = "H and V over gamma' D² are compared.";

@@ -77,10 +77,10 @@ void add_run(Figure& figure, const Chart& chart, const RunRecord& run, std::size
   const std::vector<Real>&x = path.*chart.x, y = chart.y(path);
   const TravelCurve curve(x, y);
   if (curve.empty()) return;
-  std::vector<Real> smooth;
-  for (const Real travel : curve.travel()) smooth.push_back(curve.at(travel, averaging_half(run.scale)));
+  const TravelCurve smooth = curve.smoothed(averaging_half(run.scale));
   if (run.scale.noisy) figure.curves.push_back({"", curve_style(number, 0, 0.4), scaled(x, x_unit.per_si), scaled(y, y_unit.per_si)});
-  figure.curves.push_back({run.name, curve_style(number, number), scaled(curve.travel(), x_unit.per_si), scaled(smooth, y_unit.per_si)});
+  figure.curves.push_back(
+      {run.name, curve_style(number, number), scaled(smooth.travel(), x_unit.per_si), scaled(smooth.value(), y_unit.per_si)});
 }
 
 /// A figure of all runs over one another, with what the paper states; false where no run has the curve.

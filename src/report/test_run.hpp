@@ -42,11 +42,9 @@ public:
 private:
   std::optional<Real> first_travel(const TravelCurve& curve, Real value) const
   {
-    constexpr int places = 2000;  // each costs the rows of a window, and a history may be long
-    for (int k = 0; k <= places && !curve.empty(); ++k) {
-      const Real travel = curve.begin() + (curve.end() - curve.begin()) * k / places;
-      if (curve.at(travel, half_) >= value) return travel;
-    }
+    const TravelCurve smooth = curve.smoothed(half_);
+    for (std::size_t k = 0; k < smooth.travel().size(); ++k)
+      if (smooth.value()[k] >= value) return smooth.travel()[k];
     return std::nullopt;
   }
 

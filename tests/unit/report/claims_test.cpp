@@ -57,7 +57,7 @@ TEST(Claims, the_force_of_the_push_is_judged_by_its_distance_from_the_papers)
   PaperRun low;
   low.V = [](double w) { return 7840 * w; };
   const std::string row = row_with(claims_section({low.record("case")}), "A push to w = 0.1 D");
-  EXPECT_NE(row.find("V = 784 N/m at 0.1 D; 4 kN/m is not reached"), std::string::npos) << row;
+  EXPECT_NE(row.find("V = 0.784 kN/m at 0.1 D; 4 kN/m is not reached"), std::string::npos) << row;
 }
 
 TEST(Claims, runs_that_disagree_make_partly)
