@@ -35,8 +35,8 @@ export class ChartView {
   constructor(private plan: Plan, private settings: Settings, private readonly runs: RunData[], choices: HTMLElement | null = null) {
     const csv = element("button", { type: "button", class: "chart_csv" }, "CSV");
     const svg = element("button", { type: "button", class: "chart_svg" }, "SVG");
-    csv.addEventListener("click", () => download(file_name(this.plan.id, document.title, "csv"), "text/csv", table_csv(this.scene)));
-    svg.addEventListener("click", () => download(file_name(this.plan.id, document.title, "svg"), "image/svg+xml", figure_svg(this.scene, this.view())));
+    csv.addEventListener("click", () => download(this.file_name("csv"), "text/csv", table_csv(this.scene)));
+    svg.addEventListener("click", () => download(this.file_name("svg"), "image/svg+xml", figure_svg(this.scene, this.view())));
     this.reset_button.addEventListener("click", () => this.set_zoom(null));
     const buttons = element("div", { class: "chart_buttons" }, this.reset_button, csv, svg);
     this.figure = element(
@@ -75,6 +75,10 @@ export class ChartView {
     if (width === 0 || this.scene === undefined) return;
     this.plot.show(this.scene, this.view(), width, Math.round(Math.min(340, Math.max(240, 0.62 * width))));
     this.tell();
+  }
+
+  private file_name(ending: string): string {
+    return file_name(this.plan.id, (this.scene.traces[0]?.run ?? this.runs[0]).name, ending);
   }
 
   private view(): View {

@@ -12,8 +12,8 @@ export function download(name: string, type: string, text: string): void {
   setTimeout(() => URL.revokeObjectURL(address), 60000);
 }
 
-/** A name of a file from the chart and the page's title. */
-export function file_name(chart: string, title: string, ending: string): string {
-  const plain = (text: string) => text.normalize("NFKD").replace(/[^A-Za-z0-9]+/g, "_").replace(/^_+|_+$/g, "").slice(0, 60);
-  return [plain(chart), plain(title)].filter((part) => part !== "").join("_") + "." + ending;
+/** A name of a file from the chart and the folder of a run. */
+export function file_name(chart: string, run: string, ending: string): string {
+  const plain = (text: string) => text.normalize("NFKD").replace(/[^A-Za-z0-9]+/g, "_").replace(/^_+|_+$/g, "");
+  return [plain(chart), plain(run)].filter((part) => part !== "").join("_") + "." + ending;
 }
