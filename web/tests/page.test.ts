@@ -59,6 +59,47 @@ test("theme_button_changes_colours", async () => {
   await context.close();
 });
 
+test("theme_button_is_in_sight_on_a_phone", async () => {
+  const { page, context } = await open_report(browser, { viewport: { width: 400, height: 800 } });
+  const button = page.locator("button.theme");
+  const box = (await button.boundingBox())!;
+  assert.ok(box.x >= 0 && box.x + box.width <= 400, `from ${box.x} to ${box.x + box.width}`);
+  assert.ok(await button.evaluate((each) => {
+    const { left, top, width, height } = each.getBoundingClientRect();
+    return document.elementFromPoint(left + width / 2, top + height / 2) === each;
+  }), "nothing lies over it");
+  await context.close();
+});
+
+test("claims_need_no_sideways_scrolling_on_a_phone", async () => {
+  const { page, context } = await open_report(browser, { viewport: { width: 400, height: 800 } });
+  const widths = await page.evaluate(() => {
+    const badge = `<span class="badge bad">not reproduced</span>`, words = "A push to w = 0.1 D takes V = 4 kN, in agreement with the test. ";
+    const table = `<table id="claims-table"><thead><tr><th>claim</th><th>verdict</th><th>what berm finds</th><th>why</th></tr></thead><tbody>
+      <tr><th scope="row">${words}</th><td>${badge}</td><td>${words.repeat(3)}${badge}</td><td>${words.repeat(3)}</td></tr></tbody></table>`;
+    document.getElementById("claims")?.remove();
+    document.querySelector("main")!.insertAdjacentHTML("beforeend", `<section id="claims"><div class="wide">${table}</div></section>`);
+    const wide = document.querySelector<HTMLElement>("#claims .wide")!;
+    return { all: wide.scrollWidth, seen: wide.clientWidth, cells: [...wide.querySelectorAll<HTMLElement>("tbody td:last-child")].map((each) => each.clientWidth) };
+  });
+  assert.equal(widths.all, widths.seen);
+  for (const cell of widths.cells) assert.ok(cell > 0.9 * widths.seen, "words have the width of the page");
+  await context.close();
+});
+
+test("without_script_colours_follow_the_system", async () => {
+  const { page: with_script, context: its_context } = await open_report(browser, { colorScheme: "dark" });
+  const dark = (await look(with_script)).slice(0, 2);
+  await its_context.close();
+  for (const colorScheme of ["dark", "light"] as const) {
+    const { page, context } = await open_report(browser, { colorScheme, javaScriptEnabled: false });
+    const [ground, letters_] = await page.evaluate(() => [getComputedStyle(document.body).backgroundColor, getComputedStyle(document.body).color]);
+    if (colorScheme === "dark") assert.deepEqual([ground, letters_], dark);
+    else assert.equal(ground, "rgb(255, 255, 255)");
+    await context.close();
+  }
+});
+
 test("theme_works_without_storage", async () => {
   const { page, context, errors } = await open_report(browser, {
     script: () => Object.defineProperty(window, "localStorage", { get: () => { throw new Error("no storage"); } }),
