@@ -20,7 +20,7 @@ export function show_charts(section: HTMLElement, data: PageData): void {
   const [forces, noise] = parted([...push_plans(data), ...drag_plans(data)], (plan) => plan.id.endsWith("_noise"));
   section.append(chart_controls(data, settings, () => views.forEach((each) => each.show(settings))));
   section.append(element("p", { class: "quiet chart_hint" }, hint(forces)));
-  const thinned = data.runs.filter((run) => run.row_step > 1).map((run) => `${run.name} (every ${run.row_step}th)`);
+  const thinned = data.runs.flatMap((run) => (run.row === null ? [] : `${run.name} (${run.row.length} of ${run.row.at(-1)! + 1})`));
   if (thinned.length > 0) section.append(element("p", { class: "quiet" }, `Not all rows of history.csv are in this page: ${thinned.join(", ")}.`));
   section.append(
     ...group("Push and drag", with_data(forces).map((plan) => view(plan))),

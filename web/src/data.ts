@@ -16,20 +16,29 @@ export interface RunData {
   method: "mpm" | "fem";
   /** null where there is no pipe (no rigid body that a push or drag drives). */
   diameter: number | null;
-  /** N/m3, 0 = weightless: forces are made dimensionless with unit_weight diameter^2. */
-  unit_weight: number;
-  /** Gravity in the model over that of the earth. */
-  gravity_level: number;
-  /** Pa, undrained strength of soil without friction, else null. */
-  strength: number | null;
+  /** What forces are made dimensionless with; null without a pipe, and where the soil has neither weight nor a strength without friction. */
+  measure: Measure | null;
+  /** Lengths and forces per metre are so many times larger in the prototype; null where gravity is the earth's, or none: there is no prototype. */
+  prototype: number | null;
+  /** Whether it is of the paper's test. */
+  of_paper: boolean;
   /** Columns of history.csv by name, each as long as `stage`. */
   columns: Record<string, (number | null)[]>;
   stage: string[];
-  /** Every how manieth row of history.csv this is (1: all). */
-  row_step: number;
+  /** Rows of history.csv (counted from 0) that the columns hold; null: all of them. */
+  row: number[] | null;
   push: PathData;
   drag: PathData;
   film: FilmData | null;
+}
+
+export interface Measure {
+  /** N/m; a stress is over this by D, an energy per metre this times D. */
+  size: number;
+  /** The letters of what stresses, forces and energies per metre are divided by. */
+  stress: string;
+  force: string;
+  energy: string;
 }
 
 /** Rows (of `columns`) that pushes or drags consist of. The drag begins with the row before its first. */
@@ -103,6 +112,11 @@ export interface RigidData {
   name: string;
   points: number;
   block: string;
+}
+
+/** The row of history.csv that a row of the run's columns is. */
+export function history_row(run: RunData, row: number): number {
+  return run.row === null ? row : run.row[row];
 }
 
 export function page_data(): PageData {

@@ -3,8 +3,8 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import type { Locator, Page } from "playwright-core";
-import type { RunData } from "../src/data";
-import { read_history } from "./browser";
+import { history_row, type PageData, type RunData } from "../src/data";
+import { read_history, report_data } from "./browser";
 
 /** A number in a chart's readout. */
 export interface Cell {
@@ -16,6 +16,24 @@ export interface Cell {
   text: string;
   /** Of its column in the readout. */
   head: string;
+}
+
+/** What the report under test has charts of. */
+export interface ChartsOfReport {
+  data: PageData;
+  pushed: RunData[];
+  dragged: RunData[];
+  /** A chart that it has, of a path where there is one, and the column of history.csv that this shows. */
+  main_chart: "H_u" | "V_w" | "any";
+  main_column: string;
+}
+
+export function charts_of_report(): ChartsOfReport {
+  const data = report_data();
+  const with_path = (path: "push" | "drag") => data.runs.filter((run) => run.diameter !== null && run[path].rows.length > 1);
+  const [pushed, dragged] = [with_path("push"), with_path("drag")];
+  const main_chart = dragged.length > 0 ? "H_u" : pushed.length > 0 ? "V_w" : "any";
+  return { data, pushed, dragged, main_chart, main_column: { H_u: "H_N_m", V_w: "V_N_m", any: "" }[main_chart] };
 }
 
 export function chart_of(page: Page, id: string): Locator {
@@ -66,6 +84,8 @@ export async function pixels(chart: Locator): Promise<string> {
 /** Clicks a button that downloads, and reads the file. */
 export async function downloaded(page: Page, chart: Locator, button: string): Promise<{ name: string; text: string }> {
   const [file] = await Promise.all([page.waitForEvent("download"), chart.locator(button).click()]);
+  // Chromium drops what a page wants to save beyond ten files a second.
+  await page.waitForTimeout(120);
   return { name: file.suggestedFilename(), text: readFileSync(await file.path(), "utf8") };
 }
 
@@ -102,5 +122,5 @@ export function assert_as_in_history(cells: Cell[]): number {
 
 /** Rows of history.csv that a path of the run has. */
 export function history_rows(run: RunData, path: "push" | "drag"): number[] {
-  return run[path].rows.map((row) => row * run.row_step);
+  return run[path].rows.map((row) => history_row(run, row));
 }

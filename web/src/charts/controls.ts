@@ -3,7 +3,7 @@ import type { PageData, RunData } from "../data";
 import { element } from "../element";
 import { line_sample, run_style } from "./run_style";
 import type { Settings } from "./scene";
-import { offered_systems, system_name } from "./units";
+import { left_out, offered_systems, system_name } from "./units";
 import type { UnitSystem } from "./units";
 
 /** The controls of all charts: which runs, which units, what else; calls `changed` with every change of the settings. */
@@ -20,7 +20,7 @@ export function chart_controls(data: PageData, settings: Settings, changed: () =
     options.append(
       labelled_select("Units", "chart_units", names, settings.units, (value) => {
         settings.units = value as UnitSystem;
-        note.textContent = left_out(data.runs, settings.units);
+        note.textContent = note_on(data.runs, settings.units);
         changed();
       }),
     );
@@ -46,9 +46,13 @@ function run_switch(run: RunData, index: number, settings: Settings, changed: ()
   return label;
 }
 
-function left_out(runs: RunData[], units: UnitSystem): string {
-  const without = units === "dimensionless" ? runs.filter((run) => run.diameter === null) : [];
-  return without.length === 0 ? "" : `Without a pipe, and so not shown in these units where D is asked for: ${without.map((run) => run.name).join(", ")}.`;
+function note_on(runs: RunData[], units: UnitSystem): string {
+  const without = left_out(units, runs).map((run) => run.name);
+  if (without.length === 0) return "";
+  const why = units === "prototype"
+    ? "Without a prototype (gravity as on earth, or none), and so left out of charts of lengths, forces and energies"
+    : "Without a pipe, or in soil without weight and strength, and so left out of charts that need them";
+  return `${why}: ${without.join(", ")}.`;
 }
 
 /** A label with a list to choose from; options are values with what is shown for them. */

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+import { history_row } from "../data";
 import { element } from "../element";
 import type { Trace } from "./plan";
 import { line_sample } from "./run_style";
@@ -24,14 +25,14 @@ export function readout(scene: Scene, picked: (number | null)[]): HTMLTableEleme
       for (const text of ["row", ...heads]) row.append(element("td", { class: text === "row" ? "number chart_row" : "number" }, "\u2013"));
       return;
     }
-    const history_row = trace.rows[at] * trace.run.row_step;
+    const row_of_file = history_row(trace.run, trace.rows[at]);
     const cell = (column: string, si: number | null, factor: number) =>
       row.append(element(
         "td",
-        { class: "number", "data-run": trace.run.name, "data-row": history_row, "data-column": column, "data-value": si },
+        { class: "number", "data-run": trace.run.name, "data-row": row_of_file, "data-column": column, "data-value": si },
         si === null ? "\u2013" : five_digits(si * factor),
       ));
-    row.append(element("td", { class: "number quiet chart_row" }, String(history_row)));
+    row.append(element("td", { class: "number quiet chart_row" }, String(row_of_file)));
     cell("time_s", time_of(trace, at), 1);
     if (!over_time) cell(trace.argument_column, trace.argument[at], argument.unit.factor(trace.run)!);
     cell(trace.value_column, trace.value[at], value.unit.factor(trace.run)!);

@@ -78,9 +78,11 @@ export function make_scene(plan: Plan, settings: Settings, runs: RunData[]): Sce
     ({ run }) => argument.factor(run) !== null && value.factor(run) !== null && !(plan.by_run && settings.hidden.has(run)),
   );
   const lines = traces.flatMap((trace, index) => trace_lines(trace, index, settings.raw, plan.upright, argument, value));
-  const reference = runs.find((run) => run.diameter !== null) ?? runs[0];
+  // The paper's numbers are of its test, at the scale of the runs of it.
+  const reference = runs.find((run) => run.of_paper) ?? runs.find((run) => run.diameter !== null) ?? runs[0];
   const marks = plan.marks
     .filter((mark) => settings.paper || !mark.of_paper)
+    .filter((mark) => (mark.argument === null || argument.factor(reference) !== null) && (mark.value === null || value.factor(reference) !== null))
     .map((mark) => {
       const along = mark.argument === null ? null : mark.argument * argument.factor(reference)!;
       const of = mark.value === null ? null : mark.value * value.factor(reference)!;

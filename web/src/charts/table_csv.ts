@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+import { history_row } from "../data";
 import { argument_axis, value_axis } from "./scene";
 import type { Scene } from "./scene";
 import { time_of } from "./readout";
@@ -17,7 +18,7 @@ export function table_csv(scene: Scene): string {
     trace.rows.forEach((row, i) => {
       lines.push([
         ...(scene.plan.by_run ? [trace.run.name] : [trace.run.name, trace.label]),
-        row * trace.run.row_step,
+        history_row(trace.run, row),
         trace.run.stage[row],
         time_of(trace, i),
         ...(over_time ? [] : [times(trace.argument[i], along)]),

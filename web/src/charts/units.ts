@@ -33,63 +33,48 @@ const prototype_units: Record<string, [name: string, si: number]> = {
 
 /** The unit that shows a quantity of at most `largest` (SI) of these runs. */
 export function unit_of(system: UnitSystem, quantity: Quantity, largest: number, runs: RunData[]): Unit {
-  if (system === "dimensionless" && quantity.kind in reference_powers) return dimensionless(quantity, runs);
+  if (system === "dimensionless" && quantity.kind in powers_of_force) return dimensionless(quantity.kind as Measured, runs);
   if (system === "prototype" && quantity.unit in prototype_units) {
     const [name, si] = prototype_units[quantity.unit];
-    // At N times the gravity of the earth a length stands for one N times as long, and so does a force per metre; energy is their product.
+    // Energy is force times length.
     const power = quantity.kind === "energy" ? 2 : 1;
-    return { name, divisor: "", factor: (run) => run.gravity_level ** power / si };
+    return { name, divisor: "", factor: (run) => (run.prototype === null ? null : run.prototype ** power / si) };
   }
   const [name, si] = (steps[quantity.unit] ?? [[quantity.unit, 1, 0]]).filter(([, , from]) => largest >= from).at(-1)!;
   // 1 / si, rounded to what it is: 0.001 has no exact neighbour.
   return { name, divisor: "", factor: () => (si < 1 ? Math.round(1 / si) : 1 / si) };
 }
 
-// Powers of D by which quantities are made dimensionless: with gamma' D (or s_u) as the stress.
-const reference_powers = { length: 1, force: 1, energy: 2, stress: 0 };
+// By how many D more than a force per metre something is divided.
+const powers_of_force = { length: 0, stress: -1, force: 0, energy: 1 };
+type Measured = keyof typeof powers_of_force;
 
-function dimensionless(quantity: Quantity, runs: RunData[]): Unit {
-  const kind = quantity.kind as keyof typeof reference_powers;
-  const power = reference_powers[kind];
-  const raised = (letter: string, to: number) => (to === 0 ? "" : to === 1 ? letter : `${letter}${"\u00b2\u00b3"[to - 2]}`);
+function dimensionless(kind: Measured, runs: RunData[]): Unit {
   if (kind === "length") return { name: "", divisor: "D", factor: (run) => (run.diameter === null ? null : 1 / run.diameter) };
-  const of_weight = `\u03b3\u2032${raised("D", power + 1)}`;
-  const of_strength = power === 0 ? "s_u" : `${raised("D", power)} s_u`;
-  const with_pipe = runs.filter((run) => run.diameter !== null);
-  const divisors = [
-    ...(with_pipe.some((run) => run.unit_weight > 0) ? [of_weight] : []),
-    ...(with_pipe.some((run) => run.unit_weight === 0) ? [of_strength] : []),
-  ];
   return {
     name: "",
-    divisor: divisors.join(" or "),
-    factor: (run) => {
-      const stress = reference_stress(run);
-      return stress === null ? null : 1 / (stress * run.diameter! ** power);
-    },
+    divisor: [...new Set(runs.flatMap((run) => run.measure?.[kind] ?? []))].join(" or "),
+    factor: (run) => (run.measure === null || run.diameter === null ? null : 1 / (run.measure.size * run.diameter ** powers_of_force[kind])),
   };
 }
 
-function reference_stress(run: RunData): number | null {
-  if (run.diameter === null) return null;
-  return run.unit_weight > 0 ? run.unit_weight * run.diameter : run.strength;
+/** Runs whose lengths and forces have no number in a system: they are left out of its charts. */
+export function left_out(system: UnitSystem, runs: RunData[]): RunData[] {
+  if (system === "model") return [];
+  return runs.filter((run) => (system === "prototype" ? run.prototype === null : run.measure === null || run.diameter === null));
 }
 
-/** The systems in which these runs can be shown. */
+/** The systems in which any of these runs can be shown. */
 export function offered_systems(runs: RunData[]): UnitSystem[] {
-  const with_pipe = runs.filter((run) => run.diameter !== null);
-  const systems: UnitSystem[] = ["model"];
-  if (with_pipe.length > 0 && with_pipe.every((run) => reference_stress(run) !== null)) systems.push("dimensionless");
-  if (runs.some((run) => run.gravity_level !== 1)) systems.push("prototype");
-  return systems;
+  return (["model", "dimensionless", "prototype"] as const).filter((system) => left_out(system, runs).length < runs.length);
 }
 
 /** What a system is called where it is chosen. */
 export function system_name(system: UnitSystem, runs: RunData[]): string {
   if (system === "model") return "model (mm, N/m)";
-  if (system === "prototype") return "prototype (m, kN/m)";
-  const force = dimensionless({ words: "", symbol: "V", kind: "force", unit: "N/m" }, runs);
-  return `dimensionless (w/D, ${over("V", force.divisor)})`;
+  const without = left_out(system, runs).length;
+  const units = system === "prototype" ? "m, kN/m" : `w/D, ${over("V", dimensionless("force", runs).divisor)}`;
+  return `${system} (${units}${without === 0 ? "" : `; leaves out ${without} of ${runs.length} runs`})`;
 }
 
 /** Symbol (or words) and unit: "V (N/m)", "w/D". */
@@ -104,5 +89,5 @@ export function axis_title(quantity: Quantity, unit: Unit): string {
 }
 
 function over(name: string, divisor: string): string {
-  return divisor.split(" or ").map((each) => `${name}/${each === "D" || each === "s_u" ? each : `(${each})`}`).join(" or ");
+  return divisor.split(" or ").map((each) => `${name}/${each.includes(" ") ? `(${each})` : each}`).join(" or ");
 }
