@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What lies around and over the soil: axes in mm, the original surface, rigid bodies.
+// What lies around and over the soil: axes in mm (m, where the soil is large), the original surface, rigid bodies.
 import type { Window } from "./film_camera";
 import { tick_text, ticks } from "./film_numbers";
 
 /** px of the page around the plot. */
-export const MARGIN = { left: 52, right: 10, top: 10, bottom: 36 };
+export const MARGIN = { left: 58, right: 20, top: 26, bottom: 36 };
 
 export interface Ink {
   text: string;
@@ -26,6 +26,8 @@ export function ink_of(element: Element): Ink {
 export const RIGID_FILL = "#9aa3ad";
 const RIGID_EDGE = "#2f363d";
 const SURFACE = "#e8590c";
+// m from the origin, beyond which places are told in m.
+const LARGE = 10;
 const FONT = '11.5px system-ui, "DejaVu Sans", sans-serif';
 
 export interface Scene {
@@ -60,34 +62,34 @@ export function draw_axes(context: CanvasRenderingContext2D, scene: Scene, ink: 
   context.fillStyle = ink.text;
   context.strokeRect(plot.x - 0.5, plot.y - 0.5, plot.width + 1, plot.height + 1);
   context.beginPath();
-  const mm = (m: number) => 1000 * m;
-  const across = ticks(mm(window.x - window.width / 2), mm(window.x + window.width / 2), plot.width / 70);
+  const ends = [window.x - window.width / 2, window.x + window.width / 2, window.y - window.height / 2, window.y + window.height / 2];
+  const unit = Math.max(...ends.map(Math.abs)) < LARGE ? { name: "mm", factor: 1e-3 } : { name: "m", factor: 1 };
+  const [from_x, to_x, from_y, to_y] = ends.map((end) => end / unit.factor);
+  const across = ticks(from_x, to_x, plot.width / 70);
   const bottom = plot.y + plot.height;
   context.textAlign = "center";
   context.textBaseline = "top";
   for (const value of across.values) {
-    const x = Math.round(at_x(value / 1000)) + 0.5;
+    const x = Math.round(at_x(value * unit.factor)) + 0.5;
     context.moveTo(x, bottom);
     context.lineTo(x, bottom + 4);
     context.fillText(tick_text(value, across.decimals), x, bottom + 6);
   }
-  context.fillText("x (mm)", plot.x + plot.width / 2, bottom + 20);
-  const upwards = ticks(mm(window.y - window.height / 2), mm(window.y + window.height / 2), plot.height / 50);
+  context.fillText(`x (${unit.name})`, plot.x + plot.width / 2, bottom + 20);
+  const upwards = ticks(from_y, to_y, plot.height / 50);
   context.textAlign = "right";
   context.textBaseline = "middle";
   for (const value of upwards.values) {
-    const y = Math.round(at_y(value / 1000)) + 0.5;
+    const y = Math.round(at_y(value * unit.factor)) + 0.5;
     context.moveTo(plot.x, y);
     context.lineTo(plot.x - 4, y);
     context.fillText(tick_text(value, upwards.decimals), plot.x - 6, y);
   }
   context.stroke();
-  context.save();
-  context.translate(9, plot.y + plot.height / 2);
-  context.rotate(-Math.PI / 2);
-  context.textAlign = "center";
-  context.fillText("y (mm)", 0, 0);
-  context.restore();
+  // Above the numbers, however long they are.
+  context.textAlign = "left";
+  context.textBaseline = "top";
+  context.fillText(`y (${unit.name})`, 2, 2);
 }
 
 function draw_body(context: CanvasRenderingContext2D, outline: Float32Array, at_x: (x: number) => number, at_y: (y: number) => number): void {

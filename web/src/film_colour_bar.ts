@@ -17,12 +17,19 @@ export interface ColourBar {
 export const BAR_HEIGHT = 34;
 const THICK = 13;
 const POINT = 11;
-const SIDE = 16;
+const LEAST_SIDE = 16;
+const FONT = '11.5px system-ui, "DejaVu Sans", sans-serif';
 
 /** Draws the bar with its numbers (in the unit) into a strip of this width at x, y. */
 export function draw_colour_bar(context: CanvasRenderingContext2D, bar: ColourBar, x: number, y: number, width: number, ink: Ink): void {
-  const left = x + SIDE;
-  const right = x + width - SIDE;
+  const { factor } = bar.unit;
+  const { values, decimals } = ticks(bar.range.from / factor, bar.range.to / factor, width / 90);
+  context.font = FONT;
+  // An end's number stands half beyond it.
+  const widest = Math.max(0, ...values.map((value) => context.measureText(tick_text(value, decimals)).width));
+  const side = Math.max(LEAST_SIDE, Math.ceil(widest / 2) + 1);
+  const left = x + side;
+  const right = x + width - side;
   const colour = (i: number) => `rgb(${bar.colours[4 * i]},${bar.colours[4 * i + 1]},${bar.colours[4 * i + 2]})`;
   for (let px = 0; px < right - left; px++) {
     context.fillStyle = colour(Math.round((255 * (px + 0.5)) / (right - left)));
@@ -51,9 +58,6 @@ export function draw_colour_bar(context: CanvasRenderingContext2D, bar: ColourBa
   context.strokeStyle = ink.quiet;
   context.stroke();
 
-  const { factor } = bar.unit;
-  const { values, decimals } = ticks(bar.range.from / factor, bar.range.to / factor, width / 90);
-  context.font = '11.5px system-ui, "DejaVu Sans", sans-serif';
   context.fillStyle = ink.text;
   context.textAlign = "center";
   context.textBaseline = "top";

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { svg_element } from "../element";
+import { candidates, LabelPlaces, levels_first } from "./label_places";
+import type { Box } from "./label_places";
 import type { View } from "./plot";
-import type { Line, Mark, Scene, SceneAxis } from "./scene";
+import type { Line, Scene, SceneAxis } from "./scene";
 import { ticks_of } from "./ticks";
 import type { Range } from "./ticks";
 
@@ -22,7 +24,6 @@ export function figure_svg(scene: Scene, view: View): string {
   const clip = svg_element("clipPath", { id: "area" }, svg_element("rect", { x: area.left, y: area.top, width: area.width, height: area.height }));
   const drawn = svg_element("g", { "clip-path": "url(#area)", fill: "none" });
   for (const line of scene.lines) drawn.append(line_path(line, x, y));
-  scene.marks.forEach((mark, index) => drawn.append(mark_group(mark, index, x, y)));
   const figure = svg_element(
     "svg",
     { xmlns: "http://www.w3.org/2000/svg", width, height, viewBox: `0 0 ${width} ${height}`, "font-family": "Helvetica, Arial, 'DejaVu Sans', sans-serif", "font-size": 13, fill: ink },
@@ -33,6 +34,7 @@ export function figure_svg(scene: Scene, view: View): string {
     axis_group(scene.y, view.y, y, false),
     drawn,
     svg_element("rect", { x: area.left, y: area.top, width: area.width, height: area.height, fill: "none", stroke: ink }),
+    marks_group(scene, x, y),
     legend(scene),
   );
   return `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(figure)}\n`;
@@ -89,28 +91,42 @@ function axis_group(axis: SceneAxis, range: Range, to: To, horizontal: boolean):
   return group;
 }
 
-function mark_group(mark: Mark, index: number, to_x: To, to_y: To): SVGGElement {
-  const colour = mark.of_paper ? paper_ink : "#666666";
-  const x = mark.x === null ? null : to_x(mark.x), y = mark.y === null ? null : to_y(mark.y);
-  const right = area.left + area.width;
-  // About what the text takes: the reader's fonts are not known.
-  const fits = x !== null && x + 10 + 6 * mark.label.length < right;
-  const text = (at_x: number, at_y: number, anchor: string) =>
-    svg_element("text", { x: at_x, y: at_y, "text-anchor": anchor, "font-size": 11, fill: colour, stroke: "#ffffff", "stroke-width": 3, "paint-order": "stroke" }, mark.label);
-  const group = svg_element("g", { stroke: colour });
-  if (x !== null && y !== null)
-    group.append(
-      svg_element("path", { d: `M${x} ${y - 5}L${x + 5} ${y}L${x} ${y + 5}L${x - 5} ${y}Z`, fill: "#ffffff", "stroke-width": 1.3 }),
-      text(x + (fits ? 9 : -9), y + 4, fits ? "start" : "end"),
-    );
-  else if (y !== null)
-    group.append(svg_element("line", { x1: area.left, x2: right, y1: y, y2: y, "stroke-dasharray": "4 4" }), text(right - 5, y + (y - area.top > 18 ? -4 : 14), "end"));
-  else if (x !== null)
-    group.append(
-      svg_element("line", { x1: x, x2: x, y1: area.top, y2: area.top + area.height, "stroke-dasharray": "2 3" }),
-      text(x + (fits ? 4 : -4), area.top + 14 + 14 * (index % 4), fits ? "start" : "end"),
-    );
+function marks_group(scene: Scene, to_x: To, to_y: To): SVGGElement {
+  const group = svg_element("g", { class: "marks" });
+  const marks = scene.marks.map((mark) => ({ mark, x: mark.x === null ? null : to_x(mark.x), y: mark.y === null ? null : to_y(mark.y) }))
+    .filter(({ x, y }) => is_within(x, area.left, area.width) && is_within(y, area.top, area.height));
+  if (marks.length === 0) return group;
+  const places = new LabelPlaces(area, 3);
+  for (const line of scene.lines)
+    places.avoid_line(line.x.map((at, i) => (at === null || line.y[i] === null ? null : [to_x(at), to_y(line.y[i]!)])));
+  for (const { mark, x, y } of marks) {
+    const colour = mark_ink(mark.of_paper);
+    if (x !== null && y !== null) {
+      group.append(svg_element("path", { d: `M${x} ${y - 5}L${x + 5} ${y}L${x} ${y + 5}L${x - 5} ${y}Z`, fill: "#ffffff", stroke: colour, "stroke-width": 1.3 }));
+      places.avoid_box({ left: x - 5, top: y - 5, width: 10, height: 10 });
+    } else {
+      const ends = { x1: x ?? area.left, x2: x ?? area.left + area.width, y1: y ?? area.top, y2: y ?? area.top + area.height };
+      group.append(svg_element("line", { ...ends, stroke: colour, "stroke-dasharray": y !== null ? "4 4" : "2 3" }));
+      places.avoid_box({ left: ends.x1, top: ends.y1, width: ends.x2 - ends.x1, height: ends.y2 - ends.y1 });
+    }
+  }
+  for (const { mark, x, y } of levels_first(marks)) {
+    // About what the text takes: the reader's fonts are not known.
+    const box: Box = places.take(x, y, candidates(x, y, 6.3 * mark.label.length, 13, area, 1));
+    group.append(svg_element(
+      "text",
+      { x: rounded(box.left), y: rounded(box.top + 10), "font-size": 11, fill: mark_ink(mark.of_paper), stroke: "#ffffff", "stroke-width": 3, "paint-order": "stroke" },
+      mark.label));
+  }
   return group;
+}
+
+function mark_ink(of_paper: boolean): string {
+  return of_paper ? paper_ink : "#666666";
+}
+
+function is_within(at: number | null, from: number, length: number): boolean {
+  return at === null || (at >= from && at <= from + length);
 }
 
 function legend(scene: Scene): SVGGElement {
