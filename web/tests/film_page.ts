@@ -1,9 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the tests of the animation do with a page: wait for its panels, read pixels.
+import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
+import { pathToFileURL } from "node:url";
 import { inflateSync } from "node:zlib";
-import type { Locator, Page } from "playwright-core";
-import { report_file } from "./browser";
+import type { Browser, Locator, Page } from "playwright-core";
+import { open_report, type OpenReport, report_file } from "./browser";
+
+type Use = (page: Page, report: OpenReport) => Promise<void>;
+
+/** A function that opens the report with its panels drawn, tests it, and sees that nothing went wrong in the console. */
+export function with_film_page(browser: () => Browser): (painter: "" | "webgl" | "2d", use: Use, file?: string) => Promise<void> {
+  return async (painter, use, file = report_file()) => {
+    const report = await open_report(browser(), { file });
+    try {
+      if (painter !== "") await report.page.goto(`${pathToFileURL(file).href}?painter=${painter}`);
+      await panels_ready(report.page);
+      await use(report.page, report);
+      assert.deepEqual(report.errors, []);
+    } finally {
+      await report.context.close();
+    }
+  };
+}
 
 export function panel(page: Page, place: number): Locator {
   return page.locator(".film-panel").nth(place);
