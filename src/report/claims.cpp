@@ -14,9 +14,9 @@ namespace {
 std::string setting_of(const RunRecord& run)
 {
   const Case& c = run.settings;
-  std::string words = fmt::format("gamma' = {:.3g} kN/m3", run.scale.unit_weight / 1000);
+  std::string words = fmt::format("γ′ = {:.3g} kN/m³", run.scale.unit_weight / 1000);
   if (const auto* sand = std::get_if<MohrCoulomb>(touched_material(c)))
-    words += fmt::format(", psi = {:.3g} deg", sand->dilation_angle * 180 / pi);
+    words += fmt::format(", ψ = {:.3g}°", sand->dilation_angle * 180 / pi);
   for (const auto& [name, body] : c.body)
     if (body.k0) words += fmt::format(", K0 = {:.3g}", *body.k0);
   if (const auto* seabed = std::get_if<SeabedMesh>(&c.mesh)) {

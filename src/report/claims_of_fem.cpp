@@ -80,7 +80,7 @@ Claim finite_elements_fall_short(const TestRuns& mpm, const TestRuns& fem, Real 
                    fmt::format("H = {} at u = {} (w = {}): {:.2g} times that of {}, under {:.2g} times its V", force_words(H, 2),
                                diameters(run, *u), diameters(run, run.w(*u)), ratio, wished->record.name, ratio_V)};
   });
-  claim.why = "H and V over gamma' D² are compared.";
+  claim.why = "H and V over γ′ D² are compared.";
   if (!same_load)
     claim.why += " The loads differ: where the finite elements keep w fixed V falls as the pipe is dragged. So the larger H is not the "
                  "berm's alone; "
