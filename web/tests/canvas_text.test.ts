@@ -51,14 +51,17 @@ for (const [words, factor, shift, unit] of [["as_they_are", 1, 0, "mm"], ["long"
   test(`numbers_and_titles_of_the_soils_axes_are_apart_${words}`, () =>
     with_changed((data) => data.runs.forEach((run) => moved(run, factor, shift)), 1280, async (page) => {
       await panels_ready(page);
-      await write_anew(page);
-      await quiet(page);
-      await take_screenshot(page, `axes_${words}`);
-      for (const canvas of await page.locator(".film-over").all()) {
-        const { texts, width, height } = await texts_on(canvas);
-        assert.ok(texts.some((each) => each.text === `y (${unit})`), texts.map((each) => each.text).join());
-        assert.deepEqual(beyond(texts, { left: 0, top: 0, right: width, bottom: height }), []);
-        assert.deepEqual(overlapping(texts), []);
+      for (const zoom of [0, 12]) {
+        for (let i = 0; i < zoom; ++i) await page.locator(".film-closer").first().click();
+        await write_anew(page);
+        await quiet(page);
+        await take_screenshot(page, `axes_${words}_${zoom}`);
+        for (const canvas of await page.locator(".film-over").all()) {
+          const { texts, width, height } = await texts_on(canvas);
+          assert.ok(texts.some((each) => each.text === `y (${unit})`), texts.map((each) => each.text).join());
+          assert.deepEqual(beyond(texts, { left: 0, top: 0, right: width, bottom: height }), []);
+          assert.deepEqual(overlapping(texts), []);
+        }
       }
     }));
 
