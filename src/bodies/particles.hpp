@@ -60,6 +60,7 @@ public:
     constexpr std::size_t ahead = 4, line = 64;
     if (c + ahead >= occupied_.size()) return;
     const auto* bytes = reinterpret_cast<const char*>(&blocks_[head_[occupied_[c + ahead]]]);
+#pragma GCC unroll 64
     for (std::size_t k = 0; k < 2 * sizeof(Block<dim>); k += line) __builtin_prefetch(bytes + k);
   }
 

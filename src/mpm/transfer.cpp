@@ -39,14 +39,19 @@ struct LaneMoments {
       for (int a = 0; a < dim; ++a) mvx[d][a] += at[a] * p.v[d];
   }
 
+  /// Lanes and sums are laid out alike, so that eight sums are made at a time.
   [[gnu::always_inline]] void total(Moments<dim>& t) const
   {
-    t.m = sum(m);
-    t.volume = sum(volume);
-    for (int a = 0; a < dim; ++a) t.mx[a] = sum(mx[a]), t.mv[a] = sum(mv[a]);
-    for (int k = 0; k < Moments<dim>::pairs; ++k) t.mxx[k] = sum(mxx[k]), t.stress[k] = sum(stress[k]);
-    for (int d = 0; d < dim; ++d)
-      for (int a = 0; a < dim; ++a) t.mvx[d][a] = sum(mvx[d][a]);
+    constexpr int count = sizeof(Moments<dim>) / sizeof(Real);
+    static_assert(sizeof(LaneMoments) == count * sizeof(Lanes));
+    const Lanes* of = &m;
+    Real* to = &t.m;
+    for (int first = 0; first < count; first += lanes) {
+      Lanes eight[lanes];
+      for (int k = 0; k < lanes; ++k) eight[k] = first + k < count ? of[first + k] : Lanes{};
+      const Lanes summed = sums(eight);
+      for (int k = 0; k < lanes && first + k < count; ++k) to[first + k] = summed[k];
+    }
   }
 };
 

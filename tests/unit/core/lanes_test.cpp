@@ -89,5 +89,14 @@ TEST(Lanes, the_sum_is_made_in_pairs_in_one_order)
   }
 }
 
+TEST(Lanes, eight_sums_at_once_are_those_one_by_one_to_the_last_bit)
+{
+  std::mt19937 random(7);
+  Lanes x[lanes];
+  for (Lanes& one : x) one = random_lanes(random);
+  const Lanes all = sums(x);
+  for (int k = 0; k < lanes; ++k) EXPECT_EQ(all[k], sum(x[k])) << k;
+}
+
 }  // namespace
 }  // namespace berm
