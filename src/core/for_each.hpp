@@ -8,13 +8,21 @@
 
 namespace berm {
 
-/// Runs body(i) for i = 0 ... count-1 over all threads; each thread takes one contiguous range, the same at every call. The label is the row
-/// of the timing table. body may write only what belongs to i, so that the result does not depend on the number of threads.
+/// How many indices a thread takes at a time, in turn with the others, in all loops over `count`: cells differ in their number of particles, and like
+/// ones lie together, so that one range a thread would leave one waiting. A thread finds in its cache what it wrote in the loop before.
+inline Index chunk_of(Index count)
+{
+  constexpr Index least_chunks = 64, most = 256;
+  return std::clamp(count / least_chunks, 1, most);
+}
+
+/// Runs body(i) for i = 0 ... count-1 over all threads; each thread takes the same chunks at every call. The label is the row of the timing table. body may write only what belongs to i, so that the result does not depend on the number of threads.
 template <class Body>
 void for_each(const char* label, Index count, const Body& body)
 {
   const Timer timer(label);
-#pragma omp parallel for schedule(static)
+  const Index chunk = chunk_of(count);
+#pragma omp parallel for schedule(static, chunk)
   for (Index i = 0; i < count; ++i) body(i);
 }
 
@@ -24,12 +32,13 @@ template <class Sum, class Term>
 Sum sum_of(const char* label, Index count, const Term& term)
 {
   const Timer timer(label);
-  constexpr Index chunk = 512, most_chunks = 64;
+  constexpr Index most_chunks = 256;
+  const Index chunk = chunk_of(count);
   Sum total{};
   for (Index first = 0; first < count; first += chunk * most_chunks) {
     Sum part[most_chunks] = {};
     const Index chunks = std::min(most_chunks, (count - first + chunk - 1) / chunk);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static, 1)
     for (Index c = 0; c < chunks; ++c) {
       Sum sum{};
       const Index end = std::min(count, first + (c + 1) * chunk);
