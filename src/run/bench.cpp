@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/bench.hpp"
 
+#include "bench/ceiling.hpp"
 #include "core/timer.hpp"
 #include "mpm/step.hpp"
 #include "output/whole_file.hpp"
@@ -113,10 +114,32 @@ struct BenchProblem {
 constexpr BenchProblem problems[] = {
     {"probe_D10", [] { return pipe_in_sand(0.002); }},  {"probe_D20", [] { return pipe_in_sand(0.001); }},
     {"probe_D40", [] { return pipe_in_sand(0.0005); }}, {"column_1e5", [] { return column(1e5); }},
-    {"column_1e6", [] { return column(1e6); }},
+    {"column_1e6", [] { return column(1e6); }},         {"column_1e7", [] { return column(1e7); }},
 };
 
-nlohmann::ordered_json measure_speed(const BenchProblem& bench, int threads)
+/// What a step must move and compute at least, by count.
+struct Demand {
+  Real bytes, flops;  ///< a particle-step
+};
+
+/// Bytes: every array once for each pass that reads or writes it; blocks of particles are read by the first pass, read and written by the last. Flops:
+/// additions and multiplications of the lanes that hold a particle, in the sums of moments and in motion and elastic predictor of the plane
+/// Mohr-Coulomb law, and those of each cell.
+Demand demand_of(const Particles<2>& particles, const BodyGrid<2>& grid)
+{
+  constexpr Real flops_of_lane = 30 + 92, flops_of_cell = 60 + 36 + 90 + 24 + 110;
+  Real blocks = 0;
+  for (const Index cell : particles.occupied()) blocks += std::ceil(static_cast<Real>(particles.count_in(cell)) / lanes);
+  const Real cells = static_cast<Real>(particles.occupied().size()), nodes = static_cast<Real>(grid.nodes.size());
+  const Real of_block = static_cast<Real>(3 * sizeof(Block<2>) + 2 * sizeof(StoredLanes) * particles.state_size());
+  const Real of_cell = 4 * sizeof(Moments<2>) + 3 * (2 * sizeof(CornerSums<2>) + 2 * sizeof(Vec<2>) + 2 * sizeof(Vec<2>)) +
+                       4 * (sizeof(Shape<2>) + 3 * sizeof(Index)) + 4 * sizeof(Real);
+  const Real of_node = 2 * sizeof(Real) + 6 * sizeof(Vec<2>);
+  const Real count = static_cast<Real>(particles.size());
+  return {(blocks * of_block + cells * of_cell + nodes * of_node) / count, flops_of_lane + cells * flops_of_cell / count};
+}
+
+nlohmann::ordered_json measure_speed(const BenchProblem& bench, int threads, Real bandwidth)
 {
   const ScratchFolder scratch;
   Problem<2> problem = build<2>(bench.make(), ".", scratch.path().string());
@@ -138,16 +161,30 @@ nlohmann::ordered_json measure_speed(const BenchProblem& bench, int threads)
   const BigIndex steps = problem.state.step - before;
   const Real speed = static_cast<Real>(particles * steps) / wall;
 
-  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>16.2f}\n", bench.name, particles, problem.model.mesh.cell_count(), steps, threads,
-             speed / 1e6);
+  const Particles<2>& body = problem.state.particles[0];
+  const Real per_cell = static_cast<Real>(particles) / static_cast<Real>(body.occupied().size());
+  const std::vector<Timing> loops = timings();
+  const CeilingRun ceiling = run_ceiling(particles, static_cast<int>(std::lround(per_cell)), 1);
+  const Real share = speed / ceiling.particle_steps_per_s();
+  const Demand demand = demand_of(body, work.grids[0]);
+
+  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9.2f} {:>9.1f} {:>8.2f} {:>6.0f} {:>6.0f} {:>9.2f}\n", bench.name, particles,
+             problem.model.mesh.cell_count(), steps, threads, speed / 1e6, ceiling.particle_steps_per_s() / 1e6, share, demand.bytes,
+             demand.flops, speed * demand.bytes / bandwidth);
   nlohmann::ordered_json result = {{"name", bench.name},
                                    {"particles", particles},
                                    {"cells", problem.model.mesh.cell_count()},
                                    {"steps", steps},
                                    {"threads", threads},
                                    {"wall_s", wall},
-                                   {"particle_steps_per_s", speed}};
-  for (const Timing& loop : timings()) {
+                                   {"particle_steps_per_s", speed},
+                                   {"particles_per_occupied_cell", per_cell},
+                                   {"ceiling_particle_steps_per_s", ceiling.particle_steps_per_s()},
+                                   {"share_of_ceiling", share},
+                                   {"bytes_per_particle_step", demand.bytes},
+                                   {"flops_per_particle_step", demand.flops},
+                                   {"share_of_bandwidth", speed * demand.bytes / bandwidth}};
+  for (const Timing& loop : loops) {
     const Real nanoseconds = loop.seconds / static_cast<Real>(particles * steps) * 1e9;
     fmt::print("    {:<32} {:>8.2f} ns a particle-step\n", loop.label, nanoseconds);
     result["loops"].push_back({{"label", loop.label}, {"ns_per_particle_step", nanoseconds}});
@@ -166,11 +203,18 @@ std::vector<std::string> bench_names()
 
 void run_bench(const std::vector<std::string>& names, const std::string& json_file, int threads)
 {
-  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>16}\n", "problem", "particles", "cells", "steps", "threads", "10^6 p-steps/s");
-  nlohmann::ordered_json table = {{"version", BERM_VERSION}, {"problems", nlohmann::ordered_json::array()}};
+  constexpr BigIndex triad_bytes = 300'000'000;
+  const Real bandwidth = triad_bandwidth(triad_bytes, 0.5);
+  fmt::print("triad bandwidth {:.1f} GB/s; ceiling: the bare passes of a step, as many particles in as many cells\n", bandwidth / 1e9);
+  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9} {:>9} {:>8} {:>6} {:>6} {:>9}\n", "", "", "", "", "", "10^6", "ceiling,", "share of",
+             "", "", "share of");
+  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9} {:>9} {:>8} {:>6} {:>6} {:>9}\n", "problem", "particles", "cells", "steps", "threads",
+             "p-steps/s", "10^6", "ceiling", "bytes", "flops", "bandwidth");
+  nlohmann::ordered_json table = {
+      {"version", BERM_VERSION}, {"triad_bytes_per_s", bandwidth}, {"problems", nlohmann::ordered_json::array()}};
   for (const BenchProblem& bench : problems)
     if (names.empty() || std::find(names.begin(), names.end(), bench.name) != names.end())
-      table["problems"].push_back(measure_speed(bench, threads));
+      table["problems"].push_back(measure_speed(bench, threads, bandwidth));
   if (!json_file.empty()) write_whole(json_file, table.dump(2) + "\n");
 }
 
