@@ -52,6 +52,13 @@ private:
   void count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const;
   void give_unknowns(const FemLoads& loads);
 
+  /// The law of a point of integration for the increments that begin with this stress: dear to make, and the same in all iterations.
+  struct PointLaw {
+    SymTensor<2> begin{{std::numeric_limits<Real>::quiet_NaN()}};  ///< Pa
+    std::variant<PreparedLinearElastic, PreparedMohrCoulomb> law;
+  };
+  const PointLaw& law_of_point(const SymTensor<2>& begin, Index cell, int q);
+
   struct CellWork {
     std::array<Real, 12> force;
     std::array<Real, 144> stiffness;
@@ -60,6 +67,7 @@ private:
   const FemModel& model_;
   CellField<CellWork> cells_;
   CellField<std::array<SoilPoint, triangle_points>> points_;
+  CellField<std::array<PointLaw, triangle_points>> laws_;
   std::vector<FemContactState> contact_;
   std::vector<Real> residual_, matrix_, held_back_;
   std::vector<char> given_;
