@@ -9,11 +9,13 @@
 #include "run/bench.hpp"
 #include "run/envelope.hpp"
 #include "run/interrupt.hpp"
+#include "run/side_by_side.hpp"
 #include "run/simulate.hpp"
 #include "run/study.hpp"
 #include "run/verify.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
@@ -40,15 +42,21 @@ std::vector<RunRequest> requests(const std::vector<std::string>& files, const st
   return all;
 }
 
-int run_all(const std::vector<RunRequest>& all)
+/// One case after the other, each on all threads; cases of finite elements, which hardly gain by threads, side by side behind them.
+int run_all(const std::vector<RunRequest>& all, const std::vector<std::string>& overrides, int threads)
 {
   catch_interrupts();
   // A case that does not fit its mesh is refused before the first one runs.
   if (all.size() > 1)
     for (const RunRequest& request : all) try_to_build(request);
-  for (const RunRequest& request : all)
+  std::vector<RunRequest> fem;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(fem), [](const RunRequest& r) { return r.settings.method == Method::fem; });
+  const bool side_by_side = fem.size() > 1 && threads > 1;
+  for (const RunRequest& request : all) {
+    if (side_by_side && request.settings.method == Method::fem) continue;
     if (!run_case(request)) return 1;
-  return 0;
+  }
+  return !side_by_side || run_side_by_side(fem, overrides, threads) ? 0 : 1;
 }
 
 /// All studies are read before the first one runs. One study goes to `output` itself, several to folders in it that are named like their folders, or
@@ -187,7 +195,7 @@ int dispatch(int argc, char** argv)
     return verify({problems, output.empty() ? "out/verification" : output, at_once}) ? 0 : 1;
   }
   const std::vector<RunRequest> all = requests(files, output, overrides, use_threads(threads));
-  if (run->parsed()) return run_all(all);
+  if (run->parsed()) return run_all(all, overrides, all.front().threads);
   for (const RunRequest& request : all) check_case(request);
   return 0;
 }
