@@ -23,14 +23,17 @@ void take_tiny_numbers_as_zero()
 #endif
 }
 
-/// Those that this process may use; none where the system does not say.
-std::vector<int> allowed_processors()
+/// Those that this process may use, as it was before any of its threads was bound; none where the system does not say.
+const std::vector<int>& allowed_processors()
 {
-  cpu_set_t allowed;
-  std::vector<int> processors;
-  if (sched_getaffinity(0, sizeof allowed, &allowed) == 0)
-    for (int p = 0; p < CPU_SETSIZE; ++p)
-      if (CPU_ISSET(p, &allowed)) processors.push_back(p);
+  static const std::vector<int> processors = [] {
+    cpu_set_t allowed;
+    std::vector<int> found;
+    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0)
+      for (int p = 0; p < CPU_SETSIZE; ++p)
+        if (CPU_ISSET(p, &allowed)) found.push_back(p);
+    return found;
+  }();
   return processors;
 }
 
@@ -38,13 +41,13 @@ std::vector<int> allowed_processors()
 
 int processor_count()
 {
-  const std::vector<int> processors = allowed_processors();
+  const std::vector<int>& processors = allowed_processors();
   return processors.empty() ? omp_get_num_procs() : static_cast<int>(processors.size());
 }
 
 int use_threads(int count)
 {
-  const std::vector<int> processors = allowed_processors();
+  const std::vector<int>& processors = allowed_processors();
   if (count <= 0) count = processor_count();
   omp_set_num_threads(count);
   const bool bind = count > 1 && count <= static_cast<int>(processors.size()) && std::getenv("OMP_PROC_BIND") == nullptr;
@@ -57,6 +60,14 @@ int use_threads(int count)
     if (bind) sched_setaffinity(0, sizeof own, &own);
   }
   return count;
+}
+
+void unbind_thread()
+{
+  cpu_set_t all;
+  CPU_ZERO(&all);
+  for (const int processor : allowed_processors()) CPU_SET(processor, &all);
+  if (!allowed_processors().empty()) sched_setaffinity(0, sizeof all, &all);
 }
 
 void restart_with_short_waits(char** argv)

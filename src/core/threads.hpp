@@ -15,4 +15,8 @@ int use_threads(int count);
 /// OpenMP reads this when it is loaded, so the program is started once more with argv; to be called first of all. OpenBLAS gets one thread.
 void restart_with_short_waits(char** argv);
 
+/// Lets the calling thread run on all processors that the process had before use_threads bound it to one: for processes that it is about to start, which
+/// inherit where they may run.
+void unbind_thread();
+
 }  // namespace berm

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run/side_by_side.hpp"
 
+#include "core/threads.hpp"
 #include "output/whole_file.hpp"
 #include "run/jobs.hpp"
 
@@ -10,6 +11,7 @@ namespace berm {
 
 bool run_side_by_side(const std::vector<RunRequest>& requests, const std::vector<std::string>& overrides, int at_once)
 {
+  unbind_thread();
   std::vector<Job> jobs;
   for (const RunRequest& request : requests) jobs.push_back({request.case_file, overrides, request.folder});
   bool all_fine = true;
