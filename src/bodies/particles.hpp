@@ -65,7 +65,10 @@ public:
   }
 
   /// Cells that hold particles, ascending. sort_occupied() brings it up to date and is true where it changed.
-  const std::vector<Index>& occupied() const { return occupied_; }
+  const std::vector<Index>& occupied() const
+  {
+    return occupied_;
+  }
   bool sort_occupied();
 
   void insert(Index cell, const Particle<dim>& particle);
@@ -73,7 +76,10 @@ public:
   Particle<dim> take(Index cell, Index place);
   Particle<dim> read(Index block, int lane) const;
   /// The particle at `place` of a cell.
-  Particle<dim> read_at(Index cell, Index place) const { return read(block_at(cell, place), place % lanes); }
+  Particle<dim> read_at(Index cell, Index place) const
+  {
+    return read(block_at(cell, place), place % lanes);
+  }
 
   /// Visits visit(cell, block index, lane) for each particle, cell by cell in ascending order.
   template <class Visit>
