@@ -93,12 +93,14 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
   work.work = 0;
   for (int q = 0; q < triangle_points; ++q) {
     const ShapeAtPoint& shape = model_.shape[cell][q];
-    Eigen::Vector3d strain = Eigen::Vector3d::Zero();
+    Eigen::Matrix<Real, 3, 12> b = Eigen::Matrix<Real, 3, 12>::Zero();
+    Eigen::Matrix<Real, 12, 1> moved;
     for (int k = 0; k < 6; ++k) {
-      const Real ux = change[2 * nodes[k]], uy = change[2 * nodes[k] + 1];
-      const Vec<2>& g = shape.gradient[k];
-      strain += Eigen::Vector3d(g[0] * ux, g[1] * uy, g[1] * ux + g[0] * uy);
+      b(0, 2 * k) = b(2, 2 * k + 1) = shape.gradient[k][0];
+      b(1, 2 * k + 1) = b(2, 2 * k) = shape.gradient[k][1];
+      for (int d = 0; d < 2; ++d) moved[2 * k + d] = change[2 * nodes[k] + d];
     }
+    const Eigen::Vector3d strain = b * moved;
     SoilPoint& point = points_[cell][q];
     point = begin.points[cell][q];
     const SymTensor<2> tensor{{strain[0], strain[1], 0, strain[2] / 2}};
@@ -107,20 +109,9 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
         std::visit([&](const auto& law) { return update_point(law, viscosity, tensor, point); }, law_of_point(point.stress, cell, q).law);
     for (int k = 0; k < 4; ++k) mean[k] = (begin.points[cell][q].stress[k] + point.stress[k]) / 2;
     work.work += shape.area * double_dot(mean, tensor);
-    // B has (g_x, 0, g_y) and (0, g_y, g_x) in the two columns of a node: its zeros are left out of B^T sigma and of B^T D B.
-    Eigen::Matrix<Real, 3, 12, Eigen::RowMajor> db;
-    for (int k = 0; k < 6; ++k) {
-      const Vec<2> g = shape.area * shape.gradient[k];
-      db.col(2 * k) = d.col(0) * g[0] + d.col(2) * g[1];
-      db.col(2 * k + 1) = d.col(1) * g[1] + d.col(2) * g[0];
-      force[2 * k] += g[0] * point.stress[0] + g[1] * point.stress[3] - shape.area * shape.value[k] * weight[0];
-      force[2 * k + 1] += g[1] * point.stress[1] + g[0] * point.stress[3] - shape.area * shape.value[k] * weight[1];
-    }
-    for (int k = 0; k < 6; ++k) {
-      const Vec<2>& g = shape.gradient[k];
-      stiffness.row(2 * k) += g[0] * db.row(0) + g[1] * db.row(2);
-      stiffness.row(2 * k + 1) += g[1] * db.row(1) + g[0] * db.row(2);
-    }
+    force += shape.area * b.transpose() * Eigen::Vector3d(point.stress[0], point.stress[1], point.stress[3]);
+    for (int k = 0; k < 6; ++k) force.segment<2>(2 * k) -= shape.area * shape.value[k] * weight;
+    stiffness += b.transpose() * (shape.area * d * b);
   }
 }
 

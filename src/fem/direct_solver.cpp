@@ -49,7 +49,6 @@ DirectSolver::DirectSolver(const SparsePattern& pattern) : mumps_(std::make_uniq
   m.control(4) = 0;
   m.control(6) = 0;    // rows stay where they are: the diagonal is as good as any
   m.control(7) = 4;    // nested dissection by PORD
-  m.control(8) = 0;    // no scaling: stiffnesses of one size need none
   m.control(14) = 60;  // per cent of memory beyond what was foretold, for pivots that move
   m.call.n = pattern.size();
   m.call.nnz = pattern.entry_count();
