@@ -171,6 +171,20 @@ TEST(FemRun, of_resolved_toml_writes_the_same_history_byte_for_byte)
   EXPECT_TRUE(text_of_file(place.folder / "one/history.csv") == text_of_file(place.folder / "two/history.csv"));
 }
 
+TEST(FemRun, of_several_cases_runs_them_side_by_side_with_the_results_of_single_runs)
+{
+  const Place place;
+  place.folder.write("other.toml", small_fem_case);
+  const std::string set = "stage.drag.until.displacement=\"0.2 mm\"";
+  const Ended both = place.berm({"run", "small.toml", "other.toml", "--threads", "2", "-o", "both", "--set", set});
+  ASSERT_EQ(both.status, 0) << both.err;
+  ASSERT_EQ(place.berm({"run", "small.toml", "--threads", "1", "-o", "alone", "--set", set}).status, 0);
+  const std::string alone = text_of_file(place.folder / "alone/history.csv");
+  for (const char* name : {"both/small", "both/other"}) EXPECT_EQ(text_of_file(place.folder / name / "history.csv"), alone) << name;
+  EXPECT_EQ(names_in(place.folder / "both"), (Words{"other/", "small/"}));
+  EXPECT_NE(both.err.find("everything is in both/other"), std::string::npos) << both.err;
+}
+
 TEST(FemRun, that_fails_ends_with_status_1_and_keeps_what_it_had)
 {
   // Forces do not balance to less than rounding.
