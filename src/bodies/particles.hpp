@@ -4,6 +4,7 @@
 #include "core/lanes.hpp"
 #include "mesh/mesh.hpp"
 
+#include <utility>
 #include <vector>
 
 namespace berm {
@@ -57,18 +58,14 @@ public:
   /// differ in their number of blocks, which the processor's own prefetching does not foresee (docs/performance.md).
   [[gnu::always_inline]] void prefetch_after(Index c) const
   {
-    constexpr std::size_t ahead = 4, line = 64;
+    constexpr std::size_t ahead = 4;
     if (c + ahead >= occupied_.size()) return;
     const auto* bytes = reinterpret_cast<const char*>(&blocks_[head_[occupied_[c + ahead]]]);
-#pragma GCC unroll 64
-    for (std::size_t k = 0; k < 2 * sizeof(Block<dim>); k += line) __builtin_prefetch(bytes + k);
+    prefetch_lines(bytes, std::make_index_sequence<2 * sizeof(Block<dim>) / cache_line>());
   }
 
   /// Cells that hold particles, ascending. sort_occupied() brings it up to date and is true where it changed.
-  const std::vector<Index>& occupied() const
-  {
-    return occupied_;
-  }
+  const std::vector<Index>& occupied() const { return occupied_; }
   bool sort_occupied();
 
   void insert(Index cell, const Particle<dim>& particle);
@@ -76,10 +73,7 @@ public:
   Particle<dim> take(Index cell, Index place);
   Particle<dim> read(Index block, int lane) const;
   /// The particle at `place` of a cell.
-  Particle<dim> read_at(Index cell, Index place) const
-  {
-    return read(block_at(cell, place), place % lanes);
-  }
+  Particle<dim> read_at(Index cell, Index place) const { return read(block_at(cell, place), place % lanes); }
 
   /// Visits visit(cell, block index, lane) for each particle, cell by cell in ascending order.
   template <class Visit>
@@ -91,6 +85,15 @@ public:
   }
 
 private:
+  static constexpr std::size_t cache_line = 64;  // bytes
+
+  /// Without a loop, which would take as long as what it saves.
+  template <std::size_t... line>
+  [[gnu::always_inline]] static void prefetch_lines(const char* bytes, std::index_sequence<line...>)
+  {
+    (__builtin_prefetch(bytes + line * cache_line), ...);
+  }
+
   Index free_block(const Vec<dim>& x);
   void write(Index block, int lane, const Particle<dim>& particle);
   Index block_at(Index cell, Index place) const;

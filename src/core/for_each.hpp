@@ -16,7 +16,8 @@ inline Index chunk_of(Index count)
   return std::clamp(count / least_chunks, 1, most);
 }
 
-/// Runs body(i) for i = 0 ... count-1 over all threads; each thread takes the same chunks at every call. The label is the row of the timing table. body may write only what belongs to i, so that the result does not depend on the number of threads.
+/// Runs body(i) for i = 0 ... count-1 over all threads; each thread takes the same chunks at every call. The label is the row of the timing
+/// table. body may write only what belongs to i, so that the result does not depend on the number of threads.
 template <class Body>
 void for_each(const char* label, Index count, const Body& body)
 {

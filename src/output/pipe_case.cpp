@@ -17,18 +17,21 @@ PipeStages pipe_stages(const Case& c)
   return stages;
 }
 
-const Material* touched_material(const Case& c)
+const ContactSettings* contact_of_pipe(const Case& c)
 {
   const Index rigid = main_rigid(c);
-  if (rigid == none) return nullptr;
-  const Material* touched = nullptr;
-  for (const auto& [name, contact] : c.contact) {
-    if (contact.rigid != c.rigid[rigid].first) continue;
-    const Index body = place_of(c.body, contact.body);
-    const Index material = body == none ? none : place_of(c.material, c.body[body].second.material);
-    if (material != none) touched = &c.material[material].second;
-  }
-  return touched;
+  const ContactSettings* found = nullptr;
+  for (const auto& [name, contact] : c.contact)
+    if (rigid != none && contact.rigid == c.rigid[rigid].first) found = &contact;
+  return found;
+}
+
+const Material* touched_material(const Case& c)
+{
+  const ContactSettings* contact = contact_of_pipe(c);
+  const Index body = contact == nullptr ? none : place_of(c.body, contact->body);
+  const Index material = body == none ? none : place_of(c.material, c.body[body].second.material);
+  return material == none ? nullptr : &c.material[material].second;
 }
 
 PipeScale pipe_scale(const Case& c)

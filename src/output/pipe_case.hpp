@@ -13,7 +13,10 @@ PipeScale pipe_scale(const Case& c);
 /// The pushes and the drags of a case; held_force is left empty.
 PipeStages pipe_stages(const Case& c);
 
-/// The material of the body that touches the main rigid body; null where none does.
+/// The contact of a deformable body with the main rigid body, the last where there are several; null where there is none.
+const ContactSettings* contact_of_pipe(const Case& c);
+
+/// The material of that body; null where none touches.
 const Material* touched_material(const Case& c);
 
 }  // namespace berm

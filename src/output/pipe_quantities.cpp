@@ -164,17 +164,17 @@ PipePath pipe_path(const History& history, const PipeStages& stages)
 {
   const auto &u = history["u_m"], &w = history["w_m"], &H = history["H_N_m"], &V = history["V_N_m"];
   PipePath path;
-  Real begin = 0;
   for (Index k = 0; k < history.rows(); ++k) {
-    if (contains(stages.push, history.stage[k])) path.w.push_back(w[k]), path.V.push_back(V[k]);
+    if (contains(stages.push, history.stage[k])) path.w.push_back(w[k]), path.V.push_back(V[k]), path.push_rows.push_back(k);
     if (!contains(stages.drag, history.stage[k])) continue;
     const Index from = path.drag_u.empty() ? std::max(k - 1, 0) : k;
-    if (path.drag_u.empty()) begin = u[from];
+    if (path.drag_u.empty()) path.u_begin = u[from];
     for (Index row = from; row <= k; ++row) {
-      path.drag_u.push_back(std::abs(u[row] - begin));
+      path.drag_u.push_back(std::abs(u[row] - path.u_begin));
       path.drag_w.push_back(w[row]);
       path.drag_H.push_back(H[row]);
       path.drag_V.push_back(V[row]);
+      path.drag_rows.push_back(row);
     }
   }
   return path;

@@ -30,6 +30,8 @@ struct PipeStages {
 struct PipePath {
   std::vector<Real> w, V;                            ///< of the push, by row: m, N/m
   std::vector<Real> drag_u, drag_w, drag_H, drag_V;  ///< of the drag; u counts from where it began (always positive): m, m, N/m, N/m
+  std::vector<Index> push_rows, drag_rows;           ///< of the history
+  Real u_begin = 0;                                  ///< m, u where the drag began
 };
 
 /// Takes push and drag out of a history. The row before the first of the drag is where the drag begins, and is its first.

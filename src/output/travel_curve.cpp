@@ -6,7 +6,8 @@
 namespace berm {
 namespace {
 
-constexpr std::size_t most_marks = 2000;  // each takes a sum over its window, which in a long history holds many rows
+constexpr std::size_t most_marks = 2000;    // each takes a sum over its window
+constexpr std::size_t most_points = 10000;  // that are averaged as they are
 
 }  // namespace
 
@@ -52,15 +53,36 @@ Real TravelCurve::at(Real s, Real half) const
   return mean_y - product / along * mean_s;
 }
 
+TravelCurve TravelCurve::condensed(Real half) const
+{
+  if (travel_.size() <= most_points) return *this;
+  std::vector<Real> means_s{begin()}, means_y{value_.front()};
+  for (std::size_t k = 1; k + 1 < travel_.size();) {
+    Real weight = 0, sum_s = 0, sum_y = 0;
+    for (const Real reach = travel_[k] + half / 50; k + 1 < travel_.size() && travel_[k] <= reach; ++k) {
+      const Real w = (travel_[k + 1] - travel_[k - 1]) / 2;
+      weight += w;
+      sum_s += w * travel_[k];
+      sum_y += w * value_[k];
+    }
+    means_s.push_back(sum_s / weight);
+    means_y.push_back(sum_y / weight);
+  }
+  means_s.push_back(end());
+  means_y.push_back(value_.back());
+  return {means_s, means_y};
+}
+
 TravelCurve TravelCurve::smoothed(Real half) const
 {
+  const TravelCurve short_enough = condensed(half);
   std::vector<Real> marks = travel_, values;
   if (marks.size() > most_marks) {
     marks.resize(most_marks);
     for (std::size_t k = 0; k < most_marks; ++k)
       marks[k] = k + 1 == most_marks ? end() : begin() + static_cast<Real>(k) / (most_marks - 1) * (end() - begin());
   }
-  for (const Real s : marks) values.push_back(at(s, half));
+  for (const Real s : marks) values.push_back(short_enough.at(s, half));
   return {marks, values};
 }
 

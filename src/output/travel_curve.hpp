@@ -25,6 +25,10 @@ public:
   /// curve or the curve is empty.
   Real at(Real s, Real half) const;
 
+  /// A curve for averaging over +-half: itself, but of more than 10000 points those within half/50 of travel are one, their mean; the ends stay. at()
+  /// takes as long as there are points in its window.
+  TravelCurve condensed(Real half) const;
+
   /// The curve of at(s, half), at its own travels; of more than 2000 travels, at 2000 equally spaced ones from begin to end.
   TravelCurve smoothed(Real half) const;
 

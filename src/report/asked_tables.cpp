@@ -149,10 +149,8 @@ Real near_cell_size(const Case& c)
 Real near_particles(const Case& c)
 {
   if (c.method == Method::fem || c.body.empty()) return unknown;
-  Index body = 0;
-  const Index rigid = main_rigid(c);
-  for (const auto& [name, contact] : c.contact)
-    if (rigid != none && contact.rigid == c.rigid[rigid].first) body = place_of(c.body, contact.body);
+  const ContactSettings* contact = contact_of_pipe(c);
+  const Index body = contact == nullptr ? 0 : place_of(c.body, contact->body);
   const BodySettings& settings = c.body[body].second;
   const Real spacing = settings.block ? settings.block->spacing : settings.disk ? settings.disk->spacing : 0;
   if (spacing > 0) return std::pow(std::round(near_cell_size(c) / spacing), c.dimension);

@@ -135,9 +135,9 @@ Claim berm_of_soil(const TestRuns& mpm)
   return claim;
 }
 
-Scheme scheme_of(const TestRun& run)
+const ContactSettings& contact_of(const TestRun& run)
 {
-  return run.record.settings.contact.front().second.scheme;
+  return *contact_of_pipe(run.record.settings);
 }
 
 Claim no_penetration(const TestRuns& mpm)
@@ -150,7 +150,7 @@ Claim no_penetration(const TestRuns& mpm)
   claim.missing = "No run here that came to its drag corrects twice.";
   add_findings(claim, mpm, [](const TestRun& run) -> MaybeFinding {
     const Quantity* overlap = run.record.quantity("overlap_max_over_D");
-    if (overlap == nullptr || std::isnan(overlap->value) || scheme_of(run) != Scheme::twice || !run.has_drag()) return {};
+    if (overlap == nullptr || std::isnan(overlap->value) || contact_of(run).scheme != Scheme::twice || !run.has_drag()) return {};
     return Finding{run.record.name, standing_if(overlap->value <= deepest),
                    fmt::format("deepest particle {:.2g} D inside", overlap->value)};
   });
@@ -165,9 +165,9 @@ Claim fewer_oscillations(const TestRuns& mpm)
   claim.missing = "No two runs here differ in it; berm study examples/contact_schemes compares the schemes.";
   for (const TestRun& once : mpm)
     add_findings(claim, mpm, [&](const TestRun& twice) -> MaybeFinding {
-      const auto detection = [](const TestRun& run) { return run.record.settings.contact.front().second.detection; };
+      const ContactSettings &a = contact_of(once), &b = contact_of(twice);
       const Quantity *noise_a = once.record.quantity("V_noise"), *noise_b = twice.record.quantity("V_noise");
-      const bool pair = scheme_of(once) == Scheme::once && scheme_of(twice) == Scheme::twice && detection(once) == detection(twice);
+      const bool pair = a.scheme == Scheme::once && b.scheme == Scheme::twice && a.detection == b.detection;
       if (!pair || noise_a == nullptr || noise_b == nullptr) return {};
       return Finding{twice.record.name, standing_if(noise_b->value < 0.9 * noise_a->value),
                      fmt::format("noise of V {:.2g} % with two, {:.2g} % with one correction", 100 * noise_b->value, 100 * noise_a->value)};

@@ -36,6 +36,12 @@ Json paper_json(const std::vector<RunRecord>& runs)
   return points;
 }
 
+std::string title_of(const std::vector<RunRecord>& runs)
+{
+  const RunRecord& first = runs.front();
+  return html_text(first.settings.title.empty() ? first.name : first.settings.title);
+}
+
 std::string header_of(const std::vector<RunRecord>& runs, const std::vector<std::pair<std::string, std::string>>& sections)
 {
   std::vector<std::string> names, links;
@@ -43,8 +49,8 @@ std::string header_of(const std::vector<RunRecord>& runs, const std::vector<std:
   for (const auto& [id, word] : sections) links.push_back(fmt::format("<a href=\"#{}\">{}</a>", id, word));
   return fmt::format(
       "<header>\n<h1>{}</h1>\n<p class=\"quiet\">{}: {}; written by berm {}</p>\n<nav aria-label=\"sections\">{}</nav>\n</header>\n",
-      html_text(runs.front().settings.title.empty() ? runs.front().name : runs.front().settings.title),
-      runs.size() == 1 ? "run" : fmt::format("{} runs", runs.size()), fmt::join(names, ", "), BERM_VERSION, fmt::join(links, " "));
+      title_of(runs), runs.size() == 1 ? "run" : fmt::format("{} runs", runs.size()), fmt::join(names, ", "), BERM_VERSION,
+      fmt::join(links, " "));
 }
 
 /// What a reader must know first of runs that did not end well.
@@ -91,8 +97,7 @@ std::string report_page(std::vector<RunRecord> runs, const std::vector<std::stri
 
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-  page +=
-      fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n", html_text(runs.front().settings.title), page_style);
+  page += fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n", title_of(runs), page_style);
   page += header_of(runs, sections) + faults_of(runs, left_out) + answer_section(runs) + asked_section(runs);
   page += html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
   page += html_section("soil", "The soil, moving",

@@ -12,15 +12,6 @@ bool near(Real value, Real published)
   return std::abs(value - published) <= 2e-3 * std::abs(published);
 }
 
-/// The friction angle of the interface with the main rigid body; NaN without a contact.
-Real interface_angle(const Case& c)
-{
-  const Index rigid = main_rigid(c);
-  for (const auto& [name, contact] : c.contact)
-    if (rigid != none && contact.rigid == c.rigid[rigid].first) return contact.friction_angle;
-  return std::numeric_limits<Real>::quiet_NaN();
-}
-
 }  // namespace
 
 bool is_of_paper(const RunRecord& run)
@@ -33,7 +24,7 @@ bool is_of_paper(const RunRecord& run)
                     near(run.scale.diameter, paper_diameter) && near(run.scale.gravity_level, 50);
   const bool soil =
       near(sand->friction_angle, 35 * pi / 180) && sand->cohesion == 0 && near(sand->young_modulus, 7e6) && near(sand->poisson_ratio, 0.25);
-  return pipe && soil && near(interface_angle(c), 23.33 * pi / 180);
+  return pipe && soil && near(contact_of_pipe(c)->friction_angle, 23.33 * pi / 180);
 }
 
 std::vector<PaperPoint> paper_points(const std::vector<RunRecord>& runs)

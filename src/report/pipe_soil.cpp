@@ -15,15 +15,6 @@ const CircleSettings* circle_of(const Case& c)
   return rigid == none ? nullptr : std::get_if<CircleSettings>(&c.rigid[rigid].second.shape);
 }
 
-/// The contact of the pipe whose body has the touched material: the last, as in touched_material.
-const ContactSettings* contact_of_pipe(const Case& c)
-{
-  const ContactSettings* found = nullptr;
-  for (const auto& entry : c.contact)
-    if (entry.second.rigid == c.rigid[main_rigid(c)].first) found = &entry.second;
-  return found;
-}
-
 }  // namespace
 
 PipeInClay ClayAround::at(Real embedment) const

@@ -2,6 +2,7 @@
 #include "run/envelope_published.hpp"
 
 #include "formulas/design_code.hpp"
+#include "output/pipe_case.hpp"
 
 #include <fmt/format.h>
 
@@ -20,15 +21,9 @@ struct PipeInSoil {
 
 PipeInSoil pipe_in_soil(const Case& c)
 {
-  PipeInSoil found{wished_pipe(c)};
-  const std::string& name = c.rigid[main_rigid(c)].first;
-  for (const auto& entry : c.contact)
-    if (entry.second.rigid == name) found.contact = &entry.second;
-  if (found.contact == nullptr) return found;
-  const BodySettings& body = c.body[place_of(c.body, found.contact->body)].second;
-  found.law = std::get_if<MohrCoulomb>(&c.material[place_of(c.material, body.material)].second);
-  if (found.law != nullptr && c.gravity.size() == 2) found.unit_weight = found.law->density * std::hypot(c.gravity[0], c.gravity[1]);
-  return found;
+  const Material* material = touched_material(c);
+  return {wished_pipe(c), material == nullptr ? nullptr : std::get_if<MohrCoulomb>(material), contact_of_pipe(c),
+          pipe_scale(c).unit_weight};
 }
 
 std::string titled(const std::string& title, const Formula& formula)

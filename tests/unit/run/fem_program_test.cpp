@@ -182,7 +182,10 @@ TEST(FemRun, of_several_cases_runs_them_side_by_side_with_the_results_of_single_
   const std::string alone = text_of_file(place.folder / "alone/history.csv");
   for (const char* name : {"both/small", "both/other"}) EXPECT_EQ(text_of_file(place.folder / name / "history.csv"), alone) << name;
   EXPECT_EQ(names_in(place.folder / "both"), (Words{"other/", "small/"}));
-  EXPECT_NE(both.err.find("everything is in both/other"), std::string::npos) << both.err;
+  for (const char* name : {"both/small", "both/other"}) {
+    EXPECT_NE(both.err.find(std::string("everything is in ") + name), std::string::npos) << both.err;
+    EXPECT_NE(text_of_file(place.folder / name / "run.log").find(", 1 threads"), std::string::npos) << "one after the other";
+  }
 }
 
 TEST(FemRun, that_fails_ends_with_status_1_and_keeps_what_it_had)
