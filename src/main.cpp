@@ -4,6 +4,6 @@
 
 int main(int argc, char** argv)
 {
-  berm::restart_with_short_waits(argv);
+  berm::restart_with_settings(argv);
   return berm::run_commands(argc, argv);
 }

@@ -5,12 +5,12 @@
 
 namespace berm {
 
-/// Particles are computed eight at a time. A Lanes holds one number of each; arithmetic, comparison and `mask ? a : b` work lane by lane,
-/// as for a Real, so that a law written for a type T serves one particle (T = Real) and eight (T = Lanes).
+/// Particles are stored and computed eight at a time. A Lanes holds one number of each; arithmetic, comparison and `mask ? a : b` work lane by lane,
+/// as for a Real, so that a law written for a type T serves one particle (T = Real) and several (T = Lanes).
 constexpr int lanes = 8;
 using Lanes = Real __attribute__((vector_size(lanes * sizeof(Real))));
 /// In memory that program and engine share: the alignment of Lanes itself depends on the vector unit that a file is compiled for.
-struct alignas(64) StoredLanes {
+struct alignas(lanes * sizeof(Real)) StoredLanes {
   Lanes value;
 };
 using LaneMask = std::int64_t __attribute__((vector_size(lanes * sizeof(Real))));
@@ -23,30 +23,44 @@ using LaneMask = std::int64_t __attribute__((vector_size(lanes * sizeof(Real))))
 /// 0, 1, 2, ... 7: compared with a count it masks the lanes that hold a particle.
 constexpr Lanes lane_numbers = {0, 1, 2, 3, 4, 5, 6, 7};
 
+/// How many numbers a vector holds.
+template <class V>
+constexpr int lanes_of = sizeof(V) / sizeof(Real);
+
 [[gnu::always_inline]] inline bool any(bool mask)
 {
   return mask;
 }
-[[gnu::always_inline]] inline bool any(LaneMask mask)
+/// Whether a lane of a mask is set. Left to itself the compiler takes the lanes apart, one by one.
+template <class Mask>
+requires(lanes_of<Mask> > 1) [[gnu::always_inline]] inline bool any(Mask mask)
 {
-#if defined(__AVX512DQ__)  // the compiler would take the lanes apart, one by one
-  using Wide = long long __attribute__((vector_size(sizeof(LaneMask))));
-  return __builtin_ia32_cvtq2mask512(reinterpret_cast<Wide>(mask)) != 0;
-#else
-  std::int64_t found = 0;
-  for (int l = 0; l < lanes; ++l) found |= mask[l];
-  return found != 0;
+#if defined(__AVX512DQ__)
+  if constexpr (lanes_of<Mask> == 8) {
+    using Eight = long long __attribute__((vector_size(64)));
+    return __builtin_ia32_cvtq2mask512(reinterpret_cast<Eight>(mask)) != 0;
+  }
 #endif
+#if defined(__AVX__)
+  if constexpr (lanes_of<Mask> == 4) {
+    using Four = Real __attribute__((vector_size(32)));
+    return __builtin_ia32_movmskpd256(reinterpret_cast<Four>(mask)) != 0;
+  }
+#endif
+  std::int64_t found = 0;
+  for (int l = 0; l < lanes_of<Mask>; ++l) found |= mask[l];
+  return found != 0;
 }
 
 [[gnu::always_inline]] inline Real square_root(Real x)
 {
   return std::sqrt(x);
 }
-[[gnu::always_inline]] inline Lanes square_root(Lanes x)
+template <class V>
+requires(lanes_of<V> > 1) [[gnu::always_inline]] inline V square_root(V x)
 {
-  Lanes root;
-  for (int l = 0; l < lanes; ++l) root[l] = std::sqrt(x[l]);
+  V root;
+  for (int l = 0; l < lanes_of<V>; ++l) root[l] = std::sqrt(x[l]);
   return root;
 }
 
@@ -66,24 +80,43 @@ template <class T>
   return a < T{} ? -a : a;
 }
 
-/// The sum over the lanes, always in the same order (pairs, then pairs of pairs).
-[[gnu::always_inline]] inline Real sum(Lanes x)
+/// The sums over the numbers of as many vectors as each holds, place k that of x[k]: pairs that lie half a vector apart, then pairs of pairs.
+template <class V>
+[[gnu::always_inline]] inline V sums(const V (&x)[lanes_of<V>])
 {
-  return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
+  if constexpr (lanes_of<V> == 2) {
+    return __builtin_shufflevector(x[0], x[1], 0, 2) + __builtin_shufflevector(x[0], x[1], 1, 3);
+  } else if constexpr (lanes_of<V> == 4) {
+    V twos[2];
+    for (int k = 0; k < 2; ++k)
+      twos[k] = __builtin_shufflevector(x[2 * k], x[2 * k + 1], 0, 1, 4, 5) + __builtin_shufflevector(x[2 * k], x[2 * k + 1], 2, 3, 6, 7);
+    return __builtin_shufflevector(twos[0], twos[1], 0, 2, 4, 6) + __builtin_shufflevector(twos[0], twos[1], 1, 3, 5, 7);
+  } else {
+    static_assert(lanes_of<V> == 8);
+    V fours[4], twos[2];
+    for (int k = 0; k < 4; ++k)  // halves: x[2k] in the lower four lanes, x[2k + 1] in the upper
+      fours[k] = __builtin_shufflevector(x[2 * k], x[2 * k + 1], 0, 1, 2, 3, 8, 9, 10, 11) +
+                 __builtin_shufflevector(x[2 * k], x[2 * k + 1], 4, 5, 6, 7, 12, 13, 14, 15);
+    for (int k = 0; k < 2; ++k)
+      twos[k] = __builtin_shufflevector(fours[2 * k], fours[2 * k + 1], 0, 1, 4, 5, 8, 9, 12, 13) +
+                __builtin_shufflevector(fours[2 * k], fours[2 * k + 1], 2, 3, 6, 7, 10, 11, 14, 15);
+    return __builtin_shufflevector(twos[0], twos[1], 0, 2, 4, 6, 8, 10, 12, 14) +
+           __builtin_shufflevector(twos[0], twos[1], 1, 3, 5, 7, 9, 11, 13, 15);
+  }
 }
 
-/// The sums over the lanes of eight vectors at once, lane k that of x[k]: the same additions in the same order as sum(), but eight at a time.
-[[gnu::always_inline]] inline Lanes sums(const Lanes (&x)[lanes])
+/// The sum over the numbers of one vector, added in the order of sums().
+template <class V>
+[[gnu::always_inline]] inline Real sum(V x)
 {
-  Lanes fours[4], twos[2];
-  for (int k = 0; k < 4; ++k)  // halves: x[2k] in the lower four lanes, x[2k + 1] in the upper
-    fours[k] = __builtin_shufflevector(x[2 * k], x[2 * k + 1], 0, 1, 2, 3, 8, 9, 10, 11) +
-               __builtin_shufflevector(x[2 * k], x[2 * k + 1], 4, 5, 6, 7, 12, 13, 14, 15);
-  for (int k = 0; k < 2; ++k)
-    twos[k] = __builtin_shufflevector(fours[2 * k], fours[2 * k + 1], 0, 1, 4, 5, 8, 9, 12, 13) +
-              __builtin_shufflevector(fours[2 * k], fours[2 * k + 1], 2, 3, 6, 7, 10, 11, 14, 15);
-  return __builtin_shufflevector(twos[0], twos[1], 0, 2, 4, 6, 8, 10, 12, 14) +
-         __builtin_shufflevector(twos[0], twos[1], 1, 3, 5, 7, 9, 11, 13, 15);
+  if constexpr (lanes_of<V> == 2) {
+    return x[0] + x[1];
+  } else if constexpr (lanes_of<V> == 4) {
+    return (x[0] + x[2]) + (x[1] + x[3]);
+  } else {
+    static_assert(lanes_of<V> == 8);
+    return ((x[0] + x[4]) + (x[2] + x[6])) + ((x[1] + x[5]) + (x[3] + x[7]));
+  }
 }
 
 }  // namespace berm

@@ -10,7 +10,7 @@ template <int dim>
 constexpr int tensor_size = dim == 2 ? 4 : 6;
 
 /// A symmetric tensor. Tension is positive. Shear components are tensor components (half the engineering shear strain).
-/// T is Real for one particle or Lanes for eight.
+/// T is Real for one particle, or a vector of numbers for several.
 template <int dim, class T = Real>
 struct SymTensor {
   T c[tensor_size<dim>] = {};

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <omp.h>
 #include <sched.h>
+#include <string>
 #include <unistd.h>
 #include <vector>
 #ifdef __SSE2__
@@ -70,7 +71,7 @@ void unbind_thread()
   if (!allowed_processors().empty()) sched_setaffinity(0, sizeof all, &all);
 }
 
-void restart_with_short_waits(char** argv)
+void restart_with_settings(char** argv)
 {
   constexpr const char* spins = "GOMP_SPINCOUNT";
   if (std::getenv(spins) != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr) return;
@@ -79,7 +80,10 @@ void restart_with_short_waits(char** argv)
   // Where the loader was called by name, it is the program that would be started.
   if (error || program.filename().string().starts_with("ld-") || setenv(spins, "10000", 1) != 0) return;
   setenv("OPENBLAS_NUM_THREADS", "1", 0);  // its threads gain nothing on matrices of this size, and spin
-  execv(program.c_str(), argv);            // where this fails, the run goes on, only slower
+  const char* tunables = std::getenv("GLIBC_TUNABLES");
+  const std::string others = tunables == nullptr ? "" : std::string(tunables) + ":";
+  setenv("GLIBC_TUNABLES", (others + "glibc.malloc.hugetlb=1").c_str(), 1);
+  execv(program.c_str(), argv);  // where this fails, the run goes on, only slower
 }
 
 }  // namespace berm

@@ -10,10 +10,13 @@ int processor_count();
 /// processor each, unless OMP_PROC_BIND says otherwise: threads that wander can be slower together than one alone.
 int use_threads(int count);
 
-/// Lets threads wait for each other awake for some 30 microseconds and asleep from then on, where the environment does not say how: OpenMP's own
-/// choice is to stay awake, which takes the processor from the very thread that is waited for as soon as anything else runs on the machine.
-/// OpenMP reads this when it is loaded, so the program is started once more with argv; to be called first of all. OpenBLAS gets one thread.
-void restart_with_short_waits(char** argv);
+/// Starts the program once more with argv and with settings that libraries read from the environment when they are loaded; to be called first of
+/// all. Does nothing where the environment says how OpenMP's threads wait.
+/// - Threads wait for each other awake for some 30 microseconds and asleep from then on: OpenMP's own choice is to stay awake, which takes the
+///   processor from the very thread that is waited for as soon as anything else runs on the machine.
+/// - OpenBLAS gets one thread.
+/// - The C library asks for huge pages for large arrays: a step goes through more memory than the processor remembers the places of in small ones.
+void restart_with_settings(char** argv);
 
 /// Lets the calling thread run on all processors that the process had before use_threads bound it to one: for processes that it is about to start, which
 /// inherit where they may run.

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/describe.hpp"
-#include "material/lane_parts.hpp"
 #include "material/mohr_coulomb_return.hpp"
 
 #include <optional>
@@ -60,12 +59,14 @@ MohrCoulomb at_depth(MohrCoulomb law, Real depth);
 /// law itself where its flow is associated.
 MohrCoulomb associated(const MohrCoulomb& law, const SymTensor<2>& stress);
 
-/// The update in one width of numbers, which must fit a register of the machine.
+/// Advances `stress` (Pa, tension positive) by a strain increment: elastic predictor, then the exact implicit return to the surface. state[0] is the
+/// opening. Lanes without a particle may hold any numbers. T should fit a register of the machine: Real or LanePart.
 template <int dim, class T>
-[[gnu::always_inline]] inline void update_stress_in_register(const PreparedMohrCoulomb& law, SymTensor<dim, T>& stress,
-                                                             const SymTensor<dim, T>& strain_increment, T& opening)
+[[gnu::always_inline]] inline void update_stress(const PreparedMohrCoulomb& law, SymTensor<dim, T>& stress,
+                                                 const SymTensor<dim, T>& strain_increment, T* state)
 {
   using Mask = decltype(T{} < T{});
+  T& opening = state[0];
   SymTensor<dim, T> strain = strain_increment;
   const Mask was_open = opening > T{};
   if (any(was_open)) [[unlikely]] {
@@ -81,29 +82,6 @@ template <int dim, class T>
   }
   add_elastic_stress(law.elastic, stress, strain);
   return_to_surface(law, stress, opening);
-}
-
-/// Advances `stress` (Pa, tension positive) by a strain increment: elastic predictor, then the exact implicit return to the surface. state[0] is the
-/// opening. Lanes without a particle may hold any numbers.
-template <int dim, class T>
-[[gnu::always_inline]] inline void update_stress(const PreparedMohrCoulomb& law, SymTensor<dim, T>& stress,
-                                                 const SymTensor<dim, T>& strain_increment, T* state)
-{
-  if constexpr (!std::is_same_v<T, Lanes> || part_lanes == lanes) {
-    update_stress_in_register(law, stress, strain_increment, state[0]);
-  } else {
-    for (int first = 0; first < lanes; first += part_lanes) {
-      SymTensor<dim, LanePart> part, strain;
-      LanePart opening = part_of(state[0], first);
-      for (int k = 0; k < tensor_size<dim>; ++k) {
-        part[k] = part_of(stress[k], first);
-        strain[k] = part_of(strain_increment[k], first);
-      }
-      update_stress_in_register(law, part, strain, opening);
-      for (int k = 0; k < tensor_size<dim>; ++k) set_part(stress[k], first, part[k]);
-      set_part(state[0], first, opening);
-    }
-  }
 }
 
 }  // namespace berm

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/for_each.hpp"
+#include "core/lane_parts.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -25,9 +26,9 @@ struct LinearField {
         for (int a = 0; a < dim; ++a) slope[d][a] += shape.b[a][k] * value;
       }
   }
-  [[gnu::always_inline]] Lanes at(int d, const Lanes* x) const
+  [[gnu::always_inline]] LanePart at(int d, const LanePart* x) const
   {
-    Lanes value = c[d] + slope[d][0] * x[0];
+    LanePart value = c[d] + slope[d][0] * x[0];
     for (int a = 1; a < dim; ++a) value += slope[d][a] * x[a];
     return value;
   }
@@ -39,7 +40,6 @@ struct CellStrain {
   SymTensor<dim> strain{};
   Real spin[dim][dim] = {};
   Real dilation = 0;
-  Real deviatoric = 0;
 
   [[gnu::always_inline]] CellStrain(const LinearField<dim>& velocity, Real dt)
   {
@@ -58,20 +58,20 @@ struct CellStrain {
 };
 
 /// stress += spin stress - stress spin (Jaumann).
-[[gnu::always_inline]] inline void rotate(SymTensor<2, Lanes>& s, const Real (&spin)[2][2])
+[[gnu::always_inline]] inline void rotate(SymTensor<2, LanePart>& s, const Real (&spin)[2][2])
 {
   const Real w = spin[0][1];
-  const Lanes turned = w * (s[1] - s[0]), change = 2 * w * s[3];
+  const LanePart turned = w * (s[1] - s[0]), change = 2 * w * s[3];
   s[0] += change;
   s[1] -= change;
   s[3] += turned;
 }
-[[gnu::always_inline]] inline void rotate(SymTensor<3, Lanes>& s, const Real (&spin)[3][3])
+[[gnu::always_inline]] inline void rotate(SymTensor<3, LanePart>& s, const Real (&spin)[3][3])
 {
-  const SymTensor<3, Lanes> old = s;
+  const SymTensor<3, LanePart> old = s;
   for (int a = 0; a < 3; ++a)
     for (int b = a; b < 3; ++b) {
-      Lanes change{};
+      LanePart change{};
       for (int k = 0; k < 3; ++k) change += spin[a][k] * old[tensor_place(k, b)] - old[tensor_place(a, k)] * spin[k][b];
       s[tensor_place(a, b)] += change;
     }
@@ -114,18 +114,19 @@ bool bring_back(const Mesh<dim>& mesh, Index cell, Vec<dim>& x)
 
 /// The law, but for particles that have grown to their largest volume: these dilate no more.
 template <int dim, class Law>
-[[gnu::always_inline]] inline void update_stress_of(const Law& law, const Law* spent_law, LaneMask spent, SymTensor<dim, Lanes>& stress,
-                                                    const SymTensor<dim, Lanes>& strain, Lanes* state)
+[[gnu::always_inline]] inline void update_stress_of(const Law& law, const Law* spent_law, LanePartMask spent,
+                                                    SymTensor<dim, LanePart>& stress, const SymTensor<dim, LanePart>& strain,
+                                                    LanePart* state)
 {
   if (spent_law == nullptr || !any(spent)) {
-    update_stress<dim, Lanes>(law, stress, strain, state);
+    update_stress<dim, LanePart>(law, stress, strain, state);
     return;
   }
-  SymTensor<dim, Lanes> spent_stress = stress;
-  Lanes spent_state[std::max(Law::state_size, 1)];
+  SymTensor<dim, LanePart> spent_stress = stress;
+  LanePart spent_state[std::max(Law::state_size, 1)];
   std::copy_n(state, Law::state_size, spent_state);
-  update_stress<dim, Lanes>(law, stress, strain, state);
-  update_stress<dim, Lanes>(*spent_law, spent_stress, strain, spent_state);
+  update_stress<dim, LanePart>(law, stress, strain, state);
+  update_stress<dim, LanePart>(*spent_law, spent_stress, strain, spent_state);
   for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = spent ? spent_stress[k] : stress[k];
   for (int k = 0; k < Law::state_size; ++k) state[k] = spent ? spent_state[k] : state[k];
 }
@@ -165,50 +166,63 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
       cell_strain.project(change / volume);
     }
     const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
-    SymTensor<dim, Lanes> strain;
-    for (int k = 0; k < tensor_size<dim>; ++k) strain[k] = all_lanes(cell_strain.strain[k]);
+    SymTensor<dim, LanePart> strain;
+    for (int k = 0; k < tensor_size<dim>; ++k) strain[k] = cell_strain.strain[k] - LanePart{};
 
-    Lanes work_done{};  // with the mean of old and new stress
+    LanePart work_done{};  // with the mean of old and new stress
     Index left = particles.count_in(cell), place = 0;
     for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes, place += lanes) {
       Block<dim>& p = particles.block(b);
-      const LaneMask alive = lane_numbers < all_lanes(left);
-      Lanes least_shape = all_lanes(1);
-      if constexpr (pass != Pass::strain) {
-        Lanes x[dim];
-        for (int d = 0; d < dim; ++d) {
-          p.v[d] = alive ? p.v[d] + dt * acceleration.at(d, p.x) : p.v[d];
-          x[d] = alive ? p.x[d] + dt * velocity.at(d, p.x) : p.x[d];
-        }
-        for (int d = 0; d < dim; ++d) p.x[d] = x[d];
-        for (int k = 0; k <= dim; ++k) {
-          Lanes n = shape.a[k] + shape.b[0][k] * x[0];
-          for (int d = 1; d < dim; ++d) n += shape.b[d][k] * x[d];
-          least_shape = smaller(least_shape, n);
-        }
-      }
-      if constexpr (pass != Pass::move) {
-        SymTensor<dim, Lanes> stress, both_stresses;
-        for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = both_stresses[k] = p.stress[k];
-        rotate(stress, cell_strain.spin);
-        update_stress_of<dim>(law, spent_law, alive & (p.volume >= p.mass * most_volume), stress, strain, particles.state(b));
-        for (int k = 0; k < tensor_size<dim>; ++k) both_stresses[k] += p.stress[k] = alive ? stress[k] : Lanes{};
-        work_done += 0.5 * p.volume * double_dot(both_stresses, strain);
-        p.volume = smaller(larger(p.volume * stretch, p.mass * least_volume), p.mass * most_volume);
-        p.deviatoric_strain += deviatoric;
-      }
-
-      const LaneMask leaves = alive & (least_shape < Lanes{});
-      if (any(leaves)) [[unlikely]]
-        for (int l = 0; l < lanes; ++l)
-          if (leaves[l]) {
-            Vec<dim> at;
-            for (int d = 0; d < dim; ++d) at[d] = p.x[d][l];
-            const Location found = locate(mesh, at, cell);
-            const bool in_mesh = found.inside || bring_back(mesh, found.cell, at);
-            for (int d = 0; d < dim; ++d) p.x[d][l] = at[d];
-            if (!in_mesh || found.cell != cell) work.movers[omp_get_thread_num()].push_back({cell, place + l, in_mesh ? found.cell : none});
+      for (int first = 0; first < lanes && first < left; first += part_lanes) {
+        const LanePartMask alive = part_of(lane_numbers, first) < static_cast<Real>(left) - LanePart{};
+        LanePart least_shape = 1 - LanePart{};
+        if constexpr (pass != Pass::strain) {
+          LanePart old_x[dim], x[dim];
+          for (int d = 0; d < dim; ++d) old_x[d] = part_of(p.x[d], first);
+          for (int d = 0; d < dim; ++d) {
+            const LanePart v = part_of(p.v[d], first);
+            set_part(p.v[d], first, alive ? v + dt * acceleration.at(d, old_x) : v);
+            x[d] = alive ? old_x[d] + dt * velocity.at(d, old_x) : old_x[d];
+            set_part(p.x[d], first, x[d]);
           }
+          for (int k = 0; k <= dim; ++k) {
+            LanePart n = shape.a[k] + shape.b[0][k] * x[0];
+            for (int d = 1; d < dim; ++d) n += shape.b[d][k] * x[d];
+            least_shape = smaller(least_shape, n);
+          }
+        }
+        if constexpr (pass != Pass::move) {
+          const LanePart mass = part_of(p.mass, first), volume = part_of(p.volume, first);
+          SymTensor<dim, LanePart> stress, both_stresses;
+          for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = both_stresses[k] = part_of(p.stress[k], first);
+          rotate(stress, cell_strain.spin);
+          const LanePartMask spent = alive & (volume >= mass * most_volume);
+          with_parts<Law::state_size>(particles.state(b), first, [&](LanePart* law_state) {
+            update_stress_of<dim>(law, spent_law, spent, stress, strain, law_state);
+          });
+          for (int k = 0; k < tensor_size<dim>; ++k) {
+            const LanePart kept = alive ? stress[k] : LanePart{};
+            both_stresses[k] += kept;
+            set_part(p.stress[k], first, kept);
+          }
+          work_done += 0.5 * volume * double_dot(both_stresses, strain);
+          set_part(p.volume, first, smaller(larger(volume * stretch, mass * least_volume), mass * most_volume));
+          set_part(p.deviatoric_strain, first, part_of(p.deviatoric_strain, first) + deviatoric);
+        }
+
+        const LanePartMask leaves = alive & (least_shape < LanePart{});
+        if (any(leaves)) [[unlikely]]
+          for (int l = 0; l < part_lanes; ++l)
+            if (leaves[l]) {
+              Vec<dim> at;
+              for (int d = 0; d < dim; ++d) at[d] = p.x[d][first + l];
+              const Location found = locate(mesh, at, cell);
+              const bool in_mesh = found.inside || bring_back(mesh, found.cell, at);
+              for (int d = 0; d < dim; ++d) p.x[d][first + l] = at[d];
+              if (!in_mesh || found.cell != cell)
+                work.movers[omp_get_thread_num()].push_back({cell, place + first + l, in_mesh ? found.cell : none});
+            }
+      }
     }
     if (pass != Pass::move && model.mpm.mixed_stress) average_stress(mesh, particles, cell);
 

@@ -2,6 +2,7 @@
 #include "mpm/transfer.hpp"
 
 #include "core/for_each.hpp"
+#include "core/lane_parts.hpp"
 
 namespace berm {
 namespace {
@@ -15,42 +16,53 @@ template <int dim>
   return sum;
 }
 
-/// The moments in Lanes while they are summed, block by block.
+/// The moments in parts of Lanes while they are summed, part by part, in the order in which Moments has them.
 template <int dim>
 struct LaneMoments {
-  Lanes m{}, mx[dim]{}, mxx[Moments<dim>::pairs]{}, mv[dim]{}, mvx[dim][dim]{}, volume{}, stress[Moments<dim>::pairs]{};
+  static constexpr int pairs = Moments<dim>::pairs;
+  static constexpr int mx = 1, mxx = mx + dim, mv = mxx + pairs, mvx = mv + dim, volume = mvx + dim * dim, stress = volume + 1,
+                       count = stress + pairs;
+  static_assert(sizeof(Moments<dim>) == count * sizeof(Real));
 
-  [[gnu::always_inline]] void add(const Block<dim>& p)
+  LanePart of[(count + part_lanes - 1) / part_lanes * part_lanes];
+
+  [[gnu::always_inline]] void clear()
   {
-    m += p.mass;
-    volume += p.volume;
-    Lanes at[dim];
+#pragma GCC unroll 64
+    for (LanePart& moment : of) moment = LanePart{};
+  }
+
+  [[gnu::always_inline]] void add(const Block<dim>& p, int first)
+  {
+    const LanePart p_mass = part_of(p.mass, first), p_volume = part_of(p.volume, first);
+    LanePart x[dim], v[dim], at[dim];
+    of[0] += p_mass;
+    of[volume] += p_volume;
     for (int a = 0; a < dim; ++a) {
-      at[a] = p.mass * p.x[a];
-      mx[a] += at[a];
-      mv[a] += p.mass * p.v[a];
+      x[a] = part_of(p.x[a], first);
+      v[a] = part_of(p.v[a], first);
+      at[a] = p_mass * x[a];
+      of[mx + a] += at[a];
+      of[mv + a] += p_mass * v[a];
     }
     for (int a = 0; a < dim; ++a)
       for (int b = a; b < dim; ++b) {
-        mxx[Moments<dim>::pair(a, b)] += at[a] * p.x[b];
-        stress[Moments<dim>::pair(a, b)] += p.volume * p.stress[tensor_place(a, b)];
+        of[mxx + Moments<dim>::pair(a, b)] += at[a] * x[b];
+        of[stress + Moments<dim>::pair(a, b)] += p_volume * part_of(p.stress[tensor_place(a, b)], first);
       }
     for (int d = 0; d < dim; ++d)
-      for (int a = 0; a < dim; ++a) mvx[d][a] += at[a] * p.v[d];
+      for (int a = 0; a < dim; ++a) of[mvx + d * dim + a] += at[a] * v[d];
   }
 
-  /// Lanes and sums are laid out alike, so that eight sums are made at a time.
-  [[gnu::always_inline]] void total(Moments<dim>& t) const
+  /// As many sums as fit a register are made at a time, and stored at once.
+  [[gnu::always_inline]] void total(Moments<dim>& moments) const
   {
-    constexpr int count = sizeof(Moments<dim>) / sizeof(Real);
-    static_assert(sizeof(LaneMoments) == count * sizeof(Lanes));
-    const Lanes* of = &m;
-    Real* to = &t.m;
-    for (int first = 0; first < count; first += lanes) {
-      Lanes eight[lanes];
-      for (int k = 0; k < lanes; ++k) eight[k] = first + k < count ? of[first + k] : Lanes{};
-      const Lanes summed = sums(eight);
-      for (int k = 0; k < lanes && first + k < count; ++k) to[first + k] = summed[k];
+#pragma GCC unroll 64
+    for (int first = 0; first < count; first += part_lanes) {
+      LanePart some[part_lanes];
+      for (int k = 0; k < part_lanes; ++k) some[k] = of[first + k];
+      const LanePart summed = sums(some);
+      std::memcpy(&moments.m + first, &summed, std::min(part_lanes, count - first) * sizeof(Real));
     }
   }
 };
@@ -65,8 +77,10 @@ void sum_moments(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGri
     const Index cell = occupied[c];
     particles.prefetch_after(c);
     LaneMoments<dim> sums;
+    sums.clear();
     Index left = particles.count_in(cell);
-    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) sums.add(particles.block(b));
+    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
+      for (int first = 0; first < lanes && first < left; first += part_lanes) sums.add(particles.block(b), first);
     Moments<dim>& t = grid.moments[cell];
     sums.total(t);
 

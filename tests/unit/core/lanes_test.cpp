@@ -10,21 +10,34 @@ namespace {
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 constexpr Lanes sample = {3, -1, 4, 1, -5, 9, -2, 6};
 
-Lanes random_lanes(std::mt19937& random)
+/// Vectors as wide as a register of each vector unit.
+template <class V>
+class Vectors : public testing::Test {
+};
+using Widths = testing::Types<Real __attribute__((vector_size(16))), Real __attribute__((vector_size(32))), Lanes>;
+TYPED_TEST_SUITE(Vectors, Widths);
+
+template <class V>
+V random_vector(std::mt19937& random)
 {
-  Lanes x{};
-  for (int l = 0; l < lanes; ++l) x[l] = std::ldexp(std::uniform_real_distribution<Real>(-1, 1)(random), static_cast<int>(random() % 60));
+  V x{};
+  for (int l = 0; l < lanes_of<V>; ++l)
+    x[l] = std::ldexp(std::uniform_real_distribution<Real>(-1, 1)(random), static_cast<int>(random() % 60));
   return x;
 }
 
-TEST(Lanes, any_is_true_when_one_lane_is)
+TYPED_TEST(Vectors, any_is_true_when_one_lane_is)
 {
-  EXPECT_FALSE(any(LaneMask{}));
-  for (int l = 0; l < lanes; ++l) {
-    LaneMask mask{};
+  EXPECT_FALSE(any(TypeParam{} < TypeParam{}));
+  for (int l = 0; l < lanes_of<TypeParam>; ++l) {
+    auto mask = TypeParam{} < TypeParam{};
     mask[l] = -1;
     EXPECT_TRUE(any(mask)) << l;
   }
+}
+
+TEST(Lanes, any_of_one_condition_is_itself)
+{
   EXPECT_TRUE(any(true));
   EXPECT_FALSE(any(false));
 }
@@ -79,23 +92,25 @@ TEST(Lanes, square_root_is_that_of_the_numbers)
   for (int l = 0; l < lanes; ++l) EXPECT_EQ(root[l], std::abs(sample[l]));
 }
 
-TEST(Lanes, the_sum_is_made_in_pairs_in_one_order)
+TYPED_TEST(Vectors, the_sum_adds_numbers_that_lie_half_a_vector_apart_then_half_of_that)
 {
   std::mt19937 random(1);
   for (int trial = 0; trial < 1000; ++trial) {
-    const Lanes x = random_lanes(random);
-    const Real pairs[4] = {x[0] + x[4], x[1] + x[5], x[2] + x[6], x[3] + x[7]};
-    EXPECT_EQ(sum(x), (pairs[0] + pairs[2]) + (pairs[1] + pairs[3]));
+    TypeParam x = random_vector<TypeParam>(random);
+    const Real got = sum(x);
+    for (int half = lanes_of<TypeParam> / 2; half > 0; half /= 2)
+      for (int l = 0; l < half; ++l) x[l] += x[l + half];
+    EXPECT_EQ(got, x[0]);
   }
 }
 
-TEST(Lanes, eight_sums_at_once_are_those_one_by_one_to_the_last_bit)
+TYPED_TEST(Vectors, sums_at_once_are_those_one_by_one_to_the_last_bit)
 {
   std::mt19937 random(7);
-  Lanes x[lanes];
-  for (Lanes& one : x) one = random_lanes(random);
-  const Lanes all = sums(x);
-  for (int k = 0; k < lanes; ++k) EXPECT_EQ(all[k], sum(x[k])) << k;
+  TypeParam x[lanes_of<TypeParam>];
+  for (TypeParam& one : x) one = random_vector<TypeParam>(random);
+  const TypeParam all = sums(x);
+  for (int k = 0; k < lanes_of<TypeParam>; ++k) EXPECT_EQ(all[k], sum(x[k])) << k;
 }
 
 }  // namespace

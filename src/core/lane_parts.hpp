@@ -2,15 +2,14 @@
 #pragma once
 
 #include "core/lanes.hpp"
-#include "core/tensor.hpp"
 
 #include <cstring>
-#include <type_traits>
 
 namespace berm {
 
 /// As many lanes as one register of the machine holds: 8, 4 or 2. Comparing and choosing are slow in the compiler for vectors wider than a register
-/// (ten times in a return to the yield surface), so a law with many of them computes Lanes in such parts. On AVX-512 the part is the whole.
+/// (ten times in a return to the yield surface), so the passes over particles take a block in such parts, and leave out those that hold no particle.
+/// With AVX-512 the part is the whole.
 #if defined(__AVX512F__)
 constexpr int part_lanes = 8;
 #elif defined(__AVX__)
@@ -21,22 +20,7 @@ constexpr int part_lanes = 2;
 using LanePart = Real __attribute__((vector_size(part_lanes * sizeof(Real))));
 using LanePartMask = std::int64_t __attribute__((vector_size(part_lanes * sizeof(Real))));
 
-template <class Mask>
-requires(std::is_same_v<Mask, LanePartMask>&& part_lanes < lanes) [[gnu::always_inline]] inline bool any(Mask mask)
-{
-  std::int64_t found = 0;
-  for (int l = 0; l < part_lanes; ++l) found |= mask[l];
-  return found != 0;
-}
-
-template <class Part>
-requires(std::is_same_v<Part, LanePart>&& part_lanes < lanes) [[gnu::always_inline]] inline Part square_root(Part x)
-{
-  Part root;
-  for (int l = 0; l < part_lanes; ++l) root[l] = std::sqrt(x[l]);
-  return root;
-}
-
+/// Lanes first, ..., first + part_lanes - 1.
 [[gnu::always_inline]] inline LanePart part_of(const Lanes& x, int first)
 {
   LanePart part;
@@ -47,6 +31,20 @@ requires(std::is_same_v<Part, LanePart>&& part_lanes < lanes) [[gnu::always_inli
 [[gnu::always_inline]] inline void set_part(Lanes& x, int first, const LanePart& part)
 {
   std::memcpy(reinterpret_cast<char*>(&x) + first * sizeof(Real), &part, sizeof part);
+}
+
+/// Lets change(LanePart*) work on that part of `count` Lanes: in place where the part is the whole, so that what does not change is not written.
+template <int count, class Change>
+[[gnu::always_inline]] inline void with_parts(Lanes* x, int first, const Change& change)
+{
+  if constexpr (part_lanes == lanes) {
+    change(x);
+  } else {
+    LanePart parts[count + 1];  // an array has at least one place
+    for (int k = 0; k < count; ++k) parts[k] = part_of(x[k], first);
+    change(parts);
+    for (int k = 0; k < count; ++k) set_part(x[k], first, parts[k]);
+  }
 }
 
 }  // namespace berm
