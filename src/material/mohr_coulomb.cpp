@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "material/mohr_coulomb.hpp"
 
-#include "material/principal_axes.hpp"
-
 #include <algorithm>
 
 namespace berm {
@@ -116,18 +114,8 @@ Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<2>& stress)
 
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<3>& stress)
 {
-  const PrincipalAxes axes = principal_axes(stress);
+  const PrincipalAxes<Real> axes = principal_axes(stress);
   return yield_value(law, axes.value[0], axes.value[2]);
-}
-
-void return_one_to_surface(const PreparedMohrCoulomb& law, SymTensor<3>& stress, Real& opening)
-{
-  const PrincipalAxes axes = principal_axes(stress);
-  if (!(yield_value(law, axes.value[0], axes.value[2]) > 0)) return;
-  Principal<Real> s{axes.value[0], axes.value[1], axes.value[2]};
-  const Real opened = return_principal(law, s);
-  opening = std::min(opening + opened, law.most_opening);
-  stress = tensor_from({s.s1, s.s2, s.s3}, axes.direction);
 }
 
 }  // namespace berm

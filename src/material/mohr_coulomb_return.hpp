@@ -2,8 +2,7 @@
 #pragma once
 
 #include "material/elasticity.hpp"
-
-#include <type_traits>
+#include "material/principal_axes.hpp"
 
 namespace berm {
 
@@ -124,11 +123,22 @@ template <class T>
   opening = smaller(opening + (outside ? opened : T{}), law.most_opening - T{});
 }
 
-/// One stress in space, through its principal axes.
-void return_one_to_surface(const PreparedMohrCoulomb& law, SymTensor<3>& stress, Real& opening);
+/// Returns trial stresses in space that lie outside the surface, through their principal axes. A function of its own: rarely needed, and long.
+template <class T>
+[[gnu::noinline]] void return_by_axes(const PreparedMohrCoulomb& law, SymTensor<3, T>& stress, T& opening)
+{
+  using Mask = decltype(T{} < T{});
+  const PrincipalAxes<T> axes = principal_axes(stress);
+  Principal<T> s{axes.value[0], axes.value[1], axes.value[2]};
+  const Mask outside = (law.weight_1 * s.s1 - law.weight_3 * s.s3 - law.strength > T{}) | (s.s1 > law.tension);
+  if (!any(outside)) return;
+  const T opened = return_principal(law, s);
+  opening = smaller(opening + (outside ? opened : T{}), law.most_opening - T{});
+  const SymTensor<3, T> returned = tensor_from({s.s1, s.s2, s.s3}, axes.direction);
+  for (int k = 0; k < 6; ++k) stress[k] = outside ? returned[k] : stress[k];
+}
 
-/// Returns a trial stress in space to the surface. The check for all lanes takes the cone inside the pyramid that touches its faces, and needs no principal
-/// stress; what fails it is treated one particle at a time.
+/// Returns a trial stress in space to the surface. The check takes the cone inside the pyramid that touches its faces, and needs no principal stress.
 template <class T>
 [[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, SymTensor<3, T>& stress, T& opening)
 {
@@ -138,21 +148,8 @@ template <class T>
   const T size = square_root(double_dot(deviator, deviator) * 0.5);
   const auto outside = (law.inner_cone * size + (law.weight_1 - law.weight_3) * mean - law.strength > T{}) |
                        (mean + 1.1547005383792517 * size > law.tension);  // 2/sqrt(3): s1 <= p + 2/sqrt(3) sqrt(J2)
-  if (!any(outside)) [[likely]]
-    return;
-  if constexpr (std::is_same_v<T, Real>) {
-    return_one_to_surface(law, stress, opening);
-  } else {
-    for (int l = 0; l < static_cast<int>(sizeof(T) / sizeof(Real)); ++l) {
-      if (!outside[l]) continue;
-      SymTensor<3> one;
-      for (int k = 0; k < 6; ++k) one[k] = stress[k][l];
-      Real one_opening = opening[l];
-      return_one_to_surface(law, one, one_opening);
-      for (int k = 0; k < 6; ++k) stress[k][l] = one[k];
-      opening[l] = one_opening;
-    }
-  }
+  if (any(outside)) [[unlikely]]
+    return_by_axes(law, stress, opening);
 }
 
 }  // namespace berm

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 namespace berm {
 namespace {
@@ -106,6 +108,28 @@ Case column(Real particles)
   return c;
 }
 
+/// The same in space: 0.5 wide, 1 high, 0.25 deep in a mesh of 1.5 x 1.125 x 0.25, eight particles in each sixth of a cube.
+Case column_in_space(Real particles)
+{
+  Case c = column(particles);
+  c.dimension = 3;
+  c.gravity.push_back(0);
+  const Real per_side = std::round(std::cbrt(particles / 8 / 6 / (2 * 4 * 1)));  // cubes along the depth, 0.25
+  BoxMesh mesh;
+  mesh.size = {1.5, 1.125, 0.25};
+  mesh.cells = {6 * per_side, std::round(4.5 * per_side), per_side};
+  c.mesh = mesh;
+  BlockSettings block;
+  block.center = {0.25, 0.5, 0.125};
+  block.size = {0.5, 1, 0.25};
+  block.spacing = 0.25 / per_side / std::cbrt(48.);
+  c.body[0].second.block = block;
+  c.rigid[0].second.shape = HalfPlaneSettings{{0, 0, 0}, {0, 1, 0}};
+  c.support.push_back({"back", {"back", {"z"}}});
+  c.support.push_back({"front", {"front", {"z"}}});
+  return c;
+}
+
 struct BenchProblem {
   const char* name;
   Case (*make)();
@@ -115,7 +139,10 @@ constexpr BenchProblem problems[] = {
     {"probe_D10", [] { return pipe_in_sand(0.002); }},  {"probe_D20", [] { return pipe_in_sand(0.001); }},
     {"probe_D40", [] { return pipe_in_sand(0.0005); }}, {"column_1e5", [] { return column(1e5); }},
     {"column_1e6", [] { return column(1e6); }},         {"column_1e7", [] { return column(1e7); }},
+    {"space_1e5", [] { return column_in_space(1e5); }}, {"space_1e6", [] { return column_in_space(1e6); }},
 };
+
+constexpr Real no_number = std::numeric_limits<Real>::quiet_NaN();
 
 /// What a step must move and compute at least, by count.
 struct Demand {
@@ -127,27 +154,47 @@ constexpr Real flops_of_moments = 30, flops_of_motion = 36, flops_of_stress = 54
 constexpr Real flops_of_corners = 60, flops_of_forces = 36, flops_of_momentum = 90, flops_of_fields = 134;  // of a cell, in the same places
 
 /// Bytes: every array once for each pass that reads or writes it; blocks of particles are read by the first pass, read and written by the last. Flops of
-/// soil at yield are more.
-Demand demand_of(const Particles<2>& particles, const BodyGrid<2>& grid)
+/// soil at yield are more, and those in space were not counted.
+template <int dim>
+Demand demand_of(const Particles<dim>& particles, const BodyGrid<dim>& grid)
 {
   constexpr Real flops_of_lane = flops_of_moments + flops_of_motion + flops_of_stress;
   constexpr Real flops_of_cell = flops_of_corners + flops_of_forces + flops_of_momentum + flops_of_fields;
+  constexpr int corners = dim + 1;
   Real blocks = 0;
   for (const Index cell : particles.occupied()) blocks += std::ceil(static_cast<Real>(particles.count_in(cell)) / lanes);
   const Real cells = static_cast<Real>(particles.occupied().size()), nodes = static_cast<Real>(grid.nodes.size());
-  const Real of_block = static_cast<Real>(3 * sizeof(Block<2>) + 2 * sizeof(StoredLanes) * particles.state_size());
-  const Real of_cell = 4 * sizeof(Moments<2>) + 3 * (2 * sizeof(CornerSums<2>) + 2 * sizeof(Vec<2>) + 2 * sizeof(Vec<2>)) +
-                       4 * (sizeof(Shape<2>) + 3 * sizeof(Index)) + 4 * sizeof(Real);
-  const Real of_node = 2 * sizeof(Real) + 6 * sizeof(Vec<2>);
+  const Real of_block = static_cast<Real>(3 * sizeof(Block<dim>) + 2 * sizeof(StoredLanes) * particles.state_size());
+  const Real of_cell = 4 * sizeof(Moments<dim>) + corners * (2 * sizeof(CornerSums<dim>) + 4 * sizeof(Vec<dim>)) +
+                       4 * (sizeof(Shape<dim>) + corners * sizeof(Index)) + 4 * sizeof(Real);
+  const Real of_node = 2 * sizeof(Real) + 6 * sizeof(Vec<dim>);
   const Real count = static_cast<Real>(particles.size());
-  return {(blocks * of_block + cells * of_cell + nodes * of_node) / count, flops_of_lane + cells * flops_of_cell / count};
+  const Real bytes = (blocks * of_block + cells * of_cell + nodes * of_node) / count;
+  return {bytes, dim == 2 ? flops_of_lane + cells * flops_of_cell / count : no_number};
 }
 
-nlohmann::ordered_json measure_speed(const BenchProblem& bench, int threads, Real bandwidth)
+/// Memory that this process has, bytes.
+Real resident_memory()
+{
+  std::ifstream file("/proc/self/statm");
+  Real all = no_number, resident = no_number;
+  file >> all >> resident;
+  return resident * static_cast<Real>(sysconf(_SC_PAGESIZE));
+}
+
+/// A number for the table, or a dash where there is none.
+std::string shown(Real number, int decimals)
+{
+  return std::isnan(number) ? "-" : fmt::format("{:.{}f}", number, decimals);
+}
+
+template <int dim>
+nlohmann::ordered_json measure_speed(const char* name, const Case& c, int threads, Real bandwidth)
 {
   const ScratchFolder scratch;
-  Problem<2> problem = build<2>(bench.make(), ".", scratch.path().string());
-  Work<2> work(problem.model, problem.state);
+  const Real memory_before = resident_memory();
+  Problem<dim> problem = build<dim>(c, ".", scratch.path().string());
+  Work<dim> work(problem.model, problem.state);
   const BigIndex particles = problem.state.particles[0].size();
   const auto seconds = [&](Real least, BigIndex least_steps) {
     const Clock::time_point start = Clock::now();
@@ -165,17 +212,19 @@ nlohmann::ordered_json measure_speed(const BenchProblem& bench, int threads, Rea
   const BigIndex steps = problem.state.step - before;
   const Real speed = static_cast<Real>(particles * steps) / wall;
 
-  const Particles<2>& body = problem.state.particles[0];
+  const Real memory = (resident_memory() - memory_before) / static_cast<Real>(particles);
+
+  const Particles<dim>& body = problem.state.particles[0];
   const Real per_cell = static_cast<Real>(particles) / static_cast<Real>(body.occupied().size());
   const std::vector<Timing> loops = timings();
-  const CeilingRun ceiling = run_ceiling(particles, static_cast<int>(std::lround(per_cell)), 1);
-  const Real share = speed / ceiling.particle_steps_per_s();
+  // The yardstick has triangles only.
+  const Real ceiling = dim == 2 ? run_ceiling(particles, static_cast<int>(std::lround(per_cell)), 1).particle_steps_per_s() : no_number;
   const Demand demand = demand_of(body, work.grids[0]);
 
-  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9.2f} {:>9.1f} {:>8.2f} {:>6.0f} {:>6.0f} {:>9.2f}\n", bench.name, particles,
-             problem.model.mesh.cell_count(), steps, threads, speed / 1e6, ceiling.particle_steps_per_s() / 1e6, share, demand.bytes,
-             demand.flops, speed * demand.bytes / bandwidth);
-  nlohmann::ordered_json result = {{"name", bench.name},
+  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9.2f} {:>9} {:>8} {:>6.0f} {:>6} {:>9.2f} {:>9.0f}\n", name, particles,
+             problem.model.mesh.cell_count(), steps, threads, speed / 1e6, shown(ceiling / 1e6, 1), shown(speed / ceiling, 2), demand.bytes,
+             shown(demand.flops, 0), speed * demand.bytes / bandwidth, memory);
+  nlohmann::ordered_json result = {{"name", name},
                                    {"particles", particles},
                                    {"cells", problem.model.mesh.cell_count()},
                                    {"steps", steps},
@@ -183,11 +232,12 @@ nlohmann::ordered_json measure_speed(const BenchProblem& bench, int threads, Rea
                                    {"wall_s", wall},
                                    {"particle_steps_per_s", speed},
                                    {"particles_per_occupied_cell", per_cell},
-                                   {"ceiling_particle_steps_per_s", ceiling.particle_steps_per_s()},
-                                   {"share_of_ceiling", share},
+                                   {"ceiling_particle_steps_per_s", ceiling},
+                                   {"share_of_ceiling", speed / ceiling},
                                    {"bytes_per_particle_step", demand.bytes},
                                    {"flops_per_particle_step", demand.flops},
-                                   {"share_of_bandwidth", speed * demand.bytes / bandwidth}};
+                                   {"share_of_bandwidth", speed * demand.bytes / bandwidth},
+                                   {"memory_bytes_per_particle", memory}};
   for (const Timing& loop : loops) {
     const Real nanoseconds = loop.seconds / static_cast<Real>(particles * steps) * 1e9;
     fmt::print("    {:<32} {:>8.2f} ns a particle-step\n", loop.label, nanoseconds);
@@ -210,15 +260,18 @@ void run_bench(const std::vector<std::string>& names, const std::string& json_fi
   constexpr BigIndex triad_bytes = 300'000'000;
   const Real bandwidth = triad_bandwidth(triad_bytes, 0.5);
   fmt::print("triad bandwidth {:.1f} GB/s; ceiling: the bare passes of a step, as many particles in as many cells\n", bandwidth / 1e9);
-  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9} {:>9} {:>8} {:>6} {:>6} {:>9}\n", "", "", "", "", "", "10^6", "ceiling,", "share of",
-             "", "", "share of");
-  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9} {:>9} {:>8} {:>6} {:>6} {:>9}\n", "problem", "particles", "cells", "steps", "threads",
-             "p-steps/s", "10^6", "ceiling", "bytes", "flops", "bandwidth");
+  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9} {:>9} {:>8} {:>6} {:>6} {:>9} {:>9}\n", "", "", "", "", "", "10^6", "ceiling,",
+             "share of", "", "", "share of", "memory,");
+  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9} {:>9} {:>8} {:>6} {:>6} {:>9} {:>9}\n", "problem", "particles", "cells", "steps",
+             "threads", "p-steps/s", "10^6", "ceiling", "bytes", "flops", "bandwidth", "B/particle");
   nlohmann::ordered_json table = {
       {"version", BERM_VERSION}, {"triad_bytes_per_s", bandwidth}, {"problems", nlohmann::ordered_json::array()}};
-  for (const BenchProblem& bench : problems)
-    if (names.empty() || std::find(names.begin(), names.end(), bench.name) != names.end())
-      table["problems"].push_back(measure_speed(bench, threads, bandwidth));
+  for (const BenchProblem& bench : problems) {
+    if (!names.empty() && std::find(names.begin(), names.end(), bench.name) == names.end()) continue;
+    const Case c = bench.make();
+    table["problems"].push_back(c.dimension == 2 ? measure_speed<2>(bench.name, c, threads, bandwidth)
+                                                 : measure_speed<3>(bench.name, c, threads, bandwidth));
+  }
   if (!json_file.empty()) write_whole(json_file, table.dump(2) + "\n");
 }
 

@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <numeric>
 
 namespace berm {
 namespace {
@@ -43,18 +44,19 @@ TEST(PrincipalAxes, give_the_tensor_back_with_right_angles_between_them)
     SymTensor<3> a = random_trial<3>(random);
     // A third of them with two values that are equal, or nearly so.
     if (n % 3 == 0) a = tensor_from({1e3, 1e3 * (1 - 1e-3 * std::exp(-n % 60)), -5e2}, principal_axes(a).direction);
-    const PrincipalAxes axes = principal_axes(a);
+    const PrincipalAxes<Real> axes = principal_axes(a);
     ASSERT_GE(axes.value[0], axes.value[1]);
     ASSERT_GE(axes.value[1], axes.value[2]);
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) ASSERT_NEAR(axes.direction[i].dot(axes.direction[j]), i == j, 1e-14);
+      for (int j = 0; j < 3; ++j)
+        ASSERT_NEAR(std::inner_product(axes.direction[i], axes.direction[i] + 3, axes.direction[j], 0.), i == j, 1e-14);
     ASSERT_LE(size_of(difference(tensor_from(axes.value, axes.direction), a)), 1e-14 * size_of(a));
   }
 }
 
 TEST(PrincipalAxes, of_nothing_are_the_coordinate_axes)
 {
-  const PrincipalAxes axes = principal_axes({});
+  const PrincipalAxes<Real> axes = principal_axes(SymTensor<3>{});
   for (int k = 0; k < 3; ++k) {
     EXPECT_EQ(axes.value[k], 0);
     EXPECT_EQ(axes.direction[k][k], 1);
