@@ -25,14 +25,30 @@ int per_side(int particles_per_cell)
   return static_cast<int>(std::lround(std::pow(particles_per_cell, 1. / dim)));
 }
 
+/// Particles along a side of the cells of a region.
+template <int dim>
+int side_in(const BodySettings& body, const std::string& region)
+{
+  const auto special = body.region_particles_per_cell.find(region);
+  return per_side<dim>(special == body.region_particles_per_cell.end() ? body.particles_per_cell : special->second);
+}
+
+/// Particles along each side of a block; 1 where there is no such direction.
+template <int dim>
+std::array<Real, 3> counts_in(const BlockSettings& block)
+{
+  std::array<Real, 3> count = {1, 1, 1};
+  for (int d = 0; d < dim; ++d) count[d] = std::max(Real(1), std::round(block.size[d] / block.spacing));
+  return count;
+}
+
 template <int dim>
 std::vector<Seed<dim>> seeds_in_regions(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body)
 {
   std::vector<int> sides(mesh.region_names.size(), 0);
   for (const std::string& region : body.regions) {
     const Index r = filled_region(mesh, name, region);
-    const auto special = body.region_particles_per_cell.find(region);
-    sides[r] = per_side<dim>(special == body.region_particles_per_cell.end() ? body.particles_per_cell : special->second);
+    sides[r] = side_in<dim>(body, region);
   }
   std::vector<std::vector<std::array<Real, dim + 1>>> points;
   for (int side : sides) points.push_back(side > 0 ? points_in_simplex<dim>(side) : std::vector<std::array<Real, dim + 1>>{});
@@ -78,10 +94,9 @@ std::vector<Seed<dim>> seeds_in_block(const Mesh<dim>& mesh, const std::string& 
 {
   const Matrix<dim> axes = turn<dim>(block.angle);
   Vec<dim> center, spacing;
-  int count[3] = {1, 1, 1};
+  const std::array<Real, 3> count = counts_in<dim>(block);
   for (int d = 0; d < dim; ++d) {
     center[d] = block.center[d];
-    count[d] = std::max(1, static_cast<int>(std::lround(block.size[d] / block.spacing)));
     spacing[d] = block.size[d] / count[d];
   }
   std::vector<Seed<dim>> seeds;
@@ -182,6 +197,25 @@ std::vector<std::array<Real, 4>> points_in_simplex<3>(int n)
 }
 
 template <int dim>
+Real particles_in(const BlockSettings& block)
+{
+  Real product = 1;
+  for (const Real count : counts_in<dim>(block)) product *= count;
+  return product;
+}
+
+Real particles_in(const DiskSettings& disk)
+{
+  return pi / 4 * std::pow(disk.diameter / disk.spacing, 2);
+}
+
+template <int dim>
+Real particles_per_cell(const BodySettings& body, const std::string& region)
+{
+  return std::pow(side_in<dim>(body, region), dim);
+}
+
+template <int dim>
 Index filled_region(const Mesh<dim>& mesh, const std::string& name, const std::string& region)
 {
   const Index found = mesh.find_region(region);
@@ -230,6 +264,10 @@ Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySe
   return particles;
 }
 
+template Real particles_in<2>(const BlockSettings&);
+template Real particles_in<3>(const BlockSettings&);
+template Real particles_per_cell<2>(const BodySettings&, const std::string&);
+template Real particles_per_cell<3>(const BodySettings&, const std::string&);
 template SymTensor<2> first_stress(const BodySettings&, Real, Real);
 template SymTensor<3> first_stress(const BodySettings&, Real, Real);
 template Index filled_region<2>(const Mesh<2>&, const std::string&, const std::string&);

@@ -11,6 +11,13 @@ namespace berm {
 template <int dim>
 std::vector<std::array<Real, dim + 1>> points_in_simplex(int n);
 
+/// How many particles fill() makes of a block or disk (about), and of a cell of a region, holes not counted.
+template <int dim>
+Real particles_in(const BlockSettings& block);
+Real particles_in(const DiskSettings& disk);
+template <int dim>
+Real particles_per_cell(const BodySettings& body, const std::string& region);
+
 /// The region of the mesh that the body `name` fills. Throws InputError where the mesh has none of that name.
 template <int dim>
 Index filled_region(const Mesh<dim>& mesh, const std::string& name, const std::string& region);

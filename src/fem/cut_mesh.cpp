@@ -6,8 +6,10 @@
 #include "mesh/gmsh_program.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <fmt/format.h>
 #include <fstream>
+#include <system_error>
 
 namespace berm {
 namespace {
@@ -198,7 +200,8 @@ void write_cut_geo(const SeabedMesh& bed, const Cuts& cuts, const std::vector<Pa
   out << "\n// The size of a cell grows with its distance from the fine zone and from the rigid bodies.\n"
       << fmt::format("Field[1] = MathEval;\nField[1].F = \"{}\";\n", size) << "Background Field = 1;\n"
       << gmsh_options;
-  if (!out.flush()) throw RunError(fmt::format("{} cannot be written", path.string()));
+  out.close();
+  if (!out) throw RunError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(errno)));
 }
 
 // By the cells' centroids.

@@ -4,8 +4,10 @@
 #include "core/error.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <fmt/format.h>
 #include <fstream>
+#include <system_error>
 
 namespace berm {
 namespace {
@@ -218,7 +220,8 @@ void write_geo(const SeabedMesh& bed, const std::filesystem::path& path)
       << "Field[1] = MathEval;\n"
       << fmt::format("Field[1].F = \"{}\";\n", size_formula(bed)) << "Background Field = 1;\n"
       << gmsh_options;
-  if (!out.flush()) throw RunError(fmt::format("{} cannot be written", path.string()));
+  out.close();
+  if (!out) throw RunError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(errno)));
 }
 
 }  // namespace berm

@@ -2,6 +2,7 @@
 #include "mpm/balance.hpp"
 
 #include "core/for_each.hpp"
+#include "mpm/sound.hpp"
 #include "problem/stages.hpp"
 
 namespace berm {
@@ -13,6 +14,7 @@ struct NodalSums {
   Vec<dim> gravity = Vec<dim>::Zero(), damping = Vec<dim>::Zero(), support = Vec<dim>::Zero();  // forces, N
   Real gravity_power = 0, damping_power = 0;
   Real unbalanced = 0;  // sum of the absolute components, N
+  Real all = 0;         // of velocities and internal forces; finite where all of them are
 
   NodalSums& operator+=(const NodalSums& other)
   {
@@ -22,6 +24,7 @@ struct NodalSums {
     gravity_power += other.gravity_power;
     damping_power += other.damping_power;
     unbalanced += other.unbalanced;
+    all += other.all;
     return *this;
   }
 };
@@ -41,12 +44,13 @@ void solve_momentum_balance(const Model<dim>& model, State<dim>& state, Work<dim
     NodalSums<dim> sums_i;
     const Real m = grid.mass[i];
     Vec<dim>& a = grid.acceleration[i];
+    Vec<dim> force = Vec<dim>::Zero();
+    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) force += grid.corner_force[mesh.entries[e]];
+    sums_i.all = force.sum() + grid.velocity[i].sum();
     if (!(m > 0)) {
       a.setZero();
       return sums_i;
     }
-    Vec<dim> force = Vec<dim>::Zero();
-    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) force += grid.corner_force[mesh.entries[e]];
     const Vec<dim> weight = m * gravity;
     force += weight;
 
@@ -70,6 +74,8 @@ void solve_momentum_balance(const Model<dim>& model, State<dim>& state, Work<dim
     sums_i.damping_power = damping.dot(mid_velocity);
     return sums_i;
   });
+
+  if (!std::isfinite(sums.all + state.totals.internal)) refuse_what_is_not_finite(model, state, body);
 
   Totals<dim>& totals = state.totals;
   totals.gravity_impulse += dt * sums.gravity;

@@ -3,10 +3,39 @@
 
 #include "core/error.hpp"
 #include "core/for_each.hpp"
+#include "mpm/sound.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace berm {
+
+namespace {
+
+/// Speed and words of the rigid body or node that moves fastest.
+template <int dim>
+std::pair<Real, std::string> fastest_of(const Model<dim>& model, const State<dim>& state, const Work<dim>& work)
+{
+  std::pair<Real, std::string> fastest{0, "nothing that can be named"};
+  const auto take = [&](Real speed, const auto& words) {
+    if (speed > fastest.first) fastest = {speed, words()};
+  };
+  for (std::size_t r = 0; r < state.rigids.size(); ++r)
+    take(state.rigids[r].velocity.norm() + std::abs(state.rigids[r].spin) * reach_of<dim>(model.rigids[r].shape),
+         [&] { return fmt::format("rigid body \"{}\"", model.rigids[r].name); });
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    for (const Index i : work.grids[b].nodes) {
+      const Vec<dim>& x = model.mesh.position[i];
+      take(work.grids[b].moved_velocity[i].norm(),
+           [&] { return fmt::format("body \"{}\" at the node at ({:.6g}) m", model.bodies[b].name, fmt::join(x.begin(), x.end(), ", ")); });
+    }
+  return fastest;
+}
+
+/// A time step this small beside that of a body at rest is no longer a run: soil that moves a thousand times faster than its own waves has blown up.
+constexpr Real least_part = 1e-3;
+
+}  // namespace
 
 template <int dim>
 Real stable_time_step(const Model<dim>& model, const State<dim>& state, const Work<dim>& work)
@@ -35,10 +64,14 @@ Real stable_time_step(const Model<dim>& model, const State<dim>& state, const Wo
     });
   }
   if (!std::isfinite(fastest))
+    for (std::size_t b = 0; b < model.bodies.size(); ++b)
+      for (const Index i : work.grids[b].nodes)
+        if (!work.grids[b].moved_velocity[i].allFinite()) refuse_what_is_not_finite(model, state, static_cast<Index>(b));
+  if (!std::isfinite(fastest))
     throw RunError(fmt::format("velocities are not finite at t = {} s (step {}); try a smaller mpm.courant (now {})", state.time,
                                state.step, model.mpm.courant));
 
-  Real least = infinity;
+  Real least = infinity, least_at_rest = infinity;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Material& material = model.bodies[b].material;
     const Real wave_speed = std::sqrt(p_wave_modulus(material) / density(material));
@@ -46,8 +79,17 @@ Real stable_time_step(const Model<dim>& model, const State<dim>& state, const Wo
     const Real height = -largest_of("smallest height", static_cast<Index>(occupied.size()), -infinity,
                                     [&](Index c) { return -model.mesh.height[occupied[c]]; });
     least = std::min(least, height / (wave_speed + fastest));
+    least_at_rest = std::min(least_at_rest, height / wave_speed);
   }
-  return model.mpm.courant * least;
+  const Real dt = model.mpm.courant * least;
+  if (least < least_part * least_at_rest || state.time + dt == state.time) {
+    const auto [speed, what] = fastest_of(model, state, work);
+    throw RunError(fmt::format(
+        "the time step has fallen to {:.3g} s (with everything at rest it is {:.3g} s) at t = {:.6g} s (step {}), because of {}, "
+        "which moves at {:.3g} m/s; try a smaller mpm.courant (now {}), and see whether velocities and loads are meant so",
+        dt, model.mpm.courant * least_at_rest, state.time, state.step, what, speed, model.mpm.courant));
+  }
+  return dt;
 }
 
 template Real stable_time_step(const Model<2>&, const State<2>&, const Work<2>&);

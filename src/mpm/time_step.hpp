@@ -9,7 +9,8 @@ namespace berm {
 constexpr BigIndex steps_between_time_steps = 16;
 
 /// courant times the least of height / (c + v) over the cells with particles: c = sqrt(M / density) the speed of pressure waves, v the largest
-/// speed of a node or rigid body. Seconds. Throws RunError where speeds are not finite.
+/// speed of a node or rigid body. Seconds. Throws RunError where speeds are not finite, or so large that the
+/// time step is less than a thousandth of that at rest.
 template <int dim>
 Real stable_time_step(const Model<dim>& model, const State<dim>& state, const Work<dim>& work);
 

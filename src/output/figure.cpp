@@ -35,8 +35,7 @@ bool draw_figure(const std::filesystem::path& folder, const std::string& name, c
     return false;
   };
   std::string plot;
-  std::error_code ignored;
-  std::filesystem::create_directories(folder / "plots", ignored);  // where it cannot be made, write_whole says why
+  make_folder(folder / "plots");
   for (std::size_t k = 0; k < figure.curves.size(); ++k) {
     const FigureCurve& curve = figure.curves[k];
     if (!has_points(curve)) continue;

@@ -36,19 +36,21 @@ Frame<dim> FrameMaker<dim>::make(const State<dim>& state)
 {
   Frame<dim> frame;
   frame.time = state.time;
+  std::size_t count = 0;
+  for (const auto& of_body : first_) count += of_body.size();
+  frame.particles.reserve(count);
   for (std::size_t body = 0; body < state.particles.size(); ++body) {
-    std::vector<Particle<dim>> by_id(first_[body].size());
+    const std::size_t offset = frame.particles.size();
+    frame.particles.resize(offset + first_[body].size());
     visit_all<dim>(state.particles[body], model_.mesh.cell_count(), [&](Index b, int l) {
       const Particle<dim> p = state.particles[body].read(b, l);
-      by_id.at(static_cast<std::size_t>(p.id)) = p;
-    });
-    for (const Particle<dim>& p : by_id) {
-      if (p.id == none) continue;
-      First& first = first_[body][static_cast<std::size_t>(p.id)];
-      frame.particles.push_back({p, static_cast<Index>(body), p.x - first.x, p.deviatoric_strain - first.strain});
+      First& first = first_[body].at(static_cast<std::size_t>(p.id));
+      frame.particles[offset + static_cast<std::size_t>(p.id)] = {p, static_cast<Index>(body), p.x - first.x,
+                                                                  p.deviatoric_strain - first.strain};
       first.strain = p.deviatoric_strain;
-    }
+    });
   }
+  std::erase_if(frame.particles, [](const FrameParticle<dim>& f) { return f.particle.id == none; });
   frame.rigids = frame_rigids(model_, state.rigids);
   return frame;
 }

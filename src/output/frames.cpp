@@ -25,9 +25,7 @@ std::string file_name(const char* kind, Index number)
 template <int dim>
 FrameWriter<dim>::FrameWriter(const std::filesystem::path& folder, const Mesh<dim>& mesh) : folder_(folder)
 {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw RunError(fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
+  make_folder(folder);
   write_mesh(mesh);
 }
 
@@ -51,8 +49,9 @@ void FrameWriter<dim>::write_mesh(const Mesh<dim>& mesh) const
   Vtu vtu(std::move(points));
   for (const auto& nodes : mesh.nodes)
     vtu.add_cell(dim == 2 ? VtkCell::triangle : VtkCell::tetrahedron, std::vector<Index>(nodes.begin(), nodes.end()));
-  vtu.cell_field("region", 1, std::vector<std::int32_t>(mesh.region.begin(), mesh.region.end()));
-  write_whole(folder_ / "mesh.vtu", vtu.text());
+  const std::vector<std::int32_t> region(mesh.region.begin(), mesh.region.end());
+  vtu.cell_field("region", 1, region);
+  vtu.write(folder_ / "mesh.vtu");
 }
 
 template <int dim>
@@ -88,7 +87,7 @@ void FrameWriter<dim>::write_soil(const std::string& name) const
   vtu.point_field("volume", 1, volume);
   vtu.point_field("body", 1, body);
   vtu.point_field("id", 1, id);
-  write_whole(folder_ / name, vtu.text());
+  vtu.write(folder_ / name);
 }
 
 template <int dim>
@@ -114,7 +113,7 @@ void FrameWriter<dim>::write_rigids(const std::string& name) const
   vtu.set_time(last_.time);
   vtu.cell_field("rigid", 1, rigid);
   vtu.cell_field("velocity", 3, velocity);
-  write_whole(folder_ / name, vtu.text());
+  vtu.write(folder_ / name);
 }
 
 template <int dim>

@@ -5,6 +5,7 @@
 #include "output/whole_file.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -105,7 +106,13 @@ HistoryFile::~HistoryFile()
 
 void HistoryFile::write(const std::string& line)
 {
-  if (!write_all(file_, line)) throw_errno(fmt::format("cannot write {}", path_.string()));
+  const off_t before = ::lseek(file_, 0, SEEK_END);
+  if (write_all(file_, line)) return;
+  const int reason = errno;
+  // Where even this fails, half a row is left, which readers leave out.
+  if (before >= 0 && ::ftruncate(file_, before) != 0) errno = reason;
+  errno = reason;
+  throw_errno(fmt::format("cannot write {}", path_.string()));
 }
 
 void HistoryFile::add(Real time, const std::string& stage, const std::vector<Real>& values)

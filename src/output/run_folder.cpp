@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "output/whole_file.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -36,6 +37,13 @@ constexpr const char* own_files[] = {"history.csv",
                                      "checkpoint",
                                      "resolved.toml"};
 
+/// Whether anything is in the folder but the lock that a run which was ended by force has left.
+bool holds_files(const fs::path& folder)
+{
+  return std::any_of(fs::directory_iterator(folder), fs::directory_iterator(),
+                     [](const fs::directory_entry& entry) { return entry.path().filename() != FolderLock::file_name; });
+}
+
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)
 {
   throw RunError(fmt::format("cannot use {} as the run folder: {}", path.string(), reason));
@@ -49,11 +57,13 @@ RunFolder::RunFolder(const fs::path& path) : path_(path)
     if (fs::exists(path) && !fs::is_directory(path)) refuse(path, "it is not a folder");
     fs::create_directories(path);
     if (::access(path.c_str(), W_OK | X_OK) != 0) throw_errno(fmt::format("cannot use {} as the run folder", path.string()));
-    if (fs::exists(path / "resolved.toml")) {
-      for (const char* name : own_files) fs::remove_all(path / name);
-    } else if (!fs::is_empty(path)) {
+    const bool of_a_run = fs::exists(path / "resolved.toml");
+    if (!of_a_run && holds_files(path))
       refuse(path, "it holds files that are not of a run (there is no resolved.toml); name another folder with -o");
-    }
+    lock_ = std::make_unique<FolderLock>(path);
+    if (of_a_run)
+
+      for (const char* name : own_files) fs::remove_all(path / name);
   } catch (const fs::filesystem_error& error) {
     refuse(path, error.code().message());
   }
@@ -61,9 +71,7 @@ RunFolder::RunFolder(const fs::path& path) : path_(path)
 
 fs::path RunFolder::subfolder(std::string_view name) const
 {
-  std::error_code error;
-  fs::create_directories(path_ / name, error);
-  if (error) throw RunError(fmt::format("cannot make the folder {}: {}", (path_ / name).string(), error.message()));
+  make_folder(path_ / name);
   return path_ / name;
 }
 

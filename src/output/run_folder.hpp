@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <filesystem>
+#include "output/folder_lock.hpp"
+
+#include <memory>
 #include <string_view>
 
 namespace berm {
 
-/// The folder that a run writes into. It is known as one by its resolved.toml, which is therefore the first file that a run should write.
+/// The folder that a run writes into, and nobody else while this lives. It is known as one by its resolved.toml, which is therefore the first file that a
+/// run should write.
 class RunFolder {
 public:
   /// Makes the folder and its parents. In the folder of an earlier run all that berm wrote is removed, and nothing else.
-  /// Throws RunError where the path is not a folder, cannot be written to, or is a folder that holds something and is not one of a run.
+  /// Throws RunError where the path is not a folder, cannot be written to, is written to by another process, or holds
+  /// something and is not one of a run.
   explicit RunFolder(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }
@@ -21,6 +25,7 @@ public:
 
 private:
   std::filesystem::path path_;
+  std::unique_ptr<FolderLock> lock_;
 };
 
 }  // namespace berm

@@ -2,13 +2,16 @@
 #include "output/run_log.hpp"
 
 #include "core/error.hpp"
+#include "output/whole_file.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <spdlog/pattern_formatter.h>
 #include <spdlog/sinks/ansicolor_sink.h>
-#include <spdlog/sinks/basic_file_sink.h>
+#include <spdlog/sinks/base_sink.h>
 #include <spdlog/spdlog.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -67,22 +70,50 @@ private:
   std::string line_;
 };
 
+/// Hands each message to the system whole, and remembers why it did not take one.
+class LogFileSink : public spdlog::sinks::base_sink<std::mutex> {
+public:
+  explicit LogFileSink(const std::filesystem::path& path)
+      : path_(path),
+        file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666))
+  {
+    if (file_ < 0) throw_errno(fmt::format("cannot write {}", path.string()));
+  }
+  ~LogFileSink() override { ::close(file_); }
+  LogFileSink(const LogFileSink&) = delete;
+  LogFileSink& operator=(const LogFileSink&) = delete;
+
+  void check()
+  {
+    const std::lock_guard lock(mutex_);
+    if (failure_ == 0 && ::fsync(file_) != 0) failure_ = errno;
+    errno = failure_;
+    if (failure_ != 0) throw_errno(fmt::format("cannot write {}", path_.string()));
+  }
+
+private:
+  void sink_it_(const spdlog::details::log_msg& message) override
+  {
+    spdlog::memory_buf_t text;
+    formatter_->format(message, text);
+    if (!write_all(file_, std::string_view(text.data(), text.size())) && failure_ == 0) failure_ = errno;
+  }
+  void flush_() override {}
+
+  std::filesystem::path path_;
+  int file_, failure_ = 0;
+};
+
 RunLog::RunLog(const std::filesystem::path& file)
     : has_terminal_(::isatty(STDERR_FILENO) == 1),
       terminal_(std::make_shared<StderrSink>()),
+      file_(std::make_shared<LogFileSink>(file)),
       before_(spdlog::default_logger())
 {
-  std::shared_ptr<spdlog::sinks::sink> to_file;
-  try {
-    to_file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(file.string(), true);
-  } catch (const spdlog::spdlog_ex& error) {
-    throw RunError(fmt::format("cannot write the log: {}", error.what()));
-  }
-  to_file->set_formatter(formatter("%Y-%m-%d %H:%M:%S %*%v"));
+  file_->set_formatter(formatter("%Y-%m-%d %H:%M:%S %*%v"));
   terminal_->set_formatter(formatter("%^%*%$%v"));
-  file_only_ = std::make_shared<spdlog::logger>("file", to_file);
-  file_only_->flush_on(spdlog::level::info);
-  auto both = std::make_shared<spdlog::logger>("berm", spdlog::sinks_init_list{terminal_, to_file});
+  file_only_ = std::make_shared<spdlog::logger>("file", file_);
+  auto both = std::make_shared<spdlog::logger>("berm", spdlog::sinks_init_list{terminal_, file_});
   both->flush_on(spdlog::level::info);
   spdlog::set_default_logger(both);
 }
@@ -96,6 +127,11 @@ RunLog::~RunLog()
 void RunLog::rewrite_line(std::string_view line)
 {
   if (has_terminal_) terminal_->rewrite(line);
+}
+
+void RunLog::check() const
+{
+  file_->check();
 }
 
 void RunLog::info_to_file(std::string_view message)

@@ -9,6 +9,7 @@
 namespace berm {
 
 class StderrSink;
+class LogFileSink;
 
 /// While it lives, spdlog's messages go to stderr ("warning: ..." in colour on a terminal) and, with their time, to the run's log file.
 /// On a terminal it also keeps one line that is rewritten in place, below the messages.
@@ -26,10 +27,13 @@ public:
   void rewrite_line(std::string_view line);
   /// A message to the file alone.
   void info_to_file(std::string_view message);
+  /// Throws RunError where a message could not be written to the file, or the disk does not take it.
+  void check() const;
 
 private:
   bool has_terminal_;
   std::shared_ptr<StderrSink> terminal_;
+  std::shared_ptr<LogFileSink> file_;
   std::shared_ptr<spdlog::logger> file_only_, before_;
 };
 

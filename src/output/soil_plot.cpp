@@ -31,6 +31,8 @@ struct Picture {
   Real value(const FrameParticle<2>& f) const { return accumulated ? f.particle.deviatoric_strain : f.strain_increment; }
 };
 
+constexpr std::size_t most_disks = 100'000;  // beyond, a picture of a million pixels has hardly any left for each
+
 /// Radius of the disk that stands for a particle: larger than its share, so that neighbours close the ground between them.
 Real shown_radius(const Particle<2>& p)
 {
@@ -83,7 +85,8 @@ std::string pixels(const Picture& picture)
   return pixel_text(picture, raster);
 }
 
-/// Particles as pixels, each as the square of its radius: a vector graphic of a disk for every particle would be tens of megabytes.
+/// Particles as pixels, each as the square of its radius: a vector graphic of a disk for every particle would be tens of megabytes, and gnuplot takes more
+/// than a kilobyte of memory for each.
 std::string pixels(const Picture& picture, const std::vector<const FrameParticle<2>*>& particles)
 {
   Raster raster(picture.view.lower, picture.view.upper, plot_width, picture.plot_height());
@@ -182,10 +185,9 @@ bool draw_soil(const std::filesystem::path& folder, const Frame<2>& frame, const
                         length_unit((view.upper - view.lower).maxCoeff())};
   const std::vector<const FrameParticle<2>*> particles = particles_in_view(picture);
   const std::filesystem::path plots = folder / "plots";
-  std::error_code ignored;
-  std::filesystem::create_directories(plots, ignored);  // where it cannot be made, write_whole says why
+  make_folder(plots);
   if (particles.empty()) return false;
-  const bool as_disks = frame.triangles.empty() && format == PlotFormat::png;
+  const bool as_disks = frame.triangles.empty() && format == PlotFormat::png && particles.size() <= most_disks;
   write_whole(plots / (picture.name + ".dat"), as_disks                  ? disks(picture, particles)
                                                : frame.triangles.empty() ? pixels(picture, particles)
                                                                          : pixels(picture));

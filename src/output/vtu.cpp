@@ -2,7 +2,9 @@
 #include "output/vtu.hpp"
 
 #include "output/vtk_name.hpp"
+#include "output/whole_file.hpp"
 
+#include <deque>
 #include <fmt/format.h>
 
 namespace berm {
@@ -15,9 +17,9 @@ std::string attributes(const std::string& name, int components)
 }
 
 template <class T>
-std::string bytes_of(const std::vector<T>& values)
+std::string_view bytes_of(const std::vector<T>& values)
 {
-  return std::string(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+  return std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
 }
 
 }  // namespace
@@ -45,20 +47,25 @@ void Vtu::cell_field(const std::string& name, int components, const std::vector<
   cell_fields_.push_back({attributes<T>(name, components), bytes_of(values)});
 }
 
-std::string Vtu::text() const
+void Vtu::write(const std::filesystem::path& path) const
 {
-  std::string xml, data;
-  const auto add = [&](const std::string& words, const std::string& bytes) {
-    xml += fmt::format("<DataArray {} format=\"appended\" offset=\"{}\"/>\n", words, data.size());
-    const std::uint64_t size = bytes.size();
-    data.append(reinterpret_cast<const char*>(&size), sizeof size);
-    data += bytes;
+  std::string xml;
+  std::deque<std::uint64_t> sizes;  // that stay where they are
+  std::vector<std::string_view> parts = {""};
+  std::uint64_t offset = 0;
+  const auto add = [&](const std::string& words, std::string_view bytes) {
+    xml += fmt::format("<DataArray {} format=\"appended\" offset=\"{}\"/>\n", words, offset);
+    const std::uint64_t& size = sizes.emplace_back(bytes.size());
+    parts.emplace_back(reinterpret_cast<const char*>(&size), sizeof size);
+    parts.push_back(bytes);
+    offset += sizeof size + size;
   };
+  const std::vector<Real> time = {time_};
   xml += "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
          "header_type=\"UInt64\">\n<UnstructuredGrid>\n";
   if (!std::isnan(time_)) {
     xml += "<FieldData>\n";
-    add("type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\"", bytes_of(std::vector<Real>{time_}));
+    add("type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\"", bytes_of(time));
     xml += "</FieldData>\n";
   }
   xml += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n", point_count(), cell_count());
@@ -72,7 +79,9 @@ std::string Vtu::text() const
   xml += "</PointData>\n<CellData>\n";
   for (const Array& field : cell_fields_) add(field.attributes, field.bytes);
   xml += "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
-  return xml + data + "\n</AppendedData>\n</VTKFile>\n";
+  parts.front() = xml;
+  parts.emplace_back("\n</AppendedData>\n</VTKFile>\n");
+  write_whole(path, parts);
 }
 
 template void Vtu::point_field(const std::string&, int, const std::vector<double>&, std::initializer_list<const char*>);

@@ -4,8 +4,10 @@
 #include "core/numbers.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace berm {
@@ -22,7 +24,8 @@ enum class VtkCell : std::uint8_t {
   quadratic_triangle = 22
 };
 
-/// An unstructured grid on its way to a .vtu file: VTK's XML format, version 1.0, with raw appended little-endian data and UInt64 headers.
+/// An unstructured grid on its way to a .vtu file: VTK's XML format, version 1.0, with raw appended little-endian data and UInt64 headers. Frames of many
+/// particles are large, so fields are not copied: what they are given must live until the file is written.
 class Vtu {
 public:
   /// The grid's points: x y z of each, m.
@@ -38,15 +41,18 @@ public:
                    std::initializer_list<const char*> component_names = {});
   template <class T>
   void cell_field(const std::string& name, int components, const std::vector<T>& values);
+  template <class T>
+  void cell_field(const std::string& name, int components, std::vector<T>&& values) = delete;
   /// The time of the grid, s, as VTK programs look for it (TimeValue).
   void set_time(Real time) { time_ = time; }
 
-  /// The content of the file.
-  std::string text() const;
+  /// Writes the file whole. Throws RunError.
+  void write(const std::filesystem::path& path) const;
 
 private:
   struct Array {
-    std::string attributes, bytes;
+    std::string attributes;
+    std::string_view bytes;
   };
   std::vector<Real> points_;
   std::vector<std::int64_t> connectivity_, offsets_;

@@ -85,10 +85,16 @@ Model<dim> make_model(const Case& c, Mesh<dim> mesh)
 template <int dim>
 Problem<dim> build(const Case& c, const std::string& case_folder, const std::string& work_folder)
 {
+  return build(c, make_mesh<dim>(c.mesh, case_folder, work_folder));
+}
+
+template <int dim>
+Problem<dim> build(const Case& c, Mesh<dim> mesh)
+{
   Problem<dim> problem;
   Model<dim>& model = problem.model;
   State<dim>& state = problem.state;
-  model = make_model(c, make_mesh<dim>(c.mesh, case_folder, work_folder));
+  model = make_model(c, std::move(mesh));
   model.patches = make_patches(model.mesh, dim == 2 ? 1 : 2);
   state.rigids.resize(model.rigids.size());
   for (const auto& [name, settings] : c.body) {
@@ -116,6 +122,8 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
 
 template Model<2> make_model(const Case&, Mesh<2>);
 template Model<3> make_model(const Case&, Mesh<3>);
+template Problem<2> build(const Case&, Mesh<2>);
+template Problem<3> build(const Case&, Mesh<3>);
 template Problem<2> build(const Case&, const std::string&, const std::string&);
 template Problem<3> build(const Case&, const std::string&, const std::string&);
 

@@ -119,8 +119,11 @@ struct Problem {
 template <int dim>
 Model<dim> make_model(const Case& c, Mesh<dim> mesh);
 
-/// Builds mesh, particles and rigid bodies. Relative paths are those of case_folder; the mesh generator writes into work_folder.
-/// Throws InputError where a name refers to nothing in the mesh or a body has no particles.
+/// Builds patches, particles and rigid bodies on this mesh. Throws InputError where a name refers to nothing in the mesh or a body has no particles.
+template <int dim>
+Problem<dim> build(const Case& c, Mesh<dim> mesh);
+
+/// The same on the mesh that the case asks for. Relative paths are those of case_folder; the mesh generator writes into work_folder.
 template <int dim>
 Problem<dim> build(const Case& c, const std::string& case_folder, const std::string& work_folder);
 

@@ -165,8 +165,8 @@ std::string readme(const Chapter& chapter, const fs::path& output)
     if (address.starts_with("#") || address.find(':') != std::string::npos || !fs::exists(target, error)) return address;
     if (target.extension() == ".png" || target.extension() == ".svg") {
       const fs::path copy = fs::path("figures") / (chapter.example.name + "_" + target.filename().string());
-      fs::create_directories(output / "figures", error);
-      fs::copy_file(target, output / copy, fs::copy_options::overwrite_existing, error);
+      make_folder(output / "figures");
+      copy_whole(target, output / copy);
       return address_of(copy);
     }
     return address_of(fs::proximate(fs::absolute(target).lexically_normal(), fs::absolute(output).lexically_normal(), error));
@@ -236,8 +236,7 @@ std::string chapter_page(const Chapter& chapter, const fs::path& output)
 
 void write_book(const fs::path& output, const std::vector<Chapter>& chapters)
 {
-  std::error_code ignored;
-  fs::create_directories(output, ignored);  // where it cannot be made, write_whole says why
+  make_folder(output);
   for (const Chapter& chapter : chapters) write_whole(output / (chapter.example.name + ".html"), chapter_page(chapter, output));
   write_whole(output / "index.html", index_page(chapters));
 }

@@ -5,6 +5,7 @@
 #include "core/threads.hpp"
 #include "input/parameters.hpp"
 #include "input/read_case.hpp"
+#include "output/whole_file.hpp"
 #include "report/report.hpp"
 #include "run/bench.hpp"
 #include "run/envelope.hpp"
@@ -16,7 +17,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdio>
 #include <fmt/format.h>
+#include <new>
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
@@ -205,10 +208,15 @@ int dispatch(int argc, char** argv)
 int run_commands(int argc, char** argv)
 {
   try {
-    return dispatch(argc, argv);
+    const int status = dispatch(argc, argv);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw_errno("cannot write to the standard output");
+    return status;
   } catch (const InputError& error) {
     fmt::print(stderr, "berm: {}\n", error.what());
     return 2;
+  } catch (const std::bad_alloc&) {
+    fmt::print(stderr, "berm: the machine has no more memory for this; berm check CASE tells how much a run needs\n");
+    return 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "berm: {}\n", error.what());
     return 1;

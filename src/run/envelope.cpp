@@ -33,7 +33,7 @@ bool find_envelope(const EnvelopeRequest& request)
   try_to_build({rows[0].probe.settings, request.case_file, request.folder, 1});
 
   const fs::path runs = request.folder / "runs";
-  fs::create_directories(runs);
+  make_folder(runs);
   std::vector<Job> jobs;
   std::vector<std::size_t> row_of_job;
   for (std::size_t k = 0; k < rows.size(); ++k) {

@@ -5,6 +5,7 @@
 #include "input/write_case.hpp"
 #include "output/whole_file.hpp"
 
+#include <exception>
 #include <spdlog/spdlog.h>
 
 namespace berm {
@@ -14,16 +15,35 @@ bool in_run_folder(const RunRequest& request, const ScratchFolder& scratch, cons
 {
   const RunFolder folder(request.folder);
   write_whole(folder.file("resolved.toml"), resolved_toml(request.settings));
-  write_whole(folder.file("case.toml"), read_whole(request.case_file));
+  copy_whole(request.case_file, folder.file("case.toml"));
   scratch.move_files_to(folder.path());
   RunLog log(folder.file("run.log"));
   spdlog::info("{} -> {}: {}, {} threads", request.case_file.string(), folder.path().string(), size, request.threads);
   try {
-    return run(folder, log);
+    const bool finished = run(folder, log);
+    log.check();
+    return finished;
   } catch (const RunError& error) {
     log.info_to_file(error.what());
     throw;
   }
+}
+
+void run_and_leave(const std::function<void()>& run, const std::function<void()>& leave_results)
+{
+  std::exception_ptr failure;
+  try {
+    run();
+  } catch (const RunError&) {
+    failure = std::current_exception();
+  }
+  try {
+    leave_results();
+  } catch (const RunError& error) {
+    if (!failure) throw;
+    spdlog::warn("{}", error.what());
+  }
+  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace berm

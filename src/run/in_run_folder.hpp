@@ -15,4 +15,8 @@ namespace berm {
 bool in_run_folder(const RunRequest& request, const ScratchFolder& scratch, const std::string& size,
                    const std::function<bool(const RunFolder&, RunLog&)>& run);
 
+/// Runs, then writes the results of what was computed. A run that fails (RunError) leaves them too before its error goes on; an error on the way is then
+/// only told.
+void run_and_leave(const std::function<void()>& run, const std::function<void()>& leave_results);
+
 }  // namespace berm

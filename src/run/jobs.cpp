@@ -50,8 +50,7 @@ pid_t start(const Job& job)
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  std::error_code error;
-  fs::create_directories(job.folder.parent_path(), error);
+  make_folder(job.folder.parent_path());
   const fs::path messages = messages_of(job);
   const int out = ::open(messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (out < 0) throw_errno(fmt::format("cannot write {}", messages.string()));

@@ -5,6 +5,7 @@
 #include "output/pipe_case.hpp"
 #include "output/plots.hpp"
 #include "output/progress.hpp"
+#include "output/whole_file.hpp"
 #include "problem/stages.hpp"
 
 #include <fmt/format.h>
@@ -68,6 +69,7 @@ template <int dim>
 void write_results(const RunRequest& request, const RunFolder& folder, const Model<dim>& model, const std::vector<RigidState<dim>>& rigids,
                    const Frame<dim>& last, const RunOutcome& outcome, const RunTiming& timing)
 {
+  sync_file(folder.file("history.csv"));  // a summary that says "finished" must not outlive it
   const History history = read_history(folder.file("history.csv"));
   const PipeScale scale = pipe_scale(request.settings);
   PipeStages stages = pipe_stages(request.settings);

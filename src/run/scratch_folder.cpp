@@ -2,6 +2,7 @@
 #include "run/scratch_folder.hpp"
 
 #include "core/error.hpp"
+#include "output/whole_file.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -28,7 +29,7 @@ void ScratchFolder::move_files_to(const fs::path& folder) const
 {
   try {
     for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
-      fs::copy_file(entry.path(), folder / entry.path().filename(), fs::copy_options::overwrite_existing);
+      copy_whole(entry.path(), folder / entry.path().filename());
       fs::remove(entry.path());
     }
   } catch (const fs::filesystem_error& error) {

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/for_each.hpp"
 #include "mpm/measure.hpp"
+#include "mpm/sound.hpp"
 #include "mpm/step.hpp"
 #include "mpm/time_step.hpp"
 #include "output/frame_maker.hpp"
@@ -12,12 +13,12 @@
 #include "problem/stages.hpp"
 #include "run/in_run_folder.hpp"
 #include "run/interrupt.hpp"
+#include "run/memory.hpp"
 #include "run/recorder.hpp"
 #include "run/results.hpp"
 #include "run/scratch_folder.hpp"
 #include "run/simulate_fem.hpp"
 
-#include <exception>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -74,21 +75,19 @@ public:
   {
     reset_timings();
     const Clock::time_point start = Clock::now();
-    std::exception_ptr failure;
-    try {
-      step_to_the_end();
-    } catch (const RunError&) {
-      failure = std::current_exception();
-    }
-    if (!finished_) frame();
-    const Real wall = std::chrono::duration<Real>(Clock::now() - start).count();
-    const RunTiming timing{wall, request_.threads, model().mesh.cell_count(), state().step, MpmCounts{particle_count(state())}, timings()};
-    write_results(request_, folder_, model(), state().rigids, frames_.last(), {finished_, held_force_, checks()}, timing);
-    if (failure) std::rethrow_exception(failure);
+    run_and_leave([&] { step_to_the_end(); }, [&] { leave_results(start); });
     return finished_;
   }
 
 private:
+  void leave_results(Clock::time_point start)
+  {
+    if (!finished_) frame();
+    const Real wall = std::chrono::duration<Real>(Clock::now() - start).count();
+    const RunTiming timing{wall, request_.threads, model().mesh.cell_count(), state().step, MpmCounts{particle_count(state())}, timings()};
+    write_results(request_, folder_, model(), state().rigids, frames_.last(), {finished_, held_force_, checks()}, timing);
+  }
+
   const Model<dim>& model() const { return problem_.model; }
   State<dim>& state() { return problem_.state; }
   const StageSettings& stage() { return model().stages[state().stage.index]; }
@@ -99,6 +98,7 @@ private:
     frame();
     while (!interrupted() && !finished_) {
       step(model(), state(), work_);
+      refuse_rigid_outside_mesh(model(), state());
       const bool ended = stage_ended(model(), state());
       if (ended || state().time >= next_row_) record();
       if (ended || frame_is_due()) frame();
@@ -208,12 +208,19 @@ private:
   std::optional<Real> held_force_;
 };
 
-/// Mesh files go to the scratch folder.
+/// Mesh files go to the scratch folder. A run that there is no memory for is refused as early as its size is known.
 template <int dim>
 Problem<dim> build_for(const RunRequest& request, const ScratchFolder& scratch)
 {
   history_interval(request.settings);  // refuses a case in which it cannot be told
-  return build<dim>(request.settings, request.case_file.parent_path().string(), scratch.path().string());
+  const Case& c = request.settings;
+  const Real in_use = memory_in_use();
+  refuse_without_memory<dim>(least_size<dim>(c), in_use);
+  Mesh<dim> mesh = make_mesh<dim>(c.mesh, request.case_file.parent_path().string(), scratch.path().string());
+  refuse_without_memory<dim>(least_size(c, mesh), in_use);
+  Problem<dim> problem = build(c, std::move(mesh));
+  refuse_without_memory<dim>(size_of(problem), in_use);
+  return problem;
 }
 
 template <int dim>
@@ -232,6 +239,7 @@ template <int dim>
 void check_in(const RunRequest& request)
 {
   const ScratchFolder scratch;
+  const Real in_use = memory_in_use();
   Problem<dim> problem = build_for<dim>(request, scratch);
   Work<dim> work(problem.model, problem.state);
   const Real dt = stable_time_step(problem.model, problem.state, work);
@@ -239,6 +247,8 @@ void check_in(const RunRequest& request)
   fmt::print("  cells        {}\n  nodes        {}\n", problem.model.mesh.cell_count(), problem.model.mesh.node_count());
   for (std::size_t b = 0; b < problem.model.bodies.size(); ++b)
     fmt::print("  particles    {} in body \"{}\"\n", problem.state.particles[b].size(), problem.model.bodies[b].name);
+  fmt::print("  memory       about {:.0f} MiB at most, while frames are written\n",
+             (in_use + memory_of<dim>(size_of(problem))) / (1 << 20));
   fmt::print("  time step    {:.4g} s\n", dt);
 
   // The speed is measured on the first steps, for a quarter of a second.

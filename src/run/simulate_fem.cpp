@@ -13,7 +13,6 @@
 #include "run/results.hpp"
 #include "run/scratch_folder.hpp"
 
-#include <exception>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -47,12 +46,13 @@ public:
   {
     reset_timings();
     const Clock::time_point start = Clock::now();
-    std::exception_ptr failure;
-    try {
-      step_to_the_end();
-    } catch (const RunError&) {
-      failure = std::current_exception();
-    }
+    run_and_leave([&] { step_to_the_end(); }, [&] { leave_results(start); });
+    return finished_;
+  }
+
+private:
+  void leave_results(Clock::time_point start)
+  {
     frame();
     const RunTiming timing{seconds_since(start),
                            request_.threads,
@@ -66,11 +66,8 @@ public:
                                     {"largest_overstress", recorder_.largest_overstress()},
                                     {"friction_work_is_loss", state().state.totals.friction >= 0}};
     write_results(request_, folder_, model().model, state().state.rigids, frames_.last(), {finished_, held_force_, checks}, timing);
-    if (failure) std::rethrow_exception(failure);
-    return finished_;
   }
 
-private:
   const FemModel& model() const { return problem_.model; }
   FemState& state() { return problem_.state; }
   const StageSettings& stage() { return model().model.stages[state().state.stage.index]; }

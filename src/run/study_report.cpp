@@ -209,8 +209,7 @@ bool draw_study_figure(const StudyPlan& plan, const StudyFigure& wanted, const f
 
 void write_study_report(const StudyPlan& plan, const fs::path& output)
 {
-  std::error_code ignored;
-  fs::create_directories(output, ignored);  // where it cannot be made, write_whole says why
+  make_folder(output);
   write_whole(output / "results.csv", csv(plan));
   std::vector<std::string> pictures;
   for (const StudyFigure& figure : plan.study.figure)

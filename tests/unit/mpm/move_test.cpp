@@ -248,6 +248,27 @@ TYPED_TEST(Move, a_particle_that_round_off_put_beyond_a_wall_is_brought_back_to_
   EXPECT_NEAR(highest, mesh.upper[1], 1e-15);
 }
 
+TYPED_TEST(Move, a_particle_beyond_a_wall_by_the_least_there_is_does_not_end_the_run)
+{
+  constexpr int dim = TypeParam::value;
+  const std::vector<Real> lower(dim, 0), size(dim, 1), cells(dim, 3);
+  Moved<dim> body(make_box<dim>({.lower = lower, .size = size, .cells = cells}), sample_solid(), 0, true);
+  Particles<dim>& particles = body.particles();
+  for (const Real beyond : {1e-18, 1e-12}) {
+    Index block = none;
+    int lane = 0;
+    particles.visit([&](Index, Index b, int l) {
+      if (block == none || particles.block(b).x[1][l] < particles.block(block).x[1][lane]) block = b, lane = l;
+    });
+    particles.block(block).x[1][lane] = -beyond;
+    body.move(1e-3, [](const Vec<dim>&) { return Vec<dim>(Vec<dim>::Zero()); });
+    EXPECT_NO_THROW(body.change_cells());
+    for_each_particle(particles, [&](Block<dim>& p, int l) {
+      for (int d = 0; d < dim; ++d) EXPECT_GE(p.x[d][l], 0);
+    });
+  }
+}
+
 TYPED_TEST(Move, a_rigid_turn_makes_no_stress)
 {
   // A whole turn in 500 steps; nodes take the velocity of the turn, so nothing but the step itself could make stress.

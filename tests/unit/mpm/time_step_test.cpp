@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "sample_problem.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace berm {
@@ -64,6 +65,35 @@ TYPED_TEST(TimeStep, a_velocity_that_is_not_finite_ends_the_run_with_time_step_a
     for (const char* part : {"not finite", "t = 0.5 s", "step 33", "mpm.courant"})
       EXPECT_NE(message.find(part), std::string::npos) << message;
   }
+}
+
+TYPED_TEST(TimeStep, of_less_than_a_thousandth_of_that_at_rest_ends_the_run_with_what_moves_so_fast)
+{
+  constexpr int dim = TypeParam::value;
+  auto problem = problem_on<dim>(shaken_box<dim>(), sample_solid(), 0);
+  Work<dim> work(problem.model, problem.state);
+  problem.state.time = 0.5;
+  problem.state.step = 32;
+  const Real wave = std::sqrt(p_wave_modulus(sample_solid()) / 1500);
+  const Index node = work.grids[0].nodes[3];
+  work.grids[0].moved_velocity[node] = 990 * wave * Vec<dim>::UnitX();
+  EXPECT_NO_THROW(stable_time_step(problem.model, problem.state, work));
+  const auto expect_refused = [&](const std::string& what) {
+    try {
+      stable_time_step(problem.model, problem.state, work);
+      FAIL() << "nothing was thrown";
+    } catch (const RunError& error) {
+      const std::string message = error.what();
+      for (const std::string& part : {std::string("the time step has fallen to "), std::string("t = 0.5 s"), std::string("step 32"), what})
+        EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
+    }
+  };
+  work.grids[0].moved_velocity[node] = 1010 * wave * Vec<dim>::UnitX();
+  expect_refused(fmt::format("body \"body\" at the node at ({:.6g}, ", problem.model.mesh.position[node][0]));
+  problem.model.rigids.push_back({"pipe", make_shape<dim>(CircleSettings{std::vector<Real>(dim, 0), 0.5})});
+  problem.state.rigids.emplace_back();
+  problem.state.rigids[0].velocity = 2000 * wave * Vec<dim>::UnitX();
+  expect_refused("rigid body \"pipe\"");
 }
 
 }  // namespace

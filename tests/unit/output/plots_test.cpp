@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "output/plots.hpp"
 
+#include "core/error.hpp"
 #include "output/gnuplot.hpp"
 #include "sample_run.hpp"
 
@@ -184,6 +185,26 @@ TEST_F(Plots, a_script_that_fails_is_no_failure_and_leaves_no_broken_picture)
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
   EXPECT_FALSE(draw(folder.path(), "curves", 100, 100, "plot 'not there'\n"));
   EXPECT_FALSE(fs::exists(folder.file("curves.png")));
+}
+
+TEST_F(Plots, a_picture_that_the_disk_took_a_part_of_is_an_error_and_the_one_before_stays)
+{
+  const fs::path picture = folder.file("curves.png");
+  put(picture, "the one before");
+  put(base.path / "gnuplot", "#!/bin/sh\nprintf 'PNG' > ../curves.png.part\n");
+  fs::permissions(base.path / "gnuplot", fs::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", base.path.c_str(), 1);
+  std::string message;
+  try {
+    draw(folder.path(), "curves", 100, 100, "plot x\n");
+  } catch (const RunError& error) {
+    message = error.what();
+  }
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_NE(message.find("cannot write " + picture.string()), std::string::npos) << message;
+  EXPECT_EQ(content_of(picture), "the one before");
+  EXPECT_FALSE(fs::exists(picture.string() + ".part"));
 }
 
 TEST(ColumnNames, end_with_their_unit)

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/model.hpp"
+
+namespace berm {
+
+/// Throws the RunError for a body of which a sum over its particles is not finite: it names the first particle (body, number, place, cell, time, step) of
+/// which something is not a number or infinite, and what; where there is none, it says that velocities and forces are not finite.
+template <int dim>
+[[noreturn]] void refuse_what_is_not_finite(const Model<dim>& model, const State<dim>& state, Index body);
+
+/// Throws RunError where a rigid body that began above the mesh's bottom and between its sides (a circle: wholly, another body: its centre) no longer
+/// does: the soil there has nowhere to go. Half-planes may lie anywhere.
+template <int dim>
+void refuse_rigid_outside_mesh(const Model<dim>& model, const State<dim>& state);
+
+}  // namespace berm

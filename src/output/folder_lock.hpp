@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+
+namespace berm {
+
+/// Keeps a folder for this process: its file `lock`, which names process and machine, is locked as long as this lives, and no longer than the process.
+class FolderLock {
+public:
+  static constexpr const char* file_name = "lock";
+
+  /// Throws RunError where another process has the folder, or where the file cannot be written.
+  explicit FolderLock(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+private:
+  std::filesystem::path path_;
+  int file_ = -1;
+};
+
+}  // namespace berm

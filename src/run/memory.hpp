@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/model.hpp"
+
+namespace berm {
+
+/// What decides how much memory a run of the material point method takes. Counts, as far as they are known.
+struct RunSize {
+  struct OfBody {
+    Real particles = 0, blocks = 0;  ///< blocks of eight particles that cells own
+    int state_size = 0;              ///< numbers that its law keeps for a particle
+  };
+  Real cells = 0, nodes = 0;
+  std::vector<OfBody> bodies;
+  std::size_t contacts = 0;
+};
+
+/// The least that a case can have before anything is made of it: mesh and particles of a box, about the mesh of a bed, nothing of a mesh in a file.
+template <int dim>
+RunSize least_size(const Case& c);
+
+/// The same with the mesh made.
+template <int dim>
+RunSize least_size(const Case& c, const Mesh<dim>& mesh);
+
+template <int dim>
+RunSize size_of(const Problem<dim>& problem);
+
+/// Bytes that a run of this size takes when it takes most, which is when it makes a frame: mesh, particles, sums of the cells and nodes, and the frame
+/// before with the one being made. The program itself comes on top.
+template <int dim>
+Real memory_of(const RunSize& size);
+
+/// Bytes that the program has of the machine's memory now.
+Real memory_in_use();
+
+/// Bytes that the program could take beside what it has: the least of what the machine, its control group and its limit of address space leave.
+Real memory_left();
+
+/// Throws RunError where a run would need more than there is. in_use: what the program had before anything of the run was made.
+template <int dim>
+void refuse_without_memory(const RunSize& size, Real in_use);
+
+}  // namespace berm

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A library for LD_PRELOAD: the N-th call by which a program changes files fails. Counted are, on files (not on terminals, pipes or standard error):
+// open for writing, write, pwrite, writev, sendfile, fsync, fdatasync, ftruncate, close of what was open for writing, rename, mkdir. Environment:
+//   FAULT_IN      the name of the program that is meant; others, such as its children, run as ever
+//   FAULT_AT      N, from 1; 0: none fails
+//   FAULT_HOW     ENOSPC, EIO (this call), FULL (this one and all that follow, with ENOSPC), SHORT (a write takes half, the rest of the calls pass)
+//   FAULT_COUNT   a file that gets the number of calls when the program ends
+#define _GNU_SOURCE
+#include <dlfcn.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/sendfile.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+static long at = -1, count = 0;
+static int reason = 0, full = 0, halves = 0;
+
+__attribute__((constructor)) static void begin(void)
+{
+  const char *in = getenv("FAULT_IN"), *n = getenv("FAULT_AT"), *how = getenv("FAULT_HOW");
+  if (in == NULL || n == NULL || how == NULL || strcmp(in, program_invocation_short_name) != 0) return;
+  at = atol(n);
+  halves = strcmp(how, "SHORT") == 0;
+  full = strcmp(how, "FULL") == 0;
+  reason = strcmp(how, "EIO") == 0 ? EIO : ENOSPC;
+}
+
+__attribute__((destructor)) static void end(void)
+{
+  const char* file = getenv("FAULT_COUNT");
+  if (at < 0 || file == NULL) return;
+  char digits[24];
+  int used = sizeof digits;
+  for (long n = count; n > 0 || used == sizeof digits; n /= 10) digits[--used] = (char)('0' + n % 10);
+  const int to = (int)syscall(SYS_openat, AT_FDCWD, file, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  if (to < 0 || syscall(SYS_write, to, digits + used, sizeof digits - used) < 0) abort();
+  syscall(SYS_close, to);
+}
+
+// True where this call is to fail; errno says why then.
+static int fails(void)
+{
+  if (at < 0) return 0;
+  const long n = __atomic_add_fetch(&count, 1, __ATOMIC_RELAXED);
+  if (at == 0 || halves || n < at || (n > at && !full)) return 0;
+  errno = reason;
+  return 1;
+}
+
+static int is_file_to_write(int file)
+{
+  struct stat status;
+  const int flags = fcntl(file, F_GETFL);
+  return at >= 0 && file != STDERR_FILENO && flags >= 0 && (flags & O_ACCMODE) != O_RDONLY && fstat(file, &status) == 0 &&
+         S_ISREG(status.st_mode);
+}
+
+// How much of a write of `size` bytes is to be tried.
+static size_t tried(size_t size)
+{
+  return halves && size > 1 && count == at ? size / 2 : size;
+}
+
+#define REAL(name) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))
+
+ssize_t write(int file, const void* bytes, size_t size)
+{
+  if (!is_file_to_write(file)) return REAL(write)(file, bytes, size);
+  return fails() ? -1 : REAL(write)(file, bytes, tried(size));
+}
+
+ssize_t pwrite64(int file, const void* bytes, size_t size, off64_t offset)
+{
+  if (!is_file_to_write(file)) return REAL(pwrite64)(file, bytes, size, offset);
+  return fails() ? -1 : REAL(pwrite64)(file, bytes, tried(size), offset);
+}
+
+ssize_t pwrite(int file, const void* bytes, size_t size, off_t offset)
+{
+  return pwrite64(file, bytes, size, offset);
+}
+
+ssize_t writev(int file, const struct iovec* parts, int number)
+{
+  if (!is_file_to_write(file)) return REAL(writev)(file, parts, number);
+  if (fails()) return -1;
+  return halves && count == at && number > 1 ? REAL(writev)(file, parts, number - 1) : REAL(writev)(file, parts, number);
+}
+
+ssize_t sendfile(int to, int from, off_t* offset, size_t size)
+{
+  return is_file_to_write(to) && fails() ? -1 : REAL(sendfile)(to, from, offset, size);
+}
+
+int fsync(int file)
+{
+  return fails() ? -1 : REAL(fsync)(file);
+}
+
+int fdatasync(int file)
+{
+  return fails() ? -1 : REAL(fdatasync)(file);
+}
+
+int ftruncate64(int file, off64_t size)
+{
+  return fails() ? -1 : REAL(ftruncate64)(file, size);
+}
+
+int ftruncate(int file, off_t size)
+{
+  return ftruncate64(file, size);
+}
+
+int rename(const char* from, const char* to)
+{
+  return fails() ? -1 : REAL(rename)(from, to);
+}
+
+int mkdir(const char* path, mode_t mode)
+{
+  return fails() ? -1 : REAL(mkdir)(path, mode);
+}
+
+// The descriptor is gone even where close() reports an error.
+int close(int file)
+{
+  const int failed = is_file_to_write(file) && fails();
+  const int result = REAL(close)(file);
+  if (failed) errno = reason;
+  return failed ? -1 : result;
+}
+
+static int opens_to_write(int flags)
+{
+  return (flags & O_ACCMODE) != O_RDONLY;
+}
+
+static mode_t mode_of(int flags, va_list rest)
+{
+  return (flags & O_CREAT) != 0 ? va_arg(rest, mode_t) : 0;
+}
+
+int open64(const char* path, int flags, ...)
+{
+  va_list rest;
+  va_start(rest, flags);
+  const mode_t mode = mode_of(flags, rest);
+  va_end(rest);
+  return opens_to_write(flags) && fails() ? -1 : REAL(open64)(path, flags, mode);
+}
+
+int open(const char* path, int flags, ...)
+{
+  va_list rest;
+  va_start(rest, flags);
+  const mode_t mode = mode_of(flags, rest);
+  va_end(rest);
+  return open64(path, flags, mode);
+}
+
+int openat64(int folder, const char* path, int flags, ...)
+{
+  va_list rest;
+  va_start(rest, flags);
+  const mode_t mode = mode_of(flags, rest);
+  va_end(rest);
+  return opens_to_write(flags) && fails() ? -1 : REAL(openat64)(folder, path, flags, mode);
+}
+
+int openat(int folder, const char* path, int flags, ...)
+{
+  va_list rest;
+  va_start(rest, flags);
+  const mode_t mode = mode_of(flags, rest);
+  va_end(rest);
+  return openat64(folder, path, flags, mode);
+}
+
+// What the C library's own streams open, such as those of std::ofstream.
+FILE* fopen64(const char* path, const char* mode)
+{
+  return strpbrk(mode, "wa+") != NULL && fails() ? NULL : REAL(fopen64)(path, mode);
+}
+
+FILE* fopen(const char* path, const char* mode)
+{
+  return fopen64(path, mode);
+}

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What a run folder may look like after a fault: every file whole or absent."""
+
+import json
+import os
+import re
+import struct
+import xml.etree.ElementTree as xml
+
+
+class Damaged(Exception):
+    pass
+
+
+def expect(fine, what):
+    if not fine:
+        raise Damaged(what)
+
+
+def read(path):
+    with open(path, "rb") as file:
+        return file.read()
+
+
+def check_history(path, reference):
+    """Whole rows only, the first ones of an undisturbed run; `reference` is its history, or None."""
+    content = read(path)
+    expect(content == b"" or content.endswith(b"\n"), f"{path}: ends in half a row")
+    lines = content.splitlines()
+    columns = {line.count(b",") for line in lines}
+    expect(len(columns) <= 1, f"{path}: rows have different numbers of columns")
+    if reference is not None:
+        # A run that fails or is stopped ends with a row of its own.
+        expect(reference.splitlines()[: len(lines) - 1] == lines[:-1], f"{path}: differs from an undisturbed run")
+
+
+def check_vtu(path):
+    """The XML ends, and every array lies in the appended data with the length that it announces."""
+    content = read(path)
+    mark = b'<AppendedData encoding="raw">\n_'
+    start, ending = content.find(mark), b"\n</AppendedData>\n</VTKFile>\n"
+    expect(start > 0 and content.endswith(ending), f"{path}: is not a whole frame")
+    grid = xml.fromstring(content[:start] + b"</VTKFile>")
+    data = content[start + len(mark) : -len(ending)]
+    end = 0
+    for array in grid.iter("DataArray"):
+        offset = int(array.get("offset"))
+        expect(offset + 8 <= len(data), f"{path}: an array begins behind the end")
+        end = max(end, offset + 8 + struct.unpack("<Q", data[offset : offset + 8])[0])
+    expect(end == len(data), f"{path}: {len(data)} bytes of data, its arrays say {end}")
+
+
+def check_collection(path):
+    """Every frame that it names is there."""
+    for entry in xml.parse(path).getroot().iter("DataSet"):
+        expect(os.path.exists(os.path.join(os.path.dirname(path), entry.get("file"))), f"{path}: names {entry.get('file')}, which is not there")
+
+
+def check_ending(path, ending):
+    expect(read(path).rstrip().endswith(ending), f"{path}: is not whole")
+
+
+def check(folder, reference=None, killed=False):
+    """Raises Damaged for what must not be in the folder of a run. `reference`: the folder of an undisturbed run of the same case. `killed`: parts of files
+    and the lock may be left, which a run that only fails removes."""
+    for parent, _, names in os.walk(folder):
+        for name in names:
+            path = os.path.join(parent, name)
+            same = reference and os.path.join(reference, os.path.relpath(path, folder))
+            if name.endswith(".part") or name == "lock":
+                expect(killed, f"{path}: is left")
+            elif name == "history.csv":
+                check_history(path, same and read(same))
+            elif name == "summary.json":
+                json.loads(read(path))
+            elif name.endswith(".vtu"):
+                check_vtu(path)
+            elif name.endswith(".pvd"):
+                check_collection(path)
+            elif name.endswith(".png"):
+                check_ending(path, b"IEND\xaeB`\x82")
+            elif name.endswith(".html"):
+                check_ending(path, b"</html>")
+            elif name.startswith("mesh.") or name in ("case.toml", "resolved.toml"):
+                expect(same is None or read(path) == read(same), f"{path}: differs from that of an undisturbed run")
+
+
+def results(folder):
+    """All files of a run by name, without what differs from run to run: the log, time taken, machine and date."""
+    found = {}
+    for parent, _, names in os.walk(folder):
+        for name in names:
+            path = os.path.join(parent, name)
+            inner = os.path.relpath(path, folder)
+            if name in ("run.log", "lock") or inner.startswith("checkpoint"):
+                continue
+            content = read(path)
+            if name == "summary.json":
+                summary = json.loads(content)
+                for key in ("machine", "date"):
+                    summary["text"].pop(key)
+                timing = summary["timing"]
+                summary["timing"] = {key: timing[key] for key in ("particles", "cells", "steps") if key in timing}
+                content = json.dumps(summary).encode()
+            found[inner] = content
+    return found
+
+
+def log_is_whole(folder):
+    lines = read(os.path.join(folder, "run.log")).splitlines()
+    return bool(lines) and b"everything is in" in lines[-1]
+
+
+def differences(folder, reference):
+    """What is not as an undisturbed run of the same case leaves it, in words."""
+    ours, theirs = results(folder), results(reference)
+    words = [] if log_is_whole(folder) else ["run.log does not go to the end"]
+    words += [f"{name} is missing" for name in sorted(theirs.keys() - ours.keys())]
+    words += [f"{name} is too many" for name in sorted(ours.keys() - theirs.keys())]
+    return words + [f"{name} differs" for name in sorted(ours.keys() & theirs.keys()) if ours[name] != theirs[name]]
+
+
+def has_reason(text):
+    """Whether a message names a file and why it failed."""
+    return re.search(r"/\S+.*(No space left on device|Input/output error)", text) is not None
