@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/for_each.hpp"
 #include "core/lane_parts.hpp"
+#include "mpm/sound.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -244,12 +245,11 @@ void pass_over_particles(const Model<dim>& model, State<dim>& state, Work<dim>& 
 }
 
 template <int dim>
-[[noreturn]] void refuse(const Model<dim>& model, const State<dim>& state, const Particle<dim>& p, Index body)
+[[noreturn]] void refuse(const Model<dim>& model, const State<dim>& state, const Particle<dim>& p, Index body, Index cell)
 {
-  throw RunError(fmt::format("particle {} of body \"{}\" left the mesh at ({:.6g}) m at t = {:.6g} s (step {}), moving at ({:.3g}) m/s; "
-                             "make the mesh larger there, hold that boundary with a [support.NAME], or take a smaller mpm.courant",
+  throw RunError(fmt::format("particle {} of body \"{}\" left the mesh at ({:.6g}) m at t = {:.6g} s (step {}), moving at ({:.3g}) m/s; {}",
                              p.id, model.bodies[body].name, fmt::join(p.x.begin(), p.x.end(), ", "), state.time, state.step,
-                             fmt::join(p.v.begin(), p.v.end(), ", ")));
+                             fmt::join(p.v.begin(), p.v.end(), ", "), advice_for_leaving(model, state, p.x, cell)));
 }
 
 }  // namespace
@@ -286,7 +286,7 @@ void change_cells(const Model<dim>& model, State<dim>& state, Work<dim>& work, I
             [](const Mover& a, const Mover& b) { return a.from != b.from ? a.from < b.from : a.place < b.place; });
 
   for (const Mover& mover : movers)
-    if (mover.to == none) refuse(model, state, particles.read_at(mover.from, mover.place), body);
+    if (mover.to == none) refuse(model, state, particles.read_at(mover.from, mover.place), body, mover.from);
   // The last first: taking a particle moves only ones that were behind it.
   work.moving.resize(movers.size());
   for (std::size_t m = movers.size(); m-- > 0;) work.moving[m] = particles.take(movers[m].from, movers[m].place);

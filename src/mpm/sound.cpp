@@ -78,6 +78,18 @@ void refuse_what_is_not_finite(const Model<dim>& model, const State<dim>& state,
 }
 
 template <int dim>
+std::string advice_for_leaving(const Model<dim>& model, const State<dim>& state, const Vec<dim>& x, Index cell)
+{
+  for (std::size_t r = 0; r < model.rigids.size(); ++r)
+    if (surface_at<dim>(placed<dim>(model.rigids[r], state.rigids[r]), x).distance < 2 * model.mesh.height[cell])
+      return fmt::format(
+          "rigid body \"{}\" is there and has pushed it out: make the mesh larger there, let the stage \"{}\" end earlier, or hold that "
+          "boundary with a [support.NAME]",
+          model.rigids[r].name, model.stages[state.stage.index].name);
+  return fmt::format("make the mesh larger there, hold that boundary with a [support.NAME], or take a smaller mpm.courant");
+}
+
+template <int dim>
 void refuse_rigid_outside_mesh(const Model<dim>& model, const State<dim>& state)
 {
   const Mesh<dim>& mesh = model.mesh;
@@ -106,6 +118,7 @@ void refuse_rigid_outside_mesh(const Model<dim>& model, const State<dim>& state)
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void refuse_what_is_not_finite(const Model<dim>&, const State<dim>&, Index);                                                    \
+  template std::string advice_for_leaving(const Model<dim>&, const State<dim>&, const Vec<dim>&, Index);                                   \
   template void refuse_rigid_outside_mesh(const Model<dim>&, const State<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

@@ -10,6 +10,10 @@ namespace berm {
 template <int dim>
 [[noreturn]] void refuse_what_is_not_finite(const Model<dim>& model, const State<dim>& state, Index body);
 
+/// What to do about a particle of a cell that left the mesh at x: where a rigid body is less than two heights of the cell away, it has pushed the soil out.
+template <int dim>
+std::string advice_for_leaving(const Model<dim>& model, const State<dim>& state, const Vec<dim>& x, Index cell);
+
 /// Throws RunError where a rigid body that began above the mesh's bottom and between its sides (a circle: wholly, another body: its centre) no longer
 /// does: the soil there has nowhere to go. Half-planes may lie anywhere.
 template <int dim>

@@ -12,17 +12,25 @@ namespace berm {
 
 namespace {
 
-/// Speed and words of the rigid body or node that moves fastest.
+/// Speed and words of what moves fastest: rigid body, drive, node, or particle at the start.
 template <int dim>
 std::pair<Real, std::string> fastest_of(const Model<dim>& model, const State<dim>& state, const Work<dim>& work)
 {
-  std::pair<Real, std::string> fastest{0, "nothing that can be named"};
+  std::pair<Real, std::string> fastest{0, "the stiffness of the bodies"};
   const auto take = [&](Real speed, const auto& words) {
     if (speed > fastest.first) fastest = {speed, words()};
   };
   for (std::size_t r = 0; r < state.rigids.size(); ++r)
     take(state.rigids[r].velocity.norm() + std::abs(state.rigids[r].spin) * reach_of<dim>(model.rigids[r].shape),
          [&] { return fmt::format("rigid body \"{}\"", model.rigids[r].name); });
+  for (const Drive& drive : state.stage.drive)
+    if (!drive.by_force)
+      take(std::abs(drive.to), [&] { return fmt::format("the drive of stage \"{}\"", model.stages[state.stage.index].name); });
+  for (std::size_t b = 0; b < model.bodies.size() && state.step == 0; ++b)
+    state.particles[b].visit([&](Index, Index block, int l) {
+      const Particle<dim> p = state.particles[b].read(block, l);
+      take(p.v.norm(), [&] { return fmt::format("body \"{}\", particle {}", model.bodies[b].name, p.id); });
+    });
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     for (const Index i : work.grids[b].nodes) {
       const Vec<dim>& x = model.mesh.position[i];

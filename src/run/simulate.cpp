@@ -20,6 +20,7 @@
 #include "run/simulate_fem.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <spdlog/spdlog.h>
 
 namespace berm {
@@ -220,6 +221,7 @@ Problem<dim> build_for(const RunRequest& request, const ScratchFolder& scratch)
   refuse_without_memory<dim>(least_size(c, mesh), in_use);
   Problem<dim> problem = build(c, std::move(mesh));
   refuse_without_memory<dim>(size_of(problem), in_use);
+  ::malloc_trim(0);  // gives back what building took on the way: a fifth of what it made
   return problem;
 }
 

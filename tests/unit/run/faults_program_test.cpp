@@ -106,29 +106,27 @@ TEST(Faults, forces_beyond_all_numbers_name_particle_cell_and_time_and_leave_a_f
 TEST(Faults, a_time_step_that_falls_to_nothing_ends_the_run_with_what_made_it_small)
 {
   const Place place;
-  const Ended ended = place.run({"--set", "stage.push.velocity=1e7 m/s"});
+  place.folder.write("small.toml", std::string(test::small_case) + "[[body.sand.initial_velocity]]\namplitude = [1e7, 0]\n");
+  const Ended ended = place.run({});
   EXPECT_EQ(ended.status, 1);
-  expect_parts(ended.err, {"the time step has fallen to ", "with everything at rest", "at t = ", "\"pipe\"", "1e+07 m/s"});
-  place.expect_results_of_a_failure();
+  expect_parts(ended.err, {"the time step has fallen to ", "with everything at rest", "at t = 0 s", "body \"sand\"", "1e+07 m/s"});
+  EXPECT_EQ(nlohmann::json::parse(place.text("results/summary.json"))["checks"]["finished"], false);
 }
 
-TEST(Faults, a_pipe_that_is_driven_out_of_the_mesh_ends_the_run_with_side_place_time_and_advice)
+TEST(Faults, a_pipe_that_drives_the_soil_out_of_the_mesh_ends_the_run_with_place_time_and_advice)
 {
   const Place place;
   const Ended down = place.run({"--set", "stage.push.until.embedment=60 mm", "--set", "stage.push.velocity=20 m/s"});
   EXPECT_EQ(down.status, 1);
-  expect_parts(down.err, {"rigid body \"pipe\" has left the mesh through its bottom", "at t = ", "make the mesh deeper", "stage \"push\""});
+  expect_parts(down.err, {"left the mesh", "at t = ", "rigid body \"pipe\"", "make the mesh", "stage \"push\" end earlier"});
   place.expect_results_of_a_failure();
-  const Ended sideways = place.run({"--set", "stage.drag.until.displacement=90 mm", "--set", "stage.drag.velocity=20 m/s"});
-  EXPECT_EQ(sideways.status, 1);
-  expect_parts(sideways.err, {"rigid body \"pipe\" has left the mesh through its right side", "make the mesh longer", "stage \"drag\""});
 }
 
 TEST(Faults, a_full_standard_output_is_an_error)
 {
   const Place place;
   const std::string messages = (place.folder / "messages").string();
-  EXPECT_NE(std::system((std::string(BERM_PROGRAM " params > /dev/full 2> ") + messages).c_str()), 0);
+  EXPECT_NE(std::system((std::string(BERM_PROGRAM " params > /dev/full 2> '") + messages + "'").c_str()), 0);
   expect_parts(place.text("messages"), {"berm: ", "No space left on device"});
 }
 
