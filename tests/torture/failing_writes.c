@@ -3,7 +3,8 @@
 // open for writing, write, pwrite, writev, sendfile, fsync, fdatasync, ftruncate, close of what was open for writing, rename, mkdir. Environment:
 //   FAULT_IN      the name of the program that is meant; others, such as its children, run as ever
 //   FAULT_AT      N, from 1; 0: none fails
-//   FAULT_HOW     ENOSPC, EIO (this call), FULL (this one and all that follow, with ENOSPC), SHORT (a write takes half, the rest of the calls pass)
+//   FAULT_HOW     ENOSPC, EIO (this call), SHORT (a write takes half, all other calls pass), FULL (the same, and all that
+//                 follow fail with ENOSPC; so does this one where it is no write)
 //   FAULT_COUNT   a file that gets the number of calls when the program ends
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -20,7 +21,7 @@
 #include <unistd.h>
 
 static long at = -1, count = 0;
-static int reason = 0, full = 0, halves = 0;
+static int reason = 0, full = 0, halves = 0;  // full: a disk that is full from then on
 
 __attribute__((constructor)) static void begin(void)
 {
@@ -49,7 +50,7 @@ static int fails(void)
 {
   if (at < 0) return 0;
   const long n = __atomic_add_fetch(&count, 1, __ATOMIC_RELAXED);
-  if (at == 0 || halves || n < at || (n > at && !full)) return 0;
+  if (at == 0 || n < at || (n > at && !full) || (halves && !full)) return 0;
   errno = reason;
   return 1;
 }
@@ -62,10 +63,11 @@ static int is_file_to_write(int file)
          S_ISREG(status.st_mode);
 }
 
-// How much of a write of `size` bytes is to be tried.
+// How much of a write of `size` bytes is to be tried: the half of it where it is the one. 0: none, it fails.
 static size_t tried(size_t size)
 {
-  return halves && size > 1 && count == at ? size / 2 : size;
+  if ((halves || full) && size > 1 && count + 1 == at) return ++count, size / 2;
+  return fails() ? 0 : size;
 }
 
 #define REAL(name) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))
@@ -73,13 +75,15 @@ static size_t tried(size_t size)
 ssize_t write(int file, const void* bytes, size_t size)
 {
   if (!is_file_to_write(file)) return REAL(write)(file, bytes, size);
-  return fails() ? -1 : REAL(write)(file, bytes, tried(size));
+  const size_t part = tried(size);
+  return part == 0 && size > 0 ? -1 : REAL(write)(file, bytes, part);
 }
 
 ssize_t pwrite64(int file, const void* bytes, size_t size, off64_t offset)
 {
   if (!is_file_to_write(file)) return REAL(pwrite64)(file, bytes, size, offset);
-  return fails() ? -1 : REAL(pwrite64)(file, bytes, tried(size), offset);
+  const size_t part = tried(size);
+  return part == 0 && size > 0 ? -1 : REAL(pwrite64)(file, bytes, part, offset);
 }
 
 ssize_t pwrite(int file, const void* bytes, size_t size, off_t offset)
@@ -90,8 +94,8 @@ ssize_t pwrite(int file, const void* bytes, size_t size, off_t offset)
 ssize_t writev(int file, const struct iovec* parts, int number)
 {
   if (!is_file_to_write(file)) return REAL(writev)(file, parts, number);
-  if (fails()) return -1;
-  return halves && count == at && number > 1 ? REAL(writev)(file, parts, number - 1) : REAL(writev)(file, parts, number);
+  const size_t part = tried((size_t)number);
+  return part == 0 && number > 0 ? -1 : REAL(writev)(file, parts, (int)part);
 }
 
 ssize_t sendfile(int to, int from, off_t* offset, size_t size)
