@@ -36,6 +36,12 @@ find_package(tomlplusplus REQUIRED) # its headers; input/document.cpp compiles t
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(ZLIB REQUIRED)
+# HDF5 without MPI.
+find_path(HDF5_INCLUDE hdf5.h PATH_SUFFIXES hdf5/serial REQUIRED)
+find_library(HDF5_LIBRARY NAMES hdf5_serial hdf5 REQUIRED)
+add_library(hdf5 INTERFACE)
+target_include_directories(hdf5 SYSTEM INTERFACE ${HDF5_INCLUDE})
+target_link_libraries(hdf5 INTERFACE ${HDF5_LIBRARY})
 find_library(UDUNITS_LIBRARY udunits2 REQUIRED)
 add_library(udunits2 INTERFACE)
 target_link_libraries(udunits2 INTERFACE ${UDUNITS_LIBRARY})

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/keep.hpp"
 #include "core/lanes.hpp"
 #include "mesh/mesh.hpp"
 
@@ -75,6 +76,9 @@ public:
   /// The particle at `place` of a cell.
   Particle<dim> read_at(Index cell, Index place) const { return read(block_at(cell, place), place % lanes); }
 
+  /// All particles with their cells, blocks and lanes, on which sums depend to the last bit. Reading replaces those that are here by as many others.
+  void keep(Keep& k);
+
   /// Visits visit(cell, block index, lane) for each particle, cell by cell in ascending order.
   template <class Visit>
   void visit(const Visit& visit) const
@@ -94,6 +98,7 @@ private:
     (__builtin_prefetch(bytes + line * cache_line), ...);
   }
 
+  void lay_out(const std::vector<Index>& cells, const std::vector<Index>& counts);
   Index free_block(const Vec<dim>& x);
   void write(Index block, int lane, const Particle<dim>& particle);
   Index block_at(Index cell, Index place) const;

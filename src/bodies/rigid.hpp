@@ -117,6 +117,8 @@ struct RigidState {
   Real pressed_distance =
       0;             ///< the same, each times the distance of the node's nearest particle from the surface; over pressed: the contact gap
   Real deepest = 0;  ///< m, how far a particle was inside the body since the last row of the history
+  Vec<dim> listed_at = Vec<dim>::Constant(infinity);  ///< displacement at which the cells near it were listed last (contact/detect.hpp), m
+  Real listed_angle = 0;                              ///< and its angle
 };
 
 /// Where its centre is now (of a half-plane: its point).

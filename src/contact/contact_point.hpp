@@ -33,8 +33,8 @@ struct ContactPoints {
 
   // At a rigid body:
   std::vector<Index> near_cells;                    ///< cells that the surface can reach until it has moved `reach`
-  Vec<dim> near_at = Vec<dim>::Constant(infinity);  ///< displacement of the rigid body when near_cells was made
-  Real near_angle = 0;                              ///< and its angle
+  Vec<dim> near_at = Vec<dim>::Constant(infinity);  ///< RigidState::listed_at that near_cells is of
+  Real near_angle = 0;                              ///< and RigidState::listed_angle
   Real reach = 0;
   struct CellContact {
     Real gap = infinity, distance = infinity, half_width = 0;

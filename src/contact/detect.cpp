@@ -6,9 +6,10 @@
 namespace berm {
 namespace {
 
-/// The cells that the surface, or the body behind it, can reach before it has moved by `reach`.
+/// The cells that the surface, or the body behind it, can reach before it has moved by `reach` from where they are listed. They follow from the state
+/// alone, so that a run that goes on from a checkpoint lists the same ones.
 template <int dim>
-void find_near_cells(const Mesh<dim>& mesh, const RigidShape<dim>& shape, const RigidState<dim>& state, ContactPoints<dim>& found)
+void find_near_cells(const Mesh<dim>& mesh, const Rigid<dim>& rigid, RigidState<dim>& state, ContactPoints<dim>& found)
 {
   if (found.place.size() == 0) {
     found.place.assign(mesh.node_count(), none);
@@ -16,11 +17,20 @@ void find_near_cells(const Mesh<dim>& mesh, const RigidShape<dim>& shape, const 
     for (Real height : mesh.height) least = std::min(least, height);
     found.reach = least;
   }
-  const Real moved = (state.displacement - found.near_at).norm() + std::abs(state.angle - found.near_angle) * reach_of<dim>(shape);
-  if (moved < found.reach) return;
-  found.near_at = state.displacement;
-  found.near_angle = state.angle;
+  const Real moved =
+      (state.displacement - state.listed_at).norm() + std::abs(state.angle - state.listed_angle) * reach_of<dim>(rigid.shape);
+  if (!(moved < found.reach)) {
+    state.listed_at = state.displacement;
+    state.listed_angle = state.angle;
+  }
+  if (found.near_at == state.listed_at && found.near_angle == state.listed_angle) return;
+  found.near_at = state.listed_at;
+  found.near_angle = state.listed_angle;
   found.near_cells.clear();
+  RigidState<dim> then;
+  then.displacement = state.listed_at;
+  then.angle = state.listed_angle;
+  const RigidShape<dim> shape = placed<dim>(rigid, then);
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     const Vec<dim> center = mesh.centroid(cell);
     Real radius = 0;
@@ -115,11 +125,11 @@ void list_particles(const Mesh<dim>& mesh, const Particles<dim>& particles, cons
 }  // namespace
 
 template <int dim>
-void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<dim>& rigid, const RigidState<dim>& state,
-            Detection detection, const NodeField<Real>& mass, ContactPoints<dim>& found)
+void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<dim>& rigid, RigidState<dim>& state, Detection detection,
+            const NodeField<Real>& mass, ContactPoints<dim>& found)
 {
   const RigidShape<dim> shape = placed<dim>(rigid, state);
-  find_near_cells(mesh, shape, state, found);
+  find_near_cells(mesh, rigid, state, found);
 
   for_each("contact: distances", static_cast<Index>(found.near_cells.size()), [&](Index k) {
     const Index cell = found.near_cells[k];
@@ -150,8 +160,8 @@ void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void detect(const Mesh<dim>&, const Particles<dim>&, const Rigid<dim>&, const RigidState<dim>&, Detection,                      \
-                       const NodeField<Real>&, ContactPoints<dim>&);
+  template void detect(const Mesh<dim>&, const Particles<dim>&, const Rigid<dim>&, RigidState<dim>&, Detection, const NodeField<Real>&,    \
+                       ContactPoints<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

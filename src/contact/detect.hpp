@@ -20,9 +20,10 @@ Real half_width(Real volume)
 /// Detection::gap: the nodes of cells with particles near the surface, each with the least gap of the particles in its cells. Detection::distance:
 /// those of them whose gap is closed. Detection::overlap: each node of a cell that the rigid body reaches into, with gap 0.
 /// Detection::particle: the particles whose gap is less than their width. Nodes without mass are left out.
+/// `state` keeps where the rigid body was when the cells near it were listed last.
 template <int dim>
-void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<dim>& rigid, const RigidState<dim>& state,
-            Detection detection, const NodeField<Real>& mass, ContactPoints<dim>& found);
+void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<dim>& rigid, RigidState<dim>& state, Detection detection,
+            const NodeField<Real>& mass, ContactPoints<dim>& found);
 
 /// One of two deformable bodies: its particles, and the mass that its nodes have.
 template <int dim>

@@ -55,6 +55,17 @@ Frame<dim> FrameMaker<dim>::make(const State<dim>& state)
   return frame;
 }
 
+template <int dim>
+void FrameMaker<dim>::keep(Keep& k)
+{
+  for (std::size_t body = 0; body < first_.size(); ++body) {
+    std::vector<Real> strains;
+    for (const First& first : first_[body]) strains.push_back(first.strain);
+    k.fixed("deviatoric_strain_" + std::to_string(body), strains);
+    for (std::size_t id = 0; id < strains.size(); ++id) first_[body][id].strain = strains[id];
+  }
+}
+
 template class FrameMaker<2>;
 template class FrameMaker<3>;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/keep.hpp"
 #include "output/frame.hpp"
 
 namespace berm {
@@ -14,6 +15,10 @@ public:
 
   /// The next frame: its increments count from the frame made before.
   Frame<dim> make(const State<dim>& state);
+
+  /// What the increments of the next frame count from. Where the particles were at the start is not kept: a run that goes on makes its FrameMaker at the
+  /// same start.
+  void keep(Keep& k);
 
 private:
   struct First {

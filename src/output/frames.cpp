@@ -4,10 +4,13 @@
 #include "core/error.hpp"
 #include "output/whole_file.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace berm {
 namespace {
+
+constexpr const char* collection = "frames.pvd";
 
 template <int dim, class T>
 void append(std::vector<T>& list, const Vec<dim>& v)
@@ -32,13 +35,53 @@ FrameWriter<dim>::FrameWriter(const std::filesystem::path& folder, const Mesh<di
 template <int dim>
 void FrameWriter<dim>::write(Frame<dim> frame)
 {
-  if (!times_.empty() && times_.back() == frame.time) return;
+  const bool written = !times_.empty() && times_.back() == frame.time;
+  if (written && last_.time == frame.time) return;
   last_ = std::move(frame);
+  if (written) return;  // by the run that this one goes on with
+  with_rigids_ = !last_.rigids.empty();
   const Index number = static_cast<Index>(times_.size());
   write_soil(file_name(soil_kind(), number));
-  if (!last_.rigids.empty()) write_rigids(file_name("rigid", number));
+  if (with_rigids_) write_rigids(file_name("rigid", number));
   times_.push_back(last_.time);
   write_collection();
+}
+
+template <int dim>
+std::vector<std::string> FrameWriter<dim>::files() const
+{
+  std::vector<std::string> names;
+  for (Index k = 0; k < static_cast<Index>(times_.size()); ++k) {
+    names.push_back(file_name(soil_kind(), k));
+    if (with_rigids_) names.push_back(file_name("rigid", k));
+  }
+  return names;
+}
+
+template <int dim>
+void FrameWriter<dim>::keep(Keep& k)
+{
+  k("times", times_);
+  k("with_rigids", with_rigids_);
+  if (!k.reads()) return;
+  for (const std::string& name : files())
+    if (!std::filesystem::exists(folder_ / name)) k.refuse(fmt::format("{} is gone", (folder_ / name).string()));
+}
+
+template <int dim>
+void FrameWriter<dim>::remove_others() const
+{
+  write_collection();
+  const std::vector<std::string> kept = files();
+  std::error_code error;
+  std::vector<std::filesystem::path> others;
+  for (const auto& entry : std::filesystem::directory_iterator(folder_, error)) {
+    const std::string name = entry.path().filename().string();
+    const bool ours = name.starts_with("particles_") || name.starts_with("soil_") || name.starts_with("rigid_") || name.ends_with(".part");
+    if (ours && std::find(kept.begin(), kept.end(), name) == kept.end()) others.push_back(entry.path());
+  }
+  for (const std::filesystem::path& other : others)
+    if (!std::filesystem::remove(other, error)) throw RunError(fmt::format("cannot remove {}: {}", other.string(), error.message()));
 }
 
 template <int dim>
@@ -126,9 +169,9 @@ void FrameWriter<dim>::write_collection() const
                          file_name(kind, static_cast<Index>(k)));
     };
     line(0, soil_kind());
-    if (!last_.rigids.empty()) line(1, "rigid");
+    if (with_rigids_) line(1, "rigid");
   }
-  write_whole(folder_ / "frames.pvd", xml + "</Collection>\n</VTKFile>\n");
+  write_whole(folder_ / collection, xml + "</Collection>\n</VTKFile>\n");
 }
 
 template class FrameWriter<2>;

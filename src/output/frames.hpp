@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/keep.hpp"
 #include "output/frame.hpp"
 
 #include <filesystem>
@@ -17,8 +18,13 @@ public:
   /// Makes the folder where it is missing and writes the mesh.
   FrameWriter(const std::filesystem::path& folder, const Mesh<dim>& mesh);
 
-  /// Writes one frame, unless the last one is of the same time. All frames of a run have triangles or none, rigid bodies or none.
+  /// Writes one frame, unless the last one written is of the same time. All frames of a run have triangles or none, rigid bodies or none.
   void write(Frame<dim> frame);
+
+  /// What is needed to go on behind the frames written so far. Reading refuses where one of their files is gone.
+  void keep(Keep& k);
+  /// Removes frames that are not among those written: of a run that came farther than where it goes on from.
+  void remove_others() const;
 
   /// Of the frames written, s.
   const std::vector<Real>& times() const { return times_; }
@@ -30,10 +36,12 @@ private:
   void write_soil(const std::string& name) const;
   void write_rigids(const std::string& name) const;
   void write_collection() const;
+  std::vector<std::string> files() const;
   const char* soil_kind() const { return last_.triangles.empty() ? "particles" : "soil"; }
 
   std::filesystem::path folder_;
   std::vector<Real> times_;
+  bool with_rigids_ = false;
   Frame<dim> last_;
 };
 

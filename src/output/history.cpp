@@ -85,14 +85,18 @@ const std::vector<std::string>& common_columns()
   return names;
 }
 
-HistoryFile::HistoryFile(const std::filesystem::path& path, const std::vector<std::string>& columns) : path_(path), columns_(columns.size())
+HistoryFile::HistoryFile(const std::filesystem::path& path, const std::vector<std::string>& columns, BigIndex kept_bytes)
+    : path_(path),
+      columns_(columns.size())
 {
-  file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666);
+  file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (file_ < 0) throw_errno(fmt::format("cannot write {}", path.string()));
   std::string line = "time_s,stage";
   for (const std::string& column : columns) line += ',' + csv_field(column);
   try {
-    write(line + '\n');
+    if (::lseek(file_, 0, SEEK_END) > kept_bytes && ::ftruncate(file_, kept_bytes) != 0)
+      throw_errno(fmt::format("cannot write {}", path.string()));
+    if (kept_bytes == 0) write(line + '\n');
   } catch (...) {
     ::close(file_);
     throw;
@@ -122,6 +126,13 @@ void HistoryFile::add(Real time, const std::string& stage, const std::vector<Rea
   std::string line = csv_number(time) + ',' + csv_field(stage);
   for (const Real value : values) line += ',' + csv_number(value);
   write(line + '\n');
+}
+
+BigIndex HistoryFile::sync()
+{
+  const off_t bytes = ::lseek(file_, 0, SEEK_END);
+  if (bytes < 0 || ::fsync(file_) != 0) throw_errno(fmt::format("cannot write {}", path_.string()));
+  return bytes;
 }
 
 bool History::has(const std::string& column) const

@@ -16,14 +16,18 @@ const std::vector<std::string>& common_columns();
 /// sees whole rows but perhaps the last. Numbers are written in the shortest form that reads back to the same number, NaN as "nan".
 class HistoryFile {
 public:
-  /// The columns are time_s, stage and then `columns`. Throws RunError.
-  HistoryFile(const std::filesystem::path& path, const std::vector<std::string>& columns);
+  /// The columns are time_s, stage and then `columns`. A history that goes on keeps its first `kept_bytes` bytes, and what was written behind them is
+  /// cut off; with none the file begins anew. Throws RunError.
+  HistoryFile(const std::filesystem::path& path, const std::vector<std::string>& columns, BigIndex kept_bytes = 0);
   ~HistoryFile();
   HistoryFile(const HistoryFile&) = delete;
   HistoryFile& operator=(const HistoryFile&) = delete;
 
   /// One row: values in the order of the columns. Throws RunError where it cannot be written.
   void add(Real time, const std::string& stage, const std::vector<Real>& values);
+
+  /// Forces all rows to the disk and gives the length of the file. Throws RunError.
+  BigIndex sync();
 
 private:
   void write(const std::string& line);

@@ -63,6 +63,11 @@ bool Progress::due() const
   return Clock::now() - shown_ >= between_lines_in_place;
 }
 
+void Progress::count_from(Real seconds_before)
+{
+  start_ -= std::chrono::duration_cast<Clock::duration>(std::chrono::duration<Real>(seconds_before));
+}
+
 void Progress::update(const ProgressReport& report)
 {
   const auto now = Clock::now();

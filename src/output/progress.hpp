@@ -40,6 +40,8 @@ public:
   /// True where an update would show something by its time; asking costs about 30 ns, so that a step loop may ask every time.
   bool due() const;
   void update(const ProgressReport& report);
+  /// The run was begun by earlier programs, which took that many seconds of wall time.
+  void count_from(Real seconds_before);
 
 private:
   using Clock = std::chrono::steady_clock;

@@ -62,11 +62,18 @@ RunFolder::RunFolder(const fs::path& path) : path_(path)
       refuse(path, "it holds files that are not of a run (there is no resolved.toml); name another folder with -o");
     lock_ = std::make_unique<FolderLock>(path);
     if (of_a_run)
-
       for (const char* name : own_files) fs::remove_all(path / name);
   } catch (const fs::filesystem_error& error) {
     refuse(path, error.code().message());
   }
+}
+
+RunFolder RunFolder::of_earlier_run(const fs::path& path)
+{
+  std::error_code error;
+  if (!fs::exists(path / "resolved.toml", error)) refuse(path, "it is not the folder of a run (there is no resolved.toml)");
+  if (::access(path.c_str(), W_OK | X_OK) != 0) throw_errno(fmt::format("cannot use {} as the run folder", path.string()));
+  return {path, AsItIs{}};
 }
 
 fs::path RunFolder::subfolder(std::string_view name) const

@@ -16,6 +16,8 @@ public:
   /// Throws RunError where the path is not a folder, cannot be written to, is written to by another process, or holds
   /// something and is not one of a run.
   explicit RunFolder(const std::filesystem::path& path);
+  /// The folder of a run that goes on: nothing is removed. Throws RunError where it is not the folder of a run or cannot be written to.
+  static RunFolder of_earlier_run(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }
   /// The path of a file in the folder, "history.csv" or "frames/mesh.vtu".
@@ -24,6 +26,9 @@ public:
   std::filesystem::path subfolder(std::string_view name) const;
 
 private:
+  struct AsItIs {};
+  RunFolder(const std::filesystem::path& path, AsItIs) : path_(path), lock_(std::make_unique<FolderLock>(path)) {}
+
   std::filesystem::path path_;
   std::unique_ptr<FolderLock> lock_;
 };

@@ -73,9 +73,9 @@ private:
 /// Hands each message to the system whole, and remembers why it did not take one.
 class LogFileSink : public spdlog::sinks::base_sink<std::mutex> {
 public:
-  explicit LogFileSink(const std::filesystem::path& path)
+  LogFileSink(const std::filesystem::path& path, bool goes_on)
       : path_(path),
-        file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666))
+        file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | (goes_on ? 0 : O_TRUNC), 0666))
   {
     if (file_ < 0) throw_errno(fmt::format("cannot write {}", path.string()));
   }
@@ -104,10 +104,10 @@ private:
   int file_, failure_ = 0;
 };
 
-RunLog::RunLog(const std::filesystem::path& file)
+RunLog::RunLog(const std::filesystem::path& file, bool goes_on)
     : has_terminal_(::isatty(STDERR_FILENO) == 1),
       terminal_(std::make_shared<StderrSink>()),
-      file_(std::make_shared<LogFileSink>(file)),
+      file_(std::make_shared<LogFileSink>(file, goes_on)),
       before_(spdlog::default_logger())
 {
   file_->set_formatter(formatter("%Y-%m-%d %H:%M:%S %*%v"));

@@ -15,8 +15,8 @@ class LogFileSink;
 /// On a terminal it also keeps one line that is rewritten in place, below the messages.
 class RunLog {
 public:
-  /// Throws RunError where the file cannot be written.
-  explicit RunLog(const std::filesystem::path& file);
+  /// Begins the file, or goes on behind what it holds. Throws RunError where it cannot be written.
+  explicit RunLog(const std::filesystem::path& file, bool goes_on = false);
   ~RunLog();
   RunLog(const RunLog&) = delete;
   RunLog& operator=(const RunLog&) = delete;

@@ -211,6 +211,12 @@ void describe(Describe& d, OutputSettings& output)
           {.meaning = "time between frames; begin and end of every stage are always written", .unit = "s", .range = positive});
   d.value("frame_travel", output.frame_travel,
           {.meaning = "travel of the driven rigid body between frames", .unit = "m", .range = positive});
+  d.value("checkpoint_wall_time", output.checkpoint_wall_time,
+          {.meaning =
+               "time on the clock between checkpoints, from which berm run --resume goes on; 0 = only at the end of a stage and where the "
+               "run is stopped",
+           .unit = "s",
+           .range = not_negative});
 }
 
 void describe(Describe& d, Case& c)

@@ -46,6 +46,7 @@ struct OutputSettings {
   std::optional<Real> history_time;  ///< s between rows of history.csv
   std::optional<Real> frame_time;    ///< s between frames
   std::optional<Real> frame_travel;  ///< m of travel of the driven rigid body between frames
+  Real checkpoint_wall_time = 300;   ///< s of wall time between checkpoints; 0: at the ends of stages only, and where the run is stopped
 };
 
 /// One input file, in SI units: everything that the user can choose.

@@ -10,6 +10,7 @@
 #include "run/bench.hpp"
 #include "run/envelope.hpp"
 #include "run/interrupt.hpp"
+#include "run/resume.hpp"
 #include "run/side_by_side.hpp"
 #include "run/simulate.hpp"
 #include "run/study.hpp"
@@ -62,6 +63,14 @@ int run_all(const std::vector<RunRequest>& all, const std::vector<std::string>& 
   return !side_by_side || run_side_by_side(fem, overrides, threads) ? 0 : 1;
 }
 
+int resume(const fs::path& folder, int threads)
+{
+  const std::optional<RunRequest> request = run_to_go_on_with(folder, threads);
+  if (!request) return fmt::print("the run in {} is finished\n", folder.string()), 0;
+  catch_interrupts();
+  return run_case(*request) ? 0 : 1;
+}
+
 /// All studies are read before the first one runs. One study goes to `output` itself, several to folders in it that are named like their folders, or
 /// like their files where these are not study.toml.
 int study_all(const std::vector<std::string>& studies, const std::string& output, int at_once)
@@ -105,18 +114,18 @@ int dispatch(int argc, char** argv)
   app.require_subcommand(1);
 
   std::vector<std::string> files, overrides, names;
-  std::string output, json;
+  std::string output, json, unfinished;
   ProblemChoice problems;
   int threads = 0;
   bool markdown = false, list = false;
 
   const auto takes_cases = [&](CLI::App* command) {
-    command->add_option("CASE", files, "case files (TOML)")->required();
     command
         ->add_option("--set", overrides,
                      "set a parameter: material.sand.friction_angle=\"40 deg\"; stages by their names; * for every name")
         ->take_all()
         ->allow_extra_args(false);
+    return command->add_option("CASE", files, "case files (TOML)")->required();
   };
   const auto takes_threads = [&](CLI::App* command) {
     command->add_option("--threads", threads, "threads to use (default: all processors)")->check(CLI::Range(1, 1024));
@@ -125,9 +134,13 @@ int dispatch(int argc, char** argv)
     command->add_option("--threads", threads, "runs at a time, each on one thread (default: all processors)")->check(CLI::Range(1, 1024));
   };
   CLI::App* run = app.add_subcommand("run", "run cases");
-  takes_cases(run);
+  CLI::Option* cases = takes_cases(run)->required(false);
   takes_threads(run);
   run->add_option("-o,--output", output, "run folder; of several cases: the folder that theirs go into (default: out/)");
+  run->add_option("--resume", unfinished, "go on with the run in this folder from its last checkpoint, instead of running a CASE")
+      ->excludes(cases)
+      ->excludes("--set")
+      ->excludes("--output");
   CLI::App* check = app.add_subcommand("check", "validate a case and tell what a run would take");
   takes_cases(check);
   takes_threads(check);
@@ -171,6 +184,7 @@ int dispatch(int argc, char** argv)
 
   try {
     app.parse(argc, argv);
+    if (run->parsed() && files.empty() && unfinished.empty()) throw CLI::RequiredError("CASE or --resume");
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
@@ -197,6 +211,7 @@ int dispatch(int argc, char** argv)
     if (study_command->parsed()) return study_all(files, output, at_once);
     return verify({problems, output.empty() ? "out/verification" : output, at_once}) ? 0 : 1;
   }
+  if (run->parsed() && !unfinished.empty()) return resume(unfinished, use_threads(threads));
   const std::vector<RunRequest> all = requests(files, output, overrides, use_threads(threads));
   if (run->parsed()) return run_all(all, overrides, all.front().threads);
   for (const RunRequest& request : all) check_case(request);

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "mpm/measure.hpp"
+#include "problem/keep_state.hpp"
 #include "problem/stages.hpp"
 
 #include <fmt/format.h>
@@ -43,18 +44,30 @@ std::vector<std::string> Recorder<dim>::columns(const Model<dim>& model)
 }
 
 template <int dim>
-Recorder<dim>::Recorder(const std::filesystem::path& path, const Model<dim>& model, const State<dim>& state)
-    : file_(path, columns(model)),
-      last_time_(state.time),
-      last_rigids_(state.rigids),
-      last_pair_impulses_(state.pair_impulses)
+Recorder<dim>::Recorder(const Model<dim>& model, const State<dim>& start)
+    : last_time_(start.time),
+      last_rigids_(start.rigids),
+      last_pair_impulses_(start.pair_impulses)
 {
-  for (const Particles<dim>& particles : state.particles) {
+  for (const Particles<dim>& particles : start.particles) {
     const BodySums<dim> sums = measure(particles);
     first_centers_.push_back(sums.center());
     first_kinetic_ += sums.kinetic;
   }
-  for (const Watch& watch : model.watches) first_watched_.push_back(particle_of(state.particles[watch.body], watch.id).x);
+  for (const Watch& watch : model.watches) first_watched_.push_back(particle_of(start.particles[watch.body], watch.id).x);
+}
+
+template <int dim>
+void Recorder<dim>::keep(Keep& k)
+{
+  k("last_time", last_time_);
+  for (std::size_t r = 0; r < last_rigids_.size(); ++r) k.table(fmt::format("rigid_{}", r), [&] { berm::keep(k, last_rigids_[r]); });
+  for (std::size_t c = 0; c < last_pair_impulses_.size(); ++c) k(fmt::format("pair_impulse_{}", c), last_pair_impulses_[c]);
+  k("vertical", vertical_);
+  k("horizontal", horizontal_);
+  k("out_of_balance", out_of_balance_);
+  k("largest_error", largest_error_);
+  k("largest_work", largest_work_);
 }
 
 template <int dim>
@@ -75,7 +88,7 @@ void Recorder<dim>::add_turn(const State<dim>& state, Index rigid, std::vector<R
 }
 
 template <int dim>
-void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Work<dim>& work)
+void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Work<dim>& work, HistoryFile& file)
 {
   std::vector<Real> row;
   if (model.main_rigid != none)
@@ -139,7 +152,7 @@ void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Wo
     row.insert(row.end(), watched.v.begin(), watched.v.end());
     row.insert(row.end(), watched.stress.c, watched.stress.c + tensor_size<dim>);
   }
-  file_.add(state.time, model.stages[state.stage.index].name, row);
+  file.add(state.time, model.stages[state.stage.index].name, row);
   last_time_ = state.time;
   last_rigids_ = state.rigids;
   last_pair_impulses_ = state.pair_impulses;

@@ -1,19 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/keep.hpp"
 #include "mpm/grid.hpp"
 #include "output/history.hpp"
 
 namespace berm {
 
-/// Writes the rows of history.csv. Forces are impulses over the time since the row before, so that nothing between two rows is lost.
+/// Writes the rows of history.csv, in a file that the run makes. Forces are impulses over the time since the row before, so that nothing between two rows is lost.
 template <int dim>
 class Recorder {
 public:
-  Recorder(const std::filesystem::path& path, const Model<dim>& model, const State<dim>& state);
+  /// Remembers the start, from which displacements and energies count.
+  Recorder(const Model<dim>& model, const State<dim>& start);
 
+  /// The columns behind time_s and stage.
+  static std::vector<std::string> columns(const Model<dim>& model);
   /// Throws RunError where a number is not finite that must be.
-  void add_row(const Model<dim>& model, State<dim>& state, const Work<dim>& work);
+  void add_row(const Model<dim>& model, State<dim>& state, const Work<dim>& work, HistoryFile& file);
+
+  /// What the next row needs to know of those before it. What is remembered of the start is not kept.
+  void keep(Keep& k);
 
   /// V and H of the last row, N/m.
   Real vertical() const { return vertical_; }
@@ -24,11 +31,9 @@ public:
   Real energy_error() const { return largest_work_ > 0 ? largest_error_ / largest_work_ : 0; }
 
 private:
-  static std::vector<std::string> columns(const Model<dim>& model);
   void add_motion(const Model<dim>& model, const State<dim>& state, Index rigid, std::vector<Real>& row);
   void add_turn(const State<dim>& state, Index rigid, std::vector<Real>& row);
 
-  HistoryFile file_;
   Real last_time_ = 0;
   std::vector<RigidState<dim>> last_rigids_;
   std::vector<Vec<dim>> last_pair_impulses_;

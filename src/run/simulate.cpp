@@ -3,6 +3,8 @@
 
 #include "core/error.hpp"
 #include "core/for_each.hpp"
+#include "core/vector_unit.hpp"
+#include "input/write_case.hpp"
 #include "mpm/measure.hpp"
 #include "mpm/sound.hpp"
 #include "mpm/step.hpp"
@@ -10,12 +12,15 @@
 #include "output/frame_maker.hpp"
 #include "output/frames.hpp"
 #include "output/progress.hpp"
+#include "problem/keep_state.hpp"
 #include "problem/stages.hpp"
+#include "run/checkpoints.hpp"
 #include "run/in_run_folder.hpp"
 #include "run/interrupt.hpp"
 #include "run/memory.hpp"
 #include "run/recorder.hpp"
 #include "run/results.hpp"
+#include "run/run_clock.hpp"
 #include "run/scratch_folder.hpp"
 #include "run/simulate_fem.hpp"
 
@@ -62,9 +67,9 @@ public:
       : request_(request),
         folder_(folder),
         problem_(std::move(problem)),
-        work_(model(), state()),
         interval_(history_interval(request.settings)),
-        recorder_(folder.file("history.csv"), model(), state()),
+        checkpoints_(folder.path(), request.settings.output.checkpoint_wall_time),
+        recorder_(model(), state()),
         frame_maker_(model(), state()),
         frames_(folder.subfolder("frames"), model().mesh),
         progress_(log)
@@ -74,18 +79,23 @@ public:
   /// A run that fails leaves what it had: the results are written before the error goes on.
   bool to_the_end()
   {
-    reset_timings();
-    const Clock::time_point start = Clock::now();
-    run_and_leave([&] { step_to_the_end(); }, [&] { leave_results(start); });
+    const bool at_start = begin();
+    run_and_leave(
+        [&] {
+          if (at_start) record(), frame();
+          step_to_the_end();
+        },
+        [&] { leave_results(); });
+    if (finished_) checkpoints_.remove();
     return finished_;
   }
 
 private:
-  void leave_results(Clock::time_point start)
+  void leave_results()
   {
     if (!finished_) frame();
-    const Real wall = std::chrono::duration<Real>(Clock::now() - start).count();
-    const RunTiming timing{wall, request_.threads, model().mesh.cell_count(), state().step, MpmCounts{particle_count(state())}, timings()};
+    const MpmCounts counts{particle_count(state())};
+    const RunTiming timing{clock_.wall(), request_.threads, model().mesh.cell_count(), state().step, counts, clock_.loops()};
     write_results(request_, folder_, model(), state().rigids, frames_.last(), {finished_, held_force_, checks()}, timing);
   }
 
@@ -93,28 +103,72 @@ private:
   State<dim>& state() { return problem_.state; }
   const StageSettings& stage() { return model().stages[state().stage.index]; }
 
+  /// Begins at the start (true), or where the last checkpoint was written.
+  bool begin()
+  {
+    const bool from_checkpoint = request_.goes_on && checkpoints_.read([&](Keep& k) { keep(k); });
+    if (request_.goes_on && !from_checkpoint) spdlog::info("there is no checkpoint in {}: begins at the start", folder_.path().string());
+    if (unit_ != vector_unit())
+      spdlog::warn("the run was begun on the vector unit {}, and goes on with {}: results are the same but for round-off", unit_,
+                   vector_unit());
+    history_.emplace(history_path(), recorder_.columns(model()), history_bytes_);
+    if (request_.goes_on) frames_.remove_others();
+    progress_.count_from(clock_.earlier());
+    work_.emplace(model(), state());
+    return !from_checkpoint;
+  }
+
   void step_to_the_end()
   {
-    record();
-    frame();
-    while (!interrupted() && !finished_) {
-      step(model(), state(), work_);
+    bool stopped = false;
+    while (!finished_ && !stopped) {
+      step(model(), state(), *work_);
       refuse_rigid_outside_mesh(model(), state());
       const bool ended = stage_ended(model(), state());
       if (ended || state().time >= next_row_) record();
       if (ended || frame_is_due()) frame();
       if (ended || progress_.due()) tell();
       if (ended) next_stage();
+      const bool asked_to_stop = interrupted();
+      if (ended || asked_to_stop) checkpoints_.ask();
+      if (finished_ || !can_go_on_from_here() || !checkpoints_.due()) continue;
+      checkpoints_.write(state().step, [&](Keep& k) { keep(k); });
+      stopped = asked_to_stop;
     }
     if (finished_) return;
     record();
-    spdlog::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}", state().time, stage().name,
-                 folder_.path().string());
+    spdlog::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}. To go on: berm run --resume {}",
+                 state().time, stage().name, folder_.path().string(), folder_.path().string());
+  }
+
+  /// The time step is chosen by the velocities of the nodes in the step before, which are no part of the state: not where it is due.
+  bool can_go_on_from_here() { return state().step % steps_between_time_steps != 0; }
+
+  fs::path history_path() const { return folder_.file("history.csv"); }
+
+  /// All that a checkpoint holds. What must fit comes first.
+  void keep(Keep& k)
+  {
+    if (!k.reads()) history_bytes_ = history_->sync();
+    keep_same(k, "case", resolved_toml(request_.settings), "it is of another case than resolved.toml");
+    keep_same_mesh(k, model().mesh);
+    k("vector_unit", unit_);
+    k.table("history", [&] { keep_history(k, history_path(), history_bytes_); });
+    k.table("frames", [&] { frames_.keep(k); });
+    k.table("increments", [&] { frame_maker_.keep(k); });
+    k.table("recorder", [&] { recorder_.keep(k); });
+    k.table("clock", [&] { clock_.keep(k); });
+    k("next_row", next_row_);
+    k("frame_time", frame_time_);
+    k("frame_displacement", frame_displacement_);
+    k("equilibrium", equilibrium_);
+    k("held_force", held_force_);
+    k.table("state", [&] { berm::keep(k, model(), state()); });
   }
 
   void record()
   {
-    recorder_.add_row(model(), state(), work_);
+    recorder_.add_row(model(), state(), *work_, *history_);
     next_row_ = (std::floor(state().time / interval_ * (1 + 1e-12)) + 1) * interval_;
   }
 
@@ -197,8 +251,12 @@ private:
   const RunRequest& request_;
   const RunFolder& folder_;
   Problem<dim> problem_;
-  Work<dim> work_;
+  std::optional<Work<dim>> work_;  ///< made of the state that the run begins with or goes on from
   Real interval_;
+  RunClock clock_;
+  Checkpoints checkpoints_;
+  std::optional<HistoryFile> history_;
+  BigIndex history_bytes_ = 0;  ///< when the last checkpoint was written or read
   Recorder<dim> recorder_;
   FrameMaker<dim> frame_maker_;
   FrameWriter<dim> frames_;
@@ -207,6 +265,7 @@ private:
   Real next_row_ = 0, frame_time_ = 0, equilibrium_ = std::numeric_limits<Real>::quiet_NaN();
   Vec<dim> frame_displacement_ = Vec<dim>::Zero();
   std::optional<Real> held_force_;
+  std::string unit_ = vector_unit();  ///< that the run was begun on
 };
 
 /// Mesh files go to the scratch folder. A run that there is no memory for is refused as early as its size is known.
@@ -214,7 +273,7 @@ template <int dim>
 Problem<dim> build_for(const RunRequest& request, const ScratchFolder& scratch)
 {
   history_interval(request.settings);  // refuses a case in which it cannot be told
-  const Case& c = request.settings;
+  const Case c = to_build(request);
   const Real in_use = memory_in_use();
   refuse_without_memory<dim>(least_size<dim>(c), in_use);
   Mesh<dim> mesh = make_mesh<dim>(c.mesh, request.case_file.parent_path().string(), scratch.path().string());

@@ -7,6 +7,7 @@
 #include "output/frames.hpp"
 #include "output/progress.hpp"
 #include "problem/stages.hpp"
+#include "run/checkpoints.hpp"
 #include "run/fem_recorder.hpp"
 #include "run/in_run_folder.hpp"
 #include "run/interrupt.hpp"
@@ -47,6 +48,7 @@ public:
     reset_timings();
     const Clock::time_point start = Clock::now();
     run_and_leave([&] { step_to_the_end(); }, [&] { leave_results(start); });
+    if (finished_) Checkpoints(folder_.path(), 0).remove();
     return finished_;
   }
 
@@ -74,6 +76,10 @@ private:
 
   void step_to_the_end()
   {
+    if (request_.goes_on) {
+      spdlog::info("a run of finite elements begins again at the start");
+      frames_.remove_others();
+    }
     steps_.settle();
     recorder_.add_row(model(), state(), {true, 0, 0});
     frame();
@@ -92,8 +98,8 @@ private:
       if (ended) next_stage();
     }
     if (!finished_)
-      spdlog::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}", state().state.time, stage().name,
-                   folder_.path().string());
+      spdlog::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}. To begin again: berm run --resume {}",
+                   state().state.time, stage().name, folder_.path().string(), folder_.path().string());
   }
 
   bool frame_is_due()
@@ -153,7 +159,7 @@ private:
 
 FemProblem build_for(const RunRequest& request, const ScratchFolder& scratch)
 {
-  return build_fem(request.settings, request.case_file.parent_path().string(), scratch.path().string());
+  return build_fem(to_build(request), request.case_file.parent_path().string(), scratch.path().string());
 }
 
 }  // namespace

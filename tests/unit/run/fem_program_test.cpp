@@ -106,6 +106,25 @@ TEST(FemCheck, tells_elements_nodes_and_time_and_writes_nothing)
   EXPECT_EQ(names_in(place.folder.path()), Words{"small.toml"});
 }
 
+TEST(FemRun, that_goes_on_begins_again_at_the_start_and_ends_with_the_same_bytes)
+{
+  const Place place;
+  ASSERT_EQ(place.berm({"run", "small.toml", "--threads", "1", "-o", "results"}).status, 0);
+  // As a run leaves it that was killed: rows and frames that are not wanted any more, no summary.
+  std::filesystem::copy(place.folder / "results", place.folder / "killed", std::filesystem::copy_options::recursive);
+  std::filesystem::remove(place.folder / "killed/summary.json");
+  place.folder.write("killed/history.csv", place.folder.read("results/history.csv") + "0.1,drag,1");
+  place.folder.write("killed/frames/soil_0009.vtu", "half a fr");
+  const Ended ended = place.berm({"run", "--resume", "killed", "--threads", "1"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.err.find("begins again at the start"), std::string::npos) << ended.err;
+  EXPECT_TRUE(place.folder.read("results/history.csv") == place.folder.read("killed/history.csv"));
+  EXPECT_EQ(names_in(place.folder / "results"), names_in(place.folder / "killed"));
+  EXPECT_EQ(names_in(place.folder / "results/frames"), names_in(place.folder / "killed/frames"));
+  for (const std::string& name : names_in(place.folder / "results/frames"))
+    EXPECT_TRUE(place.folder.read("results/frames/" + name) == place.folder.read("killed/frames/" + name)) << name;
+}
+
 TEST(FemRun, fills_its_folder_with_all_that_the_manual_names)
 {
   const Place place;

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bodies/particles.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+constexpr const char* directions[3] = {"x", "y", "z"};
+constexpr const char* components[6] = {"xx", "yy", "zz", "xy", "yz", "zx"};
+
+/// The blocks of all cells, cell after cell, each cell's in their order.
+template <int dim>
+std::vector<Index> blocks_in_order(const Particles<dim>& particles)
+{
+  std::vector<Index> order;
+  for (const Index cell : particles.occupied())
+    for (Index left = particles.count_in(cell), b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
+      order.push_back(b);
+  return order;
+}
+
+/// One number of every lane, those without a particle included. numbers_of(b) points to the eight of block b.
+template <class T, class NumbersOf>
+void keep_lanes(Keep& k, const std::string& name, const std::vector<Index>& order, const NumbersOf& numbers_of)
+{
+  std::vector<T> all(order.size() * lanes);
+  if (!k.reads())
+    for (std::size_t n = 0; n < order.size(); ++n)
+      std::copy_n(numbers_of(order[n]), lanes, all.begin() + static_cast<std::ptrdiff_t>(n) * lanes);
+  k.fixed(name, all);
+  if (k.reads())
+    for (std::size_t n = 0; n < order.size(); ++n)
+      std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(n) * lanes, lanes, numbers_of(order[n]));
+}
+
+/// Whether the numbers 0 ... count - 1 are there once each, in the lanes that hold a particle.
+template <int dim>
+bool numbered(const Particles<dim>& particles)
+{
+  std::vector<bool> seen(static_cast<std::size_t>(particles.size()), false);
+  bool fine = true;
+  particles.visit([&](Index, Index b, int l) {
+    const std::int32_t id = particles.block(b).id[l];
+    fine = fine && id >= 0 && id < particles.size() && !seen[static_cast<std::size_t>(id)];
+    if (fine) seen[static_cast<std::size_t>(id)] = true;
+  });
+  return fine;
+}
+
+}  // namespace
+
+template <int dim>
+void Particles<dim>::lay_out(const std::vector<Index>& cells, const std::vector<Index>& counts)
+{
+  std::fill(head_.begin(), head_.end(), none);
+  std::fill(count_.begin(), count_.end(), 0);
+  blocks_.clear();
+  state_.clear();
+  free_ = none;
+  for (std::size_t c = 0; c < cells.size(); ++c) {
+    count_[cells[c]] = counts[c];
+    head_[cells[c]] = static_cast<Index>(blocks_.size());
+    for (Index left = counts[c]; left > 0; left -= lanes) {
+      blocks_.emplace_back();
+      blocks_.back().next = left > lanes ? static_cast<Index>(blocks_.size()) : none;
+    }
+  }
+  state_.resize(blocks_.size() * static_cast<std::size_t>(state_size_), StoredLanes{});
+  occupied_.assign(cells.begin(), cells.end());
+  changed_ = false;
+}
+
+template <int dim>
+void Particles<dim>::keep(Keep& k)
+{
+  std::vector<Index> cells = occupied_, counts;
+  for (const Index cell : cells) counts.push_back(count_[cell]);
+  k("cells", cells);
+  k("counts", counts);
+  if (k.reads()) {
+    BigIndex total = 0;
+    bool fine = counts.size() == cells.size();
+    for (std::size_t c = 0; fine && c < cells.size(); ++c) {
+      fine = cells[c] > (c > 0 ? cells[c - 1] : -1) && cells[c] < count_.size() && counts[c] > 0;
+      total += counts[c];
+    }
+    if (!fine || total != size_) k.refuse(fmt::format("it has not the {} particles of this body in cells of this mesh", size_));
+    lay_out(cells, counts);
+  }
+  const std::vector<Index> order = blocks_in_order(*this);
+  const auto reals = [&](const std::string& name, const auto& lanes_of) {
+    keep_lanes<Real>(k, name, order, [&](Index b) { return reinterpret_cast<Real*>(lanes_of(b)); });
+  };
+  for (int d = 0; d < dim; ++d) reals(fmt::format("position_{}", directions[d]), [&](Index b) { return &blocks_[b].x[d]; });
+  for (int d = 0; d < dim; ++d) reals(fmt::format("velocity_{}", directions[d]), [&](Index b) { return &blocks_[b].v[d]; });
+  for (int c = 0; c < tensor_size<dim>; ++c) reals(fmt::format("stress_{}", components[c]), [&](Index b) { return &blocks_[b].stress[c]; });
+  reals("volume", [&](Index b) { return &blocks_[b].volume; });
+  reals("mass", [&](Index b) { return &blocks_[b].mass; });
+  reals("deviatoric_strain", [&](Index b) { return &blocks_[b].deviatoric_strain; });
+  for (int s = 0; s < state_size_; ++s) reals(fmt::format("law_state_{}", s), [&](Index b) { return state(b) + s; });
+  keep_lanes<Index>(k, "id", order, [&](Index b) { return &blocks_[b].id[0]; });
+  if (k.reads() && !numbered(*this)) k.refuse(fmt::format("its particles are not numbered from 0 to {}", size_ - 1));
+}
+
+template void Particles<2>::keep(Keep&);
+template void Particles<3>::keep(Keep&);
+
+}  // namespace berm

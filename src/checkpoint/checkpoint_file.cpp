@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "checkpoint/checkpoint_file.hpp"
+
+#include "checkpoint/hdf5_keep.hpp"
+#include "output/whole_file.hpp"
+
+#include <array>
+#include <charconv>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sstream>
+#include <unistd.h>
+#include <zlib.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t header_bytes = 512;  // the least that HDF5 leaves
+constexpr std::string_view first_words = "berm checkpoint, format ";
+
+/// A file descriptor that is closed with this object.
+class OpenFile {
+public:
+  OpenFile(const fs::path& path, int how) : file_(::open(path.c_str(), how | O_CLOEXEC)) {}
+  ~OpenFile()
+  {
+    if (file_ >= 0) ::close(file_);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  operator int() const { return file_; }
+
+private:
+  int file_;
+};
+
+/// Of the bytes from ... to of a file; empty where some are missing.
+std::optional<std::uint32_t> crc_of(int file, BigIndex from, BigIndex to)
+{
+  std::vector<unsigned char> buffer(1 << 20);
+  uLong crc = crc32(0, nullptr, 0);
+  while (from < to) {
+    const ssize_t got =
+        ::pread(file, buffer.data(), static_cast<std::size_t>(std::min<BigIndex>(to - from, static_cast<BigIndex>(buffer.size()))), from);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return std::nullopt;
+    crc = crc32(crc, buffer.data(), static_cast<uInt>(got));
+    from += got;
+  }
+  return static_cast<std::uint32_t>(crc);
+}
+
+std::string header(BigIndex bytes, std::uint32_t crc, const std::string& version)
+{
+  std::string text = fmt::format("{}{}\nberm {}\n{} bytes, CRC-32 {:08x} from byte {} on\n", first_words, checkpoint_format, version, bytes,
+                                 crc, header_bytes);
+  text.resize(header_bytes, '\n');
+  return text;
+}
+
+/// Whether the first bytes are what berm writes before a content of this length and sum; else says what is wrong with them.
+void check_header(const std::string& found, BigIndex bytes, std::uint32_t crc)
+{
+  if (found == header(bytes, crc, BERM_VERSION)) return;
+  if (!found.starts_with(first_words)) throw RunError("it is not a checkpoint of berm");
+  int format = 0;
+  std::from_chars(found.data() + first_words.size(), found.data() + found.size(), format);
+  if (format > checkpoint_format)
+    throw RunError(fmt::format("it is of format {}, which a newer berm writes; this one reads format {}", format, checkpoint_format));
+  std::istringstream lines(found);
+  std::string line, berm, version;
+  std::getline(lines, line);
+  lines >> berm >> version;
+  if (found == header(bytes, crc, version))
+    throw RunError(
+        fmt::format("it was written by berm {}, and this is berm " BERM_VERSION ": a run goes on with the version that began it", version));
+  throw RunError("it is damaged");
+}
+
+void check(const fs::path& path)
+{
+  const OpenFile file(path, O_RDONLY);
+  if (file < 0) throw_errno("it cannot be read");
+  const BigIndex size = ::lseek(file, 0, SEEK_END), first = std::min<BigIndex>(size, header_bytes);
+  std::string found(static_cast<std::size_t>(first), '\0');
+  const std::optional<std::uint32_t> crc = crc_of(file, first, size);
+  if (::pread(file, found.data(), found.size(), 0) != first || !crc) throw_errno("it cannot be read");
+  check_header(found, size, *crc);
+}
+
+void force_to_disk(const fs::path& folder)
+{
+  const OpenFile file(folder, O_RDONLY | O_DIRECTORY);
+  if (file < 0 || ::fsync(file) != 0) throw_errno(fmt::format("cannot write to {}", folder.string()));
+}
+
+}  // namespace
+
+void write_checkpoint(const fs::path& path, const Contents& contents)
+{
+  const fs::path part = path.string() + ".part";
+  try {
+    {
+      Hdf5Writer writer(part, header_bytes);
+      contents(writer);
+      writer.close();
+    }
+    const OpenFile file(part, O_RDWR);
+    const BigIndex size = file < 0 ? -1 : ::lseek(file, 0, SEEK_END);
+    const std::optional<std::uint32_t> crc = size < 0 ? std::nullopt : crc_of(file, header_bytes, size);
+    if (!crc || ::lseek(file, 0, SEEK_SET) != 0 || !write_all(file, header(size, *crc, BERM_VERSION)) || ::fsync(file) != 0 ||
+        ::rename(part.c_str(), path.c_str()) != 0)
+      throw_errno(fmt::format("cannot write {}", path.string()));
+    force_to_disk(path.parent_path());
+  } catch (const RunError&) {
+    // Emptied first: HDF5 may keep it open, and with it its place on a disk that may be full.
+    [[maybe_unused]] const int ignored = ::truncate(part.c_str(), 0);
+    ::unlink(part.c_str());
+    throw;
+  }
+}
+
+void read_checkpoint(const fs::path& path, const Contents& contents)
+{
+  check(path);
+  Hdf5Reader reader(path);
+  contents(reader);
+}
+
+std::uint32_t crc_of(const void* first, std::size_t bytes)
+{
+  return static_cast<std::uint32_t>(crc32_z(crc32(0, nullptr, 0), static_cast<const unsigned char*>(first), bytes));
+}
+
+std::optional<std::uint32_t> crc_of(const fs::path& path, BigIndex bytes)
+{
+  const OpenFile file(path, O_RDONLY);
+  return file < 0 ? std::nullopt : crc_of(file, 0, bytes);
+}
+
+}  // namespace berm

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problem/keep_state.hpp"
+
+#include <fmt/format.h>
+
+namespace berm {
+
+// The sizes tell of a member that is not kept yet.
+template <int dim>
+void keep(Keep& k, RigidState<dim>& rigid)
+{
+  static_assert(sizeof(rigid) == (7 * dim + 8) * sizeof(Real));
+  k("displacement", rigid.displacement);
+  k("angle", rigid.angle);
+  k("velocity", rigid.velocity);
+  k("spin", rigid.spin);
+  k("reaction", rigid.reaction);
+  k("smooth_reaction", rigid.smooth_reaction);
+  k("torque", rigid.torque);
+  k("impulse", rigid.impulse);
+  k("torque_impulse", rigid.torque_impulse);
+  k("second_impulse", rigid.second_impulse);
+  k("pressed", rigid.pressed);
+  k("pressed_distance", rigid.pressed_distance);
+  k("deepest", rigid.deepest);
+  k("listed_at", rigid.listed_at);
+  k("listed_angle", rigid.listed_angle);
+}
+
+namespace {
+
+template <int dim>
+void keep(Keep& k, Totals<dim>& totals)
+{
+  static_assert(sizeof(totals) == (4 + 5 * dim) * sizeof(Real));
+  k("internal", totals.internal);
+  k("external", totals.external);
+  k("damping", totals.damping);
+  k("friction", totals.friction);
+  k("first_momentum", totals.first_momentum);
+  k("gravity_impulse", totals.gravity_impulse);
+  k("contact_impulse", totals.contact_impulse);
+  k("support_impulse", totals.support_impulse);
+  k("damping_impulse", totals.damping_impulse);
+}
+
+template <int dim>
+void keep(Keep& k, const Model<dim>& model, StageState<dim>& stage)
+{
+  k("index", stage.index);
+  if (stage.index < 0 || stage.index >= static_cast<Index>(model.stages.size())) k.refuse(fmt::format("there is no stage {}", stage.index));
+  k("begin_time", stage.begin_time);
+  k("begin_displacement", stage.begin_displacement);
+  for (int d = 0; d < dim; ++d)
+    k.table(fmt::format("drive_{}", d), [&] {
+      k("by_force", stage.drive[d].by_force);
+      k("from", stage.drive[d].from);
+      k("to", stage.drive[d].to);
+    });
+}
+
+}  // namespace
+
+template <int dim>
+void keep(Keep& k, const Model<dim>& model, State<dim>& state)
+{
+  k("time", state.time);
+  k("step", state.step);
+  k("dt", state.dt);
+  k.table("stage", [&] { keep(k, model, state.stage); });
+  k.table("totals", [&] { keep(k, state.totals); });
+  for (std::size_t r = 0; r < state.rigids.size(); ++r) k.table(fmt::format("rigid_{}", r), [&] { keep(k, state.rigids[r]); });
+  for (std::size_t c = 0; c < state.pair_impulses.size(); ++c) k(fmt::format("pair_impulse_{}", c), state.pair_impulses[c]);
+  for (std::size_t b = 0; b < state.particles.size(); ++b) k.table(fmt::format("body_{}", b), [&] { state.particles[b].keep(k); });
+}
+
+template void keep(Keep&, RigidState<2>&);
+template void keep(Keep&, RigidState<3>&);
+template void keep(Keep&, const Model<2>&, State<2>&);
+template void keep(Keep&, const Model<3>&, State<3>&);
+
+}  // namespace berm

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mpm/step.hpp"
+#include "problem/stages.hpp"
+
+namespace berm::test {
+
+/// A block of sand and one of elastic soil side by side in a box of 1 m, and a disk (a sphere) that is pushed into the sand while the boxes' walls
+/// hold both. One particle a cell, so that the contact lists many cells.
+template <int dim>
+Case two_bodies()
+{
+  Case c;
+  c.dimension = dim;
+  c.gravity.assign(dim, 0);
+  c.gravity[1] = -10;
+  c.surface = 0.5;
+  BoxMesh box;
+  box.size.assign(dim, 1);
+  box.cells.assign(dim, dim == 2 ? 12 : 5);
+  c.mesh = box;
+  MohrCoulomb sand;
+  sand.density = 1600;
+  sand.young_modulus = 1e6;
+  sand.poisson_ratio = 0.3;
+  sand.friction_angle = 0.6;
+  sand.dilation_angle = 0.1;
+  LinearElastic solid;
+  solid.density = 1500;
+  solid.young_modulus = 1e6;
+  solid.poisson_ratio = 0.3;
+  c.material = {{"sand", sand}, {"solid", solid}};
+  const auto block = [](Real x) {
+    BodySettings body;
+    BlockSettings of;
+    of.center.assign(dim, 0.5);
+    of.size.assign(dim, 1);
+    of.center[0] = x;
+    of.size[0] = 0.5;
+    of.center[1] = 0.25;
+    of.size[1] = 0.5;
+    of.spacing = dim == 2 ? 0.0417 : 0.125;
+    body.block = of;
+    body.damping = 0.02;
+    return body;
+  };
+  c.body = {{"left", block(0.25)}, {"right", block(0.75)}};
+  c.body[0].second.material = "sand";
+  c.body[1].second.material = "solid";
+  RigidSettings disk;
+  std::vector<Real> center(dim, 0.5);
+  center[0] = 0.3;
+  center[1] = 0.62;
+  disk.shape = CircleSettings{center, 0.24};
+  disk.mass = 10;
+  c.rigid = {{"disk", disk}};
+  ContactSettings skin, between;
+  skin.body = "left";
+  skin.rigid = "disk";
+  skin.friction_angle = 0.4;
+  between.body = "left";
+  between.other_body = "right";
+  between.friction_angle = 0.3;
+  c.contact = {{"skin", skin}, {"between", between}};
+  c.support = {{"bottom", {"bottom", {"x", "y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}};
+  if (dim == 3) c.support.insert(c.support.end(), {{"front", {"front", {"z"}}}, {"back", {"back", {"z"}}}});
+  StageSettings push;
+  push.name = "push";
+  push.kind = StageKind::push;
+  push.velocity = 0.25;
+  push.until.time = 1;
+  c.stage = {push};
+  return c;
+}
+
+/// Everything a step changes: the state, and the memory that it works with.
+template <int dim>
+struct SampleRun {
+  Problem<dim> problem = build<dim>(two_bodies<dim>(), ".", ".");
+  std::optional<Work<dim>> work;
+
+  void steps(int count)
+  {
+    if (!work) work.emplace(problem.model, problem.state);
+    for (int n = 0; n < count; ++n) step(problem.model, problem.state, *work);
+  }
+};
+
+}  // namespace berm::test

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A checkpoint is the state to the last bit: a run that goes on from it cannot be told from one that was never interrupted.
+#include "../mesh/temporary_folder.hpp"
+#include "keep_in_memory.hpp"
+#include "sample_run.hpp"
+
+#include "checkpoint/checkpoint_file.hpp"
+#include "mpm/time_step.hpp"
+#include "problem/keep_state.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+template <int dim>
+test::KeepInMemory all_of(test::SampleRun<dim>& run)
+{
+  test::KeepInMemory all;
+  keep(all, run.problem.model, run.problem.state);
+  return all;
+}
+
+template <int dim>
+void write(const std::filesystem::path& file, test::SampleRun<dim>& run)
+{
+  write_checkpoint(file, [&](Keep& k) { keep(k, run.problem.model, run.problem.state); });
+}
+template <int dim>
+void read(const std::filesystem::path& file, test::SampleRun<dim>& run)
+{
+  read_checkpoint(file, [&](Keep& k) { keep(k, run.problem.model, run.problem.state); });
+}
+
+/// Whether all blocks, cell by cell, are the same to the last bit, lanes without a particle included.
+template <int dim>
+bool same_blocks(const Particles<dim>& a, const Particles<dim>& b)
+{
+  if (a.occupied() != b.occupied() || a.size() != b.size()) return false;
+  for (const Index cell : a.occupied()) {
+    if (a.count_in(cell) != b.count_in(cell)) return false;
+    Index left = a.count_in(cell);
+    for (Index p = a.first_block(cell), q = b.first_block(cell); left > 0; p = a.block(p).next, q = b.block(q).next, left -= lanes) {
+      const std::size_t numbers = offsetof(Block<dim>, next);
+      if (std::memcmp(&a.block(p), &b.block(q), numbers) != 0) return false;
+      if (std::memcmp(a.state(p), b.state(q), static_cast<std::size_t>(a.state_size()) * sizeof(Lanes)) != 0) return false;
+      if ((a.block(p).next == none) != (b.block(q).next == none)) return false;
+    }
+  }
+  return true;
+}
+
+template <class Dimension>
+class StateCheckpoint : public testing::Test {
+protected:
+  TemporaryFolder folder_;
+};
+using Dimensions = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(StateCheckpoint, Dimensions);
+
+TYPED_TEST(StateCheckpoint, gives_the_same_bits_back)
+{
+  constexpr int dim = TypeParam::value;
+  test::SampleRun<dim> first, second;
+  first.steps(203);
+  // The particles have moved between cells, yielded, and touched the disk and each other.
+  const State<dim>& state = first.problem.state;
+  ASSERT_FALSE(same_blocks(state.particles[0], second.problem.state.particles[0]));
+  ASSERT_NE(state.particles[0].occupied(), second.problem.state.particles[0].occupied());
+  ASSERT_GT(state.rigids[0].pressed, 0);
+  ASSERT_GT(state.pair_impulses[1].norm(), 0);
+  bool law_state = false;
+  state.particles[0].visit([&](Index, Index b, int l) { law_state = law_state || state.particles[0].state(b)[0][l] != 0; });
+  ASSERT_TRUE(law_state);
+
+  const auto file = this->folder_ / "file.h5";
+  write(file, first);
+  read(file, second);
+  EXPECT_EQ(test::differences(all_of(first), all_of(second)), "");
+  for (int b = 0; b < 2; ++b) EXPECT_TRUE(same_blocks(state.particles[b], second.problem.state.particles[b])) << "body " << b;
+}
+
+TYPED_TEST(StateCheckpoint, lets_a_run_go_on_as_if_it_had_never_stopped)
+{
+  constexpr int dim = TypeParam::value;
+  test::SampleRun<dim> whole;
+  const auto file = this->folder_ / "file.h5";
+  auto parts = std::make_unique<test::SampleRun<dim>>();
+  for (const int steps : {17, 38, 100, 61, 1, 230, 5}) {
+    whole.steps(steps);
+    parts->steps(steps);
+    ASSERT_NE(parts->problem.state.step % steps_between_time_steps, 0) << "a run is not interrupted here";
+    write(file, *parts);
+    parts = std::make_unique<test::SampleRun<dim>>();
+    read(file, *parts);
+    whole.steps(3);
+    parts->steps(3);
+    ASSERT_EQ(test::differences(all_of(whole), all_of(*parts)), "") << "after step " << whole.problem.state.step;
+    // What a later step may do depends on these, too.
+    ASSERT_EQ(whole.work->contact_points[0].near_cells, parts->work->contact_points[0].near_cells);
+  }
+}
+
+TYPED_TEST(StateCheckpoint, of_another_problem_is_refused)
+{
+  constexpr int dim = TypeParam::value;
+  test::SampleRun<dim> run, other;
+  const auto file = this->folder_ / "file.h5";
+  write(file, run);
+  other.problem.state.particles[1].take(other.problem.state.particles[1].occupied()[0], 0);
+  try {
+    read(file, other);
+    FAIL() << "is taken";
+  } catch (const RunError& error) {
+    EXPECT_NE(std::string(error.what()).find("particles of this body"), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace berm
