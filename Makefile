@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build probe test verify clean
+.PHONY: help setup configure build probe test verify fuzz clean
 
 cores := $(shell env -u OMP_NUM_THREADS nproc)
 release := build/release
@@ -38,6 +38,10 @@ test: configure ## build and run all tests
 
 verify: build ## run the whole verification book; it is out/verification/index.html
 	@$(release)/berm verify
+
+fuzz: ## look for inputs that break berm, with clang: ten million for each target of tests/fuzz, hours
+	@scripts/setup fuzz
+	@for target in case model mesh frame results study; do tests/fuzz/run $$target; done
 
 clean: ## remove what was built; runs in out/ stay
 	@rm -rf build

@@ -13,10 +13,13 @@ endif()
 option(BERM_TESTS "build the tests" ON)
 option(BERM_VECTOR_UNITS "compile the engine once more for each vector unit (x86-64-v3, x86-64-v4)" ON)
 set(BERM_SANITIZE "" CACHE STRING "sanitizers, as for -fsanitize=")
+option(BERM_FUZZ "make the targets of tests/fuzz programs of clang's libFuzzer" OFF)
 
 add_library(berm_flags INTERFACE)
 # -Wno-psabi: vectors wider than a register are passed by reference inside berm; no such type crosses a library's boundary by value.
 target_compile_options(berm_flags INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror -Wno-psabi)
+# One law serves vectors of lanes, whose masks are joined by & and |, and single numbers, whose masks are bool.
+target_compile_options(berm_flags INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 # Square roots need no errno and no comparison may trap: with this the compiler can vectorize them. NaN keeps its meaning.
 target_compile_options(berm_flags INTERFACE -fno-math-errno -fno-trapping-math)
 target_compile_options(berm_flags INTERFACE $<$<CONFIG:Release>:-O3>)
@@ -24,7 +27,7 @@ target_compile_definitions(berm_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSER
 # Eigen's alignment follows the vector unit by default; fixed here, so that all versions of the engine share one layout.
 target_compile_definitions(berm_flags INTERFACE EIGEN_MAX_STATIC_ALIGN_BYTES=0)
 if(BERM_SANITIZE)
-  target_compile_options(berm_flags INTERFACE -fsanitize=${BERM_SANITIZE} -fno-omit-frame-pointer)
+  target_compile_options(berm_flags INTERFACE -fsanitize=${BERM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(berm_flags INTERFACE -fsanitize=${BERM_SANITIZE})
 endif()
 

@@ -42,6 +42,14 @@ std::array<Real, 3> counts_in(const BlockSettings& block)
   return count;
 }
 
+/// Refuses, before any memory is taken, more particles than can be numbered.
+void check_count(const std::string& key, Real count)
+{
+  constexpr Real most = std::numeric_limits<Index>::max() / 2;
+  if (!(count <= most))
+    throw InputError(fmt::format("{}: {:.3g} particles are too many; at most {:.0f} can be numbered", key, count, most));
+}
+
 template <int dim>
 std::vector<Seed<dim>> seeds_in_regions(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body)
 {
@@ -53,6 +61,9 @@ std::vector<Seed<dim>> seeds_in_regions(const Mesh<dim>& mesh, const std::string
   std::vector<std::vector<std::array<Real, dim + 1>>> points;
   for (int side : sides) points.push_back(side > 0 ? points_in_simplex<dim>(side) : std::vector<std::array<Real, dim + 1>>{});
 
+  Real total = 0;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) total += static_cast<Real>(points[mesh.region[cell]].size());
+  check_count(fmt::format("body.{}.particles_per_cell", name), total);
   std::vector<Seed<dim>> seeds;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     const auto& of_cell = points[mesh.region[cell]];
@@ -93,8 +104,9 @@ template <int dim>
 std::vector<Seed<dim>> seeds_in_block(const Mesh<dim>& mesh, const std::string& name, const BlockSettings& block)
 {
   const Matrix<dim> axes = turn<dim>(block.angle);
-  Vec<dim> center, spacing;
   const std::array<Real, 3> count = counts_in<dim>(block);
+  check_count(fmt::format("body.{}.block.spacing", name), count[0] * count[1] * count[2]);
+  Vec<dim> center, spacing;
   for (int d = 0; d < dim; ++d) {
     center[d] = block.center[d];
     spacing[d] = block.size[d] / count[d];
@@ -118,6 +130,7 @@ std::vector<Seed<2>> seeds_in_disk(const Mesh<2>& mesh, const std::string& name,
 {
   const Vec<2> center(disk.center[0], disk.center[1]);
   const Real radius = disk.diameter / 2;
+  check_count(fmt::format("body.{}.disk.spacing", name), std::pow(disk.diameter / disk.spacing, 2));
   const int most = static_cast<int>(std::ceil(radius / disk.spacing));
   std::vector<Seed<2>> seeds;
   Finder<2> finder{mesh, name, "disk"};
@@ -244,9 +257,6 @@ Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySe
   std::erase_if(seeds, [&](const Seed<dim>& seed) {
     return std::any_of(start.holes.begin(), start.holes.end(), [&](const auto& hole) { return surface_at(hole, seed.x).distance < 0; });
   });
-  if (seeds.size() > static_cast<std::size_t>(std::numeric_limits<Index>::max() / 2))
-    throw InputError(
-        fmt::format("body.{}: {} particles are too many; {} can be numbered", name, seeds.size(), std::numeric_limits<Index>::max() / 2));
   Particles<dim> particles(mesh, static_cast<Index>(seeds.size()), start.state_size);
   const Vec<dim> center = center_of_mass(seeds);
   std::int32_t id = 0;

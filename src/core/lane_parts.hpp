@@ -18,7 +18,7 @@ constexpr int part_lanes = 4;
 constexpr int part_lanes = 2;
 #endif
 using LanePart = Real __attribute__((vector_size(part_lanes * sizeof(Real))));
-using LanePartMask = std::int64_t __attribute__((vector_size(part_lanes * sizeof(Real))));
+using LanePartMask = decltype(LanePart() < LanePart());
 
 /// Lanes first, ..., first + part_lanes - 1.
 [[gnu::always_inline]] inline LanePart part_of(const Lanes& x, int first)

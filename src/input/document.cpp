@@ -83,22 +83,45 @@ Node convert(const toml::node& from)
   return node;
 }
 
+/// Where the text in quotes ends that begins at `at`: behind its last quote, or where there is none, at the end of its line or of all.
+std::size_t end_of_quoted(const std::string& text, std::size_t at)
+{
+  const char quote = text[at];
+  const std::string three(3, quote);
+  const bool many_lines = text.compare(at, 3, three) == 0;
+  for (std::size_t k = at + (many_lines ? 3 : 1); k < text.size(); ++k) {
+    if (quote == '"' && text[k] == '\\') {
+      ++k;
+    } else if (!many_lines && (text[k] == quote || text[k] == '\n')) {
+      return text[k] == quote ? k + 1 : k;
+    } else if (many_lines && text.compare(k, 3, three) == 0) {
+      // Up to two quotes before the last three belong to the text.
+      std::size_t end = k + 3;
+      while (end < text.size() && end < k + 5 && text[end] == quote) ++end;
+      return end;
+    }
+  }
+  return text.size();
+}
+
 /// The first line that has a key of more parts than most_dots, or 0: a.a.a.a... makes tables deeper than a call stack.
 int line_of_too_deep_key(const std::string& text)
 {
-  int line = 1, dots = 0;
-  for (std::size_t k = 0; k < text.size(); ++k) {
+  int dots = 0;
+  for (std::size_t k = 0; k < text.size();) {
     const char c = text[k];
     if (c == '"' || c == '\'') {
-      const std::size_t end = text.find_first_of(std::string{c, '\n'}, k + 1);
-      if (end != std::string::npos && text[end] == c) k = end;
-    } else if (c == '\n') {
-      ++line, dots = 0;
-    } else if (c == ',' || c == '=' || c == '#' || c == '[' || c == '{') {
-      dots = 0;
-    } else if (c == '.' && ++dots > most_dots) {
-      return line;
+      k = end_of_quoted(text, k);
+      continue;
     }
+    if (c == '#') {
+      k = std::min(text.find('\n', k), text.size());
+      continue;
+    }
+    if (c == '\n' || c == ',' || c == '=' || c == '[' || c == '{') dots = 0;
+    if (c == '.' && ++dots > most_dots)
+      return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(k), '\n'));
+    ++k;
   }
   return 0;
 }
@@ -230,7 +253,9 @@ void refuse(const Document& document, const Node& node, const std::string& path,
   const bool by_override = !node.override_key.empty();
   const std::string place = by_override ? "--set " + node.override_key : fmt::format("{}:{}", document.file, node.line);
   const bool repeats = by_override && node.override_key == path;
-  throw InputError(one_line(place + ": " + (path.empty() || repeats ? "" : path + ": ") + message));
+  constexpr std::size_t most_of_path = 300, most_of_message = 3000;
+  throw InputError(
+      one_line(place + ": " + (path.empty() || repeats ? "" : shortened(path, most_of_path) + ": ") + shortened(message, most_of_message)));
 }
 
 }  // namespace berm

@@ -19,11 +19,13 @@ void use(Node& node)
   for (Node& item : node.items) use(item);
 }
 
+constexpr std::size_t most_in_name = 100;  // bytes
+
 /// Names become parts of paths and columns of files.
 bool is_name(const std::string& name)
 {
   const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || (c & 0x80) != 0; };
-  return !name.empty() && std::all_of(name.begin(), name.end(), fits);
+  return !name.empty() && name.size() <= most_in_name && std::all_of(name.begin(), name.end(), fits);
 }
 
 std::string item_path(const std::string& path, const Node& item, int k)
@@ -191,8 +193,9 @@ std::vector<std::string> Reader::names_in(const char* key, const std::vector<std
       if (item.kind != Node::Kind::table)
         refuse(document_, item, path + "." + item.key, fmt::format("must be in a table with a name, [{}.NAME]", path));
       if (!is_name(item.key))
-        refuse(document_, item, path + "." + item.key,
-               fmt::format("{} is no name; allowed are letters, digits, _ and -, and at least one of them", in_quotes(item.key)));
+        refuse(
+            document_, item, path + "." + item.key,
+            fmt::format("{} is no name; allowed are letters, digits, _ and -, from one to {} of them", in_quotes(item.key), most_in_name));
       if (std::find(names.begin(), names.end(), item.key) == names.end()) names.push_back(item.key);
     }
   }

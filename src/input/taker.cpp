@@ -7,6 +7,21 @@
 #include <fmt/format.h>
 
 namespace berm {
+namespace {
+
+constexpr std::size_t most_in_text = 4096;  // bytes
+
+/// Texts go to terminals, tables and the scripts of plots. In UTF-8 the control characters beyond ASCII are C2 80 to C2 9F.
+bool has_control_character(const std::string& text)
+{
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0u; };
+    if (byte(k) < 0x20 || byte(k) == 0x7F || (byte(k) == 0xC2 && byte(k + 1) >= 0x80 && byte(k + 1) < 0xA0)) return true;
+  }
+  return false;
+}
+
+}  // namespace
 
 Real Taker::number(const Node& node, const std::string& path) const
 {
@@ -60,6 +75,9 @@ std::string Taker::text(const Node& node, const std::string& path) const
 {
   if (node.kind != Node::Kind::text) refuse(document_, node, path, fmt::format("must be a text in quotes, not {}", kind_of(node)));
   if (node.text.empty() && parameter_.required) refuse(document_, node, path, "must not be empty");
+  if (node.text.size() > most_in_text) refuse(document_, node, path, fmt::format("is longer than {} bytes", most_in_text));
+  if (has_control_character(node.text))
+    refuse(document_, node, path, fmt::format("{} holds a control character, such as the end of a line", in_quotes(node.text)));
   return node.text;
 }
 

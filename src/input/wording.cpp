@@ -48,6 +48,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& wor
   std::string best;
   int least = 2 + static_cast<int>(word.size()) / 4;
   for (const std::string& candidate : words) {
+    if (candidate.size() > 2 * word.size() + 2) continue;  // further away than that
     const int distance = edit_distance(word, candidate);
     if (distance < least && distance < static_cast<int>(std::max(word.size(), candidate.size()))) least = distance, best = candidate;
   }
@@ -71,12 +72,16 @@ std::string listed(const std::vector<std::string>& words)
   return words.size() > most ? text + ", ..." : text;
 }
 
+std::string shortened(const std::string& text, std::size_t most)
+{
+  std::size_t end = std::min(text.size(), most);
+  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return text.substr(0, end) + (end < text.size() ? "..." : "");
+}
+
 std::string in_quotes(const std::string& text)
 {
-  constexpr std::size_t most = 60;
-  std::size_t end = std::min(text.size(), most);
-  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // not inside a UTF-8 character
-  return one_line(fmt::format("\"{}{}\"", text.substr(0, end), end < text.size() ? "..." : ""));
+  return one_line(fmt::format("\"{}\"", shortened(text, 60)));
 }
 
 std::string one_line(std::string text)

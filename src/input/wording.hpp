@@ -18,7 +18,10 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
 /// At most twelve words, separated by commas.
 std::string listed(const std::vector<std::string>& words);
 
-/// A text in quotes, on one line, shortened after 60 characters.
+/// The first `most` bytes of a text and "...", or all of it; no UTF-8 character is cut.
+std::string shortened(const std::string& text, std::size_t most);
+
+/// A text in quotes, on one line, shortened after 60 bytes.
 std::string in_quotes(const std::string& text);
 
 /// A text in which every control character has become a space: one line.

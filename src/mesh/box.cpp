@@ -137,7 +137,11 @@ Mesh<dim> make_box(const BoxMesh& box)
     add_kuhn_cells<dim>(mesh, grid, at);
   });
   mesh.region.assign(mesh.cell_count(), 0);
-  mesh.complete();
+  try {
+    mesh.complete();
+  } catch (const RunError& error) {
+    throw InputError(fmt::format("box mesh: {}", error.what()));
+  }
   return mesh;
 }
 

@@ -34,7 +34,8 @@ public:
     read_format();
     while (lines_.next()) {
       const std::string section(lines_.text());
-      if (section[0] != '$') lines_.fail_expected("the beginning of a section ($...)");
+      constexpr std::size_t most = 60;
+      if (section[0] != '$' || section.size() > most) lines_.fail_expected("the beginning of a section ($...)");
       const std::string name = section.substr(1);
       if (name == "PhysicalNames")
         read_names();
@@ -103,6 +104,8 @@ private:
       const std::size_t first = line.find('"'), last = line.rfind('"');
       if (first == line.npos || last <= first + 1 || last + 1 != line.size()) lines_.fail_expected(expected);
       const std::string name(line.substr(first + 1, last - first - 1));
+      if (std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < ' ' || c == 0x7F; }))
+        lines_.fail_expected("a physical name without control characters");
       group_index_[{dimension, tag}] = add_group(dimension, name);
     }
   }

@@ -18,13 +18,21 @@ std::string_view trimmed(std::string_view text)
   return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-// Enough of a line to recognize it, without bytes that would spoil a terminal.
+// Without bytes that would spoil a terminal.
+std::string plain(std::string text)
+{
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || c == 0x7F) c = '?';
+  return text;
+}
+
+// Enough of a line to recognize it.
 std::string shown(std::string_view text)
 {
   constexpr std::size_t most = 60;
-  std::string result(text.substr(0, most));
+  std::string result = plain(std::string(text.substr(0, most)));
   for (char& c : result)
-    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
+    if (static_cast<unsigned char>(c) > '~') c = '?';
   return "\"" + result + (text.size() > most ? "...\"" : "\"");
 }
 
@@ -35,7 +43,12 @@ Lines::Lines(const std::filesystem::path& path) : name_(path.string())
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error)) throw InputError(fmt::format("{}: there is no such file", name_));
   std::ifstream in(path, std::ios::binary);
-  content_.resize(std::filesystem::file_size(path, error));
+  const std::uintmax_t bytes = std::filesystem::file_size(path, error);
+  try {
+    content_.resize(error ? 0 : bytes);
+  } catch (const std::exception&) {  // of memory or of what a text can hold
+    throw InputError(fmt::format("{}: the file has {} bytes, more than there is memory for", name_, bytes));
+  }
   if (!in || error || !in.read(content_.data(), static_cast<std::streamsize>(content_.size())))
     throw InputError(fmt::format("{}: the file cannot be read", name_));
 }
@@ -105,7 +118,7 @@ void Lines::need_end(const char* expected) const
 
 void Lines::fail(const std::string& message) const
 {
-  throw InputError(fmt::format("{}:{}: {}", name_, number_, message));
+  throw InputError(fmt::format("{}:{}: {}", name_, number_, plain(message)));
 }
 
 void Lines::fail_expected(const char* expected) const

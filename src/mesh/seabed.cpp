@@ -12,11 +12,20 @@
 namespace berm {
 namespace {
 
-Real size_at(const SeabedMesh& bed, Real far_size, Real x, Real y)
+/// A stretch of one direction, and its distance from the fine zone.
+struct Stretch {
+  Real distance, length;
+};
+
+/// Cuts what lies beyond the fine zone, over `reach`, so finely that the size of the cells is nearly the same within a stretch.
+void add_stretches(std::vector<Stretch>& stretches, const SeabedMesh& bed, Real reach)
 {
-  const Real dx = std::max({0., bed.near_left - x, x - bed.near_right});
-  const Real dy = std::max({0., -bed.near_depth - y, y - bed.near_height});
-  return std::min(far_size, bed.near_size + bed.growth * std::hypot(dx, dy));
+  constexpr int count = 100;
+  const Real grows = bed.growth * reach / bed.near_size;
+  const auto place = [&](Real part) {
+    return grows > 1e-6 ? bed.near_size / bed.growth * std::expm1(part * std::log1p(grows)) : part * reach;
+  };
+  for (int k = 0; k < count; ++k) stretches.push_back({place((k + 0.5) / count), place((k + 1.) / count) - place(Real(k) / count)});
 }
 
 // The points and lines of every bed; lines run to the right or up. The fine zone above the surface is a surface of its own: so its cells come out better.
@@ -186,15 +195,16 @@ std::string size_formula(const SeabedMesh& bed)
 Real expected_cells(const SeabedMesh& bed)
 {
   const SeabedLayout at = layout_of(bed);
-  constexpr int points = 400;
+  std::vector<Stretch> across = {{0, bed.near_right - bed.near_left}}, down = {{0, bed.near_depth + bed.near_height}};
+  for (const Real reach : {bed.near_left - at.left, at.right - bed.near_right}) add_stretches(across, bed, reach);
+  for (const Real reach : {bed.depth - bed.near_depth, bed.headroom - bed.near_height}) add_stretches(down, bed, reach);
   Real sum = 0;
-  for (int i = 0; i < points; ++i)
-    for (int j = 0; j < points; ++j) {
-      const Real x = at.left + (i + 0.5) / points * bed.length, y = -bed.depth + (j + 0.5) / points * (bed.depth + bed.headroom);
-      const Real size = size_at(bed, at.far_size, x, y);
-      sum += 1 / (size * size);
+  for (const Stretch& x : across)
+    for (const Stretch& y : down) {
+      const Real size = std::min(at.far_size, bed.near_size + bed.growth * std::hypot(x.distance, y.distance));
+      sum += x.length * y.length / (size * size);
     }
-  return sum * bed.length * (bed.depth + bed.headroom) / (points * points) / (std::sqrt(3.) / 4);
+  return sum / (std::sqrt(3.) / 4);
 }
 
 void write_geo(const SeabedMesh& bed, const std::filesystem::path& path)

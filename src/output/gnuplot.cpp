@@ -90,7 +90,8 @@ bool draw(const std::filesystem::path& folder, const std::string& name, int widt
                                        "if (!exists('picture')) picture = {5}\nset output picture\nset encoding utf8\n",
                                        picture, stem, vector ? "svg" : "pngcairo", width, height, gnuplot_text("../" + picture));
   write_whole(plots / (stem + ".gp"), head + script);
-  const int status = run_gnuplot(plots, stem + ".gp", "../" + part_of(picture).string(), messages.filename().string());
+  // A name that begins with - is no option.
+  const int status = run_gnuplot(plots, "./" + stem + ".gp", "../" + part_of(picture).string(), messages.filename().string());
   const int reason = errno;
   if (status == 0) {
     std::filesystem::remove(messages, ignored);

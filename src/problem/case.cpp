@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problem/case.hpp"
 
+#include "problem/stages.hpp"
+
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -99,6 +101,8 @@ void check_rigids(Describe& d, const Case& c)
       d.check(polygon->x.size() == polygon->y.size(), path + ".y",
               fmt::format("has {} numbers, and x has {}", polygon->y.size(), polygon->x.size()));
       d.check(polygon->x.size() >= 3, path + ".x", fmt::format("needs three corners or more, and has {}", polygon->x.size()));
+      constexpr std::size_t most = 1000;  // every corner is compared with every other
+      d.check(polygon->x.size() <= most, path + ".x", fmt::format("may have {} corners at most, and has {}", most, polygon->x.size()));
       d.check(is_simple(*polygon), path + ".x", "the sides of a polygon must not cross or touch each other");
     }
     d.check(rigid.motion == Motion::driven || rigid.mass > 0, path + ".motion", "a free body needs a mass");
@@ -160,12 +164,30 @@ void check_stages(Describe& d, const Case& c)
   }
 }
 
+/// Rows and frames are written to a disk that ends.
+void check_output(Describe& d, const Case& c)
+{
+  constexpr Real most_rows = 1e7, most_frames = 1e5;
+  Real time = 0, travel = 0;
+  for (const StageSettings& stage : c.stage) {
+    time += expected_time(stage);
+    travel += stage.until.displacement.value_or(std::abs(stage.velocity.value_or(0)) * expected_time(stage));
+  }
+  const auto check_number = [&](const std::optional<Real>& interval, Real whole, Real most, const char* key, const char* what) {
+    const Real number = interval ? whole / *interval : 0;
+    d.check(number <= most, std::string("output.") + key, fmt::format("makes {:.3g} {}; at most {:.0e} are written", number, what, most));
+  };
+  check_number(c.output.history_time, time, most_rows, "history_time", "rows of history.csv");
+  check_number(c.output.frame_time, time, most_frames, "frame_time", "frames");
+  check_number(c.output.frame_travel, travel, most_frames, "frame_travel", "frames");
+}
+
 }  // namespace
 
 void describe(Describe& d, MpmSettings& mpm)
 {
   d.value("courant", mpm.courant,
-          {.meaning = "time step over the time that a wave needs across the smallest height of a cell", .range = {0, 1, true}});
+          {.meaning = "time step over the time that a wave needs across the smallest height of a cell", .range = {1e-6, 1}});
   d.value("volumetric_projection", mpm.volumetric_projection,
           {.meaning = "average volume changes over patches of two triangles (four tetrahedra), the cure against locking"});
   d.value("mixed_stress", mpm.mixed_stress, {.meaning = "average the stress over the particles of a full cell (MPM-MIXED)"});
@@ -262,6 +284,7 @@ void describe(Describe& d, Case& c)
     check_entries(d, "watch." + name + ".point", watch.point, c.dimension);
   }
   check_stages(d, c);
+  check_output(d, c);
 }
 
 Index main_rigid(const Case& c)

@@ -153,8 +153,11 @@ bool has_result(const Job& job)
 {
   const fs::path summary_file = job.folder / "summary.json";
   const nlohmann::json summary = nlohmann::json::parse(read_whole(summary_file), nullptr, false);
-  if (summary.is_discarded() || summary.value("/checks/finished"_json_pointer, false) == false) return false;
-  if (summary.value("/text/version"_json_pointer, std::string()) != BERM_VERSION) return false;
+  const auto says = [&](const char* place, const nlohmann::json& value) {
+    const nlohmann::json::json_pointer at(place);
+    return summary.contains(at) && summary[at] == value;
+  };
+  if (!says("/checks/finished", true) || !says("/text/version", BERM_VERSION)) return false;
   const Case settings = read_case(job.case_file, job.set);
   std::error_code error;
   if (fs::last_write_time(summary_file, error) < fs::last_write_time(engine_file(settings.method), error) || error) return false;

@@ -151,16 +151,21 @@ Real evaluate(const Reading& reading, const std::filesystem::path& run_folder)
   const std::filesystem::path path = run_folder / "summary.json";
   std::ifstream file(path);
   if (!file) throw RunError(fmt::format("there is no {}", path.string()));
-  const nlohmann::json summary = nlohmann::json::parse(file);
   std::vector<std::string> names;
-  for (const char* part : {"quantities", "checks", "timing"})
-    for (const auto& [name, entry] : summary.at(part).items()) {
-      const nlohmann::json& value = entry.is_object() ? entry.at("value") : entry;
-      if (value.is_array()) continue;
-      names.push_back(name);
-      if (name == reading.quantity) return value.is_boolean() ? value.get<bool>() : value.is_number() ? value.get<Real>() : unknown;
-    }
-  throw InputError(fmt::format("summary.json has no quantity {}{}", in_quotes(reading.quantity), suggestion(reading.quantity, names)));
+  try {
+    const nlohmann::json summary = nlohmann::json::parse(file);
+    for (const char* part : {"quantities", "checks", "timing"})
+      for (const auto& [name, entry] : summary.at(part).items()) {
+        const nlohmann::json& value = entry.is_object() ? entry.at("value") : entry;
+        if (value.is_array()) continue;
+        names.push_back(name);
+        if (name == reading.quantity) return value.is_boolean() ? value.get<bool>() : value.is_number() ? value.get<Real>() : unknown;
+      }
+  } catch (const nlohmann::json::exception&) {
+    throw RunError(fmt::format("{} is damaged", path.string()));
+  }
+  throw InputError(
+      one_line(fmt::format("summary.json has no quantity {}{}", in_quotes(reading.quantity), suggestion(reading.quantity, names))));
 }
 
 }  // namespace berm

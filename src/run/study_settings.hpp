@@ -68,7 +68,7 @@ void describe(Describe& d, Study& study);
 /// Reads a study. Throws InputError with file, line and key.
 Study read_study(const std::filesystem::path& file);
 
-/// A name as part of a file's: everything but letters, digits and . _ - + = becomes "_".
+/// A name as part of a file's: everything but letters, digits and . _ - + = becomes "_", and one of dots alone gets a "_".
 std::string as_file_name(std::string name);
 
 }  // namespace berm

@@ -288,6 +288,24 @@ TEST(FillDisk, that_leaves_the_mesh_is_refused_with_the_place)
   }
 }
 
+// Before memory is taken: a lattice so fine would need more than there is, and its counts do not fit into whole numbers.
+TYPED_TEST(Fill, more_particles_than_can_be_numbered_are_refused_before_they_are_made)
+{
+  constexpr int dim = TypeParam::value;
+  for (const Real spacing : {1e-6, 1e-12, 1e-300}) {
+    BodySettings block, disk;
+    block.block = block_of({0.7, 0.8, 1.5}, {0.4, 0.4, 0.4}, spacing);
+    disk.disk = DiskSettings{{0.7, 0.8}, 0.8, spacing};
+    for (const BodySettings& body : dim == 2 ? std::vector{block, disk} : std::vector{block}) try {
+        fill<dim>(mesh_of_two_regions<dim>(), "fine", body, at_rest<dim>);
+        FAIL() << "nothing was thrown";
+      } catch (const InputError& error) {
+        const std::string start = body.block ? "body.fine.block.spacing: " : "body.fine.disk.spacing: ";
+        EXPECT_EQ(std::string(error.what()).find(start), 0u) << error.what();
+      }
+  }
+}
+
 TEST(FillBlock, may_be_turned)
 {
   // A square turned by 45 degrees: a particle's coordinates along the diagonals stay within half a side, and the lattice lies along them.

@@ -133,8 +133,23 @@ TEST(Document, refuses_a_file_too_long_to_be_a_case)
 
 TEST(Document, counts_dots_of_keys_and_not_of_texts_or_numbers)
 {
+  EXPECT_NO_THROW(parse_text("case.toml", "a = \"\"\"\n" + repeated(". ", 200) + "\n\"\"\"\nb = '''" + repeated("x.", 99) + "'''\n"));
   EXPECT_NO_THROW(
       parse_text("case.toml", "a = \"" + repeated(". ", 200) + "\"\nb = [" + repeated("0.5, ", 200) + "]\n# " + repeated("x", 10) + "\n"));
+}
+
+// Each is TOML but for the depth, and no deeper than the call stack of whoever visits it.
+TEST(Document, refuses_keys_with_too_many_dots_wherever_quotes_stand)
+{
+  const std::string deep = repeated("a.", 100'000) + "a";
+  for (const std::string& text :
+       {deep + " = 1\n", "[" + deep + "]\n", "t = {" + deep + " = '1'}\n", "t = {k = \"\"\"\n\"\"\", " + deep + " = \"1\"}\n",
+        "t = {k = '''\n''', " + deep + " = '1'}\n", "t = {k = \"\"\"\\\"\"\"\", " + deep + " = \"1\"}\n",
+        "t = {k = \"\"\"\"\"\"\"\", " + deep + " = \"1\"}\n", "t = {k = \"\\\"\", " + deep + " = \"1\"}\n",
+        "t = {\"k\" = '\"', " + deep + " = '\"'}\n", "# it's\n" + deep + " = '1'\n"}) {
+    const std::string message = message_of(text);
+    EXPECT_NE(message.find("a key has more than 32 dots"), std::string::npos) << message << " for " << text.substr(0, 40);
+  }
 }
 
 TEST(Document, survives_random_marks)

@@ -185,6 +185,7 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"4\n0 9", "5\n0 9", 10, "expected a physical name"}, Malformed{"4\n0 9", "-4\n0 9", 5, "out of range"},
         Malformed{"4\n0 9", "99999999999999999999\n0 9", 5, "out of range"},
         Malformed{"4\n0 9", "4000000\n0 9", 5, "too short for so many"}, Malformed{"2 8 \"upper\"", "2 8 upper", 9, "\"name\""},
+        Malformed{"$Entities\n", "$\x1b[2J\n", 46, "expected $End?[2J"}, Malformed{"\"upper\"", "\"up\x1b[2J\"", 9, "control characters"},
         Malformed{"2 8 \"upper\"", "4 8 \"upper\"", 9, "out of range"}, Malformed{"2 2 2 0", "2 2 2", 12, "numbers of points"},
         Malformed{"2 2 2 0", "2 2 2000000 0", 12, "too short"}, Malformed{"2 1 0 0 0\n", "2 1 nan 0 0\n", 14, "not finite"},
         Malformed{"2 1 0 0 0\n", "2 1 0 0\n", 14, "a point"}, Malformed{"1 7 2 1 2", "12345678 7 2 1 2", 17, "too short"},

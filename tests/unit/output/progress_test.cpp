@@ -19,6 +19,7 @@ TEST(Duration, is_said_in_words)
   for (const auto& [seconds, words] : cases) EXPECT_EQ(words_of_duration(seconds), words) << seconds;
   EXPECT_EQ(words_of_duration(std::numeric_limits<Real>::quiet_NaN()), "?");
   EXPECT_EQ(words_of_duration(-1), "?");
+  EXPECT_EQ(words_of_duration(1e30), "3.17e+22 years");
   EXPECT_EQ(words_of_duration(infinity), "?");
 }
 

@@ -106,5 +106,17 @@ TEST(Reading, finds_quantities_checks_and_times_in_a_summary)
   }
 }
 
+TEST(Reading, of_a_summary_that_is_damaged_is_refused)
+{
+  const TemporaryFolder folder;
+  Reading reading;
+  reading.quantity = "V_end";
+  for (const char* text :
+       {"", "{", "[]", "5", "{\"quantities\": 5}", "{\"quantities\": {\"V_end\": {}}}", "{\"quantities\": {\"V\": {\"value\": [1]}}}"}) {
+    folder.write("summary.json", text);
+    EXPECT_THROW(evaluate(reading, folder.path()), RunError) << text;
+  }
+}
+
 }  // namespace
 }  // namespace berm

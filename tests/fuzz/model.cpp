@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A case file whose model is small: it is built and makes a few steps (mpm), or its elements are made (fem). What cannot be ends in InputError or
+// RunError.
+#include "target.hpp"
+
+#include "core/error.hpp"
+#include "fem/fem_problem.hpp"
+#include "input/read_case.hpp"
+#include "mpm/step.hpp"
+#include "mpm/time_step.hpp"
+#include "problem/stages.hpp"
+
+using namespace berm;
+
+namespace {
+
+constexpr Real most_cells = 50, most_particles = 500;
+constexpr const char* scratch = "/dev/shm";  // a box needs no files
+
+Real cells_of(const BoxMesh& box)
+{
+  Real cells = 1;
+  for (const Real count : box.cells) cells *= count;
+  return cells;
+}
+
+Real particles_of(const BodySettings& body, Real cells)
+{
+  if (body.disk) return std::pow(body.disk->diameter / body.disk->spacing, 2);
+  Real count = 1;
+  if (body.block)
+    for (const Real side : body.block->size) count *= std::max<Real>(1, side / body.block->spacing);
+  else
+    count = 6 * cells * std::max(body.particles_per_cell, 9);
+  for (const auto& entry : body.region_particles_per_cell) count += 6 * cells * entry.second;
+  return count;
+}
+
+bool is_small(const Case& c)
+{
+  const auto* box = std::get_if<BoxMesh>(&c.mesh);
+  if (box == nullptr || cells_of(*box) > most_cells) return false;
+  Real particles = 0;
+  for (const auto& entry : c.body) particles += particles_of(entry.second, cells_of(*box));
+  return particles <= most_particles || c.method == Method::fem;
+}
+
+template <int dim>
+void make_steps(const Case& c)
+{
+  Problem<dim> problem = build<dim>(c, "", scratch);
+  Work<dim> work(problem.model, problem.state);
+  stable_time_step(problem.model, problem.state, work);
+  for (int n = 0; n < 3; ++n) {
+    step(problem.model, problem.state, work);
+    stage_ended(problem.model, problem.state);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  try {
+    const Case c = read_case_text("case.toml", text_of(data, size));
+    if (!is_small(c)) return 0;
+    if (c.method == Method::fem)
+      build_fem(c, "", scratch);
+    else
+      c.dimension == 2 ? make_steps<2>(c) : make_steps<3>(c);
+  } catch (const InputError&) {
+  } catch (const RunError&) {
+  }
+  return 0;
+}

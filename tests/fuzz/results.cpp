@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What `berm report`, `berm study` and `berm verify` read of a run folder. The first byte of an input says which file the rest is: h history.csv,
+// s summary.json, l run.log, p frames.pvd. A damaged file is told of, or refused with RunError or InputError.
+#include "target.hpp"
+
+#include "core/error.hpp"
+#include "output/frame_reader.hpp"
+#include "report/page_data.hpp"
+#include "report/run_record.hpp"
+#include "report/sections.hpp"
+#include "run/jobs.hpp"
+#include "run/reading.hpp"
+
+#include <fstream>
+
+using namespace berm;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* settings = R"(gravity = [0, -490]
+mesh = {kind = "box", size = [1, 1], cells = [2, 2]}
+material.sand = {law = "mohr_coulomb", density = 900, young_modulus = 7e6, poisson_ratio = 0.25, friction_angle = 0.6}
+body.sand = {material = "sand", regions = ["box"]}
+rigid.pipe = {shape = "circle", center = [0.5, 0.9], diameter = 0.02}
+contact.skin = {body = "sand", rigid = "pipe", friction_angle = 0.4}
+stage = [{name = "push", kind = "push", velocity = 1, until.embedment = 0.02},
+         {name = "drag", kind = "drag", velocity = 1, vertical = "fixed", until.displacement = 0.02}]
+)";
+
+/// A run folder in memory with a resolved.toml and at most one file more.
+class Folder {
+public:
+  Folder() : path_(fs::path("/dev/shm") / fmt::format("berm_fuzz_{}", ::getpid()))
+  {
+    fs::create_directories(path_ / "frames");
+    std::ofstream(path_ / "resolved.toml") << settings;
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  void hold(const std::string& name, const std::string& text)
+  {
+    if (!name_.empty() && name_ != name) fs::remove(path_ / name_);
+    name_ = name;
+    std::ofstream(path_ / name, std::ios::binary) << text;
+  }
+  const fs::path& path() const { return path_; }
+
+private:
+  fs::path path_;
+  std::string name_;
+};
+
+template <class Work>
+void may_be_refused(const Work& work)
+{
+  try {
+    work();
+  } catch (const InputError& error) {
+    promise_one_line(error.what());
+  } catch (const RunError& error) {
+    promise_one_line(error.what());
+  }
+}
+
+void read_all(const fs::path& folder)
+{
+  may_be_refused([&] {
+    const std::vector<RunRecord> runs = {read_run(folder)};
+    run_data(runs[0]);
+    answer_section(runs);
+    trust_section(runs);
+    claims_section(runs);
+  });
+  may_be_refused([&] { frame_files(folder / "frames"); });
+  for (const Measure measure : {Measure::slope, Measure::acceleration, Measure::period}) {
+    Reading reading;
+    reading.column = "w_m";
+    reading.measure = measure;
+    may_be_refused([&] { evaluate(reading, folder); });
+  }
+  Reading quantity;
+  quantity.quantity = "energy_error";
+  may_be_refused([&] { evaluate(quantity, folder); });
+  wall_time_of(folder);
+  has_result({folder / "resolved.toml", {}, folder, false});
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  static Folder folder;
+  const std::string text = text_of(data, size);
+  const char kind = text.empty() ? 'h' : text[0];
+  const char* file = kind == 's' ? "summary.json" : kind == 'l' ? "run.log" : kind == 'p' ? "frames/frames.pvd" : "history.csv";
+  folder.hold(file, text.empty() ? "" : text.substr(1));
+  read_all(folder.path());
+  return 0;
+}

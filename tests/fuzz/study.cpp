@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A study.toml of `berm study`, and the same text as an expected.toml of `berm verify`.
+#include "target.hpp"
+
+#include "core/error.hpp"
+#include "input/reader.hpp"
+#include "run/expectation.hpp"
+#include "run/study_settings.hpp"
+
+using namespace berm;
+
+namespace {
+
+void promise_file_name(const std::string& name)
+{
+  const std::string file = as_file_name(name);
+  const bool inside = !file.empty() && file.find('/') == std::string::npos && file.find_first_not_of('.') != std::string::npos;
+  promise(inside, "a name as a file stays in its folder", file);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  static const MemoryFile file;
+  try {
+    const Study study = read_study(file.hold(data, size));
+    for (const StudyCase& c : study.cases) promise_file_name(c.name);
+    for (const StudyFigure& figure : study.figure) promise_file_name(figure.name);
+  } catch (const InputError& error) {
+    promise_one_line(error.what());
+  }
+  try {
+    Document document = parse_text("expected.toml", text_of(data, size));
+    Expectations all;
+    read(document, all);
+  } catch (const InputError& error) {
+    promise_one_line(error.what());
+  }
+  return 0;
+}
