@@ -102,7 +102,7 @@ Cuts cuts_of(const Case& c, const SeabedMesh& bed)
 {
   Cuts cuts;
   for (const auto& [name, rigid] : c.rigid) {
-    const auto touches = [&](const auto& contact) { return contact.second.rigid == name; };
+    const auto touches = [&, &own = name](const auto& contact) { return contact.second.rigid == own; };
     if (std::none_of(c.contact.begin(), c.contact.end(), touches)) continue;
     const RigidShape<2> shape = make_shape<2>(rigid.shape);
     const Real width = width_of<2>(shape);

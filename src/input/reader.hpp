@@ -44,7 +44,8 @@ private:
 template <class T>
 void read(Document& document, T& value)
 {
-  refuse_unknown_keys(document, catalogue_of<T>());
+  static const Listed catalogue = catalogue_of<T>();
+  refuse_unknown_keys(document, catalogue);
   Reader reader(document);
   describe(reader, value);
   refuse_unused_keys(document);

@@ -112,7 +112,8 @@ Real expected_time(const StageSettings& stage)
       least = std::min(least, *stage.until.displacement / speed + stage.ramp / 2);
     if (stage.kind == StageKind::push && stage.until.embedment) least = std::min(least, *stage.until.embedment / speed + stage.ramp / 2);
   }
-  return least < infinity ? least : 0;
+  // A body that starts above the bed may have a negative embedment to reach.
+  return 0 < least && least < infinity ? least : 0;
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \

@@ -164,7 +164,7 @@ std::string as_file_name(std::string name)
 {
   for (char& c : name)
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && std::string("._-=+").find(c) == std::string::npos) c = '_';
-  if (name.find_first_not_of('.') == std::string::npos) name.insert(0, "_");  // "." and ".." are other folders
+  if (name.find_first_not_of('.') == std::string::npos) name.insert(name.begin(), '_');  // "." and ".." are other folders
   return name;
 }
 

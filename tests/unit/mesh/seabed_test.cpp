@@ -172,14 +172,12 @@ TEST(SeabedMesh, may_be_small_enough_for_numbers_with_exponents)
 // A grid of samples over the whole bed would miss the fine zone.
 TEST(SeabedMesh, counts_the_cells_of_a_fine_zone_that_is_small_in_a_large_bed)
 {
-  SeabedMesh bed{.length = 1e6,
-                 .depth = 1e6,
-                 .headroom = 1e6,
-                 .near_size = 1e-4,
-                 .near_left = -1,
-                 .near_right = 1,
-                 .near_depth = 0.5,
-                 .near_height = 0.5};
+  SeabedMesh bed;
+  bed.length = bed.depth = bed.headroom = 1e6;
+  bed.near_size = 1e-4;
+  bed.near_left = -1;
+  bed.near_right = 1;
+  bed.near_depth = bed.near_height = 0.5;
   EXPECT_GT(expected_cells(bed), 2 / (1e-8 * std::sqrt(3.) / 4));
   EXPECT_THROW(check(bed), InputError);
   bed.near_size = 1e-12;

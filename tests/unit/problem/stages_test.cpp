@@ -368,6 +368,10 @@ TEST(Stage, expected_time_follows_from_travel_speed_and_ramp)
   along.until = {};
   along.until.force = 3;
   EXPECT_EQ(expected_time(along), 0);
+  along.kind = StageKind::push;
+  along.until = {};
+  along.until.embedment = -0.05;  // above the bed
+  EXPECT_EQ(expected_time(along), 0);
 }
 
 TEST(Gravity, grows_from_nothing_over_its_ramp)
