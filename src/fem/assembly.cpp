@@ -31,12 +31,11 @@ PreparedMohrCoulomb law_from(const MohrCoulomb& law, const SymTensor<2>& stress,
 
 /// The law, mixed with its elastic trial stress.
 template <class Law>
-Stiffness update_point(const Law& law, Real viscosity, const SymTensor<2>& strain, SoilPoint& point)
+void update_point(const Law& law, Real viscosity, const SymTensor<2>& strain, SoilPoint& point)
 {
   SymTensor<2> trial = point.stress;
   add_elastic_stress(law.elastic, trial, strain);
-  Tangent tangent;
-  update_stress_and_tangent(law, point.stress, strain, &point.law_state, tangent);
+  update_stress(law, point.stress, strain, &point.law_state);
   SymTensor<2> over;
   for (int k = 0; k < 4; ++k) {
     over[k] = (trial[k] - point.stress[k]) * (viscosity / (1 + viscosity));
@@ -44,9 +43,37 @@ Stiffness update_point(const Law& law, Real viscosity, const SymTensor<2>& strai
   }
   point.overstress = std::sqrt(double_dot(over, over));
   point.deviatoric_strain += equivalent_deviatoric_strain(strain);
+}
+
+template <class Law>
+Stiffness stiffness_of_point(const Law& law, Real viscosity, const SymTensor<2>& strain, SoilPoint point)
+{
+  Tangent tangent;
+  update_stress_and_tangent(law, point.stress, strain, &point.law_state, tangent);
   Stiffness d;
   for (int j = 0; j < 3; ++j) d.col(j) = Eigen::Vector3d(tangent(0, j), tangent(1, j), tangent(3, j));
   return (d + (viscosity + least_stiffness) * elastic_stiffness(law.elastic)) / (1 + viscosity);
+}
+
+/// Strain (e_xx, e_yy, gamma_xy) by the movement of the nodes (x, y, x, y, ...).
+using StrainMatrix = Eigen::Matrix<Real, 3, 12>;
+
+StrainMatrix strain_matrix(const ShapeAtPoint& shape)
+{
+  StrainMatrix b = StrainMatrix::Zero();
+  for (int k = 0; k < 6; ++k) {
+    b(0, 2 * k) = b(2, 2 * k + 1) = shape.gradient[k][0];
+    b(1, 2 * k + 1) = b(2, 2 * k) = shape.gradient[k][1];
+  }
+  return b;
+}
+
+SymTensor<2> strain_of(const StrainMatrix& b, const AtSixNodes<Index>& nodes, const std::vector<Real>& change)
+{
+  Eigen::Matrix<Real, 12, 1> moved;
+  for (int k = 0; k < 12; ++k) moved[k] = change[2 * nodes[k / 2] + k % 2];
+  const Eigen::Vector3d strain = b * moved;
+  return {{strain[0], strain[1], 0, strain[2] / 2}};
 }
 
 /// Columns: how the node and the rigid body (x, y, angle) move a contact point's soil relative to the body.
@@ -60,9 +87,11 @@ Eigen::Matrix<Real, 2, 5> relative_movement(const FemContactPoint& point)
 Assembly::Assembly(const FemModel& model)
     : model_(model),
       cells_(model.mesh.nodes.size()),
+      stiffness_(model.mesh.nodes.size()),
       points_(model.mesh.nodes.size()),
       laws_(model.mesh.nodes.size()),
       contact_(model.contact.size()),
+      contact_stiffness_(model.contact.size()),
       residual_(model.unknowns()),
       matrix_(model.pattern.entry_count()),
       held_back_(model.unknowns(), 0.),
@@ -83,34 +112,37 @@ const Assembly::PointLaw& Assembly::law_of_point(const SymTensor<2>& begin, Inde
 
 void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& change, const Vec<2>& gravity, Real viscosity, Index cell)
 {
-  const auto& nodes = model_.mesh.nodes[cell];
   CellWork& work = cells_[cell];
-  Eigen::Map<Eigen::Matrix<Real, 12, 12, Eigen::RowMajor>, Eigen::Unaligned> stiffness(work.stiffness.data());
   Eigen::Map<Eigen::Matrix<Real, 12, 1>, Eigen::Unaligned> force(work.force.data());
-  stiffness.setZero();
   force.setZero();
   const Vec<2> weight = density(model_.model.bodies[model_.mesh.body[cell]].material) * gravity;
   work.work = 0;
   for (int q = 0; q < triangle_points; ++q) {
     const ShapeAtPoint& shape = model_.shape[cell][q];
-    Eigen::Matrix<Real, 3, 12> b = Eigen::Matrix<Real, 3, 12>::Zero();
-    Eigen::Matrix<Real, 12, 1> moved;
-    for (int k = 0; k < 6; ++k) {
-      b(0, 2 * k) = b(2, 2 * k + 1) = shape.gradient[k][0];
-      b(1, 2 * k + 1) = b(2, 2 * k) = shape.gradient[k][1];
-      for (int d = 0; d < 2; ++d) moved[2 * k + d] = change[2 * nodes[k] + d];
-    }
-    const Eigen::Vector3d strain = b * moved;
+    const StrainMatrix b = strain_matrix(shape);
+    const SymTensor<2> strain = strain_of(b, model_.mesh.nodes[cell], change);
     SoilPoint& point = points_[cell][q];
     point = begin.points[cell][q];
-    const SymTensor<2> tensor{{strain[0], strain[1], 0, strain[2] / 2}};
     SymTensor<2> mean;
-    const Stiffness d =
-        std::visit([&](const auto& law) { return update_point(law, viscosity, tensor, point); }, law_of_point(point.stress, cell, q).law);
+    std::visit([&](const auto& law) { update_point(law, viscosity, strain, point); }, law_of_point(point.stress, cell, q).law);
     for (int k = 0; k < 4; ++k) mean[k] = (begin.points[cell][q].stress[k] + point.stress[k]) / 2;
-    work.work += shape.area * double_dot(mean, tensor);
+    work.work += shape.area * double_dot(mean, strain);
     force += shape.area * b.transpose() * Eigen::Vector3d(point.stress[0], point.stress[1], point.stress[3]);
     for (int k = 0; k < 6; ++k) force.segment<2>(2 * k) -= shape.area * shape.value[k] * weight;
+  }
+}
+
+void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>& change, Real viscosity, Index cell)
+{
+  Eigen::Map<Eigen::Matrix<Real, 12, 12, Eigen::RowMajor>, Eigen::Unaligned> stiffness(stiffness_[cell].data());
+  stiffness.setZero();
+  for (int q = 0; q < triangle_points; ++q) {
+    const ShapeAtPoint& shape = model_.shape[cell][q];
+    const StrainMatrix b = strain_matrix(shape);
+    const SymTensor<2> strain = strain_of(b, model_.mesh.nodes[cell], change);
+    const SoilPoint& point = begin.points[cell][q];
+    const Stiffness d = std::visit([&](const auto& law) { return stiffness_of_point(law, viscosity, strain, point); },
+                                   law_of_point(point.stress, cell, q).law);
     stiffness += b.transpose() * (shape.area * d * b);
   }
 }
@@ -128,12 +160,9 @@ void Assembly::add_contact(const FemState& begin, const std::vector<Real>& chang
     const FemTraction now = update_traction(model_.interface, point.normal, begin.contact[k], p * moved);
     contact_[k] = now.state;
     const Eigen::Matrix<Real, 5, 1> force = point.area * p.transpose() * now.state.traction;
-    const Eigen::Matrix<Real, 5, 5> stiffness = point.area * p.transpose() * now.stiffness * p;
     contact_force_ += point.area * now.state.traction.norm();
-    for (int i = 0; i < 5; ++i) {
-      residual_[unknowns[i]] -= force[i];
-      for (int j = 0; j < 5; ++j) matrix_[model_.contact_places[k][5 * i + j]] -= stiffness(i, j);
-    }
+    for (int i = 0; i < 5; ++i) residual_[unknowns[i]] -= force[i];
+    contact_stiffness_[k] = point.area * p.transpose() * now.stiffness * p;
   }
 }
 
@@ -148,22 +177,16 @@ void Assembly::give_unknowns(const FemLoads& loads)
       given_[unknown] = static_cast<char>(!loads.rigid[d].by_force);
       if (loads.rigid[d].by_force) residual_[unknown] -= loads.rigid[d].value;
     }
-  const SparsePattern& pattern = model_.pattern;
-  for (Index row = 0; row < pattern.size(); ++row)
-    if (given_[row])
-      for (Index k = pattern.first[row]; k < pattern.first[row + 1]; ++k) matrix_[k] = pattern.column[k] == row ? 1 : 0;
 }
 
 void Assembly::evaluate(const FemState& begin, const std::vector<Real>& change, const FemLoads& loads, Real viscosity)
 {
   for_each("evaluate elements", cells_.size(), [&](Index cell) { evaluate_cell(begin, change, loads.gravity, viscosity, cell); });
   const Timer timer("assemble");
-  std::fill(matrix_.begin(), matrix_.end(), 0.);
   for (std::size_t k = 0; k < residual_.size(); ++k) residual_[k] = -loads.held_back * held_back_[k];
   for (Index cell = 0; cell < cells_.size(); ++cell) {
     const auto& nodes = model_.mesh.nodes[cell];
     for (int k = 0; k < 12; ++k) residual_[2 * nodes[k / 2] + k % 2] += cells_[cell].force[k];
-    for (int k = 0; k < 144; ++k) matrix_[model_.cell_places[cell][k]] += cells_[cell].stiffness[k];
   }
   add_contact(begin, change);
   give_unknowns(loads);
@@ -176,6 +199,21 @@ void Assembly::evaluate(const FemState& begin, const std::vector<Real>& change, 
   }
   for (Index unknown = model_.rigid_unknown(); unknown < std::min(model_.rigid_unknown() + 2, model_.unknowns()); ++unknown)
     if (!given_[unknown]) unbalanced_ += std::abs(residual_[unknown]);
+}
+
+void Assembly::differentiate(const FemState& begin, const std::vector<Real>& change, Real viscosity)
+{
+  for_each("differentiate elements", cells_.size(), [&](Index cell) { differentiate_cell(begin, change, viscosity, cell); });
+  const Timer timer("assemble");
+  std::fill(matrix_.begin(), matrix_.end(), 0.);
+  for (Index cell = 0; cell < cells_.size(); ++cell)
+    for (int k = 0; k < 144; ++k) matrix_[model_.cell_places[cell][k]] += stiffness_[cell][k];
+  for (std::size_t point = 0; point < contact_.size(); ++point)
+    for (int k = 0; k < 25; ++k) matrix_[model_.contact_places[point][k]] -= contact_stiffness_[point](k / 5, k % 5);
+  const SparsePattern& pattern = model_.pattern;
+  for (Index row = 0; row < pattern.size(); ++row)
+    if (given_[row])
+      for (Index k = pattern.first[row]; k < pattern.first[row + 1]; ++k) matrix_[k] = pattern.column[k] == row ? 1 : 0;
 }
 
 Vec<2> Assembly::reaction() const

@@ -20,16 +20,19 @@ class Assembly {
 public:
   explicit Assembly(const FemModel& model);
 
-  /// Computes stresses and tractions for the change of displacement since `begin`, and from them the residual and the matrix. `viscosity` is eta:
+  /// Computes stresses and tractions for the change of displacement since `begin`, and from them the residual. `viscosity` is eta:
   ///
   ///   stress = (law's stress + eta elastic trial stress) / (1 + eta)   (Duvaut and Lions),
   ///
   /// so that soil at yield keeps a stiffness; what lies outside the law's surface is the overstress.
   void evaluate(const FemState& begin, const std::vector<Real>& change, const FemLoads& loads, Real viscosity);
 
+  /// Computes the matrix for what was evaluated last, from the same arguments.
+  void differentiate(const FemState& begin, const std::vector<Real>& change, Real viscosity);
+
   /// internal - external forces by unknown, N/m; not zeroed where the unknown is given.
   const std::vector<Real>& residual() const { return residual_; }
-  /// Derivative of the residual by the unknowns, in the model's pattern. Rows of given unknowns are those of the identity.
+  /// Derivative of the residual by the unknowns, in the model's pattern, of the last differentiate(). Rows of given unknowns are those of the identity.
   const std::vector<Real>& matrix() const { return matrix_; }
   bool given(Index unknown) const { return given_[unknown]; }
   /// Sum over the nodes of the unbalanced forces' magnitudes, and over the contact points of the forces', N/m.
@@ -48,6 +51,7 @@ public:
 
 private:
   void evaluate_cell(const FemState& begin, const std::vector<Real>& change, const Vec<2>& gravity, Real viscosity, Index cell);
+  void differentiate_cell(const FemState& begin, const std::vector<Real>& change, Real viscosity, Index cell);
   void add_contact(const FemState& begin, const std::vector<Real>& change);
   void count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const;
   void give_unknowns(const FemLoads& loads);
@@ -61,14 +65,15 @@ private:
 
   struct CellWork {
     std::array<Real, 12> force;
-    std::array<Real, 144> stiffness;
     Real work;  ///< J/m, of the stresses in the increment
   };
   const FemModel& model_;
   CellField<CellWork> cells_;
+  CellField<std::array<Real, 144>> stiffness_;  ///< of each element, row by row
   CellField<std::array<SoilPoint, triangle_points>> points_;
   CellField<std::array<PointLaw, triangle_points>> laws_;
   std::vector<FemContactState> contact_;
+  std::vector<Eigen::Matrix<Real, 5, 5, Eigen::DontAlign>> contact_stiffness_;  ///< derivative of the forces on its node and the rigid body
   std::vector<Real> residual_, matrix_, held_back_;
   std::vector<char> given_;
   Real unbalanced_ = 0, contact_force_ = 0;

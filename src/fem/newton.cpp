@@ -75,6 +75,7 @@ IncrementEnd Newton::find_equilibrium(const FemState& begin, const FemLoads& loa
     end.unbalance = assembly_.unbalanced() / std::max(assembly_.contact_force(), least_force_);
     end.converged = moves_as_given && end.unbalance <= model_.settings.tolerance;
     if (end.converged || end.iterations == most_iterations || !std::isfinite(end.unbalance)) return end;
+    assembly_.differentiate(begin, change, viscosity);
     if (!solver_.decompose(assembly_.matrix())) return end;
     solver_.solve(step_);
     if (moves_as_given) {

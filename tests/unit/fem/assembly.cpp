@@ -66,6 +66,7 @@ TEST_P(MatrixOf, is_the_derivative_of_the_residual_and_the_identity_where_given)
   const Index n = model.unknowns();
   Assembly assembly(model);
   assembly.evaluate(problem.state, change, loads, GetParam().viscosity);
+  assembly.differentiate(problem.state, change, GetParam().viscosity);
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
   for (Index row = 0; row < n; ++row)
     for (Index k = model.pattern.first[row]; k < model.pattern.first[row + 1]; ++k)
