@@ -4,6 +4,7 @@
 #include "program.hpp"
 #include "small_case.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace berm {
@@ -109,7 +110,10 @@ TEST_F(Hostile, sizes_that_no_machine_holds_are_refused_at_once)
   expect_refused(small_case_with("\"1 mm\"", "1e-30"), "output.frame_travel");
   expect_refused(test::small_case + std::string("[mpm]\ncourant = 1e-300\n"), "mpm.courant");
   std::string x = "0", y = "0";
-  for (int k = 1; k < 50'000; ++k) x += "," + std::to_string(k), y += "," + std::to_string(k % 2);
+  for (int k = 1; k < 50'000; ++k) {
+    x += fmt::format(",{}", k);
+    y += fmt::format(",{}", k % 2);
+  }
   expect_refused(test::small_case + ("[rigid.comb]\nshape = \"polygon\"\nx = [" + x + "]\ny = [" + y + "]\n"), "1000 corners at most");
   const std::string bed = "kind = \"seabed\"\nlength = 1\ndepth = 1\nheadroom = 1\nnear_left = -0.1\nnear_right = 0.1\nnear_depth = 0.1\n"
                           "near_height = 0.1\nnear_size = 1e-12\n";
