@@ -44,7 +44,7 @@ std::string Summary::json() const
   t["loops"] = Json::array();
   for (const Timing& loop : timing.loops) t["loops"].push_back({{"label", loop.label}, {"seconds", loop.seconds}, {"calls", loop.calls}});
   root["checks"] = Json::object();
-  for (const auto& [name, check] : checks) std::visit([&](auto value) { root["checks"][name] = value; }, check);
+  for (const auto& [name, check] : checks) std::visit([&, &key = name](auto value) { root["checks"][key] = value; }, check);
   root["text"] = Json::object();
   for (const auto& [name, words] : text) root["text"][name] = words;
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';

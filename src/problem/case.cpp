@@ -133,8 +133,9 @@ void check_stages(Describe& d, const Case& c)
     const StageSettings& s = c.stage[k];
     const std::string path = fmt::format("stage[{}]", k);
     const bool push = s.kind == StageKind::push, drag = s.kind == StageKind::drag, driven = push || drag;
-    d.check(!s.name.empty() && s.name.find_first_of(",\"\n\r.") == std::string::npos, path + ".name",
-            "must be a word without comma, dot or quotes");
+    constexpr std::size_t most = 100;
+    d.check(!s.name.empty() && s.name.size() <= most && s.name.find_first_of(",\".") == std::string::npos, path + ".name",
+            fmt::format("must be a word without comma, dot or quotes, {} bytes at most", most));
     d.check(!among(s.name, seen), path + ".name", "another stage has this name");
     seen.push_back(s.name);
     if (!s.rigid.empty()) check_name(d, path + ".rigid", s.rigid, "rigid", names_of(c.rigid));

@@ -370,7 +370,7 @@ TEST(Stage, expected_time_follows_from_travel_speed_and_ramp)
   EXPECT_EQ(expected_time(along), 0);
   along.kind = StageKind::push;
   along.until = {};
-  along.until.embedment = -0.05;  // above the bed
+  along.until.embedment = -0.5;  // above the bed
   EXPECT_EQ(expected_time(along), 0);
 }
 

@@ -83,14 +83,14 @@ TEST_F(Hostile, texts_that_are_no_toml_end_in_one_line)
 
 TEST_F(Hostile, numbers_that_are_none_or_beyond_all_bounds_are_refused)
 {
-  const std::pair<const char*, const char*> bad[] = {{"1e999", "surface"},
-                                                     {"-1e999", "surface"},
+  const std::pair<const char*, const char*> bad[] = {{"1e999", "case.toml:3: not valid TOML"},
+                                                     {"-1e999", "case.toml:3: not valid TOML"},
                                                      {"nan", "surface: must be a finite number"},
                                                      {"-inf", "surface: must be a finite number"},
                                                      {"9223372036854775808", "case.toml:3"},
                                                      {"99999999999999999999999999", "case.toml:3"},
                                                      {"\"1e999 m\"", "computed with"},
-                                                     {"\"nan m\"", "does not begin with a number"},
+                                                     {"\"nan m\"", "computed with"},
                                                      {"\"1 m^2147483647 m^-2147483646\"", "surface"},
                                                      {"\"1 m^99999999999999999999\"", "surface"}};
   for (const auto& [number, says] : bad) expect_refused(small_case_with("\"40 mm\"", number), says);
@@ -109,12 +109,8 @@ TEST_F(Hostile, sizes_that_no_machine_holds_are_refused_at_once)
   expect_refused(small_case_with("frame_travel = \"1 mm\"", "frame_time = 1e-30"), "output.frame_time");
   expect_refused(small_case_with("\"1 mm\"", "1e-30"), "output.frame_travel");
   expect_refused(test::small_case + std::string("[mpm]\ncourant = 1e-300\n"), "mpm.courant");
-  std::string x = "0", y = "0";
-  for (int k = 1; k < 50'000; ++k) {
-    x += fmt::format(",{}", k);
-    y += fmt::format(",{}", k % 2);
-  }
-  expect_refused(test::small_case + ("[rigid.comb]\nshape = \"polygon\"\nx = [" + x + "]\ny = [" + y + "]\n"), "1000 corners at most");
+  const std::string comb = fmt::format("[rigid.comb]\nshape = \"polygon\"\nx = [{0}]\ny = [{0}]\n", repeated("0, 1, ", 25'000));
+  expect_refused(test::small_case + comb, "1000 corners at most");
   const std::string bed = "kind = \"seabed\"\nlength = 1\ndepth = 1\nheadroom = 1\nnear_left = -0.1\nnear_right = 0.1\nnear_depth = 0.1\n"
                           "near_height = 0.1\nnear_size = 1e-12\n";
   expect_refused(small_case_with("kind = \"box\"\nsize = [\"120 mm\", \"60 mm\"]\ncells = [30, 15]\n", bed), "cells would be made");
@@ -129,7 +125,8 @@ TEST_F(Hostile, names_that_would_become_paths_are_refused)
     expect_refused(test::small_case + ("[watch.\"" + name + "\"]\nbody = \"sand\"\npoint = [0, 0]\n"), "is no name");
   }
   expect_refused(small_case_with("name = \"rest\"", "name = \"a\\u0007\\u001b]0;x\\u0007\""), "control character");
-  expect_refused(small_case_with("name = \"rest\"", "name = \"" + std::string(300'000, 'a') + "\""), "stage[0].name");
+  expect_refused(small_case_with("name = \"rest\"", "name = \"" + std::string(101, 'a') + "\""), "100 bytes at most");
+  expect_refused(small_case_with("name = \"rest\"", "name = \"" + std::string(300'000, 'a') + "\""), "is longer than 4096 bytes");
   expect_refused(small_case_with("a pipe on sand", "a\\npipe"), "title");
 }
 
@@ -150,7 +147,7 @@ TEST_F(Hostile, words_reach_no_shell_and_no_other_folder)
   const auto replace_all = [&](const std::string& from, const std::string& to) {
     for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size()) text.replace(at, from.size(), to);
   };
-  replace_all("name = \"rest\"", "name = \"`touch x`$(touch x); touch x | ' /../../x\"");
+  replace_all("name = \"rest\"", "name = \"`touch x`$(touch x); touch x | ' /x\"");
   replace_all("[rigid.pipe]", "[rigid.-e]");
   replace_all("rigid = \"pipe\"", "rigid = \"-e\"");
   text += "[watch.-persist]\nbody = \"sand\"\npoint = [0, 0]\n";
