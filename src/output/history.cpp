@@ -54,6 +54,21 @@ bool read_number(const std::string& field, Real& value)
   return error == std::errc() && stop == end && !field.empty();
 }
 
+bool has_control_character(const std::string& text)
+{
+  return std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; });
+}
+
+/// A field in quotes on one line, as far as it is needed to find it.
+std::string shown(const std::string& field)
+{
+  constexpr std::size_t most = 30;
+  std::string text = field.substr(0, most);
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7F; }, '?');
+  return '"' + text + (field.size() > most ? "...\"" : "\"");
+}
+
 }  // namespace
 
 std::string csv_field(const std::string& text)
@@ -161,6 +176,8 @@ History read_history(const std::filesystem::path& path)
   if (!next_line(text, at, header)) throw RunError(fmt::format("{}: it has no header line", path.string()));
   const auto stage = static_cast<std::size_t>(std::find(header.begin(), header.end(), stage_column) - header.begin());
   if (stage == header.size()) throw RunError(fmt::format("{}: line 1: there is no column {}", path.string(), stage_column));
+  for (const std::string& column : header)
+    if (has_control_character(column)) throw RunError(fmt::format("{}: line 1: {} is no name of a column", path.string(), shown(column)));
   for (std::size_t k = 0; k < header.size(); ++k)
     if (k != stage) history.columns.push_back(header[k]);
   history.values.resize(history.columns.size());
@@ -173,7 +190,7 @@ History read_history(const std::filesystem::path& path)
       if (k == stage) continue;
       Real value = 0;
       if (!read_number(fields[k], value))
-        throw RunError(fmt::format("{}: line {}: \"{}\" is not a number", path.string(), line, fields[k]));
+        throw RunError(fmt::format("{}: line {}: {} is not a number", path.string(), line, shown(fields[k])));
       history.values[column++].push_back(value);
     }
   }

@@ -192,7 +192,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
        "frame_time = \"0.5 s\"",
        "history_time = 1e-30",
        67,
-       {"output.history_time", "rows of history.csv", "at most 1e+07"},
+       {"output.history_time", "rows of history.csv", "at most 1e+10"},
        {}},
       {"frames_without_number", "\"0.5 s\"", "1e-30", 67, {"output.frame_time", "frames", "at most 1e+05"}, {}},
       {"frames_of_travel_without_number",
