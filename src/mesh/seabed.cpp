@@ -204,7 +204,8 @@ Real expected_cells(const SeabedMesh& bed)
       const Real size = std::min(at.far_size, bed.near_size + bed.growth * std::hypot(x.distance, y.distance));
       sum += x.length * y.length / (size * size);
     }
-  return sum / (std::sqrt(3.) / 4);
+  constexpr Real more = 1.1;  // than equilateral triangles of that size: 7 to 15 % in the beds of the tests
+  return more * sum / (std::sqrt(3.) / 4);
 }
 
 void write_geo(const SeabedMesh& bed, const std::filesystem::path& path)

@@ -54,7 +54,8 @@ std::string size_formula(const SeabedMesh& seabed);
 /// Settings of Gmsh for well shaped triangles, the same at every run.
 extern const char* const gmsh_options;
 
-/// About how many cells the mesh will have: the integral of 1 / (area of an equilateral triangle of the size wanted there).
+/// About how many cells the mesh will have: the integral of 1 / (area of an equilateral triangle of the size wanted there), and a
+/// tenth, by which Gmsh makes them smaller.
 Real expected_cells(const SeabedMesh& seabed);
 
 /// Writes the geometry for the gmsh program. Throws InputError where the lengths do not fit each other, RunError where it cannot write.

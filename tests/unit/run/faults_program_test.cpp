@@ -47,7 +47,7 @@ void expect_parts(const std::string& message, const std::vector<const char*>& pa
 TEST(Faults, a_second_run_into_the_same_folder_is_refused_and_the_first_goes_on)
 {
   const Place place;
-  const Words endless = {"--set", "stage.rest.until.time=1000 s"};
+  const Words endless = {"--set", "stage.rest.until.time=100 s"};
   Program first(place.folder.path(), {"run", "small.toml", "--threads", "1", "-o", "results", endless[0], endless[1]});
   ASSERT_TRUE(wait_until([&] { return place.text("results/history.csv").size() > 2000; }));
   const Ended second = place.run({});
@@ -63,7 +63,7 @@ TEST(Faults, the_folder_of_a_run_that_was_killed_can_be_used_again)
 {
   const Place place;
   {
-    Program killed(place.folder.path(), {"run", "small.toml", "--threads", "1", "-o", "results", "--set", "stage.rest.until.time=1000 s"});
+    Program killed(place.folder.path(), {"run", "small.toml", "--threads", "1", "-o", "results", "--set", "stage.rest.until.time=100 s"});
     ASSERT_TRUE(wait_until([&] { return place.text("results/history.csv").size() > 2000; }));
   }
   EXPECT_TRUE(place.has("results/lock"));

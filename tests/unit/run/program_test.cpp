@@ -233,7 +233,7 @@ TEST(Run, that_is_interrupted_keeps_whole_files_and_ends_with_status_1)
 {
   for (const int signal : {SIGINT, SIGTERM}) {
     const Place place;
-    Program program(place.folder.path(), {"run", "small.toml", "--threads", "1", "-o", "results", "--set", "stage.rest.until.time=1000 s"});
+    Program program(place.folder.path(), {"run", "small.toml", "--threads", "1", "-o", "results", "--set", "stage.rest.until.time=100 s"});
     ASSERT_TRUE(wait_until([&] { return place.text("results/history.csv").size() > 2000; }));
     program.signal(signal);
     const Ended ended = program.wait();
@@ -256,7 +256,7 @@ TEST(Run, that_is_interrupted_leaves_the_cases_behind_it_alone)
   const Place place;
   place.folder.write("other.toml", test::small_case);
   Program program(place.folder.path(),
-                  {"run", "small.toml", "other.toml", "--threads", "1", "-o", "results", "--set", "stage.rest.until.time=1000 s"});
+                  {"run", "small.toml", "other.toml", "--threads", "1", "-o", "results", "--set", "stage.rest.until.time=100 s"});
   ASSERT_TRUE(wait_until([&] { return place.text("results/small/history.csv").size() > 2000; }));
   program.signal(SIGINT);
   EXPECT_EQ(program.wait().status, 1);
