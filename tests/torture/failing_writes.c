@@ -2,10 +2,10 @@
 // A library for LD_PRELOAD: the N-th call by which a program changes files fails. Counted are, on files (not on terminals, pipes or standard error):
 // open for writing, write, pwrite, writev, sendfile, fsync, fdatasync, ftruncate, close of what was open for writing, rename, mkdir. Environment:
 //   FAULT_IN      the name of the program that is meant; others, such as its children, run as ever
-//   FAULT_AT      N, from 1; 0: none fails
+//   FAULT_AT      N, from 1; 0: none fails, all are told
 //   FAULT_HOW     ENOSPC, EIO (this call), SHORT (a write takes half, all other calls pass), FULL (the same, and all that
 //                 follow fail with ENOSPC; so does this one where it is no write)
-//   FAULT_COUNT   a file that gets the number of calls when the program ends
+//   FAULT_TOLD    a file that gets a line for each call that failed: its name and the path
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
@@ -33,26 +33,36 @@ __attribute__((constructor)) static void begin(void)
   reason = strcmp(how, "EIO") == 0 ? EIO : ENOSPC;
 }
 
-__attribute__((destructor)) static void end(void)
+static void tell(const char* call, const char* path)
 {
-  const char* file = getenv("FAULT_COUNT");
-  if (at < 0 || file == NULL) return;
-  char digits[24];
-  int used = sizeof digits;
-  for (long n = count; n > 0 || used == sizeof digits; n /= 10) digits[--used] = (char)('0' + n % 10);
-  const int to = (int)syscall(SYS_openat, AT_FDCWD, file, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  if (to < 0 || syscall(SYS_write, to, digits + used, sizeof digits - used) < 0) abort();
+  char line[4200];
+  const char* told = getenv("FAULT_TOLD");
+  const int size = snprintf(line, sizeof line, "%s %s\n", call, path);
+  const int to = told == NULL ? -1 : (int)syscall(SYS_openat, AT_FDCWD, told, O_WRONLY | O_CREAT | O_APPEND, 0666);
+  if (to < 0) return;
+  if (syscall(SYS_write, to, line, size) != size) abort();
   syscall(SYS_close, to);
 }
 
 // True where this call is to fail; errno says why then.
-static int fails(void)
+static int fails(const char* call, const char* path)
 {
   if (at < 0) return 0;
   const long n = __atomic_add_fetch(&count, 1, __ATOMIC_RELAXED);
+  if (at == 0) tell(call, path);
   if (at == 0 || n < at || (n > at && !full) || (halves && !full)) return 0;
+  tell(call, path);
   errno = reason;
   return 1;
+}
+
+static int fails_in(const char* call, int file)
+{
+  char link[40], path[4096];
+  snprintf(link, sizeof link, "/proc/self/fd/%d", file);
+  const ssize_t size = readlink(link, path, sizeof path - 1);
+  path[size < 0 ? 0 : size] = '\0';
+  return fails(call, path);
 }
 
 static int is_file_to_write(int file)
@@ -64,10 +74,10 @@ static int is_file_to_write(int file)
 }
 
 // How much of a write of `size` bytes is to be tried: the half of it where it is the one. 0: none, it fails.
-static size_t tried(size_t size)
+static size_t tried(int file, size_t size)
 {
   if ((halves || full) && size > 1 && count + 1 == at) return ++count, size / 2;
-  return fails() ? 0 : size;
+  return fails_in("write", file) ? 0 : size;
 }
 
 #define REAL(name) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))
@@ -75,14 +85,14 @@ static size_t tried(size_t size)
 ssize_t write(int file, const void* bytes, size_t size)
 {
   if (!is_file_to_write(file)) return REAL(write)(file, bytes, size);
-  const size_t part = tried(size);
+  const size_t part = tried(file, size);
   return part == 0 && size > 0 ? -1 : REAL(write)(file, bytes, part);
 }
 
 ssize_t pwrite64(int file, const void* bytes, size_t size, off64_t offset)
 {
   if (!is_file_to_write(file)) return REAL(pwrite64)(file, bytes, size, offset);
-  const size_t part = tried(size);
+  const size_t part = tried(file, size);
   return part == 0 && size > 0 ? -1 : REAL(pwrite64)(file, bytes, part, offset);
 }
 
@@ -94,28 +104,28 @@ ssize_t pwrite(int file, const void* bytes, size_t size, off_t offset)
 ssize_t writev(int file, const struct iovec* parts, int number)
 {
   if (!is_file_to_write(file)) return REAL(writev)(file, parts, number);
-  const size_t part = tried((size_t)number);
+  const size_t part = tried(file, (size_t)number);
   return part == 0 && number > 0 ? -1 : REAL(writev)(file, parts, (int)part);
 }
 
 ssize_t sendfile(int to, int from, off_t* offset, size_t size)
 {
-  return is_file_to_write(to) && fails() ? -1 : REAL(sendfile)(to, from, offset, size);
+  return is_file_to_write(to) && fails_in("sendfile", to) ? -1 : REAL(sendfile)(to, from, offset, size);
 }
 
 int fsync(int file)
 {
-  return fails() ? -1 : REAL(fsync)(file);
+  return fails_in("fsync", file) ? -1 : REAL(fsync)(file);
 }
 
 int fdatasync(int file)
 {
-  return fails() ? -1 : REAL(fdatasync)(file);
+  return fails_in("fdatasync", file) ? -1 : REAL(fdatasync)(file);
 }
 
 int ftruncate64(int file, off64_t size)
 {
-  return fails() ? -1 : REAL(ftruncate64)(file, size);
+  return fails_in("ftruncate64", file) ? -1 : REAL(ftruncate64)(file, size);
 }
 
 int ftruncate(int file, off_t size)
@@ -125,18 +135,18 @@ int ftruncate(int file, off_t size)
 
 int rename(const char* from, const char* to)
 {
-  return fails() ? -1 : REAL(rename)(from, to);
+  return fails("rename", to) ? -1 : REAL(rename)(from, to);
 }
 
 int mkdir(const char* path, mode_t mode)
 {
-  return fails() ? -1 : REAL(mkdir)(path, mode);
+  return fails("mkdir", path) ? -1 : REAL(mkdir)(path, mode);
 }
 
 // The descriptor is gone even where close() reports an error.
 int close(int file)
 {
-  const int failed = is_file_to_write(file) && fails();
+  const int failed = is_file_to_write(file) && fails_in("close", file);
   const int result = REAL(close)(file);
   if (failed) errno = reason;
   return failed ? -1 : result;
@@ -158,7 +168,7 @@ int open64(const char* path, int flags, ...)
   va_start(rest, flags);
   const mode_t mode = mode_of(flags, rest);
   va_end(rest);
-  return opens_to_write(flags) && fails() ? -1 : REAL(open64)(path, flags, mode);
+  return opens_to_write(flags) && fails("open", path) ? -1 : REAL(open64)(path, flags, mode);
 }
 
 int open(const char* path, int flags, ...)
@@ -176,7 +186,7 @@ int openat64(int folder, const char* path, int flags, ...)
   va_start(rest, flags);
   const mode_t mode = mode_of(flags, rest);
   va_end(rest);
-  return opens_to_write(flags) && fails() ? -1 : REAL(openat64)(folder, path, flags, mode);
+  return opens_to_write(flags) && fails("open", path) ? -1 : REAL(openat64)(folder, path, flags, mode);
 }
 
 int openat(int folder, const char* path, int flags, ...)
@@ -191,7 +201,7 @@ int openat(int folder, const char* path, int flags, ...)
 // What the C library's own streams open, such as those of std::ofstream.
 FILE* fopen64(const char* path, const char* mode)
 {
-  return strpbrk(mode, "wa+") != NULL && fails() ? NULL : REAL(fopen64)(path, mode);
+  return strpbrk(mode, "wa+") != NULL && fails("fopen", path) ? NULL : REAL(fopen64)(path, mode);
 }
 
 FILE* fopen(const char* path, const char* mode)

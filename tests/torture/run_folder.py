@@ -106,6 +106,16 @@ def results(folder):
     return found
 
 
+def has_begun(folder):
+    """Whether a run can be resumed; before, it is begun anew."""
+    return all(os.path.exists(os.path.join(folder, name)) for name in ("resolved.toml", "case.toml"))
+
+
+def has_half_a_checkpoint(folder):
+    checkpoints = os.path.join(folder, "checkpoint")
+    return os.path.isdir(checkpoints) and any(name.endswith(".h5.part") for name in os.listdir(checkpoints))
+
+
 def log_is_whole(folder):
     lines = read(os.path.join(folder, "run.log")).splitlines()
     return bool(lines) and b"everything is in" in lines[-1]

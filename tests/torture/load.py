@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Long and large runs: how much memory they take, and whether their energy balances."""
+
+import json
+import math
+import os
+import re
+import time
+
+SAMPLED_EVERY = 0.02  # s
+PROBE_TEST = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "examples", "probe_test", "case.toml")
+
+COLUMN = """# A column of sand, 1 m wide and 2 m high, that falls in a mesh of 6 m x 2.25 m, as in `berm bench`.
+gravity = [0, "-1 gravity"]
+
+[mesh]
+kind = "box"
+size = [6, 2.25]
+cells = [{columns}, {rows}]
+
+[material.sand]
+law = "mohr_coulomb"
+density = 1600
+young_modulus = "7 MPa"
+poisson_ratio = 0.25
+friction_angle = "35 deg"
+
+[body.sand]
+material = "sand"
+
+[body.sand.block]
+center = [0.5, 1]
+size = [1, 2]
+spacing = {spacing}
+
+[rigid.floor]
+shape = "half_plane"
+point = [0, 0]
+normal = [0, 1]
+
+[contact.floor]
+body = "sand"
+rigid = "floor"
+friction_angle = 0.5
+
+[support.left]
+boundary = "left"
+fixed = ["x"]
+[support.bottom]
+boundary = "bottom"
+fixed = ["y"]
+[support.right]
+boundary = "right"
+fixed = ["x"]
+
+[[stage]]
+name = "fall"
+kind = "free"
+until.time = {end}
+
+[output]
+history_time = {end}
+"""
+
+
+def column_case(particles, time_steps):
+    """A case of about so many particles and steps: nine particles in each of two triangles of a square."""
+    per_side = round(math.sqrt(particles / 36))
+    spacing = 1 / per_side / math.sqrt(18)
+    wave_speed = math.sqrt(7e6 / 0.74 / 1600)  # that of compression in this sand
+    step = 0.3 / per_side / wave_speed  # about what berm takes
+    return COLUMN.format(columns=6 * per_side, rows=round(2.25 * per_side), spacing=spacing, end=time_steps * step)
+
+
+def status_of(process, key):
+    """MiB from /proc; None where the process is gone."""
+    try:
+        with open(f"/proc/{process.pid}/status") as file:
+            found = re.search(rf"^{key}:\s+(\d+) kB", file.read(), re.MULTILINE)
+    except OSError:
+        return None
+    return int(found[1]) / 1024 if found else None
+
+
+def watch(process, key, every):
+    """MiB of the process itself, not of its children, until it ends."""
+    found = []
+    while process.poll() is None:
+        mebibytes = status_of(process, key)
+        if mebibytes is not None:
+            found.append(mebibytes)
+        time.sleep(every)
+    return found
+
+
+def summary_of(folder):
+    with open(os.path.join(folder, "summary.json")) as file:
+        return json.load(file)
+
+
+def ended_well(process):
+    said = process.communicate()[1]
+    if process.returncode != 0:
+        print(f"exit status {process.returncode}: {said.strip()[-300:]}")
+    return process.returncode == 0
+
+
+def memory(berm, sizes, threads):
+    """What `berm check` foretells and what a run takes at most, with two frames: within 10 %."""
+    fine = True
+    print("particles  cells  foretold, MiB  taken, MiB")
+    for size in sizes:
+        case, folder = os.path.join(berm.place, "column.toml"), os.path.join(berm.place, f"column_{size:g}")
+        with open(case, "w") as file:
+            file.write(column_case(size, 20))
+        check = berm.start("check", case, "--threads", threads, hears=True)
+        foretold = float(re.search(r"memory +about (\d+) MiB", check.communicate()[0])[1])
+        run = berm.start("run", case, "--threads", threads, "-o", folder)
+        taken = max(watch(run, "VmHWM", SAMPLED_EVERY))
+        if not ended_well(run):
+            return False
+        timing = summary_of(folder)["timing"]
+        within = abs(taken / foretold - 1) <= 0.1
+        fine = fine and within
+        print(f"{timing['particles']}  {timing['cells']}  {foretold:.0f}  {taken:.0f}{'' if within else '  NOT within 10 %'}", flush=True)
+    return fine
+
+
+def soak(berm, particle_steps, threads):
+    """The probe test with a shorter drag: memory flat after the first tenth, energy in balance within 1 % of the work done."""
+    folder = os.path.join(berm.place, "soak")
+    # A drag of 20 mm takes 4.5e9 particle-steps, all before it 5e8.
+    drag = max(0.1, (particle_steps - 5e8) / 4.5e9 * 20)
+    run = berm.start("run", PROBE_TEST, "--threads", threads, "-o", folder, "--set", f"stage.drag.until.displacement={drag:.2f} mm")
+    taken = watch(run, "VmRSS", 1)
+    if not ended_well(run):
+        return False
+    summary = summary_of(folder)
+    done = summary["timing"]["particles"] * summary["timing"]["steps"]
+    early, late = taken[len(taken) // 10], taken[-1]
+    error = summary["checks"]["energy_error"]
+    print(f"{done:.3g} particle-steps of {summary['timing']['particles']} particles in {summary['timing']['wall_s']:.0f} s")
+    print(f"memory: {early:.1f} MiB after the first tenth, {late:.1f} MiB at the end, {max(taken):.1f} MiB at most ({len(taken)} samples)")
+    print(f"energy error: {100 * error:.3f} % of the work")
+    return done >= particle_steps and late <= 1.05 * early and error < 0.01
