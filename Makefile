@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build probe test verify fuzz clean
+.PHONY: help setup configure build probe test verify fuzz sanitize threads tidy clean
 
 cores := $(shell env -u OMP_NUM_THREADS nproc)
 release := build/release
@@ -40,8 +40,17 @@ verify: build ## run the whole verification book; it is out/verification/index.h
 	@$(release)/berm verify
 
 fuzz: ## look for inputs that break berm, with clang: ten million for each target of tests/fuzz, hours
-	@scripts/setup fuzz
+	@scripts/setup clang
 	@for target in case model mesh frame results study; do tests/fuzz/run $$target; done
+
+sanitize: setup ## unit tests with address and undefined-behaviour sanitizers: some 15 minutes on four cores
+	@cmake --preset sanitize >/dev/null && cmake --build --preset sanitize | $(only_news) && ctest --preset sanitize --parallel $(cores)
+
+threads: ## tests of what runs in threads, with clang's thread sanitizer
+	@scripts/setup clang && cmake --preset threads >/dev/null && cmake --build --preset threads | $(only_news) && ctest --preset threads
+
+tidy: ## clang-tidy over src, with the checks of .clang-tidy: half an hour on four cores
+	@scripts/setup clang && cmake --preset debug >/dev/null && run-clang-tidy-14 -quiet -p build/debug '/src/'
 
 clean: ## remove what was built; runs in out/ stay
 	@rm -rf build

@@ -29,6 +29,7 @@ target_compile_definitions(berm_flags INTERFACE EIGEN_MAX_STATIC_ALIGN_BYTES=0)
 if(BERM_SANITIZE)
   target_compile_options(berm_flags INTERFACE -fsanitize=${BERM_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_link_options(berm_flags INTERFACE -fsanitize=${BERM_SANITIZE})
+  target_compile_definitions(berm_flags INTERFACE _GLIBCXX_ASSERTIONS)
 endif()
 
 find_package(OpenMP REQUIRED)
