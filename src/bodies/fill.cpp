@@ -45,9 +45,8 @@ std::array<Real, 3> counts_in(const BlockSettings& block)
 /// Refuses, before any memory is taken, more particles than can be numbered.
 void check_count(const std::string& key, Real count)
 {
-  constexpr Real most = std::numeric_limits<Index>::max() / 2;
-  if (!(count <= most))
-    throw InputError(fmt::format("{}: {:.3g} particles are too many; at most {:.0f} can be numbered", key, count, most));
+  constexpr Index most = std::numeric_limits<Index>::max() / 2;
+  if (!(count <= most)) throw InputError(fmt::format("{}: {:.3g} particles are too many; at most {} can be numbered", key, count, most));
 }
 
 template <int dim>

@@ -211,7 +211,7 @@ private:
     once(has_elements_, "$Elements");
     if (!has_nodes_) lines_.fail("$Elements comes before $Nodes");
     if (!has_entities_) lines_.fail("there is no section $Entities before $Elements: without it no cell has a physical group");
-    for (Index i = 0; i < static_cast<Index>(points_.size()); ++i) mesh_.position.push_back(points_[i].template head<dim>());
+    for (const auto& point : points_) mesh_.position.push_back(point.template head<dim>());
     mesh_.boundary_nodes.resize(mesh_.boundary_names.size());
     constexpr const char* expected_counts = "the numbers of blocks and elements, the least and the largest element tag";
     lines_.need(expected_counts);
