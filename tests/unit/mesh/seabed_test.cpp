@@ -126,7 +126,7 @@ TEST(SeabedMesh, cells_have_the_size_that_was_asked_for)
     EXPECT_GT(mesh.volume[c], wanted / 2);
   }
   EXPECT_NEAR(area / count / wanted, 1, 0.1);
-  EXPECT_NEAR(mesh.cell_count() / expected_cells(bed), 1, 0.15);
+  EXPECT_NEAR(mesh.cell_count() / expected_cells(bed), 1, 0.06);
   EXPECT_LT(*std::max_element(mesh.volume.begin(), mesh.volume.end()), 3 * std::sqrt(3.) / 4 * 0.012 * 0.012);
 }
 
@@ -150,7 +150,7 @@ TEST(SeabedMesh, may_have_its_fine_zone_anywhere_in_the_bed)
   bed.near_right = -0.15;
   const auto left = make_mesh<2>(bed, ".", folder.path());
   expect_area(left, "near", 0.05 * 0.025);
-  EXPECT_NEAR(left.cell_count() / expected_cells(bed), 1, 0.15);
+  EXPECT_NEAR(left.cell_count() / expected_cells(bed), 1, 0.06);
   bed.near_left = 0.1;
   bed.near_right = 0.2;
   expect_area(make_mesh<2>(bed, ".", folder.path()), "near", 0.1 * 0.025);
@@ -166,7 +166,7 @@ TEST(SeabedMesh, may_be_small_enough_for_numbers_with_exponents)
     *length *= 1e-3;
   const auto mesh = make_mesh<2>(bed, ".", folder.path());
   expect_area(mesh, "near", 0.09 * 0.025 * 1e-6);
-  EXPECT_NEAR(mesh.cell_count() / expected_cells(bed), 1, 0.15);
+  EXPECT_NEAR(mesh.cell_count() / expected_cells(bed), 1, 0.06);
 }
 
 // A grid of samples over the whole bed would miss the fine zone.
