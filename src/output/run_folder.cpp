@@ -37,11 +37,12 @@ constexpr const char* own_files[] = {"history.csv",
                                      "checkpoint",
                                      "resolved.toml"};
 
-/// Whether anything is in the folder but the lock that a run which was ended by force has left.
+/// Whether anything is in the folder but what a run leaves that is ended by force as it begins: its lock, a part of its first file.
 bool holds_files(const fs::path& folder)
 {
-  return std::any_of(fs::directory_iterator(folder), fs::directory_iterator(),
-                     [](const fs::directory_entry& entry) { return entry.path().filename() != FolderLock::file_name; });
+  return std::any_of(fs::directory_iterator(folder), fs::directory_iterator(), [](const fs::directory_entry& entry) {
+    return entry.path().filename() != FolderLock::file_name && entry.path().filename() != part_of("resolved.toml");
+  });
 }
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason)

@@ -132,6 +132,7 @@ private:
       const bool asked_to_stop = interrupted();
       if (ended || asked_to_stop) checkpoints_.ask();
       if (finished_ || !can_go_on_from_here() || !checkpoints_.due()) continue;
+      history_bytes_ = history_->sync();  // a history that the disk does not take ends the run, a checkpoint does not
       checkpoints_.write(state().step, [&](Keep& k) { keep(k); });
       stopped = asked_to_stop;
     }
@@ -149,7 +150,6 @@ private:
   /// All that a checkpoint holds. What must fit comes first.
   void keep(Keep& k)
   {
-    if (!k.reads()) history_bytes_ = history_->sync();
     keep_same(k, "case", resolved_toml(request_.settings), "it is of another case than resolved.toml");
     keep_same_mesh(k, model().mesh);
     k("vector_unit", unit_);

@@ -61,6 +61,14 @@ TEST(RunFolder, a_folder_of_something_else_is_refused_and_left_alone)
   EXPECT_EQ(content_of(base.path / "history.csv"), "mine");
 }
 
+TEST(RunFolder, of_a_run_that_was_killed_as_it_began_is_taken)
+{
+  const TemporaryFolder base;
+  put(base.path / "resolved.toml.part", "[me");
+  put(base.path / FolderLock::file_name, "");
+  EXPECT_EQ(refusal(base.path), "");
+}
+
 TEST(RunFolder, of_an_earlier_run_what_berm_wrote_is_removed_and_nothing_else)
 {
   const TemporaryFolder base;
