@@ -43,13 +43,13 @@ fuzz: ## look for inputs that break berm, with clang: ten million for each targe
 	@scripts/setup clang
 	@for target in case model mesh frame results study; do tests/fuzz/run $$target; done
 
-sanitize: setup ## unit tests with address and undefined-behaviour sanitizers: some 15 minutes on four cores
+sanitize: setup ## unit tests with address and undefined-behaviour sanitizers: long
 	@cmake --preset sanitize >/dev/null && cmake --build --preset sanitize | $(only_news) && ctest --preset sanitize --parallel $(cores)
 
 threads: ## tests of what runs in threads, with clang's thread sanitizer
 	@scripts/setup clang && cmake --preset threads >/dev/null && cmake --build --preset threads | $(only_news) && ctest --preset threads
 
-tidy: ## clang-tidy over src, with the checks of .clang-tidy: half an hour on four cores
+tidy: ## clang-tidy over src, with the checks of .clang-tidy: long
 	@scripts/setup clang && cmake --preset debug >/dev/null && run-clang-tidy-14 -quiet -p build/debug '/src/'
 
 clean: ## remove what was built; runs in out/ stay

@@ -51,8 +51,10 @@ struct Meeting {
     if constexpr (dim == 2) {
       for (int k = 0; k < 16; ++k) attempt(Vec<2>(std::cos(k * pi / 8), std::sin(k * pi / 8)));
     } else {
-      for (int k = 0; k < 27; ++k)
-        if (k != 13) attempt(Vec<3>(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1));
+      for (int z = -1; z <= 1; ++z)
+        for (int y = -1; y <= 1; ++y)
+          for (int x = -1; x <= 1; ++x)
+            if (x != 0 || y != 0 || z != 0) attempt(Vec<3>(x, y, z));
     }
     const Real reach = dim == 2 ? pi / 8 : pi / 4;
     for (int turn = 0; turn < (dim == 2 ? 1 : 4); ++turn) best = turned_to_the_widest(best, turn, reach);
