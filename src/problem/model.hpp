@@ -51,7 +51,7 @@ struct Model {
   Index main_rigid;           ///< whose u, w, H and V are told, or none
   std::vector<Watch> watches;
   MpmSettings mpm;
-  bool update_stress_first;  ///< Scheme::usf
+  bool update_stress_first = false;  ///< Scheme::usf
 };
 
 /// A vector at a node without its components in the directions that are held there.
