@@ -88,8 +88,10 @@ template <int dim>
 void FrameWriter<dim>::write_mesh(const Mesh<dim>& mesh) const
 {
   std::vector<Real> points;
+  points.reserve(3 * mesh.position.size());
   for (const Vec<dim>& x : mesh.position) append<dim>(points, x);
   Vtu vtu(std::move(points));
+  vtu.reserve_cells(mesh.nodes.size(), dim + 1);
   for (const auto& nodes : mesh.nodes)
     vtu.add_cell(dim == 2 ? VtkCell::triangle : VtkCell::tetrahedron, std::vector<Index>(nodes.begin(), nodes.end()));
   const std::vector<std::int32_t> region(mesh.region.begin(), mesh.region.end());
@@ -103,6 +105,13 @@ void FrameWriter<dim>::write_soil(const std::string& name) const
   std::vector<Real> points;
   std::vector<float> velocity, displacement, stress, mean_stress, strain, increment, volume;
   std::vector<std::int32_t> body, id;
+  // Lists that grow by doubling would take half as much again, of the memory of a large run.
+  const std::size_t count = last_.particles.size();
+  points.reserve(3 * count);
+  for (auto* list : {&velocity, &displacement}) list->reserve(3 * count);
+  stress.reserve(6 * count);
+  for (auto* list : {&mean_stress, &strain, &increment, &volume}) list->reserve(count);
+  for (auto* list : {&body, &id}) list->reserve(count);
   for (const FrameParticle<dim>& f : last_.particles) {
     const Particle<dim>& p = f.particle;
     append<dim>(points, p.x);
@@ -117,6 +126,7 @@ void FrameWriter<dim>::write_soil(const std::string& name) const
     id.push_back(p.id);
   }
   Vtu vtu(std::move(points));
+  vtu.reserve_cells(last_.triangles.empty() ? count : last_.triangles.size(), last_.triangles.empty() ? 1 : 6);
   for (const auto& nodes : last_.triangles) vtu.add_cell(VtkCell::quadratic_triangle, std::vector<Index>(nodes.begin(), nodes.end()));
   if (last_.triangles.empty())
     for (Index k = 0; k < static_cast<Index>(last_.particles.size()); ++k) vtu.add_cell(VtkCell::vertex, {k});

@@ -24,6 +24,13 @@ std::string_view bytes_of(const std::vector<T>& values)
 
 }  // namespace
 
+void Vtu::reserve_cells(std::size_t cells, std::size_t points)
+{
+  connectivity_.reserve(connectivity_.size() + cells * points);
+  offsets_.reserve(offsets_.size() + cells);
+  types_.reserve(types_.size() + cells);
+}
+
 void Vtu::add_cell(VtkCell type, const std::vector<Index>& points)
 {
   connectivity_.insert(connectivity_.end(), points.begin(), points.end());

@@ -33,6 +33,8 @@ public:
 
   std::size_t point_count() const { return points_.size() / 3; }
   std::size_t cell_count() const { return types_.size(); }
+  /// Makes room for `cells` more of about `points` points each.
+  void reserve_cells(std::size_t cells, std::size_t points);
   void add_cell(VtkCell type, const std::vector<Index>& points);
 
   /// A field: `components` numbers of each point or cell, one after the other. T: float, double or std::int32_t.
