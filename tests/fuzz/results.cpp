@@ -66,7 +66,21 @@ void may_be_refused(const Work& work)
   }
 }
 
-void read_all(const fs::path& folder)
+/// The numbers that `berm study` and `berm verify` take.
+void take_numbers(const fs::path& folder)
+{
+  Reading reading;
+  reading.quantity = "energy_error";
+  may_be_refused([&] { evaluate(reading, folder); });
+  reading.quantity.clear();
+  reading.column = "w_m";
+  for (const Measure measure : {Measure::slope, Measure::acceleration, Measure::period}) {
+    reading.measure = measure;
+    may_be_refused([&] { evaluate(reading, folder); });
+  }
+}
+
+void write_sections(const fs::path& folder)
 {
   may_be_refused([&] {
     const std::vector<RunRecord> runs = {read_run(folder)};
@@ -75,18 +89,6 @@ void read_all(const fs::path& folder)
     trust_section(runs);
     claims_section(runs);
   });
-  may_be_refused([&] { frame_files(folder / "frames"); });
-  for (const Measure measure : {Measure::slope, Measure::acceleration, Measure::period}) {
-    Reading reading;
-    reading.column = "w_m";
-    reading.measure = measure;
-    may_be_refused([&] { evaluate(reading, folder); });
-  }
-  Reading quantity;
-  quantity.quantity = "energy_error";
-  may_be_refused([&] { evaluate(quantity, folder); });
-  wall_time_of(folder);
-  has_result({folder / "resolved.toml", {}, folder, false});
 }
 
 }  // namespace
@@ -98,6 +100,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const char kind = text.empty() ? 'h' : text[0];
   const char* file = kind == 's' ? "summary.json" : kind == 'l' ? "run.log" : kind == 'p' ? "frames/frames.pvd" : "history.csv";
   folder.hold(file, text.empty() ? "" : text.substr(1));
-  read_all(folder.path());
+  if (kind == 'p') {
+    may_be_refused([&] { frame_files(folder.path() / "frames"); });
+    return 0;
+  }
+  write_sections(folder.path());
+  if (kind != 'l') take_numbers(folder.path());
+  if (kind == 's') {
+    wall_time_of(folder.path());
+    has_result({folder.path() / "resolved.toml", {}, folder.path(), false});
+  }
   return 0;
 }
