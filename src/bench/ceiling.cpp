@@ -14,8 +14,11 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// Eight particles of one cell.
+constexpr int bare_lanes = 8;
+using BareLanes = Real __attribute__((vector_size(bare_lanes * sizeof(Real))));
 struct alignas(64) BareBlock {
-  Lanes x[2], v[2], stress[4], volume, mass, plastic;  // stress: xx, yy, zz, xy
+  BareLanes x[2], v[2], stress[4], volume, mass, plastic;  // stress: xx, yy, zz, xy
 };
 
 /// N_k = a[k] + b[k] x + c[k] y.
@@ -36,7 +39,7 @@ constexpr Real bulk = young_modulus / 3 / (1 - 2 * poisson_ratio), shear = young
 /// A square of side x side squares of size 1, each cut into two triangles, with all that the passes need.
 class Bare {
 public:
-  Bare(Index side, int per_cell) : per_cell_(per_cell), blocks_a_cell_((per_cell + lanes - 1) / lanes), side_(side)
+  Bare(Index side, int per_cell) : per_cell_(per_cell), blocks_a_cell_((per_cell + bare_lanes - 1) / bare_lanes), side_(side)
   {
     for (Index j = 0; j < side; ++j)
       for (Index i = 0; i < side; ++i) {
@@ -107,9 +110,9 @@ private:
   /// Particles at places that a fixed sequence gives, at rest but for a little, in a stress within the strength.
   void fill(Index e)
   {
-    for (int k = 0; k < blocks_a_cell_ * lanes; ++k) {
-      BareBlock& p = blocks_[e * blocks_a_cell_ + k / lanes];
-      const int l = k % lanes;
+    for (int k = 0; k < blocks_a_cell_ * bare_lanes; ++k) {
+      BareBlock& p = blocks_[e * blocks_a_cell_ + k / bare_lanes];
+      const int l = k % bare_lanes;
       Real r = next_random(), s = next_random();
       if (r + s > 1) r = 1 - r, s = 1 - s;
       for (int d = 0; d < 2; ++d) {
@@ -147,16 +150,16 @@ private:
   void sum_cells()
   {
     for_each("ceiling: cells", static_cast<Index>(cells_.size()), [&](Index e) {
-      Lanes low[lanes]{}, high[lanes]{};  // m, mx, my, p, px, py, q, qx; qy and the stresses
+      BareLanes low[bare_lanes]{}, high[bare_lanes]{};  // m, mx, my, p, px, py, q, qx; qy and the stresses
       for (int b = 0; b < blocks_a_cell_; ++b) {
         const BareBlock& p = blocks_[e * blocks_a_cell_ + b];
-        const Lanes mx = p.mass * p.x[0], my = p.mass * p.x[1];
+        const BareLanes mx = p.mass * p.x[0], my = p.mass * p.x[1];
         low[0] += p.mass, low[1] += mx, low[2] += my;
         low[3] += p.mass * p.v[0], low[4] += mx * p.v[0], low[5] += my * p.v[0];
         low[6] += p.mass * p.v[1], low[7] += mx * p.v[1], high[0] += my * p.v[1];
         high[1] += p.volume * p.stress[0], high[2] += p.volume * p.stress[1], high[3] += p.volume * p.stress[3];
       }
-      const Lanes s = sums(low), t = sums(high);
+      const BareLanes s = sums(low), t = sums(high);
       const BareCell& cell = cells_[e];
       for (int k = 0; k < 3; ++k) {
         const Real a = cell.a[k], b = cell.b[k], c = cell.c[k], m = a * s[0] + b * s[1] + c * s[2];
@@ -186,16 +189,16 @@ private:
     for_each("ceiling: accelerations", static_cast<Index>(cells_.size()), [&](Index e) {
       Real f[3][2];
       linear(cells_[e], acceleration_, f);
-      Lanes total[lanes]{};
+      BareLanes total[bare_lanes]{};
       for (int b = 0; b < blocks_a_cell_; ++b) {
         BareBlock& p = blocks_[e * blocks_a_cell_ + b];
         for (int d = 0; d < 2; ++d) {
           p.v[d] += dt * (f[0][d] + f[1][d] * p.x[0] + f[2][d] * p.x[1]);
-          const Lanes q = p.mass * p.v[d];
+          const BareLanes q = p.mass * p.v[d];
           total[3 * d] += q, total[3 * d + 1] += q * p.x[0], total[3 * d + 2] += q * p.x[1];
         }
       }
-      const Lanes s = sums(total);
+      const BareLanes s = sums(total);
       const BareCell& cell = cells_[e];
       for (int k = 0; k < 3; ++k)
         for (int d = 0; d < 2; ++d) momentum_[3 * e + k][d] = cell.a[k] * s[3 * d] + cell.b[k] * s[3 * d + 1] + cell.c[k] * s[3 * d + 2];
@@ -224,19 +227,20 @@ private:
       for (int b = 0; b < blocks_a_cell_; ++b) {
         BareBlock& p = blocks_[e * blocks_a_cell_ + b];
         for (int d = 0; d < 2; ++d) p.x[d] += tiny_motion * dt * (f[0][d] + f[1][d] * p.x[0] + f[2][d] * p.x[1]);
-        Lanes least = all_lanes(1);
+        BareLanes least = 1 - BareLanes{};
         for (int k = 0; k < 3; ++k) least = smaller(least, cell.a[k] + cell.b[k] * p.x[0] + cell.c[k] * p.x[1]);
-        if (any(least < all_lanes(-1e-6))) [[unlikely]]
-          p.plastic = Lanes{};
-        Lanes* s = p.stress;
-        const Lanes trial_x = s[0] + (lame * volume + 2 * shear * xx) + 2 * spin * s[3];
-        const Lanes trial_y = s[1] + (lame * volume + 2 * shear * yy) - 2 * spin * s[3];
-        const Lanes trial_xy = s[3] + shear * xy + spin * (s[1] - s[0]);
+        if (any(least < -1e-6 - BareLanes{})) [[unlikely]]
+          p.plastic = BareLanes{};
+        BareLanes* s = p.stress;
+        const BareLanes trial_x = s[0] + (lame * volume + 2 * shear * xx) + 2 * spin * s[3];
+        const BareLanes trial_y = s[1] + (lame * volume + 2 * shear * yy) - 2 * spin * s[3];
+        const BareLanes trial_xy = s[3] + shear * xy + spin * (s[1] - s[0]);
         s[2] += lame * volume;
         p.volume *= 1 + volume;
-        const Lanes mean = 0.5 * (trial_x + trial_y), half = 0.5 * (trial_x - trial_y);
-        const Lanes radius = square_root(half * half + trial_xy * trial_xy + 1e-30), over = 2 * radius + 2 * mean * sin_phi - strength;
-        const Lanes flow = larger(over, Lanes{}) * (1 / (4 * shear)), left = larger(radius - 2 * shear * flow, Lanes{}) / radius;
+        const BareLanes mean = 0.5 * (trial_x + trial_y), half = 0.5 * (trial_x - trial_y);
+        const BareLanes radius = square_root(half * half + trial_xy * trial_xy + 1e-30), over = 2 * radius + 2 * mean * sin_phi - strength;
+        const BareLanes flow = larger(over, BareLanes{}) * (1 / (4 * shear)),
+                        left = larger(radius - 2 * shear * flow, BareLanes{}) / radius;
         s[0] = mean + half * left;
         s[1] = mean - half * left;
         s[3] = trial_xy * left;

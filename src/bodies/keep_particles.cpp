@@ -21,7 +21,7 @@ std::vector<Index> blocks_in_order(const Particles<dim>& particles)
   return order;
 }
 
-/// One number of every lane, those without a particle included. numbers_of(b) points to the eight of block b.
+/// One number of every lane, those without a particle included. numbers_of(b) points to those of block b.
 template <class T, class NumbersOf>
 void keep_lanes(Keep& k, const std::string& name, const std::vector<Index>& order, const NumbersOf& numbers_of)
 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/keep.hpp"
-#include "core/lanes.hpp"
+#include "core/lane_parts.hpp"
 #include "mesh/mesh.hpp"
 
 #include <utility>
@@ -10,9 +10,9 @@
 
 namespace berm {
 
-/// Eight particles of one cell. Lanes beyond the cell's count hold no particle: mass, volume and stress zero, a finite position.
+/// Four particles of one cell. Lanes beyond the cell's count hold no particle: mass, volume and stress zero, a finite position.
 template <int dim>
-struct alignas(64) Block {
+struct alignas(32) Block {
   Lanes x[dim];                    ///< position, m
   Lanes v[dim];                    ///< velocity, m/s
   Lanes stress[tensor_size<dim>];  ///< Pa, tension positive; components as in SymTensor
@@ -55,14 +55,22 @@ public:
   Lanes* state(Index b) { return reinterpret_cast<Lanes*>(state_.data() + static_cast<std::size_t>(b) * state_size_); }
   const Lanes* state(Index b) const { return reinterpret_cast<const Lanes*>(state_.data() + static_cast<std::size_t>(b) * state_size_); }
 
-  /// Asks for the first two blocks of the cell four places behind occupied()[c], so that they are in the cache when their turn comes: cells
+  /// Calls visit(part) for each part of a cell's particles (core/lane_parts.hpp).
+  template <class Visit>
+  [[gnu::always_inline]] void parts(Index cell, const Visit& visit) const
+  {
+    for_each_part(
+        head_[cell], count_[cell], [&](Index b) { return blocks_[b].next; }, visit);
+  }
+
+  /// Asks for the first three blocks of the cell four places behind occupied()[c], so that they are in the cache when their turn comes: cells
   /// differ in their number of blocks, which the processor's own prefetching does not foresee (docs/performance.md).
   [[gnu::always_inline]] void prefetch_after(Index c) const
   {
     constexpr std::size_t ahead = 4;
     if (c + ahead >= occupied_.size()) return;
     const auto* bytes = reinterpret_cast<const char*>(&blocks_[head_[occupied_[c + ahead]]]);
-    prefetch_lines(bytes, std::make_index_sequence<2 * sizeof(Block<dim>) / cache_line>());
+    prefetch_lines(bytes, std::make_index_sequence<3 * sizeof(Block<dim>) / cache_line>());
   }
 
   /// Cells that hold particles, ascending. sort_occupied() brings it up to date and is true where it changed.

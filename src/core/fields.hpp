@@ -3,9 +3,40 @@
 
 #include "core/numbers.hpp"
 
+#include <cstdlib>
+#include <new>
+#include <type_traits>
 #include <vector>
 
 namespace berm {
+
+/// Memory that is zero when it is asked for and of which the machine gives no page before it is written: what stays zero costs nothing.
+template <class T>
+struct ZeroMemory {
+  using value_type = T;
+
+  ZeroMemory() = default;
+  template <class Other>
+  ZeroMemory(const ZeroMemory<Other>&)
+  {
+  }
+
+  T* allocate(std::size_t count)
+  {
+    static_assert(alignof(T) <= alignof(std::max_align_t));
+    void* const memory = std::calloc(count, sizeof(T));
+    if (memory == nullptr) throw std::bad_alloc();
+    return static_cast<T*>(memory);
+  }
+  void deallocate(T* memory, std::size_t) { std::free(memory); }
+
+  template <class Made, class... Arguments>
+  void construct(Made* place, Arguments&&... arguments)
+  {
+    if constexpr (sizeof...(Arguments) > 0) ::new (static_cast<void*>(place)) Made(std::forward<Arguments>(arguments)...);
+  }
+  bool operator==(const ZeroMemory&) const = default;
+};
 
 /// Values that live on one kind of thing; fields on different things are different types.
 template <class Place, class T>
@@ -13,6 +44,13 @@ class Field {
 public:
   Field() = default;
   explicit Field(Index size, const T& value = T{}) : values_(size, value) {}
+  /// Zeros in memory that only what is written later takes.
+  static Field zeros(Index size) requires std::is_trivially_copyable_v<T>
+  {
+    Field field;
+    field.values_ = std::vector<T, ZeroMemory<T>>(size);
+    return field;
+  }
 
   T& operator[](Index i) { return values_[i]; }
   const T& operator[](Index i) const { return values_[i]; }
@@ -27,7 +65,7 @@ public:
   auto end() const { return values_.end(); }
 
 private:
-  std::vector<T> values_;
+  std::vector<T, ZeroMemory<T>> values_;
 };
 
 struct OnNodes;

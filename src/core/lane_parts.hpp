@@ -4,46 +4,96 @@
 #include "core/lanes.hpp"
 
 #include <cstring>
+#include <type_traits>
 
 namespace berm {
 
-/// As many lanes as one register of the machine holds: 8, 4 or 2. Comparing and choosing are slow in the compiler for vectors wider than a register
-/// (ten times in a return to the yield surface), so the passes over particles take a block in such parts, and leave out those that hold no particle.
-/// With AVX-512 the part is the whole.
-#if defined(__AVX512F__)
-constexpr int part_lanes = 8;
-#elif defined(__AVX__)
-constexpr int part_lanes = 4;
+/// The passes over particles take a cell's chain of blocks in parts that fit a register of the machine: comparing and choosing are slow in the compiler
+/// for wider vectors (ten times in a return to the yield surface). A part is half a block (SSE), a block (AVX2), or, with AVX-512, two blocks of the
+/// chain where there are two. Parts without a particle are left out.
+#if defined(__AVX__)
+using LanePart = Lanes;
 #else
-constexpr int part_lanes = 2;
+using LanePart = Real __attribute__((vector_size(2 * sizeof(Real))));
 #endif
-using LanePart = Real __attribute__((vector_size(part_lanes * sizeof(Real))));
-using LanePartMask = decltype(LanePart() < LanePart());
+#if defined(__AVX512F__)
+using WidePart = Real __attribute__((vector_size(2 * lanes * sizeof(Real))));
+#else
+using WidePart = LanePart;
+#endif
 
-/// Lanes first, ..., first + part_lanes - 1.
-[[gnu::always_inline]] inline LanePart part_of(const Lanes& x, int first)
-{
-  LanePart part;
-  std::memcpy(&part, reinterpret_cast<const char*>(&x) + first * sizeof(Real), sizeof part);
-  return part;
-}
+/// One part of a cell's particles, its numbers in vectors of type V.
+template <class V>
+struct Part {
+  using Vector = V;
+  using Mask = decltype(V() < V());
+  static constexpr int size = lanes_of<V>;
 
-[[gnu::always_inline]] inline void set_part(Lanes& x, int first, const LanePart& part)
-{
-  std::memcpy(reinterpret_cast<char*>(&x) + first * sizeof(Real), &part, sizeof part);
-}
+  Index block, other;  ///< the block, and the next one where V is two blocks wide
+  Index place;         ///< of the first particle in its cell
+  Index left;          ///< particles of the cell from there on, at least 1
+  int first;           ///< lane of the first particle in its block
 
-/// Lets change(LanePart*) work on that part of `count` Lanes: in place where the part is the whole, so that what does not change is not written.
-template <int count, class Change>
-[[gnu::always_inline]] inline void with_parts(Lanes* x, int first, const Change& change)
+  /// Which lanes hold a particle.
+  [[gnu::always_inline]] Mask alive() const
+  {
+    V numbers;
+    for (int l = 0; l < size; ++l) numbers[l] = l;
+    return numbers < static_cast<Real>(left) - V{};
+  }
+
+  /// The part's numbers: low is of the block, high of the other.
+  [[gnu::always_inline]] V get(const Lanes& low, const Lanes& high) const
+  {
+    if constexpr (size > lanes) {
+      return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+    } else {
+      V numbers;
+      std::memcpy(&numbers, reinterpret_cast<const char*>(&low) + first * sizeof(Real), sizeof numbers);
+      return numbers;
+    }
+  }
+  [[gnu::always_inline]] void set(Lanes& low, Lanes& high, const V& numbers) const
+  {
+    if constexpr (size > lanes) {
+      low = __builtin_shufflevector(numbers, numbers, 0, 1, 2, 3);
+      high = __builtin_shufflevector(numbers, numbers, 4, 5, 6, 7);
+    } else {
+      std::memcpy(reinterpret_cast<char*>(&low) + first * sizeof(Real), &numbers, sizeof numbers);
+    }
+  }
+
+  /// Lets change(V*) work on this part of `count` Lanes: in place where the part is a block, so that what does not change is not written.
+  template <int count, class Change>
+  [[gnu::always_inline]] void change(Lanes* low, Lanes* high, const Change& change) const
+  {
+    if constexpr (std::is_same_v<V, Lanes>) {
+      change(low);
+    } else {
+      V numbers[count + 1];  // an array has at least one place
+      for (int k = 0; k < count; ++k) numbers[k] = get(low[k], high[k]);
+      change(numbers);
+      for (int k = 0; k < count; ++k) set(low[k], high[k], numbers[k]);
+    }
+  }
+};
+
+/// Calls visit(part) for each part of a cell's particles, in their order. next_of(block) is the chain's next block.
+template <class NextOf, class Visit>
+[[gnu::always_inline]] inline void for_each_part(Index block, Index count, const NextOf& next_of, const Visit& visit)
 {
-  if constexpr (part_lanes == lanes) {
-    change(x);
-  } else {
-    LanePart parts[count + 1];  // an array has at least one place
-    for (int k = 0; k < count; ++k) parts[k] = part_of(x[k], first);
-    change(parts);
-    for (int k = 0; k < count; ++k) set_part(x[k], first, parts[k]);
+  for (Index place = 0; place < count; place += lanes) {
+    const Index next = next_of(block);
+    if constexpr (lanes_of < WidePart >> lanes)
+      if (count - place > lanes) {
+        visit(Part<WidePart>{block, next, place, count - place, 0});
+        place += lanes;
+        block = next_of(next);
+        continue;
+      }
+    for (int first = 0; first < lanes && first < count - place; first += lanes_of<LanePart>)
+      visit(Part<LanePart>{block, block, place + first, count - place - first, first});
+    block = next;
   }
 }
 

@@ -5,9 +5,9 @@
 
 namespace berm {
 
-/// Particles are stored and computed eight at a time. A Lanes holds one number of each; arithmetic, comparison and `mask ? a : b` work lane by lane,
-/// as for a Real, so that a law written for a type T serves one particle (T = Real) and several (T = Lanes).
-constexpr int lanes = 8;
+/// Particles are stored four at a time. A Lanes holds one number of each; arithmetic, comparison and `mask ? a : b` work lane by lane, as for a Real,
+/// so that a law written for a type T serves one particle (T = Real) and several (T = Lanes).
+constexpr int lanes = 4;
 using Lanes = Real __attribute__((vector_size(lanes * sizeof(Real))));
 /// In memory that program and engine share: the alignment of Lanes itself depends on the vector unit that a file is compiled for.
 struct alignas(lanes * sizeof(Real)) StoredLanes {
@@ -20,8 +20,8 @@ using LaneMask = std::int64_t __attribute__((vector_size(lanes * sizeof(Real))))
   return value - Lanes{};
 }
 
-/// 0, 1, 2, ... 7: compared with a count it masks the lanes that hold a particle.
-constexpr Lanes lane_numbers = {0, 1, 2, 3, 4, 5, 6, 7};
+/// 0, 1, 2, 3: compared with a count it masks the lanes that hold a particle.
+constexpr Lanes lane_numbers = {0, 1, 2, 3};
 
 /// How many numbers a vector holds.
 template <class V>

@@ -2,49 +2,67 @@
 #include "mesh/patches.hpp"
 
 #include <algorithm>
-#include <set>
+#include <functional>
+#include <queue>
+#include <span>
 
 namespace berm {
 namespace {
 
 using Groups = std::vector<std::vector<Index>>;
 
-/// The groups that share a face with group g and lie in its region.
-template <int dim>
-std::set<Index> neighbors_of(const Mesh<dim>& mesh, const Groups& groups, const std::vector<Index>& group_of, Index g)
-{
-  std::set<Index> found;
-  for (Index cell : groups[g])
-    for (Index other : mesh.neighbor[cell])
-      if (other != none && group_of[other] != g && mesh.region[other] == mesh.region[cell]) found.insert(group_of[other]);
-  return found;
-}
+/// For each group those that share a face with it and lie in its region, ascending: neighbors of g are list[first[g]] ... list[first[g + 1] - 1].
+struct Neighbors {
+  std::vector<Index> first = {0}, list;
+
+  template <int dim>
+  Neighbors(const Mesh<dim>& mesh, const Groups& groups)
+  {
+    std::vector<Index> group_of(mesh.cell_count());
+    for (std::size_t g = 0; g < groups.size(); ++g)
+      for (Index cell : groups[g]) group_of[cell] = static_cast<Index>(g);
+    first.reserve(groups.size() + 1);
+    list.reserve(groups.size() * Mesh<dim>::corners);
+    std::vector<Index> found;
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+      found.clear();
+      for (Index cell : groups[g])
+        for (Index other : mesh.neighbor[cell])
+          if (other != none && group_of[other] != static_cast<Index>(g) && mesh.region[other] == mesh.region[cell])
+            found.push_back(group_of[other]);
+      std::sort(found.begin(), found.end());
+      list.insert(list.end(), found.begin(), std::unique(found.begin(), found.end()));
+      first.push_back(static_cast<Index>(list.size()));
+    }
+  }
+  std::span<const Index> of(Index g) const { return {list.data() + first[g], list.data() + first[g + 1]}; }
+};
 
 template <int dim>
 Groups joined(const Mesh<dim>& mesh, const Groups& groups)
 {
   const Index count = static_cast<Index>(groups.size());
-  std::vector<Index> group_of(mesh.cell_count());
-  for (Index g = 0; g < count; ++g)
-    for (Index cell : groups[g]) group_of[cell] = g;
-  std::vector<std::set<Index>> neighbors;
-  for (Index g = 0; g < count; ++g) neighbors.push_back(neighbors_of(mesh, groups, group_of, g));
+  const Neighbors neighbors(mesh, groups);
 
-  // Those with few free neighbours choose first, so that few are left alone.
+  // Those with few free neighbours choose first, so that few are left alone. A group waits in several places; the one with its present number counts.
   std::vector<Index> free_neighbors(count), partner(count, none);
-  std::set<std::pair<Index, Index>> waiting;
-  for (Index g = 0; g < count; ++g) waiting.insert({free_neighbors[g] = static_cast<Index>(neighbors[g].size()), g});
+  std::vector<bool> free(count, true);
+  using Turn = std::pair<Index, Index>;  // free neighbours and group
+  std::priority_queue<Turn, std::vector<Turn>, std::greater<>> turns;
+  for (Index g = 0; g < count; ++g) turns.push({free_neighbors[g] = static_cast<Index>(neighbors.of(g).size()), g});
   const auto settle = [&](Index g) {
-    waiting.erase({free_neighbors[g], g});
-    for (Index other : neighbors[g])
-      if (waiting.erase({free_neighbors[other], other}) == 1) waiting.insert({--free_neighbors[other], other});
+    free[g] = false;
+    for (Index other : neighbors.of(g))
+      if (free[other]) turns.push({--free_neighbors[other], other});
   };
   std::vector<Index> alone;
-  while (!waiting.empty()) {
-    const Index g = waiting.begin()->second;
+  while (!turns.empty()) {
+    const auto [waited_with, g] = turns.top();
+    turns.pop();
+    if (!free[g] || waited_with != free_neighbors[g]) continue;
     Index best = none;
-    for (Index other : neighbors[g])
-      if (waiting.contains({free_neighbors[other], other}) && (best == none || free_neighbors[other] < free_neighbors[best])) best = other;
+    for (Index other : neighbors.of(g))
+      if (free[other] && (best == none || free_neighbors[other] < free_neighbors[best])) best = other;
     settle(g);
     if (best == none) {
       alone.push_back(g);
@@ -65,7 +83,7 @@ Groups joined(const Mesh<dim>& mesh, const Groups& groups)
     }
   for (Index g : alone) {
     Index smallest = none;
-    for (Index other : neighbors[g])
+    for (Index other : neighbors.of(g))
       if (place[other] != none && (smallest == none || result[place[other]].size() < result[smallest].size())) smallest = place[other];
     if (smallest == none || result[smallest].size() + groups[g].size() > most_patch_cells) {
       result.push_back(groups[g]);
@@ -79,23 +97,20 @@ Groups joined(const Mesh<dim>& mesh, const Groups& groups)
 }  // namespace
 
 template <int dim>
-CellField<Patch> make_patches(const Mesh<dim>& mesh, int rounds)
+Patches make_patches(const Mesh<dim>& mesh, int rounds)
 {
   Groups groups;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) groups.push_back({cell});
   for (int round = 0; round < rounds; ++round) groups = joined(mesh, groups);
-  CellField<Patch> patches(mesh.cell_count());
+  Patches patches(mesh.cell_count());
   for (std::vector<Index>& group : groups) {
     std::sort(group.begin(), group.end());
-    Patch patch;
-    patch.fill(none);
-    std::copy(group.begin(), group.end(), patch.begin());
-    for (Index cell : group) patches[cell] = patch;
+    for (std::size_t k = 0; k < group.size(); ++k) patches[group[k]] = group[(k + 1) % group.size()];
   }
   return patches;
 }
 
-template CellField<Patch> make_patches(const Mesh<2>&, int);
-template CellField<Patch> make_patches(const Mesh<3>&, int);
+template Patches make_patches(const Mesh<2>&, int);
+template Patches make_patches(const Mesh<3>&, int);
 
 }  // namespace berm

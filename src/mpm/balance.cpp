@@ -45,7 +45,7 @@ void solve_momentum_balance(const Model<dim>& model, State<dim>& state, Work<dim
     const Real m = grid.mass[i];
     Vec<dim>& a = grid.acceleration[i];
     Vec<dim> force = Vec<dim>::Zero();
-    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) force += grid.corner_force[mesh.entries[e]];
+    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) force += Eigen::Map<const Vec<dim>>(grid.at(mesh.entries[e]).sum);
     sums_i.all = force.sum() + grid.velocity[i].sum();
     if (!(m > 0)) {
       a.setZero();

@@ -18,7 +18,7 @@ Real surface_area(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
   Vec<dim> gradient = Vec<dim>::Zero();
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
     const Index cell = mesh.entries[e] / (dim + 1), corner = mesh.entries[e] % (dim + 1);
-    gradient += grid.corner_sums[mesh.entries[e]].volume * mesh.shape[cell].gradient(corner);
+    gradient += grid.moments[mesh.entries[e] / (dim + 1)].volume * mesh.shape[cell].gradient(corner);
   }
   return gradient.norm();
 }

@@ -7,12 +7,10 @@ namespace berm {
 
 template <int dim>
 BodyGrid<dim>::BodyGrid(const Mesh<dim>& mesh)
-    : moments(mesh.cell_count()),
-      corner_sums(mesh.entries.size(), CornerSums<dim>{}),
-      corner_force(mesh.entries.size(), Vec<dim>::Zero()),
-      corner_momentum(mesh.entries.size(), Vec<dim>::Zero()),
-      volume_change(mesh.cell_count(), 0),
-      viscous_stress(mesh.cell_count(), 0),
+    : moments(CellField<Moments<dim>>::zeros(mesh.cell_count())),
+      corners(CellField<std::array<CornerSums<dim>, dim + 1>>::zeros(mesh.cell_count())),
+      volume_change(CellField<Real>::zeros(mesh.cell_count())),
+      viscous_stress(CellField<Real>::zeros(mesh.cell_count())),
       mass(mesh.node_count(), 0),
       velocity(mesh.node_count(), Vec<dim>::Zero()),
       acceleration(mesh.node_count(), Vec<dim>::Zero()),

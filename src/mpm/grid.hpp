@@ -29,25 +29,22 @@ struct Moments {
   }
 };
 
-/// What one cell gives to one of its corners in steps 1 and 6.
+/// What one cell gives to one of its corners.
 template <int dim>
 struct CornerSums {
-  Real mass;
-  Real momentum[dim];
-  Real volume;           ///< of the particles in the whole cell
-  Real volume_pressure;  ///< sum V p, p the mean of the stress components in the mesh's directions
+  Real sum[dim];   ///< its momentum in step 1, kg m/s; then the internal force, N; then its momentum after step 5
+  Real mass;       ///< sum m N_k, kg
+  Real cell_mass;  ///< of all particles of the cell, kg
 };
 
-/// The nodal fields of one body and the sums that make them; nothing here outlives a step.
+/// The nodal fields of one body and the sums that make them; nothing here outlives a step. Those of cells are zero where a cell has no particles.
 template <int dim>
 struct BodyGrid {
   CellField<Moments<dim>> moments;
-  std::vector<CornerSums<dim>> corner_sums;  ///< by corner entry; zero where a cell has no particles
-  std::vector<Vec<dim>> corner_force;        ///< internal force, N
-  std::vector<Vec<dim>> corner_momentum;     ///< after step 5, kg m/s
-  CellField<Real> volume_change;             ///< sum V times div(v) dt of the cell
-  CellField<Real> viscous_stress;            ///< Pa, tension positive; 0 where the body does not dilate
-  Real bulk_viscosity = 0;                   ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
+  CellField<std::array<CornerSums<dim>, dim + 1>> corners;
+  CellField<Real> volume_change;   ///< sum V times div(v) dt of the cell
+  CellField<Real> viscous_stress;  ///< Pa, tension positive; 0 where the body does not dilate
+  Real bulk_viscosity = 0;         ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
 
   NodeField<Real> mass;
   NodeField<Vec<dim>> velocity;            ///< v^t
@@ -60,6 +57,9 @@ struct BodyGrid {
 
   BodyGrid() = default;
   explicit BodyGrid(const Mesh<dim>& mesh);
+
+  /// What the cell of an entry of the mesh gives to the node.
+  const CornerSums<dim>& at(CornerEntry e) const { return corners.data()->data()[e]; }
 };
 
 /// Lists the nodes that have a cell with particles.

@@ -3,7 +3,6 @@
 
 #include "core/error.hpp"
 #include "core/for_each.hpp"
-#include "core/lane_parts.hpp"
 #include "mpm/sound.hpp"
 
 #include <algorithm>
@@ -27,9 +26,10 @@ struct LinearField {
         for (int a = 0; a < dim; ++a) slope[d][a] += shape.b[a][k] * value;
       }
   }
-  [[gnu::always_inline]] LanePart at(int d, const LanePart* x) const
+  template <class V>
+  [[gnu::always_inline]] V at(int d, const V* x) const
   {
-    LanePart value = c[d] + slope[d][0] * x[0];
+    V value = c[d] + slope[d][0] * x[0];
     for (int a = 1; a < dim; ++a) value += slope[d][a] * x[a];
     return value;
   }
@@ -59,20 +59,22 @@ struct CellStrain {
 };
 
 /// stress += spin stress - stress spin (Jaumann).
-[[gnu::always_inline]] inline void rotate(SymTensor<2, LanePart>& s, const Real (&spin)[2][2])
+template <class V>
+[[gnu::always_inline]] inline void rotate(SymTensor<2, V>& s, const Real (&spin)[2][2])
 {
   const Real w = spin[0][1];
-  const LanePart turned = w * (s[1] - s[0]), change = 2 * w * s[3];
+  const V turned = w * (s[1] - s[0]), change = 2 * w * s[3];
   s[0] += change;
   s[1] -= change;
   s[3] += turned;
 }
-[[gnu::always_inline]] inline void rotate(SymTensor<3, LanePart>& s, const Real (&spin)[3][3])
+template <class V>
+[[gnu::always_inline]] inline void rotate(SymTensor<3, V>& s, const Real (&spin)[3][3])
 {
-  const SymTensor<3, LanePart> old = s;
+  const SymTensor<3, V> old = s;
   for (int a = 0; a < 3; ++a)
     for (int b = a; b < 3; ++b) {
-      LanePart change{};
+      V change{};
       for (int k = 0; k < 3; ++k) change += spin[a][k] * old[tensor_place(k, b)] - old[tensor_place(a, k)] * spin[k][b];
       s[tensor_place(a, b)] += change;
     }
@@ -114,20 +116,19 @@ bool bring_back(const Mesh<dim>& mesh, Index cell, Vec<dim>& x)
 }
 
 /// The law, but for particles that have grown to their largest volume: these dilate no more.
-template <int dim, class Law>
-[[gnu::always_inline]] inline void update_stress_of(const Law& law, const Law* spent_law, LanePartMask spent,
-                                                    SymTensor<dim, LanePart>& stress, const SymTensor<dim, LanePart>& strain,
-                                                    LanePart* state)
+template <int dim, class Law, class V>
+[[gnu::always_inline]] inline void update_stress_of(const Law& law, const Law* spent_law, typename Part<V>::Mask spent,
+                                                    SymTensor<dim, V>& stress, const SymTensor<dim, V>& strain, V* state)
 {
   if (spent_law == nullptr || !any(spent)) {
-    update_stress<dim, LanePart>(law, stress, strain, state);
+    update_stress<dim, V>(law, stress, strain, state);
     return;
   }
-  SymTensor<dim, LanePart> spent_stress = stress;
-  LanePart spent_state[std::max(Law::state_size, 1)];
+  SymTensor<dim, V> spent_stress = stress;
+  V spent_state[std::max(Law::state_size, 1)];
   std::copy_n(state, Law::state_size, spent_state);
-  update_stress<dim, LanePart>(law, stress, strain, state);
-  update_stress<dim, LanePart>(*spent_law, spent_stress, strain, spent_state);
+  update_stress<dim, V>(law, stress, strain, state);
+  update_stress<dim, V>(*spent_law, spent_stress, strain, spent_state);
   for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = spent ? spent_stress[k] : stress[k];
   for (int k = 0; k < Law::state_size; ++k) state[k] = spent ? spent_state[k] : state[k];
 }
@@ -159,76 +160,77 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
     CellStrain<dim> cell_strain(velocity, dt);
     if (pass != Pass::move && model.mpm.volumetric_projection) {
       Real volume = 0, change = 0;
-      for (Index member : model.patches[cell]) {
-        if (member == none) break;
+      for_each_in_patch(model.patches, cell, [&](Index member) {
         volume += grid.moments[member].volume;
         change += grid.volume_change[member];
-      }
+      });
       cell_strain.project(change / volume);
     }
     const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
-    SymTensor<dim, LanePart> strain;
-    for (int k = 0; k < tensor_size<dim>; ++k) strain[k] = cell_strain.strain[k] - LanePart{};
 
-    LanePart work_done{};  // with the mean of old and new stress
-    Index left = particles.count_in(cell), place = 0;
-    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes, place += lanes) {
-      Block<dim>& p = particles.block(b);
-      for (int first = 0; first < lanes && first < left; first += part_lanes) {
-        const LanePartMask alive = part_of(lane_numbers, first) < static_cast<Real>(left) - LanePart{};
-        LanePart least_shape = 1 - LanePart{};
-        if constexpr (pass != Pass::strain) {
-          LanePart old_x[dim], x[dim];
-          for (int d = 0; d < dim; ++d) old_x[d] = part_of(p.x[d], first);
-          for (int d = 0; d < dim; ++d) {
-            const LanePart v = part_of(p.v[d], first);
-            set_part(p.v[d], first, alive ? v + dt * acceleration.at(d, old_x) : v);
-            x[d] = alive ? old_x[d] + dt * velocity.at(d, old_x) : old_x[d];
-            set_part(p.x[d], first, x[d]);
-          }
-          for (int k = 0; k <= dim; ++k) {
-            LanePart n = shape.a[k] + shape.b[0][k] * x[0];
-            for (int d = 1; d < dim; ++d) n += shape.b[d][k] * x[d];
-            least_shape = smaller(least_shape, n);
-          }
+    Real work_done = 0;  // with the mean of old and new stress
+    particles.parts(cell, [&](const auto& part) {
+      using V = typename std::decay_t<decltype(part)>::Vector;
+      using Mask = typename Part<V>::Mask;
+      Block<dim>&p = particles.block(part.block), &q = particles.block(part.other);
+      const Mask alive = part.alive();
+      V least_shape = 1 - V{};
+      if constexpr (pass != Pass::strain) {
+        V old_x[dim], x[dim];
+        for (int d = 0; d < dim; ++d) old_x[d] = part.get(p.x[d], q.x[d]);
+        for (int d = 0; d < dim; ++d) {
+          const V v = part.get(p.v[d], q.v[d]);
+          part.set(p.v[d], q.v[d], alive ? v + dt * acceleration.at(d, old_x) : v);
+          x[d] = alive ? old_x[d] + dt * velocity.at(d, old_x) : old_x[d];
+          part.set(p.x[d], q.x[d], x[d]);
         }
-        if constexpr (pass != Pass::move) {
-          const LanePart mass = part_of(p.mass, first), volume = part_of(p.volume, first);
-          SymTensor<dim, LanePart> stress, both_stresses;
-          for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = both_stresses[k] = part_of(p.stress[k], first);
-          rotate(stress, cell_strain.spin);
-          const LanePartMask spent = alive & (volume >= mass * most_volume);
-          with_parts<Law::state_size>(particles.state(b), first, [&](LanePart* law_state) {
-            update_stress_of<dim>(law, spent_law, spent, stress, strain, law_state);
-          });
-          for (int k = 0; k < tensor_size<dim>; ++k) {
-            const LanePart kept = alive ? stress[k] : LanePart{};
-            both_stresses[k] += kept;
-            set_part(p.stress[k], first, kept);
-          }
-          work_done += 0.5 * volume * double_dot(both_stresses, strain);
-          set_part(p.volume, first, smaller(larger(volume * stretch, mass * least_volume), mass * most_volume));
-          set_part(p.deviatoric_strain, first, part_of(p.deviatoric_strain, first) + deviatoric);
+        for (int k = 0; k <= dim; ++k) {
+          V n = shape.a[k] + shape.b[0][k] * x[0];
+          for (int d = 1; d < dim; ++d) n += shape.b[d][k] * x[d];
+          least_shape = smaller(least_shape, n);
         }
-
-        const LanePartMask leaves = alive & (least_shape < LanePart{});
-        if (any(leaves)) [[unlikely]]
-          for (int l = 0; l < part_lanes; ++l)
-            if (leaves[l]) {
-              Vec<dim> at;
-              for (int d = 0; d < dim; ++d) at[d] = p.x[d][first + l];
-              const Location found = locate(mesh, at, cell);
-              const bool in_mesh = found.inside || bring_back(mesh, found.cell, at);
-              for (int d = 0; d < dim; ++d) p.x[d][first + l] = at[d];
-              if (!in_mesh || found.cell != cell)
-                work.movers[omp_get_thread_num()].push_back({cell, place + first + l, in_mesh ? found.cell : none});
-            }
       }
-    }
+      if constexpr (pass != Pass::move) {
+        const V mass = part.get(p.mass, q.mass), volume = part.get(p.volume, q.volume);
+        SymTensor<dim, V> strain, stress, both_stresses;
+        for (int k = 0; k < tensor_size<dim>; ++k) {
+          strain[k] = cell_strain.strain[k] - V{};
+          stress[k] = both_stresses[k] = part.get(p.stress[k], q.stress[k]);
+        }
+        rotate(stress, cell_strain.spin);
+        const Mask spent = alive & (volume >= mass * most_volume);
+        part.template change<Law::state_size>(particles.state(part.block), particles.state(part.other), [&](V* law_state) {
+          update_stress_of<dim>(law, spent_law, spent, stress, strain, law_state);
+        });
+        for (int k = 0; k < tensor_size<dim>; ++k) {
+          const V kept = alive ? stress[k] : V{};
+          both_stresses[k] += kept;
+          part.set(p.stress[k], q.stress[k], kept);
+        }
+        work_done += sum(0.5 * volume * double_dot(both_stresses, strain));
+        part.set(p.volume, q.volume, smaller(larger(volume * stretch, mass * least_volume), mass * most_volume));
+        part.set(p.deviatoric_strain, q.deviatoric_strain, part.get(p.deviatoric_strain, q.deviatoric_strain) + deviatoric);
+      }
+
+      const Mask leaves = alive & (least_shape < V{});
+      if (any(leaves)) [[unlikely]]
+        for (int l = 0; l < part.size; ++l)
+          if (leaves[l]) {
+            Block<dim>& block = l < lanes ? p : q;
+            const int lane = (part.first + l) % lanes;
+            Vec<dim> at;
+            for (int d = 0; d < dim; ++d) at[d] = block.x[d][lane];
+            const Location found = locate(mesh, at, cell);
+            const bool in_mesh = found.inside || bring_back(mesh, found.cell, at);
+            for (int d = 0; d < dim; ++d) block.x[d][lane] = at[d];
+            if (!in_mesh || found.cell != cell)
+              work.movers[omp_get_thread_num()].push_back({cell, part.place + l, in_mesh ? found.cell : none});
+          }
+    });
     if (pass != Pass::move && model.mpm.mixed_stress) average_stress(mesh, particles, cell);
 
     if (pass == Pass::move) return Real(0);
-    return sum(work_done) + grid.moments[cell].volume * grid.viscous_stress[cell] * cell_strain.dilation;
+    return work_done + grid.moments[cell].volume * grid.viscous_stress[cell] * cell_strain.dilation;
   });
 }
 
@@ -294,14 +296,9 @@ void change_cells(const Model<dim>& model, State<dim>& state, Work<dim>& work, I
   for (const Mover& mover : movers)
     if (particles.count_in(mover.from) == 0) {
       grid.moments[mover.from] = {};
+      grid.corners[mover.from] = {};
       grid.volume_change[mover.from] = 0;
       grid.viscous_stress[mover.from] = 0;
-      for (int k = 0; k <= dim; ++k) {
-        const Index entry = (dim + 1) * mover.from + k;
-        grid.corner_sums[entry] = {};
-        grid.corner_force[entry].setZero();
-        grid.corner_momentum[entry].setZero();
-      }
     }
   if (particles.sort_occupied()) find_nodes(model.mesh, particles, grid);
 }

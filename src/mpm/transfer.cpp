@@ -2,7 +2,6 @@
 #include "mpm/transfer.hpp"
 
 #include "core/for_each.hpp"
-#include "core/lane_parts.hpp"
 
 namespace berm {
 namespace {
@@ -16,7 +15,7 @@ template <int dim>
   return sum;
 }
 
-/// The moments in parts of Lanes while they are summed, part by part, in the order in which Moments has them.
+/// The moments in lanes while they are summed, part by part, in the order in which Moments has them.
 template <int dim>
 struct LaneMoments {
   static constexpr int pairs = Moments<dim>::pairs;
@@ -24,23 +23,36 @@ struct LaneMoments {
                        count = stress + pairs;
   static_assert(sizeof(Moments<dim>) == count * sizeof(Real));
 
-  LanePart of[(count + part_lanes - 1) / part_lanes * part_lanes];
+  static constexpr int width = lanes_of<WidePart>;
+
+  WidePart of[(count + width - 1) / width * width];
 
   [[gnu::always_inline]] void clear()
   {
 #pragma GCC unroll 64
-    for (LanePart& moment : of) moment = LanePart{};
+    for (WidePart& moment : of) moment = WidePart{};
   }
 
-  [[gnu::always_inline]] void add(const Block<dim>& p, int first)
+  /// A narrow part fills the lower lanes.
+  template <class V>
+  [[gnu::always_inline]] static WidePart widened(const V& numbers)
   {
-    const LanePart p_mass = part_of(p.mass, first), p_volume = part_of(p.volume, first);
-    LanePart x[dim], v[dim], at[dim];
+    if constexpr (lanes_of<V> < width)
+      return __builtin_shufflevector(numbers, V{}, 0, 1, 2, 3, 4, 5, 6, 7);
+    else
+      return numbers;
+  }
+
+  template <class V>
+  [[gnu::always_inline]] void add(const Part<V>& part, const Block<dim>& p, const Block<dim>& q)
+  {
+    const WidePart p_mass = widened(part.get(p.mass, q.mass)), p_volume = widened(part.get(p.volume, q.volume));
+    WidePart x[dim], v[dim], at[dim];
     of[0] += p_mass;
     of[volume] += p_volume;
     for (int a = 0; a < dim; ++a) {
-      x[a] = part_of(p.x[a], first);
-      v[a] = part_of(p.v[a], first);
+      x[a] = widened(part.get(p.x[a], q.x[a]));
+      v[a] = widened(part.get(p.v[a], q.v[a]));
       at[a] = p_mass * x[a];
       of[mx + a] += at[a];
       of[mv + a] += p_mass * v[a];
@@ -48,7 +60,8 @@ struct LaneMoments {
     for (int a = 0; a < dim; ++a)
       for (int b = a; b < dim; ++b) {
         of[mxx + Moments<dim>::pair(a, b)] += at[a] * x[b];
-        of[stress + Moments<dim>::pair(a, b)] += p_volume * part_of(p.stress[tensor_place(a, b)], first);
+        constexpr auto place = tensor_place;
+        of[stress + Moments<dim>::pair(a, b)] += p_volume * widened(part.get(p.stress[place(a, b)], q.stress[place(a, b)]));
       }
     for (int d = 0; d < dim; ++d)
       for (int a = 0; a < dim; ++a) of[mvx + d * dim + a] += at[a] * v[d];
@@ -58,11 +71,11 @@ struct LaneMoments {
   [[gnu::always_inline]] void total(Moments<dim>& moments) const
   {
 #pragma GCC unroll 64
-    for (int first = 0; first < count; first += part_lanes) {
-      LanePart some[part_lanes];
-      for (int k = 0; k < part_lanes; ++k) some[k] = of[first + k];
-      const LanePart summed = sums(some);
-      std::memcpy(&moments.m + first, &summed, std::min(part_lanes, count - first) * sizeof(Real));
+    for (int first = 0; first < count; first += width) {
+      WidePart some[width];
+      for (int k = 0; k < width; ++k) some[k] = of[first + k];
+      const WidePart summed = berm::sums(some);
+      std::memcpy(&moments.m + first, &summed, std::min(width, count - first) * sizeof(Real));
     }
   }
 };
@@ -78,26 +91,20 @@ void sum_moments(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGri
     particles.prefetch_after(c);
     LaneMoments<dim> sums;
     sums.clear();
-    Index left = particles.count_in(cell);
-    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
-      for (int first = 0; first < lanes && first < left; first += part_lanes) sums.add(particles.block(b), first);
+    particles.parts(cell, [&](const auto& part) { sums.add(part, particles.block(part.block), particles.block(part.other)); });
     Moments<dim>& t = grid.moments[cell];
     sums.total(t);
 
-    const Shape<dim>& shape = mesh.shape[cell];
-    Real trace_of_stress = 0;
-    for (int d = 0; d < dim; ++d) trace_of_stress += t.stress[Moments<dim>::pair(d, d)];
     for (int k = 0; k <= dim; ++k) {
-      CornerSums<dim>& corner = grid.corner_sums[(dim + 1) * cell + k];
-      corner.mass = at_corner(shape, k, t.m, t.mx);
-      for (int d = 0; d < dim; ++d) corner.momentum[d] = at_corner(shape, k, t.mv[d], t.mvx[d]);
-      corner.volume = t.volume;
-      corner.volume_pressure = trace_of_stress / dim;
+      CornerSums<dim>& corner = grid.corners[cell][k];
+      for (int d = 0; d < dim; ++d) corner.sum[d] = at_corner(mesh.shape[cell], k, t.mv[d], t.mvx[d]);
+      corner.mass = at_corner(mesh.shape[cell], k, t.m, t.mx);
+      corner.cell_mass = t.m;
     }
   });
 }
 
-/// A node with less than this part of the mass that fills its cells has none: the rest is round-off, which must not be divided by.
+/// A node with less than this part of the mass in its cells has none: the rest is round-off, which must not be divided by.
 constexpr Real least_mass_part = 1e-9;
 
 /// The mean velocity of all particles in a node's cells: for a node without mass, which then strains nothing that moves as one. The momentum of a
@@ -116,48 +123,48 @@ Vec<dim> velocity_of_cells(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Ind
 }
 
 template <int dim>
-void gather_mass_and_momentum(const Mesh<dim>& mesh, Real density, BodyGrid<dim>& grid)
+void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid)
 {
   for_each("gather mass and momentum", static_cast<Index>(grid.nodes.size()), [&](Index n) {
     const Index i = grid.nodes[n];
     CornerSums<dim> total{};
     for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) {
-      const CornerSums<dim>& corner = grid.corner_sums[mesh.entries[e]];
+      const CornerSums<dim>& corner = grid.at(mesh.entries[e]);
+      for (int d = 0; d < dim; ++d) total.sum[d] += corner.sum[d];
       total.mass += corner.mass;
-      total.volume += corner.volume;
-      for (int d = 0; d < dim; ++d) total.momentum[d] += corner.momentum[d];
+      total.cell_mass += corner.cell_mass;
     }
-    if (!(total.mass > least_mass_part * density * total.volume)) total.mass = 0;
+    if (!(total.mass > least_mass_part * total.cell_mass)) total.mass = 0;
     const Real per_mass = total.mass > 0 ? 1 / total.mass : 0;
     grid.mass[i] = total.mass;
-    for (int d = 0; d < dim; ++d) grid.velocity[i][d] = total.momentum[d] * per_mass;
+    for (int d = 0; d < dim; ++d) grid.velocity[i][d] = total.sum[d] * per_mass;
   });
 }
 
 namespace {
 
-/// The viscous mean stress of a cell, eta h div(v) with the means of h and div(v) over the cells of its patch, `none` after the last. Pa.
+/// The viscous mean stress of a cell, eta h div(v) with the means of h and div(v) over the cells of its patch. Pa.
 template <int dim>
-Real viscous_stress(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, const Patch& patch)
+Real viscous_stress(const Model<dim>& model, const BodyGrid<dim>& grid, Index cell)
 {
+  const Mesh<dim>& mesh = model.mesh;
   Real volume = 0, height = 0, divergence = 0;
-  for (Index cell : patch) {
-    if (cell == none) break;
-    const Real of_cell = grid.moments[cell].volume;
+  for_each_in_patch(model.patches, cell, [&](Index member) {
+    const Real of_cell = grid.moments[member].volume;
     volume += of_cell;
-    height += of_cell * mesh.height[cell];
-    for (int k = 0; k <= dim; ++k) divergence += of_cell * mesh.shape[cell].gradient(k).dot(grid.velocity[mesh.nodes[cell][k]]);
-  }
+    height += of_cell * mesh.height[member];
+    for (int k = 0; k <= dim; ++k) divergence += of_cell * mesh.shape[member].gradient(k).dot(grid.velocity[mesh.nodes[member][k]]);
+  });
   return grid.bulk_viscosity * (height / volume) * (divergence / volume);
 }
 
-/// A patch of one cell.
-Patch alone(Index cell)
+/// The sum of V times the mean stress of a cell's particles, N m.
+template <int dim>
+Real volume_times_mean_stress(const Moments<dim>& t)
 {
-  Patch patch;
-  patch.fill(none);
-  patch[0] = cell;
-  return patch;
+  Real trace = 0;
+  for (int d = 0; d < dim; ++d) trace += t.stress[Moments<dim>::pair(d, d)];
+  return trace / dim;
 }
 
 }  // namespace
@@ -173,23 +180,21 @@ void spread_internal_forces(const Model<dim>& model, const Particles<dim>& parti
     const Moments<dim>& t = grid.moments[cell];
     Real change = 0;  // of volume times mean stress
     if (project) {
-      Real volume = 0, volume_pressure = 0;
-      for (Index member : model.patches[cell]) {
-        if (member == none) break;
-        const CornerSums<dim>& sums = grid.corner_sums[(dim + 1) * member];
-        volume += sums.volume;
-        volume_pressure += sums.volume_pressure;
-      }
-      change = volume_pressure / volume * t.volume - grid.corner_sums[(dim + 1) * cell].volume_pressure;
+      Real volume = 0, volume_stress = 0;
+      for_each_in_patch(model.patches, cell, [&](Index member) {
+        volume += grid.moments[member].volume;
+        volume_stress += volume_times_mean_stress(grid.moments[member]);
+      });
+      change = volume_stress / volume * t.volume - volume_times_mean_stress(t);
     }
     if (grid.bulk_viscosity > 0) {
-      grid.viscous_stress[cell] = viscous_stress(mesh, grid, project ? model.patches[cell] : alone(cell));
+      grid.viscous_stress[cell] = viscous_stress(model, grid, cell);
       change += t.volume * grid.viscous_stress[cell];
     }
     Matrix<dim> stress;
     for (int a = 0; a < dim; ++a)
       for (int b = 0; b < dim; ++b) stress(a, b) = t.stress[Moments<dim>::pair(std::min(a, b), std::max(a, b))] + (a == b ? change : 0);
-    for (int k = 0; k <= dim; ++k) grid.corner_force[(dim + 1) * cell + k] = -stress * mesh.shape[cell].gradient(k);
+    for (int k = 0; k <= dim; ++k) Eigen::Map<Vec<dim>>(grid.corners[cell][k].sum) = -stress * mesh.shape[cell].gradient(k);
   });
 }
 
@@ -201,7 +206,7 @@ void spread_new_momentum(const Mesh<dim>& mesh, const Particles<dim>& particles,
     const Index cell = occupied[c];
     const Moments<dim>& t = grid.moments[cell];
     const Shape<dim>& shape = mesh.shape[cell];
-    Vec<dim>* corners = &grid.corner_momentum[(dim + 1) * cell];
+    auto& corners = grid.corners[cell];
     for (int d = 0; d < dim; ++d) {
       Real a0 = 0, slope[dim] = {};  // a(x) = a0 + slope . x
       for (int k = 0; k <= dim; ++k) {
@@ -217,7 +222,7 @@ void spread_new_momentum(const Mesh<dim>& mesh, const Particles<dim>& particles,
         times_x[f] = t.mvx[d][f] + dt * times_x[f];
       }
       momentum = t.mv[d] + dt * momentum;
-      for (int k = 0; k <= dim; ++k) corners[k][d] = at_corner(shape, k, momentum, times_x);
+      for (int k = 0; k <= dim; ++k) corners[k].sum[d] = at_corner(shape, k, momentum, times_x);
     }
   });
 }
@@ -229,10 +234,11 @@ void gather_new_velocities(const Model<dim>& model, BodyGrid<dim>& grid)
   for_each("gather new velocities", static_cast<Index>(grid.nodes.size()), [&](Index n) {
     const Index i = grid.nodes[n];
     Vec<dim> momentum = Vec<dim>::Zero();
-    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) momentum += grid.corner_momentum[mesh.entries[e]];
+    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e)
+      momentum += Eigen::Map<const Vec<dim>>(grid.at(mesh.entries[e]).sum);
     const auto momentum_of = [&](Index cell) {
       Vec<dim> sum = Vec<dim>::Zero();
-      for (int k = 0; k <= dim; ++k) sum += grid.corner_momentum[(dim + 1) * cell + k];
+      for (const CornerSums<dim>& corner : grid.corners[cell]) sum += Eigen::Map<const Vec<dim>>(corner.sum);
       return sum;
     };
     grid.moved_velocity[i] =
@@ -266,7 +272,7 @@ void sum_volume_changes(const Mesh<dim>& mesh, const Particles<dim>& particles, 
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void sum_moments(const Mesh<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                                      \
-  template void gather_mass_and_momentum(const Mesh<dim>&, Real, BodyGrid<dim>&);                                                          \
+  template void gather_mass_and_momentum(const Mesh<dim>&, BodyGrid<dim>&);                                                                \
   template void spread_internal_forces(const Model<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                          \
   template void spread_new_momentum(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);                                        \
   template void gather_new_velocities(const Model<dim>&, BodyGrid<dim>&);                                                                  \

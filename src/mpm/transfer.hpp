@@ -5,14 +5,14 @@
 
 namespace berm {
 
-/// Step 1: the moments of each cell, and what they give to its corners: mass sum m N_k, momentum sum m v N_k, volume, volume times mean stress.
+/// Step 1: the moments of each cell, and what they give to its corners: mass sum m N_k and momentum sum m v N_k.
 template <int dim>
 void sum_moments(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid<dim>& grid);
 
-/// Step 1: nodes gather mass and velocity v = momentum / mass from their cells, always in the same order. `density`
-/// (kg/m3) tells how much mass fills a cell: a node with next to none of it has mass 0.
+/// Step 1: nodes gather mass and velocity v = momentum / mass from their cells, always in the same order. A node with next to nothing of their mass
+/// has mass 0.
 template <int dim>
-void gather_mass_and_momentum(const Mesh<dim>& mesh, Real density, BodyGrid<dim>& grid);
+void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid);
 
 /// Step 1, equation 2: the internal force of each cell on its corners, -sum V sigma grad N. With the volumetric projection the cell's mean stress is
 /// first replaced by the volume average over its patch: the same average that the strain gets, so that strain and force stay conjugate.

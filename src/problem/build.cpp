@@ -95,7 +95,7 @@ Problem<dim> build(const Case& c, Mesh<dim> mesh)
   Model<dim>& model = problem.model;
   State<dim>& state = problem.state;
   model = make_model(c, std::move(mesh));
-  model.patches = make_patches(model.mesh, dim == 2 ? 1 : 2);
+  model.patches = make_patches(model.mesh, !model.mpm.volumetric_projection ? 0 : dim == 2 ? 1 : 2);
   state.rigids.resize(model.rigids.size());
   for (const auto& [name, settings] : c.body) {
     const Material& material = c.material[place_of(c.material, settings.material)].second;

@@ -38,7 +38,7 @@ struct Watch {
 template <int dim>
 struct Model {
   Mesh<dim> mesh;
-  CellField<Patch> patches;  ///< that share one volume change (volumetric projection)
+  Patches patches;  ///< that share one volume change; each cell alone without the volumetric projection
   std::vector<Body<dim>> bodies;
   std::vector<Rigid<dim>> rigids;
   std::vector<Contact> contacts;

@@ -151,7 +151,8 @@ struct Demand {
 
 // About, counted in the code: additions and multiplications of one lane that holds a particle, and of one cell.
 constexpr Real flops_of_moments = 30, flops_of_motion = 36, flops_of_stress = 54;  // mpm/transfer.cpp; mpm/move.cpp, elastic
-constexpr Real flops_of_corners = 60, flops_of_forces = 36, flops_of_momentum = 90, flops_of_fields = 134;  // of a cell, in the same places
+constexpr Real flops_of_corners = 57, flops_of_forces = 51, flops_of_momentum = 132,
+               flops_of_fields = 134;  // of a cell, in the same places
 
 /// Bytes: every array once for each pass that reads or writes it; blocks of particles are read by the first pass, read and written by the last. Flops of
 /// soil at yield are more, and those in space were not counted.
@@ -165,7 +166,7 @@ Demand demand_of(const Particles<dim>& particles, const BodyGrid<dim>& grid)
   for (const Index cell : particles.occupied()) blocks += std::ceil(static_cast<Real>(particles.count_in(cell)) / lanes);
   const Real cells = static_cast<Real>(particles.occupied().size()), nodes = static_cast<Real>(grid.nodes.size());
   const Real of_block = static_cast<Real>(3 * sizeof(Block<dim>) + 2 * sizeof(StoredLanes) * particles.state_size());
-  const Real of_cell = 4 * sizeof(Moments<dim>) + corners * (2 * sizeof(CornerSums<dim>) + 4 * sizeof(Vec<dim>)) +
+  const Real of_cell = 4 * sizeof(Moments<dim>) + 6 * corners * sizeof(CornerSums<dim>) +
                        4 * (sizeof(Shape<dim>) + corners * sizeof(Index)) + 4 * sizeof(Real);
   const Real of_node = 2 * sizeof(Real) + 6 * sizeof(Vec<dim>);
   const Real count = static_cast<Real>(particles.size());

@@ -140,11 +140,10 @@ Real memory_of(const RunSize& size)
 
   // Mesh and Model.
   Real of_cell = 2 * sizeof(typename Mesh<dim>::Corners) + sizeof(Index) + sizeof(Shape<dim>) + 2 * sizeof(Real) +
-                 corners * sizeof(CornerEntry) + sizeof(Patch);
+                 corners * sizeof(CornerEntry) + sizeof(Index);
   Real of_node = sizeof(Vec<dim>) + sizeof(Index) + sizeof(std::uint8_t) + bodies * sizeof(Real) + contacts * sizeof(Index);
   // Particles by cell and BodyGrid.
-  of_cell +=
-      bodies * (3 * sizeof(Index) + sizeof(Moments<dim>) + 2 * sizeof(Real) + corners * (sizeof(CornerSums<dim>) + 2 * sizeof(Vec<dim>)));
+  of_cell += bodies * (3 * sizeof(Index) + sizeof(Moments<dim>) + 2 * sizeof(Real) + corners * sizeof(CornerSums<dim>));
   of_node += bodies * (sizeof(Real) + 3 * sizeof(Vec<dim>) + 2 * sizeof(std::uint8_t) + sizeof(Index));
 
   Real particles = 0, bytes = size.cells * of_cell + size.nodes * of_node;

@@ -8,7 +8,7 @@ namespace berm {
 /// What decides how much memory a run of the material point method takes. Counts, as far as they are known.
 struct RunSize {
   struct OfBody {
-    Real particles = 0, blocks = 0;  ///< blocks of eight particles that cells own
+    Real particles = 0, blocks = 0;  ///< blocks of four particles that cells own
     int state_size = 0;              ///< numbers that its law keeps for a particle
   };
   Real cells = 0, nodes = 0;

@@ -8,13 +8,13 @@ namespace berm {
 namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-constexpr Lanes sample = {3, -1, 4, 1, -5, 9, -2, 6};
+constexpr Lanes sample = {3, -1, 4, -5};
 
 /// Vectors as wide as a register of each vector unit.
 template <class V>
 class Vectors : public testing::Test {
 };
-using Widths = testing::Types<Real __attribute__((vector_size(16))), Real __attribute__((vector_size(32))), Lanes>;
+using Widths = testing::Types<Real __attribute__((vector_size(16))), Lanes, Real __attribute__((vector_size(64)))>;
 TYPED_TEST_SUITE(Vectors, Widths);
 
 template <class V>
@@ -74,7 +74,7 @@ TEST(Lanes, all_lanes_is_the_number_in_each_lane_to_the_last_bit)
 
 TEST(Lanes, larger_smaller_and_magnitude_are_those_of_each_lane)
 {
-  const Lanes other = {2, -1, 5, 0, -4, 10, 1, -6};
+  const Lanes other = {2, -1, 5, -6};
   const Lanes most = larger(sample, other), least = smaller(sample, other), size = magnitude(sample);
   for (int l = 0; l < lanes; ++l) {
     EXPECT_EQ(most[l], std::max(sample[l], other[l]));

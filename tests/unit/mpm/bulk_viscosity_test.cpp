@@ -30,17 +30,19 @@ struct Moving {
         work(problem.model, problem.state)
   {
     problem.model.mpm.volumetric_projection = project;
+    if (!project) problem.model.patches = make_patches(problem.model.mesh, 0);
     Particles<dim>& particles = problem.state.particles[0];
     for_each_particle(particles, [&](Block<dim>& p, int l) { set_velocity<dim>(p, l, velocity_at(position(p, l))); });
     sum_moments(problem.model.mesh, particles, work.grids[0]);
-    gather_mass_and_momentum(problem.model.mesh, 1500, work.grids[0]);
+    gather_mass_and_momentum(problem.model.mesh, work.grids[0]);
     spread_internal_forces(problem.model, particles, work.grids[0]);
   }
 
   Real largest_force() const
   {
     Real largest = 0;
-    for (const Vec<dim>& force : work.grids[0].corner_force) largest = std::max(largest, force.norm());
+    for (const auto& corners : work.grids[0].corners)
+      for (const auto& corner : corners) largest = std::max(largest, Eigen::Map<const Vec<dim>>(corner.sum).norm());
     return largest;
   }
   /// Of the forces on the nodes, W.
@@ -50,7 +52,7 @@ struct Moving {
     const Mesh<dim>& mesh = problem.model.mesh;
     for (Index cell = 0; cell < mesh.cell_count(); ++cell)
       for (int k = 0; k <= dim; ++k)
-        sum += work.grids[0].corner_force[(dim + 1) * cell + k].dot(work.grids[0].velocity[mesh.nodes[cell][k]]);
+        sum += Eigen::Map<const Vec<dim>>(work.grids[0].corners[cell][k].sum).dot(work.grids[0].velocity[mesh.nodes[cell][k]]);
     return sum;
   }
   Real divergence(Index cell) const

@@ -49,7 +49,7 @@ TEST(Measure, spin_in_space_has_three_components)
 
 TEST(Measure, extents_are_those_of_the_particles_and_not_of_empty_lanes)
 {
-  auto problem = problem_on(criss_cross<2>(), sample_solid(), 1);  // one particle a block: seven empty lanes
+  auto problem = problem_on(criss_cross<2>(), sample_solid(), 1);  // one particle a block: three empty lanes
   Particles<2>& particles = problem.state.particles[0];
   Vec<2> lower = Vec<2>::Constant(infinity), upper = -lower;
   for_each_particle(particles, [&](Block<2>& p, int l) {

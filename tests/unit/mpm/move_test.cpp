@@ -32,7 +32,7 @@ struct Moved {
   {
     problem.state.dt = dt;
     sum_moments(mesh(), particles(), grid());
-    gather_mass_and_momentum(mesh(), density(problem.model.bodies[0].material), grid());
+    gather_mass_and_momentum(mesh(), grid());
     spread_internal_forces(problem.model, particles(), grid());
     for (Index i = 0; i < mesh().node_count(); ++i) grid().moved_velocity[i] = velocity_at(mesh().position[i]);
     if (problem.model.mpm.volumetric_projection) sum_volume_changes(mesh(), particles(), dt, grid());
@@ -122,15 +122,14 @@ TYPED_TEST(Move, projection_gives_the_cells_of_a_patch_one_dilation_and_keeps_th
   sum_volumes(after);
   for (Index cell = 0; cell < before.size(); ++cell) {
     Real patch_before = 0, patch_after = 0, plain_after = 0;
-    for (Index member : projected.problem.model.patches[cell]) {
-      if (member == none) break;
+    for_each_in_patch(projected.problem.model.patches, cell, [&](Index member) {
       patch_before += before[member];
       patch_after += after[member];
       Real divergence = 0;
       for (int k = 0; k <= dim; ++k)
         divergence += projected.mesh().shape[member].gradient(k).dot(velocities[projected.mesh().nodes[member][k]]);
       plain_after += before[member] * (1 + dt * divergence);
-    }
+    });
     EXPECT_NEAR(patch_after / plain_after, 1, 1e-13);
     EXPECT_NEAR(after[cell] / before[cell], patch_after / patch_before, 1e-13);
   }
@@ -153,8 +152,9 @@ TYPED_TEST(Move, work_of_the_stress_is_that_of_the_internal_forces_with_and_with
     body.move(dt, [&](const Vec<dim>&) { return random_point<dim>(random, Vec<dim>::Constant(-1), Vec<dim>::Constant(1)); });
     Real power = 0, size = 0;
     const Mesh<dim>& mesh = body.mesh();
-    for (Index e = 0; e < static_cast<Index>(body.grid().corner_force.size()); ++e) {
-      const Real term = body.grid().corner_force[e].dot(body.grid().moved_velocity[mesh.nodes[e / (dim + 1)][e % (dim + 1)]]);
+    for (Index e = 0; e < static_cast<Index>(mesh.entries.size()); ++e) {
+      const Real term =
+          Eigen::Map<const Vec<dim>>(body.grid().at(e).sum).dot(body.grid().moved_velocity[mesh.nodes[e / (dim + 1)][e % (dim + 1)]]);
       power += term;
       size += std::abs(term);
     }

@@ -18,7 +18,7 @@ void move_once(Problem<dim>& problem, Real dt, const Velocity& velocity_at)
   Work<dim> work(problem.model, problem.state);
   const Mesh<dim>& mesh = problem.model.mesh;
   sum_moments(mesh, problem.state.particles[0], work.grids[0]);
-  gather_mass_and_momentum(mesh, density(problem.model.bodies[0].material), work.grids[0]);
+  gather_mass_and_momentum(mesh, work.grids[0]);
   for (Index i = 0; i < mesh.node_count(); ++i) work.grids[0].moved_velocity[i] = velocity_at(mesh.position[i]);
   move_and_strain(problem.model, problem.state, work, 0);
 }
