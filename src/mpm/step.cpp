@@ -17,8 +17,9 @@ void update_stress_last(const Model<dim>& model, State<dim>& state, Work<dim>& w
 {
   const Index bodies = static_cast<Index>(model.bodies.size());
   for (Index b = 0; b < bodies; ++b) {
-    sum_moments(model.mesh, state.particles[b], work.grids[b]);        // 1: sums over the particles of each cell
-    gather_mass_and_momentum(model.mesh, work.grids[b]);               // 1: (1), and velocities before the step
+    sum_moments(model.mesh, state.particles[b], work.grids[b]);  // 1: sums over the particles of each cell
+    gather_mass_and_momentum(model.mesh, work.grids[b]);         // 1: (1), and velocities before the step
+    find_viscous_stress(model, state.particles[b], work.grids[b]);
     spread_internal_forces(model, state.particles[b], work.grids[b]);  // 1: (2)
   }
   find_contacts(model, state, work);                                                 // 4: who touches whom
@@ -46,6 +47,7 @@ void update_stress_first(const Model<dim>& model, State<dim>& state, Work<dim>& 
   for (Index b = 0; b < bodies; ++b) {
     sum_moments(model.mesh, state.particles[b], work.grids[b]);
     gather_mass_and_momentum(model.mesh, work.grids[b]);
+    find_viscous_stress(model, state.particles[b], work.grids[b]);
     predict_velocities(model, 0, work.grids[b]);  // those before the step, with the supports
   }
   find_contacts(model, state, work);

@@ -143,21 +143,6 @@ void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid)
 
 namespace {
 
-/// The viscous mean stress of a cell, eta h div(v) with the means of h and div(v) over the cells of its patch. Pa.
-template <int dim>
-Real viscous_stress(const Model<dim>& model, const BodyGrid<dim>& grid, Index cell)
-{
-  const Mesh<dim>& mesh = model.mesh;
-  Real volume = 0, height = 0, divergence = 0;
-  for_each_in_patch(model.patches, cell, [&](Index member) {
-    const Real of_cell = grid.moments[member].volume;
-    volume += of_cell;
-    height += of_cell * mesh.height[member];
-    for (int k = 0; k <= dim; ++k) divergence += of_cell * mesh.shape[member].gradient(k).dot(grid.velocity[mesh.nodes[member][k]]);
-  });
-  return grid.bulk_viscosity * (height / volume) * (divergence / volume);
-}
-
 /// The sum of V times the mean stress of a cell's particles, N m.
 template <int dim>
 Real volume_times_mean_stress(const Moments<dim>& t)
@@ -168,6 +153,24 @@ Real volume_times_mean_stress(const Moments<dim>& t)
 }
 
 }  // namespace
+
+template <int dim>
+void find_viscous_stress(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid)
+{
+  if (!(grid.bulk_viscosity > 0)) return;
+  const Mesh<dim>& mesh = model.mesh;
+  const auto& occupied = particles.occupied();
+  for_each("viscous stress of cells", static_cast<Index>(occupied.size()), [&](Index c) {
+    Real volume = 0, height = 0, divergence = 0;
+    for_each_in_patch(model.patches, occupied[c], [&](Index member) {
+      const Real of_cell = grid.moments[member].volume;
+      volume += of_cell;
+      height += of_cell * mesh.height[member];
+      for (int k = 0; k <= dim; ++k) divergence += of_cell * mesh.shape[member].gradient(k).dot(grid.velocity[mesh.nodes[member][k]]);
+    });
+    grid.viscous_stress[occupied[c]] = grid.bulk_viscosity * (height / volume) * (divergence / volume);
+  });
+}
 
 template <int dim>
 void spread_internal_forces(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid)
@@ -187,10 +190,7 @@ void spread_internal_forces(const Model<dim>& model, const Particles<dim>& parti
       });
       change = volume_stress / volume * t.volume - volume_times_mean_stress(t);
     }
-    if (grid.bulk_viscosity > 0) {
-      grid.viscous_stress[cell] = viscous_stress(model, grid, cell);
-      change += t.volume * grid.viscous_stress[cell];
-    }
+    change += t.volume * grid.viscous_stress[cell];
     Matrix<dim> stress;
     for (int a = 0; a < dim; ++a)
       for (int b = 0; b < dim; ++b) stress(a, b) = t.stress[Moments<dim>::pair(std::min(a, b), std::max(a, b))] + (a == b ? change : 0);
@@ -273,6 +273,7 @@ void sum_volume_changes(const Mesh<dim>& mesh, const Particles<dim>& particles, 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void sum_moments(const Mesh<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                                      \
   template void gather_mass_and_momentum(const Mesh<dim>&, BodyGrid<dim>&);                                                                \
+  template void find_viscous_stress(const Model<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                             \
   template void spread_internal_forces(const Model<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                          \
   template void spread_new_momentum(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);                                        \
   template void gather_new_velocities(const Model<dim>&, BodyGrid<dim>&);                                                                  \

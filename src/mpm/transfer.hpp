@@ -14,9 +14,14 @@ void sum_moments(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGri
 template <int dim>
 void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid);
 
+/// The viscous mean stress of the cells of a body that dilates, eta h div(v) with the means of h and div(v), before the step, over the cells of the patch.
+/// Forces and the work on the particles take the same, so it is made once a step.
+template <int dim>
+void find_viscous_stress(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid);
+
 /// Step 1, equation 2: the internal force of each cell on its corners, -sum V sigma grad N. With the volumetric projection the cell's mean stress is
 /// first replaced by the volume average over its patch: the same average that the strain gets, so that strain and force stay conjugate.
-/// A body that dilates has a viscous mean stress besides.
+/// The viscous mean stress comes on top.
 template <int dim>
 void spread_internal_forces(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid);
 

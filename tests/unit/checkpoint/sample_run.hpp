@@ -9,7 +9,7 @@ namespace berm::test {
 /// A block of sand and one of elastic soil side by side in a box of 1 m, and a disk (a sphere) that is pushed into the sand while the boxes' walls
 /// hold both. One particle a cell, so that the contact lists many cells.
 template <int dim>
-Case two_bodies()
+Case two_bodies(Scheme scheme)
 {
   Case c;
   c.dimension = dim;
@@ -62,6 +62,7 @@ Case two_bodies()
   between.body = "left";
   between.other_body = "right";
   between.friction_angle = 0.3;
+  skin.scheme = between.scheme = scheme;
   c.contact = {{"skin", skin}, {"between", between}};
   c.support = {{"bottom", {"bottom", {"x", "y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}};
   if (dim == 3) c.support.insert(c.support.end(), {{"front", {"front", {"z"}}}, {"back", {"back", {"z"}}}});
@@ -77,8 +78,10 @@ Case two_bodies()
 /// Everything a step changes: the state, and the memory that it works with.
 template <int dim>
 struct SampleRun {
-  Problem<dim> problem = build<dim>(two_bodies<dim>(), ".", ".");
+  Problem<dim> problem;
   std::optional<Work<dim>> work;
+
+  explicit SampleRun(Scheme scheme = ContactSettings{}.scheme) : problem(build<dim>(two_bodies<dim>(scheme), ".", ".")) {}
 
   void steps(int count)
   {

@@ -83,21 +83,24 @@ TYPED_TEST(StateCheckpoint, gives_the_same_bits_back)
 TYPED_TEST(StateCheckpoint, lets_a_run_go_on_as_if_it_had_never_stopped)
 {
   constexpr int dim = TypeParam::value;
-  test::SampleRun<dim> whole;
   const auto file = this->folder_ / "file.h5";
-  auto parts = std::make_unique<test::SampleRun<dim>>();
-  for (const int steps : {17, 38, 100, 61, 1, 230, 5}) {
-    whole.steps(steps);
-    parts->steps(steps);
-    ASSERT_NE(parts->problem.state.step % steps_between_time_steps, 0) << "a run is not interrupted here";
-    write(file, *parts);
-    parts = std::make_unique<test::SampleRun<dim>>();
-    read(file, *parts);
-    whole.steps(3);
-    parts->steps(3);
-    ASSERT_EQ(test::differences(all_of(whole), all_of(*parts)), "") << "after step " << whole.problem.state.step;
-    // What a later step may do depends on these, too.
-    ASSERT_EQ(whole.work->contact_points[0].near_cells, parts->work->contact_points[0].near_cells);
+  for (const Scheme scheme : {Scheme::two_sided, Scheme::usf}) {
+    test::SampleRun<dim> whole(scheme);
+    auto parts = std::make_unique<test::SampleRun<dim>>(scheme);
+    for (const int steps : {17, 38, 100, 61, 1, 230, 5}) {
+      if (scheme == Scheme::usf && whole.problem.state.step > 200) break;  // usf throws grains out of so coarse a mesh some time later
+      whole.steps(steps);
+      parts->steps(steps);
+      ASSERT_NE(parts->problem.state.step % steps_between_time_steps, 0) << "a run is not interrupted here";
+      write(file, *parts);
+      parts = std::make_unique<test::SampleRun<dim>>(scheme);
+      read(file, *parts);
+      whole.steps(3);
+      parts->steps(3);
+      ASSERT_EQ(test::differences(all_of(whole), all_of(*parts)), "") << "after step " << whole.problem.state.step;
+      // What a later step may do depends on these, too.
+      ASSERT_EQ(whole.work->contact_points[0].near_cells, parts->work->contact_points[0].near_cells);
+    }
   }
 }
 

@@ -35,6 +35,7 @@ struct Moving {
     for_each_particle(particles, [&](Block<dim>& p, int l) { set_velocity<dim>(p, l, velocity_at(position(p, l))); });
     sum_moments(problem.model.mesh, particles, work.grids[0]);
     gather_mass_and_momentum(problem.model.mesh, work.grids[0]);
+    find_viscous_stress(problem.model, particles, work.grids[0]);
     spread_internal_forces(problem.model, particles, work.grids[0]);
   }
 
