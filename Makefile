@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build probe test verify fuzz sanitize threads tidy clean
+.PHONY: help setup configure build probe test verify bench fuzz sanitize threads tidy clean
 
 cores := $(shell env -u OMP_NUM_THREADS nproc)
 release := build/release
@@ -38,6 +38,11 @@ test: configure ## build and run all tests
 
 verify: build ## run the whole verification book; it is out/verification/index.html
 	@$(release)/berm verify
+
+bench: build ## how fast a step is, and its single kernels: some minutes on a machine that does nothing else
+	@$(release)/berm bench
+	@ninja -C $(release) bench_kernels | $(only_news)
+	@$(release)/tests/kernels/bench_kernels
 
 fuzz: ## look for inputs that break berm, with clang: ten million for each target of tests/fuzz, hours
 	@scripts/setup clang
