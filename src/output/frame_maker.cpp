@@ -21,7 +21,8 @@ template <int dim>
 FrameMaker<dim>::FrameMaker(const Model<dim>& model, const State<dim>& start) : model_(model),
                                                                                 first_(start.particles.size())
 {
-  for (std::size_t body = 0; body < start.particles.size(); ++body)
+  for (std::size_t body = 0; body < start.particles.size(); ++body) {
+    first_[body].reserve(static_cast<std::size_t>(start.particles[body].size()));
     visit_all<dim>(start.particles[body], model.mesh.cell_count(), [&](Index b, int l) {
       const Block<dim>& block = start.particles[body].block(b);
       const auto id = static_cast<std::size_t>(block.id[l]);
@@ -29,6 +30,7 @@ FrameMaker<dim>::FrameMaker(const Model<dim>& model, const State<dim>& start) : 
       for (int d = 0; d < dim; ++d) first_[body][id].x[d] = block.x[d][l];
       first_[body][id].strain = block.deviatoric_strain[l];
     });
+  }
 }
 
 template <int dim>
