@@ -85,6 +85,25 @@ def check(folder, reference=None, killed=False):
                 expect(same is None or read(path) == read(same), f"{path}: differs from that of an undisturbed run")
 
 
+def check_order(calls):
+    """What a power cut must not find: a file with its name that is not on the disk yet, or a checkpoint or summary that knows of more than history.csv on the
+    disk. `calls`: (name, path) of those that change files."""
+    on_disk = set()
+    for (name, path), following in zip(calls, calls[1:] + [("", "")]):
+        if name == "fsync":
+            on_disk.add(path)
+        elif name in ("write", "sendfile", "ftruncate"):
+            on_disk.discard(path)
+        elif name == "rename":
+            folder, file = os.path.split(path)
+            expect(path + ".part" in on_disk, f"{path}: gets its name before it is on the disk")
+            if file == "summary.json":
+                expect(os.path.join(folder, "history.csv") in on_disk, f"{path}: gets its name before history.csv is on the disk")
+            if file.endswith(".h5"):
+                expect(os.path.join(os.path.dirname(folder), "history.csv") in on_disk, f"{path}: gets its name before history.csv is on the disk")
+                expect(list(following) == ["fsync", folder], f"{path}: its name is not forced to the disk")
+
+
 def results(folder):
     """All files of a run by name, without what differs from run to run: the log, time taken, machine and date."""
     found = {}
