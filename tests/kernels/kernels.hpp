@@ -7,7 +7,7 @@ namespace berm {
 
 /// Eight particles of Mohr-Coulomb soil, in the plane and in space: elastic, or returned to a face, an edge or the apex.
 void add_stress_kernels();
-/// Principal axes of eight tensors, and sums over the lanes of eight vectors.
+/// Principal axes of as many tensors as a register holds numbers, and sums over the lanes of as many vectors.
 void add_lane_kernels();
 /// Cells of points that have just left theirs.
 void add_mesh_kernels();
