@@ -33,6 +33,7 @@ std::vector<RunSize::OfBody> least_bodies(const Case& c, const CellsOf& cells_of
     for (const std::string& region : settings.regions) {
       const Real cells = cells_of(region), in_cell = particles_per_cell<dim>(settings, region);
       body.particles += cells * in_cell;
+      body.cells += cells;
       body.blocks += cells * std::ceil(in_cell / lanes);
     }
     bodies.push_back(body);
@@ -126,7 +127,7 @@ RunSize size_of(const Problem<dim>& problem)
   size.cells = problem.model.mesh.cell_count();
   size.nodes = problem.model.mesh.node_count();
   for (const Particles<dim>& particles : problem.state.particles) {
-    RunSize::OfBody body{static_cast<Real>(particles.size()), 0, particles.state_size()};
+    RunSize::OfBody body{static_cast<Real>(particles.size()), static_cast<Real>(particles.occupied().size()), 0, particles.state_size()};
     for (const Index cell : particles.occupied()) body.blocks += (particles.count_in(cell) + lanes - 1) / lanes;
     size.bodies.push_back(body);
   }
@@ -143,20 +144,22 @@ Real memory_of(const RunSize& size)
   Real of_cell = 2 * sizeof(typename Mesh<dim>::Corners) + sizeof(Index) + sizeof(Shape<dim>) + 2 * sizeof(Real) +
                  corners * sizeof(CornerEntry) + sizeof(Index);
   Real of_node = sizeof(Vec<dim>) + sizeof(Index) + sizeof(std::uint8_t) + bodies * sizeof(Real) + contacts * sizeof(Index);
-  // Particles by cell and BodyGrid.
-  of_cell += bodies * (3 * sizeof(Index) + sizeof(Moments<dim>) + 2 * sizeof(Real) + corners * sizeof(CornerSums<dim>));
+  // Particles by cell and BodyGrid, but for the sums.
+  of_cell += bodies * 3 * sizeof(Index);
   of_node += bodies * (sizeof(Real) + 3 * sizeof(Vec<dim>) + 2 * sizeof(std::uint8_t) + sizeof(Index));
+  constexpr Real sums = sizeof(Moments<dim>) + corners * sizeof(CornerSums<dim>) + 2 * sizeof(Real);
 
   Real particles = 0, bytes = size.cells * of_cell + size.nodes * of_node;
   for (const RunSize::OfBody& body : size.bodies) {
     particles += body.particles;
-    bytes += body.blocks * static_cast<Real>(sizeof(Block<dim>) + body.state_size * sizeof(StoredLanes));
+    bytes += body.cells * sums + body.blocks * static_cast<Real>(sizeof(Block<dim>) + body.state_size * sizeof(StoredLanes));
   }
   // What frames remember of the start, the frame before and the new one; or mesh.vtu on its way to the disk.
   const Real frames = particles * (sizeof(Vec<dim>) + sizeof(Real) + 2 * sizeof(FrameParticle<dim>));
   const Real mesh_file = size.cells * ((corners + 1) * sizeof(std::int64_t) + sizeof(std::int32_t) + 1) + size.nodes * 3 * sizeof(Real);
-  // A huge page is taken whole where it is only begun: at the end of a body's blocks and of their law's numbers, which are reserved for more, and of the heap.
-  return bytes + std::max(frames, mesh_file) + (2 * bodies + 1) * huge_page;
+  // A huge page is taken whole where it is only begun: at the end of a body's blocks and of their law's numbers, which are reserved for more, of the sums
+  // of cells, which lie in four arrays, and of the heap.
+  return bytes + std::max(frames, mesh_file) + (6 * bodies + 1) * huge_page;
 }
 
 Real memory_in_use()

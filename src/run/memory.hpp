@@ -8,8 +8,10 @@ namespace berm {
 /// What decides how much memory a run of the material point method takes. Counts, as far as they are known.
 struct RunSize {
   struct OfBody {
-    Real particles = 0, blocks = 0;  ///< blocks of four particles that cells own
-    int state_size = 0;              ///< numbers that its law keeps for a particle
+    Real particles = 0;
+    Real cells = 0;      ///< that hold particles: sums of the others lie in memory that is never touched
+    Real blocks = 0;     ///< of four particles, that cells own
+    int state_size = 0;  ///< numbers that its law keeps for a particle
   };
   Real cells = 0, nodes = 0;
   std::vector<OfBody> bodies;
