@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/error.hpp"
+#include "output/whole_file.hpp"
 #include "sample_run.hpp"
 
+#include <csignal>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
+#include <sys/resource.h>
 
 namespace berm {
 namespace {
@@ -112,6 +115,25 @@ TEST(HistoryFile, a_full_disk_is_an_error_with_its_reason)
   } catch (const RunError& error) {
     EXPECT_NE(std::string(error.what()).find("No space left"), std::string::npos) << error.what();
   }
+}
+
+// A limit on the size of files stands in for a disk that is full within the row.
+TEST(HistoryFile, a_row_that_the_disk_takes_a_part_of_is_taken_back)
+{
+  const TemporaryFolder folder;
+  const auto path = folder.path / "history.csv";
+  HistoryFile file(path, {"u_m"});
+  file.add(1, "push", {0.5});
+  const std::string before = read_whole(path);
+  rlimit unlimited{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &unlimited), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  const rlimit within_row{before.size() + 4, unlimited.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &within_row), 0);
+  EXPECT_THROW(file.add(2, "push", {0.75}), RunError);
+  ::setrlimit(RLIMIT_FSIZE, &unlimited);
+  std::signal(SIGXFSZ, handler);
+  EXPECT_EQ(read_whole(path), before);
 }
 
 TEST(HistoryFile, a_row_of_the_wrong_length_is_refused)
