@@ -17,6 +17,9 @@ setup: ## install the packages that are missing
 configure: setup
 	@test -f $(release)/build.ninja || { echo 'configuring $(release)'; mkdir -p $(release); cmake --preset release > $(release)/configure.log; }
 
+empty :=
+space := $(empty) $(empty)
+
 # Says nothing where there is nothing to do.
 only_news := sed -u -e '/no work to do/d' -e '/Re-checking globbed/d' -e '/Entering directory/d'
 build: configure ## build the program, build/release/berm (some minutes the first time)
@@ -48,8 +51,11 @@ fuzz: ## look for inputs that break berm, with clang: ten million for each targe
 	@scripts/setup clang
 	@for target in case model mesh frame results study; do tests/fuzz/run $$target; done
 
-sanitize: setup ## unit tests with address and undefined-behaviour sanitizers: long
-	@cmake --preset sanitize >/dev/null && cmake --build --preset sanitize | $(only_news) && ctest --preset sanitize --parallel $(cores)
+sanitize: setup ## unit tests with address and undefined-behaviour sanitizers, of all folders (long) or of folders='mesh input'
+	@cmake --preset sanitize >/dev/null
+	@cmake --build --preset sanitize $(if $(folders),--target $(folders:%=test_%)) | $(only_news)
+	@ctest --preset sanitize --parallel $(cores) $(if $(folders),-R '^($(subst $(space),|,$(strip $(folders))))\.') --output-log build/sanitize/tests.log
+	@grep 'tests passed' build/sanitize/tests.log | sed 's/^/make sanitize: /'
 
 threads: ## tests of what runs in threads, with clang's thread sanitizer
 	@scripts/setup clang && cmake --preset threads >/dev/null && cmake --build --preset threads | $(only_news) && ctest --preset threads
