@@ -122,6 +122,18 @@ TEST(Faults, a_pipe_that_drives_the_soil_out_of_the_mesh_ends_the_run_with_place
   place.expect_results_of_a_failure();
 }
 
+TEST(Faults, a_pipe_driven_beyond_a_side_of_the_mesh_ends_the_run_and_leaves_a_frame_of_its_last_state)
+{
+  const Place place;
+  const Ended out = place.run({"--set", "rigid.pipe.center=[\"108 mm\", \"50 mm\"]", "--set", "stage.drag.until.displacement=20 mm",
+                               "--set", "stage.drag.velocity=5 m/s", "--set", "output.frame_travel=1 m"});
+  EXPECT_EQ(out.status, 1);
+  expect_parts(out.err,
+               {"\"pipe\" has left the mesh through its right side", "at t = ", "make the mesh longer", "stage \"drag\" end earlier"});
+  place.expect_results_of_a_failure();
+  EXPECT_TRUE(place.has("results/frames/particles_0003.vtu")) << "after those of the start and the ends of two stages";
+}
+
 TEST(Faults, a_full_standard_output_is_an_error)
 {
   const Place place;
