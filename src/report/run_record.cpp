@@ -19,24 +19,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
 
-Real number_of(const Json& json)
-{
-  return json.is_number() ? json.get<Real>() : json.is_boolean() ? Real(json.get<bool>()) : unknown;
-}
-
-/// Throws Json::exception where it is no summary.
-RunSummary summary_of(const Json& json)
-{
-  RunSummary summary;
-  for (const auto& [name, entry] : json.at("quantities").items())
-    summary.quantities.push_back({name, number_of(entry.at("value")), entry.at("unit").get<std::string>()});
-  for (const auto& [name, entry] : json.at("timing").items())
-    if (name != "loops") summary.timing[name] = number_of(entry);
-  for (const auto& [name, entry] : json.at("checks").items()) summary.checks[name] = number_of(entry);
-  for (const auto& [name, entry] : json.at("text").items()) summary.text[name] = entry.get<std::string>();
-  return summary;
-}
-
 enum class Found { nothing, unreadable, file };
 
 /// What a path is, without throwing where it may not be looked at.
@@ -49,19 +31,14 @@ Found look_for(const fs::path& path)
 
 void take_summary(RunRecord& run)
 {
-  const fs::path file = run.folder / "summary.json";
-  const Found found = look_for(file);
-  if (found == Found::nothing) return;
   try {
-    if (found == Found::unreadable) throw RunError("it cannot be read");
-    run.summary = summary_of(Json::parse(read_whole(file)));
-  } catch (const std::exception&) {
+    run.summary = read_summary(run.folder);
+  } catch (const RunError&) {
     run.faults.emplace_back("summary.json is damaged or cannot be read: how the run ended is not known");
     run.end = RunEnd::not_told;
     return;
   }
-  const bool finished = run.check("finished") == 1;
-  run.end = finished ? RunEnd::finished : RunEnd::stopped;
+  if (run.summary) run.end = run.summary->finished() ? RunEnd::finished : RunEnd::stopped;
 }
 
 void take_history(RunRecord& run)

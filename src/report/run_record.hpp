@@ -2,18 +2,9 @@
 #pragma once
 
 #include "output/pipe_case.hpp"
-
-#include <map>
+#include "output/summary_file.hpp"
 
 namespace berm {
-
-/// What summary.json says of a run. A number that was not finite is NaN.
-struct RunSummary {
-  std::vector<Quantity> quantities;
-  std::map<std::string, Real> timing;  ///< wall_s, threads, cells, steps, particles, particle_steps_per_s, nodes, iterations ...
-  std::map<std::string, Real> checks;  ///< true is 1, false 0
-  std::map<std::string, std::string> text;
-};
 
 /// How a run ended, as its folder tells.
 enum class RunEnd {

@@ -5,6 +5,7 @@
 #include "core/timer.hpp"
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
+#include "output/summary_file.hpp"
 #include "output/whole_file.hpp"
 #include "run/interrupt.hpp"
 
@@ -17,7 +18,6 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <numeric>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -95,6 +95,16 @@ JobEnd end_of(const Job& job, int status, bool stopped)
   return {JobEnd::Kind::failed, last.empty() ? fmt::format("ended with status {} and without a word", WEXITSTATUS(status)) : last};
 }
 
+/// Empty where it is damaged, too: the case is run again.
+std::optional<RunSummary> summary_if_whole(const fs::path& folder)
+{
+  try {
+    return read_summary(folder);
+  } catch (const RunError&) {
+    return std::nullopt;
+  }
+}
+
 /// The file that the method was loaded from: finite elements are part of the program.
 fs::path engine_file(Method method)
 {
@@ -151,26 +161,23 @@ void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<voi
 
 bool has_result(const Job& job)
 {
-  const fs::path summary_file = job.folder / "summary.json";
-  const nlohmann::json summary = nlohmann::json::parse(read_whole(summary_file), nullptr, false);
-  const auto says = [&](const char* place, const nlohmann::json& value) {
-    const nlohmann::json::json_pointer at(place);
-    return summary.contains(at) && summary[at] == value;
-  };
-  if (!says("/checks/finished", true) || !says("/text/version", BERM_VERSION)) return false;
+  const std::optional<RunSummary> summary = summary_if_whole(job.folder);
+  if (!summary || !summary->finished()) return false;
+  const auto version = summary->text.find("version");
+  if (version == summary->text.end() || version->second != BERM_VERSION) return false;
   const Case settings = read_case(job.case_file, job.set);
   std::error_code error;
-  if (fs::last_write_time(summary_file, error) < fs::last_write_time(engine_file(settings.method), error) || error) return false;
+  if (fs::last_write_time(job.folder / "summary.json", error) < fs::last_write_time(engine_file(settings.method), error) || error)
+    return false;
   return read_whole(job.folder / "resolved.toml") == resolved_toml(settings);
 }
 
 Real wall_time_of(const fs::path& folder)
 {
-  std::ifstream file(folder / "summary.json");
-  const nlohmann::json summary = nlohmann::json::parse(file, nullptr, false);
-  const nlohmann::json::json_pointer wall("/timing/wall_s");
-  if (summary.is_discarded() || !summary.contains(wall) || !summary[wall].is_number()) return std::numeric_limits<Real>::quiet_NaN();
-  return summary[wall].get<Real>();
+  const std::optional<RunSummary> summary = summary_if_whole(folder);
+  const std::map<std::string, Real> timing = summary ? summary->timing : std::map<std::string, Real>();
+  const auto wall = timing.find("wall_s");
+  return wall == timing.end() ? std::numeric_limits<Real>::quiet_NaN() : wall->second;
 }
 
 }  // namespace berm

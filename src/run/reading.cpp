@@ -3,11 +3,10 @@
 
 #include "core/error.hpp"
 #include "input/wording.hpp"
+#include "output/summary_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 namespace berm {
@@ -148,21 +147,16 @@ Real evaluate(const Reading& reading, const History& history)
 Real evaluate(const Reading& reading, const std::filesystem::path& run_folder)
 {
   if (!reading.column.empty()) return evaluate(reading, read_history(run_folder / "history.csv"));
-  const std::filesystem::path path = run_folder / "summary.json";
-  std::ifstream file(path);
-  if (!file) throw RunError(fmt::format("there is no {}", path.string()));
+  const std::optional<RunSummary> summary = read_summary(run_folder);
+  if (!summary) throw RunError(fmt::format("there is no {}", (run_folder / "summary.json").string()));
+  std::vector<std::pair<std::string, Real>> numbers;
+  for (const Quantity& quantity : summary->quantities) numbers.emplace_back(quantity.name, quantity.value);
+  numbers.insert(numbers.end(), summary->checks.begin(), summary->checks.end());
+  numbers.insert(numbers.end(), summary->timing.begin(), summary->timing.end());
   std::vector<std::string> names;
-  try {
-    const nlohmann::json summary = nlohmann::json::parse(file);
-    for (const char* part : {"quantities", "checks", "timing"})
-      for (const auto& [name, entry] : summary.at(part).items()) {
-        const nlohmann::json& value = entry.is_object() ? entry.at("value") : entry;
-        if (value.is_array()) continue;
-        names.push_back(name);
-        if (name == reading.quantity) return value.is_boolean() ? value.get<bool>() : value.is_number() ? value.get<Real>() : unknown;
-      }
-  } catch (const nlohmann::json::exception&) {
-    throw RunError(fmt::format("{} is damaged", path.string()));
+  for (const auto& [name, value] : numbers) {
+    if (name == reading.quantity) return value;
+    names.push_back(name);
   }
   throw InputError(
       one_line(fmt::format("summary.json has no quantity {}{}", in_quotes(reading.quantity), suggestion(reading.quantity, names))));

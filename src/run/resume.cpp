@@ -3,11 +3,11 @@
 
 #include "core/error.hpp"
 #include "input/read_case.hpp"
+#include "output/summary_file.hpp"
 #include "output/whole_file.hpp"
 #include "run/checkpoints.hpp"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace berm {
 namespace {
@@ -21,8 +21,13 @@ fs::path note_in(const fs::path& run_folder)
 
 bool is_finished(const fs::path& folder)
 {
-  const nlohmann::json summary = nlohmann::json::parse(read_whole(folder / "summary.json"), nullptr, false);
-  return !summary.is_discarded() && summary.value("/checks/finished"_json_pointer, false);
+  try {
+    const std::optional<RunSummary> summary = read_summary(folder);
+    return summary && summary->finished();
+  } catch (const RunError& error) {
+    throw RunError(
+        fmt::format("--resume: {}; it cannot be told whether the run is finished: remove that file to begin it again", error.what()));
+  }
 }
 
 }  // namespace
@@ -39,7 +44,7 @@ std::optional<RunRequest> run_to_go_on_with(const fs::path& folder, int threads)
     if (std::error_code error; !fs::exists(folder / name, error))
       throw InputError(fmt::format("--resume: {} is not the folder of a run that has begun: there is no {}", folder.string(), name));
   // A finished run removes its checkpoints last of all.
-  if (is_finished(folder) && !fs::exists(checkpoints_in(folder))) return std::nullopt;
+  if (!fs::exists(checkpoints_in(folder)) && is_finished(folder)) return std::nullopt;
   const std::string noted = read_whole(note_in(folder));
   return RunRequest{read_case(folder / "resolved.toml"), noted.empty() ? folder / "case.toml" : fs::path(noted), folder, threads, true};
 }

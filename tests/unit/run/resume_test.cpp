@@ -181,6 +181,19 @@ TEST_F(Resume, of_a_finished_run_says_so)
   EXPECT_EQ(text("whole/run.log"), log);
 }
 
+TEST_F(Resume, is_refused_where_a_damaged_summary_does_not_tell_whether_the_run_is_finished)
+{
+  ASSERT_EQ(berm(first("whole")).status, 0);
+  const std::string history = text("whole/history.csv");
+  for (const char* damaged : {"", "[]", "5", R"({"checks": 5})", R"({"checks": {"finished": "yes"}})"}) {
+    folder_.write("whole/summary.json", damaged);
+    const Ended ended = berm(on("whole"));
+    EXPECT_EQ(ended.status, 1) << damaged;
+    EXPECT_NE(ended.err.find("berm: --resume: whole/summary.json is damaged: "), std::string::npos) << ended.err;
+    EXPECT_EQ(text("whole/history.csv"), history);
+  }
+}
+
 TEST_F(Resume, uses_the_older_checkpoint_where_the_last_is_damaged_and_none_where_all_are)
 {
   const Words often = {"--set", "output.checkpoint_wall_time=5 ms"};
