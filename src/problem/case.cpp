@@ -165,6 +165,34 @@ void check_stages(Describe& d, const Case& c)
   }
 }
 
+/// About how many cells a bed gets around a circle or box that is cut out of it, what is cut out counted with them; 0 around other shapes.
+Real cells_around(const RigidShapeSettings& shape, SeabedMesh bed, Real size)
+{
+  const auto* circle = std::get_if<CircleSettings>(&shape);
+  const auto* box = std::get_if<BoxSettings>(&shape);
+  const std::vector<Real> center = circle != nullptr ? circle->center : box != nullptr ? box->center : std::vector<Real>();
+  if (center.size() != 2 || (box != nullptr && box->size.size() != 2)) return 0;
+  const Real reach = circle != nullptr ? circle->diameter / 2 : std::hypot(box->size[0], box->size[1]) / 2;
+  const SeabedLayout at = layout_of(bed);
+  bed.near_left = std::clamp(center[0] - reach, at.left, at.right);
+  bed.near_right = std::clamp(center[0] + reach, at.left, at.right);
+  bed.near_depth = std::clamp(reach - center[1], Real(0), bed.depth);
+  bed.near_height = std::clamp(center[1] + reach, Real(0), bed.headroom);
+  bed.near_size = size;
+  bed.far_size.reset();
+  bed.layer = 0;
+  return expected_cells(bed);
+}
+
+void check_fem(Describe& d, const Case& c)
+{
+  const auto* bed = std::get_if<SeabedMesh>(&c.mesh);
+  if (c.method != Method::fem || !c.fem.contact_size || bed == nullptr) return;
+  for (const auto& [name, rigid] : c.rigid)
+    d.check(cells_around(rigid.shape, *bed, *c.fem.contact_size) <= most_seabed_cells, "fem.contact_size",
+            fmt::format("makes more than {:.0e} cells around [rigid.{}]: enlarge it or mesh.growth", most_seabed_cells, name));
+}
+
 /// Rows and frames are written to a disk that ends. Stages whose end cannot be told are not counted.
 void check_output(Describe& d, const Case& c)
 {
@@ -286,6 +314,7 @@ void describe(Describe& d, Case& c)
     check_entries(d, "watch." + name + ".point", watch.point, c.dimension);
   }
   check_stages(d, c);
+  check_fem(d, c);
   check_output(d, c);
 }
 

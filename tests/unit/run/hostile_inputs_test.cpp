@@ -117,6 +117,23 @@ TEST_F(Hostile, sizes_that_no_machine_holds_are_refused_at_once)
                  "check", 1);
 }
 
+/// The number of cells is told before gmsh works on them for hours.
+TEST_F(Hostile, elements_too_small_for_any_machine_are_refused_at_once)
+{
+  const std::string bed =
+      "kind = \"seabed\"\nlength = 1\ndepth = 0.5\nheadroom = 0.1\nnear_left = -0.1\nnear_right = 0.1\nnear_depth = 0.1\n"
+      "near_height = 0.05\nnear_size = 0.01\n";
+  const auto with = [&](const std::string& growth, const std::string& contact_size) {
+    std::string text = small_case_with("kind = \"box\"\nsize = [\"120 mm\", \"60 mm\"]\ncells = [30, 15]\n", bed + growth);
+    const std::size_t at = text.find("[\"50 mm\", \"50 mm\"]");
+    text.replace(at, std::string("[\"50 mm\", \"50 mm\"]").size(), "[0, 0.005]");
+    return "method = \"fem\"\nfem.contact_size = " + contact_size + "\n" + text;
+  };
+  for (const char* size : {"1e-9", "1e-12", "1e-300"})
+    expect_refused(with("", size), "case.toml:2: fem.contact_size: makes more than 2e+07 cells around [rigid.pipe]");
+  expect_refused(with("growth = 0", "\"0.05 mm\""), "makes more than 2e+07 cells around [rigid.pipe]");
+}
+
 TEST_F(Hostile, names_that_would_become_paths_are_refused)
 {
   for (const std::string& name : {std::string("../../x"), std::string("/tmp/x"), std::string("a/b"), std::string(".."), std::string("a b"),
