@@ -49,7 +49,7 @@ bench: build ## how fast a step is, and its single kernels: some minutes on a ma
 
 fuzz: ## look for inputs that break berm, with clang: ten million for each target of tests/fuzz, hours
 	@scripts/setup clang
-	@for target in case model mesh frame results study; do tests/fuzz/run $$target; done
+	@for target in case model mesh checkpoint frame results study; do tests/fuzz/run $$target; done
 
 sanitize: setup ## unit tests with address and undefined-behaviour sanitizers, of all folders (long) or of folders='mesh input'
 	@cmake --preset sanitize >/dev/null

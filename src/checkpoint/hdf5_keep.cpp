@@ -139,6 +139,8 @@ void Hdf5Reader::list(const std::string& path, std::vector<BigIndex>& numbers)
 void Hdf5Reader::list(const std::string& path, std::string& text)
 {
   read(path, H5T_INTEGER, H5T_NATIVE_UCHAR, text);
+  if (std::any_of(text.begin(), text.end(), [](unsigned char c) { return (c < 0x20 && c != '\n') || c == 0x7F; }))
+    refuse(fmt::format("{} is no text", path));
 }
 
 }  // namespace berm

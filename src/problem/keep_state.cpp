@@ -5,6 +5,8 @@
 
 namespace berm {
 
+constexpr BigIndex most_steps = BigIndex(1) << 60;  // no run gets so far, and the next ones can still be counted
+
 // The sizes tell of a member that is not kept yet.
 template <int dim>
 void keep(Keep& k, RigidState<dim>& rigid)
@@ -66,6 +68,7 @@ void keep(Keep& k, const Model<dim>& model, State<dim>& state)
 {
   k("time", state.time);
   k("step", state.step);
+  if (k.reads() && (state.step < 0 || state.step > most_steps)) k.refuse(fmt::format("there is no step {}", state.step));
   k("dt", state.dt);
   k.table("stage", [&] { keep(k, model, state.stage); });
   k.table("totals", [&] { keep(k, state.totals); });

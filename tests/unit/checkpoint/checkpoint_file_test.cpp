@@ -181,6 +181,16 @@ TEST_F(Checkpoint, of_other_contents_is_refused)
             "inner/most/vec has 3 numbers instead of 2");
 }
 
+TEST_F(Checkpoint, with_control_characters_in_a_text_is_refused)
+{
+  for (const char c : {'\0', '\x1b', '\r', '\x7f'}) {
+    Thing thing;
+    thing.text = std::string("a") + c + "b";
+    write_checkpoint(folder_ / "odd.h5", [&](Keep& k) { thing.keep(k); });
+    EXPECT_EQ(refusal(folder_ / "odd.h5"), "text is no text");
+  }
+}
+
 TEST_F(Checkpoint, that_cannot_be_written_leaves_the_one_before_it_alone)
 {
   rlimit limit{};

@@ -173,5 +173,21 @@ TYPED_TEST(StateCheckpoint, of_another_problem_is_refused)
   }
 }
 
+TYPED_TEST(StateCheckpoint, of_a_step_that_no_run_comes_to_is_refused)
+{
+  constexpr int dim = TypeParam::value;
+  test::SampleRun<dim> run, other;
+  const auto file = this->folder_ / "file.h5";
+  for (const BigIndex step : {BigIndex(-1), std::numeric_limits<BigIndex>::max(), std::numeric_limits<BigIndex>::min()}) {
+    run.problem.state.step = step;
+    write(file, run);
+    EXPECT_THROW(read(file, other), RunError) << step;
+  }
+  run.problem.state.step = BigIndex(1) << 50;
+  write(file, run);
+  read(file, other);
+  EXPECT_EQ(other.problem.state.step, run.problem.state.step);
+}
+
 }  // namespace
 }  // namespace berm

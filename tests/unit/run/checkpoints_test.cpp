@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a checkpoint says of other files is compared with them before the run goes on.
+#include "../mesh/temporary_folder.hpp"
+
+#include "run/checkpoints.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+TEST(CheckpointOfHistory, is_refused_with_a_length_that_the_file_has_not)
+{
+  const TemporaryFolder folder;
+  const auto history = folder.write("history.csv", "time_s,stage\n0,rest\n");
+  const auto refusal_of = [&](BigIndex bytes, BigIndex crc) {
+    write_checkpoint(folder / "file.h5", [&](Keep& k) { k("bytes", bytes), k("crc", crc); });
+    BigIndex found = 0;
+    try {
+      read_checkpoint(folder / "file.h5", [&](Keep& k) { keep_history(k, history, found); });
+    } catch (const RunError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const BigIndex whole = 20, crc_of_whole = *crc_of(history, whole);
+  EXPECT_EQ(refusal_of(whole, crc_of_whole), "");
+  EXPECT_EQ(refusal_of(0, 0), "");
+  constexpr BigIndex most = std::numeric_limits<BigIndex>::max();
+  for (const BigIndex bytes : {-1, -5, 19, 21}) EXPECT_NE(refusal_of(bytes, crc_of_whole), "") << bytes;
+  for (const BigIndex bytes : {BigIndex(-5), BigIndex(-1), BigIndex(21), most, -most - 1})
+    for (const BigIndex crc : {-1, 0}) EXPECT_NE(refusal_of(bytes, crc), "") << bytes << " " << crc;
+}
+
+}  // namespace
+}  // namespace berm
