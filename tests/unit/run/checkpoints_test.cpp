@@ -32,5 +32,26 @@ TEST(CheckpointOfHistory, is_refused_with_a_length_that_the_file_has_not)
     for (const BigIndex crc : {-1, 0}) EXPECT_NE(refusal_of(bytes, crc), "") << bytes << " " << crc;
 }
 
+TEST(Checkpoints, that_cannot_be_written_end_no_run_and_the_next_one_is_written)
+{
+  const TemporaryFolder folder;
+  Checkpoints checkpoints(folder.path(), 0);
+  Real number = 0;
+  const auto contents = [&](Keep& k) { k("number", number); };
+  number = 1;
+  checkpoints.write(1, contents);
+  // A folder where the file is to be made.
+  std::filesystem::create_directories(checkpoints_in(folder.path()) / "step_2.h5.part/in_the_way");
+  number = 2;
+  EXPECT_NO_THROW(checkpoints.write(2, contents));
+  ASSERT_TRUE(checkpoints.read(contents));
+  EXPECT_EQ(number, 1);
+  number = 3;
+  checkpoints.write(3, contents);
+  number = 0;
+  ASSERT_TRUE(checkpoints.read(contents));
+  EXPECT_EQ(number, 3);
+}
+
 }  // namespace
 }  // namespace berm
