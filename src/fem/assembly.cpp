@@ -52,7 +52,7 @@ Stiffness stiffness_of_point(const Law& law, Real viscosity, const SymTensor<2>&
   update_stress_and_tangent(law, point.stress, strain, &point.law_state, tangent);
   Stiffness d;
   for (int j = 0; j < 3; ++j) d.col(j) = Eigen::Vector3d(tangent(0, j), tangent(1, j), tangent(3, j));
-  return (d + (viscosity + least_stiffness) * elastic_stiffness(law.elastic)) / (1 + viscosity);
+  return ((d + d.transpose()) / 2 + (viscosity + least_stiffness) * elastic_stiffness(law.elastic)) / (1 + viscosity);
 }
 
 /// Strain (e_xx, e_yy, gamma_xy) by the movement of the nodes (x, y, x, y, ...).
@@ -76,12 +76,6 @@ SymTensor<2> strain_of(const StrainMatrix& b, const AtSixNodes<Index>& nodes, co
   return {{strain[0], strain[1], 0, strain[2] / 2}};
 }
 
-/// Columns: how the node and the rigid body (x, y, angle) move a contact point's soil relative to the body.
-Eigen::Matrix<Real, 2, 5> relative_movement(const FemContactPoint& point)
-{
-  return Eigen::Matrix<Real, 2, 5>{{1, 0, -1, 0, point.arm[1]}, {0, 1, 0, -1, -point.arm[0]}};
-}
-
 }  // namespace
 
 Assembly::Assembly(const FemModel& model)
@@ -91,7 +85,7 @@ Assembly::Assembly(const FemModel& model)
       points_(model.mesh.nodes.size()),
       laws_(model.mesh.nodes.size()),
       contact_(model.contact.size()),
-      contact_stiffness_(model.contact.size()),
+      soil_residual_(model.unknowns()),
       residual_(model.unknowns()),
       matrix_(model.pattern.entry_count()),
       held_back_(model.unknowns(), 0.),
@@ -134,8 +128,7 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
 
 void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>& change, Real viscosity, Index cell)
 {
-  Eigen::Map<Eigen::Matrix<Real, 12, 12, Eigen::RowMajor>, Eigen::Unaligned> stiffness(stiffness_[cell].data());
-  stiffness.setZero();
+  Eigen::Matrix<Real, 12, 12> stiffness = Eigen::Matrix<Real, 12, 12>::Zero();
   for (int q = 0; q < triangle_points; ++q) {
     const ShapeAtPoint& shape = model_.shape[cell][q];
     const StrainMatrix b = strain_matrix(shape);
@@ -145,6 +138,9 @@ void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>
                                    law_of_point(point.stress, cell, q).law);
     stiffness += b.transpose() * (shape.area * d * b);
   }
+  int k = 0;
+  for (int i = 0; i < 12; ++i)
+    for (int j = 0; j <= i; ++j) stiffness_[cell][k++] = stiffness(i, j);
 }
 
 void Assembly::add_contact(const FemState& begin, const std::vector<Real>& change)
@@ -162,7 +158,6 @@ void Assembly::add_contact(const FemState& begin, const std::vector<Real>& chang
     const Eigen::Matrix<Real, 5, 1> force = point.area * p.transpose() * now.state.traction;
     contact_force_ += point.area * now.state.traction.norm();
     for (int i = 0; i < 5; ++i) residual_[unknowns[i]] -= force[i];
-    contact_stiffness_[k] = point.area * p.transpose() * now.stiffness * p;
   }
 }
 
@@ -188,8 +183,9 @@ void Assembly::evaluate(const FemState& begin, const std::vector<Real>& change, 
     const auto& nodes = model_.mesh.nodes[cell];
     for (int k = 0; k < 12; ++k) residual_[2 * nodes[k / 2] + k % 2] += cells_[cell].force[k];
   }
-  add_contact(begin, change);
   give_unknowns(loads);
+  soil_residual_ = residual_;
+  add_contact(begin, change);
 
   unbalanced_ = 0;
   for (Index node = 0; node < model_.mesh.position.size(); ++node) {
@@ -207,13 +203,11 @@ void Assembly::differentiate(const FemState& begin, const std::vector<Real>& cha
   const Timer timer("assemble");
   std::fill(matrix_.begin(), matrix_.end(), 0.);
   for (Index cell = 0; cell < cells_.size(); ++cell)
-    for (int k = 0; k < 144; ++k) matrix_[model_.cell_places[cell][k]] += stiffness_[cell][k];
-  for (std::size_t point = 0; point < contact_.size(); ++point)
-    for (int k = 0; k < 25; ++k) matrix_[model_.contact_places[point][k]] -= contact_stiffness_[point](k / 5, k % 5);
+    for (int k = 0; k < 78; ++k) matrix_[model_.cell_places[cell][k]] += stiffness_[cell][k];
   const SparsePattern& pattern = model_.pattern;
   for (Index row = 0; row < pattern.size(); ++row)
-    if (given_[row])
-      for (Index k = pattern.first[row]; k < pattern.first[row + 1]; ++k) matrix_[k] = pattern.column[k] == row ? 1 : 0;
+    for (Index k = pattern.first[row]; k < pattern.first[row + 1]; ++k)
+      if (given_[row] || given_[pattern.column[k]]) matrix_[k] = pattern.column[k] == row ? 1 : 0;
 }
 
 Vec<2> Assembly::reaction() const

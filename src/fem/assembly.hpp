@@ -15,7 +15,7 @@ struct FemLoads {
   } rigid[3];        ///< x, y, angle
 };
 
-/// The elements and contact points at the end of an increment that is tried: forces and their derivatives.
+/// The elements and contact points at the end of an increment that is tried: forces, and the elements' derivatives.
 class Assembly {
 public:
   explicit Assembly(const FemModel& model);
@@ -27,12 +27,15 @@ public:
   /// so that soil at yield keeps a stiffness; what lies outside the law's surface is the overstress.
   void evaluate(const FemState& begin, const std::vector<Real>& change, const FemLoads& loads, Real viscosity);
 
-  /// Computes the matrix for what was evaluated last, from the same arguments.
+  /// Computes the soil's matrix for what was evaluated last, from the same arguments.
   void differentiate(const FemState& begin, const std::vector<Real>& change, Real viscosity);
 
   /// internal - external forces by unknown, N/m; not zeroed where the unknown is given.
   const std::vector<Real>& residual() const { return residual_; }
-  /// Derivative of the residual by the unknowns, in the model's pattern, of the last differentiate(). Rows of given unknowns are those of the identity.
+  /// The residual without the forces of the contact points.
+  const std::vector<Real>& soil_residual() const { return soil_residual_; }
+  /// Derivative of the soil's residual by the unknowns, in the model's pattern, of the last differentiate(); its symmetric part where soil is about to
+  /// open or close, elsewhere it is symmetric. Rows and columns of given unknowns are those of the identity.
   const std::vector<Real>& matrix() const { return matrix_; }
   bool given(Index unknown) const { return given_[unknown]; }
   /// Sum over the nodes of the unbalanced forces' magnitudes, and over the contact points of the forces', N/m.
@@ -69,12 +72,11 @@ private:
   };
   const FemModel& model_;
   CellField<CellWork> cells_;
-  CellField<std::array<Real, 144>> stiffness_;  ///< of each element, row by row
+  CellField<std::array<Real, 78>> stiffness_;  ///< of each element: its lower triangle, row by row
   CellField<std::array<SoilPoint, triangle_points>> points_;
   CellField<std::array<PointLaw, triangle_points>> laws_;
   std::vector<FemContactState> contact_;
-  std::vector<Eigen::Matrix<Real, 5, 5, Eigen::DontAlign>> contact_stiffness_;  ///< derivative of the forces on its node and the rigid body
-  std::vector<Real> residual_, matrix_, held_back_;
+  std::vector<Real> soil_residual_, residual_, matrix_, held_back_;
   std::vector<char> given_;
   Real unbalanced_ = 0, contact_force_ = 0;
 };

@@ -14,14 +14,16 @@ namespace {
 /// Of the contact's springs: this many times the stiffness of a layer of soil as thick as the elements at the body.
 constexpr Real contact_stiffness = 100;
 
-/// The unknowns that belong to an element or contact point, and which entries of the matrix they couple.
+/// The unknowns that belong to an element, and which entries of the matrix they couple.
 class PatternMaker {
 public:
   explicit PatternMaker(Index unknowns) : rows_(unknowns) {}
 
   void couple(std::span<const Index> unknowns)
   {
-    for (const Index row : unknowns) rows_[row].insert(rows_[row].end(), unknowns.begin(), unknowns.end());
+    for (const Index row : unknowns)
+      for (const Index column : unknowns)
+        if (column <= row) rows_[row].push_back(column);
   }
   SparsePattern pattern()
   {
@@ -49,22 +51,18 @@ std::array<Index, 12> unknowns_of(const AtSixNodes<Index>& nodes)
 
 void number_unknowns(FemModel& model)
 {
-  const auto of_contact = [&](const FemContactPoint& point) {
-    const Index r = model.rigid_unknown();
-    return std::array<Index, 5>{2 * point.node, 2 * point.node + 1, r, r + 1, r + 2};
-  };
   PatternMaker maker(model.unknowns());
   for (const auto& nodes : model.mesh.nodes) maker.couple(unknowns_of(nodes));
-  for (const FemContactPoint& point : model.contact) maker.couple(of_contact(point));
+  for (Index unknown = model.rigid_unknown(); unknown < model.unknowns(); ++unknown) maker.couple(std::array{unknown});
   model.pattern = maker.pattern();
-  const auto places = [&](const auto& unknowns, auto& made) {
-    int k = 0;
-    for (const Index row : unknowns)
-      for (const Index column : unknowns) made[k++] = model.pattern.place(row, column);
-  };
   model.cell_places.assign(model.mesh.nodes.size());
-  for (Index cell = 0; cell < model.mesh.nodes.size(); ++cell) places(unknowns_of(model.mesh.nodes[cell]), model.cell_places[cell]);
-  for (const FemContactPoint& point : model.contact) places(of_contact(point), model.contact_places.emplace_back());
+  for (Index cell = 0; cell < model.mesh.nodes.size(); ++cell) {
+    const std::array<Index, 12> unknowns = unknowns_of(model.mesh.nodes[cell]);
+    int k = 0;
+    for (int i = 0; i < 12; ++i)
+      for (int j = 0; j <= i; ++j)
+        model.cell_places[cell][k++] = model.pattern.place(std::max(unknowns[i], unknowns[j]), std::min(unknowns[i], unknowns[j]));
+  }
 }
 
 FemWatch make_watch(const FemModel& model, const std::string& name, const WatchSettings& watch, Index body)

@@ -37,6 +37,11 @@ FemTraction update_traction(const FemInterface& interface, const Vec<2>& normal,
   return now;
 }
 
+Eigen::Matrix<Real, 2, 5> relative_movement(const FemContactPoint& point)
+{
+  return Eigen::Matrix<Real, 2, 5>{{1, 0, -1, 0, point.arm[1]}, {0, 1, 0, -1, -point.arm[0]}};
+}
+
 std::vector<FemContactPoint> make_contact_points(const std::vector<BoundarySide>& sides, const NodeField<Vec<2>>& position,
                                                  const RigidShape<2>& shape)
 {

@@ -41,6 +41,9 @@ struct FemTraction {
 /// stiffness, so that a force finds something to push against at the start.
 FemTraction update_traction(const FemInterface& interface, const Vec<2>& normal, const FemContactState& before, const Vec<2>& movement);
 
+/// Columns: how the node and the rigid body (x, y, angle) move a contact point's soil relative to the body.
+Eigen::Matrix<Real, 2, 5> relative_movement(const FemContactPoint& point);
+
 /// The contact points of sides that lie on the surface of the shape. Simpson's rule gives the areas.
 std::vector<FemContactPoint> make_contact_points(const std::vector<BoundarySide>& sides, const NodeField<Vec<2>>& position,
                                                  const RigidShape<2>& shape);

@@ -18,8 +18,8 @@ Index SparsePattern::place(Index row, Index col) const
 
 struct DirectSolver::Mumps {
   DMUMPS_STRUC_C call{};
-  std::vector<MUMPS_INT> row, column;  // counted from 1
-  std::vector<Real> entries;
+  std::vector<MUMPS_INT> row, column, kept;  // counted from 1
+  std::vector<Real> entries, kept_matrix, kept_part;
 
   // The users' guide's names of controls count from 1.
   MUMPS_INT& control(int number) { return call.icntl[number - 1]; }
@@ -31,7 +31,7 @@ struct DirectSolver::Mumps {
   }
 };
 
-DirectSolver::DirectSolver(const SparsePattern& pattern) : mumps_(std::make_unique<Mumps>())
+DirectSolver::DirectSolver(const SparsePattern& pattern, const std::vector<Index>& kept) : mumps_(std::make_unique<Mumps>())
 {
   const Timer timer("order equations");
   Mumps& m = *mumps_;
@@ -42,19 +42,30 @@ DirectSolver::DirectSolver(const SparsePattern& pattern) : mumps_(std::make_uniq
     }
   m.entries.resize(m.row.size());
   m.call.par = 1;
-  m.call.sym = 0;
+  m.call.sym = 1;
   m.call.comm_fortran = -987654;  // MPI_COMM_WORLD
   m.run(-1);
   for (const int stream : {1, 2, 3}) m.control(stream) = 0;  // no messages
   m.control(4) = 0;
   m.control(6) = 0;    // rows stay where they are: the diagonal is as good as any
   m.control(7) = 4;    // nested dissection by PORD
-  m.control(14) = 60;  // per cent of memory beyond what was foretold, for pivots that move
+  m.control(14) = 60;  // per cent of memory beyond what was foretold
   m.call.n = pattern.size();
   m.call.nnz = pattern.entry_count();
   m.call.irn = m.row.data();
   m.call.jcn = m.column.data();
   m.call.a = m.entries.data();
+  if (!kept.empty()) {
+    for (const Index unknown : kept) m.kept.push_back(unknown + 1);
+    m.kept_matrix.resize(kept.size() * kept.size());
+    m.kept_part.resize(kept.size());
+    m.control(19) = 1;  // the Schur complement by rows
+    m.call.size_schur = m.call.lredrhs = static_cast<MUMPS_INT>(kept.size());
+    m.call.listvar_schur = m.kept.data();
+    m.call.schur = m.kept_matrix.data();
+    m.call.redrhs = m.kept_part.data();
+    m.call.nrhs = 1;
+  }
   if (const MUMPS_INT error = m.run(1); error < 0) throw RunError(fmt::format("MUMPS cannot order the equations (error {})", error));
 }
 
@@ -78,12 +89,34 @@ bool DirectSolver::decompose(std::span<const Real> entries)
   return true;
 }
 
-void DirectSolver::solve(std::span<Real> b)
+void DirectSolver::solve(std::span<Real> b, int part)
 {
   const Timer timer("solve equations");
   Mumps& m = *mumps_;
+  m.control(26) = part;
   m.call.rhs = b.data();
   if (const MUMPS_INT error = m.run(3); error < 0) throw RunError(fmt::format("MUMPS cannot solve (error {})", error));
+}
+
+void DirectSolver::solve(std::span<Real> b)
+{
+  solve(b, 0);
+}
+
+std::span<const Real> DirectSolver::kept_matrix() const
+{
+  return mumps_->kept_matrix;
+}
+
+std::span<Real> DirectSolver::condense(std::span<Real> b)
+{
+  solve(b, 1);
+  return mumps_->kept_part;
+}
+
+void DirectSolver::expand(std::span<Real> b)
+{
+  solve(b, 2);
 }
 
 }  // namespace berm

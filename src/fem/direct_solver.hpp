@@ -9,21 +9,26 @@
 
 namespace berm {
 
-/// Where a square sparse matrix has entries: row r has the columns column[first[r]] ... column[first[r + 1] - 1], ascending.
+/// Where a symmetric sparse matrix has entries in its lower triangle: row r has the columns column[first[r]] ... column[first[r + 1] - 1], ascending,
+/// none beyond r.
 struct SparsePattern {
   std::vector<Index> first, column;
 
   Index size() const { return static_cast<Index>(first.size()) - 1; }
   Index entry_count() const { return static_cast<Index>(column.size()); }
-  /// The place of an entry that is there.
+  /// The place of an entry that is there, row >= col.
   Index place(Index row, Index col) const;
 };
 
-/// Solves A x = b for unsymmetric matrices of one pattern by LU decomposition with MUMPS (Amestoy, Duff, L'Excellent and Koster, SIAM J. Matrix Anal.
-/// Appl. 23, 2001), sequential. The order of elimination is found once.
+/// Solves A x = b for symmetric, positive definite matrices of one pattern with MUMPS (Amestoy, Duff, L'Excellent and Koster, SIAM J. Matrix Anal.
+/// Appl. 23, 2001), sequential. The order of elimination is found once. Some unknowns may be left to the end, for which the caller solves
+///
+///   S y = c,  S = A_kk - A_ko inv(A_oo) A_ok,  c = b_k - A_ko inv(A_oo) b_o
+///
+/// (k: kept, o: the others). Only A_oo has to be positive definite then.
 class DirectSolver {
 public:
-  explicit DirectSolver(const SparsePattern& pattern);
+  explicit DirectSolver(const SparsePattern& pattern, const std::vector<Index>& kept = {});
   ~DirectSolver();
   DirectSolver(const DirectSolver&) = delete;
   DirectSolver& operator=(const DirectSolver&) = delete;
@@ -31,10 +36,18 @@ public:
   /// Decomposes the matrix with these entries, in the pattern's order. False where it is singular. Throws RunError where memory is wanting.
   bool decompose(std::span<const Real> entries);
 
-  /// Solves with the last decomposition; b becomes x.
+  /// Solves with the last decomposition; b becomes x. Not where unknowns are kept.
   void solve(std::span<Real> b);
 
+  /// S of the last decomposition, row by row: the lower triangle, the rest is not set.
+  std::span<const Real> kept_matrix() const;
+  /// c, in which the caller then puts y.
+  std::span<Real> condense(std::span<Real> b);
+  /// After condense(b), and y in its place: b becomes x.
+  void expand(std::span<Real> b);
+
 private:
+  void solve(std::span<Real> b, int part);
   struct Mumps;
   std::unique_ptr<Mumps> mumps_;
 };

@@ -32,9 +32,8 @@ struct FemModel {
   std::vector<FemWatch> watches;
 
   // Unknowns: node i moves by 2 i and 2 i + 1 (x, y); the rigid body, where there is one, by the last three (x, y, angle).
-  SparsePattern pattern;
-  CellField<std::array<Index, 144>> cell_places;      ///< of the 12 x 12 entries of each element, row by row
-  std::vector<std::array<Index, 25>> contact_places;  ///< of the 5 x 5 entries of each contact point: its node and the rigid body
+  SparsePattern pattern;                         ///< of the soil alone
+  CellField<std::array<Index, 78>> cell_places;  ///< of the lower triangle of each element's 12 x 12 entries, row by row
   Index unknowns() const { return 2 * mesh.position.size() + (rigid == none ? 0 : 3); }
   Index rigid_unknown() const { return 2 * mesh.position.size(); }
 };

@@ -12,11 +12,11 @@ namespace {
 
 constexpr Real settling_viscosity = 0.1;
 constexpr Real first_travel = 2e-4;     // of the width, in the first increment of a stage
-constexpr Real loose = 10;              // times the tolerance: taken where even the smallest increment comes no nearer
+constexpr Real loose = 10;              // times the tolerance: taken where even the smallest increment comes no nearer, once in a row
 constexpr Real least_growth = 5e-3;     // of the width: an increment of this travel is never too long for the pressure that it brings
 constexpr Real pressure_change = 0.02;  // of the contact force, in one increment: the strengths that follow it lag one increment behind
 constexpr Real most_overstress = 0.05;  // of the stress of soil at yield
-constexpr int quick = 5, quick_enough = 12;  // iterations
+constexpr int quick = 8, quick_enough = 12;  // iterations
 
 }  // namespace
 
@@ -24,7 +24,7 @@ LoadSteps::LoadSteps(const FemModel& model, FemState& state)
     : model_(model),
       state_(state),
       newton_(model),
-      least_relaxation_((model.strength_lags ? 0.1 : 1e-4) * model.settings.relaxation),
+      least_relaxation_((model.strength_lags ? 0.5 : 1e-4) * model.settings.relaxation),
       relaxation_(model.strength_lags ? model.settings.relaxation : least_relaxation_)
 {
   begin();
@@ -131,7 +131,7 @@ IncrementEnd LoadSteps::advance()
       shortest *= part;
       continue;
     }
-    const bool last_resort = dt < 2e-4 * first_dt_ && end.unbalance <= loose * model_.settings.tolerance;
+    const bool last_resort = !loose_ && dt < 2e-4 * first_dt_ && end.unbalance <= loose * model_.settings.tolerance;
     if (end.converged || last_resort) {
       const Vec<2> before = driven() == none ? Vec<2>(Vec<2>::Zero()) : state_.state.rigids[driven()].reaction;
       newton_.assembly().accept(state_, change, loads);
@@ -160,7 +160,8 @@ void LoadSteps::accept(const std::vector<Real>& change, Real dt, const Increment
   if (end.iterations <= quick) relaxation_ = std::max(relaxation_ / 2, least_relaxation_);
   if (end.iterations <= quick_enough) dt_ = std::max(dt_, dt * 1.5);
   if (model_.strength_lags) dt_ = std::min(dt_, std::max(dt * pressure_change / force_change, first_dt_ * least_growth / first_travel));
-  if (!end.converged) dt_ = first_dt_;
+  loose_ = !end.converged;
+  if (loose_) dt_ = first_dt_;
 }
 
 void LoadSteps::refuse_overstress() const

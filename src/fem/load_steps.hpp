@@ -40,6 +40,7 @@ private:
   Real least_relaxation_, relaxation_;  ///< travel over which overstress fades, over the width: at least, and of the next increment
   Real first_dt_ = 0, dt_ = 0;          ///< s, of the first and of the next increment of the stage
   Real last_dt_ = 0;                    ///< s, of the last increment in this stage; 0 = none
+  bool loose_ = false;                  ///< the last increment was taken though it stayed above the tolerance
   std::vector<Real> last_change_;       ///< of displacement in it
 };
 

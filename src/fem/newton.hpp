@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fem/assembly.hpp"
+#include "fem/contact_step.hpp"
 
 namespace berm {
 
@@ -13,8 +13,9 @@ struct IncrementEnd {
   int iterations = 0;
 };
 
-/// Newton's iteration with the consistent tangent for one increment. Each increment is a convex problem but for the friction of the interface, so a
-/// line search along the Newton step, on the slope of the energy, keeps the iteration from cycling between states of soil without tension.
+/// Newton's iteration with the consistent tangent of the soil for one increment; the contact is solved within each step (ContactStep). Each increment is a
+/// convex problem but for the friction of the interface, so a line search along the step, on the slope of the energy, keeps the iteration from cycling
+/// between states of soil without tension. A decomposed matrix serves as long as it brings the unbalanced forces down fast.
 class Newton {
 public:
   explicit Newton(const FemModel& model);
@@ -27,11 +28,13 @@ public:
 
 private:
   bool set_step(const FemLoads& loads, const std::vector<Real>& change);
+  void find_step(const FemState& begin, const std::vector<Real>& change);
   Real slope() const;
   void search_line(const FemState& begin, const FemLoads& loads, Real viscosity, std::vector<Real>& change);
 
   const FemModel& model_;
   Assembly assembly_;
+  ContactStep contact_;
   DirectSolver solver_;
   Real least_force_;  ///< N/m, that unbalanced forces are compared with at least
   std::vector<Real> step_;

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/direct_solver.hpp"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 namespace berm {
 namespace {
 
-// 0 2 0     1     x = (2, 0.5, 3)
-// 1 0 0     2
-// 0 1 4    12.5
-const SparsePattern pattern{{0, 2, 4, 6}, {0, 1, 0, 1, 1, 2}};
+//  4 -1  0     2     x = (1, 2, 3)
+// -1  4 -2     1
+//  0 -2  5    11
+const SparsePattern pattern{{0, 1, 3, 5}, {0, 0, 1, 1, 2}};
+const std::vector<Real> entries{4, -1, 4, -2, 5};
 
 void expect_solution(DirectSolver& solver, std::vector<Real> b, const std::vector<Real>& x)
 {
@@ -17,31 +19,67 @@ void expect_solution(DirectSolver& solver, std::vector<Real> b, const std::vecto
   for (std::size_t k = 0; k < x.size(); ++k) EXPECT_NEAR(b[k], x[k], 1e-14) << k;
 }
 
-TEST(DirectSolver, solves_an_unsymmetric_system_that_needs_pivots)
+TEST(DirectSolver, solves_a_symmetric_system_by_its_lower_triangle)
 {
   DirectSolver solver(pattern);
-  ASSERT_TRUE(solver.decompose(std::vector<Real>{0, 2, 1, 0, 1, 4}));
-  expect_solution(solver, {1, 2, 12.5}, {2, 0.5, 3});
+  ASSERT_TRUE(solver.decompose(entries));
+  expect_solution(solver, {2, 1, 11}, {1, 2, 3});
 }
 
 TEST(DirectSolver, takes_other_entries_of_the_same_pattern)
 {
   DirectSolver solver(pattern);
-  ASSERT_TRUE(solver.decompose(std::vector<Real>{0, 2, 1, 0, 1, 4}));
-  ASSERT_TRUE(solver.decompose(std::vector<Real>{1, 0, 0, 1, 0, 1}));
+  ASSERT_TRUE(solver.decompose(entries));
+  ASSERT_TRUE(solver.decompose(std::vector<Real>{1, 0, 1, 0, 1}));
   expect_solution(solver, {1, 2, 3}, {1, 2, 3});
 }
 
 TEST(DirectSolver, says_that_a_matrix_is_singular)
 {
   DirectSolver solver(pattern);
-  EXPECT_FALSE(solver.decompose(std::vector<Real>{1, 2, 1, 2, 1, 4}));
+  EXPECT_FALSE(solver.decompose(std::vector<Real>{1, -1, 1, 0, 5}));
+}
+
+TEST(DirectSolver, leaves_kept_unknowns_to_the_caller)
+{
+  // Dense, the kept ones in another order than they are counted; without stiffness of their own, so that the whole is not positive definite.
+  constexpr int n = 7;
+  const std::vector<Index> kept{5, 1};
+  const int others[] = {0, 2, 3, 4, 6};
+  Eigen::MatrixXd a = Eigen::MatrixXd::Zero(n, n);
+  SparsePattern dense{{0}, {}};
+  std::vector<Real> lower;
+  for (int row = 0; row < n; ++row) {
+    for (int column = 0; column <= row; ++column) {
+      const Real entry = row == column ? (row == 5 || row == 1 ? 0 : 10 + row) : 1. / (1 + row + 2 * column);
+      a(row, column) = a(column, row) = entry;
+      dense.column.push_back(column);
+      lower.push_back(entry);
+    }
+    dense.first.push_back(static_cast<Index>(dense.column.size()));
+  }
+  const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(n, 1, 3), x = a.partialPivLu().solve(b);
+  const Eigen::MatrixXd aok = a(others, kept), inverse = a(others, others).inverse();
+  const Eigen::Matrix2d schur = a(kept, kept) - aok.transpose() * inverse * aok;
+  const Eigen::Vector2d load = b(kept) - aok.transpose() * inverse * b(others);
+
+  DirectSolver solver(dense, kept);
+  ASSERT_TRUE(solver.decompose(lower));
+  const std::span<const Real> s = solver.kept_matrix();
+  for (const auto& [row, column] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1)})
+    EXPECT_NEAR(s[2 * row + column], schur(row, column), 1e-14) << row << ", " << column;
+  std::vector<Real> solution(b.begin(), b.end());
+  const std::span<Real> y = solver.condense(solution);
+  for (int k = 0; k < 2; ++k) EXPECT_NEAR(y[k], load[k], 1e-14);
+  for (int k = 0; k < 2; ++k) y[k] = x[kept[k]];
+  solver.expand(solution);
+  for (int k = 0; k < n; ++k) EXPECT_NEAR(solution[k], x[k], 1e-13 * x.norm()) << k;
 }
 
 TEST(SparsePattern, finds_the_place_of_an_entry)
 {
-  EXPECT_EQ(pattern.place(0, 1), 1);
-  EXPECT_EQ(pattern.place(2, 2), 5);
+  EXPECT_EQ(pattern.place(1, 0), 1);
+  EXPECT_EQ(pattern.place(2, 2), 4);
 }
 
 }  // namespace

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fem/contact_step.hpp"
+
+#include "core/timer.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace berm {
+namespace {
+
+constexpr int most_steps = 40, most_searches = 30;
+constexpr Real rounding = 1e-10;       // of the forces: what is left where the contact has settled, its law being linear in pieces
+constexpr Real enough_descent = 0.01;  // a slope of this part of the first one ends the line search
+
+}  // namespace
+
+ContactStep::ContactStep(const FemModel& model) : model_(model)
+{
+  if (model.rigid == none) return;
+  for (const FemContactPoint& point : model.contact)
+    for (int d = 0; d < 2; ++d) unknowns_.push_back(2 * point.node + d);
+  for (int d = 0; d < 3; ++d) unknowns_.push_back(model.rigid_unknown() + d);
+  const auto n = static_cast<Eigen::Index>(unknowns_.size());
+  given_.resize(n);
+  for (Vector* v : {&change_, &force_, &step_, &first_step_, &direction_, &unbalanced_}) v->resize(n);
+  for (RowMatrix* m : {&soil_, &matrix_, &stiffness_}) m->resize(n, n);
+}
+
+/// The interface's forces on the unknowns that are not given, and their derivative.
+void ContactStep::evaluate(const FemState& begin, const Vector& step, bool with_stiffness)
+{
+  force_.setZero();
+  if (with_stiffness) stiffness_.setZero();
+  const auto rigid = static_cast<int>(unknowns_.size()) - 3;
+  for (int k = 0; k < static_cast<int>(model_.contact.size()); ++k) {
+    const FemContactPoint& point = model_.contact[k];
+    const int at[5] = {2 * k, 2 * k + 1, rigid, rigid + 1, rigid + 2};
+    const Eigen::Matrix<Real, 2, 5> p = relative_movement(point);
+    Eigen::Matrix<Real, 5, 1> moved;
+    for (int i = 0; i < 5; ++i) moved[i] = change_[at[i]] + step[at[i]];
+    const FemTraction now = update_traction(model_.interface, point.normal, begin.contact[k], p * moved);
+    const Eigen::Matrix<Real, 5, 1> force = point.area * p.transpose() * now.state.traction;
+    const Eigen::Matrix<Real, 5, 5> stiffness = point.area * p.transpose() * now.stiffness * p;
+    for (int i = 0; i < 5; ++i) {
+      if (given_[at[i]]) continue;
+      force_[at[i]] += force[i];
+      if (!with_stiffness) continue;
+      for (int j = 0; j < 5; ++j) stiffness_(at[i], at[j]) += stiffness(i, j);
+    }
+  }
+}
+
+/// How far to go along the direction: where the slope of the energy has nearly gone.
+Real ContactStep::part_of_direction(const FemState& begin, const Vector& load)
+{
+  const Real first = direction_.dot(unbalanced_), constant = direction_.dot(soil_ * step_ - load),
+             linear = direction_.dot(soil_ * direction_);
+  const auto slope = [&](Real at) {
+    evaluate(begin, step_ + at * direction_, false);
+    return constant + at * linear - direction_.dot(force_);
+  };
+  Real at = 1, low = 0, low_slope = first, high = 1, high_slope = slope(1), here = high_slope;
+  if (here <= 0) return at;
+  for (int k = 1; k < most_searches && std::abs(here) > enough_descent * std::abs(first); ++k) {
+    // The chord creeps where the slope has a bend: every third time the middle.
+    at = k % 3 == 0 ? (low + high) / 2 : low + (high - low) * std::clamp(-low_slope / (high_slope - low_slope), 0.05, 0.95);
+    here = slope(at);
+    if (here < 0)
+      low = at, low_slope = here;
+    else
+      high = at, high_slope = here;
+  }
+  return at;
+}
+
+bool ContactStep::find(const FemState& begin, const std::vector<Real>& change, const Assembly& assembly, std::span<const Real> soil,
+                       std::span<Real> load_and_step)
+{
+  const Timer timer("solve contact");
+  const auto n = static_cast<Eigen::Index>(unknowns_.size());
+  for (Eigen::Index k = 0; k < n; ++k) {
+    given_[k] = static_cast<char>(assembly.given(unknowns_[k]));
+    change_[k] = change[unknowns_[k]];
+  }
+  soil_ = Eigen::Map<const RowMatrix>(soil.data(), n, n).selfadjointView<Eigen::Lower>();
+  Eigen::Map<Vector> load(load_and_step.data(), n);
+  bool given_moves = false;
+  for (Eigen::Index k = 0; k < n; ++k) given_moves = given_moves || (given_[k] && load[k] != 0);
+  step_.setZero();
+  first_step_.setZero();
+  bool settled = false;
+  for (int k = 0; k < most_steps && !settled; ++k) {
+    evaluate(begin, step_, true);
+    unbalanced_ = soil_ * step_ - load - force_;
+    settled = k > 0 && unbalanced_.norm() <= rounding * (load.norm() + force_.norm());
+    if (settled) break;
+    matrix_ = soil_ - stiffness_;
+    direction_ = -matrix_.partialPivLu().solve(unbalanced_);
+    if (!direction_.allFinite()) break;
+    if (k == 0) first_step_ = direction_;
+    // Where given unknowns move, in the first step, the slope does not know their work.
+    step_ += (k == 0 && given_moves ? 1 : part_of_direction(begin, load)) * direction_;
+  }
+  load = settled ? step_ : first_step_;
+  return settled;
+}
+
+}  // namespace berm
