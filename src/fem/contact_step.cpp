@@ -98,6 +98,8 @@ bool ContactStep::find(const FemState& begin, const std::vector<Real>& change, c
     matrix_ = soil_ - stiffness_;
     direction_ = -matrix_.partialPivLu().solve(unbalanced_);
     if (!direction_.allFinite()) break;
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (given_[i]) direction_[i] = load[i] - step_[i];  // to the last bit
     if (k == 0) first_step_ = direction_;
     // Where given unknowns move, in the first step, the slope does not know their work.
     step_ += (k == 0 && given_moves ? 1 : part_of_direction(begin, load)) * direction_;

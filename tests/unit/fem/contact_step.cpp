@@ -84,7 +84,7 @@ struct Block {
       if (!assembly.given(k)) {
         EXPECT_NEAR(out[k], 0, 1e-9 * size) << k;
       } else if (k >= model.rigid_unknown()) {
-        EXPECT_NEAR(moved[k], loads.rigid[k - model.rigid_unknown()].value, 1e-16);
+        EXPECT_EQ(step[k], loads.rigid[k - model.rigid_unknown()].value - change[k]);
       }
     }
     after.accept(problem.state, moved, loads);
