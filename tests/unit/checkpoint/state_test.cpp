@@ -44,7 +44,8 @@ bool same_blocks(const Particles<dim>& a, const Particles<dim>& b)
     for (Index p = a.first_block(cell), q = b.first_block(cell); left > 0; p = a.block(p).next, q = b.block(q).next, left -= lanes) {
       const std::size_t numbers = offsetof(Block<dim>, next);
       if (std::memcmp(&a.block(p), &b.block(q), numbers) != 0) return false;
-      if (std::memcmp(a.state(p), b.state(q), static_cast<std::size_t>(a.state_size()) * sizeof(Lanes)) != 0) return false;
+      if (a.state_size() > 0 && std::memcmp(a.state(p), b.state(q), static_cast<std::size_t>(a.state_size()) * sizeof(Lanes)) != 0)
+        return false;
       if ((a.block(p).next == none) != (b.block(q).next == none)) return false;
     }
   }
