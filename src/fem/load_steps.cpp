@@ -141,7 +141,7 @@ IncrementEnd LoadSteps::advance()
       return end;
     }
     dt_ = dt / 2;
-    relaxation_ = std::min(10 * relaxation_, model_.settings.relaxation);
+    relaxation_ = std::min(4 * relaxation_, model_.settings.relaxation);
     if (dt_ < last_dt_ / 8) last_dt_ = 0;  // the last increment is no guide any more
     if (dt_ < 1e-4 * first_dt_)
       throw RunError(fmt::format(
@@ -157,7 +157,7 @@ void LoadSteps::accept(const std::vector<Real>& change, Real dt, const Increment
   ++state_.state.step;
   last_change_ = change;
   last_dt_ = dt;
-  if (end.iterations <= quick) relaxation_ = std::max(relaxation_ / 2, least_relaxation_);
+  if (end.iterations <= quick) relaxation_ = std::max(relaxation_ / 4, least_relaxation_);
   if (end.iterations <= quick_enough) dt_ = std::max(dt_, dt * 1.5);
   if (model_.strength_lags) dt_ = std::min(dt_, std::max(dt * pressure_change / force_change, first_dt_ * least_growth / first_travel));
   loose_ = !end.converged;

@@ -8,7 +8,7 @@
 namespace berm {
 namespace {
 
-/// A plate of 0.5 m on a block of soil that has moved a little at random: what the contact's step solves, with the whole matrix beside.
+/// A plate on a block of soil that has moved a little at random: what the contact's step solves, with the whole matrix beside.
 struct Block {
   FemProblem problem;
   FemLoads loads;
@@ -17,8 +17,8 @@ struct Block {
   ContactStep contact;
   DirectSolver solver;
 
-  explicit Block(Real friction, bool sticks = false, bool free = false)
-      : problem(problem_of(friction, sticks)),
+  explicit Block(Real friction, bool sticks = false, bool free = false, Real width = 0.5)
+      : problem(problem_of(friction, sticks, width)),
         change(random_numbers(problem.model.unknowns(), 1e-5)),
         assembly(problem.model),
         contact(problem.model),
@@ -31,9 +31,9 @@ struct Block {
       for (int d = 0; d < 2; ++d)
         if (fixed[node] >> d & 1) change[2 * node + d] = 0;
   }
-  static FemProblem problem_of(Real friction, bool sticks)
+  static FemProblem problem_of(Real friction, bool sticks, Real width)
   {
-    Case c = plate_on_block(elastic_soil(), 0.5);
+    Case c = plate_on_block(elastic_soil(), width);
     c.contact[0].second.friction_angle = std::atan(friction);
     if (sticks) c.contact[0].second.scheme = Scheme::sticky;
     return fem_problem_of(c);
@@ -83,8 +83,8 @@ struct Block {
     for (Index k = 0; k < n; ++k) {
       if (!assembly.given(k)) {
         EXPECT_NEAR(out[k], 0, 1e-9 * size) << k;
-      } else if (k >= model.rigid_unknown()) {
-        EXPECT_EQ(step[k], loads.rigid[k - model.rigid_unknown()].value - change[k]);
+      } else {
+        EXPECT_EQ(step[k], k < model.rigid_unknown() ? 0 : loads.rigid[k - model.rigid_unknown()].value - change[k]) << k;
       }
     }
     after.accept(problem.state, moved, loads);
@@ -154,6 +154,17 @@ TEST(ContactStep, moves_a_plate_that_is_driven_by_force)
   EXPECT_TRUE(block.find(step));
   block.expect_balance(step);
   EXPECT_LT(step[block.problem.model.rigid_unknown() + 1], -1e-5);
+}
+
+TEST(ContactStep, leaves_held_nodes_where_they_are_to_the_last_bit)
+{
+  // The plate's ends touch nodes that rollers hold.
+  Block block(0, true, true, 1);
+  block.loads.rigid[0].value = 100;
+  block.loads.rigid[1].value = -1000;
+  std::vector<Real> step;
+  EXPECT_TRUE(block.find(step));
+  block.expect_balance(step);
 }
 
 TEST(ContactStep, says_that_nothing_holds_a_plate_that_is_pulled_off)
