@@ -33,11 +33,15 @@ probe: build ## run every case of examples/probe_test; results go to out/probe_t
 	@$(release)/berm run $(probe_cases) -o out/probe_test
 	@$(release)/berm report $(probe_runs)
 
+# What reads files that may be damaged is tested with sanitizers at every change.
+sanitized = core mesh input
+
 # Tests run side by side, so each takes one thread unless it asks for more.
-test: configure ## build and run all tests
+test: configure ## build and run all tests, and some of them with sanitizers once more
 	@ninja -C $(release) | $(only_news)
 	@OMP_NUM_THREADS=$${OMP_NUM_THREADS:-1} OMP_WAIT_POLICY=passive ctest --preset release --parallel $(cores) --output-log $(release)/tests.log
 	@grep 'tests passed' $(release)/tests.log | sed 's/^/make test: /'
+	@$(MAKE) --no-print-directory sanitize folders='$(sanitized)'
 
 verify: build ## run the whole verification book; it is out/verification/index.html
 	@$(release)/berm verify

@@ -242,7 +242,7 @@ void describe(Describe& d, FemSettings& fem)
           {.meaning = "largest travel in one increment, over the width of the rigid body", .range = {0, 1, true}});
   d.value("relaxation", fem.relaxation,
           {.meaning = "travel over which stress beyond the strength fades, over the width of the rigid body: the most that is used. While "
-                      "increments converge quickly it falls to a tenth, or to a ten-thousandth where all soil has dilation_angle = "
+                      "increments converge quickly it falls to half, or to a ten-thousandth where all soil has dilation_angle = "
                       "friction_angle",
            .range = {0, 1, true}});
 }
