@@ -60,8 +60,8 @@ struct LaneMoments {
     for (int a = 0; a < dim; ++a)
       for (int b = a; b < dim; ++b) {
         of[mxx + Moments<dim>::pair(a, b)] += at[a] * x[b];
-        constexpr auto place = tensor_place;
-        of[stress + Moments<dim>::pair(a, b)] += p_volume * widened(part.get(p.stress[place(a, b)], q.stress[place(a, b)]));
+        const int place = tensor_place(a, b);
+        of[stress + Moments<dim>::pair(a, b)] += p_volume * widened(part.get(p.stress[place], q.stress[place]));
       }
     for (int d = 0; d < dim; ++d)
       for (int a = 0; a < dim; ++a) of[mvx + d * dim + a] += at[a] * v[d];
@@ -74,7 +74,7 @@ struct LaneMoments {
     for (int first = 0; first < count; first += width) {
       WidePart some[width];
       for (int k = 0; k < width; ++k) some[k] = of[first + k];
-      const WidePart summed = berm::sums(some);
+      const WidePart summed = sums(some);
       std::memcpy(&moments.m + first, &summed, std::min(width, count - first) * sizeof(Real));
     }
   }

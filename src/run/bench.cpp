@@ -151,8 +151,8 @@ struct Demand {
 
 // About, counted in the code: additions and multiplications of one lane that holds a particle, and of one cell.
 constexpr Real flops_of_moments = 30, flops_of_motion = 36, flops_of_stress = 54;  // mpm/transfer.cpp; mpm/move.cpp, elastic
-constexpr Real flops_of_corners = 57, flops_of_forces = 51, flops_of_momentum = 132,
-               flops_of_fields = 134;  // of a cell, in the same places
+// Of a cell, in the same places.
+constexpr Real flops_of_corners = 54, flops_of_forces = 40, flops_of_momentum = 90, flops_of_fields = 134;
 
 /// Bytes: every array once for each pass that reads or writes it; blocks of particles are read by the first pass, read and written by the last. Flops of
 /// soil at yield are more, and those in space were not counted.
