@@ -93,6 +93,15 @@ Assembly::Assembly(const FemModel& model)
 {
 }
 
+Real Assembly::bytes_of_element()
+{
+  constexpr std::size_t here = sizeof(CellWork) + sizeof(std::array<Real, 78>) + triangle_points * (sizeof(SoilPoint) + sizeof(PointLaw)),
+                        of_model = sizeof(AtSixNodes<Index>) + sizeof(std::array<Index, 78>) +
+                                   triangle_points * (sizeof(ShapeAtPoint) + sizeof(Real)),
+                        of_state = triangle_points * sizeof(SoilPoint);
+  return static_cast<Real>(here + of_model + of_state);
+}
+
 const Assembly::PointLaw& Assembly::law_of_point(const SymTensor<2>& begin, Index cell, int q)
 {
   PointLaw& made = laws_[cell][q];

@@ -20,6 +20,9 @@ class Assembly {
 public:
   explicit Assembly(const FemModel& model);
 
+  /// Bytes that an element takes here, in the model and in the state, without its part of the matrix.
+  static Real bytes_of_element();
+
   /// Computes stresses and tractions for the change of displacement since `begin`, and from them the residual. `viscosity` is eta:
   ///
   ///   stress = (law's stress + eta elastic trial stress) / (1 + eta)   (Duvaut and Lions),

@@ -74,6 +74,12 @@ DirectSolver::~DirectSolver()
   mumps_->run(-2);
 }
 
+Real DirectSolver::memory() const
+{
+  constexpr Real megabyte = 1e6;
+  return megabyte * mumps_->call.infog[15];
+}
+
 bool DirectSolver::decompose(std::span<const Real> entries)
 {
   const Timer timer("decompose matrix");

@@ -33,6 +33,9 @@ public:
   DirectSolver(const DirectSolver&) = delete;
   DirectSolver& operator=(const DirectSolver&) = delete;
 
+  /// Bytes that a decomposition takes at most, as foretold when the order was found.
+  Real memory() const;
+
   /// Decomposes the matrix with these entries, in the pattern's order. False where it is singular. Throws RunError where memory is wanting.
   bool decompose(std::span<const Real> entries);
 

@@ -14,6 +14,9 @@ class LoadSteps {
 public:
   LoadSteps(const FemModel& model, FemState& state);
 
+  /// Bytes that the increments take beside what they have had since this was made.
+  Real memory_to_come() const { return newton_.memory_to_come(); }
+
   /// Lets the first state find its equilibrium, the rigid body at rest. Throws RunError where it finds none.
   void settle();
 

@@ -23,6 +23,9 @@ public:
   /// Looks for the change of displacement that brings equilibrium; `change` is the guess at first. The state stays as it is; assembly() holds what was found.
   IncrementEnd find_equilibrium(const FemState& begin, const FemLoads& loads, Real viscosity, std::vector<Real>& change);
 
+  /// Bytes that the iteration takes beside what it has had since it was made.
+  Real memory_to_come() const { return solver_.memory(); }
+
   Assembly& assembly() { return assembly_; }
   const Assembly& assembly() const { return assembly_; }
 

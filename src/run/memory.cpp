@@ -176,17 +176,21 @@ Real memory_left()
   return std::min({kibibyte * number_in("/proc/meminfo", "MemAvailable:"), left_in_control_group(), of_limit});
 }
 
+void refuse_without_memory(Real bytes, Real in_use, const std::string& what, const std::string& advice)
+{
+  const Real needed = in_use + bytes, there = memory_in_use() + memory_left();
+  if (needed > there)
+    throw RunError(fmt::format("{} need {:.0f} MiB of memory at least, and there are {:.0f} MiB; {}", what, needed / mebibyte,
+                               there / mebibyte, advice));
+}
+
 template <int dim>
 void refuse_without_memory(const RunSize& size, Real in_use)
 {
-  const Real needed = in_use + memory_of<dim>(size), there = memory_in_use() + memory_left();
-  if (needed <= there) return;
   Real particles = 0;
   for (const RunSize::OfBody& body : size.bodies) particles += body.particles;
-  throw RunError(fmt::format(
-      "{:.4g} cells and {:.4g} particles need {:.0f} MiB of memory at least, and there are {:.0f} MiB; take larger cells or fewer "
-      "particles in each",
-      size.cells, particles, needed / mebibyte, there / mebibyte));
+  refuse_without_memory(memory_of<dim>(size), in_use, fmt::format("{:.4g} cells and {:.4g} particles", size.cells, particles),
+                        "take larger cells or fewer particles in each");
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \

@@ -40,7 +40,10 @@ Real memory_in_use();
 /// Bytes that the program could take beside what it has: the least of what the machine, its control group and its limit of address space leave.
 Real memory_left();
 
-/// Throws RunError where a run would need more than there is. in_use: what the program had before anything of the run was made.
+/// Throws RunError where `what` ("5 cells"), which needs so many bytes beside those in use, would need more than there is. advice: what the user can do.
+void refuse_without_memory(Real bytes, Real in_use, const std::string& what, const std::string& advice);
+
+/// The same for a run of the material point method. in_use: what the program had before anything of the run was made.
 template <int dim>
 void refuse_without_memory(const RunSize& size, Real in_use);
 

@@ -11,6 +11,7 @@
 #include "run/fem_recorder.hpp"
 #include "run/in_run_folder.hpp"
 #include "run/interrupt.hpp"
+#include "run/memory.hpp"
 #include "run/results.hpp"
 #include "run/scratch_folder.hpp"
 
@@ -27,6 +28,13 @@ Real seconds_since(Clock::time_point start)
   return std::chrono::duration<Real>(Clock::now() - start).count();
 }
 
+std::string words_of(const FemModel& model)
+{
+  return fmt::format("{} elements, {} nodes", model.mesh.cell_count(), model.mesh.node_count());
+}
+
+constexpr const char* larger_elements = "take larger elements";
+
 /// The run itself: increments, and what is written on the way.
 class FemRun {
 public:
@@ -40,6 +48,7 @@ public:
         frames_(folder.subfolder("frames"), model().model.mesh),
         progress_(log)
   {
+    refuse_without_memory(steps_.memory_to_come(), memory_in_use(), words_of(problem_.model), larger_elements);
   }
 
   /// A run that fails leaves what it had: the results are written before the error goes on.
@@ -157,9 +166,20 @@ private:
   std::optional<Real> held_force_;
 };
 
+/// The least number of elements that a case can have, before its mesh is made: there are none above the bed.
+Real least_elements(Case c)
+{
+  if (auto* bed = std::get_if<SeabedMesh>(&c.mesh)) bed->headroom = bed->near_height = 0;
+  return least_size<2>(c).cells;
+}
+
 FemProblem build_for(const RunRequest& request, const ScratchFolder& scratch)
 {
-  return build_fem(to_build(request), request.case_file.parent_path().string(), scratch.path().string());
+  const Case c = to_build(request);
+  const Real elements = least_elements(c);
+  refuse_without_memory(elements * Assembly::bytes_of_element(), memory_in_use(), fmt::format("{:.4g} elements", elements),
+                        larger_elements);
+  return build_fem(c, request.case_file.parent_path().string(), scratch.path().string());
 }
 
 }  // namespace
@@ -168,8 +188,7 @@ bool run_fem(const RunRequest& request)
 {
   const ScratchFolder scratch;
   FemProblem problem = build_for(request, scratch);
-  const std::string size = fmt::format("{} elements, {} nodes", problem.model.mesh.cell_count(), problem.model.mesh.node_count());
-  return in_run_folder(request, scratch, size,
+  return in_run_folder(request, scratch, words_of(problem.model),
                        [&](const RunFolder& folder, RunLog& log) { return FemRun(request, std::move(problem), folder, log).to_the_end(); });
 }
 
@@ -189,6 +208,7 @@ void check_fem(const RunRequest& request)
 
   const Clock::time_point start = Clock::now();
   Newton newton(problem.model);
+  fmt::print("  memory       about {:.0f} MiB at most\n", (memory_in_use() + newton.memory_to_come()) / (1 << 20));
   std::vector<Real> change(problem.model.unknowns(), 0.);
   FemLoads loads;
   loads.gravity = gravity_now(problem.model.model, problem.state.state.time);

@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 namespace berm {
 namespace {
@@ -38,6 +39,33 @@ TEST(DirectSolver, says_that_a_matrix_is_singular)
 {
   DirectSolver solver(pattern);
   EXPECT_FALSE(solver.decompose(std::vector<Real>{1, -1, 1, 0, 5}));
+}
+
+Real allocated()
+{
+  const struct mallinfo2 now = ::mallinfo2();
+  return static_cast<Real>(now.uordblks + now.hblkhd);
+}
+
+TEST(DirectSolver, foretells_the_memory_of_a_decomposition)
+{
+  constexpr int n = 200;  // springs between the points of a square
+  SparsePattern springs{{0}, {}};
+  std::vector<Real> stiffness;
+  const auto add = [&](Index column, Real entry) { springs.column.push_back(column), stiffness.push_back(entry); };
+  for (Index k = 0; k < n * n; ++k) {
+    if (k >= n) add(k - n, -1);
+    if (k % n > 0) add(k - 1, -1);
+    add(k, 4);
+    springs.first.push_back(static_cast<Index>(springs.column.size()));
+  }
+  DirectSolver solver(springs);
+  const Real before = allocated();
+  ASSERT_TRUE(solver.decompose(stiffness));
+  const Real taken = allocated() - before;
+  EXPECT_GT(taken, 8 * 10 * n * n);  // ten numbers a row are less than any order of elimination leaves
+  EXPECT_LE(taken, solver.memory());
+  EXPECT_GT(2 * taken, solver.memory());
 }
 
 TEST(DirectSolver, leaves_kept_unknowns_to_the_caller)

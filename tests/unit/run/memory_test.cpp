@@ -94,5 +94,13 @@ TEST(Memory, a_run_that_needs_more_than_there_is_is_refused_with_both_numbers)
   }
 }
 
+TEST(Memory, that_is_in_use_counts_with_what_is_needed)
+{
+  const Real there = memory_in_use() + memory_left();
+  EXPECT_NO_THROW(refuse_without_memory(there / 4, there / 4, "5 elements", "take larger elements"));
+  EXPECT_THROW(refuse_without_memory(there / 4, there, "5 elements", "take larger elements"), RunError);
+  EXPECT_THROW(refuse_without_memory(2 * there, 0, "5 elements", "take larger elements"), RunError);
+}
+
 }  // namespace
 }  // namespace berm
