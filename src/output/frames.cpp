@@ -63,7 +63,7 @@ void FrameWriter<dim>::keep(Keep& k)
 {
   k("times", times_);
   k("with_rigids", with_rigids_);
-  if (!k.reads()) return;
+  if (!k.reads()) return sync_file(folder_);
   for (const std::string& name : files())
     if (!std::filesystem::exists(folder_ / name)) k.refuse(fmt::format("{} is gone", (folder_ / name).string()));
 }

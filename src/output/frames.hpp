@@ -21,7 +21,7 @@ public:
   /// Writes one frame, unless the last one written is of the same time. All frames of a run have triangles or none, rigid bodies or none.
   void write(Frame<dim> frame);
 
-  /// What is needed to go on behind the frames written so far. Reading refuses where one of their files is gone.
+  /// What is needed to go on behind the frames written so far, whose names are forced to the disk. Reading refuses where one of their files is gone.
   void keep(Keep& k);
   /// Removes frames that are not among those written: of a run that came farther than where it goes on from.
   void remove_others() const;

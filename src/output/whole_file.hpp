@@ -22,7 +22,7 @@ void copy_whole(const std::filesystem::path& from, const std::filesystem::path& 
 std::filesystem::path part_of(const std::filesystem::path& path);
 void finish_whole(const std::filesystem::path& path);
 
-/// Forces what was written to the file to the disk. Throws RunError where the disk does not take it.
+/// Forces what was written to the file, or the names in the folder, to the disk. Throws RunError where the disk does not take it.
 void sync_file(const std::filesystem::path& path);
 
 /// Makes a folder and its parents, where they are missing. Throws RunError.

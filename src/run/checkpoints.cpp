@@ -2,6 +2,7 @@
 #include "run/checkpoints.hpp"
 
 #include "core/timer.hpp"
+#include "output/whole_file.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -66,6 +67,7 @@ void keep_history(Keep& k, const fs::path& history, BigIndex& bytes)
     const std::optional<std::uint32_t> crc = bytes < 0 ? std::nullopt : crc_of(history, bytes);
     return crc ? static_cast<BigIndex>(*crc) : -1;
   };
+  if (!k.reads()) sync_file(history.parent_path());
   BigIndex crc = k.reads() ? 0 : crc_of_rows();
   k("bytes", bytes);
   k("crc", crc);

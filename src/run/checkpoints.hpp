@@ -44,7 +44,8 @@ void keep_same(Keep& k, const std::string& name, const std::string& own, const s
 template <int dim>
 void keep_same_mesh(Keep& k, const Mesh<dim>& mesh);
 
-/// Refuses a checkpoint whose history.csv is not there any more: `bytes` is its length, with all rows on the disk where a checkpoint is written.
+/// Refuses a checkpoint whose history.csv is not there any more: `bytes` is its length, with all rows on the disk where a checkpoint is written. Forces the
+/// names in its folder there, too.
 void keep_history(Keep& k, const std::filesystem::path& history, BigIndex& bytes);
 
 }  // namespace berm

@@ -86,12 +86,14 @@ def check(folder, reference=None, killed=False):
 
 
 def check_order(calls):
-    """What a power cut must not find: a file with its name that is not on the disk yet, or a checkpoint or summary that knows of more than history.csv on the
+    """What a power cut must not find: a file with its name that is not on the disk yet, or a checkpoint or summary that knows of more than is on the
     disk. `calls`: (name, path) of those that change files."""
     on_disk = set()
+    new_names = set()  # folders with names that are not on the disk
     for (name, path), following in zip(calls, calls[1:] + [("", "")]):
         if name == "fsync":
             on_disk.add(path)
+            new_names.discard(path)
         elif name in ("write", "sendfile", "ftruncate"):
             on_disk.discard(path)
         elif name == "rename":
@@ -100,8 +102,12 @@ def check_order(calls):
             if file == "summary.json":
                 expect(os.path.join(folder, "history.csv") in on_disk, f"{path}: gets its name before history.csv is on the disk")
             if file.endswith(".h5"):
-                expect(os.path.join(os.path.dirname(folder), "history.csv") in on_disk, f"{path}: gets its name before history.csv is on the disk")
+                run = os.path.dirname(folder)
+                for known in (run, os.path.join(run, "frames")):
+                    expect(known not in new_names, f"{path}: gets its name before those in {known} are on the disk")
+                expect(os.path.join(run, "history.csv") in on_disk, f"{path}: gets its name before history.csv is on the disk")
                 expect(list(following) == ["fsync", folder], f"{path}: its name is not forced to the disk")
+            new_names.add(folder)
 
 
 def results(folder):
