@@ -69,7 +69,7 @@ std::vector<Seed<dim>> seeds_in_regions(const Mesh<dim>& mesh, const std::string
     for (const auto& point : of_cell) {
       Vec<dim> x = Vec<dim>::Zero();
       for (int k = 0; k <= dim; ++k) x += point[k] * mesh.position[mesh.nodes[cell][k]];
-      seeds.push_back({x, cell, mesh.volume[cell] / static_cast<Real>(of_cell.size())});
+      seeds.push_back({x, cell, mesh.volume(cell) / static_cast<Real>(of_cell.size())});
     }
   }
   return seeds;

@@ -54,8 +54,8 @@ bool numbered(const Particles<dim>& particles)
 template <int dim>
 void Particles<dim>::lay_out(const std::vector<Index>& cells, const std::vector<Index>& counts)
 {
-  std::fill(head_.begin(), head_.end(), none);
-  std::fill(count_.begin(), count_.end(), 0);
+  head_ = CellField<Index>::zeros(head_.size());
+  count_ = CellField<Index>::zeros(count_.size());
   blocks_.clear();
   state_.clear();
   free_ = none;
@@ -63,7 +63,7 @@ void Particles<dim>::lay_out(const std::vector<Index>& cells, const std::vector<
     count_[cells[c]] = counts[c];
     head_[cells[c]] = static_cast<Index>(blocks_.size());
     for (Index left = counts[c]; left > 0; left -= lanes) {
-      blocks_.emplace_back();
+      blocks_.push_back(Block<dim>{});
       blocks_.back().next = left > lanes ? static_cast<Index>(blocks_.size()) : none;
     }
   }

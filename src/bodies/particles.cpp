@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/particles.hpp"
 
+#include "core/pages.hpp"
+
 #include <algorithm>
 
 namespace berm {
 
 template <int dim>
 Particles<dim>::Particles(const Mesh<dim>& mesh, Index most, int state_size)
-    : head_(mesh.cell_count(), none),
-      count_(mesh.cell_count(), 0),
+    : head_(CellField<Index>::zeros(mesh.cell_count())),
+      count_(CellField<Index>::zeros(mesh.cell_count())),
       state_size_(state_size)
 {
   // A cell wastes less than one block, so this many blocks are never exceeded.
   const std::size_t most_blocks = static_cast<std::size_t>(most / lanes) + std::min(most, mesh.cell_count()) + 1;
   blocks_.reserve(most_blocks);
   state_.reserve(most_blocks * state_size);
+  // At the least as many as there would be if all were full.
+  const auto least_blocks = static_cast<std::size_t>(most / lanes);
+  ask_for_huge_pages(blocks_.data(), least_blocks * sizeof(Block<dim>));
+  ask_for_huge_pages(state_.data(), least_blocks * state_size * sizeof(StoredLanes));
   occupied_.reserve(std::min(most, mesh.cell_count()));
 }
 
@@ -28,7 +34,7 @@ Index Particles<dim>::free_block(const Vec<dim>& x)
     std::fill_n(state(b), state_size_, Lanes{});
   } else {
     b = static_cast<Index>(blocks_.size());
-    blocks_.emplace_back();
+    blocks_.push_back(Block<dim>{});
     state_.resize(state_.size() + state_size_, StoredLanes{});
   }
   Block<dim>& block = blocks_[b];
@@ -106,10 +112,7 @@ Particle<dim> Particles<dim>::take(Index cell, Index place)
   nothing.x = taken.x;
   write(last_block, last % lanes, nothing);
   if (last % lanes == 0) {  // the last block is empty now
-    if (last == 0)
-      head_[cell] = none;
-    else
-      blocks_[block_at(cell, last - 1)].next = none;
+    if (last > 0) blocks_[block_at(cell, last - 1)].next = none;
     blocks_[last_block].next = free_;
     free_ = last_block;
   }

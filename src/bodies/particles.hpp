@@ -48,7 +48,7 @@ public:
   int state_size() const { return state_size_; }
 
   Index count_in(Index cell) const { return count_[cell]; }
-  Index first_block(Index cell) const { return head_[cell]; }
+  Index first_block(Index cell) const { return count_[cell] > 0 ? head_[cell] : none; }
   Block<dim>& block(Index b) { return blocks_[b]; }
   const Block<dim>& block(Index b) const { return blocks_[b]; }
   /// The law's numbers of block b: state_size() Lanes.
@@ -111,9 +111,9 @@ private:
   void write(Index block, int lane, const Particle<dim>& particle);
   Index block_at(Index cell, Index place) const;
 
-  std::vector<Block<dim>> blocks_;
-  std::vector<StoredLanes> state_;
-  CellField<Index> head_, count_;
+  std::vector<Block<dim>, ZeroMemory<Block<dim>>> blocks_;
+  std::vector<StoredLanes, ZeroMemory<StoredLanes>> state_;
+  CellField<Index> head_, count_;  ///< untouched, and so without memory, where there never was a particle
   std::vector<Index> occupied_;
   Index free_ = none;  ///< chain of blocks that no cell uses
   Index size_ = 0;

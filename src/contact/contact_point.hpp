@@ -35,14 +35,14 @@ struct ContactPoints {
   std::vector<Index> near_cells;                    ///< cells that the surface can reach until it has moved `reach`
   Vec<dim> near_at = Vec<dim>::Constant(infinity);  ///< RigidState::listed_at that near_cells is of
   Real near_angle = 0;                              ///< and RigidState::listed_angle
-  Real reach = 0;
+  Real reach = 0;                                   ///< m, the smallest height of all cells; 0 before the first step
   struct CellContact {
     Real gap = infinity, distance = infinity, half_width = 0;
     Vec<dim> normal = Vec<dim>::Zero();  ///< at the particle with the least gap
     bool cut = false;                    ///< the rigid body reaches into the cell
   };
   std::vector<CellContact> cells;  ///< of near_cells
-  NodeField<Index> place;          ///< of a node in list, or none
+  NodeField<Index> place;          ///< of a node in list, or none; empty where points are particles
 
   // Between two deformable bodies:
   std::vector<Index> shared_nodes;        ///< nodes that both bodies reach

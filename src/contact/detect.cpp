@@ -11,10 +11,9 @@ namespace {
 template <int dim>
 void find_near_cells(const Mesh<dim>& mesh, const Rigid<dim>& rigid, RigidState<dim>& state, ContactPoints<dim>& found)
 {
-  if (found.place.size() == 0) {
-    found.place.assign(mesh.node_count(), none);
+  if (found.reach == 0) {
     Real least = infinity;
-    for (Real height : mesh.height) least = std::min(least, height);
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) least = std::min(least, mesh.height(cell));
     found.reach = least;
   }
   const Real moved =
@@ -58,6 +57,7 @@ template <int dim>
 void list_nodes(const Mesh<dim>& mesh, const RigidShape<dim>& shape, Detection detection, const NodeField<Real>& mass,
                 ContactPoints<dim>& found)
 {
+  if (found.place.size() == 0) found.place.assign(mesh.node_count(), none);
   const bool overlap = detection == Detection::overlap;
   const bool has_corners = !std::holds_alternative<Circle<dim>>(shape) && !std::holds_alternative<HalfPlane<dim>>(shape);
   for (std::size_t k = 0; k < found.near_cells.size(); ++k) {
@@ -99,6 +99,7 @@ void list_particles(const Mesh<dim>& mesh, const Particles<dim>& particles, cons
   for (std::size_t k = 0; k < found.near_cells.size(); ++k) {
     const Index cell = found.near_cells[k];
     if (!(found.cells[k].gap < 2 * found.cells[k].half_width)) continue;
+    const Shape<dim> functions = mesh.shape(cell);
     Index left = particles.count_in(cell);
     for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
       for (int l = 0; l < lanes && l < left; ++l) {
@@ -111,7 +112,7 @@ void list_particles(const Mesh<dim>& mesh, const Particles<dim>& particles, cons
         point.gap = surface.distance - half;
         if (!(point.gap < 2 * half)) continue;
         point.nodes = mesh.nodes[cell];
-        for (int n = 0; n <= dim; ++n) point.weights[n] = mesh.shape[cell].value(n, x);
+        for (int n = 0; n <= dim; ++n) point.weights[n] = functions.value(n, x);
         point.node_count = dim + 1;
         point.normal = surface.normal;
         point.place = x - surface.distance * surface.normal;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/numbers.hpp"
+#include "core/pages.hpp"
 
-#include <cstdlib>
 #include <new>
 #include <type_traits>
 #include <vector>
@@ -21,14 +21,8 @@ struct ZeroMemory {
   {
   }
 
-  T* allocate(std::size_t count)
-  {
-    static_assert(alignof(T) <= alignof(std::max_align_t));
-    void* const memory = std::calloc(count, sizeof(T));
-    if (memory == nullptr) throw std::bad_alloc();
-    return static_cast<T*>(memory);
-  }
-  void deallocate(T* memory, std::size_t) { std::free(memory); }
+  T* allocate(std::size_t count) { return static_cast<T*>(zero_memory(count * sizeof(T), alignof(T))); }
+  void deallocate(T* memory, std::size_t count) { free_zero_memory(memory, count * sizeof(T)); }
 
   template <class Made, class... Arguments>
   void construct(Made* place, Arguments&&... arguments)
@@ -44,8 +38,8 @@ class Field {
 public:
   Field() = default;
   explicit Field(Index size, const T& value = T{}) : values_(size, value) {}
-  /// Zeros in memory that only what is written later takes.
-  static Field zeros(Index size) requires std::is_trivially_copyable_v<T>
+  /// Zeros in memory that only what is written later takes. T: numbers and fixed sets of them, also of Eigen.
+  static Field zeros(Index size) requires std::is_trivially_destructible_v<T>
   {
     Field field;
     field.values_ = std::vector<T, ZeroMemory<T>>(size);

@@ -80,10 +80,7 @@ void restart_with_settings(char** argv)
   // Where the loader was called by name, it is the program that would be started.
   if (error || program.filename().string().starts_with("ld-") || setenv(spins, "10000", 1) != 0) return;
   setenv("OPENBLAS_NUM_THREADS", "1", 0);  // its threads gain nothing on matrices of this size, and spin
-  const char* tunables = std::getenv("GLIBC_TUNABLES");
-  const std::string others = tunables == nullptr ? "" : std::string(tunables) + ":";
-  setenv("GLIBC_TUNABLES", (others + "glibc.malloc.hugetlb=1").c_str(), 1);
-  execv(program.c_str(), argv);  // where this fails, the run goes on, only slower
+  execv(program.c_str(), argv);            // where this fails, the run goes on, only slower
 }
 
 }  // namespace berm

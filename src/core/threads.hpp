@@ -15,7 +15,6 @@ int use_threads(int count);
 /// - Threads wait for each other awake for some 30 microseconds and asleep from then on: OpenMP's own choice is to stay awake, which takes the
 ///   processor from the very thread that is waited for as soon as anything else runs on the machine.
 /// - OpenBLAS gets one thread.
-/// - The C library asks for huge pages for large arrays: a step goes through more memory than the processor remembers the places of in small ones.
 void restart_with_settings(char** argv);
 
 /// Lets the calling thread run on all processors that the process had before use_threads bound it to one: for processes that it is about to start, which

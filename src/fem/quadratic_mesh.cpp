@@ -84,10 +84,10 @@ private:
   // The middle of side k, from corner k to the next; the corner opposite to it is the one after that.
   Index middle(Index cell, int k, Index from, Index to)
   {
-    const Index beyond = mesh_.neighbor[cell][(k + 2) % 3];
+    const Index beyond = mesh_.neighbor(cell, (k + 2) % 3);
     if (body_of(beyond) != none && cell_number_[beyond] != none) {
       int opposite = 0;
-      while (mesh_.neighbor[beyond][opposite] != cell) ++opposite;
+      while (mesh_.neighbor(beyond, opposite) != cell) ++opposite;
       return made.nodes[cell_number_[beyond]][3 + (opposite + 1) % 3];
     }
     const Index middle = add_node((made.position[from] + made.position[to]) / 2);

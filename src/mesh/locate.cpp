@@ -24,7 +24,7 @@ Location scan(const Mesh<dim>& mesh, const Vec<dim>& x, Index last)
   Index best = none;
   Real largest = held_by_rounding;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
-    const Real smallest = smallest_shape(mesh.shape[c], x);
+    const Real smallest = smallest_shape(mesh.shape(c), x);
     if (smallest >= held) return {c, true};
     if (smallest > largest) largest = smallest, best = c;
   }
@@ -41,18 +41,20 @@ Location locate(const Mesh<dim>& mesh, const Vec<dim>& x, Index start)
   Index cell = start, previous = none;
   for (Index step = 0; step < mesh.cell_count(); ++step) {
     // The face to cross is the one with the most negative shape function among those that lead to another cell.
+    const Shape<dim> shape = mesh.shape(cell);
     Real smallest = held, most_negative = held;
-    int face = none;
+    Index next = none;
     for (int k = 0; k <= dim; ++k) {
-      const Real n = mesh.shape[cell].value(k, x);
+      const Real n = shape.value(k, x);
       smallest = std::min(smallest, n);
-      if (n < most_negative && mesh.neighbor[cell][k] != none) most_negative = n, face = k;
+      if (!(n < most_negative)) continue;
+      const Index beyond = mesh.neighbor(cell, k);
+      if (beyond != none) most_negative = n, next = beyond;
     }
     if (smallest >= held) return {cell, true};
     // Outside a convex mesh is outside the box around it, or so near the boundary that rounding decides. Beyond a boundary face yet inside the box
     // the mesh may go on behind a hole or a bay, where no walk leads.
-    if (face == none) return in_box ? scan(mesh, x, cell) : Location{cell, false};
-    const Index next = mesh.neighbor[cell][face];
+    if (next == none) return in_box ? scan(mesh, x, cell) : Location{cell, false};
     if (next == previous && smallest > held_by_rounding) return {cell, true};
     previous = cell;
     cell = next;

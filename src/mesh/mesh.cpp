@@ -54,14 +54,21 @@ void check_numbers(const Mesh<dim>& mesh)
         throw RunError(fmt::format("boundary \"{}\" has node {}, but the mesh has {} nodes", mesh.boundary_names[s], i, mesh.node_count()));
 }
 
-// dim! times the signed volume.
+// From corner 0 to the others, one in each column.
 template <int dim>
-Real determinant(const Mesh<dim>& mesh, Index cell)
+Matrix<dim> edges_of(const Mesh<dim>& mesh, Index cell)
 {
   const auto& corner = mesh.nodes[cell];
   Matrix<dim> edges;
   for (int k = 0; k < dim; ++k) edges.col(k) = mesh.position[corner[k + 1]] - mesh.position[corner[0]];
-  return edges.determinant();
+  return edges;
+}
+
+// dim! times the signed volume.
+template <int dim>
+Real determinant(const Mesh<dim>& mesh, Index cell)
+{
+  return edges_of(mesh, cell).determinant();
 }
 
 template <int dim>
@@ -95,11 +102,12 @@ void number_cells_along_curve(Mesh<dim>& mesh)
   std::sort(order.begin(), order.end());
 
   const auto nodes = mesh.nodes;
-  const auto region = mesh.region;
+  auto region = CellField<Index>::zeros(mesh.cell_count());
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     mesh.nodes[c] = nodes[order[c].second];
-    mesh.region[c] = region[order[c].second];
+    if (const Index here = mesh.region[order[c].second]; here != 0) region[c] = here;  // a mesh of one region has no memory for it
   }
+  mesh.region = std::move(region);
 }
 
 // By first use. Nodes of no cell are left out.
@@ -125,83 +133,17 @@ void number_nodes(Mesh<dim>& mesh)
   }
 }
 
-// From lambda = inverse(edges) (x - x_0) for the corners 1 ... dim, and N_0 = 1 - sum of the others. height_k = 1 / |grad N_k|.
 template <int dim>
-void derive_shapes(Mesh<dim>& mesh)
+void check_volumes(const Mesh<dim>& mesh)
 {
-  mesh.shape.assign(mesh.cell_count());
-  mesh.volume.assign(mesh.cell_count());
-  mesh.height.assign(mesh.cell_count());
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     const auto& corner = mesh.nodes[c];
-    const Vec<dim> origin = mesh.position[corner[0]];
-    Matrix<dim> edges;
-    for (int k = 0; k < dim; ++k) edges.col(k) = mesh.position[corner[k + 1]] - origin;
     Real longest = 0;
     for (int k = 0; k < dim; ++k)
       for (int l = k + 1; l <= dim; ++l) longest = std::max(longest, (mesh.position[corner[k]] - mesh.position[corner[l]]).norm());
-    const Real det = edges.determinant();
-    if (!(det > flat * std::pow(longest, dim)))
+    if (!(determinant(mesh, c) > flat * std::pow(longest, dim)))
       throw RunError(fmt::format("a cell near {} has no volume: {:.3g} for a longest edge of {:.3g} m", words<dim>(mesh.centroid(c)),
-                                 det / (dim == 2 ? 2 : 6), longest));
-    mesh.volume[c] = det / (dim == 2 ? 2 : 6);
-
-    const Matrix<dim> inverse = edges.inverse();
-    Shape<dim>& shape = mesh.shape[c];
-    for (int d = 0; d < dim; ++d) {
-      shape.b[d][0] = 0;
-      for (int k = 0; k < dim; ++k) {
-        shape.b[d][k + 1] = inverse(k, d);
-        shape.b[d][0] -= inverse(k, d);
-      }
-    }
-    Real steepest = 0;
-    for (int k = 0; k <= dim; ++k) {
-      shape.a[k] = (k == 0 ? 1 : 0) - shape.gradient(k).dot(origin);
-      steepest = std::max(steepest, shape.gradient(k).norm());
-    }
-    mesh.height[c] = 1 / steepest;
-  }
-}
-
-template <int dim>
-void find_neighbors(Mesh<dim>& mesh)
-{
-  struct Face {
-    std::array<Index, dim> nodes;  // ascending
-    CornerEntry opposite;
-  };
-  constexpr int corners = dim + 1;
-  std::vector<Face> faces;
-  faces.reserve(static_cast<std::size_t>(mesh.cell_count()) * corners);
-  for (Index c = 0; c < mesh.cell_count(); ++c)
-    for (int k = 0; k < corners; ++k) {
-      Face face;
-      for (int l = 0, f = 0; l < corners; ++l)
-        if (l != k) face.nodes[f++] = mesh.nodes[c][l];
-      std::sort(face.nodes.begin(), face.nodes.end());
-      face.opposite = corners * c + k;
-      faces.push_back(face);
-    }
-  std::sort(faces.begin(), faces.end(),
-            [](const Face& a, const Face& b) { return a.nodes != b.nodes ? a.nodes < b.nodes : a.opposite < b.opposite; });
-
-  typename Mesh<dim>::Corners alone;
-  alone.fill(none);
-  mesh.neighbor.assign(mesh.cell_count(), alone);
-  for (std::size_t first = 0, end = 0; first < faces.size(); first = end) {
-    while (end < faces.size() && faces[end].nodes == faces[first].nodes) ++end;
-    if (end - first == 1) continue;
-    const Index c = faces[first].opposite / corners, other = faces[first + 1].opposite / corners;
-    const int k = faces[first].opposite % corners, l = faces[first + 1].opposite % corners;
-    if (end - first > 2)
-      throw RunError(fmt::format("a face near {} belongs to {} cells; cells may share a face only two by two",
-                                 words<dim>(mesh.position[faces[first].nodes[0]]), end - first));
-    if (mesh.shape[c].value(k, mesh.position[mesh.nodes[other][l]]) > 0)
-      throw RunError(
-          fmt::format("two cells near {} lie on the same side of the face they share: they overlap", words<dim>(mesh.centroid(c))));
-    mesh.neighbor[c][k] = other;
-    mesh.neighbor[other][l] = c;
+                                 mesh.volume(c), longest));
   }
 }
 
@@ -217,6 +159,43 @@ void collect_entries(Mesh<dim>& mesh)
   mesh.entries.resize(static_cast<std::size_t>(mesh.cell_count()) * corners);
   for (Index c = 0; c < mesh.cell_count(); ++c)
     for (int k = 0; k < corners; ++k) mesh.entries[place[mesh.nodes[c][k]]++] = corners * c + k;
+}
+
+/// Calls visit(other) for each other cell that has all nodes of the face of a cell opposite a corner: they are among those of one of its nodes.
+template <int dim, class Visit>
+void for_each_across(const Mesh<dim>& mesh, Index cell, int corner, const Visit& visit)
+{
+  const auto& here = mesh.nodes[cell];
+  const Index node = here[corner == 0 ? 1 : 0];
+  for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
+    const Index other = mesh.entries[e] / (dim + 1);
+    const auto& there = mesh.nodes[other];
+    int shared = 0;
+    for (int k = 0; k <= dim; ++k) shared += k != corner && std::find(there.begin(), there.end(), here[k]) != there.end();
+    if (shared == dim && other != cell) visit(other);
+  }
+}
+
+template <int dim>
+void check_faces(const Mesh<dim>& mesh)
+{
+  for (Index c = 0; c < mesh.cell_count(); ++c) {
+    const Shape<dim> shape = mesh.shape(c);
+    for (int k = 0; k <= dim; ++k) {
+      Index others = 0;
+      bool overlap = false;
+      for_each_across(mesh, c, k, [&](Index other) {
+        ++others;
+        overlap = overlap || shape.value(k, mesh.centroid(other)) > 0;
+      });
+      if (others > 1)
+        throw RunError(fmt::format("a face near {} belongs to {} cells; cells may share a face only two by two",
+                                   words<dim>(mesh.position[mesh.nodes[c][k == 0 ? 1 : 0]]), others + 1));
+      if (overlap)
+        throw RunError(
+            fmt::format("two cells near {} lie on the same side of the face they share: they overlap", words<dim>(mesh.centroid(c))));
+    }
+  }
 }
 
 }  // namespace
@@ -241,6 +220,38 @@ Vec<dim> Mesh<dim>::centroid(Index cell) const
   return sum / corners;
 }
 
+// From lambda = inverse(edges) (x - x_0) for the corners 1 ... dim.
+template <int dim>
+Shape<dim> Mesh<dim>::shape(Index cell) const
+{
+  const Matrix<dim> inverse = edges_of(*this, cell).inverse();
+  Shape<dim> shape;
+  shape.origin = position[nodes[cell][0]];
+  for (int k = 0; k < dim; ++k)
+    for (int d = 0; d < dim; ++d) shape.gradients[k][d] = inverse(k, d);
+  return shape;
+}
+
+template <int dim>
+Real Mesh<dim>::volume(Index cell) const
+{
+  return determinant(*this, cell) / (dim == 2 ? 2 : 6);
+}
+
+template <int dim>
+Real Mesh<dim>::height(Index cell) const
+{
+  return 1 / std::sqrt(shape(cell).steepest_square());
+}
+
+template <int dim>
+Index Mesh<dim>::neighbor(Index cell, int corner) const
+{
+  Index found = none;
+  for_each_across(*this, cell, corner, [&](Index other) { found = other; });
+  return found;
+}
+
 template <int dim>
 void Mesh<dim>::complete()
 {
@@ -248,9 +259,9 @@ void Mesh<dim>::complete()
   orient_cells(*this);
   number_cells_along_curve(*this);
   number_nodes(*this);
-  derive_shapes(*this);
-  find_neighbors(*this);
+  check_volumes(*this);
   collect_entries(*this);
+  check_faces(*this);
   lower = upper = position[0];
   for (const Vec<dim>& x : position) {
     lower = lower.cwiseMin(x);

@@ -4,29 +4,43 @@
 #include "core/fields.hpp"
 #include "core/tensor.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
 
 namespace berm {
 
-/// The linear shape functions of one simplex: N_k(x) = a[k] + sum_d b[d][k] x_d for its corner k. b[d][k] is dN_k/dx_d, 1/m.
+/// The gradients of the linear shape functions of one simplex, 1/m: [k - 1][d] is dN_k/dx_d of corner k. That of corner 0 is minus their sum.
+template <int dim>
+using Gradients = std::array<std::array<Real, dim>, dim>;
+
+/// The linear shape functions of one simplex: N_k(x) = gradients[k - 1] . (x - origin) of the corners k = 1 ... dim, and N_0 is what they leave of 1.
 template <int dim>
 struct Shape {
-  std::array<Real, dim + 1> a;
-  std::array<std::array<Real, dim + 1>, dim> b;
+  Vec<dim> origin;  ///< corner 0, m
+  Gradients<dim> gradients;
 
   Real value(int corner, const Vec<dim>& x) const
   {
-    Real n = a[corner];
-    for (int d = 0; d < dim; ++d) n += b[d][corner] * x[d];
+    if (corner > 0) return gradient(corner).dot(x - origin);
+    Real n = 1;
+    for (int k = 1; k <= dim; ++k) n -= value(k, x);
     return n;
   }
   Vec<dim> gradient(int corner) const
   {
-    Vec<dim> g;
-    for (int d = 0; d < dim; ++d) g[d] = b[d][corner];
+    if (corner > 0) return Eigen::Map<const Vec<dim>>(gradients[corner - 1].data());
+    Vec<dim> g = Vec<dim>::Zero();
+    for (int k = 1; k <= dim; ++k) g -= gradient(k);
     return g;
+  }
+  /// 1 / the smallest height of the simplex, squared, 1/m2: its corners' heights are 1 / |grad N_k|.
+  Real steepest_square() const
+  {
+    Real steepest = 0;
+    for (int k = 0; k <= dim; ++k) steepest = std::max(steepest, gradient(k).squaredNorm());
+    return steepest;
   }
 };
 
@@ -41,17 +55,13 @@ struct Mesh {
   using Corners = std::array<Index, corners>;
 
   NodeField<Vec<dim>> position;
-  CellField<Corners> nodes;     ///< positively oriented
-  CellField<Corners> neighbor;  ///< neighbor[c][k] lies across the face opposite corner k; none at the boundary
-  CellField<Index> region;      ///< of each cell, an index into region_names
+  CellField<Corners> nodes;  ///< positively oriented
+  CellField<Index> region;   ///< of each cell, an index into region_names
   std::vector<std::string> region_names;
   std::vector<std::string> boundary_names;
   std::vector<std::vector<Index>> boundary_nodes;  ///< by boundary, ascending
 
   // What follows is derived by complete().
-  CellField<Shape<dim>> shape;
-  CellField<Real> volume;                                       ///< m2 (per metre run) or m3
-  CellField<Real> height;                                       ///< the smallest height of the cell, m
   NodeField<Index> first_entry;                                 ///< entries of node i: first_entry[i] ... first_entry[i + 1] - 1
   std::vector<CornerEntry> entries;                             ///< of all nodes, ascending for each
   Vec<dim> lower = Vec<dim>::Zero(), upper = Vec<dim>::Zero();  ///< the box around all nodes
@@ -63,11 +73,17 @@ struct Mesh {
   Index find_region(const std::string& name) const;
   Index find_boundary(const std::string& name) const;
 
-  /// Orients and renumbers the cells, renumbers the nodes, finds neighbours and derives shape functions, heights and entries.
+  /// Orients and renumbers the cells, renumbers the nodes and lists their entries.
   /// Needs position, nodes, region and boundary_nodes. Throws RunError for a cell without volume or a face with three cells.
   void complete();
 
+  // What is asked of single cells is worked out from their nodes: kept for all cells, it would be half of a large mesh.
   Vec<dim> centroid(Index cell) const;
+  Shape<dim> shape(Index cell) const;
+  Real volume(Index cell) const;  ///< m2 (per metre run) or m3
+  Real height(Index cell) const;  ///< the smallest one, m
+  /// The cell across the face opposite that corner, or none at the boundary.
+  Index neighbor(Index cell, int corner) const;
 };
 
 /// Where a walk through the mesh ended.

@@ -27,9 +27,11 @@ struct Neighbors {
     for (std::size_t g = 0; g < groups.size(); ++g) {
       found.clear();
       for (Index cell : groups[g])
-        for (Index other : mesh.neighbor[cell])
+        for (int k = 0; k <= dim; ++k) {
+          const Index other = mesh.neighbor(cell, k);
           if (other != none && group_of[other] != static_cast<Index>(g) && mesh.region[other] == mesh.region[cell])
             found.push_back(group_of[other]);
+        }
       std::sort(found.begin(), found.end());
       list.insert(list.end(), found.begin(), std::unique(found.begin(), found.end()));
       first.push_back(static_cast<Index>(list.size()));

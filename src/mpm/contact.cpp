@@ -18,7 +18,7 @@ Real surface_area(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
   Vec<dim> gradient = Vec<dim>::Zero();
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
     const Index cell = mesh.entries[e] / (dim + 1), corner = mesh.entries[e] % (dim + 1);
-    gradient += grid.moments[mesh.entries[e] / (dim + 1)].volume * mesh.shape[cell].gradient(corner);
+    gradient += grid.moments[cell].volume * grid.shape(mesh, cell).gradient(corner);
   }
   return gradient.norm();
 }
@@ -111,7 +111,7 @@ void move_with_predicted(const Model<dim>& model, const State<dim>& state, Work<
     BodyGrid<dim>& grid = work.grids[b];
     Real volume = 0;
     for (Index e = model.mesh.first_entry[node]; e < model.mesh.first_entry[node + 1]; ++e)
-      volume += model.mesh.volume[model.mesh.entries[e] / (dim + 1)];
+      volume += model.mesh.volume(model.mesh.entries[e] / (dim + 1));
     if (grid.mass[node] > little * density(model.bodies[b].material) * volume / (dim + 1))
       grid.moved_velocity[node] = grid.velocity[node] + state.dt * grid.acceleration[node];
   };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/grid.hpp"
 
+#include "mpm/measure.hpp"
+
 #include <omp.h>
 
 namespace berm {
@@ -11,20 +13,29 @@ BodyGrid<dim>::BodyGrid(const Mesh<dim>& mesh)
       corners(CellField<std::array<CornerSums<dim>, dim + 1>>::zeros(mesh.cell_count())),
       volume_change(CellField<Real>::zeros(mesh.cell_count())),
       viscous_stress(CellField<Real>::zeros(mesh.cell_count())),
-      mass(mesh.node_count(), 0),
-      velocity(mesh.node_count(), Vec<dim>::Zero()),
-      acceleration(mesh.node_count(), Vec<dim>::Zero()),
-      moved_velocity(mesh.node_count(), Vec<dim>::Zero()),
-      touching(mesh.node_count(), 0),
-      contact_points(mesh.node_count(), 0)
+      gradients(CellField<Gradients<dim>>::zeros(mesh.cell_count())),
+      height(CellField<Real>::zeros(mesh.cell_count())),
+      mass(NodeField<Real>::zeros(mesh.node_count())),
+      velocity(NodeField<Vec<dim>>::zeros(mesh.node_count())),
+      acceleration(NodeField<Vec<dim>>::zeros(mesh.node_count())),
+      moved_velocity(NodeField<Vec<dim>>::zeros(mesh.node_count())),
+      touching(NodeField<std::uint8_t>::zeros(mesh.node_count())),
+      contact_points(NodeField<std::uint8_t>::zeros(mesh.node_count()))
 {
   nodes.reserve(mesh.node_count());
 }
 
 template <int dim>
+void BodyGrid<dim>::enter(const Mesh<dim>& mesh, Index cell)
+{
+  gradients[cell] = mesh.shape(cell).gradients;
+  if (bulk_viscosity > 0) height[cell] = mesh.height(cell);
+}
+
+template <int dim>
 void find_nodes(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid<dim>& grid)
 {
-  std::fill(grid.mass.begin(), grid.mass.end(), 0);
+  for (Index node : grid.nodes) grid.mass[node] = 0;
   for (Index cell : particles.occupied())
     for (Index node : mesh.nodes[cell]) grid.mass[node] = 1;
   grid.nodes.clear();
@@ -42,6 +53,8 @@ Work<dim>::Work(const Model<dim>& model, const State<dim>& state) : contact_poin
     find_nodes(model.mesh, state.particles[b], grids[b]);
     const Material& material = model.bodies[b].material;
     if (dilates(material)) grids[b].bulk_viscosity = model.mpm.bulk_viscosity * std::sqrt(p_wave_modulus(material) * density(material));
+    for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);
+    grids[b].whole_mass = measure(state.particles[b]).mass;
     const auto prepared = [](const auto& law) { return PreparedMaterial(prepare(law)); };
     laws.push_back(std::visit(prepared, material));
     spent_laws.push_back(std::visit(prepared, without_dilation(material)));

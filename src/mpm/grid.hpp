@@ -32,12 +32,12 @@ struct Moments {
 /// What one cell gives to one of its corners.
 template <int dim>
 struct CornerSums {
-  Real sum[dim];   ///< its momentum in step 1, kg m/s; then the internal force, N; then its momentum after step 5
-  Real mass;       ///< sum m N_k, kg
-  Real cell_mass;  ///< of all particles of the cell, kg
+  Real sum[dim];  ///< its momentum in step 1, kg m/s; then the internal force, N; then its momentum after step 5
+  Real mass;      ///< sum m N_k, kg
 };
 
-/// The nodal fields of one body and the sums that make them; nothing here outlives a step. Those of cells are zero where a cell has no particles.
+/// The nodal fields of one body and the sums that make them; no sum outlives a step. Those of cells are zero where a cell has no particles. All
+/// are untouched, and so without memory, where the body never was.
 template <int dim>
 struct BodyGrid {
   CellField<Moments<dim>> moments;
@@ -45,6 +45,10 @@ struct BodyGrid {
   CellField<Real> volume_change;   ///< sum V times div(v) dt of the cell
   CellField<Real> viscous_stress;  ///< Pa, tension positive; 0 where the body does not dilate
   Real bulk_viscosity = 0;         ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
+  Real whole_mass = infinity;      ///< of the body, kg
+
+  CellField<Gradients<dim>> gradients;  ///< of the shape functions, for cells that have or had particles
+  CellField<Real> height;               ///< m, of the same cells where the body dilates
 
   NodeField<Real> mass;
   NodeField<Vec<dim>> velocity;            ///< v^t
@@ -58,6 +62,13 @@ struct BodyGrid {
   BodyGrid() = default;
   explicit BodyGrid(const Mesh<dim>& mesh);
 
+  /// Works out gradients and height of a cell that gets particles.
+  void enter(const Mesh<dim>& mesh, Index cell);
+  /// The shape functions of a cell that has been entered; of others gradients are 0.
+  [[gnu::always_inline]] Shape<dim> shape(const Mesh<dim>& mesh, Index cell) const
+  {
+    return {mesh.position[mesh.nodes[cell][0]], gradients[cell]};
+  }
   /// What the cell of an entry of the mesh gives to the node.
   const CornerSums<dim>& at(CornerEntry e) const { return corners.data()->data()[e]; }
 };

@@ -19,12 +19,12 @@ struct LinearField {
 
   [[gnu::always_inline]] LinearField(const Shape<dim>& shape, const std::array<Index, dim + 1>& nodes, const NodeField<Vec<dim>>& field)
   {
-    for (int k = 0; k <= dim; ++k)
-      for (int d = 0; d < dim; ++d) {
-        const Real value = field[nodes[k]][d];
-        c[d] += shape.a[k] * value;
-        for (int a = 0; a < dim; ++a) slope[d][a] += shape.b[a][k] * value;
-      }
+    for (int d = 0; d < dim; ++d) {
+      c[d] = field[nodes[0]][d];
+      for (int k = 1; k <= dim; ++k)
+        for (int a = 0; a < dim; ++a) slope[d][a] += shape.gradients[k - 1][a] * (field[nodes[k]][d] - field[nodes[0]][d]);
+      for (int a = 0; a < dim; ++a) c[d] -= slope[d][a] * shape.origin[a];
+    }
   }
   template <class V>
   [[gnu::always_inline]] V at(int d, const V* x) const
@@ -92,7 +92,7 @@ void average_stress(const Mesh<dim>& mesh, Particles<dim>& particles, Index cell
     volume += p.volume;
     for (int k = 0; k < tensor_size<dim>; ++k) total[k] += p.volume * p.stress[k];
   }
-  if (sum(volume) < full * mesh.volume[cell]) return;
+  if (sum(volume) < full * mesh.volume(cell)) return;
   left = particles.count_in(cell);
   for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
     for (int k = 0; k < tensor_size<dim>; ++k)
@@ -104,9 +104,10 @@ template <int dim>
 bool bring_back(const Mesh<dim>& mesh, Index cell, Vec<dim>& x)
 {
   constexpr Real round_off = 1e-9;  // of a cell's height
+  const Shape<dim> shape = mesh.shape(cell);
   Real n[dim + 1], total = 0;
   for (int k = 0; k <= dim; ++k) {
-    n[k] = mesh.shape[cell].value(k, x);
+    n[k] = shape.value(k, x);
     if (n[k] < -round_off) return false;
     total += n[k] = std::max(n[k], Real(0));
   }
@@ -155,7 +156,10 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
     const Index cell = particles.occupied()[c];
     particles.prefetch_after(c);
     const auto& nodes = mesh.nodes[cell];
-    const Shape<dim>& shape = mesh.shape[cell];
+    const Shape<dim> shape = grid.shape(mesh, cell);
+    Real at_zero[dim] = {};  // N_k where all coordinates are zero
+    for (int k = 0; k < dim; ++k)
+      for (int d = 0; d < dim; ++d) at_zero[k] -= shape.gradients[k][d] * shape.origin[d];
     const LinearField<dim> acceleration(shape, nodes, grid.acceleration), velocity(shape, nodes, grid.moved_velocity);
     CellStrain<dim> cell_strain(velocity, dt);
     if (pass != Pass::move && model.mpm.volumetric_projection) {
@@ -184,11 +188,14 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
           x[d] = alive ? old_x[d] + dt * velocity.at(d, old_x) : old_x[d];
           part.set(p.x[d], q.x[d], x[d]);
         }
-        for (int k = 0; k <= dim; ++k) {
-          V n = shape.a[k] + shape.b[0][k] * x[0];
-          for (int d = 1; d < dim; ++d) n += shape.b[d][k] * x[d];
+        V of_corner_0 = 1 - V{};
+        for (int k = 0; k < dim; ++k) {
+          V n = at_zero[k] + shape.gradients[k][0] * x[0];
+          for (int d = 1; d < dim; ++d) n += shape.gradients[k][d] * x[d];
+          of_corner_0 -= n;
           least_shape = smaller(least_shape, n);
         }
+        least_shape = smaller(least_shape, of_corner_0);
       }
       if constexpr (pass != Pass::move) {
         const V mass = part.get(p.mass, q.mass), volume = part.get(p.volume, q.volume);
@@ -292,13 +299,16 @@ void change_cells(const Model<dim>& model, State<dim>& state, Work<dim>& work, I
   // The last first: taking a particle moves only ones that were behind it.
   work.moving.resize(movers.size());
   for (std::size_t m = movers.size(); m-- > 0;) work.moving[m] = particles.take(movers[m].from, movers[m].place);
-  for (std::size_t m = 0; m < movers.size(); ++m) particles.insert(movers[m].to, work.moving[m]);
+  for (std::size_t m = 0; m < movers.size(); ++m) {
+    particles.insert(movers[m].to, work.moving[m]);
+    grid.enter(model.mesh, movers[m].to);
+  }
   for (const Mover& mover : movers)
     if (particles.count_in(mover.from) == 0) {
       grid.moments[mover.from] = {};
       grid.corners[mover.from] = {};
       grid.volume_change[mover.from] = 0;
-      grid.viscous_stress[mover.from] = 0;
+      if (grid.bulk_viscosity > 0) grid.viscous_stress[mover.from] = 0;
     }
   if (particles.sort_occupied()) find_nodes(model.mesh, particles, grid);
 }

@@ -81,7 +81,7 @@ template <int dim>
 std::string advice_for_leaving(const Model<dim>& model, const State<dim>& state, const Vec<dim>& x, Index cell)
 {
   for (std::size_t r = 0; r < model.rigids.size(); ++r)
-    if (surface_at<dim>(placed<dim>(model.rigids[r], state.rigids[r]), x).distance < 2 * model.mesh.height[cell])
+    if (surface_at<dim>(placed<dim>(model.rigids[r], state.rigids[r]), x).distance < 2 * model.mesh.height(cell))
       return fmt::format(
           "rigid body \"{}\" is there and has pushed it out: make the mesh larger there, let the stage \"{}\" end earlier, or hold that "
           "boundary with a [support.NAME]",

@@ -84,8 +84,9 @@ Real stable_time_step(const Model<dim>& model, const State<dim>& state, const Wo
     const Material& material = model.bodies[b].material;
     const Real wave_speed = std::sqrt(p_wave_modulus(material) / density(material));
     const auto& occupied = state.particles[b].occupied();
-    const Real height = -largest_of("smallest height", static_cast<Index>(occupied.size()), -infinity,
-                                    [&](Index c) { return -model.mesh.height[occupied[c]]; });
+    const Real steepest = largest_of("smallest height", static_cast<Index>(occupied.size()), 0,
+                                     [&](Index c) { return work.grids[b].shape(model.mesh, occupied[c]).steepest_square(); });
+    const Real height = 1 / std::sqrt(steepest);
     least = std::min(least, height / (wave_speed + fastest));
     least_at_rest = std::min(least_at_rest, height / wave_speed);
   }

@@ -6,13 +6,31 @@
 namespace berm {
 namespace {
 
-/// Corner k of a cell gets a_k q + b_k . qx, the sum over particles of N_k times a quantity with sums q and (times x) qx.
-template <int dim>
-[[gnu::always_inline]] inline Real at_corner(const Shape<dim>& shape, int k, Real q, const Real* qx)
+/// What the corners of a cell get of a quantity: the sums over particles of N_k times it, told by give(k, sum). Its own sum is q and that of it times x
+/// is qx.
+template <int dim, class Give>
+[[gnu::always_inline]] inline void share_among_corners(const Shape<dim>& shape, Real q, const Real* qx, const Give& give)
 {
-  Real sum = shape.a[k] * q;
-  for (int d = 0; d < dim; ++d) sum += shape.b[d][k] * qx[d];
-  return sum;
+  Real from_origin[dim], of_corner_0 = q;
+  for (int d = 0; d < dim; ++d) from_origin[d] = qx[d] - q * shape.origin[d];
+  for (int k = 1; k <= dim; ++k) {
+    Real sum = shape.gradients[k - 1][0] * from_origin[0];
+    for (int d = 1; d < dim; ++d) sum += shape.gradients[k - 1][d] * from_origin[d];
+    give(k, sum);
+    of_corner_0 -= sum;
+  }
+  give(0, of_corner_0);
+}
+
+/// The divergence of a nodal field in a cell.
+template <int dim>
+[[gnu::always_inline]] inline Real divergence_in(const Shape<dim>& shape, const std::array<Index, dim + 1>& nodes,
+                                                 const NodeField<Vec<dim>>& field)
+{
+  Real divergence = 0;
+  for (int k = 1; k <= dim; ++k)
+    for (int d = 0; d < dim; ++d) divergence += shape.gradients[k - 1][d] * (field[nodes[k]][d] - field[nodes[0]][d]);
+  return divergence;
 }
 
 /// The moments in lanes while they are summed, part by part, in the order in which Moments has them.
@@ -95,12 +113,10 @@ void sum_moments(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGri
     Moments<dim>& t = grid.moments[cell];
     sums.total(t);
 
-    for (int k = 0; k <= dim; ++k) {
-      CornerSums<dim>& corner = grid.corners[cell][k];
-      for (int d = 0; d < dim; ++d) corner.sum[d] = at_corner(mesh.shape[cell], k, t.mv[d], t.mvx[d]);
-      corner.mass = at_corner(mesh.shape[cell], k, t.m, t.mx);
-      corner.cell_mass = t.m;
-    }
+    const Shape<dim> shape = grid.shape(mesh, cell);
+    auto& corners = grid.corners[cell];
+    for (int d = 0; d < dim; ++d) share_among_corners<dim>(shape, t.mv[d], t.mvx[d], [&](int k, Real sum) { corners[k].sum[d] = sum; });
+    share_among_corners<dim>(shape, t.m, t.mx, [&](int k, Real sum) { corners[k].mass = sum; });
   });
 }
 
@@ -123,6 +139,14 @@ Vec<dim> velocity_of_cells(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Ind
 }
 
 template <int dim>
+Real mass_of_cells(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
+{
+  Real mass = 0;
+  for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) mass += grid.moments[mesh.entries[e] / (dim + 1)].m;
+  return mass;
+}
+
+template <int dim>
 void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid)
 {
   for_each("gather mass and momentum", static_cast<Index>(grid.nodes.size()), [&](Index n) {
@@ -132,9 +156,9 @@ void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid)
       const CornerSums<dim>& corner = grid.at(mesh.entries[e]);
       for (int d = 0; d < dim; ++d) total.sum[d] += corner.sum[d];
       total.mass += corner.mass;
-      total.cell_mass += corner.cell_mass;
     }
-    if (!(total.mass > least_mass_part * total.cell_mass)) total.mass = 0;
+    // Most nodes have more than that part of the whole body.
+    if (!(total.mass > least_mass_part * grid.whole_mass) && !(total.mass > least_mass_part * mass_of_cells(mesh, grid, i))) total.mass = 0;
     const Real per_mass = total.mass > 0 ? 1 / total.mass : 0;
     grid.mass[i] = total.mass;
     for (int d = 0; d < dim; ++d) grid.velocity[i][d] = total.sum[d] * per_mass;
@@ -165,8 +189,8 @@ void find_viscous_stress(const Model<dim>& model, const Particles<dim>& particle
     for_each_in_patch(model.patches, occupied[c], [&](Index member) {
       const Real of_cell = grid.moments[member].volume;
       volume += of_cell;
-      height += of_cell * mesh.height[member];
-      for (int k = 0; k <= dim; ++k) divergence += of_cell * mesh.shape[member].gradient(k).dot(grid.velocity[mesh.nodes[member][k]]);
+      height += of_cell * grid.height[member];
+      divergence += of_cell * divergence_in<dim>(grid.shape(mesh, member), mesh.nodes[member], grid.velocity);
     });
     grid.viscous_stress[occupied[c]] = grid.bulk_viscosity * (height / volume) * (divergence / volume);
   });
@@ -194,7 +218,15 @@ void spread_internal_forces(const Model<dim>& model, const Particles<dim>& parti
     Matrix<dim> stress;
     for (int a = 0; a < dim; ++a)
       for (int b = 0; b < dim; ++b) stress(a, b) = t.stress[Moments<dim>::pair(std::min(a, b), std::max(a, b))] + (a == b ? change : 0);
-    for (int k = 0; k <= dim; ++k) Eigen::Map<Vec<dim>>(grid.corners[cell][k].sum) = -stress * mesh.shape[cell].gradient(k);
+    const Shape<dim> shape = grid.shape(mesh, cell);
+    auto& corners = grid.corners[cell];
+    Vec<dim> of_others = Vec<dim>::Zero();
+    for (int k = 1; k <= dim; ++k) {
+      const Vec<dim> force = stress * shape.gradient(k);
+      Eigen::Map<Vec<dim>>(corners[k].sum) = -force;
+      of_others += force;
+    }
+    Eigen::Map<Vec<dim>>(corners[0].sum) = of_others;
   });
 }
 
@@ -205,15 +237,15 @@ void spread_new_momentum(const Mesh<dim>& mesh, const Particles<dim>& particles,
   for_each("momentum after the forces", static_cast<Index>(occupied.size()), [&](Index c) {
     const Index cell = occupied[c];
     const Moments<dim>& t = grid.moments[cell];
-    const Shape<dim>& shape = mesh.shape[cell];
+    const Shape<dim> shape = grid.shape(mesh, cell);
+    const auto& nodes = mesh.nodes[cell];
     auto& corners = grid.corners[cell];
     for (int d = 0; d < dim; ++d) {
-      Real a0 = 0, slope[dim] = {};  // a(x) = a0 + slope . x
-      for (int k = 0; k <= dim; ++k) {
-        const Real a = grid.acceleration[mesh.nodes[cell][k]][d];
-        a0 += shape.a[k] * a;
-        for (int e = 0; e < dim; ++e) slope[e] += shape.b[e][k] * a;
-      }
+      Real a0 = grid.acceleration[nodes[0]][d], slope[dim] = {};  // a(x) = a0 + slope . x
+      for (int k = 1; k <= dim; ++k)
+        for (int e = 0; e < dim; ++e)
+          slope[e] += shape.gradients[k - 1][e] * (grid.acceleration[nodes[k]][d] - grid.acceleration[nodes[0]][d]);
+      for (int e = 0; e < dim; ++e) a0 -= slope[e] * shape.origin[e];
       Real momentum = a0 * t.m, times_x[dim];
       for (int e = 0; e < dim; ++e) momentum += slope[e] * t.mx[e];
       for (int f = 0; f < dim; ++f) {
@@ -222,7 +254,7 @@ void spread_new_momentum(const Mesh<dim>& mesh, const Particles<dim>& particles,
         times_x[f] = t.mvx[d][f] + dt * times_x[f];
       }
       momentum = t.mv[d] + dt * momentum;
-      for (int k = 0; k <= dim; ++k) corners[k].sum[d] = at_corner(shape, k, momentum, times_x);
+      share_among_corners<dim>(shape, momentum, times_x, [&](int k, Real sum) { corners[k].sum[d] = sum; });
     }
   });
 }
@@ -264,8 +296,7 @@ void sum_volume_changes(const Mesh<dim>& mesh, const Particles<dim>& particles, 
   const auto& occupied = particles.occupied();
   for_each("volume change of cells", static_cast<Index>(occupied.size()), [&](Index c) {
     const Index cell = occupied[c];
-    Real divergence = 0;
-    for (int k = 0; k <= dim; ++k) divergence += mesh.shape[cell].gradient(k).dot(grid.moved_velocity[mesh.nodes[cell][k]]);
+    const Real divergence = divergence_in<dim>(grid.shape(mesh, cell), mesh.nodes[cell], grid.moved_velocity);
     grid.volume_change[cell] = grid.moments[cell].volume * divergence * dt;
   });
 }

@@ -15,16 +15,17 @@ NodeField<Real> nodal_damping(const Mesh<dim>& mesh, const BodySettings& body)
 {
   std::vector<Real> of_region(mesh.region_names.size(), body.damping);
   for (const auto& [region, damping] : body.region_damping) of_region[mesh.find_region(region)] = damping;
-  NodeField<Real> damping(mesh.node_count(), 0);
+  auto damping = NodeField<Real>::zeros(mesh.node_count());
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-    for (Index node : mesh.nodes[cell]) damping[node] = std::max(damping[node], of_region[mesh.region[cell]]);
+    for (Index node : mesh.nodes[cell])
+      if (const Real here = of_region[mesh.region[cell]]; here > damping[node]) damping[node] = here;
   return damping;
 }
 
 template <int dim>
 NodeField<std::uint8_t> fixed_directions(const Mesh<dim>& mesh, const Case& c)
 {
-  NodeField<std::uint8_t> fixed(mesh.node_count(), 0);
+  auto fixed = NodeField<std::uint8_t>::zeros(mesh.node_count());
   for (const auto& [name, support] : c.support)
     for (Index node : mesh.boundary_nodes[held_boundary(mesh, name, support)]) fixed[node] |= held_directions(support);
   return fixed;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
+#include <malloc.h>
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
@@ -150,9 +151,9 @@ struct Demand {
 };
 
 // About, counted in the code: additions and multiplications of one lane that holds a particle, and of one cell.
-constexpr Real flops_of_moments = 30, flops_of_motion = 36, flops_of_stress = 54;  // mpm/transfer.cpp; mpm/move.cpp, elastic
+constexpr Real flops_of_moments = 30, flops_of_motion = 34, flops_of_stress = 54;  // mpm/transfer.cpp; mpm/move.cpp, elastic
 // Of a cell, in the same places.
-constexpr Real flops_of_corners = 54, flops_of_forces = 40, flops_of_momentum = 90, flops_of_fields = 134;
+constexpr Real flops_of_corners = 36, flops_of_forces = 36, flops_of_momentum = 90, flops_of_fields = 128;
 
 /// Bytes: every array once for each pass that reads or writes it; blocks of particles are read by the first pass, read and written by the last. Flops of
 /// soil at yield are more, and those in space were not counted.
@@ -167,20 +168,21 @@ Demand demand_of(const Particles<dim>& particles, const BodyGrid<dim>& grid)
   const Real cells = static_cast<Real>(particles.occupied().size()), nodes = static_cast<Real>(grid.nodes.size());
   const Real of_block = static_cast<Real>(3 * sizeof(Block<dim>) + 2 * sizeof(StoredLanes) * particles.state_size());
   const Real of_cell = 4 * sizeof(Moments<dim>) + 6 * corners * sizeof(CornerSums<dim>) +
-                       4 * (sizeof(Shape<dim>) + corners * sizeof(Index)) + 4 * sizeof(Real);
+                       4 * (sizeof(Gradients<dim>) + corners * sizeof(Index)) + 4 * sizeof(Real);
   const Real of_node = 2 * sizeof(Real) + 6 * sizeof(Vec<dim>);
   const Real count = static_cast<Real>(particles.size());
   const Real bytes = (blocks * of_block + cells * of_cell + nodes * of_node) / count;
   return {bytes, dim == 2 ? flops_of_lane + cells * flops_of_cell / count : no_number};
 }
 
-/// Memory that this process has, bytes.
-Real resident_memory()
+/// Memory that this process has for its data, bytes: not what it shares with files, such as its program, and nothing that has been freed.
+Real memory_of_data()
 {
+  ::malloc_trim(0);
   std::ifstream file("/proc/self/statm");
-  Real all = no_number, resident = no_number;
-  file >> all >> resident;
-  return resident * static_cast<Real>(sysconf(_SC_PAGESIZE));
+  Real all = no_number, resident = no_number, shared = no_number;
+  file >> all >> resident >> shared;
+  return (resident - shared) * static_cast<Real>(sysconf(_SC_PAGESIZE));
 }
 
 /// A number for the table, or a dash where there is none.
@@ -193,8 +195,9 @@ template <int dim>
 nlohmann::ordered_json measure_speed(const char* name, const Case& c, int threads, Real bandwidth)
 {
   const ScratchFolder scratch;
-  const Real memory_before = resident_memory();
+  const Real memory_before = memory_of_data();
   Problem<dim> problem = build<dim>(c, ".", scratch.path().string());
+  ::malloc_trim(0);  // as a run does
   Work<dim> work(problem.model, problem.state);
   const BigIndex particles = problem.state.particles[0].size();
   const auto seconds = [&](Real least, BigIndex least_steps) {
@@ -213,7 +216,7 @@ nlohmann::ordered_json measure_speed(const char* name, const Case& c, int thread
   const BigIndex steps = problem.state.step - before;
   const Real speed = static_cast<Real>(particles * steps) / wall;
 
-  const Real memory = (resident_memory() - memory_before) / static_cast<Real>(particles);
+  const Real memory = (memory_of_data() - memory_before) / static_cast<Real>(particles);
 
   const Particles<dim>& body = problem.state.particles[0];
   const Real per_cell = static_cast<Real>(particles) / static_cast<Real>(body.occupied().size());

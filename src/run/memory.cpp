@@ -16,7 +16,6 @@ namespace berm {
 namespace {
 
 constexpr Real mebibyte = 1 << 20;
-constexpr Real huge_page = 2 * mebibyte;  // the program asks for these (core/threads.hpp)
 
 template <int dim, class CellsOf>
 std::vector<RunSize::OfBody> least_bodies(const Case& c, const CellsOf& cells_of)
@@ -141,25 +140,24 @@ Real memory_of(const RunSize& size)
   const Real bodies = static_cast<Real>(size.bodies.size()), contacts = static_cast<Real>(size.contacts);
 
   // Mesh and Model.
-  Real of_cell = 2 * sizeof(typename Mesh<dim>::Corners) + sizeof(Index) + sizeof(Shape<dim>) + 2 * sizeof(Real) +
-                 corners * sizeof(CornerEntry) + sizeof(Index);
-  Real of_node = sizeof(Vec<dim>) + sizeof(Index) + sizeof(std::uint8_t) + bodies * sizeof(Real) + contacts * sizeof(Index);
-  // Particles by cell and BodyGrid, but for the sums.
-  of_cell += bodies * 3 * sizeof(Index);
-  of_node += bodies * (sizeof(Real) + 3 * sizeof(Vec<dim>) + 2 * sizeof(std::uint8_t) + sizeof(Index));
-  constexpr Real sums = sizeof(Moments<dim>) + corners * sizeof(CornerSums<dim>) + 2 * sizeof(Real);
+  constexpr Real of_cell = sizeof(typename Mesh<dim>::Corners) + corners * sizeof(CornerEntry) + 2 * sizeof(Index);
+  const Real of_node = sizeof(Vec<dim>) + sizeof(Index) + sizeof(std::uint8_t) + bodies * sizeof(Real) + contacts * sizeof(Index);
+  // Particles by cell and BodyGrid, where the body is.
+  constexpr Real of_cell_with_soil =
+      3 * sizeof(Index) + sizeof(Moments<dim>) + corners * sizeof(CornerSums<dim>) + sizeof(Gradients<dim>) + 3 * sizeof(Real);
+  constexpr Real of_node_with_soil = sizeof(Real) + 3 * sizeof(Vec<dim>) + 2 * sizeof(std::uint8_t) + sizeof(Index);
+  const Real nodes_a_cell = size.nodes / std::max(size.cells, Real(1));
 
   Real particles = 0, bytes = size.cells * of_cell + size.nodes * of_node;
   for (const RunSize::OfBody& body : size.bodies) {
     particles += body.particles;
-    bytes += body.cells * sums + body.blocks * static_cast<Real>(sizeof(Block<dim>) + body.state_size * sizeof(StoredLanes));
+    bytes += body.cells * (of_cell_with_soil + nodes_a_cell * of_node_with_soil) +
+             body.blocks * static_cast<Real>(sizeof(Block<dim>) + body.state_size * sizeof(StoredLanes));
   }
   // What frames remember of the start, the frame before and the new one; or mesh.vtu on its way to the disk.
   const Real frames = particles * (sizeof(Vec<dim>) + sizeof(Real) + 2 * sizeof(FrameParticle<dim>));
   const Real mesh_file = size.cells * ((corners + 1) * sizeof(std::int64_t) + sizeof(std::int32_t) + 1) + size.nodes * 3 * sizeof(Real);
-  // A huge page is taken whole where it is only begun: at the end of a body's blocks and of their law's numbers, which are reserved for more, of the sums
-  // of cells, which lie in four arrays, and of the heap.
-  return bytes + std::max(frames, mesh_file) + (6 * bodies + 1) * huge_page;
+  return bytes + std::max(frames, mesh_file);
 }
 
 Real memory_in_use()

@@ -9,7 +9,7 @@ namespace berm {
 struct RunSize {
   struct OfBody {
     Real particles = 0;
-    Real cells = 0;      ///< that hold particles: sums of the others lie in memory that is never touched
+    Real cells = 0;      ///< that hold particles: what the body keeps of others and their nodes lies in memory that is never touched
     Real blocks = 0;     ///< of four particles, that cells own
     int state_size = 0;  ///< numbers that its law keeps for a particle
   };

@@ -18,7 +18,8 @@ void find_cells(benchmark::State& state, Real cells_along_side)
   std::vector<Index> starts;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     points.push_back(mesh.centroid(c));
-    starts.push_back(*std::max_element(mesh.neighbor[c].begin(), mesh.neighbor[c].end()));
+    starts.push_back(mesh.neighbor(c, 0));
+    for (int k = 1; k <= dim; ++k) starts.back() = std::max(starts.back(), mesh.neighbor(c, k));
   }
   std::vector<Location> found(points.size());
 

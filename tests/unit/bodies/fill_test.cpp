@@ -102,7 +102,7 @@ TYPED_TEST(Fill, keeps_each_particle_in_the_cell_that_holds_it_and_numbers_them_
   particles.visit([&](Index cell, Index b, int l) {
     const auto p = particles.read(b, l);
     ++seen.at(p.id);
-    for (int k = 0; k <= dim; ++k) EXPECT_GT(mesh.shape[cell].value(k, p.x), 0);
+    for (int k = 0; k <= dim; ++k) EXPECT_GT(mesh.shape(cell).value(k, p.x), 0);
   });
   EXPECT_EQ(seen, std::vector<int>(particles.size(), 1));
 }
@@ -116,7 +116,7 @@ TYPED_TEST(Fill, volumes_masses_and_centres_add_up_to_those_of_the_cells)
   for (const auto& p : all_of(fill<dim>(mesh, "sand", in_regions({"low"}), at_rest<dim>)))
     volume += p.volume, mass += p.mass, moment += p.volume * p.x;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-    if (mesh.region[cell] == 0) region_volume += mesh.volume[cell], region_moment += mesh.volume[cell] * mesh.centroid(cell);
+    if (mesh.region[cell] == 0) region_volume += mesh.volume(cell), region_moment += mesh.volume(cell) * mesh.centroid(cell);
   EXPECT_NEAR(volume / region_volume, 1, 1e-13);
   EXPECT_NEAR(mass / region_volume, 1000, 1e-10);
   EXPECT_NEAR((moment - region_moment).norm(), 0, 1e-13);

@@ -41,7 +41,12 @@ struct Bed {
     detect(mesh, particles, rigid, state, detection, mass, result);
   }
 
-  Real least_height() const { return *std::min_element(mesh.height.begin(), mesh.height.end()); }
+  Real least_height() const
+  {
+    Real least = infinity;
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) least = std::min(least, mesh.height(cell));
+    return least;
+  }
 };
 
 template <int dim>

@@ -17,7 +17,7 @@ Real area_of(const Mesh<2>& mesh, const std::string& region)
 {
   Real area = 0;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-    if (mesh.region_names[mesh.region[cell]] == region) area += mesh.volume[cell];
+    if (mesh.region_names[mesh.region[cell]] == region) area += mesh.volume(cell);
   return area;
 }
 
@@ -34,7 +34,7 @@ Real worst_quality(const Mesh<2>& mesh)
     Real squares = 0;
     for (int k = 0; k < 3; ++k)
       squares += (mesh.position[mesh.nodes[cell][k]] - mesh.position[mesh.nodes[cell][(k + 1) % 3]]).squaredNorm();
-    worst = std::min(worst, 4 * std::sqrt(3.) * mesh.volume[cell] / squares);
+    worst = std::min(worst, 4 * std::sqrt(3.) * mesh.volume(cell) / squares);
   }
   return worst;
 }

@@ -21,7 +21,7 @@ TEST(BoxMesh, has_the_cells_its_pattern_promises)
 TEST(BoxMesh, criss_cross_cells_have_equal_volumes_that_fill_the_box)
 {
   const auto mesh = make_box<2>(sample_box<2>(BoxPattern::criss_cross));
-  for (const Real v : mesh.volume) EXPECT_NEAR(v, 0.3 * 0.3 / 4, 1e-15);
+  for (Index c = 0; c < mesh.cell_count(); ++c) EXPECT_NEAR(mesh.volume(c), 0.3 * 0.3 / 4, 1e-15);
 }
 
 TEST(BoxMesh, spans_from_its_lower_corner_over_its_size)
@@ -37,8 +37,8 @@ TEST(BoxMesh, every_inner_face_joins_two_cells)
   // Kuhn's tetrahedra conform from cube to cube: the free faces are the boundary's two triangles a square, no more.
   const auto mesh = make_box<3>(sample_box<3>());
   Index free_faces = 0;
-  for (const auto& neighbors : mesh.neighbor)
-    for (const Index other : neighbors) free_faces += other == none;
+  for (Index c = 0; c < mesh.cell_count(); ++c)
+    for (int k = 0; k < 4; ++k) free_faces += mesh.neighbor(c, k) == none;
   EXPECT_EQ(free_faces, 2 * 2 * (7 * 4 + 7 * 3 + 4 * 3));
 }
 

@@ -108,7 +108,7 @@ TEST(ReadMsh, reads_regions_and_boundaries_by_name)
   EXPECT_EQ(mesh.node_count(), 4);
   EXPECT_EQ(mesh.region_names, (std::vector<std::string>{"lower part", "upper"}));
   EXPECT_EQ(mesh.boundary_names, std::vector<std::string>{"left"});
-  EXPECT_GT(mesh.volume[0] + mesh.volume[1], 1 - 1e-15);
+  EXPECT_GT(mesh.volume(0) + mesh.volume(1), 1 - 1e-15);
   for (Index c = 0; c < 2; ++c)
     EXPECT_EQ(mesh.region_names[mesh.region[c]], mesh.centroid(c)[1] > mesh.centroid(c)[0] ? "upper" : "lower part");
   ASSERT_EQ(mesh.boundary_nodes[0].size(), 2u);
@@ -120,7 +120,7 @@ TEST(ReadMsh, reads_tetrahedra)
   const TemporaryFolder folder;
   const auto mesh = read_msh<3>(folder.write("tetrahedron.msh", tetrahedron));
   ASSERT_EQ(mesh.cell_count(), 1);
-  EXPECT_NEAR(mesh.volume[0], 1. / 6, 1e-15);
+  EXPECT_NEAR(mesh.volume(0), 1. / 6, 1e-15);
   ASSERT_EQ(mesh.boundary_nodes[mesh.find_boundary("base")].size(), 3u);
   for (const Index i : mesh.boundary_nodes[0]) EXPECT_EQ(mesh.position[i][2], 0);
 }

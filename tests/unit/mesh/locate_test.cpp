@@ -12,7 +12,7 @@ template <int dim>
 Real smallest_shape(const Mesh<dim>& mesh, Index cell, const Vec<dim>& x)
 {
   Real smallest = infinity;
-  for (int k = 0; k <= dim; ++k) smallest = std::min(smallest, mesh.shape[cell].value(k, x));
+  for (int k = 0; k <= dim; ++k) smallest = std::min(smallest, mesh.shape(cell).value(k, x));
   return smallest;
 }
 
@@ -69,7 +69,7 @@ void expect_outside(const Mesh<dim>& mesh)
     const Location found = locate(mesh, x, any_cell(random));
     ASSERT_FALSE(found.inside) << x.transpose();
     bool beyond_free_face = false;
-    for (int k = 0; k <= dim; ++k) beyond_free_face |= mesh.neighbor[found.cell][k] == none && mesh.shape[found.cell].value(k, x) < 0;
+    for (int k = 0; k <= dim; ++k) beyond_free_face |= mesh.neighbor(found.cell, k) == none && mesh.shape(found.cell).value(k, x) < 0;
     ASSERT_TRUE(beyond_free_face);
   }
 }

@@ -77,10 +77,12 @@ TYPED_TEST(PatchesOf, are_connected_by_faces_and_stay_in_one_region)
         const std::vector<Index> patch = ring(patches, cell);
         std::vector<Index> reached = {cell};
         for (std::size_t k = 0; k < reached.size(); ++k)
-          for (Index other : mesh.neighbor[reached[k]])
+          for (int face = 0; face <= dim; ++face) {
+            const Index other = mesh.neighbor(reached[k], face);
             if (std::find(patch.begin(), patch.end(), other) != patch.end() &&
                 std::find(reached.begin(), reached.end(), other) == reached.end())
               reached.push_back(other);
+          }
         EXPECT_EQ(reached.size(), patch.size());
         for (Index member : reached) EXPECT_EQ(mesh.region[member], mesh.region[cell]);
       }

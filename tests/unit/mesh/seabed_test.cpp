@@ -32,7 +32,7 @@ Real area_of(const Mesh<2>& mesh, const std::string& name)
   const Index region = mesh.find_region(name);
   Real area = 0;
   for (Index c = 0; c < mesh.cell_count(); ++c)
-    if (mesh.region[c] == region) area += mesh.volume[c];
+    if (mesh.region[c] == region) area += mesh.volume(c);
   return area;
 }
 
@@ -116,18 +116,18 @@ TEST(SeabedMesh, cells_have_the_size_that_was_asked_for)
   Index count = 0;
   Real area = 0;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
-    EXPECT_GT(mesh.height[c], 0.4 * bed.near_size);
+    EXPECT_GT(mesh.height(c), 0.4 * bed.near_size);
     const Vec<2> x = mesh.centroid(c);
     const bool near = x[0] > bed.near_left && x[0] < bed.near_right && x[1] > -bed.near_depth && x[1] < bed.near_height;
     if (!near) continue;
     ++count;
-    area += mesh.volume[c];
-    EXPECT_LT(mesh.volume[c], 2 * wanted);
-    EXPECT_GT(mesh.volume[c], wanted / 2);
+    area += mesh.volume(c);
+    EXPECT_LT(mesh.volume(c), 2 * wanted);
+    EXPECT_GT(mesh.volume(c), wanted / 2);
   }
   EXPECT_NEAR(area / count / wanted, 1, 0.1);
   EXPECT_NEAR(mesh.cell_count() / expected_cells(bed), 1, 0.06);
-  EXPECT_LT(*std::max_element(mesh.volume.begin(), mesh.volume.end()), 3 * std::sqrt(3.) / 4 * 0.012 * 0.012);
+  for (Index c = 0; c < mesh.cell_count(); ++c) EXPECT_LT(mesh.volume(c), 3 * std::sqrt(3.) / 4 * 0.012 * 0.012);
 }
 
 TEST(SeabedMesh, is_the_same_every_time)

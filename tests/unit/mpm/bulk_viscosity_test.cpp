@@ -60,7 +60,7 @@ struct Moving {
   {
     Real sum = 0;
     const Mesh<dim>& mesh = problem.model.mesh;
-    for (int k = 0; k <= dim; ++k) sum += mesh.shape[cell].gradient(k).dot(work.grids[0].velocity[mesh.nodes[cell][k]]);
+    for (int k = 0; k <= dim; ++k) sum += mesh.shape(cell).gradient(k).dot(work.grids[0].velocity[mesh.nodes[cell][k]]);
     return sum;
   }
 };
@@ -87,7 +87,7 @@ TYPED_TEST(BulkViscosity, takes_out_the_power_of_viscous_stress_on_the_rate_of_v
   const Real viscosity = 0.06 * std::sqrt(p_wave_modulus(Material(sand(0.5))) * 1500);
   Real taken_out = 0;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-    taken_out += viscosity * mesh.volume[cell] * mesh.height[cell] * std::pow(soil.divergence(cell), 2);
+    taken_out += viscosity * mesh.volume(cell) * mesh.height(cell) * std::pow(soil.divergence(cell), 2);
   EXPECT_GT(taken_out, 0);
   EXPECT_NEAR(soil.power() / taken_out, -1, 1e-12);
 }

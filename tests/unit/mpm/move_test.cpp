@@ -127,7 +127,7 @@ TYPED_TEST(Move, projection_gives_the_cells_of_a_patch_one_dilation_and_keeps_th
       patch_after += after[member];
       Real divergence = 0;
       for (int k = 0; k <= dim; ++k)
-        divergence += projected.mesh().shape[member].gradient(k).dot(velocities[projected.mesh().nodes[member][k]]);
+        divergence += projected.mesh().shape(member).gradient(k).dot(velocities[projected.mesh().nodes[member][k]]);
       plain_after += before[member] * (1 + dt * divergence);
     });
     EXPECT_NEAR(patch_after / plain_after, 1, 1e-13);
@@ -194,7 +194,7 @@ TYPED_TEST(Move, particles_keep_their_numbers_and_state_when_they_change_cell)
   body.particles().visit([&](Index cell, Index b, int l) {
     const Block<dim>& p = body.particles().block(b);
     EXPECT_EQ(p.mass[l], mass[p.id[l]]);
-    for (int k = 0; k <= dim; ++k) EXPECT_GE(body.mesh().shape[cell].value(k, position(p, l)), -1e-9);
+    for (int k = 0; k <= dim; ++k) EXPECT_GE(body.mesh().shape(cell).value(k, position(p, l)), -1e-9);
     moved_on += cell != first_cell[p.id[l]];
     mass[p.id[l]] = 0;
     ++seen;
@@ -240,7 +240,7 @@ TYPED_TEST(Move, a_particle_that_round_off_put_beyond_a_wall_is_brought_back_to_
     if (block == none || particles.block(b).x[1][l] > particles.block(block).x[1][lane]) block = b, lane = l;
   });
   particles.block(block).x[1][lane] = mesh.upper[1];
-  const Real height = mesh.height[0];
+  const Real height = mesh.height(0);
   body.move(1, [&](const Vec<dim>&) { return Vec<dim>(1e-9 * height * Vec<dim>::UnitY()); });
   EXPECT_NO_THROW(body.change_cells());
   Real highest = -infinity;

@@ -23,14 +23,16 @@ TYPED_TEST(TimeStep, is_courant_times_the_least_height_over_the_speeds_of_wave_a
   problem.model.mpm.courant = 0.4;
   // Only cells with particles count: the lowest one loses its particles.
   const Mesh<dim>& mesh = problem.model.mesh;
-  const Index lowest = static_cast<Index>(std::min_element(mesh.height.begin(), mesh.height.end()) - mesh.height.begin());
+  Index lowest = 0;
+  for (Index cell = 1; cell < mesh.cell_count(); ++cell)
+    if (mesh.height(cell) < mesh.height(lowest)) lowest = cell;
   auto& particles = problem.state.particles[0];
   Real height = infinity;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-    if (cell != lowest) height = std::min(height, mesh.height[cell]);
+    if (cell != lowest) height = std::min(height, mesh.height(cell));
   while (particles.count_in(lowest) > 0) particles.take(lowest, 0);
   particles.sort_occupied();
-  ASSERT_GT(height, mesh.height[lowest]);
+  ASSERT_GT(height, mesh.height(lowest));
 
   // M = E (1 - nu) / ((1 + nu)(1 - 2 nu)).
   const Real wave = std::sqrt(2e6 * 0.8 / (1.2 * 0.6) / 1500);

@@ -64,7 +64,7 @@ struct Random {
   {
     particles().visit([&](Index cell, Index b, int l) {
       const Block<dim>& p = particles().block(b);
-      const Shape<dim>& shape = mesh().shape[cell];
+      const Shape<dim> shape = mesh().shape(cell);
       for (int k = 0; k <= dim; ++k) add(mesh().nodes[cell][k], shape.value(k, position(p, l)), shape.gradient(k), p, l);
     });
   }
@@ -130,8 +130,8 @@ TYPED_TEST(Transfer, new_velocities_are_those_of_particles_that_took_the_nodes_a
     const auto& nodes = random.mesh().nodes[cell];
     const Vec<dim> x = position(p, l);
     Vec<dim> v = velocity(p, l);
-    for (int k = 0; k <= dim; ++k) v += random.state().dt * random.mesh().shape[cell].value(k, x) * random.grid().acceleration[nodes[k]];
-    for (int k = 0; k <= dim; ++k) momentum[nodes[k]] += p.mass[l] * random.mesh().shape[cell].value(k, x) * v;
+    for (int k = 0; k <= dim; ++k) v += random.state().dt * random.mesh().shape(cell).value(k, x) * random.grid().acceleration[nodes[k]];
+    for (int k = 0; k <= dim; ++k) momentum[nodes[k]] += p.mass[l] * random.mesh().shape(cell).value(k, x) * v;
   });
   for (Index i : random.grid().nodes) EXPECT_NEAR((random.grid().moved_velocity[i] - momentum[i] / random.grid().mass[i]).norm(), 0, 1e-12);
 }
