@@ -227,6 +227,22 @@ TYPED_TEST(Move, a_particle_that_leaves_the_mesh_ends_the_run_with_its_number_bo
   }
 }
 
+TYPED_TEST(Move, a_cell_that_gets_its_first_particle_gets_its_shape)
+{
+  constexpr int dim = TypeParam::value;
+  Problem<dim> problem = problem_on<dim>(shaken_box<dim>(), sample_solid(), 0);
+  const Mesh<dim>& mesh = problem.model.mesh;
+  Particles<dim>& particles = problem.state.particles[0];
+  const Index empty = 0, next = std::max(mesh.neighbor(empty, 0), mesh.neighbor(empty, 1));
+  while (particles.count_in(empty) > 0) particles.take(empty, 0);
+  particles.sort_occupied();
+  Work<dim> work(problem.model, problem.state);
+  work.movers[0].push_back({next, 0, empty});
+  change_cells(problem.model, problem.state, work, 0);
+  ASSERT_EQ(particles.count_in(empty), 1);
+  for (const Index cell : particles.occupied()) EXPECT_EQ(work.grids[0].gradients[cell], mesh.shape(cell).gradients) << cell;
+}
+
 TYPED_TEST(Move, a_particle_that_round_off_put_beyond_a_wall_is_brought_back_to_it)
 {
   constexpr int dim = TypeParam::value;

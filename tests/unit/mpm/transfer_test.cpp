@@ -168,6 +168,45 @@ TYPED_TEST(Transfer, mass_and_momentum_of_the_nodes_are_those_of_the_particles)
   EXPECT_NEAR(force.norm() / size, 0, 1e-14);  // internal forces give no momentum
 }
 
+TYPED_TEST(Transfer, a_node_has_no_mass_where_round_off_is_all_of_it)
+{
+  constexpr int dim = TypeParam::value;
+  for (const Real of_cell : {1e-13, 1e-6}) {  // what the node gets of the mass in the only cell with particles
+    auto problem = problem_on<dim>(shaken_box<dim>(), sample_solid(), 0);
+    const Mesh<dim>& mesh = problem.model.mesh;
+    Particles<dim>& particles = problem.state.particles[0];
+    for (Index cell = 1; cell < mesh.cell_count(); ++cell)
+      while (particles.count_in(cell) > 0) particles.take(cell, 0);
+    particles.sort_occupied();
+    const auto& nodes = mesh.nodes[0];
+    const Vec<dim> apex = mesh.position[nodes[0]], beside = (mesh.position[nodes[1]] + mesh.position[nodes[2]]) / 2;
+    for_each_particle(particles, [&](Block<dim>& p, int l) {
+      for (int d = 0; d < dim; ++d) p.x[d][l] = beside[d] + of_cell * (apex[d] - beside[d]);
+    });
+    Work<dim> work(problem.model, problem.state);
+    sum_moments(mesh, particles, work.grids[0]);
+    gather_mass_and_momentum(mesh, work.grids[0]);
+    EXPECT_EQ(work.grids[0].mass[nodes[0]] > 0, of_cell > 1e-9) << of_cell;
+    EXPECT_GT(work.grids[0].mass[nodes[1]], 0);
+  }
+}
+
+TYPED_TEST(Transfer, a_node_of_light_particles_beside_a_heavy_body_has_their_mass)
+{
+  constexpr int dim = TypeParam::value;
+  auto problem = problem_on<dim>(shaken_box<dim>(), sample_solid(), 0);
+  const Mesh<dim>& mesh = problem.model.mesh;
+  Particles<dim>& particles = problem.state.particles[0];
+  const Index node = mesh.nodes[0][0];
+  particles.visit([&](Index cell, Index b, int l) {
+    if (std::count(mesh.nodes[cell].begin(), mesh.nodes[cell].end(), node) > 0) particles.block(b).mass[l] *= 1e-12;
+  });
+  Work<dim> work(problem.model, problem.state);
+  sum_moments(mesh, particles, work.grids[0]);
+  gather_mass_and_momentum(mesh, work.grids[0]);
+  EXPECT_GT(work.grids[0].mass[node], 0);
+}
+
 template <int dim>
 void expect_no_force_of_a_uniform_stress(const Mesh<dim>& mesh)
 {
