@@ -74,7 +74,8 @@ void check_header(const std::string& found, BigIndex bytes, std::uint32_t crc)
   std::string line, berm, version;
   std::getline(lines, line);
   lines >> berm >> version;
-  if (found == header(bytes, crc, version))
+  const bool readable = std::all_of(version.begin(), version.end(), [](char c) { return c > ' ' && c <= '~'; });
+  if (readable && found == header(bytes, crc, version))
     throw RunError(
         fmt::format("it was written by berm {}, and this is berm " BERM_VERSION ": a run goes on with the version that began it", version));
   throw RunError("it is damaged");

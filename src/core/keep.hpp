@@ -33,11 +33,11 @@ public:
   {
     if constexpr (std::is_same_v<T, std::vector<Real>> || std::is_same_v<T, std::vector<Index>> ||
                   std::is_same_v<T, std::vector<BigIndex>> || std::is_same_v<T, std::string>) {
-      list(path_ + name, variable);
+      visit(name, variable);
     } else if constexpr (std::is_same_v<T, std::optional<Real>>) {
       std::vector<Real> numbers;
       if (variable) numbers.push_back(*variable);
-      list(path_ + name, numbers);
+      visit(name, numbers);
       if (numbers.size() > 1) refuse(path_ + name + " is not one number");
       variable = numbers.empty() ? std::nullopt : std::optional<Real>(numbers[0]);
     } else if constexpr (std::is_same_v<T, bool>) {
@@ -60,7 +60,7 @@ public:
   void fixed(const std::string& name, std::vector<T>& numbers)
   {
     const std::size_t count = numbers.size();
-    list(path_ + name, numbers);
+    visit(name, numbers);
     if (numbers.size() != count)
       refuse(path_ + name + " has " + std::to_string(numbers.size()) + " numbers instead of " + std::to_string(count));
   }
@@ -69,10 +69,10 @@ public:
   template <class Visit>
   void table(const std::string& name, const Visit& visit)
   {
-    const std::string outside = path_;
-    path_ += name + "/";
+    const std::size_t outside = path_.size();
+    (path_ += name) += '/';
     visit();
-    path_ = outside;
+    path_.resize(outside);
   }
 
 protected:
@@ -82,6 +82,14 @@ protected:
   virtual void list(const std::string& path, std::string& text) = 0;
 
 private:
+  template <class Values>
+  void visit(const std::string& name, Values& values)
+  {
+    const std::size_t outside = path_.size();
+    list(path_ += name, values);
+    path_.resize(outside);
+  }
+
   std::string path_;  ///< of the open table, "" or with "/" behind it
 };
 

@@ -18,6 +18,7 @@
 #include "problem/stages.hpp"
 
 #include <cstring>
+#include <memory>
 
 using namespace berm;
 
@@ -159,10 +160,16 @@ struct List {
   bool real;
   std::string bytes;
 
-  bool operator==(const List&) const = default;
   std::size_t count() const { return bytes.size() / width; }
 };
-using Lists = std::vector<List>;
+/// Lists that several share are copied only where they are changed.
+using Lists = std::vector<std::shared_ptr<const List>>;
+
+template <class Values>
+std::string_view bytes_of(const Values& values)
+{
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(typename Values::value_type)};
+}
 
 class ToLists : public Keep {
 public:
@@ -180,9 +187,34 @@ private:
   template <class Values>
   void add(const std::string& path, bool real, const Values& values)
   {
-    constexpr std::size_t width = sizeof(typename Values::value_type);
-    lists.push_back({path, width, real, {reinterpret_cast<const char*>(values.data()), values.size() * width}});
+    lists.push_back(std::make_shared<List>(List{path, sizeof(typename Values::value_type), real, std::string(bytes_of(values))}));
   }
+};
+
+/// Whether what is kept has the same bits.
+class Compares : public Keep {
+public:
+  explicit Compares(const Lists& lists) : lists_(lists) {}
+  bool reads() const override { return false; }
+  void refuse(const std::string& why) const override { throw RunError(why); }
+  bool same() const { return same_ && next_ == lists_.size(); }
+
+protected:
+  void list(const std::string& path, std::vector<Real>& numbers) override { compare(path, bytes_of(numbers)); }
+  void list(const std::string& path, std::vector<Index>& numbers) override { compare(path, bytes_of(numbers)); }
+  void list(const std::string& path, std::vector<BigIndex>& numbers) override { compare(path, bytes_of(numbers)); }
+  void list(const std::string& path, std::string& text) override { compare(path, text); }
+
+private:
+  void compare(const std::string& path, std::string_view bytes)
+  {
+    same_ = same_ && next_ < lists_.size() && lists_[next_]->name == path && lists_[next_]->bytes == bytes;
+    ++next_;
+  }
+
+  const Lists& lists_;
+  std::size_t next_ = 0;
+  bool same_ = true;
 };
 
 class FromLists : public Keep {
@@ -201,8 +233,8 @@ private:
   template <class Values>
   void put(const std::string& path, Values& values)
   {
-    if (next_ >= lists_.size() || lists_[next_].name != path) refuse("it has no " + path);
-    const List& found = lists_[next_++];
+    if (next_ >= lists_.size() || lists_[next_]->name != path) refuse("it has no " + path);
+    const List& found = *lists_[next_++];
     values.resize(found.count());
     if (!values.empty()) std::memcpy(values.data(), found.bytes.data(), found.bytes.size());
   }
@@ -221,7 +253,8 @@ void change(Lists& lists, Input& input)
 {
   const auto what = input.take<std::uint8_t>();
   const std::size_t which = input.take<std::uint8_t>() % lists.size();
-  List& list = lists[which];
+  const auto changed = std::make_shared<List>(*lists[which]);
+  List& list = *changed;
   const std::size_t place = list.count() == 0 ? 0 : input.take<std::uint8_t>() % list.count();
   char* number = list.bytes.data() + place * list.width;
   switch (what % 6) {
@@ -247,24 +280,26 @@ void change(Lists& lists, Input& input)
     if (list.count() > 0) list.bytes.replace(place * list.width, list.width, list.bytes.substr(0, list.width));
     break;
   case 4: {
-    const List& other = lists[input.take<std::uint8_t>() % lists.size()];
-    if (other.width == list.width) list.bytes = std::string(other.bytes);
+    const List& other = *lists[input.take<std::uint8_t>() % lists.size()];
+    if (other.width == list.width) list.bytes = other.bytes;
     break;
   }
   default:
     lists.erase(lists.begin() + static_cast<std::ptrdiff_t>(which));
+    return;
   }
+  lists[which] = changed;
 }
 
-/// Two bodies, a disk (sphere) that is pushed and dragged, few cells, some of them with more particles than a block holds. 0 to 3: a third number of
-/// gravity, of a centre, of a size, of cells; 4: dimension; 5: cells along a side; 6: spacing; 7: more supports.
+/// Two bodies, a disk (cylinder) that is pushed and dragged, as few cells as hold all that, one of them with more particles than a block holds. 0 to 3: a
+/// third number of gravity, of a centre, of a size, of cells; 4: dimension; 5: more supports.
 constexpr const char* small_case = R"(dimension = {4}
 gravity = [0, -10{0}]
 surface = 0.5
-mesh = {{kind = "box", size = [1, 1{2}], cells = [{5}, {5}{3}]}}
+mesh = {{kind = "box", size = [1, 1{2}], cells = [2, 1{3}]}}
 material.sand = {{law = "mohr_coulomb", density = 1600, young_modulus = 1e6, poisson_ratio = 0.3, friction_angle = 0.6, dilation_angle = 0.1}}
 material.solid = {{law = "linear_elastic", density = 1500, young_modulus = 1e6, poisson_ratio = 0.3}}
-body.left = {{material = "sand", block = {{center = [0.25, 0.25{1}], size = [0.5, 0.5{2}], spacing = {6}}}}}
+body.left = {{material = "sand", block = {{center = [0.25, 0.25{1}], size = [0.5, 0.5{2}], spacing = 0.17}}}}
 body.right = {{material = "solid", damping = 0.1, block = {{center = [0.75, 0.25{1}], size = [0.5, 0.5{2}], spacing = 0.25}}}}
 rigid.disk = {{shape = "circle", center = [0.3, 0.62{1}], diameter = 0.24, mass = 10}}
 contact.skin = {{body = "left", rigid = "disk", friction_angle = 0.4}}
@@ -272,7 +307,7 @@ contact.between = {{body = "left", other_body = "right", friction_angle = 0.3}}
 support.base = {{boundary = "bottom", fixed = ["x", "y"]}}
 support.left = {{boundary = "left", fixed = ["x"]}}
 support.right = {{boundary = "right", fixed = ["x"]}}
-{7}
+{5}
 watch.mark = {{body = "right", point = [0.7, 0.3{1}]}}
 stage = [{{name = "push", kind = "push", velocity = 0.25, until.time = 1}},
          {{name = "drag", kind = "drag", velocity = 0.25, until.displacement = 0.01}}]
@@ -283,7 +318,7 @@ Problem<dim> small_problem()
 {
   const auto third = [](const char* text) { return dim == 3 ? text : ""; };
   const std::string text =
-      fmt::format(small_case, third(", 0"), third(", 0.5"), third(", 1"), third(", 1"), dim, 2, dim == 2 ? 0.1 : 0.2,
+      fmt::format(small_case, third(", 0"), third(", 0.125"), third(", 0.25"), third(", 1"), dim,
                   third("support.front = {boundary = \"front\", fixed = [\"z\"]}\nsupport.back = {boundary = \"back\", fixed = [\"z\"]}"));
   return build<dim>(read_case_text("small.toml", text), "", "/dev/shm");
 }
@@ -297,7 +332,9 @@ public:
     Work<dim> work(problem_.model, problem_.state);
     for (int n = 0; n < 37; ++n) step(problem_.model, problem_.state, work);
     frame_maker_.make(problem_.state);
-    whole_ = lists();
+    ToLists to;
+    keep(to);
+    whole_ = to.lists;
   }
 
   void read_changed(Input input)
@@ -308,7 +345,9 @@ public:
     if (may_be_refused([&] { keep(from); })) may_be_refused([&] { go_on(); });
     FromLists again(whole_);
     keep(again);
-    promise(lists() == whole_, "a checkpoint gives its bits back whatever was read before", "");
+    Compares compares(whole_);
+    keep(compares);
+    promise(compares.same(), "a checkpoint gives its bits back whatever was read before", "");
   }
 
 private:
@@ -316,12 +355,6 @@ private:
   {
     k.table("increments", [&] { frame_maker_.keep(k); });
     k.table("state", [&] { berm::keep(k, problem_.model, problem_.state); });
-  }
-  Lists lists()
-  {
-    ToLists to;
-    keep(to);
-    return to.lists;
   }
   void go_on() const
   {
@@ -354,6 +387,12 @@ void change_state(Input input)
 extern "C" const char* __lsan_default_suppressions()
 {
   return "leak:libhdf5";
+}
+
+/// HDF5 asks for as much memory as a damaged table names, and says so where it does not get it.
+extern "C" const char* __asan_default_options()
+{
+  return "allocator_may_return_null=1:max_allocation_size_mb=4096";
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
