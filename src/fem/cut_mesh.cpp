@@ -232,7 +232,7 @@ Mesh<2> make_cut_mesh(const Case& c, const fs::path& case_folder, const fs::path
   Mesh<2> mesh = read_msh<2>(msh);
   name_regions(mesh, *bed);
   // The space above the bed is not in this mesh, so a support of its top holds nothing.
-  mesh.boundary_names.push_back("top");
+  mesh.boundary_names.emplace_back("top");
   mesh.boundary_nodes.emplace_back();
   return mesh;
 }
