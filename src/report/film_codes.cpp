@@ -4,6 +4,7 @@
 #include "output/round_up.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace berm {
 namespace {
@@ -42,7 +43,7 @@ FilmGrid::FilmGrid(const FilmBox& box) : lower(box.lower), step((box.upper - box
 
 std::uint16_t FilmGrid::code(Real x, int d) const
 {
-  return static_cast<std::uint16_t>(std::clamp((x - lower[d]) / step, 0., most_code) + 0.5);
+  return static_cast<std::uint16_t>(std::lround(std::clamp((x - lower[d]) / step, 0., most_code)));
 }
 
 std::string position_bytes(const std::vector<const FilmFrame*>& frames, const FilmGrid& grid)
@@ -68,7 +69,7 @@ std::string position_bytes(const std::vector<const FilmFrame*>& frames, const Fi
 std::string size_bytes(const std::vector<float>& sizes, const FilmGrid& grid)
 {
   std::vector<std::uint16_t> codes;
-  for (const float size : sizes) codes.push_back(static_cast<std::uint16_t>(std::clamp(size / grid.step, 1., most_code) + 0.5));
+  for (const float size : sizes) codes.push_back(static_cast<std::uint16_t>(std::lround(std::clamp(size / grid.step, 1., most_code))));
   return bytes_of(codes);
 }
 
@@ -96,7 +97,7 @@ std::string field_bytes(const std::vector<float>& values, std::size_t count, Rea
   std::vector<std::uint8_t> before(count, 0);
   for (std::size_t first = 0; first < values.size(); first += count)
     for (std::size_t k = 0; k < count; ++k) {
-      const auto now = static_cast<std::uint8_t>(std::clamp(values[first + k] / high, 0., 1.) * 255 + 0.5);
+      const auto now = static_cast<std::uint8_t>(std::lround(std::clamp(values[first + k] / high, 0., 1.) * 255));
       bytes[first + k] = static_cast<char>(now - before[k]);
       before[k] = now;
     }
