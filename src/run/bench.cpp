@@ -255,7 +255,7 @@ nlohmann::ordered_json measure_speed(const char* name, const Case& c, int thread
 std::vector<std::string> bench_names()
 {
   std::vector<std::string> names;
-  for (const BenchProblem& bench : problems) names.push_back(bench.name);
+  for (const BenchProblem& bench : problems) names.emplace_back(bench.name);
   return names;
 }
 

@@ -127,7 +127,9 @@ RunSize size_of(const Problem<dim>& problem)
   size.nodes = problem.model.mesh.node_count();
   for (const Particles<dim>& particles : problem.state.particles) {
     RunSize::OfBody body{static_cast<Real>(particles.size()), static_cast<Real>(particles.occupied().size()), 0, particles.state_size()};
-    for (const Index cell : particles.occupied()) body.blocks += (particles.count_in(cell) + lanes - 1) / lanes;
+    BigIndex blocks = 0;
+    for (const Index cell : particles.occupied()) blocks += (particles.count_in(cell) + lanes - 1) / lanes;
+    body.blocks = static_cast<Real>(blocks);
     size.bodies.push_back(body);
   }
   return size;

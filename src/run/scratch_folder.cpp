@@ -5,8 +5,8 @@
 #include "output/whole_file.hpp"
 
 #include <cerrno>
+#include <cstdlib>
 #include <cstring>
-#include <stdlib.h>
 #include <string>
 
 namespace berm {

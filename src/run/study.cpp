@@ -68,8 +68,7 @@ Case read_row(const fs::path& file, const StudyRow& row)
 /// The numbers of a row; says once for each measure why it has none.
 void take_numbers(StudyRow& row, const Study& study, std::vector<std::string>& told)
 {
-  for (std::size_t k = 0; k < study.measure.size(); ++k) {
-    const StudyMeasure& measure = study.measure[k];
+  for (const StudyMeasure& measure : study.measure) {
     row.numbers.push_back(std::numeric_limits<Real>::quiet_NaN());
     const bool wanted = measure.cases.empty() || std::find(measure.cases.begin(), measure.cases.end(), row.names[0]) != measure.cases.end();
     if (row.end.kind != JobEnd::Kind::finished || !wanted) continue;
