@@ -37,9 +37,10 @@ void free_zero_memory(void* memory, std::size_t bytes) noexcept
 
 void ask_for_huge_pages(void* memory, std::size_t bytes)
 {
-  const auto begin = reinterpret_cast<std::uintptr_t>(memory);
-  const std::uintptr_t first = (begin + huge_page - 1) / huge_page * huge_page, end = (begin + bytes) / huge_page * huge_page;
-  if (first < end) ::madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);  // where it fails, all goes on, only slower
+  const std::size_t before = (huge_page - reinterpret_cast<std::uintptr_t>(memory) % huge_page) % huge_page;
+  if (bytes < before + huge_page) return;
+  // Where it fails, all goes on, only slower.
+  ::madvise(static_cast<char*>(memory) + before, (bytes - before) / huge_page * huge_page, MADV_HUGEPAGE);
 }
 
 }  // namespace berm
