@@ -80,7 +80,8 @@ void restart_with_settings(char** argv)
   // Where the loader was called by name, it is the program that would be started.
   if (error || program.filename().string().starts_with("ld-") || setenv(spins, "10000", 1) != 0) return;
   setenv("OPENBLAS_NUM_THREADS", "1", 0);  // its threads gain nothing on matrices of this size, and spin
-  execv(program.c_str(), argv);            // where this fails, the run goes on, only slower
+  // Where this fails, the run goes on, only slower.
+  execv(program.c_str(), argv);
 }
 
 }  // namespace berm

@@ -5,14 +5,13 @@
 #include "core/timer.hpp"
 #include "mpm/step.hpp"
 #include "output/whole_file.hpp"
+#include "run/memory.hpp"
 #include "run/scratch_folder.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <fstream>
 #include <malloc.h>
 #include <nlohmann/json.hpp>
-#include <unistd.h>
 
 namespace berm {
 namespace {
@@ -173,16 +172,6 @@ Demand demand_of(const Particles<dim>& particles, const BodyGrid<dim>& grid)
   const Real count = static_cast<Real>(particles.size());
   const Real bytes = (blocks * of_block + cells * of_cell + nodes * of_node) / count;
   return {bytes, dim == 2 ? flops_of_lane + cells * flops_of_cell / count : no_number};
-}
-
-/// Memory that this process has for its data, bytes: not what it shares with files, such as its program, and nothing that has been freed.
-Real memory_of_data()
-{
-  ::malloc_trim(0);
-  std::ifstream file("/proc/self/statm");
-  Real all = no_number, resident = no_number, shared = no_number;
-  file >> all >> resident >> shared;
-  return (resident - shared) * static_cast<Real>(sysconf(_SC_PAGESIZE));
 }
 
 /// A number for the table, or a dash where there is none.

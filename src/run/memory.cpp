@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
+#include <malloc.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -165,6 +166,12 @@ Real memory_of(const RunSize& size)
 Real memory_in_use()
 {
   return page_count(1);
+}
+
+Real memory_of_data()
+{
+  ::malloc_trim(0);
+  return page_count(1) - page_count(2);
 }
 
 Real memory_left()

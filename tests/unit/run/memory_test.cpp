@@ -6,7 +6,6 @@
 #include "output/frame_maker.hpp"
 
 #include <gtest/gtest.h>
-#include <malloc.h>
 
 namespace berm {
 namespace {
@@ -43,26 +42,19 @@ Case bed(Real n, bool as_block)
   return c;
 }
 
-/// Of the machine's memory, without what has been freed.
-Real taken()
-{
-  ::malloc_trim(0);
-  return memory_in_use();
-}
-
 TEST(Memory, is_foretold_as_it_is_taken)
 {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer keeps what is freed";
 #endif
   const Case c = bed(150, false);
-  const Real before = taken();
+  const Real before = memory_of_data();
   Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
   Work<2> work(problem.model, problem.state);
   step(problem.model, problem.state, work);
   FrameMaker<2> maker(problem.model, problem.state);
   const Frame<2> first = maker.make(problem.state), second = maker.make(problem.state);
-  EXPECT_NEAR(memory_of<2>(size_of(problem)) / (taken() - before), 1, 0.1);
+  EXPECT_NEAR(memory_of<2>(size_of(problem)) / (memory_of_data() - before), 1, 0.1);
 }
 
 TEST(Memory, is_at_least_what_the_case_alone_tells)
