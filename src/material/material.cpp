@@ -35,6 +35,11 @@ int state_size(const Material& material)
   return std::visit([](const auto& law) { return law.state_size; }, material);
 }
 
+bool yields(const Material& material)
+{
+  return !std::holds_alternative<LinearElastic>(material);
+}
+
 bool dilates(const Material& material)
 {
   const auto* law = std::get_if<MohrCoulomb>(&material);

@@ -27,6 +27,9 @@ Elasticity elasticity(const Material& material);
 /// The modulus that gives the speed of pressure waves sqrt(M / density), Pa.
 Real p_wave_modulus(const Material& material);
 
+/// Whether its strength has a limit, as that of soil has.
+bool yields(const Material& material);
+
 /// Whether shearing the material at yield makes its volume grow.
 bool dilates(const Material& material);
 

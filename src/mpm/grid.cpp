@@ -15,8 +15,13 @@ BodyGrid<dim>::BodyGrid(const Mesh<dim>& mesh)
       viscous_stress(CellField<Real>::zeros(mesh.cell_count())),
       gradients(CellField<Gradients<dim>>::zeros(mesh.cell_count())),
       height(CellField<Real>::zeros(mesh.cell_count())),
+      volume(CellField<Real>::zeros(mesh.cell_count())),
+      weight(CellField<Real>::zeros(mesh.cell_count())),
       mass(NodeField<Real>::zeros(mesh.node_count())),
+      volume_around(NodeField<Real>::zeros(mesh.node_count())),
+      fill(NodeField<Real>::zeros(mesh.node_count())),
       velocity(NodeField<Vec<dim>>::zeros(mesh.node_count())),
+      smooth_velocity(NodeField<Vec<dim>>::zeros(mesh.node_count())),
       acceleration(NodeField<Vec<dim>>::zeros(mesh.node_count())),
       moved_velocity(NodeField<Vec<dim>>::zeros(mesh.node_count())),
       touching(NodeField<std::uint8_t>::zeros(mesh.node_count())),
@@ -29,7 +34,15 @@ template <int dim>
 void BodyGrid<dim>::enter(const Mesh<dim>& mesh, Index cell)
 {
   gradients[cell] = mesh.shape(cell).gradients;
-  if (bulk_viscosity > 0) height[cell] = mesh.height(cell);
+  if (bulk_viscosity > 0 || filter_speed > 0) height[cell] = mesh.height(cell);
+  if (!full_cells) return;
+  for (Index node : mesh.nodes[cell])
+    if (!(volume_around[node] > 0))
+      for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
+        const Index around = mesh.entries[e] / (dim + 1);
+        volume[around] = mesh.volume(around);
+        volume_around[node] += volume[around];
+      }
 }
 
 template <int dim>
@@ -52,7 +65,12 @@ Work<dim>::Work(const Model<dim>& model, const State<dim>& state) : contact_poin
     grids.emplace_back(model.mesh);
     find_nodes(model.mesh, state.particles[b], grids[b]);
     const Material& material = model.bodies[b].material;
-    if (dilates(material)) grids[b].bulk_viscosity = model.mpm.bulk_viscosity * std::sqrt(p_wave_modulus(material) * density(material));
+    grids[b].full_cells = model.mpm.quadrature == Quadrature::full_cells;
+    if (yields(material)) {
+      const Real wave_speed = std::sqrt(p_wave_modulus(material) / density(material));
+      grids[b].bulk_viscosity = model.mpm.bulk_viscosity * density(material) * wave_speed;
+      if (!model.update_stress_first) grids[b].filter_speed = model.mpm.velocity_filter * wave_speed;
+    }
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);
     grids[b].whole_mass = measure(state.particles[b]).mass;
     const auto prepared = [](const auto& law) { return PreparedMaterial(prepare(law)); };

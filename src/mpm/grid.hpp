@@ -19,8 +19,8 @@ struct Moments {
   Real mxx[pairs] = {};     ///< sum m x_a x_b, place pair(a, b)
   Real mv[dim] = {};        ///< sum m v
   Real mvx[dim][dim] = {};  ///< [d][a]: sum m v_d x_a
-  Real volume = 0;          ///< sum V
-  Real stress[pairs] = {};  ///< sum V sigma_ab, place pair(a, b), N m
+  Real volume = 0;          ///< sum V; in a full cell, the volume that the cell stands for (mpm/quadrature.hpp)
+  Real stress[pairs] = {};  ///< sum V sigma_ab, place pair(a, b), N m; scaled with the volume
 
   static constexpr int pair(int a, int b)
   {
@@ -34,6 +34,7 @@ template <int dim>
 struct CornerSums {
   Real sum[dim];  ///< its momentum in step 1, kg m/s; then the internal force, N; then its momentum after step 5
   Real mass;      ///< sum m N_k, kg
+  Real volume;    ///< sum V of the whole cell, the same for all its corners
 };
 
 /// The nodal fields of one body and the sums that make them; no sum outlives a step. Those of cells are zero where a cell has no particles. All
@@ -43,15 +44,22 @@ struct BodyGrid {
   CellField<Moments<dim>> moments;
   CellField<std::array<CornerSums<dim>, dim + 1>> corners;
   CellField<Real> volume_change;   ///< sum V times div(v) dt of the cell
-  CellField<Real> viscous_stress;  ///< Pa, tension positive; 0 where the body does not dilate
+  CellField<Real> viscous_stress;  ///< Pa, tension positive; 0 where the body has no bulk viscosity
   Real bulk_viscosity = 0;         ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
+  Real filter_speed = 0;           ///< m/s: over a cell's height, the rate at which the filter pulls particle velocities
   Real whole_mass = infinity;      ///< of the body, kg
 
   CellField<Gradients<dim>> gradients;  ///< of the shape functions, for cells that have or had particles
-  CellField<Real> height;               ///< m, of the same cells where the body dilates
+  CellField<Real> height;               ///< m, of the same cells where the body has a bulk viscosity or the filter
+  CellField<Real> volume;               ///< m2 (per metre run) or m3, of the cell
+  CellField<Real> weight;               ///< volume that the cell stands for over sum V, of cells with particles
+  bool full_cells = false;              ///< cells within the body stand for their own volume
 
   NodeField<Real> mass;
+  NodeField<Real> volume_around;           ///< m2 (per metre run) or m3: of all cells around a node that has or had particles in one
+  NodeField<Real> fill;                    ///< part of it that particles fill
   NodeField<Vec<dim>> velocity;            ///< v^t
+  NodeField<Vec<dim>> smooth_velocity;     ///< v^t of second order in the particles', towards which the filter pulls them; 0 without it
   NodeField<Vec<dim>> acceleration;        ///< corrected, step 4
   NodeField<Vec<dim>> moved_velocity;      ///< v^(t+1) of steps 7 and 8: moves and strains the particles
   NodeField<std::uint8_t> touching;        ///< 1: near a contact; damping leaves it alone
@@ -68,6 +76,16 @@ struct BodyGrid {
   [[gnu::always_inline]] Shape<dim> shape(const Mesh<dim>& mesh, Index cell) const
   {
     return {mesh.position[mesh.nodes[cell][0]], gradients[cell]};
+  }
+  /// The part of what a particle's velocity has beyond the smooth one that the filter takes out in a step.
+  [[gnu::always_inline]] Real filtered_part(Index cell, Real dt) const
+  {
+    return filter_speed > 0 ? std::min(Real(1), dt * filter_speed / height[cell]) : 0;
+  }
+  /// What a particle at the node would gain in step 5 where the filter takes out `part`, besides losing that part of its velocity, m/s.
+  [[gnu::always_inline]] Real gain(Index node, int d, Real dt, Real part) const
+  {
+    return dt * acceleration[node][d] + part * smooth_velocity[node][d];
   }
   /// What the cell of an entry of the mesh gives to the node.
   const CornerSums<dim>& at(CornerEntry e) const { return corners.data()->data()[e]; }

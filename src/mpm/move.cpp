@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/for_each.hpp"
+#include "mpm/linear_field.hpp"
 #include "mpm/sound.hpp"
 
 #include <algorithm>
@@ -11,29 +12,6 @@
 
 namespace berm {
 namespace {
-
-/// A field that is linear within the cell: value(x) = c + sum_a slope[a] x_a.
-template <int dim>
-struct LinearField {
-  Real c[dim] = {}, slope[dim][dim] = {};  // slope[d][a]
-
-  [[gnu::always_inline]] LinearField(const Shape<dim>& shape, const std::array<Index, dim + 1>& nodes, const NodeField<Vec<dim>>& field)
-  {
-    for (int d = 0; d < dim; ++d) {
-      c[d] = field[nodes[0]][d];
-      for (int k = 1; k <= dim; ++k)
-        for (int a = 0; a < dim; ++a) slope[d][a] += shape.gradients[k - 1][a] * (field[nodes[k]][d] - field[nodes[0]][d]);
-      for (int a = 0; a < dim; ++a) c[d] -= slope[d][a] * shape.origin[a];
-    }
-  }
-  template <class V>
-  [[gnu::always_inline]] V at(int d, const V* x) const
-  {
-    V value = c[d] + slope[d][0] * x[0];
-    for (int a = 1; a < dim; ++a) value += slope[d][a] * x[a];
-    return value;
-  }
-};
 
 /// Strain increment, spin and dilation that a whole cell shares.
 template <int dim>
@@ -80,25 +58,6 @@ template <class V>
     }
 }
 
-/// Replaces the stress of all particles of a full cell by their volume average (MPM-MIXED).
-template <int dim>
-void average_stress(const Mesh<dim>& mesh, Particles<dim>& particles, Index cell)
-{
-  constexpr Real full = 0.9;  // part of the cell that particles fill
-  Lanes volume{}, total[tensor_size<dim>]{};
-  Index left = particles.count_in(cell);
-  for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) {
-    const Block<dim>& p = particles.block(b);
-    volume += p.volume;
-    for (int k = 0; k < tensor_size<dim>; ++k) total[k] += p.volume * p.stress[k];
-  }
-  if (sum(volume) < full * mesh.volume(cell)) return;
-  left = particles.count_in(cell);
-  for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
-    for (int k = 0; k < tensor_size<dim>; ++k)
-      particles.block(b).stress[k] = lane_numbers < all_lanes(left) ? all_lanes(sum(total[k]) / sum(volume)) : Lanes{};
-}
-
 /// A point that round-off put beyond a face is moved onto it: negative shape functions become zero. True where it was no more than that.
 template <int dim>
 bool bring_back(const Mesh<dim>& mesh, Index cell, Vec<dim>& x)
@@ -134,6 +93,28 @@ template <int dim, class Law, class V>
   for (int k = 0; k < Law::state_size; ++k) state[k] = spent ? spent_state[k] : state[k];
 }
 
+/// What a pass over the particles takes to the totals, J.
+struct WorkDone {
+  Real internal = 0;
+  Real filtered = 0;  ///< kinetic energy that the filter takes out
+
+  WorkDone& operator+=(const WorkDone& other)
+  {
+    internal += other.internal;
+    filtered += other.filtered;
+    return *this;
+  }
+};
+
+/// The kinetic energy that the particles of a cell have gained once they have the velocity v + dt a.
+template <int dim>
+Real kinetic_gain(const LinearField<dim>& acceleration, const Moments<dim>& t, Real dt)
+{
+  Real ma[dim], max[dim][dim];
+  for (int d = 0; d < dim; ++d) ma[d] = acceleration.momentum(d, t, max[d]);
+  return dt * (acceleration.dot(t.mv, t.mvx) + 0.5 * dt * acceleration.dot(ma, max));
+}
+
 /// What a pass over the particles does; the steps of the paper that are meant.
 enum class Pass {
   both,    ///< 5, 9-11
@@ -152,7 +133,7 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
   const Real least_volume = model.mpm.least_volume_ratio * per_density, most_volume = model.mpm.most_volume_ratio * per_density;
   for (auto& list : work.movers) list.clear();
 
-  state.totals.internal += sum_of<Real>("move and strain particles", static_cast<Index>(particles.occupied().size()), [&](Index c) {
+  const WorkDone work_done = sum_of<WorkDone>("move and strain particles", static_cast<Index>(particles.occupied().size()), [&](Index c) {
     const Index cell = particles.occupied()[c];
     particles.prefetch_after(c);
     const auto& nodes = mesh.nodes[cell];
@@ -160,7 +141,9 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
     Real at_zero[dim] = {};  // N_k where all coordinates are zero
     for (int k = 0; k < dim; ++k)
       for (int d = 0; d < dim; ++d) at_zero[k] -= shape.gradients[k][d] * shape.origin[d];
-    const LinearField<dim> acceleration(shape, nodes, grid.acceleration), velocity(shape, nodes, grid.moved_velocity);
+    const Real filtered = pass == Pass::both ? grid.filtered_part(cell, dt) : 0, unfiltered = 1 - filtered;
+    const LinearField<dim> gain(shape, nodes, [&](Index i, int d) { return grid.gain(i, d, dt, filtered); }),
+        velocity(shape, nodes, grid.moved_velocity);
     CellStrain<dim> cell_strain(velocity, dt);
     if (pass != Pass::move && model.mpm.volumetric_projection) {
       Real volume = 0, change = 0;
@@ -172,7 +155,7 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
     }
     const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
 
-    Real work_done = 0;  // with the mean of old and new stress
+    WorkDone done;
     particles.parts(cell, [&](const auto& part) {
       using V = typename std::decay_t<decltype(part)>::Vector;
       using Mask = typename Part<V>::Mask;
@@ -180,14 +163,17 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
       const Mask alive = part.alive();
       V least_shape = 1 - V{};
       if constexpr (pass != Pass::strain) {
-        V old_x[dim], x[dim];
+        V old_x[dim], x[dim], kinetic_loss{};
         for (int d = 0; d < dim; ++d) old_x[d] = part.get(p.x[d], q.x[d]);
         for (int d = 0; d < dim; ++d) {
           const V v = part.get(p.v[d], q.v[d]);
-          part.set(p.v[d], q.v[d], alive ? v + dt * acceleration.at(d, old_x) : v);
+          const V new_v = alive ? unfiltered * v + gain.at(d, old_x) : v;
+          part.set(p.v[d], q.v[d], new_v);
+          if (filtered > 0) kinetic_loss += part.get(p.mass, q.mass) * (v * v - new_v * new_v);
           x[d] = alive ? old_x[d] + dt * velocity.at(d, old_x) : old_x[d];
           part.set(p.x[d], q.x[d], x[d]);
         }
+        if (filtered > 0) done.filtered += 0.5 * sum(kinetic_loss);
         V of_corner_0 = 1 - V{};
         for (int k = 0; k < dim; ++k) {
           V n = at_zero[k] + shape.gradients[k][0] * x[0];
@@ -214,7 +200,7 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
           both_stresses[k] += kept;
           part.set(p.stress[k], q.stress[k], kept);
         }
-        work_done += sum(0.5 * volume * double_dot(both_stresses, strain));
+        done.internal += sum(0.5 * volume * double_dot(both_stresses, strain));
         part.set(p.volume, q.volume, smaller(larger(volume * stretch, mass * least_volume), mass * most_volume));
         part.set(p.deviatoric_strain, q.deviatoric_strain, part.get(p.deviatoric_strain, q.deviatoric_strain) + deviatoric);
       }
@@ -234,11 +220,13 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
               work.movers[omp_get_thread_num()].push_back({cell, part.place + l, in_mesh ? found.cell : none});
           }
     });
-    if (pass != Pass::move && model.mpm.mixed_stress) average_stress(mesh, particles, cell);
-
-    if (pass == Pass::move) return Real(0);
-    return work_done + grid.moments[cell].volume * grid.viscous_stress[cell] * cell_strain.dilation;
+    if (filtered > 0) done.filtered += kinetic_gain(LinearField<dim>(shape, nodes, grid.acceleration), grid.moments[cell], dt);
+    if (grid.full_cells) done.internal *= grid.weight[cell];
+    if (pass != Pass::move) done.internal += grid.moments[cell].volume * grid.viscous_stress[cell] * cell_strain.dilation;
+    return done;
   });
+  state.totals.internal += work_done.internal;
+  state.totals.damping += work_done.filtered;
 }
 
 template <Pass pass, int dim>

@@ -4,6 +4,7 @@
 #include "mpm/balance.hpp"
 #include "mpm/contact.hpp"
 #include "mpm/move.hpp"
+#include "mpm/quadrature.hpp"
 #include "mpm/time_step.hpp"
 #include "mpm/transfer.hpp"
 #include "problem/stages.hpp"
@@ -19,6 +20,8 @@ void update_stress_last(const Model<dim>& model, State<dim>& state, Work<dim>& w
   for (Index b = 0; b < bodies; ++b) {
     sum_moments(model.mesh, state.particles[b], work.grids[b]);  // 1: sums over the particles of each cell
     gather_mass_and_momentum(model.mesh, work.grids[b]);         // 1: (1), and velocities before the step
+    integrate_full_cells(model, state.particles[b], work.grids[b]);
+    smooth_velocities(model.mesh, state.particles[b], work.grids[b]);
     find_viscous_stress(model, state.particles[b], work.grids[b]);
     spread_internal_forces(model, state.particles[b], work.grids[b]);  // 1: (2)
   }
@@ -47,6 +50,7 @@ void update_stress_first(const Model<dim>& model, State<dim>& state, Work<dim>& 
   for (Index b = 0; b < bodies; ++b) {
     sum_moments(model.mesh, state.particles[b], work.grids[b]);
     gather_mass_and_momentum(model.mesh, work.grids[b]);
+    integrate_full_cells(model, state.particles[b], work.grids[b]);
     find_viscous_stress(model, state.particles[b], work.grids[b]);
     predict_velocities(model, 0, work.grids[b]);  // those before the step, with the supports
   }
@@ -57,6 +61,7 @@ void update_stress_first(const Model<dim>& model, State<dim>& state, Work<dim>& 
     if (model.mpm.volumetric_projection) sum_volume_changes(model.mesh, state.particles[b], state.dt, work.grids[b]);
     strain_particles(model, state, work, b);
     sum_moments(model.mesh, state.particles[b], work.grids[b]);
+    integrate_full_cells(model, state.particles[b], work.grids[b]);
     spread_internal_forces(model, state.particles[b], work.grids[b]);
     solve_momentum_balance(model, state, work, b);
   }

@@ -2,6 +2,7 @@
 #include "mpm/transfer.hpp"
 
 #include "core/for_each.hpp"
+#include "mpm/linear_field.hpp"
 
 namespace berm {
 namespace {
@@ -117,6 +118,7 @@ void sum_moments(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGri
     auto& corners = grid.corners[cell];
     for (int d = 0; d < dim; ++d) share_among_corners<dim>(shape, t.mv[d], t.mvx[d], [&](int k, Real sum) { corners[k].sum[d] = sum; });
     share_among_corners<dim>(shape, t.m, t.mx, [&](int k, Real sum) { corners[k].mass = sum; });
+    for (CornerSums<dim>& corner : corners) corner.volume = t.volume;
   });
 }
 
@@ -156,7 +158,9 @@ void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid)
       const CornerSums<dim>& corner = grid.at(mesh.entries[e]);
       for (int d = 0; d < dim; ++d) total.sum[d] += corner.sum[d];
       total.mass += corner.mass;
+      total.volume += corner.volume;
     }
+    if (grid.full_cells) grid.fill[i] = total.volume / grid.volume_around[i];
     // Most nodes have more than that part of the whole body.
     if (!(total.mass > least_mass_part * grid.whole_mass) && !(total.mass > least_mass_part * mass_of_cells(mesh, grid, i))) total.mass = 0;
     const Real per_mass = total.mass > 0 ? 1 / total.mass : 0;
@@ -231,6 +235,31 @@ void spread_internal_forces(const Model<dim>& model, const Particles<dim>& parti
 }
 
 template <int dim>
+void smooth_velocities(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid<dim>& grid)
+{
+  if (!(grid.filter_speed > 0)) return;
+  const auto& occupied = particles.occupied();
+  for_each("momentum of nodal velocities", static_cast<Index>(occupied.size()), [&](Index c) {
+    const Index cell = occupied[c];
+    const Shape<dim> shape = grid.shape(mesh, cell);
+    const LinearField<dim> velocity(shape, mesh.nodes[cell], grid.velocity);
+    auto& corners = grid.corners[cell];
+    for (int d = 0; d < dim; ++d) {
+      Real times_x[dim];
+      const Real momentum = velocity.momentum(d, grid.moments[cell], times_x);
+      share_among_corners<dim>(shape, momentum, times_x, [&](int k, Real sum) { corners[k].sum[d] = sum; });
+    }
+  });
+  for_each("smooth velocities", static_cast<Index>(grid.nodes.size()), [&](Index n) {
+    const Index i = grid.nodes[n];
+    Vec<dim> momentum = Vec<dim>::Zero();
+    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e)
+      momentum += Eigen::Map<const Vec<dim>>(grid.at(mesh.entries[e]).sum);
+    grid.smooth_velocity[i] = grid.mass[i] > 0 ? Vec<dim>(2 * grid.velocity[i] - momentum / grid.mass[i]) : Vec<dim>(Vec<dim>::Zero());
+  });
+}
+
+template <int dim>
 void spread_new_momentum(const Mesh<dim>& mesh, const Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
   const auto& occupied = particles.occupied();
@@ -238,22 +267,13 @@ void spread_new_momentum(const Mesh<dim>& mesh, const Particles<dim>& particles,
     const Index cell = occupied[c];
     const Moments<dim>& t = grid.moments[cell];
     const Shape<dim> shape = grid.shape(mesh, cell);
-    const auto& nodes = mesh.nodes[cell];
+    const Real part = grid.filtered_part(cell, dt);
+    const LinearField<dim> gain(shape, mesh.nodes[cell], [&](Index i, int d) { return grid.gain(i, d, dt, part); });
     auto& corners = grid.corners[cell];
     for (int d = 0; d < dim; ++d) {
-      Real a0 = grid.acceleration[nodes[0]][d], slope[dim] = {};  // a(x) = a0 + slope . x
-      for (int k = 1; k <= dim; ++k)
-        for (int e = 0; e < dim; ++e)
-          slope[e] += shape.gradients[k - 1][e] * (grid.acceleration[nodes[k]][d] - grid.acceleration[nodes[0]][d]);
-      for (int e = 0; e < dim; ++e) a0 -= slope[e] * shape.origin[e];
-      Real momentum = a0 * t.m, times_x[dim];
-      for (int e = 0; e < dim; ++e) momentum += slope[e] * t.mx[e];
-      for (int f = 0; f < dim; ++f) {
-        times_x[f] = a0 * t.mx[f];
-        for (int e = 0; e < dim; ++e) times_x[f] += slope[e] * t.mxx[Moments<dim>::pair(std::min(e, f), std::max(e, f))];
-        times_x[f] = t.mvx[d][f] + dt * times_x[f];
-      }
-      momentum = t.mv[d] + dt * momentum;
+      Real times_x[dim];
+      const Real momentum = (1 - part) * t.mv[d] + gain.momentum(d, t, times_x);
+      for (int a = 0; a < dim; ++a) times_x[a] += (1 - part) * t.mvx[d][a];
       share_among_corners<dim>(shape, momentum, times_x, [&](int k, Real sum) { corners[k].sum[d] = sum; });
     }
   });
@@ -306,6 +326,7 @@ void sum_volume_changes(const Mesh<dim>& mesh, const Particles<dim>& particles, 
   template void gather_mass_and_momentum(const Mesh<dim>&, BodyGrid<dim>&);                                                                \
   template void find_viscous_stress(const Model<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                             \
   template void spread_internal_forces(const Model<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                          \
+  template void smooth_velocities(const Mesh<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                                \
   template void spread_new_momentum(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);                                        \
   template void gather_new_velocities(const Model<dim>&, BodyGrid<dim>&);                                                                  \
   template void predict_velocities(const Model<dim>&, Real, BodyGrid<dim>&);                                                               \

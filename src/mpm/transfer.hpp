@@ -25,8 +25,13 @@ void find_viscous_stress(const Model<dim>& model, const Particles<dim>& particle
 template <int dim>
 void spread_internal_forces(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid);
 
+/// The velocities that nodes can tell particles, for the filter of step 5: v_i^(2) = 2 v_i - sum m N_i v(x_p) / M_i, the velocity before the step of
+/// second order in the particles' own (full mass matrix, FMPM(2): Nairn and Hammerquist 2021), from the moments alone. Does nothing without the filter.
+template <int dim>
+void smooth_velocities(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid<dim>& grid);
+
 /// Steps 5 and 6: the momentum that the corners get from the particles once these have the corrected acceleration, from the moments alone:
-/// sum m N_k (v + dt a(x)) with a linear in x needs only sums of m, m x, m x x, m v, m v x.
+/// sum m N_k (v + dt a(x)) with a linear in x needs only sums of m, m x, m x x, m v, m v x. The filter's part of it is as linear.
 template <int dim>
 void spread_new_momentum(const Mesh<dim>& mesh, const Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
 

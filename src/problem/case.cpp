@@ -220,14 +220,23 @@ void describe(Describe& d, MpmSettings& mpm)
           {.meaning = "time step over the time that a wave needs across the smallest height of a cell", .range = {1e-6, 1}});
   d.value("volumetric_projection", mpm.volumetric_projection,
           {.meaning = "average volume changes over patches of two triangles (four tetrahedra), the cure against locking"});
-  d.value("mixed_stress", mpm.mixed_stress, {.meaning = "average the stress over the particles of a full cell (MPM-MIXED)"});
+  d.choice("quadrature", mpm.quadrature, {"full_cells", "particles"},
+           {.meaning =
+                "what stress is integrated over: a cell within the body over its own volume, one at a free surface over its particles'; or "
+                "each particle over its own everywhere, as published"});
   d.value("least_volume_ratio", mpm.least_volume_ratio,
           {.meaning = "smallest volume of a particle, over its first", .range = {0, 1, true}});
   d.value("most_volume_ratio", mpm.most_volume_ratio,
           {.meaning = "largest volume of a particle, over its first; a particle that has it dilates no more", .range = {1, 10}});
+  d.value(
+      "velocity_filter", mpm.velocity_filter,
+      {.meaning =
+           "in soil that can yield: the part of a particle's velocity which the nodes cannot carry that is taken out while a wave crosses "
+           "a cell; keeps noise from taking strength from soil without cohesion",
+       .range = {0, 1}});
   d.value("bulk_viscosity", mpm.bulk_viscosity,
-          {.meaning = "in bodies that dilate: viscous mean stress over density x wave speed x height of a cell x rate of volume change; "
-                      "calms the waves that such soil throws grains with",
+          {.meaning = "in soil that can yield: viscous mean stress over density x wave speed x height of a cell x rate of volume change; "
+                      "calms the waves that take strength from soil without cohesion",
            .range = {0, 1}});
 }
 

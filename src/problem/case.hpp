@@ -11,14 +11,22 @@
 
 namespace berm {
 
+/// What the particles of a cell stand for where stress is integrated.
+enum class Quadrature {
+  full_cells,  ///< within a body a cell for its own volume, at a free surface the particles for theirs
+  particles    ///< each particle for its own volume, everywhere
+};
+
 /// How the material point method runs.
 struct MpmSettings {
   Real courant = 0.5;                 ///< time step over the time that a wave needs across the smallest height
   bool volumetric_projection = true;  ///< the cure against volumetric locking
-  bool mixed_stress = false;          ///< average the stress over the particles of full cells (MPM-MIXED)
-  Real least_volume_ratio = 0.8;      ///< bounds of a particle's volume over its first
+  Quadrature quadrature = Quadrature::full_cells;
+  Real least_volume_ratio = 0.8;  ///< bounds of a particle's volume over its first
   Real most_volume_ratio = 1.2;
-  Real bulk_viscosity = 0.06;  ///< of bodies that dilate: viscous mean stress over density, wave speed, height and rate of volume change
+  Real velocity_filter =
+      0.2;  ///< of soil that can yield: rate times height over wave speed at which unresolved particle velocities are taken out
+  Real bulk_viscosity = 0.06;  ///< of soil that can yield: viscous mean stress over density, wave speed, height and rate of volume change
 };
 
 /// What computes a case.

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/quadrature.hpp"
+
+#include "core/for_each.hpp"
+
+namespace berm {
+namespace {
+
+/// Part of the cells around a node that particles fill at a free surface, at most, and within a body, at least. A level surface of full cells has
+/// 0.5, one that cuts them at half their height 0.75.
+constexpr Real surface_fill = 0.75, full_fill = 0.9;
+
+/// How far a cell counts as full, 0 to 1.
+template <int dim>
+Real fullness(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell)
+{
+  Real least = 1;
+  for (Index node : mesh.nodes[cell]) least = std::min(least, grid.fill[node]);
+  const Real s = std::clamp((least - surface_fill) / (full_fill - surface_fill), Real(0), Real(1));
+  return s * s * (3 - 2 * s);
+}
+
+}  // namespace
+
+template <int dim>
+void integrate_full_cells(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid)
+{
+  const auto& occupied = particles.occupied();
+  if (!grid.full_cells) return;
+  for_each("quadrature of full cells", static_cast<Index>(occupied.size()), [&](Index c) {
+    // The first cell of a patch that has particles does the work for all of them. A cell without any has no sums either.
+    const Index first = occupied[c];
+    Real whole = 0, with_particles = 0;
+    bool is_first = true;
+    for_each_in_patch(model.patches, first, [&](Index cell) {
+      whole += grid.volume[cell];
+      if (!(grid.moments[cell].volume > 0)) return;
+      with_particles += grid.volume[cell];
+      is_first = is_first && cell >= first;
+    });
+    if (!is_first) return;
+    for_each_in_patch(model.patches, first, [&](Index cell) {
+      Moments<dim>& t = grid.moments[cell];
+      if (!(t.volume > 0)) return;
+      const Real q = fullness(model.mesh, grid, cell), weight = 1 - q + q * grid.volume[cell] * whole / (with_particles * t.volume);
+      grid.weight[cell] = weight;
+      t.volume *= weight;
+      for (Real& stress : t.stress) stress *= weight;
+    });
+  });
+}
+
+template void integrate_full_cells(const Model<2>&, const Particles<2>&, BodyGrid<2>&);
+template void integrate_full_cells(const Model<3>&, const Particles<3>&, BodyGrid<3>&);
+
+}  // namespace berm
