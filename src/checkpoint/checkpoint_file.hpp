@@ -9,7 +9,7 @@
 namespace berm {
 
 /// The form of a checkpoint: it changes whenever what is kept does.
-constexpr int checkpoint_format = 1;
+constexpr int checkpoint_format = 2;
 
 /// Names all that a checkpoint holds.
 using Contents = std::function<void(Keep&)>;

@@ -16,12 +16,22 @@ constexpr Real drawn_out(int k, int q)
 struct NodalSums {
   Real area = 0;
   SymTensor<2> stress;
-  Real strain = 0;
+  Matrix<2> gradient = Matrix<2>::Zero(), gradient_since_last = Matrix<2>::Zero();  ///< of the displacement
+  Real accumulated = 0;                                                            ///< deviatoric strain
 };
+
+/// du/dx at a point of integration; `displacement` by unknown.
+Matrix<2> gradient_at(const ShapeAtPoint& shape, const AtSixNodes<Index>& nodes, const std::vector<Real>& displacement)
+{
+  Matrix<2> gradient = Matrix<2>::Zero();
+  for (int k = 0; k < 6; ++k)
+    gradient += Vec<2>(displacement[2 * nodes[k]], displacement[2 * nodes[k] + 1]) * shape.gradient[k].transpose();
+  return gradient;
+}
 
 }  // namespace
 
-FemFrameMaker::FemFrameMaker(const FemModel& model) : model_(model), last_strain_(model.mesh.node_count(), 0.) {}
+FemFrameMaker::FemFrameMaker(const FemModel& model) : model_(model), last_displacement_(model.unknowns(), 0.) {}
 
 Frame<2> FemFrameMaker::make(const FemState& state)
 {
@@ -31,6 +41,11 @@ Frame<2> FemFrameMaker::make(const FemState& state)
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     Real area = 0;
     for (const ShapeAtPoint& shape : model_.shape[cell]) area += shape.area;
+    std::array<Matrix<2>, triangle_points> gradient, since_last;
+    for (int q = 0; q < triangle_points; ++q) {
+      gradient[q] = gradient_at(model_.shape[cell][q], mesh.nodes[cell], state.displacement);
+      since_last[q] = gradient[q] - gradient_at(model_.shape[cell][q], mesh.nodes[cell], last_displacement_);
+    }
     for (int k = 0; k < 6; ++k) {
       NodalSums& sum = sums[mesh.nodes[cell][k]];
       sum.area += area;
@@ -38,7 +53,9 @@ Frame<2> FemFrameMaker::make(const FemState& state)
       for (int q = 0; q < triangle_points; ++q) {
         const SoilPoint& point = state.points[cell][q];
         for (int c = 0; c < 4; ++c) sum.stress[c] += area * drawn_out(k, q) * point.stress[c];
-        sum.strain += area * drawn_out(k, q) * point.deviatoric_strain;
+        sum.gradient += area * drawn_out(k, q) * gradient[q];
+        sum.gradient_since_last += area * drawn_out(k, q) * since_last[q];
+        sum.accumulated += area * drawn_out(k, q) * point.deviatoric_strain;
       }
     }
   }
@@ -54,11 +71,12 @@ Frame<2> FemFrameMaker::make(const FemState& state)
     shown.particle.v = Vec<2>::Zero();
     shown.particle.volume = sum.area / 6;
     for (int c = 0; c < 4; ++c) shown.particle.stress[c] = sum.stress[c] / sum.area;
-    shown.particle.deviatoric_strain = std::max(Real(0), sum.strain / sum.area);
-    shown.strain_increment = std::max(Real(0), shown.particle.deviatoric_strain - last_strain_[node]);
-    last_strain_[node] = shown.particle.deviatoric_strain;
+    shown.particle.deviatoric_strain = std::max(Real(0), sum.accumulated / sum.area);
+    shown.strain = gradient_strain<2>(Matrix<2>::Identity() + sum.gradient / sum.area);
+    shown.strain_increment = gradient_strain<2>(Matrix<2>::Identity() + sum.gradient_since_last / sum.area).deviatoric;
     frame.particles.push_back(shown);
   }
+  last_displacement_ = state.displacement;
   frame.triangles.assign(mesh.nodes.begin(), mesh.nodes.end());
   frame.rigids = frame_rigids(model_.model, state.state.rigids);
   return frame;

@@ -12,12 +12,12 @@ class FemFrameMaker {
 public:
   explicit FemFrameMaker(const FemModel& model);
 
-  /// The strain increment is that since the frame before.
+  /// The strain is that of the gradient of the displacement, the increment that of the displacement since the frame before.
   Frame<2> make(const FemState& state);
 
 private:
   const FemModel& model_;
-  std::vector<Real> last_strain_;  ///< by node, at the frame before
+  std::vector<Real> last_displacement_;  ///< by unknown, at the frame before
 };
 
 }  // namespace berm

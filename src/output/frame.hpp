@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "output/gradient_strain.hpp"
 #include "output/rigid_surface.hpp"
 #include "problem/model.hpp"
 
@@ -12,7 +13,8 @@ struct FrameParticle {
   Particle<dim> particle;
   Index body;
   Vec<dim> displacement;  ///< since the start, m
-  Real strain_increment;  ///< of the accumulated deviatoric strain, since the frame before
+  GradientStrain strain;  ///< of the gradient of the displacement
+  Real strain_increment;  ///< deviatoric, of the gradient of the displacement since the frame before
 };
 
 /// A rigid body as a frame shows it.

@@ -10,7 +10,7 @@ namespace berm {
 template <int dim>
 class FrameMaker {
 public:
-  /// Remembers where the particles of `start` are, and keeps the model, which must outlive it.
+  /// Remembers where the particles of `start` are, and keeps the model, which must outlive it. The strain of frames counts from there.
   FrameMaker(const Model<dim>& model, const State<dim>& start);
 
   /// The next frame: its increments count from the frame made before.
@@ -21,13 +21,20 @@ public:
   void keep(Keep& k);
 
 private:
-  struct First {
-    Vec<dim> x = Vec<dim>::Zero();
-    Real strain = 0;  ///< at the frame before
+  /// What is remembered of a particle.
+  struct Known {
+    Vec<dim> first = Vec<dim>::Zero(), last = Vec<dim>::Zero();  ///< m, where it was at the start and at the frame before
+    Index first_cell = none;
   };
 
+  void add_strains(const Particles<dim>& particles, std::vector<Known>& known, FrameParticle<dim>* shown) const;
+
   const Model<dim>& model_;
-  std::vector<std::vector<First>> first_;  ///< by body, then id
+  std::vector<std::vector<Known>> known_;  ///< by body, then id
+
+public:
+  /// Bytes that are kept between frames for each particle.
+  static constexpr std::size_t bytes_a_particle = sizeof(Known);
 };
 
 }  // namespace berm

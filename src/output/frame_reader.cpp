@@ -105,6 +105,7 @@ SavedSoil read_soil(const std::filesystem::path& file)
   soil.displacement = vtu.numbers<float>("displacement", 3 * count);
   soil.mean_stress = vtu.numbers<float>("mean_stress", count);
   soil.deviatoric_strain = vtu.numbers<float>("deviatoric_strain", count);
+  soil.incremental_deviatoric_strain = vtu.numbers<float>("incremental_deviatoric_strain", count);
   soil.volume = vtu.numbers<float>("volume", count);
   soil.id = vtu.numbers<std::int32_t>("id", count);
   soil.body = vtu.numbers<std::int32_t>("body", count);

@@ -103,14 +103,14 @@ template <int dim>
 void FrameWriter<dim>::write_soil(const std::string& name) const
 {
   std::vector<Real> points;
-  std::vector<float> velocity, displacement, stress, mean_stress, strain, increment, volume;
+  std::vector<float> velocity, displacement, stress, mean_stress, strain, volumetric, increment, accumulated, volume;
   std::vector<std::int32_t> body, id;
   // Lists that grow by doubling would take half as much again, of the memory of a large run.
   const std::size_t count = last_.particles.size();
   points.reserve(3 * count);
   for (auto* list : {&velocity, &displacement}) list->reserve(3 * count);
   stress.reserve(6 * count);
-  for (auto* list : {&mean_stress, &strain, &increment, &volume}) list->reserve(count);
+  for (auto* list : {&mean_stress, &strain, &volumetric, &increment, &accumulated, &volume}) list->reserve(count);
   for (auto* list : {&body, &id}) list->reserve(count);
   for (const FrameParticle<dim>& f : last_.particles) {
     const Particle<dim>& p = f.particle;
@@ -119,8 +119,10 @@ void FrameWriter<dim>::write_soil(const std::string& name) const
     append<dim>(displacement, f.displacement);
     for (int k = 0; k < 6; ++k) stress.push_back(k < tensor_size<dim> ? static_cast<float>(p.stress[k]) : 0);
     mean_stress.push_back(static_cast<float>(trace(p.stress) / 3));
-    strain.push_back(static_cast<float>(p.deviatoric_strain));
+    strain.push_back(static_cast<float>(f.strain.deviatoric));
+    volumetric.push_back(static_cast<float>(f.strain.volumetric));
     increment.push_back(static_cast<float>(f.strain_increment));
+    accumulated.push_back(static_cast<float>(p.deviatoric_strain));
     volume.push_back(static_cast<float>(p.volume));
     body.push_back(f.body);
     id.push_back(p.id);
@@ -136,7 +138,9 @@ void FrameWriter<dim>::write_soil(const std::string& name) const
   vtu.point_field("stress", 6, stress, {"XX", "YY", "ZZ", "XY", "YZ", "XZ"});
   vtu.point_field("mean_stress", 1, mean_stress);
   vtu.point_field("deviatoric_strain", 1, strain);
+  vtu.point_field("volumetric_strain", 1, volumetric);
   vtu.point_field("incremental_deviatoric_strain", 1, increment);
+  vtu.point_field("accumulated_deviatoric_strain", 1, accumulated);
   vtu.point_field("volume", 1, volume);
   vtu.point_field("body", 1, body);
   vtu.point_field("id", 1, id);

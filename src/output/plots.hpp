@@ -39,7 +39,7 @@ struct SoilPicture {
   std::string title;
 };
 
-/// Particles as disks (in SVG as an image within it), or the triangles of the frame filled, coloured by their deviatoric strain (accumulated, or since the frame before);
+/// Particles as disks (in SVG as an image within it), or the triangles of the frame filled, coloured by the deviatoric strain of their displacement (since the start, or since the frame before);
 /// rigid bodies grey, equal axes. The colours end at the value that one particle or node in a hundred exceeds. Script and data go to FOLDER/plots.
 /// False, with a warning, where it could not be drawn.
 bool draw_soil(const std::filesystem::path& folder, const Frame<2>& frame, const SoilPicture& picture, PlotFormat format = PlotFormat::png);

@@ -22,13 +22,16 @@ constexpr const char* palette =
 struct Picture {
   const Frame<2>& frame;
   const std::string& name;
-  bool accumulated;
+  bool since_start;
   const SoilView& view;
   PlotUnit unit;
   Vec<2> size() const { return view.upper - view.lower; }
   int plot_height() const { return std::clamp(static_cast<int>(std::lround(plot_width * size()[1] / size()[0])), 200, 1400); }
-  const char* word() const { return accumulated ? "accumulated" : "incremental"; }
-  Real value(const FrameParticle<2>& f) const { return accumulated ? f.particle.deviatoric_strain : f.strain_increment; }
+  const char* words() const
+  {
+    return since_start ? "deviatoric strain of displacement since the start" : "deviatoric strain of displacement since last frame";
+  }
+  Real value(const FrameParticle<2>& f) const { return since_start ? f.strain.deviatoric : f.strain_increment; }
 };
 
 constexpr std::size_t most_disks = 100'000;  // beyond, a picture of a million pixels has hardly any left for each
@@ -54,7 +57,7 @@ std::vector<const FrameParticle<2>*> particles_in_view(const Picture& picture)
 std::string disks(const Picture& picture, const std::vector<const FrameParticle<2>*>& particles)
 {
   const PlotUnit& unit = picture.unit;
-  std::string data = fmt::format("# x, y, radius ({}), {} deviatoric strain\n", unit.name, picture.word());
+  std::string data = fmt::format("# x, y, radius ({}), {}\n", unit.name, picture.words());
   for (const FrameParticle<2>* f : particles)
     data += fmt::format("{:.6g} {:.6g} {:.4g} {:.5g}\n", f->particle.x[0] * unit.per_si, f->particle.x[1] * unit.per_si,
                         shown_radius(f->particle) * unit.per_si, picture.value(*f));
@@ -63,7 +66,7 @@ std::string disks(const Picture& picture, const std::vector<const FrameParticle<
 
 std::string pixel_text(const Picture& picture, const Raster& raster)
 {
-  return fmt::format("# {} deviatoric strain of each pixel, a line a row, the lowest first\n", picture.word()) + raster.text();
+  return fmt::format("# {}, of each pixel, a line a row, the lowest first\n", picture.words()) + raster.text();
 }
 
 /// The data of a picture of triangles: each is painted as four, between its corners and the middles of its sides.
@@ -138,7 +141,7 @@ std::string axes(const Picture& picture, Real most, const std::string& title)
   script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", view.lower[0] * unit.per_si,
                         view.upper[0] * unit.per_si, view.lower[1] * unit.per_si, view.upper[1] * unit.per_si);
   script += fmt::format("set xlabel 'x ({0})'\nset ylabel 'y ({0})'\nset tics out nomirror\nset border lc rgb '#444444'\n", unit.name);
-  script += fmt::format("set cblabel '{} deviatoric strain'\nset cbrange [0:{:g}]\n", picture.word(), round_up(most));
+  script += fmt::format("set cblabel '{}'\nset cbrange [0:{:g}]\n", picture.words(), round_up(most));
   script += std::string(palette) + "unset key\nset style fill solid noborder\n";
   if (view.surface) {
     const Real level = *view.surface * unit.per_si;

@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 
 constexpr PlotFormat formats[] = {PlotFormat::png, PlotFormat::svg};
 
-/// A frame as pictures take it, with the strain since the frame before.
-Frame<2> frame_of(const SavedSoil& soil, const SavedSoil* before, const SavedRigids& rigids)
+/// A frame as pictures take it.
+Frame<2> frame_of(const SavedSoil& soil, const SavedRigids& rigids)
 {
   Frame<2> frame;
   frame.triangles = soil.triangles;
@@ -27,8 +27,8 @@ Frame<2> frame_of(const SavedSoil& soil, const SavedSoil* before, const SavedRig
     shown.particle.x = Vec<2>(soil.x[k], soil.y[k]);
     shown.displacement = Vec<2>::Zero();
     shown.particle.volume = soil.volume[k];
-    shown.particle.deviatoric_strain = soil.deviatoric_strain[k];
-    shown.strain_increment = before == nullptr ? 0 : std::max(0.f, soil.deviatoric_strain[k] - before->deviatoric_strain[k]);
+    shown.strain.deviatoric = soil.deviatoric_strain[k];
+    shown.strain_increment = soil.incremental_deviatoric_strain[k];
     frame.particles.push_back(shown);
   }
   FrameRigid<2> all{{}, Vec<2>::Zero()};
@@ -44,10 +44,7 @@ std::vector<std::string> draw_frame(const RunRecord& run, const PipeFrames& fram
 {
   const PipePlace& pipe = frames.place(number);
   const Real D = run.scale.diameter, surface = run.settings.surface;
-  const SavedSoil soil = frames.soil(number);
-  std::optional<SavedSoil> before;
-  if (number > 0) before = frames.soil(number - 1);
-  const Frame<2> frame = frame_of(soil, before ? &*before : nullptr, frames.rigids(number));
+  const Frame<2> frame = frame_of(frames.soil(number), frames.rigids(number));
   const SoilView view = view_around_pipe(pipe.x, surface - pipe.w, D, surface);
   const std::string place = fmt::format("{}: u = {:.3g} D, w = {:.3g} D", run.name, std::abs(pipe.u - frames.place(0).u) / D, pipe.w / D);
   std::vector<std::string> drawn;
@@ -57,7 +54,7 @@ std::vector<std::string> draw_frame(const RunRecord& run, const PipeFrames& fram
       drawn.push_back(picture.name);
   };
   draw_one("soil", SoilColor::deviatoric_strain);
-  if (before) draw_one("mechanism", SoilColor::incremental_deviatoric_strain);
+  if (number > 0) draw_one("mechanism", SoilColor::incremental_deviatoric_strain);
   return drawn;
 }
 

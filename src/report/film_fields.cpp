@@ -14,11 +14,11 @@ std::vector<float> one_after_the_other(const std::vector<const FilmFrame*>& fram
 
 std::vector<float> increments(const std::vector<const FilmFrame*>& frames, const std::vector<Real>& factor)
 {
-  const std::size_t count = frames.front()->strain.size();
+  const std::size_t count = frames.front()->sheared.size();
   std::vector<float> all(count * frames.size(), 0);
   for (std::size_t f = 1; f < frames.size(); ++f)
     for (std::size_t k = 0; k < count; ++k)
-      all[f * count + k] = static_cast<float>(factor[f] * (frames[f]->strain[k] - frames[f - 1]->strain[k]));
+      all[f * count + k] = static_cast<float>(factor[f] * (frames[f]->sheared[k] - frames[f - 1]->sheared[k]));
   return all;
 }
 
@@ -28,11 +28,11 @@ FieldWords words_of(FilmField field, bool with_pipe)
 {
   switch (field) {
   case FilmField::deviatoric_strain:
-    return {"deviatoric_strain", "accumulated deviatoric strain", "1"};
+    return {"deviatoric_strain", "deviatoric strain of displacement since the start", "1"};
   case FilmField::incremental_deviatoric_strain:
     return {"incremental_deviatoric_strain",
-            with_pipe ? "incremental deviatoric strain, per 0.01 D of the pipe's way (at rest: since the frame before)"
-                      : "incremental deviatoric strain, since the frame before",
+            with_pipe ? "deviatoric strain of displacement per 0.01 D of the pipe's way (at rest: since the frame before)"
+                      : "deviatoric strain of displacement since the frame before",
             "1"};
   case FilmField::mean_stress:
     return {"mean_stress", "mean stress (compression positive)", "kPa"};

@@ -14,7 +14,7 @@ struct FieldWords {
 };
 FieldWords words_of(FilmField field, bool with_pipe);
 
-/// Values of a field by frame, then point. The increments are changes since the frame before, times `increment_factor` of the frame; 0 in the first.
+/// Values of a field by frame, then point. The increments count from the frame before, times `increment_factor` of the frame; 0 in the first.
 std::vector<float> field_values(FilmField field, const std::vector<const FilmFrame*>& frames, const std::vector<Real>& increment_factor);
 
 }  // namespace berm

@@ -5,12 +5,14 @@
 #include "core/for_each_task.hpp"
 #include "report/film_choice.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 
 namespace berm {
 namespace {
 
-constexpr std::size_t bytes_of_point = 6 * sizeof(float);  // the lists of a FilmFrame
+constexpr std::size_t bytes_of_point = 7 * sizeof(float);  // the lists of a FilmFrame
 
 std::vector<std::string> stages_of(const std::vector<FilmMoment>& moments)
 {
@@ -33,6 +35,8 @@ void read_frames(Footage& footage, const RunRecord& run, const std::vector<Frame
   for_each_task("read frames", static_cast<Index>(wanted.size()), [&](Index k) {
     try {
       footage.frames[k] = reader.read(files[wanted[k]]);
+      for (Index left_out = k > 0 ? wanted[k - 1] + 1 : wanted[k]; left_out < wanted[k]; ++left_out)
+        reader.add_sheared(files[left_out], footage.frames[k]);
     } catch (const RunError& error) {
       refusals[k] = error.what();
     }
@@ -43,6 +47,9 @@ void read_frames(Footage& footage, const RunRecord& run, const std::vector<Frame
     footage.moments.push_back(moments[wanted[good]]);
   }
   footage.frames.resize(good);
+  for (std::size_t k = 1; k < good; ++k)
+    std::transform(footage.frames[k].sheared.begin(), footage.frames[k].sheared.end(), footage.frames[k - 1].sheared.begin(),
+                   footage.frames[k].sheared.begin(), std::plus<>());
   if (good < wanted.size())
     footage.fault =
         fmt::format("frame {} of {} cannot be read: {}; the film ends before it", wanted[good] + 1, files.size(), refusals[good]);

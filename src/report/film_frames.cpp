@@ -37,26 +37,38 @@ FilmReader::FilmReader(const FrameFiles& first, int dimension) : first_(read_soi
   if (chosen_.empty()) throw RunError(fmt::format("{}: has no particles in the middle", first.soil.string()));
 }
 
-FilmFrame FilmReader::read(const FrameFiles& files) const
+SavedSoil FilmReader::same_soil(const FrameFiles& files) const
 {
-  const SavedSoil soil = read_soil(files.soil);
+  SavedSoil soil = read_soil(files.soil);
   if (soil.id != first_.id || soil.body != first_.body)
     throw RunError(fmt::format("{}: has other particles than the first frame", files.soil.string()));
-  FilmFrame frame = film_frame(soil);
+  return soil;
+}
+
+FilmFrame FilmReader::read(const FrameFiles& files) const
+{
+  FilmFrame frame = film_frame(same_soil(files));
   if (!files.rigid.empty()) frame.rigids = read_rigids(files.rigid);
   return frame;
+}
+
+void FilmReader::add_sheared(const FrameFiles& files, FilmFrame& frame) const
+{
+  const SavedSoil soil = same_soil(files);
+  for (std::size_t k = 0; k < chosen_.size(); ++k) frame.sheared[k] += finite(soil.incremental_deviatoric_strain[chosen_[k]]);
 }
 
 FilmFrame FilmReader::film_frame(const SavedSoil& soil) const
 {
   constexpr float kPa = 1e-3f, mm = 1e3f;  // of one Pa and one m
   FilmFrame frame;
-  for (std::vector<float>* list : {&frame.x, &frame.y, &frame.strain, &frame.mean_stress, &frame.speed, &frame.displacement})
+  for (std::vector<float>* list : {&frame.x, &frame.y, &frame.strain, &frame.sheared, &frame.mean_stress, &frame.speed, &frame.displacement})
     list->reserve(chosen_.size());
   for (const Index k : chosen_) {
     frame.x.push_back(soil.x[k]);
     frame.y.push_back(soil.y[k]);
     frame.strain.push_back(finite(soil.deviatoric_strain[k]));
+    frame.sheared.push_back(finite(soil.incremental_deviatoric_strain[k]));
     frame.mean_stress.push_back(finite(-kPa * soil.mean_stress[k]));
     frame.speed.push_back(finite(length(soil.velocity, k)));
     frame.displacement.push_back(finite(mm * length(soil.displacement, k)));

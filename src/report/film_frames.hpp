@@ -8,7 +8,8 @@ namespace berm {
 /// What a film needs of a frame. Values by point; one that is not finite is 0.
 struct FilmFrame {
   std::vector<float> x, y;          ///< m
-  std::vector<float> strain;        ///< accumulated deviatoric strain
+  std::vector<float> strain;        ///< deviatoric, of the displacement since the start
+  std::vector<float> sheared;       ///< sum of the deviatoric strains of the displacements from frame to frame, from the first one read on
   std::vector<float> mean_stress;   ///< kPa, compression positive
   std::vector<float> speed;         ///< m/s
   std::vector<float> displacement;  ///< mm, since the start
@@ -29,10 +30,13 @@ public:
   /// z of the slice, m.
   Real middle() const { return middle_; }
 
-  /// Throws RunError where a file cannot be read or holds other points. Safe to call from several threads.
+  /// `sheared` is that since the frame before it. Throws RunError where a file cannot be read or holds other points. Safe to call from several threads.
   FilmFrame read(const FrameFiles& files) const;
+  /// Adds to `sheared` of a frame that of one that is not shown.
+  void add_sheared(const FrameFiles& files, FilmFrame& frame) const;
 
 private:
+  SavedSoil same_soil(const FrameFiles& files) const;
   FilmFrame film_frame(const SavedSoil& soil) const;
 
   SavedSoil first_;

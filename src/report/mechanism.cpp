@@ -61,7 +61,7 @@ Mechanism mechanism_of(const SavedSoil& before, const SavedSoil& after, Real sur
   for (std::size_t k = 0; k < after.x.size(); ++k) {
     if (std::abs(after.x[k] - to.x) > around_pipe * diameter) continue;
     close.push_back(k);
-    growth.push_back(after.deviatoric_strain[k] - before.deviatoric_strain[k]);
+    growth.push_back(after.incremental_deviatoric_strain[k]);
   }
   if (close.empty()) return {0, 0, std::numeric_limits<Real>::quiet_NaN()};
   std::vector<Real> sorted = growth;

@@ -25,7 +25,7 @@ struct Heave {
 /// counts for the soil that it is.
 Heave heave_of(const SavedSoil& start, const SavedSoil& now, Real surface, const PipePlace& pipe, Real diameter);
 
-/// What moves between two frames with the same points.
+/// What moves between two frames with the same points, the one right before the other.
 struct Mechanism {
   Real behind;  ///< part of the shearing (deviatoric strain times volume) on the side x < the pipe's centre
   Real reach;   ///< m, distance ahead of the centre within which nine tenths of the shearing ahead lie

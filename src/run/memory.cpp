@@ -4,7 +4,7 @@
 #include "bodies/fill.hpp"
 #include "core/error.hpp"
 #include "mpm/grid.hpp"
-#include "output/frame.hpp"
+#include "output/frame_maker.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -158,7 +158,7 @@ Real memory_of(const RunSize& size)
              body.blocks * static_cast<Real>(sizeof(Block<dim>) + body.state_size * sizeof(StoredLanes));
   }
   // What frames remember of the start, the frame before and the new one; or mesh.vtu on its way to the disk.
-  const Real frames = particles * (sizeof(Vec<dim>) + sizeof(Real) + 2 * sizeof(FrameParticle<dim>));
+  const Real frames = particles * (FrameMaker<dim>::bytes_a_particle + 2 * sizeof(FrameParticle<dim>));
   const Real mesh_file = size.cells * ((corners + 1) * sizeof(std::int64_t) + sizeof(std::int32_t) + 1) + size.nodes * 3 * sizeof(Real);
   return bytes + std::max(frames, mesh_file);
 }

@@ -153,7 +153,7 @@ TEST_F(Checkpoint, that_cannot_be_used_is_refused_with_the_reason)
   EXPECT_EQ(refusal_of("time_s,stage\n"), "it is not a checkpoint of berm");
   EXPECT_EQ(refusal_of(content_.substr(512)), "it is not a checkpoint of berm") << "an HDF5 file of somebody else";
   EXPECT_EQ(refusal_of(""), "it is not a checkpoint of berm");
-  EXPECT_EQ(refusal_of(with_header("format 1\n", "format 9\n")), "it is of format 9, which a newer berm writes; this one reads format 1");
+  EXPECT_EQ(refusal_of(with_header("format 2\n", "format 9\n")), "it is of format 9, which a newer berm writes; this one reads format 2");
   const std::string other = refusal_of(with_header("berm 0.", "berm 7."));
   EXPECT_EQ(other.find("it was written by berm 7."), 0u) << other;
   for (const char* odd : {"berm \x1b.", "berm \x7f.", "berm \xff."}) EXPECT_EQ(refusal_of(with_header("berm 0.", odd)), "it is damaged");

@@ -42,19 +42,29 @@ TEST(FemFrame, draws_linear_fields_out_to_the_nodes_exactly)
   }
 }
 
-TEST(FemFrame, shows_nodes_where_they_are_and_the_strain_since_the_frame_before)
+TEST(FemFrame, shows_nodes_where_they_are_with_the_strain_of_their_displacement)
 {
   Stressed s;
   FemFrameMaker maker(s.problem.model);
-  maker.make(s.problem.state);
-  for (auto& points : s.problem.state.points)
-    for (SoilPoint& point : points) point.deviatoric_strain += 0.25;
-  s.problem.state.displacement[2 * 3] = 0.01;
-  s.problem.state.displacement[2 * 3 + 1] = -0.02;
-  const Frame<2> frame = maker.make(s.problem.state);
-  for (const auto& particle : frame.particles) EXPECT_NEAR(particle.strain_increment, 0.25, 1e-14);
-  EXPECT_EQ(frame.particles[3].displacement, Vec<2>(0.01, -0.02));
-  EXPECT_EQ(frame.particles[3].particle.x, Vec<2>(s.problem.model.mesh.position[3] + Vec<2>(0.01, -0.02)));
+  const auto frame_sheared_by = [&](Real gamma) {
+    for (Index node = 0; node < s.problem.model.mesh.node_count(); ++node) {
+      s.problem.state.displacement[2 * node] = 0.01 + gamma * s.problem.model.mesh.position[node][1];
+      s.problem.state.displacement[2 * node + 1] = -0.02;
+    }
+    return maker.make(s.problem.state);
+  };
+  const auto exact = [](Real gamma) { return 2 / std::sqrt(3.) * std::asinh(gamma / 2); };
+  frame_sheared_by(0.5);
+  const Frame<2> frame = frame_sheared_by(0.75);
+  for (Index node = 0; node < s.problem.model.mesh.node_count(); ++node) {
+    const FrameParticle<2>& shown = frame.particles[node];
+    EXPECT_NEAR(shown.strain.deviatoric, exact(0.75), 1e-13);
+    EXPECT_NEAR(shown.strain.volumetric, 0, 1e-13);
+    EXPECT_NEAR(shown.strain_increment, exact(0.25), 1e-13);
+    const Vec<2> x = s.problem.model.mesh.position[node], u(0.01 + 0.75 * x[1], -0.02);
+    EXPECT_EQ(shown.displacement, u);
+    EXPECT_EQ(shown.particle.x, Vec<2>(x + u));
+  }
 }
 
 TEST(FemFrame, nodes_share_the_area_of_the_soil)

@@ -126,9 +126,9 @@ TEST_F(Plots, triangles_are_painted_without_gaps_as_far_as_the_middles_of_their_
 {
   Frame<2> frame = two_triangles();
   const auto strain = [](Real x, Real y) { return 0.5 + (x - y) / 0.4; };
-  Particle<2>& middle = frame.particles[1].particle;  // of the lower side
-  middle.x[1] = -0.03;
-  middle.deviatoric_strain = strain(0.1, -0.03);
+  FrameParticle<2>& middle = frame.particles[1];  // of the lower side
+  middle.particle.x[1] = -0.03;
+  middle.strain.deviatoric = strain(0.1, -0.03);
   draw_soil(folder.path(), frame, {"soil", SoilColor::deviatoric_strain, {Vec<2>(-0.1, -0.1), Vec<2>(0.31, 0.3), {}}, "two triangles"});
   std::istringstream words(content_of(folder.file("plots/soil.dat")));
   std::string word;

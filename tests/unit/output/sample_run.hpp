@@ -103,11 +103,13 @@ inline Frame<2> two_triangles()
   Frame<2> frame;
   frame.triangles = {{0, 2, 8, 1, 5, 4}, {0, 8, 6, 4, 7, 3}};
   for (int k = 0; k < 9; ++k) {
-    FrameParticle<2> f{{}, 0, Vec<2>(0.001 * k, 0), 0.25};
+    FrameParticle<2> f{{}, 0, Vec<2>(0.001 * k, 0), {}, 0.25};
     f.particle.x = Vec<2>(0.1 * (k % 3), 0.1 * static_cast<Real>(k / 3));
     f.particle.id = k;
     f.particle.volume = 0.04 / 9;
-    f.particle.deviatoric_strain = 0.5 + (f.particle.x[0] - f.particle.x[1]) / 0.4;
+    f.strain.deviatoric = 0.5 + (f.particle.x[0] - f.particle.x[1]) / 0.4;
+    f.strain.volumetric = -0.01 * k;
+    f.particle.deviatoric_strain = 2 + k;
     for (int c = 0; c < tensor_size<2>; ++c) f.particle.stress[c] = 10 * k + c;
     frame.particles.push_back(f);
   }

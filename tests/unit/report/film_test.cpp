@@ -50,7 +50,7 @@ TEST(film, places_decode_within_half_a_step_and_fields_within_half_a_level)
       const FrameParticle<2>& p = frame.particles[k];
       EXPECT_NEAR(x[f][k], p.particle.x[0], half_step);
       EXPECT_NEAR(y[f][k], p.particle.x[1], half_step);
-      near("deviatoric_strain", strain[f][k], p.particle.deviatoric_strain);
+      near("deviatoric_strain", strain[f][k], p.strain.deviatoric);
       near("mean_stress", stress[f][k], static_cast<Real>(k + 1) + 0.01 * f);  // kPa, compression positive
       near("speed", speed[f][k], p.particle.v.norm());
       near("displacement", moved[f][k], 1000 * p.displacement.norm());
@@ -251,7 +251,7 @@ TEST(film, without_a_pipe_shows_all_the_soil_and_plain_increments)
       EXPECT_NEAR(increments[f][k], change, seen.level("incremental_deviatoric_strain") * 0.501);
     }
   EXPECT_NEAR(upper[0].get<Real>() - lower[0].get<Real>(), 7 * sample.cell + 0.016 + 0.00028 + sample.cell / std::sqrt(2.), 1e-3);
-  EXPECT_EQ((*seen.field("incremental_deviatoric_strain"))["label"], "incremental deviatoric strain, since the frame before");
+  EXPECT_EQ((*seen.field("incremental_deviatoric_strain"))["label"], "deviatoric strain of displacement since the frame before");
 }
 
 TEST(film, without_a_history_still_shows_the_soil)
@@ -322,7 +322,7 @@ TEST(film, of_finite_elements_is_of_triangles_without_speed)
   Frame<2> frame;
   frame.triangles = {{0, 2, 8, 1, 5, 4}, {0, 8, 6, 4, 7, 3}};
   for (int k = 0; k < 9; ++k) {
-    FrameParticle<2> p{{}, 0, Vec<2>::Zero(), 0};
+    FrameParticle<2> p{{}, 0, Vec<2>::Zero(), {}, 0};
     p.particle.x = Vec<2>(0.1 * (k % 3), 0.1 * static_cast<Real>(k / 3));
     p.particle.id = k;
     frame.particles.push_back(p);

@@ -8,7 +8,7 @@ namespace {
 
 constexpr Real D = 0.02, side = 0.001;
 
-/// Soil from x = -5 D to 5 D and D deep, in squares of D/20; its strain and rise are given.
+/// Soil from x = -5 D to 5 D and D deep, in squares of D/20; its strain since the frame before and its rise are given.
 template <class Strain, class Rise>
 SavedSoil soil(const Strain& strain, const Rise& rise, Real shift = 0)
 {
@@ -19,7 +19,7 @@ SavedSoil soil(const Strain& strain, const Rise& rise, Real shift = 0)
       made.x.push_back(static_cast<float>(x + shift));
       made.y.push_back(static_cast<float>(y + rise(x)));
       made.volume.push_back(static_cast<float>(side * side));
-      made.deviatoric_strain.push_back(static_cast<float>(strain(x, y)));
+      made.incremental_deviatoric_strain.push_back(static_cast<float>(strain(x, y)));
     }
   return made;
 }

@@ -61,7 +61,7 @@ public:
     for (Index k = 0; k < (dim == 3 ? 4 : 1); ++k)
       for (Index j = 0; j < up; ++j)
         for (Index i = 0; i < across; ++i, ++id) {
-          FrameParticle<dim> p{{}, 0, Vec<dim>::Zero(), 0};
+          FrameParticle<dim> p{{}, 0, Vec<dim>::Zero(), {}, 0};
           p.displacement[0] = 1e-3 * f * (j + 1) + 1e-5 * f * i;
           p.displacement[1] = -2e-3 * f * i;
           p.particle.x = p.displacement;
@@ -71,7 +71,9 @@ public:
           p.particle.id = id;
           p.particle.volume = dim == 2 ? cell * cell / 2 : std::pow(0.4 * cell, 3);
           p.particle.v = p.displacement / first_time;
-          p.particle.deviatoric_strain = 0.01 * f * f + 0.001 * f * i;
+          p.strain.deviatoric = 0.005 * f * f + 0.002 * f * i;
+          p.strain_increment = f == 0 ? 0 : 0.01 * (2 * f - 1) + 0.001 * i;
+          p.particle.deviatoric_strain = 5 + i;
           for (int d = 0; d < 3; ++d) p.particle.stress[d] = -1000 * (id + 1) - 10 * f;  // so the mean, Pa
           frame.particles.push_back(p);
         }
