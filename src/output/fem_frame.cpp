@@ -17,7 +17,7 @@ struct NodalSums {
   Real area = 0;
   SymTensor<2> stress;
   Matrix<2> gradient = Matrix<2>::Zero(), gradient_since_last = Matrix<2>::Zero();  ///< of the displacement
-  Real accumulated = 0;                                                            ///< deviatoric strain
+  Real accumulated = 0;                                                             ///< deviatoric strain
 };
 
 /// du/dx at a point of integration; `displacement` by unknown.

@@ -22,12 +22,12 @@ std::vector<FrameFiles> frame_files(const std::filesystem::path& frames_folder);
 
 /// A frame as it was written: in space with three coordinates, in plane strain with z = 0. Numbers in single precision.
 struct SavedSoil {
-  std::vector<float> x, y, z;                 ///< m, by point: where it is now; finite
-  std::vector<float> velocity, displacement;  ///< three each, by point: m/s, m
-  std::vector<float> mean_stress;             ///< Pa, tension positive
-  std::vector<float> deviatoric_strain;       ///< of the displacement since the start
+  std::vector<float> x, y, z;                        ///< m, by point: where it is now; finite
+  std::vector<float> velocity, displacement;         ///< three each, by point: m/s, m
+  std::vector<float> mean_stress;                    ///< Pa, tension positive
+  std::vector<float> deviatoric_strain;              ///< of the displacement since the start
   std::vector<float> incremental_deviatoric_strain;  ///< of the displacement since the frame before
-  std::vector<float> volume;                  ///< m2 in plane strain, m3 in space
+  std::vector<float> volume;                         ///< m2 in plane strain, m3 in space
   std::vector<std::int32_t> id, body;
   std::vector<std::array<Index, 6>> triangles;  ///< quadratic, of points; none in MPM
 };

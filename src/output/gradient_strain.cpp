@@ -19,7 +19,8 @@ GradientStrain gradient_strain(const Matrix<dim>& deformation)
 }
 
 template <int dim>
-NodalGradient<dim>::NodalGradient(const Mesh<dim>& mesh) : mesh_(mesh), nodes_(NodeField<Node>::zeros(mesh.node_count()))
+NodalGradient<dim>::NodalGradient(const Mesh<dim>& mesh) : mesh_(mesh),
+                                                           nodes_(NodeField<Node>::zeros(mesh.node_count()))
 {
 }
 

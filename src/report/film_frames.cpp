@@ -62,7 +62,8 @@ FilmFrame FilmReader::film_frame(const SavedSoil& soil) const
 {
   constexpr float kPa = 1e-3f, mm = 1e3f;  // of one Pa and one m
   FilmFrame frame;
-  for (std::vector<float>* list : {&frame.x, &frame.y, &frame.strain, &frame.sheared, &frame.mean_stress, &frame.speed, &frame.displacement})
+  for (std::vector<float>* list :
+       {&frame.x, &frame.y, &frame.strain, &frame.sheared, &frame.mean_stress, &frame.speed, &frame.displacement})
     list->reserve(chosen_.size());
   for (const Index k : chosen_) {
     frame.x.push_back(soil.x[k]);
