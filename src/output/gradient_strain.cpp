@@ -6,15 +6,29 @@
 
 namespace berm {
 
+namespace {
+
+/// The principal stretches: the singular values of F.
+Vec<2> stretches(const Matrix<2>& f)
+{
+  const Real turning = std::hypot(f(0, 0) + f(1, 1), f(1, 0) - f(0, 1)) / 2, rest = std::hypot(f(0, 0) - f(1, 1), f(1, 0) + f(0, 1)) / 2;
+  return {turning + rest, std::abs(turning - rest)};
+}
+Vec<3> stretches(const Matrix<3>& f)
+{
+  const Eigen::Matrix3d squares = f.transpose() * f;
+  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(squares, Eigen::EigenvaluesOnly).eigenvalues().cwiseMax(0).cwiseSqrt();
+}
+
+}  // namespace
+
 template <int dim>
 GradientStrain gradient_strain(const Matrix<dim>& deformation)
 {
-  constexpr Real most_stretch = 1000, most_square = most_stretch * most_stretch;
-  using Square = Eigen::Matrix<Real, dim, dim>;
-  const Square squares = deformation.transpose() * deformation;
-  const Eigen::SelfAdjointEigenSolver<Square> axes(squares, Eigen::EigenvaluesOnly);
+  constexpr Real most_stretch = 1000;
+  const Vec<dim> stretch = stretches(deformation);
   SymTensor<dim> strain{};
-  for (int d = 0; d < dim; ++d) strain[d] = std::log(std::clamp(axes.eigenvalues()[d], 1 / most_square, most_square)) / 2;
+  for (int d = 0; d < dim; ++d) strain[d] = std::log(std::clamp(stretch[d], 1 / most_stretch, most_stretch));
   return {equivalent_deviatoric_strain(strain), trace(strain)};
 }
 
@@ -25,12 +39,21 @@ NodalGradient<dim>::NodalGradient(const Mesh<dim>& mesh) : mesh_(mesh),
 }
 
 template <int dim>
+std::array<Real, dim + 1> NodalGradient<dim>::weights(Index cell, const Vec<dim>& x)
+{
+  if (cell != cell_) shape_ = mesh_.shape(cell_ = cell);
+  std::array<Real, dim + 1> n;
+  for (int k = 0; k <= dim; ++k) n[k] = std::max(Real(0), shape_.value(k, x));
+  return n;
+}
+
+template <int dim>
 void NodalGradient<dim>::add(Index cell, const Vec<dim>& x, const Vec<dim>& u)
 {
-  const Shape<dim> shape = mesh_.shape(cell);
+  const auto n = weights(cell, x);
   for (int k = 0; k <= dim; ++k) {
     const Index i = mesh_.nodes[cell][k];
-    const Real w = std::max(Real(0), shape.value(k, x));
+    const Real w = n[k];
     const Vec<dim> d = x - mesh_.position[i];
     Node& node = nodes_[i];
     node.w += w;
@@ -56,19 +79,18 @@ void NodalGradient<dim>::fit()
 }
 
 template <int dim>
-Matrix<dim> NodalGradient<dim>::at(Index cell, const Vec<dim>& x) const
+Matrix<dim> NodalGradient<dim>::at(Index cell, const Vec<dim>& x)
 {
-  const Shape<dim> shape = mesh_.shape(cell);
+  const auto n = weights(cell, x);
   Matrix<dim> sum = Matrix<dim>::Zero();
-  Real weights = 0;
+  Real all = 0;
   for (int k = 0; k <= dim; ++k) {
     const Node& node = nodes_[mesh_.nodes[cell][k]];
     if (!(node.w > 0)) continue;
-    const Real w = std::max(Real(0), shape.value(k, x));
-    sum += w * node.wud;
-    weights += w;
+    sum += n[k] * node.wud;
+    all += n[k];
   }
-  return weights > 0 ? Matrix<dim>(sum / weights) : Matrix<dim>(Matrix<dim>::Zero());
+  return all > 0 ? Matrix<dim>(sum / all) : Matrix<dim>(Matrix<dim>::Zero());
 }
 
 template GradientStrain gradient_strain<2>(const Matrix<2>&);

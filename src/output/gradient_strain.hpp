@@ -19,7 +19,8 @@ GradientStrain gradient_strain(const Matrix<dim>& deformation);
 
 /// The gradient of a displacement that is known at points of a mesh. Each node fits a linear field to the points of its cells, by least squares with N_i as
 /// weights; a place has the mean of its cell's nodes, with N_i as weights: exact where the displacement is linear. A node whose points do
-/// not tell a gradient (too few, or in line) does not count. Sums are made in the order in which points are added.
+/// not tell a gradient (too few, or in line) does not count. Sums are made in the order in which points are added. Points of one cell that follow each
+/// other are faster.
 template <int dim>
 class NodalGradient {
 public:
@@ -30,7 +31,7 @@ public:
   /// To be called once, behind the last point.
   void fit();
   /// du/dx at x in `cell`; zero where no node of the cell has a gradient.
-  Matrix<dim> at(Index cell, const Vec<dim>& x) const;
+  Matrix<dim> at(Index cell, const Vec<dim>& x);
 
 private:
   /// Sums over points with weights w, d = x - x_i; once fitted wud is the gradient and w is 1, or 0 where there is none.
@@ -40,8 +41,13 @@ private:
     Matrix<dim> wdd, wud;
   };
 
+  /// N_k(x) of the cell's corners, at least 0: a particle may be outside of its cell by rounding.
+  std::array<Real, dim + 1> weights(Index cell, const Vec<dim>& x);
+
   const Mesh<dim>& mesh_;
   NodeField<Node> nodes_;
+  Index cell_ = none;
+  Shape<dim> shape_;  ///< of cell_
 };
 
 }  // namespace berm
