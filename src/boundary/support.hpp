@@ -6,10 +6,11 @@
 
 namespace berm {
 
-/// Holds the nodes of one boundary of the mesh in some directions.
+/// Holds the nodes of one boundary of the mesh in some directions, in all stages or in some.
 struct SupportSettings {
   std::string boundary;
-  std::vector<std::string> fixed;  ///< "x", "y", "z"
+  std::vector<std::string> fixed;        ///< "x", "y", "z"
+  std::vector<std::string> stages = {};  ///< in which it holds; empty: all
 };
 
 void describe(Describe& d, SupportSettings& support);

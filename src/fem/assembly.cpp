@@ -170,9 +170,9 @@ void Assembly::add_contact(const FemState& begin, const std::vector<Real>& chang
   }
 }
 
-void Assembly::give_unknowns(const FemLoads& loads)
+void Assembly::give_unknowns(const FemLoads& loads, Index stage)
 {
-  const NodeField<std::uint8_t>& fixed = model_.mesh.fixed;
+  const NodeField<std::uint8_t>& fixed = model_.mesh.fixed[model_.model.fixed_in[stage]];
   for (Index node = 0; node < fixed.size(); ++node)
     for (int d = 0; d < 2; ++d) given_[2 * node + d] = static_cast<char>(fixed[node] >> d & 1);
   if (model_.rigid != none)
@@ -192,7 +192,10 @@ void Assembly::evaluate(const FemState& begin, const std::vector<Real>& change, 
     const auto& nodes = model_.mesh.nodes[cell];
     for (int k = 0; k < 12; ++k) residual_[2 * nodes[k / 2] + k % 2] += cells_[cell].force[k];
   }
-  give_unknowns(loads);
+  for (std::size_t t = 0; t < loads.tractions.size(); ++t)
+    for (const NodalLoad& load : model_.loads[t])
+      for (int d = 0; d < 2; ++d) residual_[2 * load.node + d] -= loads.tractions[t] * load.force[d];
+  give_unknowns(loads, begin.state.stage.index);
   soil_residual_ = residual_;
   add_contact(begin, change);
 
@@ -248,6 +251,10 @@ void Assembly::count_work(FemState& state, const std::vector<Real>& change, cons
         for (int d = 0; d < 2; ++d)
           totals.external += shape.area * shape.value[k] * density(model_.model.bodies[model_.mesh.body[cell]].material) * gravity[d] *
                              change[2 * model_.mesh.nodes[cell][k] + d];
+  for (std::size_t t = 0; t < loads.tractions.size(); ++t)
+    for (const NodalLoad& load : model_.loads[t])
+      for (int d = 0; d < 2; ++d)
+        totals.external += (state.tractions[t] + loads.tractions[t]) / 2 * load.force[d] * change[2 * load.node + d];
   for (std::size_t k = 0; k < change.size(); ++k) totals.external += held_back * held_back_[k] * change[k];
   if (model_.rigid == none) return;
   const RigidState<2>& rigid = state.state.rigids[model_.rigid];
@@ -268,6 +275,7 @@ void Assembly::accept(FemState& state, const std::vector<Real>& change, const Fe
   state.points = points_;
   state.contact = contact_;
   state.gravity = loads.gravity;
+  state.tractions = loads.tractions;
   state.held_back = loads.held_back;
   state.unbalanced = unbalanced_;
   for (std::size_t k = 0; k < change.size(); ++k) state.displacement[k] += change[k];

@@ -8,6 +8,7 @@ namespace berm {
 /// What acts in an increment, and how the rigid body moves.
 struct FemLoads {
   Vec<2> gravity = Vec<2>::Zero();  ///< m/s2
+  std::vector<Real> tractions;      ///< part of each that acts; none where empty
   Real held_back = 0;               ///< part of the first state's unbalanced forces that is still held back by fictitious ones
   struct Direction {
     bool by_force = false;
@@ -60,7 +61,7 @@ private:
   void differentiate_cell(const FemState& begin, const std::vector<Real>& change, Real viscosity, Index cell);
   void add_contact(const FemState& begin, const std::vector<Real>& change);
   void count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const;
-  void give_unknowns(const FemLoads& loads);
+  void give_unknowns(const FemLoads& loads, Index stage);
 
   /// The law of a point of integration for the increments that begin with this stress: dear to make, and the same in all iterations.
   struct PointLaw {

@@ -129,6 +129,8 @@ FemProblem build_fem(const Case& c, const std::string& case_folder, const std::s
   for (const Rigid<2>& rigid : model.model.rigids) shapes.push_back(rigid.shape);
   model.mesh = make_quadratic(model.model.mesh, c, shapes);
   make_contact(model);
+  for (std::size_t t = 0; t < c.traction.size(); ++t)
+    model.loads.push_back(side_loads(model.mesh, model.mesh.loaded_sides[t], c.traction[t].first, c.traction[t].second));
   for (std::size_t k = 0; k < model.model.stages.size(); ++k)
     if (model.model.driven[k] != none && model.model.driven[k] != model.rigid)
       throw InputError(
@@ -160,6 +162,7 @@ FemProblem build_fem(const Case& c, const std::string& case_folder, const std::s
   for (const auto& [name, watch] : c.watch) model.watches.push_back(make_watch(model, name, watch, place_of(c.body, watch.body)));
   state.displacement.assign(model.unknowns(), 0.);
   state.contact.resize(model.contact.size());
+  state.state.tractions.resize(model.model.tractions.size());
   state.state.rigids.resize(model.model.rigids.size());
   begin_stage(model.model, state.state);
   return problem;

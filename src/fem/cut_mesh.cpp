@@ -193,7 +193,8 @@ void write_cut_geo(const SeabedMesh& bed, const Cuts& cuts, const std::vector<Pa
   out << "Physical Surface(\"soil\") = Surface{:};\n"
       << "Physical Curve(\"left\") = " << curves_on(at.left, at.left, -bed.depth, 0, margin)
       << "Physical Curve(\"right\") = " << curves_on(at.right, at.right, -bed.depth, 0, margin)
-      << "Physical Curve(\"base\") = " << curves_on(at.left, at.right, -bed.depth, -bed.depth, margin);
+      << "Physical Curve(\"base\") = " << curves_on(at.left, at.right, -bed.depth, -bed.depth, margin)
+      << "Physical Curve(\"surface\") = " << curves_on(at.left, at.right, 0, 0, margin);
 
   std::string size = size_formula(bed);
   for (const std::string& distance : cuts.distances) size = fmt::format("Min({}, {} + {} * {})", size, contact_size, bed.growth, distance);

@@ -10,7 +10,7 @@ namespace berm {
 /// The mesh of the soil around the rigid bodies that it has a contact with, for the method "fem".
 ///
 /// A mesh of kind "seabed" holds the soil alone, y <= 0, without what the circles and boxes take of it: regions "near", "bed", "layer" and boundaries
-/// "left", "right", "base" as in SeabedMesh; "top" has no nodes. A cell is of the region that its centroid lies in; the border
+/// "left", "right", "base", "surface" as in SeabedMesh; "top" has no nodes. A cell is of the region that its centroid lies in; the border
 /// of two regions is a line of the mesh where it divides bodies. The vertices at a rigid body lie on its surface, and the ends of a box's bottom that
 /// lies on the surface of the bed are vertices. The size of the cells is that of the seabed, and not more than contact_size + growth * distance from a
 /// rigid body. mesh.geo, mesh.msh and mesh.log are kept in `work_folder`. A mesh of another kind has its holes already: it is made by make_mesh.

@@ -5,6 +5,7 @@
 #include "fem/direct_solver.hpp"
 #include "fem/element.hpp"
 #include "fem/quadratic_mesh.hpp"
+#include "fem/side_loads.hpp"
 #include "problem/model.hpp"
 
 namespace berm {
@@ -25,8 +26,9 @@ struct FemModel {
   Index rigid = none;                                  ///< the rigid body in contact with the soil
   std::vector<FemContactPoint> contact;
   FemInterface interface;
-  Real width = 1;   ///< m, of the rigid body, which increments of travel are measured with; 1 where there is none
-  Real weight = 0;  ///< N/m, of all soil
+  Real width = 1;                             ///< m, of the rigid body, which increments of travel are measured with; 1 where there is none
+  Real weight = 0;                            ///< N/m, of all soil
+  std::vector<std::vector<NodalLoad>> loads;  ///< by traction
   FemSettings settings;
   bool strength_lags = false;  ///< some soil's flow is not associated
   std::vector<FemWatch> watches;
@@ -53,6 +55,7 @@ struct FemState {
   CellField<std::array<SoilPoint, triangle_points>> points;
   std::vector<FemContactState> contact;
   Vec<2> gravity = Vec<2>::Zero();  ///< m/s2, that acts
+  std::vector<Real> tractions;      ///< part of each that acts
   Real held_back = 0;               ///< part of the first state's unbalanced forces that is held back
   Real unbalanced = 0;              ///< N/m, sum of the unbalanced nodal forces
   Real overstress = 0;              ///< part of the stress that is beyond the law's surface: integral of both over the soil at yield

@@ -32,10 +32,16 @@ LoadSteps::LoadSteps(const FemModel& model, FemState& state)
 
 void LoadSteps::settle()
 {
-  FemLoads loads;
-  loads.gravity = gravity_now(model_.model, 0);
+  if (!let_go(dead_loads(0)))
+    throw RunError("the soil as it is at the start finds no equilibrium: it cannot carry its weight with these stresses (k0, strength)");
+}
+
+/// Holds back by fictitious forces what is out of balance under these loads, and lets these forces go; false where no equilibrium is found.
+bool LoadSteps::let_go(FemLoads loads)
+{
   newton_.assembly().hold_back(state_, loads);
   state_.gravity = loads.gravity;
+  state_.tractions = loads.tractions;
   state_.held_back = 1;
   Real part = 1;
   while (state_.held_back > 0) {
@@ -46,9 +52,10 @@ void LoadSteps::settle()
       newton_.assembly().accept(state_, change, loads);
       part *= 1.5;
     } else if ((part /= 2) < 1e-4) {
-      throw RunError("the soil as it is at the start finds no equilibrium: it cannot carry its weight with these stresses (k0, strength)");
+      return false;
     }
   }
+  return true;
 }
 
 void LoadSteps::begin()
@@ -91,10 +98,19 @@ Real LoadSteps::up_to_the_end(Real dt) const
   return dt;
 }
 
-FemLoads LoadSteps::loads_after(Real dt) const
+/// Gravity and tractions at a time.
+FemLoads LoadSteps::dead_loads(Real time) const
 {
   FemLoads loads;
-  loads.gravity = gravity_now(model_.model, state_.state.time + dt);
+  loads.gravity = gravity_now(model_.model, time);
+  for (std::size_t t = 0; t < model_.loads.size(); ++t)
+    loads.tractions.push_back(part_of_traction(model_.model.tractions[t], state_.state.tractions[t], time));
+  return loads;
+}
+
+FemLoads LoadSteps::loads_after(Real dt) const
+{
+  FemLoads loads = dead_loads(state_.state.time + dt);
   if (driven() == none) return loads;
   const StageState<2>& now = state_.state.stage;
   const Real since = state_.state.time - now.begin_time;
@@ -175,7 +191,10 @@ void LoadSteps::refuse_overstress() const
 bool LoadSteps::next_stage()
 {
   if (state_.state.stage.index + 1 == static_cast<Index>(model_.model.stages.size())) return false;
+  const Index held = model_.model.fixed_in[state_.state.stage.index];
   ++state_.state.stage.index;
+  if (model_.model.fixed_in[state_.state.stage.index] != held && !let_go(dead_loads(state_.state.time)))
+    throw RunError(fmt::format("stage \"{}\": the soil finds no equilibrium without the supports that are released", stage().name));
   begin_stage(model_.model, state_.state);
   begin();
   return true;

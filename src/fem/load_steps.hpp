@@ -23,15 +23,18 @@ public:
   /// One increment of the present stage, to its end at most. Throws RunError where even the smallest increment finds no equilibrium.
   IncrementEnd advance();
 
-  /// Goes to the next stage; false after the last one.
+  /// Goes to the next stage; false after the last one. Where supports are released their reactions are let go first, at one moment, the rigid body at rest.
+  /// Throws RunError where the soil finds no equilibrium without them.
   bool next_stage();
 
 private:
   const StageSettings& stage() const { return model_.model.stages[state_.state.stage.index]; }
   Index driven() const { return model_.model.driven[state_.state.stage.index]; }
   void begin();
+  bool let_go(FemLoads loads);
   Real travel(int direction, Real from, Real to) const;
   Real up_to_the_end(Real dt) const;
+  FemLoads dead_loads(Real time) const;
   FemLoads loads_after(Real dt) const;
   Real part_within_force(const IncrementEnd& end) const;
   void accept(const std::vector<Real>& change, Real dt, const IncrementEnd& end, Real force_change);

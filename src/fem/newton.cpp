@@ -20,6 +20,8 @@ Newton::Newton(const FemModel& model)
       solver_(model.pattern, contact_.unknowns()),
       least_force_(std::max(1e-3 * model.weight, 1e-300))
 {
+  for (const std::vector<NodalLoad>& loads : model.loads)
+    for (const NodalLoad& load : loads) least_force_ += 1e-3 * load.force.norm();
 }
 
 /// The right-hand side of the equations of the step; whether the given unknowns have moved as given.

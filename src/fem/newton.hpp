@@ -9,7 +9,7 @@ namespace berm {
 struct IncrementEnd {
   bool converged = false;
   Real unbalance =
-      infinity;  ///< sum of the unbalanced nodal forces over that of the contact forces, or over a thousandth of the weight if that is more
+      infinity;  ///< sum of the unbalanced nodal forces over that of the contact forces, or over a thousandth of weight and tractions if that is more
   int iterations = 0;
 };
 

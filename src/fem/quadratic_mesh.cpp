@@ -44,13 +44,24 @@ public:
       if (body_of(cell) != none) add_cell(cell);
   }
 
-  void hold(Index boundary, std::uint8_t directions)
+  void hold(NodeField<std::uint8_t>& fixed, Index boundary, std::uint8_t directions) const
   {
     NodeField<char> at_boundary(made.node_count(), false);
     for (const Index i : mesh_.boundary_nodes[boundary])
-      if (const Index node = node_number_[i]; node != none) at_boundary[node] = true, made.fixed[node] |= directions;
+      if (const Index node = node_number_[i]; node != none) at_boundary[node] = true, fixed[node] |= directions;
     for (const BoundarySide& side : made.boundary_sides)
-      if (at_boundary[side.from] && at_boundary[side.to]) made.fixed[side.middle] |= directions;
+      if (at_boundary[side.from] && at_boundary[side.to]) fixed[side.middle] |= directions;
+  }
+
+  std::vector<BoundarySide> sides_at(Index boundary) const
+  {
+    NodeField<char> at_boundary(made.node_count(), false);
+    for (const Index i : mesh_.boundary_nodes[boundary])
+      if (node_number_[i] != none) at_boundary[node_number_[i]] = true;
+    std::vector<BoundarySide> sides;
+    for (const BoundarySide& side : made.boundary_sides)
+      if (at_boundary[side.from] && at_boundary[side.to]) sides.push_back(side);
+    return sides;
   }
 
   QuadraticMesh made;
@@ -71,7 +82,6 @@ private:
   Index add_node(const Vec<2>& x)
   {
     made.position.push_back(x);
-    made.fixed.push_back(0);
     return made.node_count() - 1;
   }
 
@@ -141,7 +151,14 @@ AtSixNodes<Vec<2>> QuadraticMesh::positions_of(Index cell) const
 QuadraticMesh make_quadratic(const Mesh<2>& mesh, const Case& c, const std::vector<RigidShape<2>>& shapes)
 {
   Maker maker(mesh, c);
-  for (const auto& [name, support] : c.support) maker.hold(held_boundary(mesh, name, support), held_directions(support));
+  for (const std::vector<char>& holds : support_sets(c).holds) {
+    NodeField<std::uint8_t> fixed(maker.made.node_count(), 0);
+    for (std::size_t k = 0; k < c.support.size(); ++k)
+      if (const Index boundary = held_boundary(mesh, c.support[k].first, c.support[k].second); holds[k])
+        maker.hold(fixed, boundary, held_directions(c.support[k].second));
+    maker.made.fixed.push_back(std::move(fixed));
+  }
+  for (const auto& [name, traction] : c.traction) maker.made.loaded_sides.push_back(maker.sides_at(loaded_boundary(mesh, name, traction)));
   for (const RigidShape<2>& shape : shapes) bend_onto(maker.made, shape);
   check_unfolded(maker.made);
   return std::move(maker.made);

@@ -14,11 +14,12 @@ struct BoundarySide {
 
 /// 6-node triangles that fill the bodies. Nodes are numbered by first use, cells as in the mesh they are made from.
 struct QuadraticMesh {
-  NodeField<Vec<2>> position;          ///< m
-  CellField<AtSixNodes<Index>> nodes;  ///< corners counter-clockwise, then the middles of sides 01, 12 and 20
-  CellField<Index> body;               ///< of each cell, an index into Case::body
-  NodeField<std::uint8_t> fixed;       ///< bit d: held in direction d
+  NodeField<Vec<2>> position;                  ///< m
+  CellField<AtSixNodes<Index>> nodes;          ///< corners counter-clockwise, then the middles of sides 01, 12 and 20
+  CellField<Index> body;                       ///< of each cell, an index into Case::body
+  std::vector<NodeField<std::uint8_t>> fixed;  ///< by set of supports, as in Model; bit d: held in direction d
   std::vector<BoundarySide> boundary_sides;
+  std::vector<std::vector<BoundarySide>> loaded_sides;  ///< by traction: those at its boundary
 
   Index node_count() const { return position.size(); }
   Index cell_count() const { return nodes.size(); }

@@ -18,7 +18,7 @@ void describe(Describe& d, Material& material);
 /// What no range of a single key can say, for the table at `path` ("material.sand"): the dilation angle is not larger than the friction angle.
 void check(Describe& d, const std::string& path, const Material& material);
 
-/// kg/m3.
+/// Of the weight, kg/m3.
 Real density(const Material& material);
 
 /// Of the law's elastic part.

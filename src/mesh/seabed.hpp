@@ -20,7 +20,7 @@ namespace berm {
 ///             |              layer                |
 ///     base    +-----------------------------------+  y = -depth
 ///
-/// Regions "near", "bed", "layer" (where there is one), "headroom"; boundaries "left", "right", "base", "top". The size of the cells is near_size
+/// Regions "near", "bed", "layer" (where there is one), "headroom"; boundaries "left", "right", "base", "top" and "surface", which lies within the mesh. The size of the cells is near_size
 /// in the fine zone (up to near_height above the surface) and min(near_size + growth * distance, far_size) at a distance from it.
 struct SeabedMesh {
   Real length = 0;

@@ -11,17 +11,21 @@ namespace {
 /// What the nodes contribute to the totals in one step, per unit of time.
 template <int dim>
 struct NodalSums {
-  Vec<dim> gravity = Vec<dim>::Zero(), damping = Vec<dim>::Zero(), support = Vec<dim>::Zero();  // forces, N
-  Real gravity_power = 0, damping_power = 0;
-  Real unbalanced = 0;  // sum of the absolute components, N
-  Real all = 0;         // of velocities and internal forces; finite where all of them are
+  Vec<dim> gravity = Vec<dim>::Zero(), traction = Vec<dim>::Zero(), damping = Vec<dim>::Zero(), support = Vec<dim>::Zero();  // forces, N
+  Real gravity_power = 0, traction_power = 0, damping_power = 0;
+  Real traction_size = 0;  // sum of |tractions of nodes|, N
+  Real unbalanced = 0;     // sum of the absolute components, N
+  Real all = 0;            // of velocities and internal forces; finite where all of them are
 
   NodalSums& operator+=(const NodalSums& other)
   {
     gravity += other.gravity;
+    traction += other.traction;
     damping += other.damping;
     support += other.support;
     gravity_power += other.gravity_power;
+    traction_power += other.traction_power;
+    traction_size += other.traction_size;
     damping_power += other.damping_power;
     unbalanced += other.unbalanced;
     all += other.all;
@@ -36,8 +40,10 @@ void solve_momentum_balance(const Model<dim>& model, State<dim>& state, Work<dim
 {
   const Mesh<dim>& mesh = model.mesh;
   BodyGrid<dim>& grid = work.grids[body];
-  const Vec<dim> gravity = gravity_now(model, state.time);
+  const Vec<dim> gravity = model.bodies[body].weight_over_mass * gravity_now(model, state.time);
+  const NodeField<std::uint8_t>& fixed = model.fixed[grid.fixed];
   const Real dt = state.dt;
+  const bool loaded = !model.load_points.empty();
   const std::optional<Real> stage_damping = model.stages[state.stage.index].damping;
   const auto sums = sum_of<NodalSums<dim>>("momentum balance of nodes", static_cast<Index>(grid.nodes.size()), [&](Index n) {
     const Index i = grid.nodes[n];
@@ -53,24 +59,30 @@ void solve_momentum_balance(const Model<dim>& model, State<dim>& state, Work<dim
     }
     const Vec<dim> weight = m * gravity;
     force += weight;
+    if (loaded) force += grid.traction[i];
 
     const Vec<dim>& v = grid.velocity[i];
     const Real factor = grid.touching[i] ? 0 : stage_damping ? *stage_damping : model.bodies[body].damping[i];
     Vec<dim> damping = Vec<dim>::Zero();
     for (int d = 0; d < dim; ++d) {
-      const bool held = model.fixed[i] >> d & 1;
+      const bool held = fixed[i] >> d & 1;
       if (!held && v[d] != 0) damping[d] = -factor * std::abs(force[d]) * (v[d] > 0 ? 1 : -1);
       if (!held && !grid.touching[i]) sums_i.unbalanced += std::abs(force[d]);
     }
     const Vec<dim> total = force + damping;
     a = total / m;
     for (int d = 0; d < dim; ++d)
-      if (model.fixed[i] >> d & 1) a[d] = -v[d] / dt;
+      if (fixed[i] >> d & 1) a[d] = -v[d] / dt;
     const Vec<dim> mid_velocity = v + 0.5 * dt * a;
     sums_i.gravity = weight;
     sums_i.damping = damping;
     sums_i.support = m * a - total;
     sums_i.gravity_power = weight.dot(mid_velocity);
+    if (loaded) {
+      sums_i.traction = grid.traction[i];
+      sums_i.traction_size = grid.traction[i].norm();
+      sums_i.traction_power = grid.traction[i].dot(mid_velocity);
+    }
     sums_i.damping_power = damping.dot(mid_velocity);
     return sums_i;
   });
@@ -79,12 +91,13 @@ void solve_momentum_balance(const Model<dim>& model, State<dim>& state, Work<dim
 
   Totals<dim>& totals = state.totals;
   totals.gravity_impulse += dt * sums.gravity;
+  totals.traction_impulse += dt * sums.traction;
   totals.damping_impulse += dt * sums.damping;
   totals.support_impulse += dt * sums.support;
-  totals.external += dt * sums.gravity_power;
+  totals.external += dt * (sums.gravity_power + sums.traction_power);
   totals.damping -= dt * sums.damping_power;
   work.unbalanced = (body == 0 ? 0 : work.unbalanced) + sums.unbalanced;
-  work.weight = (body == 0 ? 0 : work.weight) + sums.gravity.norm();
+  work.weight = (body == 0 ? 0 : work.weight) + sums.gravity.norm() + sums.traction_size;
 }
 
 template void solve_momentum_balance(const Model<2>&, State<2>&, Work<2>&, Index);

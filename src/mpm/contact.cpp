@@ -80,11 +80,13 @@ void sweep(const Model<dim>& model, const State<dim>& state, Work<dim>& work, In
     point.impulse = impulse;
     for (int n = 0; n < point.node_count; ++n) {
       const Index node = point.nodes[n];
-      if (grid.mass[node] > 0) field.change(grid, node, without_held<dim>(model, node, point.weights[n] / grid.mass[node] * change));
+      if (grid.mass[node] > 0)
+        field.change(grid, node, without_held<dim>(model.fixed[grid.fixed], node, point.weights[n] / grid.mass[node] * change));
     }
     if (contact.other_body != none) {
       BodyGrid<dim>& other = work.grids[contact.other_body];
-      field.change(other, point.nodes[0], without_held<dim>(model, point.nodes[0], -change / other.mass[point.nodes[0]]));
+      field.change(other, point.nodes[0],
+                   without_held<dim>(model.fixed[other.fixed], point.nodes[0], -change / other.mass[point.nodes[0]]));
     }
   }
 }
@@ -170,11 +172,13 @@ void correct_accelerations(const Model<dim>& model, State<dim>& state, Work<dim>
   solve(model, state, work, Predicted<dim>{dt}, [](const Contact&) { return true; });
 
   for (RigidState<dim>& rigid : state.rigids) rigid.reaction.setZero(), rigid.torque = 0;
-  // Gives a node's share of an impulse to the totals: it also moves the mid velocity with which gravity was taken to work.
+  // Gives a node's share of an impulse to the totals: it also moves the mid velocity with which gravity and tractions were taken to work.
   const auto add = [&](Index b, Index node, const Vec<dim>& impulse, const Vec<dim>& partner_velocity) {
     const BodyGrid<dim>& grid = work.grids[b];
     state.totals.contact_impulse += impulse;
-    state.totals.external += 0.5 * dt * gravity.dot(impulse);
+    state.totals.external += 0.5 * dt * model.bodies[b].weight_over_mass * gravity.dot(impulse);
+    if (!model.load_points.empty() && grid.mass[node] > 0)
+      state.totals.external += 0.5 * dt * grid.traction[node].dot(impulse) / grid.mass[node];
     const Vec<dim> mid_velocity = grid.velocity[node] + 0.5 * dt * grid.acceleration[node];
     state.totals.friction -= impulse.dot(mid_velocity - partner_velocity);
   };
@@ -184,7 +188,7 @@ void correct_accelerations(const Model<dim>& model, State<dim>& state, Work<dim>
       if (point.impulse.isZero()) continue;
       if (contact.other_body != none) {
         const Index node = point.nodes[0];
-        const Vec<dim> here = without_held<dim>(model, node, point.impulse);
+        const Vec<dim> here = without_held<dim>(model.fixed[work.grids[contact.body].fixed], node, point.impulse);
         add(contact.body, node, here, Vec<dim>::Zero());
         add(contact.other_body, node, -here, Vec<dim>::Zero());
         state.pair_impulses[k] += here;
@@ -194,7 +198,8 @@ void correct_accelerations(const Model<dim>& model, State<dim>& state, Work<dim>
       const Vec<dim> surface_velocity = velocity_at(model.rigids[contact.rigid], rigid, point.place);
       Vec<dim> impulse = Vec<dim>::Zero();
       for (int n = 0; n < point.node_count; ++n) {
-        const Vec<dim> of_node = without_held<dim>(model, point.nodes[n], point.weights[n] * point.impulse);
+        const Vec<dim> of_node =
+            without_held<dim>(model.fixed[work.grids[contact.body].fixed], point.nodes[n], point.weights[n] * point.impulse);
         add(contact.body, point.nodes[n], of_node, surface_velocity);
         impulse += of_node;
       }

@@ -24,6 +24,7 @@ BodyGrid<dim>::BodyGrid(const Mesh<dim>& mesh)
       smooth_velocity(NodeField<Vec<dim>>::zeros(mesh.node_count())),
       acceleration(NodeField<Vec<dim>>::zeros(mesh.node_count())),
       moved_velocity(NodeField<Vec<dim>>::zeros(mesh.node_count())),
+      traction(NodeField<Vec<dim>>::zeros(mesh.node_count())),
       touching(NodeField<std::uint8_t>::zeros(mesh.node_count())),
       contact_points(NodeField<std::uint8_t>::zeros(mesh.node_count()))
 {

@@ -62,8 +62,11 @@ struct BodyGrid {
   NodeField<Vec<dim>> smooth_velocity;     ///< v^t of second order in the particles', towards which the filter pulls them; 0 without it
   NodeField<Vec<dim>> acceleration;        ///< corrected, step 4
   NodeField<Vec<dim>> moved_velocity;      ///< v^(t+1) of steps 7 and 8: moves and strains the particles
+  NodeField<Vec<dim>> traction;            ///< N, of the load points; zero where there are none
   NodeField<std::uint8_t> touching;        ///< 1: near a contact; damping leaves it alone
   NodeField<std::uint8_t> contact_points;  ///< 1: a contact point of this step moves the node
+
+  Index fixed = 0;  ///< the set of supports that hold in this step, an index into Model::fixed
 
   std::vector<Index> nodes;  ///< that have a cell with particles, ascending
 
@@ -110,7 +113,8 @@ struct Work {
   std::vector<Particle<dim>> moving;
   std::vector<PreparedMaterial> laws;        ///< by body
   std::vector<PreparedMaterial> spent_laws;  ///< by body: the same without dilation, for particles at their largest volume
-  Real unbalanced = 0, weight = 0;           ///< N, sums over the nodes of |unbalanced force| (away from contacts) and of m g, last step
+  Real unbalanced = 0,
+       weight = 0;  ///< N, sums over the nodes of |unbalanced force| (away from contacts); of m g and of tractions, last step
 
   Work(const Model<dim>& model, const State<dim>& state);
 };

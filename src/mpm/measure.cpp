@@ -62,9 +62,9 @@ Real momentum_error(const State<dim>& state)
     moving += std::sqrt(2 * sums.mass * sums.kinetic);
   }
   const Totals<dim>& t = state.totals;
-  const Vec<dim> given = t.gravity_impulse + t.contact_impulse + t.support_impulse + t.damping_impulse;
-  const Real size = moving + t.first_momentum.norm() + t.gravity_impulse.norm() + t.contact_impulse.norm() + t.support_impulse.norm() +
-                    t.damping_impulse.norm();
+  const Vec<dim> given = t.gravity_impulse + t.traction_impulse + t.contact_impulse + t.support_impulse + t.damping_impulse;
+  const Real size = moving + t.first_momentum.norm() + t.gravity_impulse.norm() + t.traction_impulse.norm() + t.contact_impulse.norm() +
+                    t.support_impulse.norm() + t.damping_impulse.norm();
   return size > 0 ? (now - t.first_momentum - given).norm() / size : 0;
 }
 

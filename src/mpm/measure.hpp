@@ -35,7 +35,7 @@ struct BodySums {
 template <int dim>
 BodySums<dim> measure(const Particles<dim>& particles);
 
-/// |momentum now - momentum at the start - impulses of gravity, contact, supports and damping| over the sum of the sizes of all these and of the
+/// |momentum now - momentum at the start - impulses of gravity, tractions, contact, supports and damping| over the sum of the sizes of all these and of the
 /// momentum that the bodies would have if all their particles went the same way: round-off.
 template <int dim>
 Real momentum_error(const State<dim>& state);

@@ -3,6 +3,7 @@
 
 #include "mpm/balance.hpp"
 #include "mpm/contact.hpp"
+#include "mpm/loads.hpp"
 #include "mpm/move.hpp"
 #include "mpm/quadrature.hpp"
 #include "mpm/time_step.hpp"
@@ -25,6 +26,7 @@ void update_stress_last(const Model<dim>& model, State<dim>& state, Work<dim>& w
     find_viscous_stress(model, state.particles[b], work.grids[b]);
     spread_internal_forces(model, state.particles[b], work.grids[b]);  // 1: (2)
   }
+  spread_tractions(model, state, work);                                              // 1: forces on boundaries of the soil
   find_contacts(model, state, work);                                                 // 4: who touches whom
   for (Index b = 0; b < bodies; ++b) solve_momentum_balance(model, state, work, b);  // 1-4: (3), (4), (6), supports
   correct_accelerations(model, state, work);                                         // 4: (8)-(14)
@@ -34,6 +36,7 @@ void update_stress_last(const Model<dim>& model, State<dim>& state, Work<dim>& w
     gather_new_velocities(model, work.grids[b]);                                   // 7-8: (18), supports
   }
   correct_velocities(model, state, work);  // 8: (8)-(13) again
+  move_load_points(model, state, work);    // 9: with the soil
 
   for (Index b = 0; b < bodies; ++b) {
     if (model.mpm.volumetric_projection) sum_volume_changes(model.mesh, state.particles[b], state.dt, work.grids[b]);
@@ -54,6 +57,7 @@ void update_stress_first(const Model<dim>& model, State<dim>& state, Work<dim>& 
     find_viscous_stress(model, state.particles[b], work.grids[b]);
     predict_velocities(model, 0, work.grids[b]);  // those before the step, with the supports
   }
+  spread_tractions(model, state, work);
   find_contacts(model, state, work);
   correct_velocities(model, state, work);
 
@@ -67,8 +71,9 @@ void update_stress_first(const Model<dim>& model, State<dim>& state, Work<dim>& 
   }
   correct_accelerations(model, state, work);
 
+  for (Index b = 0; b < bodies; ++b) predict_velocities(model, state.dt, work.grids[b]);
+  move_load_points(model, state, work);
   for (Index b = 0; b < bodies; ++b) {
-    predict_velocities(model, state.dt, work.grids[b]);
     move_particles(model, state, work, b);
     change_cells(model, state, work, b);
   }
@@ -80,6 +85,7 @@ template <int dim>
 void step(const Model<dim>& model, State<dim>& state, Work<dim>& work)
 {
   if (state.step % steps_between_time_steps == 0) state.dt = stable_time_step(model, state, work);
+  for (BodyGrid<dim>& grid : work.grids) grid.fixed = model.fixed_in[state.stage.index];
   drive_rigids(model, state, state.dt);
   if (model.update_stress_first)
     update_stress_first(model, state, work);

@@ -293,8 +293,8 @@ void gather_new_velocities(const Model<dim>& model, BodyGrid<dim>& grid)
       for (const CornerSums<dim>& corner : grid.corners[cell]) sum += Eigen::Map<const Vec<dim>>(corner.sum);
       return sum;
     };
-    grid.moved_velocity[i] =
-        without_held<dim>(model, i, grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
+    grid.moved_velocity[i] = without_held<dim>(
+        model.fixed[grid.fixed], i, grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
   });
 }
 
@@ -304,7 +304,7 @@ void predict_velocities(const Model<dim>& model, Real ahead, BodyGrid<dim>& grid
   for_each("predict velocities", static_cast<Index>(grid.nodes.size()), [&](Index n) {
     const Index i = grid.nodes[n];
     const auto momentum_of = [&](Index cell) { return Eigen::Map<const Vec<dim>>(grid.moments[cell].mv); };
-    grid.moved_velocity[i] = without_held<dim>(model, i,
+    grid.moved_velocity[i] = without_held<dim>(model.fixed[grid.fixed], i,
                                                grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
                                                                 : velocity_of_cells(model.mesh, grid, i, momentum_of));
   });

@@ -4,6 +4,7 @@
 #include "problem/model.hpp"
 #include "problem/stages.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace berm {
@@ -23,12 +24,39 @@ NodeField<Real> nodal_damping(const Mesh<dim>& mesh, const BodySettings& body)
 }
 
 template <int dim>
-NodeField<std::uint8_t> fixed_directions(const Mesh<dim>& mesh, const Case& c)
+NodeField<std::uint8_t> fixed_directions(const Mesh<dim>& mesh, const Case& c, const std::vector<char>& holds)
 {
   auto fixed = NodeField<std::uint8_t>::zeros(mesh.node_count());
-  for (const auto& [name, support] : c.support)
-    for (Index node : mesh.boundary_nodes[held_boundary(mesh, name, support)]) fixed[node] |= held_directions(support);
+  for (std::size_t k = 0; k < c.support.size(); ++k) {
+    const auto& [name, support] = c.support[k];
+    const Index boundary = held_boundary(mesh, name, support);
+    for (Index node : mesh.boundary_nodes[boundary])
+      if (holds[k]) fixed[node] |= held_directions(support);
+  }
   return fixed;
+}
+
+/// The body that fills each region of the mesh, the first where several do, or none.
+template <int dim>
+std::vector<Index> bodies_of_regions(const Mesh<dim>& mesh, const Case& c)
+{
+  std::vector<Index> body_of(mesh.region_names.size(), none);
+  for (Index b = static_cast<Index>(c.body.size()); b-- > 0;)
+    for (const std::string& region : c.body[b].second.regions) body_of[filled_region(mesh, c.body[b].first, region)] = b;
+  return body_of;
+}
+
+/// Load points of all tractions, where they lie at the start.
+template <int dim>
+void place_loads(const Case& c, Problem<dim>& problem)
+{
+  Model<dim>& model = problem.model;
+  const std::vector<Index> body_of = bodies_of_regions(model.mesh, c);
+  for (Index t = 0; t < static_cast<Index>(c.traction.size()); ++t)
+    for (const LoadedPlace<dim>& place : loaded_places(model.mesh, c.traction[t].first, c.traction[t].second, body_of)) {
+      model.load_points.push_back({t, body_of[model.mesh.region[place.cell]], place.force, place.area});
+      problem.state.load_points.push_back({place.x, place.cell});
+    }
 }
 
 template <int dim>
@@ -56,7 +84,9 @@ Model<dim> make_model(const Case& c, Mesh<dim> mesh)
   model.gravity_ramp = c.gravity_ramp;
   model.surface = c.surface;
   model.mpm = c.mpm;
-  model.fixed = fixed_directions(model.mesh, c);
+  const SupportSets sets = support_sets(c);
+  for (const std::vector<char>& holds : sets.holds) model.fixed.push_back(fixed_directions(model.mesh, c, holds));
+  model.fixed_in = sets.of_stage;
 
   for (const auto& [name, settings] : c.rigid) {
     const RigidShape<dim> shape = make_shape<dim>(settings.shape);
@@ -72,6 +102,11 @@ Model<dim> make_model(const Case& c, Mesh<dim> mesh)
     model.contacts.push_back({name, place_of(c.body, s.body), place_of(c.rigid, s.rigid), place_of(c.body, s.other_body),
                               std::tan(s.friction_angle), s.adhesion, s.scheme, s.detection == Detection::automatic ? best : s.detection,
                               s.approach_steps});
+  }
+  for (const auto& [name, s] : c.traction) {
+    model.tractions.push_back({name, s.ramp, {}});
+    for (const StageSettings& stage : c.stage)
+      model.tractions.back().acts.push_back(s.stages.empty() || std::find(s.stages.begin(), s.stages.end(), stage.name) != s.stages.end());
   }
   model.update_stress_first = !c.contact.empty() && c.contact.front().second.scheme == Scheme::usf;
   model.stages = c.stage;
@@ -113,6 +148,8 @@ Problem<dim> build(const Case& c, Mesh<dim> mesh)
     });
   }
   state.pair_impulses.assign(c.contact.size(), Vec<dim>::Zero());
+  state.tractions.resize(model.tractions.size());
+  place_loads(c, problem);
   for (const auto& [name, watch] : c.watch) {
     const Index body = place_of(c.body, watch.body);
     model.watches.push_back({name, body, nearest_particle(state.particles[body], watch.point)});

@@ -165,6 +165,39 @@ void check_stages(Describe& d, const Case& c)
   }
 }
 
+void check_stage_names(Describe& d, const Case& c, const std::string& path, const std::vector<std::string>& names)
+{
+  std::vector<std::string> stages;
+  for (const StageSettings& stage : c.stage) stages.push_back(stage.name);
+  for (const std::string& name : names) d.check(among(name, stages), path, fmt::format("there is no stage \"{}\"", name), stages);
+}
+
+void check_supports(Describe& d, const Case& c)
+{
+  const std::vector<std::string> directions =
+      c.dimension == 2 ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x", "y", "z"};
+  for (const auto& [name, support] : c.support) {
+    for (const std::string& direction : support.fixed)
+      d.check(among(direction, directions), "support." + name + ".fixed", fmt::format("\"{}\" is no direction", direction), directions);
+    check_stage_names(d, c, "support." + name + ".stages", support.stages);
+  }
+}
+
+void check_tractions(Describe& d, const Case& c)
+{
+  for (const auto& [name, traction] : c.traction) {
+    const std::string path = "traction." + name;
+    d.check(place_of(c.body, name) == none && place_of(c.watch, name) == none, path,
+            "a [body.NAME] or [watch.NAME] has this name, which columns of the history begin with");
+    d.check(traction.stress.empty() == traction.pressure.has_value(), path, "needs either stress or pressure, and not both");
+    if (!traction.pressure) check_entries(d, path + ".stress", traction.stress, c.dimension);
+    const std::vector<Real>& range = traction.x_range;
+    d.check(range.empty() || c.dimension == 2, path + ".x_range", "a part of a boundary can be loaded in two dimensions only");
+    d.check(range.empty() || (range.size() == 2 && range[0] < range[1]), path + ".x_range", "needs 2 numbers, the smaller one first");
+    check_stage_names(d, c, path + ".stages", traction.stages);
+  }
+}
+
 /// About how many cells a bed gets around a circle or box that is cut out of it, what is cut out counted with them; 0 around other shapes.
 Real cells_around(const RigidShapeSettings& shape, SeabedMesh bed, Real size)
 {
@@ -297,6 +330,7 @@ void describe(Describe& d, Case& c)
   d.named_tables("rigid", c.rigid, {.meaning = "rigid bodies"});
   d.named_tables("contact", c.contact, {.meaning = "contacts of a deformable body with a rigid one or another deformable one"});
   d.named_tables("support", c.support, {.meaning = "boundaries that are held"});
+  d.named_tables("traction", c.traction, {.meaning = "loads on boundaries of the soil"});
   d.array("stage", c.stage, {.meaning = "what happens, one stage after the other", .required = true});
   d.table("mpm", c.mpm, {.meaning = "the material point method"});
   d.table("fem", c.fem, {.meaning = "the finite element method"});
@@ -313,18 +347,29 @@ void describe(Describe& d, Case& c)
   }
   check_bodies(d, c);
   check_rigids(d, c);
-  const std::vector<std::string> directions =
-      c.dimension == 2 ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x", "y", "z"};
-  for (const auto& [name, support] : c.support)
-    for (const std::string& direction : support.fixed)
-      d.check(among(direction, directions), "support." + name + ".fixed", fmt::format("\"{}\" is no direction", direction), directions);
   for (const auto& [name, watch] : c.watch) {
     check_name(d, "watch." + name + ".body", watch.body, "body", names_of(c.body));
     check_entries(d, "watch." + name + ".point", watch.point, c.dimension);
   }
   check_stages(d, c);
+  check_supports(d, c);
+  check_tractions(d, c);
   check_fem(d, c);
   check_output(d, c);
+}
+
+SupportSets support_sets(const Case& c)
+{
+  SupportSets sets;
+  for (const StageSettings& stage : c.stage) {
+    std::vector<char> holds;
+    for (const auto& [name, support] : c.support) holds.push_back(support.stages.empty() || among(stage.name, support.stages));
+    const auto same = std::find(sets.holds.begin(), sets.holds.end(), holds);
+    sets.of_stage.push_back(static_cast<Index>(same - sets.holds.begin()));
+    if (same == sets.holds.end()) sets.holds.push_back(holds);
+  }
+  if (sets.holds.empty()) sets.holds.emplace_back(c.support.size(), true);
+  return sets;
 }
 
 Index main_rigid(const Case& c)

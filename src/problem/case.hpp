@@ -4,6 +4,7 @@
 #include "bodies/body_settings.hpp"
 #include "bodies/rigid_settings.hpp"
 #include "boundary/support.hpp"
+#include "boundary/traction.hpp"
 #include "contact/contact_settings.hpp"
 #include "material/material.hpp"
 #include "mesh/mesh_settings.hpp"
@@ -71,6 +72,7 @@ struct Case {
   std::vector<std::pair<std::string, RigidSettings>> rigid;
   std::vector<std::pair<std::string, ContactSettings>> contact;
   std::vector<std::pair<std::string, SupportSettings>> support;
+  std::vector<std::pair<std::string, TractionSettings>> traction;
   std::vector<StageSettings> stage;
   MpmSettings mpm;
   FemSettings fem;
@@ -94,6 +96,13 @@ Index place_of(const std::vector<std::pair<std::string, T>>& tables, const std::
     if (tables[k].first == name) return k;
   return none;
 }
+
+/// The sets of supports that hold together, by place in Case::support; and the set of each stage.
+struct SupportSets {
+  std::vector<std::vector<char>> holds;
+  std::vector<Index> of_stage;
+};
+SupportSets support_sets(const Case& c);
 
 /// The rigid body whose u, w, H and V the history tells: the first that a stage names, else the first there is; none without rigid bodies.
 Index main_rigid(const Case& c);

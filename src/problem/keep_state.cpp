@@ -34,13 +34,14 @@ namespace {
 template <int dim>
 void keep(Keep& k, Totals<dim>& totals)
 {
-  static_assert(sizeof(totals) == (4 + 5 * dim) * sizeof(Real));
+  static_assert(sizeof(totals) == (4 + 6 * dim) * sizeof(Real));
   k("internal", totals.internal);
   k("external", totals.external);
   k("damping", totals.damping);
   k("friction", totals.friction);
   k("first_momentum", totals.first_momentum);
   k("gravity_impulse", totals.gravity_impulse);
+  k("traction_impulse", totals.traction_impulse);
   k("contact_impulse", totals.contact_impulse);
   k("support_impulse", totals.support_impulse);
   k("damping_impulse", totals.damping_impulse);
@@ -61,6 +62,32 @@ void keep(Keep& k, const Model<dim>& model, StageState<dim>& stage)
     });
 }
 
+void keep(Keep& k, TractionState& traction)
+{
+  static_assert(sizeof(traction) == 3 * sizeof(Real));
+  k("begin_time", traction.begin_time);
+  k("from", traction.from);
+  k("to", traction.to);
+}
+
+template <int dim>
+void keep(Keep& k, const Model<dim>& model, std::vector<LoadPointState<dim>>& points)
+{
+  std::vector<Index> cells;
+  std::vector<Real> x;
+  for (const LoadPointState<dim>& point : points) {
+    cells.push_back(point.cell);
+    x.insert(x.end(), point.x.begin(), point.x.end());
+  }
+  k.fixed("cells", cells);
+  k.fixed("positions", x);
+  for (std::size_t l = 0; l < points.size(); ++l) {
+    if (k.reads() && (cells[l] < 0 || cells[l] >= model.mesh.cell_count())) k.refuse(fmt::format("the mesh has no cell {}", cells[l]));
+    points[l].cell = cells[l];
+    for (int d = 0; d < dim; ++d) points[l].x[d] = x[l * dim + d];
+  }
+}
+
 }  // namespace
 
 template <int dim>
@@ -74,6 +101,8 @@ void keep(Keep& k, const Model<dim>& model, State<dim>& state)
   k.table("totals", [&] { keep(k, state.totals); });
   for (std::size_t r = 0; r < state.rigids.size(); ++r) k.table(fmt::format("rigid_{}", r), [&] { keep(k, state.rigids[r]); });
   for (std::size_t c = 0; c < state.pair_impulses.size(); ++c) k(fmt::format("pair_impulse_{}", c), state.pair_impulses[c]);
+  for (std::size_t t = 0; t < state.tractions.size(); ++t) k.table(fmt::format("traction_{}", t), [&] { keep(k, state.tractions[t]); });
+  if (!state.load_points.empty()) k.table("load_points", [&] { keep(k, model, state.load_points); });
   for (std::size_t b = 0; b < state.particles.size(); ++b) k.table(fmt::format("body_{}", b), [&] { state.particles[b].keep(k); });
 }
 

@@ -13,7 +13,8 @@ template <int dim>
 struct Body {
   std::string name;
   Material material;
-  NodeField<Real> damping;  ///< local damping factor of each node for this body
+  NodeField<Real> damping;    ///< local damping factor of each node for this body
+  Real weight_over_mass = 1;  ///< density over inertia density: the part of gravity that acts on its particles
 };
 
 /// A contact with its names looked up.
@@ -25,6 +26,21 @@ struct Contact {
   Scheme scheme;
   Detection detection;
   Real approach_steps;
+};
+
+/// A traction: when it acts. Its forces are those of the load points.
+struct Traction {
+  std::string name;
+  Real ramp;               ///< s
+  std::vector<char> acts;  ///< by stage
+};
+
+/// A point that hands a fixed part of a traction to the soil of one body.
+template <int dim>
+struct LoadPoint {
+  Index traction, body;
+  Vec<dim> force;  ///< N/m or N, of the whole traction
+  Real area;       ///< m or m2 at the start
 };
 
 /// A particle that is watched: body and id.
@@ -42,10 +58,13 @@ struct Model {
   std::vector<Body<dim>> bodies;
   std::vector<Rigid<dim>> rigids;
   std::vector<Contact> contacts;
-  NodeField<std::uint8_t> fixed;  ///< bit d: direction d of the node is held
-  Vec<dim> gravity;               ///< m/s2
-  Real gravity_ramp;              ///< s
-  Real surface;                   ///< m
+  std::vector<Traction> tractions;
+  std::vector<LoadPoint<dim>> load_points;
+  std::vector<NodeField<std::uint8_t>> fixed;  ///< by set of supports that hold together; bit d: direction d of the node is held
+  std::vector<Index> fixed_in;                 ///< by stage: which set
+  Vec<dim> gravity;                            ///< m/s2
+  Real gravity_ramp;                           ///< s
+  Real surface;                                ///< m
   std::vector<StageSettings> stages;
   std::vector<Index> driven;  ///< the rigid body that each stage drives, or none
   Index main_rigid;           ///< whose u, w, H and V are told, or none
@@ -56,10 +75,10 @@ struct Model {
 
 /// A vector at a node without its components in the directions that are held there.
 template <int dim>
-Vec<dim> without_held(const Model<dim>& model, Index node, Vec<dim> v)
+Vec<dim> without_held(const NodeField<std::uint8_t>& fixed, Index node, Vec<dim> v)
 {
   for (int d = 0; d < dim; ++d)
-    if (model.fixed[node] >> d & 1) v[d] = 0;
+    if (fixed[node] >> d & 1) v[d] = 0;
   return v;
 }
 
@@ -68,12 +87,13 @@ template <int dim>
 struct Totals {
   // Work, J/m. kinetic + internal + damping + friction = external + what the method itself adds or loses.
   Real internal = 0;  ///< stored and dissipated by the material
-  Real external = 0;  ///< of gravity and of the driven rigid bodies
+  Real external = 0;  ///< of gravity, of tractions and of the driven rigid bodies
   Real damping = 0;   ///< taken out by local damping
   Real friction = 0;  ///< taken out at the contacts
   // Momentum of the deformable bodies at the start, and the impulses given to them since, N s/m.
   Vec<dim> first_momentum = Vec<dim>::Zero();
   Vec<dim> gravity_impulse = Vec<dim>::Zero();
+  Vec<dim> traction_impulse = Vec<dim>::Zero();
   Vec<dim> contact_impulse = Vec<dim>::Zero();
   Vec<dim> support_impulse = Vec<dim>::Zero();
   Vec<dim> damping_impulse = Vec<dim>::Zero();
@@ -83,6 +103,19 @@ struct Totals {
 struct Drive {
   bool by_force = false;
   Real from = 0, to = 0;  ///< m/s or N/m, along +x or +y
+};
+
+/// How a traction grows or falls: the part of it that acts goes from one value to another since `begin_time`.
+struct TractionState {
+  Real begin_time = 0;  ///< s
+  Real from = 0, to = 0;
+};
+
+/// Where a load point is.
+template <int dim>
+struct LoadPointState {
+  Vec<dim> x;  ///< m
+  Index cell;
 };
 
 /// Where the run stands in its list of stages.
@@ -104,6 +137,8 @@ struct State {
   std::vector<RigidState<dim>> rigids;
   std::vector<Vec<dim>>
       pair_impulses;  ///< by contact: what the other body gave to the body since the start, N s/m or N s; zero at rigid bodies
+  std::vector<TractionState> tractions;
+  std::vector<LoadPointState<dim>> load_points;
   StageState<dim> stage;
   Totals<dim> totals;
 };

@@ -38,6 +38,11 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
   const Index driven = model.driven[now.index];
   now.begin_time = state.time;
   for (Drive& drive : now.drive) drive = {};
+  for (std::size_t k = 0; k < state.tractions.size(); ++k) {
+    TractionState& traction = state.tractions[k];
+    const Real to = model.tractions[k].acts[now.index] ? 1 : 0;
+    if (to != traction.to) traction = {state.time, part_of_traction(model.tractions[k], traction, state.time), to};
+  }
   if (driven == none) return;
 
   const RigidState<dim>& rigid = state.rigids[driven];

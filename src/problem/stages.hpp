@@ -31,7 +31,7 @@ inline Real ramped(const StageSettings& stage, const Drive& drive, Real since)
   return drive.from + part * (drive.to - drive.from);
 }
 
-/// Sets the drives of the stage that state.stage.index names. A velocity starts from the present velocity and a force from the one that balances
+/// Sets the drives of the stage that state.stage.index names, and where its tractions go. A velocity starts from the present velocity and a force from the one that balances
 /// the present (averaged) reaction, so that nothing jumps when the drive changes.
 template <int dim>
 void begin_stage(const Model<dim>& model, State<dim>& state);
@@ -47,6 +47,13 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt);
 
 /// The time that a stage is expected to take, s; 0 where it cannot be told from its input.
 Real expected_time(const StageSettings& stage);
+
+/// The part of a traction that acts at a time.
+inline Real part_of_traction(const Traction& traction, const TractionState& now, Real time)
+{
+  const Real since = time - now.begin_time, part = traction.ramp > since ? since / traction.ramp : 1;
+  return now.from + part * (now.to - now.from);
+}
 
 /// Gravity at the present time, m/s2.
 template <int dim>

@@ -16,6 +16,8 @@ std::vector<std::string> FemRecorder::columns(const FemModel& model)
 {
   std::vector<std::string> names = common_columns();
   names.insert(names.end(), {"iterations", "unbalance", "overstress"});
+  for (const Traction& traction : model.model.tractions)
+    for (const char* column : {"Fx_N_m", "Fy_N_m", "ux_m", "uy_m"}) names.push_back(fmt::format("{}_{}", traction.name, column));
   for (const FemWatch& watch : model.watches)
     for (const char* column : {"ux_m", "uy_m", "sxx_Pa", "syy_Pa", "szz_Pa", "sxy_Pa"})
       names.push_back(fmt::format("{}_{}", watch.name, column));
@@ -50,6 +52,18 @@ void FemRecorder::add_row(const FemModel& model, FemState& state, const Incremen
   }
   row.insert(row.end(), {0, t.internal, 0, t.friction, t.external, error, state.unbalanced / (model.weight > 0 ? model.weight : unknown), 0,
                          overlap, 0, moment, angle, static_cast<Real>(end.iterations), end.unbalance, state.overstress});
+  for (std::size_t k = 0; k < model.loads.size(); ++k) {
+    Vec<2> force = Vec<2>::Zero(), moved_by = Vec<2>::Zero();
+    Real area = 0;
+    for (const NodalLoad& load : model.loads[k]) {
+      force += load.force;
+      moved_by += load.area * Vec<2>(state.displacement[2 * load.node], state.displacement[2 * load.node + 1]);
+      area += load.area;
+    }
+    force *= state.tractions[k];
+    moved_by /= area;
+    row.insert(row.end(), {force[0], force[1], moved_by[0], moved_by[1]});
+  }
   for (const FemWatch& watch : model.watches) {
     row.insert(row.end(), {state.displacement[2 * watch.node], state.displacement[2 * watch.node + 1]});
     const SymTensor<2>& stress = state.points[watch.cell][watch.point].stress;

@@ -35,6 +35,10 @@ std::vector<std::string> Recorder<dim>::columns(const Model<dim>& model)
   for (const Contact& contact : model.contacts)
     for (int d = 0; d < dim && contact.other_body != none; ++d)
       names.push_back(fmt::format("{}_F{}_N_m", contact.name, direction_names[d]));
+  for (const Traction& traction : model.tractions) {
+    for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_F{}_N_m", traction.name, direction_names[d]));
+    for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_u{}_m", traction.name, direction_names[d]));
+  }
   for (const Watch& watch : model.watches) {
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_u{}_m", watch.name, direction_names[d]));
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_v{}_m_s", watch.name, direction_names[d]));
@@ -54,6 +58,7 @@ Recorder<dim>::Recorder(const Model<dim>& model, const State<dim>& start)
     first_centers_.push_back(sums.center());
     first_kinetic_ += sums.kinetic;
   }
+  first_loaded_ = start.load_points;
   for (const Watch& watch : model.watches) first_watched_.push_back(particle_of(start.particles[watch.body], watch.id).x);
 }
 
@@ -85,6 +90,26 @@ void Recorder<dim>::add_turn(const State<dim>& state, Index rigid, std::vector<R
 {
   const Real time = state.time - last_time_, impulse = state.rigids[rigid].torque_impulse - last_rigids_[rigid].torque_impulse;
   row.insert(row.end(), {time > 0 ? -impulse / time + 0. : 0, state.rigids[rigid].angle});
+}
+
+template <int dim>
+void Recorder<dim>::add_tractions(const Model<dim>& model, const State<dim>& state, std::vector<Real>& row) const
+{
+  for (Index t = 0; t < static_cast<Index>(model.tractions.size()); ++t) {
+    Vec<dim> force = Vec<dim>::Zero(), moved_by = Vec<dim>::Zero();
+    Real area = 0;
+    for (std::size_t l = 0; l < model.load_points.size(); ++l) {
+      const LoadPoint<dim>& point = model.load_points[l];
+      if (point.traction != t) continue;
+      force += point.force;
+      moved_by += point.area * (state.load_points[l].x - first_loaded_[l].x);
+      area += point.area;
+    }
+    force *= part_of_traction(model.tractions[t], state.tractions[t], state.time);
+    moved_by /= area;
+    row.insert(row.end(), force.begin(), force.end());
+    row.insert(row.end(), moved_by.begin(), moved_by.end());
+  }
 }
 
 template <int dim>
@@ -145,6 +170,7 @@ void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Wo
   for (std::size_t k = 0; k < model.contacts.size(); ++k)
     for (int d = 0; d < dim && model.contacts[k].other_body != none; ++d)
       row.push_back(time > 0 ? (state.pair_impulses[k][d] - last_pair_impulses_[k][d]) / time : 0);
+  add_tractions(model, state, row);
   for (std::size_t k = 0; k < model.watches.size(); ++k) {
     const Particle<dim> watched = particle_of(state.particles[model.watches[k].body], model.watches[k].id);
     const Vec<dim> moved_by = watched.x - first_watched_[k];

@@ -25,7 +25,7 @@ public:
   /// V and H of the last row, N/m.
   Real vertical() const { return vertical_; }
   Real horizontal() const { return horizontal_; }
-  /// Of the last row: sum of unbalanced nodal forces over the weight.
+  /// Of the last row: sum of unbalanced nodal forces over weight and tractions.
   Real out_of_balance() const { return out_of_balance_; }
   /// The largest |energy error| of all rows over the largest work done so far.
   Real energy_error() const { return largest_work_ > 0 ? largest_error_ / largest_work_ : 0; }
@@ -33,12 +33,14 @@ public:
 private:
   void add_motion(const Model<dim>& model, const State<dim>& state, Index rigid, std::vector<Real>& row);
   void add_turn(const State<dim>& state, Index rigid, std::vector<Real>& row);
+  void add_tractions(const Model<dim>& model, const State<dim>& state, std::vector<Real>& row) const;
 
   Real last_time_ = 0;
   std::vector<RigidState<dim>> last_rigids_;
   std::vector<Vec<dim>> last_pair_impulses_;
   std::vector<Vec<dim>> first_centers_;  ///< of mass, by body
   std::vector<Vec<dim>> first_watched_;
+  std::vector<LoadPointState<dim>> first_loaded_;
   Real first_kinetic_ = 0;
   Real vertical_ = 0, horizontal_ = 0, out_of_balance_ = 0, largest_error_ = 0, largest_work_ = 0;
 };

@@ -81,7 +81,8 @@ struct SampleRun {
   Problem<dim> problem;
   std::optional<Work<dim>> work;
 
-  explicit SampleRun(Scheme scheme = ContactSettings{}.scheme) : problem(build<dim>(two_bodies<dim>(scheme), ".", ".")) {}
+  explicit SampleRun(Scheme scheme = ContactSettings{}.scheme) : SampleRun(two_bodies<dim>(scheme)) {}
+  explicit SampleRun(const Case& c) : problem(build<dim>(c, ".", ".")) {}
 
   void steps(int count)
   {

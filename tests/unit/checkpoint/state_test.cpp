@@ -159,6 +159,45 @@ TYPED_TEST(StateCheckpoint, lets_a_run_go_on_as_if_it_had_never_stopped)
   }
 }
 
+TYPED_TEST(StateCheckpoint, holds_tractions_and_where_their_points_are)
+{
+  constexpr int dim = TypeParam::value;
+  Case c = test::two_bodies<dim>(Scheme::two_sided);
+  c.body.resize(1);
+  c.body[0].second.block.reset();
+  c.body[0].second.regions = {"box"};
+  c.contact.clear();
+  c.rigid.clear();
+  c.stage[0] = {};
+  c.stage[0].until.time = 1;
+  TractionSettings load;
+  load.boundary = "top";
+  load.pressure = 2e4;
+  load.ramp = 0.05;
+  c.traction = {{"load", load}};
+  test::SampleRun<dim> whole(c), parts(c);
+  whole.steps(23);
+  ASSERT_GT((whole.problem.state.load_points[0].x - parts.problem.state.load_points[0].x).norm(), 0);
+  whole.problem.state.tractions[0].begin_time = -1e-3;
+  whole.problem.state.tractions[0].from = 0.1;
+  const auto file = this->folder_ / "file.h5";
+  write(file, whole);
+  read(file, parts);
+  EXPECT_EQ(test::differences(all_of(whole), all_of(parts)), "");
+  whole.steps(30);
+  parts.steps(30);
+  EXPECT_EQ(test::differences(all_of(whole), all_of(parts)), "");
+  for (std::size_t l = 0; l < whole.problem.state.load_points.size(); ++l) {
+    EXPECT_EQ(whole.problem.state.load_points[l].x, parts.problem.state.load_points[l].x);
+    EXPECT_EQ(whole.problem.state.load_points[l].cell, parts.problem.state.load_points[l].cell);
+  }
+  EXPECT_EQ(parts.problem.state.tractions[0].from, 0.1);
+
+  whole.problem.state.load_points[0].cell = whole.problem.model.mesh.cell_count();
+  write(file, whole);
+  EXPECT_THROW(read(file, parts), RunError);
+}
+
 TYPED_TEST(StateCheckpoint, of_another_problem_is_refused)
 {
   constexpr int dim = TypeParam::value;

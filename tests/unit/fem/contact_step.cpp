@@ -26,7 +26,7 @@ struct Block {
   {
     if (free)
       for (FemLoads::Direction& direction : loads.rigid) direction.by_force = true;
-    const NodeField<std::uint8_t>& fixed = problem.model.mesh.fixed;
+    const NodeField<std::uint8_t>& fixed = problem.model.mesh.fixed[0];
     for (Index node = 0; node < fixed.size(); ++node)
       for (int d = 0; d < 2; ++d)
         if (fixed[node] >> d & 1) change[2 * node + d] = 0;

@@ -144,7 +144,7 @@ TEST(QuadraticMesh, holds_corners_and_middles_of_supported_sides)
   HalfFilledBox box;
   box.c.support = {{"a", {"left", {"x"}}}, {"b", {"bottom", {"x", "y"}}}};
   const QuadraticMesh mesh = box.make();
-  const auto held = [&](Real x, Real y) { return static_cast<int>(mesh.fixed[node_at(mesh, x, y)]); };
+  const auto held = [&](Real x, Real y) { return static_cast<int>(mesh.fixed[0][node_at(mesh, x, y)]); };
   EXPECT_EQ(held(0, 1), 1);
   EXPECT_EQ(held(0, 0.5), 1);
   EXPECT_EQ(held(0, 0), 3);
@@ -161,9 +161,9 @@ TEST(QuadraticMesh, does_not_hold_the_middle_between_two_supports)
   box.c.body[0].second.regions = {"left half", "right half"};
   box.c.support = {{"a", {"bottom", {"x"}}}, {"b", {"top", {"x"}}}};
   const QuadraticMesh mesh = box.make();
-  for (const Real x : {0., 2.}) EXPECT_EQ(mesh.fixed[node_at(mesh, x, 0.5)], 0);  // a side of one cell from bottom to top
+  for (const Real x : {0., 2.}) EXPECT_EQ(mesh.fixed[0][node_at(mesh, x, 0.5)], 0);  // a side of one cell from bottom to top
   // The diagonals' ends are held as well.
-  for (const Real x : {0.5, 1., 1.5}) EXPECT_EQ(mesh.fixed[node_at(mesh, x, 0.5)], 0);
+  for (const Real x : {0.5, 1., 1.5}) EXPECT_EQ(mesh.fixed[0][node_at(mesh, x, 0.5)], 0);
 }
 
 TEST(QuadraticMesh, holds_no_middle_inside_though_both_ends_are_held)
@@ -174,8 +174,8 @@ TEST(QuadraticMesh, holds_no_middle_inside_though_both_ends_are_held)
   box.mesh.boundary_nodes.push_back({0, 1, 2, 3, 4, 5});
   box.c.support = {{"a", {"all round", {"x"}}}};
   const QuadraticMesh mesh = box.make();
-  EXPECT_EQ(mesh.fixed[node_at(mesh, 0.5, 0.5)], 0);
-  EXPECT_EQ(mesh.fixed[node_at(mesh, 0.5, 1)], 1);
+  EXPECT_EQ(mesh.fixed[0][node_at(mesh, 0.5, 0.5)], 0);
+  EXPECT_EQ(mesh.fixed[0][node_at(mesh, 0.5, 1)], 1);
 }
 
 TEST(QuadraticMesh, holds_the_walls_and_the_base_of_a_bed)
@@ -184,7 +184,7 @@ TEST(QuadraticMesh, holds_the_walls_and_the_base_of_a_bed)
   for (Index i = 0; i < mesh.node_count(); ++i) {
     const Vec<2>& x = mesh.position[i];
     const bool base = x[1] < -1 + 1e-9, wall = x[0] < -1.4 + 1e-9 || x[0] > 1.6 - 1e-9;
-    EXPECT_EQ(static_cast<int>(mesh.fixed[i]), base ? 3 : wall ? 1 : 0) << x.transpose();
+    EXPECT_EQ(static_cast<int>(mesh.fixed[0][i]), base ? 3 : wall ? 1 : 0) << x.transpose();
   }
 }
 

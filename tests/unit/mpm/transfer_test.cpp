@@ -140,7 +140,7 @@ TYPED_TEST(Transfer, held_directions_have_no_new_velocity)
 {
   constexpr int dim = TypeParam::value;
   Random<dim> random;
-  for (Index i = 0; i < random.mesh().node_count(); ++i) random.problem.model.fixed[i] = static_cast<std::uint8_t>(i % (1 << dim));
+  for (Index i = 0; i < random.mesh().node_count(); ++i) random.problem.model.fixed[0][i] = static_cast<std::uint8_t>(i % (1 << dim));
   random.to_the_nodes(true);
   spread_new_momentum(random.mesh(), random.particles(), random.state().dt, random.grid());
   gather_new_velocities(random.problem.model, random.grid());

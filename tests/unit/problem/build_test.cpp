@@ -95,7 +95,7 @@ TEST(Build, holds_the_nodes_of_a_boundary_in_the_directions_named)
   const auto model = build<2>(c, ".", ".").model;
   for (Index i = 0; i < model.mesh.node_count(); ++i) {
     const Vec<2>& x = model.mesh.position[i];
-    EXPECT_EQ(model.fixed[i], x[1] == 0 ? 3 : x[0] == 0 ? 1 : 0) << x.transpose();
+    EXPECT_EQ(model.fixed[0][i], x[1] == 0 ? 3 : x[0] == 0 ? 1 : 0) << x.transpose();
   }
 }
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fem/side_loads.hpp"
+
+namespace berm {
+namespace {
+
+/// Place and weight in 0 ... 1.
+const std::array<std::pair<Real, Real>, 3> gauss_points{
+    std::pair<Real, Real>{0.5 - std::sqrt(0.15), 5. / 18}, {0.5, 8. / 18}, {0.5 + std::sqrt(0.15), 5. / 18}};
+
+}  // namespace
+
+std::vector<NodalLoad> side_loads(const QuadraticMesh& mesh, const std::vector<BoundarySide>& sides, const std::string& name,
+                                  const TractionSettings& traction)
+{
+  std::vector<NodalLoad> loads;
+  for (const BoundarySide& side : sides) {
+    const std::array<Index, 3> nodes = {side.from, side.middle, side.to};
+    const Stretch stretch = stretch_in_range(traction, mesh.position[side.from], mesh.position[side.to]);
+    const Real loaded = stretch.to - stretch.from;
+    if (!(loaded > 0)) continue;
+    std::array<NodalLoad, 3> of_side;
+    for (int k = 0; k < 3; ++k) of_side[k] = {nodes[k], Vec<2>::Zero(), 0};
+    for (const auto& [place, weight] : gauss_points) {
+      const Real s = stretch.from + loaded * place;
+      const std::array<Real, 3> value = {(1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1)},
+                                slope = {4 * s - 3, 4 - 8 * s, 4 * s - 1};
+      Vec<2> along = Vec<2>::Zero();
+      for (int k = 0; k < 3; ++k) along += slope[k] * mesh.position[nodes[k]];
+      const Vec<2> outwards = Vec<2>(along[1], -along[0]).normalized();  // the soil is on the left
+      const Real length = weight * loaded * along.norm();
+      for (int k = 0; k < 3; ++k) {
+        of_side[k].force += value[k] * length * stress_on<2>(traction, outwards);
+        of_side[k].area += value[k] * length;
+      }
+    }
+    loads.insert(loads.end(), of_side.begin(), of_side.end());
+  }
+  if (loads.empty()) refuse_without_soil(name, traction);
+  return loads;
+}
+
+}  // namespace berm

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "boundary/traction.hpp"
+#include "fem/quadratic_mesh.hpp"
+
+namespace berm {
+
+/// What a node gets of a traction.
+struct NodalLoad {
+  Index node;
+  Vec<2> force;  ///< N/m, integral of N_i times the traction over the sides
+  Real area;     ///< m, integral of N_i over the loaded part of the sides
+};
+
+/// The consistent forces of the traction `name` on sides with three nodes, which may be curved. Three points of Gauss a side are exact on straight ones.
+/// Throws InputError where nothing is loaded.
+std::vector<NodalLoad> side_loads(const QuadraticMesh& mesh, const std::vector<BoundarySide>& sides, const std::string& name,
+                                  const TractionSettings& traction);
+
+}  // namespace berm

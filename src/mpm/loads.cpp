@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/loads.hpp"
+
+#include "core/error.hpp"
+#include "core/timer.hpp"
+#include "problem/stages.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm {
+namespace {
+
+/// Soil that swings back may carry a point out of the mesh by this many heights of the cell; there it counts as on the nearest face.
+constexpr Real most_outside = 0.5;
+
+[[noreturn]] void refuse(const std::string& traction, const Real* x, int dim, Real time, BigIndex step, const char* what)
+{
+  throw RunError(
+      fmt::format("traction \"{}\": {} at ({:.6g}) m at t = {:.6g} s (step {})", traction, what, fmt::join(x, x + dim, ", "), time, step));
+}
+
+/// The shares that the corners of its cell have of a load point: its shape functions, not less than zero, where there is mass; 0 elsewhere. Their sum is 1.
+template <int dim>
+std::array<Real, dim + 1> shares_of(const Model<dim>& model, const State<dim>& state, const BodyGrid<dim>& grid, std::size_t l)
+{
+  const LoadPointState<dim>& point = state.load_points[l];
+  const Shape<dim> shape = model.mesh.shape(point.cell);
+  std::array<Real, dim + 1> shares;
+  Real total = 0;
+  for (int k = 0; k <= dim; ++k) {
+    constexpr Real round_off = 1e-9;  // a node with mass has a share at least this large, so that the sum is never 0 there
+    shares[k] = grid.mass[model.mesh.nodes[point.cell][k]] > 0 ? std::max(shape.value(k, point.x), round_off) : 0;
+    total += shares[k];
+  }
+  if (!(total > 0))
+    refuse(model.tractions[model.load_points[l].traction].name, point.x.data(), dim, state.time, state.step,
+           "there is no soil any more under the load");
+  for (Real& share : shares) share /= total;
+  return shares;
+}
+
+}  // namespace
+
+template <int dim>
+void spread_tractions(const Model<dim>& model, const State<dim>& state, Work<dim>& work)
+{
+  if (model.load_points.empty()) return;
+  const Timer timer("tractions");
+  for (std::size_t l = 0; l < model.load_points.size(); ++l) {
+    const LoadPoint<dim>& point = model.load_points[l];
+    BodyGrid<dim>& grid = work.grids[point.body];
+    const Real part = part_of_traction(model.tractions[point.traction], state.tractions[point.traction], state.time);
+    const std::array<Real, dim + 1> shares = shares_of(model, state, grid, l);
+    const auto& nodes = model.mesh.nodes[state.load_points[l].cell];
+    for (int k = 0; k <= dim; ++k) grid.traction[nodes[k]] += shares[k] * part * point.force;
+  }
+}
+
+template <int dim>
+void move_load_points(const Model<dim>& model, State<dim>& state, Work<dim>& work)
+{
+  if (model.load_points.empty()) return;
+  const Timer timer("tractions");
+  for (std::size_t l = 0; l < model.load_points.size(); ++l) {
+    BodyGrid<dim>& grid = work.grids[model.load_points[l].body];
+    LoadPointState<dim>& point = state.load_points[l];
+    const std::array<Real, dim + 1> shares = shares_of(model, state, grid, l);
+    const auto& nodes = model.mesh.nodes[point.cell];
+    for (int k = 0; k <= dim; ++k) {
+      if (shares[k] > 0) point.x += state.dt * shares[k] * grid.moved_velocity[nodes[k]];
+      grid.traction[nodes[k]].setZero();
+    }
+    const Location found = locate(model.mesh, point.x, point.cell);
+    point.cell = found.cell;
+    if (found.inside) continue;
+    const Shape<dim> shape = model.mesh.shape(point.cell);
+    for (int k = 0; k <= dim; ++k)
+      if (!(shape.value(k, point.x) > -most_outside))
+        refuse(model.tractions[model.load_points[l].traction].name, point.x.data(), dim, state.time, state.step,
+               "the loaded soil has left the mesh");
+  }
+}
+
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void spread_tractions(const Model<dim>&, const State<dim>&, Work<dim>&);                                                        \
+  template void move_load_points(const Model<dim>&, State<dim>&, Work<dim>&);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm
