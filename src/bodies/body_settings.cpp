@@ -45,7 +45,8 @@ void describe(Describe& d, BodySettings& body)
           {.meaning = "local damping: part of a node's unbalanced force that opposes its velocity", .range = {0, 1}});
   d.value("region_damping", body.region_damping, {.meaning = "local damping in single regions, by the region's name", .range = {0, 1}});
   d.value("k0", body.k0,
-          {.meaning = "stress at the start is that of a flat bed below `surface`: horizontal over vertical stress; absent = no stress",
+          {.meaning = "stress at the start is that of a flat bed below `surface`, or what `initial_state` says: horizontal over vertical "
+                      "stress; absent = no stress",
            .range = {0, 5}});
   d.value("initial_stress", body.initial_stress,
           {.meaning = "stresses xx, yy and zz at the start, the same everywhere, tension positive; instead of k0", .unit = "Pa"});

@@ -3,6 +3,8 @@
 #include "core/error.hpp"
 #include "fem/cut_mesh.hpp"
 #include "fem/fem_problem.hpp"
+#include "fem/gravity_loading.hpp"
+#include "problem/initial_state.hpp"
 #include "problem/stages.hpp"
 
 #include <algorithm>
@@ -123,6 +125,7 @@ FemProblem build_fem(const Case& c, const std::string& case_folder, const std::s
     if (rigid.motion == Motion::free)
       throw InputError(fmt::format("rigid.{}.motion: finite elements move a rigid body as a stage drives it; it cannot be \"free\"", name));
   model.model = make_model(c, make_cut_mesh(c, case_folder, work_folder));
+  if (c.initial_state == InitialState::level_ground) refuse_k0_below_uneven_ground(c, model.model);
   model.settings = c.fem;
   model.strength_lags = flows_unassociated(model.model);
   std::vector<RigidShape<2>> shapes;
@@ -159,6 +162,7 @@ FemProblem build_fem(const Case& c, const std::string& case_folder, const std::s
       model.weight += shape.area * density(model.model.bodies[model.mesh.body[cell]].material) * model.model.gravity.norm();
   if (model.rigid != none) model.width = width_of<2>(model.model.rigids[model.rigid].shape);
   number_unknowns(model);
+  if (c.initial_state == InitialState::gravity_loading) load_by_gravity(c, model, state);
   for (const auto& [name, watch] : c.watch) model.watches.push_back(make_watch(model, name, watch, place_of(c.body, watch.body)));
   state.displacement.assign(model.unknowns(), 0.);
   state.contact.resize(model.contact.size());

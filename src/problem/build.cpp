@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/fill.hpp"
 #include "core/error.hpp"
-#include "problem/model.hpp"
+#include "problem/initial_state.hpp"
 #include "problem/stages.hpp"
 
 #include <algorithm>
@@ -133,6 +133,7 @@ Problem<dim> build(const Case& c, Mesh<dim> mesh)
   model = make_model(c, std::move(mesh));
   model.patches = make_patches(model.mesh, !model.mpm.volumetric_projection ? 0 : dim == 2 ? 1 : 2);
   state.rigids.resize(model.rigids.size());
+  if (c.initial_state == InitialState::level_ground) refuse_k0_below_uneven_ground(c, model);
   for (const auto& [name, settings] : c.body) {
     const Material& material = c.material[place_of(c.material, settings.material)].second;
     StartState<dim> start{density(material), -model.gravity[1], c.surface, state_size(material)};
@@ -147,6 +148,7 @@ Problem<dim> build(const Case& c, Mesh<dim> mesh)
       for (int d = 0; d < dim; ++d) state.totals.first_momentum[d] += p.mass[l] * p.v[d][l];
     });
   }
+  if (c.initial_state == InitialState::gravity_loading) load_by_gravity(c, model, state.particles);
   state.pair_impulses.assign(c.contact.size(), Vec<dim>::Zero());
   state.tractions.resize(model.tractions.size());
   place_loads(c, problem);

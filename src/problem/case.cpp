@@ -82,6 +82,18 @@ void check_bodies(Describe& d, const Case& c)
   }
 }
 
+void check_initial_state(Describe& d, const Case& c)
+{
+  if (c.initial_state == InitialState::level_ground) return;
+  const auto has_k0 = [](const auto& body) { return body.second.k0.has_value(); };
+  d.check(std::any_of(c.body.begin(), c.body.end(), has_k0), "initial_state",
+          "\"gravity_loading\" is for bodies with k0, and there is none");
+  d.check(c.method == Method::mpm || std::all_of(c.body.begin(), c.body.end(), has_k0), "initial_state",
+          "with finite elements \"gravity_loading\" needs k0 of all bodies");
+  d.check(std::any_of(c.gravity.begin(), c.gravity.end(), [](Real g) { return g != 0; }), "initial_state",
+          "\"gravity_loading\" needs gravity");
+}
+
 void check_rigids(Describe& d, const Case& c)
 {
   for (const auto& [name, rigid] : c.rigid) {
@@ -324,6 +336,9 @@ void describe(Describe& d, Case& c)
   d.value("gravity_ramp", c.gravity_ramp,
           {.meaning = "time from no gravity to all of it at the start", .unit = "s", .range = not_negative});
   d.value("surface", c.surface, {.meaning = "level y of the bed's surface at the start", .unit = "m"});
+  d.choice("initial_state", c.initial_state, {"level_ground", "gravity_loading"},
+           {.meaning = "what k0 makes of the weight at the start: stress below a level surface in soil of one density; or the elastic "
+                       "equilibrium under it, for slopes, trenches and layers"});
   d.table("mesh", c.mesh, {.meaning = "the background mesh", .required = true});
   d.named_tables("material", c.material, {.meaning = "materials", .required = true});
   d.named_tables("body", c.body, {.meaning = "deformable bodies", .required = true});
@@ -346,6 +361,7 @@ void describe(Describe& d, Case& c)
             "needs method = \"fem\": a particle does not keep a strength of its own");
   }
   check_bodies(d, c);
+  check_initial_state(d, c);
   check_rigids(d, c);
   for (const auto& [name, watch] : c.watch) {
     check_name(d, "watch." + name + ".body", watch.body, "body", names_of(c.body));

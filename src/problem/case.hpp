@@ -36,6 +36,12 @@ enum class Method {
   fem   ///< small-strain finite elements around a rigid body that is wished in place
 };
 
+/// Where k0 takes the stress at the start from.
+enum class InitialState {
+  level_ground,    ///< sigma_yy = -density gravity (surface - y), which is right below a level surface in soil of one density
+  gravity_loading  ///< equilibrium of the bodies with k0 under their own weight, on supports and each other, any surface and layers
+};
+
 /// How the finite element method runs.
 struct FemSettings {
   std::optional<Real> contact_size;  ///< m, of the elements at the rigid body; empty: that of the fine zone
@@ -66,6 +72,7 @@ struct Case {
   std::vector<Real> gravity;  ///< m/s2, one entry a direction; empty = none
   Real gravity_ramp = 0;      ///< s from no gravity to all of it, at the start
   Real surface = 0;           ///< m, level y of the bed's surface at the start
+  InitialState initial_state = InitialState::level_ground;
   MeshSettings mesh;
   std::vector<std::pair<std::string, Material>> material;
   std::vector<std::pair<std::string, BodySettings>> body;

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bodies/fill.hpp"
+#include "core/error.hpp"
+#include "problem/initial_state.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm {
+namespace {
+
+constexpr Real accepted = 0.02;  // of the largest weight over area
+template <int dim>
+constexpr int lines_along = dim == 2 ? 200 : 20;
+
+/// Soil on a vertical line.
+struct Piece {
+  Real bottom, top;  ///< m
+  Index body;
+};
+
+/// Where a vertical line through x is in a cell; bottom >= top where it is not.
+template <int dim>
+Piece chord(const Mesh<dim>& mesh, Index cell, Vec<dim> x)
+{
+  const Shape<dim> shape = mesh.shape(cell);
+  x[1] = 0;
+  Piece piece{-infinity, infinity, none};
+  for (int k = 0; k <= dim; ++k) {
+    const Real at_zero = shape.value(k, x), slope = shape.gradient(k)[1];  // N_k along the line, which is not less than 0 in the cell
+    if (slope > 0) piece.bottom = std::max(piece.bottom, -at_zero / slope);
+    if (slope < 0) piece.top = std::min(piece.top, -at_zero / slope);
+    if (slope == 0 && at_zero < 0) return {0, 0, none};
+  }
+  return piece;
+}
+
+/// Where a line stands between its neighbours: nowhere that a regular mesh has an edge.
+constexpr Real between = 0.4142;
+
+/// Vertical lines, evenly over the mesh, and the soil on each.
+template <int dim>
+struct Lines {
+  static constexpr int along = lines_along<dim>, count = dim == 2 ? along : along * along;
+  Vec<dim> lower, spacing;
+  std::vector<std::vector<Piece>> pieces = std::vector<std::vector<Piece>>(count);
+
+  explicit Lines(const Mesh<dim>& mesh) : lower(mesh.lower), spacing((mesh.upper - mesh.lower) / along) {}
+
+  Vec<dim> place(int line) const
+  {
+    Vec<dim> x = lower;
+    x[0] += (line % along + between) * spacing[0];
+    if (dim == 3) x[dim - 1] += (line / along + between) * spacing[dim - 1];
+    return x;
+  }
+
+  void add(const Mesh<dim>& mesh, Index cell, Index body)
+  {
+    int first[2] = {0, 0}, last[2] = {0, 0};
+    for (const int d : {0, dim - 1}) {
+      if (d == 1) continue;
+      Real least = infinity, most = -infinity;
+      for (const Index i : mesh.nodes[cell]) {
+        least = std::min(least, mesh.position[i][d]);
+        most = std::max(most, mesh.position[i][d]);
+      }
+      first[d > 0] = std::max(0, static_cast<int>(std::ceil((least - lower[d]) / spacing[d] - between)));
+      last[d > 0] = std::min(along - 1, static_cast<int>(std::floor((most - lower[d]) / spacing[d] - between)));
+    }
+    for (int j = first[1]; j <= last[1]; ++j)
+      for (int i = first[0]; i <= last[0]; ++i) {
+        Piece piece = chord<dim>(mesh, cell, place(j * along + i));
+        piece.body = body;
+        if (piece.bottom < piece.top) pieces[j * along + i].push_back(piece);
+      }
+  }
+};
+
+/// Whether a vertical line meets a rigid body, which the soil may have been shaped around.
+template <int dim>
+bool meets_rigid(const Model<dim>& model, const Vec<dim>& x)
+{
+  return std::any_of(model.rigids.begin(), model.rigids.end(), [&](const Rigid<dim>& rigid) {
+    if (std::holds_alternative<HalfPlane<dim>>(rigid.shape)) return false;
+    Vec<dim> away = center_of<dim>(rigid.shape) - x;
+    away[1] = 0;
+    return away.norm() < reach_of<dim>(rigid.shape);
+  });
+}
+
+}  // namespace
+
+template <int dim>
+void refuse_k0_below_uneven_ground(const Case& c, const Model<dim>& model)
+{
+  const auto by_level = [&](Index body) { return body != none && c.body[body].second.k0.has_value(); };
+  const Real gravity = -model.gravity[1];
+  std::vector<Index> body_of(model.mesh.region_names.size(), none);
+  bool any = false;
+  for (Index b = static_cast<Index>(c.body.size()); b-- > 0;)
+    for (const std::string& region : c.body[b].second.regions) {
+      body_of[filled_region(model.mesh, c.body[b].first, region)] = b;
+      any = any || by_level(b);
+    }
+  if (!any || gravity == 0) return;
+  Lines<dim> lines(model.mesh);
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
+    if (const Index body = body_of[model.mesh.region[cell]]; body != none) lines.add(model.mesh, cell, body);
+
+  struct Worst {
+    Real difference = 0, weight = 0, taken = 0;
+    Vec<dim> x = Vec<dim>::Zero();
+    Index body = none;
+  } worst;
+  Real largest = 0;
+  for (int line = 0; line < lines.count; ++line) {
+    Vec<dim> x = lines.place(line);
+    if (meets_rigid(model, x)) continue;
+    std::vector<Piece>& pieces = lines.pieces[line];
+    std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.top > b.top; });
+    Real above = 0;
+    for (const Piece& piece : pieces) {
+      const Real unit_weight = gravity * density(model.bodies[piece.body].material), half = unit_weight * (piece.top - piece.bottom) / 2;
+      x[1] = (piece.top + piece.bottom) / 2;
+      const Real taken = unit_weight * std::max(Real(0), c.surface - x[1]), weight = above + half;
+      above += 2 * half;
+      largest = std::max({largest, std::abs(taken), std::abs(weight)});
+      if (by_level(piece.body) && std::abs(weight - taken) > worst.difference)
+        worst = {std::abs(weight - taken), weight, taken, x, piece.body};
+    }
+  }
+  if (worst.difference > accepted * largest)
+    throw InputError(fmt::format("body.{}.k0: the ground is not level at `surface`, or not of one density: at ({:.6g}) m the soil above "
+                                 "weighs {:.4g} kPa, where k0 takes density gravity (surface - y) = {:.4g} kPa; initial_state = "
+                                 "\"gravity_loading\" finds the stress below any surface and in layers",
+                                 c.body[worst.body].first, fmt::join(worst.x.begin(), worst.x.end(), ", "), worst.weight / 1e3,
+                                 worst.taken / 1e3));
+}
+
+template void refuse_k0_below_uneven_ground(const Case&, const Model<2>&);
+template void refuse_k0_below_uneven_ground(const Case&, const Model<3>&);
+
+}  // namespace berm
