@@ -10,8 +10,9 @@ namespace berm {
 struct LinearElastic {
   static constexpr int state_size = 0;
 
-  Real density = 0;        ///< kg/m3
-  Real young_modulus = 0;  ///< Pa
+  Real density = 0;                     ///< kg/m3, of the weight
+  std::optional<Real> inertia_density;  ///< kg/m3; empty: density
+  Real young_modulus = 0;               ///< Pa
   Real poisson_ratio = 0;
 };
 

@@ -13,11 +13,18 @@ void check(Describe& d, const std::string& path, const Material& material)
   if (const auto* law = std::get_if<MohrCoulomb>(&material))
     d.check(law->dilation_angle <= law->friction_angle, path + ".dilation_angle",
             "the dilation angle cannot be larger than the friction angle");
+  d.check(inertia_density(material) >= density(material), path + ".inertia_density",
+          "cannot be less than density, which the weight comes from");
 }
 
 Real density(const Material& material)
 {
   return std::visit([](const auto& law) { return law.density; }, material);
+}
+
+Real inertia_density(const Material& material)
+{
+  return std::visit([](const auto& law) { return law.inertia_density.value_or(law.density); }, material);
 }
 
 Elasticity elasticity(const Material& material)

@@ -15,16 +15,19 @@ using Material = std::variant<LinearElastic, MohrCoulomb>;
 
 void describe(Describe& d, Material& material);
 
-/// What no range of a single key can say, for the table at `path` ("material.sand"): the dilation angle is not larger than the friction angle.
+/// What no range of a single key can say, for the table at `path` ("material.sand"): the dilation angle is not larger than the friction angle, nor density than inertia_density.
 void check(Describe& d, const std::string& path, const Material& material);
 
 /// Of the weight, kg/m3.
 Real density(const Material& material);
 
+/// Of the mass that resists acceleration, kg/m3.
+Real inertia_density(const Material& material);
+
 /// Of the law's elastic part.
 Elasticity elasticity(const Material& material);
 
-/// The modulus that gives the speed of pressure waves sqrt(M / density), Pa.
+/// The modulus that gives the speed of pressure waves sqrt(M / inertia density), Pa.
 Real p_wave_modulus(const Material& material);
 
 /// Whether its strength has a limit, as that of soil has.

@@ -26,8 +26,9 @@ namespace berm {
 struct MohrCoulomb {
   static constexpr int state_size = 1;
 
-  Real density = 0;        ///< kg/m3
-  Real young_modulus = 0;  ///< Pa
+  Real density = 0;                     ///< kg/m3, of the weight
+  std::optional<Real> inertia_density;  ///< kg/m3; empty: density
+  Real young_modulus = 0;               ///< Pa
   Real poisson_ratio = 0;
   Real cohesion = 0;                   ///< Pa
   Real cohesion_gradient = 0;          ///< Pa/m, growth of the cohesion with the depth below the bed's surface at the start

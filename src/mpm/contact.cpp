@@ -114,7 +114,7 @@ void move_with_predicted(const Model<dim>& model, const State<dim>& state, Work<
     Real volume = 0;
     for (Index e = model.mesh.first_entry[node]; e < model.mesh.first_entry[node + 1]; ++e)
       volume += model.mesh.volume(model.mesh.entries[e] / (dim + 1));
-    if (grid.mass[node] > little * density(model.bodies[b].material) * volume / (dim + 1))
+    if (grid.mass[node] > little * inertia_density(model.bodies[b].material) * volume / (dim + 1))
       grid.moved_velocity[node] = grid.velocity[node] + state.dt * grid.acceleration[node];
   };
   for (const ContactPoint<dim>& point : work.contact_points[k].list) {

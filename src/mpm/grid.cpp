@@ -68,8 +68,8 @@ Work<dim>::Work(const Model<dim>& model, const State<dim>& state) : contact_poin
     const Material& material = model.bodies[b].material;
     grids[b].full_cells = model.mpm.quadrature == Quadrature::full_cells;
     if (yields(material)) {
-      const Real wave_speed = std::sqrt(p_wave_modulus(material) / density(material));
-      grids[b].bulk_viscosity = model.mpm.bulk_viscosity * density(material) * wave_speed;
+      const Real wave_speed = std::sqrt(p_wave_modulus(material) / inertia_density(material));
+      grids[b].bulk_viscosity = model.mpm.bulk_viscosity * inertia_density(material) * wave_speed;
       if (!model.update_stress_first) grids[b].filter_speed = model.mpm.velocity_filter * wave_speed;
     }
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);

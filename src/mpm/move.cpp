@@ -129,7 +129,7 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
   const Mesh<dim>& mesh = model.mesh;
   const BodyGrid<dim>& grid = work.grids[body];
   Particles<dim>& particles = state.particles[body];
-  const Real dt = state.dt, per_density = 1 / density(model.bodies[body].material);
+  const Real dt = state.dt, per_density = 1 / inertia_density(model.bodies[body].material);
   const Real least_volume = model.mpm.least_volume_ratio * per_density, most_volume = model.mpm.most_volume_ratio * per_density;
   for (auto& list : work.movers) list.clear();
 

@@ -82,7 +82,7 @@ Real stable_time_step(const Model<dim>& model, const State<dim>& state, const Wo
   Real least = infinity, least_at_rest = infinity;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Material& material = model.bodies[b].material;
-    const Real wave_speed = std::sqrt(p_wave_modulus(material) / density(material));
+    const Real wave_speed = std::sqrt(p_wave_modulus(material) / inertia_density(material));
     const auto& occupied = state.particles[b].occupied();
     const Real steepest = largest_of("smallest height", static_cast<Index>(occupied.size()), 0,
                                      [&](Index c) { return work.grids[b].shape(model.mesh, occupied[c]).steepest_square(); });

@@ -95,7 +95,7 @@ Model<dim> make_model(const Case& c, Mesh<dim> mesh)
   }
   for (const auto& [name, settings] : c.body) {
     const Material& material = c.material[place_of(c.material, settings.material)].second;
-    model.bodies.push_back({name, material, nodal_damping(model.mesh, settings)});
+    model.bodies.push_back({name, material, nodal_damping(model.mesh, settings), density(material) / inertia_density(material)});
   }
   for (const auto& [name, s] : c.contact) {
     const Detection best = s.rigid.empty() ? Detection::gap : Detection::particle;
@@ -136,7 +136,8 @@ Problem<dim> build(const Case& c, Mesh<dim> mesh)
   if (c.initial_state == InitialState::level_ground) refuse_k0_below_uneven_ground(c, model);
   for (const auto& [name, settings] : c.body) {
     const Material& material = c.material[place_of(c.material, settings.material)].second;
-    StartState<dim> start{density(material), -model.gravity[1], c.surface, state_size(material)};
+    const Real inertia = inertia_density(material);
+    StartState<dim> start{inertia, -model.gravity[1] * density(material) / inertia, c.surface, state_size(material)};
     for (const auto& entry : c.contact)
       if (entry.second.body == name && !entry.second.rigid.empty())
         start.holes.push_back(model.rigids[place_of(c.rigid, entry.second.rigid)].shape);
