@@ -11,6 +11,35 @@ namespace {
 
 using Groups = std::vector<std::vector<Index>>;
 
+/// True for the triangles around the crossing of two straight lines, where four of them meet: the volume change of the last follows from those of the
+/// others, so they do not lock (Nagtegaal, Parks and Rice 1974), and pairs of them would leave too few conditions.
+std::vector<bool> crossed_cells(const Mesh<2>& mesh)
+{
+  std::vector<bool> crossed(mesh.cell_count(), false);
+  for (Index node = 0; node < mesh.node_count(); ++node) {
+    const Index first = mesh.first_entry[node], last = mesh.first_entry[node + 1];
+    if (last - first != 4) continue;
+    // Each neighbour of a node within the mesh lies in two of its cells; on two straight lines each has one opposite.
+    std::vector<Index> around;
+    for (Index e = first; e < last; ++e)
+      for (Index other : mesh.nodes[mesh.entries[e] / 3])
+        if (other != node && std::find(around.begin(), around.end(), other) == around.end()) around.push_back(other);
+    if (around.size() != 4) continue;
+    constexpr Real straight = -1 + 1e-6;  // cosine between the two halves of a line
+    const bool lines = std::all_of(around.begin(), around.end(), [&](Index a) {
+      const Vec<2> to_a = (mesh.position[a] - mesh.position[node]).normalized();
+      return std::any_of(around.begin(), around.end(),
+                         [&](Index b) { return (mesh.position[b] - mesh.position[node]).normalized().dot(to_a) < straight; });
+    });
+    for (Index e = first; lines && e < last; ++e) crossed[mesh.entries[e] / 3] = true;
+  }
+  return crossed;
+}
+std::vector<bool> crossed_cells(const Mesh<3>& mesh)
+{
+  return std::vector<bool>(mesh.cell_count(), false);
+}
+
 /// For each group those that share a face with it and lie in its region, ascending: neighbors of g are list[first[g]] ... list[first[g + 1] - 1].
 struct Neighbors {
   std::vector<Index> first = {0}, list;
@@ -18,7 +47,7 @@ struct Neighbors {
   template <int dim>
   Neighbors(const Mesh<dim>& mesh, const Groups& groups)
   {
-    std::vector<Index> group_of(mesh.cell_count());
+    std::vector<Index> group_of(mesh.cell_count(), none);  // none: a cell that is joined with no other
     for (std::size_t g = 0; g < groups.size(); ++g)
       for (Index cell : groups[g]) group_of[cell] = static_cast<Index>(g);
     first.reserve(groups.size() + 1);
@@ -29,7 +58,8 @@ struct Neighbors {
       for (Index cell : groups[g])
         for (int k = 0; k <= dim; ++k) {
           const Index other = mesh.neighbor(cell, k);
-          if (other != none && group_of[other] != static_cast<Index>(g) && mesh.region[other] == mesh.region[cell])
+          if (other != none && group_of[other] != none && group_of[other] != static_cast<Index>(g) &&
+              mesh.region[other] == mesh.region[cell])
             found.push_back(group_of[other]);
         }
       std::sort(found.begin(), found.end());
@@ -102,9 +132,13 @@ template <int dim>
 Patches make_patches(const Mesh<dim>& mesh, int rounds)
 {
   Groups groups;
-  for (Index cell = 0; cell < mesh.cell_count(); ++cell) groups.push_back({cell});
-  for (int round = 0; round < rounds; ++round) groups = joined(mesh, groups);
+  const std::vector<bool> crossed = crossed_cells(mesh);
   Patches patches(mesh.cell_count());
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    patches[cell] = cell;
+    if (!crossed[cell]) groups.push_back({cell});
+  }
+  for (int round = 0; round < rounds; ++round) groups = joined(mesh, groups);
   for (std::vector<Index>& group : groups) {
     std::sort(group.begin(), group.end());
     for (std::size_t k = 0; k < group.size(); ++k) patches[group[k]] = group[(k + 1) % group.size()];

@@ -22,7 +22,7 @@ template <class Visit>
 
 /// Groups the cells into patches that do not overlap: `rounds` times each group is joined with a neighbouring one of the same region, those with
 /// the fewest free neighbours first; a group that finds no free neighbour goes to the smallest neighbouring group. So patches have about 2^rounds
-/// cells.
+/// cells. Triangles around a node where two straight lines cross stay alone: they do not lock.
 template <int dim>
 Patches make_patches(const Mesh<dim>& mesh, int rounds);
 

@@ -38,6 +38,15 @@ bool settles(Run run)
   return std::any_of(stages.begin(), stages.end(), [](const StageSettings& stage) { return stage.kind == StageKind::geostatic; });
 }
 
+bool has_soil(Run run)
+{
+  return std::any_of(run.settings.material.begin(), run.settings.material.end(), [](const auto& entry) { return yields(entry.second); });
+}
+bool shakes(Run run)
+{
+  return run.has_pipe() && has_soil(run);
+}
+
 std::string percent(Run, Real value)
 {
   return percent_words(value);
@@ -138,6 +147,14 @@ TrustMeasure size_at_pipe(const char* what, const Limit* limit)
           over_limit};
 }
 
+TrustMeasure part_of_soil(const char* what, const char* check, const Limit& limit)
+{
+  return {what,         &limit,
+          has_soil,     [check](Run run) { return run.check(check); },
+          percent,      [what](Run, Real value) { return fmt::format("{}: {}", what, percent_words(value)); },
+          percent_words};
+}
+
 TrustMeasure count(const char* what, const char* timing)
 {
   return {what, nullptr, always, [timing](Run run) { return run.timing(timing); }, [](Run, Real value) { return count_words(value); },
@@ -168,6 +185,16 @@ std::vector<TrustMeasure> mpm_measures()
          return fmt::format("H wavers by {} about its mean: a single value says little, take means", percent_words(value));
        },
        percent_words},
+      {"pressure of unresolved motion at the pipe, over the mean pressure there", &limits::shaking, shakes,
+       [](Run run) { return run.check("shaking_at_body"); }, bare,
+       [](Run, Real value) {
+         return fmt::format("the soil at the pipe shakes by {:.2g} of its pressure: it has lost strength, and resistance is too small",
+                            value);
+       },
+       bare_limit},
+      part_of_soil("soil at its smallest volume", "mass_at_least_volume", limits::at_bounds),
+      part_of_soil("soil at its largest volume", "mass_at_most_volume", limits::at_bounds),
+      part_of_soil("soil in the air", "mass_in_the_air", limits::in_the_air),
       {"mean contact gap, in cells h at the pipe", &limits::gap, has_pipe, gap_in_cells,
        [](Run run, Real value) { return fmt::format("{:.2g} h: the pipe acts up to {} larger", value, percent_words(acts_larger(run))); },
        [](Run run, Real value) {

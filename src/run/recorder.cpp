@@ -2,6 +2,7 @@
 #include "run/recorder.hpp"
 
 #include "core/error.hpp"
+#include "mpm/condition.hpp"
 #include "mpm/measure.hpp"
 #include "problem/keep_state.hpp"
 #include "problem/stages.hpp"
@@ -73,6 +74,8 @@ void Recorder<dim>::keep(Keep& k)
   k("out_of_balance", out_of_balance_);
   k("largest_error", largest_error_);
   k("largest_work", largest_work_);
+  k("shaking", shaking_);
+  k("shaken_rows", shaken_rows_);
 }
 
 template <int dim>
@@ -179,6 +182,8 @@ void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Wo
     row.insert(row.end(), watched.stress.c, watched.stress.c + tensor_size<dim>);
   }
   file.add(state.time, model.stages[state.stage.index].name, row);
+  if (model.main_rigid != none && model.driven[state.stage.index] == model.main_rigid)
+    if (const Real now = berm::shaking(model, state, work); std::isfinite(now)) shaking_ += now, shaken_rows_ += 1;
   last_time_ = state.time;
   last_rigids_ = state.rigids;
   last_pair_impulses_ = state.pair_impulses;

@@ -30,6 +30,11 @@ public:
   /// The largest |energy error| of all rows over the largest work done so far.
   Real energy_error() const { return largest_work_ > 0 ? largest_error_ / largest_work_ : 0; }
 
+  /// The largest work done so far, J/m.
+  Real largest_work() const { return largest_work_; }
+  /// The mean over the rows in which the main rigid body was driven of how the soil near it shakes (mpm/condition.hpp); NaN without such rows.
+  Real shaking() const { return shaken_rows_ > 0 ? shaking_ / shaken_rows_ : std::numeric_limits<Real>::quiet_NaN(); }
+
 private:
   void add_motion(const Model<dim>& model, const State<dim>& state, Index rigid, std::vector<Real>& row);
   void add_turn(const State<dim>& state, Index rigid, std::vector<Real>& row);
@@ -43,6 +48,7 @@ private:
   std::vector<LoadPointState<dim>> first_loaded_;
   Real first_kinetic_ = 0;
   Real vertical_ = 0, horizontal_ = 0, out_of_balance_ = 0, largest_error_ = 0, largest_work_ = 0;
+  Real shaking_ = 0, shaken_rows_ = 0;  ///< sum over rows, and their number
 };
 
 }  // namespace berm

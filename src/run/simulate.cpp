@@ -5,6 +5,7 @@
 #include "core/for_each.hpp"
 #include "core/vector_unit.hpp"
 #include "input/write_case.hpp"
+#include "mpm/condition.hpp"
 #include "mpm/measure.hpp"
 #include "mpm/sound.hpp"
 #include "mpm/step.hpp"
@@ -239,13 +240,36 @@ private:
     progress_.update(report);
   }
 
-  /// What tells that the run can be trusted.
+  /// What tells that the run can be trusted; what does not is a warning in the log, too.
   Summary::Checks checks()
   {
+    constexpr Real much_shaking = 0.2, much_mass = 0.01, much_work = 0.01;
     Summary::Checks found = {{"energy_error", recorder_.energy_error()}};
     if (std::isfinite(equilibrium_)) found.emplace_back("out_of_balance_after_geostatic", equilibrium_);
     found.emplace_back("momentum_error", momentum_error(state()));
     found.emplace_back("friction_work_is_loss", state().totals.friction >= 0);
+    if (std::isfinite(recorder_.shaking())) found.emplace_back("shaking_at_body", recorder_.shaking());
+    const SoilCondition soil = soil_condition(model(), state());
+    found.emplace_back("mass_at_least_volume", soil.at_least_volume);
+    found.emplace_back("mass_at_most_volume", soil.at_most_volume);
+    found.emplace_back("mass_in_the_air", soil.in_the_air);
+
+    if (recorder_.shaking() > much_shaking)
+      spdlog::warn("the soil at the rigid body shakes: unresolved motion makes {:.2g} of its pressure (above {:g} soil without cohesion "
+                   "loses strength); "
+                   "keep mpm.bulk_viscosity and mpm.velocity_filter at their defaults, or drive slower",
+                   recorder_.shaking(), much_shaking);
+    if (-state().totals.friction > much_work * recorder_.largest_work())
+      spdlog::warn("contact gave {:.2g} J instead of taking energy: use scheme = \"two_sided\", or a smaller mpm.courant",
+                   -state().totals.friction);
+    const auto warn_of_bound = [&](Real part, const char* which, const char* key, Real ratio) {
+      if (part > much_mass)
+        spdlog::warn("{:.2g} % of the soil is at its {} volume, {} of the first: change mpm.{} if it should go on", 100 * part, which,
+                     ratio, key);
+    };
+    warn_of_bound(soil.at_least_volume, "smallest", "least_volume_ratio", model().mpm.least_volume_ratio);
+    warn_of_bound(soil.at_most_volume, "largest", "most_volume_ratio", model().mpm.most_volume_ratio);
+    if (soil.in_the_air > much_mass) spdlog::warn("{:.2g} % of the soil is in the air", 100 * soil.in_the_air);
     return found;
   }
 

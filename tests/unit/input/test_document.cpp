@@ -168,7 +168,7 @@ TEST(Override, replaces_and_adds_values)
   Document document = parse_text("case.toml", std::string(test::good_case));
   for (const char* override :
        {"material.sand.friction_angle=\"40 deg\"", "material.sand.cohesion=1 kPa", "stage.drag.until.displacement=40 mm", "mpm.courant=0.3",
-        "gravity=[0, \"-2 gravity\"]", "title=40 deg", "body.bed.region_damping.\"a.b\"=.5", "mpm.mixed_stress=true"})
+        "gravity=[0, \"-2 gravity\"]", "title=40 deg", "body.bed.region_damping.\"a.b\"=.5", "mpm.volumetric_projection=true"})
     apply_override(document, override);
   const Node& root = document.root;
   const Node& angle = at(at(at(root, "material"), "sand"), "friction_angle");
@@ -177,7 +177,7 @@ TEST(Override, replaces_and_adds_values)
   EXPECT_EQ(at(at(at(root, "material"), "sand"), "cohesion").text, "1 kPa");
   EXPECT_EQ(at(at(at(root, "stage").items[1], "until"), "displacement").text, "40 mm");
   EXPECT_DOUBLE_EQ(at(at(root, "mpm"), "courant").number, 0.3);
-  EXPECT_TRUE(at(at(root, "mpm"), "mixed_stress").truth);
+  EXPECT_TRUE(at(at(root, "mpm"), "volumetric_projection").truth);
   EXPECT_EQ(at(root, "gravity").items[1].text, "-2 gravity");
   EXPECT_EQ(at(at(at(at(root, "body"), "bed"), "region_damping"), "a.b").text, ".5");
   EXPECT_EQ(at(root, "gravity").items[1].override_key, "gravity");

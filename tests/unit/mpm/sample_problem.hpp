@@ -28,6 +28,7 @@ Problem<dim> problem_on(const Mesh<dim>& mesh, const Material& material, int par
   model.bodies.push_back({"body", material, NodeField<Real>(mesh.node_count(), 0)});
   model.fixed.assign(1, NodeField<std::uint8_t>(mesh.node_count(), 0));
   model.fixed_in = {0};
+  model.mpm.quadrature = Quadrature::particles;
   model.gravity = Vec<dim>::Zero();
   model.gravity_ramp = model.surface = 0;
   model.stages.emplace_back();

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/condition.hpp"
+
+#include "core/for_each.hpp"
+#include "mpm/linear_field.hpp"
+
+namespace berm {
+namespace {
+
+/// Calls visit(particle) for each particle of a cell.
+template <int dim, class Visit>
+void for_each_in_cell(const Particles<dim>& particles, Index cell, const Visit& visit)
+{
+  for (Index place = 0; place < particles.count_in(cell); ++place) visit(particles.read_at(cell, place));
+}
+
+/// The part of the cells around a node that particles fill.
+template <int dim>
+Real fill_at(const Mesh<dim>& mesh, const Particles<dim>& particles, Index node)
+{
+  Real filled = 0, whole = 0;
+  for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
+    const Index cell = mesh.entries[e] / (dim + 1);
+    whole += mesh.volume(cell);
+    for_each_in_cell(particles, cell, [&](const Particle<dim>& p) { filled += p.volume; });
+  }
+  return filled / whole;
+}
+
+/// Sums over the soil near a rigid body.
+struct ShakenSoil {
+  Real mass = 0, noise = 0, volume = 0, pressure = 0,
+       wave_impedance = 0;  // noise: sum m |v'|2; the others but mass are weighted with volume
+
+  ShakenSoil& operator+=(const ShakenSoil& other)
+  {
+    mass += other.mass;
+    noise += other.noise;
+    volume += other.volume;
+    pressure += other.pressure;
+    wave_impedance += other.wave_impedance;
+    return *this;
+  }
+};
+
+}  // namespace
+
+template <int dim>
+SoilCondition soil_condition(const Model<dim>& model, const State<dim>& state)
+{
+  constexpr Real little = 0.25, round_off = 1e-12;
+  SoilCondition found;
+  Real mass = 0;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Material& material = model.bodies[b].material;
+    if (!yields(material)) continue;
+    const Particles<dim>& particles = state.particles[b];
+    for (Index cell : particles.occupied()) {
+      Real of_cell = 0;
+      for_each_in_cell(particles, cell, [&](const Particle<dim>& p) {
+        const Real ratio = p.volume * inertia_density(material) / p.mass;
+        of_cell += p.mass;
+        if (ratio <= model.mpm.least_volume_ratio * (1 + round_off)) found.at_least_volume += p.mass;
+        if (ratio >= model.mpm.most_volume_ratio * (1 - round_off)) found.at_most_volume += p.mass;
+      });
+      mass += of_cell;
+      const auto& nodes = model.mesh.nodes[cell];
+      if (std::all_of(nodes.begin(), nodes.end(), [&](Index node) { return fill_at(model.mesh, particles, node) < little; }))
+        found.in_the_air += of_cell;
+    }
+  }
+  if (mass > 0)
+    for (Real* part : {&found.at_least_volume, &found.at_most_volume, &found.in_the_air}) *part /= mass;
+  return found;
+}
+
+template <int dim>
+Real shaking(const Model<dim>& model, const State<dim>& state, const Work<dim>& work)
+{
+  if (model.main_rigid == none) return std::numeric_limits<Real>::quiet_NaN();
+  const RigidShape<dim> shape = placed<dim>(model.rigids[model.main_rigid], state.rigids[model.main_rigid]);
+  const Real reach = 0.5 * width_of<dim>(shape);
+  ShakenSoil all;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Material& material = model.bodies[b].material;
+    if (!yields(material)) continue;
+    const Particles<dim>& particles = state.particles[b];
+    const BodyGrid<dim>& grid = work.grids[b];
+    const Real impedance = std::sqrt(p_wave_modulus(material) * inertia_density(material));
+    all += sum_of<ShakenSoil>("shaking", static_cast<Index>(particles.occupied().size()), [&](Index c) {
+      const Index cell = particles.occupied()[c];
+      ShakenSoil sums;
+      const Vec<dim> center = model.mesh.centroid(cell);
+      if (!(surface_at<dim>(shape, center).distance < reach)) return sums;
+      Vec<dim> momentum = Vec<dim>::Zero(), moment = Vec<dim>::Zero();
+      for_each_in_cell(particles, cell, [&](const Particle<dim>& p) {
+        sums.mass += p.mass;
+        momentum += p.mass * p.v;
+        moment += p.mass * p.x;
+        sums.volume += p.volume;
+        sums.pressure -= p.volume * trace(p.stress) / 3;
+      });
+      const LinearField<dim> field(grid.shape(model.mesh, cell), model.mesh.nodes[cell], grid.moved_velocity);
+      for_each_in_cell(particles, cell, [&](const Particle<dim>& p) {
+        const Vec<dim> from = p.x - moment / sums.mass;
+        Vec<dim> rest = p.v - momentum / sums.mass;
+        for (int d = 0; d < dim; ++d)
+          for (int a = 0; a < dim; ++a) rest[d] -= field.slope[d][a] * from[a];
+        sums.noise += p.mass * rest.squaredNorm();
+      });
+      sums.wave_impedance = impedance * sums.volume;
+      return sums;
+    });
+  }
+  if (!(all.pressure > 0)) return std::numeric_limits<Real>::quiet_NaN();
+  return std::sqrt(all.noise / all.mass / dim) * all.wave_impedance / all.pressure;
+}
+
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template SoilCondition soil_condition(const Model<dim>&, const State<dim>&);                                                             \
+  template Real shaking(const Model<dim>&, const State<dim>&, const Work<dim>&);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm
