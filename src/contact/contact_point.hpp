@@ -20,9 +20,25 @@ struct ContactPoint {
   Real distance = 0;                    ///< m between the rigid surface (the other body's particle) and the nearest particle's centre
   bool touching = false;                ///< the gap is less than half a particle's width
   Real area = 0;                        ///< m2 (per metre run: m) of the body's surface that belongs to the point; 0 where nobody needs it
-  Real mass = 0;                        ///< kg, effective: 1 / sum of N^2 / m over all that the point moves
+  EffectiveMass mass;                   ///< 1 / sum of N^2 / m over all that the point moves; 0 where supports hold it
   Vec<dim> impulse = Vec<dim>::Zero();  ///< that it carries in the present correction, on the body
   Grip grip = Grip::open;               ///< under the impulse of step 4
+};
+
+/// A part of the surface in contact, and the nodes that feel what happens there.
+template <int dim>
+struct Footprint {
+  std::array<Index, dim + 1> nodes{};   ///< of the cell of the particle that covers it, or the one node around which it lies
+  std::array<Real, dim + 1> weights{};  ///< their shape functions there
+  int node_count = 1;                   ///< 1 or dim + 1
+  Real area = 0;                        ///< m2 (per metre run: m)
+
+  // Of a particle at a rigid surface in the plane:
+  int side = 0;              ///< of the rigid body
+  Real along = 0;            ///< m, its place on the side, which goes from
+  Real begin = 0, end = 0;   ///< m to m
+  Real width = 0;            ///< m, of the particle
+  Real left = 0, right = 0;  ///< m, how far it reaches against and along the side
 };
 
 /// The points of one contact, found anew in each step, and what finding them needs. Memory is kept from step to step.
@@ -43,6 +59,10 @@ struct ContactPoints {
   };
   std::vector<CellContact> cells;  ///< of near_cells
   NodeField<Index> place;          ///< of a node in list, or none; empty where points are particles
+
+  // Where there is adhesion:
+  std::vector<Footprint<dim>> footprints;    ///< the surface in contact
+  NodeField<Real> node_area, node_weight;    ///< m2 (per metre run: m), and sum of N, over the points that press
 
   // Between two deformable bodies:
   std::vector<Index> shared_nodes;        ///< nodes that both bodies reach

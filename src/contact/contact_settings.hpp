@@ -7,7 +7,7 @@ namespace berm {
 
 /// When contact is corrected within a step (paper, section 2).
 enum class Scheme {
-  two_sided,  ///< steps 4 and 8, where step 8 also keeps together what step 4 pressed together
+  two_sided,  ///< one impulse: step 8 completes that of step 4
   twice,      ///< steps 4 and 8: accelerations and re-mapped velocities
   once,       ///< step 4 only
   hybrid,     ///< step 4; nodes in contact then move and strain with that velocity (update stress last), all others with the re-mapped one

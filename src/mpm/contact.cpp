@@ -2,14 +2,12 @@
 #include "mpm/contact.hpp"
 
 #include "contact/contact_law.hpp"
+#include "contact/footprint.hpp"
 #include "core/timer.hpp"
 #include "problem/stages.hpp"
 
 namespace berm {
 namespace {
-
-/// Sweeps over the contact points where some of them move the same nodes; one sweep is exact where none do.
-constexpr int most_sweeps = 10;
 
 /// The surface that a body has around a node: |sum V grad N|, which vanishes inside. m2 (per metre run: m).
 template <int dim>
@@ -23,20 +21,57 @@ Real surface_area(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
   return gradient.norm();
 }
 
-/// Area and effective mass of the points of one contact.
+/// The surface in contact, where there is adhesion: that of the rigid body, in the plane; else that of the body around the nodes of the points.
+template <int dim>
+void find_surface(const Model<dim>& model, const State<dim>& state, const Work<dim>& work, const Contact& contact,
+                  ContactPoints<dim>& points)
+{
+  if (points.node_area.size() == 0) points.node_area = points.node_weight = NodeField<Real>::zeros(model.mesh.node_count());
+  if constexpr (dim == 2)
+    if (contact.rigid != none) {
+      find_footprints(model.mesh, state.particles[contact.body], placed<dim>(model.rigids[contact.rigid], state.rigids[contact.rigid]),
+                      points);
+      return;
+    }
+  points.footprints.clear();
+  points.footprints.reserve(points.list.capacity());
+  for (const ContactPoint<dim>& point : points.list)
+    for (int n = 0; n < point.node_count; ++n) points.node_area[point.nodes[n]] = 0;
+  for (const ContactPoint<dim>& point : points.list)
+    for (int n = 0; n < point.node_count; ++n)
+      if (Real& area = points.node_area[point.nodes[n]]; area == 0) {
+        area = surface_area(model.mesh, work.grids[contact.body], point.nodes[n]);
+        Footprint<dim> footprint;
+        footprint.nodes[0] = point.nodes[n];
+        footprint.weights[0] = 1;
+        footprint.area = area;
+        points.footprints.push_back(footprint);
+      }
+}
+
+/// Effective masses of the points of one contact. A direction that a support holds at a node has infinite mass there.
 template <int dim>
 void weigh(const Model<dim>& model, const Work<dim>& work, const Contact& contact, ContactPoints<dim>& points)
 {
-  const BodyGrid<dim>& grid = work.grids[contact.body];
+  constexpr Real immovable = 1e-4;  // of what a point would give way to an impulse without supports
   for (ContactPoint<dim>& point : points.list) {
-    Real per_mass = 0;
-    for (int k = 0; k < point.node_count; ++k) {
-      const Real m = grid.mass[point.nodes[k]];
-      if (m > 0) per_mass += point.weights[k] * point.weights[k] / m;
-      if (contact.adhesion > 0) point.area += point.weights[k] * surface_area(model.mesh, grid, point.nodes[k]);
-    }
-    if (contact.other_body != none) per_mass += 1 / work.grids[contact.other_body].mass[point.nodes[0]];
-    point.mass = per_mass > 0 ? 1 / per_mass : 0;
+    Real free = 0;
+    Vec<dim> gives_way = Vec<dim>::Zero();
+    const auto add = [&](Index b, Index node, Real N) {
+      const Real m = work.grids[b].mass[node];
+      if (!(m > 0)) return;
+      free += N * N / m;
+      gives_way += without_held<dim>(model.fixed[work.grids[b].fixed], node, Vec<dim>::Constant(N * N / m));
+    };
+    for (int k = 0; k < point.node_count; ++k) add(contact.body, point.nodes[k], point.weights[k]);
+    if (contact.other_body != none) add(contact.other_body, point.nodes[0], 1);
+    const Real along_normal = gives_way.dot(point.normal.cwiseAbs2());
+    const Real along_surface = dim == 2 ? gives_way.sum() - along_normal : gives_way.maxCoeff();
+    point.mass = {};
+    if (!(along_normal > immovable * free)) continue;
+    point.mass.normal = 1 / along_normal;
+    if (along_surface > immovable * free || contact.scheme != Scheme::sticky)
+      point.mass.along = 1 / std::max(along_surface, immovable * free);
   }
 }
 
@@ -54,22 +89,55 @@ struct Moved {  ///< step 8: the velocity that moves the particles
   Vec<dim> velocity(const BodyGrid<dim>& grid, Index node) const { return grid.moved_velocity[node]; }
   void change(BodyGrid<dim>& grid, Index node, const Vec<dim>& by) const { grid.moved_velocity[node] += by; }
 };
+template <int dim>
+struct MovedWithParticles {  ///< step 8: the same, and the velocity that the particles carry
+  static constexpr bool is_force = true;
+  Real dt;
+  Vec<dim> velocity(const BodyGrid<dim>& grid, Index node) const { return grid.moved_velocity[node]; }
+  void change(BodyGrid<dim>& grid, Index node, const Vec<dim>& by) const
+  {
+    grid.moved_velocity[node] += by;
+    grid.acceleration[node] += by / dt;
+  }
+};
 
-/// The work of one contact in one correction: all its points once.
+/// The velocity of the body at a point relative to the other side.
 template <int dim, class Field>
-void sweep(const Model<dim>& model, const State<dim>& state, Work<dim>& work, Index k, const Field& field)
+Vec<dim> relative_velocity(const Model<dim>& model, const State<dim>& state, const Work<dim>& work, const Contact& contact,
+                           const ContactPoint<dim>& point, const Field& field)
+{
+  Vec<dim> relative = contact.rigid != none ? Vec<dim>(-velocity_at(model.rigids[contact.rigid], state.rigids[contact.rigid], point.place))
+                                            : Vec<dim>(-field.velocity(work.grids[contact.other_body], point.nodes[0]));
+  for (int n = 0; n < point.node_count; ++n) relative += point.weights[n] * field.velocity(work.grids[contact.body], point.nodes[n]);
+  return relative;
+}
+
+/// Gives the nodes of a point an impulse, and those of the other body the opposite. Supports take what they hold.
+template <int dim, class Field>
+void push(const Model<dim>& model, Work<dim>& work, const Contact& contact, const ContactPoint<dim>& point, const Vec<dim>& impulse,
+          const Field& field)
+{
+  const auto give = [&](Index b, Index node, const Vec<dim>& part) {
+    BodyGrid<dim>& grid = work.grids[b];
+    if (grid.mass[node] > 0) field.change(grid, node, without_held<dim>(model.fixed[grid.fixed], node, part / grid.mass[node]));
+  };
+  for (int n = 0; n < point.node_count; ++n) give(contact.body, point.nodes[n], point.weights[n] * impulse);
+  if (contact.other_body != none) give(contact.other_body, point.nodes[0], -impulse);
+}
+
+/// One sweep over the points of a contact. The sum of the changes of their impulses over the sum of these impulses; 0 where they carry none.
+template <int dim, class Field>
+Real sweep(const Model<dim>& model, const State<dim>& state, Work<dim>& work, Index k, const Field& field)
 {
   const Contact& contact = model.contacts[k];
-  BodyGrid<dim>& grid = work.grids[contact.body];
   const Real period = contact.approach_steps * state.dt;
+  if (contact.adhesion > 0) share_surface(work.contact_points[k]);
+  Real changed = 0, carried = 0;
   for (ContactPoint<dim>& point : work.contact_points[k].list) {
-    if (!(point.mass > 0)) continue;
+    if (!(point.mass.normal > 0)) continue;
     const bool sticky = contact.scheme == Scheme::sticky;
     if (sticky && point.gap > 0) continue;
-    Vec<dim> relative = contact.rigid != none
-                            ? Vec<dim>(-velocity_at(model.rigids[contact.rigid], state.rigids[contact.rigid], point.place))
-                            : Vec<dim>(-field.velocity(work.grids[contact.other_body], point.nodes[0]));
-    for (int n = 0; n < point.node_count; ++n) relative += point.weights[n] * field.velocity(grid, point.nodes[n]);
+    const Vec<dim> relative = relative_velocity(model, state, work, contact, point, field);
     const Real allowed_approach = std::max(Real(0), point.gap) / period;
     const Interface interface = {contact.friction, contact.adhesion * point.area * state.dt, allowed_approach, sticky};
     const bool holds = !Field::is_force && contact.scheme == Scheme::two_sided && point.grip != Grip::open;
@@ -78,28 +146,25 @@ void sweep(const Model<dim>& model, const State<dim>& state, Work<dim>& work, In
     if (Field::is_force) point.grip = grip_of<dim>(impulse, point.normal, interface);
     const Vec<dim> change = impulse - point.impulse;
     point.impulse = impulse;
-    for (int n = 0; n < point.node_count; ++n) {
-      const Index node = point.nodes[n];
-      if (grid.mass[node] > 0)
-        field.change(grid, node, without_held<dim>(model.fixed[grid.fixed], node, point.weights[n] / grid.mass[node] * change));
-    }
-    if (contact.other_body != none) {
-      BodyGrid<dim>& other = work.grids[contact.other_body];
-      field.change(other, point.nodes[0],
-                   without_held<dim>(model.fixed[other.fixed], point.nodes[0], -change / other.mass[point.nodes[0]]));
-    }
+    push(model, work, contact, point, change, field);
+    changed += change.norm();
+    carried += impulse.norm();
   }
+  return carried > 0 ? changed / carried : 0;
 }
 
-/// Impulses at all points of the contacts that take part, by projected Gauss-Seidel sweeps.
+/// Impulses at all points of the contacts that take part, by projected Gauss-Seidel sweeps until they have settled.
 template <int dim, class Field, class TakesPart>
 void solve(const Model<dim>& model, const State<dim>& state, Work<dim>& work, const Field& field, const TakesPart& takes_part)
 {
-  for (ContactPoints<dim>& points : work.contact_points)
-    for (ContactPoint<dim>& point : points.list) point.impulse.setZero();
-  for (int n = 0; n < (work.contacts_share_nodes ? most_sweeps : 1); ++n)
+  constexpr int most_sweeps = 20;
+  constexpr Real settled = 1e-3;  // of the sum of all impulses
+  for (int n = 0; n < (work.contacts_share_nodes ? most_sweeps : 1); ++n) {
+    Real changed = 0;
     for (Index k = 0; k < static_cast<Index>(model.contacts.size()); ++k)
-      if (takes_part(model.contacts[k])) sweep(model, state, work, k, field);
+      if (takes_part(model.contacts[k])) changed = std::max(changed, sweep(model, state, work, k, field));
+    if (changed <= settled) break;
+  }
 }
 
 /// Update stress last at the nodes in contact: the velocity of step 4 moves and strains, too. A node with little mass keeps the re-mapped one:
@@ -159,50 +224,46 @@ void find_contacts(const Model<dim>& model, State<dim>& state, Work<dim>& work)
                   {state.particles[contact.other_body], other.mass, other.nodes}, contact.detection, points);
     }
     weigh(model, work, contact, points);
+    if (contact.adhesion > 0) find_surface(model, state, work, contact, points);
     mark(k, 1, 1);
   }
 }
 
+namespace {
+
+/// Gives the impulses of all points to the totals, and the opposite to the rigid bodies.
 template <int dim>
-void correct_accelerations(const Model<dim>& model, State<dim>& state, Work<dim>& work)
+void react(const Model<dim>& model, State<dim>& state, Work<dim>& work)
 {
-  const Timer timer("contact: step 4");
   const Real dt = state.dt;
   const Vec<dim> gravity = gravity_now(model, state.time);
-  solve(model, state, work, Predicted<dim>{dt}, [](const Contact&) { return true; });
-
   for (RigidState<dim>& rigid : state.rigids) rigid.reaction.setZero(), rigid.torque = 0;
-  // Gives a node's share of an impulse to the totals: it also moves the mid velocity with which gravity and tractions were taken to work.
+  // A node's share of an impulse. It also moves the mid velocity with which gravity and tractions were taken to work; supports take what they hold.
   const auto add = [&](Index b, Index node, const Vec<dim>& impulse, const Vec<dim>& partner_velocity) {
     const BodyGrid<dim>& grid = work.grids[b];
+    const Vec<dim> taken = without_held<dim>(model.fixed[grid.fixed], node, impulse);
     state.totals.contact_impulse += impulse;
-    state.totals.external += 0.5 * dt * model.bodies[b].weight_over_mass * gravity.dot(impulse);
+    state.totals.support_impulse += taken - impulse;
+    state.totals.external += 0.5 * dt * model.bodies[b].weight_over_mass * gravity.dot(taken);
     if (!model.load_points.empty() && grid.mass[node] > 0)
-      state.totals.external += 0.5 * dt * grid.traction[node].dot(impulse) / grid.mass[node];
+      state.totals.external += 0.5 * dt * grid.traction[node].dot(taken) / grid.mass[node];
     const Vec<dim> mid_velocity = grid.velocity[node] + 0.5 * dt * grid.acceleration[node];
     state.totals.friction -= impulse.dot(mid_velocity - partner_velocity);
   };
   for (std::size_t k = 0; k < model.contacts.size(); ++k) {
     const Contact& contact = model.contacts[k];
     for (const ContactPoint<dim>& point : work.contact_points[k].list) {
-      if (point.impulse.isZero()) continue;
+      const Vec<dim>& impulse = point.impulse;
+      if (impulse.isZero()) continue;
       if (contact.other_body != none) {
-        const Index node = point.nodes[0];
-        const Vec<dim> here = without_held<dim>(model.fixed[work.grids[contact.body].fixed], node, point.impulse);
-        add(contact.body, node, here, Vec<dim>::Zero());
-        add(contact.other_body, node, -here, Vec<dim>::Zero());
-        state.pair_impulses[k] += here;
+        add(contact.body, point.nodes[0], impulse, Vec<dim>::Zero());
+        add(contact.other_body, point.nodes[0], -impulse, Vec<dim>::Zero());
+        state.pair_impulses[k] += impulse;
         continue;
       }
       RigidState<dim>& rigid = state.rigids[contact.rigid];
       const Vec<dim> surface_velocity = velocity_at(model.rigids[contact.rigid], rigid, point.place);
-      Vec<dim> impulse = Vec<dim>::Zero();
-      for (int n = 0; n < point.node_count; ++n) {
-        const Vec<dim> of_node =
-            without_held<dim>(model.fixed[work.grids[contact.body].fixed], point.nodes[n], point.weights[n] * point.impulse);
-        add(contact.body, point.nodes[n], of_node, surface_velocity);
-        impulse += of_node;
-      }
+      for (int n = 0; n < point.node_count; ++n) add(contact.body, point.nodes[n], point.weights[n] * impulse, surface_velocity);
       const Vec<dim> arm = point.place - center_now(model.rigids[contact.rigid], rigid);
       const Real turning = arm[0] * impulse[1] - arm[1] * impulse[0];
       rigid.reaction -= impulse / dt;
@@ -218,18 +279,70 @@ void correct_accelerations(const Model<dim>& model, State<dim>& state, Work<dim>
   }
 }
 
+template <int dim, class Change>
+void for_each_point(Work<dim>& work, const Change& change)
+{
+  for (std::size_t k = 0; k < work.contact_points.size(); ++k)
+    for (ContactPoint<dim>& point : work.contact_points[k].list) change(k, point);
+}
+
+/// Particles whose centres are in a rigid body move out of it, at the speed that their depth asks for but no faster than a thousandth of a pressure
+/// wave. Their velocities do not get it.
+template <int dim>
+void push_out(const Model<dim>& model, const State<dim>& state, Work<dim>& work)
+{
+  constexpr Real of_wave = 1e-3;
+  for_each_point(work, [&](std::size_t k, const ContactPoint<dim>& point) {
+    const Contact& contact = model.contacts[k];
+    if (contact.rigid == none || !(point.distance < 0) || !(point.mass.normal > 0)) return;
+    const Material& material = model.bodies[contact.body].material;
+    const Real most = of_wave * std::sqrt(p_wave_modulus(material) / inertia_density(material));
+    const Real wanted = std::min(-point.distance / (contact.approach_steps * state.dt), most);
+    const Real lacking = wanted - relative_velocity(model, state, work, contact, point, Moved<dim>{}).dot(point.normal);
+    if (lacking > 0) push(model, work, contact, point, Vec<dim>(point.mass.normal * lacking * point.normal), Moved<dim>{});
+  });
+}
+
+}  // namespace
+
+template <int dim>
+void correct_accelerations(const Model<dim>& model, State<dim>& state, Work<dim>& work)
+{
+  const Timer timer("contact: step 4");
+  for_each_point(work, [](std::size_t, ContactPoint<dim>& point) { point.impulse.setZero(); });
+  solve(model, state, work, Predicted<dim>{state.dt}, [](const Contact&) { return true; });
+  if (model.update_stress_first) react(model, state, work);
+}
+
 template <int dim>
 void correct_velocities(const Model<dim>& model, State<dim>& state, Work<dim>& work)
 {
   const Timer timer("contact: step 8");
   for (std::size_t k = 0; k < model.contacts.size(); ++k)
     if (model.contacts[k].scheme == Scheme::hybrid) move_with_predicted(model, state, work, static_cast<Index>(k));
-  solve(model, state, work, Moved<dim>{},
-        [](const Contact& contact) { return contact.scheme != Scheme::once && contact.scheme != Scheme::hybrid; });
-  for (std::size_t k = 0; k < model.contacts.size(); ++k)
-    if (model.contacts[k].rigid != none)
-      for (const ContactPoint<dim>& point : work.contact_points[k].list)
-        state.rigids[model.contacts[k].rigid].second_impulse += point.impulse;
+
+  const auto note_second = [&](const auto& takes_part, Real sign) {
+    for_each_point(work, [&](std::size_t k, const ContactPoint<dim>& point) {
+      const Contact& contact = model.contacts[k];
+      if (contact.rigid != none && takes_part(contact)) state.rigids[contact.rigid].second_impulse += sign * point.impulse;
+    });
+  };
+  const auto completes = [](const Contact& contact) {
+    return contact.scheme == Scheme::two_sided && contact.detection == Detection::particle;
+  };
+  const auto corrects = [&](const Contact& contact) {
+    return !completes(contact) && contact.scheme != Scheme::once && contact.scheme != Scheme::hybrid;
+  };
+  if (!model.update_stress_first) {
+    note_second(completes, -1);
+    solve(model, state, work, MovedWithParticles<dim>{state.dt}, completes);
+    note_second(completes, 1);
+    react(model, state, work);
+  }
+  for_each_point(work, [](std::size_t, ContactPoint<dim>& point) { point.impulse.setZero(); });
+  solve(model, state, work, Moved<dim>{}, corrects);
+  note_second(corrects, 1);
+  if (!model.update_stress_first) push_out(model, state, work);
 }
 
 template <int dim>

@@ -35,7 +35,7 @@ void correct_points(benchmark::State& state, const Approach& approach)
   const Vec<dim> before = Vec<dim>::Zero();
 
   for (auto _ : state) {
-    for (int p = 0; p < count; ++p) impulse[p] = contact_impulse<dim>(relative[p], normal[p], mass, interface, before);
+    for (int p = 0; p < count; ++p) impulse[p] = contact_impulse<dim>(relative[p], normal[p], {mass, mass}, interface, before);
     benchmark::DoNotOptimize(impulse.data());
     benchmark::ClobberMemory();
   }

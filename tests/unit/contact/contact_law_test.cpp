@@ -27,7 +27,7 @@ struct Meeting {
     interface = {number_between(0, 1.5), *rc::gen::element(0., 0.3), *rc::gen::element(0., 0.1, 1., 10.)};
   }
   /// The change of velocity that one correction makes of a point of 3 kg.
-  Vec<dim> change() const { return contact_impulse<dim>(relative, normal, 3, interface, Vec<dim>::Zero()) / 3; }
+  Vec<dim> change() const { return contact_impulse<dim>(relative, normal, {3, 3}, interface, Vec<dim>::Zero()) / 3; }
   Vec<dim> along(const Vec<dim>& v) const { return v - v.dot(normal) * normal; }
   Real approach() const { return -relative.dot(normal); }
 };
@@ -140,7 +140,7 @@ TEST(ContactCorrection, of_known_meetings)
 {
   const Vec<2> up(0, 1), none_yet(0, 0);
   const auto change = [&](const Vec<2>& relative, const Interface& interface) {
-    return Vec<2>(contact_impulse<2>(relative, up, 2, interface, none_yet) / 2);
+    return Vec<2>(contact_impulse<2>(relative, up, {2, 2}, interface, none_yet) / 2);
   };
   // Falls at 3 m/s, slides at 2 m/s, mu = 0.5: stopped, and slowed by 1.5 m/s.
   EXPECT_NEAR((change(Vec<2>(2, -3), {0.5, 0, 0}) - Vec<2>(-1.5, 3)).norm(), 0, 1e-15);
@@ -161,9 +161,9 @@ template <int dim>
 void an_impulse_that_is_right_already_stays()
 {
   const Meeting<dim> m;
-  const Vec<dim> impulse = contact_impulse<dim>(m.relative, m.normal, 3, m.interface, Vec<dim>::Zero());
+  const Vec<dim> impulse = contact_impulse<dim>(m.relative, m.normal, {3, 3}, m.interface, Vec<dim>::Zero());
   const Vec<dim> after = m.relative + impulse / 3;
-  const Vec<dim> again = contact_impulse<dim>(after, m.normal, 3, m.interface, impulse);
+  const Vec<dim> again = contact_impulse<dim>(after, m.normal, {3, 3}, m.interface, impulse);
   RC_ASSERT((again - impulse).norm() < 1e-13);
 }
 
@@ -172,9 +172,9 @@ void an_impulse_that_is_too_large_is_taken_back()
 {
   // The point carries far too much, and flies off with it: the law finds the impulse of the first correction again.
   const Meeting<dim> m;
-  const Vec<dim> right = contact_impulse<dim>(m.relative, m.normal, 3, m.interface, Vec<dim>::Zero());
+  const Vec<dim> right = contact_impulse<dim>(m.relative, m.normal, {3, 3}, m.interface, Vec<dim>::Zero());
   const Vec<dim> too_much = right + 50 * m.normal;
-  const Vec<dim> found = contact_impulse<dim>(m.relative + too_much / 3, m.normal, 3, m.interface, too_much);
+  const Vec<dim> found = contact_impulse<dim>(m.relative + too_much / 3, m.normal, {3, 3}, m.interface, too_much);
   RC_ASSERT((found - right).norm() < 1e-12);
 }
 
@@ -183,7 +183,7 @@ void held_points_keep_their_distance_and_stuck_ones_their_place()
 {
   const Meeting<dim> m;
   for (const Grip grip : {Grip::slides, Grip::sticks}) {
-    const Vec<dim> held = m.relative + holding_impulse<dim>(m.relative, m.normal, 3, m.interface, grip, Vec<dim>::Zero()) / 3;
+    const Vec<dim> held = m.relative + holding_impulse<dim>(m.relative, m.normal, {3, 3}, m.interface, grip, Vec<dim>::Zero()) / 3;
     RC_ASSERT(std::abs(held.dot(m.normal) + m.interface.allowed_approach) < 1e-13);
     RC_ASSERT((m.along(held) - (grip == Grip::sticks ? Vec<dim>(Vec<dim>::Zero()) : m.along(m.relative))).norm() < 1e-13);
   }
@@ -200,7 +200,13 @@ TEST(Grip, is_told_by_the_impulse)
   EXPECT_EQ(grip_of<2>(Vec<2>(-0.5, 1), up, interface), Grip::slides);
   EXPECT_EQ(grip_of<2>(Vec<2>(0.5, 1), up, {0.5, 0.1, 0}), Grip::sticks);
   // What the law gives to a point that slides is at the limit, whatever the rounding.
-  EXPECT_EQ(grip_of<2>(contact_impulse<2>(Vec<2>(2.1, -3.3), up, 0.7, interface, Vec<2>(0, 0)), up, interface), Grip::slides);
+  EXPECT_EQ(grip_of<2>(contact_impulse<2>(Vec<2>(2.1, -3.3), up, {0.7, 0.7}, interface, Vec<2>(0, 0)), up, interface), Grip::slides);
+}
+
+TEST(ContactLaw, works_with_a_mass_along_the_surface_of_its_own)
+{
+  const Vec<2> impulse = contact_impulse<2>(Vec<2>(0.5, -3), Vec<2>(0, 1), {2, 10}, {1, 0, 0}, Vec<2>::Zero());
+  EXPECT_EQ(impulse, Vec<2>(-5, 6));
 }
 
 BERM_IN_PLANE_AND_SPACE(an_impulse_that_is_right_already_stays)

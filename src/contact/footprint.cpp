@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/footprint.hpp"
+
+#include "contact/detect.hpp"
+
+#include <algorithm>
+
+namespace berm {
+namespace {
+
+/// A point as seen from a side of a surface.
+struct OnSide {
+  Real along;  ///< m along the side
+  Real away;   ///< m from the side, negative inside the body
+  Real begin, end;  ///< m, where the side has its ends
+};
+
+/// Visits visit(side, point as seen from it) for each side of a shape. A circle has one side without ends.
+template <class Visit>
+void visit_sides(const Circle<2>& circle, const Vec<2>& x, const Visit& visit)
+{
+  const Vec<2> from = x - circle.center;
+  visit(0, OnSide{circle.radius * std::atan2(from[1], from[0]), from.norm() - circle.radius, -infinity, infinity});
+}
+template <class Visit>
+void visit_sides(const HalfPlane<2>& plane, const Vec<2>& x, const Visit& visit)
+{
+  const Vec<2> from = x - plane.point;
+  visit(0, OnSide{plane.normal[1] * from[0] - plane.normal[0] * from[1], plane.normal.dot(from), -infinity, infinity});
+}
+template <class Visit>
+void visit_sides(const Box<2>& box, const Vec<2>& x, const Visit& visit)
+{
+  const Vec<2> local = box.axes.transpose() * (x - box.center);
+  for (int side = 0; side < 4; ++side) {
+    const int across = side / 2, along = 1 - across;
+    visit(side, OnSide{local[along], (side % 2 == 0 ? 1 : -1) * local[across] - box.half[across], -box.half[along], box.half[along]});
+  }
+}
+template <class Visit>
+void visit_sides(const Polygon<2>& polygon, const Vec<2>& x, const Visit& visit)
+{
+  const Vec<2> local = polygon.axes.transpose() * (x - polygon.center);
+  const std::vector<Vec<2>>& corners = *polygon.corners;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec<2> side = corners[(k + 1) % corners.size()] - corners[k], along = side.normalized(), from = local - corners[k];
+    visit(static_cast<int>(k), OnSide{along.dot(from), along[1] * from[0] - along[0] * from[1], 0, side.norm()});
+  }
+}
+
+/// The border between two neighbours is drawn where their distance along the surface is less than the sum of their widths.
+void meet(Footprint<2>& left, Footprint<2>& right, Real distance)
+{
+  const Real widths = left.width + right.width;
+  if (!(distance < widths)) return;
+  left.right = distance * left.width / widths;
+  right.left = distance * right.width / widths;
+}
+
+}  // namespace
+
+void find_footprints(const Mesh<2>& mesh, const Particles<2>& particles, const RigidShape<2>& shape, ContactPoints<2>& found)
+{
+  std::vector<Footprint<2>>& list = found.footprints;
+  list.clear();
+  list.reserve(found.list.capacity());
+  for (std::size_t k = 0; k < found.near_cells.size(); ++k) {
+    if (!(found.cells[k].gap < found.cells[k].half_width)) continue;
+    const Index cell = found.near_cells[k];
+    const Shape<2> functions = mesh.shape(cell);
+    Index left = particles.count_in(cell);
+    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
+      for (int l = 0; l < lanes && l < left; ++l) {
+        const Block<2>& p = particles.block(b);
+        const Vec<2> x(p.x[0][l], p.x[1][l]);
+        const Real half = half_width<2>(p.volume[l]);
+        const auto add = [&](int side, const OnSide& at) {
+          if (at.away < -half || at.away >= 2 * half || at.along < at.begin - half || at.along > at.end + half) return;
+          Footprint<2> footprint;
+          footprint.nodes = mesh.nodes[cell];
+          for (int n = 0; n < 3; ++n) footprint.weights[n] = functions.value(n, x);
+          footprint.node_count = 3;
+          footprint.side = side;
+          footprint.along = at.along;
+          footprint.begin = at.begin;
+          footprint.end = at.end;
+          footprint.width = 2 * half;
+          footprint.left = footprint.right = half;
+          list.push_back(footprint);
+        };
+        std::visit([&](const auto& s) { visit_sides(s, x, add); }, shape);
+      }
+  }
+  std::sort(list.begin(), list.end(),
+            [](const Footprint<2>& a, const Footprint<2>& b) { return a.side != b.side ? a.side < b.side : a.along < b.along; });
+  for (std::size_t k = 1; k < list.size(); ++k)
+    if (list[k].side == list[k - 1].side) meet(list[k - 1], list[k], list[k].along - list[k - 1].along);
+  if (const auto* circle = std::get_if<Circle<2>>(&shape); circle != nullptr && list.size() > 1)
+    meet(list.back(), list.front(), list.front().along + 2 * pi * circle->radius - list.back().along);
+  for (Footprint<2>& f : list) f.area = std::max(std::min(f.along + f.right, f.end) - std::max(f.along - f.left, f.begin), Real(0));
+}
+
+template <int dim>
+void share_surface(ContactPoints<dim>& points)
+{
+  const auto for_nodes = [](const auto& at, const auto& visit) {
+    for (int n = 0; n < at.node_count; ++n) visit(at.nodes[n], at.weights[n]);
+  };
+  bool any = false;
+  for (const ContactPoint<dim>& point : points.list) any = any || point.impulse.dot(point.normal) > 0;
+  const auto presses = [&](const ContactPoint<dim>& point) { return !any || point.impulse.dot(point.normal) > 0; };
+
+  NodeField<Real>&area = points.node_area, &weight = points.node_weight;
+  for (const ContactPoint<dim>& point : points.list) for_nodes(point, [&](Index i, Real) { area[i] = weight[i] = 0; });
+  for (const Footprint<dim>& f : points.footprints) for_nodes(f, [&](Index i, Real) { area[i] = weight[i] = 0; });
+  for (const ContactPoint<dim>& point : points.list)
+    if (presses(point)) for_nodes(point, [&](Index i, Real N) { weight[i] += N; });
+  for (const Footprint<dim>& f : points.footprints) {
+    Real reached = 0;
+    for_nodes(f, [&](Index i, Real N) { reached += weight[i] > 0 ? N : 0; });
+    if (reached > 0) for_nodes(f, [&](Index i, Real N) { area[i] += weight[i] > 0 ? f.area * N / reached : 0; });
+  }
+  for (ContactPoint<dim>& point : points.list) {
+    point.area = 0;
+    if (presses(point)) for_nodes(point, [&](Index i, Real N) { point.area += weight[i] > 0 ? area[i] * N / weight[i] : 0; });
+  }
+}
+
+template void share_surface(ContactPoints<2>&);
+template void share_surface(ContactPoints<3>&);
+
+}  // namespace berm

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "contact/footprint.hpp"
+
+#include "bodies/fill.hpp"
+#include "contact/detect.hpp"
+#include "mesh/box.hpp"
+
+#include <gtest/gtest.h>
+#include <numeric>
+
+namespace berm {
+namespace {
+
+/// A bed of cells of 0.1 m below y = 0, filled by a lattice, with a rigid body on it.
+struct Bed {
+  Mesh<2> mesh;
+  Particles<2> particles;
+  ContactPoints<2> found;
+
+  explicit Bed(Real spacing)
+  {
+    BoxMesh box;
+    box.lower = {-1, -0.5};
+    box.size = {2, 1};
+    box.cells = {20, 10};
+    mesh = make_box<2>(box);
+    BodySettings body;
+    BlockSettings block;
+    block.center = {0, -0.25};
+    block.size = {2, 0.5};
+    block.spacing = spacing;
+    body.block = block;
+    particles = fill<2>(mesh, "bed", body, {1000, 0, 0, 0});
+    found.node_area = found.node_weight = NodeField<Real>::zeros(mesh.node_count());
+  }
+  Real covered(const RigidShape<2>& shape, Detection detection = Detection::particle)
+  {
+    Rigid<2> rigid;
+    rigid.shape = shape;
+    RigidState<2> state;
+    found.near_at.setConstant(infinity);
+    state.listed_at.setConstant(infinity);
+    detect<2>(mesh, particles, rigid, state, detection, NodeField<Real>(mesh.node_count(), 1), found);
+    find_footprints(mesh, particles, shape, found);
+    return std::accumulate(found.footprints.begin(), found.footprints.end(), Real(0), [](Real sum, const auto& f) { return sum + f.area; });
+  }
+};
+
+Box<2> plate(Real x, Real y = 0.1)
+{
+  return {Vec<2>(x, y), Vec<2>(0.4, 0.1), Matrix<2>::Identity()};
+}
+
+TEST(Footprints, add_up_to_the_width_of_a_plate_for_any_number_of_particles_and_any_place)
+{
+  // Columns of the lattice cover the plate whatever lies where: round-off only.
+  for (const Real spacing : {0.05, 1. / 30, 0.025, 0.02, 1. / 60}) {
+    Bed bed(spacing);
+    for (const Real x : {0., 0.013, 0.021, 0.05, -0.037}) {
+      EXPECT_NEAR(bed.covered(plate(x)), 0.8, 1e-12);
+      EXPECT_NEAR(bed.covered(plate(x), Detection::gap), 0.8, 1e-12);
+    }
+  }
+}
+
+TEST(Footprints, of_a_polygon_are_those_of_the_same_box)
+{
+  Bed bed(0.025);
+  const auto corners = std::make_shared<const std::vector<Vec<2>>>(
+      std::vector<Vec<2>>{Vec<2>(-0.4, -0.1), Vec<2>(0.4, -0.1), Vec<2>(0.4, 0.1), Vec<2>(-0.4, 0.1)});
+  EXPECT_NEAR(bed.covered(Polygon<2>{Vec<2>(0.013, 0.1), Matrix<2>::Identity(), corners}), 0.8, 1e-12);
+}
+
+TEST(Footprints, of_a_half_plane_end_where_the_particles_do)
+{
+  Bed bed(0.025);
+  EXPECT_NEAR(bed.covered(HalfPlane<2>{Vec<2>(0, 0), Vec<2>(0, -1)}), 2, 1e-12);
+}
+
+TEST(Footprints, are_none_where_a_particle_width_is_open)
+{
+  Bed bed(0.025);
+  EXPECT_GT(bed.covered(plate(0, 0.1 + 0.49 * 0.025)), 0.79);
+  EXPECT_EQ(bed.covered(plate(0, 0.1 + 0.51 * 0.025)), 0);
+}
+
+TEST(Footprints, of_a_circle_close_round_it)
+{
+  // A lattice without what lies in the circle: all of it is covered. The neighbours' borders are within it by construction.
+  Bed bed(0.01);
+  const Circle<2> hole{Vec<2>(0, -0.25), 0.1};
+  Particles<2> left(bed.mesh, bed.particles.size(), 0);
+  bed.particles.visit([&](Index cell, Index b, int l) {
+    const Particle<2> p = bed.particles.read(b, l);
+    if ((p.x - hole.center).norm() > hole.radius) left.insert(cell, p);
+  });
+  left.sort_occupied();
+  bed.particles = left;
+  EXPECT_NEAR(bed.covered(hole), 2 * pi * hole.radius, 1e-12);
+}
+
+TEST(Shares, add_up_to_the_covered_surface_whichever_points_press)
+{
+  Bed bed(0.02);
+  for (const Detection detection : {Detection::particle, Detection::gap}) {
+    const Real covered = bed.covered(plate(0.013), detection);
+    for (const std::size_t every : {1, 2, 3}) {
+      for (std::size_t k = 0; k < bed.found.list.size(); ++k)
+        bed.found.list[k].impulse = k % every == 0 ? bed.found.list[k].normal : Vec<2>::Zero();
+      share_surface(bed.found);
+      Real sum = 0;
+      for (const ContactPoint<2>& point : bed.found.list) {
+        sum += point.area;
+        if (point.impulse.isZero()) {
+          EXPECT_EQ(point.area, 0);
+        }
+      }
+      // Where a node is the point, a footprint can be far from any that presses: then it is out of contact.
+      if (detection == Detection::particle || every == 1)
+        EXPECT_NEAR(sum, covered, 1e-12);
+      else
+        EXPECT_LT(sum, covered + 1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace berm
