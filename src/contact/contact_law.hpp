@@ -27,7 +27,8 @@ struct EffectiveMass {
 /// of the paper (equations 8-13); with the impulses of the last sweep it is one step of a projected Gauss-Seidel iteration. Welded points take all
 /// of the relative velocity away, in any direction.
 template <int dim>
-Vec<dim> contact_impulse(const Vec<dim>& relative, const Vec<dim>& n, const EffectiveMass& m, const Interface& interface, const Vec<dim>& before)
+Vec<dim> contact_impulse(const Vec<dim>& relative, const Vec<dim>& n, const EffectiveMass& m, const Interface& interface,
+                         const Vec<dim>& before)
 {
   const Real speed = relative.dot(n), before_n = before.dot(n);
   if (interface.welded) return before - m.normal * speed * n - m.along * (relative - speed * n);

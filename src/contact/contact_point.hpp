@@ -61,8 +61,8 @@ struct ContactPoints {
   NodeField<Index> place;          ///< of a node in list, or none; empty where points are particles
 
   // Where there is adhesion:
-  std::vector<Footprint<dim>> footprints;    ///< the surface in contact
-  NodeField<Real> node_area, node_weight;    ///< m2 (per metre run: m), and sum of N, over the points that press
+  std::vector<Footprint<dim>> footprints;  ///< the surface in contact
+  NodeField<Real> node_area, node_weight;  ///< m2 (per metre run: m), and sum of N, over the points that press
 
   // Between two deformable bodies:
   std::vector<Index> shared_nodes;        ///< nodes that both bodies reach

@@ -13,7 +13,8 @@ void describe(Describe& d, ContactSettings& contact)
   d.value("adhesion", contact.adhesion,
           {.meaning = "shear strength of the interface without normal stress", .unit = "Pa", .range = not_negative});
   d.choice("scheme", contact.scheme, {"two_sided", "twice", "once", "hybrid", "usf", "sticky"},
-           {.meaning = "correction in step 4 of the algorithm, whose impulse step 8 completes (at nodes: keeps together in step 8); in both steps on their own (as "
+           {.meaning = "correction in step 4 of the algorithm, whose impulse step 8 completes (at nodes: keeps together in step 8); in "
+                       "both steps on their own (as "
                        "published); in step 4 only; in step 4 with nodes in contact updated stress last; update "
                        "stress first (of all contacts or none); or no relative motion at all"});
   d.choice("detection", contact.detection, {"automatic", "gap", "overlap", "distance", "particle"},

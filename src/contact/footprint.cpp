@@ -10,8 +10,8 @@ namespace {
 
 /// A point as seen from a side of a surface.
 struct OnSide {
-  Real along;  ///< m along the side
-  Real away;   ///< m from the side, negative inside the body
+  Real along;       ///< m along the side
+  Real away;        ///< m from the side, negative inside the body
   Real begin, end;  ///< m, where the side has its ends
 };
 
