@@ -35,7 +35,7 @@ template <int dim>
 void BodyGrid<dim>::enter(const Mesh<dim>& mesh, Index cell)
 {
   gradients[cell] = mesh.shape(cell).gradients;
-  if (bulk_viscosity > 0 || filter_speed > 0) height[cell] = mesh.height(cell);
+  if (bulk_viscosity > 0) height[cell] = mesh.height(cell);
   if (!full_cells) return;
   for (Index node : mesh.nodes[cell])
     if (!(volume_around[node] > 0))
@@ -62,6 +62,8 @@ Work<dim>::Work(const Model<dim>& model, const State<dim>& state) : contact_poin
                                                                     movers(omp_get_max_threads())
 {
   std::size_t most = 0;
+  Real least_height = infinity;
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) least_height = std::min(least_height, model.mesh.height(cell));
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     grids.emplace_back(model.mesh);
     find_nodes(model.mesh, state.particles[b], grids[b]);
@@ -70,7 +72,7 @@ Work<dim>::Work(const Model<dim>& model, const State<dim>& state) : contact_poin
     if (yields(material)) {
       const Real wave_speed = std::sqrt(p_wave_modulus(material) / inertia_density(material));
       grids[b].bulk_viscosity = model.mpm.bulk_viscosity * inertia_density(material) * wave_speed;
-      if (!model.update_stress_first) grids[b].filter_speed = model.mpm.velocity_filter * wave_speed;
+      if (!model.update_stress_first) grids[b].filter_rate = model.mpm.velocity_filter * wave_speed / least_height;
     }
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);
     grids[b].whole_mass = measure(state.particles[b]).mass;

@@ -46,11 +46,11 @@ struct BodyGrid {
   CellField<Real> volume_change;   ///< sum V times div(v) dt of the cell
   CellField<Real> viscous_stress;  ///< Pa, tension positive; 0 where the body has no bulk viscosity
   Real bulk_viscosity = 0;         ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
-  Real filter_speed = 0;           ///< m/s: over a cell's height, the rate at which the filter pulls particle velocities
+  Real filter_rate = 0;            ///< 1/s, at which the filter pulls particle velocities towards the smooth ones; 0 without it
   Real whole_mass = infinity;      ///< of the body, kg
 
   CellField<Gradients<dim>> gradients;  ///< of the shape functions, for cells that have or had particles
-  CellField<Real> height;               ///< m, of the same cells where the body has a bulk viscosity or the filter
+  CellField<Real> height;               ///< m, of the same cells where the body has a bulk viscosity
   CellField<Real> volume;               ///< m2 (per metre run) or m3, of the cell
   CellField<Real> weight;               ///< volume that the cell stands for over sum V, of cells with particles
   bool full_cells = false;              ///< cells within the body stand for their own volume
@@ -80,11 +80,9 @@ struct BodyGrid {
   {
     return {mesh.position[mesh.nodes[cell][0]], gradients[cell]};
   }
-  /// The part of what a particle's velocity has beyond the smooth one that the filter takes out in a step.
-  [[gnu::always_inline]] Real filtered_part(Index cell, Real dt) const
-  {
-    return filter_speed > 0 ? std::min(Real(1), dt * filter_speed / height[cell]) : 0;
-  }
+  /// The part of what a particle's velocity has beyond the smooth one that the filter takes out in a step: the same everywhere, or momentum would
+  /// not be kept.
+  [[gnu::always_inline]] Real filtered_part(Real dt) const { return std::min(Real(1), dt * filter_rate); }
   /// What a particle at the node would gain in step 5 where the filter takes out `part`, besides losing that part of its velocity, m/s.
   [[gnu::always_inline]] Real gain(Index node, int d, Real dt, Real part) const
   {

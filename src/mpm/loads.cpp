@@ -21,17 +21,23 @@ constexpr Real most_outside = 0.5;
       fmt::format("traction \"{}\": {} at ({:.6g}) m at t = {:.6g} s (step {})", traction, what, fmt::join(x, x + dim, ", "), time, step));
 }
 
-/// The shares that the corners of its cell have of a load point: its shape functions, not less than zero, where there is mass; 0 elsewhere. Their sum is 1.
+/// The shares that the corners of its cell have of a load point: its shape functions, not less than zero. A corner with less than a twentieth of the
+/// mass of the cell's heaviest gets that much less, and one without mass nothing: as little mass would be thrown about by the load. Their sum is 1.
 template <int dim>
 std::array<Real, dim + 1> shares_of(const Model<dim>& model, const State<dim>& state, const BodyGrid<dim>& grid, std::size_t l)
 {
+  constexpr Real round_off = 1e-9;  // a node with mass has a share at least this large, so that the sum is never 0 there
+  constexpr Real little = 0.05;
   const LoadPointState<dim>& point = state.load_points[l];
   const Shape<dim> shape = model.mesh.shape(point.cell);
+  const auto& nodes = model.mesh.nodes[point.cell];
+  Real heaviest = 0;
+  for (Index node : nodes) heaviest = std::max(heaviest, grid.mass[node]);
   std::array<Real, dim + 1> shares;
   Real total = 0;
   for (int k = 0; k <= dim; ++k) {
-    constexpr Real round_off = 1e-9;  // a node with mass has a share at least this large, so that the sum is never 0 there
-    shares[k] = grid.mass[model.mesh.nodes[point.cell][k]] > 0 ? std::max(shape.value(k, point.x), round_off) : 0;
+    const Real m = grid.mass[nodes[k]];
+    shares[k] = m > 0 ? std::max(shape.value(k, point.x), round_off) * std::min(Real(1), m / (little * heaviest)) : 0;
     total += shares[k];
   }
   if (!(total > 0))

@@ -131,6 +131,7 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
   Particles<dim>& particles = state.particles[body];
   const Real dt = state.dt, per_density = 1 / inertia_density(model.bodies[body].material);
   const Real least_volume = model.mpm.least_volume_ratio * per_density, most_volume = model.mpm.most_volume_ratio * per_density;
+  const Real filtered = pass == Pass::both ? grid.filtered_part(dt) : 0, unfiltered = 1 - filtered;
   for (auto& list : work.movers) list.clear();
 
   const WorkDone work_done = sum_of<WorkDone>("move and strain particles", static_cast<Index>(particles.occupied().size()), [&](Index c) {
@@ -141,7 +142,6 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
     Real at_zero[dim] = {};  // N_k where all coordinates are zero
     for (int k = 0; k < dim; ++k)
       for (int d = 0; d < dim; ++d) at_zero[k] -= shape.gradients[k][d] * shape.origin[d];
-    const Real filtered = pass == Pass::both ? grid.filtered_part(cell, dt) : 0, unfiltered = 1 - filtered;
     const LinearField<dim> gain(shape, nodes, [&](Index i, int d) { return grid.gain(i, d, dt, filtered); }),
         velocity(shape, nodes, grid.moved_velocity);
     CellStrain<dim> cell_strain(velocity, dt);

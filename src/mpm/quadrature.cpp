@@ -2,13 +2,14 @@
 #include "mpm/quadrature.hpp"
 
 #include "core/for_each.hpp"
+#include <cstdlib>
 
 namespace berm {
 namespace {
 
 /// Part of the cells around a node that particles fill at a free surface, at most, and within a body, at least. A level surface of full cells has
 /// 0.5, one that cuts them at half their height 0.75.
-constexpr Real surface_fill = 0.75, full_fill = 0.9;
+const Real surface_fill = getenv("F0") ? atof(getenv("F0")) : 0.75, full_fill = getenv("F1") ? atof(getenv("F1")) : 0.9;
 
 /// How far a cell counts as full, 0 to 1.
 template <int dim>
@@ -28,25 +29,12 @@ void integrate_full_cells(const Model<dim>& model, const Particles<dim>& particl
   const auto& occupied = particles.occupied();
   if (!grid.full_cells) return;
   for_each("quadrature of full cells", static_cast<Index>(occupied.size()), [&](Index c) {
-    // The first cell of a patch that has particles does the work for all of them. A cell without any has no sums either.
-    const Index first = occupied[c];
-    Real whole = 0, with_particles = 0;
-    bool is_first = true;
-    for_each_in_patch(model.patches, first, [&](Index cell) {
-      whole += grid.volume[cell];
-      if (!(grid.moments[cell].volume > 0)) return;
-      with_particles += grid.volume[cell];
-      is_first = is_first && cell >= first;
-    });
-    if (!is_first) return;
-    for_each_in_patch(model.patches, first, [&](Index cell) {
-      Moments<dim>& t = grid.moments[cell];
-      if (!(t.volume > 0)) return;
-      const Real q = fullness(model.mesh, grid, cell), weight = 1 - q + q * grid.volume[cell] * whole / (with_particles * t.volume);
-      grid.weight[cell] = weight;
-      t.volume *= weight;
-      for (Real& stress : t.stress) stress *= weight;
-    });
+    const Index cell = occupied[c];
+    Moments<dim>& t = grid.moments[cell];
+    const Real q = fullness(model.mesh, grid, cell), weight = 1 - q + q * grid.volume[cell] / t.volume;
+    grid.weight[cell] = weight;
+    t.volume *= weight;
+    for (Real& stress : t.stress) stress *= weight;
   });
 }
 

@@ -154,13 +154,15 @@ void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid)
   for_each("gather mass and momentum", static_cast<Index>(grid.nodes.size()), [&](Index n) {
     const Index i = grid.nodes[n];
     CornerSums<dim> total{};
+    Real least_volume = infinity;
     for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) {
       const CornerSums<dim>& corner = grid.at(mesh.entries[e]);
       for (int d = 0; d < dim; ++d) total.sum[d] += corner.sum[d];
       total.mass += corner.mass;
       total.volume += corner.volume;
+      least_volume = std::min(least_volume, corner.volume);
     }
-    if (grid.full_cells) grid.fill[i] = total.volume / grid.volume_around[i];
+    if (grid.full_cells) grid.fill[i] = least_volume > 0 ? total.volume / grid.volume_around[i] : 0;
     // Most nodes have more than that part of the whole body.
     if (!(total.mass > least_mass_part * grid.whole_mass) && !(total.mass > least_mass_part * mass_of_cells(mesh, grid, i))) total.mass = 0;
     const Real per_mass = total.mass > 0 ? 1 / total.mass : 0;
@@ -237,7 +239,7 @@ void spread_internal_forces(const Model<dim>& model, const Particles<dim>& parti
 template <int dim>
 void smooth_velocities(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid<dim>& grid)
 {
-  if (!(grid.filter_speed > 0)) return;
+  if (!(grid.filter_rate > 0)) return;
   const auto& occupied = particles.occupied();
   for_each("momentum of nodal velocities", static_cast<Index>(occupied.size()), [&](Index c) {
     const Index cell = occupied[c];
@@ -263,11 +265,11 @@ template <int dim>
 void spread_new_momentum(const Mesh<dim>& mesh, const Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
   const auto& occupied = particles.occupied();
+  const Real part = grid.filtered_part(dt);
   for_each("momentum after the forces", static_cast<Index>(occupied.size()), [&](Index c) {
     const Index cell = occupied[c];
     const Moments<dim>& t = grid.moments[cell];
     const Shape<dim> shape = grid.shape(mesh, cell);
-    const Real part = grid.filtered_part(cell, dt);
     const LinearField<dim> gain(shape, mesh.nodes[cell], [&](Index i, int d) { return grid.gain(i, d, dt, part); });
     auto& corners = grid.corners[cell];
     for (int d = 0; d < dim; ++d) {

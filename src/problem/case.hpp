@@ -26,7 +26,7 @@ struct MpmSettings {
   Real least_volume_ratio = 0.8;  ///< bounds of a particle's volume over its first
   Real most_volume_ratio = 1.2;
   Real velocity_filter =
-      0.2;  ///< of soil that can yield: rate times height over wave speed at which unresolved particle velocities are taken out
+      0.2;  ///< of soil that can yield: the part of unresolved particle velocities that is taken out while a wave crosses the smallest height
   Real bulk_viscosity = 0.06;  ///< of soil that can yield: viscous mean stress over density, wave speed, height and rate of volume change
 };
 

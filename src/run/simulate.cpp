@@ -116,6 +116,9 @@ private:
     if (request_.goes_on) frames_.remove_others();
     progress_.count_from(clock_.earlier());
     work_.emplace(model(), state());
+    if (model().update_stress_first)
+      spdlog::warn(
+          "scheme = \"usf\" is there to compare with: a body that rests on soil under a load gains energy (docs/theory.md, section 4)");
     return !from_checkpoint;
   }
 
