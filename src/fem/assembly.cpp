@@ -12,6 +12,13 @@ namespace {
 /// Of the elastic stiffness: what is left of it where the law has none, so that stress-free soil does not make the matrix singular.
 constexpr Real least_stiffness = 1e-6;
 
+/// The largest and the smallest principal stress.
+std::pair<Real, Real> extreme_stresses(const SymTensor<2>& stress)
+{
+  const Real mean = (stress[0] + stress[1]) / 2, radius = std::hypot((stress[0] - stress[1]) / 2, stress[3]);
+  return {std::max(mean + radius, stress[2]), std::min(mean - radius, stress[2])};
+}
+
 using Stiffness = Eigen::Matrix<Real, 3, 3, Eigen::DontAlign>;  ///< (xx, yy, xy) by (e_xx, e_yy, gamma_xy)
 
 Stiffness elastic_stiffness(const Elasticity& elastic)
@@ -84,6 +91,7 @@ Assembly::Assembly(const FemModel& model)
       stiffness_(model.mesh.nodes.size()),
       points_(model.mesh.nodes.size()),
       laws_(model.mesh.nodes.size()),
+      laws_before_(model.mesh.nodes.size()),
       contact_(model.contact.size()),
       soil_residual_(model.unknowns()),
       residual_(model.unknowns()),
@@ -95,7 +103,8 @@ Assembly::Assembly(const FemModel& model)
 
 Real Assembly::bytes_of_element()
 {
-  constexpr std::size_t here = sizeof(CellWork) + sizeof(std::array<Real, 78>) + triangle_points * (sizeof(SoilPoint) + sizeof(PointLaw)),
+  constexpr std::size_t here =
+                            sizeof(CellWork) + sizeof(std::array<Real, 78>) + triangle_points * (sizeof(SoilPoint) + 2 * sizeof(PointLaw)),
                         of_model = sizeof(AtSixNodes<Index>) + sizeof(std::array<Index, 78>) +
                                    triangle_points * (sizeof(ShapeAtPoint) + sizeof(Real)),
                         of_state = triangle_points * sizeof(SoilPoint);
@@ -111,6 +120,46 @@ const Assembly::PointLaw& Assembly::law_of_point(const SymTensor<2>& begin, Inde
                model_.model.bodies[model_.mesh.body[cell]].material);
   }
   return made;
+}
+
+void Assembly::follow_strength()
+{
+  laws_before_ = laws_;
+  for_each("follow strength", cells_.size(), [&](Index cell) {
+    for (int q = 0; q < triangle_points; ++q)
+      std::visit([&](const auto& law) { laws_[cell][q].law = law_from(law, points_[cell][q].stress, model_.depth[cell][q]); },
+                 model_.model.bodies[model_.mesh.body[cell]].material);
+  });
+}
+
+void Assembly::forget_strength()
+{
+  for (std::array<PointLaw, triangle_points>& laws : laws_) laws.fill(PointLaw{});
+}
+
+StrengthLag Assembly::strength_lag(const FemState& begin, const std::vector<Real>& change) const
+{
+  StrengthLag lag;
+  for (Index cell = 0; cell < cells_.size(); ++cell) {
+    const auto* law = std::get_if<MohrCoulomb>(&model_.model.bodies[model_.mesh.body[cell]].material);
+    if (law == nullptr) continue;
+    const Elasticity elastic = elasticity(*law);
+    for (int q = 0; q < triangle_points; ++q) {
+      const ShapeAtPoint& shape = model_.shape[cell][q];
+      const SymTensor<2>& end = points_[cell][q].stress;
+      SymTensor<2> returned = begin.points[cell][q].stress;
+      add_elastic_stress(elastic, returned, strain_of(strain_matrix(shape), model_.mesh.nodes[cell], change));
+      for (int k = 0; k < 4; ++k) returned[k] -= end[k];
+      const auto [r1, r3] = extreme_stresses(returned);
+      const auto [s1, s3] = extreme_stresses(end);
+      const Real flow = shape.area * (r1 - r3) / (2 * elastic.shear), shear = (s1 - s3) / 2;
+      const Real strength =
+          at_depth(*law, model_.depth[cell][q]).cohesion * std::cos(law->friction_angle) - (s1 + s3) / 2 * std::sin(law->friction_angle);
+      lag.missing += (strength - shear) * flow;
+      lag.dissipated += shear * flow;
+    }
+  }
+  return lag;
 }
 
 void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& change, const Vec<2>& gravity, Real viscosity, Index cell)

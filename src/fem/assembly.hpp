@@ -16,6 +16,13 @@ struct FemLoads {
   } rigid[3];        ///< x, y, angle
 };
 
+/// What the soil's plastic flow dissipates in an increment, J/m, and by how much less than the law's strength would at the stresses of its end.
+struct StrengthLag {
+  Real missing = 0, dissipated = 0;
+  /// Over what is dissipated; 0 where nothing flows.
+  Real part() const { return dissipated > 0 ? missing / dissipated : 0; }
+};
+
 /// The elements and contact points at the end of an increment that is tried: forces, and the elements' derivatives.
 class Assembly {
 public:
@@ -46,6 +53,19 @@ public:
   Real unbalanced() const { return unbalanced_; }
   Real contact_force() const { return contact_force_; }
 
+  /// Takes the strength of the associated stand-ins from the stresses that were evaluated last, for what is evaluated from the same `begin` next.
+  void follow_strength();
+  /// Takes back the last follow_strength; what was evaluated since is to be evaluated again.
+  void follow_no_further() { laws_ = laws_before_; }
+  /// Takes it from the stresses of `begin` again, as it is at first.
+  void forget_strength();
+  /// How far the strength in what was evaluated last, from the same arguments, is behind its stresses: over the area A_q of the points of integration,
+  ///
+  ///   missing = sum A_q (c cos(phi) - (s1 + s3)/2 sin(phi) - (s1 - s3)/2) g,   dissipated = sum A_q (s1 - s3)/2 g,
+  ///
+  /// s1 >= s3 the extreme principal stresses, g the plastic shear strain of the increment; both over Mohr-Coulomb soil only.
+  StrengthLag strength_lag(const FemState& begin, const std::vector<Real>& change) const;
+
   /// Force of the soil on the rigid body, N/m, and its moment about the body's centre, N m/m.
   Vec<2> reaction() const;
   Real torque() const;
@@ -63,7 +83,8 @@ private:
   void count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const;
   void give_unknowns(const FemLoads& loads, Index stage);
 
-  /// The law of a point of integration for the increments that begin with this stress: dear to make, and the same in all iterations.
+  /// The law of a point of integration for the increments that begin with this stress: dear to make, and the same in all iterations. It may stand for
+  /// the strength of another stress (follow_strength).
   struct PointLaw {
     SymTensor<2> begin{{std::numeric_limits<Real>::quiet_NaN()}};  ///< Pa
     std::variant<PreparedLinearElastic, PreparedMohrCoulomb> law;
@@ -78,7 +99,7 @@ private:
   CellField<CellWork> cells_;
   CellField<std::array<Real, 78>> stiffness_;  ///< of each element: its lower triangle, row by row
   CellField<std::array<SoilPoint, triangle_points>> points_;
-  CellField<std::array<PointLaw, triangle_points>> laws_;
+  CellField<std::array<PointLaw, triangle_points>> laws_, laws_before_;
   std::vector<FemContactState> contact_;
   std::vector<Real> soil_residual_, residual_, matrix_, held_back_;
   std::vector<char> given_;

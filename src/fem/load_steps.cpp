@@ -14,7 +14,10 @@ constexpr Real settling_viscosity = 0.1;
 constexpr Real first_travel = 2e-4;     // of the width, in the first increment of a stage
 constexpr Real loose = 10;              // times the tolerance: taken where even the smallest increment comes no nearer, once in a row
 constexpr Real least_growth = 5e-3;     // of the width: an increment of this travel is never too long for the pressure that it brings
-constexpr Real pressure_change = 0.02;  // of the contact force, in one increment: the strengths that follow it lag one increment behind
+constexpr Real pressure_change = 0.02;  // of the contact force, in one increment
+constexpr Real most_lag = 0.01;         // of what plastic flow dissipates: strength that is less behind its pressure follows no further
+constexpr int most_passes = 4;          // in which the equilibrium of an increment is found, each with the strength of the one before
+constexpr Real worth_it = 0.7;          // a pass that leaves more of the lag is the last
 constexpr Real most_overstress = 0.05;  // of the stress of soil at yield
 constexpr int quick = 8, quick_enough = 12;  // iterations
 
@@ -132,6 +135,38 @@ Real LoadSteps::part_within_force(const IncrementEnd& end) const
   return after > *limit * (1 + 1e-4) ? std::max(0.1, (*limit - before) / (after - before)) : 1;
 }
 
+/// The equilibrium at the end of an increment; again with the strength there, as long as it lags and another pass helps. A pass that finds none or lags
+/// more is taken back.
+IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::vector<Real>& change)
+{
+  const Real viscosity = relaxation_ / first_travel * (first_dt_ / dt);
+  Assembly& assembly = newton_.assembly();
+  IncrementEnd end = newton_.find_equilibrium(state_, loads, viscosity, change);
+  last_iterations_ = end.iterations;
+  if (!model_.strength_lags) return end;
+  end.lag = assembly.strength_lag(state_, change);
+  for (int pass = 1; pass < most_passes && end.converged && std::abs(end.lag.part()) > most_lag; ++pass) {
+    const std::vector<Real> before = change;
+    assembly.follow_strength();
+    IncrementEnd next = newton_.find_equilibrium(state_, loads, viscosity, change);
+    const int iterations = end.iterations + next.iterations;
+    next.lag = assembly.strength_lag(state_, change);
+    const Real left = std::abs(next.lag.part() / end.lag.part());
+    if (!next.converged || left > 1) {
+      change = before;
+      assembly.follow_no_further();
+      assembly.evaluate(state_, change, loads, viscosity);
+    } else {
+      last_iterations_ = next.iterations;
+      end = next;
+    }
+    end.iterations = iterations;
+    if (!next.converged || left > worth_it) break;
+  }
+  assembly.forget_strength();
+  return end;
+}
+
 IncrementEnd LoadSteps::advance()
 {
   const Real largest_dt = first_dt_ * std::max(Real(1), model_.settings.largest_step / first_travel);
@@ -142,7 +177,7 @@ IncrementEnd LoadSteps::advance()
     std::vector<Real> change(model_.unknowns(), 0.);
     if (last_dt_ > 0)
       for (std::size_t k = 0; k < change.size(); ++k) change[k] = last_change_[k] * (dt / last_dt_);
-    const IncrementEnd end = newton_.find_equilibrium(state_, loads, relaxation_ / first_travel * (first_dt_ / dt), change);
+    const IncrementEnd end = find_equilibrium(loads, dt, change);
     if (const Real part = part_within_force(end); part < 1 && shortest > 1e-6) {
       shortest *= part;
       continue;
@@ -173,8 +208,8 @@ void LoadSteps::accept(const std::vector<Real>& change, Real dt, const Increment
   ++state_.state.step;
   last_change_ = change;
   last_dt_ = dt;
-  if (end.iterations <= quick) relaxation_ = std::max(relaxation_ / 4, least_relaxation_);
-  if (end.iterations <= quick_enough) dt_ = std::max(dt_, dt * 1.5);
+  if (last_iterations_ <= quick) relaxation_ = std::max(relaxation_ / 4, least_relaxation_);
+  if (last_iterations_ <= quick_enough) dt_ = std::max(dt_, dt * 1.5);
   if (model_.strength_lags) dt_ = std::min(dt_, std::max(dt * pressure_change / force_change, first_dt_ * least_growth / first_travel));
   loose_ = !end.converged;
   if (loose_) dt_ = first_dt_;

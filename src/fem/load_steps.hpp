@@ -8,8 +8,9 @@ namespace berm {
 /// Goes through the stages of a case in increments that adapt: one that does not converge is tried again at half its size, one that converges quickly
 /// lets the next grow. Each starts from the last one's change, scaled. The viscosity eta of an increment (Assembly::evaluate) is relaxation over
 /// travel, so that the overstress belongs to the speed of the strain and not to the size of the increments; the relaxation falls while increments
-/// converge quickly, and rises where they do not. Where the strength follows the pressure one increment behind (associated()), an increment in which the
-/// contact force changes by more than a fiftieth makes the next shorter.
+/// converge quickly, and rises where they do not. Where the strength follows the pressure (associated()), the equilibrium of an increment is found again
+/// with the strength at its end until that lags by a hundredth at most (StrengthLag), and an increment in which the contact force changes by more than a
+/// fiftieth makes the next shorter.
 class LoadSteps {
 public:
   LoadSteps(const FemModel& model, FemState& state);
@@ -37,6 +38,7 @@ private:
   FemLoads dead_loads(Real time) const;
   FemLoads loads_after(Real dt) const;
   Real part_within_force(const IncrementEnd& end) const;
+  IncrementEnd find_equilibrium(const FemLoads& loads, Real dt, std::vector<Real>& change);
   void accept(const std::vector<Real>& change, Real dt, const IncrementEnd& end, Real force_change);
   [[noreturn]] void refuse_overstress() const;
 
@@ -46,6 +48,7 @@ private:
   Real least_relaxation_, relaxation_;  ///< travel over which overstress fades, over the width: at least, and of the next increment
   Real first_dt_ = 0, dt_ = 0;          ///< s, of the first and of the next increment of the stage
   Real last_dt_ = 0;                    ///< s, of the last increment in this stage; 0 = none
+  int last_iterations_ = 0;             ///< of Newton, where the equilibrium of an increment was found the last time
   bool loose_ = false;                  ///< the last increment was taken though it stayed above the tolerance
   std::vector<Real> last_change_;       ///< of displacement in it
 };

@@ -11,6 +11,7 @@ struct IncrementEnd {
   Real unbalance =
       infinity;  ///< sum of the unbalanced nodal forces over that of the contact forces, or over a thousandth of weight and tractions if that is more
   int iterations = 0;
+  StrengthLag lag;  ///< of soil whose flow is not associated
 };
 
 /// Newton's iteration with the consistent tangent of the soil for one increment; the contact is solved within each step (ContactStep). Each increment is a

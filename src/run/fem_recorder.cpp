@@ -15,7 +15,7 @@ constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
 std::vector<std::string> FemRecorder::columns(const FemModel& model)
 {
   std::vector<std::string> names = common_columns();
-  names.insert(names.end(), {"iterations", "unbalance", "overstress"});
+  names.insert(names.end(), {"iterations", "unbalance", "overstress", "strength_lag"});
   for (const Traction& traction : model.model.tractions)
     for (const char* column : {"Fx_N_m", "Fy_N_m", "ux_m", "uy_m"}) names.push_back(fmt::format("{}_{}", traction.name, column));
   for (const FemWatch& watch : model.watches)
@@ -48,10 +48,12 @@ void FemRecorder::add_row(const FemModel& model, FemState& state, const Incremen
     if (model.model.driven[now.stage.index] != none && end.iterations > 0) {
       largest_unbalance_ = std::max(largest_unbalance_, end.unbalance);
       largest_overstress_ = std::max(largest_overstress_, state.overstress);
+      lag_.missing += std::abs(end.lag.missing);
+      lag_.dissipated += end.lag.dissipated;
     }
   }
   row.insert(row.end(), {0, t.internal, 0, t.friction, t.external, error, state.unbalanced / (model.weight > 0 ? model.weight : unknown), 0,
-                         overlap, 0, moment, angle, static_cast<Real>(end.iterations), end.unbalance, state.overstress});
+                         overlap, 0, moment, angle, static_cast<Real>(end.iterations), end.unbalance, state.overstress, end.lag.part()});
   for (std::size_t k = 0; k < model.loads.size(); ++k) {
     Vec<2> force = Vec<2>::Zero(), moved_by = Vec<2>::Zero();
     Real area = 0;

@@ -71,11 +71,10 @@ private:
                            state().state.step,
                            FemCounts{model().mesh.node_count(), iterations_},
                            timings()};
-    const Summary::Checks checks = {{"energy_error", recorder_.energy_error()},
-                                    {"largest_unbalance", recorder_.largest_unbalance()},
-                                    {"loose_increments", static_cast<Real>(loose_)},
-                                    {"largest_overstress", recorder_.largest_overstress()},
-                                    {"friction_work_is_loss", state().state.totals.friction >= 0}};
+    const Summary::Checks checks = {
+        {"energy_error", recorder_.energy_error()},      {"largest_unbalance", recorder_.largest_unbalance()},
+        {"loose_increments", static_cast<Real>(loose_)}, {"largest_overstress", recorder_.largest_overstress()},
+        {"strength_lag", recorder_.strength_lag()},      {"friction_work_is_loss", state().state.totals.friction >= 0}};
     write_results(request_, folder_, model().model, state().state.rigids, frames_.last(), {finished_, held_force_, checks}, timing);
   }
 
@@ -90,7 +89,7 @@ private:
       frames_.remove_others();
     }
     steps_.settle();
-    recorder_.add_row(model(), state(), {true, 0, 0});
+    recorder_.add_row(model(), state(), {true, 0, 0, {}});
     frame();
     while (!interrupted() && !finished_) {
       const IncrementEnd end = steps_.advance();

@@ -275,6 +275,45 @@ TEST(Assembly, viscosity_mixes_the_laws_stress_with_the_elastic_one_and_tells_th
   EXPECT_NEAR(problem.state.overstress, 600. / 1600, 1e-12);
 }
 
+TEST(Assembly, strength_that_follows_the_pressure_of_the_increment_lags_no_more)
+{
+  // Lame's constants are 4e5 Pa. Soil under 1 kPa all round carries a shear stress of 500 Pa; squeezed by 1e-4 in both directions it has 1160 Pa and carries
+  // 580 Pa. The elastic shear stress is 1 kPa; what it is beyond the strength, over the shear modulus, is plastic strain. The area is 0.5 m2.
+  FemProblem problem = fem_problem_of(block_of(plastic_soil(0, 30, 0)));
+  for (auto& points : problem.state.points)
+    for (SoilPoint& point : points) point.stress = {{-1000, -1000, -1000, 0}};
+  const auto change = change_of(problem.model, [](const Vec<2>& x) { return Vec<2>(-1e-4 * x[0] + 2.5e-3 * x[1], -1e-4 * x[1]); });
+  Assembly assembly(problem.model);
+  const auto expect_strength = [&](Real strength) {
+    assembly.evaluate(problem.state, change, {}, 0);
+    const StrengthLag lag = assembly.strength_lag(problem.state, change);
+    const Real flow = 0.5 * (1000 - strength) / 4e5;
+    EXPECT_NEAR(lag.dissipated / (strength * flow), 1, 1e-9);
+    EXPECT_NEAR(lag.missing, (580 - strength) * flow, 1e-9);
+    EXPECT_NEAR(lag.part(), 580 / strength - 1, 1e-9);
+  };
+  expect_strength(500);
+  assembly.follow_strength();
+  expect_strength(580);
+  assembly.follow_no_further();
+  expect_strength(500);
+  assembly.follow_strength();
+  assembly.forget_strength();
+  expect_strength(500);
+}
+
+TEST(Assembly, soil_that_does_not_flow_has_no_lag_of_strength)
+{
+  for (const Material& soil : {Material(elastic_soil()), Material(plastic_soil(1e6, 30, 0))}) {
+    FemProblem problem = fem_problem_of(block_of(soil));
+    const auto shear = change_of(problem.model, [](const Vec<2>& x) { return Vec<2>(1e-3 * x[1], 0); });
+    Assembly assembly(problem.model);
+    assembly.evaluate(problem.state, shear, {}, 0);
+    EXPECT_NEAR(assembly.strength_lag(problem.state, shear).dissipated, 0, 1e-9);
+  }
+  EXPECT_EQ(StrengthLag{}.part(), 0);
+}
+
 TEST(Assembly, held_back_forces_keep_the_first_state_in_balance)
 {
   Case c = block_of(elastic_soil());

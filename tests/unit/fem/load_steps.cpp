@@ -229,6 +229,28 @@ TEST(LoadSteps, increments_are_short_while_strength_follows_a_growing_pressure)
   EXPECT_GT(grown, 5);
 }
 
+TEST(LoadSteps, the_strength_that_follows_a_growing_pressure_lags_by_a_hundredth_at_most_and_so_does_the_force)
+{
+  Case c = plate_on_block(plastic_soil(500, 30, 0), 0.4, {10, 5});
+  c.contact[0].second.friction_angle = std::atan(0.5);
+  c.stage = {pushing()};
+  const auto force_after = [&](Real travel, Real largest_step) {
+    c.stage[0].until.embedment = travel;
+    c.fem.largest_step = largest_step;
+    Way way(c);
+    StrengthLag sum;
+    way.to_end_of_stage([&](const IncrementEnd& end) {
+      sum.missing += std::abs(end.lag.missing);
+      sum.dissipated += end.lag.dissipated;
+    });
+    EXPECT_GT(sum.dissipated, 0);
+    EXPECT_LT(sum.part(), 0.01);
+    return way.V();
+  };
+  // Increments of 0.005 of the width at most, and a tenth of that: a hundredth for the lag, another for the path. The plate has failed by 0.02 m.
+  for (const Real travel : {0.002, 0.005, 0.01}) EXPECT_NEAR(force_after(travel, 0.02) / force_after(travel, 5e-4), 1, 0.02) << travel;
+}
+
 TEST(LoadSteps, gravity_grows_over_its_ramp)
 {
   Case c = block_of(elastic_soil());
