@@ -2,14 +2,13 @@
 #include "mpm/quadrature.hpp"
 
 #include "core/for_each.hpp"
-#include <cstdlib>
 
 namespace berm {
 namespace {
 
 /// Part of the cells around a node that particles fill at a free surface, at most, and within a body, at least. A level surface of full cells has
 /// 0.5, one that cuts them at half their height 0.75.
-const Real surface_fill = getenv("F0") ? atof(getenv("F0")) : 0.75, full_fill = getenv("F1") ? atof(getenv("F1")) : 0.9;
+constexpr Real surface_fill = 0.75, full_fill = 0.9;
 
 /// How far a cell counts as full, 0 to 1.
 template <int dim>

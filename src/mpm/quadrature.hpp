@@ -6,10 +6,10 @@
 namespace berm {
 
 /// Step 1: scales V and V sigma of the cells so that a cell within the body stands for its own volume V_c, and not for the sum of the volumes of the
-/// particles that are in it by chance: w_c sum V_p = (1 - q) sum V_p + q V_c V_Q / V_Q', where V_Q is the volume of its patch and V_Q' that of the
-/// patch's cells that have particles. q goes smoothly from 0 to 1 as the least filled of the cell's nodes goes from 0.75 to 0.9 (the part of the
-/// cells around the node that particles fill), so that the cells at a free surface keep what their particles have. Strain and force take the same
-/// weights, so they stay conjugate. Does nothing where the body is not integrated so.
+/// particles that are in it by chance: w_c sum V_p = (1 - q) sum V_p + q V_c. q goes smoothly from 0 to 1 as the least filled of the cell's nodes
+/// goes from 0.75 to 0.9 (the part of the cells around the node that particles fill, 0 where one of them has no particle), so that the cells at a free
+/// surface keep what their particles have. Strain and force take the same weights, so they stay conjugate. Does nothing where the body is not
+/// integrated so.
 template <int dim>
 void integrate_full_cells(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid);
 

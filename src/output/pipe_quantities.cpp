@@ -12,6 +12,8 @@ namespace {
 
 constexpr Real drag_points[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.75, 1.0};  // of D
 constexpr Real push_spacing = 0.05;                                   // of D
+constexpr Real travel_points[] = {0.0025, 0.005, 0.01, 0.02, 0.03};   // of D, from where a push began with the pipe in the bed
+constexpr Real in_the_bed = 0.02;                                     // of D: a pipe that is put on the bed sinks less by its weight
 constexpr Real reached = 1e-3;  // of D: a stage that ends at a displacement may stop this much short of it, by rounding and by a step
 
 bool contains(const std::vector<std::string>& list, const std::string& name)
@@ -83,6 +85,19 @@ void add_push(Collector& collector, const PipePath& path, const PipeScale& scale
   collector.force("V_end_of_push", V.at(V.end(), half));
   collector.length("w_end_of_push", V.end());
   collector.ratio_if_known("V_noise", noise_of(path.w, path.V, noise_of_V_from * D, scale));
+}
+
+/// V by the travel from the row before the push, of a pipe that is in the bed there.
+void add_travel(Collector& collector, const PipePath& path, const History& history, const PipeScale& scale)
+{
+  const TravelCurve V(path.w, path.V);
+  if (V.empty()) return;
+  const Real D = scale.diameter, begin = history["w_m"][std::max(path.push_rows.front() - 1, 0)];
+  if (!(begin >= in_the_bed * D)) return;
+  for (const Real point : travel_points)
+    if (begin + point * D <= V.end() + reached * point * D)
+      collector.force(fmt::format("V_at_travel_{:g}D", point),
+                      V.at(std::min(begin + point * D, V.end()), std::min(averaging_half(scale), point * D / 4)));
 }
 
 void add_drag(Collector& collector, const PipePath& path, std::optional<Real> held, const PipeScale& scale)
@@ -185,6 +200,7 @@ std::vector<Quantity> pipe_quantities(const History& history, const PipeScale& s
   const PipePath path = pipe_path(history, stages);
   Collector collector(scale);
   add_push(collector, path, scale);
+  add_travel(collector, path, history, scale);
   add_drag(collector, path, stages.held_force, scale);
   add_second_impulse(collector, history, stages);
   add_contact(collector, history, stages);

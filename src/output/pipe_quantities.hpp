@@ -45,6 +45,7 @@ Real averaging_half(const PipeScale& scale);
 
 /// The numbers that a report wants of a run that pushes a pipe into the bed and drags it (as far as it came):
 ///   V_at_w_{0.05,0.1,...}D, V_end_of_push, w_end_of_push;
+///   V_at_travel_{0.0025,0.005,0.01,0.02,0.03}D of a push that begins with the pipe in the bed (0.02 D or deeper), with the travel from there;
 ///   H, w and H_over_V _at_u_{0.1,0.2,0.3,0.4,0.5,0.75,1.0}D, with u from the begin of the drag;
 ///   H_max and u_at_H_max, of the drag to its very end;
 ///   V_rms_error_in_drag, the root mean square of (V - held)/held over the rows of the drag;
@@ -53,7 +54,8 @@ Real averaging_half(const PipeScale& scale);
 ///   second_impulse_over_V, the mean of second_impulse_N_m in the push over that of V, and overlap_max and gap_mean (over push and drag), where the
 ///   history has them.
 /// Forces (N/m) come once more over gamma' D^2 (suffix _over_gammaD2), lengths (m) over D (_over_D). Forces and w are taken from the straight
-/// line fitted over +-0.01 D of travel (TravelCurve::at), or between two rows where there is no noise.
+/// line fitted over +-0.01 D of travel, +- a quarter of the travel for V_at_travel where that is less (TravelCurve::at), or between two rows where there is no
+/// noise.
 std::vector<Quantity> pipe_quantities(const History& history, const PipeScale& scale, const PipeStages& stages);
 
 /// The same as a table for people: model, dimensionless, and prototype (force per metre and length times the gravity level) where the model has

@@ -143,7 +143,7 @@ bool draw_finding(const std::filesystem::path& folder, const std::string& name, 
 {
   if (finding.values.empty()) return false;
   if (!e.runs.empty()) return !std::isnan(finding.number) && draw_figure(folder, name, order_figure(e, finding));
-  if (e.reading.column.empty()) return false;
+  if (e.reading.column.empty() || !e.over.empty()) return false;
   return draw_figure(folder, name, column_figure(e, read_history(run_folder / "history.csv")));
 }
 

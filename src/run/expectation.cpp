@@ -19,6 +19,8 @@ void check_runs(Describe& d, const std::string& path, const Expectation& e, cons
   const auto is_known = [&](const std::string& name) { return std::find(known.begin(), known.end(), name) != known.end(); };
   d.check(e.run.empty() != e.runs.empty(), path, "needs either a run or, for an order of convergence, runs");
   d.check(e.run.empty() || is_known(e.run), path + ".run", "there is no such [run.NAME]", known);
+  d.check(e.over.empty() || is_known(e.over), path + ".over", "there is no such [run.NAME]", known);
+  d.check(e.over.empty() || (!e.run.empty() && e.over != e.run), path + ".over", "needs a run, and another one");
   d.check(std::all_of(e.runs.begin(), e.runs.end(), is_known), path + ".runs", "there is no such [run.NAME]", known);
   d.check(e.runs.empty() || e.runs.size() > 1, path + ".runs", "an order of convergence needs two runs at least");
   std::vector<std::string> sorted = e.runs;
@@ -52,6 +54,7 @@ void describe(Describe& d, VerificationRun& run)
 void describe(Describe& d, Expectation& e)
 {
   d.value("run", e.run, {.meaning = "name of the run that is to give the number"});
+  d.value("over", e.over, {.meaning = "name of a run by whose number it is divided: the number to expect is the ratio"});
   d.value("runs", e.runs,
           {.meaning = "instead of run: names of runs with cells half as large each time, whose order of convergence is meant"});
   describe(d, e.reading);
@@ -84,21 +87,23 @@ void describe(Describe& d, Expectations& all)
 
 std::vector<std::string> runs_of(const Expectation& e)
 {
-  return e.runs.empty() ? std::vector<std::string>{e.run} : e.runs;
+  if (!e.runs.empty()) return e.runs;
+  return e.over.empty() ? std::vector<std::string>{e.run} : std::vector<std::string>{e.run, e.over};
 }
 
 std::string words_of(const Expectation& e)
 {
-  return (e.runs.empty() ? "" : "order of ") + words_of(e.reading);
+  return (e.runs.empty() ? "" : "order of ") + words_of(e.reading) + (e.over.empty() ? "" : " over that of " + e.over);
 }
 
 std::string unit_of(const Expectation& e)
 {
-  return e.runs.empty() ? unit_of(e.reading) : "";
+  return e.runs.empty() && e.over.empty() ? unit_of(e.reading) : "";
 }
 
 Real number_of(const Expectation& e, const std::vector<Real>& values)
 {
+  if (!e.over.empty()) return values.at(0) / values.at(1);
   if (e.runs.empty()) return values.at(0);
   const Real middle = (static_cast<Real>(values.size()) - 1) / 2;
   Real product = 0, squares = 0;

@@ -16,6 +16,7 @@ struct VerificationRun {
 /// One number that a run is expected to give; or the order of convergence of runs whose cells are half as large each time.
 struct Expectation {
   std::string run;                ///< which run; or
+  std::string over;               ///< run by whose number that of `run` is divided; "": none
   std::vector<std::string> runs;  ///< from the coarsest to the finest, with
   std::optional<Real> limit;      ///< SI units: what the number tends to
   Reading reading;
@@ -38,10 +39,10 @@ void describe(Describe& d, Expectations& all);
 /// The runs that an expectation needs.
 std::vector<std::string> runs_of(const Expectation& e);
 
-/// What is expected: words_of its reading, or "order of " that.
+/// What is expected: words_of its reading, over that of another run, or "order of " it.
 std::string words_of(const Expectation& e);
 
-/// The unit of what is expected; "" of an order.
+/// The unit of what is expected; "" of an order and of a ratio.
 std::string unit_of(const Expectation& e);
 
 /// Of one run its value; of several the order of convergence: the slope of the least-squares line through -log2 |value - limit| over the number of

@@ -54,7 +54,7 @@ bool take_values(Finding& finding, const Example& example, const Expectation& e,
     const ProblemResult& result = result_of(run, example, results);
     if (result.end.kind == JobEnd::Kind::interrupted) return false;
     finding.verdict = Verdict::failed;
-    finding.reason = e.runs.empty() ? result.end.reason : fmt::format("{}: {}", run, result.end.reason);
+    finding.reason = e.runs.empty() && e.over.empty() ? result.end.reason : fmt::format("{}: {}", run, result.end.reason);
     if (result.end.kind == JobEnd::Kind::failed) return false;
     try {
       finding.values.push_back(evaluate(e.reading, result.folder));

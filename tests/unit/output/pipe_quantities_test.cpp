@@ -52,6 +52,31 @@ TEST(PipeQuantities, a_linear_push_is_read_exactly_up_to_its_very_end)
   EXPECT_EQ(find(list, "w_end_of_push")->unit, "m");
 }
 
+TEST(PipeQuantities, a_push_that_begins_in_the_bed_is_read_at_its_travel_from_there)
+{
+  // V = 5 kN/m2 of travel, from the row before the push on, in steps of 0.001 D; noise in the first 0.0025 D would reach over a quarter of it.
+  const auto list_from = [](Real begin, bool noisy) {
+    const TemporaryFolder folder;
+    {
+      HistoryFile file(folder.path / "h", {"u_m", "w_m", "H_N_m", "V_N_m"});
+      file.add(0, "rest", {0, begin * scale.diameter, 0, 0});
+      for (int k = 1; k <= 20; ++k) file.add(k, "push", {0, (begin + 0.001 * k) * scale.diameter, 0, 5e3 * 0.001 * k});
+    }
+    PipeScale by = scale;
+    by.noisy = noisy;
+    return pipe_quantities(read_history(folder.path / "h"), by, stages);
+  };
+  for (const bool noisy : {true, false}) {
+    const auto list = list_from(0.1, noisy);
+    EXPECT_NEAR(value(list, "V_at_travel_0.0025D"), 12.5, 1e-9);
+    EXPECT_NEAR(value(list, "V_at_travel_0.005D"), 25, 1e-9);
+    EXPECT_NEAR(value(list, "V_at_travel_0.01D"), 50, 1e-9);
+    EXPECT_NEAR(value(list, "V_at_travel_0.02D"), 100, 1e-9);
+    EXPECT_EQ(find(list, "V_at_travel_0.03D"), nullptr);
+  }
+  EXPECT_EQ(find(list_from(0, true), "V_at_travel_0.01D"), nullptr);
+}
+
 TEST(PipeQuantities, forces_without_noise_are_taken_between_two_rows)
 {
   // Rises to its plateau within the window of +-0.01 D that noise would be averaged over, from an embedment of 0.1 D.

@@ -68,6 +68,22 @@ TEST(Expectation, takes_the_unit_from_the_name)
   EXPECT_EQ(unit_of("disk_Lz_N_s"), "N s");
   EXPECT_EQ(unit_of("disk_xmax_m"), "m");
 }
+TEST(Expectation, may_be_the_ratio_of_the_numbers_of_two_runs)
+{
+  const std::string runs = "[run.a]\n[run.b]\n[[expect]]\nrun = \"a\"\nquantity = \"V_at_w_0.1D\"\nexact = 1\ntolerance = 0.03\n" + words;
+  Expectations all;
+  Document document = parse_text("expected.toml", runs + "over = \"b\"\n");
+  read(document, all);
+  const Expectation& ratio = all.expect.at(0);
+  EXPECT_EQ(runs_of(ratio), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(unit_of(ratio), "");
+  EXPECT_EQ(words_of(ratio), "V_at_w_0.1D over that of b");
+  EXPECT_DOUBLE_EQ(number_of(ratio, {103, 100}), 1.03);
+  EXPECT_TRUE(is_met(ratio, 1.029));
+  EXPECT_FALSE(is_met(ratio, 0.969));
+  EXPECT_NE(complaint(runs + "over = \"c\"\n").find("there is no such [run.NAME]"), std::string::npos);
+  EXPECT_NE(complaint(runs + "over = \"a\"\n").find("needs a run, and another one"), std::string::npos);
+}
 TEST(Expectation, measures_the_order_of_convergence)
 {
   Expectation order;
