@@ -33,6 +33,9 @@ std::string words_of(const FemModel& model)
   return fmt::format("{} elements, {} nodes", model.mesh.cell_count(), model.mesh.node_count());
 }
 
+/// Of what plastic flow dissipates: twice what the passes of an increment leave (LoadSteps).
+constexpr Real much_lag = 0.02;
+
 constexpr const char* larger_elements = "take larger elements";
 
 /// The run itself: increments, and what is written on the way.
@@ -65,6 +68,11 @@ private:
   void leave_results(Clock::time_point start)
   {
     frame();
+    if (recorder_.strength_lag() > much_lag)
+      spdlog::warn(
+          "the strength of the soil lags behind its pressure by {:.2g} of what its flow dissipates, and forces may be off by as much; "
+          "compare a run with a tenth of fem.largest_step",
+          recorder_.strength_lag());
     const RunTiming timing{seconds_since(start),
                            request_.threads,
                            model().mesh.cell_count(),

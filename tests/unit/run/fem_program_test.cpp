@@ -148,10 +148,11 @@ TEST(FemRun, history_has_the_columns_of_every_run_first_and_a_row_for_each_incre
   const Place place;
   ASSERT_EQ(place.berm({"run", "small.toml", "--threads", "1", "-o", "results"}).status, 0);
   const std::string text = text_of_file(place.folder / "results/history.csv"), header = text.substr(0, text.find('\n'));
-  EXPECT_EQ(header,
-            "time_s,stage,u_m,w_m,H_N_m,V_N_m,kinetic_J_m,internal_J_m,damping_J_m,friction_J_m,external_J_m,energy_error_J_m,"
-            "out_of_balance,gap_m,overlap_m,second_impulse_N_m,M_Nm_m,angle_rad,iterations,unbalance,overstress,deep_ux_m,deep_uy_m,"
-            "deep_sxx_Pa,deep_syy_Pa,deep_szz_Pa,deep_sxy_Pa");
+  EXPECT_EQ(
+      header,
+      "time_s,stage,u_m,w_m,H_N_m,V_N_m,kinetic_J_m,internal_J_m,damping_J_m,friction_J_m,external_J_m,energy_error_J_m,"
+      "out_of_balance,gap_m,overlap_m,second_impulse_N_m,M_Nm_m,angle_rad,iterations,unbalance,overstress,strength_lag,deep_ux_m,deep_uy_m,"
+      "deep_sxx_Pa,deep_syy_Pa,deep_szz_Pa,deep_sxy_Pa");
   const History history = read_history(place.folder / "results/history.csv");
   const auto& w = history["w_m"];
   const auto& u = history["u_m"];
