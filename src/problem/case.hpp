@@ -25,9 +25,10 @@ struct MpmSettings {
   Quadrature quadrature = Quadrature::full_cells;
   Real least_volume_ratio = 0.8;  ///< bounds of a particle's volume over its first
   Real most_volume_ratio = 1.2;
-  Real velocity_filter =
-      0.2;  ///< of soil that can yield: the part of unresolved particle velocities that is taken out while a wave crosses the smallest height
-  Real bulk_viscosity = 0.06;  ///< of soil that can yield: viscous mean stress over density, wave speed, height and rate of volume change
+  /// Of soil that can yield: the part of unresolved particle velocities that is taken out while a wave crosses the smallest height.
+  Real velocity_filter = 0.1;
+  /// Of soil that can yield: viscous mean stress over density, wave speed, height and rate of volume change.
+  Real bulk_viscosity = 0.06;
 };
 
 /// What computes a case.

@@ -6,7 +6,7 @@
 namespace berm {
 namespace {
 
-const LinearElastic law{.density = 2000, .young_modulus = 7e6, .poisson_ratio = 0.25};
+const LinearElastic law{.density = 2000, .inertia_density = {}, .young_modulus = 7e6, .poisson_ratio = 0.25};
 Real* const no_state = nullptr;
 
 TEST(LinearElastic, uniaxial_strain_gives_the_oedometer_modulus)

@@ -93,7 +93,7 @@ TEST(Material, dilation_larger_than_friction_is_refused_at_its_key)
 
 TEST(Material, answers_for_the_law_it_holds)
 {
-  const Material elastic = LinearElastic{.density = 2000, .young_modulus = 3e6, .poisson_ratio = 0};
+  const Material elastic = LinearElastic{.density = 2000, .inertia_density = {}, .young_modulus = 3e6, .poisson_ratio = 0};
   EXPECT_EQ(density(elastic), 2000);
   EXPECT_DOUBLE_EQ(p_wave_modulus(elastic), 3e6);
   EXPECT_EQ(state_size(elastic), 0);

@@ -81,7 +81,8 @@ std::string part_of_law(const PreparedMohrCoulomb& law, const Increment& increme
 
 TEST(Tangent, of_the_linear_law_is_hookes_law)
 {
-  const PreparedLinearElastic law = prepare(LinearElastic{.density = 2000, .young_modulus = 7e6, .poisson_ratio = 0.25});
+  const PreparedLinearElastic law =
+      prepare(LinearElastic{.density = 2000, .inertia_density = {}, .young_modulus = 7e6, .poisson_ratio = 0.25});
   const Real lame = law.elastic.lame, shear = law.elastic.shear, stiff = p_wave_modulus(law.elastic);
   SymTensor<2> stress{{1e3, 2e3, 3e3, 4e3}};
   Tangent tangent;
