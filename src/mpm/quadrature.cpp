@@ -30,7 +30,7 @@ void integrate_full_cells(const Model<dim>& model, const Particles<dim>& particl
   for_each("quadrature of full cells", static_cast<Index>(occupied.size()), [&](Index c) {
     const Index cell = occupied[c];
     Moments<dim>& t = grid.moments[cell];
-    const Real q = fullness(model.mesh, grid, cell), weight = 1 - q + q * grid.volume[cell] / t.volume;
+    const Real zeta = fullness(model.mesh, grid, cell), weight = 1 - zeta + zeta * grid.volume[cell] / t.volume;
     grid.weight[cell] = weight;
     t.volume *= weight;
     for (Real& stress : t.stress) stress *= weight;

@@ -64,7 +64,7 @@ TYPED_TEST(StateCheckpoint, gives_the_same_bits_back)
 {
   constexpr int dim = TypeParam::value;
   test::SampleRun<dim> first, second;
-  first.steps(203);
+  first.steps(403);
   // The particles have moved between cells, yielded, and touched the disk and each other.
   const State<dim>& state = first.problem.state;
   ASSERT_FALSE(same_blocks(state.particles[0], second.problem.state.particles[0]));
