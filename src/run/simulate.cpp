@@ -246,7 +246,7 @@ private:
   /// What tells that the run can be trusted; what does not is a warning in the log, too.
   Summary::Checks checks()
   {
-    constexpr Real much_shaking = 0.2, much_mass = 0.01, much_work = 0.01;
+    constexpr Real much_shaking = 0.15, much_mass = 0.01, much_work = 0.01;
     Summary::Checks found = {{"energy_error", recorder_.energy_error()}};
     if (std::isfinite(equilibrium_)) found.emplace_back("out_of_balance_after_geostatic", equilibrium_);
     found.emplace_back("momentum_error", momentum_error(state()));

@@ -35,7 +35,7 @@ TEST(Damping, does_not_act_at_the_contact_so_that_the_reaction_of_a_resting_bloc
   c.gravity = {0, -10};
   c.body[0].second.damping = 0.9;
   Simulation<2> run(c);
-  run.run_until(2);
+  run.run_until(4);
   const Real weight = 10 * measure(run.state().particles[0]).mass;
   EXPECT_NEAR(run.state().rigids[0].reaction[1] / -weight, 1, 1e-6);
   EXPECT_NEAR(run.state().rigids[0].reaction[0] / weight, 0, 1e-6);
