@@ -30,7 +30,9 @@ void describe(Describe& d, MohrCoulomb& law)
   d.value("tension_cutoff", law.tension_cutoff,
           {.meaning = "largest tension; left out, the apex of the cone", .unit = "Pa", .range = not_negative});
   d.value("most_opening", law.most_opening,
-          {.meaning = "largest volumetric strain by which soil comes apart and must close again before it carries load; 0 turns this off",
+          {.meaning =
+               "largest volumetric strain by which soil comes apart and must close again before it carries load; 0 turns this off; absent: "
+               "0.2 where dilation_angle is above 0, else 0",
            .range = {0, 1}});
 }
 
@@ -57,7 +59,8 @@ PreparedMohrCoulomb prepare(const MohrCoulomb& law)
   p.cone_apex = friction > 0 ? p.strength / friction : infinity;
   p.tension = law.tension_cutoff && *law.tension_cutoff < p.cone_apex ? *law.tension_cutoff : infinity;
   p.apex = std::min(p.tension, p.cone_apex);
-  p.most_opening = p.apex < infinity ? law.most_opening : 0;
+  constexpr Real of_dilating_soil = 0.2;
+  p.most_opening = p.apex < infinity ? law.most_opening.value_or(dilation > 0 ? of_dilating_soil : 0) : 0;
 
   p.drop_1 = lame * dilation + shear * (1 + dilation);
   p.drop_2 = lame * dilation;

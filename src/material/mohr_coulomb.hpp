@@ -35,7 +35,7 @@ struct MohrCoulomb {
   Real friction_angle = 0;             ///< rad
   Real dilation_angle = 0;             ///< rad
   std::optional<Real> tension_cutoff;  ///< Pa; absent, or above the apex c cot(phi): the cone alone
-  Real most_opening = 0;
+  std::optional<Real> most_opening;    ///< empty: 0.2 where the soil dilates, else 0
 };
 
 void describe(Describe& d, MohrCoulomb& law);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "material/material.hpp"
 #include "mohr_coulomb_cases.hpp"
 
 #include <gtest/gtest.h>
@@ -70,6 +71,16 @@ TEST(MohrCoulombOpening, open_soil_shears_without_stress_or_dilation)
   update_stress(prepared, stress, shear, &opening);
   for (int k = 0; k < 4; ++k) EXPECT_EQ(stress[k], 0);
   EXPECT_EQ(opening, 1e-3);
+}
+
+TEST(MohrCoulombOpening, is_remembered_by_default_where_soil_dilates)
+{
+  MohrCoulomb dilating = soil(0, 35, 10), other = soil(0, 35, 0);
+  dilating.most_opening = other.most_opening = {};
+  EXPECT_EQ(prepare(dilating).most_opening, 0.2);
+  EXPECT_EQ(prepare(other).most_opening, 0);
+  // At its largest volume soil dilates no more, but remembers what it did.
+  EXPECT_EQ(prepare(std::get<MohrCoulomb>(without_dilation(dilating))).most_opening, 0.2);
 }
 
 TEST(MohrCoulombOpening, most_opening_bounds_it)
