@@ -49,11 +49,18 @@ inline constexpr Limit second_impulse{0.01, 0.05,
 inline constexpr Limit momentum{1e-9, 1e-6, "impulses add up to the change of momentum to round-off, or the program is wrong"};
 inline constexpr Limit cells{
     20, 10, "in the push of the probe test V(0.1 D) is 19 % above that of D/40 at D/20, and 30 % at D/10 (examples/mesh_study)", true};
+inline constexpr Limit shear_bands{
+    0.05, 0.25,
+    "V(0.1 D) of the probe test, which can lose 18 %, falls from 0.91 to 0.56 kN/m with cells of D/10 to D/80 (examples/localisation)"};
 inline constexpr Limit particles{9, 4, "use nine or more near the pipe; four give too little resistance (docs/theory.md, section 9)", true};
 inline constexpr Limit elements{40, 20, "D/40 is what berm's own studies use (examples/wip_study); half the size should change little",
                                 true};
 inline constexpr Limit unbalance{1, 10, "over fem.tolerance: at most one is called equilibrium"};
 inline constexpr Limit loose{0, 0.1, "increments that did not converge leave forces that nothing carries"};
+inline constexpr Limit lag{
+    0.01, 0.05,
+    "an increment is solved again until its own lag is 1 %; with the lag of large increments V was 20 to 25 % too small "
+    "(docs/decisions/0013)"};
 inline constexpr Limit overstress{0.01, 0.05,
                                   "far below 0.01 it is right; above 0.05 the soil cannot carry the force (docs/how_to/run_a_case.md)"};
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/measures.hpp"
 
+#include "material/shear_band.hpp"
 #include "report/asked_tables.hpp"
 #include "report/quantity_words.hpp"
 
@@ -147,6 +148,31 @@ TrustMeasure size_at_pipe(const char* what, const Limit* limit)
           over_limit};
 }
 
+/// Of the soil that loses most.
+Real lost_in_shear_bands(Run run)
+{
+  Real most = 0;
+  for (const auto& [name, material] : run.settings.material)
+    if (const auto* law = std::get_if<MohrCoulomb>(&material)) most = std::max(most, friction_lost_in_shear_bands(*law));
+  return most;
+}
+
+TrustMeasure shear_bands()
+{
+  return {"friction that shear bands can lose, psi < phi",
+          &limits::shear_bands,
+          has_soil,
+          lost_in_shear_bands,
+          percent,
+          [](Run, Real value) {
+            return fmt::format("the soil (psi below phi) can lose {} of its friction in shear bands, which are as wide as the cells make "
+                               "them: resistance falls with finer "
+                               "cells; take cells of a third to a fifth of the soil's own shear bands, or compare several sizes",
+                               percent_words(value));
+          },
+          percent_words};
+}
+
 TrustMeasure part_of_soil(const char* what, const char* check, const Limit& limit)
 {
   return {what,         &limit,
@@ -211,6 +237,7 @@ std::vector<TrustMeasure> mpm_measures()
       {"momentum that does not balance", &limits::momentum, always, [](Run run) { return run.check("momentum_error"); }, bare,
        [](Run, Real value) { return fmt::format("{:.2g} of the momentum is not accounted for", value); }, bare_limit},
       size_at_pipe("cells at the pipe", &limits::cells),
+      shear_bands(),
       {"particles per cell at the pipe", &limits::particles, has_pipe, [](Run run) { return near_particles(run.settings); },
        [](Run, Real value) { return count_words(value); },
        [](Run, Real value) { return fmt::format("{:.0f} particles per cell at the pipe give too little resistance", value); }, bare_limit},
@@ -235,10 +262,18 @@ std::vector<TrustMeasure> fem_measures()
       {"part of the stress beyond the strength", &limits::overstress, always, [](Run run) { return run.check("largest_overstress"); },
        percent, [](Run, Real value) { return fmt::format("{} of the stress is beyond the soil's strength", percent_words(value)); },
        percent_words},
+      {"strength that lags behind the pressure, psi < phi, over what flow dissipates", &limits::lag,
+       [](Run run) { return lost_in_shear_bands(run) > 0; }, [](Run run) { return run.check("strength_lag"); }, percent,
+       [](Run, Real value) {
+         return fmt::format("the strength of the soil lags by {} of what its flow dissipates: take a smaller fem.largest_step",
+                            percent_words(value));
+       },
+       percent_words},
       energy(limits::energy_of_fem),
       held(),
       overlap(),
       size_at_pipe("elements at the pipe", &limits::elements),
+      shear_bands(),
       count("nodes", "nodes"),
       count("elements", "cells"),
   };

@@ -25,7 +25,7 @@ std::string row_of(const std::string& html, const std::string& heading)
 
 TEST(trust, nothing_wrong_is_said)
 {
-  const std::string html = trust_section({sample_record(sample_case())});
+  const std::string html = trust_section({sample_record(sample_case({"material.sand.dilation_angle=35 deg"}))});
   EXPECT_TRUE(contains(html, "nothing is wrong")) << html;
   EXPECT_FALSE(contains(html, "li class=\"warning\"")) << html;
 }
@@ -113,6 +113,13 @@ TEST(trust, coarse_cells_are_a_warning)
       << trust_section({run});
 }
 
+TEST(trust, friction_that_shear_bands_lose_is_a_warning)
+{
+  const std::string html = trust_section({sample_record(sample_case())});  // 1 - sin 35 deg / tan 35 deg
+  EXPECT_TRUE(contains(html, "can lose 18 % of its friction in shear bands")) << html;
+  EXPECT_TRUE(contains(row_of(html, "friction that shear bands can lose"), "badge fair"));
+}
+
 TEST(trust, run_without_a_summary_says_what_is_not_known)
 {
   RunRecord run = sample_record(sample_case());
@@ -130,6 +137,7 @@ TEST(trust, finite_elements_have_rows_of_their_own_only)
   run.settings.method = Method::fem;
   const std::string html = trust_section({run});
   EXPECT_TRUE(contains(html, "part of the stress beyond the strength"));
+  EXPECT_TRUE(contains(row_of(html, "strength that lags behind the pressure"), "badge good"));
   EXPECT_TRUE(contains(html, "0 of 1\u00a0000"));
   for (const char* words : {"noise of V", "contact gap", "momentum", "particles per cell", "kinetic", "V that the drag holds"})
     EXPECT_FALSE(contains(html, words)) << words;
