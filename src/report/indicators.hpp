@@ -37,8 +37,8 @@ inline constexpr Limit at_bounds{0.001, 0.01, "soil at a bound of its volume no 
 inline constexpr Limit in_the_air{0.001, 0.01, "grains that fly carry nothing"};
 inline constexpr Limit noise_of_V{0.02, 0.05,
                                   "the probe test has 1.2 % at D/40, 1.8 % at D/20, 2.2 % at D/10, 2.9 % at D/5 (examples/mesh_study)"};
-inline constexpr Limit noise_of_H{0.09, 0.18,
-                                  "sand without cohesion slides in jerks: 4 to 13 % whatever the contact scheme (examples/contact_schemes)"};
+inline constexpr Limit noise_of_H{
+    0.09, 0.18, "sand without cohesion slides in jerks: 4 to 13 % whatever the contact scheme (examples/contact_schemes)"};
 inline constexpr Limit gap{
     0.17, 0.25,
     "half a particle's width, 0.11 of a cell with 9 particles and 0.16 with 4, is no gap; contact at all nodes of cut cells holds soil off "
