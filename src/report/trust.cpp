@@ -92,11 +92,10 @@ std::string trust_section(const std::vector<RunRecord>& runs)
   content += table_of(runs, Method::mpm, "trust-mpm", "Can it be trusted? Material point method");
   content += table_of(runs, Method::fem, "trust-fem", "Can it be trusted? Finite elements");
   if (std::any_of(runs.begin(), runs.end(), [](const RunRecord& run) { return run.settings.method == Method::mpm && run.has_pipe(); }))
-    content +=
-        "<p>V depends on the mesh: in the probe test V(0.1 D) is 901, 808 and 706 N/m with cells of D/10, D/20 and D/40 "
-        "(examples/mesh_study), since sand with psi below phi localises in bands as wide as the cells (examples/localisation). "
-        "Run two sizes before believing a number, and phi* for phi to see the lower end; "
-        "<code>berm study examples/mesh_study</code> shows how.</p>\n";
+    content += "<p>V depends on the mesh: in the probe test V(0.1 D) is 901, 808 and 706 N/m with cells of D/10, D/20 and D/40 "
+               "(examples/mesh_study), since sand with psi below phi localises in bands as wide as the cells (examples/localisation). "
+               "Run two sizes before believing a number, and phi* for phi to see the lower end; "
+               "<code>berm study examples/mesh_study</code> shows how.</p>\n";
   return html_section("trust", "Can it be trusted?", content);
 }
 
