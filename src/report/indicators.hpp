@@ -38,7 +38,8 @@ inline constexpr Limit in_the_air{0.001, 0.01, "grains that fly carry nothing"};
 inline constexpr Limit noise_of_V{0.02, 0.05,
                                   "the probe test has 1.2 % at D/40, 1.8 % at D/20, 2.2 % at D/10, 2.9 % at D/5 (examples/mesh_study)"};
 inline constexpr Limit noise_of_H{
-    0.09, 0.18, "sand without cohesion slides in jerks: 4 to 13 % whatever the contact scheme (examples/contact_schemes)"};
+    0.09, 0.18,
+    "sand without cohesion slides in jerks: 4 to 13 % in the first 0.2 D, whatever the contact scheme (examples/contact_schemes)"};
 inline constexpr Limit gap{
     0.17, 0.25,
     "half a particle's width, 0.11 of a cell with 9 particles and 0.16 with 4, is no gap; contact at all nodes of cut cells holds soil off "
@@ -52,8 +53,8 @@ inline constexpr Limit cells{
     20, 10, "in the push of the probe test V(0.1 D) is 14 % above that of D/40 at D/20, and 28 % at D/10 (examples/mesh_study)", true};
 inline constexpr Limit shear_bands{
     0.05, 0.25,
-    "V(0.1 D) of the probe test, which can lose 18 %, falls from 0.91 to 0.56 kN/m with cells of D/10 to D/80 (examples/localisation)"};
-inline constexpr Limit particles{9, 4, "use nine or more near the pipe; four give too little resistance (docs/theory.md, section 9)", true};
+    "V(0.1 D) of the probe test, which can lose 18 %, falls from 0.92 to 0.56 kN/m with cells of D/10 to D/80 (examples/localisation)"};
+inline constexpr Limit particles{9, 4, "use nine or more near the pipe: with four stresses scatter more (docs/theory.md, section 9)", true};
 inline constexpr Limit elements{40, 20, "D/40 is what berm's own studies use (examples/wip_study); half the size should change little",
                                 true};
 inline constexpr Limit unbalance{1, 10, "over fem.tolerance: at most one is called equilibrium"};

@@ -240,7 +240,7 @@ std::vector<TrustMeasure> mpm_measures()
       shear_bands(),
       {"particles per cell at the pipe", &limits::particles, has_pipe, [](Run run) { return near_particles(run.settings); },
        [](Run, Real value) { return count_words(value); },
-       [](Run, Real value) { return fmt::format("{:.0f} particles per cell at the pipe give too little resistance", value); }, bare_limit},
+       [](Run, Real value) { return fmt::format("{:.0f} particles per cell at the pipe are few: stresses scatter", value); }, bare_limit},
       count("particles", "particles"),
       count("cells", "cells"),
   };
