@@ -12,7 +12,7 @@ void describe(Describe& d, SupportSettings& support)
 {
   d.value("boundary", support.boundary, {.meaning = "boundary of the mesh that is held", .required = true});
   d.value("fixed", support.fixed, {.meaning = "directions that are held: \"x\", \"y\", \"z\"", .required = true});
-  d.value("stages", support.stages, {.meaning = "names of the stages in which it holds; in others it is released; absent = all"});
+  d.value("stages", support.stages, {.meaning = "names of the stages in which it holds; in others it is released; absent or empty = all"});
 }
 
 template <int dim>

@@ -62,7 +62,7 @@ void describe(Describe& d, TractionSettings& traction)
           {.meaning = "time in which it grows from nothing, and falls to nothing where a stage is without it; 0 = at once",
            .unit = "s",
            .range = not_negative});
-  d.value("stages", traction.stages, {.meaning = "names of the stages in which it acts; absent = all"});
+  d.value("stages", traction.stages, {.meaning = "names of the stages in which it acts; absent or empty = all"});
 }
 
 template <int dim>

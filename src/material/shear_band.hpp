@@ -7,13 +7,18 @@
 
 namespace berm {
 
-/// The part of tan(phi) that soil with psi < phi loses in a shear band, whose plane bears tan(phi*) = cos(psi) sin(phi) / (1 - sin(psi) sin(phi)) only; 0
-/// for associated soil and without friction. [Davis 1968; Drescher and Detournay 1993]
+/// The friction angle phi*, rad, of soil in a shear band, whose plane does not change its length: tan(phi*) = cos(psi) sin(phi) / (1 - sin(psi) sin(phi)),
+/// phi where psi = phi. [Davis 1968; Drescher and Detournay 1993]
+inline Real friction_angle_in_shear_bands(const MohrCoulomb& law)
+{
+  const Real phi = std::sin(law.friction_angle), psi = law.dilation_angle;
+  return std::atan(std::cos(psi) * phi / (1 - std::sin(psi) * phi));
+}
+
+/// The part of tan(phi) that shear bands take from the soil; 0 without friction.
 inline Real friction_lost_in_shear_bands(const MohrCoulomb& law)
 {
-  if (!(law.friction_angle > 0)) return 0;
-  const Real phi = std::sin(law.friction_angle), psi = law.dilation_angle;
-  return 1 - std::cos(psi) * phi / (1 - std::sin(psi) * phi) / std::tan(law.friction_angle);
+  return law.friction_angle > 0 ? 1 - std::tan(friction_angle_in_shear_bands(law)) / std::tan(law.friction_angle) : 0;
 }
 
 }  // namespace berm

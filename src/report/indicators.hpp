@@ -55,8 +55,8 @@ inline constexpr Limit shear_bands{
     0.05, 0.25,
     "V(0.1 D) of the probe test, which can lose 18 %, falls from 0.92 to 0.56 kN/m with cells of D/10 to D/80 (examples/localisation)"};
 inline constexpr Limit particles{9, 4, "use nine or more near the pipe: with four stresses scatter more (docs/theory.md, section 9)", true};
-inline constexpr Limit elements{40, 20, "D/40 is what berm's own studies use (examples/wip_study); half the size should change little",
-                                true};
+inline constexpr Limit elements{
+    40, 20, "D/40 is what berm's own studies use (examples/wip_study); half the size should change little where psi = phi", true};
 inline constexpr Limit unbalance{1, 10, "over fem.tolerance: at most one is called equilibrium"};
 inline constexpr Limit loose{0, 0.1, "increments that did not converge leave forces that nothing carries"};
 inline constexpr Limit lag{

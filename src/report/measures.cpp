@@ -148,13 +148,20 @@ TrustMeasure size_at_pipe(const char* what, const Limit* limit)
           over_limit};
 }
 
-/// Of the soil that loses most.
+/// The soil that loses most in shear bands; null where none has friction.
+const MohrCoulomb* weakest_in_shear_bands(Run run)
+{
+  const MohrCoulomb* weakest = nullptr;
+  for (const auto& [name, material] : run.settings.material)
+    if (const auto* law = std::get_if<MohrCoulomb>(&material))
+      if (weakest == nullptr || friction_lost_in_shear_bands(*law) > friction_lost_in_shear_bands(*weakest)) weakest = law;
+  return weakest;
+}
+
 Real lost_in_shear_bands(Run run)
 {
-  Real most = 0;
-  for (const auto& [name, material] : run.settings.material)
-    if (const auto* law = std::get_if<MohrCoulomb>(&material)) most = std::max(most, friction_lost_in_shear_bands(*law));
-  return most;
+  const MohrCoulomb* law = weakest_in_shear_bands(run);
+  return law == nullptr ? 0 : friction_lost_in_shear_bands(*law);
 }
 
 TrustMeasure shear_bands()
@@ -164,11 +171,13 @@ TrustMeasure shear_bands()
           has_soil,
           lost_in_shear_bands,
           percent,
-          [](Run, Real value) {
+          [](Run run, Real value) {
             return fmt::format("the soil (psi below phi) can lose {} of its friction in shear bands, which are as wide as the cells make "
                                "them: resistance falls with finer "
-                               "cells; take cells of a third to a fifth of the soil's own shear bands, or compare several sizes",
-                               percent_words(value));
+                               "cells. Take cells of a third to a fifth of the soil's own bands, which are 10 to 20 d50 wide, and estimate "
+                               "the lower end of the answer by the "
+                               "same case with phi* = {:.1f} deg as friction_angle (docs/decisions/0018)",
+                               percent_words(value), friction_angle_in_shear_bands(*weakest_in_shear_bands(run)) * 180 / pi);
           },
           percent_words};
 }

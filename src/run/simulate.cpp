@@ -263,8 +263,10 @@ private:
                    "keep mpm.bulk_viscosity and mpm.velocity_filter at their defaults, or drive slower",
                    recorder_.shaking(), much_shaking);
     if (-state().totals.friction > much_work * recorder_.largest_work())
-      spdlog::warn("contact gave {:.2g} J instead of taking energy: use scheme = \"two_sided\", or a smaller mpm.courant",
-                   -state().totals.friction);
+      spdlog::warn(
+          "contact gave {:.2g} J instead of taking energy: use scheme = \"two_sided\" or a smaller mpm.courant, and let no rigid body "
+          "scrape over a boundary that is held",
+          -state().totals.friction);
     const auto warn_of_bound = [&](Real part, const char* which, const char* key, Real ratio) {
       if (part > much_mass)
         spdlog::warn("{:.2g} % of the soil is at its {} volume, {} of the first: change mpm.{} if it should go on", 100 * part, which,

@@ -117,6 +117,7 @@ TEST(trust, friction_that_shear_bands_lose_is_a_warning)
 {
   const std::string html = trust_section({sample_record(sample_case())});  // 1 - sin 35 deg / tan 35 deg
   EXPECT_TRUE(contains(html, "can lose 18 % of its friction in shear bands")) << html;
+  EXPECT_TRUE(contains(html, "phi* = 29.8 deg")) << html;
   EXPECT_TRUE(contains(row_of(html, "friction that shear bands can lose"), "badge fair"));
 }
 
