@@ -21,8 +21,8 @@ namespace limits {
 
 inline constexpr Limit energy{
     0.01, 0.05,
-    "a smaller mpm.courant lowers it; at D/20 the probe test has 0.5 to 0.9 % (docs/theory.md, section 6), the published "
-    "contact scheme makes up to 2.5 % (examples/contact_schemes)"};
+    "a smaller mpm.courant lowers it; at D/20 the probe test has 0.1 % (examples/mesh_study), the published contact "
+    "scheme makes 0.4 to 1.5 % (examples/contact_schemes)"};
 inline constexpr Limit energy_of_fem{
     0.01, 0.05, "stress and contact forces grow in a straight line within an increment: a smaller fem.largest_step lowers it"};
 inline constexpr Limit kinetic{
