@@ -9,11 +9,7 @@ namespace {
 
 MohrCoulomb sand(Real dilation_angle)
 {
-  MohrCoulomb law;
-  law.density = 1500;
-  law.young_modulus = 2e6;
-  law.poisson_ratio = 0.3;
-  law.friction_angle = 0.6;
+  MohrCoulomb law = sample_sand();
   law.dilation_angle = dilation_angle;
   return law;
 }

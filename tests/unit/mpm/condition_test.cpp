@@ -8,20 +8,10 @@
 namespace berm {
 namespace {
 
-MohrCoulomb dense_sand()
-{
-  MohrCoulomb law;
-  law.density = 1500;
-  law.young_modulus = 2e6;
-  law.poisson_ratio = 0.25;
-  law.friction_angle = 0.6;
-  return law;
-}
-
 /// A box of sand under 10 kPa, and a circle so large that half its width reaches all of it.
 Problem<2> pressed_box()
 {
-  auto problem = problem_on<2>(shaken_box<2>(), dense_sand(), 9);
+  auto problem = problem_on<2>(shaken_box<2>(), sample_sand(), 9);
   Rigid<2> pipe;
   pipe.shape = Circle<2>{.center = problem.model.mesh.upper + Vec<2>(0, 10), .radius = 10};
   problem.model.rigids.push_back(pipe);
@@ -50,7 +40,7 @@ TEST(Shaking, is_the_pressure_of_random_velocities_over_the_mean_pressure)
   std::mt19937 random(3);
   std::normal_distribution<Real> number(0, 0.1);
   const auto noise = [&](const Vec<2>&) { return Vec<2>(number(random), number(random)); };
-  const Real wave_speed = std::sqrt(p_wave_modulus(Material(dense_sand())) / 1500);
+  const Real wave_speed = std::sqrt(p_wave_modulus(Material(sample_sand())) / 1500);
   // The mean of nine velocities takes a ninth of their variance out.
   const Real expected = 1500 * wave_speed * 0.1 * std::sqrt(8. / 9) / 1e4;
   EXPECT_NEAR(shaking_of(noise, [](const Vec<2>&) { return Vec<2>(0, 0); }) / expected, 1, 0.05);  // some 500 random numbers: 3 %
@@ -64,7 +54,7 @@ TEST(Shaking, is_none_where_particles_move_as_the_nodes_do)
 
 TEST(SoilCondition, counts_grains_in_the_air_and_at_the_bounds_of_volume)
 {
-  auto problem = problem_on<2>(shaken_box<2>(), dense_sand(), 9);
+  auto problem = problem_on<2>(shaken_box<2>(), sample_sand(), 9);
   Particles<2>& particles = problem.state.particles[0];
   const Mesh<2>& mesh = problem.model.mesh;
   const Real level = 0.4 * mesh.lower[1] + 0.6 * mesh.upper[1];

@@ -17,6 +17,18 @@ inline LinearElastic sample_solid(Real poisson_ratio = 0.3)
   return law;
 }
 
+/// Sand of the same stiffness, without cohesion and dilation.
+inline MohrCoulomb sample_sand()
+{
+  const LinearElastic solid = sample_solid();
+  MohrCoulomb law;
+  law.density = solid.density;
+  law.young_modulus = solid.young_modulus;
+  law.poisson_ratio = solid.poisson_ratio;
+  law.friction_angle = 0.6;
+  return law;
+}
+
 /// One body that fills all regions of a mesh with n^dim particles a cell; no supports, no gravity, no rigid body.
 template <int dim>
 Problem<dim> problem_on(const Mesh<dim>& mesh, const Material& material, int particles_per_cell)

@@ -45,16 +45,6 @@ struct Drifting {
   }
 };
 
-MohrCoulomb sample_sand()
-{
-  MohrCoulomb law;
-  law.density = 1500;
-  law.young_modulus = 2e6;
-  law.poisson_ratio = 0.3;
-  law.friction_angle = 0.6;
-  return law;
-}
-
 template <int dim>
 auto noise()
 {
