@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/threads.hpp"
-#include "run/commands.hpp"
+#include "commands/commands.hpp"
 
 int main(int argc, char** argv)
 {

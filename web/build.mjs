@@ -38,7 +38,7 @@ async function page(out) {
   const style = await bundle("page.css", {});
   writeFileSync(
     out,
-    `// SPDX-License-Identifier: BSD-3-Clause\n// Made by web/build.mjs.\n#include "report/page_files.hpp"\n\nnamespace berm {\n\n` +
+    `// SPDX-License-Identifier: BSD-3-Clause\n// Made by web/build.mjs.\n#include "report/page/page_files.hpp"\n\nnamespace berm {\n\n` +
       constant("page_script", script) + "\n" + constant("page_style", style) + "\n}  // namespace berm\n",
   );
 }

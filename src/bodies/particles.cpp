@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/particles.hpp"
 
-#include "core/pages.hpp"
+#include "core/lazy_memory.hpp"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bodies/rigid_settings.hpp"
-#include "core/numbers.hpp"
+#include "core/types.hpp"
 
 #include <memory>
 

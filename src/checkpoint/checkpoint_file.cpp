@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "checkpoint/checkpoint_file.hpp"
 
-#include "checkpoint/hdf5_keep.hpp"
-#include "output/whole_file.hpp"
+#include "checkpoint/hdf5_archive.hpp"
+#include "io/atomic_file.hpp"
 
 #include <array>
 #include <charconv>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/numbers.hpp"
-#include "core/pages.hpp"
+#include "core/types.hpp"
+#include "core/lazy_memory.hpp"
 
 #include <new>
 #include <type_traits>

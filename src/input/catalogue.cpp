@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/catalogue.hpp"
 
-#include "input/wording.hpp"
+#include "input/message_text.hpp"
 
 #include <fmt/format.h>
 

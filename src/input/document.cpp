@@ -27,7 +27,7 @@ struct TomlStumbled {};
 
 #include "core/error.hpp"
 #include "input/document.hpp"
-#include "input/wording.hpp"
+#include "input/message_text.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

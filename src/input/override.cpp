@@ -2,7 +2,7 @@
 #include "input/override.hpp"
 
 #include "core/error.hpp"
-#include "input/wording.hpp"
+#include "input/message_text.hpp"
 
 #include <fmt/format.h>
 

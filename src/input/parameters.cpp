@@ -3,7 +3,7 @@
 
 #include "input/catalogue.hpp"
 #include "input/units.hpp"
-#include "input/wording.hpp"
+#include "input/message_text.hpp"
 #include "problem/case.hpp"
 
 #include <algorithm>

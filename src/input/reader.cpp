@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/reader.hpp"
 
-#include "input/taker.hpp"
+#include "input/value_reader.hpp"
 #include "input/units.hpp"
-#include "input/wording.hpp"
+#include "input/message_text.hpp"
 
 #include <algorithm>
 #include <cctype>

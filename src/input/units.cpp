@@ -2,7 +2,7 @@
 #include "input/units.hpp"
 
 #include "core/error.hpp"
-#include "input/wording.hpp"
+#include "input/message_text.hpp"
 
 #include <charconv>
 #include <cstring>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/numbers.hpp"
+#include "core/types.hpp"
 
 #include <stdexcept>
 #include <string>

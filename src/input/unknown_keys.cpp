@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/unknown_keys.hpp"
 
-#include "input/wording.hpp"
+#include "input/message_text.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

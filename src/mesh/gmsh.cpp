@@ -2,7 +2,7 @@
 #include "mesh/gmsh.hpp"
 
 #include "core/error.hpp"
-#include "mesh/lines.hpp"
+#include "mesh/line_reader.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 #include "mesh/mesh.hpp"
 
 #include "core/error.hpp"
-#include "mesh/curve.hpp"
+#include "mesh/hilbert_curve.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

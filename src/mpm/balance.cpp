@@ -2,7 +2,7 @@
 #include "mpm/balance.hpp"
 
 #include "core/for_each.hpp"
-#include "mpm/sound.hpp"
+#include "mpm/diagnose.hpp"
 #include "problem/stages.hpp"
 
 namespace berm {

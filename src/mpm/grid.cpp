@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/grid.hpp"
 
-#include "mpm/measure.hpp"
+#include "mpm/body_sums.hpp"
 
 #include <omp.h>
 

@@ -4,7 +4,7 @@
 #include "core/error.hpp"
 #include "core/for_each.hpp"
 #include "mpm/linear_field.hpp"
-#include "mpm/sound.hpp"
+#include "mpm/diagnose.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

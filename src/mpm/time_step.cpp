@@ -3,7 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/for_each.hpp"
-#include "mpm/sound.hpp"
+#include "mpm/diagnose.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -10,11 +10,11 @@
 #include "checkpoint/checkpoint_file.hpp"
 #include "core/error.hpp"
 #include "input/read_case.hpp"
-#include "mpm/sound.hpp"
+#include "mpm/diagnose.hpp"
 #include "mpm/step.hpp"
-#include "output/frame_maker.hpp"
-#include "output/whole_file.hpp"
-#include "problem/keep_state.hpp"
+#include "run_folder/frame_maker.hpp"
+#include "io/atomic_file.hpp"
+#include "problem/archive_state.hpp"
 #include "problem/stages.hpp"
 
 #include <cstring>

@@ -3,7 +3,7 @@
 #include "target.hpp"
 
 #include "core/error.hpp"
-#include "output/frame_reader.hpp"
+#include "run_folder/frame_reader.hpp"
 
 using namespace berm;
 

@@ -4,12 +4,14 @@
 #include "target.hpp"
 
 #include "core/error.hpp"
-#include "output/frame_reader.hpp"
-#include "report/page_data.hpp"
-#include "report/run_record.hpp"
-#include "report/sections.hpp"
-#include "run/jobs.hpp"
-#include "run/reading.hpp"
+#include "run_folder/frame_reader.hpp"
+#include "report/page/page_data.hpp"
+#include "structures/pipe/run_record.hpp"
+#include "report/results/results_section.hpp"
+#include "report/quality/quality_section.hpp"
+#include "report/claims/claims.hpp"
+#include "jobs/jobs.hpp"
+#include "verification/observable.hpp"
 
 #include <fstream>
 
@@ -85,8 +87,8 @@ void write_sections(const fs::path& folder)
   may_be_refused([&] {
     const std::vector<RunRecord> runs = {read_run(folder)};
     run_data(runs[0]);
-    answer_section(runs);
-    trust_section(runs);
+    results_section(runs);
+    quality_section(runs);
     claims_section(runs);
   });
 }

@@ -4,8 +4,8 @@
 
 #include "core/error.hpp"
 #include "input/reader.hpp"
-#include "run/expectation.hpp"
-#include "run/study_settings.hpp"
+#include "verification/expectation.hpp"
+#include "study/study_settings.hpp"
 
 using namespace berm;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "mpm/measure.hpp"
+#include "mpm/body_sums.hpp"
 #include "mpm/step.hpp"
 #include "problem/stages.hpp"
 

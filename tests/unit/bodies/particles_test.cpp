@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/particles.hpp"
 
-#include "../mesh/sample_meshes.hpp"
+#include "samples/sample_meshes.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

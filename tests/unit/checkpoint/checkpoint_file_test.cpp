@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A checkpoint with anything wrong is refused with a reason, and the one before it is used.
-#include "../mesh/temporary_folder.hpp"
+#include "samples/temporary_folder.hpp"
 
 #include "checkpoint/checkpoint_folder.hpp"
 

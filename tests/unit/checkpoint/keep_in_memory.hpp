@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/keep.hpp"
+#include "core/archive.hpp"
 
 #include <cstring>
 #include <map>

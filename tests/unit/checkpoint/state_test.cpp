@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A checkpoint is the state to the last bit: a run that goes on from it cannot be told from one that was never interrupted.
-#include "../mesh/temporary_folder.hpp"
+#include "samples/temporary_folder.hpp"
 #include "keep_in_memory.hpp"
 #include "sample_run.hpp"
 
 #include "checkpoint/checkpoint_file.hpp"
 #include "mpm/time_step.hpp"
-#include "problem/keep_state.hpp"
+#include "problem/archive_state.hpp"
 
 #include <cstring>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/detect.hpp"
 
-#include "../mesh/sample_meshes.hpp"
+#include "samples/sample_meshes.hpp"
 #include "bodies/fill.hpp"
 
 #include <gtest/gtest.h>

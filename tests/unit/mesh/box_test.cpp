@@ -2,7 +2,7 @@
 #include "mesh/box.hpp"
 
 #include "core/error.hpp"
-#include "sample_meshes.hpp"
+#include "samples/sample_meshes.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "mesh/gmsh.hpp"
 
 #include "core/error.hpp"
-#include "temporary_folder.hpp"
+#include "samples/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <random>

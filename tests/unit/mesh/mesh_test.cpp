@@ -2,7 +2,7 @@
 #include "mesh/mesh.hpp"
 
 #include "core/error.hpp"
-#include "sample_meshes.hpp"
+#include "samples/sample_meshes.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>

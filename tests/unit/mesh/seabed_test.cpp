@@ -4,8 +4,8 @@
 #include "core/error.hpp"
 #include "mesh/gmsh_program.hpp"
 #include "mesh/mesh_settings.hpp"
-#include "sample_meshes.hpp"
-#include "temporary_folder.hpp"
+#include "samples/sample_meshes.hpp"
+#include "samples/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "bodies/fill.hpp"
 #include "mpm/grid.hpp"
 
-#include "../mesh/sample_meshes.hpp"
+#include "samples/sample_meshes.hpp"
 
 namespace berm {
 

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "benchmark/benchmark.hpp"
+
+#include "roofline/roofline_kernel.hpp"
+#include "core/timer.hpp"
+#include "mpm/step.hpp"
+#include "io/atomic_file.hpp"
+#include "simulation/memory.hpp"
+#include "simulation/scratch_folder.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <malloc.h>
+#include <nlohmann/json.hpp>
+
+namespace berm {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+MohrCoulomb sand(Real density)
+{
+  MohrCoulomb law;
+  law.density = density;
+  law.young_modulus = 7e6;
+  law.poisson_ratio = 0.25;
+  law.friction_angle = 35 * pi / 180;
+  return law;
+}
+
+StageSettings endless(StageKind kind)
+{
+  StageSettings stage;
+  stage.name = "bench";
+  stage.kind = kind;
+  stage.until.time = infinity;
+  return stage;
+}
+
+/// A pipe of 20 mm that is pushed into the centrifuge's bed, with cells of near_size around it.
+Case pipe_in_sand(Real near_size)
+{
+  Case c;
+  c.gravity = {0, -50 * standard_gravity};
+  SeabedMesh mesh;
+  mesh.length = 0.65;
+  mesh.depth = 0.14;
+  mesh.headroom = 0.03;
+  mesh.near_size = near_size;
+  mesh.near_left = -0.03;
+  mesh.near_right = 0.05;
+  mesh.near_depth = 0.02;
+  mesh.near_height = 0.012;
+  c.mesh = mesh;
+  c.material = {{"sand", sand(877)}};
+  BodySettings body;
+  body.material = "sand";
+  body.regions = {"near", "bed"};
+  body.region_particles_per_cell = {{"bed", 4}};
+  body.damping = 0.02;
+  body.k0 = 0.5;
+  c.body = {{"sand", body}};
+  RigidSettings pipe;
+  pipe.shape = CircleSettings{{0, 0.01}, 0.02};
+  c.rigid = {{"pipe", pipe}};
+  ContactSettings contact;
+  contact.body = "sand";
+  contact.rigid = "pipe";
+  contact.friction_angle = 23.33 * pi / 180;
+  c.contact = {{"skin", contact}};
+  c.support = {{"base", {"base", {"x", "y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}};
+  StageSettings push = endless(StageKind::push);
+  push.velocity = 0.1;
+  c.stage = {push};
+  return c;
+}
+
+/// A column of sand that collapses over a rigid floor: all of it moves and yields.
+Case column(Real particles)
+{
+  Case c;
+  c.gravity = {0, -standard_gravity};
+  // The column, 1 wide and 2 high, is a sixth of a mesh of 6 x 2.
+  const Real per_side = std::round(std::sqrt(particles / 9 / 2 / 2));
+  BoxMesh mesh;
+  mesh.size = {6, 2.25};
+  mesh.cells = {6 * per_side, std::round(2.25 * per_side)};
+  c.mesh = mesh;
+  c.material = {{"sand", sand(1600)}};
+  BodySettings body;
+  body.material = "sand";
+  BlockSettings block;
+  block.center = {0.5, 1};
+  block.size = {1, 2};
+  block.spacing = 1 / per_side / std::sqrt(18.);
+  body.block = block;
+  c.body = {{"sand", body}};
+  RigidSettings floor;
+  floor.shape = HalfPlaneSettings{{0, 0}, {0, 1}};
+  c.rigid = {{"floor", floor}};
+  ContactSettings contact;
+  contact.body = "sand";
+  contact.rigid = "floor";
+  contact.friction_angle = 0.5;
+  c.contact = {{"floor", contact}};
+  c.support = {{"left", {"left", {"x"}}}, {"bottom", {"bottom", {"y"}}}, {"right", {"right", {"x"}}}};
+  c.stage = {endless(StageKind::free)};
+  return c;
+}
+
+/// The same in space: 0.5 wide, 1 high, 0.25 deep in a mesh of 1.5 x 1.125 x 0.25, eight particles in each sixth of a cube.
+Case column_in_space(Real particles)
+{
+  Case c = column(particles);
+  c.dimension = 3;
+  c.gravity.push_back(0);
+  const Real per_side = std::round(std::cbrt(particles / 8 / 6 / (2 * 4 * 1)));  // cubes along the depth, 0.25
+  BoxMesh mesh;
+  mesh.size = {1.5, 1.125, 0.25};
+  mesh.cells = {6 * per_side, std::round(4.5 * per_side), per_side};
+  c.mesh = mesh;
+  BlockSettings block;
+  block.center = {0.25, 0.5, 0.125};
+  block.size = {0.5, 1, 0.25};
+  block.spacing = 0.25 / per_side / std::cbrt(48.);
+  c.body[0].second.block = block;
+  c.rigid[0].second.shape = HalfPlaneSettings{{0, 0, 0}, {0, 1, 0}};
+  c.support.push_back({"back", {"back", {"z"}}});
+  c.support.push_back({"front", {"front", {"z"}}});
+  return c;
+}
+
+struct BenchProblem {
+  const char* name;
+  Case (*make)();
+};
+
+constexpr BenchProblem problems[] = {
+    {"probe_D10", [] { return pipe_in_sand(0.002); }},  {"probe_D20", [] { return pipe_in_sand(0.001); }},
+    {"probe_D40", [] { return pipe_in_sand(0.0005); }}, {"column_1e5", [] { return column(1e5); }},
+    {"column_1e6", [] { return column(1e6); }},         {"column_1e7", [] { return column(1e7); }},
+    {"space_1e5", [] { return column_in_space(1e5); }}, {"space_1e6", [] { return column_in_space(1e6); }},
+};
+
+constexpr Real no_number = std::numeric_limits<Real>::quiet_NaN();
+
+/// What a step must move and compute at least, by count.
+struct Demand {
+  Real bytes, flops;  ///< a particle-step
+};
+
+// About, counted in the code: additions and multiplications of one lane that holds a particle, and of one cell.
+constexpr Real flops_of_moments = 30, flops_of_motion = 34, flops_of_stress = 54;  // mpm/transfer.cpp; mpm/move.cpp, elastic
+// Of a cell, in the same places.
+constexpr Real flops_of_corners = 36, flops_of_forces = 36, flops_of_momentum = 90, flops_of_fields = 128;
+
+/// Bytes: every array once for each pass that reads or writes it; blocks of particles are read by the first pass, read and written by the last. Flops of
+/// soil at yield are more, and those in space were not counted.
+template <int dim>
+Demand demand_of(const Particles<dim>& particles, const BodyGrid<dim>& grid)
+{
+  constexpr Real flops_of_lane = flops_of_moments + flops_of_motion + flops_of_stress;
+  constexpr Real flops_of_cell = flops_of_corners + flops_of_forces + flops_of_momentum + flops_of_fields;
+  constexpr int corners = dim + 1;
+  Real blocks = 0;
+  for (const Index cell : particles.occupied()) blocks += std::ceil(static_cast<Real>(particles.count_in(cell)) / lanes);
+  const Real cells = static_cast<Real>(particles.occupied().size()), nodes = static_cast<Real>(grid.nodes.size());
+  const Real of_block = static_cast<Real>(3 * sizeof(Block<dim>) + 2 * sizeof(StoredLanes) * particles.state_size());
+  const Real of_cell = 4 * sizeof(Moments<dim>) + 6 * corners * sizeof(CornerSums<dim>) +
+                       4 * (sizeof(Gradients<dim>) + corners * sizeof(Index)) + 4 * sizeof(Real);
+  const Real of_node = 2 * sizeof(Real) + 6 * sizeof(Vec<dim>);
+  const Real count = static_cast<Real>(particles.size());
+  const Real bytes = (blocks * of_block + cells * of_cell + nodes * of_node) / count;
+  return {bytes, dim == 2 ? flops_of_lane + cells * flops_of_cell / count : no_number};
+}
+
+/// A number for the table, or a dash where there is none.
+std::string shown(Real number, int decimals)
+{
+  return std::isnan(number) ? "-" : fmt::format("{:.{}f}", number, decimals);
+}
+
+template <int dim>
+nlohmann::ordered_json measure_speed(const char* name, const Case& c, int threads, Real bandwidth)
+{
+  const ScratchFolder scratch;
+  const Real memory_before = memory_of_data();
+  Problem<dim> problem = build<dim>(c, ".", scratch.path().string());
+  ::malloc_trim(0);  // as a run does
+  Work<dim> work(problem.model, problem.state);
+  const BigIndex particles = problem.state.particles[0].size();
+  const auto seconds = [&](Real least, BigIndex least_steps) {
+    const Clock::time_point start = Clock::now();
+    Real passed = 0;
+    for (BigIndex k = 0; k < least_steps || passed < least; ++k) {
+      step(problem.model, problem.state, work);
+      passed = std::chrono::duration<Real>(Clock::now() - start).count();
+    }
+    return passed;
+  };
+  seconds(0.5, 16);  // warm-up
+  reset_timings();
+  const BigIndex before = problem.state.step;
+  const Real wall = seconds(3, 32);
+  const BigIndex steps = problem.state.step - before;
+  const Real speed = static_cast<Real>(particles * steps) / wall;
+
+  const Real memory = (memory_of_data() - memory_before) / static_cast<Real>(particles);
+
+  const Particles<dim>& body = problem.state.particles[0];
+  const Real per_cell = static_cast<Real>(particles) / static_cast<Real>(body.occupied().size());
+  const std::vector<Timing> loops = timings();
+  // The yardstick has triangles only.
+  const Real ceiling = dim == 2 ? run_ceiling(particles, static_cast<int>(std::lround(per_cell)), 1).particle_steps_per_s() : no_number;
+  const Demand demand = demand_of(body, work.grids[0]);
+
+  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9.2f} {:>9} {:>8} {:>6.0f} {:>6} {:>9.2f} {:>9.0f}\n", name, particles,
+             problem.model.mesh.cell_count(), steps, threads, speed / 1e6, shown(ceiling / 1e6, 1), shown(speed / ceiling, 2), demand.bytes,
+             shown(demand.flops, 0), speed * demand.bytes / bandwidth, memory);
+  nlohmann::ordered_json result = {{"name", name},
+                                   {"particles", particles},
+                                   {"cells", problem.model.mesh.cell_count()},
+                                   {"steps", steps},
+                                   {"threads", threads},
+                                   {"wall_s", wall},
+                                   {"particle_steps_per_s", speed},
+                                   {"particles_per_occupied_cell", per_cell},
+                                   {"ceiling_particle_steps_per_s", ceiling},
+                                   {"share_of_ceiling", speed / ceiling},
+                                   {"bytes_per_particle_step", demand.bytes},
+                                   {"flops_per_particle_step", demand.flops},
+                                   {"share_of_bandwidth", speed * demand.bytes / bandwidth},
+                                   {"memory_bytes_per_particle", memory}};
+  for (const Timing& loop : loops) {
+    const Real nanoseconds = loop.seconds / static_cast<Real>(particles * steps) * 1e9;
+    fmt::print("    {:<32} {:>8.2f} ns a particle-step\n", loop.label, nanoseconds);
+    result["loops"].push_back({{"label", loop.label}, {"ns_per_particle_step", nanoseconds}});
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> bench_names()
+{
+  std::vector<std::string> names;
+  for (const BenchProblem& bench : problems) names.emplace_back(bench.name);
+  return names;
+}
+
+void run_bench(const std::vector<std::string>& names, const std::string& json_file, int threads)
+{
+  constexpr BigIndex triad_bytes = 300'000'000;
+  const Real bandwidth = triad_bandwidth(triad_bytes, 0.5);
+  fmt::print("triad bandwidth {:.1f} GB/s; ceiling: the bare passes of a step, as many particles in as many cells\n", bandwidth / 1e9);
+  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9} {:>9} {:>8} {:>6} {:>6} {:>9} {:>9}\n", "", "", "", "", "", "10^6", "ceiling,",
+             "share of", "", "", "share of", "memory,");
+  fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9} {:>9} {:>8} {:>6} {:>6} {:>9} {:>9}\n", "problem", "particles", "cells", "steps",
+             "threads", "p-steps/s", "10^6", "ceiling", "bytes", "flops", "bandwidth", "B/particle");
+  nlohmann::ordered_json table = {
+      {"version", BERM_VERSION}, {"triad_bytes_per_s", bandwidth}, {"problems", nlohmann::ordered_json::array()}};
+  for (const BenchProblem& bench : problems) {
+    if (!names.empty() && std::find(names.begin(), names.end(), bench.name) == names.end()) continue;
+    const Case c = bench.make();
+    table["problems"].push_back(c.dimension == 2 ? measure_speed<2>(bench.name, c, threads, bandwidth)
+                                                 : measure_speed<3>(bench.name, c, threads, bandwidth));
+  }
+  if (!json_file.empty()) write_whole(json_file, table.dump(2) + "\n");
+}
+
+}  // namespace berm

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands/side_by_side.hpp"
+
+#include "core/threads.hpp"
+#include "io/atomic_file.hpp"
+#include "jobs/jobs.hpp"
+
+#include <fmt/format.h>
+
+namespace berm {
+
+bool run_side_by_side(const std::vector<RunRequest>& requests, const std::vector<std::string>& overrides, int at_once)
+{
+  unbind_thread();
+  std::vector<Job> jobs;
+  for (const RunRequest& request : requests) jobs.push_back({request.case_file, overrides, request.folder});
+  bool all_fine = true;
+  run_jobs(jobs, at_once, [&](std::size_t job, const JobEnd& end) {
+    const RunRequest& request = requests[job];
+    fmt::print(stderr, "{}", read_whole(request.folder / "run.log"));
+    if (end.kind == JobEnd::Kind::finished) return;
+    all_fine = false;
+    fmt::print(stderr, "berm: {}: {}\n", request.case_file.string(),
+               end.kind == JobEnd::Kind::interrupted ? "stopped, or not begun" : end.reason);
+  });
+  return all_fine;
+}
+
+}  // namespace berm

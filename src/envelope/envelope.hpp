@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "envelope/envelope_probes.hpp"
+
+#include <filesystem>
+
+namespace berm {
+
+/// An envelope to find.
+struct EnvelopeRequest {
+  Case settings;
+  std::filesystem::path case_file;
+  std::filesystem::path folder;
+  EnvelopeSettings how;
+  int at_once = 1;  ///< probes at a time, each on one thread
+};
+
+/// Runs the probes of an envelope that have no result yet, FOLDER/runs/PROBE.toml into FOLDER/runs/PROBE, and writes envelope.csv, envelope.png and
+/// summary.json. Ctrl-C stops it and leaves what is there. Returns whether all probes came to their end. Throws InputError where the case is not that
+/// of a pipe in the bed or does not fit its mesh, before anything is written.
+bool find_envelope(const EnvelopeRequest& request);
+
+}  // namespace berm

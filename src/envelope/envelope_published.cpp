@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "envelope/envelope_published.hpp"
+
+#include "formulas/design_code.hpp"
+#include "structures/pipe/pipe_case.hpp"
+
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+constexpr int curve_points = 100;
+
+/// The soil that touches the pipe.
+struct PipeInSoil {
+  WishedPipe pipe;
+  const MohrCoulomb* law = nullptr;  ///< null: of another kind
+  const ContactSettings* contact = nullptr;
+  Real unit_weight = 0;  ///< N/m3
+};
+
+PipeInSoil pipe_in_soil(const Case& c)
+{
+  const Material* material = touched_material(c);
+  return {wished_pipe(c), material == nullptr ? nullptr : std::get_if<MohrCoulomb>(material), contact_of_pipe(c),
+          pipe_scale(c).unit_weight};
+}
+
+std::string titled(const std::string& title, const Formula& formula)
+{
+  const std::string where = formula.valid ? "" : fmt::format("; out of range: {}", formula.source.range);
+  return fmt::format("{} [{}{}]", title, word_of(formula.source.label), where);
+}
+
+/// The shear strength of the interface over that of the clay; NaN where it is a friction.
+Real roughness_of(const PipeInSoil& soil)
+{
+  if (soil.contact->scheme == Scheme::sticky) return 1;
+  if (soil.contact->friction_angle > 0) return std::numeric_limits<Real>::quiet_NaN();
+  return std::min(Real(1), soil.contact->adhesion / soil.law->cohesion);
+}
+
+Published for_clay(const PipeInSoil& soil)
+{
+  Published published;
+  const PipeInClay pipe{soil.pipe.diameter, soil.pipe.embedment, soil.law->cohesion, roughness_of(soil), 0, soil.unit_weight};
+  published.unit = pipe.diameter * pipe.strength;
+  published.unit_name = "(D s_u)";
+  if (std::isnan(pipe.roughness)) {
+    published.remark = "the formulas for clay know adhesion to the pipe, not friction: there is no curve to compare with";
+    return published;
+  }
+  const Real buoyancy = soil.unit_weight > 0 ? soil.unit_weight * f114_penetrated_area(pipe.diameter, pipe.embedment) : 0;
+  const auto with_buoyancy = [&](Formula formula) { return formula.value += buoyancy, formula; };
+  const Formula V_max = clay_vertical(pipe), H_max = clay_horizontal(pipe), smooth = clay_vertical_smooth(pipe);
+  published.numbers = {{"V_max", with_buoyancy(V_max)}, {"H_max", H_max}};
+  const Formula any = clay_envelope(pipe, V_max.value / 2, V_max.value, H_max.value);
+  PublishedCurve curve{titled(any.source.work, any), {}, {}};
+  for (int k = 0; k <= curve_points; ++k) {
+    const Real V = V_max.value * k / curve_points;
+    curve.V.push_back(V + buoyancy);
+    curve.H.push_back(clay_envelope(pipe, V, V_max.value, H_max.value).value);
+  }
+  published.curves.push_back(curve);
+  if (smooth.valid) {
+    published.numbers.push_back({"V_max_slip_lines", with_buoyancy(smooth)});
+    published.curves.push_back({titled("Vmax, slip lines", smooth), {smooth.value + buoyancy}, {0}});
+  }
+  const bool ends = pipe.roughness == 0 || pipe.roughness == 1;
+  if (ends && within(pipe.embedment / pipe.diameter, 0.5, 0.5)) {
+    const MurffBounds& bounds = pipe.roughness == 0 ? murff_smooth : murff_rough;
+    published.curves.push_back({fmt::format("Vmax, {} [{}]", murff_source.work, word_of(murff_source.label)),
+                                {bounds.lower * published.unit + buoyancy, bounds.upper * published.unit + buoyancy},
+                                {0, 0}});
+  }
+  return published;
+}
+
+Published for_sand(const PipeInSoil& soil, const std::vector<EnvelopeRow>& rows)
+{
+  Published published;
+  const PipeInSand pipe{soil.pipe.diameter, soil.pipe.embedment, soil.unit_weight, soil.law->friction_angle, soil.contact->friction_angle};
+  published.unit = pipe.unit_weight * pipe.diameter * pipe.diameter;
+  published.unit_name = "(γ' D²)";
+  Formula V_max = sand_vertical(pipe);
+  if (soil.law->dilation_angle != soil.law->friction_angle) {
+    V_max.valid = false;
+    V_max.source.range = "dilation angle = phi";
+  }
+  if (std::isfinite(V_max.value)) {
+    published.numbers.push_back({"V_max", V_max});
+    published.curves.push_back({titled("Vmax, characteristics", V_max), {V_max.value}, {0}});
+  }
+  const EnvelopeExtremes extremes = extremes_of(rows);
+  std::vector<Real> V, H;
+  for (const EnvelopeRow& row : rows)
+    if (const EnvelopePoint& end = row.result.end; end.V >= 0 && end.V < extremes.V_max && end.H > 0)
+      V.push_back(end.V), H.push_back(end.H);
+  const YieldSurface surface = fit_zhang(V, H, extremes.V_max);
+  if (!std::isfinite(surface.mu) || !std::isfinite(surface.beta)) return published;
+  const Formula any = zhang_envelope(surface, 0, extremes.V_max);
+  published.numbers.push_back({"zhang_mu", formula(surface.mu, any.source, any.valid)});
+  published.numbers.push_back({"zhang_beta", formula(surface.beta, any.source, any.valid)});
+  PublishedCurve curve{titled(fmt::format("Zhang's surface fitted, mu = {:.3f}, beta = {:.3f}", surface.mu, surface.beta), any), {}, {}};
+  for (int k = 0; k <= curve_points; ++k) {
+    const Real at = extremes.V_max * k / curve_points;
+    curve.V.push_back(at);
+    curve.H.push_back(zhang_envelope(surface, at, extremes.V_max).value);
+  }
+  published.curves.push_back(curve);
+  return published;
+}
+
+}  // namespace
+
+Published published_for(const Case& c, const std::vector<EnvelopeRow>& rows)
+{
+  const PipeInSoil soil = pipe_in_soil(c);
+  if (soil.law != nullptr && soil.law->friction_angle == 0 && soil.law->cohesion > 0) return for_clay(soil);
+  if (soil.law != nullptr && soil.law->friction_angle > 0 && soil.law->cohesion == 0 && soil.unit_weight > 0) return for_sand(soil, rows);
+  Published published;
+  published.remark = "no formula is known for this soil: neither clay (phi = 0) nor sand (c = 0) of the law mohr_coulomb";
+  return published;
+}
+
+}  // namespace berm

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "envelope/envelope_published.hpp"
+
+#include <filesystem>
+
+namespace berm {
+
+/// Writes FOLDER/envelope.csv, summary.json and envelope.png.
+void write_envelope_report(const Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder);
+
+/// The table for people: a line for each probe's end and the extremes beside what is published.
+std::string envelope_words(const Case& c, const std::vector<EnvelopeRow>& rows);
+
+}  // namespace berm

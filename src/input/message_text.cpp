@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "input/message_text.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+constexpr Real degree = pi / 180;
+
+std::string with_unit(const std::string& number, const std::string& unit)
+{
+  return unit.empty() ? number : number + " " + unit;
+}
+
+std::string bounds(const Range& range, Real scale, const std::string& unit)
+{
+  const auto number = [&](Real value) { return fmt::format("{:.4g}", value / scale); };
+  const bool below = range.least > -infinity, above = range.most < infinity;
+  if (below && above && !range.least_open && !range.most_open)
+    return with_unit(fmt::format("from {} to {}", number(range.least), number(range.most)), unit);
+  std::string text;
+  if (below) text = fmt::format("{} {}", range.least_open ? "more than" : "at least", number(range.least));
+  if (above) text += fmt::format("{}{} {}", below ? " and " : "", range.most_open ? "less than" : "at most", number(range.most));
+  return with_unit(text, unit);
+}
+
+}  // namespace
+
+int edit_distance(const std::string& a, const std::string& b)
+{
+  const int n = static_cast<int>(a.size()), m = static_cast<int>(b.size());
+  std::vector<std::vector<int>> d(n + 1, std::vector<int>(m + 1));
+  for (int i = 0; i <= n; ++i) d[i][0] = i;
+  for (int j = 0; j <= m; ++j) d[0][j] = j;
+  for (int i = 1; i <= n; ++i)
+    for (int j = 1; j <= m; ++j) {
+      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+    }
+  return d[n][m];
+}
+
+std::string nearest(const std::string& word, const std::vector<std::string>& words)
+{
+  if (word.empty() || word.size() > 100) return "";
+  std::string best;
+  int least = 2 + static_cast<int>(word.size()) / 4;
+  for (const std::string& candidate : words) {
+    if (candidate.size() > 2 * word.size() + 2) continue;  // further away than that
+    const int distance = edit_distance(word, candidate);
+    if (distance < least && distance < static_cast<int>(std::max(word.size(), candidate.size()))) least = distance, best = candidate;
+  }
+  const auto begins = [&](const std::string& candidate) { return word.size() > 2 && candidate.starts_with(word); };
+  if (best.empty() && std::count_if(words.begin(), words.end(), begins) == 1) best = *std::find_if(words.begin(), words.end(), begins);
+  return best;
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& allowed)
+{
+  if (allowed.empty()) return "";
+  const std::string near = nearest(word, allowed);
+  return (near.empty() ? "" : fmt::format("; did you mean {}?", in_quotes(near))) + fmt::format(" (allowed: {})", listed(allowed));
+}
+
+std::string listed(const std::vector<std::string>& words)
+{
+  constexpr std::size_t most = 12;
+  std::string text;
+  for (std::size_t k = 0; k < std::min(words.size(), most); ++k) text += (k == 0 ? "" : ", ") + words[k];
+  return words.size() > most ? text + ", ..." : text;
+}
+
+std::string shortened(const std::string& text, std::size_t most)
+{
+  std::size_t end = std::min(text.size(), most);
+  while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
+  return text.substr(0, end) + (end < text.size() ? "..." : "");
+}
+
+std::string in_quotes(const std::string& text)
+{
+  return one_line(fmt::format("\"{}\"", shortened(text, 60)));
+}
+
+std::string one_line(std::string text)
+{
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7F) c = ' ';
+  return text;
+}
+
+std::string quantity(Real value, const std::string& si_unit)
+{
+  if (si_unit == "rad") return fmt::format("{:.6g} deg", value / degree);
+  return with_unit(fmt::format("{:.6g}", value), si_unit);
+}
+
+std::string range_text(const Range& range, const std::string& si_unit)
+{
+  if (range.least == -infinity && range.most == infinity) return "";
+  if (si_unit != "rad") return bounds(range, 1, si_unit);
+  std::string radians = bounds(range, 1, "rad");
+  if (radians.starts_with("from ")) radians.erase(0, 5);
+  return fmt::format("{} ({})", bounds(range, degree, "deg"), radians);
+}
+
+bool within(Real value, const Range& range)
+{
+  const bool above = range.least_open ? value > range.least : value >= range.least;
+  const bool below = range.most_open ? value < range.most : value <= range.most;
+  return above && below;
+}
+
+}  // namespace berm

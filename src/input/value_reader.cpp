@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "input/value_reader.hpp"
+
+#include "input/units.hpp"
+#include "input/message_text.hpp"
+
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+constexpr std::size_t most_in_text = 4096;  // bytes
+
+/// Texts go to terminals, tables and the scripts of plots. In UTF-8 the control characters beyond ASCII are C2 80 to C2 9F.
+bool has_control_character(const std::string& text)
+{
+  for (std::size_t k = 0; k < text.size(); ++k) {
+    const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0u; };
+    if (byte(k) < 0x20 || byte(k) == 0x7F || (byte(k) == 0xC2 && byte(k + 1) >= 0x80 && byte(k + 1) < 0xA0)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Real Taker::number(const Node& node, const std::string& path) const
+{
+  Real value = 0;
+  if (node.kind == Node::Kind::text) {
+    try {
+      value = to_si(node.text, parameter_.unit);
+    } catch (const UnitError& error) {
+      refuse(document_, node, path, error.what());
+    }
+  } else if (node.kind == Node::Kind::whole) {
+    value = static_cast<Real>(node.whole);
+  } else if (node.kind == Node::Kind::number) {
+    value = node.number;
+  } else {
+    refuse(document_, node, path, fmt::format("must be {}, not {}", wanted(parameter_.unit), kind_of(node)));
+  }
+  if (!std::isfinite(value)) refuse(document_, node, path, fmt::format("must be a finite number, not {}", value));
+  check_range(node, path, value);
+  return value;
+}
+
+void Taker::check_range(const Node& node, const std::string& path, Real value) const
+{
+  if (within(value, parameter_.range)) return;
+  const std::string unit = parameter_.unit;
+  std::string hint;
+  if (node.kind == Node::Kind::text)
+    hint = fmt::format("; {} is {:.6g}{}{}", in_quotes(node.text), value, unit.empty() ? "" : " ", unit);
+  else if (unit == "rad")
+    hint = fmt::format("; a plain number is in radians: write \"{} deg\" if degrees are meant", value);
+  else
+    hint = fmt::format("; it is {}{}{}", value, unit.empty() ? "" : " ", unit);
+  refuse(document_, node, path, fmt::format("must be {}{}", range_text(parameter_.range, unit), hint));
+}
+
+int Taker::whole_number(const Node& node, const std::string& path) const
+{
+  Real value = 0.5;
+  if (node.kind == Node::Kind::whole) value = static_cast<Real>(node.whole);
+  if (node.kind == Node::Kind::number) value = node.number;
+  if (!std::isfinite(value) || value != std::floor(value))
+    refuse(document_, node, path, fmt::format("must be a whole number, such as 4, not {}", kind_of(node)));
+  check_range(node, path, value);
+  using Limits = std::numeric_limits<int>;
+  if (value < Limits::min() || value > Limits::max()) refuse(document_, node, path, fmt::format("{} is too large a number", value));
+  return static_cast<int>(value);
+}
+
+std::string Taker::text(const Node& node, const std::string& path) const
+{
+  if (node.kind != Node::Kind::text) refuse(document_, node, path, fmt::format("must be a text in quotes, not {}", kind_of(node)));
+  if (node.text.empty() && parameter_.required) refuse(document_, node, path, "must not be empty");
+  if (node.text.size() > most_in_text) refuse(document_, node, path, fmt::format("is longer than {} bytes", most_in_text));
+  if (has_control_character(node.text))
+    refuse(document_, node, path, fmt::format("{} holds a control character, such as the end of a line", in_quotes(node.text)));
+  return node.text;
+}
+
+void Taker::operator()(bool* value) const
+{
+  if (node_.kind != Node::Kind::boolean) refuse(document_, node_, path_, fmt::format("must be true or false, not {}", kind_of(node_)));
+  *value = node_.truth;
+}
+
+void Taker::check_array(const char* what, const char* example, const std::string& entries) const
+{
+  if (node_.kind != Node::Kind::array)
+    refuse(document_, node_, path_, fmt::format("must be a list of {}, such as {}, not {}{}", what, example, kind_of(node_), entries));
+  if (node_.items.empty() && parameter_.required) refuse(document_, node_, path_, "must not be empty");
+}
+
+void Taker::operator()(std::vector<std::string>* values) const
+{
+  check_array("texts", "[\"left\", \"right\"]", "");
+  values->clear();
+  for (std::size_t k = 0; k < node_.items.size(); ++k) {
+    const std::string path = fmt::format("{}[{}]", path_, k);
+    values->push_back(text(node_.items[k], path));
+    if (values->back().empty()) refuse(document_, node_.items[k], path, "must not be empty");
+  }
+}
+
+void Taker::operator()(std::vector<Real>* values) const
+{
+  check_array("numbers", "[0, 1]", fmt::format("; each is {}", wanted(parameter_.unit)));
+  values->clear();
+  for (std::size_t k = 0; k < node_.items.size(); ++k) values->push_back(number(node_.items[k], fmt::format("{}[{}]", path_, k)));
+}
+
+void Taker::check_names(const char* example) const
+{
+  if (node_.kind != Node::Kind::table)
+    refuse(document_, node_, path_, fmt::format("must be a table from names to numbers, such as {}, not {}", example, kind_of(node_)));
+  for (const Node& item : node_.items)
+    if (item.key.empty()) refuse(document_, item, path_, "a name must not be empty");
+}
+
+void Taker::operator()(std::map<std::string, Real>* values) const
+{
+  check_names("{top = 0.5}");
+  values->clear();
+  for (const Node& item : node_.items) (*values)[item.key] = number(item, path_ + "." + item.key);
+}
+
+void Taker::operator()(std::map<std::string, int>* values) const
+{
+  check_names("{top = 4}");
+  values->clear();
+  for (const Node& item : node_.items) (*values)[item.key] = whole_number(item, path_ + "." + item.key);
+}
+
+}  // namespace berm

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/atomic_file.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+#include <unistd.h>
+
+namespace berm {
+namespace {
+
+/// Makes a file beside its place with fill(file descriptor), which is false, and errno says why, where it failed; forces it to the disk and renames it.
+template <class Fill>
+void make_whole(const std::filesystem::path& path, const Fill& fill)
+{
+  const std::filesystem::path part = part_of(path);
+  const int file = ::open(part.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) throw_errno(fmt::format("cannot write {}", path.string()));
+  bool fine = fill(file) && ::fsync(file) == 0;
+  int reason = errno;
+  if (::close(file) != 0 && fine) fine = false, reason = errno;
+  if (fine && ::rename(part.c_str(), path.c_str()) != 0) fine = false, reason = errno;
+  if (fine) return;
+  ::unlink(part.c_str());
+  errno = reason;
+  throw_errno(fmt::format("cannot write {}", path.string()));
+}
+
+/// False, and errno says why, where not all bytes of one file came to the other.
+bool copy_all(int from, int to)
+{
+  std::string bytes(1 << 20, '\0');
+  while (true) {
+    const ssize_t count = ::read(from, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return count == 0;
+    if (!write_all(to, std::string_view(bytes.data(), static_cast<std::size_t>(count)))) return false;
+  }
+}
+
+}  // namespace
+
+void throw_errno(const std::string& what)
+{
+  throw RunError(fmt::format("{}: {}", what, std::generic_category().message(errno)));
+}
+
+bool write_all(int file, std::string_view text)
+{
+  while (!text.empty()) {
+    const ssize_t written = ::write(file, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+std::string read_whole(const std::filesystem::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::filesystem::path part_of(const std::filesystem::path& path)
+{
+  return path.string() + ".part";
+}
+
+void write_whole(const std::filesystem::path& path, std::string_view text)
+{
+  make_whole(path, [&](int file) { return write_all(file, text); });
+}
+
+void write_whole(const std::filesystem::path& path, const std::vector<std::string_view>& parts)
+{
+  make_whole(path, [&](int file) {
+    return std::all_of(parts.begin(), parts.end(), [&](std::string_view part) { return write_all(file, part); });
+  });
+}
+
+void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to)
+{
+  const int source = ::open(from.c_str(), O_RDONLY | O_CLOEXEC);
+  if (source < 0) throw_errno(fmt::format("cannot read {}", from.string()));
+  try {
+    make_whole(to, [&](int file) { return copy_all(source, file); });
+  } catch (...) {
+    ::close(source);
+    throw;
+  }
+  ::close(source);
+}
+
+void finish_whole(const std::filesystem::path& path)
+{
+  const std::filesystem::path part = part_of(path);
+  const auto refuse = [&] {
+    const int reason = errno;
+    ::unlink(part.c_str());
+    errno = reason;
+    throw_errno(fmt::format("cannot write {}", path.string()));
+  };
+  const int file = ::open(part.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) refuse();
+  const bool synced = ::fsync(file) == 0;
+  const int reason = errno;
+  ::close(file);
+  errno = reason;
+  if (!synced || ::rename(part.c_str(), path.c_str()) != 0) refuse();
+}
+
+void sync_file(const std::filesystem::path& path)
+{
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) throw_errno(fmt::format("cannot read {}", path.string()));
+  const bool synced = ::fsync(file) == 0;
+  const int reason = errno;
+  ::close(file);
+  errno = reason;
+  if (!synced) throw_errno(fmt::format("cannot write {}", path.string()));
+}
+
+void make_folder(const std::filesystem::path& path)
+{
+  std::error_code error;
+  std::filesystem::create_directories(path, error);
+  if (error) throw RunError(fmt::format("cannot make the folder {}: {}", path.string(), error.message()));
+}
+
+}  // namespace berm

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/folder_lock.hpp"
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace berm {
+namespace {
+
+std::string this_process()
+{
+  char host[256] = "";
+  ::gethostname(host, sizeof host - 1);
+  return fmt::format("process {} on {}", ::getpid(), host);
+}
+
+/// Whether the open file is still the one of that name: its owner removes it at the end.
+bool is_file_at(int file, const std::filesystem::path& path)
+{
+  struct stat open {
+  }, named{};
+  return ::fstat(file, &open) == 0 && ::stat(path.c_str(), &named) == 0 && open.st_ino == named.st_ino && open.st_dev == named.st_dev;
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder / file_name)
+{
+  const auto refuse = [&](const char* what) {
+    const int reason = errno;
+    if (file_ >= 0) ::close(file_);
+    errno = reason;
+    throw_errno(fmt::format("cannot use {} as the run folder: {} {}", folder.string(), what, path_.string()));
+  };
+  while (true) {
+    file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file_ < 0) refuse("cannot write");
+    if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
+      if (errno != EWOULDBLOCK) refuse("cannot lock");
+      ::close(file_);
+      const std::string owner = read_whole(path_);
+      throw RunError(
+          fmt::format("cannot use {} as the run folder: another run is writing into it{}; wait for it, or name another folder with -o",
+                      folder.string(), owner.empty() ? "" : fmt::format(" ({})", owner.substr(0, owner.find('\n')))));
+    }
+    if (is_file_at(file_, path_)) break;
+    ::close(file_);
+  }
+  if (::ftruncate(file_, 0) != 0 || !write_all(file_, this_process() + '\n')) {
+    const int reason = errno;
+    ::unlink(path_.c_str());
+    errno = reason;
+    refuse("cannot write");
+  }
+}
+
+FolderLock::~FolderLock()
+{
+  ::unlink(path_.c_str());
+  ::close(file_);
+}
+
+}  // namespace berm

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/vtu.hpp"
+
+#include "io/vtk_name.hpp"
+#include "io/atomic_file.hpp"
+
+#include <deque>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+template <class T>
+std::string attributes(const std::string& name, int components)
+{
+  return fmt::format("type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\"", vtk_name<T>, name, components);
+}
+
+template <class T>
+std::string_view bytes_of(const std::vector<T>& values)
+{
+  return std::string_view(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T));
+}
+
+}  // namespace
+
+void Vtu::reserve_cells(std::size_t cells, std::size_t points)
+{
+  connectivity_.reserve(connectivity_.size() + cells * points);
+  offsets_.reserve(offsets_.size() + cells);
+  types_.reserve(types_.size() + cells);
+}
+
+void Vtu::add_cell(VtkCell type, const std::vector<Index>& points)
+{
+  connectivity_.insert(connectivity_.end(), points.begin(), points.end());
+  offsets_.push_back(static_cast<std::int64_t>(connectivity_.size()));
+  types_.push_back(static_cast<std::uint8_t>(type));
+}
+
+template <class T>
+void Vtu::point_field(const std::string& name, int components, const std::vector<T>& values,
+                      std::initializer_list<const char*> component_names)
+{
+  std::string words = attributes<T>(name, components);
+  int k = 0;
+  for (const char* component : component_names) words += fmt::format(" ComponentName{}=\"{}\"", k++, component);
+  point_fields_.push_back({words, bytes_of(values)});
+}
+
+template <class T>
+void Vtu::cell_field(const std::string& name, int components, const std::vector<T>& values)
+{
+  cell_fields_.push_back({attributes<T>(name, components), bytes_of(values)});
+}
+
+void Vtu::write(const std::filesystem::path& path) const
+{
+  std::string xml;
+  std::deque<std::uint64_t> sizes;  // that stay where they are
+  std::vector<std::string_view> parts = {""};
+  std::uint64_t offset = 0;
+  const auto add = [&](const std::string& words, std::string_view bytes) {
+    xml += fmt::format("<DataArray {} format=\"appended\" offset=\"{}\"/>\n", words, offset);
+    const std::uint64_t& size = sizes.emplace_back(bytes.size());
+    parts.emplace_back(reinterpret_cast<const char*>(&size), sizeof size);
+    parts.push_back(bytes);
+    offset += sizeof size + size;
+  };
+  const std::vector<Real> time = {time_};
+  xml += "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
+         "header_type=\"UInt64\">\n<UnstructuredGrid>\n";
+  if (!std::isnan(time_)) {
+    xml += "<FieldData>\n";
+    add("type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\"", bytes_of(time));
+    xml += "</FieldData>\n";
+  }
+  xml += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n", point_count(), cell_count());
+  add(attributes<Real>("Points", 3), bytes_of(points_));
+  xml += "</Points>\n<Cells>\n";
+  add("type=\"Int64\" Name=\"connectivity\"", bytes_of(connectivity_));
+  add("type=\"Int64\" Name=\"offsets\"", bytes_of(offsets_));
+  add("type=\"UInt8\" Name=\"types\"", bytes_of(types_));
+  xml += "</Cells>\n<PointData>\n";
+  for (const Array& field : point_fields_) add(field.attributes, field.bytes);
+  xml += "</PointData>\n<CellData>\n";
+  for (const Array& field : cell_fields_) add(field.attributes, field.bytes);
+  xml += "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
+  parts.front() = xml;
+  parts.emplace_back("\n</AppendedData>\n</VTKFile>\n");
+  write_whole(path, parts);
+}
+
+template void Vtu::point_field(const std::string&, int, const std::vector<double>&, std::initializer_list<const char*>);
+template void Vtu::point_field(const std::string&, int, const std::vector<float>&, std::initializer_list<const char*>);
+template void Vtu::point_field(const std::string&, int, const std::vector<std::int32_t>&, std::initializer_list<const char*>);
+template void Vtu::cell_field(const std::string&, int, const std::vector<double>&);
+template void Vtu::cell_field(const std::string&, int, const std::vector<float>&);
+template void Vtu::cell_field(const std::string&, int, const std::vector<std::int32_t>&);
+
+}  // namespace berm

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/types.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace berm {
+
+/// Kinds of cells, as VTK numbers them.
+enum class VtkCell : std::uint8_t {
+  vertex = 1,
+  line = 3,
+  triangle = 5,
+  polygon = 7,
+  quad = 9,
+  tetrahedron = 10,
+  hexahedron = 12,
+  quadratic_triangle = 22
+};
+
+/// An unstructured grid on its way to a .vtu file: VTK's XML format, version 1.0, with raw appended little-endian data and UInt64 headers. Frames of many
+/// particles are large, so fields are not copied: what they are given must live until the file is written.
+class Vtu {
+public:
+  /// The grid's points: x y z of each, m.
+  explicit Vtu(std::vector<Real> points) : points_(std::move(points)) {}
+
+  std::size_t point_count() const { return points_.size() / 3; }
+  std::size_t cell_count() const { return types_.size(); }
+  /// Makes room for `cells` more of about `points` points each.
+  void reserve_cells(std::size_t cells, std::size_t points);
+  void add_cell(VtkCell type, const std::vector<Index>& points);
+
+  /// A field: `components` numbers of each point or cell, one after the other. T: float, double or std::int32_t.
+  template <class T>
+  void point_field(const std::string& name, int components, const std::vector<T>& values,
+                   std::initializer_list<const char*> component_names = {});
+  template <class T>
+  void cell_field(const std::string& name, int components, const std::vector<T>& values);
+  template <class T>
+  void cell_field(const std::string& name, int components, std::vector<T>&& values) = delete;
+  /// The time of the grid, s, as VTK programs look for it (TimeValue).
+  void set_time(Real time) { time_ = time; }
+
+  /// Writes the file whole. Throws RunError.
+  void write(const std::filesystem::path& path) const;
+
+private:
+  struct Array {
+    std::string attributes;
+    std::string_view bytes;
+  };
+  std::vector<Real> points_;
+  std::vector<std::int64_t> connectivity_, offsets_;
+  std::vector<std::uint8_t> types_;
+  std::vector<Array> point_fields_, cell_fields_;
+  Real time_ = std::numeric_limits<Real>::quiet_NaN();
+};
+
+}  // namespace berm

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/vtu_file.hpp"
+
+#include "core/error.hpp"
+#include "io/vtk_name.hpp"
+#include "io/atomic_file.hpp"
+#include "io/xml_tag.hpp"
+
+#include <cerrno>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace berm {
+namespace {
+
+constexpr std::uint64_t most_header = 1 << 16;  // bytes; Vtu's headers have some 3000
+constexpr std::string_view data_mark = "<AppendedData encoding=\"raw\">\n_", end_mark = "\n</AppendedData>\n</VTKFile>\n",
+                           kind = "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">";
+
+}  // namespace
+
+VtuFile::VtuFile(const std::filesystem::path& path) : path_(path), file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC))
+{
+  if (file_ < 0) throw_errno(fmt::format("cannot read {}", path.string()));
+  try {
+    read_header();
+  } catch (...) {
+    ::close(file_);
+    throw;
+  }
+}
+
+VtuFile::~VtuFile()
+{
+  ::close(file_);
+}
+
+void VtuFile::refuse(const std::string& words) const
+{
+  throw RunError(fmt::format("{}: {}", path_.string(), words));
+}
+
+void VtuFile::read(void* to, std::uint64_t count, std::uint64_t from) const
+{
+  for (char* next = static_cast<char*>(to); count > 0;) {
+    const ssize_t got = ::pread(file_, next, count, static_cast<off_t>(from));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) throw_errno(fmt::format("cannot read {}", path_.string()));
+    if (got == 0) refuse("ends too early; it was cut off");
+    next += got;
+    from += static_cast<std::uint64_t>(got);
+    count -= static_cast<std::uint64_t>(got);
+  }
+}
+
+void VtuFile::read_header()
+{
+  struct stat about {};
+  if (::fstat(file_, &about) != 0) throw_errno(fmt::format("cannot read {}", path_.string()));
+  if (!S_ISREG(about.st_mode)) refuse("is no file");
+  size_ = static_cast<std::uint64_t>(about.st_size);
+  std::string header(std::min(size_, most_header), '\0'), end(std::min<std::uint64_t>(size_, end_mark.size()), '\0');
+  read(header.data(), header.size(), 0);
+  const std::size_t mark = header.find(data_mark);
+  if (mark == std::string::npos || header.find(kind) == std::string::npos) refuse("is not a .vtu file of a frame, or was cut off");
+  read(end.data(), end.size(), size_ - end.size());
+  if (end != end_mark) refuse("has no end; it was cut off");
+  header.resize(mark);
+  data_ = mark + data_mark.size();
+  if (data_ + end_mark.size() > size_) refuse("is damaged: its header and its end overlap");
+  data_end_ = size_ - end_mark.size();
+
+  for (const XmlTag& tag : xml_tags(header, "Piece")) {
+    const std::optional<std::uint64_t> points = tag.whole_number("NumberOfPoints"), cells = tag.whole_number("NumberOfCells");
+    // A point takes 24 bytes and a cell 9.
+    if (!points || !cells || *points > size_ / 24 || *cells > size_ / 9) refuse("is damaged: it cannot hold the points that it tells of");
+    points_ = *points;
+    cells_ = *cells;
+  }
+  for (const XmlTag& tag : xml_tags(header, "DataArray")) {
+    const std::optional<std::uint64_t> offset = tag.whole_number("offset");
+    if (!offset) refuse("is damaged: an array has no place");
+    arrays_[tag["Name"]] = {tag["type"], *offset};
+  }
+}
+
+template <class T>
+std::vector<T> VtuFile::numbers(const std::string& name) const
+{
+  const auto found = arrays_.find(name);
+  if (found == arrays_.end()) refuse(fmt::format("has no array {}", name));
+  const Array& array = found->second;
+  if (array.type != vtk_name<T>) refuse(fmt::format("is damaged: the array {} is not of {}", name, vtk_name<T>));
+  std::uint64_t bytes = 0;
+  const std::uint64_t room = data_end_ - data_;
+  if (array.offset > room || room - array.offset < sizeof bytes) refuse(fmt::format("is damaged: the array {} lies outside of it", name));
+  read(&bytes, sizeof bytes, data_ + array.offset);
+  if (bytes > room - array.offset - sizeof bytes || bytes % sizeof(T) != 0)
+    refuse(fmt::format("is damaged: the array {} has a wrong length", name));
+  std::vector<T> list(bytes / sizeof(T));
+  read(list.data(), bytes, data_ + array.offset + sizeof bytes);
+  return list;
+}
+
+template <class T>
+std::vector<T> VtuFile::numbers(const std::string& name, std::size_t count) const
+{
+  std::vector<T> list = numbers<T>(name);
+  if (list.size() != count) refuse(fmt::format("is damaged: the array {} has {} numbers instead of {}", name, list.size(), count));
+  return list;
+}
+
+template std::vector<double> VtuFile::numbers(const std::string&) const;
+template std::vector<std::int64_t> VtuFile::numbers(const std::string&) const;
+template std::vector<double> VtuFile::numbers(const std::string&, std::size_t) const;
+template std::vector<float> VtuFile::numbers(const std::string&, std::size_t) const;
+template std::vector<std::int32_t> VtuFile::numbers(const std::string&, std::size_t) const;
+template std::vector<std::int64_t> VtuFile::numbers(const std::string&, std::size_t) const;
+template std::vector<std::uint8_t> VtuFile::numbers(const std::string&, std::size_t) const;
+
+}  // namespace berm

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/types.hpp"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace berm {
+
+/// A .vtu file as Vtu writes it, open to read single arrays from. Whatever its header says, nothing beyond the file's end is read or asked memory for.
+/// All functions throw RunError, with the file's name, where the file is missing, cut off or not one of Vtu's.
+class VtuFile {
+public:
+  /// Reads the header and looks whether the file has its end.
+  explicit VtuFile(const std::filesystem::path& path);
+  ~VtuFile();
+  VtuFile(const VtuFile&) = delete;
+  VtuFile& operator=(const VtuFile&) = delete;
+
+  std::size_t point_count() const { return points_; }
+  std::size_t cell_count() const { return cells_; }
+
+  /// All numbers of an array; T must be what the file holds.
+  template <class T>
+  std::vector<T> numbers(const std::string& name) const;
+  /// The same where there must be `count` of them.
+  template <class T>
+  std::vector<T> numbers(const std::string& name, std::size_t count) const;
+
+  /// Throws RunError with the file's name and what is wrong with it.
+  [[noreturn]] void refuse(const std::string& words) const;
+
+private:
+  struct Array {
+    std::string type;
+    std::uint64_t offset;
+  };
+  void read_header();
+  void read(void* to, std::uint64_t count, std::uint64_t from) const;
+
+  std::filesystem::path path_;
+  int file_;
+  std::uint64_t size_ = 0, data_ = 0, data_end_ = 0;  ///< bytes: the file's, where the appended data begins and ends
+  std::size_t points_ = 0, cells_ = 0;
+  std::map<std::string, Array> arrays_;
+};
+
+}  // namespace berm

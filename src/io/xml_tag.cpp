@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "io/xml_tag.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace berm {
+namespace {
+
+/// The whole of a text as a number.
+template <class T>
+std::optional<T> number_in(const std::string& text)
+{
+  T value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (text.empty() || error != std::errc{} || stop != end) return {};
+  return value;
+}
+
+}  // namespace
+
+std::string XmlTag::operator[](const std::string& attribute) const
+{
+  const std::string begin = " " + attribute + "=\"";
+  const std::size_t at = text_.find(begin);
+  if (at == std::string_view::npos) return "";
+  const std::size_t from = at + begin.size(), to = text_.find('"', from);
+  return to == std::string_view::npos ? "" : std::string(text_.substr(from, to - from));
+}
+
+std::optional<std::uint64_t> XmlTag::whole_number(const std::string& attribute) const
+{
+  return number_in<std::uint64_t>((*this)[attribute]);
+}
+
+std::optional<double> XmlTag::number(const std::string& attribute) const
+{
+  const std::optional<double> value = number_in<double>((*this)[attribute]);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::vector<XmlTag> xml_tags(std::string_view text, const std::string& name)
+{
+  std::vector<XmlTag> tags;
+  const std::string begin = "<" + name + " ";
+  for (std::size_t at = text.find(begin); at != std::string_view::npos; at = text.find(begin, at + 1)) {
+    const std::size_t to = text.find('>', at);
+    if (to == std::string_view::npos) break;
+    tags.emplace_back(text.substr(at, to - at));
+  }
+  return tags;
+}
+
+}  // namespace berm

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/body_sums.hpp"
+
+#include "core/error.hpp"
+#include "core/for_each.hpp"
+
+namespace berm {
+
+template <int dim>
+Vec<3> BodySums<dim>::spin() const
+{
+  Vec<3> of_center = Vec<3>::Zero();
+  const Vec<dim> x = center();
+  if constexpr (dim == 3) {
+    of_center[0] = x[1] * momentum[2] - x[2] * momentum[1];
+    of_center[1] = x[2] * momentum[0] - x[0] * momentum[2];
+  }
+  of_center[2] = x[0] * momentum[1] - x[1] * momentum[0];
+  return turn - of_center;
+}
+
+template <int dim>
+BodySums<dim> measure(const Particles<dim>& particles)
+{
+  const auto& occupied = particles.occupied();
+  return sum_of<BodySums<dim>>("measure", static_cast<Index>(occupied.size()), [&](Index c) {
+    BodySums<dim> sums;
+    Index left = particles.count_in(occupied[c]);
+    for (Index b = particles.first_block(occupied[c]); left > 0; b = particles.block(b).next, left -= lanes) {
+      const Block<dim>& p = particles.block(b);
+      Lanes square{};
+      for (int d = 0; d < dim; ++d) {
+        square += p.v[d] * p.v[d];
+        sums.momentum[d] += sum(p.mass * p.v[d]);
+        sums.moment[d] += sum(p.mass * p.x[d]);
+        // Lanes without a particle have a finite position, which is no part of the body.
+        for (int l = 0; l < std::min<Index>(lanes, left); ++l) {
+          sums.lower[d] = std::min(sums.lower[d], p.x[d][l]);
+          sums.upper[d] = std::max(sums.upper[d], p.x[d][l]);
+        }
+      }
+      if constexpr (dim == 3) {
+        sums.turn[0] += sum(p.mass * (p.x[1] * p.v[2] - p.x[2] * p.v[1]));
+        sums.turn[1] += sum(p.mass * (p.x[2] * p.v[0] - p.x[0] * p.v[2]));
+      }
+      sums.turn[2] += sum(p.mass * (p.x[0] * p.v[1] - p.x[1] * p.v[0]));
+      sums.mass += sum(p.mass);
+      sums.kinetic += 0.5 * sum(p.mass * square);
+    }
+    return sums;
+  });
+}
+
+template <int dim>
+Real momentum_error(const State<dim>& state)
+{
+  Vec<dim> now = Vec<dim>::Zero();
+  Real moving = 0;  // what the bodies would have if all their particles went the same way
+  for (const Particles<dim>& particles : state.particles) {
+    const BodySums<dim> sums = measure(particles);
+    now += sums.momentum;
+    moving += std::sqrt(2 * sums.mass * sums.kinetic);
+  }
+  const Totals<dim>& t = state.totals;
+  const Vec<dim> given = t.gravity_impulse + t.traction_impulse + t.contact_impulse + t.support_impulse + t.damping_impulse;
+  const Real size = moving + t.first_momentum.norm() + t.gravity_impulse.norm() + t.traction_impulse.norm() + t.contact_impulse.norm() +
+                    t.support_impulse.norm() + t.damping_impulse.norm();
+  return size > 0 ? (now - t.first_momentum - given).norm() / size : 0;
+}
+
+template <int dim>
+Particle<dim> particle_of(const Particles<dim>& particles, std::int32_t id)
+{
+  Index block = none;
+  int lane = 0;
+  particles.visit([&](Index, Index b, int l) {
+    if (particles.block(b).id[l] == id) block = b, lane = l;
+  });
+  if (block == none) throw RunError("there is no particle " + std::to_string(id));
+  return particles.read(block, lane);
+}
+
+template struct BodySums<2>;
+template struct BodySums<3>;
+template BodySums<2> measure(const Particles<2>&);
+template BodySums<3> measure(const Particles<3>&);
+template Real momentum_error(const State<2>&);
+template Real momentum_error(const State<3>&);
+template Particle<2> particle_of(const Particles<2>&, std::int32_t);
+template Particle<3> particle_of(const Particles<3>&, std::int32_t);
+
+}  // namespace berm

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/diagnose.hpp"
+
+#include "core/error.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm {
+namespace {
+
+template <int dim>
+std::string place_words(const Vec<dim>& x)
+{
+  return fmt::format("({:.6g}) m", fmt::join(x.begin(), x.end(), ", "));
+}
+
+const char* words_of(Real value)
+{
+  return std::isnan(value) ? "is not a number" : "is infinite";
+}
+
+/// The first of the numbers that is not finite, and 0 where all are.
+template <class Numbers>
+Real first_bad(const Numbers& numbers, int count)
+{
+  for (int k = 0; k < count; ++k)
+    if (!std::isfinite(numbers[k])) return numbers[k];
+  return 0;
+}
+
+/// What of a particle is not finite, and its rank: what spoils other particles within a step comes before what it spoils in them.
+struct Trouble {
+  std::size_t rank = std::numeric_limits<std::size_t>::max();
+  const char* name = "";
+  Real value = 0;
+};
+
+template <int dim>
+Trouble trouble_of(const Particle<dim>& p, int state_size)
+{
+  const std::pair<const char*, Real> parts[] = {{"position", first_bad(p.x, dim)},
+                                                {"velocity", first_bad(p.v, dim)},
+
+                                                {"volume", first_bad(&p.volume, 1)},
+                                                {"mass", first_bad(&p.mass, 1)},
+                                                {"stress", first_bad(p.stress.c, tensor_size<dim>)},
+                                                {"deviatoric strain", first_bad(&p.deviatoric_strain, 1)},
+                                                {"state of the law", first_bad(p.state, state_size)}};
+  for (std::size_t k = 0; k < std::size(parts); ++k)
+    if (parts[k].second != 0) return {k, parts[k].first, parts[k].second};
+  return {};
+}
+
+}  // namespace
+
+template <int dim>
+void refuse_what_is_not_finite(const Model<dim>& model, const State<dim>& state, Index body)
+{
+  const std::string when = fmt::format("at t = {:.6g} s (step {})", state.time, state.step),
+                    advice = fmt::format("try a smaller mpm.courant (now {}), and see whether stiffness, strength and loads are meant so",
+                                         model.mpm.courant);
+  const Particles<dim>& particles = state.particles[body];
+  Trouble worst;
+  Particle<dim> p;
+  Index cell = none;
+  particles.visit([&](Index c, Index b, int l) {
+    const Particle<dim> read = particles.read(b, l);
+    const Trouble trouble = trouble_of(read, particles.state_size());
+    if (trouble.rank < worst.rank) worst = trouble, p = read, cell = c;
+  });
+  if (cell != none) {
+    const std::string place = p.x.allFinite() ? "at " + place_words<dim>(p.x) : "around " + place_words<dim>(model.mesh.centroid(cell));
+    throw RunError(fmt::format("particle {} of body \"{}\", {} in cell {}: its {} {} {}; {}", p.id, model.bodies[body].name, place, cell,
+                               worst.name, words_of(worst.value), when, advice));
+  }
+  throw RunError(fmt::format("velocities or forces of body \"{}\" are not finite {}; {}", model.bodies[body].name, when, advice));
+}
+
+template <int dim>
+std::string advice_for_leaving(const Model<dim>& model, const State<dim>& state, const Vec<dim>& x, Index cell)
+{
+  for (std::size_t r = 0; r < model.rigids.size(); ++r)
+    if (surface_at<dim>(placed<dim>(model.rigids[r], state.rigids[r]), x).distance < 2 * model.mesh.height(cell))
+      return fmt::format(
+          "rigid body \"{}\" is there and has pushed it out: make the mesh larger there, let the stage \"{}\" end earlier, or hold that "
+          "boundary with a [support.NAME]",
+          model.rigids[r].name, model.stages[state.stage.index].name);
+  return fmt::format("make the mesh larger there, hold that boundary with a [support.NAME], or take a smaller mpm.courant");
+}
+
+template <int dim>
+void refuse_rigid_outside_mesh(const Model<dim>& model, const State<dim>& state)
+{
+  const Mesh<dim>& mesh = model.mesh;
+  for (std::size_t r = 0; r < model.rigids.size(); ++r) {
+    const RigidShape<dim>& first = model.rigids[r].shape;
+    if (std::holds_alternative<HalfPlane<dim>>(first)) continue;
+    const RigidShape<dim> now = placed<dim>(model.rigids[r], state.rigids[r]);
+    const Real radius = std::holds_alternative<Circle<dim>>(first) ? reach_of<dim>(first) : 0;
+    const auto refuse = [&](const char* side, char axis, Real place, Real limit, const char* advice) {
+      throw RunError(fmt::format(
+          "rigid body \"{}\" has left the mesh through its {}: it reaches {} = {:.6g} m, where the mesh ends at {:.6g} m, at "
+          "t = {:.6g} s (step {}); {}, or let the stage \"{}\" end earlier",
+          model.rigids[r].name, side, axis, place, limit, state.time, state.step, advice, model.stages[state.stage.index].name));
+    };
+    const Real low = lowest_level<dim>(now), x = center_of<dim>(now)[0], first_x = center_of<dim>(first)[0];
+    if (lowest_level<dim>(first) >= mesh.lower[1] && low < mesh.lower[1]) refuse("bottom", 'y', low, mesh.lower[1], "make the mesh deeper");
+    if (first_x - radius >= mesh.lower[0] && x - radius < mesh.lower[0])
+      refuse("left side", 'x', x - radius, mesh.lower[0], "make the mesh longer there");
+    if (first_x + radius <= mesh.upper[0] && x + radius > mesh.upper[0])
+      refuse("right side", 'x', x + radius, mesh.upper[0], "make the mesh longer there");
+    if (!std::isfinite(low) || !std::isfinite(x))
+      throw RunError(fmt::format("the place of rigid body \"{}\" is not finite at t = {:.6g} s (step {})", model.rigids[r].name, state.time,
+                                 state.step));
+  }
+}
+
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void refuse_what_is_not_finite(const Model<dim>&, const State<dim>&, Index);                                                    \
+  template std::string advice_for_leaving(const Model<dim>&, const State<dim>&, const Vec<dim>&, Index);                                   \
+  template void refuse_rigid_outside_mesh(const Model<dim>&, const State<dim>&);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "plot/gnuplot.hpp"
+
+#include <vector>
+
+namespace berm {
+
+/// A line's style by two numbers, below these counts: colours differ for most eyes, also in their lightness.
+constexpr std::size_t curve_colors = 8, curve_dashes = 4;
+std::string curve_style(std::size_t color, std::size_t dash, Real width = 2);
+
+/// One line of a figure, broken where a number is NaN.
+struct FigureCurve {
+  std::string title;  ///< in the key; "" = not there
+  std::string style;  ///< as gnuplot's `with` takes it: "lines lc rgb 'black'"
+  std::vector<Real> x, y;
+};
+
+/// A figure of curves over one another.
+struct Figure {
+  std::string title, x_label, y_label;
+  std::vector<FigureCurve> curves;
+  std::string more;  ///< gnuplot commands before the plot
+  int width = 1000, height = 460;
+};
+
+/// Draws FOLDER/NAME.png or .svg, with the key beside the curves; its script and data go to FOLDER/plots. False, with a warning, where it could not be drawn
+/// (see draw) or where there is nothing to draw.
+bool draw_figure(const std::filesystem::path& folder, const std::string& name, const Figure& figure, PlotFormat format = PlotFormat::png);
+
+}  // namespace berm

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/types.hpp"
+
+#include <filesystem>
+#include <string>
+
+namespace berm {
+
+/// A text as gnuplot takes it between single quotes, quotes included.
+std::string gnuplot_text(const std::string& text);
+
+/// A length or force in the unit that suits its size.
+struct PlotUnit {
+  Real per_si;  ///< numbers in the plot per number in SI
+  const char* name;
+};
+PlotUnit length_unit(Real size);  ///< mm below 1 m, else m
+PlotUnit force_unit(Real size);   ///< N/m below 100 N/m, else kN/m
+
+/// What a plot is written as.
+enum class PlotFormat { png, svg };
+
+/// Writes plots/NAME.gp (of an SVG NAME_svg.gp) and lets the program gnuplot make NAME.png or NAME.svg of it in the folder. The script runs in
+/// plots/, beside its data, so that a user can change it and run it again there. width and height are in pixels. Where gnuplot is missing or
+/// fails a warning says so and the result is false; a run never fails for want of a picture.
+bool draw(const std::filesystem::path& folder, const std::string& name, int width, int height, const std::string& script,
+          PlotFormat format = PlotFormat::png);
+
+}  // namespace berm

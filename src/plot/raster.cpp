@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "plot/raster.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+Real cross(const Vec<2>& a, const Vec<2>& b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+/// The whole numbers from `least` to `most`, as far as they are from 0 to count - 1.
+std::pair<Index, Index> whole_between(Real least, Real most, Index count)
+{
+  return {static_cast<Index>(std::ceil(std::clamp<Real>(least, 0, count))),
+          static_cast<Index>(std::floor(std::clamp<Real>(most, -1, count - 1)))};
+}
+
+}  // namespace
+
+Raster::Raster(const Vec<2>& lower, const Vec<2>& upper, Index columns, Index rows)
+    : lower_(lower),
+      pixels_per_metre_(columns / (upper[0] - lower[0]), rows / (upper[1] - lower[1])),
+      columns_(columns),
+      rows_(rows),
+      values_(static_cast<std::size_t>(columns) * rows, std::numeric_limits<Real>::quiet_NaN())
+{
+}
+
+void Raster::paint(const std::array<Vec<2>, 3>& corners, const std::array<Real, 3>& values)
+{
+  // Slack for the round-off at a side, so that no pixel falls between two neighbours.
+  constexpr Real slack = 1e-9;
+  std::array<Vec<2>, 3> p;  // in pixels; middles of pixels are whole numbers
+  for (int k = 0; k < 3; ++k) p[k] = (corners[k] - lower_).cwiseProduct(pixels_per_metre_) - Vec<2>(0.5, 0.5);
+  const Real twice_area = cross(p[1] - p[0], p[2] - p[0]);
+  if (twice_area == 0) return;
+  const auto [left, right] = std::minmax({p[0][0], p[1][0], p[2][0]});
+  const auto [low, high] = std::minmax({p[0][1], p[1][1], p[2][1]});
+  const auto [first_column, last_column] = whole_between(left - slack, right + slack, columns_);
+  const auto [first_row, last_row] = whole_between(low - slack, high + slack, rows_);
+  for (Index row = first_row; row <= last_row; ++row)
+    for (Index column = first_column; column <= last_column; ++column) {
+      const Vec<2> x(column, row);
+      const Real N_1 = cross(x - p[0], p[2] - p[0]) / twice_area, N_2 = cross(p[1] - p[0], x - p[0]) / twice_area;
+      const Real N_0 = 1 - N_1 - N_2;
+      if (std::min({N_0, N_1, N_2}) < -slack) continue;
+      values_[static_cast<std::size_t>(row) * columns_ + column] = N_0 * values[0] + N_1 * values[1] + N_2 * values[2];
+    }
+}
+
+std::string Raster::text() const
+{
+  fmt::memory_buffer text;
+  for (Index row = 0; row < rows_; ++row)
+    for (Index column = 0; column < columns_; ++column)
+      fmt::format_to(std::back_inserter(text), "{:.4g}{}", at(column, row), column + 1 < columns_ ? ' ' : '\n');
+  return fmt::to_string(text);
+}
+
+}  // namespace berm

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problem/archive_state.hpp"
+
+#include <fmt/format.h>
+
+namespace berm {
+
+constexpr BigIndex most_steps = BigIndex(1) << 60;  // no run gets so far, and the next ones can still be counted
+
+// The sizes tell of a member that is not kept yet.
+template <int dim>
+void keep(Keep& k, RigidState<dim>& rigid)
+{
+  static_assert(sizeof(rigid) == (7 * dim + 8) * sizeof(Real));
+  k("displacement", rigid.displacement);
+  k("angle", rigid.angle);
+  k("velocity", rigid.velocity);
+  k("spin", rigid.spin);
+  k("reaction", rigid.reaction);
+  k("smooth_reaction", rigid.smooth_reaction);
+  k("torque", rigid.torque);
+  k("impulse", rigid.impulse);
+  k("torque_impulse", rigid.torque_impulse);
+  k("second_impulse", rigid.second_impulse);
+  k("pressed", rigid.pressed);
+  k("pressed_distance", rigid.pressed_distance);
+  k("deepest", rigid.deepest);
+  k("listed_at", rigid.listed_at);
+  k("listed_angle", rigid.listed_angle);
+}
+
+namespace {
+
+template <int dim>
+void keep(Keep& k, Totals<dim>& totals)
+{
+  static_assert(sizeof(totals) == (4 + 6 * dim) * sizeof(Real));
+  k("internal", totals.internal);
+  k("external", totals.external);
+  k("damping", totals.damping);
+  k("friction", totals.friction);
+  k("first_momentum", totals.first_momentum);
+  k("gravity_impulse", totals.gravity_impulse);
+  k("traction_impulse", totals.traction_impulse);
+  k("contact_impulse", totals.contact_impulse);
+  k("support_impulse", totals.support_impulse);
+  k("damping_impulse", totals.damping_impulse);
+}
+
+template <int dim>
+void keep(Keep& k, const Model<dim>& model, StageState<dim>& stage)
+{
+  k("index", stage.index);
+  if (stage.index < 0 || stage.index >= static_cast<Index>(model.stages.size())) k.refuse(fmt::format("there is no stage {}", stage.index));
+  k("begin_time", stage.begin_time);
+  k("begin_displacement", stage.begin_displacement);
+  for (int d = 0; d < dim; ++d)
+    k.table(fmt::format("drive_{}", d), [&] {
+      k("by_force", stage.drive[d].by_force);
+      k("from", stage.drive[d].from);
+      k("to", stage.drive[d].to);
+    });
+}
+
+void keep(Keep& k, TractionState& traction)
+{
+  static_assert(sizeof(traction) == 3 * sizeof(Real));
+  k("begin_time", traction.begin_time);
+  k("from", traction.from);
+  k("to", traction.to);
+}
+
+template <int dim>
+void keep(Keep& k, const Model<dim>& model, std::vector<LoadPointState<dim>>& points)
+{
+  std::vector<Index> cells;
+  std::vector<Real> x;
+  for (const LoadPointState<dim>& point : points) {
+    cells.push_back(point.cell);
+    x.insert(x.end(), point.x.begin(), point.x.end());
+  }
+  k.fixed("cells", cells);
+  k.fixed("positions", x);
+  for (std::size_t l = 0; l < points.size(); ++l) {
+    if (k.reads() && (cells[l] < 0 || cells[l] >= model.mesh.cell_count())) k.refuse(fmt::format("the mesh has no cell {}", cells[l]));
+    points[l].cell = cells[l];
+    for (int d = 0; d < dim; ++d) points[l].x[d] = x[l * dim + d];
+  }
+}
+
+}  // namespace
+
+template <int dim>
+void keep(Keep& k, const Model<dim>& model, State<dim>& state)
+{
+  k("time", state.time);
+  k("step", state.step);
+  if (k.reads() && (state.step < 0 || state.step > most_steps)) k.refuse(fmt::format("there is no step {}", state.step));
+  k("dt", state.dt);
+  k.table("stage", [&] { keep(k, model, state.stage); });
+  k.table("totals", [&] { keep(k, state.totals); });
+  for (std::size_t r = 0; r < state.rigids.size(); ++r) k.table(fmt::format("rigid_{}", r), [&] { keep(k, state.rigids[r]); });
+  for (std::size_t c = 0; c < state.pair_impulses.size(); ++c) k(fmt::format("pair_impulse_{}", c), state.pair_impulses[c]);
+  for (std::size_t t = 0; t < state.tractions.size(); ++t) k.table(fmt::format("traction_{}", t), [&] { keep(k, state.tractions[t]); });
+  if (!state.load_points.empty()) k.table("load_points", [&] { keep(k, model, state.load_points); });
+  for (std::size_t b = 0; b < state.particles.size(); ++b) k.table(fmt::format("body_{}", b), [&] { state.particles[b].keep(k); });
+}
+
+template void keep(Keep&, RigidState<2>&);
+template void keep(Keep&, RigidState<3>&);
+template void keep(Keep&, const Model<2>&, State<2>&);
+template void keep(Keep&, const Model<3>&, State<3>&);
+
+}  // namespace berm

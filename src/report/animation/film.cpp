@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/animation/film.hpp"
+
+#include "report/animation/film_choice.hpp"
+#include "report/animation/film_encoding.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm {
+namespace {
+
+std::size_t size_of(const Film& film)
+{
+  std::size_t size = 0;
+  for (const FilmBlock& block : film.blocks) size += block.base64.size();
+  return size;
+}
+
+/// Most wanted first: the last ones go where the page has no room.
+std::vector<FilmField> fields_of(Method method)
+{
+  std::vector<FilmField> fields = {FilmField::deviatoric_strain, FilmField::incremental_deviatoric_strain, FilmField::mean_stress,
+                                   FilmField::displacement};
+  if (method == Method::mpm) fields.push_back(FilmField::speed);
+  return fields;
+}
+
+/// What the film leaves out, in words.
+std::string note_of(const Footage& footage, Index step, const std::vector<FilmField>& left_out)
+{
+  std::vector<std::string> words;
+  if (footage.slice)
+    words.push_back(fmt::format("slice in the middle: what lay within a particle's size of z = {:.3g} m at the start", *footage.slice));
+  if (step > 1) words.push_back(kept_words(step));
+  std::vector<std::string> names;
+  for (const FilmField field : left_out) names.push_back(words_of(field, false).label);
+  if (!names.empty()) words.push_back(fmt::format("without {}", fmt::join(names, " and ")));
+  return fmt::format("{}", fmt::join(words, "; "));
+}
+
+}  // namespace
+
+Film make_film(const RunRecord& run, const std::string& prefix, std::size_t most_bytes)
+{
+  const Footage footage = read_footage(run);
+  std::vector<std::string> faults;
+  if (!footage.fault.empty()) faults.push_back(footage.fault);
+  if (footage.frames.empty()) return {nullptr, {}, faults};
+
+  const std::vector<std::string> stages = footage.stages();
+  const Index count = static_cast<Index>(stages.size());
+  const std::size_t fewest = kept_frames(stages, count).size();
+  std::vector<FilmField> fields = fields_of(run.settings.method), left_out;
+  Index step = 1;
+  while (true) {
+    const std::vector<Index> kept = kept_frames(stages, step);
+    Film film = encoded_film(run, footage, kept, fields, prefix);
+    const std::size_t size = size_of(film);
+    if (size <= most_bytes) {
+      const std::string note = note_of(footage, step * footage.step, left_out);
+      if (!note.empty()) film.json["note"] = note;
+      film.faults = faults;
+      return film;
+    }
+    if (kept.size() > fewest) {
+      const Real wanted = static_cast<Real>(step) * static_cast<Real>(size) / static_cast<Real>(std::max<std::size_t>(most_bytes, 1));
+      step = std::max(step + 1, static_cast<Index>(std::min<Real>(wanted, count)));
+    } else if (fields.size() > 1) {
+      left_out.push_back(fields.back());
+      fields.pop_back();
+    } else {
+      faults.push_back(
+          fmt::format("the film of the soil is left out: it takes {:.1f} MB even with {} frames, and the page has room for {:.1f} MB of it",
+                      static_cast<Real>(size) / 1e6, fewest, static_cast<Real>(most_bytes) / 1e6));
+      return {nullptr, {}, faults};
+    }
+  }
+}
+
+}  // namespace berm

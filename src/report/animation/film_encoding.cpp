@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/animation/film_encoding.hpp"
+
+#include "core/for_each_task.hpp"
+#include "report/animation/film_quantization.hpp"
+#include "report/animation/film_outline.hpp"
+#include "report/animation/film_view.hpp"
+#include "text/base64_zlib.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <functional>
+
+namespace berm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Of the pipe's diameter: the way that strain increments are told for, and the shortest that counts as a way.
+constexpr Real unit_way = 0.01, least_way = 0.001;
+
+/// Blocks in the making: each is made and packed when all are known, over all threads.
+class Blocks {
+public:
+  explicit Blocks(std::string prefix) : prefix_(std::move(prefix)) {}
+
+  /// Adds a block; gives its id.
+  std::string add(const std::string& name, std::function<std::string()> bytes)
+  {
+    blocks_.push_back({prefix_ + "-" + name, ""});
+    bytes_.push_back(std::move(bytes));
+    return blocks_.back().id;
+  }
+  std::vector<FilmBlock> make()
+  {
+    for_each_task("pack film", static_cast<Index>(blocks_.size()), [&](Index k) { blocks_[k].base64 = packed(bytes_[k]()); });
+    return std::move(blocks_);
+  }
+
+private:
+  std::string prefix_;
+  std::vector<FilmBlock> blocks_;
+  std::vector<std::function<std::string()>> bytes_;
+};
+
+/// What strain increments since the frame before are multiplied with, so that they are those of the unit way; 1 where the pipe rests.
+std::vector<Real> increment_factors(const RunRecord& run, const Footage& footage, const std::vector<Index>& kept)
+{
+  std::vector<Real> factors(kept.size(), 1);
+  const Real D = run.scale.diameter;
+  for (std::size_t k = 1; k < kept.size() && run.has_pipe(); ++k) {
+    const Real way = way_between(run.history, footage.time[kept[k - 1]], footage.time[kept[k]]);
+    if (way >= least_way * D) factors[k] = unit_way * D / way;
+  }
+  return factors;
+}
+
+Json frames_json(const RunRecord& run, const Footage& footage, const std::vector<Index>& kept)
+{
+  Json list = Json::array();
+  for (const Index k : kept) {
+    const FilmMoment& moment = footage.moments[k];
+    const auto of_pipe = [&](Real value) { return run.has_pipe() && std::isfinite(value) ? Json(value) : Json(); };
+    list.push_back({{"time", footage.time[k]},
+                    {"stage", moment.stage},
+                    {"u", of_pipe(moment.u)},
+                    {"w", of_pipe(moment.w)},
+                    {"H", of_pipe(moment.H)},
+                    {"V", of_pipe(moment.V)}});
+  }
+  return list;
+}
+
+Json pair_of(const Vec<2>& x)
+{
+  return Json::array({x[0], x[1]});
+}
+
+/// The box that the soil covers: points are in the middle of what they stand for.
+FilmBox covered(const FilmBox& points, const Footage& footage)
+{
+  if (!footage.triangles.empty()) return points;
+  const Vec<2> half = Vec<2>::Constant(*std::max_element(footage.sizes.begin(), footage.sizes.end()) / 2);
+  return {points.lower - half, points.upper + half};
+}
+
+std::string name_of(std::int32_t rigid, const Case& settings)
+{
+  const bool known = rigid >= 0 && rigid < static_cast<std::int32_t>(settings.rigid.size());
+  return known ? settings.rigid[rigid].first : "rigid body";
+}
+
+}  // namespace
+
+Film encoded_film(const RunRecord& run, const Footage& footage, const std::vector<Index>& kept, const std::vector<FilmField>& fields,
+                  const std::string& prefix)
+{
+  std::vector<const FilmFrame*> frames;
+  for (const Index k : kept) frames.push_back(&footage.frames[k]);
+  const FilmBox soil = box_of(frames), view = film_view(run, covered(soil, footage));
+  const FilmGrid grid(soil);
+  const std::optional<Real> surface = film_surface(run.settings);
+  const bool particles = footage.triangles.empty();
+  Blocks blocks(prefix);
+
+  Json film = {{"kind", particles ? "particles" : "triangles"},
+               {"count", footage.count()},
+               {"frames", frames_json(run, footage, kept)},
+               {"lower", pair_of(grid.lower)},
+               {"step", grid.step},
+               {"view", {{"lower", pair_of(view.lower)}, {"upper", pair_of(view.upper)}}},
+               {"surface", surface ? Json(*surface) : Json()},
+               {"note", nullptr}};
+  film["position"] = blocks.add("position", [&] { return position_bytes(frames, grid); });
+  film["size"] = particles ? Json(blocks.add("size", [&] { return size_bytes(footage.sizes, grid); })) : Json();
+  film["triangles"] = particles ? Json() : Json(blocks.add("triangles", [&] { return triangle_bytes(footage.triangles); }));
+  film["elements"] = particles ? 0 : parts_of_triangle;
+
+  film["fields"] = Json::array();
+  const std::vector<Real> factors = increment_factors(run, footage, kept);
+  std::vector<Real> ends(fields.size());
+  for (std::size_t f = 0; f < fields.size(); ++f) {
+    const FieldWords words = words_of(fields[f], run.has_pipe());
+    const std::string id = blocks.add(words.name, [&, f] {
+      const std::vector<float> values = field_values(fields[f], frames, factors);
+      ends[f] = range_end(values);
+      return field_bytes(values, footage.count(), ends[f]);
+    });
+    film["fields"].push_back(
+        {{"name", words.name}, {"label", words.label}, {"unit", words.unit}, {"low", 0}, {"high", nullptr}, {"block", id}});
+  }
+  film["rigids"] = Json::array();
+  const std::vector<FilmOutline> outlines = film_outlines(frames, run.settings.dimension);
+  for (const FilmOutline& outline : outlines) {
+    const std::string id = blocks.add(fmt::format("rigid-{}", film["rigids"].size()), [&outline] { return bytes_of(outline.corners); });
+    film["rigids"].push_back({{"name", name_of(outline.rigid, run.settings)}, {"points", outline.points}, {"block", id}});
+  }
+
+  std::vector<FilmBlock> made = blocks.make();
+  for (std::size_t f = 0; f < fields.size(); ++f) film["fields"][f]["high"] = ends[f];
+  return {std::move(film), std::move(made), {}};
+}
+
+}  // namespace berm

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "report/animation/film.hpp"
+#include "report/animation/film_fields.hpp"
+#include "report/animation/film_frames.hpp"
+
+namespace berm {
+
+/// The film of those frames that are kept, with those fields, without a note. Ids of blocks begin with `prefix`.
+Film encoded_film(const RunRecord& run, const Footage& footage, const std::vector<Index>& kept, const std::vector<FilmField>& fields,
+                  const std::string& prefix);
+
+}  // namespace berm

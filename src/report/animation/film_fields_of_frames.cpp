@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/animation/film_fields_of_frames.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+float finite(float value)
+{
+  return std::isfinite(value) ? value : 0;
+}
+
+float length(const std::vector<float>& vectors, Index k)
+{
+  const Real x = vectors[3 * k], y = vectors[3 * k + 1], z = vectors[3 * k + 2];
+  return static_cast<float>(std::sqrt(x * x + y * y + z * z));
+}
+
+}  // namespace
+
+FilmReader::FilmReader(const FrameFiles& first, int dimension) : first_(read_soil(first.soil))
+{
+  const Index count = static_cast<Index>(first_.x.size());
+  if (count == 0) throw RunError(fmt::format("{}: has no particles", first.soil.string()));
+  const auto [lowest, highest] = std::minmax_element(first_.z.begin(), first_.z.end());
+  middle_ = (Real(*lowest) + Real(*highest)) / 2;
+  for (Index k = 0; k < count; ++k) {
+    const Real volume = std::max(finite(first_.volume[k]), 0.f), size = dimension == 2 ? std::sqrt(volume) : std::cbrt(volume);
+    if (dimension == 3 && std::abs(first_.z[k] - middle_) > size) continue;
+    chosen_.push_back(k);
+    sizes_.push_back(static_cast<float>(size));
+  }
+  if (chosen_.empty()) throw RunError(fmt::format("{}: has no particles in the middle", first.soil.string()));
+}
+
+SavedSoil FilmReader::same_soil(const FrameFiles& files) const
+{
+  SavedSoil soil = read_soil(files.soil);
+  if (soil.id != first_.id || soil.body != first_.body)
+    throw RunError(fmt::format("{}: has other particles than the first frame", files.soil.string()));
+  return soil;
+}
+
+FilmFrame FilmReader::read(const FrameFiles& files) const
+{
+  FilmFrame frame = film_frame(same_soil(files));
+  if (!files.rigid.empty()) frame.rigids = read_rigids(files.rigid);
+  return frame;
+}
+
+void FilmReader::add_sheared(const FrameFiles& files, FilmFrame& frame) const
+{
+  const SavedSoil soil = same_soil(files);
+  for (std::size_t k = 0; k < chosen_.size(); ++k) frame.sheared[k] += finite(soil.incremental_deviatoric_strain[chosen_[k]]);
+}
+
+FilmFrame FilmReader::film_frame(const SavedSoil& soil) const
+{
+  constexpr float kPa = 1e-3f, mm = 1e3f;  // of one Pa and one m
+  FilmFrame frame;
+  for (std::vector<float>* list :
+       {&frame.x, &frame.y, &frame.strain, &frame.sheared, &frame.mean_stress, &frame.speed, &frame.displacement})
+    list->reserve(chosen_.size());
+  for (const Index k : chosen_) {
+    frame.x.push_back(soil.x[k]);
+    frame.y.push_back(soil.y[k]);
+    frame.strain.push_back(finite(soil.deviatoric_strain[k]));
+    frame.sheared.push_back(finite(soil.incremental_deviatoric_strain[k]));
+    frame.mean_stress.push_back(finite(-kPa * soil.mean_stress[k]));
+    frame.speed.push_back(finite(length(soil.velocity, k)));
+    frame.displacement.push_back(finite(mm * length(soil.displacement, k)));
+  }
+  return frame;
+}
+
+}  // namespace berm

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/animation/film_frames.hpp"
+
+#include "core/error.hpp"
+#include "core/for_each_task.hpp"
+#include "report/animation/film_choice.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <functional>
+
+namespace berm {
+namespace {
+
+constexpr std::size_t bytes_of_point = 7 * sizeof(float);  // the lists of a FilmFrame
+
+std::vector<std::string> stages_of(const std::vector<FilmMoment>& moments)
+{
+  std::vector<std::string> stages;
+  for (const FilmMoment& moment : moments) stages.push_back(moment.stage);
+  return stages;
+}
+
+/// Reads those of the files that are wanted, until one cannot be read.
+void read_frames(Footage& footage, const RunRecord& run, const std::vector<FrameFiles>& files, const FilmReader& reader,
+                 std::size_t most_memory)
+{
+  std::vector<FilmMoment> moments;
+  for (const FrameFiles& frame : files) moments.push_back(moment_at(run.history, frame.time));
+  footage.step = static_cast<Index>(files.size() * reader.count() * bytes_of_point / most_memory) + 1;
+  const std::vector<Index> wanted = kept_frames(stages_of(moments), footage.step);
+
+  footage.frames.resize(wanted.size());
+  std::vector<std::string> refusals(wanted.size());
+  for_each_task("read frames", static_cast<Index>(wanted.size()), [&](Index k) {
+    try {
+      footage.frames[k] = reader.read(files[wanted[k]]);
+      for (Index left_out = k > 0 ? wanted[k - 1] + 1 : wanted[k]; left_out < wanted[k]; ++left_out)
+        reader.add_sheared(files[left_out], footage.frames[k]);
+    } catch (const RunError& error) {
+      refusals[k] = error.what();
+    }
+  });
+  std::size_t good = 0;
+  for (; good < wanted.size() && refusals[good].empty(); ++good) {
+    footage.time.push_back(files[wanted[good]].time);
+    footage.moments.push_back(moments[wanted[good]]);
+  }
+  footage.frames.resize(good);
+  for (std::size_t k = 1; k < good; ++k)
+    std::transform(footage.frames[k].sheared.begin(), footage.frames[k].sheared.end(), footage.frames[k - 1].sheared.begin(),
+                   footage.frames[k].sheared.begin(), std::plus<>());
+  if (good < wanted.size())
+    footage.fault =
+        fmt::format("frame {} of {} cannot be read: {}; the film ends before it", wanted[good] + 1, files.size(), refusals[good]);
+}
+
+}  // namespace
+
+std::vector<std::string> Footage::stages() const
+{
+  return stages_of(moments);
+}
+
+Footage read_footage(const RunRecord& run, std::size_t most_memory)
+{
+  Footage footage;
+  std::vector<FrameFiles> files;
+  try {
+    files = frame_files(run.folder / "frames");
+    if (files.empty()) {
+      if (run.history.rows() > 0) footage.fault = "there is no film of the soil: frames/ lists no frames";
+      return footage;
+    }
+    const FilmReader reader(files.front(), run.settings.dimension);
+    footage.sizes = reader.sizes();
+    footage.triangles = reader.triangles();
+    if (run.settings.dimension == 3) footage.slice = reader.middle();
+    read_frames(footage, run, files, reader, most_memory);
+  } catch (const RunError& error) {
+    footage.fault = files.empty() ? fmt::format("there is no film of the soil: {}", error.what())
+                                  : fmt::format("frame 1 of {} cannot be read: {}; there is no film", files.size(), error.what());
+  }
+  return footage;
+}
+
+}  // namespace berm

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "run_folder/history.hpp"
+
+namespace berm {
+
+/// What the history tells of a moment; NaN and "" where it tells nothing.
+struct FilmMoment {
+  std::string stage;                                       ///< of the row nearest in time
+  Real u = std::numeric_limits<Real>::quiet_NaN(), w = u;  ///< m, between two rows on the straight line
+  Real H = std::numeric_limits<Real>::quiet_NaN(), V = H;  ///< N/m, of the row nearest in time
+};
+
+/// The moment of a time, s; before the first row or behind the last one, that row's.
+FilmMoment moment_at(const History& history, Real time);
+
+/// The length of the pipe's way (u, w) between two times, m; NaN where the history does not tell it.
+Real way_between(const History& history, Real from, Real to);
+
+}  // namespace berm

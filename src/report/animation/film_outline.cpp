@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/animation/film_outline.hpp"
+
+#include <map>
+
+namespace berm {
+namespace {
+
+using Outlines = std::vector<std::vector<Index>>;
+
+/// The outlines of each rigid body in one frame, as points of the frame.
+std::map<std::int32_t, Outlines> outlines_in(const SavedRigids& rigids, int dimension)
+{
+  std::map<std::int32_t, Outlines> outlines;
+  for (std::size_t cell = 0; cell < rigids.cells.size(); ++cell) {
+    const std::vector<Index>& points = rigids.cells[cell];
+    if (points.size() < 2) continue;
+    Outlines& own = outlines[rigids.rigid[cell]];
+    if (dimension == 2) {
+      own.push_back(points);
+    } else if (rigids.types[cell] == VtkCell::quad) {  // a side of an extruded body; its first corner is one of the lower end
+      if (own.empty()) own.emplace_back();
+      own.front().push_back(points.front());
+    }
+  }
+  return outlines;
+}
+
+}  // namespace
+
+std::vector<FilmOutline> film_outlines(const std::vector<const FilmFrame*>& frames, int dimension)
+{
+  // The number of a body's outlines may change: a circle that turns gets a spoke.
+  std::map<std::pair<std::int32_t, std::size_t>, FilmOutline> films;
+  for (std::size_t f = 0; f < frames.size(); ++f) {
+    const SavedRigids& rigids = frames[f]->rigids;
+    for (const auto& [rigid, outlines] : outlines_in(rigids, dimension))
+      for (std::size_t number = 0; number < outlines.size(); ++number) {
+        const std::vector<Index>& outline = outlines[number];
+        const std::size_t size = 2 * outline.size();
+        FilmOutline& film = films[{rigid, number}];
+        if (film.corners.empty())
+          film = {rigid, static_cast<Index>(outline.size()),
+                  std::vector<float>(size * frames.size(), std::numeric_limits<float>::quiet_NaN())};
+        if (film.points != static_cast<Index>(outline.size())) continue;
+        auto corner = film.corners.begin() + static_cast<std::ptrdiff_t>(f * size);
+        for (const Index point : outline) {
+          *corner++ = rigids.x[point];
+          *corner++ = rigids.y[point];
+        }
+      }
+  }
+  std::vector<FilmOutline> list;
+  for (auto& [key, film] : films) list.push_back(std::move(film));
+  return list;
+}
+
+}  // namespace berm

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/animation/film_quantization.hpp"
+
+#include "plot/nice_number.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace berm {
+namespace {
+
+constexpr Real most_code = 65535;
+
+/// A change of a code, such that small changes either way are small numbers: 0, -1, 1, -2, ... are 0, 1, 2, 3, ...
+std::uint16_t folded(std::uint16_t now, std::uint16_t before)
+{
+  const auto change = static_cast<std::int16_t>(static_cast<std::uint16_t>(now - before));
+  return static_cast<std::uint16_t>(change << 1 ^ change >> 15);
+}
+
+}  // namespace
+
+FilmBox box_of(const std::vector<const FilmFrame*>& frames)
+{
+  FilmBox box{Vec<2>::Constant(infinity), Vec<2>::Constant(-infinity)};
+  const auto widen = [&](const std::vector<float>& places, int d) {
+    if (places.empty()) return;
+    const auto [lowest, highest] = std::minmax_element(places.begin(), places.end());
+    box.lower[d] = std::min<Real>(box.lower[d], *lowest);
+    box.upper[d] = std::max<Real>(box.upper[d], *highest);
+  };
+  for (const FilmFrame* frame : frames) {
+    widen(frame->x, 0);
+    widen(frame->y, 1);
+  }
+  return box;
+}
+
+FilmGrid::FilmGrid(const FilmBox& box) : lower(box.lower), step((box.upper - box.lower).maxCoeff() / most_code)
+{
+  if (!(step > 0)) step = 1 / most_code;  // one point, which never moves
+}
+
+std::uint16_t FilmGrid::code(Real x, int d) const
+{
+  return static_cast<std::uint16_t>(std::lround(std::clamp((x - lower[d]) / step, 0., most_code)));
+}
+
+std::string position_bytes(const std::vector<const FilmFrame*>& frames, const FilmGrid& grid)
+{
+  const std::size_t count = frames.front()->x.size(), plane = frames.size() * count;
+  std::string bytes(4 * plane, '\0');
+  std::vector<std::uint16_t> before(count);
+  for (int d = 0; d < 2; ++d) {
+    char *low = bytes.data() + 2 * static_cast<std::size_t>(d) * plane, *high = low + plane;
+    for (const FilmFrame* frame : frames) {
+      const std::vector<float>& places = d == 0 ? frame->x : frame->y;
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::uint16_t now = grid.code(places[k], d), stored = frame == frames.front() ? now : folded(now, before[k]);
+        before[k] = now;
+        *low++ = static_cast<char>(stored & 255);
+        *high++ = static_cast<char>(stored >> 8);
+      }
+    }
+  }
+  return bytes;
+}
+
+std::string size_bytes(const std::vector<float>& sizes, const FilmGrid& grid)
+{
+  std::vector<std::uint16_t> codes;
+  for (const float size : sizes) codes.push_back(static_cast<std::uint16_t>(std::lround(std::clamp(size / grid.step, 1., most_code))));
+  return bytes_of(codes);
+}
+
+std::string triangle_bytes(const std::vector<std::array<Index, 6>>& triangles)
+{
+  constexpr int parts[parts_of_triangle][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+  std::vector<std::uint32_t> corners;
+  for (const std::array<Index, 6>& nodes : triangles)
+    for (const auto& part : parts)
+      for (const int corner : part) corners.push_back(static_cast<std::uint32_t>(nodes[corner]));
+  return bytes_of(corners);
+}
+
+Real range_end(std::vector<float> values)
+{
+  if (values.empty()) return round_up(0);
+  const auto place = values.end() - 1 - static_cast<std::ptrdiff_t>(values.size() / 500);
+  std::nth_element(values.begin(), place, values.end());
+  return round_up(*place);
+}
+
+std::string field_bytes(const std::vector<float>& values, std::size_t count, Real high)
+{
+  std::string bytes(values.size(), '\0');
+  std::vector<std::uint8_t> before(count, 0);
+  for (std::size_t first = 0; first < values.size(); first += count)
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto now = static_cast<std::uint8_t>(std::lround(std::clamp(values[first + k] / high, 0., 1.) * 255));
+      bytes[first + k] = static_cast<char>(now - before[k]);
+      before[k] = now;
+    }
+  return bytes;
+}
+
+}  // namespace berm

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "report/animation/film_fields_of_frames.hpp"
+
+namespace berm {
+
+/// Numbers as they lie in memory: little-endian.
+template <class T>
+std::string bytes_of(const std::vector<T>& numbers)
+{
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)};
+}
+
+/// A rectangle, m.
+struct FilmBox {
+  Vec<2> lower, upper;
+};
+
+/// The box of all points in all frames.
+FilmBox box_of(const std::vector<const FilmFrame*>& frames);
+
+/// Places as whole numbers from 0 to 65535: x = lower + step * code in both directions.
+struct FilmGrid {
+  Vec<2> lower;  ///< m
+  Real step;     ///< m
+  explicit FilmGrid(const FilmBox& box);
+  std::uint16_t code(Real x, int d) const;
+};
+
+/// The codes of all places as bytes of the position block of FilmData in web/src/data.ts.
+std::string position_bytes(const std::vector<const FilmFrame*>& frames, const FilmGrid& grid);
+
+/// Sides of squares (m) in the grid's steps, at least one, as bytes of 16-bit numbers.
+std::string size_bytes(const std::vector<float>& sizes, const FilmGrid& grid);
+
+/// Each quadratic triangle as four, between its corners and the middles of its sides, as bytes of 32-bit numbers.
+constexpr int parts_of_triangle = 4;
+std::string triangle_bytes(const std::vector<std::array<Index, 6>>& triangles);
+
+/// The end of a field's range: what 0.2 % of the values exceed, rounded up; never 0.
+Real range_end(std::vector<float> values);
+
+/// Values (by frame, then point) as bytes of a field's block: 0 stands for 0, 255 for `high`.
+std::string field_bytes(const std::vector<float>& values, std::size_t count, Real high);
+
+}  // namespace berm

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/animation/film_view.hpp"
+
+#include "bodies/rigid.hpp"
+
+#include <algorithm>
+
+namespace berm {
+namespace {
+
+// Around the pipe's path, in diameters: to the sides of its centre, below and above its lowest point.
+constexpr Real beside = 2.5, below = 2, above = 1.3;
+
+/// How high soil can rise; infinite where the settings do not tell.
+Real top_of(const MeshSettings& mesh)
+{
+  if (const auto* seabed = std::get_if<SeabedMesh>(&mesh)) return seabed->headroom;
+  if (const auto* box = std::get_if<BoxMesh>(&mesh)) return (box->lower.empty() ? 0 : box->lower[1]) + box->size[1];
+  return infinity;
+}
+
+/// Centre (x) and lowest point (y) of a body at the start, m.
+template <int dim>
+Vec<2> start_of(const RigidShapeSettings& settings)
+{
+  const RigidShape<dim> shape = make_shape<dim>(settings);
+  return {center_of<dim>(shape)[0], lowest_level<dim>(shape)};
+}
+
+/// The box of the centres (x) and lowest points (y) of the pipe.
+FilmBox path_of(const RunRecord& run)
+{
+  const RigidShapeSettings& shape = run.settings.rigid[main_rigid(run.settings)].second.shape;
+  const Vec<2> start = run.settings.dimension == 2 ? start_of<2>(shape) : start_of<3>(shape);
+  FilmBox path{start, start};
+  if (!run.history.has("u_m") || !run.history.has("w_m")) return path;
+  const std::vector<Real>&u = run.history["u_m"], &w = run.history["w_m"];
+  for (std::size_t row = 0; row < u.size(); ++row) {
+    const Vec<2> now(start[0] + u[row], run.settings.surface - w[row]);
+    if (!now.allFinite()) continue;
+    path.lower = path.lower.cwiseMin(now);
+    path.upper = path.upper.cwiseMax(now);
+  }
+  return path;
+}
+
+}  // namespace
+
+FilmBox film_view(const RunRecord& run, const FilmBox& soil)
+{
+  if (!run.has_pipe()) return soil;
+  const Real D = run.scale.diameter;
+  const FilmBox path = path_of(run);
+  const Real highest = std::max(path.lower[1], std::min(path.upper[1], run.settings.surface));  // a pipe may start far above the soil
+  FilmBox view{Vec<2>(path.lower[0] - beside * D, path.lower[1] - below * D), Vec<2>(path.upper[0] + beside * D, highest + above * D)};
+  view.lower = view.lower.cwiseMax(soil.lower);
+  view.upper[0] = std::min(view.upper[0], soil.upper[0]);
+  view.upper[1] = std::min(view.upper[1], std::max(soil.upper[1], top_of(run.settings.mesh)));
+  const bool seen = (view.lower.array() < view.upper.array()).all();
+  return seen ? view : soil;
+}
+
+std::optional<Real> film_surface(const Case& settings)
+{
+  const bool flat = std::any_of(settings.body.begin(), settings.body.end(), [](const auto& body) { return body.second.k0.has_value(); });
+  if (flat || std::holds_alternative<SeabedMesh>(settings.mesh)) return settings.surface;
+  return {};
+}
+
+}  // namespace berm

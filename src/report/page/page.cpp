@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/page/page.hpp"
+
+#include "text/tex_math.hpp"
+#include "report/animation/film.hpp"
+#include "text/html.hpp"
+#include "report/page/page_data.hpp"
+#include "report/page/page_files.hpp"
+#include "report/claims/paper.hpp"
+#include "report/setup/setup_section.hpp"
+#include "report/results/results_section.hpp"
+#include "report/quality/quality_section.hpp"
+#include "report/claims/claims.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Of all films together, as base64: the page of a study stays under 15 MB.
+constexpr std::size_t most_film_bytes = 12'000'000;
+
+/// JSON within a page: no "</script" or "<!--" can stand in it.
+std::string script_json(const Json& json)
+{
+  std::string text;
+  for (const char c : json.dump(-1, ' ', true, Json::error_handler_t::replace)) c == '<' ? text += "\\u003c" : text += c;
+  return text;
+}
+
+Json paper_json(const std::vector<RunRecord>& runs)
+{
+  Json points = Json::array();
+  for (const PaperPoint& p : paper_points(runs))
+    points.push_back({{"chart", p.chart}, {"x", p.x ? Json(*p.x) : Json(nullptr)}, {"y", p.y}, {"label", p.label}});
+  return points;
+}
+
+std::string title_of(const std::vector<RunRecord>& runs)
+{
+  const RunRecord& first = runs.front();
+  return html_text(first.settings.title.empty() ? first.name : first.settings.title);
+}
+
+std::string header_of(const std::vector<RunRecord>& runs, const std::vector<std::pair<std::string, std::string>>& sections)
+{
+  std::vector<std::string> names, links;
+  for (const RunRecord& run : runs) names.push_back(html_text(run.name));
+  for (const auto& [id, word] : sections) links.push_back(fmt::format("<a href=\"#{}\">{}</a>", id, word));
+  return fmt::format(
+      "<header>\n<h1>{}</h1>\n<p class=\"quiet\">{}: {}; written by berm {}</p>\n<nav aria-label=\"sections\">{}</nav>\n</header>\n",
+      title_of(runs), runs.size() == 1 ? "run" : fmt::format("{} runs", runs.size()), fmt::join(names, ", "), BERM_VERSION,
+      fmt::join(links, " "));
+}
+
+/// What a reader must know first of runs that did not end well.
+std::string faults_of(const std::vector<RunRecord>& runs, const std::vector<std::string>& left_out)
+{
+  std::string items;
+  for (const std::string& words : left_out) items += fmt::format("<li class=\"warning\">{}</li>\n", html_text(words));
+  for (const RunRecord& run : runs) {
+    std::vector<std::string> said;
+    if (run.end == RunEnd::unfinished)
+      said.emplace_back("did not come to its end: it was killed, crashed or still runs. Shown is what it wrote until then.");
+    if (run.end == RunEnd::stopped)
+      said.push_back(fmt::format("was stopped before its end. It said: {}", run.last_words.empty() ? "nothing" : run.last_words));
+    said.insert(said.end(), run.faults.begin(), run.faults.end());
+    for (const std::string& words : said)
+      items += fmt::format("<li class=\"warning\"><strong>{}</strong> {}</li>\n", html_text(run.name), html_text(words));
+  }
+  return items.empty() ? "" : fmt::format("<ul class=\"warnings\" id=\"faults\">\n{}</ul>\n", items);
+}
+
+}  // namespace
+
+std::string report_page(std::vector<RunRecord> runs, const std::vector<std::string>& left_out)
+{
+  Json data = {{"version", BERM_VERSION}, {"runs", Json::array()}, {"paper", paper_json(runs)}};
+  std::string blocks;
+  std::size_t left = most_film_bytes;
+  for (std::size_t k = runs.size(); k-- > 0;) {  // the smaller runs first: what they leave is the larger ones'
+    Film film = make_film(runs[k], fmt::format("film-{}", k), left / (k + 1));
+    runs[k].faults.insert(runs[k].faults.end(), film.faults.begin(), film.faults.end());
+    Json run = run_data(runs[k]);
+    run["film"] = film.json;
+    data["runs"].insert(data["runs"].begin(), run);
+    for (const FilmBlock& block : film.blocks) {
+      blocks += fmt::format("<script type=\"text/plain\" id=\"{}\">{}</script>\n", block.id, block.base64);
+      left -= std::min(left, block.base64.size());
+    }
+  }
+
+  const std::string claims = claims_section(runs);
+  std::vector<std::pair<std::string, std::string>> sections = {
+      {"answer", "Answer"}, {"asked", "What was asked"}, {"curves", "Curves"}, {"soil", "Soil"}, {"trust", "Trust"}};
+  if (!claims.empty()) sections.emplace_back("claims", "Claims");
+
+  std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+  page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+  page += fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n", title_of(runs), page_style);
+  page += header_of(runs, sections) + faults_of(runs, left_out) + results_section(runs) + setup_section(runs);
+  page += html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
+  page += html_section("soil", "The soil, moving",
+                       "<noscript><p>The moving soil needs scripts, which this browser does not run.</p></noscript>\n");
+  page += quality_section(runs) + claims + "</main>\n";
+  page += blocks;
+  page += fmt::format("<script type=\"application/json\" id=\"berm-data\">{}</script>\n<script>", script_json(data));
+  page += page_script;
+  return page + "</script>\n</body>\n</html>\n";
+}
+
+}  // namespace berm

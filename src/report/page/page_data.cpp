@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/page/page_data.hpp"
+
+#include "structures/pipe/travel_curve.hpp"
+#include "report/claims/paper.hpp"
+#include "structures/pipe/display_units.hpp"
+
+#include <algorithm>
+
+namespace berm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr Index most_rows = 5000;  // of a history on the page, but for the ends of stages
+
+Json number_or_null(Real value)
+{
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+/// Rows of the history that the page holds: each so manieth, and the first and the last of each stage.
+std::vector<Index> kept_rows(const History& history)
+{
+  const Index rows = history.rows(), step = std::max(1, (rows + most_rows - 1) / most_rows);
+  std::vector<Index> kept;
+  for (Index k = 0; k < rows; ++k) {
+    const bool first = k == 0 || history.stage[k] != history.stage[k - 1];
+    const bool last = k + 1 == rows || history.stage[k] != history.stage[k + 1];
+    if (k % step == 0 || first || last) kept.push_back(k);
+  }
+  return kept;
+}
+
+/// The rows of a push or a drag (of the history, ascending) among those that the page holds, and its forces freed from noise along its travel (m).
+Json path_json(const RunRecord& run, const std::vector<Index>& kept, const std::vector<Index>& rows, const std::vector<Real>& travel,
+               Real u_begin)
+{
+  const Real half = averaging_half(run.scale);
+  const auto curve_of = [&](const char* column) {
+    std::vector<Real> force;
+    for (const Index k : rows) force.push_back(run.history[column][k]);
+    return TravelCurve(travel, force).condensed(half);
+  };
+  const TravelCurve V = curve_of("V_N_m"), H = curve_of("H_N_m");
+  const auto mean = [&](const TravelCurve& force, Real s) { return std::isnan(s) ? Json(nullptr) : number_or_null(force.at(s, half)); };
+  Json path = {{"rows", Json::array()}, {"u_begin", u_begin}, {"V_mean", Json::array()}, {"H_mean", Json::array()}};
+  auto on_page = kept.begin();
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    on_page = std::lower_bound(on_page, kept.end(), rows[k]);
+    if (on_page == kept.end() || *on_page != rows[k]) continue;
+    path["rows"].push_back(on_page - kept.begin());
+    path["V_mean"].push_back(mean(V, travel[k]));
+    path["H_mean"].push_back(mean(H, travel[k]));
+  }
+  return path;
+}
+
+/// What forces are made dimensionless with (N/m) and its letters; what stresses and energies per metre are made so with follows by D.
+Json measure_of(const RunRecord& run)
+{
+  const ForceMeasure measure = run.has_pipe() ? force_measure(run) : ForceMeasure{};
+  if (!(measure.size > 0)) return nullptr;
+  const bool weight = measure.kind == ForceMeasure::Kind::weight;
+  return {{"size", measure.size},
+          {"stress", weight ? "γ′ D" : "s_u"},
+          {"force", weight ? "γ′ D²" : "D s_u"},
+          {"energy", weight ? "γ′ D³" : "D² s_u"}};
+}
+
+}  // namespace
+
+Json run_data(const RunRecord& run)
+{
+  const History& history = run.history;
+  const std::vector<Index> kept = kept_rows(history);
+  Json data;
+  data["name"] = run.name;
+  data["title"] = run.settings.title;
+  data["method"] = run.settings.method == Method::mpm ? "mpm" : "fem";
+  data["diameter"] = run.has_pipe() ? Json(run.scale.diameter) : Json(nullptr);
+  data["measure"] = measure_of(run);
+  data["prototype"] = has_prototype(run.scale) ? Json(run.scale.gravity_level) : Json(nullptr);
+  data["of_paper"] = is_of_paper(run);
+  data["columns"] = Json::object();
+  for (std::size_t c = 0; c < history.columns.size(); ++c) {
+    Json& column = data["columns"][history.columns[c]] = Json::array();
+    for (const Index k : kept) column.push_back(number_or_null(history.values[c][k]));
+  }
+  data["stage"] = Json::array();
+  for (const Index k : kept) data["stage"].push_back(history.stage[k]);
+  data["row"] = static_cast<Index>(kept.size()) == history.rows() ? Json(nullptr) : Json(kept);
+  const PipePath path = run.has_pipe() && history.rows() > 0 ? pipe_path(history, run.stages) : PipePath{};
+  data["push"] = path_json(run, kept, path.push_rows, path.w, 0);
+  data["drag"] = path_json(run, kept, path.drag_rows, path.drag_u, path.u_begin);
+  data["film"] = nullptr;
+  return data;
+}
+
+}  // namespace berm

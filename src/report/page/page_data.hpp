@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "structures/pipe/run_record.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace berm {
+
+/// RunData of web/src/data.ts, with "film": null.
+nlohmann::ordered_json run_data(const RunRecord& run);
+
+}  // namespace berm

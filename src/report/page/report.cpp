@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/page/report.hpp"
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+#include "report/results/figures.hpp"
+#include "report/page/page.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+#include <spdlog/spdlog.h>
+#include <stdexcept>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* page_name = "report.html";
+constexpr const char* figures_name = "report_figures";
+
+fs::path whole(const fs::path& path)
+{
+  const fs::path normal = fs::absolute(path).lexically_normal();
+  return normal.has_filename() ? normal : normal.parent_path();
+}
+
+/// The run folders that a folder holds, by name; those of a study or an envelope lie in its folder runs/.
+std::vector<fs::path> run_folders_in(const fs::path& folder)
+{
+  std::vector<fs::path> found;
+  for (const fs::path& place : {folder, folder / "runs"}) {
+    std::error_code error;
+    for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error))
+      if (is_run_folder(entry->path())) found.push_back(entry->path());
+    if (!found.empty()) break;
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+/// The run folders that are meant. What an earlier report wrote may be named among them (`berm report out/study/*`) and is passed over.
+std::vector<fs::path> run_folders(const std::vector<std::string>& names)
+{
+  std::vector<fs::path> folders;
+  for (const std::string& name : names) {
+    const fs::path path = whole(name);
+    std::error_code error;
+    const fs::file_status found = fs::status(path, error);
+    if (!fs::exists(found))
+      throw InputError(fmt::format("{}: {}", name, error && error.value() != ENOENT ? error.message() : "there is no such folder"));
+    if (path.filename() == page_name && !fs::is_directory(found)) continue;
+    if (path.filename() == figures_name) continue;
+    if (!fs::is_directory(found)) throw InputError(fmt::format("{}: is a file; a run folder is needed, as berm run makes it", name));
+    if (is_run_folder(path)) {
+      folders.push_back(path);
+      continue;
+    }
+    const std::vector<fs::path> within = run_folders_in(path);
+    if (within.empty())
+      throw InputError(fmt::format("{}: is no run folder and holds none (there is no resolved.toml that can be read)", name));
+    folders.insert(folders.end(), within.begin(), within.end());
+  }
+  std::vector<fs::path> unique;
+  std::set<fs::path> known;
+  for (const fs::path& folder : folders)
+    if (known.insert(fs::weakly_canonical(folder)).second) unique.push_back(folder);
+  if (unique.empty()) throw InputError("no run folder is named");
+  return unique;
+}
+
+Real particles_of(const RunRecord& run)
+{
+  const Real count = run.timing("particles");
+  return std::isnan(count) ? 0 : count;
+}
+
+/// The order of the page: the material point method first, then by number of particles.
+bool finer(const RunRecord& a, const RunRecord& b)
+{
+  if (a.settings.method != b.settings.method) return a.settings.method == Method::mpm;
+  return particles_of(a) > particles_of(b);
+}
+
+/// The folder of a single run that was named, or the deepest folder that holds all.
+fs::path place_of_page(const std::vector<std::string>& names, const std::vector<fs::path>& folders)
+{
+  fs::path common = folders.front();
+  if (folders.size() > 1) common = common.parent_path();
+  if (folders.size() == 1 && names.size() == 1) common = whole(names.front());
+  for (const fs::path& folder : folders)
+    while (std::mismatch(common.begin(), common.end(), folder.begin(), folder.end()).first != common.end()) common = common.parent_path();
+  return common;
+}
+
+/// Runs of one name get that of the folder above before it.
+void tell_apart(std::vector<RunRecord>& runs)
+{
+  std::map<std::string, int> count;
+  for (const RunRecord& run : runs) ++count[run.name];
+  for (RunRecord& run : runs)
+    if (count[run.name] > 1) run.name = fmt::format("{}/{}", run.folder.parent_path().filename().string(), run.name);
+}
+
+/// Reads what can be read; of several runs one that cannot is left out, with a word in `left_out`. Throws InputError where none is left.
+std::vector<RunRecord> read_runs(const std::vector<fs::path>& folders, std::vector<std::string>& left_out)
+{
+  std::vector<RunRecord> runs;
+  for (const fs::path& folder : folders) try {
+      runs.push_back(read_run(folder));
+    } catch (const std::runtime_error& error) {
+      if (folders.size() == 1) throw;
+      left_out.push_back(fmt::format("{} is left out: {}", folder.filename().string(), error.what()));
+      spdlog::warn(left_out.back());
+    }
+  if (runs.empty()) throw InputError("none of the run folders can be read");
+  std::stable_sort(runs.begin(), runs.end(), finer);
+  tell_apart(runs);
+  return runs;
+}
+
+}  // namespace
+
+std::vector<fs::path> write_report(const ReportRequest& request)
+{
+  const std::vector<fs::path> folders = run_folders(request.folders);
+  const fs::path page = request.output.empty() ? place_of_page(request.folders, folders) / page_name : fs::path(request.output);
+  std::vector<std::string> left_out;
+  const std::vector<RunRecord> runs = read_runs(folders, left_out);
+
+  write_whole(page, report_page(runs, left_out));
+  std::vector<fs::path> written = {page};
+  if (request.figures) {
+    const fs::path figures = page.parent_path() / figures_name;
+    for (const std::string& name : draw_report_figures(runs, figures)) written.push_back(figures / name);
+  }
+  return written;
+}
+
+}  // namespace berm

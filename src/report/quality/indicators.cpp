@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/quality/indicators.hpp"
+
+#include "report/setup/setup_tables.hpp"
+#include "text/quantity_words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
+
+}  // namespace
+
+Standing judge(const Limit& limit, Real value)
+{
+  if (std::isnan(value)) return Standing::unknown;
+  if (limit.large ? value >= limit.good : value <= limit.good) return Standing::good;
+  return (limit.large ? value < limit.bad : value > limit.bad) ? Standing::bad : Standing::fair;
+}
+
+EnergyError energy_error(const RunRecord& run)
+{
+  EnergyError found{run.check("energy_error"), ""};
+  const History& h = run.history;
+  if (h.rows() == 0 || !h.has("energy_error_J_m") || !h.has("external_J_m") || !h.has("internal_J_m")) return found;
+  Real largest = 0, work = 0;
+  Index row = none;
+  for (Index k = 0; k < h.rows(); ++k) {
+    const Real error = std::abs(h["energy_error_J_m"][k]);
+    work = std::max({work, std::abs(h["external_J_m"][k]), std::abs(h["internal_J_m"][k])});
+    if (error > largest) largest = error, row = k;
+  }
+  if (std::isnan(found.over_work) && work > 0) found.over_work = largest / work;
+  if (row == none) return found;
+  const bool drag = std::find(run.stages.drag.begin(), run.stages.drag.end(), h.stage[row]) != run.stages.drag.end();
+  const std::string at = run.has_pipe() ? fmt::format("{} = {}", drag ? "u" : "w", length_words(h[drag ? "u_m" : "w_m"][row]))
+                                        : "t = " + time_words(h["time_s"][row]);
+  found.where = fmt::format("{}, {}", h.stage[row], at);
+  return found;
+}
+
+Real work_of_contact(const RunRecord& run)
+{
+  const History& h = run.history;
+  if (h.rows() == 0 || !h.has("friction_J_m") || !h.has("external_J_m") || !h.has("internal_J_m"))
+    return std::numeric_limits<Real>::quiet_NaN();
+  Real work = 0;
+  for (Index k = 0; k < h.rows(); ++k) work = std::max({work, std::abs(h["external_J_m"][k]), std::abs(h["internal_J_m"][k])});
+  return work > 0 ? std::max(Real(0), -h["friction_J_m"].back() / work) : 0;
+}
+
+Real kinetic_over_internal(const RunRecord& run, const std::vector<std::string>& stages)
+{
+  const History& h = run.history;
+  if (h.rows() == 0 || !h.has("kinetic_J_m") || !h.has("internal_J_m")) return unknown;
+  Real largest = unknown;
+  for (const std::string& stage : stages) {
+    const auto rows = std::count(h.stage.begin(), h.stage.end(), stage);
+    std::ptrdiff_t before = 0;
+    for (Index k = 0; k < h.rows(); ++k) {
+      if (h.stage[k] != stage || 10 * before++ < rows) continue;
+      const Real ratio = h["kinetic_J_m"][k] / std::abs(h["internal_J_m"][k]);
+      if (std::isfinite(ratio)) largest = std::isnan(largest) ? ratio : std::max(largest, ratio);
+    }
+  }
+  return largest;
+}
+
+bool holds_force(const Case& settings)
+{
+  return std::any_of(settings.stage.begin(), settings.stage.end(), [](const StageSettings& stage) {
+    return stage.kind == StageKind::drag && stage.vertical == Vertical::hold && !stage.vertical_velocity;
+  });
+}
+
+Real quantity_value(const RunRecord& run, const std::string& name)
+{
+  const Quantity* quantity = run.quantity(name);
+  return quantity == nullptr ? unknown : quantity->value;
+}
+
+Real gap_in_cells(const RunRecord& run)
+{
+  return quantity_value(run, "gap_mean") / near_cell_size(run.settings);
+}
+
+Real acts_larger(const RunRecord& run)
+{
+  return 2 * quantity_value(run, "gap_mean_over_D");
+}
+
+}  // namespace berm

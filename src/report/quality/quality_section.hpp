@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "structures/pipe/run_record.hpp"
+
+namespace berm {
+
+/// Energy balance, quasi-static indicators, contact and mesh of all runs of the page, as HTML, with warnings in words.
+std::string quality_section(const std::vector<RunRecord>& runs);
+
+}  // namespace berm

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/results/curve_figures.hpp"
+
+#include "plot/figure.hpp"
+#include "structures/pipe/plots.hpp"
+#include "structures/pipe/travel_curve.hpp"
+#include "report/claims/paper.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* from_zero = "set key below\nset yrange [0:*]\n";
+constexpr int width = 1000, height = 660;  // pixels
+
+/// What a figure shows over what: columns of the path of a push or a drag.
+struct Chart {
+  const char *name, *title, *x_label, *y_label;
+  std::vector<Real> PipePath::*x;
+  std::vector<Real> (*y)(const PipePath&);
+  PlotUnit (*unit)(Real most);  ///< of y
+};
+
+PlotUnit no_unit(Real)
+{
+  return {1, "1"};
+}
+
+std::vector<Real> H_over_V(const PipePath& path)
+{
+  std::vector<Real> ratio;
+  for (std::size_t k = 0; k < path.drag_H.size(); ++k) ratio.push_back(path.drag_H[k] / path.drag_V[k]);
+  return ratio;
+}
+
+const Chart charts[] = {
+    {"V_w", "Vertical resistance in the push", "embedment w", "vertical resistance V", &PipePath::w, [](const PipePath& p) { return p.V; },
+     force_unit},
+    {"H_u", "Horizontal resistance in the drag", "horizontal displacement u", "horizontal resistance H", &PipePath::drag_u,
+     [](const PipePath& p) { return p.drag_H; }, force_unit},
+    {"w_u", "Embedment in the drag", "horizontal displacement u", "embedment w", &PipePath::drag_u,
+     [](const PipePath& p) { return p.drag_w; }, length_unit},
+    {"H_over_V_u", "Ratio of forces in the drag", "horizontal displacement u", "H/V", &PipePath::drag_u, H_over_V, no_unit}};
+
+std::string label_with(const std::string& words, const PlotUnit& unit)
+{
+  return std::string(unit.name) == "1" ? words : fmt::format("{} ({})", words, unit.name);
+}
+
+std::vector<Real> scaled(std::vector<Real> values, Real factor)
+{
+  for (Real& value : values) value *= factor;
+  return values;
+}
+
+Real largest(const std::vector<Real>& values)
+{
+  Real most = 0;
+  for (const Real value : values)
+    if (std::isfinite(value)) most = std::max(most, std::abs(value));
+  return most;
+}
+
+bool draw_both(const fs::path& folder, const std::string& name, const Figure& figure)
+{
+  return draw_figure(folder, name, figure, PlotFormat::png) && draw_figure(folder, name, figure, PlotFormat::svg);
+}
+
+/// The rows of a run, pale, and the same freed from noise.
+void add_run(Figure& figure, const Chart& chart, const RunRecord& run, std::size_t number, const PlotUnit& x_unit, const PlotUnit& y_unit)
+{
+  const PipePath path = pipe_path(run.history, run.stages);
+  const std::vector<Real>&x = path.*chart.x, y = chart.y(path);
+  const TravelCurve curve(x, y);
+  if (curve.empty()) return;
+  const TravelCurve smooth = curve.smoothed(averaging_half(run.scale));
+  if (run.scale.noisy) figure.curves.push_back({"", curve_style(number, 0, 0.4), scaled(x, x_unit.per_si), scaled(y, y_unit.per_si)});
+  figure.curves.push_back(
+      {run.name, curve_style(number, number), scaled(smooth.travel(), x_unit.per_si), scaled(smooth.value(), y_unit.per_si)});
+}
+
+/// A figure of all runs over one another, with what the paper states; false where no run has the curve.
+bool draw_chart(const std::vector<RunRecord>& runs, const Chart& chart, const fs::path& folder)
+{
+  const auto has_path = [](const RunRecord& run) { return run.has_pipe() && run.history.rows() > 0; };
+  Real most = 0, longest = 0;
+  for (const RunRecord& run : runs) {
+    if (!has_path(run)) continue;
+    const PipePath path = pipe_path(run.history, run.stages);
+    most = std::max(most, largest(chart.y(path)));
+    longest = std::max(longest, largest(path.*chart.x));
+  }
+  if (most == 0) return false;
+  const PlotUnit x_unit = length_unit(longest), y_unit = chart.unit(most);
+  Figure figure{chart.title, label_with(chart.x_label, x_unit), label_with(chart.y_label, y_unit), {}, from_zero, width, height};
+  for (std::size_t k = 0; k < runs.size(); ++k)
+    if (has_path(runs[k])) add_run(figure, chart, runs[k], k, x_unit, y_unit);
+  for (const PaperPoint& point : paper_points(runs)) {
+    if (std::string(point.chart) != chart.name) continue;
+    const std::vector<Real> x = point.x ? std::vector<Real>{*point.x} : std::vector<Real>{0, longest};
+    figure.curves.push_back({point.label, point.x ? "points pt 7 ps 1.4 lc rgb '#000000'" : "lines dt 3 lw 1.5 lc rgb '#000000'",
+                             scaled(x, x_unit.per_si), std::vector<Real>(x.size(), point.y * y_unit.per_si)});
+  }
+  return draw_both(folder, chart.name, figure);
+}
+
+/// Columns of a run's history over time, those that it has.
+struct TimeChart {
+  const char *name, *title, *y_label;
+  std::vector<std::pair<const char*, const char*>> columns;  ///< of the history, and their words
+  Real per_si;
+  const char* more;
+};
+const TimeChart time_charts[] = {
+    {"energies",
+     "Energies",
+     "energy since the start (J/m)",
+     {{"kinetic_J_m", "kinetic"},
+      {"internal_J_m", "internal"},
+      {"damping_J_m", "damping"},
+      {"friction_J_m", "friction"},
+      {"external_J_m", "external work"},
+      {"energy_error_J_m", "error"}},
+     1,
+     "set key below\n"},
+    {"contact", "Contact", "distance (mm)", {{"gap_m", "gap"}, {"overlap_m", "deepest overlap"}}, 1000, from_zero}};
+
+bool draw_time_chart(const RunRecord& run, const TimeChart& chart, const fs::path& folder)
+{
+  if (run.history.rows() < 2) return false;
+  Figure figure{fmt::format("{}: {}", run.name, chart.title), "time (s)", chart.y_label, {}, chart.more, width, height};
+  for (const auto& [column, words] : chart.columns) {
+    const std::size_t number = figure.curves.size();
+    if (run.history.has(column) && largest(run.history[column]) > 0)
+      figure.curves.push_back({words, curve_style(number, number), run.history["time_s"], scaled(run.history[column], chart.per_si)});
+  }
+  return !figure.curves.empty() && draw_both(folder, fmt::format("{}_{}", file_name_of(run.name), chart.name), figure);
+}
+
+}  // namespace
+
+std::vector<std::string> draw_curves(const std::vector<RunRecord>& runs, const fs::path& folder)
+{
+  std::vector<std::string> names;
+  for (const Chart& chart : charts)
+    if (draw_chart(runs, chart, folder)) names.emplace_back(chart.name);
+  for (const RunRecord& run : runs)
+    for (const TimeChart& chart : time_charts)
+      if (draw_time_chart(run, chart, folder)) names.push_back(fmt::format("{}_{}", file_name_of(run.name), chart.name));
+  return names;
+}
+
+}  // namespace berm

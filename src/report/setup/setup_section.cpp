@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "text/tex_math.hpp"
+#include "report/setup/setup_tables.hpp"
+#include "report/setup/drawing.hpp"
+#include "text/html.hpp"
+#include "report/setup/parameter_table.hpp"
+#include "report/setup/setup_section.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm {
+namespace {
+
+constexpr std::size_t most_open_drawings = 2;  // more than these are folded away
+
+/// Runs that look the same.
+struct Alike {
+  std::string look;  ///< their drawing without a title
+  const RunRecord* first;
+  std::vector<std::string> names;
+};
+
+std::vector<Alike> alike(const std::vector<RunRecord>& runs)
+{
+  std::vector<Alike> groups;
+  for (const RunRecord& run : runs) {
+    const std::string look = draw_case(run.settings, "").svgs;
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const Alike& group) { return group.look == look; });
+    if (same == groups.end())
+      groups.push_back({look, &run, {run.name}});
+    else
+      same->names.push_back(run.name);
+  }
+  return groups;
+}
+
+std::string figure_of(const Alike& group)
+{
+  const std::string names = fmt::format("{}", fmt::join(group.names, ", "));
+  const Drawing drawing = draw_case(group.first->settings, "Drawing to scale: " + names);
+  std::string words = fmt::format("<strong>{}</strong>, to scale.", html_text(names));
+  for (const std::string& note : drawing.notes) words += fmt::format(" {}", html_text(note));
+  return fmt::format("<figure>\n<div class=\"drawing\">\n{}</div>\n<figcaption>{}</figcaption>\n</figure>\n", drawing.svgs, words);
+}
+
+std::string drawings_of(const std::vector<RunRecord>& runs)
+{
+  std::string open, folded;
+  const std::vector<Alike> groups = alike(runs);
+  for (std::size_t k = 0; k < groups.size(); ++k) (k < most_open_drawings ? open : folded) += figure_of(groups[k]);
+  const auto side_by_side = [](const std::string& figures) { return fmt::format("<div class=\"drawings\">\n{}</div>\n", figures); };
+  if (folded.empty()) return side_by_side(open);
+  return side_by_side(open) + fmt::format("<details><summary>Drawings of {} more</summary>\n{}</details>\n",
+                                          groups.size() - most_open_drawings, side_by_side(folded));
+}
+
+}  // namespace
+
+std::string setup_section(const std::vector<RunRecord>& runs)
+{
+  std::string content = drawings_of(runs);
+  content += compact_table(runs).html();
+  content += fmt::format("<details><summary>All parameters</summary>\n{}</details>\n", parameter_columns(runs).html());
+  content += computation_table(runs).html();
+  return html_section("asked", "What was asked", content);
+}
+
+}  // namespace berm

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/setup/sketch.hpp"
+
+#include "bodies/rigid.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm {
+namespace {
+
+Vec<2> in_plane(const std::vector<Real>& entries)
+{
+  return entries.size() < 2 ? Vec<2>(0, 0) : Vec<2>(entries[0], entries[1]);
+}
+
+CornersOutline rectangle(const Vec<2>& center, const Vec<2>& size, Real angle)
+{
+  CornersOutline outline;
+  for (const auto& [x, y] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
+    outline.corners.emplace_back(center + turn<2>(angle) * Vec<2>(x * size[0], y * size[1]));
+  return outline;
+}
+
+Outline outline_of(const CircleSettings& circle)
+{
+  return DiskOutline{in_plane(circle.center), circle.diameter / 2};
+}
+Outline outline_of(const HalfPlaneSettings& plane)
+{
+  return PlaneOutline{in_plane(plane.point), in_plane(plane.normal).normalized()};
+}
+Outline outline_of(const BoxSettings& box)
+{
+  return rectangle(in_plane(box.center), in_plane(box.size), box.angle);
+}
+Outline outline_of(const PolygonSettings& polygon)
+{
+  CornersOutline outline;
+  for (std::size_t k = 0; k < polygon.x.size(); ++k) outline.corners.emplace_back(polygon.x[k], polygon.y[k]);
+  return outline;
+}
+
+Vec<2> middle_of(const Outline& outline)
+{
+  const Extent extent = extent_of(outline);
+  return 0.5 * (extent.lower + extent.upper);
+}
+
+bool fills(const Case& c, const std::string& region)
+{
+  return std::any_of(c.body.begin(), c.body.end(), [&](const auto& body) {
+    const std::vector<std::string>& regions = body.second.regions;
+    return std::find(regions.begin(), regions.end(), region) != regions.end();
+  });
+}
+
+void add_mesh(Sketch& sketch, const Case& c, const SeabedMesh& bed)
+{
+  const SeabedLayout at = layout_of(bed);
+  sketch.domain = {Vec<2>(at.left, -bed.depth), Vec<2>(at.right, bed.headroom)};
+  sketch.domain_known = true;
+  sketch.fine = Extent{Vec<2>(bed.near_left, -bed.near_depth), Vec<2>(bed.near_right, bed.near_height)};
+  sketch.surface = c.surface;
+  const Extent near{sketch.fine->lower, Vec<2>(bed.near_right, 0)};
+  const Extent soil{Vec<2>(at.left + bed.layer, -bed.depth + bed.layer), Vec<2>(at.right - bed.layer, 0)};
+  if (fills(c, "headroom")) sketch.filled.push_back({{Vec<2>(at.left, 0), sketch.domain.upper}, {}});
+  if (bed.layer > 0 && fills(c, "layer")) sketch.filled.push_back({{sketch.domain.lower, Vec<2>(at.right, 0)}, soil});
+  if (fills(c, "bed")) sketch.filled.push_back({soil, near});
+  if (fills(c, "near")) sketch.filled.push_back({near, {}});
+}
+
+void add_mesh(Sketch& sketch, const Case& c, const BoxMesh& box)
+{
+  sketch.domain.lower = in_plane(box.lower);
+  sketch.domain.upper = sketch.domain.lower + in_plane(box.size);
+  sketch.domain_known = true;
+  if (fills(c, "box")) sketch.filled.push_back({sketch.domain, {}});
+}
+
+void add_mesh(Sketch& sketch, const Case& c, const GmshFile& mesh)
+{
+  sketch.notes.push_back(fmt::format("The mesh comes from {}: its outline is not drawn.", mesh.file));
+  for (const auto& [name, support] : c.support)
+    sketch.notes.push_back(fmt::format("Held at its boundary \"{}\": {}.", support.boundary, fmt::join(support.fixed, ", ")));
+}
+
+void add_bodies(Sketch& sketch, const Case& c)
+{
+  for (const auto& [name, body] : c.body) {
+    if (body.block) sketch.bodies.push_back({name, rectangle(in_plane(body.block->center), in_plane(body.block->size), body.block->angle)});
+    if (body.disk) sketch.bodies.push_back({name, DiskOutline{in_plane(body.disk->center), body.disk->diameter / 2}});
+    if (!body.regions.empty()) sketch.filled_by += (sketch.filled_by.empty() ? "" : ", ") + name;
+    if (body.k0) sketch.surface = c.surface;
+    if (body.regions.empty()) {
+      Vec<2> velocity = Vec<2>::Zero();
+      for (const InitialVelocity& part : body.initial_velocity)
+        if (part.wave_number.empty()) velocity += in_plane(part.amplitude);
+      if (velocity.norm() > 0) sketch.flights.push_back({name, middle_of(sketch.bodies.back().outline), velocity});
+    }
+  }
+  for (const auto& [name, rigid] : c.rigid) {
+    const Outline outline = std::visit([](const auto& shape) { return outline_of(shape); }, rigid.shape);
+    const auto* plane = std::get_if<PlaneOutline>(&outline);
+    if (plane != nullptr && !(plane->normal.norm() > 0.5))
+      sketch.notes.push_back(fmt::format("The rigid half-plane \"{}\" is parallel to the plane of the drawing.", name));
+    sketch.rigids.push_back({name, outline});
+  }
+}
+
+void take_domain_from_bodies(Sketch& sketch)
+{
+  std::optional<Extent> all;
+  for (const std::vector<NamedOutline>* list : {&sketch.bodies, &sketch.rigids})
+    for (const NamedOutline& body : *list) all = all ? around(*all, extent_of(body.outline)) : extent_of(body.outline);
+  sketch.domain = all.value_or(Extent{Vec<2>::Zero(), Vec<2>::Zero()});
+  const Real size = sketch.domain.size().maxCoeff();
+  const Real rim = size > 0 ? 0.25 * size : 1;
+  sketch.domain.lower -= Vec<2>(rim, rim);
+  sketch.domain.upper += Vec<2>(rim, rim);
+}
+
+void add_supports(Sketch& sketch, const Case& c)
+{
+  if (!sketch.domain_known) return;
+  const Vec<2>&low = sketch.domain.lower, &high = sketch.domain.upper;
+  const std::vector<std::pair<std::vector<std::string>, HeldEdge>> edges = {
+      {{"left"}, {low, Vec<2>(low[0], high[1]), Vec<2>(-1, 0), false, ""}},
+      {{"right"}, {Vec<2>(high[0], low[1]), high, Vec<2>(1, 0), false, ""}},
+      {{"base", "bottom"}, {low, Vec<2>(high[0], low[1]), Vec<2>(0, -1), false, ""}},
+      {{"top"}, {Vec<2>(low[0], high[1]), high, Vec<2>(0, 1), false, ""}}};
+  for (const auto& [names, edge] : edges) {
+    int held = 0;
+    for (const auto& [name, support] : c.support)
+      if (std::find(names.begin(), names.end(), support.boundary) != names.end()) held |= held_directions(support);
+    if (held == 0) continue;
+    std::vector<char> directions;
+    for (int d = 0; d < 3; ++d)
+      if ((held >> d & 1) != 0) directions.push_back(static_cast<char>('x' + d));
+    HeldEdge copy = edge;
+    copy.wholly = (held & 3) == 3;
+    copy.words = fmt::format("{} held", fmt::join(directions, ", "));
+    sketch.held.push_back(copy);
+  }
+  for (const auto& [name, support] : c.support)
+    if (support.boundary == "back" || support.boundary == "front")
+      sketch.notes.push_back(
+          fmt::format("Held at the boundary \"{}\", parallel to the drawing: {}.", support.boundary, fmt::join(support.fixed, ", ")));
+}
+
+/// How far a drive goes in its time: it grows evenly from nothing within the ramp.
+std::optional<Real> travel_in_time(const StageSettings& stage)
+{
+  if (!stage.velocity || !stage.until.time) return {};
+  return std::abs(*stage.velocity) * std::max(0., *stage.until.time - stage.ramp / 2);
+}
+
+void add_path(Sketch& sketch, const Case& c)
+{
+  std::vector<Vec<2>> centers;
+  for (const NamedOutline& rigid : sketch.rigids) centers.push_back(middle_of(rigid.outline));
+  for (int k = 0; k < static_cast<int>(c.stage.size()); ++k) {
+    const StageSettings& stage = c.stage[k];
+    const bool push = stage.kind == StageKind::push, drag = stage.kind == StageKind::drag;
+    if ((!push && !drag) || c.rigid.empty()) continue;
+    const int rigid = static_cast<int>(stage.rigid.empty() ? 0 : place_of(c.rigid, stage.rigid));
+    const Extent extent = extent_of(sketch.rigids[rigid].outline);
+    const Vec<2> from = centers[rigid];
+    const Real reverse = stage.velocity.value_or(stage.force.value_or(1)) < 0 ? -1 : 1;
+    const Real size = extent.size().maxCoeff(), whole = sketch.domain.size().maxCoeff();
+    const Real nominal = size > 0 ? std::min(0.3 * size, 0.12 * whole) : 0.06 * whole;
+    Vec<2> to = from;
+    bool known = true;
+    if (push && stage.until.embedment) {
+      const Real lowest = from[1] - 0.5 * extent.size()[1];
+      to[1] += c.surface - *stage.until.embedment - lowest;
+    } else {
+      const std::optional<Real> far = drag && stage.until.displacement ? stage.until.displacement : travel_in_time(stage);
+      known = far.has_value();
+      to[push ? 1 : 0] += (push ? -1 : 1) * reverse * far.value_or(nominal);
+      if (drag && stage.vertical_velocity && stage.velocity && *stage.velocity != 0)
+        to[1] -= *stage.vertical_velocity * std::abs((to[0] - from[0]) / *stage.velocity);
+    }
+    if ((to - from).norm() > 0) sketch.path.push_back({k, rigid, from, to, known});
+    if (known) centers[rigid] = to;
+  }
+}
+
+}  // namespace
+
+Extent around(const Extent& a, const Extent& b)
+{
+  return {a.lower.cwiseMin(b.lower), a.upper.cwiseMax(b.upper)};
+}
+
+Extent extent_of(const Outline& outline)
+{
+  if (const auto* disk = std::get_if<DiskOutline>(&outline)) {
+    const Vec<2> radius(disk->radius, disk->radius);
+    return {disk->center - radius, disk->center + radius};
+  }
+  if (const auto* plane = std::get_if<PlaneOutline>(&outline)) return {plane->point, plane->point};
+  const std::vector<Vec<2>>& corners = std::get<CornersOutline>(outline).corners;
+  Extent extent{corners.front(), corners.front()};
+  for (const Vec<2>& corner : corners) extent = around(extent, {corner, corner});
+  return extent;
+}
+
+std::vector<Vec<2>> part_inside(const PlaneOutline& plane, const Extent& extent)
+{
+  const std::vector<Vec<2>> corners = {extent.lower, Vec<2>(extent.upper[0], extent.lower[1]), extent.upper,
+                                       Vec<2>(extent.lower[0], extent.upper[1])};
+  const auto outside = [&](const Vec<2>& x) { return (x - plane.point).dot(plane.normal); };
+  std::vector<Vec<2>> part;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec<2>&here = corners[k], &next = corners[(k + 1) % corners.size()];
+    const Real a = outside(here), b = outside(next);
+    if (a <= 0) part.push_back(here);
+    if ((a < 0 && b > 0) || (a > 0 && b < 0)) part.emplace_back(here + a / (a - b) * (next - here));
+  }
+  return part;
+}
+
+Sketch sketch_of(const Case& settings)
+{
+  Sketch sketch;
+  std::visit([&](const auto& mesh) { add_mesh(sketch, settings, mesh); }, settings.mesh);
+  add_bodies(sketch, settings);
+  if (!sketch.domain_known) take_domain_from_bodies(sketch);
+  add_supports(sketch, settings);
+  add_path(sketch, settings);
+  sketch.gravity = in_plane(settings.gravity);
+  if (settings.dimension == 3) sketch.notes.emplace_back("The case is in space: this is its plane x-y.");
+  return sketch;
+}
+
+}  // namespace berm

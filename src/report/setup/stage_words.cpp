@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/setup/stage_words.hpp"
+
+#include "text/quantity_words.hpp"
+
+#include <array>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm {
+namespace {
+
+std::string vertical_words(const StageSettings& stage, int dimension)
+{
+  if (stage.kind != StageKind::drag) return "";
+  if (stage.vertical == Vertical::fixed) return ", w fixed";
+  if (stage.vertical_velocity) return fmt::format(", {} down", speed_words(*stage.vertical_velocity));
+  if (stage.vertical_force) return fmt::format(", V = {}", force_words(*stage.vertical_force, dimension));
+  return ", V held";
+}
+
+std::string rate_words(const StageSettings& stage, int dimension)
+{
+  return stage.velocity ? speed_words(*stage.velocity) : stage.force ? force_words(*stage.force, dimension) : "";
+}
+
+}  // namespace
+
+std::string until_words(const StageSettings& stage, int dimension, Real scale)
+{
+  const Until& until = stage.until;
+  std::vector<std::string> limits;
+  if (until.embedment) limits.push_back("w = " + length_words(scale * *until.embedment));
+  if (until.displacement) limits.push_back(length_words(scale * *until.displacement));
+  if (until.force)
+    limits.push_back(fmt::format("{} = {}", stage.kind == StageKind::drag ? "H" : "V", force_words(scale * *until.force, dimension)));
+  if (until.time) limits.push_back(time_words(*until.time));
+  return fmt::format("{}", fmt::join(limits, " or "));
+}
+
+std::string drive_words(const StageSettings& stage, int dimension)
+{
+  switch (stage.kind) {
+  case StageKind::geostatic:
+    return "the soil finds its equilibrium";
+  case StageKind::free:
+    return "time goes on";
+  case StageKind::push:
+    return rate_words(stage, dimension) + " down";
+  case StageKind::drag:
+    return rate_words(stage, dimension) + " along x" + vertical_words(stage, dimension);
+  }
+  return "";
+}
+
+std::string stage_words(const StageSettings& stage, int dimension)
+{
+  constexpr std::array kinds{"geostatic", "push", "drag", "free"};
+  const std::string kind = kinds[static_cast<std::size_t>(stage.kind)];
+  // The user's own name says more than the kind only where it is another word.
+  const std::string called = stage.name == kind ? kind : fmt::format("{} ({})", kind, stage.name);
+  const std::string rate = rate_words(stage, dimension), vertical = vertical_words(stage, dimension);
+  const bool to_a_level = stage.until.embedment.has_value();
+  return fmt::format("{}{}{}{}{}", called, rate.empty() ? "" : " " + rate, vertical, to_a_level ? " to " : ", ",
+                     until_words(stage, dimension));
+}
+
+}  // namespace berm

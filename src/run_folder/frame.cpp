@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_folder/frame.hpp"
+
+namespace berm {
+
+template <int dim>
+std::vector<FrameRigid<dim>> frame_rigids(const Model<dim>& model, const std::vector<RigidState<dim>>& rigids)
+{
+  std::vector<FrameRigid<dim>> shown;
+  for (std::size_t r = 0; r < model.rigids.size(); ++r)
+    shown.push_back({surface_of<dim>(placed<dim>(model.rigids[r], rigids[r]), model.mesh.lower, model.mesh.upper), rigids[r].velocity});
+  return shown;
+}
+
+template std::vector<FrameRigid<2>> frame_rigids(const Model<2>&, const std::vector<RigidState<2>>&);
+template std::vector<FrameRigid<3>> frame_rigids(const Model<3>&, const std::vector<RigidState<3>>&);
+
+}  // namespace berm

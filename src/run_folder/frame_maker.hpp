@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/archive.hpp"
+#include "run_folder/frame.hpp"
+
+namespace berm {
+
+/// Makes the frames of a run of the material point method.
+template <int dim>
+class FrameMaker {
+public:
+  /// Remembers where the particles of `start` are, and keeps the model, which must outlive it. The strain of frames counts from there.
+  FrameMaker(const Model<dim>& model, const State<dim>& start);
+
+  /// The next frame: its increments count from the frame made before.
+  Frame<dim> make(const State<dim>& state);
+
+  /// What the increments of the next frame count from. Where the particles were at the start is not kept: a run that goes on makes its FrameMaker at the
+  /// same start.
+  void keep(Keep& k);
+
+private:
+  /// What is remembered of a particle.
+  struct Known {
+    Vec<dim> first = Vec<dim>::Zero(), last = Vec<dim>::Zero();  ///< m, where it was at the start and at the frame before
+    Index first_cell = none;
+  };
+
+  void add_strains(const Particles<dim>& particles, std::vector<Known>& known, FrameParticle<dim>* shown) const;
+
+  const Model<dim>& model_;
+  std::vector<std::vector<Known>> known_;  ///< by body, then id
+
+public:
+  /// Bytes that are kept between frames for each particle.
+  static constexpr std::size_t bytes_a_particle = sizeof(Known);
+};
+
+}  // namespace berm

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/archive.hpp"
+#include "run_folder/frame.hpp"
+
+#include <filesystem>
+
+namespace berm {
+
+/// Writes the frames of a run for ParaView: mesh.vtu once; at each frame particles_NNNN.vtu, or soil_NNNN.vtu where there are triangles,
+/// rigid_NNNN.vtu where there are rigid bodies, and frames.pvd, which lists all frames so far. Every file is written whole. Errors are RunErrors.
+/// Fields of the particles or nodes: velocity (m/s), displacement (m), stress (Pa, tension positive, XX YY ZZ XY YZ XZ), mean_stress (Pa,
+/// tension positive), deviatoric_strain and volumetric_strain (of the displacement since the start), incremental_deviatoric_strain (of that since the
+/// frame before), accumulated_deviatoric_strain (sum of the increments of all steps, which grows where soil shakes at rest), volume (m2 or m3), body, id.
+template <int dim>
+class FrameWriter {
+public:
+  /// Makes the folder where it is missing and writes the mesh.
+  FrameWriter(const std::filesystem::path& folder, const Mesh<dim>& mesh);
+
+  /// Writes one frame, unless the last one written is of the same time. All frames of a run have triangles or none, rigid bodies or none.
+  void write(Frame<dim> frame);
+
+  /// What is needed to go on behind the frames written so far, whose names are forced to the disk. Reading refuses where one of their files is gone.
+  void keep(Keep& k);
+  /// Removes frames that are not among those written: of a run that came farther than where it goes on from.
+  void remove_others() const;
+
+  /// Of the frames written, s.
+  const std::vector<Real>& times() const { return times_; }
+  /// The last frame written.
+  const Frame<dim>& last() const { return last_; }
+
+private:
+  void write_mesh(const Mesh<dim>& mesh) const;
+  void write_soil(const std::string& name) const;
+  void write_rigids(const std::string& name) const;
+  void write_collection() const;
+  std::vector<std::string> files() const;
+  const char* soil_kind() const { return last_.triangles.empty() ? "particles" : "soil"; }
+
+  std::filesystem::path folder_;
+  std::vector<Real> times_;
+  bool with_rigids_ = false;
+  Frame<dim> last_;
+};
+
+}  // namespace berm

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_folder/history.hpp"
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+#include <unistd.h>
+
+namespace berm {
+namespace {
+
+constexpr const char* stage_column = "stage";
+
+std::string csv_number(Real value)
+{
+  return std::isnan(value) ? "nan" : fmt::format("{}", value);
+}
+
+/// Takes the next line's fields from `text` and moves `at` behind it; false where no whole line is left.
+bool next_line(const std::string& text, std::size_t& at, std::vector<std::string>& fields)
+{
+  fields.assign(1, "");
+  bool quoted = false;
+  for (std::size_t k = at; k < text.size(); ++k) {
+    const char c = text[k];
+    if (quoted && c == '"' && k + 1 < text.size() && text[k + 1] == '"') {
+      fields.back() += text[++k];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      fields.emplace_back();
+    } else if (c == '\n' && !quoted) {
+      if (!fields.back().empty() && fields.back().back() == '\r') fields.back().pop_back();
+      at = k + 1;
+      return true;
+    } else {
+      fields.back() += c;
+    }
+  }
+  return false;
+}
+
+bool read_number(const std::string& field, Real& value)
+{
+  const char* end = field.data() + field.size();
+  const auto [stop, error] = std::from_chars(field.data(), end, value);
+  return error == std::errc() && stop == end && !field.empty();
+}
+
+bool has_control_character(const std::string& text)
+{
+  return std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F; });
+}
+
+/// A field in quotes on one line, as far as it is needed to find it.
+std::string shown(const std::string& field)
+{
+  constexpr std::size_t most = 30;
+  std::string text = field.substr(0, most);
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7F; }, '?');
+  return '"' + text + (field.size() > most ? "...\"" : "\"");
+}
+
+}  // namespace
+
+std::string csv_field(const std::string& text)
+{
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+const std::vector<std::string>& common_columns()
+{
+  static const std::vector<std::string> names = {"u_m",
+                                                 "w_m",
+                                                 "H_N_m",
+                                                 "V_N_m",
+                                                 "kinetic_J_m",
+                                                 "internal_J_m",
+                                                 "damping_J_m",
+                                                 "friction_J_m",
+                                                 "external_J_m",
+                                                 "energy_error_J_m",
+                                                 "out_of_balance",
+                                                 "gap_m",
+                                                 "overlap_m",
+                                                 "second_impulse_N_m",
+                                                 "M_Nm_m",
+                                                 "angle_rad"};
+  return names;
+}
+
+HistoryFile::HistoryFile(const std::filesystem::path& path, const std::vector<std::string>& columns, BigIndex kept_bytes)
+    : path_(path),
+      columns_(columns.size())
+{
+  file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
+  if (file_ < 0) throw_errno(fmt::format("cannot write {}", path.string()));
+  std::string line = "time_s,stage";
+  for (const std::string& column : columns) line += ',' + csv_field(column);
+  try {
+    if (::lseek(file_, 0, SEEK_END) > kept_bytes && ::ftruncate(file_, kept_bytes) != 0)
+      throw_errno(fmt::format("cannot write {}", path.string()));
+    if (kept_bytes == 0) write(line + '\n');
+  } catch (...) {
+    ::close(file_);
+    throw;
+  }
+}
+
+HistoryFile::~HistoryFile()
+{
+  ::close(file_);
+}
+
+void HistoryFile::write(const std::string& line)
+{
+  const off_t before = ::lseek(file_, 0, SEEK_END);
+  if (write_all(file_, line)) return;
+  const int reason = errno;
+  // Where even this fails, half a row is left, which readers leave out.
+  if (before >= 0 && ::ftruncate(file_, before) != 0) errno = reason;
+  errno = reason;
+  throw_errno(fmt::format("cannot write {}", path_.string()));
+}
+
+void HistoryFile::add(Real time, const std::string& stage, const std::vector<Real>& values)
+{
+  if (values.size() != columns_)
+    throw RunError(fmt::format("{}: a row of {} numbers for {} columns", path_.string(), values.size(), columns_));
+  std::string line = csv_number(time) + ',' + csv_field(stage);
+  for (const Real value : values) line += ',' + csv_number(value);
+  write(line + '\n');
+}
+
+BigIndex HistoryFile::sync()
+{
+  const off_t bytes = ::lseek(file_, 0, SEEK_END);
+  if (bytes < 0 || ::fsync(file_) != 0) throw_errno(fmt::format("cannot write {}", path_.string()));
+  return bytes;
+}
+
+bool History::has(const std::string& column) const
+{
+  return std::find(columns.begin(), columns.end(), column) != columns.end();
+}
+
+const std::vector<Real>& History::operator[](const std::string& column) const
+{
+  const auto found = std::find(columns.begin(), columns.end(), column);
+  if (found == columns.end()) throw RunError(fmt::format("the history has no column {}; it has {}", column, fmt::join(columns, ", ")));
+  return values[static_cast<std::size_t>(found - columns.begin())];
+}
+
+History read_history(const std::filesystem::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw_errno(fmt::format("cannot read {}", path.string()));
+  std::ostringstream content;
+  content << file.rdbuf();
+  const std::string text = content.str();
+
+  History history;
+  std::vector<std::string> header, fields;
+  std::size_t at = 0;
+  if (!next_line(text, at, header)) throw RunError(fmt::format("{}: it has no header line", path.string()));
+  const auto stage = static_cast<std::size_t>(std::find(header.begin(), header.end(), stage_column) - header.begin());
+  if (stage == header.size()) throw RunError(fmt::format("{}: line 1: there is no column {}", path.string(), stage_column));
+  for (const std::string& column : header)
+    if (has_control_character(column)) throw RunError(fmt::format("{}: line 1: {} is no name of a column", path.string(), shown(column)));
+  for (std::size_t k = 0; k < header.size(); ++k)
+    if (k != stage) history.columns.push_back(header[k]);
+  history.values.resize(history.columns.size());
+
+  for (Index line = 2; next_line(text, at, fields); ++line) {
+    if (fields.size() != header.size())
+      throw RunError(fmt::format("{}: line {}: {} fields for {} columns", path.string(), line, fields.size(), header.size()));
+    history.stage.push_back(fields[stage]);
+    for (std::size_t k = 0, column = 0; k < fields.size(); ++k) {
+      if (k == stage) continue;
+      Real value = 0;
+      if (!read_number(fields[k], value))
+        throw RunError(fmt::format("{}: line {}: {} is not a number", path.string(), line, shown(fields[k])));
+      history.values[column++].push_back(value);
+    }
+  }
+  return history;
+}
+
+}  // namespace berm

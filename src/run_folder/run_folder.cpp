@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_folder/run_folder.hpp"
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <unistd.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+
+// All that a run writes. resolved.toml goes last: until then the folder is known as one of a run, so that an interrupted removal can be repeated.
+constexpr const char* own_files[] = {"history.csv",
+                                     "summary.json",
+                                     "run.log",
+                                     "case.toml",
+                                     "mesh.geo",
+                                     "mesh.msh",
+                                     "mesh.log",
+                                     "report.html",
+                                     "curves.png",
+                                     "soil.png",
+                                     "soil_increment.png",
+                                     "plots/curves.dat",
+                                     "plots/curves.gp",
+                                     "plots/soil.dat",
+                                     "plots/soil.gp",
+                                     "plots/soil_rigid.dat",
+                                     "plots/soil_increment.dat",
+                                     "plots/soil_increment.gp",
+                                     "plots/soil_increment_rigid.dat",
+                                     "frames",
+                                     "checkpoint",
+                                     "resolved.toml"};
+
+/// Whether anything is in the folder but what a run leaves that is ended by force as it begins: its lock, a part of its first file.
+bool holds_files(const fs::path& folder)
+{
+  return std::any_of(fs::directory_iterator(folder), fs::directory_iterator(), [](const fs::directory_entry& entry) {
+    return entry.path().filename() != FolderLock::file_name && entry.path().filename() != part_of("resolved.toml");
+  });
+}
+
+[[noreturn]] void refuse(const fs::path& path, const std::string& reason)
+{
+  throw RunError(fmt::format("cannot use {} as the run folder: {}", path.string(), reason));
+}
+
+}  // namespace
+
+RunFolder::RunFolder(const fs::path& path) : path_(path)
+{
+  try {
+    if (fs::exists(path) && !fs::is_directory(path)) refuse(path, "it is not a folder");
+    fs::create_directories(path);
+    if (::access(path.c_str(), W_OK | X_OK) != 0) throw_errno(fmt::format("cannot use {} as the run folder", path.string()));
+    const bool of_a_run = fs::exists(path / "resolved.toml");
+    if (!of_a_run && holds_files(path))
+      refuse(path, "it holds files that are not of a run (there is no resolved.toml); name another folder with -o");
+    lock_ = std::make_unique<FolderLock>(path);
+    if (of_a_run)
+      for (const char* name : own_files) fs::remove_all(path / name);
+  } catch (const fs::filesystem_error& error) {
+    refuse(path, error.code().message());
+  }
+}
+
+RunFolder RunFolder::of_earlier_run(const fs::path& path)
+{
+  std::error_code error;
+  if (!fs::exists(path / "resolved.toml", error)) refuse(path, "it is not the folder of a run (there is no resolved.toml)");
+  if (::access(path.c_str(), W_OK | X_OK) != 0) throw_errno(fmt::format("cannot use {} as the run folder", path.string()));
+  return {path, AsItIs{}};
+}
+
+fs::path RunFolder::subfolder(std::string_view name) const
+{
+  make_folder(path_ / name);
+  return path_ / name;
+}
+
+}  // namespace berm

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/folder_lock.hpp"
+
+#include <memory>
+#include <string_view>
+
+namespace berm {
+
+/// The folder that a run writes into, and nobody else while this lives. It is known as one by its resolved.toml, which is therefore the first file that a
+/// run should write.
+class RunFolder {
+public:
+  /// Makes the folder and its parents. In the folder of an earlier run all that berm wrote is removed, and nothing else.
+  /// Throws RunError where the path is not a folder, cannot be written to, is written to by another process, or holds
+  /// something and is not one of a run.
+  explicit RunFolder(const std::filesystem::path& path);
+  /// The folder of a run that goes on: nothing is removed. Throws RunError where it is not the folder of a run or cannot be written to.
+  static RunFolder of_earlier_run(const std::filesystem::path& path);
+
+  const std::filesystem::path& path() const { return path_; }
+  /// The path of a file in the folder, "history.csv" or "frames/mesh.vtu".
+  std::filesystem::path file(std::string_view name) const { return path_ / name; }
+  /// Makes a folder inside (no error where it is there) and gives its path.
+  std::filesystem::path subfolder(std::string_view name) const;
+
+private:
+  struct AsItIs {};
+  RunFolder(const std::filesystem::path& path, AsItIs) : path_(path), lock_(std::make_unique<FolderLock>(path)) {}
+
+  std::filesystem::path path_;
+  std::unique_ptr<FolderLock> lock_;
+};
+
+}  // namespace berm

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_folder/run_log.hpp"
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spdlog/pattern_formatter.h>
+#include <spdlog/sinks/ansicolor_sink.h>
+#include <spdlog/sinks/base_sink.h>
+#include <spdlog/spdlog.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace berm {
+namespace {
+
+/// "warning: " before what is not plain information.
+class LevelWord : public spdlog::custom_flag_formatter {
+public:
+  void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override
+  {
+    if (message.level == spdlog::level::info) return;
+    const auto word = spdlog::level::to_string_view(message.level);
+    out.append(word.data(), word.data() + word.size());
+    out.push_back(':');
+    out.push_back(' ');
+  }
+  std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<LevelWord>(); }
+};
+
+std::unique_ptr<spdlog::formatter> formatter(const char* pattern)
+{
+  auto result = std::make_unique<spdlog::pattern_formatter>();
+  result->add_flag<LevelWord>('*').set_pattern(pattern);
+  return result;
+}
+
+std::size_t terminal_width()
+{
+  winsize size{};
+  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+}  // namespace
+
+/// Clears the line in place before a message and shows it again behind it.
+class StderrSink : public spdlog::sinks::ansicolor_stderr_sink_mt {
+public:
+  void log(const spdlog::details::log_msg& message) override
+  {
+    const std::string line = line_;
+    rewrite("");
+    ansicolor_sink::log(message);
+    if (!line.empty()) rewrite(line);
+  }
+  void rewrite(std::string_view line)
+  {
+    if (line.empty() && line_.empty()) return;
+    line_ = line.substr(0, std::min(line.size(), terminal_width() - 1));
+    fmt::print(stderr, "\r\x1b[2K{}", line_);
+    std::fflush(stderr);
+  }
+
+private:
+  std::string line_;
+};
+
+/// Hands each message to the system whole, and remembers why it did not take one.
+class LogFileSink : public spdlog::sinks::base_sink<std::mutex> {
+public:
+  LogFileSink(const std::filesystem::path& path, bool goes_on)
+      : path_(path),
+        file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | (goes_on ? 0 : O_TRUNC), 0666))
+  {
+    if (file_ < 0) throw_errno(fmt::format("cannot write {}", path.string()));
+  }
+  ~LogFileSink() override { ::close(file_); }
+  LogFileSink(const LogFileSink&) = delete;
+  LogFileSink& operator=(const LogFileSink&) = delete;
+
+  void check()
+  {
+    const std::lock_guard lock(mutex_);
+    if (failure_ == 0 && ::fsync(file_) != 0) failure_ = errno;
+    errno = failure_;
+    if (failure_ != 0) throw_errno(fmt::format("cannot write {}", path_.string()));
+  }
+
+private:
+  void sink_it_(const spdlog::details::log_msg& message) override
+  {
+    spdlog::memory_buf_t text;
+    formatter_->format(message, text);
+    if (!write_all(file_, std::string_view(text.data(), text.size())) && failure_ == 0) failure_ = errno;
+  }
+  void flush_() override {}
+
+  std::filesystem::path path_;
+  int file_, failure_ = 0;
+};
+
+RunLog::RunLog(const std::filesystem::path& file, bool goes_on)
+    : has_terminal_(::isatty(STDERR_FILENO) == 1),
+      terminal_(std::make_shared<StderrSink>()),
+      file_(std::make_shared<LogFileSink>(file, goes_on)),
+      before_(spdlog::default_logger())
+{
+  file_->set_formatter(formatter("%Y-%m-%d %H:%M:%S %*%v"));
+  terminal_->set_formatter(formatter("%^%*%$%v"));
+  file_only_ = std::make_shared<spdlog::logger>("file", file_);
+  auto both = std::make_shared<spdlog::logger>("berm", spdlog::sinks_init_list{terminal_, file_});
+  both->flush_on(spdlog::level::info);
+  spdlog::set_default_logger(both);
+}
+
+RunLog::~RunLog()
+{
+  rewrite_line("");
+  spdlog::set_default_logger(before_);
+}
+
+void RunLog::rewrite_line(std::string_view line)
+{
+  if (has_terminal_) terminal_->rewrite(line);
+}
+
+void RunLog::check() const
+{
+  file_->check();
+}
+
+void RunLog::info_to_file(std::string_view message)
+{
+  file_only_->info("{}", message);
+}
+
+}  // namespace berm

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_folder/summary.hpp"
+
+#include "io/atomic_file.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace berm {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const RunTiming& t, const MpmCounts& counts)
+{
+  return {{"particle_steps_per_s", particle_steps_per_s(t, counts)},
+          {"wall_s", t.wall_s},
+          {"threads", t.threads},
+          {"particles", counts.particles},
+          {"cells", t.cells},
+          {"steps", t.steps},
+          {"seconds_per_step", t.wall_s / static_cast<Real>(t.steps)}};
+}
+
+Json json_of(const RunTiming& t, const FemCounts& counts)
+{
+  return {{"wall_s", t.wall_s}, {"threads", t.threads}, {"nodes", counts.nodes},
+          {"cells", t.cells},   {"steps", t.steps},     {"iterations", counts.iterations}};
+}
+
+}  // namespace
+
+Real particle_steps_per_s(const RunTiming& timing, const MpmCounts& counts)
+{
+  return static_cast<Real>(counts.particles * timing.steps) / timing.wall_s;
+}
+
+std::string Summary::json() const
+{
+  Json root;
+  root["quantities"] = Json::object();
+  for (const Quantity& q : quantities) root["quantities"][q.name] = {{"value", q.value}, {"unit", q.unit}};
+  Json& t = root["timing"];
+  t = std::visit([&](const auto& counts) { return json_of(timing, counts); }, timing.counts);
+  t["loops"] = Json::array();
+  for (const Timing& loop : timing.loops) t["loops"].push_back({{"label", loop.label}, {"seconds", loop.seconds}, {"calls", loop.calls}});
+  root["checks"] = Json::object();
+  for (const auto& [name, check] : checks) std::visit([&, &key = name](auto value) { root["checks"][key] = value; }, check);
+  root["text"] = Json::object();
+  for (const auto& [name, words] : text) root["text"][name] = words;
+  return root.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+void Summary::write(const std::filesystem::path& path) const
+{
+  write_whole(path, json());
+}
+
+}  // namespace berm

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_folder/summary_file.hpp"
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr std::uintmax_t most_bytes = 10'000'000;  // a summary has some thousands
+
+[[noreturn]] void refuse(const std::string& why)
+{
+  throw RunError("is damaged: " + why);
+}
+
+const Json& member(const Json& json, const char* name)
+{
+  const auto found = json.find(name);
+  if (found == json.end()) refuse(fmt::format("it has no \"{}\"", name));
+  return *found;
+}
+
+const Json& table(const Json& json, const char* name)
+{
+  const Json& found = member(json, name);
+  if (!found.is_object()) refuse(fmt::format("\"{}\" is no table", name));
+  return found;
+}
+
+Real number(const Json& json, const char* where)
+{
+  if (json.is_null()) return std::numeric_limits<Real>::quiet_NaN();
+  if (json.is_boolean()) return json.get<bool>() ? 1 : 0;
+  if (!json.is_number()) refuse(fmt::format("a value in \"{}\" is no number", where));
+  return json.get<Real>();
+}
+
+std::string words(const Json& json, const char* where)
+{
+  if (!json.is_string()) refuse(fmt::format("a value in \"{}\" is no text", where));
+  return json.get<std::string>();
+}
+
+RunSummary summary_of(const Json& json)
+{
+  if (!json.is_object()) refuse("it is no table");
+  RunSummary summary;
+  for (const auto& [name, entry] : table(json, "quantities").items()) {
+    if (!entry.is_object()) refuse("a value in \"quantities\" is no table");
+    summary.quantities.push_back({name, number(member(entry, "value"), "quantities"), words(member(entry, "unit"), "quantities")});
+  }
+  for (const auto& [name, entry] : table(json, "timing").items())
+    if (name != "loops") summary.timing[name] = number(entry, "timing");
+  for (const auto& [name, entry] : table(json, "checks").items()) summary.checks[name] = number(entry, "checks");
+  for (const auto& [name, entry] : table(json, "text").items()) summary.text[name] = words(entry, "text");
+  return summary;
+}
+
+Json parsed(const fs::path& file)
+{
+  try {
+    return Json::parse(read_whole(file));
+  } catch (const Json::parse_error& error) {
+    refuse(fmt::format("byte {} is not JSON", error.byte));
+  } catch (const Json::exception&) {
+    refuse("a number in it is too large");
+  }
+}
+
+}  // namespace
+
+bool RunSummary::finished() const
+{
+  const auto found = checks.find("finished");
+  return found != checks.end() && found->second == 1;
+}
+
+std::optional<RunSummary> read_summary(const fs::path& run_folder)
+{
+  const fs::path file = run_folder / "summary.json";
+  std::error_code error;
+  if (fs::status(file, error).type() == fs::file_type::not_found) return std::nullopt;
+  try {
+    const bool readable = !error && fs::is_regular_file(file, error) && ::access(file.c_str(), R_OK) == 0;
+    if (!readable) throw RunError("cannot be read");
+    if (fs::file_size(file, error) > most_bytes) refuse("it is too long");
+    return summary_of(parsed(file));
+  } catch (const RunError& found) {
+    throw RunError(fmt::format("{} {}", file.string(), found.what()));
+  }
+}
+
+}  // namespace berm

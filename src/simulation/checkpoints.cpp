@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulation/checkpoints.hpp"
+
+#include "core/timer.hpp"
+#include "io/atomic_file.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+namespace berm {
+
+namespace fs = std::filesystem;
+
+fs::path checkpoints_in(const fs::path& run_folder)
+{
+  return run_folder / "checkpoint";
+}
+
+Checkpoints::Checkpoints(const fs::path& run_folder, Real wall_time) : folder_(checkpoints_in(run_folder)), wall_time_(wall_time) {}
+
+bool Checkpoints::due() const
+{
+  return asked_ || (wall_time_ > 0 && Clock::now() - last_ >= std::chrono::duration<Real>(wall_time_));
+}
+
+void Checkpoints::write(BigIndex step, const Contents& contents)
+{
+  const Timer timer("write checkpoints");
+  try {
+    folder_.write(step, contents);
+  } catch (const RunError& error) {
+    spdlog::warn("no checkpoint of step {}: {}", step, error.what());
+  }
+  last_ = Clock::now();
+  asked_ = false;
+}
+
+bool Checkpoints::read(const Contents& contents)
+{
+  const fs::path used = folder_.read(contents, [](const fs::path& file, const std::string& why) {
+    spdlog::warn("the checkpoint {} is not used: {}", file.string(), why);
+  });
+  if (!used.empty()) spdlog::info("goes on from the checkpoint {}", used.string());
+  return !used.empty();
+}
+
+void keep_same(Keep& k, const std::string& name, const std::string& own, const std::string& why)
+{
+  std::string found = own;
+  k(name, found);
+  if (found != own) k.refuse(why);
+}
+
+template <int dim>
+void keep_same_mesh(Keep& k, const Mesh<dim>& mesh)
+{
+  const std::uint32_t of_positions = crc_of(mesh.position.data(), sizeof(Vec<dim>) * static_cast<std::size_t>(mesh.node_count()));
+  const std::uint32_t of_cells = crc_of(mesh.nodes.data(), sizeof(mesh.nodes[0]) * static_cast<std::size_t>(mesh.cell_count()));
+  const std::string own = fmt::format("{} nodes {:08x}, {} cells {:08x}", mesh.node_count(), of_positions, mesh.cell_count(), of_cells);
+  keep_same(k, "mesh", own, "it is of another mesh");
+}
+
+void keep_history(Keep& k, const fs::path& history, BigIndex& bytes)
+{
+  // -1 where the file has not as many bytes.
+  const auto crc_of_rows = [&] {
+    const std::optional<std::uint32_t> crc = bytes < 0 ? std::nullopt : crc_of(history, bytes);
+    return crc ? static_cast<BigIndex>(*crc) : -1;
+  };
+  if (!k.reads()) sync_file(history.parent_path());
+  BigIndex crc = k.reads() ? 0 : crc_of_rows();
+  k("bytes", bytes);
+  k("crc", crc);
+  if (crc < 0 || crc != crc_of_rows()) k.refuse(fmt::format("{} has not the {} bytes any more that it had then", history.string(), bytes));
+}
+
+template void keep_same_mesh(Keep&, const Mesh<2>&);
+template void keep_same_mesh(Keep&, const Mesh<3>&);
+
+}  // namespace berm

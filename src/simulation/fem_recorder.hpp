@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "fem/newton.hpp"
+#include "run_folder/history.hpp"
+
+namespace berm {
+
+/// Writes the rows of history.csv of a finite element run: the columns of the other method as far as they have a meaning, then
+/// iterations, unbalance (of the increment), overstress (part of the stress that lies beyond the strength) and strength_lag (part of what plastic
+/// flow dissipates that is missing because the strength lags behind its pressure).
+class FemRecorder {
+public:
+  FemRecorder(const std::filesystem::path& path, const FemModel& model);
+
+  void add_row(const FemModel& model, FemState& state, const IncrementEnd& end);
+
+  /// V and H of the last row, N/m.
+  Real vertical() const { return vertical_; }
+  Real horizontal() const { return horizontal_; }
+  /// The largest |energy error| of all rows over the largest work done so far.
+  Real energy_error() const { return largest_work_ > 0 ? largest_error_ / largest_work_ : 0; }
+  /// The largest unbalance and overstress of all rows in which a rigid body is driven.
+  Real largest_unbalance() const { return largest_unbalance_; }
+  Real largest_overstress() const { return largest_overstress_; }
+  /// The sum of the magnitudes of what is missing (StrengthLag) over what is dissipated, of all rows in which a rigid body is driven.
+  Real strength_lag() const { return lag_.part(); }
+
+private:
+  static std::vector<std::string> columns(const FemModel& model);
+
+  HistoryFile file_;
+  Real vertical_ = 0, horizontal_ = 0, largest_error_ = 0, largest_work_ = 0, largest_unbalance_ = 0, largest_overstress_ = 0;
+  StrengthLag lag_;
+};
+
+}  // namespace berm

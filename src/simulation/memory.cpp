@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulation/memory.hpp"
+
+#include "bodies/fill.hpp"
+#include "core/error.hpp"
+#include "mpm/grid.hpp"
+#include "run_folder/frame_maker.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+#include <malloc.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace berm {
+namespace {
+
+constexpr Real mebibyte = 1 << 20;
+
+template <int dim, class CellsOf>
+std::vector<RunSize::OfBody> least_bodies(const Case& c, const CellsOf& cells_of)
+{
+  std::vector<RunSize::OfBody> bodies;
+  for (const auto& [name, settings] : c.body) {
+    RunSize::OfBody body;
+    const Index material = place_of(c.material, settings.material);
+    if (material != none) body.state_size = state_size(c.material[material].second);
+    if (settings.block || settings.disk) {
+      body.particles = settings.block ? particles_in<dim>(*settings.block) : particles_in(*settings.disk);
+      body.blocks = body.particles / lanes;
+    }
+    for (const std::string& region : settings.regions) {
+      const Real cells = cells_of(region), in_cell = particles_per_cell<dim>(settings, region);
+      body.particles += cells * in_cell;
+      body.cells += cells;
+      body.blocks += cells * std::ceil(in_cell / lanes);
+    }
+    bodies.push_back(body);
+  }
+  return bodies;
+}
+
+/// The number in the first line of a file that begins with `key`; infinity where there is none, or "max".
+Real number_in(const std::string& path, const std::string& key = "")
+{
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);)
+    if (line.starts_with(key)) {
+      try {
+        return std::stod(line.substr(key.size()));
+      } catch (const std::exception&) {
+        return infinity;
+      }
+    }
+  return infinity;
+}
+
+/// What a control group (version 2) and those above it leave; pages of files that were read or written are given back when needed.
+Real left_in_control_group()
+{
+  const std::string root = "/sys/fs/cgroup";
+  std::ifstream list("/proc/self/cgroup");
+  std::string path;
+  for (std::string line; std::getline(list, line);)
+    if (line.starts_with("0::")) path = line.substr(3);
+  Real left = infinity;
+  while (true) {
+    const std::string folder = root + path;
+    const Real files = number_in(folder + "/memory.stat", "file ");
+    left = std::min(left, number_in(folder + "/memory.max") - number_in(folder + "/memory.current") + (files < infinity ? files : 0));
+    if (path.empty() || path == "/") break;
+    path.erase(path.rfind('/'));
+  }
+  return std::isnan(left) ? infinity : left;
+}
+
+Real page_count(int place)
+{
+  std::ifstream file("/proc/self/statm");
+  Real pages = 0;
+  for (int k = 0; k <= place; ++k) file >> pages;
+  return pages * static_cast<Real>(::sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
+template <int dim>
+RunSize least_size(const Case& c)
+{
+  RunSize size;
+  size.contacts = c.contact.size();
+  if (const auto* box = std::get_if<BoxMesh>(&c.mesh)) {
+    Real squares = 1, points = 1;
+    for (const Real cells : box->cells) squares *= cells, points *= cells + 1;
+    const bool crossed = dim == 2 && box->pattern == BoxPattern::criss_cross;
+    size.cells = squares * (dim == 3 ? 6 : crossed ? 4 : 2);
+    size.nodes = points + (crossed ? squares : 0);
+  } else if (const auto* bed = std::get_if<SeabedMesh>(&c.mesh)) {
+    constexpr Real surely = 0.5;  // what is foretold of a mesh that is not made yet may be wrong
+    size.cells = surely * expected_cells(*bed);
+    size.nodes = size.cells / 2;
+  }
+  const bool is_box = std::holds_alternative<BoxMesh>(c.mesh);
+  size.bodies = least_bodies<dim>(c, [&](const std::string&) { return is_box ? size.cells : 0; });
+  return size;
+}
+
+template <int dim>
+RunSize least_size(const Case& c, const Mesh<dim>& mesh)
+{
+  RunSize size;
+  size.contacts = c.contact.size();
+  size.cells = mesh.cell_count();
+  size.nodes = mesh.node_count();
+  size.bodies = least_bodies<dim>(c, [&](const std::string& name) {
+    return static_cast<Real>(std::count(mesh.region.begin(), mesh.region.end(), mesh.find_region(name)));
+  });
+  return size;
+}
+
+template <int dim>
+RunSize size_of(const Problem<dim>& problem)
+{
+  RunSize size;
+  size.contacts = problem.model.contacts.size();
+  size.cells = problem.model.mesh.cell_count();
+  size.nodes = problem.model.mesh.node_count();
+  for (const Particles<dim>& particles : problem.state.particles) {
+    RunSize::OfBody body{static_cast<Real>(particles.size()), static_cast<Real>(particles.occupied().size()), 0, particles.state_size()};
+    BigIndex blocks = 0;
+    for (const Index cell : particles.occupied()) blocks += (particles.count_in(cell) + lanes - 1) / lanes;
+    body.blocks = static_cast<Real>(blocks);
+    size.bodies.push_back(body);
+  }
+  return size;
+}
+
+template <int dim>
+Real memory_of(const RunSize& size)
+{
+  constexpr int corners = dim + 1;
+  const Real bodies = static_cast<Real>(size.bodies.size()), contacts = static_cast<Real>(size.contacts);
+
+  // Mesh and Model.
+  constexpr Real of_cell = sizeof(typename Mesh<dim>::Corners) + corners * sizeof(CornerEntry) + 2 * sizeof(Index);
+  const Real of_node = sizeof(Vec<dim>) + sizeof(Index) + sizeof(std::uint8_t) + bodies * sizeof(Real) + contacts * sizeof(Index);
+  // Particles by cell and BodyGrid, where the body is.
+  constexpr Real of_cell_with_soil =
+      3 * sizeof(Index) + sizeof(Moments<dim>) + corners * sizeof(CornerSums<dim>) + sizeof(Gradients<dim>) + 3 * sizeof(Real);
+  constexpr Real of_node_with_soil = sizeof(Real) + 3 * sizeof(Vec<dim>) + 2 * sizeof(std::uint8_t) + sizeof(Index);
+  const Real nodes_a_cell = size.nodes / std::max(size.cells, Real(1));
+
+  Real particles = 0, bytes = size.cells * of_cell + size.nodes * of_node;
+  for (const RunSize::OfBody& body : size.bodies) {
+    particles += body.particles;
+    bytes += body.cells * (of_cell_with_soil + nodes_a_cell * of_node_with_soil) +
+             body.blocks * static_cast<Real>(sizeof(Block<dim>) + body.state_size * sizeof(StoredLanes));
+  }
+  // What frames remember of the start, the frame before and the new one; or mesh.vtu on its way to the disk.
+  const Real frames = particles * (FrameMaker<dim>::bytes_a_particle + 2 * sizeof(FrameParticle<dim>));
+  const Real mesh_file = size.cells * ((corners + 1) * sizeof(std::int64_t) + sizeof(std::int32_t) + 1) + size.nodes * 3 * sizeof(Real);
+  return bytes + std::max(frames, mesh_file);
+}
+
+Real memory_in_use()
+{
+  return page_count(1);
+}
+
+Real memory_of_data()
+{
+  ::malloc_trim(0);
+  return page_count(1) - page_count(2);
+}
+
+Real memory_left()
+{
+  constexpr Real kibibyte = 1 << 10;
+  rlimit space{};
+  const Real of_limit =
+      ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY ? static_cast<Real>(space.rlim_cur) - page_count(0) : infinity;
+  return std::min({kibibyte * number_in("/proc/meminfo", "MemAvailable:"), left_in_control_group(), of_limit});
+}
+
+void refuse_without_memory(Real bytes, Real in_use, const std::string& what, const std::string& advice)
+{
+  const Real needed = in_use + bytes, there = memory_in_use() + memory_left();
+  if (needed > there)
+    throw RunError(fmt::format("{} need {:.0f} MiB of memory at least, and there are {:.0f} MiB; {}", what, needed / mebibyte,
+                               there / mebibyte, advice));
+}
+
+template <int dim>
+void refuse_without_memory(const RunSize& size, Real in_use)
+{
+  Real particles = 0;
+  for (const RunSize::OfBody& body : size.bodies) particles += body.particles;
+  refuse_without_memory(memory_of<dim>(size), in_use, fmt::format("{:.4g} cells and {:.4g} particles", size.cells, particles),
+                        "take larger cells or fewer particles in each");
+}
+
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template RunSize least_size<dim>(const Case&);                                                                                           \
+  template RunSize least_size(const Case&, const Mesh<dim>&);                                                                              \
+  template RunSize size_of(const Problem<dim>&);                                                                                           \
+  template Real memory_of<dim>(const RunSize&);                                                                                            \
+  template void refuse_without_memory<dim>(const RunSize&, Real);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm

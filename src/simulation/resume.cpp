@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulation/resume.hpp"
+
+#include "core/error.hpp"
+#include "input/read_case.hpp"
+#include "run_folder/summary_file.hpp"
+#include "io/atomic_file.hpp"
+#include "simulation/checkpoints.hpp"
+
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path note_in(const fs::path& run_folder)
+{
+  return checkpoints_in(run_folder) / "case_file.txt";
+}
+
+bool is_finished(const fs::path& folder)
+{
+  try {
+    const std::optional<RunSummary> summary = read_summary(folder);
+    return summary && summary->finished();
+  } catch (const RunError& error) {
+    throw RunError(
+        fmt::format("--resume: {}; it cannot be told whether the run is finished: remove that file to begin it again", error.what()));
+  }
+}
+
+}  // namespace
+
+void note_case_file(const RunFolder& folder, const fs::path& case_file)
+{
+  folder.subfolder(checkpoints_in("").string());
+  write_whole(note_in(folder.path()), fs::absolute(case_file).string());
+}
+
+std::optional<RunRequest> run_to_go_on_with(const fs::path& folder, int threads)
+{
+  for (const char* name : {"resolved.toml", "case.toml"})
+    if (std::error_code error; !fs::exists(folder / name, error))
+      throw InputError(fmt::format("--resume: {} is not the folder of a run that has begun: there is no {}", folder.string(), name));
+  // A finished run removes its checkpoints last of all.
+  if (!fs::exists(checkpoints_in(folder)) && is_finished(folder)) return std::nullopt;
+  const std::string noted = read_whole(note_in(folder));
+  return RunRequest{read_case(folder / "resolved.toml"), noted.empty() ? folder / "case.toml" : fs::path(noted), folder, threads, true};
+}
+
+}  // namespace berm

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulation/run_clock.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+namespace berm {
+
+std::vector<Timing> RunClock::loops() const
+{
+  std::vector<Timing> all = earlier_loops_;
+  for (const Timing& loop : timings()) {
+    const auto same = std::find_if(all.begin(), all.end(), [&](const Timing& t) { return t.label == loop.label; });
+    if (same == all.end()) {
+      all.push_back(loop);
+    } else {
+      same->seconds += loop.seconds;
+      same->calls += loop.calls;
+    }
+  }
+  return all;
+}
+
+void RunClock::keep(Keep& k)
+{
+  Real wall = this->wall();
+  std::string labels;
+  std::vector<Real> seconds;
+  std::vector<BigIndex> calls;
+  for (const Timing& loop : loops()) {
+    labels += loop.label + '\n';
+    seconds.push_back(loop.seconds);
+    calls.push_back(loop.calls);
+  }
+  k("wall", wall);
+  k("loops", labels);
+  k("seconds", seconds);
+  k("calls", calls);
+  if (!k.reads()) return;
+  earlier_ = wall;
+  earlier_loops_.clear();
+  std::istringstream lines(labels);
+  for (std::string label; std::getline(lines, label);) earlier_loops_.push_back({label, 0, 0});
+  if (seconds.size() != earlier_loops_.size() || calls.size() != earlier_loops_.size()) k.refuse("its table of loops is not whole");
+  for (std::size_t n = 0; n < earlier_loops_.size(); ++n) {
+    earlier_loops_[n].seconds = seconds[n];
+    earlier_loops_[n].calls = calls[n];
+  }
+}
+
+}  // namespace berm

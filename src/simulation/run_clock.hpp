@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/archive.hpp"
+#include "core/timer.hpp"
+
+namespace berm {
+
+/// The wall time of a run and the time by loop, those of earlier programs included where the run goes on. Begins, and resets the timings, when it is made.
+class RunClock {
+public:
+  RunClock() { reset_timings(); }
+
+  Real earlier() const { return earlier_; }  ///< s
+  Real wall() const { return earlier_ + std::chrono::duration<Real>(std::chrono::steady_clock::now() - start_).count(); }
+  std::vector<Timing> loops() const;
+
+  void keep(Keep& k);
+
+private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  Real earlier_ = 0;
+  std::vector<Timing> earlier_loops_;
+};
+
+}  // namespace berm

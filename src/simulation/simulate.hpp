@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "run_folder/summary.hpp"
+#include "problem/case.hpp"
+
+#include <filesystem>
+
+namespace berm {
+
+/// One case to run.
+struct RunRequest {
+  Case settings;
+  std::filesystem::path case_file;
+  std::filesystem::path folder;  ///< the run folder
+  int threads = 1;
+  bool goes_on = false;  ///< from the last checkpoint in the run folder, or from the start where there is none yet
+};
+
+/// Runs a case from its first to its last stage and writes its run folder. Nothing is written before the problem is built.
+/// Ctrl-C ends the run after the step in hand; what was computed is written all the same, with a checkpoint to go on from. Returns whether the run
+/// came to its end. Throws InputError and RunError.
+bool run_case(const RunRequest& request);
+
+/// Builds the problem and drops it. Throws InputError where the case does not fit its mesh.
+void try_to_build(const RunRequest& request);
+
+/// Builds the problem and prints what it is and what a run would take.
+void check_case(const RunRequest& request);
+
+}  // namespace berm

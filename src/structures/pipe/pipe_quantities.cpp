@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/pipe/pipe_quantities.hpp"
+
+#include "structures/pipe/travel_curve.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace berm {
+namespace {
+
+constexpr Real drag_points[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.75, 1.0};  // of D
+constexpr Real push_spacing = 0.05;                                   // of D
+constexpr Real travel_points[] = {0.0025, 0.005, 0.01, 0.02, 0.03};   // of D, from where a push began with the pipe in the bed
+constexpr Real in_the_bed = 0.02;                                     // of D: a pipe that is put on the bed sinks less by its weight
+constexpr Real reached = 1e-3;  // of D: a stage that ends at a displacement may stop this much short of it, by rounding and by a step
+
+bool contains(const std::vector<std::string>& list, const std::string& name)
+{
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+constexpr Real noise_of_V_from = 0.02, noise_of_H_from = 0.1;  // of D: the forces grow from zero before
+constexpr Real widest_spacing = 0.005;                         // of D: rows farther apart tell no noise
+
+/// The standard deviation of a force about its moving mean, over its mean, from a travel on; NaN where there are too few rows for it.
+Real noise_of(const std::vector<Real>& travel, const std::vector<Real>& force, Real from, const PipeScale& scale)
+{
+  if (!scale.noisy) return std::numeric_limits<Real>::quiet_NaN();
+  const Real D = scale.diameter;
+  const TravelCurve curve(travel, force);
+  if (curve.empty()) return std::numeric_limits<Real>::quiet_NaN();
+  const TravelCurve mean = curve.smoothed(averaging_half_width * D);
+  Real squares = 0, sum = 0;
+  int count = 0;
+  for (std::size_t k = 0; k < travel.size(); ++k) {
+    const Real off = travel[k] >= from ? force[k] - mean.at(travel[k], 0) : std::numeric_limits<Real>::quiet_NaN();
+    if (std::isnan(off)) continue;
+    squares += off * off;
+    sum += force[k];
+    ++count;
+  }
+  if (count < 2 || curve.end() - from > (count - 1) * widest_spacing * D) return std::numeric_limits<Real>::quiet_NaN();
+  return std::sqrt(squares / count) / std::abs(sum / count);
+}
+
+/// Collects quantities, each with its dimensionless twin.
+class Collector {
+public:
+  explicit Collector(const PipeScale& scale) : scale_(scale) {}
+
+  void force(const std::string& name, Real value)
+  {
+    list_.push_back({name, value, "N/m"});
+    const Real unit = scale_.unit_weight * scale_.diameter * scale_.diameter;
+    if (unit > 0) list_.push_back({name + "_over_gammaD2", value / unit, "1"});
+  }
+  void length(const std::string& name, Real value)
+  {
+    list_.push_back({name, value, "m"});
+    list_.push_back({name + "_over_D", value / scale_.diameter, "1"});
+  }
+  void ratio(const std::string& name, Real value) { list_.push_back({name, value, "1"}); }
+  void ratio_if_known(const std::string& name, Real value)
+  {
+    if (!std::isnan(value)) ratio(name, value);
+  }
+  std::vector<Quantity> list() && { return std::move(list_); }
+
+private:
+  PipeScale scale_;
+  std::vector<Quantity> list_;
+};
+
+void add_push(Collector& collector, const PipePath& path, const PipeScale& scale)
+{
+  const Real D = scale.diameter;
+  const TravelCurve V(path.w, path.V);
+  if (V.empty()) return;
+  const Real half = averaging_half(scale);
+  for (int k = 1; k * push_spacing * D <= V.end() + reached * D; ++k)
+    if (k * push_spacing * D >= V.begin())
+      collector.force(fmt::format("V_at_w_{:g}D", k * push_spacing), V.at(std::min(k * push_spacing * D, V.end()), half));
+  collector.force("V_end_of_push", V.at(V.end(), half));
+  collector.length("w_end_of_push", V.end());
+  collector.ratio_if_known("V_noise", noise_of(path.w, path.V, noise_of_V_from * D, scale));
+}
+
+/// V by the travel from the row before the push, of a pipe that is in the bed there.
+void add_travel(Collector& collector, const PipePath& path, const History& history, const PipeScale& scale)
+{
+  const TravelCurve V(path.w, path.V);
+  if (V.empty()) return;
+  const Real D = scale.diameter, begin = history["w_m"][std::max(path.push_rows.front() - 1, 0)];
+  if (!(begin >= in_the_bed * D)) return;
+  for (const Real point : travel_points)
+    if (begin + point * D <= V.end() + reached * point * D)
+      collector.force(fmt::format("V_at_travel_{:g}D", point),
+                      V.at(std::min(begin + point * D, V.end()), std::min(averaging_half(scale), point * D / 4)));
+}
+
+void add_drag(Collector& collector, const PipePath& path, std::optional<Real> held, const PipeScale& scale)
+{
+  const Real D = scale.diameter;
+  const TravelCurve H(path.drag_u, path.drag_H), V(path.drag_u, path.drag_V), w(path.drag_u, path.drag_w);
+  if (H.empty() || V.empty() || w.empty()) return;
+  const Real half = averaging_half(scale);
+  for (const Real point : drag_points) {
+    if (point * D > H.end() + reached * D) break;
+    const Real u = std::min(point * D, H.end());
+    collector.force(fmt::format("H_at_u_{:g}D", point), H.at(u, half));
+    collector.length(fmt::format("w_at_u_{:g}D", point), w.at(u, half));
+    collector.ratio(fmt::format("H_over_V_at_u_{:g}D", point), H.at(u, half) / V.at(u, half));
+  }
+  collector.ratio_if_known("H_noise", noise_of(path.drag_u, path.drag_H, noise_of_H_from * D, scale));
+  const TravelCurve smooth = H.smoothed(half);
+  const auto largest = std::max_element(smooth.value().begin(), smooth.value().end());
+  collector.force("H_max", *largest);
+  collector.length("u_at_H_max", smooth.travel()[largest - smooth.value().begin()]);
+
+  // The first row is the push's last.
+  const std::vector<Real> force(path.drag_V.begin() + 1, path.drag_V.end());
+  if (force.empty()) return;
+  const Real target = held ? *held : std::accumulate(force.begin(), force.end(), Real{0}) / static_cast<Real>(force.size());
+  Real squares = 0;
+  for (const Real f : force) squares += (f - target) * (f - target);
+  collector.ratio("V_rms_error_in_drag", std::sqrt(squares / static_cast<Real>(force.size())) / std::abs(target));
+}
+
+void add_contact(Collector& collector, const History& history, const PipeStages& stages)
+{
+  Real most = -infinity, sum = 0;
+  Index overlaps = 0, gaps = 0;
+  for (Index k = 0; k < history.rows(); ++k) {
+    if (!contains(stages.push, history.stage[k]) && !contains(stages.drag, history.stage[k])) continue;
+    if (history.has("overlap_m") && !std::isnan(history["overlap_m"][k])) most = std::max(most, history["overlap_m"][k]), ++overlaps;
+    if (history.has("gap_m") && std::isfinite(history["gap_m"][k])) sum += history["gap_m"][k], ++gaps;
+  }
+  if (overlaps > 0) collector.length("overlap_max", most);
+  if (gaps > 0) collector.length("gap_mean", sum / gaps);
+}
+
+void add_second_impulse(Collector& collector, const History& history, const PipeStages& stages)
+{
+  constexpr const char* column = "second_impulse_N_m";
+  if (!history.has(column)) return;
+  Real second = 0, V = 0;
+  for (Index k = 0; k < history.rows(); ++k) {
+    if (!contains(stages.push, history.stage[k]) || !std::isfinite(history[column][k]) || !std::isfinite(history["V_N_m"][k])) continue;
+    second += history[column][k];
+    V += history["V_N_m"][k];
+  }
+  if (V != 0) collector.ratio("second_impulse_over_V", second / std::abs(V));
+}
+
+/// Four digits that count, without an exponent in the range of engineering numbers.
+std::string four_digits(Real value)
+{
+  const Real size = std::abs(value);
+  if (!std::isfinite(value) || (size > 0 && (size < 1e-5 || size >= 1e7))) return fmt::format("{:.3e}", value);
+  const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
+  return fmt::format("{:.{}f}", value, std::max(0, 4 - before));
+}
+
+}  // namespace
+
+bool has_prototype(const PipeScale& scale)
+{
+  return scale.gravity_level > 0 && std::abs(scale.gravity_level - 1) > 0.05;
+}
+
+Real averaging_half(const PipeScale& scale)
+{
+  return scale.noisy ? averaging_half_width * scale.diameter : 0;
+}
+
+PipePath pipe_path(const History& history, const PipeStages& stages)
+{
+  const auto &u = history["u_m"], &w = history["w_m"], &H = history["H_N_m"], &V = history["V_N_m"];
+  PipePath path;
+  for (Index k = 0; k < history.rows(); ++k) {
+    if (contains(stages.push, history.stage[k])) path.w.push_back(w[k]), path.V.push_back(V[k]), path.push_rows.push_back(k);
+    if (!contains(stages.drag, history.stage[k])) continue;
+    const Index from = path.drag_u.empty() ? std::max(k - 1, 0) : k;
+    if (path.drag_u.empty()) path.u_begin = u[from];
+    for (Index row = from; row <= k; ++row) {
+      path.drag_u.push_back(std::abs(u[row] - path.u_begin));
+      path.drag_w.push_back(w[row]);
+      path.drag_H.push_back(H[row]);
+      path.drag_V.push_back(V[row]);
+      path.drag_rows.push_back(row);
+    }
+  }
+  return path;
+}
+
+std::vector<Quantity> pipe_quantities(const History& history, const PipeScale& scale, const PipeStages& stages)
+{
+  const PipePath path = pipe_path(history, stages);
+  Collector collector(scale);
+  add_push(collector, path, scale);
+  add_travel(collector, path, history, scale);
+  add_drag(collector, path, stages.held_force, scale);
+  add_second_impulse(collector, history, stages);
+  add_contact(collector, history, stages);
+  return std::move(collector).list();
+}
+
+std::string key_results_table(const std::vector<Quantity>& quantities, const PipeScale& scale)
+{
+  const auto find = [&](const std::string& name) {
+    return std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& q) { return q.name == name; });
+  };
+  const bool prototype = has_prototype(scale);
+  std::string table = fmt::format("{:<24}{:>18}{:>16}", "", "model", "dimensionless");
+  if (prototype) table += fmt::format("{:>20}", fmt::format("prototype ({:.4g} g)", scale.gravity_level));
+  table += '\n';
+  for (const Quantity& q : quantities) {
+    if (q.name.ends_with("_over_gammaD2") || q.name.ends_with("_over_D")) continue;
+    const bool force = q.unit == "N/m", length = q.unit == "m";
+    const auto twin = find(q.name + (force ? "_over_gammaD2" : "_over_D"));
+    const std::string model = force ? four_digits(q.value) + " N/m " : length ? four_digits(1000 * q.value) + " mm  " : "";
+    const std::string bare = !force && !length ? four_digits(q.value) : twin != quantities.end() ? four_digits(twin->value) : "";
+    table += fmt::format("{:<24}{:>18}{:>16}", q.name, model, bare);
+    const Real scaled = q.value * scale.gravity_level;
+    if (prototype && force) table += fmt::format("{:>20}", four_digits(scaled / 1000) + " kN/m");
+    if (prototype && length) table += fmt::format("{:>20}", four_digits(scaled) + " m   ");
+    table.erase(table.find_last_not_of(' ') + 1);
+    table += '\n';
+  }
+  if (scale.unit_weight > 0) table += "dimensionless: forces over gamma' D^2, lengths over D\n";
+  return table;
+}
+
+}  // namespace berm

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/pipe/resistance.hpp"
+
+#include "structures/pipe/run_points.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+
+std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const PipeScale& scale)
+{
+  const Real half = averaging_half(scale), stays = scale.noisy ? breakout_stays * scale.diameter : 0;
+  Resistance::Point peak{0, 0};
+  bool fallen = false;
+  for (std::size_t k = 0; k < smooth.travel().size(); ++k) {
+    const Real u = smooth.travel()[k], here = smooth.value()[k];
+    if (u < smooth.begin() + half || u > smooth.end() - half) continue;
+    if (here > peak.H) {
+      peak = {u, here};
+      fallen = false;
+      continue;
+    }
+    fallen = fallen || here <= (1 - least_fall) * peak.H;
+    if (fallen && peak.H > 0 && u >= peak.u + stays) return peak;
+  }
+  return std::nullopt;
+}
+
+void take_if_larger(std::optional<Resistance::Point>& largest, Real u, Real H)
+{
+  if (std::isfinite(H) && (!largest || H > largest->H)) largest = Resistance::Point{u, H};
+}
+
+}  // namespace
+
+Resistance resistance_to(const TravelCurve& H, const PipeScale& scale)
+{
+  Resistance resistance;
+  resistance.travel = resistance.V_at_largest = resistance.last_change = nan;
+  if (H.travel().size() < 3) return resistance;
+  resistance.travel = H.end();
+  const TravelCurve smooth = H.smoothed(averaging_half(scale));
+  for (std::size_t k = 0; k < smooth.travel().size(); ++k) take_if_larger(resistance.largest, smooth.travel()[k], smooth.value()[k]);
+  resistance.breakout = breakout_in(smooth, scale);
+  const Real travel = H.end() - H.begin();
+  const Real half = std::min(travel, std::max(residual_part * travel, least_residual_travel * scale.diameter)) / 2;
+  const Real mean = H.at(H.end() - half, half);
+  resistance.last_change = 2 * (H.at(H.end(), half) - mean) / std::abs(mean);
+  if (std::abs(resistance.last_change) < most_residual_change) resistance.residual = mean;
+  return resistance;
+}
+
+Resistance resistance_of(const RunRecord& run)
+{
+  if (!run.has_pipe()) return resistance_to({{}, {}}, run.scale);
+  const PipePath path = run.history.rows() > 0 ? pipe_path(run.history, run.stages) : PipePath{};
+  Resistance resistance = resistance_to({path.drag_u, path.drag_H}, run.scale);
+  const Quantity *H_max = run.quantity("H_max"), *u_at_H_max = run.quantity("u_at_H_max");
+  if (!resistance.largest && H_max != nullptr && u_at_H_max != nullptr) take_if_larger(resistance.largest, u_at_H_max->value, H_max->value);
+  // The points need not be among the travels at which a long curve is looked at.
+  for (const DragPoint& p : points_of(run).drag) take_if_larger(resistance.largest, p.u, p.H);
+  if (resistance.largest)
+    resistance.V_at_largest = TravelCurve(path.drag_u, path.drag_V).at(resistance.largest->u, averaging_half(run.scale));
+  return resistance;
+}
+
+std::string no_peak_words(const Resistance& resistance, const std::string& end)
+{
+  if (resistance.residual) return "no peak: H levels off";
+  return resistance.last_change > 0 ? fmt::format("no peak: H grows {}", end) : "no peak";
+}
+
+}  // namespace berm

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/pipe/run_points.hpp"
+
+#include "bodies/rigid.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <string_view>
+
+namespace berm {
+namespace {
+
+constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+constexpr Real wished_beyond = 0.01;  // of D
+
+/// The 0.1 of "V_at_w_0.1D" after "V_at_w_"; nothing where the name is another.
+std::optional<Real> part_of_D(std::string_view name, std::string_view begin)
+{
+  if (!name.starts_with(begin) || !name.ends_with("D")) return std::nullopt;
+  name.remove_prefix(begin.size());
+  name.remove_suffix(1);
+  Real part = 0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), part);
+  if (error != std::errc() || end != name.data() + name.size()) return std::nullopt;
+  return part;
+}
+
+Real value_of(const RunRecord& run, const std::string& name)
+{
+  const Quantity* q = run.quantity(name);
+  return q == nullptr ? nan : q->value;
+}
+
+/// The embedment of the main rigid body as the case places it, m; NaN where there is none.
+Real placed_w(const Case& c)
+{
+  const Index rigid = main_rigid(c);
+  if (rigid == none) return nan;
+  const RigidShapeSettings& shape = c.rigid[rigid].second.shape;
+  return c.surface - (c.dimension == 2 ? lowest_level(make_shape<2>(shape)) : lowest_level(make_shape<3>(shape)));
+}
+
+bool contains(const std::vector<std::string>& stages, const std::string& stage)
+{
+  return std::find(stages.begin(), stages.end(), stage) != stages.end();
+}
+
+bool knows_w(const History& history)
+{
+  return history.rows() > 0 && history.has("w_m");
+}
+
+/// The embedment at which the push begins: in the row before its first, as far as there is one.
+Real push_begin(const RunRecord& run, Real first_w)
+{
+  const History& h = run.history;
+  for (Index k = 0; knows_w(h) && k < h.rows(); ++k)
+    if (contains(run.stages.push, h.stage[k])) return h["w_m"][std::max(k - 1, 0)];
+  return first_w;
+}
+
+StageEnd end_of(const RunRecord& run, const char* stage, bool reached)
+{
+  if (reached) return {true, fmt::format("to the end of the {}", stage), fmt::format("end of the {}", stage)};
+  if (run.end == RunEnd::stopped) return {false, "to where it was stopped", "where it was stopped"};
+  return {false, "as far as it came", "as far as it came"};
+}
+
+}  // namespace
+
+RunPoints points_of(const RunRecord& run)
+{
+  RunPoints points;
+  const Real D = run.scale.diameter;
+  points.first_w = knows_w(run.history) ? run.history["w_m"].front() : placed_w(run.settings);
+  for (const Quantity& q : run.quantities) {
+    if (const auto part = part_of_D(q.name, "V_at_w_")) points.push.push_back({*part * D, q.value});
+    if (const auto part = part_of_D(q.name, "H_at_u_")) {
+      const std::string at = q.name.substr(1);
+      points.drag.push_back({*part * D, value_of(run, "w" + at), q.value, q.value / value_of(run, "H_over_V" + at)});
+    }
+  }
+  if (run.quantity("V_end_of_push") != nullptr) points.push_end = PushPoint{value_of(run, "w_end_of_push"), value_of(run, "V_end_of_push")};
+  const Real begin = push_begin(run, points.first_w), end = points.push_end ? points.push_end->w : nan;
+  std::erase_if(points.push,
+                [&](const PushPoint& p) { return std::abs(p.w - begin) < same_point * D || std::abs(p.w - end) < same_point * D; });
+  return points;
+}
+
+StageEnd end_of_push(const RunRecord& run)
+{
+  const bool dragged = run.quantity("H_max") != nullptr;
+  const bool last = run.history.rows() > 0 ? contains(run.stages.push, run.history.stage.back()) : !dragged;
+  return end_of(run, "push", run.end == RunEnd::finished || !last);
+}
+
+StageEnd end_of_drag(const RunRecord& run)
+{
+  const bool last = run.history.rows() == 0 || contains(run.stages.drag, run.history.stage.back());
+  return end_of(run, "drag", run.end == RunEnd::finished || !last);
+}
+
+bool is_wished_in_place(const RunRecord& run)
+{
+  return points_of(run).first_w > wished_beyond * run.scale.diameter;
+}
+
+}  // namespace berm

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "study/study.hpp"
+
+#include "core/error.hpp"
+#include "input/read_case.hpp"
+#include "run_folder/progress.hpp"
+#include "io/atomic_file.hpp"
+#include "study/study_report.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string name_of(const std::vector<std::string>& names)
+{
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// The next combination, the last axis first; false after the last one.
+bool advance(std::vector<std::size_t>& choice, const Study& study)
+{
+  for (std::size_t k = choice.size(); k-- > 0;) {
+    const std::size_t count = k == 0 ? study.cases.size() : study.axis[k - 1].value.size();
+    if (++choice[k] < count) return true;
+    choice[k] = 0;
+  }
+  return false;
+}
+
+/// The [[skip]] that leaves these out, or null.
+const StudySkip* skip_of(const Study& study, const std::vector<std::string>& names)
+{
+  const auto name_along = [&](const std::string& key) {
+    for (std::size_t k = 0; k < study.axis.size(); ++k)
+      if (study.axis[k].name == key) return names[k + 1];
+    return names[0];
+  };
+  for (const StudySkip& skip : study.skip)
+    if (std::all_of(skip.where.begin(), skip.where.end(), [&](const auto& entry) { return name_along(entry.first) == entry.second; }))
+      return &skip;
+  return nullptr;
+}
+
+Real pipe_diameter(const Case& settings)
+{
+  const Index main = main_rigid(settings);
+  if (main == none) return 0;
+  const auto* circle = std::get_if<CircleSettings>(&settings.rigid[main].second.shape);
+  return circle == nullptr ? 0 : circle->diameter;
+}
+
+Case read_row(const fs::path& file, const StudyRow& row)
+{
+  try {
+    return read_case(row.job.case_file, row.job.set);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}: {}", file.string(), name_of(row.names), error.what()));
+  }
+}
+
+/// The numbers of a row; says once for each measure why it has none.
+void take_numbers(StudyRow& row, const Study& study, std::vector<std::string>& told)
+{
+  for (const StudyMeasure& measure : study.measure) {
+    row.numbers.push_back(std::numeric_limits<Real>::quiet_NaN());
+    const bool wanted = measure.cases.empty() || std::find(measure.cases.begin(), measure.cases.end(), row.names[0]) != measure.cases.end();
+    if (row.end.kind != JobEnd::Kind::finished || !wanted) continue;
+    try {
+      row.numbers.back() = measure.scale * evaluate(measure.reading, row.job.folder);
+    } catch (const std::exception& error) {
+      if (std::find(told.begin(), told.end(), measure.name) != told.end()) continue;
+      told.push_back(measure.name);
+      spdlog::warn("{}: \"{}\" stays empty: {}", name_of(row.names), measure.name, error.what());
+    }
+  }
+}
+
+}  // namespace
+
+StudyPlan plan_study(const fs::path& file, const fs::path& output)
+{
+  StudyPlan plan{read_study(file), {}, {}};
+  const Study& study = plan.study;
+  std::vector<std::size_t> choice(1 + study.axis.size(), 0);
+  do {
+    StudyRow row;
+    row.choice = choice;
+    const StudyCase& c = study.cases[choice[0]];
+    row.names = {c.name};
+    row.job.case_file = (file.parent_path() / c.file).lexically_normal();
+    row.job.set = c.set;
+    std::string folder = as_file_name(c.name);
+    for (std::size_t k = 0; k < study.axis.size(); ++k) {
+      const StudyValue& value = study.axis[k].value[choice[k + 1]];
+      row.names.push_back(value.name);
+      row.job.set.insert(row.job.set.end(), value.set.begin(), value.set.end());
+      folder += '.';
+      folder += as_file_name(value.name);
+    }
+    row.job.folder = output / "runs" / folder;
+    if (const StudySkip* skip = skip_of(study, row.names)) {
+      plan.skipped.push_back({row.names, skip->why});
+      continue;
+    }
+    row.diameter = pipe_diameter(read_row(file, row));
+    plan.rows.push_back(row);
+  } while (advance(choice, study));
+  if (plan.rows.empty()) throw InputError(fmt::format("{}: nothing is left of the study, all combinations are skipped", file.string()));
+  return plan;
+}
+
+bool run_study(StudyPlan& plan, const fs::path& output, int at_once)
+{
+  std::vector<Job> jobs;
+  std::vector<std::size_t> row_of_job;
+  for (std::size_t k = 0; k < plan.rows.size(); ++k) {
+    plan.rows[k].end.kind = JobEnd::Kind::finished;
+    if (has_result(plan.rows[k].job)) continue;
+    jobs.push_back(plan.rows[k].job);
+    row_of_job.push_back(k);
+  }
+  if (const std::size_t there = plan.rows.size() - jobs.size(); there > 0)
+    fmt::print(stderr, "{} of {} runs have their result already and are not run again\n", there, plan.rows.size());
+  std::size_t done = 0, failed = 0, interrupted = 0;
+  run_jobs(jobs, at_once, [&](std::size_t job, const JobEnd& end) {
+    StudyRow& row = plan.rows[row_of_job[job]];
+    row.end = end;
+    if (end.kind == JobEnd::Kind::interrupted) {
+      ++interrupted;
+      return;
+    }
+    failed += end.kind == JobEnd::Kind::failed;
+    fmt::print(stderr, "{}/{} {}: {}\n", ++done, jobs.size(), name_of(row.names),
+               end.kind == JobEnd::Kind::failed ? "FAILED: " + end.reason : words_of_duration(wall_time_of(row.job.folder)));
+  });
+  std::vector<std::string> told;
+  for (StudyRow& row : plan.rows) take_numbers(row, plan.study, told);
+  write_study_report(plan, output);
+  if (failed > 0) fmt::print(stderr, "{} of {} runs failed; the table says why\n", failed, plan.rows.size());
+  if (interrupted > 0)
+    fmt::print(stderr, "interrupted: {} of {} runs are done; the same command goes on from there\n", plan.rows.size() - interrupted,
+               plan.rows.size());
+  fmt::print(stderr, "the results are {}\n", (output / "results.md").string());
+  return interrupted == 0;
+}
+
+}  // namespace berm

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "study/study_report.hpp"
+
+#include "plot/figure.hpp"
+#include "plot/gnuplot.hpp"
+#include "structures/pipe/pipe_quantities.hpp"
+#include "structures/pipe/plots.hpp"
+#include "structures/pipe/travel_curve.hpp"
+#include "io/atomic_file.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+const char* state_of(const StudyRow& row)
+{
+  constexpr const char* words[] = {"finished", "failed", "not run"};
+  return words[static_cast<int>(row.end.kind)];
+}
+
+Words headings(const Study& study)
+{
+  Words words = {"case"};
+  for (const StudyAxis& axis : study.axis) words.push_back(axis.name);
+  for (const StudyMeasure& measure : study.measure)
+    words.push_back(measure.unit.empty() ? measure.name : fmt::format("{} ({})", measure.name, measure.unit));
+  return words;
+}
+
+std::string csv(const StudyPlan& plan)
+{
+  Words words = headings(plan.study);
+  words.push_back("run");
+  std::string text;
+  const auto add_line = [&](const Words& fields) {
+    for (const std::string& field : fields) {
+      text += csv_field(field);
+      text += ',';
+    }
+    text.back() = '\n';
+  };
+  add_line(words);
+  for (const StudyRow& row : plan.rows) {
+    words = row.names;
+    for (const Real number : row.numbers) words.push_back(std::isnan(number) ? "" : fmt::format("{}", number));
+    words.push_back(row.end.reason.empty() ? state_of(row) : "failed: " + row.end.reason);
+    add_line(words);
+  }
+  return text;
+}
+
+std::string markdown_line(const Words& cells)
+{
+  std::string line = "|";
+  for (const std::string& cell : cells) {
+    line += ' ';
+    for (const char c : cell) line += c == '|' ? std::string("\\|") : std::string(1, c);
+    line += " |";
+  }
+  return line + '\n';
+}
+
+std::string file_of(const StudyFigure& figure)
+{
+  return as_file_name(figure.name);
+}
+
+std::string markdown(const StudyPlan& plan, const std::vector<std::string>& pictures)
+{
+  const Study& study = plan.study;
+  std::string text = fmt::format("# {}\n\n", study.title.empty() ? "A study" : study.title);
+  const Words head = headings(study);
+  text += markdown_line(head) + "|";
+  for (std::size_t k = 0; k < head.size(); ++k) text += k <= study.axis.size() ? "---|" : "---:|";
+  text += '\n';
+  std::string failed, skipped;
+  constexpr std::size_t most = 240;
+  for (const StudyRow& row : plan.rows) {
+    Words cells = row.names;
+    for (const Real number : row.numbers) cells.push_back(std::isnan(number) ? "" : fmt::format("{:.4g}", number));
+    if (row.end.kind != JobEnd::Kind::finished) cells[row.names.size()] = state_of(row);
+    text += markdown_line(cells);
+    if (const std::string& reason = row.end.reason; !reason.empty())
+      failed += fmt::format("- {}: {}{}\n", fmt::join(row.names, ", "), reason.substr(0, most), reason.size() > most ? " ..." : "");
+  }
+  for (const SkippedRow& row : plan.skipped) skipped += fmt::format("- {}: {}\n", fmt::join(row.names, ", "), row.why);
+  if (!failed.empty()) text += "\nFailed:\n\n" + failed;
+  if (!skipped.empty()) text += "\nLeft out:\n\n" + skipped;
+  for (const std::string& picture : pictures) text += fmt::format("\n![{0}]({0}.png)\n", picture);
+  return text + fmt::format("\nberm {}; all digits are in results.csv, each run in its folder under runs.\n", BERM_VERSION);
+}
+
+/// Numbers of the rows of some stages.
+std::vector<Real> of_stages(const History& history, const std::string& column, const std::vector<std::string>& stages)
+{
+  std::vector<Real> values;
+  for (Index k = 0; k < history.rows(); ++k)
+    if (stages.empty() || std::find(stages.begin(), stages.end(), history.stage[k]) != stages.end()) values.push_back(history[column][k]);
+  return values;
+}
+
+/// y freed from noise over x +- half. A travel that goes down is followed as one that goes up.
+void smooth(FigureCurve& curve, Real half)
+{
+  if (!(half > 0) || curve.x.size() < 2) return;
+  const Real direction = curve.x.back() < curve.x.front() ? -1 : 1;
+  std::vector<Real> travel = curve.x;
+  for (Real& x : travel) x *= direction;
+  const TravelCurve line(travel, curve.y);
+  curve.x.clear();
+  curve.y.clear();
+  for (const Real s : line.travel()) {
+    curve.x.push_back(direction * s);
+    curve.y.push_back(line.at(s, half));
+  }
+}
+
+/// Styles of the curves of these rows: colours tell the values of what varies most, dashes all others; with too many for that each gets its own.
+std::vector<std::string> styles_of(const std::vector<const StudyRow*>& rows)
+{
+  std::vector<std::vector<std::size_t>> values(rows.empty() ? 0 : rows[0]->choice.size());  // that occur, by axis
+  for (const StudyRow* row : rows)
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (std::find(values[k].begin(), values[k].end(), row->choice[k]) == values[k].end()) values[k].push_back(row->choice[k]);
+  std::size_t colored = 0, dashes = 1;
+  for (std::size_t k = 0; k < values.size(); ++k)
+    if (values[k].size() > values[colored].size()) colored = k;
+  for (std::size_t k = 0; k < values.size(); ++k) dashes *= k == colored ? 1 : values[k].size();
+  std::vector<std::string> styles;
+  for (const StudyRow* row : rows) {
+    const auto place = [&](std::size_t k) {
+      return static_cast<std::size_t>(std::find(values[k].begin(), values[k].end(), row->choice[k]) - values[k].begin());
+    };
+    std::size_t dash = 0;
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (k != colored) dash = dash * values[k].size() + place(k);
+    const bool fits = dashes <= curve_dashes && values[colored].size() <= curve_colors;
+    const std::size_t own = styles.size();
+    styles.push_back(fits ? curve_style(place(colored), dash) : curve_style(own % curve_colors, own / curve_colors));
+  }
+  return styles;
+}
+
+std::string curve_name(const StudyPlan& plan, const StudyRow& row, bool one_case)
+{
+  const bool names_case = !one_case && plan.study.cases.size() > 1;
+  const Words names(row.names.begin() + (names_case || row.names.size() == 1 ? 0 : 1), row.names.end());
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// What scales a column for the plot, and its unit.
+PlotUnit unit_for(const std::string& unit, const std::vector<FigureCurve>& curves, std::vector<Real> FigureCurve::*values)
+{
+  Real most = 0;
+  for (const FigureCurve& curve : curves)
+    for (const Real value : curve.*values) most = std::isfinite(value) ? std::max(most, std::abs(value)) : most;
+  if (unit == "m") return length_unit(most);
+  if (unit == "N/m") return force_unit(most);
+  return {1, ""};
+}
+
+bool draw_study_figure(const StudyPlan& plan, const StudyFigure& wanted, const fs::path& output)
+{
+  Figure figure;
+  figure.title = wanted.case_name.empty() ? wanted.name : fmt::format("{}: {}", wanted.case_name, wanted.name);
+  const bool one_case = !wanted.case_name.empty();
+  const auto [x_name, x_unit] = name_and_unit(wanted.x);
+  const auto [y_name, y_unit] = name_and_unit(wanted.y);
+  std::vector<const StudyRow*> rows;
+  for (const StudyRow& row : plan.rows)
+    if (row.end.kind == JobEnd::Kind::finished && (!one_case || row.names[0] == wanted.case_name)) rows.push_back(&row);
+  const std::vector<std::string> styles = styles_of(rows);
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const StudyRow& row = *rows[k];
+    const History history = read_history(row.job.folder / "history.csv");
+    if (!history.has(wanted.x) || !history.has(wanted.y)) {
+      spdlog::warn("{}: figure \"{}\": the history has not both of {} and {}", fmt::join(row.names, ", "), wanted.name, wanted.x, wanted.y);
+      continue;
+    }
+    FigureCurve curve{curve_name(plan, row, one_case), styles[k], of_stages(history, wanted.x, wanted.stage),
+                      of_stages(history, wanted.y, wanted.stage)};
+    smooth(curve, wanted.smooth ? *wanted.smooth : x_unit == "m" ? averaging_half_width * row.diameter : 0);
+    figure.curves.push_back(curve);
+  }
+  const PlotUnit x = unit_for(x_unit, figure.curves, &FigureCurve::x), y = unit_for(y_unit, figure.curves, &FigureCurve::y);
+  for (FigureCurve& curve : figure.curves) {
+    for (Real& value : curve.x) value *= x.per_si;
+    for (Real& value : curve.y) value *= y.per_si;
+  }
+  const auto label = [](const std::string& name, const std::string& unit, const PlotUnit& shown) {
+    const std::string words = *shown.name != '\0' ? shown.name : unit == "1" ? "" : unit;
+    return words.empty() ? name : fmt::format("{} ({})", name, words);
+  };
+  figure.x_label = label(x_name, x_unit, x);
+  figure.y_label = label(y_name, y_unit, y);
+  figure.height = std::clamp(static_cast<int>(figure.curves.size()) * 26 + 120, 560, 1400);
+  figure.width = 1150;
+  return draw_figure(output, file_of(wanted), figure);
+}
+
+}  // namespace
+
+void write_study_report(const StudyPlan& plan, const fs::path& output)
+{
+  make_folder(output);
+  write_whole(output / "results.csv", csv(plan));
+  std::vector<std::string> pictures;
+  for (const StudyFigure& figure : plan.study.figure)
+    if (draw_study_figure(plan, figure, output)) pictures.push_back(file_of(figure));
+  write_whole(output / "results.md", markdown(plan, pictures));
+}
+
+}  // namespace berm

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "study/study_settings.hpp"
+
+#include "input/reader.hpp"
+#include "input/message_text.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+constexpr const char* case_key = "case";
+constexpr const char* why_key = "why";
+
+template <class Item>
+std::vector<std::string> names_of(const std::vector<Item>& items)
+{
+  std::vector<std::string> names;
+  for (const Item& item : items) names.push_back(item.name);
+  return names;
+}
+
+bool contains(const std::vector<std::string>& list, const std::string& word)
+{
+  return std::find(list.begin(), list.end(), word) != list.end();
+}
+
+/// Names in one list differ, also as names of files.
+template <class Item>
+void check_names(Describe& d, const std::string& path, const std::vector<Item>& items)
+{
+  std::vector<std::string> before;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    const std::string name = as_file_name(items[k].name);
+    d.check(!contains(before, name), fmt::format("{}[{}].name", path, k), "is the name, or as a file the name, of another before it");
+    before.push_back(name);
+  }
+}
+
+/// The keys of a [[skip]] are names of axes. They are taken out of the document before the others are read.
+std::vector<std::vector<Node>> take_conditions(Document& document)
+{
+  std::vector<std::vector<Node>> conditions;
+  Node* skips = member(document.root, "skip");
+  if (skips == nullptr || skips->kind != Node::Kind::array) return conditions;
+  for (Node& skip : skips->items) {
+    std::vector<Node>& taken = conditions.emplace_back();
+    for (const Node& item : skip.items)
+      if (item.key != why_key) taken.push_back(item);
+    std::erase_if(skip.items, [](const Node& item) { return item.key != why_key; });
+  }
+  return conditions;
+}
+
+/// One key of a [[skip]] and its text.
+std::pair<std::string, std::string> condition_of(const Document& document, const Node& node, const Study& study)
+{
+  std::vector<std::string> keys = names_of(study.axis), values = names_of(study.cases);
+  keys.insert(keys.begin(), case_key);
+  const std::string path = "skip." + node.key;
+  const auto axis = std::find(keys.begin(), keys.end(), node.key);
+  if (axis == keys.end()) refuse(document, node, path, "is no axis" + suggestion(node.key, keys));
+  if (axis != keys.begin()) values = names_of(study.axis[static_cast<std::size_t>(axis - keys.begin()) - 1].value);
+  if (node.kind != Node::Kind::text) refuse(document, node, path, fmt::format("must be a name in quotes, not {}", kind_of(node)));
+  if (!contains(values, node.text))
+    refuse(document, node, path, in_quotes(node.text) + " is none of its names" + suggestion(node.text, values));
+  return {node.key, node.text};
+}
+
+}  // namespace
+
+void describe(Describe& d, StudyCase& c)
+{
+  d.value("name", c.name, {.meaning = "name of the case in the table", .required = true});
+  d.value("file", c.file, {.meaning = "case file, seen from the study's folder", .required = true});
+  d.value("set", c.set, {.meaning = "parameters changed in this case, each KEY=VALUE as for --set"});
+}
+
+void describe(Describe& d, StudyValue& value)
+{
+  d.value("name", value.name, {.meaning = "name of the value in the table", .required = true});
+  d.value("set", value.set, {.meaning = "parameters changed for this value, each KEY=VALUE as for --set; * stands for every name"});
+}
+
+void describe(Describe& d, StudyAxis& axis)
+{
+  d.value("name", axis.name, {.meaning = "what is varied", .required = true});
+  d.array("value", axis.value, {.meaning = "the values along the axis", .required = true});
+}
+
+void describe(Describe& d, StudySkip& skip)
+{
+  d.value(why_key, skip.why, {.meaning = "why these combinations are left out", .required = true});
+}
+
+void describe(Describe& d, StudyMeasure& measure)
+{
+  d.value("name", measure.name, {.meaning = "heading of the column", .required = true});
+  describe(d, measure.reading);
+  d.value("unit", measure.unit, {.meaning = "unit that is shown; absent: the SI unit that the name tells"});
+  d.value("scale", measure.scale, {.meaning = "shown number over the number in SI units"});
+  d.value("cases", measure.cases, {.meaning = "only for these cases; absent = all"});
+}
+
+void describe(Describe& d, StudyFigure& figure)
+{
+  d.value("name", figure.name, {.meaning = "name of the figure and its file", .required = true});
+  d.value("x", figure.x, {.meaning = "column of history.csv along the horizontal axis", .required = true});
+  d.value("y", figure.y, {.meaning = "column of history.csv along the vertical axis", .required = true});
+  d.value("stage", figure.stage, {.meaning = "rows of these stages only; absent = all"});
+  d.value(case_key, figure.case_name, {.meaning = "curves of this case only; absent = all"});
+  const std::string unit = unit_of(figure.x);
+  d.value("smooth", figure.smooth,
+          {.meaning = "y is averaged over x +- this; absent: 0.01 of the pipe's diameter", .unit = unit.c_str(), .range = not_negative});
+}
+
+void describe(Describe& d, Study& study)
+{
+  d.value("title", study.title, {.meaning = "title of the table"});
+  d.array(case_key, study.cases, {.meaning = "cases to run", .required = true});
+  d.array("axis", study.axis, {.meaning = "what is varied"});
+  d.array("skip", study.skip, {.meaning = "combinations that are left out"});
+  d.array("measure", study.measure, {.meaning = "columns of the table", .required = true});
+  d.array("figure", study.figure, {.meaning = "figures of history curves"});
+  const std::vector<std::string> cases = names_of(study.cases);
+  check_names(d, case_key, study.cases);
+  check_names(d, "axis", study.axis);
+  check_names(d, "figure", study.figure);
+  for (std::size_t k = 0; k < study.axis.size(); ++k) {
+    const std::string path = fmt::format("axis[{}]", k);
+    check_names(d, path + ".value", study.axis[k].value);
+    d.check(study.axis[k].name != case_key && study.axis[k].name != why_key, path + ".name", "is a word that [[skip]] needs itself");
+  }
+  for (std::size_t k = 0; k < study.measure.size(); ++k) {
+    const std::string path = fmt::format("measure[{}]", k);
+    const StudyMeasure& measure = study.measure[k];
+    check(d, path, measure.reading);
+    for (const std::string& name : measure.cases) d.check(contains(cases, name), path + ".cases", "there is no such case", cases);
+  }
+  for (std::size_t k = 0; k < study.figure.size(); ++k) {
+    const std::string& name = study.figure[k].case_name;
+    d.check(name.empty() || contains(cases, name), fmt::format("figure[{}].case", k), "there is no such case", cases);
+  }
+}
+
+Study read_study(const std::filesystem::path& file)
+{
+  Document document = parse_file(file);
+  const std::vector<std::vector<Node>> conditions = take_conditions(document);
+  Study study;
+  read(document, study);
+  for (std::size_t k = 0; k < study.skip.size(); ++k) {
+    for (const Node& node : conditions[k]) study.skip[k].where.push_back(condition_of(document, node, study));
+    if (conditions[k].empty())
+      refuse(document, member(document.root, "skip")->items[k], "skip", "names no axis and would leave out everything");
+  }
+  for (StudyMeasure& measure : study.measure)
+    if (measure.unit.empty()) measure.unit = unit_of(measure.reading);
+  return study;
+}
+
+std::string as_file_name(std::string name)
+{
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && std::string("._-=+").find(c) == std::string::npos) c = '_';
+  if (name.find_first_not_of('.') == std::string::npos) name.insert(name.begin(), '_');  // "." and ".." are other folders
+  return name;
+}
+
+}  // namespace berm

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "verification/observable.hpp"
+
+namespace berm {
+
+/// A case of a study.
+struct StudyCase {
+  std::string name, file;        ///< the file beside study.toml
+  std::vector<std::string> set;  ///< overrides KEY=VALUE
+};
+
+/// One choice along an axis.
+struct StudyValue {
+  std::string name;
+  std::vector<std::string> set;  ///< on top of the case's
+};
+
+/// What is varied: each row of the table has one value of each axis.
+struct StudyAxis {
+  std::string name;
+  std::vector<StudyValue> value;
+};
+
+/// Combinations that are left out: those that have all of these words.
+struct StudySkip {
+  std::vector<std::pair<std::string, std::string>> where;  ///< an axis, or "case", and the name of its value
+  std::string why;
+};
+
+/// A column of the table.
+struct StudyMeasure {
+  std::string name;  ///< its heading
+  Reading reading;
+  std::string unit;                ///< as it is shown, after scaling
+  Real scale = 1;                  ///< shown number over the SI number
+  std::vector<std::string> cases;  ///< only for these; empty = all
+};
+
+/// History curves of all rows over one another.
+struct StudyFigure {
+  std::string name, x, y;          ///< columns of history.csv
+  std::vector<std::string> stage;  ///< rows of these stages only; empty = all
+  std::string case_name;           ///< rows of this case only; "" = all
+  std::optional<Real>
+      smooth;  ///< half width over which y is averaged, in the unit of x; absent: 0.01 of the pipe's diameter where x is a length
+};
+
+/// study.toml: a matrix of runs, and what is to be told of them.
+struct Study {
+  std::string title;
+  std::vector<StudyCase> cases;
+  std::vector<StudyAxis> axis;
+  std::vector<StudySkip> skip;
+  std::vector<StudyMeasure> measure;
+  std::vector<StudyFigure> figure;
+};
+
+void describe(Describe& d, StudyCase& c);
+void describe(Describe& d, StudyValue& value);
+void describe(Describe& d, StudyAxis& axis);
+void describe(Describe& d, StudySkip& skip);
+void describe(Describe& d, StudyMeasure& measure);
+void describe(Describe& d, StudyFigure& figure);
+void describe(Describe& d, Study& study);
+
+/// Reads a study. Throws InputError with file, line and key.
+Study read_study(const std::filesystem::path& file);
+
+/// A name as part of a file's: everything but letters, digits and . _ - + = becomes "_", and one of dots alone gets a "_".
+std::string as_file_name(std::string name);
+
+}  // namespace berm

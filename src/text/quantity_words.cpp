@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "text/quantity_words.hpp"
+
+#include <fmt/format.h>
+#include <vector>
+
+namespace berm {
+namespace {
+
+/// A unit, and the size from which on it is used.
+struct Unit {
+  Real from, size;
+  const char* name;
+};
+
+/// The last of the units that is not too large, the first for zero. Units are in order of size.
+NamedUnit unit_of(Real value, const std::vector<Unit>& units)
+{
+  const Unit* chosen = units.data();
+  if (value != 0)
+    for (const Unit& unit : units)
+      if (std::abs(value) >= unit.from * (1 - 1e-9)) chosen = &unit;
+  return {chosen->size, chosen->name};
+}
+
+std::string in_unit(Real value, const NamedUnit& unit)
+{
+  return std::isnan(value) ? "not known" : fmt::format("{:.4g} {}", value / unit.size + 0., unit.name);
+}
+
+std::string scaled(Real value, const std::vector<Unit>& units)
+{
+  return in_unit(value, unit_of(value, units));
+}
+
+}  // namespace
+
+std::string length_words(Real metres)
+{
+  return scaled(metres, {{0, 1e-3, "mm"}, {1, 1, "m"}});
+}
+
+NamedUnit unit_of_forces(Real largest, int dimension)
+{
+  return dimension == 2 ? unit_of(largest, {{0, 1, "N/m"}, {100, 1e3, "kN/m"}, {1e7, 1e6, "MN/m"}})
+                        : unit_of(largest, {{0, 1, "N"}, {100, 1e3, "kN"}, {1e7, 1e6, "MN"}});
+}
+
+std::string force_words(Real newtons, int dimension)
+{
+  return in_unit(newtons, unit_of_forces(newtons, dimension));
+}
+
+std::string stress_words(Real pascals)
+{
+  return scaled(pascals, {{0, 1, "Pa"}, {1e3, 1e3, "kPa"}, {1e6, 1e6, "MPa"}, {1e9, 1e9, "GPa"}});
+}
+
+std::string unit_weight_words(Real newtons_per_cubic_metre)
+{
+  return scaled(newtons_per_cubic_metre, {{0, 1e3, "kN/m³"}});
+}
+
+std::string time_words(Real seconds)
+{
+  return scaled(seconds, {{0, 1e-6, "µs"}, {1e-3, 1e-3, "ms"}, {1, 1, "s"}, {60, 60, "min"}});
+}
+
+std::string speed_words(Real metres_per_second)
+{
+  return scaled(metres_per_second, {{0, 1e-3, "mm/s"}, {0.1, 1, "m/s"}});
+}
+
+std::string angle_words(Real radians)
+{
+  return std::isnan(radians) ? "not known" : fmt::format("{:.4g}°", radians * 180 / pi);
+}
+
+std::string percent_words(Real part)
+{
+  return std::isnan(part) ? "not known" : fmt::format("{:.2g} %", 100 * part);
+}
+
+std::string number_words(Real value)
+{
+  return std::isnan(value) ? "not known" : fmt::format("{:.4g}", value);
+}
+
+std::string count_words(Real value)
+{
+  if (std::isnan(value)) return "not known";
+  std::string digits = fmt::format("{:.0f}", value);
+  const std::size_t first = digits[0] == '-' ? 1 : 0;
+  for (std::size_t k = digits.size(); k > first + 3; k -= 3) digits.insert(k - 3, "\u00a0");
+  return digits;
+}
+
+}  // namespace berm

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/types.hpp"
+
+#include <string>
+
+namespace berm {
+
+/// Numbers as people read them, with four digits that count. "not known" where one is NaN.
+
+/// A length in mm below a metre, else in m: "20 mm", "1.25 m".
+std::string length_words(Real metres);
+/// A unit, and its size in SI.
+struct NamedUnit {
+  Real size;
+  const char* name;
+};
+/// The unit in which forces per metre run (in space: forces) of up to a size are told, in tables and in sentences: N/m below 100 N/m, kN/m, and MN/m from
+/// 10 MN/m on (N, kN, MN).
+NamedUnit unit_of_forces(Real largest, int dimension);
+/// A force in the unit of its size.
+std::string force_words(Real newtons, int dimension);
+/// A stress in Pa, kPa, MPa or GPa by its size.
+std::string stress_words(Real pascals);
+/// A unit weight in kN/m3.
+std::string unit_weight_words(Real newtons_per_cubic_metre);
+/// A time in us, ms, s or min by its size.
+std::string time_words(Real seconds);
+/// A speed in mm/s below a tenth of a metre a second, else in m/s.
+std::string speed_words(Real metres_per_second);
+/// An angle in degrees.
+std::string angle_words(Real radians);
+/// A part of one in per cent, with two digits that count.
+std::string percent_words(Real part);
+/// A bare number.
+std::string number_words(Real value);
+/// A whole number in groups of three digits; "not known" for NaN.
+std::string count_words(Real value);
+
+}  // namespace berm

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verification/expectation.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<std::pair<std::string, VerificationRun>>& runs)
+{
+  std::vector<std::string> names;
+  for (const auto& entry : runs) names.push_back(entry.first);
+  return names;
+}
+
+void check_runs(Describe& d, const std::string& path, const Expectation& e, const std::vector<std::string>& known)
+{
+  const auto is_known = [&](const std::string& name) { return std::find(known.begin(), known.end(), name) != known.end(); };
+  d.check(e.run.empty() != e.runs.empty(), path, "needs either a run or, for an order of convergence, runs");
+  d.check(e.run.empty() || is_known(e.run), path + ".run", "there is no such [run.NAME]", known);
+  d.check(e.over.empty() || is_known(e.over), path + ".over", "there is no such [run.NAME]", known);
+  d.check(e.over.empty() || (!e.run.empty() && e.over != e.run), path + ".over", "needs a run, and another one");
+  d.check(std::all_of(e.runs.begin(), e.runs.end(), is_known), path + ".runs", "there is no such [run.NAME]", known);
+  d.check(e.runs.empty() || e.runs.size() > 1, path + ".runs", "an order of convergence needs two runs at least");
+  std::vector<std::string> sorted = e.runs;
+  std::sort(sorted.begin(), sorted.end());
+  d.check(std::adjacent_find(sorted.begin(), sorted.end()) == sorted.end(), path + ".runs", "names a run twice");
+  d.check(e.limit.has_value() != e.runs.empty(), path + (e.limit ? ".limit" : ""), "runs and a limit go together");
+}
+
+/// What must fit together in one expectation.
+void check(Describe& d, const std::string& path, const Expectation& e)
+{
+  check(d, path, e.reading);
+  const bool bounded = e.least || e.most;
+  d.check(e.exact.has_value() != bounded, path, "needs either exact, or least and most or one of them");
+  d.check(!e.least || !e.most || *e.least <= *e.most, path + ".most", "must not be less than least");
+  const int tolerances = e.tolerance.has_value() + e.absolute_tolerance.has_value();
+  d.check(tolerances == (bounded ? 0 : 1), path, "exact needs a tolerance or an absolute_tolerance, and bounds need none");
+  d.check(!e.tolerance || e.exact != 0., path + ".tolerance", "zero needs an absolute_tolerance");
+}
+
+}  // namespace
+
+void describe(Describe& d, VerificationRun& run)
+{
+  d.value("title", run.title, {.meaning = "what the run is, in one line"});
+  d.value("case", run.case_file, {.meaning = "case file in the example's folder"});
+  d.value("set", run.set, {.meaning = "parameters changed for this run, each KEY=VALUE as for --set"});
+  d.value("fast", run.fast, {.meaning = "whether the run takes a few seconds and belongs to the tests"});
+}
+
+void describe(Describe& d, Expectation& e)
+{
+  d.value("run", e.run, {.meaning = "name of the run that is to give the number"});
+  d.value("over", e.over, {.meaning = "name of a run by whose number it is divided: the number to expect is the ratio"});
+  d.value("runs", e.runs,
+          {.meaning = "instead of run: names of runs with cells half as large each time, whose order of convergence is meant"});
+  describe(d, e.reading);
+  const std::string of_value = unit_of(e.reading), unit = unit_of(e);
+  d.value("limit", e.limit, {.meaning = "value that the runs converge to", .unit = of_value.c_str()});
+  d.value("exact", e.exact, {.meaning = "value to expect", .unit = unit.c_str()});
+  d.value("tolerance", e.tolerance, {.meaning = "largest |value / exact - 1|", .range = positive});
+  d.value("absolute_tolerance", e.absolute_tolerance, {.meaning = "largest |value - exact|", .unit = unit.c_str(), .range = positive});
+  d.value("least", e.least, {.meaning = "least value to expect, instead of exact", .unit = unit.c_str()});
+  d.value("most", e.most, {.meaning = "largest value to expect, instead of exact", .unit = unit.c_str()});
+  d.value("source", e.source, {.meaning = "where the expected value comes from", .required = true});
+  d.value("why", e.why, {.meaning = "why the tolerance or the bounds are what they are", .required = true});
+}
+
+void describe(Describe& d, Expectations& all)
+{
+  d.named_tables("run", all.run, {.meaning = "problems, each one run of berm", .required = true});
+  d.array("expect", all.expect, {.meaning = "numbers to expect", .required = true});
+  const std::vector<std::string> names = names_of(all.run);
+  std::vector<std::string> needed;
+  for (std::size_t k = 0; k < all.expect.size(); ++k) {
+    const std::string path = fmt::format("expect[{}]", k);
+    check_runs(d, path, all.expect[k], names);
+    check(d, path, all.expect[k]);
+    for (const std::string& run : runs_of(all.expect[k])) needed.push_back(run);
+  }
+  for (const std::string& name : names)
+    d.check(std::find(needed.begin(), needed.end(), name) != needed.end(), "run." + name, "no [[expect]] is about this run");
+}
+
+std::vector<std::string> runs_of(const Expectation& e)
+{
+  if (!e.runs.empty()) return e.runs;
+  return e.over.empty() ? std::vector<std::string>{e.run} : std::vector<std::string>{e.run, e.over};
+}
+
+std::string words_of(const Expectation& e)
+{
+  return (e.runs.empty() ? "" : "order of ") + words_of(e.reading) + (e.over.empty() ? "" : " over that of " + e.over);
+}
+
+std::string unit_of(const Expectation& e)
+{
+  return e.runs.empty() && e.over.empty() ? unit_of(e.reading) : "";
+}
+
+Real number_of(const Expectation& e, const std::vector<Real>& values)
+{
+  if (!e.over.empty()) return values.at(0) / values.at(1);
+  if (e.runs.empty()) return values.at(0);
+  const Real middle = (static_cast<Real>(values.size()) - 1) / 2;
+  Real product = 0, squares = 0;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const Real off = std::abs(values[k] - *e.limit), x = static_cast<Real>(k) - middle;
+    if (!(off > 0)) return std::numeric_limits<Real>::quiet_NaN();
+    product -= x * std::log2(off);
+    squares += x * x;
+  }
+  return product / squares;
+}
+
+Real error_of(const Expectation& e, Real number)
+{
+  if (e.exact) return e.tolerance ? (number - *e.exact) / std::abs(*e.exact) : number - *e.exact;
+  if (e.least && number < *e.least) return number - *e.least;
+  if (e.most && number > *e.most) return number - *e.most;
+  return std::isnan(number) ? number : 0;
+}
+
+bool is_met(const Expectation& e, Real number)
+{
+  return std::abs(error_of(e, number)) <= (e.exact ? e.tolerance ? *e.tolerance : *e.absolute_tolerance : 0);
+}
+
+}  // namespace berm

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verification/expectation_result.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+std::string percent(Real part)
+{
+  return fmt::format("{:.3g} %", 100 * part);
+}
+
+/// The unit in which the numbers of an expectation are easiest to read.
+struct ShownUnit {
+  Real per_si;
+  std::string name;
+
+  std::string number(Real value, int digits = 5) const { return fmt::format("{:.{}g}", value * per_si, digits); }
+  std::string value(Real value, int digits = 5) const { return number(value, digits) + (name.empty() ? "" : " " + name); }
+};
+
+ShownUnit shown_unit(const Expectation& e)
+{
+  const std::string unit = unit_of(e);
+  Real size = e.exact == 0. && e.absolute_tolerance ? *e.absolute_tolerance : 0;
+  for (const auto& value : {e.exact, e.least, e.most}) size = std::max(size, std::abs(value.value_or(0)));
+  if (unit == "m" && size < 1e-5) return {1e6, "um"};
+  if (unit == "m" && size < 0.1) return {1e3, "mm"};
+  if ((unit == "N/m" || unit == "Pa" || unit == "J/m") && size >= 1e3 && size < 1e6) return {1e-3, "k" + unit};
+  if ((unit == "N/m" || unit == "Pa" || unit == "J/m") && size >= 1e6) return {1e-6, "M" + unit};
+  return {1, unit};
+}
+
+std::string exact_of(const Expectation& e, const ShownUnit& unit)
+{
+  if (e.exact) return unit.value(*e.exact);
+  if (e.least && e.most) return unit.number(*e.least) + " .. " + unit.value(*e.most);
+  return e.least ? ">= " + unit.value(*e.least) : "<= " + unit.value(*e.most);
+}
+
+const ProblemResult& result_of(const std::string& run, const Example& example, const std::vector<ProblemResult>& results)
+{
+  const auto named = [&](const auto& entry) { return entry.first == run; };
+  return results.at(std::find_if(example.runs.begin(), example.runs.end(), named) - example.runs.begin());
+}
+
+/// Takes the values of the runs; false, and the verdict and reason say why, where one has none.
+bool take_values(Finding& finding, const Example& example, const Expectation& e, const std::vector<ProblemResult>& results)
+{
+  for (const std::string& run : runs_of(e)) {
+    const ProblemResult& result = result_of(run, example, results);
+    if (result.end.kind == JobEnd::Kind::interrupted) return false;
+    finding.verdict = Verdict::failed;
+    finding.reason = e.runs.empty() && e.over.empty() ? result.end.reason : fmt::format("{}: {}", run, result.end.reason);
+    if (result.end.kind == JobEnd::Kind::failed) return false;
+    try {
+      finding.values.push_back(evaluate(e.reading, result.folder));
+    } catch (const std::exception& error) {
+      finding.reason = error.what();
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+const char* word_of(Verdict verdict)
+{
+  constexpr const char* words[] = {"met", "MISSED", "FAILED", "not run"};
+  return words[static_cast<int>(verdict)];
+}
+
+Finding find_out(const Example& example, const Expectation& e, const std::vector<ProblemResult>& results)
+{
+  Finding finding;
+  finding.problem = fmt::format("{}/{}", example.name, e.runs.empty() ? e.run : e.runs.front() + " .. " + e.runs.back());
+  finding.what = words_of(e);
+  const ShownUnit unit = shown_unit(e);
+  finding.exact = exact_of(e, unit);
+  finding.tolerance = e.tolerance ? percent(*e.tolerance) : e.absolute_tolerance ? unit.value(*e.absolute_tolerance) : "";
+  if (!take_values(finding, example, e, results)) {
+    finding.values.clear();
+    return finding;
+  }
+  finding.number = number_of(e, finding.values);
+  finding.reason.clear();
+  finding.berm = unit.value(finding.number);
+  const Real error = error_of(e, finding.number);
+  const bool within_bounds = !e.exact && error == 0;
+  finding.error = within_bounds ? "" : e.tolerance ? percent(error) : unit.value(error, 3);
+  finding.verdict = is_met(e, finding.number) ? Verdict::met : Verdict::missed;
+  return finding;
+}
+
+}  // namespace berm

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verification/observable.hpp"
+
+#include "core/error.hpp"
+#include "input/message_text.hpp"
+#include "run_folder/summary_file.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace berm {
+namespace {
+
+constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
+
+/// The coefficient of t^degree in the least-squares polynomial of that degree through the rows: that of the last of the polynomials
+/// p_k = t p_(k-1) less its parts along the earlier ones, which are orthogonal over the rows.
+Real highest_coefficient(const Rows& rows, int degree)
+{
+  const std::size_t count = rows.time.size();
+  if (count <= static_cast<std::size_t>(degree)) return unknown;
+  const auto dot = [](const std::vector<Real>& a, const std::vector<Real>& b) {
+    return std::inner_product(a.begin(), a.end(), b.begin(), Real(0));
+  };
+  std::vector<std::vector<Real>> polynomials = {std::vector<Real>(count, 1)};
+  for (int k = 1; k <= degree; ++k) {
+    std::vector<Real> next = polynomials.back();
+    for (std::size_t row = 0; row < count; ++row) next[row] *= rows.time[row] - rows.time[0];
+    for (const std::vector<Real>& earlier : polynomials) {
+      const Real part = dot(next, earlier) / dot(earlier, earlier);
+      for (std::size_t row = 0; row < count; ++row) next[row] -= part * earlier[row];
+    }
+    polynomials.push_back(next);
+  }
+  return dot(rows.value, polynomials.back()) / dot(polynomials.back(), polynomials.back());
+}
+
+/// Mean distance of each crossing of the mean from the next but one: a level that is a little off moves neighbours apart, but not these.
+Real period_of(const Rows& rows)
+{
+  const Real level = std::accumulate(rows.value.begin(), rows.value.end(), Real(0)) / static_cast<Real>(rows.value.size());
+  std::vector<Real> crossings;
+  for (std::size_t k = 1; k < rows.value.size(); ++k) {
+    const Real before = rows.value[k - 1] - level, now = rows.value[k] - level;
+    if ((before < 0) != (now < 0)) crossings.push_back(rows.time[k - 1] + (rows.time[k] - rows.time[k - 1]) * before / (before - now));
+  }
+  const std::size_t n = crossings.size();
+  if (n < 3) return unknown;
+  return (crossings[n - 1] + crossings[n - 2] - crossings[1] - crossings[0]) / static_cast<Real>(n - 2);
+}
+
+}  // namespace
+
+void describe(Describe& d, Reading& reading)
+{
+  d.value("quantity", reading.quantity, {.meaning = "quantity of summary.json"});
+  d.value("column", reading.column, {.meaning = "column of history.csv, instead of a quantity"});
+  d.choice("measure", reading.measure, measure_words, {.meaning = "number that is taken from the column"});
+  d.value("from", reading.from, {.meaning = "begin of the window in time; absent = first row", .unit = "s"});
+  d.value("to", reading.to, {.meaning = "end of the window in time; absent = last row", .unit = "s"});
+}
+
+void check(Describe& d, const std::string& path, const Reading& r)
+{
+  d.check(r.quantity.empty() != r.column.empty(), path, "needs either a quantity of summary.json or a column of history.csv, and not both");
+  d.check(r.column.empty() ? !r.from && !r.to : true, path + (r.from ? ".from" : ".to"), "only a column has a window in time");
+  d.check(!r.from || !r.to || *r.from < *r.to, path + ".to", "must be later than from");
+}
+
+std::string words_of(const Reading& reading)
+{
+  if (reading.column.empty()) return reading.quantity;
+  return fmt::format("{} {}", reading.column, measure_words[static_cast<std::size_t>(reading.measure)]);
+}
+
+std::string unit_of(const std::string& name)
+{
+  const auto starts = [&](const char* text) { return name.starts_with(text); };
+  if (name.find("_over_") != std::string::npos || starts("V_rms_error") || name.ends_with("_noise")) return "";
+  if (name.ends_with("_per_s")) return "1/s";
+  if (name.ends_with("_m_s")) return "m/s";
+  if (name.ends_with("_rad_s")) return "rad/s";
+  if (name.ends_with("_rad")) return "rad";
+  if (name.ends_with("_Pa")) return "Pa";
+  if (name.ends_with("_N_s")) return "N s";
+  if (name.ends_with("_J_m")) return "J/m";
+  if (name.ends_with("_Nm_m")) return "N";
+  if (name.ends_with("_N_m") || starts("V_") || starts("H_") || starts("second_impulse")) return "N/m";
+  if (name.ends_with("_m") || starts("w_") || starts("u_") || starts("overlap") || starts("gap")) return "m";
+  if (name.ends_with("_s") || name == "seconds_per_step") return "s";
+  return "";
+}
+
+std::string unit_of(const Reading& reading)
+{
+  if (reading.column.empty()) return unit_of(reading.quantity);
+  const std::string unit = unit_of(reading.column);
+  if (reading.measure == Measure::period) return "s";
+  if (reading.measure == Measure::acceleration) return unit == "rad" ? "rad/s^2" : "m/s^2";
+  if (reading.measure == Measure::slope) return fmt::format("{}/s", unit.empty() ? "1" : unit);
+  return unit;
+}
+
+Rows rows_of(const Reading& reading, const History& history)
+{
+  if (!history.has(reading.column))
+    throw InputError(fmt::format("the history has no column {}{}", in_quotes(reading.column), suggestion(reading.column, history.columns)));
+  const std::vector<Real>&time = history["time_s"], &value = history[reading.column];
+  // The slack is for the round-off in the sum of time steps.
+  const Real slack = time.empty() ? 0 : 1e-9 * time.back();
+  Rows rows;
+  for (std::size_t k = 0; k < time.size(); ++k) {
+    if (reading.from && time[k] < *reading.from - slack) continue;
+    if (reading.to && time[k] > *reading.to + slack) continue;
+    rows.time.push_back(time[k]);
+    rows.value.push_back(value[k]);
+  }
+  return rows;
+}
+
+Real evaluate(const Reading& reading, const History& history)
+{
+  const Rows rows = rows_of(reading, history);
+  if (rows.value.empty()) return unknown;
+  switch (reading.measure) {
+  case Measure::end:
+    return rows.value.back();
+  case Measure::mean:
+    return std::accumulate(rows.value.begin(), rows.value.end(), Real(0)) / static_cast<Real>(rows.value.size());
+  case Measure::largest:
+    return *std::max_element(rows.value.begin(), rows.value.end());
+  case Measure::least:
+    return *std::min_element(rows.value.begin(), rows.value.end());
+  case Measure::change:
+    return rows.value.back() - rows.value.front();
+  case Measure::slope:
+    return highest_coefficient(rows, 1);
+  case Measure::acceleration:
+    return reading.column.ends_with("_m_s") ? highest_coefficient(rows, 1) : 2 * highest_coefficient(rows, 2);
+  case Measure::period:
+    return period_of(rows);
+  }
+  return unknown;
+}
+
+Real evaluate(const Reading& reading, const std::filesystem::path& run_folder)
+{
+  if (!reading.column.empty()) return evaluate(reading, read_history(run_folder / "history.csv"));
+  const std::optional<RunSummary> summary = read_summary(run_folder);
+  if (!summary) throw RunError(fmt::format("there is no {}", (run_folder / "summary.json").string()));
+  std::vector<std::pair<std::string, Real>> numbers;
+  for (const Quantity& quantity : summary->quantities) numbers.emplace_back(quantity.name, quantity.value);
+  numbers.insert(numbers.end(), summary->checks.begin(), summary->checks.end());
+  numbers.insert(numbers.end(), summary->timing.begin(), summary->timing.end());
+  std::vector<std::string> names;
+  for (const auto& [name, value] : numbers) {
+    if (name == reading.quantity) return value;
+    names.push_back(name);
+  }
+  throw InputError(
+      one_line(fmt::format("summary.json has no quantity {}{}", in_quotes(reading.quantity), suggestion(reading.quantity, names))));
+}
+
+}  // namespace berm

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/describe.hpp"
+#include "run_folder/history.hpp"
+
+#include <filesystem>
+
+namespace berm {
+
+/// The one number that is taken from a column of a history over a window of time.
+enum class Measure {
+  end,           ///< in the last row
+  mean,          ///< over the rows
+  largest,       ///< of the rows
+  least,         ///< of the rows
+  change,        ///< last row less first row
+  slope,         ///< of the least-squares line over time
+  acceleration,  ///< slope of a velocity; of a displacement twice the square term of the least-squares parabola
+  period         ///< mean distance of the crossings of the mean that go the same way, interpolated between rows
+};
+
+/// The word for each measure.
+inline const std::vector<const char*> measure_words = {"end", "mean", "largest", "least", "change", "slope", "acceleration", "period"};
+
+/// Which number of a run's results is meant.
+struct Reading {
+  std::string quantity;  ///< of summary.json: a quantity, else a check, else one of the timing; or
+  std::string column;    ///< of history.csv, with
+  Measure measure = Measure::end;
+  std::optional<Real> from, to;  ///< s, ends of the window
+};
+
+/// The keys of a reading stand in the table of whoever takes it.
+void describe(Describe& d, Reading& reading);
+
+/// Says at `path` what does not fit together in a reading.
+void check(Describe& d, const std::string& path, const Reading& reading);
+
+/// "V_at_w_0.1D", "block_vx_m_s mean".
+std::string words_of(const Reading& reading);
+
+/// The SI unit of a quantity or column, told by its name: V_at_w_0.1D is in N/m, tip_uy_m in m; "" where it is a bare number.
+std::string unit_of(const std::string& name);
+
+/// The unit of the quantity, or of the column and what the measure makes of it.
+std::string unit_of(const Reading& reading);
+
+/// The rows of a column within the window.
+struct Rows {
+  std::vector<Real> time, value;
+};
+
+/// Throws InputError where the history has no such column.
+Rows rows_of(const Reading& reading, const History& history);
+
+/// The measure of the column over its window. NaN where the window has too few rows or crossings. Throws InputError as rows_of.
+Real evaluate(const Reading& reading, const History& history);
+
+/// The number, from summary.json or history.csv of a run folder; true is 1, false 0, and what was not finite NaN. Throws InputError where there is
+/// no such quantity or column, RunError where there is no such file.
+Real evaluate(const Reading& reading, const std::filesystem::path& run_folder);
+
+}  // namespace berm

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verification/problems.hpp"
+
+#include "core/error.hpp"
+#include "input/reader.hpp"
+#include "input/message_text.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* expected_file = "expected.toml";
+
+Example read_example(const fs::path& folder)
+{
+  Document document = parse_file(folder / expected_file);
+  Expectations all;
+  read(document, all);
+  const fs::path clean = fs::absolute(folder / "").lexically_normal();
+  return {clean.parent_path().filename().string(), folder, all.run, all.expect};
+}
+
+/// Names of the folders that hold an expected.toml.
+std::vector<std::string> names_in(const fs::path& examples)
+{
+  std::error_code error;
+  std::vector<std::string> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(examples, error))
+    if (fs::exists(entry.path() / expected_file)) names.push_back(entry.path().filename().string());
+  if (error) throw InputError(fmt::format("{}: {}; name the folder of the examples with --examples", examples.string(), error.message()));
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// The folder and, where one problem is meant, its run.
+std::pair<fs::path, std::string> place_of(const std::string& name, const fs::path& examples)
+{
+  const fs::path clean = (fs::path(name) / "").lexically_normal(), path = clean.has_parent_path() ? clean.parent_path() : clean;
+  for (const fs::path& folder : {path, examples / path})
+    if (fs::exists(folder / expected_file)) return {folder, ""};
+  const std::string example = path.parent_path().string();
+  if (!example.empty() && fs::exists(examples / example / expected_file)) return {examples / example, path.filename().string()};
+  const std::vector<std::string> known = names_in(examples);
+  const std::string near = nearest(example.empty() ? name : example, known);
+  throw InputError(fmt::format("{} is no example, and no problem EXAMPLE/RUN, of {}{} (examples: {})", in_quotes(name), examples.string(),
+                               near.empty() ? "" : fmt::format("; did you mean {}?", in_quotes(near)), listed(known)));
+}
+
+using Runs = std::vector<std::pair<std::string, VerificationRun>>;
+
+Runs::const_iterator find_run(const Runs& runs, const std::string& name)
+{
+  return std::find_if(runs.begin(), runs.end(), [&](const auto& entry) { return entry.first == name; });
+}
+
+/// Adds the runs of `whole` that are wanted to what is chosen of the same example already.
+void add(std::vector<Example>& chosen, const Example& whole, const std::string& run, bool fast)
+{
+  if (!run.empty() && find_run(whole.runs, run) == whole.runs.end()) {
+    std::vector<std::string> known;
+    for (const auto& entry : whole.runs) known.push_back(whole.name + "/" + entry.first);
+    const std::string name = whole.name + "/" + run;
+    throw InputError(fmt::format("there is no problem {}{}", in_quotes(name), suggestion(name, known)));
+  }
+  auto example = std::find_if(chosen.begin(), chosen.end(), [&](const Example& other) { return other.name == whole.name; });
+  if (example == chosen.end())
+    example = chosen.insert(example, {whole.name, whole.folder, {}, {}});
+  else if (!fs::equivalent(example->folder, whole.folder))
+    throw InputError(fmt::format("{} and {} are both named {}", example->folder.string(), whole.folder.string(), whole.name));
+  Runs runs;
+  for (const auto& entry : whole.runs) {
+    const bool wanted = (run.empty() || entry.first == run) && (!fast || entry.second.fast);
+    if (wanted || find_run(example->runs, entry.first) != example->runs.end()) runs.push_back(entry);
+  }
+  example->runs = runs;
+  example->expectations.clear();
+  for (const Expectation& e : whole.expectations) {
+    const std::vector<std::string> needed = runs_of(e);
+    if (std::all_of(needed.begin(), needed.end(), [&](const std::string& name) { return find_run(runs, name) != runs.end(); }))
+      example->expectations.push_back(e);
+  }
+}
+
+}  // namespace
+
+std::vector<Example> find_problems(const ProblemChoice& choice)
+{
+  std::vector<Example> chosen;
+  const std::vector<std::string> names = choice.names.empty() ? names_in(choice.examples) : choice.names;
+  for (const std::string& name : names) {
+    const auto [folder, run] = choice.names.empty() ? std::pair(choice.examples / name, std::string()) : place_of(name, choice.examples);
+    add(chosen, read_example(folder), run, choice.fast);
+  }
+  std::erase_if(chosen, [](const Example& example) { return example.runs.empty(); });
+  if (chosen.empty())
+    throw InputError(choice.fast ? "none of these problems is fast" : fmt::format("{} holds no example", choice.examples.string()));
+  return chosen;
+}
+
+}  // namespace berm

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "verification/problems.hpp"
+
+namespace berm {
+
+/// What `berm verify` is asked to do.
+struct VerifyRequest {
+  ProblemChoice choice;
+  std::filesystem::path output;  ///< folder of the book and of its runs
+  int at_once = 1;               ///< runs at a time
+};
+
+/// Prints the problems that are wanted, with their titles and numbers of expectations. Throws InputError.
+void list_problems(const ProblemChoice& choice);
+
+/// Runs the problems that are wanted into OUTPUT/EXAMPLE/RUN, prints how their results compare with what is expected, and writes the verification
+/// book, OUTPUT/index.html. All input is read before the first run; a run that fails is a row that says so. True where all runs finished and all
+/// is as expected. Throws InputError and RunError.
+bool verify(const VerifyRequest& request);
+
+}  // namespace berm

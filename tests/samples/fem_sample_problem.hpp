@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "samples/temporary_folder.hpp"
+#include "fem/load_steps.hpp"
+#include "problem/stages.hpp"
+
+#include <random>
+
+namespace berm {
+
+inline FemProblem fem_problem_of(const Case& c)
+{
+  const TemporaryFolder folder;
+  return build_fem(c, ".", folder.path());
+}
+
+inline LinearElastic elastic_soil()
+{
+  LinearElastic law;
+  law.density = 1000;
+  law.young_modulus = 1e6;
+  law.poisson_ratio = 0.25;
+  return law;
+}
+constexpr Real oedometer_modulus = 1.2e6;  ///< Pa, of elastic_soil
+
+inline MohrCoulomb plastic_soil(Real cohesion, Real friction_angle, Real dilation_angle)
+{
+  MohrCoulomb law;
+  law.density = 1000;
+  law.young_modulus = 1e6;
+  law.poisson_ratio = 0.25;
+  law.cohesion = cohesion;
+  law.friction_angle = friction_angle * pi / 180;
+  law.dilation_angle = dilation_angle * pi / 180;
+  return law;
+}
+
+inline StageSettings resting(Real time)
+{
+  StageSettings stage;
+  stage.name = "rest";
+  stage.kind = StageKind::geostatic;
+  stage.until.time = time;
+  return stage;
+}
+
+/// At 1 m/s, which the limit is to be added to.
+inline StageSettings pushing()
+{
+  StageSettings stage;
+  stage.name = "push";
+  stage.kind = StageKind::push;
+  stage.velocity = 1;
+  return stage;
+}
+
+inline StageSettings dragging(Vertical vertical)
+{
+  StageSettings stage;
+  stage.name = "drag";
+  stage.kind = StageKind::drag;
+  stage.velocity = 1;
+  stage.vertical = vertical;
+  return stage;
+}
+
+/// A block 0 < x < 1 m, 0 < y < 0.5 m between rollers on a fixed base, its top at the level `surface`, and nothing else.
+inline Case block_of(const Material& soil, std::vector<Real> cells = {4, 2})
+{
+  Case c;
+  c.method = Method::fem;
+  c.surface = 0.5;
+  BoxMesh box;
+  box.size = {1, 0.5};
+  box.cells = cells;
+  c.mesh = box;
+  c.material = {{"soil", soil}};
+  BodySettings body;
+  body.material = "soil";
+  body.regions = {"box"};
+  c.body = {{"block", body}};
+  c.support = {{"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}, {"base", {"bottom", {"x", "y"}}}};
+  c.stage = {resting(1)};
+  return c;
+}
+
+/// The block under a rigid plate of this width that lies on the middle of its top.
+inline Case plate_on_block(const Material& soil, Real width = 1, std::vector<Real> cells = {4, 2})
+{
+  Case c = block_of(soil, cells);
+  RigidSettings plate;
+  plate.shape = BoxSettings{{0.5, 0.6}, {width, 0.2}};
+  plate.mass = 1;
+  c.rigid = {{"plate", plate}};
+  ContactSettings skin;
+  skin.body = "block";
+  skin.rigid = "plate";
+  c.contact = {{"skin", skin}};
+  return c;
+}
+
+/// Numbers spread evenly between -size and size, the same each time.
+inline std::vector<Real> random_numbers(Index count, Real size)
+{
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<Real> number(-size, size);
+  std::vector<Real> numbers(count);
+  for (Real& n : numbers) n = number(random);
+  return numbers;
+}
+
+/// By unknown: the nodes move as displacement(x) says, the rigid body does not.
+template <class Displacement>
+std::vector<Real> change_of(const FemModel& model, const Displacement& displacement)
+{
+  std::vector<Real> change(model.unknowns(), 0.);
+  for (Index node = 0; node < model.mesh.node_count(); ++node) {
+    const Vec<2> u = displacement(model.mesh.position[node]);
+    for (int d = 0; d < 2; ++d) change[2 * node + d] = u[d];
+  }
+  return change;
+}
+
+}  // namespace berm

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "report/animation/film.hpp"
+
+#include <cstring>
+#include <gtest/gtest.h>
+#include <zlib.h>
+
+namespace berm {
+
+/// Decodes what the page's script decodes, from the words of web/src/data.ts alone.
+
+inline std::string from_base64(const std::string& text)
+{
+  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned bits = 0;
+  int held = 0;
+  for (const char letter : text) {
+    if (letter == '=') break;
+    bits = bits << 6 | static_cast<unsigned>(letters.find(letter));
+    held += 6;
+    if (held < 8) continue;
+    held -= 8;
+    bytes += static_cast<char>(bits >> held & 255);
+  }
+  return bytes;
+}
+
+inline std::string inflated(const std::string& stream)
+{
+  std::string bytes(std::size_t{1} << 22, '\0');
+  uLongf size = bytes.size();
+  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(stream.data()), stream.size()), Z_OK);
+  bytes.resize(size);
+  return bytes;
+}
+
+template <class T>
+std::vector<T> numbers_in(const std::string& bytes)
+{
+  std::vector<T> list(bytes.size() / sizeof(T));
+  std::memcpy(list.data(), bytes.data(), list.size() * sizeof(T));
+  return list;
+}
+
+/// The codes of all places by direction, frame and point.
+inline std::array<std::vector<std::vector<int>>, 2> decoded_places(const std::string& bytes, std::size_t frames, std::size_t count)
+{
+  EXPECT_EQ(bytes.size(), 4 * frames * count);
+  std::array<std::vector<std::vector<int>>, 2> places;
+  for (std::size_t d = 0; d < 2; ++d)
+    for (std::size_t f = 0; f < frames; ++f) {
+      std::vector<int>& now = places[d].emplace_back();
+      for (std::size_t k = 0; k < count; ++k) {
+        const auto byte = [&](std::size_t plane) { return static_cast<unsigned char>(bytes[(plane * frames + f) * count + k]); };
+        const int stored = byte(2 * d) + 256 * byte(2 * d + 1);
+        const int change = stored % 2 == 0 ? stored / 2 : -(stored + 1) / 2;
+        now.push_back(f == 0 ? stored : ((places[d][f - 1][k] + change) % 65536 + 65536) % 65536);
+      }
+    }
+  return places;
+}
+
+/// The bytes of a field by frame and point.
+inline std::vector<std::vector<int>> decoded_values(const std::string& bytes, std::size_t frames, std::size_t count)
+{
+  EXPECT_EQ(bytes.size(), frames * count);
+  std::vector<std::vector<int>> values;
+  for (std::size_t f = 0; f < frames; ++f) {
+    std::vector<int>& now = values.emplace_back();
+    for (std::size_t k = 0; k < count; ++k) {
+      const int stored = static_cast<unsigned char>(bytes[f * count + k]);
+      now.push_back(f == 0 ? stored : (values[f - 1][k] + stored) % 256);
+    }
+  }
+  return values;
+}
+
+/// A film as the page sees it.
+struct SeenFilm {
+  const Film& film;
+
+  std::size_t frames() const { return film.json["frames"].size(); }
+  std::size_t count() const { return film.json["count"]; }
+  std::string bytes(const std::string& id) const
+  {
+    for (const FilmBlock& block : film.blocks)
+      if (block.id == id) return inflated(from_base64(block.base64));
+    ADD_FAILURE() << "no block " << id;
+    return "";
+  }
+  /// m, by frame and point.
+  std::vector<std::vector<Real>> places(int d) const
+  {
+    const auto codes = decoded_places(bytes(film.json["position"]), frames(), count());
+    std::vector<std::vector<Real>> list;
+    for (const std::vector<int>& frame : codes[d]) {
+      std::vector<Real>& now = list.emplace_back();
+      for (const int code : frame) now.push_back(film.json["lower"][d].get<Real>() + film.json["step"].get<Real>() * code);
+    }
+    return list;
+  }
+  const nlohmann::ordered_json* field(const std::string& name) const
+  {
+    for (const auto& field : film.json["fields"])
+      if (field["name"] == name) return &field;
+    return nullptr;
+  }
+  Real level(const std::string& name) const { return ((*field(name))["high"].get<Real>() - (*field(name))["low"].get<Real>()) / 255; }
+  /// In the field's unit, by frame and point.
+  std::vector<std::vector<Real>> values(const std::string& name) const
+  {
+    const auto& about = *field(name);
+    std::vector<std::vector<Real>> list;
+    for (const std::vector<int>& frame : decoded_values(bytes(about["block"]), frames(), count())) {
+      std::vector<Real>& now = list.emplace_back();
+      for (const int byte : frame) now.push_back(about["low"].get<Real>() + level(name) * byte);
+    }
+    return list;
+  }
+};
+
+}  // namespace berm

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "input/read_case.hpp"
+#include "structures/pipe/run_record.hpp"
+
+#include <functional>
+
+namespace berm::test {
+
+/// A run of a case of examples/probe_test with a made-up history: a push to `w_push` with V(w), where the case has one, and a drag to `u_end` with H(u),
+/// w(u) and the V it was pushed to. Lengths in D = 20 mm, forces in N/m.
+struct PaperRun {
+  std::string file = "case.toml";
+  std::vector<std::string> overrides;
+  double w_push = 0.1, u_end = 1;
+  std::function<double(double)> V = [](double depth) { return 40000 * depth; };
+  std::function<double(double)> H = [](double travel) { return 1000 * travel; };
+  std::function<double(double)> w = [](double travel) { return 0.1 + 0.5 * travel; };
+
+  RunRecord record(const std::string& name) const
+  {
+    RunRecord run;
+    run.name = name;
+    run.settings = read_case(std::string(BERM_SOURCE_DIR) + "/examples/probe_test/" + file, overrides);
+    run.scale = pipe_scale(run.settings);
+    run.stages = pipe_stages(run.settings);
+    run.history.columns = {"time_s", "u_m", "w_m", "H_N_m", "V_N_m"};
+    run.history.values.resize(5);
+    const double D = 0.02;
+    const auto add = [&](const char* stage, double here_u, double here_w, double here_H, double here_V) {
+      const double time = run.history.rows();
+      const double row[] = {time, here_u * D, here_w * D, here_H, here_V};
+      for (int c = 0; c < 5; ++c) run.history.values[c].push_back(row[c]);
+      run.history.stage.emplace_back(stage);
+    };
+    const int rows = 200;
+    for (int k = 0; k <= rows && !run.stages.push.empty(); ++k) add("push", 0, k * w_push / rows, 0, V(k * w_push / rows));
+    const int first = run.stages.push.empty() ? 0 : 1;
+    for (int k = first; k <= rows; ++k) add("drag", k * u_end / rows, w(k * u_end / rows), H(k * u_end / rows), V(w_push));
+    run.quantities = pipe_quantities(run.history, run.scale, run.stages);
+    run.end = RunEnd::finished;
+    return run;
+  }
+};
+
+}  // namespace berm::test

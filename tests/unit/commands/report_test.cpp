@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// berm report from outside: what it reads, where it writes, runs that broke off.
+#include "samples/program.hpp"
+#include "samples/small_case.hpp"
+
+#include <fstream>
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+/// A folder with two runs of the small case, out/a and out/b, made once for all tests, and a copy of it for each.
+class Report : public testing::Test {
+protected:
+  static void SetUpTestSuite()
+  {
+    made_ = new TemporaryFolder;
+    made_->write("a.toml", test::small_case);
+    made_->write("b.toml", test::small_case);
+    const Ended ended = run_program(made_->path(), {"run", "a.toml", "b.toml", "-o", "out", "--threads", "1"});
+    ASSERT_EQ(ended.status, 0) << ended.err;
+  }
+  static void TearDownTestSuite() { delete made_; }
+
+  Report() { fs::copy(*made_ / "out", place_ / "out", fs::copy_options::recursive); }
+  Ended berm(const Words& arguments) const { return run_program(place_.path(), arguments); }
+  std::string text(const std::string& file) const { return text_of_file(place_ / file); }
+  fs::path file(const std::string& name) const { return place_ / name; }
+  void cut(const std::string& name, double part) const
+  {
+    const fs::path path = file(name);
+    fs::resize_file(path, static_cast<std::uintmax_t>(part * static_cast<double>(fs::file_size(path))));
+  }
+
+private:
+  static TemporaryFolder* made_;
+  TemporaryFolder place_;
+};
+TemporaryFolder* Report::made_ = nullptr;
+
+TEST_F(Report, of_one_run_lies_in_its_folder_and_of_several_beside_them)
+{
+  const Ended one = berm({"report", "out/a"});
+  EXPECT_EQ(one.status, 0) << one.err;
+  EXPECT_EQ(one.out.find("out/a/report.html"), 0u) << one.out;
+  EXPECT_TRUE(fs::exists(file("out/a/report.html")));
+  const Ended both = berm({"report", "out/a", "out/b"});
+  EXPECT_EQ(both.status, 0) << both.err;
+  EXPECT_TRUE(fs::exists(file("out/report.html")));
+  EXPECT_EQ(berm({"report", "out", "-o", "page.html"}).status, 0);
+  EXPECT_EQ(text("page.html"), text("out/report.html"));
+}
+
+TEST_F(Report, passes_over_what_an_earlier_report_wrote)
+{
+  ASSERT_EQ(berm({"report", "out", "--figures"}).status, 0);
+  ASSERT_TRUE(fs::exists(file("out/report_figures")));
+  const Ended again = berm({"report", "out/a", "out/b", "out/report.html", "out/report_figures"});
+  EXPECT_EQ(again.status, 0) << again.err;
+}
+
+TEST_F(Report, draws_figures_for_print)
+{
+  ASSERT_EQ(berm({"report", "out", "--figures"}).status, 0);
+  for (const char* name : {"V_w", "H_u", "w_u", "H_over_V_u", "a_energies", "b_contact", "a_soil", "a_mechanism", "b_soil"})
+    for (const char* ending : {".svg", ".png"})
+      EXPECT_TRUE(fs::exists(file(std::string("out/report_figures/") + name + ending))) << name << ending;
+}
+
+TEST_F(Report, needs_no_other_file)
+{
+  ASSERT_EQ(berm({"report", "out/a"}).status, 0);
+  const std::string page = text("out/a/report.html");
+  const std::string markup = page.substr(0, page.find("<script"));  // what scripts do is tested in a browser
+  for (const char* fetched : {"<link", "src=", "@import", "url("}) EXPECT_EQ(markup.find(fetched), std::string::npos) << fetched;
+  EXPECT_NE(page.find("\"V_N_m\""), std::string::npos);
+  EXPECT_NE(page.find("id=\"film-0-position\""), std::string::npos);
+}
+
+TEST_F(Report, of_a_run_that_broke_off_says_so_and_shows_what_there_is)
+{
+  fs::remove(file("out/a/summary.json"));
+  cut("out/a/history.csv", 0.6);
+  cut("out/a/frames/particles_0003.vtu", 0.5);
+  const Ended ended = berm({"report", "out/a"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const std::string page = text("out/a/report.html");
+  EXPECT_NE(page.find("did not come to its end"), std::string::npos);
+  EXPECT_NE(page.find("frame 4 of"), std::string::npos) << "the damaged frame is not told";
+  EXPECT_NE(page.find("id=\"film-0-position\""), std::string::npos);
+  EXPECT_NE(page.find("\"V_N_m\""), std::string::npos);
+}
+
+TEST_F(Report, of_a_run_with_nothing_but_its_case_says_what_is_missing)
+{
+  for (const char* name : {"summary.json", "history.csv", "run.log", "frames"}) fs::remove_all(file("out/a") / name);
+  const Ended ended = berm({"report", "out/a"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const std::string page = text("out/a/report.html");
+  for (const char* said : {"did not come to its end", "history.csv is missing", "run.log is missing"})
+    EXPECT_NE(page.find(said), std::string::npos) << said;
+}
+
+TEST_F(Report, of_damaged_files_says_which)
+{
+  std::ofstream(file("out/a/summary.json")) << "{\"quantities\": [";
+  std::ofstream(file("out/a/history.csv")) << "time_s,stage,u_m\n0,push,nonsense\n";
+  std::ofstream(file("out/a/frames/frames.pvd")) << "<VTKFile>";
+  const Ended ended = berm({"report", "out/a"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const std::string page = text("out/a/report.html");
+  for (const char* said : {"summary.json is damaged", "is not a number"}) EXPECT_NE(page.find(said), std::string::npos) << said;
+}
+
+TEST_F(Report, of_several_runs_leaves_out_one_that_cannot_be_read_and_says_so)
+{
+  std::ofstream(file("out/b/resolved.toml")) << "title = 3\n";
+  const Ended ended = berm({"report", "out/a", "out/b"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.err.find("b is left out"), std::string::npos) << ended.err;
+  EXPECT_NE(text("out/report.html").find("b is left out"), std::string::npos);
+}
+
+TEST_F(Report, takes_a_folder_where_a_file_should_be_as_damaged)
+{
+  fs::remove(file("out/a/summary.json"));
+  fs::create_directory(file("out/a/summary.json"));
+  cut("out/a/frames/frames.pvd", 0.7);
+  const Ended ended = berm({"report", "out/a"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(text("out/a/report.html").find("summary.json is damaged"), std::string::npos);
+  EXPECT_NE(text("out/a/report.html").find("frames.pvd"), std::string::npos);
+}
+
+TEST_F(Report, tells_that_a_finished_run_lost_the_end_of_its_history)
+{
+  cut("out/a/history.csv", 0.3);
+  ASSERT_EQ(berm({"report", "out/a"}).status, 0);
+  EXPECT_NE(text("out/a/report.html").find("although the run finished: it was cut"), std::string::npos);
+}
+
+TEST_F(Report, says_why_a_run_was_stopped)
+{
+  std::string summary = text("out/a/summary.json"), log = text("out/a/run.log");
+  const std::string finished = "\"finished\": true", last = "everything is in";
+  ASSERT_NE(summary.find(finished), std::string::npos);
+  summary.replace(summary.find(finished), finished.size(), "\"finished\": false");
+  log.insert(log.rfind('\n', log.find(last)) + 1, "2026-01-31 12:00:00 warning: stopped at t = 0.4 s in stage \"push\"\n");
+  std::ofstream(file("out/a/summary.json")) << summary;
+  std::ofstream(file("out/a/run.log")) << log;
+  ASSERT_EQ(berm({"report", "out/a"}).status, 0);
+  EXPECT_NE(text("out/a/report.html").find("It said: stopped at t = 0.4 s"), std::string::npos);
+}
+
+TEST_F(Report, finds_the_runs_of_a_study_and_writes_beside_them)
+{
+  fs::create_directories(file("study/runs"));
+  fs::copy(file("out/a"), file("study/runs/a"), fs::copy_options::recursive);
+  const Ended ended = berm({"report", "study"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_TRUE(fs::exists(file("study/report.html")));
+}
+
+TEST_F(Report, tells_runs_of_one_name_apart)
+{
+  fs::create_directory(file("other"));
+  fs::copy(file("out/b"), file("other/a"), fs::copy_options::recursive);
+  const Ended ended = berm({"report", "out/a", "other/a", "out/../out/a", "--figures", "-o", "page.html"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const std::string page = text("page.html");
+  EXPECT_NE(page.find("2 runs"), std::string::npos);
+  for (const char* name : {"out/a", "other/a"}) EXPECT_NE(page.find(name), std::string::npos) << name;
+  for (const char* name : {"out_a_soil.png", "other_a_soil.png"}) EXPECT_TRUE(fs::exists(file("report_figures") / name)) << name;
+}
+
+TEST_F(Report, names_of_folders_run_nothing_and_are_no_markup)
+{
+  const std::string name = "<touch pwned; +';system(\"touch pwned\");y='z <img src=x>\xff";
+  fs::rename(file("out/a"), file("out") / name);
+  const Ended ended = berm({"report", "out", "--figures", "-o", "page.html"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_FALSE(fs::exists(file("pwned")));
+  EXPECT_FALSE(fs::exists(file("report_figures/plots/pwned")));
+  EXPECT_EQ(ended.err.find("not drawn"), std::string::npos) << ended.err;
+  const std::string page = text("page.html"), markup = page.substr(0, page.find("<script"));
+  EXPECT_EQ(markup.find("<img"), std::string::npos);
+  EXPECT_EQ(page.find('\xff'), std::string::npos);
+}
+
+TEST_F(Report, refuses_what_is_no_run_folder)
+{
+  fs::create_directory(file("empty"));
+  for (const auto& [name, said] :
+       {std::pair{"nowhere", "there is no such folder"}, {"out/a/history.csv", "is a file"}, {"empty", "is no run folder"}}) {
+    const Ended ended = berm({"report", name});
+    EXPECT_EQ(ended.status, 2) << name;
+    EXPECT_NE(ended.err.find(said), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find(name), std::string::npos) << ended.err;
+  }
+  std::ofstream(file("out/a/resolved.toml")) << "title = 3\n";
+  const Ended broken = berm({"report", "out/a"});
+  EXPECT_EQ(broken.status, 2);
+  EXPECT_NE(broken.err.find("resolved.toml"), std::string::npos) << broken.err;
+}
+
+TEST_F(Report, that_cannot_be_written_fails)
+{
+  const Ended ended = berm({"report", "out/a", "-o", "nowhere/page.html"});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_NE(ended.err.find("nowhere/page.html"), std::string::npos) << ended.err;
+}
+
+TEST_F(Report, a_new_run_removes_the_old_page)
+{
+  ASSERT_EQ(berm({"report", "out/a"}).status, 0);
+  std::ofstream(file("a.toml")) << test::small_case;
+  ASSERT_EQ(berm({"run", "a.toml", "-o", "out/a", "--threads", "1"}).status, 0);
+  EXPECT_FALSE(fs::exists(file("out/a/report.html")));
+}
+
+}  // namespace
+}  // namespace berm

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/error.hpp"
+#include "formulas/pipe_in_sand.hpp"
+#include "input/read_case.hpp"
+#include "samples/program.hpp"
+#include "envelope/envelope_published.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+
+/// A smooth pipe of 1 m, 0.4 D deep in weightless clay with s_u = 10 kPa, in so few elements that a probe takes a quarter of a second.
+constexpr const char* coarse_clay = R"(method = "fem"
+[mesh]
+kind = "seabed"
+length = "4 m"
+depth = "1.6 m"
+headroom = "0.5 m"
+near_size = "0.2 m"
+near_left = "-0.7 m"
+near_right = "0.7 m"
+near_depth = "0.6 m"
+near_height = "0.2 m"
+growth = 0.4
+[fem]
+contact_size = "0.1 m"
+[material.clay]
+law = "mohr_coulomb"
+density = "1800 kg/m^3"
+young_modulus = "20 MPa"
+poisson_ratio = 0.45
+cohesion = "10 kPa"
+friction_angle = "0 deg"
+[body.clay]
+material = "clay"
+regions = ["near", "bed"]
+[rigid.pipe]
+shape = "circle"
+center = [0, "0.1 m"]
+diameter = "1 m"
+[contact.skin]
+body = "clay"
+rigid = "pipe"
+friction_angle = 0
+[support.left]
+boundary = "left"
+fixed = ["x"]
+[support.right]
+boundary = "right"
+fixed = ["x"]
+[support.base]
+boundary = "base"
+fixed = ["x", "y"]
+[[stage]]
+name = "rest"
+kind = "geostatic"
+until.time = "1 s"
+[[stage]]
+name = "drag"
+kind = "drag"
+velocity = "-0.1 m/s"
+ramp = "0.2 s"
+vertical = "fixed"
+until.time = "1 s"
+)";
+
+Case clay(const std::vector<std::string>& set = {})
+{
+  return read_case_text("clay.toml", coarse_clay, set);
+}
+
+std::string refusal_of(const Case& c)
+{
+  try {
+    choose_probes(c, {});
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(EnvelopeProbes, go_down_then_ever_flatter_to_45_degrees_upwards_and_swipe)
+{
+  const std::vector<Probe> probes = choose_probes(clay(), {4, 0.1});
+  ASSERT_EQ(probes.size(), 5u);
+  const std::vector<Real> angles = {90, 45, 0, -45};
+  for (std::size_t k = 0; k < angles.size(); ++k) EXPECT_EQ(probes[k].angle, angles[k]);
+  EXPECT_EQ(probes[0].name, "down");
+  EXPECT_EQ(probes[2].name, "direction_0");
+  EXPECT_EQ(probes[4].kind, ProbeKind::swipe);
+}
+
+TEST(EnvelopeProbes, keep_the_stages_before_the_first_drive_and_take_its_speed_and_ramp)
+{
+  for (const Probe& probe : choose_probes(clay(), {4, 0.1})) {
+    const std::vector<StageSettings>& stages = probe.settings.stage;
+    EXPECT_EQ(stages[0].name, "rest");
+    ASSERT_EQ(stages.size(), probe.kind == ProbeKind::swipe ? 3u : 2u);
+    for (std::size_t k = 1; k < stages.size(); ++k) {
+      const StageSettings& s = stages[k];
+      EXPECT_NEAR(std::hypot(*s.velocity, s.vertical_velocity.value_or(0)), 0.1, 1e-15);
+      EXPECT_EQ(s.ramp, 0.2);
+      EXPECT_NEAR(*s.until.time, 1.1, 1e-15);  // 0.1 D at 0.1 m/s, and half the ramp
+    }
+    EXPECT_EQ(stages.back().name, probe.stage);
+    if (probe.kind == ProbeKind::direction && probe.angle != 90) {
+      EXPECT_NEAR(*stages[1].vertical_velocity / *stages[1].velocity, std::tan(probe.angle * pi / 180), 1e-12);
+    }
+  }
+}
+
+TEST(EnvelopeProbes, find_another_name_where_a_stage_has_theirs)
+{
+  const Case c = clay({"stage.rest.name=probe"});
+  EXPECT_EQ(choose_probes(c, {})[1].stage, "probe_probe");
+}
+
+TEST(EnvelopeProbes, are_refused_where_there_is_no_pipe_in_the_bed_or_no_speed)
+{
+  EXPECT_EQ(refusal_of(clay()), "");
+  EXPECT_NE(refusal_of(clay({"rigid.pipe.center=[0, 0.6]"})).find("lies 0.1 m above the bed"), std::string::npos);
+  EXPECT_NE(refusal_of(clay({"rigid.pipe.center=[-1.6, 0]"})).find("beyond a wall"), std::string::npos);
+  Case square = clay();
+  square.rigid[0].second.shape = BoxSettings{{0, 0}, {1, 1}};
+  EXPECT_NE(refusal_of(square).find("rigid.pipe.shape: an envelope is that of a pipe"), std::string::npos);
+  Case space = clay();
+  space.dimension = 3;
+  EXPECT_NE(refusal_of(space).find("dimension = 2"), std::string::npos);
+  Case by_force = clay();
+  by_force.stage[1].velocity.reset();
+  EXPECT_NE(refusal_of(by_force).find("by velocity"), std::string::npos);
+  by_force.stage.pop_back();
+  EXPECT_NE(refusal_of(by_force).find("by velocity"), std::string::npos);
+}
+
+/// A probe of finite elements, and a history with one row of rest at (V, H) = (5, 0) and these rows of the probe.
+Probe probe_of(ProbeKind kind, Real angle)
+{
+  Probe probe{"probe", kind, angle, {}, "probe"};
+  probe.settings.method = Method::fem;
+  return probe;
+}
+
+History history_of(const std::vector<Real>& u, const std::vector<Real>& w, const std::vector<Real>& V, const std::vector<Real>& H)
+{
+  History history;
+  history.columns = {"u_m", "w_m", "V_N_m", "H_N_m", "overstress"};
+  history.values = {u, w, V, H, std::vector<Real>(u.size(), 1e-7)};
+  history.values[0].insert(history.values[0].begin(), 0);
+  history.values[1].insert(history.values[1].begin(), 1);
+  history.values[2].insert(history.values[2].begin(), 5);
+  history.values[3].insert(history.values[3].begin(), 0);
+  history.values[4].insert(history.values[4].begin(), 0);
+  history.stage.assign(u.size() + 1, "probe");
+  history.stage[0] = "rest";
+  return history;
+}
+
+TEST(EnvelopeTable, takes_the_last_forces_of_a_probe_and_their_growth_along_its_motion)
+{
+  // Travel 4 m along 3:4; the resistance at 3/4 of it is 0.8 x 40 + 0.6 x 20 = 44, at the end 0.8 x 50 + 0.6 x 30 = 58.
+  const Real angle = std::atan2(4., 3.) * 180 / pi;
+  const History history = history_of({0.6, 1.2, 1.8, 2.4}, {1.8, 2.6, 3.4, 4.2}, {10, 30, 40, 50}, {0, 10, 20, 30});
+  const ProbeResult result = result_of(probe_of(ProbeKind::direction, angle), history, 1);
+  EXPECT_EQ(result.end.V, 50);
+  EXPECT_EQ(result.end.H, 30);
+  EXPECT_EQ(result.end.w, 4.2);
+  EXPECT_NEAR(result.growth, 1 - 44. / 58, 1e-12);
+  EXPECT_EQ(result.overstress, 1e-7);
+  EXPECT_TRUE(std::isnan(result.unbalance)) << "the history has no such column";
+  EXPECT_TRUE(result.path.empty());
+}
+
+TEST(EnvelopeTable, keeps_the_whole_path_of_a_swipe_from_where_the_push_ended)
+{
+  const ProbeResult result = result_of(probe_of(ProbeKind::swipe, nan), history_of({1, 2, 3}, {1, 1, 1}, {4, 3, 2}, {1, 2, 3}), 1);
+  ASSERT_EQ(result.path.size(), 4u);
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(result.path[k].V, 5 - static_cast<Real>(k));
+    EXPECT_EQ(result.path[k].H, static_cast<Real>(k));
+  }
+}
+
+EnvelopeRow row_of(Real angle, Real V, Real H)
+{
+  EnvelopeRow row{probe_of(ProbeKind::direction, angle), "finished", {}};
+  row.result.end = {V, H, 0.5};
+  return row;
+}
+
+TEST(EnvelopeTable, scales_by_the_probe_that_goes_down_and_by_the_largest_H)
+{
+  EnvelopeRow failed = row_of(20, 0, 0);
+  failed.state = "failed";
+  failed.result = {};
+  const std::string csv = envelope_csv({row_of(90, 8, 1), failed, row_of(0, 4, 2)});
+  EXPECT_EQ(csv, "probe,kind,angle_deg,V_N_m,H_N_m,V_over_Vmax,H_over_Hmax,w_m,growth,unbalance,overstress,state\n"
+                 "probe,direction,90,8,1,1,0.5,0.5,,,,finished\n"
+                 "probe,direction,20,,,,,,,,,failed\n"
+                 "probe,direction,0,4,2,0.5,1,0.5,,,,finished\n");
+}
+
+TEST(EnvelopeTable, takes_the_largest_H_from_the_path_of_a_swipe_too)
+{
+  EnvelopeRow swipe = row_of(nan, 1, 2);
+  swipe.result.path = {{4, 1, 0.5}, {3, 5, 0.5}, {1, 2, 0.5}};
+  const EnvelopeExtremes extremes = extremes_of({row_of(90, 8, 1), row_of(0, 4, 3), swipe});
+  EXPECT_EQ(extremes.V_max, 8);
+  EXPECT_EQ(extremes.H_max, 5);
+  EXPECT_EQ(extremes.V_at_H_max, 3);
+}
+
+TEST(EnvelopePublished, is_the_fit_for_clay_of_the_roughness_that_the_adhesion_makes)
+{
+  // D s_u = 10 kN/m; rough: 7.40 (w/D)^0.40 and 3.26 (w/D)^0.82.
+  const Published published = published_for(clay({"contact.skin.adhesion=10e3"}), {});
+  EXPECT_EQ(published.unit, 10e3);
+  ASSERT_EQ(published.numbers.size(), 2u);
+  EXPECT_NEAR(published.numbers[0].formula.value, 10e3 * 7.40 * std::pow(0.4, 0.40), 1e-6);
+  EXPECT_NEAR(published.numbers[1].formula.value, 10e3 * 3.26 * std::pow(0.4, 0.82), 1e-6);
+  EXPECT_TRUE(published.numbers[0].formula.valid);
+  EXPECT_EQ(published.curves.size(), 1u);
+}
+
+TEST(EnvelopePublished, says_where_the_pipe_is_out_of_range)
+{
+  const Published published = published_for(clay({"rigid.pipe.center=[0, -0.2]"}), {});
+  EXPECT_NE(published.curves.at(0).title.find("out of range"), std::string::npos);
+}
+
+TEST(EnvelopePublished, lifts_the_clay_curve_by_the_buoyancy_of_what_the_pipe_displaces)
+{
+  // Half the circle lies in the clay: 18 kN/m3 x pi/8 m2.
+  const Published published = published_for(clay({"gravity=[0, -10]", "rigid.pipe.center=[0, 0]"}), {});
+  const PublishedCurve& curve = published.curves.at(0);
+  EXPECT_NEAR(curve.V.front(), 18e3 * pi / 8, 1e-6);
+  EXPECT_NEAR(curve.V.back(), 18e3 * pi / 8 + 10e3 * 5.66 * std::pow(0.5, 0.32), 1e-6);
+  EXPECT_NE(published.curves.back().title.find("Murff"), std::string::npos);
+}
+
+TEST(EnvelopePublished, has_no_curve_for_friction_on_clay)
+{
+  const Published published = published_for(clay({"contact.skin.friction_angle=\"20 deg\""}), {});
+  EXPECT_TRUE(published.curves.empty());
+  EXPECT_NE(published.remark.find("not friction"), std::string::npos);
+}
+
+TEST(EnvelopePublished, is_zhangs_surface_through_the_probes_in_sand)
+{
+  const Case sand = clay({"gravity=[0, -10]", "material.clay.cohesion=0", "material.clay.friction_angle=\"30 deg\""});
+  const YieldSurface surface{0.4, 0.2};
+  std::vector<EnvelopeRow> rows = {row_of(90, 1e3, 0)};
+  for (const Real V : {200., 400., 700.}) rows.push_back(row_of(0, V, zhang_envelope(surface, V, 1e3).value));
+  const Published published = published_for(sand, rows);
+  EXPECT_EQ(published.unit, 18e3);
+  ASSERT_EQ(published.numbers.size(), 2u) << "Vmax is tabulated for 35 degrees only";
+  EXPECT_NEAR(published.numbers[0].formula.value, 0.4, 1e-9);
+  EXPECT_NEAR(published.numbers[1].formula.value, 0.2, 1e-9);
+}
+
+class EnvelopeCommand : public testing::Test {
+protected:
+  void SetUp() override { folder_.write("clay.toml", coarse_clay); }
+  Ended envelope(std::vector<std::string> words) const
+  {
+    words.insert(words.begin(), "envelope");
+    return run_program(folder_.path(), words);
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(EnvelopeCommand, finds_the_loads_of_a_smooth_pipe_in_clay_and_runs_nothing_twice)
+{
+  const std::vector<std::string> words = {"clay.toml", "-o", "found", "--points", "2", "--threads", "2"};
+  const Ended ended = envelope(words);
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(names_in(folder_ / "found/runs"),
+            (std::vector<std::string>{"direction_-45.toml", "direction_-45/", "down.toml", "down/", "swipe.toml", "swipe/"}));
+  const std::string csv = text_of_file(folder_ / "found/envelope.csv");
+  const auto number = [&](const std::string& after) { return std::stod(csv.substr(csv.find(after) + after.size())); };
+  // Slip lines give 39.5 kN/m; elements of D/10 carry up to 10 % more, and never less.
+  EXPECT_NEAR(number("\ndown,direction,90,"), 41.5e3, 2e3) << csv;
+  EXPECT_NE(csv.find("\nswipe,path,"), std::string::npos);
+  for (const char* file : {"summary.json", "envelope.png"}) EXPECT_TRUE(std::filesystem::exists(folder_ / "found" / file)) << file;
+  EXPECT_NE(ended.out.find("Merifield"), std::string::npos) << ended.out;
+
+  const Ended again = envelope(words);
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_NE(again.err.find("3 of 3 probes have their result already"), std::string::npos) << again.err;
+  EXPECT_EQ(text_of_file(folder_ / "found/envelope.csv"), csv);
+}
+
+TEST_F(EnvelopeCommand, goes_on_where_a_signal_stopped_it)
+{
+  const std::vector<std::string> words = {"envelope", "clay.toml", "-o", "found", "--points", "4", "--threads", "1"};
+  Program program(folder_.path(), words);
+  EXPECT_TRUE(wait_until([&] { return std::filesystem::exists(folder_ / "found/runs/down/summary.json"); }));
+  program.signal(SIGINT);
+  const Ended stopped = program.wait();
+  EXPECT_EQ(stopped.status, 1);
+  EXPECT_NE(stopped.err.find("the same command goes on from there"), std::string::npos) << stopped.err;
+  EXPECT_NE(text_of_file(folder_ / "found/envelope.csv").find(",interrupted\n"), std::string::npos);
+  EXPECT_EQ(run_program(folder_.path(), words).status, 0);
+  EXPECT_EQ(text_of_file(folder_ / "found/envelope.csv").find(",interrupted\n"), std::string::npos);
+}
+
+TEST_F(EnvelopeCommand, refuses_what_is_no_pipe_in_a_bed_with_one_line_and_writes_nothing)
+{
+  const auto before = names_in(folder_.path());
+  for (const char* set : {"rigid.pipe.center=[0, 0.6]", "support.left.boundary=west"}) {
+    const Ended ended = envelope({"clay.toml", "-o", "found", "--set", set});
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
+    EXPECT_EQ(names_in(folder_.path()), before);
+  }
+}
+
+}  // namespace
+}  // namespace berm

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "fem/cut_mesh.hpp"
+
+#include "samples/fem_sample_bed.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+SeabedMesh& bed_of(Case& c)
+{
+  return std::get<SeabedMesh>(c.mesh);
+}
+
+Real area_of(const Mesh<2>& mesh, const std::string& region)
+{
+  Real area = 0;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+    if (mesh.region_names[mesh.region[cell]] == region) area += mesh.volume(cell);
+  return area;
+}
+
+bool has_node(const Mesh<2>& mesh, const Vec<2>& x)
+{
+  return std::any_of(mesh.position.begin(), mesh.position.end(), [&](const Vec<2>& node) { return (node - x).norm() < 1e-12; });
+}
+
+// 1 for an equilateral triangle, 0 for a flat one: 4 sqrt(3) area over the sum of squared sides.
+Real worst_quality(const Mesh<2>& mesh)
+{
+  Real worst = 1;
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    Real squares = 0;
+    for (int k = 0; k < 3; ++k)
+      squares += (mesh.position[mesh.nodes[cell][k]] - mesh.position[mesh.nodes[cell][(k + 1) % 3]]).squaredNorm();
+    worst = std::min(worst, 4 * std::sqrt(3.) * mesh.volume(cell) / squares);
+  }
+  return worst;
+}
+
+class CutMesh : public testing::TestWithParam<CircleSettings> {};
+
+TEST_P(CutMesh, keeps_out_of_the_circle_and_has_vertices_exactly_on_it)
+{
+  const Case c = bed_around(GetParam());
+  const Mesh<2> mesh = cut_mesh_of(c);
+  const auto circle = std::get<Circle<2>>(shapes_of(c)[0]);
+  int on_circle = 0;
+  for (const Vec<2>& x : mesh.position) {
+    const Real distance = surface_at<2>(circle, x).distance / circle.radius;
+    EXPECT_GE(distance, -1e-12);
+    EXPECT_TRUE(distance < 1e-12 || distance > 1e-3) << distance;  // sides are near R/10: no vertex is almost on the circle
+    on_circle += distance < 1e-12;
+    EXPECT_LE(x[1], 1e-12);
+  }
+  EXPECT_GT(on_circle, 5);
+}
+
+TEST_P(CutMesh, has_well_shaped_cells)
+{
+  // Frontal Delaunay meshes of smooth size fields come out with 0.6 and more; 0.4 is a triangle with a height of a fifth of its base.
+  EXPECT_GT(worst_quality(cut_mesh_of(bed_around(GetParam()))), 0.4);
+}
+
+TEST_P(CutMesh, has_sides_of_contact_size_at_the_circle)
+{
+  Case c = bed_around(GetParam());
+  c.fem.contact_size = 0.01;
+  const QuadraticMesh mesh = quadratic_mesh_of(c);
+  const auto sides = contact_sides(mesh, shapes_of(c)[0]);
+  // Each arc has a whole number of sides, which may shorten them where it is short.
+  EXPECT_NEAR(length_of(mesh, sides) / static_cast<Real>(sides.size()), 0.01, 0.001);
+}
+
+INSTANTIATE_TEST_SUITE_P(Pipe, CutMesh,
+                         testing::Values(pipe_at(0.04), pipe_at(0.1), pipe_at(0.2), pipe_at(0.33),  // D/10, D/4, D/2, more
+                                         CircleSettings{{-1.4, 0.1}, 0.4},                          // half of it, at the axis of symmetry
+                                         CircleSettings{{1.6, -0.5}, 0.4},                          // half of it, buried at the right wall
+                                         CircleSettings{{0.1, -0.5}, 0.4}));                        // buried
+
+TEST(CutMesh, has_the_boundaries_of_the_bed)
+{
+  const Mesh<2> mesh = cut_mesh_of(bed_around(pipe_at(0.1)));
+  const auto expect_on = [&](const char* name, int direction, Real coordinate) {
+    std::vector<Index> expected;
+    for (Index i = 0; i < mesh.node_count(); ++i)
+      if (std::abs(mesh.position[i][direction] - coordinate) < 1e-12) expected.push_back(i);
+    ASSERT_NE(mesh.find_boundary(name), none) << name;
+    EXPECT_EQ(mesh.boundary_nodes[mesh.find_boundary(name)], expected) << name;
+  };
+  expect_on("left", 0, -1.4);
+  expect_on("right", 0, 1.6);
+  expect_on("base", 1, -1);
+  ASSERT_NE(mesh.find_boundary("top"), none);
+  EXPECT_TRUE(mesh.boundary_nodes[mesh.find_boundary("top")].empty());
+}
+
+TEST(CutMesh, divides_regions_of_different_bodies_by_lines_of_the_mesh)
+{
+  Case c = bed_around(pipe_at(0.1));
+  c.contact.clear();
+  fill_regions_apart(c);
+  const Mesh<2> mesh = cut_mesh_of(c);
+  EXPECT_NEAR(area_of(mesh, "near"), 0.8 * 0.3, 1e-12);
+  EXPECT_NEAR(area_of(mesh, "bed"), 2.6 * 0.8 - 0.8 * 0.3, 1e-12);
+  EXPECT_NEAR(area_of(mesh, "layer"), 3 - 2.6 * 0.8, 1e-12);
+  EXPECT_EQ(mesh.region_names.size(), 3u);
+}
+
+TEST(CutMesh, names_regions_of_one_body_by_centroids)
+{
+  Case c = bed_around(pipe_at(0.1));
+  c.contact.clear();
+  const Mesh<2> mesh = cut_mesh_of(c);
+  // Without a line the border runs between the cells, here of about 0.05 m at "near" and 0.2 m at "layer", now on one side, now on the other.
+  EXPECT_NEAR(area_of(mesh, "near"), 0.8 * 0.3, 0.025 * 1.4);
+  EXPECT_NEAR(area_of(mesh, "layer"), 3 - 2.6 * 0.8, 0.1 * 4.2);
+  EXPECT_NE(area_of(mesh, "near"), 0.8 * 0.3);
+}
+
+TEST(CutMesh, has_no_layer_where_there_is_none)
+{
+  Case c = bed_around(pipe_at(0.1));
+  bed_of(c).layer = 0;
+  const Mesh<2> mesh = cut_mesh_of(c);
+  EXPECT_EQ(mesh.region_names, (std::vector<std::string>{"near", "bed"}));
+}
+
+TEST(CutMesh, gives_each_body_its_part_where_the_circle_cuts_through_all)
+{
+  // Of radius 0.6 m around (0.45, -0.8): its centre is below the corner of the fine zone and above the lower layer by zero.
+  Case c = bed_around(CircleSettings{{0.45, -0.8}, 1.2});
+  fill_regions_apart(c);
+  const QuadraticMesh mesh = quadratic_mesh_of(c);
+  std::array<Real, 3> area{};
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+    for (int k = 3; k < 6; ++k) area[mesh.body[cell]] += jacobian(mesh.positions_of(cell), six_nodes[k]).determinant() / 6;
+  const auto segment = [](Real distance) { return 0.36 * std::acos(distance / 0.6) - distance * std::sqrt(0.36 - distance * distance); };
+  // The circle takes half of its segment above y = -0.3 from the fine zone; from the layer its lower half less the segment below the base.
+  const Real near = segment(0.5) / 2, layer = pi * 0.36 / 2 - segment(0.2), all = pi * 0.36 - segment(0.2);
+  EXPECT_NEAR(area[1], 0.8 * 0.3 - near, 1e-6);
+  EXPECT_NEAR(area[2], 3 - 2.6 * 0.8 - layer, 1e-6);
+  EXPECT_NEAR(area[0], 2.6 * 0.8 - 0.8 * 0.3 - (all - near - layer), 1e-6);
+}
+
+TEST(CutMesh, is_the_same_every_time)
+{
+  const TemporaryFolder first, second;
+  make_cut_mesh(bed_around(pipe_at(0.1)), ".", first.path());
+  make_cut_mesh(bed_around(pipe_at(0.1)), ".", second.path());
+  EXPECT_GT(first.read("mesh.msh").size(), 1000u);
+  EXPECT_EQ(first.read("mesh.msh"), second.read("mesh.msh"));
+  EXPECT_EQ(first.read("mesh.geo"), second.read("mesh.geo"));
+}
+
+TEST(CutMesh, ends_a_footing_that_lies_on_the_bed_at_vertices)
+{
+  const Case c = bed_around(BoxSettings{{0.0123, 0.1}, {0.4, 0.2}});
+  const Mesh<2> mesh = cut_mesh_of(c);
+  EXPECT_TRUE(has_node(mesh, {-0.1877, 0}));
+  EXPECT_TRUE(has_node(mesh, {0.2123, 0}));
+  const QuadraticMesh quadratic = make_quadratic(mesh, c, shapes_of(c));
+  EXPECT_NEAR(length_of(quadratic, contact_sides(quadratic, shapes_of(c)[0])), 0.4, 1e-12);
+}
+
+TEST(CutMesh, takes_half_a_footing_at_the_axis_of_symmetry)
+{
+  const Case c = bed_around(BoxSettings{{-1.4, 0.1}, {0.6, 0.2}});
+  const QuadraticMesh mesh = quadratic_mesh_of(c);
+  EXPECT_NEAR(length_of(mesh, contact_sides(mesh, shapes_of(c)[0])), 0.3, 1e-12);
+}
+
+TEST(CutMesh, cuts_out_boxes_turned_or_not)
+{
+  const Case c = bed_around(BoxSettings{{0, -0.1}, {0.4, 0.3}});
+  const QuadraticMesh mesh = quadratic_mesh_of(c);
+  EXPECT_NEAR(area_of(mesh), 3 - 0.4 * 0.25, 1e-12);
+  EXPECT_NEAR(length_of(mesh, contact_sides(mesh, shapes_of(c)[0])), 0.4 + 2 * 0.25, 1e-12);
+
+  const Case turned = bed_around(BoxSettings{{0, -0.5}, {0.4, 0.3}, 0.3});
+  const QuadraticMesh buried = quadratic_mesh_of(turned);
+  EXPECT_NEAR(area_of(buried), 3 - 0.4 * 0.3, 1e-12);
+  EXPECT_NEAR(length_of(buried, contact_sides(buried, shapes_of(turned)[0])), 2 * 0.4 + 2 * 0.3, 1e-12);
+}
+
+TEST(CutMesh, cuts_out_every_rigid_body_with_a_contact_and_no_other)
+{
+  Case c = bed_around(pipe_at(0.2));
+  RigidSettings other;
+  other.shape = CircleSettings{{0.8, -0.4}, 0.2};
+  c.rigid.emplace_back("cable", other);
+  EXPECT_NEAR(area_of(quadratic_mesh_of(c)), 3 - pi * 0.04 / 2, 1e-5);
+  c.contact.push_back({"other_skin", c.contact[0].second});
+  c.contact[1].second.rigid = "cable";
+  EXPECT_NEAR(area_of(quadratic_mesh_of(c)), 3 - pi * 0.04 / 2 - pi * 0.01, 1e-5);
+}
+
+TEST(CutMesh, takes_lengths_of_a_model_in_millimetres)
+{
+  Case c = bed_around(pipe_at(0.1));
+  SeabedMesh& bed = bed_of(c);
+  for (Real* length : {&bed.length, &bed.depth, &bed.headroom, &*bed.left, &bed.near_size, &bed.near_left, &bed.near_right, &bed.near_depth,
+                       &bed.near_height, &*bed.far_size, &bed.layer, &*c.fem.contact_size})
+    *length *= 0.02;
+  c.rigid[0].second.shape = CircleSettings{{0.0006, 0.002}, 0.008};
+  const QuadraticMesh mesh = quadratic_mesh_of(c);
+  EXPECT_NEAR(length_of(mesh, contact_sides(mesh, shapes_of(c)[0])), 0.008 * pi / 3, 1e-6 * 0.008);
+}
+
+TEST(CutMesh, leaves_meshes_of_other_kinds_as_they_are)
+{
+  Case c = bed_around(pipe_at(0.1));
+  BoxMesh box;
+  box.size = {2, 1};
+  box.cells = {4, 2};
+  c.mesh = box;
+  const Mesh<2> mesh = cut_mesh_of(c);
+  EXPECT_EQ(mesh.cell_count(), 16);
+  EXPECT_EQ(mesh.region_names, std::vector<std::string>{"box"});
+}
+
+TEST(CutMesh, refuses_rigid_bodies_that_it_cannot_cut_out)
+{
+  const auto refusal = [](const RigidShapeSettings& shape) { return refusal_of([&] { cut_mesh_of(bed_around(shape)); }); };
+  EXPECT_EQ(refusal(pipe_at(0)),
+            "rigid.pipe.center: the body reaches from (-0.17, 0) to (0.23, 0.4) m; for finite elements it must lie in the soil, "
+            "-1.4 < x < 1.6 m and -1 < y < 0 m, at least partly, or be a box that lies on it");
+  EXPECT_EQ(refusal(CircleSettings{{2, 0}, 0.4}).find("rigid.pipe.center: "), 0u);
+  EXPECT_EQ(refusal(CircleSettings{{0, -1.3}, 0.4}).find("rigid.pipe.center: "), 0u);
+  EXPECT_EQ(refusal(BoxSettings{{0, 0.11}, {0.4, 0.2}}).find("rigid.pipe.center: "), 0u);
+  EXPECT_EQ(refusal(BoxSettings{{0, std::sqrt(0.5)}, {1, 1}, pi / 4}).find("rigid.pipe.center: "), 0u);  // on its corner
+  EXPECT_EQ(refusal(HalfPlaneSettings{{0, -0.1}, {0, 1}}).find("rigid.pipe.shape: "), 0u);
+  EXPECT_EQ(refusal(PolygonSettings{{-0.1, 0.1, 0}, {0.1, 0.1, -0.1}}).find("rigid.pipe.shape: "), 0u);
+}
+
+TEST(CutMesh, refuses_sizes_that_do_not_fit)
+{
+  Case c = bed_around(pipe_at(0.1));
+  c.fem.contact_size = 0.0003;
+  EXPECT_EQ(refusal_of([&] { cut_mesh_of(c); }),
+            "fem.contact_size: 0.0003 m is less than a thousandth of the width of [rigid.pipe], 0.4 m");
+  c = bed_around(pipe_at(0.1));
+  bed_of(c).near_depth = 0.95;
+  EXPECT_EQ(refusal_of([&] { cut_mesh_of(c); }).find("seabed mesh: near_depth"), 0u);
+}
+
+}  // namespace
+}  // namespace berm

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/animation/film_outline.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+FilmFrame with(SavedRigids rigids)
+{
+  FilmFrame frame;
+  frame.rigids = std::move(rigids);
+  return frame;
+}
+
+TEST(film_outline, part_that_comes_later_is_not_there_before)
+{
+  const FilmFrame first = with({{0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {{0, 1, 2}}, {VtkCell::polygon}, {4}});
+  const FilmFrame second = with({{5, 6, 5, 7}, {0, 0, 1, 8}, {0, 0, 0, 0}, {{0, 1, 2}, {3, 0}}, {VtkCell::polygon, VtkCell::line}, {4, 4}});
+  const std::vector<FilmOutline> outlines = film_outlines({&first, &second}, 2);
+  ASSERT_EQ(outlines.size(), 2u);
+  EXPECT_EQ(outlines[0].rigid, 4);
+  EXPECT_EQ(outlines[0].points, 3);
+  EXPECT_EQ(outlines[0].corners, (std::vector<float>{0, 0, 1, 0, 0, 1, 5, 0, 6, 0, 5, 1}));
+  EXPECT_EQ(outlines[1].rigid, 4);
+  EXPECT_EQ(outlines[1].points, 2);
+  ASSERT_EQ(outlines[1].corners.size(), 8u);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_TRUE(std::isnan(outlines[1].corners[k]));
+  EXPECT_EQ((std::vector<float>(outlines[1].corners.begin() + 4, outlines[1].corners.end())), (std::vector<float>{7, 8, 5, 0}));
+}
+
+TEST(film_outline, in_space_is_one_end_of_what_is_extruded_and_nothing_of_the_rest)
+{
+  // A prism over a triangle, and a box.
+  SavedRigids rigids;
+  rigids.x = {0, 0, 1, 1, 0, 0, 9, 9, 9, 9, 9, 9, 9, 9};
+  rigids.y = {0, 0, 0, 0, 1, 1, 9, 9, 9, 9, 9, 9, 9, 9};
+  rigids.z = {-1, 1, -1, 1, -1, 1, 9, 9, 9, 9, 9, 9, 9, 9};
+  rigids.cells = {{0, 2, 3, 1}, {2, 4, 5, 3}, {4, 0, 1, 5}, {6, 7, 8, 9, 10, 11, 12, 13}};
+  rigids.types = {VtkCell::quad, VtkCell::quad, VtkCell::quad, VtkCell::hexahedron};
+  rigids.rigid = {0, 0, 0, 1};
+  const FilmFrame frame = with(rigids);
+  const std::vector<FilmOutline> outlines = film_outlines({&frame}, 3);
+  ASSERT_EQ(outlines.size(), 1u);
+  EXPECT_EQ(outlines[0].corners, (std::vector<float>{0, 0, 1, 0, 0, 1}));
+}
+
+}  // namespace
+}  // namespace berm

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/quality/indicators.hpp"
+#include "report/quality/quality_section.hpp"
+#include "samples/pipe_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+void set_gap(RunRecord& run, Real metres)
+{
+  for (Quantity& quantity : run.quantities) {
+    if (quantity.name == "gap_mean") quantity.value = metres;
+    if (quantity.name == "gap_mean_over_D") quantity.value = metres / run.scale.diameter;
+  }
+}
+
+/// The row of a table of the page.
+std::string row_of(const std::string& html, const std::string& heading)
+{
+  const std::size_t begin = html.find("<th scope=\"row\">" + heading);
+  return begin == std::string::npos ? "" : html.substr(begin, html.find("</tr>", begin) - begin);
+}
+
+TEST(trust, nothing_wrong_is_said)
+{
+  const std::string html = quality_section({sample_record(sample_case({"material.sand.dilation_angle=35 deg"}))});
+  EXPECT_TRUE(contains(html, "nothing is wrong")) << html;
+  EXPECT_FALSE(contains(html, "li class=\"warning\"")) << html;
+}
+
+TEST(trust, large_gap_is_a_warning_and_a_small_one_is_not)
+{
+  RunRecord run = sample_record(sample_case());
+  set_gap(run, 0.05e-3);
+  EXPECT_FALSE(contains(quality_section({run}), "gap is"));
+  set_gap(run, 0.4e-3);
+  const std::string html = quality_section({run});
+  EXPECT_TRUE(contains(html, "gap is 0.4 h: the pipe acts up to 4 % larger")) << html;
+  EXPECT_TRUE(contains(row_of(html, "mean contact gap"), "badge bad"));
+}
+
+TEST(trust, gap_is_counted_in_cells_at_the_pipe)
+{
+  RunRecord run = sample_record(sample_case({"mesh.near_size=2 mm"}));
+  set_gap(run, 0.8e-3);
+  EXPECT_TRUE(contains(quality_section({run}), "gap is 0.4 h: the pipe acts up to 8 % larger")) << quality_section({run});
+}
+
+TEST(trust, verdicts_change_at_their_limits)
+{
+  EXPECT_EQ(judge(limits::energy, limits::energy.good), Standing::good);
+  EXPECT_EQ(judge(limits::energy, 1.001 * limits::energy.good), Standing::fair);
+  EXPECT_EQ(judge(limits::energy, limits::energy.bad), Standing::fair);
+  EXPECT_EQ(judge(limits::energy, 1.001 * limits::energy.bad), Standing::bad);
+  EXPECT_EQ(judge(limits::cells, 20), Standing::good);
+  EXPECT_EQ(judge(limits::cells, 19.9), Standing::fair);
+  EXPECT_EQ(judge(limits::cells, 9.9), Standing::bad);
+  EXPECT_EQ(judge(limits::energy, std::nan("")), Standing::unknown);
+}
+
+TEST(trust, verdicts_of_the_page_follow_the_numbers)
+{
+  RunRecord run = sample_record(sample_case());
+  EXPECT_TRUE(contains(row_of(quality_section({run}), "energy that does not balance"), "0.4 % <span class=\"badge good\">"));
+  run.summary->checks["energy_error"] = 0.03;
+  EXPECT_TRUE(contains(row_of(quality_section({run}), "energy that does not balance"), "badge fair"));
+  run.summary->checks["energy_error"] = 0.3;
+  EXPECT_TRUE(contains(row_of(quality_section({run}), "energy that does not balance"), "badge bad"));
+  EXPECT_TRUE(contains(quality_section({run}), "30 % of the work is not balanced"));
+}
+
+TEST(trust, kinetic_energy_of_a_fast_push_is_a_warning)
+{
+  RunRecord run = sample_record(sample_case());
+  run.history.columns = {"kinetic_J_m", "internal_J_m"};
+  run.history.values = {{}, {}};
+  for (int k = 0; k < 40; ++k) {
+    run.history.stage.emplace_back(k < 20 ? "push" : "drag");
+    // All of the energy is kinetic when the push begins; that says nothing.
+    run.history.values[0].push_back(k < 2 ? 5 : k == 12 ? 0.12 : 0.01);
+    run.history.values[1].push_back(1);
+  }
+  EXPECT_DOUBLE_EQ(kinetic_over_internal(run, {"push"}), 0.12);
+  EXPECT_DOUBLE_EQ(kinetic_over_internal(run, {"drag"}), 0.01);
+  EXPECT_TRUE(contains(quality_section({run}), "kinetic energy is 12 % of internal energy in the push: drive slower"))
+      << quality_section({run});
+}
+
+TEST(trust, place_of_the_largest_energy_error_is_told)
+{
+  RunRecord run = sample_record(sample_case());
+  run.history.columns = {"u_m", "w_m", "internal_J_m", "external_J_m", "energy_error_J_m"};
+  run.history.values = {{0, 0, 0.004}, {0, 0.002, 0.003}, {0, 1, 2}, {0, 1, 2}, {0, -0.1, 0.05}};
+  run.history.stage = {"push", "push", "drag"};
+  EXPECT_EQ(energy_error(run).where, "push, w = 2 mm");
+  EXPECT_DOUBLE_EQ(energy_error(run).over_work, 0.004);
+  run.summary.reset();
+  EXPECT_DOUBLE_EQ(energy_error(run).over_work, 0.05);
+}
+
+TEST(trust, plain_triangles_are_a_warning)
+{
+  const std::string html = quality_section({sample_record(sample_case({"mpm.volumetric_projection=false"}))});
+  EXPECT_TRUE(contains(html, "plain triangles lock")) << html;
+}
+
+TEST(trust, coarse_cells_are_a_warning)
+{
+  RunRecord run = sample_record(sample_case({"mesh.near_size=4 mm"}));
+  EXPECT_TRUE(contains(quality_section({run}), "cells at the pipe are D/5: resistance on a coarse mesh is too large"))
+      << quality_section({run});
+}
+
+TEST(trust, friction_that_shear_bands_lose_is_a_warning)
+{
+  const std::string html = quality_section({sample_record(sample_case())});  // 1 - sin 35 deg / tan 35 deg
+  EXPECT_TRUE(contains(html, "can lose 18 % of its friction in shear bands")) << html;
+  EXPECT_TRUE(contains(html, "phi* = 29.8 deg")) << html;
+  EXPECT_TRUE(contains(row_of(html, "friction that shear bands can lose"), "badge fair"));
+}
+
+TEST(trust, run_without_a_summary_says_what_is_not_known)
+{
+  RunRecord run = sample_record(sample_case());
+  run.summary.reset();
+  run.end = RunEnd::unfinished;
+  const std::string html = quality_section({run});
+  EXPECT_TRUE(contains(html, "there is no summary of the run")) << html;
+  EXPECT_TRUE(contains(row_of(html, "momentum that does not balance"), "<span class=\"badge none\">not known</span>"));
+  EXPECT_FALSE(contains(html, "nothing is wrong"));
+}
+
+TEST(trust, finite_elements_have_rows_of_their_own_only)
+{
+  RunRecord run = sample_record(sample_case({"stage.drag.vertical=fixed"}));
+  run.settings.method = Method::fem;
+  const std::string html = quality_section({run});
+  EXPECT_TRUE(contains(html, "part of the stress beyond the strength"));
+  EXPECT_TRUE(contains(row_of(html, "strength that lags behind the pressure"), "badge good"));
+  EXPECT_TRUE(contains(html, "0 of 1\u00a0000"));
+  for (const char* words : {"noise of V", "contact gap", "momentum", "particles per cell", "kinetic", "V that the drag holds"})
+    EXPECT_FALSE(contains(html, words)) << words;
+  run.summary->checks["largest_overstress"] = 0.06;
+  EXPECT_TRUE(contains(quality_section({run}), "6 % of the stress is beyond the soil's strength"));
+}
+
+TEST(trust, warnings_of_the_log_are_there_and_not_too_many)
+{
+  RunRecord run = sample_record(sample_case());
+  for (int k = 0; k < 8; ++k) run.warnings.push_back("<careful> " + std::to_string(k));
+  const std::string html = quality_section({run});
+  EXPECT_TRUE(contains(html, "run.log: &lt;careful&gt; 0"));
+  EXPECT_TRUE(contains(html, "run.log has 3 more warnings"));
+  EXPECT_FALSE(contains(html, "<careful>"));
+}
+
+}  // namespace
+}  // namespace berm

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "samples/made_run.hpp"
+#include "text/quantity_words.hpp"
+#include "report/results/results_section.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+bool holds(const std::string& html, const std::string& part)
+{
+  return html.find(part) != std::string::npos;
+}
+
+TEST(answer, says_in_words_what_the_pipe_met)
+{
+  MadeRun made;
+  made.dragged = 0.02;
+  const std::string html = results_section({made.record()});
+  EXPECT_TRUE(holds(
+      html, "Pushed to w = 0.1 D (2 mm, 0.1 m in the prototype), the pipe carries V = 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²)."))
+      << html;
+  EXPECT_TRUE(
+      holds(html, "Dragged 1 D with V held, it meets H = 0.6 kN/m (30 kN/m in the prototype, 3.49 γ′ D²), 0.75 V, and sinks to w = 0.6 D"))
+      << html;
+  EXPECT_TRUE(holds(html, "There is no peak: H grows to the end of the drag.")) << html;
+}
+
+TEST(answer, key_results_stand_at_model_scale_dimensionless_and_at_prototype_scale)
+{
+  const std::string html = results_section({MadeRun{}.record()});
+  EXPECT_TRUE(holds(html, "<th scope=\"col\" class=\"number\">V, kN/m</th><th scope=\"col\" class=\"number\">V/(γ′ D²)</th>"
+                          "<th scope=\"col\" class=\"number\">V in the prototype, kN/m</th>"));
+  EXPECT_TRUE(holds(html, "times the gravity level (50)"));
+  EXPECT_TRUE(holds(html, "<th scope=\"row\">w = 0.05 D</th><td class=\"number\">0.05000</td><td class=\"number\">1.000</td>"
+                          "<td class=\"number\">0.05000</td><td class=\"number\">0.4000</td><td class=\"number\">2.326</td>"
+                          "<td class=\"number\">20.00</td>"))
+      << html;
+  // At u = 0.3 D: w = 5 mm, H = 180 N/m, V = 800 N/m.
+  EXPECT_TRUE(holds(html, "<th scope=\"row\">u = 0.3 D</th><td class=\"number\">0.2500</td><td class=\"number\">5.000</td>"
+                          "<td class=\"number\">0.2500</td><td class=\"number\">0.1800</td><td class=\"number\">1.047</td>"
+                          "<td class=\"number\">9.000</td><td class=\"number\">0.2250</td>"))
+      << html;
+}
+
+TEST(answer, a_model_under_one_gravity_has_no_prototype)
+{
+  MadeRun made;
+  made.gravity_level = 1;
+  const std::string html = results_section({made.record()});
+  EXPECT_FALSE(holds(html, "prototype")) << html;
+  EXPECT_TRUE(holds(html, "V/(γ′ D²)"));
+  made.gravity_level = 0;
+  EXPECT_FALSE(holds(results_section({made.record()}), "prototype"));
+}
+
+TEST(answer, clay_is_measured_by_its_strength)
+{
+  MadeRun made;
+  made.law = MadeRun::clay_law();
+  made.contact.friction_angle = 0;
+  const std::string html = results_section({made.record()});
+  EXPECT_TRUE(holds(html, "V/(D s<sub>u</sub>)"));
+  EXPECT_FALSE(holds(html, "V/(γ′ D²)"));
+  EXPECT_TRUE(holds(html, "40 D s<sub>u</sub>")) << html;  // 800 N/m over 0.02 m x 1 kPa
+}
+
+TEST(answer, a_value_out_of_range_is_marked)
+{
+  MadeRun made;
+  made.law.dilation_angle = 0;
+  const std::string html = results_section({made.record()});
+  EXPECT_TRUE(holds(html, "<tr class=\"out_of_range\"><th scope=\"row\">V</th>"));
+  EXPECT_TRUE(holds(html, "out of range: φ = ψ = 35°, δ = 0 or 2/3 φ, 0.05 ≤ w/D ≤ 0.5")) << html;
+  EXPECT_FALSE(holds(results_section({MadeRun{}.record()}), "out_of_range"));
+}
+
+TEST(answer, breakout_is_told_where_there_is_one)
+{
+  MadeRun made;
+  made.dragged = 0.02;
+  made.H = [](Real u) { return u < 0.006 ? 5e4 * u : u < 0.012 ? std::lerp(300, 200, (u - 0.006) / 0.006) : 200; };
+  const std::string html = results_section({made.record()});
+  EXPECT_TRUE(holds(html, "H peaks at u = 0.304 D (6.08 mm, 0.304 m in the prototype) with 0.298 kN/m")) << html;
+  EXPECT_TRUE(holds(html, "then comes to 0.2 kN/m")) << html;
+  EXPECT_TRUE(holds(html, "Breakout of the drag from w = 0.1 D<")) << html;
+  EXPECT_FALSE(holds(html, "no peak"));
+}
+
+TEST(answer, several_runs_stand_one_below_the_other_at_each_point)
+{
+  MadeRun other;
+  other.name = "other <run>";
+  other.V = [](Real w) { return 2e5 * w; };
+  const std::string html = results_section({MadeRun{}.record(), other.record()});
+  const auto group = html.find("<tr class=\"group\"><th scope=\"row\" colspan=\"7\">w = 0.05 D</th></tr>");
+  ASSERT_NE(group, std::string::npos) << html;
+  const auto first = html.find("<tr><th scope=\"row\">made</th>", group),
+             second = html.find("<tr><th scope=\"row\">other &lt;run&gt;</th>", group);
+  const auto next = html.find("<tr class=\"group\">", group + 1);
+  EXPECT_LT(group, first);
+  EXPECT_LT(first, second);
+  EXPECT_LT(second, next);
+  EXPECT_FALSE(holds(html, "<run>"));
+}
+
+TEST(answer, a_push_has_no_point_where_it_begins_but_one_where_it_ends)
+{
+  for (const Method method : {Method::mpm, Method::fem}) {
+    MadeRun made;
+    made.method = method;
+    made.first_w = 0.004;
+    made.pushed_to = 0.0044;
+    made.settles = false;
+    made.dragged = 0;
+    made.V = [](Real w) { return 17000 * (w - 0.004) / 0.0004; };
+    const std::string html = results_section({made.record()});
+    EXPECT_FALSE(holds(html, "<th scope=\"row\">w = 0.2 D</th>")) << html;
+    EXPECT_TRUE(holds(html, "<th scope=\"row\">end of the push</th><td class=\"number\">0.2200</td><td class=\"number\">4.400</td>"
+                            "<td class=\"number\">0.2200</td><td class=\"number\">17.00</td>"))
+        << html;
+  }
+}
+
+TEST(answer, an_end_at_a_round_embedment_stands_among_the_points_of_other_runs)
+{
+  MadeRun deeper;
+  deeper.pushed_to = 0.004;
+  const std::string html = results_section({MadeRun{}.record(), deeper.record()});
+  const auto group = html.find("<tr class=\"group\"><th scope=\"row\" colspan=\"7\">w = 0.1 D</th></tr>");
+  ASSERT_NE(group, std::string::npos) << html;
+  const std::string rows = html.substr(group, html.find("<tr class=\"group\">", group + 1) - group);
+  EXPECT_TRUE(std::count(rows.begin(), rows.end(), '\n') >= 3) << rows;  // the heading and two runs
+  EXPECT_FALSE(holds(html, "end of the push"));
+}
+
+TEST(answer, a_push_that_was_stopped_or_killed_has_no_end_to_compare)
+{
+  MadeRun made;
+  made.pushed_to = 0.00156;
+  made.dragged = 0;
+  RunRecord run = made.record();
+  run.end = RunEnd::stopped;
+  std::string html = results_section({run});
+  EXPECT_TRUE(holds(html, "in the prototype), where it was stopped, the pipe carries")) << html;
+  EXPECT_TRUE(holds(html, "<th scope=\"row\">where it was stopped</th>"));
+  EXPECT_TRUE(holds(html, "Where it was stopped, w = 0.078 D"));
+  EXPECT_FALSE(holds(html, "nd of the push"));
+  run.end = RunEnd::unfinished;
+  html = results_section({run});
+  EXPECT_TRUE(holds(html, "in the prototype), as far as it came, the pipe carries")) << html;
+  EXPECT_TRUE(holds(html, "As far as it came, w = 0.078 D"));
+  EXPECT_FALSE(holds(html, "nd of the push"));
+  // Stopped in the drag: the push came to its end, H did not.
+  MadeRun dragged;
+  dragged.pushed_to = 0.00156;
+  run = dragged.record();
+  run.end = RunEnd::stopped;
+  html = results_section({run});
+  EXPECT_TRUE(holds(html, "End of the push, w = 0.078 D")) << html;
+  EXPECT_TRUE(holds(html, "There is no peak: H grows to where it was stopped."));
+}
+
+TEST(answer, no_H_is_larger_than_the_largest)
+{
+  // H grows to the end of the drag at 0.5 D, where the table has a point: 300 N/m.
+  const std::string html = results_section({MadeRun{}.record()});
+  EXPECT_TRUE(holds(html, "<th scope=\"row\">largest</th><td class=\"number\">0.5000</td><td class=\"number\">10.00</td>"
+                          "<td class=\"number\">0.5000</td><td class=\"number\">0.3000</td>"))
+      << html;
+  EXPECT_TRUE(holds(html, "straight line fitted to H or V within ±0.01 D of travel"));
+  // An older folder has a largest H without the ends; a folder without a history has nothing else.
+  RunRecord run = MadeRun{}.record();
+  for (Quantity& q : run.quantities)
+    if (q.name == "H_max") q.value = 290;
+  EXPECT_FALSE(holds(results_section({run}), "0.2900"));
+  run.history = {};
+  EXPECT_TRUE(holds(results_section({run}), "<td class=\"number\">0.3000</td>"));
+  EXPECT_FALSE(holds(results_section({run}), "0.2900"));
+}
+
+TEST(answer, a_drag_of_less_than_a_tenth_of_D_tells_its_largest_H)
+{
+  MadeRun made;
+  made.method = Method::fem;
+  made.first_w = made.pushed_to = 0.006;
+  made.dragged = 0.0016;
+  made.H = [](Real u) { return u < 0.0008 ? 1e6 * u : 800 - 1e5 * (u - 0.0008); };
+  const std::string html = results_section({made.record()});
+  EXPECT_FALSE(holds(html, "Nothing is known"));
+  EXPECT_TRUE(holds(html,
+                    "Wished in place at w = 0.3 D (6 mm, 0.3 m in the prototype) and dragged 0.08 D with V held, the pipe meets at most "
+                    "H = 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²), at u = 0.04 D (0.8 mm, 0.04 m in the prototype), under "
+                    "V = 0.8 kN/m"))
+      << html;
+}
+
+TEST(answer, what_cannot_be_trusted_is_named_beside_the_words)
+{
+  RunRecord run = MadeRun{}.record();
+  EXPECT_FALSE(holds(results_section({run}), "#trust"));
+  run.quantities.push_back({"overlap_max_over_D", 0.03, "1"});
+  const std::string html = results_section({run});
+  EXPECT_TRUE(holds(
+      html, "Take it with care. Bad among its <a href=\"#trust\">measures of trust</a>: deepest soil inside the pipe, over D – 0.03."))
+      << html;
+}
+
+TEST(answer, a_box_is_a_footing_and_any_other_shape_a_body)
+{
+  MadeRun made;
+  made.dragged = 0;
+  RunRecord run = made.record();
+  run.settings.rigid[0].second.shape = BoxSettings{{0, 0.01}, {0.02, 0.02}, 0};
+  EXPECT_TRUE(holds(results_section({run}), "the footing carries V")) << results_section({run});
+  EXPECT_TRUE(holds(results_section({run}), "). D is the width of the footing.</p>"));
+  EXPECT_FALSE(holds(results_section({run}), "the pipe "));
+  PolygonSettings wedge;
+  wedge.x = {-0.01, 0.01, 0};
+  wedge.y = {0.02, 0.02, 0};
+  run.settings.rigid[0].second.shape = wedge;
+  EXPECT_TRUE(holds(results_section({run}), "the body carries V"));
+}
+
+TEST(answer, forces_are_in_the_unit_of_the_largest)
+{
+  MadeRun made;
+  made.dragged = 0;
+  for (const auto& [largest, words] : std::vector<std::pair<Real, std::string>>{
+           {99, "carries V = 99 N/m"}, {101, "carries V = 0.101 kN/m"}, {1e6, "carries V = 1000 kN/m"}, {2e7, "carries V = 20 MN/m"}}) {
+    made.V = [size = largest](Real w) { return size * w / 0.002; };
+    EXPECT_TRUE(holds(results_section({made.record()}), words)) << words;
+    EXPECT_EQ(words.substr(words.rfind(' ') + 1), unit_of_forces(largest, 2).name);
+  }
+  EXPECT_EQ(force_words(99, 2), "99 N/m");
+  EXPECT_EQ(force_words(800, 2), "0.8 kN/m");
+  EXPECT_EQ(force_words(800, 3), "0.8 kN");
+}
+
+TEST(answer, of_a_run_that_did_not_end_there_is_what_there_is)
+{
+  MadeRun made;
+  made.dragged = 0.004;
+  RunRecord run = made.record();
+  run.end = RunEnd::unfinished;
+  const std::string html = results_section({run});
+  EXPECT_TRUE(holds(html, "(not finished) Pushed to w = 0.1 D"));
+  EXPECT_TRUE(holds(html, "Dragged 0.2 D"));
+  run.history = {};
+  run.quantities.clear();
+  EXPECT_TRUE(holds(results_section({run}), "Nothing is known of its forces"));
+}
+
+TEST(answer, a_run_without_a_pipe_tells_its_quantities_and_what_it_watches)
+{
+  RunRecord run = MadeRun{}.record();
+  run.settings.stage.clear();
+  run.scale = pipe_scale(run.settings);
+  run.quantities = {{"run_out", 1.234, "m"}};
+  run.settings.watch = {{"ti<p", {"soil", {0, 0}}}};
+  run.history.columns.push_back("ti<p_uy_m");
+  run.history.values.emplace_back(run.history.rows(), -0.0125);
+  const std::string html = results_section({run});
+  EXPECT_TRUE(holds(html, "There is no pipe in this run"));
+  EXPECT_TRUE(holds(html, "<th scope=\"row\">run_out</th><td class=\"number\">1.234</td><td>m</td>")) << html;
+  EXPECT_TRUE(holds(html, "<th scope=\"row\">ti&lt;p_uy_m</th><td class=\"number\">-0.01250</td>")) << html;
+  EXPECT_FALSE(holds(html, "<p_uy"));
+  EXPECT_FALSE(holds(html, "Key results"));
+  run.settings.watch.clear();
+  run.quantities.clear();
+  run.summary = RunSummary{{}, {}, {{"momentum_error", 1e-3}}, {}};
+  EXPECT_TRUE(holds(results_section({run}), "<th scope=\"row\">momentum_error</th><td class=\"number\">0.001000</td>"));
+}
+
+}  // namespace
+}  // namespace berm

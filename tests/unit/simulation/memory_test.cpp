@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "simulation/memory.hpp"
+
+#include "core/error.hpp"
+#include "mpm/step.hpp"
+#include "run_folder/frame_maker.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+/// A bed that fills the lower half of a box of 2 n x n squares, of 9 particles a cell in regions or of a block.
+Case bed(Real n, bool as_block)
+{
+  Case c;
+  BoxMesh mesh;
+  mesh.size = {2, 1};
+  mesh.cells = {2 * n, n};
+  c.mesh = mesh;
+  MohrCoulomb sand;
+  sand.density = 1600;
+  sand.young_modulus = 7e6;
+  sand.poisson_ratio = 0.25;
+  sand.friction_angle = 0.6;
+  c.material = {{"sand", sand}};
+  BodySettings body;
+  body.material = "sand";
+  if (as_block) {
+    BlockSettings block;
+    block.center = {1, 0.25};
+    block.size = {2, 0.5};
+    block.spacing = 1 / n / 4;
+    body.block = block;
+  } else {
+    body.regions = {"box"};
+  }
+  c.body = {{"sand", body}};
+  StageSettings stage;
+  stage.until.time = 1;
+  c.stage = {stage};
+  return c;
+}
+
+TEST(Memory, is_foretold_as_it_is_taken)
+{
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer keeps what is freed";
+#endif
+  const Case c = bed(150, false);
+  const Real before = memory_of_data();
+  Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
+  Work<2> work(problem.model, problem.state);
+  step(problem.model, problem.state, work);
+  FrameMaker<2> maker(problem.model, problem.state);
+  const Frame<2> first = maker.make(problem.state), second = maker.make(problem.state);
+  EXPECT_NEAR(memory_of<2>(size_of(problem)) / (memory_of_data() - before), 1, 0.1);
+}
+
+TEST(Memory, is_at_least_what_the_case_alone_tells)
+{
+  for (const bool as_block : {false, true}) {
+    const Case c = bed(40, as_block);
+    const Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
+    const Real exact = memory_of<2>(size_of(problem));
+    for (const RunSize& least : {least_size<2>(c), least_size(c, problem.model.mesh)}) {
+      EXPECT_EQ(least.cells, problem.model.mesh.cell_count());
+      EXPECT_EQ(least.nodes, problem.model.mesh.node_count());
+      EXPECT_EQ(least.bodies.at(0).particles, problem.state.particles[0].size());
+      EXPECT_LE(memory_of<2>(least), exact);
+      EXPECT_GT(memory_of<2>(least), 0.8 * exact);
+    }
+  }
+}
+
+TEST(Memory, a_run_that_needs_more_than_there_is_is_refused_with_both_numbers)
+{
+  EXPECT_GT(memory_left(), 1e6);
+  EXPECT_GT(memory_in_use(), 1e6);
+  RunSize size = least_size<2>(bed(40, true));
+  EXPECT_NO_THROW(refuse_without_memory<2>(size, memory_in_use()));
+  size.cells = 1e12;
+  try {
+    refuse_without_memory<2>(size, memory_in_use());
+    FAIL() << "nothing was thrown";
+  } catch (const RunError& error) {
+    const std::string message = error.what();
+    for (const char* part : {"1e+12 cells", "MiB of memory at least", "there are", "larger cells"})
+      EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
+  }
+}
+
+TEST(Memory, that_is_in_use_counts_with_what_is_needed)
+{
+  const Real there = memory_in_use() + memory_left();
+  EXPECT_NO_THROW(refuse_without_memory(there / 4, there / 4, "5 elements", "take larger elements"));
+  EXPECT_THROW(refuse_without_memory(there / 4, there, "5 elements", "take larger elements"), RunError);
+  EXPECT_THROW(refuse_without_memory(2 * there, 0, "5 elements", "take larger elements"), RunError);
+}
+
+}  // namespace
+}  // namespace berm

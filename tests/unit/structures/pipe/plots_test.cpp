@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/pipe/plots.hpp"
+
+#include "core/error.hpp"
+#include "plot/gnuplot.hpp"
+#include "samples/run_to_write.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+
+const PipeScale scale{.diameter = 0.02, .unit_weight = 430e3, .gravity_level = 50};
+const PipeStages stages{.push = {"push"}, .drag = {"drag"}, .held_force = {}};
+
+/// Width and height of a PNG from its first chunk; 0, 0 where the file is not a whole one.
+std::pair<int, int> png_size(const fs::path& path)
+{
+  const std::string bytes = content_of(path);
+  if (bytes.size() < 33 || bytes.substr(0, 8) != "\x89PNG\r\n\x1a\n" || bytes.find("IEND") == std::string::npos) return {0, 0};
+  const auto number = [&](std::size_t at) {
+    int n = 0;
+    for (std::size_t k = 0; k < 4; ++k) n = 256 * n + static_cast<unsigned char>(bytes[at + k]);
+    return n;
+  };
+  return {number(16), number(20)};
+}
+
+using Color = std::array<int, 3>;
+
+/// Red, green and blue of a pixel of a PNG, counted from the upper left corner, as gnuplot reads it.
+Color color_at(const fs::path& picture, int column, int row)
+{
+  const TemporaryFolder folder;
+  const fs::path table = folder.path / "table";
+  const std::string command =
+      fmt::format("gnuplot -e \"set table '{}'; plot '{}' binary filetype=png every ::{}:{}:{}:{} with rgbimage\" > /dev/null 2>&1",
+                  table.string(), picture.string(), column, row, column + 1, row + 1);
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("gnuplot cannot read " + picture.string());
+  std::istringstream lines(content_of(table));
+  for (std::string line; std::getline(lines, line);) {
+    Color color;
+    int x, y;
+    if (std::istringstream(line) >> x >> y >> color[0] >> color[1] >> color[2]) return color;
+  }
+  throw std::runtime_error("no pixel in " + table.string());
+}
+
+class Plots : public testing::Test {
+protected:
+  TemporaryFolder base;
+  RunFolder folder{base.path / "run"};
+
+  static bool gnuplot_is_there() { return std::system("gnuplot --version > /dev/null 2>&1") == 0; }
+  History pipe_history(Real drag)
+  {
+    SamplePipe pipe;
+    pipe.drag = drag;
+    pipe.ripple = 20;
+    pipe.write(folder.file("history.csv"));
+    return read_history(folder.file("history.csv"));
+  }
+  static Frame<2> frame()
+  {
+    static const Problem<2> problem = sample_problem<2>();
+    const TemporaryFolder frames_folder;
+    SampleFrames<2> frames(frames_folder.path, problem);
+    frames.write(problem.state);
+    return frames.last();
+  }
+};
+
+TEST_F(Plots, the_curves_of_a_pipe_are_drawn_with_and_without_a_drag)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  for (const Real drag : {0.01, 0.}) {
+    fs::remove(folder.file("curves.png"));
+    ASSERT_TRUE(draw_pipe_curves(folder, pipe_history(drag), scale, stages, "it's a pipe"));
+    EXPECT_EQ(png_size(folder.file("curves.png")), (std::pair{1200, 900}));
+  }
+  EXPECT_TRUE(fs::exists(folder.file("plots/curves.dat")));
+  EXPECT_TRUE(fs::exists(folder.file("plots/curves.gp")));
+  EXPECT_FALSE(fs::exists(folder.file("plots/curves.messages")));
+}
+
+TEST_F(Plots, any_columns_are_drawn_against_time)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  ASSERT_TRUE(draw_columns(folder, pipe_history(0.01), {"u_m", "w_m", "H_N_m"}, "columns"));
+  EXPECT_EQ(png_size(folder.file("curves.png")), (std::pair{1200, 900}));
+}
+
+TEST_F(Plots, the_soil_is_drawn_in_both_colourings)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  const SoilView view{Vec<2>(0, 0), Vec<2>(0.2, 0.1), 0.09};
+  ASSERT_TRUE(draw_soil(folder.path(), frame(), {"soil", SoilColor::deviatoric_strain, view, "soil"}));
+  ASSERT_TRUE(
+      draw_soil(folder.path(), frame(), {"soil_increment", SoilColor::incremental_deviatoric_strain, view, "increment of nothing"}));
+  EXPECT_EQ(png_size(folder.file("soil.png")).first, 1200);
+  EXPECT_EQ(png_size(folder.file("soil_increment.png")).first, 1200);
+}
+
+TEST_F(Plots, triangles_are_filled_with_the_colour_of_their_strain)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  const SoilView view{Vec<2>(-0.1, -0.1), Vec<2>(0.3, 0.3), {}};
+  ASSERT_TRUE(draw_soil(folder.path(), two_triangles(), {"soil", SoilColor::deviatoric_strain, view, "two triangles"}));
+  ASSERT_EQ(png_size(folder.file("soil.png")), (std::pair{1200, 1080}));
+  // The view is 930 pixels wide and high, 95 from the left and 70 from the top.
+  const auto color = [&](Real x, Real y) {
+    return color_at(folder.file("soil.png"), 95 + static_cast<int>(930 * (x + 0.1) / 0.4), 70 + static_cast<int>(930 * (0.3 - y) / 0.4));
+  };
+  const Color below = color(0.15, 0.05), above = color(0.05, 0.15), white = {255, 255, 255};
+  EXPECT_GT(below[1], above[1] + 60);  // strain 0.75 is green: 96 200 96; strain 0.25 is blue: 59 81 138
+  EXPECT_GT(above[2], below[2] + 20);
+  EXPECT_EQ(color(-0.05, 0.1), white);
+  EXPECT_EQ(color(0.1, 0.25), white);
+}
+
+TEST_F(Plots, triangles_are_painted_without_gaps_as_far_as_the_middles_of_their_sides_reach)
+{
+  Frame<2> frame = two_triangles();
+  const auto strain = [](Real x, Real y) { return 0.5 + (x - y) / 0.4; };
+  FrameParticle<2>& middle = frame.particles[1];  // of the lower side
+  middle.particle.x[1] = -0.03;
+  middle.strain.deviatoric = strain(0.1, -0.03);
+  draw_soil(folder.path(), frame, {"soil", SoilColor::deviatoric_strain, {Vec<2>(-0.1, -0.1), Vec<2>(0.31, 0.3), {}}, "two triangles"});
+  std::istringstream words(content_of(folder.file("plots/soil.dat")));
+  std::string word;
+  std::getline(words, word);
+  constexpr int columns = 930, rows = 907;
+  int wrong = 0;
+  for (int k = 0; k < rows * columns; ++k) {
+    const Real x = -0.1 + (k % columns + 0.5) * 0.41 / columns, y = -0.1 + (k / columns + 0.5) * 0.4 / rows;
+    const bool inside = x > 0 && x < 0.2 && y < 0.2 && y > -0.3 * std::min(x, 0.2 - x);
+    words >> word;
+    if (inside ? !(std::abs(std::stod(word) - strain(x, y)) < 1e-3) : word != "nan") ++wrong;  // four digits are written
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_FALSE(words >> word);
+}
+
+TEST_F(Plots, particles_outside_the_view_are_left_out)
+{
+  const SoilView left_half{Vec<2>(0, 0), Vec<2>(0.1, 0.1), {}};
+  Frame<2> one = frame();
+  for (auto& p : one.particles) p.particle.volume = 1e-8;
+  draw_soil(folder.path(), one, {"soil", SoilColor::deviatoric_strain, left_half, "left"});
+  std::istringstream lines(content_of(folder.file("plots/soil.dat")));
+  std::vector<Real> shown;  // x, mm
+  for (std::string line; std::getline(lines, line);)
+    if (line[0] != '#') shown.push_back(std::stod(line));
+  ASSERT_FALSE(shown.empty());
+  EXPECT_LT(*std::max_element(shown.begin(), shown.end()), 100);
+}
+
+TEST_F(Plots, of_nothing_there_is_no_picture)
+{
+  const SoilView elsewhere{Vec<2>(50, 50), Vec<2>(51, 51), {}};
+  EXPECT_FALSE(draw_soil(folder.path(), frame(), {"soil", SoilColor::deviatoric_strain, elsewhere, "nothing"}));
+  put(folder.file("history.csv"), "time_s,stage,u_m,w_m,H_N_m,V_N_m\n");
+  const History empty = read_history(folder.file("history.csv"));
+  EXPECT_FALSE(draw_pipe_curves(folder, empty, scale, stages, "nothing"));
+  EXPECT_FALSE(draw_columns(folder, empty, {"u_m"}, "nothing"));
+}
+
+TEST_F(Plots, a_missing_gnuplot_is_no_failure_and_the_script_stays)
+{
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", base.path.c_str(), 1);
+  bool drawn = true;
+  EXPECT_NO_THROW(drawn = draw(folder.path(), "curves", 100, 100, "plot x\n"));
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_FALSE(drawn);
+  EXPECT_TRUE(fs::exists(folder.file("plots/curves.gp")));
+}
+
+TEST_F(Plots, a_script_that_fails_is_no_failure_and_leaves_no_broken_picture)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  EXPECT_FALSE(draw(folder.path(), "curves", 100, 100, "plot 'not there'\n"));
+  EXPECT_FALSE(fs::exists(folder.file("curves.png")));
+}
+
+TEST_F(Plots, a_picture_that_the_disk_took_a_part_of_is_an_error_and_the_one_before_stays)
+{
+  const fs::path picture = folder.file("curves.png");
+  put(picture, "the one before");
+  put(base.path / "gnuplot", "#!/bin/sh\nprintf 'PNG' > ../curves.png.part\n");
+  fs::permissions(base.path / "gnuplot", fs::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", base.path.c_str(), 1);
+  std::string message;
+  try {
+    draw(folder.path(), "curves", 100, 100, "plot x\n");
+  } catch (const RunError& error) {
+    message = error.what();
+  }
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_NE(message.find("cannot write " + picture.string()), std::string::npos) << message;
+  EXPECT_EQ(content_of(picture), "the one before");
+  EXPECT_FALSE(fs::exists(picture.string() + ".part"));
+}
+
+TEST(ColumnNames, end_with_their_unit)
+{
+  EXPECT_EQ(name_and_unit("tip_x_m"), (std::pair<std::string, std::string>{"tip x", "m"}));
+  EXPECT_EQ(name_and_unit("second_impulse_N_m"), (std::pair<std::string, std::string>{"second impulse", "N/m"}));
+  EXPECT_EQ(name_and_unit("tip_velocity_m_s"), (std::pair<std::string, std::string>{"tip velocity", "m/s"}));
+  EXPECT_EQ(name_and_unit("steps"), (std::pair<std::string, std::string>{"steps", "1"}));
+}
+
+TEST(GnuplotText, cannot_leave_its_quotes)
+{
+  EXPECT_EQ(gnuplot_text("it's\n`x`"), "'it''s `x`'");
+}
+
+}  // namespace
+}  // namespace berm

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "samples/falling_stone.hpp"
+#include "samples/program.hpp"
+#include "samples/small_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+using Words = std::vector<std::string>;
+
+/// Two places and two gravities, one of which is left out in one place.
+constexpr const char* four_falls = R"(title = "Falls"
+[[case]]
+name = "on high"
+file = "stone.toml"
+[[case]]
+name = "low"
+file = "stone.toml"
+set = ["body.stone.block.center=[0.5, 0.6]"]
+[[axis]]
+name = "gravity"
+[[axis.value]]
+name = "earth"
+[[axis.value]]
+name = "moon"
+set = ["gravity=[0, -1.6]"]
+[[skip]]
+case = "low"
+gravity = "moon"
+why = "nobody was there"
+[[measure]]
+name = "g"
+column = "stone_vy_m_s"
+measure = "acceleration"
+scale = -100
+unit = "cm/s^2"
+[[measure]]
+name = "done"
+quantity = "finished"
+cases = ["low"]
+[[figure]]
+name = "v over t"
+x = "time_s"
+y = "stone_vy_m_s"
+)";
+
+class StudyCommand : public testing::Test {
+protected:
+  void SetUp() override
+  {
+    folder_.write("stone.toml", test::falling_stone);
+    write(four_falls);
+  }
+  void write(const std::string& study) const { folder_.write("study.toml", study); }
+  Ended study(Words words) const
+  {
+    words.insert(words.begin(), "study");
+    return run_program(folder_.path(), words);
+  }
+  std::string result(const std::string& name) const { return text_of_file(folder_ / ("results/" + name)); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(StudyCommand, makes_a_table_of_all_combinations_but_those_left_out)
+{
+  const Ended ended = study({"study.toml", "-o", "results"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(result("results.csv").find("case,gravity,g (cm/s^2),done,run\non high,earth,"), 0u) << result("results.csv");
+  const std::string table = result("results.md");
+  for (const char* line : {"# Falls\n", "| case | gravity | g (cm/s^2) | done |\n", "| on high | earth | 1000 |  |\n",
+                           "| on high | moon | 160 |  |\n", "| low | earth | 1000 | 1 |\n", "Left out:\n\n- low, moon: nobody was there\n"})
+    EXPECT_NE(table.find(line), std::string::npos) << line << " is not in\n" << table;
+  EXPECT_EQ(names_in(folder_ / "results/runs"), (Words{"low.earth/", "on_high.earth/", "on_high.moon/"}));
+  EXPECT_EQ(text_of_file(folder_ / "results/plots/v_over_t_2.dat").substr(0, 4), "0 0\n");
+}
+TEST_F(StudyCommand, runs_only_what_has_no_result_yet)
+{
+  ASSERT_EQ(study({".", "-o", "results"}).status, 0);
+  const std::string table = result("results.csv");
+  const Ended again = study({".", "-o", "results"});
+  EXPECT_NE(again.err.find("3 of 3 runs have their result already"), std::string::npos) << again.err;
+  EXPECT_EQ(result("results.csv"), table);
+
+  // Another gravity is another case; an engine that has changed since is another program.
+  std::string changed = four_falls;
+  changed.replace(changed.find("-1.6"), 4, "-1.7");
+  write(changed);
+  const Ended other = study({".", "-o", "results"});
+  EXPECT_NE(other.err.find("2 of 3 runs have their result already"), std::string::npos) << other.err;
+  EXPECT_NE(result("results.md").find("| on high | moon | 170 |"), std::string::npos);
+  std::filesystem::last_write_time(folder_ / "results/runs/low.earth/summary.json",
+                                   std::filesystem::file_time_type::clock::now() - std::chrono::hours(100000));
+  EXPECT_NE(study({".", "-o", "results"}).err.find("2 of 3 runs have their result already"), std::string::npos);
+}
+TEST_F(StudyCommand, has_a_row_for_a_run_that_fails)
+{
+  std::string text = four_falls;
+  text.replace(text.find("gravity=[0, -1.6]"), 17, "gravity=[0, -9e3]");  // it leaves the mesh
+  write(text);
+  const Ended ended = study({".", "-o", "results"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.err.find("1 of 3 runs failed"), std::string::npos) << ended.err;
+  const std::string table = result("results.md");
+  EXPECT_NE(table.find("| on high | moon | failed |  |\n"), std::string::npos) << table;
+  EXPECT_NE(table.find("- on high, moon: particle "), std::string::npos) << table;
+  EXPECT_NE(table.find("| low | earth | 1000 | 1 |\n"), std::string::npos) << table;
+}
+TEST_F(StudyCommand, leaves_a_number_empty_that_a_run_does_not_have_and_says_so)
+{
+  std::string text = four_falls;
+  text.replace(text.find("\"finished\""), 10, "\"finnished\"");
+  write(text);
+  const Ended ended = study({".", "-o", "results"});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_NE(ended.err.find("low, earth: \"done\" stays empty: summary.json has no quantity \"finnished\"; did you mean \"finished\"?"),
+            std::string::npos)
+      << ended.err;
+}
+TEST_F(StudyCommand, that_is_interrupted_goes_on_from_there)
+{
+  std::string text = four_falls;
+  text.replace(text.find("gravity=[0, -1.6]"), 17, "stage.fall.until.time=1e6 s\", \"gravity=[0, 0]");
+  write(text);
+  Program program(folder_.path(), {"study", ".", "-o", "results", "--threads", "2"});
+  const auto is_there = [&](const std::string& name) { return std::filesystem::exists(folder_ / ("results/runs/" + name)); };
+  ASSERT_TRUE(wait_until(
+      [&] { return is_there("low.earth/summary.json") && !is_there("low.earth.messages") && is_there("on_high.moon/history.csv"); }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(100));  // until it is known that the others have ended
+  program.signal(SIGTERM);
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_NE(ended.err.find("interrupted: 2 of 3 runs are done"), std::string::npos) << ended.err;
+  EXPECT_NE(result("results.md").find("| on high | moon | not run |"), std::string::npos);
+  text.replace(text.find("1e6 s"), 5, "0.1 s");
+  write(text);
+  EXPECT_NE(study({".", "-o", "results"}).err.find("2 of 3 runs have their result already"), std::string::npos);
+}
+TEST_F(StudyCommand, draws_forces_freed_from_noise_in_the_unit_that_suits)
+{
+  folder_.write("pipe.toml", test::small_case);
+  write(R"toml([[case]]
+name = "pipe"
+file = "pipe.toml"
+[[measure]]
+name = "V(0.1 D)"
+quantity = "V_at_w_0.1D"
+[[figure]]
+name = "V over w"
+x = "w_m"
+y = "V_N_m"
+stage = ["push"]
+)toml");
+  ASSERT_EQ(study({".", "-o", "results"}).status, 0);
+  EXPECT_NE(result("results.csv").find("case,V(0.1 D) (N/m),run\n"), std::string::npos);
+  std::istringstream lines(text_of_file(folder_ / "results/plots/V_over_w_0.dat"));
+  double w = 0, V = 0;
+  while (lines >> w >> V) {
+  }
+  // The smoothed end of the curve is the quantity; mm and kN/m.
+  EXPECT_NEAR(w, 2, 0.02);
+  const std::string csv = result("results.csv");
+  EXPECT_NEAR(V, std::stod(csv.substr(csv.find("pipe,") + 5)) / 1000, 0.01 * V);
+}
+TEST_F(StudyCommand, refuses_wrong_input_at_its_line_and_runs_nothing)
+{
+  struct Wrong {
+    std::string replaced, by, says;
+  };
+  for (const Wrong& wrong : std::vector<Wrong>{
+           {"gravity = \"moon\"", "gravty = \"moon\"", "study.toml:18: skip.gravty: is no axis; did you mean \"gravity\"?"},
+           {"gravity = \"moon\"", "gravity = \"mon\"", "study.toml:18: skip.gravity: \"mon\" is none of its names; did you mean \"moon\"?"},
+           {"case = \"low\"\ngravity = \"moon\"\n", "", "study.toml:16: skip: names no axis"},
+           {"cases = [\"low\"]", "cases = [\"lwo\"]", "study.toml:29: measure.done.cases: there is no such case; did you mean \"low\"?"},
+           {"name = \"moon\"", "name = \"earth\"", "study.toml:14: axis.gravity.value.earth.name: is the name"},
+           {"stone.toml", "stne.toml", "on high, earth: stne.toml: there is no such file"},
+           {"gravity=[0", "gravty=[0", "on high, moon: --set gravty: unknown key; did you mean \"gravity\"?"},
+           {"scale = -100", "scal = -100", "study.toml:24: measure.g.scal: unknown key; did you mean \"scale\"?"},
+           {"y = \"stone_vy_m_s\"\n", "", "study.toml:30: figure.v over t.y: is missing"}}) {
+    std::string text = four_falls;
+    text.replace(text.find(wrong.replaced), wrong.replaced.size(), wrong.by);
+    write(text);
+    const Ended ended = study({".", "-o", "results"});
+    EXPECT_EQ(ended.status, 2) << wrong.by;
+    EXPECT_NE(ended.err.find(wrong.says), std::string::npos) << ended.err;
+    EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "results")) << wrong.by;
+  }
+  EXPECT_NE(study({"nothing.toml"}).err.find("nothing.toml: there is no such file"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace berm

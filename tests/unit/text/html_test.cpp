@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "text/html.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+TEST(html, table_escapes_its_caption_and_marks_numbers)
+{
+  HtmlTable table("key", "a <b> & \"c\"");
+  table.columns({{"what"}, {"model", true}});
+  table.row({{"V"}, {"784", true}}, "out_of_range");
+  const std::string html = table.html();
+  EXPECT_NE(html.find("<caption>a &lt;b&gt; &amp; &quot;c&quot;</caption>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<tr class=\"out_of_range\"><th scope=\"row\">V</th><td class=\"number\">784</td></tr>"), std::string::npos) << html;
+  EXPECT_NE(html.find("data-copy=\"key\""), std::string::npos) << html;
+}
+
+TEST(html, a_row_of_one_cell_goes_over_all_columns)
+{
+  HtmlTable table("key", "results");
+  table.columns({{"what"}, {"model", true}});
+  table.row({{"push"}}, "group");
+  table.row({{"V"}, {"784", true}});
+  const std::string html = table.html();
+  EXPECT_NE(html.find("<tr class=\"group\"><th scope=\"row\" colspan=\"2\">push</th></tr>"), std::string::npos) << html;
+  EXPECT_NE(html.find("<tr><th scope=\"row\">V</th>"), std::string::npos) << html;
+}
+
+}  // namespace
+}  // namespace berm

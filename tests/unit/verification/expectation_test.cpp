@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "verification/expectation.hpp"
+
+#include "core/error.hpp"
+#include "input/reader.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+/// What reading an expected.toml complains of, or "".
+std::string complaint(const std::string& text)
+{
+  Document document = parse_text("expected.toml", text);
+  Expectations all;
+  try {
+    read(document, all);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+const std::string one_run = "[run.a]\n";
+const std::string words = "source = \"here\"\nwhy = \"so\"\n";
+
+TEST(Expectation, is_met_within_its_tolerance_and_bounds)
+{
+  Expectation relative, absolute, bounds;
+  relative.exact = -200;
+  relative.tolerance = 0.01;
+  EXPECT_TRUE(is_met(relative, -201.9));
+  EXPECT_FALSE(is_met(relative, -202.1));
+  EXPECT_NEAR(error_of(relative, -199), 0.005, 1e-15);
+  absolute.exact = 0;
+  absolute.absolute_tolerance = 1e-6;
+  EXPECT_TRUE(is_met(absolute, -9e-7));
+  EXPECT_FALSE(is_met(absolute, 2e-6));
+  bounds.least = 650;
+  bounds.most = 950;
+  EXPECT_TRUE(is_met(bounds, 800));
+  EXPECT_FALSE(is_met(bounds, 649));
+  EXPECT_NEAR(error_of(bounds, 960), 10, 1e-12);
+}
+TEST(Expectation, is_never_met_by_what_is_not_a_number)
+{
+  Expectation exact, bounds;
+  exact.exact = 1;
+  exact.tolerance = 0.1;
+  bounds.most = 1;
+  EXPECT_FALSE(is_met(exact, std::nan("")));
+  EXPECT_FALSE(is_met(bounds, std::nan("")));
+}
+
+TEST(Expectation, takes_the_unit_from_the_name)
+{
+  Expectations all;
+  Document document = parse_text(
+      "expected.toml", one_run + "[[expect]]\nrun = \"a\"\nquantity = \"w_at_u_0.3D\"\nleast = \"5 mm\"\nmost = 0.0066\n" + words);
+  read(document, all);
+  EXPECT_DOUBLE_EQ(all.expect.at(0).least.value(), 0.005);
+  EXPECT_EQ(unit_of(all.expect.at(0)), "m");
+  EXPECT_EQ(unit_of("V_at_w_0.1D"), "N/m");
+  EXPECT_EQ(unit_of("V_at_w_0.1D_over_gammaD2"), "");
+  EXPECT_EQ(unit_of("H_over_V_at_u_0.3D"), "");
+  EXPECT_EQ(unit_of("wall_sxx_Pa"), "Pa");
+  EXPECT_EQ(unit_of("disk_Lz_N_s"), "N s");
+  EXPECT_EQ(unit_of("disk_xmax_m"), "m");
+}
+TEST(Expectation, may_be_the_ratio_of_the_numbers_of_two_runs)
+{
+  const std::string runs = "[run.a]\n[run.b]\n[[expect]]\nrun = \"a\"\nquantity = \"V_at_w_0.1D\"\nexact = 1\ntolerance = 0.03\n" + words;
+  Expectations all;
+  Document document = parse_text("expected.toml", runs + "over = \"b\"\n");
+  read(document, all);
+  const Expectation& ratio = all.expect.at(0);
+  EXPECT_EQ(runs_of(ratio), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(unit_of(ratio), "");
+  EXPECT_EQ(words_of(ratio), "V_at_w_0.1D over that of b");
+  EXPECT_DOUBLE_EQ(number_of(ratio, {103, 100}), 1.03);
+  EXPECT_TRUE(is_met(ratio, 1.029));
+  EXPECT_FALSE(is_met(ratio, 0.969));
+  EXPECT_NE(complaint(runs + "over = \"c\"\n").find("there is no such [run.NAME]"), std::string::npos);
+  EXPECT_NE(complaint(runs + "over = \"a\"\n").find("needs a run, and another one"), std::string::npos);
+}
+TEST(Expectation, measures_the_order_of_convergence)
+{
+  Expectation order;
+  order.runs = {"h8", "h16", "h32"};
+  order.limit = 2;
+  EXPECT_NEAR(number_of(order, {2 - 0.16, 2 - 0.04, 2 - 0.01}), 2, 1e-12);
+  EXPECT_NEAR(number_of(order, {2 + 0.1, 2 - 0.05, 2 + 0.025}), 1, 1e-12);
+  // Of logarithms 0, -1, -4 the least-squares slope is -2.
+  EXPECT_NEAR(number_of(order, {3, 2.5, 2.0625}), 2, 1e-12);
+  EXPECT_TRUE(std::isnan(number_of(order, {2.1, std::nan(""), 2.01})));
+  EXPECT_TRUE(std::isnan(number_of(order, {2.1, 2, 2.01})));
+}
+TEST(Expectation, of_an_order_has_a_limit_with_a_unit_and_bounds_without)
+{
+  const std::string runs = "[run.h8]\n[run.h16]\n[[expect]]\nruns = [\"h8\", \"h16\"]\ncolumn = \"a_ux_m\"\n" + words;
+  Expectations all;
+  Document document = parse_text("expected.toml", runs + "limit = \"1 mm\"\nleast = 1.8\n");
+  read(document, all);
+  EXPECT_DOUBLE_EQ(all.expect.at(0).limit.value(), 0.001);
+  EXPECT_EQ(unit_of(all.expect.at(0)), "");
+  EXPECT_NE(complaint(runs + "limit = \"1 mm\"\nleast = \"1.8 mm\"\n").find("expected.toml:9: expect[0].least"), std::string::npos);
+  EXPECT_NE(complaint(runs + "least = 1.8\n").find("runs and a limit go together"), std::string::npos);
+  EXPECT_NE(complaint(runs + "limit = 1\nleast = 1.8\nrun = \"h8\"\n").find("either a run or"), std::string::npos);
+}
+TEST(Expectation, is_refused_at_its_line_where_it_cannot_be)
+{
+  const std::string head = one_run + "[[expect]]\nrun = \"a\"\ncolumn = \"a_ux_m\"\n";
+  EXPECT_EQ(complaint(head + "exact = \"1 mm\"\ntolerance = 0.1\n" + words), "");
+  EXPECT_NE(complaint(head + "exact = \"1 kN\"\ntolerance = 0.1\n" + words).find("expected.toml:5"), std::string::npos);
+  EXPECT_NE(complaint(head + "exakt = 1\ntolerance = 0.1\n" + words).find("did you mean \"exact\""), std::string::npos);
+  EXPECT_NE(complaint(head + "measure = \"peak\"\nexact = 1\ntolerance = 0.1\n" + words).find("largest"), std::string::npos);
+  EXPECT_NE(complaint(head + "exact = 1\ntolerance = 0.1\n").find("source"), std::string::npos);
+  for (const char* wrong : {"exact = 1\n", "tolerance = 0.1\n", "exact = 1\ntolerance = 0.1\nleast = 0\n", "exact = 0\ntolerance = 0.1\n",
+                            "least = 1\nmost = 0\n", "least = 1\ntolerance = 0.1\n", "quantity = \"b\"\nleast = 1\n",
+                            "from = 2\nto = 1\nleast = 1\n", "least = 1\nlimit = 1\n"})
+    EXPECT_NE(complaint(head + wrong + words), "") << wrong;
+  EXPECT_NE(complaint(""), "");
+  EXPECT_NE(complaint(one_run + "[[expect]]\nrun = \"a\"\nquantity = \"V\"\nfrom = 1\nleast = 1\n" + words), "");
+}
+TEST(Expectation, and_run_belong_together)
+{
+  const std::string rest = "quantity = \"V\"\nleast = 1\n" + words;
+  EXPECT_NE(complaint("[run.slow]\n[[expect]]\nrun = \"slwo\"\n" + rest)
+                .find("expected.toml:3: expect[0].run: there is no such [run.NAME]; did you mean \"slow\"?"),
+            std::string::npos);
+  EXPECT_NE(complaint(one_run + "[[expect]]\n" + rest).find("either a run or"), std::string::npos);
+  EXPECT_NE(
+      complaint(one_run + "[run.b]\n[[expect]]\nrun = \"a\"\n" + rest).find("expected.toml:2: run.b: no [[expect]] is about this run"),
+      std::string::npos);
+}
+
+}  // namespace
+}  // namespace berm
