@@ -38,8 +38,8 @@ async function page(out) {
   const style = await bundle("page.css", {});
   writeFileSync(
     out,
-    `// SPDX-License-Identifier: BSD-3-Clause\n// Made by web/build.mjs.\n#include "report/page/page_files.hpp"\n\nnamespace berm {\n\n` +
-      constant("page_script", script) + "\n" + constant("page_style", style) + "\n}  // namespace berm\n",
+    `// SPDX-License-Identifier: BSD-3-Clause\n// Made by web/build.mjs.\n#include "report/page/page_files.hpp"\n\nnamespace berm::report {\n\n` +
+      constant("page_script", script) + "\n" + constant("page_style", style) + "\n}  // namespace berm::report\n",
   );
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "benchmark/benchmark.hpp"
 
-#include "roofline/roofline_kernel.hpp"
 #include "core/timer.hpp"
-#include "mpm/step.hpp"
 #include "io/atomic_file.hpp"
+#include "mpm/step.hpp"
+#include "roofline/roofline_kernel.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/scratch_folder.hpp"
 
@@ -13,14 +13,14 @@
 #include <malloc.h>
 #include <nlohmann/json.hpp>
 
-namespace berm {
+namespace berm::benchmark {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 
-MohrCoulomb sand(Real density)
+material::MohrCoulomb sand(Real density)
 {
-  MohrCoulomb law;
+  material::MohrCoulomb law;
   law.density = density;
   law.young_modulus = 7e6;
   law.poisson_ratio = 0.25;
@@ -28,9 +28,9 @@ MohrCoulomb sand(Real density)
   return law;
 }
 
-StageSettings endless(StageKind kind)
+problem::StageSettings endless(problem::StageKind kind)
 {
-  StageSettings stage;
+  problem::StageSettings stage;
   stage.name = "bench";
   stage.kind = kind;
   stage.until.time = infinity;
@@ -38,11 +38,11 @@ StageSettings endless(StageKind kind)
 }
 
 /// A pipe of 20 mm that is pushed into the centrifuge's bed, with cells of near_size around it.
-Case pipe_in_sand(Real near_size)
+problem::Case pipe_in_sand(Real near_size)
 {
-  Case c;
+  problem::Case c;
   c.gravity = {0, -50 * standard_gravity};
-  SeabedMesh mesh;
+  mesh::SeabedMesh mesh;
   mesh.length = 0.65;
   mesh.depth = 0.14;
   mesh.headroom = 0.03;
@@ -53,78 +53,78 @@ Case pipe_in_sand(Real near_size)
   mesh.near_height = 0.012;
   c.mesh = mesh;
   c.material = {{"sand", sand(877)}};
-  BodySettings body;
+  bodies::BodySettings body;
   body.material = "sand";
   body.regions = {"near", "bed"};
   body.region_particles_per_cell = {{"bed", 4}};
   body.damping = 0.02;
   body.k0 = 0.5;
   c.body = {{"sand", body}};
-  RigidSettings pipe;
-  pipe.shape = CircleSettings{{0, 0.01}, 0.02};
+  bodies::RigidSettings pipe;
+  pipe.shape = bodies::CircleSettings{{0, 0.01}, 0.02};
   c.rigid = {{"pipe", pipe}};
-  ContactSettings contact;
+  contact::ContactSettings contact;
   contact.body = "sand";
   contact.rigid = "pipe";
   contact.friction_angle = 23.33 * pi / 180;
   c.contact = {{"skin", contact}};
   c.support = {{"base", {"base", {"x", "y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}};
-  StageSettings push = endless(StageKind::push);
+  problem::StageSettings push = endless(problem::StageKind::push);
   push.velocity = 0.1;
   c.stage = {push};
   return c;
 }
 
 /// A column of sand that collapses over a rigid floor: all of it moves and yields.
-Case column(Real particles)
+problem::Case column(Real particles)
 {
-  Case c;
+  problem::Case c;
   c.gravity = {0, -standard_gravity};
   // The column, 1 wide and 2 high, is a sixth of a mesh of 6 x 2.
   const Real per_side = std::round(std::sqrt(particles / 9 / 2 / 2));
-  BoxMesh mesh;
+  mesh::BoxMesh mesh;
   mesh.size = {6, 2.25};
   mesh.cells = {6 * per_side, std::round(2.25 * per_side)};
   c.mesh = mesh;
   c.material = {{"sand", sand(1600)}};
-  BodySettings body;
+  bodies::BodySettings body;
   body.material = "sand";
-  BlockSettings block;
+  bodies::BlockSettings block;
   block.center = {0.5, 1};
   block.size = {1, 2};
   block.spacing = 1 / per_side / std::sqrt(18.);
   body.block = block;
   c.body = {{"sand", body}};
-  RigidSettings floor;
-  floor.shape = HalfPlaneSettings{{0, 0}, {0, 1}};
+  bodies::RigidSettings floor;
+  floor.shape = bodies::HalfPlaneSettings{{0, 0}, {0, 1}};
   c.rigid = {{"floor", floor}};
-  ContactSettings contact;
+  contact::ContactSettings contact;
   contact.body = "sand";
   contact.rigid = "floor";
   contact.friction_angle = 0.5;
   c.contact = {{"floor", contact}};
   c.support = {{"left", {"left", {"x"}}}, {"bottom", {"bottom", {"y"}}}, {"right", {"right", {"x"}}}};
-  c.stage = {endless(StageKind::free)};
+  c.stage = {endless(problem::StageKind::free)};
   return c;
 }
 
 /// The same in space: 0.5 wide, 1 high, 0.25 deep in a mesh of 1.5 x 1.125 x 0.25, eight particles in each sixth of a cube.
-Case column_in_space(Real particles)
+problem::Case column_in_space(Real particles)
 {
-  Case c = column(particles);
+  problem::Case c = column(particles);
   c.dimension = 3;
   c.gravity.push_back(0);
   const Real per_side = std::round(std::cbrt(particles / 8 / 6 / (2 * 4 * 1)));  // cubes along the depth, 0.25
-  BoxMesh mesh;
+  mesh::BoxMesh mesh;
   mesh.size = {1.5, 1.125, 0.25};
   mesh.cells = {6 * per_side, std::round(4.5 * per_side), per_side};
   c.mesh = mesh;
-  BlockSettings block;
+  bodies::BlockSettings block;
   block.center = {0.25, 0.5, 0.125};
   block.size = {0.5, 1, 0.25};
   block.spacing = 0.25 / per_side / std::cbrt(48.);
   c.body[0].second.block = block;
-  c.rigid[0].second.shape = HalfPlaneSettings{{0, 0, 0}, {0, 1, 0}};
+  c.rigid[0].second.shape = bodies::HalfPlaneSettings{{0, 0, 0}, {0, 1, 0}};
   c.support.push_back({"back", {"back", {"z"}}});
   c.support.push_back({"front", {"front", {"z"}}});
   return c;
@@ -132,7 +132,7 @@ Case column_in_space(Real particles)
 
 struct BenchProblem {
   const char* name;
-  Case (*make)();
+  problem::Case (*make)();
 };
 
 constexpr BenchProblem problems[] = {
@@ -157,7 +157,7 @@ constexpr Real flops_of_corners = 36, flops_of_forces = 36, flops_of_momentum = 
 /// Bytes: every array once for each pass that reads or writes it; blocks of particles are read by the first pass, read and written by the last. Flops of
 /// soil at yield are more, and those in space were not counted.
 template <int dim>
-Demand demand_of(const Particles<dim>& particles, const BodyGrid<dim>& grid)
+Demand demand_of(const bodies::Particles<dim>& particles, const mpm::BodyGrid<dim>& grid)
 {
   constexpr Real flops_of_lane = flops_of_moments + flops_of_motion + flops_of_stress;
   constexpr Real flops_of_cell = flops_of_corners + flops_of_forces + flops_of_momentum + flops_of_fields;
@@ -165,9 +165,9 @@ Demand demand_of(const Particles<dim>& particles, const BodyGrid<dim>& grid)
   Real blocks = 0;
   for (const Index cell : particles.occupied()) blocks += std::ceil(static_cast<Real>(particles.count_in(cell)) / lanes);
   const Real cells = static_cast<Real>(particles.occupied().size()), nodes = static_cast<Real>(grid.nodes.size());
-  const Real of_block = static_cast<Real>(3 * sizeof(Block<dim>) + 2 * sizeof(StoredLanes) * particles.state_size());
-  const Real of_cell = 4 * sizeof(Moments<dim>) + 6 * corners * sizeof(CornerSums<dim>) +
-                       4 * (sizeof(Gradients<dim>) + corners * sizeof(Index)) + 4 * sizeof(Real);
+  const Real of_block = static_cast<Real>(3 * sizeof(bodies::Block<dim>) + 2 * sizeof(StoredLanes) * particles.state_size());
+  const Real of_cell = 4 * sizeof(mpm::Moments<dim>) + 6 * corners * sizeof(mpm::CornerSums<dim>) +
+                       4 * (sizeof(mesh::Gradients<dim>) + corners * sizeof(Index)) + 4 * sizeof(Real);
   const Real of_node = 2 * sizeof(Real) + 6 * sizeof(Vec<dim>);
   const Real count = static_cast<Real>(particles.size());
   const Real bytes = (blocks * of_block + cells * of_cell + nodes * of_node) / count;
@@ -181,13 +181,13 @@ std::string shown(Real number, int decimals)
 }
 
 template <int dim>
-nlohmann::ordered_json measure_speed(const char* name, const Case& c, int threads, Real bandwidth)
+nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, int threads, Real bandwidth)
 {
-  const ScratchFolder scratch;
-  const Real memory_before = memory_of_data();
-  Problem<dim> problem = build<dim>(c, ".", scratch.path().string());
+  const simulation::ScratchFolder scratch;
+  const Real memory_before = simulation::memory_of_data();
+  problem::Problem<dim> problem = build<dim>(c, ".", scratch.path().string());
   ::malloc_trim(0);  // as a run does
-  Work<dim> work(problem.model, problem.state);
+  mpm::Work<dim> work(problem.model, problem.state);
   const BigIndex particles = problem.state.particles[0].size();
   const auto seconds = [&](Real least, BigIndex least_steps) {
     const Clock::time_point start = Clock::now();
@@ -205,13 +205,14 @@ nlohmann::ordered_json measure_speed(const char* name, const Case& c, int thread
   const BigIndex steps = problem.state.step - before;
   const Real speed = static_cast<Real>(particles * steps) / wall;
 
-  const Real memory = (memory_of_data() - memory_before) / static_cast<Real>(particles);
+  const Real memory = (simulation::memory_of_data() - memory_before) / static_cast<Real>(particles);
 
-  const Particles<dim>& body = problem.state.particles[0];
+  const bodies::Particles<dim>& body = problem.state.particles[0];
   const Real per_cell = static_cast<Real>(particles) / static_cast<Real>(body.occupied().size());
   const std::vector<Timing> loops = timings();
   // The yardstick has triangles only.
-  const Real ceiling = dim == 2 ? run_ceiling(particles, static_cast<int>(std::lround(per_cell)), 1).particle_steps_per_s() : no_number;
+  const Real ceiling =
+      dim == 2 ? roofline::run_ceiling(particles, static_cast<int>(std::lround(per_cell)), 1).particle_steps_per_s() : no_number;
   const Demand demand = demand_of(body, work.grids[0]);
 
   fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9.2f} {:>9} {:>8} {:>6.0f} {:>6} {:>9.2f} {:>9.0f}\n", name, particles,
@@ -251,7 +252,7 @@ std::vector<std::string> bench_names()
 void run_bench(const std::vector<std::string>& names, const std::string& json_file, int threads)
 {
   constexpr BigIndex triad_bytes = 300'000'000;
-  const Real bandwidth = triad_bandwidth(triad_bytes, 0.5);
+  const Real bandwidth = roofline::triad_bandwidth(triad_bytes, 0.5);
   fmt::print("triad bandwidth {:.1f} GB/s; ceiling: the bare passes of a step, as many particles in as many cells\n", bandwidth / 1e9);
   fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9} {:>9} {:>8} {:>6} {:>6} {:>9} {:>9}\n", "", "", "", "", "", "10^6", "ceiling,",
              "share of", "", "", "share of", "memory,");
@@ -261,11 +262,11 @@ void run_bench(const std::vector<std::string>& names, const std::string& json_fi
       {"version", BERM_VERSION}, {"triad_bytes_per_s", bandwidth}, {"problems", nlohmann::ordered_json::array()}};
   for (const BenchProblem& bench : problems) {
     if (!names.empty() && std::find(names.begin(), names.end(), bench.name) == names.end()) continue;
-    const Case c = bench.make();
+    const problem::Case c = bench.make();
     table["problems"].push_back(c.dimension == 2 ? measure_speed<2>(bench.name, c, threads, bandwidth)
                                                  : measure_speed<3>(bench.name, c, threads, bandwidth));
   }
-  if (!json_file.empty()) write_whole(json_file, table.dump(2) + "\n");
+  if (!json_file.empty()) io::write_whole(json_file, table.dump(2) + "\n");
 }
 
-}  // namespace berm
+}  // namespace berm::benchmark

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace berm {
+namespace berm::benchmark {
 
 /// The fixed problems that `berm bench` knows.
 std::vector<std::string> bench_names();
@@ -13,4 +13,4 @@ std::vector<std::string> bench_names();
 /// same as JSON to json_file unless that is empty. Throws RunError.
 void run_bench(const std::vector<std::string>& names, const std::string& json_file, int threads);
 
-}  // namespace berm
+}  // namespace berm::benchmark

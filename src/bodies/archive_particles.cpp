@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::bodies {
 namespace {
 
 constexpr const char* directions[3] = {"x", "y", "z"};
@@ -107,4 +107,4 @@ void Particles<dim>::keep(Keep& k)
 template void Particles<2>::keep(Keep&);
 template void Particles<3>::keep(Keep&);
 
-}  // namespace berm
+}  // namespace berm::bodies

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/body_settings.hpp"
 
-namespace berm {
+namespace berm::bodies {
 
 void describe(Describe& d, BlockSettings& block)
 {
@@ -56,4 +56,4 @@ void describe(Describe& d, BodySettings& body)
   d.array("initial_velocity", body.initial_velocity, {.meaning = "motion at the start; several are added up"});
 }
 
-}  // namespace berm
+}  // namespace berm::bodies

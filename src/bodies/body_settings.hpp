@@ -3,7 +3,7 @@
 
 #include "core/describe.hpp"
 
-namespace berm {
+namespace berm::bodies {
 
 /// A rectangular block (2D: may be turned) or box of material, filled with particles on a lattice of its own, wherever it lies in the mesh.
 struct BlockSettings {
@@ -48,4 +48,4 @@ void describe(Describe& d, DiskSettings& disk);
 void describe(Describe& d, InitialVelocity& velocity);
 void describe(Describe& d, BodySettings& body);
 
-}  // namespace berm
+}  // namespace berm::bodies

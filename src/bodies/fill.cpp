@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::bodies {
 namespace {
 
 /// A particle's place, cell and volume before anything else is known of it.
@@ -50,7 +50,7 @@ void check_count(const std::string& key, Real count)
 }
 
 template <int dim>
-std::vector<Seed<dim>> seeds_in_regions(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body)
+std::vector<Seed<dim>> seeds_in_regions(const mesh::Mesh<dim>& mesh, const std::string& name, const BodySettings& body)
 {
   std::vector<int> sides(mesh.region_names.size(), 0);
   for (const std::string& region : body.regions) {
@@ -78,14 +78,14 @@ std::vector<Seed<dim>> seeds_in_regions(const Mesh<dim>& mesh, const std::string
 /// Finds the cells of points that lie near each other, for one `part` (block or disk) of a body.
 template <int dim>
 struct Finder {
-  const Mesh<dim>& mesh;
+  const mesh::Mesh<dim>& mesh;
   const std::string& body;
   const char* part;
   Index cell = 0;
 
   Index cell_at(const Vec<dim>& x)
   {
-    const Location location = locate(mesh, x, cell);
+    const mesh::Location location = locate(mesh, x, cell);
     if (!location.inside)
       throw InputError(fmt::format("body.{0}.{1}: the {1} leaves the mesh at ({2})", body, part, fmt::join(x.begin(), x.end(), ", ")));
     return cell = location.cell;
@@ -100,7 +100,7 @@ void sort_by_cell(std::vector<Seed<dim>>& seeds)
 }
 
 template <int dim>
-std::vector<Seed<dim>> seeds_in_block(const Mesh<dim>& mesh, const std::string& name, const BlockSettings& block)
+std::vector<Seed<dim>> seeds_in_block(const mesh::Mesh<dim>& mesh, const std::string& name, const BlockSettings& block)
 {
   const Matrix<dim> axes = turn<dim>(block.angle);
   const std::array<Real, 3> count = counts_in<dim>(block);
@@ -125,7 +125,7 @@ std::vector<Seed<dim>> seeds_in_block(const Mesh<dim>& mesh, const std::string& 
   return seeds;
 }
 
-std::vector<Seed<2>> seeds_in_disk(const Mesh<2>& mesh, const std::string& name, const DiskSettings& disk)
+std::vector<Seed<2>> seeds_in_disk(const mesh::Mesh<2>& mesh, const std::string& name, const DiskSettings& disk)
 {
   const Vec<2> center(disk.center[0], disk.center[1]);
   const Real radius = disk.diameter / 2;
@@ -144,7 +144,7 @@ std::vector<Seed<2>> seeds_in_disk(const Mesh<2>& mesh, const std::string& name,
 }
 
 template <int dim>
-std::vector<Seed<dim>> seeds_of(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body)
+std::vector<Seed<dim>> seeds_of(const mesh::Mesh<dim>& mesh, const std::string& name, const BodySettings& body)
 {
   if (body.block) return seeds_in_block(mesh, name, *body.block);
   if constexpr (dim == 2)
@@ -228,7 +228,7 @@ Real particles_per_cell(const BodySettings& body, const std::string& region)
 }
 
 template <int dim>
-Index filled_region(const Mesh<dim>& mesh, const std::string& name, const std::string& region)
+Index filled_region(const mesh::Mesh<dim>& mesh, const std::string& name, const std::string& region)
 {
   const Index found = mesh.find_region(region);
   if (found == none)
@@ -250,7 +250,7 @@ SymTensor<dim> first_stress(const BodySettings& body, Real unit_weight, Real dep
 }
 
 template <int dim>
-Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body, const StartState<dim>& start)
+Particles<dim> fill(const mesh::Mesh<dim>& mesh, const std::string& name, const BodySettings& body, const StartState<dim>& start)
 {
   auto seeds = seeds_of(mesh, name, body);
   std::erase_if(seeds, [&](const Seed<dim>& seed) {
@@ -279,9 +279,9 @@ template Real particles_per_cell<2>(const BodySettings&, const std::string&);
 template Real particles_per_cell<3>(const BodySettings&, const std::string&);
 template SymTensor<2> first_stress(const BodySettings&, Real, Real);
 template SymTensor<3> first_stress(const BodySettings&, Real, Real);
-template Index filled_region<2>(const Mesh<2>&, const std::string&, const std::string&);
-template Index filled_region<3>(const Mesh<3>&, const std::string&, const std::string&);
-template Particles<2> fill(const Mesh<2>&, const std::string&, const BodySettings&, const StartState<2>&);
-template Particles<3> fill(const Mesh<3>&, const std::string&, const BodySettings&, const StartState<3>&);
+template Index filled_region<2>(const mesh::Mesh<2>&, const std::string&, const std::string&);
+template Index filled_region<3>(const mesh::Mesh<3>&, const std::string&, const std::string&);
+template Particles<2> fill(const mesh::Mesh<2>&, const std::string&, const BodySettings&, const StartState<2>&);
+template Particles<3> fill(const mesh::Mesh<3>&, const std::string&, const BodySettings&, const StartState<3>&);
 
-}  // namespace berm
+}  // namespace berm::bodies

@@ -5,7 +5,7 @@
 #include "bodies/particles.hpp"
 #include "bodies/rigid.hpp"
 
-namespace berm {
+namespace berm::bodies {
 
 /// Barycentric coordinates of n^dim points that share a simplex equally: the centroids of the n^dim equal parts that a regular subdivision makes.
 template <int dim>
@@ -20,7 +20,7 @@ Real particles_per_cell(const BodySettings& body, const std::string& region);
 
 /// The region of the mesh that the body `name` fills. Throws InputError where the mesh has none of that name.
 template <int dim>
-Index filled_region(const Mesh<dim>& mesh, const std::string& name, const std::string& region);
+Index filled_region(const mesh::Mesh<dim>& mesh, const std::string& name, const std::string& region);
 
 /// The state of the body at the start.
 template <int dim>
@@ -40,6 +40,6 @@ SymTensor<dim> first_stress(const BodySettings& body, Real unit_weight, Real dep
 /// Fills the body's regions, block or disk, but for the holes, with particles at rest or with its first velocity, and with its first stress.
 /// Throws InputError where a region is unknown or a block or disk leaves the mesh.
 template <int dim>
-Particles<dim> fill(const Mesh<dim>& mesh, const std::string& name, const BodySettings& body, const StartState<dim>& start);
+Particles<dim> fill(const mesh::Mesh<dim>& mesh, const std::string& name, const BodySettings& body, const StartState<dim>& start);
 
-}  // namespace berm
+}  // namespace berm::bodies

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::bodies {
 
 template <int dim>
-Particles<dim>::Particles(const Mesh<dim>& mesh, Index most, int state_size)
+Particles<dim>::Particles(const mesh::Mesh<dim>& mesh, Index most, int state_size)
     : head_(CellField<Index>::zeros(mesh.cell_count())),
       count_(CellField<Index>::zeros(mesh.cell_count())),
       state_size_(state_size)
@@ -133,4 +133,4 @@ bool Particles<dim>::sort_occupied()
 template class Particles<2>;
 template class Particles<3>;
 
-}  // namespace berm
+}  // namespace berm::bodies

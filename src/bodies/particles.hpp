@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace berm {
+namespace berm::bodies {
 
 /// Four particles of one cell. Lanes beyond the cell's count hold no particle: mass, volume and stress zero, a finite position.
 template <int dim>
@@ -42,7 +42,7 @@ class Particles {
 public:
   Particles() = default;
   /// Room for `most` particles anywhere in the mesh, each with state_size numbers that belong to its law.
-  Particles(const Mesh<dim>& mesh, Index most, int state_size);
+  Particles(const mesh::Mesh<dim>& mesh, Index most, int state_size);
 
   Index size() const { return size_; }
   int state_size() const { return state_size_; }
@@ -121,4 +121,4 @@ private:
   bool changed_ = false;  ///< a cell became occupied or empty since sort_occupied()
 };
 
-}  // namespace berm
+}  // namespace berm::bodies

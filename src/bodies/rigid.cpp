@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::bodies {
 namespace {
 
 template <int dim>
@@ -245,4 +245,4 @@ BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE
 
-}  // namespace berm
+}  // namespace berm::bodies

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-namespace berm {
+namespace berm::bodies {
 
 /// The turn by an angle (rad, counter-clockwise) about z.
 template <int dim>
@@ -147,4 +147,4 @@ Vec<dim> velocity_at(const Rigid<dim>& rigid, const RigidState<dim>& state, cons
   return v;
 }
 
-}  // namespace berm
+}  // namespace berm::bodies

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::bodies {
 namespace {
 
 /// Twice the area of the triangle of the corners a, b and c, positive where they go round counter-clockwise.
@@ -88,4 +88,4 @@ void describe(Describe& d, RigidSettings& rigid)
        .range = positive});
 }
 
-}  // namespace berm
+}  // namespace berm::bodies

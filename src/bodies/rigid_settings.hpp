@@ -3,7 +3,7 @@
 
 #include "core/describe.hpp"
 
-namespace berm {
+namespace berm::bodies {
 
 /// A circle, in space an endless cylinder along z.
 struct CircleSettings {
@@ -60,4 +60,4 @@ void describe(Describe& d, BoxSettings& box);
 void describe(Describe& d, PolygonSettings& polygon);
 void describe(Describe& d, RigidSettings& rigid);
 
-}  // namespace berm
+}  // namespace berm::bodies

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::boundary {
 
 void describe(Describe& d, SupportSettings& support)
 {
@@ -16,7 +16,7 @@ void describe(Describe& d, SupportSettings& support)
 }
 
 template <int dim>
-Index held_boundary(const Mesh<dim>& mesh, const std::string& name, const SupportSettings& support)
+Index held_boundary(const mesh::Mesh<dim>& mesh, const std::string& name, const SupportSettings& support)
 {
   const Index boundary = mesh.find_boundary(support.boundary);
   if (boundary == none)
@@ -32,7 +32,7 @@ std::uint8_t held_directions(const SupportSettings& support)
   return static_cast<std::uint8_t>(held);
 }
 
-template Index held_boundary<2>(const Mesh<2>&, const std::string&, const SupportSettings&);
-template Index held_boundary<3>(const Mesh<3>&, const std::string&, const SupportSettings&);
+template Index held_boundary<2>(const mesh::Mesh<2>&, const std::string&, const SupportSettings&);
+template Index held_boundary<3>(const mesh::Mesh<3>&, const std::string&, const SupportSettings&);
 
-}  // namespace berm
+}  // namespace berm::boundary

@@ -4,7 +4,7 @@
 #include "core/describe.hpp"
 #include "mesh/mesh.hpp"
 
-namespace berm {
+namespace berm::boundary {
 
 /// Holds the nodes of one boundary of the mesh in some directions, in all stages or in some.
 struct SupportSettings {
@@ -17,9 +17,9 @@ void describe(Describe& d, SupportSettings& support);
 
 /// The boundary of the mesh that the support `name` holds. Throws InputError where the mesh has none of that name.
 template <int dim>
-Index held_boundary(const Mesh<dim>& mesh, const std::string& name, const SupportSettings& support);
+Index held_boundary(const mesh::Mesh<dim>& mesh, const std::string& name, const SupportSettings& support);
 
 /// Bit d is set where direction d is held.
 std::uint8_t held_directions(const SupportSettings& support);
 
-}  // namespace berm
+}  // namespace berm::boundary

@@ -7,14 +7,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::boundary {
 namespace {
 
 constexpr int points_along_edge = 4, points_along_triangle = 3;
 
 /// The corners of the face opposite to a corner.
 template <int dim>
-std::array<Index, dim> face_of(const Mesh<dim>& mesh, Index cell, int corner)
+std::array<Index, dim> face_of(const mesh::Mesh<dim>& mesh, Index cell, int corner)
 {
   std::array<Index, dim> face;
   for (int k = 0, n = 0; k <= dim; ++k)
@@ -24,7 +24,7 @@ std::array<Index, dim> face_of(const Mesh<dim>& mesh, Index cell, int corner)
 
 /// Points on a face, each with an equal part of it, and the part of the face that is loaded.
 template <int dim>
-std::pair<std::vector<Vec<dim>>, Real> points_on(const Mesh<dim>& mesh, const TractionSettings& traction,
+std::pair<std::vector<Vec<dim>>, Real> points_on(const mesh::Mesh<dim>& mesh, const TractionSettings& traction,
                                                  const std::array<Index, dim>& face)
 {
   std::vector<Vec<dim>> points;
@@ -37,7 +37,7 @@ std::pair<std::vector<Vec<dim>>, Real> points_on(const Mesh<dim>& mesh, const Tr
       points.push_back(begin + (stretch.from + loaded * (n + 0.5) / points_along_edge) * (end - begin));
     return {points, loaded};
   } else {
-    for (const auto& at : points_in_simplex<2>(points_along_triangle))
+    for (const auto& at : bodies::points_in_simplex<2>(points_along_triangle))
       points.push_back(at[0] * mesh.position[face[0]] + at[1] * mesh.position[face[1]] + at[2] * mesh.position[face[2]]);
     return {points, 1};
   }
@@ -66,7 +66,7 @@ void describe(Describe& d, TractionSettings& traction)
 }
 
 template <int dim>
-Index loaded_boundary(const Mesh<dim>& mesh, const std::string& name, const TractionSettings& traction)
+Index loaded_boundary(const mesh::Mesh<dim>& mesh, const std::string& name, const TractionSettings& traction)
 {
   const Index boundary = mesh.find_boundary(traction.boundary);
   if (boundary == none)
@@ -93,7 +93,7 @@ Stretch stretch_in_range(const TractionSettings& traction, const Vec<2>& begin, 
 }
 
 template <int dim>
-std::vector<LoadedPlace<dim>> loaded_places(const Mesh<dim>& mesh, const std::string& name, const TractionSettings& traction,
+std::vector<LoadedPlace<dim>> loaded_places(const mesh::Mesh<dim>& mesh, const std::string& name, const TractionSettings& traction,
                                             const std::vector<Index>& body_of_region)
 {
   NodeField<char> at_boundary(mesh.node_count(), 0);
@@ -122,12 +122,12 @@ void refuse_without_soil(const std::string& name, const TractionSettings& tracti
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template Index loaded_boundary(const Mesh<dim>&, const std::string&, const TractionSettings&);                                           \
+  template Index loaded_boundary(const mesh::Mesh<dim>&, const std::string&, const TractionSettings&);                                     \
   template Vec<dim> stress_on(const TractionSettings&, const Vec<dim>&);                                                                   \
-  template std::vector<LoadedPlace<dim>> loaded_places(const Mesh<dim>&, const std::string&, const TractionSettings&,                      \
+  template std::vector<LoadedPlace<dim>> loaded_places(const mesh::Mesh<dim>&, const std::string&, const TractionSettings&,                \
                                                        const std::vector<Index>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE
 
-}  // namespace berm
+}  // namespace berm::boundary

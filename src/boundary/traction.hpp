@@ -4,7 +4,7 @@
 #include "core/describe.hpp"
 #include "mesh/mesh.hpp"
 
-namespace berm {
+namespace berm::boundary {
 
 /// A load on the soil that lies at one boundary of the mesh at the start. It moves with this soil and keeps its size and direction.
 struct TractionSettings {
@@ -20,7 +20,7 @@ void describe(Describe& d, TractionSettings& traction);
 
 /// The boundary of the mesh that the traction `name` loads. Throws InputError where the mesh has none of that name.
 template <int dim>
-Index loaded_boundary(const Mesh<dim>& mesh, const std::string& name, const TractionSettings& traction);
+Index loaded_boundary(const mesh::Mesh<dim>& mesh, const std::string& name, const TractionSettings& traction);
 
 /// The force over area, Pa, where the soil has this outward normal.
 template <int dim>
@@ -43,10 +43,10 @@ struct LoadedPlace {
 /// Places on the faces of soil at the boundary of the traction `name`: four on an edge, nine on a triangle, evenly. body_of_region tells which regions hold
 /// soil (not none). A face between soil and soil is none. Throws InputError where no soil lies at the boundary, or none of it in x_range.
 template <int dim>
-std::vector<LoadedPlace<dim>> loaded_places(const Mesh<dim>& mesh, const std::string& name, const TractionSettings& traction,
+std::vector<LoadedPlace<dim>> loaded_places(const mesh::Mesh<dim>& mesh, const std::string& name, const TractionSettings& traction,
                                             const std::vector<Index>& body_of_region);
 
 /// The error where nothing is loaded.
 [[noreturn]] void refuse_without_soil(const std::string& name, const TractionSettings& traction);
 
-}  // namespace berm
+}  // namespace berm::boundary

@@ -12,7 +12,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
-namespace berm {
+namespace berm::checkpoint {
 namespace {
 
 namespace fs = std::filesystem;
@@ -84,18 +84,18 @@ void check_header(const std::string& found, BigIndex bytes, std::uint32_t crc)
 void check(const fs::path& path)
 {
   const OpenFile file(path, O_RDONLY);
-  if (file < 0) throw_errno("it cannot be read");
+  if (file < 0) io::throw_errno("it cannot be read");
   const BigIndex size = ::lseek(file, 0, SEEK_END), first = std::min<BigIndex>(size, header_bytes);
   std::string found(static_cast<std::size_t>(first), '\0');
   const std::optional<std::uint32_t> crc = crc_of(file, first, size);
-  if (::pread(file, found.data(), found.size(), 0) != first || !crc) throw_errno("it cannot be read");
+  if (::pread(file, found.data(), found.size(), 0) != first || !crc) io::throw_errno("it cannot be read");
   check_header(found, size, *crc);
 }
 
 void force_to_disk(const fs::path& folder)
 {
   const OpenFile file(folder, O_RDONLY | O_DIRECTORY);
-  if (file < 0 || ::fsync(file) != 0) throw_errno(fmt::format("cannot write to {}", folder.string()));
+  if (file < 0 || ::fsync(file) != 0) io::throw_errno(fmt::format("cannot write to {}", folder.string()));
 }
 
 }  // namespace
@@ -112,9 +112,9 @@ void write_checkpoint(const fs::path& path, const Contents& contents)
     const OpenFile file(part, O_RDWR);
     const BigIndex size = file < 0 ? -1 : ::lseek(file, 0, SEEK_END);
     const std::optional<std::uint32_t> crc = size < 0 ? std::nullopt : crc_of(file, header_bytes, size);
-    if (!crc || ::lseek(file, 0, SEEK_SET) != 0 || !write_all(file, header(size, *crc, BERM_VERSION)) || ::fsync(file) != 0 ||
+    if (!crc || ::lseek(file, 0, SEEK_SET) != 0 || !io::write_all(file, header(size, *crc, BERM_VERSION)) || ::fsync(file) != 0 ||
         ::rename(part.c_str(), path.c_str()) != 0)
-      throw_errno(fmt::format("cannot write {}", path.string()));
+      io::throw_errno(fmt::format("cannot write {}", path.string()));
     force_to_disk(path.parent_path());
   } catch (const RunError&) {
     // Emptied first: HDF5 may keep it open, and with it its place on a disk that may be full.
@@ -142,4 +142,4 @@ std::optional<std::uint32_t> crc_of(const fs::path& path, BigIndex bytes)
   return file < 0 ? std::nullopt : crc_of(file, 0, bytes);
 }
 
-}  // namespace berm
+}  // namespace berm::checkpoint

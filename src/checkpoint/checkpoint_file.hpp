@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <functional>
 
-namespace berm {
+namespace berm::checkpoint {
 
 /// The form of a checkpoint: it changes whenever what is kept does.
 constexpr int checkpoint_format = 2;
@@ -28,4 +28,4 @@ std::uint32_t crc_of(const void* first, std::size_t bytes);
 /// CRC-32 of the first `bytes` bytes of a file; empty where it has not as many or cannot be read.
 std::optional<std::uint32_t> crc_of(const std::filesystem::path& path, BigIndex bytes);
 
-}  // namespace berm
+}  // namespace berm::checkpoint

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::checkpoint {
 namespace {
 
 namespace fs = std::filesystem;
@@ -66,4 +66,4 @@ void CheckpointFolder::remove() const
   fs::remove_all(path_, ignored);
 }
 
-}  // namespace berm
+}  // namespace berm::checkpoint

@@ -3,7 +3,7 @@
 
 #include "checkpoint/checkpoint_file.hpp"
 
-namespace berm {
+namespace berm::checkpoint {
 
 /// The checkpoints of one run, in a folder of their own: step_N.h5 with N the step. The last two are kept.
 class CheckpointFolder {
@@ -28,4 +28,4 @@ private:
   std::filesystem::path path_, last_;
 };
 
-}  // namespace berm
+}  // namespace berm::checkpoint

@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::checkpoint {
 namespace {
 
 /// The library's own messages are not shown: what berm says names the file and what to do. It does not clean up when the program ends: after a write
@@ -57,7 +57,7 @@ Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, std::size_t header_byt
 
 void Hdf5Writer::fail() const
 {
-  if (errno != 0) throw_errno(fmt::format("cannot write {}", path_.string()));
+  if (errno != 0) io::throw_errno(fmt::format("cannot write {}", path_.string()));
   throw RunError(fmt::format("cannot write {}", path_.string()));
 }
 
@@ -143,4 +143,4 @@ void Hdf5Reader::list(const std::string& path, std::string& text)
     refuse(fmt::format("{} is no text", path));
 }
 
-}  // namespace berm
+}  // namespace berm::checkpoint

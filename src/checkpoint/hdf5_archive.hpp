@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <hdf5.h>
 
-namespace berm {
+namespace berm::checkpoint {
 
 /// Something open in the HDF5 library, closed with this object.
 class Hdf5Id {
@@ -75,4 +75,4 @@ private:
   Hdf5Id file_;
 };
 
-}  // namespace berm
+}  // namespace berm::checkpoint

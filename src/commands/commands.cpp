@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "commands/commands.hpp"
 
+#include "benchmark/benchmark.hpp"
+#include "commands/side_by_side.hpp"
 #include "core/error.hpp"
+#include "core/interrupt.hpp"
 #include "core/threads.hpp"
+#include "envelope/envelope.hpp"
 #include "input/parameters.hpp"
 #include "input/read_case.hpp"
 #include "io/atomic_file.hpp"
 #include "report/page/report.hpp"
-#include "benchmark/benchmark.hpp"
-#include "envelope/envelope.hpp"
-#include "core/interrupt.hpp"
 #include "simulation/resume.hpp"
-#include "commands/side_by_side.hpp"
 #include "simulation/simulate.hpp"
 #include "study/study.hpp"
 #include "verification/verify.hpp"
@@ -24,40 +24,41 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-namespace berm {
+namespace berm::commands {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// All cases are read before the first one runs, so that a wrong one costs nothing. One case goes to `output` itself, several to folders in it
 /// that are named like their files.
-std::vector<RunRequest> requests(const std::vector<std::string>& files, const std::string& output,
-                                 const std::vector<std::string>& overrides, int threads)
+std::vector<simulation::RunRequest> requests(const std::vector<std::string>& files, const std::string& output,
+                                             const std::vector<std::string>& overrides, int threads)
 {
-  std::vector<RunRequest> all;
+  std::vector<simulation::RunRequest> all;
   for (const std::string& file : files) {
     const fs::path name = fs::path(file).stem();
     const fs::path folder = output.empty() ? fs::path("out") / name : files.size() == 1 ? fs::path(output) : fs::path(output) / name;
-    for (const RunRequest& other : all)
+    for (const simulation::RunRequest& other : all)
       if (other.folder == folder)
         throw InputError(fmt::format("{} and {} would both be written to {}", other.case_file.string(), file, folder.string()));
-    all.push_back({read_case(file, overrides), file, folder, threads});
+    all.push_back({input::read_case(file, overrides), file, folder, threads});
   }
   return all;
 }
 
 /// One case after the other, each on all threads; cases of finite elements, which hardly gain by threads, side by side behind them.
-int run_all(const std::vector<RunRequest>& all, const std::vector<std::string>& overrides, int threads)
+int run_all(const std::vector<simulation::RunRequest>& all, const std::vector<std::string>& overrides, int threads)
 {
   catch_interrupts();
   // A case that does not fit its mesh is refused before the first one runs.
   if (all.size() > 1)
-    for (const RunRequest& request : all) try_to_build(request);
-  std::vector<RunRequest> fem;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(fem), [](const RunRequest& r) { return r.settings.method == Method::fem; });
+    for (const simulation::RunRequest& request : all) try_to_build(request);
+  std::vector<simulation::RunRequest> fem;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(fem),
+               [](const simulation::RunRequest& r) { return r.settings.method == problem::Method::fem; });
   const bool side_by_side = fem.size() > 1 && threads > 1;
-  for (const RunRequest& request : all) {
-    if (side_by_side && request.settings.method == Method::fem) continue;
+  for (const simulation::RunRequest& request : all) {
+    if (side_by_side && request.settings.method == problem::Method::fem) continue;
     if (!run_case(request)) return 1;
   }
   return !side_by_side || run_side_by_side(fem, overrides, threads) ? 0 : 1;
@@ -65,7 +66,7 @@ int run_all(const std::vector<RunRequest>& all, const std::vector<std::string>& 
 
 int resume(const fs::path& folder, int threads)
 {
-  const std::optional<RunRequest> request = run_to_go_on_with(folder, threads);
+  const std::optional<simulation::RunRequest> request = simulation::run_to_go_on_with(folder, threads);
   if (!request) return fmt::print("the run in {} is finished\n", folder.string()), 0;
   catch_interrupts();
   return run_case(*request) ? 0 : 1;
@@ -75,7 +76,7 @@ int resume(const fs::path& folder, int threads)
 /// like their files where these are not study.toml.
 int study_all(const std::vector<std::string>& studies, const std::string& output, int at_once)
 {
-  std::vector<std::pair<StudyPlan, fs::path>> plans;
+  std::vector<std::pair<study::StudyPlan, fs::path>> plans;
   for (const std::string& study : studies) {
     const fs::path file = fs::is_directory(study) ? fs::path(study) / "study.toml" : fs::path(study),
                    whole = fs::absolute(file).lexically_normal();
@@ -85,7 +86,7 @@ int study_all(const std::vector<std::string>& studies, const std::string& output
                                                   : fs::path(output) / name;
     for (const auto& other : plans)
       if (other.second == folder) throw InputError(fmt::format("{} and another study would both be written to {}", study, folder.string()));
-    plans.emplace_back(plan_study(file, folder), folder);
+    plans.emplace_back(study::plan_study(file, folder), folder);
   }
   for (auto& [plan, folder] : plans)
     if (!run_study(plan, folder, at_once)) return 1;
@@ -93,11 +94,11 @@ int study_all(const std::vector<std::string>& studies, const std::string& output
 }
 
 int envelope_of(const std::vector<std::string>& files, const std::string& output, const std::vector<std::string>& overrides,
-                const EnvelopeSettings& how, int at_once)
+                const envelope::EnvelopeSettings& how, int at_once)
 {
   if (files.size() > 1) throw InputError(fmt::format("an envelope is that of one case, and here are {}", files.size()));
   const fs::path file = files[0], folder = output.empty() ? fs::path("out/envelope") / file.stem() : fs::path(output);
-  return find_envelope({read_case(file, overrides), file, folder, how, at_once}) ? 0 : 1;
+  return envelope::find_envelope({input::read_case(file, overrides), file, folder, how, at_once}) ? 0 : 1;
 }
 
 /// Messages of commands that write no run.log.
@@ -115,7 +116,7 @@ int dispatch(int argc, char** argv)
 
   std::vector<std::string> files, overrides, names;
   std::string output, json, unfinished;
-  ProblemChoice problems;
+  verification::ProblemChoice problems;
   int threads = 0;
   bool markdown = false, list = false;
 
@@ -147,7 +148,7 @@ int dispatch(int argc, char** argv)
   CLI::App* params = app.add_subcommand("params", "list all parameters of a case file");
   params->add_flag("--markdown", markdown, "as Markdown");
   CLI::App* bench = app.add_subcommand("bench", "measure the speed on fixed problems");
-  bench->add_option("NAME", names, "problems (default: all)")->check(CLI::IsMember(bench_names()));
+  bench->add_option("NAME", names, "problems (default: all)")->check(CLI::IsMember(benchmark::bench_names()));
   bench->add_option("--json", json, "also write the table to this file");
   takes_threads(bench);
   CLI::App* verify_command = app.add_subcommand("verify", "run examples and compare their results with what they expect");
@@ -165,7 +166,7 @@ int dispatch(int argc, char** argv)
                             "folder for the results; of several studies: the folder that theirs go into (default: out/study)");
   takes_jobs(study_command);
 
-  EnvelopeSettings envelope;
+  envelope::EnvelopeSettings envelope;
   CLI::App* envelope_command = app.add_subcommand("envelope", "find the V-H yield envelope of the pipe of a case, where it lies");
   takes_cases(envelope_command);
   takes_jobs(envelope_command);
@@ -175,7 +176,7 @@ int dispatch(int argc, char** argv)
   envelope_command->add_option("--travel", envelope.travel, "travel of each probe over the diameter (default: 0.1)")
       ->check(CLI::Range(1e-3, 1.));
 
-  ReportRequest report;
+  report::ReportRequest report;
   CLI::App* report_command = app.add_subcommand("report", "write one page, report.html, that shows what runs found");
   report_command->add_option("DIR", report.folders, "run folders, or folders that hold run folders")->required();
   report_command->add_option("-o,--output", report.output, "the page's file (default: report.html in the folder that holds the runs)");
@@ -190,11 +191,11 @@ int dispatch(int argc, char** argv)
   }
 
   if (params->parsed()) {
-    fmt::print("{}", markdown ? parameter_page() : parameter_table());
+    fmt::print("{}", markdown ? input::parameter_page() : input::parameter_table());
     return 0;
   }
   if (bench->parsed()) {
-    run_bench(names, json, use_threads(threads));
+    benchmark::run_bench(names, json, use_threads(threads));
     return 0;
   }
   if (report_command->parsed()) {
@@ -209,12 +210,12 @@ int dispatch(int argc, char** argv)
     messages_to_stderr();
     if (envelope_command->parsed()) return envelope_of(files, output, overrides, envelope, at_once);
     if (study_command->parsed()) return study_all(files, output, at_once);
-    return verify({problems, output.empty() ? "out/verification" : output, at_once}) ? 0 : 1;
+    return verification::verify({problems, output.empty() ? "out/verification" : output, at_once}) ? 0 : 1;
   }
   if (run->parsed() && !unfinished.empty()) return resume(unfinished, use_threads(threads));
-  const std::vector<RunRequest> all = requests(files, output, overrides, use_threads(threads));
+  const std::vector<simulation::RunRequest> all = requests(files, output, overrides, use_threads(threads));
   if (run->parsed()) return run_all(all, overrides, all.front().threads);
-  for (const RunRequest& request : all) check_case(request);
+  for (const simulation::RunRequest& request : all) check_case(request);
   return 0;
 }
 
@@ -224,7 +225,7 @@ int run_commands(int argc, char** argv)
 {
   try {
     const int status = dispatch(argc, argv);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) throw_errno("cannot write to the standard output");
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) io::throw_errno("cannot write to the standard output");
     return status;
   } catch (const InputError& error) {
     fmt::print(stderr, "berm: {}\n", error.what());
@@ -238,4 +239,4 @@ int run_commands(int argc, char** argv)
   }
 }
 
-}  // namespace berm
+}  // namespace berm::commands

@@ -7,23 +7,23 @@
 
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::commands {
 
-bool run_side_by_side(const std::vector<RunRequest>& requests, const std::vector<std::string>& overrides, int at_once)
+bool run_side_by_side(const std::vector<simulation::RunRequest>& requests, const std::vector<std::string>& overrides, int at_once)
 {
   unbind_thread();
-  std::vector<Job> jobs;
-  for (const RunRequest& request : requests) jobs.push_back({request.case_file, overrides, request.folder});
+  std::vector<jobs::Job> jobs;
+  for (const simulation::RunRequest& request : requests) jobs.push_back({request.case_file, overrides, request.folder});
   bool all_fine = true;
-  run_jobs(jobs, at_once, [&](std::size_t job, const JobEnd& end) {
-    const RunRequest& request = requests[job];
-    fmt::print(stderr, "{}", read_whole(request.folder / "run.log"));
-    if (end.kind == JobEnd::Kind::finished) return;
+  run_jobs(jobs, at_once, [&](std::size_t job, const jobs::JobEnd& end) {
+    const simulation::RunRequest& request = requests[job];
+    fmt::print(stderr, "{}", io::read_whole(request.folder / "run.log"));
+    if (end.kind == jobs::JobEnd::Kind::finished) return;
     all_fine = false;
     fmt::print(stderr, "berm: {}: {}\n", request.case_file.string(),
-               end.kind == JobEnd::Kind::interrupted ? "stopped, or not begun" : end.reason);
+               end.kind == jobs::JobEnd::Kind::interrupted ? "stopped, or not begun" : end.reason);
   });
   return all_fine;
 }
 
-}  // namespace berm
+}  // namespace berm::commands

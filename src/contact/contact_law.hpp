@@ -3,7 +3,7 @@
 
 #include "core/types.hpp"
 
-namespace berm {
+namespace berm::contact {
 
 /// What a contact point can carry in one step.
 struct Interface {
@@ -63,4 +63,4 @@ Vec<dim> holding_impulse(const Vec<dim>& relative, const Vec<dim>& n, const Effe
   return before - (grip == Grip::sticks ? Vec<dim>(normal + m.along * (relative - speed * n)) : normal);
 }
 
-}  // namespace berm
+}  // namespace berm::contact

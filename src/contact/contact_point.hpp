@@ -6,7 +6,7 @@
 
 #include <array>
 
-namespace berm {
+namespace berm::contact {
 
 /// One place where a deformable body may press on a rigid one or on another deformable one: a node, or a particle.
 template <int dim>
@@ -69,4 +69,4 @@ struct ContactPoints {
   std::vector<ContactPoint<dim>> shared;  ///< one for each of them
 };
 
-}  // namespace berm
+}  // namespace berm::contact

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/contact_settings.hpp"
 
-namespace berm {
+namespace berm::contact {
 
 void describe(Describe& d, ContactSettings& contact)
 {
@@ -25,4 +25,4 @@ void describe(Describe& d, ContactSettings& contact)
           {.meaning = "steps over which detection by gap or particle lets a gap close", .range = {1, 1000}});
 }
 
-}  // namespace berm
+}  // namespace berm::contact

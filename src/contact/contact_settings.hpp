@@ -3,7 +3,7 @@
 
 #include "core/describe.hpp"
 
-namespace berm {
+namespace berm::contact {
 
 /// When contact is corrected within a step (paper, section 2).
 enum class Scheme {
@@ -37,4 +37,4 @@ struct ContactSettings {
 
 void describe(Describe& d, ContactSettings& contact);
 
-}  // namespace berm
+}  // namespace berm::contact

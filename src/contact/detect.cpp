@@ -3,13 +3,14 @@
 
 #include "core/for_each.hpp"
 
-namespace berm {
+namespace berm::contact {
 namespace {
 
 /// The cells that the surface, or the body behind it, can reach before it has moved by `reach` from where they are listed. They follow from the state
 /// alone, so that a run that goes on from a checkpoint lists the same ones.
 template <int dim>
-void find_near_cells(const Mesh<dim>& mesh, const Rigid<dim>& rigid, RigidState<dim>& state, ContactPoints<dim>& found)
+void find_near_cells(const mesh::Mesh<dim>& mesh, const bodies::Rigid<dim>& rigid, bodies::RigidState<dim>& state,
+                     ContactPoints<dim>& found)
 {
   if (found.reach == 0) {
     Real least = infinity;
@@ -26,10 +27,10 @@ void find_near_cells(const Mesh<dim>& mesh, const Rigid<dim>& rigid, RigidState<
   found.near_at = state.listed_at;
   found.near_angle = state.listed_angle;
   found.near_cells.clear();
-  RigidState<dim> then;
+  bodies::RigidState<dim> then;
   then.displacement = state.listed_at;
   then.angle = state.listed_angle;
-  const RigidShape<dim> shape = placed<dim>(rigid, then);
+  const bodies::RigidShape<dim> shape = placed<dim>(rigid, then);
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     const Vec<dim> center = mesh.centroid(cell);
     Real radius = 0;
@@ -42,7 +43,7 @@ void find_near_cells(const Mesh<dim>& mesh, const Rigid<dim>& rigid, RigidState<
 
 /// Whether the body reaches into a cell, tried at its corners and at the quarter points of its edges.
 template <int dim>
-bool reaches_into(const RigidShape<dim>& shape, const Mesh<dim>& mesh, Index cell)
+bool reaches_into(const bodies::RigidShape<dim>& shape, const mesh::Mesh<dim>& mesh, Index cell)
 {
   const auto& nodes = mesh.nodes[cell];
   for (int a = 0; a <= dim; ++a)
@@ -54,12 +55,12 @@ bool reaches_into(const RigidShape<dim>& shape, const Mesh<dim>& mesh, Index cel
 
 /// The nodes of the cells that touch, each once, with the least gap of their cells.
 template <int dim>
-void list_nodes(const Mesh<dim>& mesh, const RigidShape<dim>& shape, Detection detection, const NodeField<Real>& mass,
+void list_nodes(const mesh::Mesh<dim>& mesh, const bodies::RigidShape<dim>& shape, Detection detection, const NodeField<Real>& mass,
                 ContactPoints<dim>& found)
 {
   if (found.place.size() == 0) found.place.assign(mesh.node_count(), none);
   const bool overlap = detection == Detection::overlap;
-  const bool has_corners = !std::holds_alternative<Circle<dim>>(shape) && !std::holds_alternative<HalfPlane<dim>>(shape);
+  const bool has_corners = !std::holds_alternative<bodies::Circle<dim>>(shape) && !std::holds_alternative<bodies::HalfPlane<dim>>(shape);
   for (std::size_t k = 0; k < found.near_cells.size(); ++k) {
     const auto& cell = found.cells[k];
     if (overlap ? !cell.cut : !(cell.gap < infinity)) continue;
@@ -73,7 +74,7 @@ void list_nodes(const Mesh<dim>& mesh, const RigidShape<dim>& shape, Detection d
         ContactPoint<dim> point;
         point.nodes[0] = node;
         point.weights[0] = 1;
-        const SurfacePoint<dim> surface = surface_at(shape, mesh.position[node]);
+        const bodies::SurfacePoint<dim> surface = surface_at(shape, mesh.position[node]);
         point.normal = surface.normal;
         point.place = mesh.position[node] - surface.distance * surface.normal;
         point.gap = gap;
@@ -94,20 +95,21 @@ void list_nodes(const Mesh<dim>& mesh, const RigidShape<dim>& shape, Detection d
 
 /// The particles whose gap is less than their width; cells without any are passed over by their least gap.
 template <int dim>
-void list_particles(const Mesh<dim>& mesh, const Particles<dim>& particles, const RigidShape<dim>& shape, ContactPoints<dim>& found)
+void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape,
+                    ContactPoints<dim>& found)
 {
   for (std::size_t k = 0; k < found.near_cells.size(); ++k) {
     const Index cell = found.near_cells[k];
     if (!(found.cells[k].gap < 2 * found.cells[k].half_width)) continue;
-    const Shape<dim> functions = mesh.shape(cell);
+    const mesh::Shape<dim> functions = mesh.shape(cell);
     Index left = particles.count_in(cell);
     for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
       for (int l = 0; l < lanes && l < left; ++l) {
-        const Block<dim>& p = particles.block(b);
+        const bodies::Block<dim>& p = particles.block(b);
         ContactPoint<dim> point;
         Vec<dim> x;
         for (int d = 0; d < dim; ++d) x[d] = p.x[d][l];
-        const SurfacePoint<dim> surface = surface_at(shape, x);
+        const bodies::SurfacePoint<dim> surface = surface_at(shape, x);
         const Real half = half_width<dim>(p.volume[l]);
         point.gap = surface.distance - half;
         if (!(point.gap < 2 * half)) continue;
@@ -126,10 +128,10 @@ void list_particles(const Mesh<dim>& mesh, const Particles<dim>& particles, cons
 }  // namespace
 
 template <int dim>
-void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<dim>& rigid, RigidState<dim>& state, Detection detection,
-            const NodeField<Real>& mass, ContactPoints<dim>& found)
+void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::Rigid<dim>& rigid,
+            bodies::RigidState<dim>& state, Detection detection, const NodeField<Real>& mass, ContactPoints<dim>& found)
 {
-  const RigidShape<dim> shape = placed<dim>(rigid, state);
+  const bodies::RigidShape<dim> shape = placed<dim>(rigid, state);
   find_near_cells(mesh, rigid, state, found);
 
   for_each("contact: distances", static_cast<Index>(found.near_cells.size()), [&](Index k) {
@@ -138,11 +140,11 @@ void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<
     result = {};
     Index left = particles.count_in(cell);
     for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) {
-      const Block<dim>& p = particles.block(b);
+      const bodies::Block<dim>& p = particles.block(b);
       for (int l = 0; l < lanes && l < left; ++l) {
         Vec<dim> x;
         for (int d = 0; d < dim; ++d) x[d] = p.x[d][l];
-        const SurfacePoint<dim> surface = surface_at(shape, x);
+        const bodies::SurfacePoint<dim> surface = surface_at(shape, x);
         const Real half = half_width<dim>(p.volume[l]), gap = surface.distance - half;
         result.distance = std::min(result.distance, surface.distance);
         if (gap < result.gap) result.gap = gap, result.normal = surface.normal, result.half_width = half;
@@ -161,10 +163,10 @@ void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void detect(const Mesh<dim>&, const Particles<dim>&, const Rigid<dim>&, RigidState<dim>&, Detection, const NodeField<Real>&,    \
-                       ContactPoints<dim>&);
+  template void detect(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, const bodies::Rigid<dim>&, bodies::RigidState<dim>&,         \
+                       Detection, const NodeField<Real>&, ContactPoints<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE
 
-}  // namespace berm
+}  // namespace berm::contact

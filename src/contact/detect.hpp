@@ -6,7 +6,7 @@
 #include "contact/contact_point.hpp"
 #include "contact/contact_settings.hpp"
 
-namespace berm {
+namespace berm::contact {
 
 /// Half the width of a particle: of a square (cube) of its volume. m
 template <int dim>
@@ -22,13 +22,13 @@ Real half_width(Real volume)
 /// Detection::particle: the particles whose gap is less than their width. Nodes without mass are left out.
 /// `state` keeps where the rigid body was when the cells near it were listed last.
 template <int dim>
-void detect(const Mesh<dim>& mesh, const Particles<dim>& particles, const Rigid<dim>& rigid, RigidState<dim>& state, Detection detection,
-            const NodeField<Real>& mass, ContactPoints<dim>& found);
+void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::Rigid<dim>& rigid,
+            bodies::RigidState<dim>& state, Detection detection, const NodeField<Real>& mass, ContactPoints<dim>& found);
 
 /// One of two deformable bodies: its particles, and the mass that its nodes have.
 template <int dim>
 struct BodyView {
-  const Particles<dim>& particles;
+  const bodies::Particles<dim>& particles;
   const NodeField<Real>& mass;
   const std::vector<Index>& nodes;  ///< that may have mass, ascending
 };
@@ -37,6 +37,7 @@ struct BodyView {
 /// direction along which their particles in the node's cells are farthest apart; the gap is that between the rims of these particles along it.
 /// Detection::overlap takes the gap for 0, Detection::distance leaves out nodes whose gap is open.
 template <int dim>
-void detect(const Mesh<dim>& mesh, const BodyView<dim>& body, const BodyView<dim>& other, Detection detection, ContactPoints<dim>& found);
+void detect(const mesh::Mesh<dim>& mesh, const BodyView<dim>& body, const BodyView<dim>& other, Detection detection,
+            ContactPoints<dim>& found);
 
-}  // namespace berm
+}  // namespace berm::contact

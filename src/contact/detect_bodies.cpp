@@ -4,19 +4,19 @@
 
 #include <Eigen/Geometry>
 
-namespace berm {
+namespace berm::contact {
 namespace {
 
 /// How far the particles in a node's cells reach along a direction: their centres, or (with their half widths) their rims. m
 template <int dim>
-Real reach(const Mesh<dim>& mesh, const Particles<dim>& particles, Index node, const Vec<dim>& direction, bool rims)
+Real reach(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Index node, const Vec<dim>& direction, bool rims)
 {
   Lanes farthest = all_lanes(-infinity);
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
     const Index cell = mesh.entries[e] / (dim + 1);
     Index left = particles.count_in(cell);
     for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) {
-      const Block<dim>& p = particles.block(b);
+      const bodies::Block<dim>& p = particles.block(b);
       Lanes along = direction[0] * p.x[0];
       for (int d = 1; d < dim; ++d) along += direction[d] * p.x[d];
       if (rims)
@@ -32,8 +32,8 @@ Real reach(const Mesh<dim>& mesh, const Particles<dim>& particles, Index node, c
 /// The particles of two bodies around a node, and the gap between them as seen along a direction n out of `other`.
 template <int dim>
 struct Meeting {
-  const Mesh<dim>& mesh;
-  const Particles<dim>&body, &other;
+  const mesh::Mesh<dim>& mesh;
+  const bodies::Particles<dim>&body, &other;
   Index node;
 
   Real gap(const Vec<dim>& n, bool rims) const { return -reach<dim>(mesh, body, node, -n, rims) - reach(mesh, other, node, n, rims); }
@@ -90,7 +90,8 @@ struct Meeting {
 }  // namespace
 
 template <int dim>
-void detect(const Mesh<dim>& mesh, const BodyView<dim>& body, const BodyView<dim>& other, Detection detection, ContactPoints<dim>& found)
+void detect(const mesh::Mesh<dim>& mesh, const BodyView<dim>& body, const BodyView<dim>& other, Detection detection,
+            ContactPoints<dim>& found)
 {
   if (found.shared.capacity() == 0) {
     found.shared_nodes.reserve(mesh.node_count());
@@ -122,9 +123,9 @@ void detect(const Mesh<dim>& mesh, const BodyView<dim>& body, const BodyView<dim
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void detect(const Mesh<dim>&, const BodyView<dim>&, const BodyView<dim>&, Detection, ContactPoints<dim>&);
+  template void detect(const mesh::Mesh<dim>&, const BodyView<dim>&, const BodyView<dim>&, Detection, ContactPoints<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE
 
-}  // namespace berm
+}  // namespace berm::contact

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::contact {
 namespace {
 
 /// A point as seen from a side of a surface.
@@ -17,19 +17,19 @@ struct OnSide {
 
 /// Visits visit(side, point as seen from it) for each side of a shape. A circle has one side without ends.
 template <class Visit>
-void visit_sides(const Circle<2>& circle, const Vec<2>& x, const Visit& visit)
+void visit_sides(const bodies::Circle<2>& circle, const Vec<2>& x, const Visit& visit)
 {
   const Vec<2> from = x - circle.center;
   visit(0, OnSide{circle.radius * std::atan2(from[1], from[0]), from.norm() - circle.radius, -infinity, infinity});
 }
 template <class Visit>
-void visit_sides(const HalfPlane<2>& plane, const Vec<2>& x, const Visit& visit)
+void visit_sides(const bodies::HalfPlane<2>& plane, const Vec<2>& x, const Visit& visit)
 {
   const Vec<2> from = x - plane.point;
   visit(0, OnSide{plane.normal[1] * from[0] - plane.normal[0] * from[1], plane.normal.dot(from), -infinity, infinity});
 }
 template <class Visit>
-void visit_sides(const Box<2>& box, const Vec<2>& x, const Visit& visit)
+void visit_sides(const bodies::Box<2>& box, const Vec<2>& x, const Visit& visit)
 {
   const Vec<2> local = box.axes.transpose() * (x - box.center);
   for (int side = 0; side < 4; ++side) {
@@ -38,7 +38,7 @@ void visit_sides(const Box<2>& box, const Vec<2>& x, const Visit& visit)
   }
 }
 template <class Visit>
-void visit_sides(const Polygon<2>& polygon, const Vec<2>& x, const Visit& visit)
+void visit_sides(const bodies::Polygon<2>& polygon, const Vec<2>& x, const Visit& visit)
 {
   const Vec<2> local = polygon.axes.transpose() * (x - polygon.center);
   const std::vector<Vec<2>>& corners = *polygon.corners;
@@ -59,7 +59,8 @@ void meet(Footprint<2>& left, Footprint<2>& right, Real distance)
 
 }  // namespace
 
-void find_footprints(const Mesh<2>& mesh, const Particles<2>& particles, const RigidShape<2>& shape, ContactPoints<2>& found)
+void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& particles, const bodies::RigidShape<2>& shape,
+                     ContactPoints<2>& found)
 {
   std::vector<Footprint<2>>& list = found.footprints;
   list.clear();
@@ -67,11 +68,11 @@ void find_footprints(const Mesh<2>& mesh, const Particles<2>& particles, const R
   for (std::size_t k = 0; k < found.near_cells.size(); ++k) {
     if (!(found.cells[k].gap < found.cells[k].half_width)) continue;
     const Index cell = found.near_cells[k];
-    const Shape<2> functions = mesh.shape(cell);
+    const mesh::Shape<2> functions = mesh.shape(cell);
     Index left = particles.count_in(cell);
     for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
       for (int l = 0; l < lanes && l < left; ++l) {
-        const Block<2>& p = particles.block(b);
+        const bodies::Block<2>& p = particles.block(b);
         const Vec<2> x(p.x[0][l], p.x[1][l]);
         const Real half = half_width<2>(p.volume[l]);
         const auto add = [&](int side, const OnSide& at) {
@@ -95,7 +96,7 @@ void find_footprints(const Mesh<2>& mesh, const Particles<2>& particles, const R
             [](const Footprint<2>& a, const Footprint<2>& b) { return a.side != b.side ? a.side < b.side : a.along < b.along; });
   for (std::size_t k = 1; k < list.size(); ++k)
     if (list[k].side == list[k - 1].side) meet(list[k - 1], list[k], list[k].along - list[k - 1].along);
-  if (const auto* circle = std::get_if<Circle<2>>(&shape); circle != nullptr && list.size() > 1)
+  if (const auto* circle = std::get_if<bodies::Circle<2>>(&shape); circle != nullptr && list.size() > 1)
     meet(list.back(), list.front(), list.front().along + 2 * pi * circle->radius - list.back().along);
   for (Footprint<2>& f : list) f.area = std::max(std::min(f.along + f.right, f.end) - std::max(f.along - f.left, f.begin), Real(0));
 }
@@ -129,4 +130,4 @@ void share_surface(ContactPoints<dim>& points)
 template void share_surface(ContactPoints<2>&);
 template void share_surface(ContactPoints<3>&);
 
-}  // namespace berm
+}  // namespace berm::contact

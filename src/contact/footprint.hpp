@@ -5,14 +5,15 @@
 #include "bodies/rigid.hpp"
 #include "contact/contact_point.hpp"
 
-namespace berm {
+namespace berm::contact {
 
 /// Finds the part of a rigid surface that each particle at it covers, in the plane (found.footprints).
 ///
 /// A particle within its width w of a side covers w along it, as a square would, cut at the side's ends. Where the squares of two neighbours overlap,
 /// and where they leave less than a width open, the border between them divides their distance in the ratio of their widths, so that nothing is
 /// covered twice and no hole is left between neighbours. m
-void find_footprints(const Mesh<2>& mesh, const Particles<2>& particles, const RigidShape<2>& shape, ContactPoints<2>& found);
+void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& particles, const bodies::RigidShape<2>& shape,
+                     ContactPoints<2>& found);
 
 /// Shares the covered surface among the contact points that press, so that their areas add up to it:
 ///
@@ -23,4 +24,4 @@ void find_footprints(const Mesh<2>& mesh, const Particles<2>& particles, const R
 template <int dim>
 void share_surface(ContactPoints<dim>& points);
 
-}  // namespace berm
+}  // namespace berm::contact

@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "envelope/envelope.hpp"
 
-#include "input/write_case.hpp"
-#include "run_folder/progress.hpp"
-#include "io/atomic_file.hpp"
 #include "envelope/envelope_report.hpp"
+#include "input/write_case.hpp"
+#include "io/atomic_file.hpp"
 #include "jobs/jobs.hpp"
+#include "run_folder/progress.hpp"
 #include "simulation/simulate.hpp"
 
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::envelope {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// The case with a mesh file that is found from any folder.
-Case with_whole_path(Case c, const fs::path& case_file)
+problem::Case with_whole_path(problem::Case c, const fs::path& case_file)
 {
-  if (auto* mesh = std::get_if<GmshFile>(&c.mesh))
+  if (auto* mesh = std::get_if<mesh::GmshFile>(&c.mesh))
     mesh->file = fs::absolute(case_file.parent_path() / mesh->file).lexically_normal().string();
   return c;
 }
@@ -27,19 +27,19 @@ Case with_whole_path(Case c, const fs::path& case_file)
 
 bool find_envelope(const EnvelopeRequest& request)
 {
-  const Case settings = with_whole_path(request.settings, request.case_file);
+  const problem::Case settings = with_whole_path(request.settings, request.case_file);
   std::vector<EnvelopeRow> rows;
   for (const Probe& probe : choose_probes(settings, request.how)) rows.push_back({probe, "finished", {}});
-  try_to_build({rows[0].probe.settings, request.case_file, request.folder, 1});
+  simulation::try_to_build({rows[0].probe.settings, request.case_file, request.folder, 1});
 
   const fs::path runs = request.folder / "runs";
-  make_folder(runs);
-  std::vector<Job> jobs;
+  io::make_folder(runs);
+  std::vector<jobs::Job> jobs;
   std::vector<std::size_t> row_of_job;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Probe& probe = rows[k].probe;
-    const Job job{runs / (probe.name + ".toml"), {}, runs / probe.name};
-    write_whole(job.case_file, resolved_toml(probe.settings));
+    const jobs::Job job{runs / (probe.name + ".toml"), {}, runs / probe.name};
+    io::write_whole(job.case_file, input::resolved_toml(probe.settings));
     if (has_result(job)) continue;
     jobs.push_back(job);
     row_of_job.push_back(k);
@@ -47,22 +47,23 @@ bool find_envelope(const EnvelopeRequest& request)
   if (const std::size_t there = rows.size() - jobs.size(); there > 0)
     fmt::print(stderr, "{} of {} probes have their result already and are not run again\n", there, rows.size());
   std::size_t done = 0, failed = 0, interrupted = 0;
-  run_jobs(jobs, request.at_once, [&](std::size_t job, const JobEnd& end) {
+  run_jobs(jobs, request.at_once, [&](std::size_t job, const jobs::JobEnd& end) {
     EnvelopeRow& row = rows[row_of_job[job]];
-    if (end.kind == JobEnd::Kind::interrupted) {
+    if (end.kind == jobs::JobEnd::Kind::interrupted) {
       row.state = "interrupted";
       ++interrupted;
       return;
     }
-    const bool fails = end.kind == JobEnd::Kind::failed;
+    const bool fails = end.kind == jobs::JobEnd::Kind::failed;
     failed += fails;
     if (fails) row.state = "failed";
     fmt::print(stderr, "{}/{} {}: {}\n", ++done, jobs.size(), row.probe.name,
-               fails ? "FAILED: " + end.reason : words_of_duration(wall_time_of(jobs[job].folder)));
+               fails ? "FAILED: " + end.reason : run_folder::words_of_duration(jobs::wall_time_of(jobs[job].folder)));
   });
   const Real diameter = wished_pipe(settings).diameter;
   for (EnvelopeRow& row : rows)
-    if (row.state == "finished") row.result = result_of(row.probe, read_history(runs / row.probe.name / "history.csv"), diameter);
+    if (row.state == "finished")
+      row.result = result_of(row.probe, run_folder::read_history(runs / row.probe.name / "history.csv"), diameter);
   write_envelope_report(settings, rows, request.folder);
   fmt::print("{}", envelope_words(settings, rows));
   if (failed > 0) fmt::print(stderr, "{} of {} probes failed; envelope.csv says which\n", failed, rows.size());
@@ -73,4 +74,4 @@ bool find_envelope(const EnvelopeRequest& request)
   return failed == 0 && interrupted == 0;
 }
 
-}  // namespace berm
+}  // namespace berm::envelope

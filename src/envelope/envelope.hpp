@@ -5,11 +5,11 @@
 
 #include <filesystem>
 
-namespace berm {
+namespace berm::envelope {
 
 /// An envelope to find.
 struct EnvelopeRequest {
-  Case settings;
+  problem::Case settings;
   std::filesystem::path case_file;
   std::filesystem::path folder;
   EnvelopeSettings how;
@@ -21,4 +21,4 @@ struct EnvelopeRequest {
 /// of a pipe in the bed or does not fit its mesh, before anything is written.
 bool find_envelope(const EnvelopeRequest& request);
 
-}  // namespace berm
+}  // namespace berm::envelope

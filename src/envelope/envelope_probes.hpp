@@ -3,7 +3,7 @@
 
 #include "problem/case.hpp"
 
-namespace berm {
+namespace berm::envelope {
 
 /// How the envelope of a pipe is looked for.
 struct EnvelopeSettings {
@@ -18,7 +18,7 @@ struct WishedPipe {
 };
 
 /// The pipe that the case drives. Throws InputError where the case is not plane, drives no circle, or the pipe lies above the bed or beyond the walls.
-WishedPipe wished_pipe(const Case& c);
+WishedPipe wished_pipe(const problem::Case& c);
 
 /// What a probe does: it goes in one direction until the soil yields, or pushes first and then drags at that depth.
 enum class ProbeKind { direction, swipe };
@@ -27,14 +27,14 @@ enum class ProbeKind { direction, swipe };
 struct Probe {
   std::string name;
   ProbeKind kind = ProbeKind::direction;
-  Real angle = 0;     ///< degrees below the horizontal in which a direction probe goes; NaN of a swipe
-  Case settings;      ///< the case with the probe's own stages
-  std::string stage;  ///< whose rows of the history tell the probe's path
+  Real angle = 0;          ///< degrees below the horizontal in which a direction probe goes; NaN of a swipe
+  problem::Case settings;  ///< the case with the probe's own stages
+  std::string stage;       ///< whose rows of the history tell the probe's path
 };
 
 /// The probes of an envelope: straight down (the first), in equal steps of angle to 45 degrees above the horizontal, and a swipe. The stages of the
 /// case before its first push or drag stay; those from there on give way to the probe's, which take its speed, ramp, rigid body and damping. Throws
 /// InputError as wished_pipe, and where that stage has no velocity.
-std::vector<Probe> choose_probes(const Case& c, const EnvelopeSettings& settings);
+std::vector<Probe> choose_probes(const problem::Case& c, const EnvelopeSettings& settings);
 
-}  // namespace berm
+}  // namespace berm::envelope

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::envelope {
 namespace {
 
 constexpr int curve_points = 100;
@@ -14,19 +14,19 @@ constexpr int curve_points = 100;
 /// The soil that touches the pipe.
 struct PipeInSoil {
   WishedPipe pipe;
-  const MohrCoulomb* law = nullptr;  ///< null: of another kind
-  const ContactSettings* contact = nullptr;
+  const material::MohrCoulomb* law = nullptr;  ///< null: of another kind
+  const contact::ContactSettings* contact = nullptr;
   Real unit_weight = 0;  ///< N/m3
 };
 
-PipeInSoil pipe_in_soil(const Case& c)
+PipeInSoil pipe_in_soil(const problem::Case& c)
 {
-  const Material* material = touched_material(c);
-  return {wished_pipe(c), material == nullptr ? nullptr : std::get_if<MohrCoulomb>(material), contact_of_pipe(c),
-          pipe_scale(c).unit_weight};
+  const material::Material* material = pipe::touched_material(c);
+  return {wished_pipe(c), material == nullptr ? nullptr : std::get_if<material::MohrCoulomb>(material), pipe::contact_of_pipe(c),
+          pipe::pipe_scale(c).unit_weight};
 }
 
-std::string titled(const std::string& title, const Formula& formula)
+std::string titled(const std::string& title, const formulas::Formula& formula)
 {
   const std::string where = formula.valid ? "" : fmt::format("; out of range: {}", formula.source.range);
   return fmt::format("{} [{}{}]", title, word_of(formula.source.label), where);
@@ -35,7 +35,7 @@ std::string titled(const std::string& title, const Formula& formula)
 /// The shear strength of the interface over that of the clay; NaN where it is a friction.
 Real roughness_of(const PipeInSoil& soil)
 {
-  if (soil.contact->scheme == Scheme::sticky) return 1;
+  if (soil.contact->scheme == contact::Scheme::sticky) return 1;
   if (soil.contact->friction_angle > 0) return std::numeric_limits<Real>::quiet_NaN();
   return std::min(Real(1), soil.contact->adhesion / soil.law->cohesion);
 }
@@ -43,18 +43,18 @@ Real roughness_of(const PipeInSoil& soil)
 Published for_clay(const PipeInSoil& soil)
 {
   Published published;
-  const PipeInClay pipe{soil.pipe.diameter, soil.pipe.embedment, soil.law->cohesion, roughness_of(soil), 0, soil.unit_weight};
+  const formulas::PipeInClay pipe{soil.pipe.diameter, soil.pipe.embedment, soil.law->cohesion, roughness_of(soil), 0, soil.unit_weight};
   published.unit = pipe.diameter * pipe.strength;
   published.unit_name = "(D s_u)";
   if (std::isnan(pipe.roughness)) {
     published.remark = "the formulas for clay know adhesion to the pipe, not friction: there is no curve to compare with";
     return published;
   }
-  const Real buoyancy = soil.unit_weight > 0 ? soil.unit_weight * f114_penetrated_area(pipe.diameter, pipe.embedment) : 0;
-  const auto with_buoyancy = [&](Formula formula) { return formula.value += buoyancy, formula; };
-  const Formula V_max = clay_vertical(pipe), H_max = clay_horizontal(pipe), smooth = clay_vertical_smooth(pipe);
+  const Real buoyancy = soil.unit_weight > 0 ? soil.unit_weight * formulas::f114_penetrated_area(pipe.diameter, pipe.embedment) : 0;
+  const auto with_buoyancy = [&](formulas::Formula formula) { return formula.value += buoyancy, formula; };
+  const formulas::Formula V_max = clay_vertical(pipe), H_max = clay_horizontal(pipe), smooth = clay_vertical_smooth(pipe);
   published.numbers = {{"V_max", with_buoyancy(V_max)}, {"H_max", H_max}};
-  const Formula any = clay_envelope(pipe, V_max.value / 2, V_max.value, H_max.value);
+  const formulas::Formula any = clay_envelope(pipe, V_max.value / 2, V_max.value, H_max.value);
   PublishedCurve curve{titled(any.source.work, any), {}, {}};
   for (int k = 0; k <= curve_points; ++k) {
     const Real V = V_max.value * k / curve_points;
@@ -67,9 +67,9 @@ Published for_clay(const PipeInSoil& soil)
     published.curves.push_back({titled("Vmax, slip lines", smooth), {smooth.value + buoyancy}, {0}});
   }
   const bool ends = pipe.roughness == 0 || pipe.roughness == 1;
-  if (ends && within(pipe.embedment / pipe.diameter, 0.5, 0.5)) {
-    const MurffBounds& bounds = pipe.roughness == 0 ? murff_smooth : murff_rough;
-    published.curves.push_back({fmt::format("Vmax, {} [{}]", murff_source.work, word_of(murff_source.label)),
+  if (ends && formulas::within(pipe.embedment / pipe.diameter, 0.5, 0.5)) {
+    const formulas::MurffBounds& bounds = pipe.roughness == 0 ? formulas::murff_smooth : formulas::murff_rough;
+    published.curves.push_back({fmt::format("Vmax, {} [{}]", formulas::murff_source.work, formulas::word_of(formulas::murff_source.label)),
                                 {bounds.lower * published.unit + buoyancy, bounds.upper * published.unit + buoyancy},
                                 {0, 0}});
   }
@@ -79,10 +79,11 @@ Published for_clay(const PipeInSoil& soil)
 Published for_sand(const PipeInSoil& soil, const std::vector<EnvelopeRow>& rows)
 {
   Published published;
-  const PipeInSand pipe{soil.pipe.diameter, soil.pipe.embedment, soil.unit_weight, soil.law->friction_angle, soil.contact->friction_angle};
+  const formulas::PipeInSand pipe{soil.pipe.diameter, soil.pipe.embedment, soil.unit_weight, soil.law->friction_angle,
+                                  soil.contact->friction_angle};
   published.unit = pipe.unit_weight * pipe.diameter * pipe.diameter;
   published.unit_name = "(γ' D²)";
-  Formula V_max = sand_vertical(pipe);
+  formulas::Formula V_max = sand_vertical(pipe);
   if (soil.law->dilation_angle != soil.law->friction_angle) {
     V_max.valid = false;
     V_max.source.range = "dilation angle = phi";
@@ -96,9 +97,9 @@ Published for_sand(const PipeInSoil& soil, const std::vector<EnvelopeRow>& rows)
   for (const EnvelopeRow& row : rows)
     if (const EnvelopePoint& end = row.result.end; end.V >= 0 && end.V < extremes.V_max && end.H > 0)
       V.push_back(end.V), H.push_back(end.H);
-  const YieldSurface surface = fit_zhang(V, H, extremes.V_max);
+  const formulas::YieldSurface surface = formulas::fit_zhang(V, H, extremes.V_max);
   if (!std::isfinite(surface.mu) || !std::isfinite(surface.beta)) return published;
-  const Formula any = zhang_envelope(surface, 0, extremes.V_max);
+  const formulas::Formula any = zhang_envelope(surface, 0, extremes.V_max);
   published.numbers.push_back({"zhang_mu", formula(surface.mu, any.source, any.valid)});
   published.numbers.push_back({"zhang_beta", formula(surface.beta, any.source, any.valid)});
   PublishedCurve curve{titled(fmt::format("Zhang's surface fitted, mu = {:.3f}, beta = {:.3f}", surface.mu, surface.beta), any), {}, {}};
@@ -113,7 +114,7 @@ Published for_sand(const PipeInSoil& soil, const std::vector<EnvelopeRow>& rows)
 
 }  // namespace
 
-Published published_for(const Case& c, const std::vector<EnvelopeRow>& rows)
+Published published_for(const problem::Case& c, const std::vector<EnvelopeRow>& rows)
 {
   const PipeInSoil soil = pipe_in_soil(c);
   if (soil.law != nullptr && soil.law->friction_angle == 0 && soil.law->cohesion > 0) return for_clay(soil);
@@ -123,4 +124,4 @@ Published published_for(const Case& c, const std::vector<EnvelopeRow>& rows)
   return published;
 }
 
-}  // namespace berm
+}  // namespace berm::envelope

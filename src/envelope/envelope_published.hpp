@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "formulas/formula.hpp"
 #include "envelope/envelope_table.hpp"
+#include "formulas/formula.hpp"
 
-namespace berm {
+namespace berm::envelope {
 
 /// A published curve or point, N/m.
 struct PublishedCurve {
@@ -15,7 +15,7 @@ struct PublishedCurve {
 /// A published number, N/m.
 struct PublishedNumber {
   std::string name;
-  Formula formula;
+  formulas::Formula formula;
 };
 
 /// What is published for the pipe and the soil of a case.
@@ -30,6 +30,6 @@ struct Published {
 /// For clay (Mohr-Coulomb without friction) the fits for a pipe wished in place, the buoyancy gamma' A of the clay that it takes the place of added
 /// to V; at w = D/2 also the bounds of Murff and others. For sand (without cohesion) the tabulated V_max, and Zhang's surface fitted to the probes'
 /// ends with their own V_max.
-Published published_for(const Case& c, const std::vector<EnvelopeRow>& rows);
+Published published_for(const problem::Case& c, const std::vector<EnvelopeRow>& rows);
 
-}  // namespace berm
+}  // namespace berm::envelope

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "envelope/envelope_report.hpp"
 
+#include "io/atomic_file.hpp"
 #include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"
-#include "io/atomic_file.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace berm {
+namespace berm::envelope {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -24,7 +24,7 @@ Json number(Real value, const char* unit)
   return {{"value", value}, {"unit", unit}};
 }
 
-std::string summary_json(const Case& c, const std::vector<EnvelopeRow>& rows)
+std::string summary_json(const problem::Case& c, const std::vector<EnvelopeRow>& rows)
 {
   const EnvelopeExtremes extremes = extremes_of(rows);
   const Published published = published_for(c, rows);
@@ -40,7 +40,7 @@ std::string summary_json(const Case& c, const std::vector<EnvelopeRow>& rows)
   }
   Json all = {{"quantities", quantities}, {"published", Json::object()}};
   for (const PublishedNumber& known : published.numbers) {
-    const Source& source = known.formula.source;
+    const formulas::Source& source = known.formula.source;
     all["published"][known.name] = {{"value", known.formula.value},   {"unit", known.name.starts_with("zhang") ? "1" : "N/m"},
                                     {"label", word_of(source.label)}, {"source", source.work},
                                     {"range", source.range},          {"in_range", known.formula.valid}};
@@ -53,19 +53,19 @@ std::string summary_json(const Case& c, const std::vector<EnvelopeRow>& rows)
   return all.dump(2) + "\n";
 }
 
-void draw(const Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder)
+void draw(const problem::Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder)
 {
   const Published published = published_for(c, rows);
   const WishedPipe pipe = wished_pipe(c);
   const EnvelopeExtremes extremes = extremes_of(rows);
-  const PlotUnit shown = published.unit > 0 ? PlotUnit{1 / published.unit, ""} : force_unit(extremes.V_max);
+  const plot::PlotUnit shown = published.unit > 0 ? plot::PlotUnit{1 / published.unit, ""} : plot::force_unit(extremes.V_max);
   const std::string unit = published.unit > 0 ? " / " + published.unit_name : fmt::format(" ({})", shown.name);
-  Figure figure;
+  plot::Figure figure;
   figure.title = fmt::format("{}: w/D = {:.3g}", c.title.empty() ? "Envelope" : c.title, pipe.embedment / pipe.diameter);
   figure.x_label = "V" + unit;
   figure.y_label = "H" + unit;
-  FigureCurve ends{fmt::format("berm ({}), ends of probes", c.method == Method::fem ? "fem" : "mpm"), of_probes, {}, {}};
-  FigureCurve swipe{"berm, swipe", of_swipe, {}, {}};
+  plot::FigureCurve ends{fmt::format("berm ({}), ends of probes", c.method == problem::Method::fem ? "fem" : "mpm"), of_probes, {}, {}};
+  plot::FigureCurve swipe{"berm, swipe", of_swipe, {}, {}};
   for (const EnvelopeRow& row : rows) {
     ends.x.push_back(row.result.end.V * shown.per_si);
     ends.y.push_back(row.result.end.H * shown.per_si);
@@ -75,7 +75,7 @@ void draw(const Case& c, const std::vector<EnvelopeRow>& rows, const std::filesy
     }
   }
   for (const PublishedCurve& curve : published.curves) {
-    FigureCurve drawn{curve.title, curve.V.size() > 2 ? of_curve : of_points, curve.V, curve.H};
+    plot::FigureCurve drawn{curve.title, curve.V.size() > 2 ? of_curve : of_points, curve.V, curve.H};
     for (Real& V : drawn.x) V *= shown.per_si;
     for (Real& H : drawn.y) H *= shown.per_si;
     figure.curves.push_back(drawn);
@@ -83,7 +83,7 @@ void draw(const Case& c, const std::vector<EnvelopeRow>& rows, const std::filesy
   figure.curves.push_back(swipe);
   figure.curves.push_back(ends);
   Real V_most = 0, H_most = 0;
-  for (const FigureCurve& curve : figure.curves) {
+  for (const plot::FigureCurve& curve : figure.curves) {
     for (const Real V : curve.x) V_most = std::max(V_most, V);
     for (const Real H : curve.y) H_most = std::max(H_most, H);
   }
@@ -96,14 +96,14 @@ void draw(const Case& c, const std::vector<EnvelopeRow>& rows, const std::filesy
 
 }  // namespace
 
-void write_envelope_report(const Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder)
+void write_envelope_report(const problem::Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder)
 {
-  write_whole(folder / "envelope.csv", envelope_csv(rows));
-  write_whole(folder / "summary.json", summary_json(c, rows));
+  io::write_whole(folder / "envelope.csv", envelope_csv(rows));
+  io::write_whole(folder / "summary.json", summary_json(c, rows));
   draw(c, rows, folder);
 }
 
-std::string envelope_words(const Case& c, const std::vector<EnvelopeRow>& rows)
+std::string envelope_words(const problem::Case& c, const std::vector<EnvelopeRow>& rows)
 {
   const Published published = published_for(c, rows);
   const EnvelopeExtremes extremes = extremes_of(rows);
@@ -128,4 +128,4 @@ std::string envelope_words(const Case& c, const std::vector<EnvelopeRow>& rows)
   return text;
 }
 
-}  // namespace berm
+}  // namespace berm::envelope

@@ -5,12 +5,12 @@
 
 #include <filesystem>
 
-namespace berm {
+namespace berm::envelope {
 
 /// Writes FOLDER/envelope.csv, summary.json and envelope.png.
-void write_envelope_report(const Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder);
+void write_envelope_report(const problem::Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder);
 
 /// The table for people: a line for each probe's end and the extremes beside what is published.
-std::string envelope_words(const Case& c, const std::vector<EnvelopeRow>& rows);
+std::string envelope_words(const problem::Case& c, const std::vector<EnvelopeRow>& rows);
 
-}  // namespace berm
+}  // namespace berm::envelope

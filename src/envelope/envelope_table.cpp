@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::envelope {
 namespace {
 
 constexpr std::size_t most_path_points = 100;
@@ -15,10 +15,10 @@ constexpr Real last_part = 0.25;  // of the travel, over which growth is told
 
 /// V, H and w of a stage over its travel, from where it began: the row before its first.
 struct StagePath {
-  TravelCurve V, H, w;
+  pipe::TravelCurve V, H, w;
 };
 
-StagePath path_of(const History& history, const std::string& stage)
+StagePath path_of(const run_folder::History& history, const std::string& stage)
 {
   const auto first = std::find(history.stage.begin(), history.stage.end(), stage) - history.stage.begin();
   const auto part = [&](const char* name) {
@@ -28,7 +28,7 @@ StagePath path_of(const History& history, const std::string& stage)
   const std::vector<Real> u = part("u_m"), w = part("w_m");
   std::vector<Real> travel;
   for (std::size_t k = 0; k < u.size(); ++k) travel.push_back(std::hypot(u[k] - u[0], w[k] - w[0]));
-  return {TravelCurve(travel, part("V_N_m")), TravelCurve(travel, part("H_N_m")), TravelCurve(travel, w)};
+  return {pipe::TravelCurve(travel, part("V_N_m")), pipe::TravelCurve(travel, part("H_N_m")), pipe::TravelCurve(travel, w)};
 }
 
 std::string cell(Real value)
@@ -38,12 +38,12 @@ std::string cell(Real value)
 
 }  // namespace
 
-ProbeResult result_of(const Probe& probe, const History& history, Real diameter)
+ProbeResult result_of(const Probe& probe, const run_folder::History& history, Real diameter)
 {
   ProbeResult result;
   const StagePath path = path_of(history, probe.stage);
   if (path.V.empty() || path.H.empty()) return result;
-  const Real half = probe.settings.method == Method::fem ? 0 : averaging_half_width * diameter;
+  const Real half = probe.settings.method == problem::Method::fem ? 0 : pipe::averaging_half_width * diameter;
   const auto at = [&](Real travel) { return EnvelopePoint{path.V.at(travel, half), path.H.at(travel, half), path.w.at(travel, half)}; };
   const Real angle = probe.kind == ProbeKind::swipe ? 0 : probe.angle * pi / 180;
   const auto resistance = [&](const EnvelopePoint& p) { return p.V * std::sin(angle) + p.H * std::cos(angle); };
@@ -90,4 +90,4 @@ std::string envelope_csv(const std::vector<EnvelopeRow>& rows)
   return text;
 }
 
-}  // namespace berm
+}  // namespace berm::envelope

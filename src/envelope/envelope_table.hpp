@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "run_folder/history.hpp"
 #include "envelope/envelope_probes.hpp"
+#include "run_folder/history.hpp"
 
-namespace berm {
+namespace berm::envelope {
 
 /// Where a pipe and the forces on it were.
 struct EnvelopePoint {
@@ -22,7 +22,7 @@ struct ProbeResult {
 };
 
 /// The result of a probe from its run's history. Those of the material point method are freed from noise over +-0.01 D of travel (TravelCurve::at).
-ProbeResult result_of(const Probe& probe, const History& history, Real diameter);
+ProbeResult result_of(const Probe& probe, const run_folder::History& history, Real diameter);
 
 /// One probe in the table.
 struct EnvelopeRow {
@@ -41,4 +41,4 @@ EnvelopeExtremes extremes_of(const std::vector<EnvelopeRow>& rows);
 /// envelope.csv: a line for the end of each probe, then one for each point of the swipe's path. What is not known is empty.
 std::string envelope_csv(const std::vector<EnvelopeRow>& rows);
 
-}  // namespace berm
+}  // namespace berm::envelope

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 /// Of the elastic stiffness: what is left of it where the law has none, so that stress-free soil does not make the matrix singular.
@@ -21,17 +21,17 @@ std::pair<Real, Real> extreme_stresses(const SymTensor<2>& stress)
 
 using Stiffness = Eigen::Matrix<Real, 3, 3, Eigen::DontAlign>;  ///< (xx, yy, xy) by (e_xx, e_yy, gamma_xy)
 
-Stiffness elastic_stiffness(const Elasticity& elastic)
+Stiffness elastic_stiffness(const material::Elasticity& elastic)
 {
   const Real along = p_wave_modulus(elastic), across = elastic.lame;
   return Stiffness{{along, across, 0}, {across, along, 0}, {0, 0, elastic.shear}};
 }
 
-PreparedLinearElastic law_from(const LinearElastic& law, const SymTensor<2>&, Real)
+material::PreparedLinearElastic law_from(const material::LinearElastic& law, const SymTensor<2>&, Real)
 {
   return prepare(law);
 }
-PreparedMohrCoulomb law_from(const MohrCoulomb& law, const SymTensor<2>& stress, Real depth)
+material::PreparedMohrCoulomb law_from(const material::MohrCoulomb& law, const SymTensor<2>& stress, Real depth)
 {
   return prepare(associated(at_depth(law, depth), stress));
 }
@@ -55,7 +55,7 @@ void update_point(const Law& law, Real viscosity, const SymTensor<2>& strain, So
 template <class Law>
 Stiffness stiffness_of_point(const Law& law, Real viscosity, const SymTensor<2>& strain, SoilPoint point)
 {
-  Tangent tangent;
+  material::Tangent tangent;
   update_stress_and_tangent(law, point.stress, strain, &point.law_state, tangent);
   Stiffness d;
   for (int j = 0; j < 3; ++j) d.col(j) = Eigen::Vector3d(tangent(0, j), tangent(1, j), tangent(3, j));
@@ -141,9 +141,9 @@ StrengthLag Assembly::strength_lag(const FemState& begin, const std::vector<Real
 {
   StrengthLag lag;
   for (Index cell = 0; cell < cells_.size(); ++cell) {
-    const auto* law = std::get_if<MohrCoulomb>(&model_.model.bodies[model_.mesh.body[cell]].material);
+    const auto* law = std::get_if<material::MohrCoulomb>(&model_.model.bodies[model_.mesh.body[cell]].material);
     if (law == nullptr) continue;
-    const Elasticity elastic = elasticity(*law);
+    const material::Elasticity elastic = elasticity(*law);
     for (int q = 0; q < triangle_points; ++q) {
       const ShapeAtPoint& shape = model_.shape[cell][q];
       const SymTensor<2>& end = points_[cell][q].stress;
@@ -290,7 +290,7 @@ Real Assembly::torque() const
 
 void Assembly::count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const
 {
-  Totals<2>& totals = state.state.totals;
+  problem::Totals<2>& totals = state.state.totals;
   const Vec<2> gravity = (state.gravity + loads.gravity) / 2;
   const Real held_back = (state.held_back + loads.held_back) / 2;
   for (const CellWork& cell : cells_) totals.internal += cell.work;
@@ -306,7 +306,7 @@ void Assembly::count_work(FemState& state, const std::vector<Real>& change, cons
         totals.external += (state.tractions[t] + loads.tractions[t]) / 2 * load.force[d] * change[2 * load.node + d];
   for (std::size_t k = 0; k < change.size(); ++k) totals.external += held_back * held_back_[k] * change[k];
   if (model_.rigid == none) return;
-  const RigidState<2>& rigid = state.state.rigids[model_.rigid];
+  const bodies::RigidState<2>& rigid = state.state.rigids[model_.rigid];
   const Index first = model_.rigid_unknown();
   const Vec<2> moved(change[first], change[first + 1]), force = -(rigid.reaction + reaction()) / 2;
   totals.external += force.dot(moved) - (rigid.torque + torque()) / 2 * change[first + 2];
@@ -337,7 +337,7 @@ void Assembly::accept(FemState& state, const std::vector<Real>& change, const Fe
       }
   state.overstress = carried > 0 ? over / carried : 0;
   if (model_.rigid == none) return;
-  RigidState<2>& rigid = state.state.rigids[model_.rigid];
+  bodies::RigidState<2>& rigid = state.state.rigids[model_.rigid];
   rigid.reaction = rigid.smooth_reaction = reaction();
   rigid.torque = torque();
   for (const FemContactState& point : contact_) rigid.deepest = std::max(rigid.deepest, -point.gap);
@@ -354,4 +354,4 @@ void Assembly::hold_back(const FemState& state, const FemLoads& loads)
   held_back_ = residual_;
 }
 
-}  // namespace berm
+}  // namespace berm::fem

@@ -3,7 +3,7 @@
 
 #include "fem/fem_problem.hpp"
 
-namespace berm {
+namespace berm::fem {
 
 /// What acts in an increment, and how the rigid body moves.
 struct FemLoads {
@@ -87,7 +87,7 @@ private:
   /// the strength of another stress (follow_strength).
   struct PointLaw {
     SymTensor<2> begin{{std::numeric_limits<Real>::quiet_NaN()}};  ///< Pa
-    std::variant<PreparedLinearElastic, PreparedMohrCoulomb> law;
+    std::variant<material::PreparedLinearElastic, material::PreparedMohrCoulomb> law;
   };
   const PointLaw& law_of_point(const SymTensor<2>& begin, Index cell, int q);
 
@@ -106,4 +106,4 @@ private:
   Real unbalanced_ = 0, contact_force_ = 0;
 };
 
-}  // namespace berm
+}  // namespace berm::fem

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 /// Of the contact's springs: this many times the stiffness of a layer of soil as thick as the elements at the body.
@@ -67,7 +67,7 @@ void number_unknowns(FemModel& model)
   }
 }
 
-FemWatch make_watch(const FemModel& model, const std::string& name, const WatchSettings& watch, Index body)
+FemWatch make_watch(const FemModel& model, const std::string& name, const problem::WatchSettings& watch, Index body)
 {
   FemWatch made{name, none, none, 0};
   const Vec<2> place(watch.point[0], watch.point[1]);
@@ -86,29 +86,29 @@ FemWatch make_watch(const FemModel& model, const std::string& name, const WatchS
   return made;
 }
 
-bool flows_unassociated(const Model<2>& model)
+bool flows_unassociated(const problem::Model<2>& model)
 {
-  return std::any_of(model.bodies.begin(), model.bodies.end(), [](const Body<2>& body) {
-    const auto* law = std::get_if<MohrCoulomb>(&body.material);
+  return std::any_of(model.bodies.begin(), model.bodies.end(), [](const problem::Body<2>& body) {
+    const auto* law = std::get_if<material::MohrCoulomb>(&body.material);
     return law != nullptr && law->dilation_angle < law->friction_angle;
   });
 }
 
 void make_contact(FemModel& model)
 {
-  for (const Contact& contact : model.model.contacts) {
+  for (const problem::Contact& contact : model.model.contacts) {
     if (contact.rigid == none)
       throw InputError(fmt::format("contact.{}.other_body: finite elements know contact with a rigid body only", contact.name));
     if (model.rigid != none) throw InputError(fmt::format("contact.{}: finite elements know one contact only", contact.name));
     model.rigid = contact.rigid;
-    const Rigid<2>& rigid = model.model.rigids[contact.rigid];
+    const bodies::Rigid<2>& rigid = model.model.rigids[contact.rigid];
     const auto sides = contact_sides(model.mesh, rigid.shape);
     if (sides.empty())
       throw InputError(fmt::format("contact.{}: the mesh has no side on the surface of rigid.{}", contact.name, rigid.name));
     model.contact = make_contact_points(sides, model.mesh.position, rigid.shape);
     Real length = 0;
     for (const FemContactPoint& point : model.contact) length += point.area;
-    model.interface = {contact.friction, contact.adhesion, contact.scheme == Scheme::sticky,
+    model.interface = {contact.friction, contact.adhesion, contact.scheme == contact::Scheme::sticky,
                        contact_stiffness * p_wave_modulus(model.model.bodies[contact.body].material) * static_cast<Real>(sides.size()) /
                            length};
   }
@@ -116,20 +116,20 @@ void make_contact(FemModel& model)
 
 }  // namespace
 
-FemProblem build_fem(const Case& c, const std::string& case_folder, const std::string& work_folder)
+FemProblem build_fem(const problem::Case& c, const std::string& case_folder, const std::string& work_folder)
 {
   FemProblem problem;
   FemModel& model = problem.model;
   FemState& state = problem.state;
   for (const auto& [name, rigid] : c.rigid)
-    if (rigid.motion == Motion::free)
+    if (rigid.motion == bodies::Motion::free)
       throw InputError(fmt::format("rigid.{}.motion: finite elements move a rigid body as a stage drives it; it cannot be \"free\"", name));
   model.model = make_model(c, make_cut_mesh(c, case_folder, work_folder));
-  if (c.initial_state == InitialState::level_ground) refuse_k0_below_uneven_ground(c, model.model);
+  if (c.initial_state == problem::InitialState::level_ground) refuse_k0_below_uneven_ground(c, model.model);
   model.settings = c.fem;
   model.strength_lags = flows_unassociated(model.model);
-  std::vector<RigidShape<2>> shapes;
-  for (const Rigid<2>& rigid : model.model.rigids) shapes.push_back(rigid.shape);
+  std::vector<bodies::RigidShape<2>> shapes;
+  for (const bodies::Rigid<2>& rigid : model.model.rigids) shapes.push_back(rigid.shape);
   model.mesh = make_quadratic(model.model.mesh, c, shapes);
   make_contact(model);
   for (std::size_t t = 0; t < c.traction.size(); ++t)
@@ -162,8 +162,8 @@ FemProblem build_fem(const Case& c, const std::string& case_folder, const std::s
       model.weight += shape.area * density(model.model.bodies[model.mesh.body[cell]].material) * model.model.gravity.norm();
   if (model.rigid != none) model.width = width_of<2>(model.model.rigids[model.rigid].shape);
   number_unknowns(model);
-  if (c.initial_state == InitialState::gravity_loading) load_by_gravity(c, model, state);
-  for (const auto& [name, watch] : c.watch) model.watches.push_back(make_watch(model, name, watch, place_of(c.body, watch.body)));
+  if (c.initial_state == problem::InitialState::gravity_loading) load_by_gravity(c, model, state);
+  for (const auto& [name, watch] : c.watch) model.watches.push_back(make_watch(model, name, watch, problem::place_of(c.body, watch.body)));
   state.displacement.assign(model.unknowns(), 0.);
   state.contact.resize(model.contact.size());
   state.state.tractions.resize(model.model.tractions.size());
@@ -172,4 +172,4 @@ FemProblem build_fem(const Case& c, const std::string& case_folder, const std::s
   return problem;
 }
 
-}  // namespace berm
+}  // namespace berm::fem

@@ -3,7 +3,7 @@
 
 #include <map>
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 constexpr Real adhesion_per_pressure = 10;
@@ -43,7 +43,7 @@ Eigen::Matrix<Real, 2, 5> relative_movement(const FemContactPoint& point)
 }
 
 std::vector<FemContactPoint> make_contact_points(const std::vector<BoundarySide>& sides, const NodeField<Vec<2>>& position,
-                                                 const RigidShape<2>& shape)
+                                                 const bodies::RigidShape<2>& shape)
 {
   std::map<Index, FemContactPoint> points;
   for (const auto& [from, to, middle] : sides) {
@@ -69,4 +69,4 @@ std::vector<FemContactPoint> make_contact_points(const std::vector<BoundarySide>
   return list;
 }
 
-}  // namespace berm
+}  // namespace berm::fem

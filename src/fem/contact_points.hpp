@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace berm {
+namespace berm::fem {
 
 /// A node of the soil on the surface of the rigid body: one unilateral Coulomb constraint. Wished in place, soil and body touch everywhere at first.
 struct FemContactPoint {
@@ -46,6 +46,6 @@ Eigen::Matrix<Real, 2, 5> relative_movement(const FemContactPoint& point);
 
 /// The contact points of sides that lie on the surface of the shape. Simpson's rule gives the areas.
 std::vector<FemContactPoint> make_contact_points(const std::vector<BoundarySide>& sides, const NodeField<Vec<2>>& position,
-                                                 const RigidShape<2>& shape);
+                                                 const bodies::RigidShape<2>& shape);
 
-}  // namespace berm
+}  // namespace berm::fem

@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 constexpr int most_steps = 40, most_searches = 30;
@@ -108,4 +108,4 @@ bool ContactStep::find(const FemState& begin, const std::vector<Real>& change, c
   return settled;
 }
 
-}  // namespace berm
+}  // namespace berm::fem

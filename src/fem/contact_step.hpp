@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace berm {
+namespace berm::fem {
 
 /// Newton's step where the soil keeps its stiffness but the contact does not: points open, close, stick and slide within it. With the soil condensed onto
 /// the contact's unknowns the step y of these solves
@@ -40,4 +40,4 @@ private:
   RowMatrix soil_, matrix_, stiffness_;
 };
 
-}  // namespace berm
+}  // namespace berm::fem

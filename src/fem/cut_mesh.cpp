@@ -11,7 +11,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 namespace fs = std::filesystem;
@@ -23,27 +23,27 @@ struct Cuts {
   std::vector<std::string> distances;  // from each body, as formulas of x and y
 };
 
-std::array<Vec<2>, 4> corners_of(const Box<2>& box)
+std::array<Vec<2>, 4> corners_of(const bodies::Box<2>& box)
 {
   const auto corner = [&](int a, int b) { return Vec<2>(box.center + box.axes * Vec<2>(a * box.half[0], b * box.half[1])); };
   return {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
 }
 
 // Half the width and height of the upright rectangle around a shape.
-Vec<2> half_extent(const Circle<2>& circle)
+Vec<2> half_extent(const bodies::Circle<2>& circle)
 {
   return {circle.radius, circle.radius};
 }
-Vec<2> half_extent(const Box<2>& box)
+Vec<2> half_extent(const bodies::Box<2>& box)
 {
   return box.axes.cwiseAbs() * box.half;
 }
 
-std::string draw(const Circle<2>& circle, std::size_t tag)
+std::string draw(const bodies::Circle<2>& circle, std::size_t tag)
 {
   return fmt::format("Disk({}) = {{{}, {}, 0, {}}};\n", tag, circle.center[0], circle.center[1], circle.radius);
 }
-std::string draw(const Box<2>& box, std::size_t tag)
+std::string draw(const bodies::Box<2>& box, std::size_t tag)
 {
   const Vec<2>&c = box.center, &h = box.half;
   return fmt::format("Rectangle({}) = {{{}, {}, 0, {}, {}}};\n", tag, c[0] - h[0], c[1] - h[1], 2 * h[0], 2 * h[1]) +
@@ -51,11 +51,11 @@ std::string draw(const Box<2>& box, std::size_t tag)
                      std::atan2(box.axes(1, 0), box.axes(0, 0)), tag);
 }
 
-std::string distance_from(const Circle<2>& circle)
+std::string distance_from(const bodies::Circle<2>& circle)
 {
   return fmt::format("Abs(Sqrt((x - ({}))^2 + (y - ({}))^2) - {})", circle.center[0], circle.center[1], circle.radius);
 }
-std::string distance_from(const Box<2>& box)
+std::string distance_from(const bodies::Box<2>& box)
 {
   const auto beyond = [&](int side) {
     return fmt::format("Max(0, Abs(({}) * (x - ({})) + ({}) * (y - ({}))) - {})^2", box.axes(0, side), box.center[0], box.axes(1, side),
@@ -65,11 +65,11 @@ std::string distance_from(const Box<2>& box)
 }
 
 // x of the corners that lie on the surface of the bed, to rounding.
-std::vector<Real> ends_on_surface(const Circle<2>&)
+std::vector<Real> ends_on_surface(const bodies::Circle<2>&)
 {
   return {};
 }
-std::vector<Real> ends_on_surface(const Box<2>& box)
+std::vector<Real> ends_on_surface(const bodies::Box<2>& box)
 {
   std::vector<Real> ends;
   for (const Vec<2>& corner : corners_of(box))
@@ -78,9 +78,9 @@ std::vector<Real> ends_on_surface(const Box<2>& box)
 }
 
 template <class Shape>
-void add_cut(Cuts& cuts, const SeabedMesh& bed, const std::string& name, const Shape& shape)
+void add_cut(Cuts& cuts, const mesh::SeabedMesh& bed, const std::string& name, const Shape& shape)
 {
-  const SeabedLayout at = layout_of(bed);
+  const mesh::SeabedLayout at = layout_of(bed);
   const Vec<2> half = half_extent(shape), lower = shape.center - half, upper = shape.center + half;
   const Real rounding = 1e-9 * half.maxCoeff();
   const std::vector<Real> ends = ends_on_surface(shape);
@@ -98,20 +98,20 @@ void add_cut(Cuts& cuts, const SeabedMesh& bed, const std::string& name, const S
   cuts.distances.push_back(distance_from(shape));
 }
 
-Cuts cuts_of(const Case& c, const SeabedMesh& bed)
+Cuts cuts_of(const problem::Case& c, const mesh::SeabedMesh& bed)
 {
   Cuts cuts;
   for (const auto& [name, rigid] : c.rigid) {
     const auto touches = [&, &own = name](const auto& contact) { return contact.second.rigid == own; };
     if (std::none_of(c.contact.begin(), c.contact.end(), touches)) continue;
-    const RigidShape<2> shape = make_shape<2>(rigid.shape);
+    const bodies::RigidShape<2> shape = make_shape<2>(rigid.shape);
     const Real width = width_of<2>(shape);
     if (c.fem.contact_size && *c.fem.contact_size < 1e-3 * width)
       throw InputError(fmt::format("fem.contact_size: {} m is less than a thousandth of the width of [rigid.{}], {} m", *c.fem.contact_size,
                                    name, width));
-    if (const auto* circle = std::get_if<Circle<2>>(&shape))
+    if (const auto* circle = std::get_if<bodies::Circle<2>>(&shape))
       add_cut(cuts, bed, name, *circle);
-    else if (const auto* box = std::get_if<Box<2>>(&shape))
+    else if (const auto* box = std::get_if<bodies::Box<2>>(&shape))
       add_cut(cuts, bed, name, *box);
     else
       throw InputError(fmt::format("rigid.{}.shape: of a mesh of kind \"seabed\" only a \"circle\" or a \"box\" can be cut out; a mesh of "
@@ -128,18 +128,18 @@ struct Part {
   bool holds(const Vec<2>& x) const { return left < x[0] && x[0] < right && bottom < x[1]; }
 };
 
-Part fine_zone(const SeabedMesh& bed)
+Part fine_zone(const mesh::SeabedMesh& bed)
 {
   return {bed.near_left, bed.near_right, -bed.near_depth};
 }
-Part inside_of_layer(const SeabedMesh& bed)
+Part inside_of_layer(const mesh::SeabedMesh& bed)
 {
-  const SeabedLayout at = layout_of(bed);
+  const mesh::SeabedLayout at = layout_of(bed);
   return {at.left + bed.layer, at.right - bed.layer, -bed.depth + bed.layer};
 }
 
 // Whether the same bodies fill both regions.
-bool alike(const Case& c, const std::string& region, const std::string& other)
+bool alike(const problem::Case& c, const std::string& region, const std::string& other)
 {
   return std::all_of(c.body.begin(), c.body.end(), [&](const auto& body) {
     const auto& regions = body.second.regions;
@@ -148,7 +148,7 @@ bool alike(const Case& c, const std::string& region, const std::string& other)
 }
 
 // Lines of a rigid body and of a region that nearly touch make flat cells, so the mesh has the border of a part only where it divides bodies.
-std::vector<Part> parts_to_draw(const Case& c, const SeabedMesh& bed)
+std::vector<Part> parts_to_draw(const problem::Case& c, const mesh::SeabedMesh& bed)
 {
   std::vector<Part> parts;
   if (!alike(c, "near", "bed")) parts.push_back(fine_zone(bed));
@@ -172,9 +172,9 @@ std::string curves_on(Real left, Real right, Real bottom, Real top, Real margin)
                      top + margin, margin);
 }
 
-void write_cut_geo(const SeabedMesh& bed, const Cuts& cuts, const std::vector<Part>& parts, Real contact_size, const fs::path& path)
+void write_cut_geo(const mesh::SeabedMesh& bed, const Cuts& cuts, const std::vector<Part>& parts, Real contact_size, const fs::path& path)
 {
-  const SeabedLayout at = layout_of(bed);
+  const mesh::SeabedLayout at = layout_of(bed);
   std::ofstream out(path);
   out << "// A flat bed without what rigid bodies take of it, made by berm. Lengths in metres; the bed's surface is y = 0.\n"
       << "SetFactory(\"OpenCASCADE\");\n"
@@ -200,13 +200,13 @@ void write_cut_geo(const SeabedMesh& bed, const Cuts& cuts, const std::vector<Pa
   for (const std::string& distance : cuts.distances) size = fmt::format("Min({}, {} + {} * {})", size, contact_size, bed.growth, distance);
   out << "\n// The size of a cell grows with its distance from the fine zone and from the rigid bodies.\n"
       << fmt::format("Field[1] = MathEval;\nField[1].F = \"{}\";\n", size) << "Background Field = 1;\n"
-      << gmsh_options;
+      << mesh::gmsh_options;
   out.close();
   if (!out) throw RunError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(errno)));
 }
 
 // By the cells' centroids.
-void name_regions(Mesh<2>& mesh, const SeabedMesh& bed)
+void name_regions(mesh::Mesh<2>& mesh, const mesh::SeabedMesh& bed)
 {
   mesh.region_names = {"near", "bed"};
   if (bed.layer > 0) mesh.region_names.emplace_back("layer");
@@ -218,9 +218,9 @@ void name_regions(Mesh<2>& mesh, const SeabedMesh& bed)
 
 }  // namespace
 
-Mesh<2> make_cut_mesh(const Case& c, const fs::path& case_folder, const fs::path& work_folder)
+mesh::Mesh<2> make_cut_mesh(const problem::Case& c, const fs::path& case_folder, const fs::path& work_folder)
 {
-  const auto* bed = std::get_if<SeabedMesh>(&c.mesh);
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
   if (bed == nullptr) return make_mesh<2>(c.mesh, case_folder, work_folder);
   check(*bed);
   const Cuts cuts = cuts_of(c, *bed);
@@ -229,8 +229,8 @@ Mesh<2> make_cut_mesh(const Case& c, const fs::path& case_folder, const fs::path
   if (failure) throw RunError(fmt::format("the mesh cannot be kept in {}: {}", work_folder.string(), failure.message()));
   const fs::path geo = work_folder / "mesh.geo", msh = work_folder / "mesh.msh";
   write_cut_geo(*bed, cuts, parts_to_draw(c, *bed), c.fem.contact_size.value_or(bed->near_size), geo);
-  run_gmsh(geo, msh, 2);
-  Mesh<2> mesh = read_msh<2>(msh);
+  mesh::run_gmsh(geo, msh, 2);
+  mesh::Mesh<2> mesh = mesh::read_msh<2>(msh);
   name_regions(mesh, *bed);
   // The space above the bed is not in this mesh, so a support of its top holds nothing.
   mesh.boundary_names.emplace_back("top");
@@ -238,4 +238,4 @@ Mesh<2> make_cut_mesh(const Case& c, const fs::path& case_folder, const fs::path
   return mesh;
 }
 
-}  // namespace berm
+}  // namespace berm::fem

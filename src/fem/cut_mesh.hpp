@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-namespace berm {
+namespace berm::fem {
 
 /// The mesh of the soil around the rigid bodies that it has a contact with, for the method "fem".
 ///
@@ -17,6 +17,6 @@ namespace berm {
 ///
 /// Throws InputError where a rigid body is neither circle nor box, does not lie in the soil, or is too large for contact_size; RunError where
 /// making fails.
-Mesh<2> make_cut_mesh(const Case& c, const std::filesystem::path& case_folder, const std::filesystem::path& work_folder);
+mesh::Mesh<2> make_cut_mesh(const problem::Case& c, const std::filesystem::path& case_folder, const std::filesystem::path& work_folder);
 
-}  // namespace berm
+}  // namespace berm::fem

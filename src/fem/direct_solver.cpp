@@ -8,7 +8,7 @@
 #include <dmumps_c.h>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::fem {
 
 Index SparsePattern::place(Index row, Index col) const
 {
@@ -125,4 +125,4 @@ void DirectSolver::expand(std::span<Real> b)
   solve(b, 2);
 }
 
-}  // namespace berm
+}  // namespace berm::fem

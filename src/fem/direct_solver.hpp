@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-namespace berm {
+namespace berm::fem {
 
 /// Where a symmetric sparse matrix has entries in its lower triangle: row r has the columns column[first[r]] ... column[first[r + 1] - 1], ascending,
 /// none beyond r.
@@ -55,4 +55,4 @@ private:
   std::unique_ptr<Mumps> mumps_;
 };
 
-}  // namespace berm
+}  // namespace berm::fem

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/element.hpp"
 
-namespace berm {
+namespace berm::fem {
 
 ShapeAtPoint shape_at(const AtSixNodes<Vec<2>>& nodes, int point)
 {
@@ -16,4 +16,4 @@ ShapeAtPoint shape_at(const AtSixNodes<Vec<2>>& nodes, int point)
   return shape;
 }
 
-}  // namespace berm
+}  // namespace berm::fem

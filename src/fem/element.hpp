@@ -3,7 +3,7 @@
 
 #include "fem/triangle.hpp"
 
-namespace berm {
+namespace berm::fem {
 
 /// Points of numerical integration in a 6-node triangle: three, exact for polynomials of degree 2 on straight sides. With three points the
 /// element does not lock at constant volume.
@@ -19,4 +19,4 @@ struct ShapeAtPoint {
 /// At point `point` of a triangle with these nodes (m), whose sides may be curved. The area is negative where the triangle is turned inside out.
 ShapeAtPoint shape_at(const AtSixNodes<Vec<2>>& nodes, int point);
 
-}  // namespace berm
+}  // namespace berm::fem

@@ -8,7 +8,7 @@
 #include "fem/side_loads.hpp"
 #include "problem/model.hpp"
 
-namespace berm {
+namespace berm::fem {
 
 /// A place of the soil whose motion and stress are written to the history: the node and the point of integration nearest to it.
 struct FemWatch {
@@ -19,7 +19,7 @@ struct FemWatch {
 
 /// What cannot change during a finite element run: the same model as for the material point method, and the elements.
 struct FemModel {
-  Model<2> model;  ///< its mesh is that of the corners
+  problem::Model<2> model;  ///< its mesh is that of the corners
   QuadraticMesh mesh;
   CellField<std::array<ShapeAtPoint, triangle_points>> shape;
   CellField<std::array<Real, triangle_points>> depth;  ///< m, of the points of integration below the bed's surface at the start
@@ -29,7 +29,7 @@ struct FemModel {
   Real width = 1;                             ///< m, of the rigid body, which increments of travel are measured with; 1 where there is none
   Real weight = 0;                            ///< N/m, of all soil
   std::vector<std::vector<NodalLoad>> loads;  ///< by traction
-  FemSettings settings;
+  problem::FemSettings settings;
   bool strength_lags = false;  ///< some soil's flow is not associated
   std::vector<FemWatch> watches;
 
@@ -50,7 +50,7 @@ struct SoilPoint {
 
 /// Everything that changes during a finite element run.
 struct FemState {
-  State<2> state;                  ///< time, stage, rigid bodies, totals; no particles
+  problem::State<2> state;         ///< time, stage, rigid bodies, totals; no particles
   std::vector<Real> displacement;  ///< by unknown: m, and rad for the angle
   CellField<std::array<SoilPoint, triangle_points>> points;
   std::vector<FemContactState> contact;
@@ -67,6 +67,6 @@ struct FemProblem {
 };
 
 /// Builds mesh, elements and the first state. Throws InputError where the case does not fit the method.
-FemProblem build_fem(const Case& c, const std::string& case_folder, const std::string& work_folder);
+FemProblem build_fem(const problem::Case& c, const std::string& case_folder, const std::string& work_folder);
 
-}  // namespace berm
+}  // namespace berm::fem

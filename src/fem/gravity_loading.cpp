@@ -4,7 +4,7 @@
 #include "core/error.hpp"
 #include "problem/initial_state.hpp"
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 /// The strain at a point where the unknown k of an element (x, y, x, y, ...) is 1.
@@ -19,11 +19,11 @@ SymTensor<2> strain_of_unknown(const ShapeAtPoint& shape, int k)
 
 }  // namespace
 
-void load_by_gravity(const Case& c, const FemModel& model, FemState& state)
+void load_by_gravity(const problem::Case& c, const FemModel& model, FemState& state)
 {
-  std::vector<GroundElasticity> grounds;
+  std::vector<problem::GroundElasticity> grounds;
   for (std::size_t b = 0; b < c.body.size(); ++b)
-    grounds.push_back(ground_elasticity(model.model.bodies[b].material, c.body[b].second.k0.value()));
+    grounds.push_back(problem::ground_elasticity(model.model.bodies[b].material, c.body[b].second.k0.value()));
   std::vector<char> given(model.unknowns(), 0);
   const NodeField<std::uint8_t>& fixed = model.mesh.fixed[model.model.fixed_in[0]];
   for (Index k = 0; k < model.unknowns(); ++k) given[k] = k >= model.rigid_unknown() || (fixed[k / 2] >> k % 2 & 1) != 0;
@@ -64,4 +64,4 @@ void load_by_gravity(const Case& c, const FemModel& model, FemState& state)
     }
 }
 
-}  // namespace berm
+}  // namespace berm::fem

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 constexpr Real settling_viscosity = 0.1;
@@ -63,7 +63,7 @@ bool LoadSteps::let_go(FemLoads loads)
 
 void LoadSteps::begin()
 {
-  const StageSettings& now = stage();
+  const problem::StageSettings& now = stage();
   const Real speed = std::hypot(now.velocity.value_or(0), now.vertical_velocity.value_or(0));
   const bool moves = driven() != none && speed > 0;
   first_dt_ = moves ? first_travel * model_.width / speed + (now.ramp > 0 ? now.ramp / 100 : 0)
@@ -74,7 +74,7 @@ void LoadSteps::begin()
 
 Real LoadSteps::travel(int direction, Real from, Real to) const
 {
-  const Drive& drive = state_.state.stage.drive[direction];
+  const problem::Drive& drive = state_.state.stage.drive[direction];
   const Real ramp = stage().ramp;
   const auto until = [&](Real t) { return t < ramp ? drive.to * t * t / (2 * ramp) : drive.to * (t - ramp / 2); };
   return drive.by_force ? 0 : until(to) - until(from);
@@ -82,8 +82,8 @@ Real LoadSteps::travel(int direction, Real from, Real to) const
 
 Real LoadSteps::up_to_the_end(Real dt) const
 {
-  const StageState<2>& now = state_.state.stage;
-  const Until& until = stage().until;
+  const problem::StageState<2>& now = state_.state.stage;
+  const problem::Until& until = stage().until;
   const Real since = state_.state.time - now.begin_time;
   if (until.time) dt = std::min(dt, *until.time - since);
   if (driven() == none) return dt;
@@ -115,13 +115,13 @@ FemLoads LoadSteps::loads_after(Real dt) const
 {
   FemLoads loads = dead_loads(state_.state.time + dt);
   if (driven() == none) return loads;
-  const StageState<2>& now = state_.state.stage;
+  const problem::StageState<2>& now = state_.state.stage;
   const Real since = state_.state.time - now.begin_time;
   for (int d = 0; d < 2; ++d) {
-    const Drive& drive = now.drive[d];
+    const problem::Drive& drive = now.drive[d];
     loads.rigid[d] = {drive.by_force, drive.by_force ? ramped(stage(), drive, since + dt) : travel(d, since, since + dt)};
   }
-  loads.rigid[2].by_force = model_.model.rigids[driven()].rotation == Rotation::free;
+  loads.rigid[2].by_force = model_.model.rigids[driven()].rotation == bodies::Rotation::free;
   return loads;
 }
 
@@ -235,4 +235,4 @@ bool LoadSteps::next_stage()
   return true;
 }
 
-}  // namespace berm
+}  // namespace berm::fem

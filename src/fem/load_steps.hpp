@@ -3,7 +3,7 @@
 
 #include "fem/newton.hpp"
 
-namespace berm {
+namespace berm::fem {
 
 /// Goes through the stages of a case in increments that adapt: one that does not converge is tried again at half its size, one that converges quickly
 /// lets the next grow. Each starts from the last one's change, scaled. The viscosity eta of an increment (Assembly::evaluate) is relaxation over
@@ -29,7 +29,7 @@ public:
   bool next_stage();
 
 private:
-  const StageSettings& stage() const { return model_.model.stages[state_.state.stage.index]; }
+  const problem::StageSettings& stage() const { return model_.model.stages[state_.state.stage.index]; }
   Index driven() const { return model_.model.driven[state_.state.stage.index]; }
   void begin();
   bool let_go(FemLoads loads);
@@ -53,4 +53,4 @@ private:
   std::vector<Real> last_change_;       ///< of displacement in it
 };
 
-}  // namespace berm
+}  // namespace berm::fem

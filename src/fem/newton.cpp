@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 constexpr int most_iterations = 25;
@@ -105,4 +105,4 @@ IncrementEnd Newton::find_equilibrium(const FemState& begin, const FemLoads& loa
   }
 }
 
-}  // namespace berm
+}  // namespace berm::fem

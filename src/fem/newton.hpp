@@ -3,7 +3,7 @@
 
 #include "fem/contact_step.hpp"
 
-namespace berm {
+namespace berm::fem {
 
 /// How an increment ended.
 struct IncrementEnd {
@@ -44,4 +44,4 @@ private:
   std::vector<Real> step_;
 };
 
-}  // namespace berm
+}  // namespace berm::fem

@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 // The body of each region of the mesh, or none.
-std::vector<Index> bodies_of_regions(const Mesh<2>& mesh, const Case& c)
+std::vector<Index> bodies_of_regions(const mesh::Mesh<2>& mesh, const problem::Case& c)
 {
   std::vector<Index> body_of(mesh.region_names.size(), none);
   for (Index b = 0; b < static_cast<Index>(c.body.size()); ++b) {
@@ -20,7 +20,7 @@ std::vector<Index> bodies_of_regions(const Mesh<2>& mesh, const Case& c)
       throw InputError(fmt::format("body.{}.{}: for finite elements a body must fill regions of the mesh: regions = [...]", name,
                                    body.block ? "block" : "disk"));
     for (const std::string& region : body.regions) {
-      Index& holder = body_of[filled_region(mesh, name, region)];
+      Index& holder = body_of[bodies::filled_region(mesh, name, region)];
       if (holder != none && holder != b)
         throw InputError(fmt::format("body.{}.regions: the region \"{}\" is filled by [body.{}] already; for finite elements a region has "
                                      "one body",
@@ -34,7 +34,7 @@ std::vector<Index> bodies_of_regions(const Mesh<2>& mesh, const Case& c)
 // The cells of bodies become triangles with six nodes.
 class Maker {
 public:
-  Maker(const Mesh<2>& mesh, const Case& c)
+  Maker(const mesh::Mesh<2>& mesh, const problem::Case& c)
       : mesh_(mesh),
         body_of_(bodies_of_regions(mesh, c)),
         node_number_(mesh.node_count(), none),
@@ -105,26 +105,26 @@ private:
     return middle;
   }
 
-  const Mesh<2>& mesh_;
+  const mesh::Mesh<2>& mesh_;
   std::vector<Index> body_of_;  // by region
   NodeField<Index> node_number_;
   CellField<Index> cell_number_;  // of the cells that are made already
 };
 
 // Whether nodes lie on the surface of the shape, to a millionth of the side.
-bool on_surface(const QuadraticMesh& mesh, const RigidShape<2>& shape, const BoundarySide& side, std::initializer_list<Index> nodes)
+bool on_surface(const QuadraticMesh& mesh, const bodies::RigidShape<2>& shape, const BoundarySide& side, std::initializer_list<Index> nodes)
 {
   const Real tolerance = 1e-6 * (mesh.position[side.to] - mesh.position[side.from]).norm();
   return std::all_of(nodes.begin(), nodes.end(),
                      [&](Index node) { return std::abs(surface_at<2>(shape, mesh.position[node]).distance) < tolerance; });
 }
 
-void bend_onto(QuadraticMesh& mesh, const RigidShape<2>& shape)
+void bend_onto(QuadraticMesh& mesh, const bodies::RigidShape<2>& shape)
 {
   for (const BoundarySide& side : mesh.boundary_sides) {
     if (!on_surface(mesh, shape, side, {side.from, side.to})) continue;
     Vec<2>& x = mesh.position[side.middle];
-    const SurfacePoint<2> nearest = surface_at<2>(shape, x);
+    const bodies::SurfacePoint<2> nearest = surface_at<2>(shape, x);
     x -= nearest.distance * nearest.normal;
   }
 }
@@ -148,7 +148,7 @@ AtSixNodes<Vec<2>> QuadraticMesh::positions_of(Index cell) const
   return x;
 }
 
-QuadraticMesh make_quadratic(const Mesh<2>& mesh, const Case& c, const std::vector<RigidShape<2>>& shapes)
+QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const problem::Case& c, const std::vector<bodies::RigidShape<2>>& shapes)
 {
   Maker maker(mesh, c);
   for (const std::vector<char>& holds : support_sets(c).holds) {
@@ -159,12 +159,12 @@ QuadraticMesh make_quadratic(const Mesh<2>& mesh, const Case& c, const std::vect
     maker.made.fixed.push_back(std::move(fixed));
   }
   for (const auto& [name, traction] : c.traction) maker.made.loaded_sides.push_back(maker.sides_at(loaded_boundary(mesh, name, traction)));
-  for (const RigidShape<2>& shape : shapes) bend_onto(maker.made, shape);
+  for (const bodies::RigidShape<2>& shape : shapes) bend_onto(maker.made, shape);
   check_unfolded(maker.made);
   return std::move(maker.made);
 }
 
-std::vector<BoundarySide> contact_sides(const QuadraticMesh& mesh, const RigidShape<2>& shape)
+std::vector<BoundarySide> contact_sides(const QuadraticMesh& mesh, const bodies::RigidShape<2>& shape)
 {
   std::vector<BoundarySide> sides;
   for (const BoundarySide& side : mesh.boundary_sides)
@@ -172,4 +172,4 @@ std::vector<BoundarySide> contact_sides(const QuadraticMesh& mesh, const RigidSh
   return sides;
 }
 
-}  // namespace berm
+}  // namespace berm::fem

@@ -5,7 +5,7 @@
 #include "fem/triangle.hpp"
 #include "problem/case.hpp"
 
-namespace berm {
+namespace berm::fem {
 
 /// A side of an element at the boundary of the mesh; the soil is on the left on the way from one end to the other.
 struct BoundarySide {
@@ -31,9 +31,9 @@ struct QuadraticMesh {
 /// The middle of a side at the boundary whose ends lie on the surface of a shape is put onto it: the sides along a circle are curved.
 /// Throws InputError where a body is a block or a disk, where a region or boundary is unknown, where two bodies fill one region, or where
 /// an element is folded because its side is too long for the circle it lies on.
-QuadraticMesh make_quadratic(const Mesh<2>& mesh, const Case& c, const std::vector<RigidShape<2>>& shapes);
+QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const problem::Case& c, const std::vector<bodies::RigidShape<2>>& shapes);
 
 /// The sides at the boundary of which all three nodes lie on the surface of a shape, to a millionth of the side.
-std::vector<BoundarySide> contact_sides(const QuadraticMesh& mesh, const RigidShape<2>& shape);
+std::vector<BoundarySide> contact_sides(const QuadraticMesh& mesh, const bodies::RigidShape<2>& shape);
 
-}  // namespace berm
+}  // namespace berm::fem

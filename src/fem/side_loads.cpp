@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/side_loads.hpp"
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 /// Place and weight in 0 ... 1.
@@ -11,12 +11,12 @@ const std::array<std::pair<Real, Real>, 3> gauss_points{
 }  // namespace
 
 std::vector<NodalLoad> side_loads(const QuadraticMesh& mesh, const std::vector<BoundarySide>& sides, const std::string& name,
-                                  const TractionSettings& traction)
+                                  const boundary::TractionSettings& traction)
 {
   std::vector<NodalLoad> loads;
   for (const BoundarySide& side : sides) {
     const std::array<Index, 3> nodes = {side.from, side.middle, side.to};
-    const Stretch stretch = stretch_in_range(traction, mesh.position[side.from], mesh.position[side.to]);
+    const boundary::Stretch stretch = stretch_in_range(traction, mesh.position[side.from], mesh.position[side.to]);
     const Real loaded = stretch.to - stretch.from;
     if (!(loaded > 0)) continue;
     std::array<NodalLoad, 3> of_side;
@@ -40,4 +40,4 @@ std::vector<NodalLoad> side_loads(const QuadraticMesh& mesh, const std::vector<B
   return loads;
 }
 
-}  // namespace berm
+}  // namespace berm::fem

@@ -4,7 +4,7 @@
 #include "boundary/traction.hpp"
 #include "fem/quadratic_mesh.hpp"
 
-namespace berm {
+namespace berm::fem {
 
 /// What a node gets of a traction.
 struct NodalLoad {
@@ -16,6 +16,6 @@ struct NodalLoad {
 /// The consistent forces of the traction `name` on sides with three nodes, which may be curved. Three points of Gauss a side are exact on straight ones.
 /// Throws InputError where nothing is loaded.
 std::vector<NodalLoad> side_loads(const QuadraticMesh& mesh, const std::vector<BoundarySide>& sides, const std::string& name,
-                                  const TractionSettings& traction);
+                                  const boundary::TractionSettings& traction);
 
-}  // namespace berm
+}  // namespace berm::fem

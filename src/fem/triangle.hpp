@@ -6,7 +6,7 @@
 #include <Eigen/LU>
 #include <array>
 
-namespace berm {
+namespace berm::fem {
 
 /// A value for each node of a 6-node triangle: corners counter-clockwise, then the middles of sides 01, 12 and 20.
 template <class T>
@@ -39,4 +39,4 @@ inline Matrix<2> jacobian(const AtSixNodes<Vec<2>>& x, const Vec<2>& at)
   return sum;
 }
 
-}  // namespace berm
+}  // namespace berm::fem

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::formulas {
 namespace {
 
 constexpr Source f114(const char* range)
@@ -81,4 +81,4 @@ Breakout f114_breakout(Real diameter, Real embedment)
   return {line(0.004, 0.02), line(0.02, 0.25), line(0.1, 0.7)};
 }
 
-}  // namespace berm
+}  // namespace berm::formulas

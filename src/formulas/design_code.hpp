@@ -6,7 +6,7 @@
 
 // The formulas of DNV-RP-F114 for pipes on the seabed, as public programs use them.
 
-namespace berm {
+namespace berm::formulas {
 
 /// The width of the pipe at the surface, m: B = 2 sqrt(D w - w^2) for w < D/2, else D. Zero at w = 0, NaN above the surface.
 Real f114_contact_width(Real diameter, Real embedment);
@@ -42,4 +42,4 @@ struct Breakout {
 /// least D (0.004 + 0.02 w/D), mean D (0.02 + 0.25 w/D), most D (0.1 + 0.7 w/D). [fit: DNV-RP-F114]
 Breakout f114_breakout(Real diameter, Real embedment);
 
-}  // namespace berm
+}  // namespace berm::formulas

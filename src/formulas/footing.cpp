@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formulas/footing.hpp"
 
-namespace berm {
+namespace berm::formulas {
 namespace {
 
 constexpr Real degree = pi / 180;
@@ -49,4 +49,4 @@ Formula n_gamma_hansen(Real friction_angle)
   return formula(value, source, within(friction_angle, 15 * degree, 50 * degree));
 }
 
-}  // namespace berm
+}  // namespace berm::formulas

@@ -3,7 +3,7 @@
 
 #include "formulas/formula.hpp"
 
-namespace berm {
+namespace berm::formulas {
 
 /// The bearing capacity factor of surcharge, N_q = exp(pi tan phi) tan^2(pi/4 + phi/2). Friction angle in rad. [exact: Prandtl, Reissner]
 Formula n_q(Real friction_angle);
@@ -21,4 +21,4 @@ Formula n_gamma(Real friction_angle, Base base);
 /// The same factor as design codes take it, N_gamma = 1.5 (N_q - 1) tan phi. Friction angle in rad. [recalled: Brinch Hansen 1970]
 Formula n_gamma_hansen(Real friction_angle);
 
-}  // namespace berm
+}  // namespace berm::formulas

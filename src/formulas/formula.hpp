@@ -3,7 +3,7 @@
 
 #include "core/types.hpp"
 
-namespace berm {
+namespace berm::formulas {
 
 /// How far a formula can be trusted.
 enum class Label : std::uint8_t {
@@ -42,4 +42,4 @@ inline bool within(Real x, Real low, Real high)
   return x >= low - 1e-9 && x <= high + 1e-9;
 }
 
-}  // namespace berm
+}  // namespace berm::formulas

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formulas/pipe_in_clay.hpp"
 
-namespace berm {
+namespace berm::formulas {
 namespace {
 
 Real relative_embedment(const PipeInClay& pipe)
@@ -91,4 +91,4 @@ Formula clay_deep(const PipeInClay& pipe)
   return formula(factor * pipe.diameter * pipe.strength, source, in_range);
 }
 
-}  // namespace berm
+}  // namespace berm::formulas

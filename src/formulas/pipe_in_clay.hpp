@@ -3,7 +3,7 @@
 
 #include "formulas/formula.hpp"
 
-namespace berm {
+namespace berm::formulas {
 
 /// A pipe in undrained clay, wished in place below a flat surface unless a formula says otherwise. The clay_... formulas give what the strength
 /// carries; the buoyancy of the displaced clay comes on top.
@@ -50,4 +50,4 @@ struct MurffBounds {
 constexpr MurffBounds murff_smooth{4.0, 4.6}, murff_rough{5.6, 5.6};
 constexpr Source murff_source{Label::recalled, "bounds of Murff, Wagner and Randolph 1989", "w/D = 0.5"};
 
-}  // namespace berm
+}  // namespace berm::formulas

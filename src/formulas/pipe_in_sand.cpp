@@ -5,7 +5,7 @@
 #include <array>
 #include <cassert>
 
-namespace berm {
+namespace berm::formulas {
 namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
@@ -92,4 +92,4 @@ YieldSurface fit_zhang(std::span<const Real> V, std::span<const Real> H, Real V_
   return {mu, mu_beta / mu};
 }
 
-}  // namespace berm
+}  // namespace berm::formulas

@@ -5,7 +5,7 @@
 
 #include <span>
 
-namespace berm {
+namespace berm::formulas {
 
 /// A pipe in drained sand without cohesion.
 struct PipeInSand {
@@ -49,4 +49,4 @@ Apex zhang_apex(const YieldSurface& surface, Real V_max);
 /// below V_max.
 YieldSurface fit_zhang(std::span<const Real> V, std::span<const Real> H, Real V_max);
 
-}  // namespace berm
+}  // namespace berm::formulas

@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::input {
 namespace {
 
 struct TypeAndDefault {
@@ -92,4 +92,4 @@ void Lister::enter_item(const char*, int)
   levels_.push_back({&levels_.back().table->children.back(), {}});
 }
 
-}  // namespace berm
+}  // namespace berm::input

@@ -3,7 +3,7 @@
 
 #include "core/describe.hpp"
 
-namespace berm {
+namespace berm::input {
 
 /// A key exists only where another key of the same table, the selector, has this word.
 struct Condition {
@@ -74,4 +74,4 @@ Listed catalogue_of()
   return lister.root();
 }
 
-}  // namespace berm
+}  // namespace berm::input

@@ -5,8 +5,8 @@
 #undef TOML_HEADER_ONLY
 #define TOML_HEADER_ONLY 1
 #define TOML_MAX_NESTED_VALUES 32
-#define TOML_ASSERT(condition) ((condition) ? void() : berm::toml_stumbles())
-namespace berm {
+#define TOML_ASSERT(condition) ((condition) ? void() : berm::input::toml_stumbles())
+namespace berm::input {
 namespace {
 struct TomlStumbled {};
 [[noreturn]] inline void toml_stumbles()
@@ -14,7 +14,7 @@ struct TomlStumbled {};
   throw TomlStumbled();
 }
 }  // namespace
-}  // namespace berm
+}  // namespace berm::input
 #include <cstdint>
 #include <toml++/impl/preprocessor.h>
 // A letter such as é where a space could stand makes toml++ 3.3 reach a place that it takes for unreachable; the answer there is "no space".
@@ -33,7 +33,7 @@ struct TomlStumbled {};
 #include <fmt/format.h>
 #include <fstream>
 
-namespace berm {
+namespace berm::input {
 namespace {
 
 constexpr std::size_t most_bytes = 1'000'000;
@@ -258,4 +258,4 @@ void refuse(const Document& document, const Node& node, const std::string& path,
       one_line(place + ": " + (path.empty() || repeats ? "" : shortened(path, most_of_path) + ": ") + shortened(message, most_of_message)));
 }
 
-}  // namespace berm
+}  // namespace berm::input

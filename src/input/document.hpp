@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace berm {
+namespace berm::input {
 
 /// One value of an input file, and where it stands.
 struct Node {
@@ -55,4 +55,4 @@ std::string kind_of(const Node& node);
 /// Throws InputError "FILE:LINE: PATH: MESSAGE", with "--set KEY" instead of FILE:LINE where an override made the node.
 [[noreturn]] void refuse(const Document& document, const Node& node, const std::string& path, const std::string& message);
 
-}  // namespace berm
+}  // namespace berm::input

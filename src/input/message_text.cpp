@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::input {
 namespace {
 
 constexpr Real degree = pi / 180;
@@ -113,4 +113,4 @@ bool within(Real value, const Range& range)
   return above && below;
 }
 
-}  // namespace berm
+}  // namespace berm::input

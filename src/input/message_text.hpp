@@ -3,7 +3,7 @@
 
 #include "core/describe.hpp"
 
-namespace berm {
+namespace berm::input {
 
 /// The fewest insertions, deletions, replacements and swaps of neighbours that turn one word into the other (optimal string alignment).
 int edit_distance(const std::string& a, const std::string& b);
@@ -35,4 +35,4 @@ std::string range_text(const Range& range, const std::string& si_unit);
 
 bool within(Real value, const Range& range);
 
-}  // namespace berm
+}  // namespace berm::input

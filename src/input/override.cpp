@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::input {
 namespace {
 
 [[noreturn]] void refuse_override(const std::string& key, const std::string& message)
@@ -128,4 +128,4 @@ void apply_override(Document& document, const std::string& key_and_value)
   Override(key, value_of(key, key_and_value.substr(equals + 1))).put_into(document.root);
 }
 
-}  // namespace berm
+}  // namespace berm::input

@@ -2,14 +2,14 @@
 #include "input/parameters.hpp"
 
 #include "input/catalogue.hpp"
-#include "input/units.hpp"
 #include "input/message_text.hpp"
+#include "input/units.hpp"
 #include "problem/case.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::input {
 namespace {
 
 using Row = std::vector<std::string>;
@@ -63,7 +63,7 @@ void collect(const Listed& table, const std::string& path, const std::string& he
 std::vector<Section> sections()
 {
   std::vector<Section> all;
-  collect(catalogue_of<Case>(), "", "The case", all);
+  collect(catalogue_of<problem::Case>(), "", "The case", all);
   return all;
 }
 
@@ -140,4 +140,4 @@ std::string parameter_page()
   return text;
 }
 
-}  // namespace berm
+}  // namespace berm::input

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace berm {
+namespace berm::input {
 
 /// All parameters of a case as aligned plain text, for `berm params`.
 std::string parameter_table();
@@ -11,4 +11,4 @@ std::string parameter_table();
 /// All parameters of a case as Markdown: docs/parameters.md, for `berm params --markdown`.
 std::string parameter_page();
 
-}  // namespace berm
+}  // namespace berm::input

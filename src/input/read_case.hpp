@@ -5,13 +5,13 @@
 
 #include <filesystem>
 
-namespace berm {
+namespace berm::input {
 
 /// Reads a case file, after changing it by overrides `KEY=VALUE` (see apply_override). Throws InputError, one line that names the file and the line
 /// (or the override), the key, and what is allowed, where anything in it cannot be or is not known.
-Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+problem::Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 /// As above, of a text; `file` is for the messages.
-Case read_case_text(const std::string& file, const std::string& text, const std::vector<std::string>& overrides = {});
+problem::Case read_case_text(const std::string& file, const std::string& text, const std::vector<std::string>& overrides = {});
 
-}  // namespace berm
+}  // namespace berm::input

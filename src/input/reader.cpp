@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/reader.hpp"
 
-#include "input/value_reader.hpp"
-#include "input/units.hpp"
 #include "input/message_text.hpp"
+#include "input/units.hpp"
+#include "input/value_reader.hpp"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::input {
 namespace {
 
 void use(Node& node)
@@ -234,4 +234,4 @@ void Reader::enter_item(const char* key, int item)
   step_into(&array->items[item], item_path(path_of(key), array->items[item], item));
 }
 
-}  // namespace berm
+}  // namespace berm::input

@@ -3,7 +3,7 @@
 
 #include "input/unknown_keys.hpp"
 
-namespace berm {
+namespace berm::input {
 
 /// Fills a struct from a document, marks what it reads as used, and throws InputError (see refuse) at the first value that cannot be.
 class Reader : public Describe {
@@ -51,4 +51,4 @@ void read(Document& document, T& value)
   refuse_unused_keys(document);
 }
 
-}  // namespace berm
+}  // namespace berm::input

@@ -10,7 +10,7 @@
 #include <memory>
 #include <udunits2.h>
 
-namespace berm {
+namespace berm::input {
 namespace {
 
 struct Dimension {
@@ -173,4 +173,4 @@ Real to_si(const std::string& text, const std::string& si_unit)
   return value;
 }
 
-}  // namespace berm
+}  // namespace berm::input

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace berm {
+namespace berm::input {
 
 /// A text is no quantity of the dimension that is wanted. The message says which is, with two examples.
 struct UnitError : std::invalid_argument {
@@ -24,4 +24,4 @@ const char* unit_in_space(const char* si_unit);
 /// What a quantity in si_unit is, with two examples: `a length, such as "20 mm" or "0.8 m"`.
 std::string wanted(const std::string& si_unit);
 
-}  // namespace berm
+}  // namespace berm::input

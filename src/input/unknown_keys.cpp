@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::input {
 namespace {
 
 std::string join(const std::string& path, const std::string& key)
@@ -119,4 +119,4 @@ void refuse_unused_keys(const Document& document)
   refuse_unused(document, document.root, "");
 }
 
-}  // namespace berm
+}  // namespace berm::input

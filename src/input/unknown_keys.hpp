@@ -4,7 +4,7 @@
 #include "input/catalogue.hpp"
 #include "input/document.hpp"
 
-namespace berm {
+namespace berm::input {
 
 /// Throws InputError for the first key that no parameter of the catalogue has in that place, with the nearest that it could be; for a key of
 /// an alternative that is not chosen; and for an override through a name that the file does not have.
@@ -13,4 +13,4 @@ void refuse_unknown_keys(const Document& document, const Listed& catalogue);
 /// Throws InputError for the first key that nobody read.
 void refuse_unused_keys(const Document& document);
 
-}  // namespace berm
+}  // namespace berm::input

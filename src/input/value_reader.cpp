@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/value_reader.hpp"
 
-#include "input/units.hpp"
 #include "input/message_text.hpp"
+#include "input/units.hpp"
 
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::input {
 namespace {
 
 constexpr std::size_t most_in_text = 4096;  // bytes
@@ -134,4 +134,4 @@ void Taker::operator()(std::map<std::string, int>* values) const
   for (const Node& item : node_.items) (*values)[item.key] = whole_number(item, path_ + "." + item.key);
 }
 
-}  // namespace berm
+}  // namespace berm::input

@@ -4,7 +4,7 @@
 #include "core/describe.hpp"
 #include "input/document.hpp"
 
-namespace berm {
+namespace berm::input {
 
 /// Takes one parameter from the node that holds it. `path` is its name in messages. Throws InputError (see refuse) where the node is of the wrong
 /// kind or dimension, out of range, or empty although the parameter is required.
@@ -42,4 +42,4 @@ private:
   const Parameter& parameter_;
 };
 
-}  // namespace berm
+}  // namespace berm::input

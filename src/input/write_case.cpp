@@ -7,7 +7,7 @@
 #include <cctype>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::input {
 namespace {
 
 std::string toml_text(const std::string& text)
@@ -141,17 +141,17 @@ std::string toml_of(const SettingTable& table)
   return text;
 }
 
-SettingTable all_settings(const Case& settings)
+SettingTable all_settings(const problem::Case& settings)
 {
-  Case copy = settings;
+  problem::Case copy = settings;
   SettingVisitor visitor(settings.dimension == 3);
   describe(visitor, copy);
   return visitor.root();
 }
 
-std::string resolved_toml(const Case& settings)
+std::string resolved_toml(const problem::Case& settings)
 {
   return "# The whole case: every default filled in, numbers in SI units, angles in radians.\n" + toml_of(all_settings(settings));
 }
 
-}  // namespace berm
+}  // namespace berm::input

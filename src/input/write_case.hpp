@@ -3,7 +3,7 @@
 
 #include "problem/case.hpp"
 
-namespace berm {
+namespace berm::input {
 
 /// What a parameter is set to; std::monostate where it is left out.
 using SettingValue = std::variant<std::monostate, Real, int, bool, std::string, std::vector<std::string>, std::vector<Real>,
@@ -55,9 +55,9 @@ private:
 std::string toml_of(const SettingTable& table);
 
 /// All parameters of a case as they are, defaults included.
-SettingTable all_settings(const Case& settings);
+SettingTable all_settings(const problem::Case& settings);
 
 /// The whole case as TOML, with every default filled in, in SI units: resolved.toml.
-std::string resolved_toml(const Case& settings);
+std::string resolved_toml(const problem::Case& settings);
 
-}  // namespace berm
+}  // namespace berm::input

@@ -12,7 +12,7 @@
 #include <system_error>
 #include <unistd.h>
 
-namespace berm {
+namespace berm::io {
 namespace {
 
 /// Makes a file beside its place with fill(file descriptor), which is false, and errno says why, where it failed; forces it to the disk and renames it.
@@ -134,4 +134,4 @@ void make_folder(const std::filesystem::path& path)
   if (error) throw RunError(fmt::format("cannot make the folder {}: {}", path.string(), error.message()));
 }
 
-}  // namespace berm
+}  // namespace berm::io

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace berm {
+namespace berm::io {
 
 /// Writes the file as a whole or not at all: to a temporary file beside it, which is forced to the disk and renamed. Whoever reads `path`
 /// sees the old content or the new one. Throws RunError with the reason (disk full, no permission, ...); the old file is untouched then.
@@ -37,4 +37,4 @@ std::string read_whole(const std::filesystem::path& path);
 /// Writes all of `text` to a file descriptor, in one write() where the system takes it at once. False, and errno says why, where it failed.
 bool write_all(int file, std::string_view text);
 
-}  // namespace berm
+}  // namespace berm::io

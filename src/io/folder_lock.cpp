@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace berm {
+namespace berm::io {
 namespace {
 
 std::string this_process()
@@ -67,4 +67,4 @@ FolderLock::~FolderLock()
   ::close(file_);
 }
 
-}  // namespace berm
+}  // namespace berm::io

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace berm {
+namespace berm::io {
 
 /// Keeps a folder for this process: its file `lock`, which names process and machine, is locked as long as this lives, and no longer than the process.
 class FolderLock {
@@ -21,4 +21,4 @@ private:
   int file_ = -1;
 };
 
-}  // namespace berm
+}  // namespace berm::io

@@ -12,7 +12,7 @@
 #include <sys/utsname.h>
 #include <vector>
 
-namespace berm {
+namespace berm::io {
 namespace {
 
 /// "6.1.0-18-amd64" is 6.1: what comes behind is of no interest to a reader.
@@ -61,4 +61,4 @@ std::string utc_date(std::chrono::system_clock::time_point time)
                      utc.tm_sec);
 }
 
-}  // namespace berm
+}  // namespace berm::io

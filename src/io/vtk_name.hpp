@@ -4,7 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace berm {
+namespace berm::io {
 
 static_assert(std::endian::native == std::endian::little, "the .vtu files say that their data is little-endian");
 
@@ -22,4 +22,4 @@ constexpr const char* vtk_name<std::int64_t> = "Int64";
 template <>
 constexpr const char* vtk_name<std::uint8_t> = "UInt8";
 
-}  // namespace berm
+}  // namespace berm::io

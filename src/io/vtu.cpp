@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "io/vtu.hpp"
 
-#include "io/vtk_name.hpp"
 #include "io/atomic_file.hpp"
+#include "io/vtk_name.hpp"
 
 #include <deque>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::io {
 namespace {
 
 template <class T>
@@ -98,4 +98,4 @@ template void Vtu::cell_field(const std::string&, int, const std::vector<double>
 template void Vtu::cell_field(const std::string&, int, const std::vector<float>&);
 template void Vtu::cell_field(const std::string&, int, const std::vector<std::int32_t>&);
 
-}  // namespace berm
+}  // namespace berm::io

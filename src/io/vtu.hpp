@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace berm {
+namespace berm::io {
 
 /// Kinds of cells, as VTK numbers them.
 enum class VtkCell : std::uint8_t {
@@ -63,4 +63,4 @@ private:
   Real time_ = std::numeric_limits<Real>::quiet_NaN();
 };
 
-}  // namespace berm
+}  // namespace berm::io

@@ -2,8 +2,8 @@
 #include "io/vtu_file.hpp"
 
 #include "core/error.hpp"
-#include "io/vtk_name.hpp"
 #include "io/atomic_file.hpp"
+#include "io/vtk_name.hpp"
 #include "io/xml_tag.hpp"
 
 #include <cerrno>
@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace berm {
+namespace berm::io {
 namespace {
 
 constexpr std::uint64_t most_header = 1 << 16;  // bytes; Vtu's headers have some 3000
@@ -120,4 +120,4 @@ template std::vector<std::int32_t> VtuFile::numbers(const std::string&, std::siz
 template std::vector<std::int64_t> VtuFile::numbers(const std::string&, std::size_t) const;
 template std::vector<std::uint8_t> VtuFile::numbers(const std::string&, std::size_t) const;
 
-}  // namespace berm
+}  // namespace berm::io

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace berm {
+namespace berm::io {
 
 /// A .vtu file as Vtu writes it, open to read single arrays from. Whatever its header says, nothing beyond the file's end is read or asked memory for.
 /// All functions throw RunError, with the file's name, where the file is missing, cut off or not one of Vtu's.
@@ -48,4 +48,4 @@ private:
   std::map<std::string, Array> arrays_;
 };
 
-}  // namespace berm
+}  // namespace berm::io

@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace berm {
+namespace berm::io {
 namespace {
 
 /// The whole of a text as a number.
@@ -52,4 +52,4 @@ std::vector<XmlTag> xml_tags(std::string_view text, const std::string& name)
   return tags;
 }
 
-}  // namespace berm
+}  // namespace berm::io

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace berm {
+namespace berm::io {
 
 /// A tag of the XML that berm writes: no quotes or brackets within its values.
 class XmlTag {
@@ -28,4 +28,4 @@ private:
 /// The tags of that name in a text, in their order; they look into the text.
 std::vector<XmlTag> xml_tags(std::string_view text, const std::string& name);
 
-}  // namespace berm
+}  // namespace berm::io

@@ -2,12 +2,12 @@
 #include "jobs/jobs.hpp"
 
 #include "core/error.hpp"
+#include "core/interrupt.hpp"
 #include "core/timer.hpp"
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
-#include "run_folder/summary_file.hpp"
 #include "io/atomic_file.hpp"
-#include "core/interrupt.hpp"
+#include "run_folder/summary_file.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -24,7 +24,7 @@
 #include <thread>
 #include <unistd.h>
 
-namespace berm {
+namespace berm::jobs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -50,16 +50,16 @@ pid_t start(const Job& job)
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
-  make_folder(job.folder.parent_path());
+  io::make_folder(job.folder.parent_path());
   const fs::path messages = messages_of(job);
   const int out = ::open(messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (out < 0) throw_errno(fmt::format("cannot write {}", messages.string()));
+  if (out < 0) io::throw_errno(fmt::format("cannot write {}", messages.string()));
   const pid_t child = ::fork();
   if (child != 0) {
     const int reason = errno;
     ::close(out);
     errno = reason;
-    if (child < 0) throw_errno("no process can be started");
+    if (child < 0) io::throw_errno("no process can be started");
     return child;
   }
   ::setpgid(0, 0);
@@ -96,19 +96,19 @@ JobEnd end_of(const Job& job, int status, bool stopped)
 }
 
 /// Empty where it is damaged, too: the case is run again.
-std::optional<RunSummary> summary_if_whole(const fs::path& folder)
+std::optional<run_folder::RunSummary> summary_if_whole(const fs::path& folder)
 {
   try {
-    return read_summary(folder);
+    return run_folder::read_summary(folder);
   } catch (const RunError&) {
     return std::nullopt;
   }
 }
 
 /// The file that the method was loaded from: finite elements are part of the program.
-fs::path engine_file(Method method)
+fs::path engine_file(problem::Method method)
 {
-  if (method == Method::fem) return "/proc/self/exe";
+  if (method == problem::Method::fem) return "/proc/self/exe";
   Dl_info info{};
   return ::dladdr(reinterpret_cast<void*>(&reset_timings), &info) != 0 && info.dli_fname != nullptr ? info.dli_fname : "";
 }
@@ -161,23 +161,23 @@ void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<voi
 
 bool has_result(const Job& job)
 {
-  const std::optional<RunSummary> summary = summary_if_whole(job.folder);
+  const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
   if (!summary || !summary->finished()) return false;
   const auto version = summary->text.find("version");
   if (version == summary->text.end() || version->second != BERM_VERSION) return false;
-  const Case settings = read_case(job.case_file, job.set);
+  const problem::Case settings = input::read_case(job.case_file, job.set);
   std::error_code error;
   if (fs::last_write_time(job.folder / "summary.json", error) < fs::last_write_time(engine_file(settings.method), error) || error)
     return false;
-  return read_whole(job.folder / "resolved.toml") == resolved_toml(settings);
+  return io::read_whole(job.folder / "resolved.toml") == input::resolved_toml(settings);
 }
 
 Real wall_time_of(const fs::path& folder)
 {
-  const std::optional<RunSummary> summary = summary_if_whole(folder);
+  const std::optional<run_folder::RunSummary> summary = summary_if_whole(folder);
   const std::map<std::string, Real> timing = summary ? summary->timing : std::map<std::string, Real>();
   const auto wall = timing.find("wall_s");
   return wall == timing.end() ? std::numeric_limits<Real>::quiet_NaN() : wall->second;
 }
 
-}  // namespace berm
+}  // namespace berm::jobs

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace berm {
+namespace berm::jobs {
 
 /// One run of a case by a process of its own, on one thread.
 struct Job {
@@ -37,4 +37,4 @@ bool has_result(const Job& job);
 /// s that the run in this folder took, as its summary.json tells; NaN where there is none.
 Real wall_time_of(const std::filesystem::path& folder);
 
-}  // namespace berm
+}  // namespace berm::jobs

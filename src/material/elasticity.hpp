@@ -4,7 +4,7 @@
 #include "core/lane_parts.hpp"
 #include "core/tensor.hpp"
 
-namespace berm {
+namespace berm::material {
 
 /// The moduli of an isotropic linear elastic solid, Pa.
 struct Elasticity {
@@ -35,4 +35,4 @@ template <int dim, class T>
   for (int k = 3; k < tensor_size<dim>; ++k) stress[k] += two_shear * strain[k];
 }
 
-}  // namespace berm
+}  // namespace berm::material

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "material/linear_elastic.hpp"
 
-namespace berm {
+namespace berm::material {
 
 void describe(Describe& d, LinearElastic& law)
 {
@@ -15,4 +15,4 @@ void describe(Describe& d, LinearElastic& law)
   d.value("poisson_ratio", law.poisson_ratio, {.meaning = "Poisson's ratio", .range = {0, 0.495}, .required = true});
 }
 
-}  // namespace berm
+}  // namespace berm::material

@@ -4,7 +4,7 @@
 #include "core/describe.hpp"
 #include "material/elasticity.hpp"
 
-namespace berm {
+namespace berm::material {
 
 /// Isotropic linear elasticity, as the user gives it.
 struct LinearElastic {
@@ -43,4 +43,4 @@ template <int dim, class T>
   add_elastic_stress(law.elastic, stress, strain_increment);
 }
 
-}  // namespace berm
+}  // namespace berm::material

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "material/material.hpp"
 
-namespace berm {
+namespace berm::material {
 
 void describe(Describe& d, Material& material)
 {
@@ -62,4 +62,4 @@ Material without_dilation(Material material)
   return material;
 }
 
-}  // namespace berm
+}  // namespace berm::material

@@ -7,7 +7,7 @@
 #include <string>
 #include <variant>
 
-namespace berm {
+namespace berm::material {
 
 /// The closed list of laws. Each law L has prepare(L), and update_stress(prepared, stress, strain_increment, state) for T = Real, T = Lanes and, in
 /// plane strain, T = Dual; choose once per body with std::visit, outside the loop over particles.
@@ -42,4 +42,4 @@ Material without_dilation(Material material);
 /// How many numbers of its own a particle of this material keeps.
 int state_size(const Material& material);
 
-}  // namespace berm
+}  // namespace berm::material

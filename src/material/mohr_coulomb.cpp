@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::material {
 
 void describe(Describe& d, MohrCoulomb& law)
 {
@@ -126,4 +126,4 @@ Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<3>& stress)
   return yield_value(law, axes.value[0], axes.value[2]);
 }
 
-}  // namespace berm
+}  // namespace berm::material

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace berm {
+namespace berm::material {
 
 /// Linear elasticity with the Mohr-Coulomb strength, as the user gives it. Angles in radians, stresses in Pa, tension positive:
 ///
@@ -85,4 +85,4 @@ template <int dim, class T>
   return_to_surface(law, stress, opening);
 }
 
-}  // namespace berm
+}  // namespace berm::material

@@ -4,7 +4,7 @@
 #include "material/elasticity.hpp"
 #include "material/principal_axes.hpp"
 
-namespace berm {
+namespace berm::material {
 
 /// The constants of a MohrCoulomb law, worked out once. With m = ((1 + sin psi)/2, 0, -(1 - sin psi)/2) the direction of flow on the face of
 /// f = weight_1 s1 - weight_3 s3 - strength, an amount g of flow lowers the principal stresses by g (drop_1, drop_2, drop_3) = g C m.
@@ -152,4 +152,4 @@ template <class T>
     return_by_axes(law, stress, opening);
 }
 
-}  // namespace berm
+}  // namespace berm::material

@@ -6,7 +6,7 @@
 
 #include <utility>
 
-namespace berm {
+namespace berm::material {
 
 /// Principal values in descending order; direction[k] is the unit vector of value[k]. T is Real for one tensor, or a vector of numbers for several.
 template <class T>
@@ -99,4 +99,4 @@ template <class T>
   return a;
 }
 
-}  // namespace berm
+}  // namespace berm::material

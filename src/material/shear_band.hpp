@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace berm {
+namespace berm::material {
 
 /// The friction angle phi*, rad, of soil in a shear band, whose plane does not change its length: tan(phi*) = cos(psi) sin(phi) / (1 - sin(psi) sin(phi)),
 /// phi where psi = phi. [Davis 1968; Drescher and Detournay 1993]
@@ -21,4 +21,4 @@ inline Real friction_lost_in_shear_bands(const MohrCoulomb& law)
   return law.friction_angle > 0 ? 1 - std::tan(friction_angle_in_shear_bands(law)) / std::tan(law.friction_angle) : 0;
 }
 
-}  // namespace berm
+}  // namespace berm::material

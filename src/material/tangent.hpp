@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::material {
 
 /// d(s_xx, s_yy, s_zz, s_xy) / d(e_xx, e_yy, gamma_xy) of plane strain, gamma_xy = 2 e_xy, Pa. Rows 0, 1 and 3 are what the B-matrix of finite
 /// elements meets.
@@ -40,4 +40,4 @@ inline void update_stress_and_tangent(const Prepared& law, SymTensor<2>& stress,
   for (int k = 0; k < Prepared::state_size; ++k) state[k] = new_state[k].value;
 }
 
-}  // namespace berm
+}  // namespace berm::material

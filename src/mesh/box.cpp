@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <numeric>
 
-namespace berm {
+namespace berm::mesh {
 namespace {
 
 template <int dim>
@@ -148,4 +148,4 @@ Mesh<dim> make_box(const BoxMesh& box)
 template Mesh<2> make_box<2>(const BoxMesh&);
 template Mesh<3> make_box<3>(const BoxMesh&);
 
-}  // namespace berm
+}  // namespace berm::mesh

@@ -4,7 +4,7 @@
 #include "core/describe.hpp"
 #include "mesh/mesh.hpp"
 
-namespace berm {
+namespace berm::mesh {
 
 /// How the squares of a structured mesh are cut into triangles: along one diagonal, or along both with a node in the centre.
 enum class BoxPattern { diagonal, criss_cross };
@@ -25,4 +25,4 @@ void describe(Describe& d, BoxMesh& box);
 template <int dim>
 Mesh<dim> make_box(const BoxMesh& box);
 
-}  // namespace berm
+}  // namespace berm::mesh

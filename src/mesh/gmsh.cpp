@@ -9,7 +9,7 @@
 #include <map>
 #include <unordered_map>
 
-namespace berm {
+namespace berm::mesh {
 namespace {
 
 constexpr BigIndex any_tag = std::numeric_limits<std::int32_t>::max();
@@ -352,4 +352,4 @@ Mesh<dim> read_msh(const std::filesystem::path& path)
 template Mesh<2> read_msh<2>(const std::filesystem::path&);
 template Mesh<3> read_msh<3>(const std::filesystem::path&);
 
-}  // namespace berm
+}  // namespace berm::mesh

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-namespace berm {
+namespace berm::mesh {
 
 /// A mesh that the user made with Gmsh, or a geometry that Gmsh is to mesh.
 struct GmshFile {
@@ -21,4 +21,4 @@ void describe(Describe& d, GmshFile& mesh);
 template <int dim>
 Mesh<dim> read_msh(const std::filesystem::path& path);
 
-}  // namespace berm
+}  // namespace berm::mesh

@@ -14,7 +14,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace berm {
+namespace berm::mesh {
 namespace {
 
 namespace fs = std::filesystem;
@@ -86,4 +86,4 @@ void run_gmsh(const fs::path& geo, const fs::path& msh, int dim)
                                last_lines(log, 8)));
 }
 
-}  // namespace berm
+}  // namespace berm::mesh

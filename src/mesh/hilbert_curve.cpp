@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/hilbert_curve.hpp"
 
-namespace berm {
+namespace berm::mesh {
 
 template <int dim>
 std::uint64_t hilbert_place(std::array<std::uint32_t, dim> point)
@@ -34,4 +34,4 @@ std::uint64_t hilbert_place(std::array<std::uint32_t, dim> point)
 template std::uint64_t hilbert_place<2>(std::array<std::uint32_t, 2>);
 template std::uint64_t hilbert_place<3>(std::array<std::uint32_t, 3>);
 
-}  // namespace berm
+}  // namespace berm::mesh

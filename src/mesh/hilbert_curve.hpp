@@ -5,7 +5,7 @@
 
 #include <array>
 
-namespace berm {
+namespace berm::mesh {
 
 /// Coordinates along a side of the grid that hilbert_place numbers: 0 ... 2^curve_bits - 1.
 constexpr int curve_bits = 20;
@@ -15,4 +15,4 @@ constexpr int curve_bits = 20;
 template <int dim>
 std::uint64_t hilbert_place(std::array<std::uint32_t, dim> point);
 
-}  // namespace berm
+}  // namespace berm::mesh

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fstream>
 
-namespace berm {
+namespace berm::mesh {
 namespace {
 
 constexpr std::string_view blanks = " \t\r\f\v";
@@ -126,4 +126,4 @@ void Lines::fail_expected(const char* expected) const
   fail(fmt::format("expected {}, but the line is {}", expected, shown(line_)));
 }
 
-}  // namespace berm
+}  // namespace berm::mesh

@@ -7,7 +7,7 @@
 #include <string>
 #include <string_view>
 
-namespace berm {
+namespace berm::mesh {
 
 /// The lines of a text file, read one after the other and word by word. Blank lines are passed over. Everything that is not as expected becomes
 /// an InputError that names file and line.
@@ -44,4 +44,4 @@ private:
   std::string_view line_, rest_;
 };
 
-}  // namespace berm
+}  // namespace berm::mesh

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::mesh {
 namespace {
 
 constexpr Real held = -1e-12;             // a point with no shape function below this is in the cell
@@ -65,4 +65,4 @@ Location locate(const Mesh<dim>& mesh, const Vec<dim>& x, Index start)
 template Location locate<2>(const Mesh<2>&, const Vec<2>&, Index);
 template Location locate<3>(const Mesh<3>&, const Vec<3>&, Index);
 
-}  // namespace berm
+}  // namespace berm::mesh

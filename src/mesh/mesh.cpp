@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <numeric>
 
-namespace berm {
+namespace berm::mesh {
 namespace {
 
 // A cell this thin, as a share of its longest edge, has no volume.
@@ -272,4 +272,4 @@ void Mesh<dim>::complete()
 template struct Mesh<2>;
 template struct Mesh<3>;
 
-}  // namespace berm
+}  // namespace berm::mesh

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace berm {
+namespace berm::mesh {
 
 /// The gradients of the linear shape functions of one simplex, 1/m: [k - 1][d] is dN_k/dx_d of corner k. That of corner 0 is minus their sum.
 template <int dim>
@@ -98,4 +98,4 @@ struct Location {
 template <int dim>
 Location locate(const Mesh<dim>& mesh, const Vec<dim>& x, Index start);
 
-}  // namespace berm
+}  // namespace berm::mesh

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::mesh {
 namespace {
 
 namespace fs = std::filesystem;
@@ -64,4 +64,4 @@ Mesh<dim> make_mesh(const MeshSettings& settings, const fs::path& case_folder, c
 template Mesh<2> make_mesh<2>(const MeshSettings&, const fs::path&, const fs::path&);
 template Mesh<3> make_mesh<3>(const MeshSettings&, const fs::path&, const fs::path&);
 
-}  // namespace berm
+}  // namespace berm::mesh

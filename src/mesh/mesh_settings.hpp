@@ -5,7 +5,7 @@
 #include "mesh/gmsh.hpp"
 #include "mesh/seabed.hpp"
 
-namespace berm {
+namespace berm::mesh {
 
 /// Where the background mesh comes from.
 using MeshSettings = std::variant<SeabedMesh, GmshFile, BoxMesh>;
@@ -17,4 +17,4 @@ void describe(Describe& d, MeshSettings& mesh);
 template <int dim>
 Mesh<dim> make_mesh(const MeshSettings& settings, const std::filesystem::path& case_folder, const std::filesystem::path& work_folder);
 
-}  // namespace berm
+}  // namespace berm::mesh

@@ -6,7 +6,7 @@
 #include <queue>
 #include <span>
 
-namespace berm {
+namespace berm::mesh {
 namespace {
 
 using Groups = std::vector<std::vector<Index>>;
@@ -149,4 +149,4 @@ Patches make_patches(const Mesh<dim>& mesh, int rounds)
 template Patches make_patches(const Mesh<2>&, int);
 template Patches make_patches(const Mesh<3>&, int);
 
-}  // namespace berm
+}  // namespace berm::mesh

@@ -3,7 +3,7 @@
 
 #include "mesh/mesh.hpp"
 
-namespace berm {
+namespace berm::mesh {
 
 /// Patches as rings: for each cell the next of its patch, ascending, and after the last the first. A cell alone is followed by itself.
 using Patches = CellField<Index>;
@@ -26,4 +26,4 @@ template <class Visit>
 template <int dim>
 Patches make_patches(const Mesh<dim>& mesh, int rounds);
 
-}  // namespace berm
+}  // namespace berm::mesh

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <system_error>
 
-namespace berm {
+namespace berm::mesh {
 namespace {
 
 /// A stretch of one direction, and its distance from the fine zone.
@@ -237,4 +237,4 @@ void write_geo(const SeabedMesh& bed, const std::filesystem::path& path)
   if (!out) throw RunError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(errno)));
 }
 
-}  // namespace berm
+}  // namespace berm::mesh

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace berm {
+namespace berm::mesh {
 
 /// The mesh of a flat bed with free space above it, fine around the path of a pipe that starts at x = 0. The bed's surface is y = 0. In metres:
 ///
@@ -63,4 +63,4 @@ constexpr Real most_seabed_cells = 2e7;
 /// Writes the geometry for the gmsh program. Throws InputError where the lengths do not fit each other, RunError where it cannot write.
 void write_geo(const SeabedMesh& seabed, const std::filesystem::path& path);
 
-}  // namespace berm
+}  // namespace berm::mesh

@@ -5,7 +5,7 @@
 #include "mpm/diagnose.hpp"
 #include "problem/stages.hpp"
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 /// What the nodes contribute to the totals in one step, per unit of time.
@@ -36,9 +36,9 @@ struct NodalSums {
 }  // namespace
 
 template <int dim>
-void solve_momentum_balance(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
+void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
 {
-  const Mesh<dim>& mesh = model.mesh;
+  const mesh::Mesh<dim>& mesh = model.mesh;
   BodyGrid<dim>& grid = work.grids[body];
   const Vec<dim> gravity = model.bodies[body].weight_over_mass * gravity_now(model, state.time);
   const NodeField<std::uint8_t>& fixed = model.fixed[grid.fixed];
@@ -89,7 +89,7 @@ void solve_momentum_balance(const Model<dim>& model, State<dim>& state, Work<dim
 
   if (!std::isfinite(sums.all + state.totals.internal)) refuse_what_is_not_finite(model, state, body);
 
-  Totals<dim>& totals = state.totals;
+  problem::Totals<dim>& totals = state.totals;
   totals.gravity_impulse += dt * sums.gravity;
   totals.traction_impulse += dt * sums.traction;
   totals.damping_impulse += dt * sums.damping;
@@ -100,7 +100,7 @@ void solve_momentum_balance(const Model<dim>& model, State<dim>& state, Work<dim
   work.weight = (body == 0 ? 0 : work.weight) + sums.gravity.norm() + sums.traction_size;
 }
 
-template void solve_momentum_balance(const Model<2>&, State<2>&, Work<2>&, Index);
-template void solve_momentum_balance(const Model<3>&, State<3>&, Work<3>&, Index);
+template void solve_momentum_balance(const problem::Model<2>&, problem::State<2>&, Work<2>&, Index);
+template void solve_momentum_balance(const problem::Model<3>&, problem::State<3>&, Work<3>&, Index);
 
-}  // namespace berm
+}  // namespace berm::mpm

@@ -3,13 +3,13 @@
 
 #include "mpm/grid.hpp"
 
-namespace berm {
+namespace berm::mpm {
 
 /// Steps 1 to 4 on the nodes of one body: force f = internal + m g + tractions, acceleration a = (f + damping) / m (equations 3, 4), held directions stopped.
 /// Local damping opposes the velocity with a part of each component of the unbalanced force, and leaves nodes near a contact alone: there it
 /// would stand in for part of the reaction. Adds to the totals of work and impulse.
 /// Throws RunError where a velocity or an internal force is not finite, before anything has changed.
 template <int dim>
-void solve_momentum_balance(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body);
+void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
 
-}  // namespace berm
+}  // namespace berm::mpm

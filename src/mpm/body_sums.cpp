@@ -4,7 +4,7 @@
 #include "core/error.hpp"
 #include "core/for_each.hpp"
 
-namespace berm {
+namespace berm::mpm {
 
 template <int dim>
 Vec<3> BodySums<dim>::spin() const
@@ -20,14 +20,14 @@ Vec<3> BodySums<dim>::spin() const
 }
 
 template <int dim>
-BodySums<dim> measure(const Particles<dim>& particles)
+BodySums<dim> measure(const bodies::Particles<dim>& particles)
 {
   const auto& occupied = particles.occupied();
   return sum_of<BodySums<dim>>("measure", static_cast<Index>(occupied.size()), [&](Index c) {
     BodySums<dim> sums;
     Index left = particles.count_in(occupied[c]);
     for (Index b = particles.first_block(occupied[c]); left > 0; b = particles.block(b).next, left -= lanes) {
-      const Block<dim>& p = particles.block(b);
+      const bodies::Block<dim>& p = particles.block(b);
       Lanes square{};
       for (int d = 0; d < dim; ++d) {
         square += p.v[d] * p.v[d];
@@ -52,16 +52,16 @@ BodySums<dim> measure(const Particles<dim>& particles)
 }
 
 template <int dim>
-Real momentum_error(const State<dim>& state)
+Real momentum_error(const problem::State<dim>& state)
 {
   Vec<dim> now = Vec<dim>::Zero();
   Real moving = 0;  // what the bodies would have if all their particles went the same way
-  for (const Particles<dim>& particles : state.particles) {
+  for (const bodies::Particles<dim>& particles : state.particles) {
     const BodySums<dim> sums = measure(particles);
     now += sums.momentum;
     moving += std::sqrt(2 * sums.mass * sums.kinetic);
   }
-  const Totals<dim>& t = state.totals;
+  const problem::Totals<dim>& t = state.totals;
   const Vec<dim> given = t.gravity_impulse + t.traction_impulse + t.contact_impulse + t.support_impulse + t.damping_impulse;
   const Real size = moving + t.first_momentum.norm() + t.gravity_impulse.norm() + t.traction_impulse.norm() + t.contact_impulse.norm() +
                     t.support_impulse.norm() + t.damping_impulse.norm();
@@ -69,7 +69,7 @@ Real momentum_error(const State<dim>& state)
 }
 
 template <int dim>
-Particle<dim> particle_of(const Particles<dim>& particles, std::int32_t id)
+bodies::Particle<dim> particle_of(const bodies::Particles<dim>& particles, std::int32_t id)
 {
   Index block = none;
   int lane = 0;
@@ -82,11 +82,11 @@ Particle<dim> particle_of(const Particles<dim>& particles, std::int32_t id)
 
 template struct BodySums<2>;
 template struct BodySums<3>;
-template BodySums<2> measure(const Particles<2>&);
-template BodySums<3> measure(const Particles<3>&);
-template Real momentum_error(const State<2>&);
-template Real momentum_error(const State<3>&);
-template Particle<2> particle_of(const Particles<2>&, std::int32_t);
-template Particle<3> particle_of(const Particles<3>&, std::int32_t);
+template BodySums<2> measure(const bodies::Particles<2>&);
+template BodySums<3> measure(const bodies::Particles<3>&);
+template Real momentum_error(const problem::State<2>&);
+template Real momentum_error(const problem::State<3>&);
+template bodies::Particle<2> particle_of(const bodies::Particles<2>&, std::int32_t);
+template bodies::Particle<3> particle_of(const bodies::Particles<3>&, std::int32_t);
 
-}  // namespace berm
+}  // namespace berm::mpm

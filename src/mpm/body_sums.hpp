@@ -3,7 +3,7 @@
 
 #include "problem/model.hpp"
 
-namespace berm {
+namespace berm::mpm {
 
 /// Sums over the particles of one body.
 template <int dim>
@@ -33,15 +33,15 @@ struct BodySums {
 };
 
 template <int dim>
-BodySums<dim> measure(const Particles<dim>& particles);
+BodySums<dim> measure(const bodies::Particles<dim>& particles);
 
 /// |momentum now - momentum at the start - impulses of gravity, tractions, contact, supports and damping| over the sum of the sizes of all these and of the
 /// momentum that the bodies would have if all their particles went the same way: round-off.
 template <int dim>
-Real momentum_error(const State<dim>& state);
+Real momentum_error(const problem::State<dim>& state);
 
 /// The particle with this id. Throws RunError where there is none.
 template <int dim>
-Particle<dim> particle_of(const Particles<dim>& particles, std::int32_t id);
+bodies::Particle<dim> particle_of(const bodies::Particles<dim>& particles, std::int32_t id);
 
-}  // namespace berm
+}  // namespace berm::mpm

@@ -4,25 +4,25 @@
 #include "core/for_each.hpp"
 #include "mpm/linear_field.hpp"
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 /// Calls visit(particle) for each particle of a cell.
 template <int dim, class Visit>
-void for_each_in_cell(const Particles<dim>& particles, Index cell, const Visit& visit)
+void for_each_in_cell(const bodies::Particles<dim>& particles, Index cell, const Visit& visit)
 {
   for (Index place = 0; place < particles.count_in(cell); ++place) visit(particles.read_at(cell, place));
 }
 
 /// The part of the cells around a node that particles fill.
 template <int dim>
-Real fill_at(const Mesh<dim>& mesh, const Particles<dim>& particles, Index node)
+Real fill_at(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Index node)
 {
   Real filled = 0, whole = 0;
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
     const Index cell = mesh.entries[e] / (dim + 1);
     whole += mesh.volume(cell);
-    for_each_in_cell(particles, cell, [&](const Particle<dim>& p) { filled += p.volume; });
+    for_each_in_cell(particles, cell, [&](const bodies::Particle<dim>& p) { filled += p.volume; });
   }
   return filled / whole;
 }
@@ -46,18 +46,18 @@ struct ShakenSoil {
 }  // namespace
 
 template <int dim>
-SoilCondition soil_condition(const Model<dim>& model, const State<dim>& state)
+SoilCondition soil_condition(const problem::Model<dim>& model, const problem::State<dim>& state)
 {
   constexpr Real little = 0.25, round_off = 1e-12;
   SoilCondition found;
   Real mass = 0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const Material& material = model.bodies[b].material;
+    const material::Material& material = model.bodies[b].material;
     if (!yields(material)) continue;
-    const Particles<dim>& particles = state.particles[b];
+    const bodies::Particles<dim>& particles = state.particles[b];
     for (Index cell : particles.occupied()) {
       Real of_cell = 0;
-      for_each_in_cell(particles, cell, [&](const Particle<dim>& p) {
+      for_each_in_cell(particles, cell, [&](const bodies::Particle<dim>& p) {
         const Real ratio = p.volume * inertia_density(material) / p.mass;
         of_cell += p.mass;
         if (ratio <= model.mpm.least_volume_ratio * (1 + round_off)) found.at_least_volume += p.mass;
@@ -75,16 +75,16 @@ SoilCondition soil_condition(const Model<dim>& model, const State<dim>& state)
 }
 
 template <int dim>
-Real shaking(const Model<dim>& model, const State<dim>& state, const Work<dim>& work)
+Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work)
 {
   if (model.main_rigid == none) return std::numeric_limits<Real>::quiet_NaN();
-  const RigidShape<dim> shape = placed<dim>(model.rigids[model.main_rigid], state.rigids[model.main_rigid]);
+  const bodies::RigidShape<dim> shape = placed<dim>(model.rigids[model.main_rigid], state.rigids[model.main_rigid]);
   const Real reach = 0.5 * width_of<dim>(shape);
   ShakenSoil all;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const Material& material = model.bodies[b].material;
+    const material::Material& material = model.bodies[b].material;
     if (!yields(material)) continue;
-    const Particles<dim>& particles = state.particles[b];
+    const bodies::Particles<dim>& particles = state.particles[b];
     const BodyGrid<dim>& grid = work.grids[b];
     const Real impedance = std::sqrt(p_wave_modulus(material) * inertia_density(material));
     all += sum_of<ShakenSoil>("shaking", static_cast<Index>(particles.occupied().size()), [&](Index c) {
@@ -93,7 +93,7 @@ Real shaking(const Model<dim>& model, const State<dim>& state, const Work<dim>& 
       const Vec<dim> center = model.mesh.centroid(cell);
       if (!(surface_at<dim>(shape, center).distance < reach)) return sums;
       Vec<dim> momentum = Vec<dim>::Zero(), moment = Vec<dim>::Zero();
-      for_each_in_cell(particles, cell, [&](const Particle<dim>& p) {
+      for_each_in_cell(particles, cell, [&](const bodies::Particle<dim>& p) {
         sums.mass += p.mass;
         momentum += p.mass * p.v;
         moment += p.mass * p.x;
@@ -101,7 +101,7 @@ Real shaking(const Model<dim>& model, const State<dim>& state, const Work<dim>& 
         sums.pressure -= p.volume * trace(p.stress) / 3;
       });
       const LinearField<dim> field(grid.shape(model.mesh, cell), model.mesh.nodes[cell], grid.moved_velocity);
-      for_each_in_cell(particles, cell, [&](const Particle<dim>& p) {
+      for_each_in_cell(particles, cell, [&](const bodies::Particle<dim>& p) {
         const Vec<dim> from = p.x - moment / sums.mass;
         Vec<dim> rest = p.v - momentum / sums.mass;
         for (int d = 0; d < dim; ++d)
@@ -117,10 +117,10 @@ Real shaking(const Model<dim>& model, const State<dim>& state, const Work<dim>& 
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template SoilCondition soil_condition(const Model<dim>&, const State<dim>&);                                                             \
-  template Real shaking(const Model<dim>&, const State<dim>&, const Work<dim>&);
+  template SoilCondition soil_condition(const problem::Model<dim>&, const problem::State<dim>&);                                           \
+  template Real shaking(const problem::Model<dim>&, const problem::State<dim>&, const Work<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE
 
-}  // namespace berm
+}  // namespace berm::mpm

@@ -3,7 +3,7 @@
 
 #include "mpm/grid.hpp"
 
-namespace berm {
+namespace berm::mpm {
 
 /// Parts of the mass of all bodies that can yield; 0 without such bodies.
 struct SoilCondition {
@@ -12,7 +12,7 @@ struct SoilCondition {
   Real in_the_air = 0;       ///< in cells around none of whose nodes particles fill a quarter of the cells: grains thrown off
 };
 template <int dim>
-SoilCondition soil_condition(const Model<dim>& model, const State<dim>& state);
+SoilCondition soil_condition(const problem::Model<dim>& model, const problem::State<dim>& state);
 
 /// The pressure of motion that the mesh does not resolve, over the mean pressure, in the soil within half a width of the main rigid body:
 ///
@@ -20,6 +20,6 @@ SoilCondition soil_condition(const Model<dim>& model, const State<dim>& state);
 ///
 /// Sand whose pressure waves are as large as its pressure has lost its strength. NaN where there is no such body or soil, or no pressure.
 template <int dim>
-Real shaking(const Model<dim>& model, const State<dim>& state, const Work<dim>& work);
+Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work);
 
-}  // namespace berm
+}  // namespace berm::mpm

@@ -6,12 +6,12 @@
 #include "core/timer.hpp"
 #include "problem/stages.hpp"
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 /// The surface that a body has around a node: |sum V grad N|, which vanishes inside. m2 (per metre run: m).
 template <int dim>
-Real surface_area(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
+Real surface_area(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
 {
   Vec<dim> gradient = Vec<dim>::Zero();
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
@@ -23,8 +23,8 @@ Real surface_area(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
 
 /// The surface in contact, where there is adhesion: that of the rigid body, in the plane; else that of the body around the nodes of the points.
 template <int dim>
-void find_surface(const Model<dim>& model, const State<dim>& state, const Work<dim>& work, const Contact& contact,
-                  ContactPoints<dim>& points)
+void find_surface(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work,
+                  const problem::Contact& contact, contact::ContactPoints<dim>& points)
 {
   if (points.node_area.size() == 0) points.node_area = points.node_weight = NodeField<Real>::zeros(model.mesh.node_count());
   if constexpr (dim == 2)
@@ -35,13 +35,13 @@ void find_surface(const Model<dim>& model, const State<dim>& state, const Work<d
     }
   points.footprints.clear();
   points.footprints.reserve(points.list.capacity());
-  for (const ContactPoint<dim>& point : points.list)
+  for (const contact::ContactPoint<dim>& point : points.list)
     for (int n = 0; n < point.node_count; ++n) points.node_area[point.nodes[n]] = 0;
-  for (const ContactPoint<dim>& point : points.list)
+  for (const contact::ContactPoint<dim>& point : points.list)
     for (int n = 0; n < point.node_count; ++n)
       if (Real& area = points.node_area[point.nodes[n]]; area == 0) {
         area = surface_area(model.mesh, work.grids[contact.body], point.nodes[n]);
-        Footprint<dim> footprint;
+        contact::Footprint<dim> footprint;
         footprint.nodes[0] = point.nodes[n];
         footprint.weights[0] = 1;
         footprint.area = area;
@@ -51,17 +51,17 @@ void find_surface(const Model<dim>& model, const State<dim>& state, const Work<d
 
 /// Effective masses of the points of one contact. A direction that a support holds at a node has infinite mass there.
 template <int dim>
-void weigh(const Model<dim>& model, const Work<dim>& work, const Contact& contact, ContactPoints<dim>& points)
+void weigh(const problem::Model<dim>& model, const Work<dim>& work, const problem::Contact& contact, contact::ContactPoints<dim>& points)
 {
   constexpr Real immovable = 1e-4;  // of what a point would give way to an impulse without supports
-  for (ContactPoint<dim>& point : points.list) {
+  for (contact::ContactPoint<dim>& point : points.list) {
     Real free = 0;
     Vec<dim> gives_way = Vec<dim>::Zero();
     const auto add = [&](Index b, Index node, Real N) {
       const Real m = work.grids[b].mass[node];
       if (!(m > 0)) return;
       free += N * N / m;
-      gives_way += without_held<dim>(model.fixed[work.grids[b].fixed], node, Vec<dim>::Constant(N * N / m));
+      gives_way += problem::without_held<dim>(model.fixed[work.grids[b].fixed], node, Vec<dim>::Constant(N * N / m));
     };
     for (int k = 0; k < point.node_count; ++k) add(contact.body, point.nodes[k], point.weights[k]);
     if (contact.other_body != none) add(contact.other_body, point.nodes[0], 1);
@@ -70,7 +70,7 @@ void weigh(const Model<dim>& model, const Work<dim>& work, const Contact& contac
     point.mass = {};
     if (!(along_normal > immovable * free)) continue;
     point.mass.normal = 1 / along_normal;
-    if (along_surface > immovable * free || contact.scheme != Scheme::sticky)
+    if (along_surface > immovable * free || contact.scheme != contact::Scheme::sticky)
       point.mass.along = 1 / std::max(along_surface, immovable * free);
   }
 }
@@ -103,8 +103,8 @@ struct MovedWithParticles {  ///< step 8: the same, and the velocity that the pa
 
 /// The velocity of the body at a point relative to the other side.
 template <int dim, class Field>
-Vec<dim> relative_velocity(const Model<dim>& model, const State<dim>& state, const Work<dim>& work, const Contact& contact,
-                           const ContactPoint<dim>& point, const Field& field)
+Vec<dim> relative_velocity(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work,
+                           const problem::Contact& contact, const contact::ContactPoint<dim>& point, const Field& field)
 {
   Vec<dim> relative = contact.rigid != none ? Vec<dim>(-velocity_at(model.rigids[contact.rigid], state.rigids[contact.rigid], point.place))
                                             : Vec<dim>(-field.velocity(work.grids[contact.other_body], point.nodes[0]));
@@ -114,12 +114,12 @@ Vec<dim> relative_velocity(const Model<dim>& model, const State<dim>& state, con
 
 /// Gives the nodes of a point an impulse, and those of the other body the opposite. Supports take what they hold.
 template <int dim, class Field>
-void push(const Model<dim>& model, Work<dim>& work, const Contact& contact, const ContactPoint<dim>& point, const Vec<dim>& impulse,
-          const Field& field)
+void push(const problem::Model<dim>& model, Work<dim>& work, const problem::Contact& contact, const contact::ContactPoint<dim>& point,
+          const Vec<dim>& impulse, const Field& field)
 {
   const auto give = [&](Index b, Index node, const Vec<dim>& part) {
     BodyGrid<dim>& grid = work.grids[b];
-    if (grid.mass[node] > 0) field.change(grid, node, without_held<dim>(model.fixed[grid.fixed], node, part / grid.mass[node]));
+    if (grid.mass[node] > 0) field.change(grid, node, problem::without_held<dim>(model.fixed[grid.fixed], node, part / grid.mass[node]));
   };
   for (int n = 0; n < point.node_count; ++n) give(contact.body, point.nodes[n], point.weights[n] * impulse);
   if (contact.other_body != none) give(contact.other_body, point.nodes[0], -impulse);
@@ -127,20 +127,20 @@ void push(const Model<dim>& model, Work<dim>& work, const Contact& contact, cons
 
 /// One sweep over the points of a contact. The sum of the changes of their impulses over the sum of these impulses; 0 where they carry none.
 template <int dim, class Field>
-Real sweep(const Model<dim>& model, const State<dim>& state, Work<dim>& work, Index k, const Field& field)
+Real sweep(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work, Index k, const Field& field)
 {
-  const Contact& contact = model.contacts[k];
+  const problem::Contact& contact = model.contacts[k];
   const Real period = contact.approach_steps * state.dt;
   if (contact.adhesion > 0) share_surface(work.contact_points[k]);
   Real changed = 0, carried = 0;
-  for (ContactPoint<dim>& point : work.contact_points[k].list) {
+  for (contact::ContactPoint<dim>& point : work.contact_points[k].list) {
     if (!(point.mass.normal > 0)) continue;
-    const bool sticky = contact.scheme == Scheme::sticky;
+    const bool sticky = contact.scheme == contact::Scheme::sticky;
     if (sticky && point.gap > 0) continue;
     const Vec<dim> relative = relative_velocity(model, state, work, contact, point, field);
     const Real allowed_approach = std::max(Real(0), point.gap) / period;
-    const Interface interface = {contact.friction, contact.adhesion * point.area * state.dt, allowed_approach, sticky};
-    const bool holds = !Field::is_force && contact.scheme == Scheme::two_sided && point.grip != Grip::open;
+    const contact::Interface interface = {contact.friction, contact.adhesion * point.area * state.dt, allowed_approach, sticky};
+    const bool holds = !Field::is_force && contact.scheme == contact::Scheme::two_sided && point.grip != contact::Grip::open;
     const Vec<dim> impulse = holds ? holding_impulse<dim>(relative, point.normal, point.mass, interface, point.grip, point.impulse)
                                    : contact_impulse<dim>(relative, point.normal, point.mass, interface, point.impulse);
     if (Field::is_force) point.grip = grip_of<dim>(impulse, point.normal, interface);
@@ -155,7 +155,8 @@ Real sweep(const Model<dim>& model, const State<dim>& state, Work<dim>& work, In
 
 /// Impulses at all points of the contacts that take part, by projected Gauss-Seidel sweeps until they have settled.
 template <int dim, class Field, class TakesPart>
-void solve(const Model<dim>& model, const State<dim>& state, Work<dim>& work, const Field& field, const TakesPart& takes_part)
+void solve(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work, const Field& field,
+           const TakesPart& takes_part)
 {
   constexpr int most_sweeps = 20;
   constexpr Real settled = 1e-3;  // of the sum of all impulses
@@ -170,10 +171,10 @@ void solve(const Model<dim>& model, const State<dim>& state, Work<dim>& work, co
 /// Update stress last at the nodes in contact: the velocity of step 4 moves and strains, too. A node with little mass keeps the re-mapped one:
 /// its acceleration is large and says little of the particles around it.
 template <int dim>
-void move_with_predicted(const Model<dim>& model, const State<dim>& state, Work<dim>& work, Index k)
+void move_with_predicted(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work, Index k)
 {
   constexpr Real little = 0.05;  // of the mass that the volume around a node gives it where particles fill its cells evenly
-  const Contact& contact = model.contacts[k];
+  const problem::Contact& contact = model.contacts[k];
   const auto use = [&](Index b, Index node) {
     BodyGrid<dim>& grid = work.grids[b];
     Real volume = 0;
@@ -182,7 +183,7 @@ void move_with_predicted(const Model<dim>& model, const State<dim>& state, Work<
     if (grid.mass[node] > little * inertia_density(model.bodies[b].material) * volume / (dim + 1))
       grid.moved_velocity[node] = grid.velocity[node] + state.dt * grid.acceleration[node];
   };
-  for (const ContactPoint<dim>& point : work.contact_points[k].list) {
+  for (const contact::ContactPoint<dim>& point : work.contact_points[k].list) {
     if (!point.touching) continue;
     for (int n = 0; n < point.node_count; ++n) use(contact.body, point.nodes[n]);
     if (contact.other_body != none) use(contact.other_body, point.nodes[0]);
@@ -192,12 +193,12 @@ void move_with_predicted(const Model<dim>& model, const State<dim>& state, Work<
 }  // namespace
 
 template <int dim>
-void find_contacts(const Model<dim>& model, State<dim>& state, Work<dim>& work)
+void find_contacts(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
 {
   const Index contacts = static_cast<Index>(model.contacts.size());
   const auto mark = [&](Index k, std::uint8_t touching, std::uint8_t points) {
-    const Contact& contact = model.contacts[k];
-    for (const ContactPoint<dim>& point : work.contact_points[k].list)
+    const problem::Contact& contact = model.contacts[k];
+    for (const contact::ContactPoint<dim>& point : work.contact_points[k].list)
       for (int n = 0; n < point.node_count; ++n)
         for (Index b : {contact.body, contact.other_body}) {
           if (b == none) continue;
@@ -211,11 +212,11 @@ void find_contacts(const Model<dim>& model, State<dim>& state, Work<dim>& work)
   for (Index k = 0; k < contacts; ++k) mark(k, 0, 0);
   work.contacts_share_nodes = false;
   for (Index k = 0; k < contacts; ++k) {
-    const Contact& contact = model.contacts[k];
+    const problem::Contact& contact = model.contacts[k];
     const BodyGrid<dim>& grid = work.grids[contact.body];
-    ContactPoints<dim>& points = work.contact_points[k];
+    contact::ContactPoints<dim>& points = work.contact_points[k];
     if (contact.rigid != none) {
-      RigidState<dim>& rigid = state.rigids[contact.rigid];
+      bodies::RigidState<dim>& rigid = state.rigids[contact.rigid];
       detect(model.mesh, state.particles[contact.body], model.rigids[contact.rigid], rigid, contact.detection, grid.mass, points);
       rigid.deepest = std::max(rigid.deepest, -points.nearest_particle);
     } else {
@@ -233,15 +234,15 @@ namespace {
 
 /// Gives the impulses of all points to the totals, and the opposite to the rigid bodies.
 template <int dim>
-void react(const Model<dim>& model, State<dim>& state, Work<dim>& work)
+void react(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
 {
   const Real dt = state.dt;
   const Vec<dim> gravity = gravity_now(model, state.time);
-  for (RigidState<dim>& rigid : state.rigids) rigid.reaction.setZero(), rigid.torque = 0;
+  for (bodies::RigidState<dim>& rigid : state.rigids) rigid.reaction.setZero(), rigid.torque = 0;
   // A node's share of an impulse. It also moves the mid velocity with which gravity and tractions were taken to work; supports take what they hold.
   const auto add = [&](Index b, Index node, const Vec<dim>& impulse, const Vec<dim>& partner_velocity) {
     const BodyGrid<dim>& grid = work.grids[b];
-    const Vec<dim> taken = without_held<dim>(model.fixed[grid.fixed], node, impulse);
+    const Vec<dim> taken = problem::without_held<dim>(model.fixed[grid.fixed], node, impulse);
     state.totals.contact_impulse += impulse;
     state.totals.support_impulse += taken - impulse;
     state.totals.external += 0.5 * dt * model.bodies[b].weight_over_mass * gravity.dot(taken);
@@ -251,8 +252,8 @@ void react(const Model<dim>& model, State<dim>& state, Work<dim>& work)
     state.totals.friction -= impulse.dot(mid_velocity - partner_velocity);
   };
   for (std::size_t k = 0; k < model.contacts.size(); ++k) {
-    const Contact& contact = model.contacts[k];
-    for (const ContactPoint<dim>& point : work.contact_points[k].list) {
+    const problem::Contact& contact = model.contacts[k];
+    for (const contact::ContactPoint<dim>& point : work.contact_points[k].list) {
       const Vec<dim>& impulse = point.impulse;
       if (impulse.isZero()) continue;
       if (contact.other_body != none) {
@@ -261,7 +262,7 @@ void react(const Model<dim>& model, State<dim>& state, Work<dim>& work)
         state.pair_impulses[k] += impulse;
         continue;
       }
-      RigidState<dim>& rigid = state.rigids[contact.rigid];
+      bodies::RigidState<dim>& rigid = state.rigids[contact.rigid];
       const Vec<dim> surface_velocity = velocity_at(model.rigids[contact.rigid], rigid, point.place);
       for (int n = 0; n < point.node_count; ++n) add(contact.body, point.nodes[n], point.weights[n] * impulse, surface_velocity);
       const Vec<dim> arm = point.place - center_now(model.rigids[contact.rigid], rigid);
@@ -283,19 +284,19 @@ template <int dim, class Change>
 void for_each_point(Work<dim>& work, const Change& change)
 {
   for (std::size_t k = 0; k < work.contact_points.size(); ++k)
-    for (ContactPoint<dim>& point : work.contact_points[k].list) change(k, point);
+    for (contact::ContactPoint<dim>& point : work.contact_points[k].list) change(k, point);
 }
 
 /// Particles whose centres are in a rigid body move out of it, at the speed that their depth asks for but no faster than a thousandth of a pressure
 /// wave. Their velocities do not get it.
 template <int dim>
-void push_out(const Model<dim>& model, const State<dim>& state, Work<dim>& work)
+void push_out(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work)
 {
   constexpr Real of_wave = 1e-3;
-  for_each_point(work, [&](std::size_t k, const ContactPoint<dim>& point) {
-    const Contact& contact = model.contacts[k];
+  for_each_point(work, [&](std::size_t k, const contact::ContactPoint<dim>& point) {
+    const problem::Contact& contact = model.contacts[k];
     if (contact.rigid == none || !(point.distance < 0) || !(point.mass.normal > 0)) return;
-    const Material& material = model.bodies[contact.body].material;
+    const material::Material& material = model.bodies[contact.body].material;
     const Real most = of_wave * std::sqrt(p_wave_modulus(material) / inertia_density(material));
     const Real wanted = std::min(-point.distance / (contact.approach_steps * state.dt), most);
     const Real lacking = wanted - relative_velocity(model, state, work, contact, point, Moved<dim>{}).dot(point.normal);
@@ -306,32 +307,32 @@ void push_out(const Model<dim>& model, const State<dim>& state, Work<dim>& work)
 }  // namespace
 
 template <int dim>
-void correct_accelerations(const Model<dim>& model, State<dim>& state, Work<dim>& work)
+void correct_accelerations(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
 {
   const Timer timer("contact: step 4");
-  for_each_point(work, [](std::size_t, ContactPoint<dim>& point) { point.impulse.setZero(); });
-  solve(model, state, work, Predicted<dim>{state.dt}, [](const Contact&) { return true; });
+  for_each_point(work, [](std::size_t, contact::ContactPoint<dim>& point) { point.impulse.setZero(); });
+  solve(model, state, work, Predicted<dim>{state.dt}, [](const problem::Contact&) { return true; });
   if (model.update_stress_first) react(model, state, work);
 }
 
 template <int dim>
-void correct_velocities(const Model<dim>& model, State<dim>& state, Work<dim>& work)
+void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
 {
   const Timer timer("contact: step 8");
   for (std::size_t k = 0; k < model.contacts.size(); ++k)
-    if (model.contacts[k].scheme == Scheme::hybrid) move_with_predicted(model, state, work, static_cast<Index>(k));
+    if (model.contacts[k].scheme == contact::Scheme::hybrid) move_with_predicted(model, state, work, static_cast<Index>(k));
 
   const auto note_second = [&](const auto& takes_part, Real sign) {
-    for_each_point(work, [&](std::size_t k, const ContactPoint<dim>& point) {
-      const Contact& contact = model.contacts[k];
+    for_each_point(work, [&](std::size_t k, const contact::ContactPoint<dim>& point) {
+      const problem::Contact& contact = model.contacts[k];
       if (contact.rigid != none && takes_part(contact)) state.rigids[contact.rigid].second_impulse += sign * point.impulse;
     });
   };
-  const auto completes = [](const Contact& contact) {
-    return contact.scheme == Scheme::two_sided && contact.detection == Detection::particle;
+  const auto completes = [](const problem::Contact& contact) {
+    return contact.scheme == contact::Scheme::two_sided && contact.detection == contact::Detection::particle;
   };
-  const auto corrects = [&](const Contact& contact) {
-    return !completes(contact) && contact.scheme != Scheme::once && contact.scheme != Scheme::hybrid;
+  const auto corrects = [&](const problem::Contact& contact) {
+    return !completes(contact) && contact.scheme != contact::Scheme::once && contact.scheme != contact::Scheme::hybrid;
   };
   if (!model.update_stress_first) {
     note_second(completes, -1);
@@ -339,18 +340,18 @@ void correct_velocities(const Model<dim>& model, State<dim>& state, Work<dim>& w
     note_second(completes, 1);
     react(model, state, work);
   }
-  for_each_point(work, [](std::size_t, ContactPoint<dim>& point) { point.impulse.setZero(); });
+  for_each_point(work, [](std::size_t, contact::ContactPoint<dim>& point) { point.impulse.setZero(); });
   solve(model, state, work, Moved<dim>{}, corrects);
   note_second(corrects, 1);
   if (!model.update_stress_first) push_out(model, state, work);
 }
 
 template <int dim>
-void move_rigids(const Model<dim>& model, State<dim>& state)
+void move_rigids(const problem::Model<dim>& model, problem::State<dim>& state)
 {
   constexpr Real averaged_steps = 100;
   for (std::size_t r = 0; r < model.rigids.size(); ++r) {
-    RigidState<dim>& rigid = state.rigids[r];
+    bodies::RigidState<dim>& rigid = state.rigids[r];
     rigid.displacement += state.dt * rigid.velocity;
     rigid.angle += state.dt * rigid.spin;
     rigid.smooth_reaction += (rigid.reaction - rigid.smooth_reaction) / averaged_steps;
@@ -358,12 +359,12 @@ void move_rigids(const Model<dim>& model, State<dim>& state)
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void find_contacts(const Model<dim>&, State<dim>&, Work<dim>&);                                                                 \
-  template void correct_accelerations(const Model<dim>&, State<dim>&, Work<dim>&);                                                         \
-  template void correct_velocities(const Model<dim>&, State<dim>&, Work<dim>&);                                                            \
-  template void move_rigids(const Model<dim>&, State<dim>&);
+  template void find_contacts(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&);                                               \
+  template void correct_accelerations(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&);                                       \
+  template void correct_velocities(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&);                                          \
+  template void move_rigids(const problem::Model<dim>&, problem::State<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE
 
-}  // namespace berm
+}  // namespace berm::mpm

@@ -3,24 +3,24 @@
 
 #include "mpm/grid.hpp"
 
-namespace berm {
+namespace berm::mpm {
 
 /// Finds the contact points of all contacts and marks the nodes that damping leaves alone.
 template <int dim>
-void find_contacts(const Model<dim>& model, State<dim>& state, Work<dim>& work);
+void find_contacts(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work);
 
 /// Step 4: corrects the accelerations of contact nodes so that the predicted velocities v + dt a keep to the contact law (equations 8-14). The
 /// impulses of these corrections are the reactions: the rigid or the other body gets the opposite.
 template <int dim>
-void correct_accelerations(const Model<dim>& model, State<dim>& state, Work<dim>& work);
+void correct_accelerations(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work);
 
 /// Step 8: corrects the velocities that move and strain the particles in the same way, as each contact's scheme wants it. Its impulse is reported,
 /// but is no force: the particles' own velocities do not get it.
 template <int dim>
-void correct_velocities(const Model<dim>& model, State<dim>& state, Work<dim>& work);
+void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work);
 
 /// Moves the rigid bodies by the velocities of this step and averages their reactions over about a hundred steps.
 template <int dim>
-void move_rigids(const Model<dim>& model, State<dim>& state);
+void move_rigids(const problem::Model<dim>& model, problem::State<dim>& state);
 
-}  // namespace berm
+}  // namespace berm::mpm

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 template <int dim>
@@ -37,7 +37,7 @@ struct Trouble {
 };
 
 template <int dim>
-Trouble trouble_of(const Particle<dim>& p, int state_size)
+Trouble trouble_of(const bodies::Particle<dim>& p, int state_size)
 {
   const std::pair<const char*, Real> parts[] = {{"position", first_bad(p.x, dim)},
                                                 {"velocity", first_bad(p.v, dim)},
@@ -55,17 +55,17 @@ Trouble trouble_of(const Particle<dim>& p, int state_size)
 }  // namespace
 
 template <int dim>
-void refuse_what_is_not_finite(const Model<dim>& model, const State<dim>& state, Index body)
+void refuse_what_is_not_finite(const problem::Model<dim>& model, const problem::State<dim>& state, Index body)
 {
   const std::string when = fmt::format("at t = {:.6g} s (step {})", state.time, state.step),
                     advice = fmt::format("try a smaller mpm.courant (now {}), and see whether stiffness, strength and loads are meant so",
                                          model.mpm.courant);
-  const Particles<dim>& particles = state.particles[body];
+  const bodies::Particles<dim>& particles = state.particles[body];
   Trouble worst;
-  Particle<dim> p;
+  bodies::Particle<dim> p;
   Index cell = none;
   particles.visit([&](Index c, Index b, int l) {
-    const Particle<dim> read = particles.read(b, l);
+    const bodies::Particle<dim> read = particles.read(b, l);
     const Trouble trouble = trouble_of(read, particles.state_size());
     if (trouble.rank < worst.rank) worst = trouble, p = read, cell = c;
   });
@@ -78,7 +78,7 @@ void refuse_what_is_not_finite(const Model<dim>& model, const State<dim>& state,
 }
 
 template <int dim>
-std::string advice_for_leaving(const Model<dim>& model, const State<dim>& state, const Vec<dim>& x, Index cell)
+std::string advice_for_leaving(const problem::Model<dim>& model, const problem::State<dim>& state, const Vec<dim>& x, Index cell)
 {
   for (std::size_t r = 0; r < model.rigids.size(); ++r)
     if (surface_at<dim>(placed<dim>(model.rigids[r], state.rigids[r]), x).distance < 2 * model.mesh.height(cell))
@@ -90,14 +90,14 @@ std::string advice_for_leaving(const Model<dim>& model, const State<dim>& state,
 }
 
 template <int dim>
-void refuse_rigid_outside_mesh(const Model<dim>& model, const State<dim>& state)
+void refuse_rigid_outside_mesh(const problem::Model<dim>& model, const problem::State<dim>& state)
 {
-  const Mesh<dim>& mesh = model.mesh;
+  const mesh::Mesh<dim>& mesh = model.mesh;
   for (std::size_t r = 0; r < model.rigids.size(); ++r) {
-    const RigidShape<dim>& first = model.rigids[r].shape;
-    if (std::holds_alternative<HalfPlane<dim>>(first)) continue;
-    const RigidShape<dim> now = placed<dim>(model.rigids[r], state.rigids[r]);
-    const Real radius = std::holds_alternative<Circle<dim>>(first) ? reach_of<dim>(first) : 0;
+    const bodies::RigidShape<dim>& first = model.rigids[r].shape;
+    if (std::holds_alternative<bodies::HalfPlane<dim>>(first)) continue;
+    const bodies::RigidShape<dim> now = placed<dim>(model.rigids[r], state.rigids[r]);
+    const Real radius = std::holds_alternative<bodies::Circle<dim>>(first) ? reach_of<dim>(first) : 0;
     const auto refuse = [&](const char* side, char axis, Real place, Real limit, const char* advice) {
       throw RunError(fmt::format(
           "rigid body \"{}\" has left the mesh through its {}: it reaches {} = {:.6g} m, where the mesh ends at {:.6g} m, at "
@@ -117,11 +117,11 @@ void refuse_rigid_outside_mesh(const Model<dim>& model, const State<dim>& state)
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void refuse_what_is_not_finite(const Model<dim>&, const State<dim>&, Index);                                                    \
-  template std::string advice_for_leaving(const Model<dim>&, const State<dim>&, const Vec<dim>&, Index);                                   \
-  template void refuse_rigid_outside_mesh(const Model<dim>&, const State<dim>&);
+  template void refuse_what_is_not_finite(const problem::Model<dim>&, const problem::State<dim>&, Index);                                  \
+  template std::string advice_for_leaving(const problem::Model<dim>&, const problem::State<dim>&, const Vec<dim>&, Index);                 \
+  template void refuse_rigid_outside_mesh(const problem::Model<dim>&, const problem::State<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE
 
-}  // namespace berm
+}  // namespace berm::mpm

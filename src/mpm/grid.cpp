@@ -5,15 +5,15 @@
 
 #include <omp.h>
 
-namespace berm {
+namespace berm::mpm {
 
 template <int dim>
-BodyGrid<dim>::BodyGrid(const Mesh<dim>& mesh)
+BodyGrid<dim>::BodyGrid(const mesh::Mesh<dim>& mesh)
     : moments(CellField<Moments<dim>>::zeros(mesh.cell_count())),
       corners(CellField<std::array<CornerSums<dim>, dim + 1>>::zeros(mesh.cell_count())),
       volume_change(CellField<Real>::zeros(mesh.cell_count())),
       viscous_stress(CellField<Real>::zeros(mesh.cell_count())),
-      gradients(CellField<Gradients<dim>>::zeros(mesh.cell_count())),
+      gradients(CellField<mesh::Gradients<dim>>::zeros(mesh.cell_count())),
       height(CellField<Real>::zeros(mesh.cell_count())),
       volume(CellField<Real>::zeros(mesh.cell_count())),
       weight(CellField<Real>::zeros(mesh.cell_count())),
@@ -32,7 +32,7 @@ BodyGrid<dim>::BodyGrid(const Mesh<dim>& mesh)
 }
 
 template <int dim>
-void BodyGrid<dim>::enter(const Mesh<dim>& mesh, Index cell)
+void BodyGrid<dim>::enter(const mesh::Mesh<dim>& mesh, Index cell)
 {
   gradients[cell] = mesh.shape(cell).gradients;
   if (bulk_viscosity > 0) height[cell] = mesh.height(cell);
@@ -47,7 +47,7 @@ void BodyGrid<dim>::enter(const Mesh<dim>& mesh, Index cell)
 }
 
 template <int dim>
-void find_nodes(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid<dim>& grid)
+void find_nodes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   for (Index node : grid.nodes) grid.mass[node] = 0;
   for (Index cell : particles.occupied())
@@ -58,8 +58,9 @@ void find_nodes(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid
 }
 
 template <int dim>
-Work<dim>::Work(const Model<dim>& model, const State<dim>& state) : contact_points(model.contacts.size()),
-                                                                    movers(omp_get_max_threads())
+Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& state)
+    : contact_points(model.contacts.size()),
+      movers(omp_get_max_threads())
 {
   std::size_t most = 0;
   Real least_height = infinity;
@@ -67,8 +68,8 @@ Work<dim>::Work(const Model<dim>& model, const State<dim>& state) : contact_poin
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     grids.emplace_back(model.mesh);
     find_nodes(model.mesh, state.particles[b], grids[b]);
-    const Material& material = model.bodies[b].material;
-    grids[b].full_cells = model.mpm.quadrature == Quadrature::full_cells;
+    const material::Material& material = model.bodies[b].material;
+    grids[b].full_cells = model.mpm.quadrature == problem::Quadrature::full_cells;
     if (yields(material)) {
       const Real wave_speed = std::sqrt(p_wave_modulus(material) / inertia_density(material));
       grids[b].bulk_viscosity = model.mpm.bulk_viscosity * inertia_density(material) * wave_speed;
@@ -88,9 +89,9 @@ Work<dim>::Work(const Model<dim>& model, const State<dim>& state) : contact_poin
 
 template struct BodyGrid<2>;
 template struct BodyGrid<3>;
-template void find_nodes(const Mesh<2>&, const Particles<2>&, BodyGrid<2>&);
-template void find_nodes(const Mesh<3>&, const Particles<3>&, BodyGrid<3>&);
+template void find_nodes(const mesh::Mesh<2>&, const bodies::Particles<2>&, BodyGrid<2>&);
+template void find_nodes(const mesh::Mesh<3>&, const bodies::Particles<3>&, BodyGrid<3>&);
 template struct Work<2>;
 template struct Work<3>;
 
-}  // namespace berm
+}  // namespace berm::mpm

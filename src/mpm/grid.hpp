@@ -4,10 +4,10 @@
 #include "contact/detect.hpp"
 #include "problem/model.hpp"
 
-namespace berm {
+namespace berm::mpm {
 
 /// The laws with their constants worked out.
-using PreparedMaterial = std::variant<PreparedLinearElastic, PreparedMohrCoulomb>;
+using PreparedMaterial = std::variant<material::PreparedLinearElastic, material::PreparedMohrCoulomb>;
 
 /// Sums over the particles of one body in one cell. Shape functions are linear, so these are all that the nodes need.
 template <int dim>
@@ -49,11 +49,11 @@ struct BodyGrid {
   Real filter_rate = 0;            ///< 1/s, at which the filter pulls particle velocities towards the smooth ones; 0 without it
   Real whole_mass = infinity;      ///< of the body, kg
 
-  CellField<Gradients<dim>> gradients;  ///< of the shape functions, for cells that have or had particles
-  CellField<Real> height;               ///< m, of the same cells where the body has a bulk viscosity
-  CellField<Real> volume;               ///< m2 (per metre run) or m3, of the cell
-  CellField<Real> weight;               ///< volume that the cell stands for over sum V, of cells with particles
-  bool full_cells = false;              ///< cells within the body stand for their own volume
+  CellField<mesh::Gradients<dim>> gradients;  ///< of the shape functions, for cells that have or had particles
+  CellField<Real> height;                     ///< m, of the same cells where the body has a bulk viscosity
+  CellField<Real> volume;                     ///< m2 (per metre run) or m3, of the cell
+  CellField<Real> weight;                     ///< volume that the cell stands for over sum V, of cells with particles
+  bool full_cells = false;                    ///< cells within the body stand for their own volume
 
   NodeField<Real> mass;
   NodeField<Real> volume_around;           ///< m2 (per metre run) or m3: of all cells around a node that has or had particles in one
@@ -71,12 +71,12 @@ struct BodyGrid {
   std::vector<Index> nodes;  ///< that have a cell with particles, ascending
 
   BodyGrid() = default;
-  explicit BodyGrid(const Mesh<dim>& mesh);
+  explicit BodyGrid(const mesh::Mesh<dim>& mesh);
 
   /// Works out gradients and height of a cell that gets particles.
-  void enter(const Mesh<dim>& mesh, Index cell);
+  void enter(const mesh::Mesh<dim>& mesh, Index cell);
   /// The shape functions of a cell that has been entered; of others gradients are 0.
-  [[gnu::always_inline]] Shape<dim> shape(const Mesh<dim>& mesh, Index cell) const
+  [[gnu::always_inline]] mesh::Shape<dim> shape(const mesh::Mesh<dim>& mesh, Index cell) const
   {
     return {mesh.position[mesh.nodes[cell][0]], gradients[cell]};
   }
@@ -89,12 +89,12 @@ struct BodyGrid {
     return dt * acceleration[node][d] + part * smooth_velocity[node][d];
   }
   /// What the cell of an entry of the mesh gives to the node.
-  const CornerSums<dim>& at(CornerEntry e) const { return corners.data()->data()[e]; }
+  const CornerSums<dim>& at(mesh::CornerEntry e) const { return corners.data()->data()[e]; }
 };
 
 /// Lists the nodes that have a cell with particles.
 template <int dim>
-void find_nodes(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid<dim>& grid);
+void find_nodes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);
 
 /// A particle on its way to another cell.
 struct Mover {
@@ -104,17 +104,17 @@ struct Mover {
 /// All memory that a step needs beside Model and State; made once.
 template <int dim>
 struct Work {
-  std::vector<BodyGrid<dim>> grids;                ///< by body
-  std::vector<ContactPoints<dim>> contact_points;  ///< by contact
-  bool contacts_share_nodes = false;               ///< some node is moved by more than one contact point
-  std::vector<std::vector<Mover>> movers;          ///< by thread
-  std::vector<Particle<dim>> moving;
+  std::vector<BodyGrid<dim>> grids;                         ///< by body
+  std::vector<contact::ContactPoints<dim>> contact_points;  ///< by contact
+  bool contacts_share_nodes = false;                        ///< some node is moved by more than one contact point
+  std::vector<std::vector<Mover>> movers;                   ///< by thread
+  std::vector<bodies::Particle<dim>> moving;
   std::vector<PreparedMaterial> laws;        ///< by body
   std::vector<PreparedMaterial> spent_laws;  ///< by body: the same without dilation, for particles at their largest volume
   Real unbalanced = 0,
        weight = 0;  ///< N, sums over the nodes of |unbalanced force| (away from contacts); of m g and of tractions, last step
 
-  Work(const Model<dim>& model, const State<dim>& state);
+  Work(const problem::Model<dim>& model, const problem::State<dim>& state);
 };
 
-}  // namespace berm
+}  // namespace berm::mpm

@@ -3,7 +3,7 @@
 
 #include "mpm/grid.hpp"
 
-namespace berm {
+namespace berm::mpm {
 
 /// A nodal vector field within a cell, where it is linear: field_d(x) = c[d] + sum_a slope[d][a] x_a.
 template <int dim>
@@ -12,7 +12,7 @@ struct LinearField {
 
   /// Of the numbers value(node, d) at the cell's nodes.
   template <class Value>
-  [[gnu::always_inline]] LinearField(const Shape<dim>& shape, const std::array<Index, dim + 1>& nodes, const Value& value)
+  [[gnu::always_inline]] LinearField(const mesh::Shape<dim>& shape, const std::array<Index, dim + 1>& nodes, const Value& value)
   {
     for (int d = 0; d < dim; ++d) {
       const Real first = value(nodes[0], d);
@@ -24,7 +24,8 @@ struct LinearField {
       for (int a = 0; a < dim; ++a) c[d] -= slope[d][a] * shape.origin[a];
     }
   }
-  [[gnu::always_inline]] LinearField(const Shape<dim>& shape, const std::array<Index, dim + 1>& nodes, const NodeField<Vec<dim>>& field)
+  [[gnu::always_inline]] LinearField(const mesh::Shape<dim>& shape, const std::array<Index, dim + 1>& nodes,
+                                     const NodeField<Vec<dim>>& field)
       : LinearField(shape, nodes, [&](Index i, int d) { return field[i][d]; })
   {
   }
@@ -58,4 +59,4 @@ struct LinearField {
   }
 };
 
-}  // namespace berm
+}  // namespace berm::mpm

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 /// Soil that swings back may carry a point out of the mesh by this many heights of the cell; there it counts as on the nearest face.
@@ -24,12 +24,13 @@ constexpr Real most_outside = 0.5;
 /// The shares that the corners of its cell have of a load point: its shape functions, not less than zero. A corner with less than a twentieth of the
 /// mass of the cell's heaviest gets that much less, and one without mass nothing: as little mass would be thrown about by the load. Their sum is 1.
 template <int dim>
-std::array<Real, dim + 1> shares_of(const Model<dim>& model, const State<dim>& state, const BodyGrid<dim>& grid, std::size_t l)
+std::array<Real, dim + 1> shares_of(const problem::Model<dim>& model, const problem::State<dim>& state, const BodyGrid<dim>& grid,
+                                    std::size_t l)
 {
   constexpr Real round_off = 1e-9;  // a node with mass has a share at least this large, so that the sum is never 0 there
   constexpr Real little = 0.05;
-  const LoadPointState<dim>& point = state.load_points[l];
-  const Shape<dim> shape = model.mesh.shape(point.cell);
+  const problem::LoadPointState<dim>& point = state.load_points[l];
+  const mesh::Shape<dim> shape = model.mesh.shape(point.cell);
   const auto& nodes = model.mesh.nodes[point.cell];
   Real heaviest = 0;
   for (Index node : nodes) heaviest = std::max(heaviest, grid.mass[node]);
@@ -50,12 +51,12 @@ std::array<Real, dim + 1> shares_of(const Model<dim>& model, const State<dim>& s
 }  // namespace
 
 template <int dim>
-void spread_tractions(const Model<dim>& model, const State<dim>& state, Work<dim>& work)
+void spread_tractions(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work)
 {
   if (model.load_points.empty()) return;
   const Timer timer("tractions");
   for (std::size_t l = 0; l < model.load_points.size(); ++l) {
-    const LoadPoint<dim>& point = model.load_points[l];
+    const problem::LoadPoint<dim>& point = model.load_points[l];
     BodyGrid<dim>& grid = work.grids[point.body];
     const Real part = part_of_traction(model.tractions[point.traction], state.tractions[point.traction], state.time);
     const std::array<Real, dim + 1> shares = shares_of(model, state, grid, l);
@@ -65,23 +66,23 @@ void spread_tractions(const Model<dim>& model, const State<dim>& state, Work<dim
 }
 
 template <int dim>
-void move_load_points(const Model<dim>& model, State<dim>& state, Work<dim>& work)
+void move_load_points(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
 {
   if (model.load_points.empty()) return;
   const Timer timer("tractions");
   for (std::size_t l = 0; l < model.load_points.size(); ++l) {
     BodyGrid<dim>& grid = work.grids[model.load_points[l].body];
-    LoadPointState<dim>& point = state.load_points[l];
+    problem::LoadPointState<dim>& point = state.load_points[l];
     const std::array<Real, dim + 1> shares = shares_of(model, state, grid, l);
     const auto& nodes = model.mesh.nodes[point.cell];
     for (int k = 0; k <= dim; ++k) {
       if (shares[k] > 0) point.x += state.dt * shares[k] * grid.moved_velocity[nodes[k]];
       grid.traction[nodes[k]].setZero();
     }
-    const Location found = locate(model.mesh, point.x, point.cell);
+    const mesh::Location found = locate(model.mesh, point.x, point.cell);
     point.cell = found.cell;
     if (found.inside) continue;
-    const Shape<dim> shape = model.mesh.shape(point.cell);
+    const mesh::Shape<dim> shape = model.mesh.shape(point.cell);
     for (int k = 0; k <= dim; ++k)
       if (!(shape.value(k, point.x) > -most_outside))
         refuse(model.tractions[model.load_points[l].traction].name, point.x.data(), dim, state.time, state.step,
@@ -90,10 +91,10 @@ void move_load_points(const Model<dim>& model, State<dim>& state, Work<dim>& wor
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void spread_tractions(const Model<dim>&, const State<dim>&, Work<dim>&);                                                        \
-  template void move_load_points(const Model<dim>&, State<dim>&, Work<dim>&);
+  template void spread_tractions(const problem::Model<dim>&, const problem::State<dim>&, Work<dim>&);                                      \
+  template void move_load_points(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE
 
-}  // namespace berm
+}  // namespace berm::mpm

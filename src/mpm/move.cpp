@@ -3,14 +3,14 @@
 
 #include "core/error.hpp"
 #include "core/for_each.hpp"
-#include "mpm/linear_field.hpp"
 #include "mpm/diagnose.hpp"
+#include "mpm/linear_field.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 /// Strain increment, spin and dilation that a whole cell shares.
@@ -60,10 +60,10 @@ template <class V>
 
 /// A point that round-off put beyond a face is moved onto it: negative shape functions become zero. True where it was no more than that.
 template <int dim>
-bool bring_back(const Mesh<dim>& mesh, Index cell, Vec<dim>& x)
+bool bring_back(const mesh::Mesh<dim>& mesh, Index cell, Vec<dim>& x)
 {
   constexpr Real round_off = 1e-9;  // of a cell's height
-  const Shape<dim> shape = mesh.shape(cell);
+  const mesh::Shape<dim> shape = mesh.shape(cell);
   Real n[dim + 1], total = 0;
   for (int k = 0; k <= dim; ++k) {
     n[k] = shape.value(k, x);
@@ -124,11 +124,12 @@ enum class Pass {
 
 /// spent_law is null where the law does not dilate.
 template <Pass pass, int dim, class Law>
-void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
+void move_and_strain_with(const Law& law, const Law* spent_law, const problem::Model<dim>& model, problem::State<dim>& state,
+                          Work<dim>& work, Index body)
 {
-  const Mesh<dim>& mesh = model.mesh;
+  const mesh::Mesh<dim>& mesh = model.mesh;
   const BodyGrid<dim>& grid = work.grids[body];
-  Particles<dim>& particles = state.particles[body];
+  bodies::Particles<dim>& particles = state.particles[body];
   const Real dt = state.dt, per_density = 1 / inertia_density(model.bodies[body].material);
   const Real least_volume = model.mpm.least_volume_ratio * per_density, most_volume = model.mpm.most_volume_ratio * per_density;
   const Real filtered = pass == Pass::both ? grid.filtered_part(dt) : 0, unfiltered = 1 - filtered;
@@ -138,7 +139,7 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
     const Index cell = particles.occupied()[c];
     particles.prefetch_after(c);
     const auto& nodes = mesh.nodes[cell];
-    const Shape<dim> shape = grid.shape(mesh, cell);
+    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     Real at_zero[dim] = {};  // N_k where all coordinates are zero
     for (int k = 0; k < dim; ++k)
       for (int d = 0; d < dim; ++d) at_zero[k] -= shape.gradients[k][d] * shape.origin[d];
@@ -147,7 +148,7 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
     CellStrain<dim> cell_strain(velocity, dt);
     if (pass != Pass::move && model.mpm.volumetric_projection) {
       Real volume = 0, change = 0;
-      for_each_in_patch(model.patches, cell, [&](Index member) {
+      mesh::for_each_in_patch(model.patches, cell, [&](Index member) {
         volume += grid.moments[member].volume;
         change += grid.volume_change[member];
       });
@@ -159,7 +160,7 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
     particles.parts(cell, [&](const auto& part) {
       using V = typename std::decay_t<decltype(part)>::Vector;
       using Mask = typename Part<V>::Mask;
-      Block<dim>&p = particles.block(part.block), &q = particles.block(part.other);
+      bodies::Block<dim>&p = particles.block(part.block), &q = particles.block(part.other);
       const Mask alive = part.alive();
       V least_shape = 1 - V{};
       if constexpr (pass != Pass::strain) {
@@ -209,11 +210,11 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
       if (any(leaves)) [[unlikely]]
         for (int l = 0; l < part.size; ++l)
           if (leaves[l]) {
-            Block<dim>& block = l < lanes ? p : q;
+            bodies::Block<dim>& block = l < lanes ? p : q;
             const int lane = (part.first + l) % lanes;
             Vec<dim> at;
             for (int d = 0; d < dim; ++d) at[d] = block.x[d][lane];
-            const Location found = locate(mesh, at, cell);
+            const mesh::Location found = locate(mesh, at, cell);
             const bool in_mesh = found.inside || bring_back(mesh, found.cell, at);
             for (int d = 0; d < dim; ++d) block.x[d][lane] = at[d];
             if (!in_mesh || found.cell != cell)
@@ -230,9 +231,9 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const Model<dim>
 }
 
 template <Pass pass, int dim>
-void pass_over_particles(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
+void pass_over_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
 {
-  const bool dilates = berm::dilates(model.bodies[body].material);
+  const bool dilates = material::dilates(model.bodies[body].material);
   std::visit(
       [&](const auto& law) {
         const auto& spent_law = std::get<std::decay_t<decltype(law)>>(work.spent_laws[body]);
@@ -242,7 +243,8 @@ void pass_over_particles(const Model<dim>& model, State<dim>& state, Work<dim>& 
 }
 
 template <int dim>
-[[noreturn]] void refuse(const Model<dim>& model, const State<dim>& state, const Particle<dim>& p, Index body, Index cell)
+[[noreturn]] void refuse(const problem::Model<dim>& model, const problem::State<dim>& state, const bodies::Particle<dim>& p, Index body,
+                         Index cell)
 {
   throw RunError(fmt::format("particle {} of body \"{}\" left the mesh at ({:.6g}) m at t = {:.6g} s (step {}), moving at ({:.3g}) m/s; {}",
                              p.id, model.bodies[body].name, fmt::join(p.x.begin(), p.x.end(), ", "), state.time, state.step,
@@ -252,28 +254,28 @@ template <int dim>
 }  // namespace
 
 template <int dim>
-void move_and_strain(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
+void move_and_strain(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
 {
   pass_over_particles<Pass::both>(model, state, work, body);
 }
 
 template <int dim>
-void strain_particles(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
+void strain_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
 {
   pass_over_particles<Pass::strain>(model, state, work, body);
 }
 
 template <int dim>
-void move_particles(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
+void move_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
 {
   pass_over_particles<Pass::move>(model, state, work, body);
 }
 
 template <int dim>
-void change_cells(const Model<dim>& model, State<dim>& state, Work<dim>& work, Index body)
+void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
 {
   const Timer timer("change cells");
-  Particles<dim>& particles = state.particles[body];
+  bodies::Particles<dim>& particles = state.particles[body];
   BodyGrid<dim>& grid = work.grids[body];
   std::vector<Mover>& movers = work.movers.front();
   for (std::size_t t = 1; t < work.movers.size(); ++t) movers.insert(movers.end(), work.movers[t].begin(), work.movers[t].end());
@@ -302,12 +304,12 @@ void change_cells(const Model<dim>& model, State<dim>& state, Work<dim>& work, I
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void move_and_strain(const Model<dim>&, State<dim>&, Work<dim>&, Index);                                                        \
-  template void strain_particles(const Model<dim>&, State<dim>&, Work<dim>&, Index);                                                       \
-  template void move_particles(const Model<dim>&, State<dim>&, Work<dim>&, Index);                                                         \
-  template void change_cells(const Model<dim>&, State<dim>&, Work<dim>&, Index);
+  template void move_and_strain(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&, Index);                                      \
+  template void strain_particles(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&, Index);                                     \
+  template void move_particles(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&, Index);                                       \
+  template void change_cells(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&, Index);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE
 
-}  // namespace berm
+}  // namespace berm::mpm

@@ -3,7 +3,7 @@
 
 #include "core/for_each.hpp"
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 /// Part of the cells around a node that particles fill at a free surface, at most, and within a body, at least. A level surface of full cells has
@@ -12,7 +12,7 @@ constexpr Real surface_fill = 0.75, full_fill = 0.9;
 
 /// How far a cell counts as full, 0 to 1.
 template <int dim>
-Real fullness(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell)
+Real fullness(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell)
 {
   Real least = 1;
   for (Index node : mesh.nodes[cell]) least = std::min(least, grid.fill[node]);
@@ -23,7 +23,7 @@ Real fullness(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell)
 }  // namespace
 
 template <int dim>
-void integrate_full_cells(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid)
+void integrate_full_cells(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   const auto& occupied = particles.occupied();
   if (!grid.full_cells) return;
@@ -37,7 +37,7 @@ void integrate_full_cells(const Model<dim>& model, const Particles<dim>& particl
   });
 }
 
-template void integrate_full_cells(const Model<2>&, const Particles<2>&, BodyGrid<2>&);
-template void integrate_full_cells(const Model<3>&, const Particles<3>&, BodyGrid<3>&);
+template void integrate_full_cells(const problem::Model<2>&, const bodies::Particles<2>&, BodyGrid<2>&);
+template void integrate_full_cells(const problem::Model<3>&, const bodies::Particles<3>&, BodyGrid<3>&);
 
-}  // namespace berm
+}  // namespace berm::mpm

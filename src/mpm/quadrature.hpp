@@ -3,7 +3,7 @@
 
 #include "mpm/grid.hpp"
 
-namespace berm {
+namespace berm::mpm {
 
 /// Step 1: scales V and V sigma of the cells so that a cell within the body stands for its own volume |c|, and not for the sum of the volumes of the
 /// particles that are in it by chance: kappa_c sum V_p = (1 - zeta) sum V_p + zeta |c|. zeta goes smoothly from 0 to 1 as the least filled of the cell's nodes
@@ -11,6 +11,6 @@ namespace berm {
 /// surface keep what their particles have. Strain and force take the same weights, so they stay conjugate. Does nothing where the body is not
 /// integrated so.
 template <int dim>
-void integrate_full_cells(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid);
+void integrate_full_cells(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);
 
-}  // namespace berm
+}  // namespace berm::mpm

@@ -10,12 +10,12 @@
 #include "mpm/transfer.hpp"
 #include "problem/stages.hpp"
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 // Numbers in brackets are the paper's equations. Each body has nodal fields of its own, so the loops over bodies come first.
 template <int dim>
-void update_stress_last(const Model<dim>& model, State<dim>& state, Work<dim>& work)
+void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
 {
   const Index bodies = static_cast<Index>(model.bodies.size());
   for (Index b = 0; b < bodies; ++b) {
@@ -47,7 +47,7 @@ void update_stress_last(const Model<dim>& model, State<dim>& state, Work<dim>& w
 
 // Scheme::usf (Bardenhagen and others 2000, 2001): stress comes first, from the corrected velocities before the step.
 template <int dim>
-void update_stress_first(const Model<dim>& model, State<dim>& state, Work<dim>& work)
+void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
 {
   const Index bodies = static_cast<Index>(model.bodies.size());
   for (Index b = 0; b < bodies; ++b) {
@@ -82,7 +82,7 @@ void update_stress_first(const Model<dim>& model, State<dim>& state, Work<dim>& 
 }  // namespace
 
 template <int dim>
-void step(const Model<dim>& model, State<dim>& state, Work<dim>& work)
+void step(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
 {
   if (state.step % steps_between_time_steps == 0) state.dt = stable_time_step(model, state, work);
   for (BodyGrid<dim>& grid : work.grids) grid.fixed = model.fixed_in[state.stage.index];
@@ -96,7 +96,7 @@ void step(const Model<dim>& model, State<dim>& state, Work<dim>& work)
   ++state.step;
 }
 
-template void step(const Model<2>&, State<2>&, Work<2>&);
-template void step(const Model<3>&, State<3>&, Work<3>&);
+template void step(const problem::Model<2>&, problem::State<2>&, Work<2>&);
+template void step(const problem::Model<3>&, problem::State<3>&, Work<3>&);
 
-}  // namespace berm
+}  // namespace berm::mpm

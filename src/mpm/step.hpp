@@ -3,11 +3,11 @@
 
 #include "mpm/grid.hpp"
 
-namespace berm {
+namespace berm::mpm {
 
 /// Advances the state by one time step: modified update-stress-last with frictional contact corrected in steps 4 and 8 (paper, section 2.2,
 /// steps 1-11). Throws RunError where a particle leaves the mesh.
 template <int dim>
-void step(const Model<dim>& model, State<dim>& state, Work<dim>& work);
+void step(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work);
 
-}  // namespace berm
+}  // namespace berm::mpm

@@ -8,13 +8,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::mpm {
 
 namespace {
 
 /// Speed and words of what moves fastest: rigid body, drive, node, or particle at the start.
 template <int dim>
-std::pair<Real, std::string> fastest_of(const Model<dim>& model, const State<dim>& state, const Work<dim>& work)
+std::pair<Real, std::string> fastest_of(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work)
 {
   std::pair<Real, std::string> fastest{0, "the stiffness of the bodies"};
   const auto take = [&](Real speed, const auto& words) {
@@ -23,12 +23,12 @@ std::pair<Real, std::string> fastest_of(const Model<dim>& model, const State<dim
   for (std::size_t r = 0; r < state.rigids.size(); ++r)
     take(state.rigids[r].velocity.norm() + std::abs(state.rigids[r].spin) * reach_of<dim>(model.rigids[r].shape),
          [&] { return fmt::format("rigid body \"{}\"", model.rigids[r].name); });
-  for (const Drive& drive : state.stage.drive)
+  for (const problem::Drive& drive : state.stage.drive)
     if (!drive.by_force)
       take(std::abs(drive.to), [&] { return fmt::format("the drive of stage \"{}\"", model.stages[state.stage.index].name); });
   for (std::size_t b = 0; b < model.bodies.size() && state.step == 0; ++b)
     state.particles[b].visit([&](Index, Index block, int l) {
-      const Particle<dim> p = state.particles[b].read(block, l);
+      const bodies::Particle<dim> p = state.particles[b].read(block, l);
       take(p.v.norm(), [&] { return fmt::format("body \"{}\", particle {}", model.bodies[b].name, p.id); });
     });
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
@@ -43,9 +43,10 @@ std::pair<Real, std::string> fastest_of(const Model<dim>& model, const State<dim
 /// The largest Courant number at which explicit steps with the bulk viscosity b are stable: the shortest wave has the damping ratio b, which leaves
 /// sqrt(1 + b^2) - b of the limit without it (Belytschko, Liu, Moran and Elkhodary 2014, section 6.3).
 template <int dim>
-Real stable_courant(const Model<dim>& model)
+Real stable_courant(const problem::Model<dim>& model)
 {
-  const bool viscous = std::any_of(model.bodies.begin(), model.bodies.end(), [](const Body<dim>& body) { return yields(body.material); });
+  const bool viscous =
+      std::any_of(model.bodies.begin(), model.bodies.end(), [](const problem::Body<dim>& body) { return yields(body.material); });
   const Real b = viscous ? model.mpm.bulk_viscosity : 0;
   return std::sqrt(1 + b * b) - b;
 }
@@ -56,17 +57,17 @@ constexpr Real least_part = 1e-3;
 }  // namespace
 
 template <int dim>
-Real stable_time_step(const Model<dim>& model, const State<dim>& state, const Work<dim>& work)
+Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work)
 {
   Real fastest = 0;
   for (std::size_t r = 0; r < state.rigids.size(); ++r) {
-    const RigidState<dim>& rigid = state.rigids[r];
+    const bodies::RigidState<dim>& rigid = state.rigids[r];
     fastest = std::max(fastest, rigid.velocity.norm() + std::abs(rigid.spin) * reach_of<dim>(model.rigids[r].shape));
   }
-  for (const Drive& drive : state.stage.drive)
+  for (const problem::Drive& drive : state.stage.drive)
     if (!drive.by_force) fastest = std::max(fastest, std::abs(drive.to));
   if (state.step == 0)  // the nodes do not move yet
-    for (const Particles<dim>& particles : state.particles) {
+    for (const bodies::Particles<dim>& particles : state.particles) {
       particles.visit([&](Index, Index b, int l) {
         Real square = 0;
         for (int d = 0; d < dim; ++d) square += particles.block(b).v[d][l] * particles.block(b).v[d][l];
@@ -91,7 +92,7 @@ Real stable_time_step(const Model<dim>& model, const State<dim>& state, const Wo
 
   Real least = infinity, least_at_rest = infinity;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const Material& material = model.bodies[b].material;
+    const material::Material& material = model.bodies[b].material;
     const Real wave_speed = std::sqrt(p_wave_modulus(material) / inertia_density(material));
     const auto& occupied = state.particles[b].occupied();
     const Real steepest = largest_of("smallest height", static_cast<Index>(occupied.size()), 0,
@@ -111,7 +112,7 @@ Real stable_time_step(const Model<dim>& model, const State<dim>& state, const Wo
   return dt;
 }
 
-template Real stable_time_step(const Model<2>&, const State<2>&, const Work<2>&);
-template Real stable_time_step(const Model<3>&, const State<3>&, const Work<3>&);
+template Real stable_time_step(const problem::Model<2>&, const problem::State<2>&, const Work<2>&);
+template Real stable_time_step(const problem::Model<3>&, const problem::State<3>&, const Work<3>&);
 
-}  // namespace berm
+}  // namespace berm::mpm

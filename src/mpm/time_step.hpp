@@ -3,7 +3,7 @@
 
 #include "mpm/grid.hpp"
 
-namespace berm {
+namespace berm::mpm {
 
 /// The time step is worked out anew after this many steps.
 constexpr BigIndex steps_between_time_steps = 16;
@@ -12,6 +12,6 @@ constexpr BigIndex steps_between_time_steps = 16;
 /// speed of a node or rigid body. Seconds. Throws RunError where speeds are not finite, or so large that the
 /// time step is less than a thousandth of that at rest.
 template <int dim>
-Real stable_time_step(const Model<dim>& model, const State<dim>& state, const Work<dim>& work);
+Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work);
 
-}  // namespace berm
+}  // namespace berm::mpm

@@ -4,13 +4,13 @@
 #include "core/for_each.hpp"
 #include "mpm/linear_field.hpp"
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 /// What the corners of a cell get of a quantity: the sums over particles of N_k times it, told by give(k, sum). Its own sum is q and that of it times x
 /// is qx.
 template <int dim, class Give>
-[[gnu::always_inline]] inline void share_among_corners(const Shape<dim>& shape, Real q, const Real* qx, const Give& give)
+[[gnu::always_inline]] inline void share_among_corners(const mesh::Shape<dim>& shape, Real q, const Real* qx, const Give& give)
 {
   Real from_origin[dim], of_corner_0 = q;
   for (int d = 0; d < dim; ++d) from_origin[d] = qx[d] - q * shape.origin[d];
@@ -25,7 +25,7 @@ template <int dim, class Give>
 
 /// The divergence of a nodal field in a cell.
 template <int dim>
-[[gnu::always_inline]] inline Real divergence_in(const Shape<dim>& shape, const std::array<Index, dim + 1>& nodes,
+[[gnu::always_inline]] inline Real divergence_in(const mesh::Shape<dim>& shape, const std::array<Index, dim + 1>& nodes,
                                                  const NodeField<Vec<dim>>& field)
 {
   Real divergence = 0;
@@ -63,7 +63,7 @@ struct LaneMoments {
   }
 
   template <class V>
-  [[gnu::always_inline]] void add(const Part<V>& part, const Block<dim>& p, const Block<dim>& q)
+  [[gnu::always_inline]] void add(const Part<V>& part, const bodies::Block<dim>& p, const bodies::Block<dim>& q)
   {
     const WidePart p_mass = widened(part.get(p.mass, q.mass)), p_volume = widened(part.get(p.volume, q.volume));
     WidePart x[dim], v[dim], at[dim];
@@ -102,7 +102,7 @@ struct LaneMoments {
 }  // namespace
 
 template <int dim>
-void sum_moments(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid<dim>& grid)
+void sum_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   const auto& occupied = particles.occupied();
   for_each("sum moments of cells", static_cast<Index>(occupied.size()), [&](Index c) {
@@ -114,7 +114,7 @@ void sum_moments(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGri
     Moments<dim>& t = grid.moments[cell];
     sums.total(t);
 
-    const Shape<dim> shape = grid.shape(mesh, cell);
+    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     auto& corners = grid.corners[cell];
     for (int d = 0; d < dim; ++d) share_among_corners<dim>(shape, t.mv[d], t.mvx[d], [&](int k, Real sum) { corners[k].sum[d] = sum; });
     share_among_corners<dim>(shape, t.m, t.mx, [&](int k, Real sum) { corners[k].mass = sum; });
@@ -128,7 +128,7 @@ constexpr Real least_mass_part = 1e-9;
 /// The mean velocity of all particles in a node's cells: for a node without mass, which then strains nothing that moves as one. The momentum of a
 /// cell is told by momentum_of(cell).
 template <int dim, class MomentumOf>
-Vec<dim> velocity_of_cells(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node, const MomentumOf& momentum_of)
+Vec<dim> velocity_of_cells(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node, const MomentumOf& momentum_of)
 {
   Vec<dim> momentum = Vec<dim>::Zero();
   Real mass = 0;
@@ -141,7 +141,7 @@ Vec<dim> velocity_of_cells(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Ind
 }
 
 template <int dim>
-Real mass_of_cells(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
+Real mass_of_cells(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
 {
   Real mass = 0;
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) mass += grid.moments[mesh.entries[e] / (dim + 1)].m;
@@ -149,7 +149,7 @@ Real mass_of_cells(const Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
 }
 
 template <int dim>
-void gather_mass_and_momentum(const Mesh<dim>& mesh, BodyGrid<dim>& grid)
+void gather_mass_and_momentum(const mesh::Mesh<dim>& mesh, BodyGrid<dim>& grid)
 {
   for_each("gather mass and momentum", static_cast<Index>(grid.nodes.size()), [&](Index n) {
     const Index i = grid.nodes[n];
@@ -185,14 +185,14 @@ Real volume_times_mean_stress(const Moments<dim>& t)
 }  // namespace
 
 template <int dim>
-void find_viscous_stress(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid)
+void find_viscous_stress(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   if (!(grid.bulk_viscosity > 0)) return;
-  const Mesh<dim>& mesh = model.mesh;
+  const mesh::Mesh<dim>& mesh = model.mesh;
   const auto& occupied = particles.occupied();
   for_each("viscous stress of cells", static_cast<Index>(occupied.size()), [&](Index c) {
     Real volume = 0, height = 0, divergence = 0;
-    for_each_in_patch(model.patches, occupied[c], [&](Index member) {
+    mesh::for_each_in_patch(model.patches, occupied[c], [&](Index member) {
       const Real of_cell = grid.moments[member].volume;
       volume += of_cell;
       height += of_cell * grid.height[member];
@@ -203,9 +203,9 @@ void find_viscous_stress(const Model<dim>& model, const Particles<dim>& particle
 }
 
 template <int dim>
-void spread_internal_forces(const Model<dim>& model, const Particles<dim>& particles, BodyGrid<dim>& grid)
+void spread_internal_forces(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
-  const Mesh<dim>& mesh = model.mesh;
+  const mesh::Mesh<dim>& mesh = model.mesh;
   const auto& occupied = particles.occupied();
   const bool project = model.mpm.volumetric_projection;
   for_each("internal forces of cells", static_cast<Index>(occupied.size()), [&](Index c) {
@@ -214,7 +214,7 @@ void spread_internal_forces(const Model<dim>& model, const Particles<dim>& parti
     Real change = 0;  // of volume times mean stress
     if (project) {
       Real volume = 0, volume_stress = 0;
-      for_each_in_patch(model.patches, cell, [&](Index member) {
+      mesh::for_each_in_patch(model.patches, cell, [&](Index member) {
         volume += grid.moments[member].volume;
         volume_stress += volume_times_mean_stress(grid.moments[member]);
       });
@@ -224,7 +224,7 @@ void spread_internal_forces(const Model<dim>& model, const Particles<dim>& parti
     Matrix<dim> stress;
     for (int a = 0; a < dim; ++a)
       for (int b = 0; b < dim; ++b) stress(a, b) = t.stress[Moments<dim>::pair(std::min(a, b), std::max(a, b))] + (a == b ? change : 0);
-    const Shape<dim> shape = grid.shape(mesh, cell);
+    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     auto& corners = grid.corners[cell];
     Vec<dim> of_others = Vec<dim>::Zero();
     for (int k = 1; k <= dim; ++k) {
@@ -237,13 +237,13 @@ void spread_internal_forces(const Model<dim>& model, const Particles<dim>& parti
 }
 
 template <int dim>
-void smooth_velocities(const Mesh<dim>& mesh, const Particles<dim>& particles, BodyGrid<dim>& grid)
+void smooth_velocities(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   if (!(grid.filter_rate > 0)) return;
   const auto& occupied = particles.occupied();
   for_each("momentum of nodal velocities", static_cast<Index>(occupied.size()), [&](Index c) {
     const Index cell = occupied[c];
-    const Shape<dim> shape = grid.shape(mesh, cell);
+    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     const LinearField<dim> velocity(shape, mesh.nodes[cell], grid.velocity);
     auto& corners = grid.corners[cell];
     for (int d = 0; d < dim; ++d) {
@@ -262,14 +262,14 @@ void smooth_velocities(const Mesh<dim>& mesh, const Particles<dim>& particles, B
 }
 
 template <int dim>
-void spread_new_momentum(const Mesh<dim>& mesh, const Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
+void spread_new_momentum(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
   const auto& occupied = particles.occupied();
   const Real part = grid.filtered_part(dt);
   for_each("momentum after the forces", static_cast<Index>(occupied.size()), [&](Index c) {
     const Index cell = occupied[c];
     const Moments<dim>& t = grid.moments[cell];
-    const Shape<dim> shape = grid.shape(mesh, cell);
+    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     const LinearField<dim> gain(shape, mesh.nodes[cell], [&](Index i, int d) { return grid.gain(i, d, dt, part); });
     auto& corners = grid.corners[cell];
     for (int d = 0; d < dim; ++d) {
@@ -282,9 +282,9 @@ void spread_new_momentum(const Mesh<dim>& mesh, const Particles<dim>& particles,
 }
 
 template <int dim>
-void gather_new_velocities(const Model<dim>& model, BodyGrid<dim>& grid)
+void gather_new_velocities(const problem::Model<dim>& model, BodyGrid<dim>& grid)
 {
-  const Mesh<dim>& mesh = model.mesh;
+  const mesh::Mesh<dim>& mesh = model.mesh;
   for_each("gather new velocities", static_cast<Index>(grid.nodes.size()), [&](Index n) {
     const Index i = grid.nodes[n];
     Vec<dim> momentum = Vec<dim>::Zero();
@@ -295,25 +295,25 @@ void gather_new_velocities(const Model<dim>& model, BodyGrid<dim>& grid)
       for (const CornerSums<dim>& corner : grid.corners[cell]) sum += Eigen::Map<const Vec<dim>>(corner.sum);
       return sum;
     };
-    grid.moved_velocity[i] = without_held<dim>(
+    grid.moved_velocity[i] = problem::without_held<dim>(
         model.fixed[grid.fixed], i, grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
   });
 }
 
 template <int dim>
-void predict_velocities(const Model<dim>& model, Real ahead, BodyGrid<dim>& grid)
+void predict_velocities(const problem::Model<dim>& model, Real ahead, BodyGrid<dim>& grid)
 {
   for_each("predict velocities", static_cast<Index>(grid.nodes.size()), [&](Index n) {
     const Index i = grid.nodes[n];
     const auto momentum_of = [&](Index cell) { return Eigen::Map<const Vec<dim>>(grid.moments[cell].mv); };
-    grid.moved_velocity[i] = without_held<dim>(model.fixed[grid.fixed], i,
-                                               grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
-                                                                : velocity_of_cells(model.mesh, grid, i, momentum_of));
+    grid.moved_velocity[i] = problem::without_held<dim>(model.fixed[grid.fixed], i,
+                                                        grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
+                                                                         : velocity_of_cells(model.mesh, grid, i, momentum_of));
   });
 }
 
 template <int dim>
-void sum_volume_changes(const Mesh<dim>& mesh, const Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
+void sum_volume_changes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
   const auto& occupied = particles.occupied();
   for_each("volume change of cells", static_cast<Index>(occupied.size()), [&](Index c) {
@@ -324,17 +324,17 @@ void sum_volume_changes(const Mesh<dim>& mesh, const Particles<dim>& particles, 
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void sum_moments(const Mesh<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                                      \
-  template void gather_mass_and_momentum(const Mesh<dim>&, BodyGrid<dim>&);                                                                \
-  template void find_viscous_stress(const Model<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                             \
-  template void spread_internal_forces(const Model<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                          \
-  template void smooth_velocities(const Mesh<dim>&, const Particles<dim>&, BodyGrid<dim>&);                                                \
-  template void spread_new_momentum(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);                                        \
-  template void gather_new_velocities(const Model<dim>&, BodyGrid<dim>&);                                                                  \
-  template void predict_velocities(const Model<dim>&, Real, BodyGrid<dim>&);                                                               \
-  template void sum_volume_changes(const Mesh<dim>&, const Particles<dim>&, Real, BodyGrid<dim>&);
+  template void sum_moments(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                                        \
+  template void gather_mass_and_momentum(const mesh::Mesh<dim>&, BodyGrid<dim>&);                                                          \
+  template void find_viscous_stress(const problem::Model<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                            \
+  template void spread_internal_forces(const problem::Model<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                         \
+  template void smooth_velocities(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                                  \
+  template void spread_new_momentum(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);                          \
+  template void gather_new_velocities(const problem::Model<dim>&, BodyGrid<dim>&);                                                         \
+  template void predict_velocities(const problem::Model<dim>&, Real, BodyGrid<dim>&);                                                      \
+  template void sum_volume_changes(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE
 
-}  // namespace berm
+}  // namespace berm::mpm

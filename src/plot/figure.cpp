@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::plot {
 namespace {
 
 constexpr const char* colors[curve_colors] = {"#1764ab", "#c8452f", "#2f8f4e", "#8155a6", "#c98a16", "#4a4a4a", "#2aa5b5", "#d3649f"};
@@ -35,12 +35,12 @@ bool draw_figure(const std::filesystem::path& folder, const std::string& name, c
     return false;
   };
   std::string plot;
-  make_folder(folder / "plots");
+  io::make_folder(folder / "plots");
   for (std::size_t k = 0; k < figure.curves.size(); ++k) {
     const FigureCurve& curve = figure.curves[k];
     if (!has_points(curve)) continue;
     const std::string data = fmt::format("{}_{}.dat", name, k);
-    write_whole(folder / "plots" / data, block(curve));
+    io::write_whole(folder / "plots" / data, block(curve));
     plot += fmt::format("{}{} using 1:2 with {} {}", plot.empty() ? "plot " : ", \\\n     ", gnuplot_text("./" + data), curve.style,
                         curve.title.empty() ? "notitle" : "title " + gnuplot_text(curve.title));
   }
@@ -54,4 +54,4 @@ bool draw_figure(const std::filesystem::path& folder, const std::string& name, c
   return draw(folder, name, figure.width, figure.height, script, format);
 }
 
-}  // namespace berm
+}  // namespace berm::plot

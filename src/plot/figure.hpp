@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace berm {
+namespace berm::plot {
 
 /// A line's style by two numbers, below these counts: colours differ for most eyes, also in their lightness.
 constexpr std::size_t curve_colors = 8, curve_dashes = 4;
@@ -30,4 +30,4 @@ struct Figure {
 /// (see draw) or where there is nothing to draw.
 bool draw_figure(const std::filesystem::path& folder, const std::string& name, const Figure& figure, PlotFormat format = PlotFormat::png);
 
-}  // namespace berm
+}  // namespace berm::plot

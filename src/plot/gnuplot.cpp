@@ -14,7 +14,7 @@
 #include <system_error>
 #include <unistd.h>
 
-namespace berm {
+namespace berm::plot {
 namespace {
 
 /// Runs gnuplot in the folder on the script, which draws into `picture`; its messages go into a file there. The exit status; -1, and errno says why, where it did not start.
@@ -54,7 +54,7 @@ std::string last_message(const std::filesystem::path& file)
 bool is_whole(const std::filesystem::path& picture, PlotFormat format)
 {
   constexpr std::string_view end_of_svg = "</svg>", end_of_png("IEND\xAE\x42\x60\x82", 8);
-  std::string bytes = read_whole(picture);
+  std::string bytes = io::read_whole(picture);
   if (format == PlotFormat::svg) bytes.erase(bytes.find_last_not_of(" \n") + 1);
   return bytes.ends_with(format == PlotFormat::svg ? end_of_svg : end_of_png);
 }
@@ -84,27 +84,27 @@ bool draw(const std::filesystem::path& folder, const std::string& name, int widt
   const std::string stem = vector ? name + "_svg" : name, picture = name + (vector ? ".svg" : ".png");
   const std::filesystem::path plots = folder / "plots", messages = plots / (stem + ".messages");
   std::error_code ignored;
-  make_folder(plots);
+  io::make_folder(plots);
   const std::string head = fmt::format("# Draws ../{0}: run 'gnuplot {1}.gp' in this folder.\n"
                                        "set terminal {2} size {3},{4} noenhanced font 'DejaVu Sans,13' linewidth 1.2 background '#ffffff'\n"
                                        "if (!exists('picture')) picture = {5}\nset output picture\nset encoding utf8\n",
                                        picture, stem, vector ? "svg" : "pngcairo", width, height, gnuplot_text("../" + picture));
-  write_whole(plots / (stem + ".gp"), head + script);
+  io::write_whole(plots / (stem + ".gp"), head + script);
   // A name that begins with - is no option.
-  const int status = run_gnuplot(plots, "./" + stem + ".gp", "../" + part_of(picture).string(), messages.filename().string());
+  const int status = run_gnuplot(plots, "./" + stem + ".gp", "../" + io::part_of(picture).string(), messages.filename().string());
   const int reason = errno;
   if (status == 0) {
     std::filesystem::remove(messages, ignored);
-    if (!is_whole(part_of(folder / picture), format)) {
-      std::filesystem::remove(part_of(folder / picture), ignored);
+    if (!is_whole(io::part_of(folder / picture), format)) {
+      std::filesystem::remove(io::part_of(folder / picture), ignored);
       throw RunError(fmt::format("cannot write {}: gnuplot could not write all of it (is the disk full?)", (folder / picture).string()));
     }
-    finish_whole(folder / picture);
+    io::finish_whole(folder / picture);
     return true;
   }
-  std::filesystem::remove(part_of(folder / picture), ignored);
+  std::filesystem::remove(io::part_of(folder / picture), ignored);
   errno = reason;
-  if (status < 0 && reason != ENOENT) throw_errno(fmt::format("cannot write {}: gnuplot did not start", (folder / picture).string()));
+  if (status < 0 && reason != ENOENT) io::throw_errno(fmt::format("cannot write {}: gnuplot did not start", (folder / picture).string()));
   if (status < 0)
     spdlog::warn("{} is not drawn: the program gnuplot did not start ({}); its script is {}", picture,
                  std::generic_category().message(errno), (plots / (stem + ".gp")).string());
@@ -115,4 +115,4 @@ bool draw(const std::filesystem::path& folder, const std::string& name, int widt
   return false;
 }
 
-}  // namespace berm
+}  // namespace berm::plot

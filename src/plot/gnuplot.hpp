@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-namespace berm {
+namespace berm::plot {
 
 /// A text as gnuplot takes it between single quotes, quotes included.
 std::string gnuplot_text(const std::string& text);
@@ -28,4 +28,4 @@ enum class PlotFormat { png, svg };
 bool draw(const std::filesystem::path& folder, const std::string& name, int width, int height, const std::string& script,
           PlotFormat format = PlotFormat::png);
 
-}  // namespace berm
+}  // namespace berm::plot

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plot/nice_number.hpp"
 
-namespace berm {
+namespace berm::plot {
 
 Real round_up(Real value)
 {
@@ -13,4 +13,4 @@ Real round_up(Real value)
   return scaled(10);
 }
 
-}  // namespace berm
+}  // namespace berm::plot

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::plot {
 namespace {
 
 Real cross(const Vec<2>& a, const Vec<2>& b)
@@ -61,4 +61,4 @@ std::string Raster::text() const
   return fmt::to_string(text);
 }
 
-}  // namespace berm
+}  // namespace berm::plot

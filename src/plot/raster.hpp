@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace berm {
+namespace berm::plot {
 
 /// Values at the middles of the equal pixels of a rectangle; none where no triangle was painted.
 class Raster {
@@ -29,4 +29,4 @@ private:
   std::vector<Real> values_;
 };
 
-}  // namespace berm
+}  // namespace berm::plot

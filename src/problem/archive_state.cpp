@@ -3,13 +3,13 @@
 
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::problem {
 
 constexpr BigIndex most_steps = BigIndex(1) << 60;  // no run gets so far, and the next ones can still be counted
 
 // The sizes tell of a member that is not kept yet.
 template <int dim>
-void keep(Keep& k, RigidState<dim>& rigid)
+void keep(Keep& k, bodies::RigidState<dim>& rigid)
 {
   static_assert(sizeof(rigid) == (7 * dim + 8) * sizeof(Real));
   k("displacement", rigid.displacement);
@@ -106,9 +106,9 @@ void keep(Keep& k, const Model<dim>& model, State<dim>& state)
   for (std::size_t b = 0; b < state.particles.size(); ++b) k.table(fmt::format("body_{}", b), [&] { state.particles[b].keep(k); });
 }
 
-template void keep(Keep&, RigidState<2>&);
-template void keep(Keep&, RigidState<3>&);
+template void keep(Keep&, bodies::RigidState<2>&);
+template void keep(Keep&, bodies::RigidState<3>&);
 template void keep(Keep&, const Model<2>&, State<2>&);
 template void keep(Keep&, const Model<3>&, State<3>&);
 
-}  // namespace berm
+}  // namespace berm::problem

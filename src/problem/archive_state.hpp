@@ -4,7 +4,7 @@
 #include "core/archive.hpp"
 #include "problem/model.hpp"
 
-namespace berm {
+namespace berm::problem {
 
 /// The whole state, bit for bit. Reading puts it into one that was built for the same case: bodies, particles, rigid bodies and contacts
 /// must be as many. Throws RunError where they are not, or where what is read cannot be a state of this model.
@@ -13,6 +13,6 @@ void keep(Keep& k, const Model<dim>& model, State<dim>& state);
 
 /// One rigid body.
 template <int dim>
-void keep(Keep& k, RigidState<dim>& rigid);
+void keep(Keep& k, bodies::RigidState<dim>& rigid);
 
-}  // namespace berm
+}  // namespace berm::problem

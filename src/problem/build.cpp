@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::problem {
 namespace {
 
 /// A node takes the largest damping of the regions that its cells belong to, so that a damping layer acts up to its border.
 template <int dim>
-NodeField<Real> nodal_damping(const Mesh<dim>& mesh, const BodySettings& body)
+NodeField<Real> nodal_damping(const mesh::Mesh<dim>& mesh, const bodies::BodySettings& body)
 {
   std::vector<Real> of_region(mesh.region_names.size(), body.damping);
   for (const auto& [region, damping] : body.region_damping) of_region[mesh.find_region(region)] = damping;
@@ -24,7 +24,7 @@ NodeField<Real> nodal_damping(const Mesh<dim>& mesh, const BodySettings& body)
 }
 
 template <int dim>
-NodeField<std::uint8_t> fixed_directions(const Mesh<dim>& mesh, const Case& c, const std::vector<char>& holds)
+NodeField<std::uint8_t> fixed_directions(const mesh::Mesh<dim>& mesh, const Case& c, const std::vector<char>& holds)
 {
   auto fixed = NodeField<std::uint8_t>::zeros(mesh.node_count());
   for (std::size_t k = 0; k < c.support.size(); ++k) {
@@ -38,11 +38,11 @@ NodeField<std::uint8_t> fixed_directions(const Mesh<dim>& mesh, const Case& c, c
 
 /// The body that fills each region of the mesh, the first where several do, or none.
 template <int dim>
-std::vector<Index> bodies_of_regions(const Mesh<dim>& mesh, const Case& c)
+std::vector<Index> bodies_of_regions(const mesh::Mesh<dim>& mesh, const Case& c)
 {
   std::vector<Index> body_of(mesh.region_names.size(), none);
   for (Index b = static_cast<Index>(c.body.size()); b-- > 0;)
-    for (const std::string& region : c.body[b].second.regions) body_of[filled_region(mesh, c.body[b].first, region)] = b;
+    for (const std::string& region : c.body[b].second.regions) body_of[bodies::filled_region(mesh, c.body[b].first, region)] = b;
   return body_of;
 }
 
@@ -53,14 +53,14 @@ void place_loads(const Case& c, Problem<dim>& problem)
   Model<dim>& model = problem.model;
   const std::vector<Index> body_of = bodies_of_regions(model.mesh, c);
   for (Index t = 0; t < static_cast<Index>(c.traction.size()); ++t)
-    for (const LoadedPlace<dim>& place : loaded_places(model.mesh, c.traction[t].first, c.traction[t].second, body_of)) {
+    for (const boundary::LoadedPlace<dim>& place : loaded_places(model.mesh, c.traction[t].first, c.traction[t].second, body_of)) {
       model.load_points.push_back({t, body_of[model.mesh.region[place.cell]], place.force, place.area});
       problem.state.load_points.push_back({place.x, place.cell});
     }
 }
 
 template <int dim>
-std::int32_t nearest_particle(const Particles<dim>& particles, const std::vector<Real>& point)
+std::int32_t nearest_particle(const bodies::Particles<dim>& particles, const std::vector<Real>& point)
 {
   std::int32_t nearest = none;
   Real least = infinity;
@@ -75,7 +75,7 @@ std::int32_t nearest_particle(const Particles<dim>& particles, const std::vector
 }  // namespace
 
 template <int dim>
-Model<dim> make_model(const Case& c, Mesh<dim> mesh)
+Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh)
 {
   Model<dim> model;
   model.mesh = std::move(mesh);
@@ -89,26 +89,26 @@ Model<dim> make_model(const Case& c, Mesh<dim> mesh)
   model.fixed_in = sets.of_stage;
 
   for (const auto& [name, settings] : c.rigid) {
-    const RigidShape<dim> shape = make_shape<dim>(settings.shape);
+    const bodies::RigidShape<dim> shape = make_shape<dim>(settings.shape);
     const Real inertia = settings.moment_of_inertia.value_or(settings.mass * inertia_over_mass<dim>(shape));
     model.rigids.push_back({name, shape, settings.mass, settings.motion, settings.rotation, inertia});
   }
   for (const auto& [name, settings] : c.body) {
-    const Material& material = c.material[place_of(c.material, settings.material)].second;
+    const material::Material& material = c.material[place_of(c.material, settings.material)].second;
     model.bodies.push_back({name, material, nodal_damping(model.mesh, settings), density(material) / inertia_density(material)});
   }
   for (const auto& [name, s] : c.contact) {
-    const Detection best = s.rigid.empty() ? Detection::gap : Detection::particle;
+    const contact::Detection best = s.rigid.empty() ? contact::Detection::gap : contact::Detection::particle;
     model.contacts.push_back({name, place_of(c.body, s.body), place_of(c.rigid, s.rigid), place_of(c.body, s.other_body),
-                              std::tan(s.friction_angle), s.adhesion, s.scheme, s.detection == Detection::automatic ? best : s.detection,
-                              s.approach_steps});
+                              std::tan(s.friction_angle), s.adhesion, s.scheme,
+                              s.detection == contact::Detection::automatic ? best : s.detection, s.approach_steps});
   }
   for (const auto& [name, s] : c.traction) {
     model.tractions.push_back({name, s.ramp, {}});
     for (const StageSettings& stage : c.stage)
       model.tractions.back().acts.push_back(s.stages.empty() || std::find(s.stages.begin(), s.stages.end(), stage.name) != s.stages.end());
   }
-  model.update_stress_first = !c.contact.empty() && c.contact.front().second.scheme == Scheme::usf;
+  model.update_stress_first = !c.contact.empty() && c.contact.front().second.scheme == contact::Scheme::usf;
   model.stages = c.stage;
   model.main_rigid = main_rigid(c);
   for (const StageSettings& stage : c.stage) {
@@ -125,7 +125,7 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
 }
 
 template <int dim>
-Problem<dim> build(const Case& c, Mesh<dim> mesh)
+Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
 {
   Problem<dim> problem;
   Model<dim>& model = problem.model;
@@ -135,9 +135,9 @@ Problem<dim> build(const Case& c, Mesh<dim> mesh)
   state.rigids.resize(model.rigids.size());
   if (c.initial_state == InitialState::level_ground) refuse_k0_below_uneven_ground(c, model);
   for (const auto& [name, settings] : c.body) {
-    const Material& material = c.material[place_of(c.material, settings.material)].second;
+    const material::Material& material = c.material[place_of(c.material, settings.material)].second;
     const Real inertia = inertia_density(material);
-    StartState<dim> start{inertia, -model.gravity[1] * density(material) / inertia, c.surface, state_size(material)};
+    bodies::StartState<dim> start{inertia, -model.gravity[1] * density(material) / inertia, c.surface, state_size(material)};
     for (const auto& entry : c.contact)
       if (entry.second.body == name && !entry.second.rigid.empty())
         start.holes.push_back(model.rigids[place_of(c.rigid, entry.second.rigid)].shape);
@@ -145,7 +145,7 @@ Problem<dim> build(const Case& c, Mesh<dim> mesh)
     if (state.particles.back().size() == 0)
       throw InputError(fmt::format("body.{}: its regions have no cells outside the rigid bodies, so it has no particles", name));
     state.particles.back().visit([&](Index, Index b, int l) {
-      const Block<dim>& p = state.particles.back().block(b);
+      const bodies::Block<dim>& p = state.particles.back().block(b);
       for (int d = 0; d < dim; ++d) state.totals.first_momentum[d] += p.mass[l] * p.v[d][l];
     });
   }
@@ -161,11 +161,11 @@ Problem<dim> build(const Case& c, Mesh<dim> mesh)
   return problem;
 }
 
-template Model<2> make_model(const Case&, Mesh<2>);
-template Model<3> make_model(const Case&, Mesh<3>);
-template Problem<2> build(const Case&, Mesh<2>);
-template Problem<3> build(const Case&, Mesh<3>);
+template Model<2> make_model(const Case&, mesh::Mesh<2>);
+template Model<3> make_model(const Case&, mesh::Mesh<3>);
+template Problem<2> build(const Case&, mesh::Mesh<2>);
+template Problem<3> build(const Case&, mesh::Mesh<3>);
 template Problem<2> build(const Case&, const std::string&, const std::string&);
 template Problem<3> build(const Case&, const std::string&, const std::string&);
 
-}  // namespace berm
+}  // namespace berm::problem

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::problem {
 namespace {
 
 template <class T>
@@ -73,7 +73,7 @@ void check_bodies(Describe& d, const Case& c)
       d.check(body.disk->spacing < body.disk->diameter / 2, path + ".disk.spacing", "must be less than half the diameter");
     }
     for (std::size_t k = 0; k < body.initial_velocity.size(); ++k) {
-      const InitialVelocity& wave = body.initial_velocity[k];
+      const bodies::InitialVelocity& wave = body.initial_velocity[k];
       const std::string item = fmt::format("{}.initial_velocity[{}]", path, k);
       check_entries(d, item + ".amplitude", wave.amplitude, c.dimension);
       check_entries(d, item + ".wave_number", wave.wave_number, c.dimension, true);
@@ -98,18 +98,19 @@ void check_rigids(Describe& d, const Case& c)
 {
   for (const auto& [name, rigid] : c.rigid) {
     const std::string path = "rigid." + name;
-    if (const auto* circle = std::get_if<CircleSettings>(&rigid.shape)) check_entries(d, path + ".center", circle->center, c.dimension);
-    if (const auto* plane = std::get_if<HalfPlaneSettings>(&rigid.shape)) {
+    if (const auto* circle = std::get_if<bodies::CircleSettings>(&rigid.shape))
+      check_entries(d, path + ".center", circle->center, c.dimension);
+    if (const auto* plane = std::get_if<bodies::HalfPlaneSettings>(&rigid.shape)) {
       check_entries(d, path + ".point", plane->point, c.dimension);
       check_entries(d, path + ".normal", plane->normal, c.dimension);
       d.check(std::any_of(plane->normal.begin(), plane->normal.end(), [](Real n) { return n != 0; }), path + ".normal", "must not be zero");
     }
-    if (const auto* box = std::get_if<BoxSettings>(&rigid.shape)) {
+    if (const auto* box = std::get_if<bodies::BoxSettings>(&rigid.shape)) {
       check_entries(d, path + ".center", box->center, c.dimension);
       check_entries(d, path + ".size", box->size, c.dimension);
       d.check(c.dimension == 2 || box->angle == 0, path + ".angle", "a box can be turned in two dimensions only");
     }
-    if (const auto* polygon = std::get_if<PolygonSettings>(&rigid.shape)) {
+    if (const auto* polygon = std::get_if<bodies::PolygonSettings>(&rigid.shape)) {
       d.check(polygon->x.size() == polygon->y.size(), path + ".y",
               fmt::format("has {} numbers, and x has {}", polygon->y.size(), polygon->x.size()));
       d.check(polygon->x.size() >= 3, path + ".x", fmt::format("needs three corners or more, and has {}", polygon->x.size()));
@@ -117,9 +118,9 @@ void check_rigids(Describe& d, const Case& c)
       d.check(polygon->x.size() <= most, path + ".x", fmt::format("may have {} corners at most, and has {}", most, polygon->x.size()));
       d.check(is_simple(*polygon), path + ".x", "the sides of a polygon must not cross or touch each other");
     }
-    d.check(rigid.motion == Motion::driven || rigid.mass > 0, path + ".motion", "a free body needs a mass");
-    if (rigid.rotation == Rotation::free) {
-      d.check(!std::holds_alternative<HalfPlaneSettings>(rigid.shape), path + ".rotation", "a half-plane cannot turn");
+    d.check(rigid.motion == bodies::Motion::driven || rigid.mass > 0, path + ".motion", "a free body needs a mass");
+    if (rigid.rotation == bodies::Rotation::free) {
+      d.check(!std::holds_alternative<bodies::HalfPlaneSettings>(rigid.shape), path + ".rotation", "a half-plane cannot turn");
       d.check(rigid.mass > 0 || rigid.moment_of_inertia, path + ".rotation", "a body that turns needs a mass or a moment_of_inertia");
     }
   }
@@ -130,9 +131,9 @@ void check_rigids(Describe& d, const Case& c)
     if (!contact.rigid.empty()) check_name(d, path + ".rigid", contact.rigid, "rigid", names_of(c.rigid));
     if (!contact.other_body.empty()) check_name(d, path + ".other_body", contact.other_body, "body", names_of(c.body));
     d.check(contact.other_body != contact.body, path + ".other_body", "a body is in no contact with itself");
-    d.check(contact.other_body.empty() || contact.detection != Detection::particle, path + ".detection",
+    d.check(contact.other_body.empty() || contact.detection != contact::Detection::particle, path + ".detection",
             "\"particle\" is for contact with a rigid body", {"automatic", "gap", "overlap", "distance"});
-    d.check((contact.scheme == Scheme::usf) == (c.contact.front().second.scheme == Scheme::usf), path + ".scheme",
+    d.check((contact.scheme == contact::Scheme::usf) == (c.contact.front().second.scheme == contact::Scheme::usf), path + ".scheme",
             "\"usf\" is another order of the step, so all contacts must have it, or none");
   }
 }
@@ -211,14 +212,14 @@ void check_tractions(Describe& d, const Case& c)
 }
 
 /// About how many cells a bed gets around a circle or box that is cut out of it, what is cut out counted with them; 0 around other shapes.
-Real cells_around(const RigidShapeSettings& shape, SeabedMesh bed, Real size)
+Real cells_around(const bodies::RigidShapeSettings& shape, mesh::SeabedMesh bed, Real size)
 {
-  const auto* circle = std::get_if<CircleSettings>(&shape);
-  const auto* box = std::get_if<BoxSettings>(&shape);
+  const auto* circle = std::get_if<bodies::CircleSettings>(&shape);
+  const auto* box = std::get_if<bodies::BoxSettings>(&shape);
   const std::vector<Real> center = circle != nullptr ? circle->center : box != nullptr ? box->center : std::vector<Real>();
   if (center.size() != 2 || (box != nullptr && box->size.size() != 2)) return 0;
   const Real reach = circle != nullptr ? circle->diameter / 2 : std::hypot(box->size[0], box->size[1]) / 2;
-  const SeabedLayout at = layout_of(bed);
+  const mesh::SeabedLayout at = layout_of(bed);
   bed.near_left = std::clamp(center[0] - reach, at.left, at.right);
   bed.near_right = std::clamp(center[0] + reach, at.left, at.right);
   bed.near_depth = std::clamp(reach - center[1], Real(0), bed.depth);
@@ -231,11 +232,11 @@ Real cells_around(const RigidShapeSettings& shape, SeabedMesh bed, Real size)
 
 void check_fem(Describe& d, const Case& c)
 {
-  const auto* bed = std::get_if<SeabedMesh>(&c.mesh);
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
   if (c.method != Method::fem || !c.fem.contact_size || bed == nullptr) return;
   for (const auto& [name, rigid] : c.rigid)
-    d.check(cells_around(rigid.shape, *bed, *c.fem.contact_size) <= most_seabed_cells, "fem.contact_size",
-            fmt::format("makes more than {:.0e} cells around [rigid.{}]: enlarge it or mesh.growth", most_seabed_cells, name));
+    d.check(cells_around(rigid.shape, *bed, *c.fem.contact_size) <= mesh::most_seabed_cells, "fem.contact_size",
+            fmt::format("makes more than {:.0e} cells around [rigid.{}]: enlarge it or mesh.growth", mesh::most_seabed_cells, name));
 }
 
 /// Rows and frames are written to a disk that ends. Stages whose end cannot be told are not counted.
@@ -356,7 +357,7 @@ void describe(Describe& d, Case& c)
   check_entries(d, "gravity", c.gravity, c.dimension, true);
   for (const auto& [name, material] : c.material) {
     check(d, "material." + name, material);
-    const auto* law = std::get_if<MohrCoulomb>(&material);
+    const auto* law = std::get_if<material::MohrCoulomb>(&material);
     d.check(c.method == Method::fem || law == nullptr || law->cohesion_gradient == 0, "material." + name + ".cohesion_gradient",
             "needs method = \"fem\": a particle does not keep a strength of its own");
   }
@@ -396,4 +397,4 @@ Index main_rigid(const Case& c)
   return c.rigid.empty() ? none : 0;
 }
 
-}  // namespace berm
+}  // namespace berm::problem

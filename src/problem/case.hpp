@@ -10,7 +10,7 @@
 #include "mesh/mesh_settings.hpp"
 #include "problem/stage.hpp"
 
-namespace berm {
+namespace berm::problem {
 
 /// What the particles of a cell stand for where stress is integrated.
 enum class Quadrature {
@@ -74,13 +74,13 @@ struct Case {
   Real gravity_ramp = 0;      ///< s from no gravity to all of it, at the start
   Real surface = 0;           ///< m, level y of the bed's surface at the start
   InitialState initial_state = InitialState::level_ground;
-  MeshSettings mesh;
-  std::vector<std::pair<std::string, Material>> material;
-  std::vector<std::pair<std::string, BodySettings>> body;
-  std::vector<std::pair<std::string, RigidSettings>> rigid;
-  std::vector<std::pair<std::string, ContactSettings>> contact;
-  std::vector<std::pair<std::string, SupportSettings>> support;
-  std::vector<std::pair<std::string, TractionSettings>> traction;
+  mesh::MeshSettings mesh;
+  std::vector<std::pair<std::string, material::Material>> material;
+  std::vector<std::pair<std::string, bodies::BodySettings>> body;
+  std::vector<std::pair<std::string, bodies::RigidSettings>> rigid;
+  std::vector<std::pair<std::string, contact::ContactSettings>> contact;
+  std::vector<std::pair<std::string, boundary::SupportSettings>> support;
+  std::vector<std::pair<std::string, boundary::TractionSettings>> traction;
   std::vector<StageSettings> stage;
   MpmSettings mpm;
   FemSettings fem;
@@ -115,4 +115,4 @@ SupportSets support_sets(const Case& c);
 /// The rigid body whose u, w, H and V the history tells: the first that a stage names, else the first there is; none without rigid bodies.
 Index main_rigid(const Case& c);
 
-}  // namespace berm
+}  // namespace berm::problem

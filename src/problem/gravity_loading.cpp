@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <numeric>
 
-namespace berm {
+namespace berm::problem {
 namespace {
 
 constexpr Real steepest_isotropic = 0.8;  // k0, beyond which the soil is stiffer along the horizontal
@@ -20,7 +20,7 @@ struct Element {
   Index cell, body;
   Real volume = 0;
   GroundElasticity ground{};
-  Shape<dim> shape{};
+  mesh::Shape<dim> shape{};
   std::array<Index, dim + 1> nodes{};             ///< numbers among those of the ground
   std::array<Vec<dim>, dim + 1> corner_forces{};  ///< N
 };
@@ -48,7 +48,7 @@ Real plane_mean(const SymTensor<dim>& t)
 template <int dim>
 class Ground {
 public:
-  Ground(const Case& c, const Model<dim>& model, std::vector<Particles<dim>>& particles, const std::vector<Index>& bodies)
+  Ground(const Case& c, const Model<dim>& model, std::vector<bodies::Particles<dim>>& particles, const std::vector<Index>& bodies)
       : model_(model),
         particles_(particles)
   {
@@ -94,7 +94,7 @@ public:
       const std::vector<SymTensor<dim>> stress = stresses(p, displacement_);
       for (Index k = first_of_patch_[p]; k < first_of_patch_[p + 1]; ++k) {
         const Element<dim>& element = elements_[in_patches_[k]];
-        for_each_particle(element, [&](Block<dim>& block, int lane) {
+        for_each_particle(element, [&](bodies::Block<dim>& block, int lane) {
           for (int s = 0; s < tensor_size<dim>; ++s) block.stress[s][lane] = stress[k - first_of_patch_[p]][s];
         });
       }
@@ -105,7 +105,7 @@ private:
   template <class Visit>
   void for_each_particle(const Element<dim>& element, const Visit& visit) const
   {
-    Particles<dim>& all = particles_[element.body];
+    bodies::Particles<dim>& all = particles_[element.body];
     Index left = all.count_in(element.cell);
     for (Index b = all.first_block(element.cell); left > 0; b = all.block(b).next, left -= lanes)
       for (int l = 0; l < std::min<Index>(lanes, left); ++l) visit(all.block(b), l);
@@ -120,7 +120,7 @@ private:
       Element<dim> element{cell, body};
       element.ground = ground;
       element.shape = model_.mesh.shape(cell);
-      for_each_particle(element, [&](const Block<dim>& block, int lane) { element.volume += block.volume[lane]; });
+      for_each_particle(element, [&](const bodies::Block<dim>& block, int lane) { element.volume += block.volume[lane]; });
       for (int k = 0; k <= dim; ++k) {
         Index& number = number_[model_.mesh.nodes[cell][k]];
         if (number == none) {
@@ -136,7 +136,7 @@ private:
     for (Index e = first; e < static_cast<Index>(elements_.size()); ++e) {
       if (placed[e]) continue;
       first_of_patch_.push_back(static_cast<Index>(in_patches_.size()));
-      for_each_in_patch(model_.patches, elements_[e].cell, [&](Index cell) {
+      mesh::for_each_in_patch(model_.patches, elements_[e].cell, [&](Index cell) {
         if (element_in[cell] == none) return;
         in_patches_.push_back(element_in[cell]);
         placed[element_in[cell]] = 1;
@@ -173,7 +173,7 @@ private:
     for (Element<dim>& element : elements_) {
       for (Vec<dim>& force : element.corner_forces) force.setZero();
       const Vec<dim> gravity = model_.bodies[element.body].weight_over_mass * model_.gravity;
-      for_each_particle(element, [&](const Block<dim>& block, int lane) {
+      for_each_particle(element, [&](const bodies::Block<dim>& block, int lane) {
         Vec<dim> x;
         for (int d = 0; d < dim; ++d) x[d] = block.x[d][lane];
         for (int k = 0; k <= dim; ++k) element.corner_forces[k] += block.mass[lane] * element.shape.value(k, x) * gravity;
@@ -250,7 +250,7 @@ private:
   }
 
   const Model<dim>& model_;
-  std::vector<Particles<dim>>& particles_;
+  std::vector<bodies::Particles<dim>>& particles_;
   std::vector<Element<dim>> elements_;
   std::vector<Index> first_of_patch_, in_patches_;  ///< elements by patch
   std::vector<Index> number_, node_;                ///< of a node of the mesh, or none; and back
@@ -282,11 +282,11 @@ std::vector<std::vector<Index>> joined_bodies(const Case& c)
 
 }  // namespace
 
-GroundElasticity ground_elasticity(const Material& material, Real k0)
+GroundElasticity ground_elasticity(const material::Material& material, Real k0)
 {
-  const Elasticity own = elasticity(material);
+  const material::Elasticity own = elasticity(material);
   const Real young_modulus = 9 * own.bulk * own.shear / (3 * own.bulk + own.shear), isotropic = std::min(k0, steepest_isotropic);
-  const Real modulus = p_wave_modulus(elasticity(young_modulus, isotropic / (1 + isotropic)));
+  const Real modulus = material::p_wave_modulus(material::elasticity(young_modulus, isotropic / (1 + isotropic)));
   if (k0 <= steepest_isotropic) return {modulus, k0, 1, k0, (1 - k0) / 2};
   // What the vertical takes away of the horizontal stiffness, k0^2, and as much beside it as isotropic soil has at the limit.
   const Real limit = steepest_isotropic;
@@ -305,7 +305,7 @@ SymTensor<dim> stress_of(const GroundElasticity& ground, const SymTensor<dim>& s
 }
 
 template <int dim>
-void load_by_gravity(const Case& c, const Model<dim>& model, std::vector<Particles<dim>>& particles)
+void load_by_gravity(const Case& c, const Model<dim>& model, std::vector<bodies::Particles<dim>>& particles)
 {
   for (const std::vector<Index>& bodies : joined_bodies(c)) {
     Ground<dim> ground(c, model, particles, bodies);
@@ -320,7 +320,7 @@ void load_by_gravity(const Case& c, const Model<dim>& model, std::vector<Particl
 
 template SymTensor<2> stress_of(const GroundElasticity&, const SymTensor<2>&);
 template SymTensor<3> stress_of(const GroundElasticity&, const SymTensor<3>&);
-template void load_by_gravity(const Case&, const Model<2>&, std::vector<Particles<2>>&);
-template void load_by_gravity(const Case&, const Model<3>&, std::vector<Particles<3>>&);
+template void load_by_gravity(const Case&, const Model<2>&, std::vector<bodies::Particles<2>>&);
+template void load_by_gravity(const Case&, const Model<3>&, std::vector<bodies::Particles<3>>&);
 
-}  // namespace berm
+}  // namespace berm::problem

@@ -3,7 +3,7 @@
 
 #include "problem/model.hpp"
 
-namespace berm {
+namespace berm::problem {
 
 /// Throws InputError where k0 stresses (InitialState::level_ground) do not fit the ground: along vertical lines through the bodies that fill regions the weight
 /// of the soil above is compared with density gravity (surface - y). Lines through rigid bodies are left out.
@@ -19,7 +19,7 @@ struct GroundElasticity {
   Real modulus;  ///< Pa
   Real k0, along, across, shear;
 };
-GroundElasticity ground_elasticity(const Material& material, Real k0);
+GroundElasticity ground_elasticity(const material::Material& material, Real k0);
 
 /// Stress of a strain, Pa.
 template <int dim>
@@ -29,6 +29,6 @@ SymTensor<dim> stress_of(const GroundElasticity& ground, const SymTensor<dim>& s
 /// of the first stage, as the method sees them (volumes and weights of particles, the volumetric projection), soil being GroundElasticity. Bodies joined by a
 /// contact move as one at the nodes that they share. The strength is not looked at. Throws InputError where supports do not hold a body.
 template <int dim>
-void load_by_gravity(const Case& c, const Model<dim>& model, std::vector<Particles<dim>>& particles);
+void load_by_gravity(const Case& c, const Model<dim>& model, std::vector<bodies::Particles<dim>>& particles);
 
-}  // namespace berm
+}  // namespace berm::problem

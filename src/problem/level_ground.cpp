@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::problem {
 namespace {
 
 constexpr Real accepted = 0.02;  // of the largest weight over area
@@ -22,9 +22,9 @@ struct Piece {
 
 /// Where a vertical line through x is in a cell; bottom >= top where it is not.
 template <int dim>
-Piece chord(const Mesh<dim>& mesh, Index cell, Vec<dim> x)
+Piece chord(const mesh::Mesh<dim>& mesh, Index cell, Vec<dim> x)
 {
-  const Shape<dim> shape = mesh.shape(cell);
+  const mesh::Shape<dim> shape = mesh.shape(cell);
   x[1] = 0;
   Piece piece{-infinity, infinity, none};
   for (int k = 0; k <= dim; ++k) {
@@ -46,7 +46,7 @@ struct Lines {
   Vec<dim> lower, spacing;
   std::vector<std::vector<Piece>> pieces = std::vector<std::vector<Piece>>(count);
 
-  explicit Lines(const Mesh<dim>& mesh) : lower(mesh.lower), spacing((mesh.upper - mesh.lower) / along) {}
+  explicit Lines(const mesh::Mesh<dim>& mesh) : lower(mesh.lower), spacing((mesh.upper - mesh.lower) / along) {}
 
   Vec<dim> place(int line) const
   {
@@ -56,7 +56,7 @@ struct Lines {
     return x;
   }
 
-  void add(const Mesh<dim>& mesh, Index cell, Index body)
+  void add(const mesh::Mesh<dim>& mesh, Index cell, Index body)
   {
     int first[2] = {0, 0}, last[2] = {0, 0};
     for (const int d : {0, dim - 1}) {
@@ -82,8 +82,8 @@ struct Lines {
 template <int dim>
 bool meets_rigid(const Model<dim>& model, const Vec<dim>& x)
 {
-  return std::any_of(model.rigids.begin(), model.rigids.end(), [&](const Rigid<dim>& rigid) {
-    if (std::holds_alternative<HalfPlane<dim>>(rigid.shape)) return false;
+  return std::any_of(model.rigids.begin(), model.rigids.end(), [&](const bodies::Rigid<dim>& rigid) {
+    if (std::holds_alternative<bodies::HalfPlane<dim>>(rigid.shape)) return false;
     Vec<dim> away = center_of<dim>(rigid.shape) - x;
     away[1] = 0;
     return away.norm() < reach_of<dim>(rigid.shape);
@@ -101,7 +101,7 @@ void refuse_k0_below_uneven_ground(const Case& c, const Model<dim>& model)
   bool any = false;
   for (Index b = static_cast<Index>(c.body.size()); b-- > 0;)
     for (const std::string& region : c.body[b].second.regions) {
-      body_of[filled_region(model.mesh, c.body[b].first, region)] = b;
+      body_of[bodies::filled_region(model.mesh, c.body[b].first, region)] = b;
       any = any || by_level(b);
     }
   if (!any || gravity == 0) return;
@@ -142,4 +142,4 @@ void refuse_k0_below_uneven_ground(const Case& c, const Model<dim>& model)
 template void refuse_k0_below_uneven_ground(const Case&, const Model<2>&);
 template void refuse_k0_below_uneven_ground(const Case&, const Model<3>&);
 
-}  // namespace berm
+}  // namespace berm::problem

@@ -6,13 +6,13 @@
 #include "mesh/patches.hpp"
 #include "problem/case.hpp"
 
-namespace berm {
+namespace berm::problem {
 
 /// A deformable body: all of it that does not change.
 template <int dim>
 struct Body {
   std::string name;
-  Material material;
+  material::Material material;
   NodeField<Real> damping;    ///< local damping factor of each node for this body
   Real weight_over_mass = 1;  ///< density over inertia density: the part of gravity that acts on its particles
 };
@@ -23,8 +23,8 @@ struct Contact {
   Index body, rigid, other_body;  ///< rigid or other_body is none
   Real friction;                  ///< tan of the friction angle
   Real adhesion;                  ///< Pa
-  Scheme scheme;
-  Detection detection;
+  contact::Scheme scheme;
+  contact::Detection detection;
   Real approach_steps;
 };
 
@@ -53,10 +53,10 @@ struct Watch {
 /// What cannot change during a run.
 template <int dim>
 struct Model {
-  Mesh<dim> mesh;
-  Patches patches;  ///< that share one volume change; each cell alone without the volumetric projection
+  mesh::Mesh<dim> mesh;
+  mesh::Patches patches;  ///< that share one volume change; each cell alone without the volumetric projection
   std::vector<Body<dim>> bodies;
-  std::vector<Rigid<dim>> rigids;
+  std::vector<bodies::Rigid<dim>> rigids;
   std::vector<Contact> contacts;
   std::vector<Traction> tractions;
   std::vector<LoadPoint<dim>> load_points;
@@ -132,9 +132,9 @@ template <int dim>
 struct State {
   Real time = 0;
   BigIndex step = 0;
-  Real dt = 0;                            ///< s, the time step in force
-  std::vector<Particles<dim>> particles;  ///< by body
-  std::vector<RigidState<dim>> rigids;
+  Real dt = 0;                                    ///< s, the time step in force
+  std::vector<bodies::Particles<dim>> particles;  ///< by body
+  std::vector<bodies::RigidState<dim>> rigids;
   std::vector<Vec<dim>>
       pair_impulses;  ///< by contact: what the other body gave to the body since the start, N s/m or N s; zero at rigid bodies
   std::vector<TractionState> tractions;
@@ -152,14 +152,14 @@ struct Problem {
 
 /// All of the model that follows from the case and this mesh; patches and watches stay empty. Throws InputError where a name refers to nothing in the mesh.
 template <int dim>
-Model<dim> make_model(const Case& c, Mesh<dim> mesh);
+Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh);
 
 /// Builds patches, particles and rigid bodies on this mesh. Throws InputError where a name refers to nothing in the mesh or a body has no particles.
 template <int dim>
-Problem<dim> build(const Case& c, Mesh<dim> mesh);
+Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh);
 
 /// The same on the mesh that the case asks for. Relative paths are those of case_folder; the mesh generator writes into work_folder.
 template <int dim>
 Problem<dim> build(const Case& c, const std::string& case_folder, const std::string& work_folder);
 
-}  // namespace berm
+}  // namespace berm::problem

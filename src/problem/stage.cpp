@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problem/stage.hpp"
 
-namespace berm {
+namespace berm::problem {
 
 void describe(Describe& d, Until& until)
 {
@@ -34,4 +34,4 @@ void describe(Describe& d, StageSettings& stage)
           {.meaning = "geostatic: largest out-of-balance force, over the weight, that is called equilibrium", .range = positive});
 }
 
-}  // namespace berm
+}  // namespace berm::problem

@@ -3,7 +3,7 @@
 
 #include "core/describe.hpp"
 
-namespace berm {
+namespace berm::problem {
 
 /// What a stage does with the rigid body that it drives.
 enum class StageKind {
@@ -46,4 +46,4 @@ struct StageSettings {
 void describe(Describe& d, Until& until);
 void describe(Describe& d, StageSettings& stage);
 
-}  // namespace berm
+}  // namespace berm::problem

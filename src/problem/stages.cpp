@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problem/stages.hpp"
 
-namespace berm {
+namespace berm::problem {
 namespace {
 
 /// What gravity and a drive did to a free rigid body when they and its contacts changed its motion, less the work that the contacts counted when
 /// they gave their part to the soil: the kinetic energy of a free body is in the balance, so what passes between it and the soil is not from outside.
 template <int dim>
-Real work_of_outside(const Rigid<dim>& body, const RigidState<dim>& before, const RigidState<dim>& after, Real dt)
+Real work_of_outside(const bodies::Rigid<dim>& body, const bodies::RigidState<dim>& before, const bodies::RigidState<dim>& after, Real dt)
 {
   const Vec<dim> impulse = body.mass * (after.velocity - before.velocity) - dt * after.reaction;
   const Real torque_impulse = body.inertia * (after.spin - before.spin) - dt * after.torque;
@@ -45,7 +45,7 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
   }
   if (driven == none) return;
 
-  const RigidState<dim>& rigid = state.rigids[driven];
+  const bodies::RigidState<dim>& rigid = state.rigids[driven];
   now.begin_displacement = rigid.displacement;
   const auto by_velocity = [&](int d, Real v) { now.drive[d] = {false, rigid.velocity[d], v}; };
   const auto by_force = [&](int d, Real f) { now.drive[d] = {true, -rigid.smooth_reaction[d], f}; };
@@ -77,7 +77,7 @@ bool stage_ended(const Model<dim>& model, const State<dim>& state)
   if (until.time && state.time - now.begin_time >= *until.time * (1 - 1e-12)) return true;
   const Index driven = model.driven[now.index];
   if (driven == none) return false;
-  const RigidState<dim>& rigid = state.rigids[driven];
+  const bodies::RigidState<dim>& rigid = state.rigids[driven];
   if (until.displacement && std::abs(rigid.displacement[0] - now.begin_displacement[0]) >= *until.displacement) return true;
   if (until.embedment && pipe_motion(model, state, driven).w >= *until.embedment) return true;
   return until.force && resistance(model, state, rigid.smooth_reaction) >= *until.force;
@@ -90,11 +90,11 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
   const Real since = state.time + dt - state.stage.begin_time;
   const Vec<dim> gravity = gravity_now(model, state.time);
   for (Index r = 0; r < static_cast<Index>(state.rigids.size()); ++r) {
-    const Rigid<dim>& body = model.rigids[r];
-    RigidState<dim>& rigid = state.rigids[r];
-    const RigidState<dim> before = rigid;
+    const bodies::Rigid<dim>& body = model.rigids[r];
+    bodies::RigidState<dim>& rigid = state.rigids[r];
+    const bodies::RigidState<dim> before = rigid;
     const bool driven = r == model.driven[state.stage.index];
-    const bool moves = driven || (body.motion == Motion::free && stage.kind != StageKind::geostatic);
+    const bool moves = driven || (body.motion == bodies::Motion::free && stage.kind != StageKind::geostatic);
     for (int d = 0; d < dim; ++d) {
       const Drive& drive = state.stage.drive[d];
       const Real value = ramped(stage, drive, since);
@@ -103,8 +103,8 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
       else
         rigid.velocity[d] = moves ? rigid.velocity[d] + dt * (gravity[d] + rigid.reaction[d] / body.mass) : 0;
     }
-    rigid.spin = moves && body.rotation == Rotation::free ? rigid.spin + dt * rigid.torque / body.inertia : 0;
-    if (body.motion == Motion::free) state.totals.external += work_of_outside(body, before, rigid, dt);
+    rigid.spin = moves && body.rotation == bodies::Rotation::free ? rigid.spin + dt * rigid.torque / body.inertia : 0;
+    if (body.motion == bodies::Motion::free) state.totals.external += work_of_outside(body, before, rigid, dt);
   }
 }
 
@@ -131,4 +131,4 @@ BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE
 
-}  // namespace berm
+}  // namespace berm::problem

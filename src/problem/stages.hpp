@@ -3,7 +3,7 @@
 
 #include "problem/model.hpp"
 
-namespace berm {
+namespace berm::problem {
 
 /// The pipe as the engineer sees it: displacements in m, forces in N/m (in space: N).
 struct PipeMotion {
@@ -62,4 +62,4 @@ Vec<dim> gravity_now(const Model<dim>& model, Real time)
   return model.gravity_ramp > time ? Vec<dim>(model.gravity * (time / model.gravity_ramp)) : model.gravity;
 }
 
-}  // namespace berm
+}  // namespace berm::problem

@@ -9,7 +9,7 @@
 #include <tuple>
 #include <vector>
 
-namespace berm {
+namespace berm::roofline {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -299,4 +299,4 @@ Real triad_bandwidth(BigIndex bytes, Real seconds)
   return static_cast<Real>(3 * sizeof(Real)) * count * static_cast<Real>(rounds) / wall;
 }
 
-}  // namespace berm
+}  // namespace berm::roofline

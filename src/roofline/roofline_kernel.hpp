@@ -3,7 +3,7 @@
 
 #include "core/lanes.hpp"
 
-namespace berm {
+namespace berm::roofline {
 
 /// What the bare passes of a step did.
 struct CeilingRun {
@@ -23,4 +23,4 @@ CeilingRun run_ceiling(BigIndex particles, int per_cell, Real seconds);
 /// Bytes a second of a[i] = b[i] + s c[i] over arrays of `bytes` in all, larger than the caches, for at least `seconds`.
 Real triad_bandwidth(BigIndex bytes, Real seconds);
 
-}  // namespace berm
+}  // namespace berm::roofline

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 /// The weight of point of integration q in the value drawn out to node k: the linear function through the three points.
@@ -21,7 +21,7 @@ struct NodalSums {
 };
 
 /// du/dx at a point of integration; `displacement` by unknown.
-Matrix<2> gradient_at(const ShapeAtPoint& shape, const AtSixNodes<Index>& nodes, const std::vector<Real>& displacement)
+Matrix<2> gradient_at(const fem::ShapeAtPoint& shape, const fem::AtSixNodes<Index>& nodes, const std::vector<Real>& displacement)
 {
   Matrix<2> gradient = Matrix<2>::Zero();
   for (int k = 0; k < 6; ++k)
@@ -31,18 +31,18 @@ Matrix<2> gradient_at(const ShapeAtPoint& shape, const AtSixNodes<Index>& nodes,
 
 }  // namespace
 
-FemFrameMaker::FemFrameMaker(const FemModel& model) : model_(model), last_displacement_(model.unknowns(), 0.) {}
+FemFrameMaker::FemFrameMaker(const fem::FemModel& model) : model_(model), last_displacement_(model.unknowns(), 0.) {}
 
-Frame<2> FemFrameMaker::make(const FemState& state)
+Frame<2> FemFrameMaker::make(const fem::FemState& state)
 {
-  const QuadraticMesh& mesh = model_.mesh;
+  const fem::QuadraticMesh& mesh = model_.mesh;
   NodeField<NodalSums> sums(mesh.node_count());
   NodeField<Index> body(mesh.node_count(), 0);
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     Real area = 0;
-    for (const ShapeAtPoint& shape : model_.shape[cell]) area += shape.area;
-    std::array<Matrix<2>, triangle_points> gradient, since_last;
-    for (int q = 0; q < triangle_points; ++q) {
+    for (const fem::ShapeAtPoint& shape : model_.shape[cell]) area += shape.area;
+    std::array<Matrix<2>, fem::triangle_points> gradient, since_last;
+    for (int q = 0; q < fem::triangle_points; ++q) {
       gradient[q] = gradient_at(model_.shape[cell][q], mesh.nodes[cell], state.displacement);
       since_last[q] = gradient[q] - gradient_at(model_.shape[cell][q], mesh.nodes[cell], last_displacement_);
     }
@@ -50,8 +50,8 @@ Frame<2> FemFrameMaker::make(const FemState& state)
       NodalSums& sum = sums[mesh.nodes[cell][k]];
       sum.area += area;
       body[mesh.nodes[cell][k]] = mesh.body[cell];
-      for (int q = 0; q < triangle_points; ++q) {
-        const SoilPoint& point = state.points[cell][q];
+      for (int q = 0; q < fem::triangle_points; ++q) {
+        const fem::SoilPoint& point = state.points[cell][q];
         for (int c = 0; c < 4; ++c) sum.stress[c] += area * drawn_out(k, q) * point.stress[c];
         sum.gradient += area * drawn_out(k, q) * gradient[q];
         sum.gradient_since_last += area * drawn_out(k, q) * since_last[q];
@@ -82,4 +82,4 @@ Frame<2> FemFrameMaker::make(const FemState& state)
   return frame;
 }
 
-}  // namespace berm
+}  // namespace berm::run_folder

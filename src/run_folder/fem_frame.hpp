@@ -4,20 +4,20 @@
 #include "fem/fem_problem.hpp"
 #include "run_folder/frame.hpp"
 
-namespace berm {
+namespace berm::run_folder {
 
 /// Makes frames of a finite element run: its nodes, displaced, with what their elements' points of integration carry, drawn out linearly to the
 /// nodes of each element and averaged over the elements by their area.
 class FemFrameMaker {
 public:
-  explicit FemFrameMaker(const FemModel& model);
+  explicit FemFrameMaker(const fem::FemModel& model);
 
   /// The strain is that of the gradient of the displacement, the increment that of the displacement since the frame before.
-  Frame<2> make(const FemState& state);
+  Frame<2> make(const fem::FemState& state);
 
 private:
-  const FemModel& model_;
+  const fem::FemModel& model_;
   std::vector<Real> last_displacement_;  ///< by unknown, at the frame before
 };
 
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/frame.hpp"
 
-namespace berm {
+namespace berm::run_folder {
 
 template <int dim>
-std::vector<FrameRigid<dim>> frame_rigids(const Model<dim>& model, const std::vector<RigidState<dim>>& rigids)
+std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>& model, const std::vector<bodies::RigidState<dim>>& rigids)
 {
   std::vector<FrameRigid<dim>> shown;
   for (std::size_t r = 0; r < model.rigids.size(); ++r)
@@ -12,7 +12,7 @@ std::vector<FrameRigid<dim>> frame_rigids(const Model<dim>& model, const std::ve
   return shown;
 }
 
-template std::vector<FrameRigid<2>> frame_rigids(const Model<2>&, const std::vector<RigidState<2>>&);
-template std::vector<FrameRigid<3>> frame_rigids(const Model<3>&, const std::vector<RigidState<3>>&);
+template std::vector<FrameRigid<2>> frame_rigids(const problem::Model<2>&, const std::vector<bodies::RigidState<2>>&);
+template std::vector<FrameRigid<3>> frame_rigids(const problem::Model<3>&, const std::vector<bodies::RigidState<3>>&);
 
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "problem/model.hpp"
 #include "run_folder/gradient_strain.hpp"
 #include "run_folder/rigid_surface.hpp"
-#include "problem/model.hpp"
 
-namespace berm {
+namespace berm::run_folder {
 
 /// A particle, or a node of a mesh of finite elements, as a frame shows it.
 template <int dim>
 struct FrameParticle {
-  Particle<dim> particle;
+  bodies::Particle<dim> particle;
   Index body;
   Vec<dim> displacement;  ///< since the start, m
   GradientStrain strain;  ///< of the gradient of the displacement
@@ -37,6 +37,6 @@ struct Frame {
 
 /// The model's rigid bodies where `rigids` says that they are; a half-plane as far as the mesh reaches.
 template <int dim>
-std::vector<FrameRigid<dim>> frame_rigids(const Model<dim>& model, const std::vector<RigidState<dim>>& rigids);
+std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>& model, const std::vector<bodies::RigidState<dim>>& rigids);
 
-}  // namespace berm
+}  // namespace berm::run_folder

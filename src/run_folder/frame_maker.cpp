@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 /// Visits visit(cell, block index, lane) for all particles of a body, whether or not its list of occupied cells is up to date.
 template <int dim, class Visit>
-void visit_all(const Particles<dim>& particles, Index cells, const Visit& visit)
+void visit_all(const bodies::Particles<dim>& particles, Index cells, const Visit& visit)
 {
   for (Index cell = 0; cell < cells; ++cell)
     for (Index left = particles.count_in(cell), b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
@@ -16,7 +16,7 @@ void visit_all(const Particles<dim>& particles, Index cells, const Visit& visit)
 }
 
 template <int dim>
-Vec<dim> position(const Block<dim>& block, int lane)
+Vec<dim> position(const bodies::Block<dim>& block, int lane)
 {
   Vec<dim> x;
   for (int d = 0; d < dim; ++d) x[d] = block.x[d][lane];
@@ -26,14 +26,15 @@ Vec<dim> position(const Block<dim>& block, int lane)
 }  // namespace
 
 template <int dim>
-FrameMaker<dim>::FrameMaker(const Model<dim>& model, const State<dim>& start) : model_(model),
-                                                                                known_(start.particles.size())
+FrameMaker<dim>::FrameMaker(const problem::Model<dim>& model, const problem::State<dim>& start)
+    : model_(model),
+      known_(start.particles.size())
 {
   for (std::size_t body = 0; body < start.particles.size(); ++body) {
     std::vector<Known>& known = known_[body];
     known.reserve(static_cast<std::size_t>(start.particles[body].size()));
     visit_all<dim>(start.particles[body], model.mesh.cell_count(), [&](Index cell, Index b, int l) {
-      const Block<dim>& block = start.particles[body].block(b);
+      const bodies::Block<dim>& block = start.particles[body].block(b);
       const auto id = static_cast<std::size_t>(block.id[l]);
       if (known.size() <= id) known.resize(id + 1);
       const Vec<dim> x = position<dim>(block, l);
@@ -43,7 +44,7 @@ FrameMaker<dim>::FrameMaker(const Model<dim>& model, const State<dim>& start) : 
 }
 
 template <int dim>
-Frame<dim> FrameMaker<dim>::make(const State<dim>& state)
+Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
 {
   Frame<dim> frame;
   frame.time = state.time;
@@ -54,7 +55,7 @@ Frame<dim> FrameMaker<dim>::make(const State<dim>& state)
     const std::size_t offset = frame.particles.size();
     frame.particles.resize(offset + known_[body].size());
     visit_all<dim>(state.particles[body], model_.mesh.cell_count(), [&](Index, Index b, int l) {
-      const Particle<dim> p = state.particles[body].read(b, l);
+      const bodies::Particle<dim> p = state.particles[body].read(b, l);
       const Known& known = known_[body].at(static_cast<std::size_t>(p.id));
       frame.particles[offset + static_cast<std::size_t>(p.id)] = {p, static_cast<Index>(body), p.x - known.first, {}, 0};
     });
@@ -68,7 +69,7 @@ Frame<dim> FrameMaker<dim>::make(const State<dim>& state)
 // The strain since the start is told from those that were neighbours at the start, whose lattice fits a gradient wherever they have gone; that since the
 // frame before from those that are neighbours now. The latter's gradient is that of the way back, which has the same deviatoric strain.
 template <int dim>
-void FrameMaker<dim>::add_strains(const Particles<dim>& particles, std::vector<Known>& known, FrameParticle<dim>* shown) const
+void FrameMaker<dim>::add_strains(const bodies::Particles<dim>& particles, std::vector<Known>& known, FrameParticle<dim>* shown) const
 {
   NodalGradient<dim> since_start(model_.mesh), since_last(model_.mesh);
   for (std::size_t id = 0; id < known.size(); ++id)
@@ -106,4 +107,4 @@ void FrameMaker<dim>::keep(Keep& k)
 template class FrameMaker<2>;
 template class FrameMaker<3>;
 
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -4,17 +4,17 @@
 #include "core/archive.hpp"
 #include "run_folder/frame.hpp"
 
-namespace berm {
+namespace berm::run_folder {
 
 /// Makes the frames of a run of the material point method.
 template <int dim>
 class FrameMaker {
 public:
   /// Remembers where the particles of `start` are, and keeps the model, which must outlive it. The strain of frames counts from there.
-  FrameMaker(const Model<dim>& model, const State<dim>& start);
+  FrameMaker(const problem::Model<dim>& model, const problem::State<dim>& start);
 
   /// The next frame: its increments count from the frame made before.
-  Frame<dim> make(const State<dim>& state);
+  Frame<dim> make(const problem::State<dim>& state);
 
   /// What the increments of the next frame count from. Where the particles were at the start is not kept: a run that goes on makes its FrameMaker at the
   /// same start.
@@ -27,9 +27,9 @@ private:
     Index first_cell = none;
   };
 
-  void add_strains(const Particles<dim>& particles, std::vector<Known>& known, FrameParticle<dim>* shown) const;
+  void add_strains(const bodies::Particles<dim>& particles, std::vector<Known>& known, FrameParticle<dim>* shown) const;
 
-  const Model<dim>& model_;
+  const problem::Model<dim>& model_;
   std::vector<std::vector<Known>> known_;  ///< by body, then id
 
 public:
@@ -37,4 +37,4 @@ public:
   static constexpr std::size_t bytes_a_particle = sizeof(Known);
 };
 
-}  // namespace berm
+}  // namespace berm::run_folder

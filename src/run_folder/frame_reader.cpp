@@ -2,21 +2,21 @@
 #include "run_folder/frame_reader.hpp"
 
 #include "core/error.hpp"
-#include "io/vtu_file.hpp"
 #include "io/atomic_file.hpp"
+#include "io/vtu_file.hpp"
 #include "io/xml_tag.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 struct Coordinates {
   std::vector<float> x, y, z;
 };
 
-Coordinates coordinates_in(const VtuFile& vtu)
+Coordinates coordinates_in(const io::VtuFile& vtu)
 {
   const std::size_t count = vtu.point_count();
   const std::vector<double> points = vtu.numbers<double>("Points", 3 * count);
@@ -33,7 +33,7 @@ Coordinates coordinates_in(const VtuFile& vtu)
 }
 
 /// The points of each cell, all of them points that there are.
-std::vector<std::vector<Index>> cells_in(const VtuFile& vtu)
+std::vector<std::vector<Index>> cells_in(const io::VtuFile& vtu)
 {
   const std::vector<std::int64_t> corners = vtu.numbers<std::int64_t>("connectivity"),
                                   ends = vtu.numbers<std::int64_t>("offsets", vtu.cell_count());
@@ -52,14 +52,14 @@ std::vector<std::vector<Index>> cells_in(const VtuFile& vtu)
   return cells;
 }
 
-std::vector<std::array<Index, 6>> triangles_in(const VtuFile& vtu)
+std::vector<std::array<Index, 6>> triangles_in(const io::VtuFile& vtu)
 {
   const std::vector<std::uint8_t> types = vtu.numbers<std::uint8_t>("types", vtu.cell_count());
-  const auto all = [&](VtkCell wanted) {
+  const auto all = [&](io::VtkCell wanted) {
     return std::all_of(types.begin(), types.end(), [&](std::uint8_t type) { return type == static_cast<std::uint8_t>(wanted); });
   };
-  if (all(VtkCell::vertex)) return {};
-  if (!all(VtkCell::quadratic_triangle)) vtu.refuse("is not a file of the soil: its cells are neither particles nor triangles");
+  if (all(io::VtkCell::vertex)) return {};
+  if (!all(io::VtkCell::quadratic_triangle)) vtu.refuse("is not a file of the soil: its cells are neither particles nor triangles");
   std::vector<std::array<Index, 6>> triangles;
   for (const std::vector<Index>& cell : cells_in(vtu)) {
     if (cell.size() != 6) vtu.refuse("is damaged: a triangle does not have six nodes");
@@ -74,11 +74,11 @@ std::vector<FrameFiles> frame_files(const std::filesystem::path& frames_folder)
 {
   const std::filesystem::path path = frames_folder / "frames.pvd";
   if (!std::filesystem::exists(path)) return {};
-  const std::string text = read_whole(path);
+  const std::string text = io::read_whole(path);
   const auto refuse = [&](const char* words) { throw RunError(fmt::format("{}: {}", path.string(), words)); };
   if (!text.ends_with("</Collection>\n</VTKFile>\n")) refuse("has no end; it was cut off");
   std::vector<FrameFiles> frames;
-  for (const XmlTag& tag : xml_tags(text, "DataSet")) {
+  for (const io::XmlTag& tag : io::xml_tags(text, "DataSet")) {
     const std::optional<Real> time = tag.number("timestep");
     const std::string name = tag["file"], part = tag["part"];
     if (!time || name.empty() || name.find_first_of("/\\") != std::string::npos) refuse("is damaged: a frame has no time or no file");
@@ -94,7 +94,7 @@ std::vector<FrameFiles> frame_files(const std::filesystem::path& frames_folder)
 
 SavedSoil read_soil(const std::filesystem::path& file)
 {
-  const VtuFile vtu(file);
+  const io::VtuFile vtu(file);
   const std::size_t count = vtu.point_count();
   SavedSoil soil;
   Coordinates points = coordinates_in(vtu);
@@ -115,16 +115,17 @@ SavedSoil read_soil(const std::filesystem::path& file)
 
 SavedRigids read_rigids(const std::filesystem::path& file)
 {
-  const VtuFile vtu(file);
+  const io::VtuFile vtu(file);
   SavedRigids rigids;
   Coordinates points = coordinates_in(vtu);
   rigids.x = std::move(points.x);
   rigids.y = std::move(points.y);
   rigids.z = std::move(points.z);
   rigids.cells = cells_in(vtu);
-  for (const std::uint8_t type : vtu.numbers<std::uint8_t>("types", vtu.cell_count())) rigids.types.push_back(static_cast<VtkCell>(type));
+  for (const std::uint8_t type : vtu.numbers<std::uint8_t>("types", vtu.cell_count()))
+    rigids.types.push_back(static_cast<io::VtkCell>(type));
   rigids.rigid = vtu.numbers<std::int32_t>("rigid", vtu.cell_count());
   return rigids;
 }
 
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace berm {
+namespace berm::run_folder {
 
 /// The files of one frame.
 struct FrameFiles {
@@ -36,7 +36,7 @@ struct SavedSoil {
 struct SavedRigids {
   std::vector<float> x, y, z;             ///< m, by point; finite
   std::vector<std::vector<Index>> cells;  ///< points of each cell
-  std::vector<VtkCell> types;             ///< by cell
+  std::vector<io::VtkCell> types;         ///< by cell
   std::vector<std::int32_t> rigid;        ///< by cell: the number of the rigid body, as in the case
 };
 
@@ -44,4 +44,4 @@ struct SavedRigids {
 SavedSoil read_soil(const std::filesystem::path& file);
 SavedRigids read_rigids(const std::filesystem::path& file);
 
-}  // namespace berm
+}  // namespace berm::run_folder

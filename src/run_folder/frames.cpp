@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 constexpr const char* collection = "frames.pvd";
@@ -26,9 +26,9 @@ std::string file_name(const char* kind, Index number)
 }  // namespace
 
 template <int dim>
-FrameWriter<dim>::FrameWriter(const std::filesystem::path& folder, const Mesh<dim>& mesh) : folder_(folder)
+FrameWriter<dim>::FrameWriter(const std::filesystem::path& folder, const mesh::Mesh<dim>& mesh) : folder_(folder)
 {
-  make_folder(folder);
+  io::make_folder(folder);
   write_mesh(mesh);
 }
 
@@ -63,7 +63,7 @@ void FrameWriter<dim>::keep(Keep& k)
 {
   k("times", times_);
   k("with_rigids", with_rigids_);
-  if (!k.reads()) return sync_file(folder_);
+  if (!k.reads()) return io::sync_file(folder_);
   for (const std::string& name : files())
     if (!std::filesystem::exists(folder_ / name)) k.refuse(fmt::format("{} is gone", (folder_ / name).string()));
 }
@@ -85,15 +85,15 @@ void FrameWriter<dim>::remove_others() const
 }
 
 template <int dim>
-void FrameWriter<dim>::write_mesh(const Mesh<dim>& mesh) const
+void FrameWriter<dim>::write_mesh(const mesh::Mesh<dim>& mesh) const
 {
   std::vector<Real> points;
   points.reserve(3 * mesh.position.size());
   for (const Vec<dim>& x : mesh.position) append<dim>(points, x);
-  Vtu vtu(std::move(points));
+  io::Vtu vtu(std::move(points));
   vtu.reserve_cells(mesh.nodes.size(), dim + 1);
   for (const auto& nodes : mesh.nodes)
-    vtu.add_cell(dim == 2 ? VtkCell::triangle : VtkCell::tetrahedron, std::vector<Index>(nodes.begin(), nodes.end()));
+    vtu.add_cell(dim == 2 ? io::VtkCell::triangle : io::VtkCell::tetrahedron, std::vector<Index>(nodes.begin(), nodes.end()));
   const std::vector<std::int32_t> region(mesh.region.begin(), mesh.region.end());
   vtu.cell_field("region", 1, region);
   vtu.write(folder_ / "mesh.vtu");
@@ -113,7 +113,7 @@ void FrameWriter<dim>::write_soil(const std::string& name) const
   for (auto* list : {&mean_stress, &strain, &volumetric, &increment, &accumulated, &volume}) list->reserve(count);
   for (auto* list : {&body, &id}) list->reserve(count);
   for (const FrameParticle<dim>& f : last_.particles) {
-    const Particle<dim>& p = f.particle;
+    const bodies::Particle<dim>& p = f.particle;
     append<dim>(points, p.x);
     append<dim>(velocity, p.v);
     append<dim>(displacement, f.displacement);
@@ -127,11 +127,11 @@ void FrameWriter<dim>::write_soil(const std::string& name) const
     body.push_back(f.body);
     id.push_back(p.id);
   }
-  Vtu vtu(std::move(points));
+  io::Vtu vtu(std::move(points));
   vtu.reserve_cells(last_.triangles.empty() ? count : last_.triangles.size(), last_.triangles.empty() ? 1 : 6);
-  for (const auto& nodes : last_.triangles) vtu.add_cell(VtkCell::quadratic_triangle, std::vector<Index>(nodes.begin(), nodes.end()));
+  for (const auto& nodes : last_.triangles) vtu.add_cell(io::VtkCell::quadratic_triangle, std::vector<Index>(nodes.begin(), nodes.end()));
   if (last_.triangles.empty())
-    for (Index k = 0; k < static_cast<Index>(last_.particles.size()); ++k) vtu.add_cell(VtkCell::vertex, {k});
+    for (Index k = 0; k < static_cast<Index>(last_.particles.size()); ++k) vtu.add_cell(io::VtkCell::vertex, {k});
   vtu.set_time(last_.time);
   vtu.point_field("velocity", 3, velocity);
   vtu.point_field("displacement", 3, displacement);
@@ -153,7 +153,7 @@ void FrameWriter<dim>::write_rigids(const std::string& name) const
   std::vector<Real> points;
   for (const FrameRigid<dim>& f : last_.rigids)
     for (const Vec<dim>& x : f.surface.points) append<dim>(points, x);
-  Vtu vtu(std::move(points));
+  io::Vtu vtu(std::move(points));
   std::vector<std::int32_t> rigid;
   std::vector<float> velocity;
   Index first = 0;
@@ -185,10 +185,10 @@ void FrameWriter<dim>::write_collection() const
     line(0, soil_kind());
     if (with_rigids_) line(1, "rigid");
   }
-  write_whole(folder_ / collection, xml + "</Collection>\n</VTKFile>\n");
+  io::write_whole(folder_ / collection, xml + "</Collection>\n</VTKFile>\n");
 }
 
 template class FrameWriter<2>;
 template class FrameWriter<3>;
 
-}  // namespace berm
+}  // namespace berm::run_folder

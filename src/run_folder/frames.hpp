@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-namespace berm {
+namespace berm::run_folder {
 
 /// Writes the frames of a run for ParaView: mesh.vtu once; at each frame particles_NNNN.vtu, or soil_NNNN.vtu where there are triangles,
 /// rigid_NNNN.vtu where there are rigid bodies, and frames.pvd, which lists all frames so far. Every file is written whole. Errors are RunErrors.
@@ -17,7 +17,7 @@ template <int dim>
 class FrameWriter {
 public:
   /// Makes the folder where it is missing and writes the mesh.
-  FrameWriter(const std::filesystem::path& folder, const Mesh<dim>& mesh);
+  FrameWriter(const std::filesystem::path& folder, const mesh::Mesh<dim>& mesh);
 
   /// Writes one frame, unless the last one written is of the same time. All frames of a run have triangles or none, rigid bodies or none.
   void write(Frame<dim> frame);
@@ -33,7 +33,7 @@ public:
   const Frame<dim>& last() const { return last_; }
 
 private:
-  void write_mesh(const Mesh<dim>& mesh) const;
+  void write_mesh(const mesh::Mesh<dim>& mesh) const;
   void write_soil(const std::string& name) const;
   void write_rigids(const std::string& name) const;
   void write_collection() const;
@@ -46,4 +46,4 @@ private:
   Frame<dim> last_;
 };
 
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -4,7 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-namespace berm {
+namespace berm::run_folder {
 
 namespace {
 
@@ -33,8 +33,8 @@ GradientStrain gradient_strain(const Matrix<dim>& deformation)
 }
 
 template <int dim>
-NodalGradient<dim>::NodalGradient(const Mesh<dim>& mesh) : mesh_(mesh),
-                                                           nodes_(NodeField<Node>::zeros(mesh.node_count()))
+NodalGradient<dim>::NodalGradient(const mesh::Mesh<dim>& mesh) : mesh_(mesh),
+                                                                 nodes_(NodeField<Node>::zeros(mesh.node_count()))
 {
 }
 
@@ -98,4 +98,4 @@ template GradientStrain gradient_strain<3>(const Matrix<3>&);
 template class NodalGradient<2>;
 template class NodalGradient<3>;
 
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -3,7 +3,7 @@
 
 #include "mesh/mesh.hpp"
 
-namespace berm {
+namespace berm::run_folder {
 
 /// What a deformation gradient tells of strain.
 struct GradientStrain {
@@ -24,7 +24,7 @@ GradientStrain gradient_strain(const Matrix<dim>& deformation);
 template <int dim>
 class NodalGradient {
 public:
-  explicit NodalGradient(const Mesh<dim>& mesh);
+  explicit NodalGradient(const mesh::Mesh<dim>& mesh);
 
   /// A point at x (m) in `cell` that is displaced by u (m).
   void add(Index cell, const Vec<dim>& x, const Vec<dim>& u);
@@ -44,10 +44,10 @@ private:
   /// N_k(x) of the cell's corners, at least 0: a particle may be outside of its cell by rounding.
   std::array<Real, dim + 1> weights(Index cell, const Vec<dim>& x);
 
-  const Mesh<dim>& mesh_;
+  const mesh::Mesh<dim>& mesh_;
   NodeField<Node> nodes_;
   Index cell_ = none;
-  Shape<dim> shape_;  ///< of cell_
+  mesh::Shape<dim> shape_;  ///< of cell_
 };
 
-}  // namespace berm
+}  // namespace berm::run_folder

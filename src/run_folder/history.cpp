@@ -13,7 +13,7 @@
 #include <sstream>
 #include <unistd.h>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 constexpr const char* stage_column = "stage";
@@ -105,12 +105,12 @@ HistoryFile::HistoryFile(const std::filesystem::path& path, const std::vector<st
       columns_(columns.size())
 {
   file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
-  if (file_ < 0) throw_errno(fmt::format("cannot write {}", path.string()));
+  if (file_ < 0) io::throw_errno(fmt::format("cannot write {}", path.string()));
   std::string line = "time_s,stage";
   for (const std::string& column : columns) line += ',' + csv_field(column);
   try {
     if (::lseek(file_, 0, SEEK_END) > kept_bytes && ::ftruncate(file_, kept_bytes) != 0)
-      throw_errno(fmt::format("cannot write {}", path.string()));
+      io::throw_errno(fmt::format("cannot write {}", path.string()));
     if (kept_bytes == 0) write(line + '\n');
   } catch (...) {
     ::close(file_);
@@ -126,12 +126,12 @@ HistoryFile::~HistoryFile()
 void HistoryFile::write(const std::string& line)
 {
   const off_t before = ::lseek(file_, 0, SEEK_END);
-  if (write_all(file_, line)) return;
+  if (io::write_all(file_, line)) return;
   const int reason = errno;
   // Where even this fails, half a row is left, which readers leave out.
   if (before >= 0 && ::ftruncate(file_, before) != 0) errno = reason;
   errno = reason;
-  throw_errno(fmt::format("cannot write {}", path_.string()));
+  io::throw_errno(fmt::format("cannot write {}", path_.string()));
 }
 
 void HistoryFile::add(Real time, const std::string& stage, const std::vector<Real>& values)
@@ -146,7 +146,7 @@ void HistoryFile::add(Real time, const std::string& stage, const std::vector<Rea
 BigIndex HistoryFile::sync()
 {
   const off_t bytes = ::lseek(file_, 0, SEEK_END);
-  if (bytes < 0 || ::fsync(file_) != 0) throw_errno(fmt::format("cannot write {}", path_.string()));
+  if (bytes < 0 || ::fsync(file_) != 0) io::throw_errno(fmt::format("cannot write {}", path_.string()));
   return bytes;
 }
 
@@ -165,7 +165,7 @@ const std::vector<Real>& History::operator[](const std::string& column) const
 History read_history(const std::filesystem::path& path)
 {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw_errno(fmt::format("cannot read {}", path.string()));
+  if (!file) io::throw_errno(fmt::format("cannot read {}", path.string()));
   std::ostringstream content;
   content << file.rdbuf();
   const std::string text = content.str();
@@ -197,4 +197,4 @@ History read_history(const std::filesystem::path& path)
   return history;
 }
 
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace berm {
+namespace berm::run_folder {
 
 /// The columns behind time_s and stage that the history of both methods begins with.
 const std::vector<std::string>& common_columns();
@@ -55,4 +55,4 @@ std::string csv_field(const std::string& text);
 /// Reads a history.csv. A last line without its end is left out. Throws RunError with file and line for anything that is not a history.
 History read_history(const std::filesystem::path& path);
 
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 constexpr std::chrono::milliseconds between_lines_in_place{200};
@@ -90,4 +90,4 @@ void Progress::update(const ProgressReport& report)
   }
 }
 
-}  // namespace berm
+}  // namespace berm::run_folder

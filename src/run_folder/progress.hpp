@@ -7,7 +7,7 @@
 #include <chrono>
 #include <string>
 
-namespace berm {
+namespace berm::run_folder {
 
 /// How far a run is. NaN: not known, or there is no rigid body; it is left out of the line then.
 struct ProgressReport {
@@ -52,4 +52,4 @@ private:
   std::string stage_;
 };
 
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 constexpr Index circle_points = 128;
@@ -23,7 +23,7 @@ RigidSurface<dim> along_z(const std::vector<Vec<dim>>& outline, const Vec<dim>& 
   const Index n = static_cast<Index>(outline.size());
   if constexpr (dim == 2) {
     s.points = outline;
-    s.cells.push_back({VtkCell::polygon, count_up(n)});
+    s.cells.push_back({io::VtkCell::polygon, count_up(n)});
   } else {
     for (Vec<dim> x : outline)
       for (const Real z : {lower[2], upper[2]}) {
@@ -32,14 +32,14 @@ RigidSurface<dim> along_z(const std::vector<Vec<dim>>& outline, const Vec<dim>& 
       }
     for (Index k = 0; k < n; ++k) {
       const Index a = 2 * k, b = 2 * ((k + 1) % n);
-      s.cells.push_back({VtkCell::quad, {a, b, b + 1, a + 1}});
+      s.cells.push_back({io::VtkCell::quad, {a, b, b + 1, a + 1}});
     }
   }
   return s;
 }
 
 template <int dim>
-RigidSurface<dim> make(const Circle<dim>& circle, const Vec<dim>& lower, const Vec<dim>& upper)
+RigidSurface<dim> make(const bodies::Circle<dim>& circle, const Vec<dim>& lower, const Vec<dim>& upper)
 {
   std::vector<Vec<dim>> outline;
   for (Index k = 0; k < circle_points; ++k) {
@@ -52,13 +52,13 @@ RigidSurface<dim> make(const Circle<dim>& circle, const Vec<dim>& lower, const V
   RigidSurface<dim> s = along_z(outline, lower, upper);
   if (dim == 2 && circle.angle != 0) {  // a spoke shows the turn
     s.points.push_back(circle.center);
-    s.cells.push_back({VtkCell::line, {circle_points, 0}});
+    s.cells.push_back({io::VtkCell::line, {circle_points, 0}});
   }
   return s;
 }
 
 template <int dim>
-RigidSurface<dim> make(const Polygon<dim>& polygon, const Vec<dim>& lower, const Vec<dim>& upper)
+RigidSurface<dim> make(const bodies::Polygon<dim>& polygon, const Vec<dim>& lower, const Vec<dim>& upper)
 {
   std::vector<Vec<dim>> outline;
   for (const Vec<2>& corner : *polygon.corners) outline.push_back(polygon.center + polygon.axes.template leftCols<2>() * corner);
@@ -66,7 +66,7 @@ RigidSurface<dim> make(const Polygon<dim>& polygon, const Vec<dim>& lower, const
 }
 
 template <int dim>
-RigidSurface<dim> make(const Box<dim>& box, const Vec<dim>&, const Vec<dim>&)
+RigidSurface<dim> make(const bodies::Box<dim>& box, const Vec<dim>&, const Vec<dim>&)
 {
   RigidSurface<dim> s;
   constexpr int corners[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}};
@@ -75,7 +75,7 @@ RigidSurface<dim> make(const Box<dim>& box, const Vec<dim>&, const Vec<dim>&)
     for (int d = 0; d < dim; ++d) local[d] = corners[k][d] * box.half[d];
     s.points.push_back(box.center + box.axes * local);
   }
-  s.cells.push_back({dim == 2 ? VtkCell::quad : VtkCell::hexahedron, count_up(static_cast<Index>(s.points.size()))});
+  s.cells.push_back({dim == 2 ? io::VtkCell::quad : io::VtkCell::hexahedron, count_up(static_cast<Index>(s.points.size()))});
   return s;
 }
 
@@ -97,7 +97,7 @@ std::vector<Vec<dim>> clipped(const std::vector<Vec<dim>>& piece, int d, Real si
 }
 
 template <int dim>
-RigidSurface<dim> make(const HalfPlane<dim>& plane, const Vec<dim>& lower, const Vec<dim>& upper)
+RigidSurface<dim> make(const bodies::HalfPlane<dim>& plane, const Vec<dim>& lower, const Vec<dim>& upper)
 {
   // A piece that is larger than the box wherever the plane passes through it, around the plane's point nearest to the box's centre.
   const Vec<dim> middle = (lower + upper) / 2;
@@ -124,19 +124,19 @@ RigidSurface<dim> make(const HalfPlane<dim>& plane, const Vec<dim>& lower, const
   RigidSurface<dim> s;
   if (piece.size() < dim) return s;
   s.points = piece;
-  s.cells.push_back({dim == 2 ? VtkCell::line : VtkCell::polygon, count_up(static_cast<Index>(piece.size()))});
+  s.cells.push_back({dim == 2 ? io::VtkCell::line : io::VtkCell::polygon, count_up(static_cast<Index>(piece.size()))});
   return s;
 }
 
 }  // namespace
 
 template <int dim>
-RigidSurface<dim> surface_of(const RigidShape<dim>& shape, const Vec<dim>& lower, const Vec<dim>& upper)
+RigidSurface<dim> surface_of(const bodies::RigidShape<dim>& shape, const Vec<dim>& lower, const Vec<dim>& upper)
 {
   return std::visit([&](const auto& s) { return make<dim>(s, lower, upper); }, shape);
 }
 
-template RigidSurface<2> surface_of<2>(const RigidShape<2>&, const Vec<2>&, const Vec<2>&);
-template RigidSurface<3> surface_of<3>(const RigidShape<3>&, const Vec<3>&, const Vec<3>&);
+template RigidSurface<2> surface_of<2>(const bodies::RigidShape<2>&, const Vec<2>&, const Vec<2>&);
+template RigidSurface<3> surface_of<3>(const bodies::RigidShape<3>&, const Vec<3>&, const Vec<3>&);
 
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -4,13 +4,13 @@
 #include "bodies/rigid.hpp"
 #include "io/vtu.hpp"
 
-namespace berm {
+namespace berm::run_folder {
 
 /// A rigid body's surface as points and flat cells, for pictures.
 template <int dim>
 struct RigidSurface {
   struct Cell {
-    VtkCell type;
+    io::VtkCell type;
     std::vector<Index> points;
   };
   std::vector<Vec<dim>> points;  ///< m
@@ -21,6 +21,6 @@ struct RigidSurface {
 /// a polygon itself (in space: quads along z), a box a quad (hexahedron), a half-plane the
 /// part of its line (polygon) inside the box from lower to upper: no cell where it misses the box.
 template <int dim>
-RigidSurface<dim> surface_of(const RigidShape<dim>& shape, const Vec<dim>& lower, const Vec<dim>& upper);
+RigidSurface<dim> surface_of(const bodies::RigidShape<dim>& shape, const Vec<dim>& lower, const Vec<dim>& upper);
 
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,7 +41,7 @@ constexpr const char* own_files[] = {"history.csv",
 bool holds_files(const fs::path& folder)
 {
   return std::any_of(fs::directory_iterator(folder), fs::directory_iterator(), [](const fs::directory_entry& entry) {
-    return entry.path().filename() != FolderLock::file_name && entry.path().filename() != part_of("resolved.toml");
+    return entry.path().filename() != io::FolderLock::file_name && entry.path().filename() != io::part_of("resolved.toml");
   });
 }
 
@@ -57,11 +57,11 @@ RunFolder::RunFolder(const fs::path& path) : path_(path)
   try {
     if (fs::exists(path) && !fs::is_directory(path)) refuse(path, "it is not a folder");
     fs::create_directories(path);
-    if (::access(path.c_str(), W_OK | X_OK) != 0) throw_errno(fmt::format("cannot use {} as the run folder", path.string()));
+    if (::access(path.c_str(), W_OK | X_OK) != 0) io::throw_errno(fmt::format("cannot use {} as the run folder", path.string()));
     const bool of_a_run = fs::exists(path / "resolved.toml");
     if (!of_a_run && holds_files(path))
       refuse(path, "it holds files that are not of a run (there is no resolved.toml); name another folder with -o");
-    lock_ = std::make_unique<FolderLock>(path);
+    lock_ = std::make_unique<io::FolderLock>(path);
     if (of_a_run)
       for (const char* name : own_files) fs::remove_all(path / name);
   } catch (const fs::filesystem_error& error) {
@@ -73,14 +73,14 @@ RunFolder RunFolder::of_earlier_run(const fs::path& path)
 {
   std::error_code error;
   if (!fs::exists(path / "resolved.toml", error)) refuse(path, "it is not the folder of a run (there is no resolved.toml)");
-  if (::access(path.c_str(), W_OK | X_OK) != 0) throw_errno(fmt::format("cannot use {} as the run folder", path.string()));
+  if (::access(path.c_str(), W_OK | X_OK) != 0) io::throw_errno(fmt::format("cannot use {} as the run folder", path.string()));
   return {path, AsItIs{}};
 }
 
 fs::path RunFolder::subfolder(std::string_view name) const
 {
-  make_folder(path_ / name);
+  io::make_folder(path_ / name);
   return path_ / name;
 }
 
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string_view>
 
-namespace berm {
+namespace berm::run_folder {
 
 /// The folder that a run writes into, and nobody else while this lives. It is known as one by its resolved.toml, which is therefore the first file that a
 /// run should write.
@@ -27,10 +27,10 @@ public:
 
 private:
   struct AsItIs {};
-  RunFolder(const std::filesystem::path& path, AsItIs) : path_(path), lock_(std::make_unique<FolderLock>(path)) {}
+  RunFolder(const std::filesystem::path& path, AsItIs) : path_(path), lock_(std::make_unique<io::FolderLock>(path)) {}
 
   std::filesystem::path path_;
-  std::unique_ptr<FolderLock> lock_;
+  std::unique_ptr<io::FolderLock> lock_;
 };
 
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -16,7 +16,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 /// "warning: " before what is not plain information.
@@ -77,7 +77,7 @@ public:
       : path_(path),
         file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | (goes_on ? 0 : O_TRUNC), 0666))
   {
-    if (file_ < 0) throw_errno(fmt::format("cannot write {}", path.string()));
+    if (file_ < 0) io::throw_errno(fmt::format("cannot write {}", path.string()));
   }
   ~LogFileSink() override { ::close(file_); }
   LogFileSink(const LogFileSink&) = delete;
@@ -88,7 +88,7 @@ public:
     const std::lock_guard lock(mutex_);
     if (failure_ == 0 && ::fsync(file_) != 0) failure_ = errno;
     errno = failure_;
-    if (failure_ != 0) throw_errno(fmt::format("cannot write {}", path_.string()));
+    if (failure_ != 0) io::throw_errno(fmt::format("cannot write {}", path_.string()));
   }
 
 private:
@@ -96,7 +96,7 @@ private:
   {
     spdlog::memory_buf_t text;
     formatter_->format(message, text);
-    if (!write_all(file_, std::string_view(text.data(), text.size())) && failure_ == 0) failure_ = errno;
+    if (!io::write_all(file_, std::string_view(text.data(), text.size())) && failure_ == 0) failure_ = errno;
   }
   void flush_() override {}
 
@@ -139,4 +139,4 @@ void RunLog::info_to_file(std::string_view message)
   file_only_->info("{}", message);
 }
 
-}  // namespace berm
+}  // namespace berm::run_folder

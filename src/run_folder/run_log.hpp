@@ -6,7 +6,7 @@
 #include <spdlog/logger.h>
 #include <string_view>
 
-namespace berm {
+namespace berm::run_folder {
 
 class StderrSink;
 class LogFileSink;
@@ -37,4 +37,4 @@ private:
   std::shared_ptr<spdlog::logger> file_only_, before_;
 };
 
-}  // namespace berm
+}  // namespace berm::run_folder

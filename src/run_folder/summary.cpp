@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -52,7 +52,7 @@ std::string Summary::json() const
 
 void Summary::write(const std::filesystem::path& path) const
 {
-  write_whole(path, json());
+  io::write_whole(path, json());
 }
 
-}  // namespace berm
+}  // namespace berm::run_folder

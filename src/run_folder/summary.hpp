@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-namespace berm {
+namespace berm::run_folder {
 
 /// One result of a run. unit as UDUNITS-2 spells it, "1" for a bare number.
 struct Quantity {
@@ -57,4 +57,4 @@ public:
   void write(const std::filesystem::path& path) const;
 };
 
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,7 +67,7 @@ RunSummary summary_of(const Json& json)
 Json parsed(const fs::path& file)
 {
   try {
-    return Json::parse(read_whole(file));
+    return Json::parse(io::read_whole(file));
   } catch (const Json::parse_error& error) {
     refuse(fmt::format("byte {} is not JSON", error.byte));
   } catch (const Json::exception&) {
@@ -98,4 +98,4 @@ std::optional<RunSummary> read_summary(const fs::path& run_folder)
   }
 }
 
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -6,7 +6,7 @@
 #include <map>
 #include <optional>
 
-namespace berm {
+namespace berm::run_folder {
 
 /// What summary.json says of a run. A number that was not finite is NaN.
 struct RunSummary {
@@ -23,4 +23,4 @@ struct RunSummary {
 /// is not of that form, or "FILE cannot be read".
 std::optional<RunSummary> read_summary(const std::filesystem::path& run_folder);
 
-}  // namespace berm
+}  // namespace berm::run_folder

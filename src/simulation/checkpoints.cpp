@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-namespace berm {
+namespace berm::simulation {
 
 namespace fs = std::filesystem;
 
@@ -23,7 +23,7 @@ bool Checkpoints::due() const
   return asked_ || (wall_time_ > 0 && Clock::now() - last_ >= std::chrono::duration<Real>(wall_time_));
 }
 
-void Checkpoints::write(BigIndex step, const Contents& contents)
+void Checkpoints::write(BigIndex step, const checkpoint::Contents& contents)
 {
   const Timer timer("write checkpoints");
   try {
@@ -35,7 +35,7 @@ void Checkpoints::write(BigIndex step, const Contents& contents)
   asked_ = false;
 }
 
-bool Checkpoints::read(const Contents& contents)
+bool Checkpoints::read(const checkpoint::Contents& contents)
 {
   const fs::path used = folder_.read(contents, [](const fs::path& file, const std::string& why) {
     spdlog::warn("the checkpoint {} is not used: {}", file.string(), why);
@@ -52,10 +52,11 @@ void keep_same(Keep& k, const std::string& name, const std::string& own, const s
 }
 
 template <int dim>
-void keep_same_mesh(Keep& k, const Mesh<dim>& mesh)
+void keep_same_mesh(Keep& k, const mesh::Mesh<dim>& mesh)
 {
-  const std::uint32_t of_positions = crc_of(mesh.position.data(), sizeof(Vec<dim>) * static_cast<std::size_t>(mesh.node_count()));
-  const std::uint32_t of_cells = crc_of(mesh.nodes.data(), sizeof(mesh.nodes[0]) * static_cast<std::size_t>(mesh.cell_count()));
+  const std::uint32_t of_positions =
+      checkpoint::crc_of(mesh.position.data(), sizeof(Vec<dim>) * static_cast<std::size_t>(mesh.node_count()));
+  const std::uint32_t of_cells = checkpoint::crc_of(mesh.nodes.data(), sizeof(mesh.nodes[0]) * static_cast<std::size_t>(mesh.cell_count()));
   const std::string own = fmt::format("{} nodes {:08x}, {} cells {:08x}", mesh.node_count(), of_positions, mesh.cell_count(), of_cells);
   keep_same(k, "mesh", own, "it is of another mesh");
 }
@@ -64,17 +65,17 @@ void keep_history(Keep& k, const fs::path& history, BigIndex& bytes)
 {
   // -1 where the file has not as many bytes.
   const auto crc_of_rows = [&] {
-    const std::optional<std::uint32_t> crc = bytes < 0 ? std::nullopt : crc_of(history, bytes);
+    const std::optional<std::uint32_t> crc = bytes < 0 ? std::nullopt : checkpoint::crc_of(history, bytes);
     return crc ? static_cast<BigIndex>(*crc) : -1;
   };
-  if (!k.reads()) sync_file(history.parent_path());
+  if (!k.reads()) io::sync_file(history.parent_path());
   BigIndex crc = k.reads() ? 0 : crc_of_rows();
   k("bytes", bytes);
   k("crc", crc);
   if (crc < 0 || crc != crc_of_rows()) k.refuse(fmt::format("{} has not the {} bytes any more that it had then", history.string(), bytes));
 }
 
-template void keep_same_mesh(Keep&, const Mesh<2>&);
-template void keep_same_mesh(Keep&, const Mesh<3>&);
+template void keep_same_mesh(Keep&, const mesh::Mesh<2>&);
+template void keep_same_mesh(Keep&, const mesh::Mesh<3>&);
 
-}  // namespace berm
+}  // namespace berm::simulation

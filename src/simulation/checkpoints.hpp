@@ -6,7 +6,7 @@
 
 #include <chrono>
 
-namespace berm {
+namespace berm::simulation {
 
 /// The folder of a run's checkpoints.
 std::filesystem::path checkpoints_in(const std::filesystem::path& run_folder);
@@ -21,17 +21,17 @@ public:
   void ask() { asked_ = true; }
   bool due() const;
   /// Where it cannot be written the run goes on with a warning: the one before it is still there.
-  void write(BigIndex step, const Contents& contents);
+  void write(BigIndex step, const checkpoint::Contents& contents);
   /// Reads the last one that can be used and says which; those before it are told with what is wrong with them. False where there is none. Throws
   /// RunError where there are some and none can be used.
-  bool read(const Contents& contents);
+  bool read(const checkpoint::Contents& contents);
   /// The run has come to its end.
   void remove() const { folder_.remove(); }
 
 private:
   using Clock = std::chrono::steady_clock;
 
-  CheckpointFolder folder_;
+  checkpoint::CheckpointFolder folder_;
   Real wall_time_;
   Clock::time_point last_ = Clock::now();
   bool asked_ = false;
@@ -42,10 +42,10 @@ void keep_same(Keep& k, const std::string& name, const std::string& own, const s
 
 /// Refuses a checkpoint of another mesh.
 template <int dim>
-void keep_same_mesh(Keep& k, const Mesh<dim>& mesh);
+void keep_same_mesh(Keep& k, const mesh::Mesh<dim>& mesh);
 
 /// Refuses a checkpoint whose history.csv is not there any more: `bytes` is its length, with all rows on the disk where a checkpoint is written. Forces the
 /// names in its folder there, too.
 void keep_history(Keep& k, const std::filesystem::path& history, BigIndex& bytes);
 
-}  // namespace berm
+}  // namespace berm::simulation

@@ -5,39 +5,39 @@
 
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::simulation {
 namespace {
 
 constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
 
 }  // namespace
 
-std::vector<std::string> FemRecorder::columns(const FemModel& model)
+std::vector<std::string> FemRecorder::columns(const fem::FemModel& model)
 {
-  std::vector<std::string> names = common_columns();
+  std::vector<std::string> names = run_folder::common_columns();
   names.insert(names.end(), {"iterations", "unbalance", "overstress", "strength_lag"});
-  for (const Traction& traction : model.model.tractions)
+  for (const problem::Traction& traction : model.model.tractions)
     for (const char* column : {"Fx_N_m", "Fy_N_m", "ux_m", "uy_m"}) names.push_back(fmt::format("{}_{}", traction.name, column));
-  for (const FemWatch& watch : model.watches)
+  for (const fem::FemWatch& watch : model.watches)
     for (const char* column : {"ux_m", "uy_m", "sxx_Pa", "syy_Pa", "szz_Pa", "sxy_Pa"})
       names.push_back(fmt::format("{}_{}", watch.name, column));
   return names;
 }
 
-FemRecorder::FemRecorder(const std::filesystem::path& path, const FemModel& model) : file_(path, columns(model)) {}
+FemRecorder::FemRecorder(const std::filesystem::path& path, const fem::FemModel& model) : file_(path, columns(model)) {}
 
-void FemRecorder::add_row(const FemModel& model, FemState& state, const IncrementEnd& end)
+void FemRecorder::add_row(const fem::FemModel& model, fem::FemState& state, const fem::IncrementEnd& end)
 {
-  const State<2>& now = state.state;
-  const Totals<2>& t = now.totals;
+  const problem::State<2>& now = state.state;
+  const problem::Totals<2>& t = now.totals;
   const Real error = t.internal + t.friction - t.external;
   largest_error_ = std::max(largest_error_, std::abs(error));
   largest_work_ = std::max({largest_work_, std::abs(t.external), std::abs(t.internal)});
   std::vector<Real> row(4, unknown);
   Real moment = unknown, angle = unknown, overlap = unknown;
   if (model.rigid != none) {
-    RigidState<2>& rigid = state.state.rigids[model.rigid];
-    const PipeMotion motion = pipe_motion(model.model, now, model.rigid);
+    bodies::RigidState<2>& rigid = state.state.rigids[model.rigid];
+    const problem::PipeMotion motion = pipe_motion(model.model, now, model.rigid);
     horizontal_ = -drag_direction(model.model, now) * rigid.reaction[0] + 0.;
     vertical_ = rigid.reaction[1];
     row = {motion.u, motion.w, horizontal_, vertical_};
@@ -57,7 +57,7 @@ void FemRecorder::add_row(const FemModel& model, FemState& state, const Incremen
   for (std::size_t k = 0; k < model.loads.size(); ++k) {
     Vec<2> force = Vec<2>::Zero(), moved_by = Vec<2>::Zero();
     Real area = 0;
-    for (const NodalLoad& load : model.loads[k]) {
+    for (const fem::NodalLoad& load : model.loads[k]) {
       force += load.force;
       moved_by += load.area * Vec<2>(state.displacement[2 * load.node], state.displacement[2 * load.node + 1]);
       area += load.area;
@@ -66,7 +66,7 @@ void FemRecorder::add_row(const FemModel& model, FemState& state, const Incremen
     moved_by /= area;
     row.insert(row.end(), {force[0], force[1], moved_by[0], moved_by[1]});
   }
-  for (const FemWatch& watch : model.watches) {
+  for (const fem::FemWatch& watch : model.watches) {
     row.insert(row.end(), {state.displacement[2 * watch.node], state.displacement[2 * watch.node + 1]});
     const SymTensor<2>& stress = state.points[watch.cell][watch.point].stress;
     row.insert(row.end(), stress.c, stress.c + 4);
@@ -74,4 +74,4 @@ void FemRecorder::add_row(const FemModel& model, FemState& state, const Incremen
   file_.add(now.time, model.model.stages[now.stage.index].name, row);
 }
 
-}  // namespace berm
+}  // namespace berm::simulation

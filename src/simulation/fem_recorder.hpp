@@ -4,16 +4,16 @@
 #include "fem/newton.hpp"
 #include "run_folder/history.hpp"
 
-namespace berm {
+namespace berm::simulation {
 
 /// Writes the rows of history.csv of a finite element run: the columns of the other method as far as they have a meaning, then
 /// iterations, unbalance (of the increment), overstress (part of the stress that lies beyond the strength) and strength_lag (part of what plastic
 /// flow dissipates that is missing because the strength lags behind its pressure).
 class FemRecorder {
 public:
-  FemRecorder(const std::filesystem::path& path, const FemModel& model);
+  FemRecorder(const std::filesystem::path& path, const fem::FemModel& model);
 
-  void add_row(const FemModel& model, FemState& state, const IncrementEnd& end);
+  void add_row(const fem::FemModel& model, fem::FemState& state, const fem::IncrementEnd& end);
 
   /// V and H of the last row, N/m.
   Real vertical() const { return vertical_; }
@@ -27,11 +27,11 @@ public:
   Real strength_lag() const { return lag_.part(); }
 
 private:
-  static std::vector<std::string> columns(const FemModel& model);
+  static std::vector<std::string> columns(const fem::FemModel& model);
 
-  HistoryFile file_;
+  run_folder::HistoryFile file_;
   Real vertical_ = 0, horizontal_ = 0, largest_error_ = 0, largest_work_ = 0, largest_unbalance_ = 0, largest_overstress_ = 0;
-  StrengthLag lag_;
+  fem::StrengthLag lag_;
 };
 
-}  // namespace berm
+}  // namespace berm::simulation

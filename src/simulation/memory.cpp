@@ -13,18 +13,18 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace berm {
+namespace berm::simulation {
 namespace {
 
 constexpr Real mebibyte = 1 << 20;
 
 template <int dim, class CellsOf>
-std::vector<RunSize::OfBody> least_bodies(const Case& c, const CellsOf& cells_of)
+std::vector<RunSize::OfBody> least_bodies(const problem::Case& c, const CellsOf& cells_of)
 {
   std::vector<RunSize::OfBody> bodies;
   for (const auto& [name, settings] : c.body) {
     RunSize::OfBody body;
-    const Index material = place_of(c.material, settings.material);
+    const Index material = problem::place_of(c.material, settings.material);
     if (material != none) body.state_size = state_size(c.material[material].second);
     if (settings.block || settings.disk) {
       body.particles = settings.block ? particles_in<dim>(*settings.block) : particles_in(*settings.disk);
@@ -86,28 +86,28 @@ Real page_count(int place)
 }  // namespace
 
 template <int dim>
-RunSize least_size(const Case& c)
+RunSize least_size(const problem::Case& c)
 {
   RunSize size;
   size.contacts = c.contact.size();
-  if (const auto* box = std::get_if<BoxMesh>(&c.mesh)) {
+  if (const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh)) {
     Real squares = 1, points = 1;
     for (const Real cells : box->cells) squares *= cells, points *= cells + 1;
-    const bool crossed = dim == 2 && box->pattern == BoxPattern::criss_cross;
+    const bool crossed = dim == 2 && box->pattern == mesh::BoxPattern::criss_cross;
     size.cells = squares * (dim == 3 ? 6 : crossed ? 4 : 2);
     size.nodes = points + (crossed ? squares : 0);
-  } else if (const auto* bed = std::get_if<SeabedMesh>(&c.mesh)) {
+  } else if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
     constexpr Real surely = 0.5;  // what is foretold of a mesh that is not made yet may be wrong
     size.cells = surely * expected_cells(*bed);
     size.nodes = size.cells / 2;
   }
-  const bool is_box = std::holds_alternative<BoxMesh>(c.mesh);
+  const bool is_box = std::holds_alternative<mesh::BoxMesh>(c.mesh);
   size.bodies = least_bodies<dim>(c, [&](const std::string&) { return is_box ? size.cells : 0; });
   return size;
 }
 
 template <int dim>
-RunSize least_size(const Case& c, const Mesh<dim>& mesh)
+RunSize least_size(const problem::Case& c, const mesh::Mesh<dim>& mesh)
 {
   RunSize size;
   size.contacts = c.contact.size();
@@ -120,13 +120,13 @@ RunSize least_size(const Case& c, const Mesh<dim>& mesh)
 }
 
 template <int dim>
-RunSize size_of(const Problem<dim>& problem)
+RunSize size_of(const problem::Problem<dim>& problem)
 {
   RunSize size;
   size.contacts = problem.model.contacts.size();
   size.cells = problem.model.mesh.cell_count();
   size.nodes = problem.model.mesh.node_count();
-  for (const Particles<dim>& particles : problem.state.particles) {
+  for (const bodies::Particles<dim>& particles : problem.state.particles) {
     RunSize::OfBody body{static_cast<Real>(particles.size()), static_cast<Real>(particles.occupied().size()), 0, particles.state_size()};
     BigIndex blocks = 0;
     for (const Index cell : particles.occupied()) blocks += (particles.count_in(cell) + lanes - 1) / lanes;
@@ -143,11 +143,11 @@ Real memory_of(const RunSize& size)
   const Real bodies = static_cast<Real>(size.bodies.size()), contacts = static_cast<Real>(size.contacts);
 
   // Mesh and Model.
-  constexpr Real of_cell = sizeof(typename Mesh<dim>::Corners) + corners * sizeof(CornerEntry) + 2 * sizeof(Index);
+  constexpr Real of_cell = sizeof(typename mesh::Mesh<dim>::Corners) + corners * sizeof(mesh::CornerEntry) + 2 * sizeof(Index);
   const Real of_node = sizeof(Vec<dim>) + sizeof(Index) + sizeof(std::uint8_t) + bodies * sizeof(Real) + contacts * sizeof(Index);
   // Particles by cell and BodyGrid, where the body is.
-  constexpr Real of_cell_with_soil =
-      3 * sizeof(Index) + sizeof(Moments<dim>) + corners * sizeof(CornerSums<dim>) + sizeof(Gradients<dim>) + 3 * sizeof(Real);
+  constexpr Real of_cell_with_soil = 3 * sizeof(Index) + sizeof(mpm::Moments<dim>) + corners * sizeof(mpm::CornerSums<dim>) +
+                                     sizeof(mesh::Gradients<dim>) + 3 * sizeof(Real);
   constexpr Real of_node_with_soil = sizeof(Real) + 3 * sizeof(Vec<dim>) + 2 * sizeof(std::uint8_t) + sizeof(Index);
   const Real nodes_a_cell = size.nodes / std::max(size.cells, Real(1));
 
@@ -155,10 +155,10 @@ Real memory_of(const RunSize& size)
   for (const RunSize::OfBody& body : size.bodies) {
     particles += body.particles;
     bytes += body.cells * (of_cell_with_soil + nodes_a_cell * of_node_with_soil) +
-             body.blocks * static_cast<Real>(sizeof(Block<dim>) + body.state_size * sizeof(StoredLanes));
+             body.blocks * static_cast<Real>(sizeof(bodies::Block<dim>) + body.state_size * sizeof(StoredLanes));
   }
   // What frames remember of the start, the frame before and the new one; or mesh.vtu on its way to the disk.
-  const Real frames = particles * (FrameMaker<dim>::bytes_a_particle + 2 * sizeof(FrameParticle<dim>));
+  const Real frames = particles * (run_folder::FrameMaker<dim>::bytes_a_particle + 2 * sizeof(run_folder::FrameParticle<dim>));
   const Real mesh_file = size.cells * ((corners + 1) * sizeof(std::int64_t) + sizeof(std::int32_t) + 1) + size.nodes * 3 * sizeof(Real);
   return bytes + std::max(frames, mesh_file);
 }
@@ -201,13 +201,13 @@ void refuse_without_memory(const RunSize& size, Real in_use)
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template RunSize least_size<dim>(const Case&);                                                                                           \
-  template RunSize least_size(const Case&, const Mesh<dim>&);                                                                              \
-  template RunSize size_of(const Problem<dim>&);                                                                                           \
+  template RunSize least_size<dim>(const problem::Case&);                                                                                  \
+  template RunSize least_size(const problem::Case&, const mesh::Mesh<dim>&);                                                               \
+  template RunSize size_of(const problem::Problem<dim>&);                                                                                  \
   template Real memory_of<dim>(const RunSize&);                                                                                            \
   template void refuse_without_memory<dim>(const RunSize&, Real);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE
 
-}  // namespace berm
+}  // namespace berm::simulation

@@ -3,7 +3,7 @@
 
 #include "problem/model.hpp"
 
-namespace berm {
+namespace berm::simulation {
 
 /// What decides how much memory a run of the material point method takes. Counts, as far as they are known.
 struct RunSize {
@@ -20,14 +20,14 @@ struct RunSize {
 
 /// The least that a case can have before anything is made of it: mesh and particles of a box, about the mesh of a bed, nothing of a mesh in a file.
 template <int dim>
-RunSize least_size(const Case& c);
+RunSize least_size(const problem::Case& c);
 
 /// The same with the mesh made.
 template <int dim>
-RunSize least_size(const Case& c, const Mesh<dim>& mesh);
+RunSize least_size(const problem::Case& c, const mesh::Mesh<dim>& mesh);
 
 template <int dim>
-RunSize size_of(const Problem<dim>& problem);
+RunSize size_of(const problem::Problem<dim>& problem);
 
 /// Bytes that a run of this size takes when it takes most, which is when it makes a frame: mesh, particles, sums of the cells and nodes, and the frame
 /// before with the one being made. The program itself comes on top.
@@ -50,4 +50,4 @@ void refuse_without_memory(Real bytes, Real in_use, const std::string& what, con
 template <int dim>
 void refuse_without_memory(const RunSize& size, Real in_use);
 
-}  // namespace berm
+}  // namespace berm::simulation

@@ -2,14 +2,14 @@
 #include "simulation/recorder.hpp"
 
 #include "core/error.hpp"
-#include "mpm/condition.hpp"
 #include "mpm/body_sums.hpp"
+#include "mpm/condition.hpp"
 #include "problem/archive_state.hpp"
 #include "problem/stages.hpp"
 
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::simulation {
 namespace {
 
 constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
@@ -19,28 +19,28 @@ constexpr const char* component_names[6] = {"xx", "yy", "zz", "xy", "yz", "zx"};
 }  // namespace
 
 template <int dim>
-std::vector<std::string> Recorder<dim>::columns(const Model<dim>& model)
+std::vector<std::string> Recorder<dim>::columns(const problem::Model<dim>& model)
 {
-  std::vector<std::string> names = common_columns();
+  std::vector<std::string> names = run_folder::common_columns();
   for (Index r = 0; r < static_cast<Index>(model.rigids.size()); ++r)
     if (r != model.main_rigid)
       for (const char* column : {"u_m", "w_m", "H_N_m", "V_N_m", "M_Nm_m", "angle_rad"})
         names.push_back(fmt::format("{}_{}", model.rigids[r].name, column));
-  for (const Body<dim>& body : model.bodies) {
+  for (const problem::Body<dim>& body : model.bodies) {
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_u{}_m", body.name, direction_names[d]));
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_v{}_m_s", body.name, direction_names[d]));
     for (int d = 0; d < dim; ++d)
       for (const char* end : {"min", "max"}) names.push_back(fmt::format("{}_{}{}_m", body.name, direction_names[d], end));
     for (int d = dim == 2 ? 2 : 0; d < 3; ++d) names.push_back(fmt::format("{}_L{}_N_s", body.name, direction_names[d]));
   }
-  for (const Contact& contact : model.contacts)
+  for (const problem::Contact& contact : model.contacts)
     for (int d = 0; d < dim && contact.other_body != none; ++d)
       names.push_back(fmt::format("{}_F{}_N_m", contact.name, direction_names[d]));
-  for (const Traction& traction : model.tractions) {
+  for (const problem::Traction& traction : model.tractions) {
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_F{}_N_m", traction.name, direction_names[d]));
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_u{}_m", traction.name, direction_names[d]));
   }
-  for (const Watch& watch : model.watches) {
+  for (const problem::Watch& watch : model.watches) {
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_u{}_m", watch.name, direction_names[d]));
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_v{}_m_s", watch.name, direction_names[d]));
     for (int k = 0; k < tensor_size<dim>; ++k) names.push_back(fmt::format("{}_s{}_Pa", watch.name, component_names[k]));
@@ -49,25 +49,25 @@ std::vector<std::string> Recorder<dim>::columns(const Model<dim>& model)
 }
 
 template <int dim>
-Recorder<dim>::Recorder(const Model<dim>& model, const State<dim>& start)
+Recorder<dim>::Recorder(const problem::Model<dim>& model, const problem::State<dim>& start)
     : last_time_(start.time),
       last_rigids_(start.rigids),
       last_pair_impulses_(start.pair_impulses)
 {
-  for (const Particles<dim>& particles : start.particles) {
-    const BodySums<dim> sums = measure(particles);
+  for (const bodies::Particles<dim>& particles : start.particles) {
+    const mpm::BodySums<dim> sums = mpm::measure(particles);
     first_centers_.push_back(sums.center());
     first_kinetic_ += sums.kinetic;
   }
   first_loaded_ = start.load_points;
-  for (const Watch& watch : model.watches) first_watched_.push_back(particle_of(start.particles[watch.body], watch.id).x);
+  for (const problem::Watch& watch : model.watches) first_watched_.push_back(mpm::particle_of(start.particles[watch.body], watch.id).x);
 }
 
 template <int dim>
 void Recorder<dim>::keep(Keep& k)
 {
   k("last_time", last_time_);
-  for (std::size_t r = 0; r < last_rigids_.size(); ++r) k.table(fmt::format("rigid_{}", r), [&] { berm::keep(k, last_rigids_[r]); });
+  for (std::size_t r = 0; r < last_rigids_.size(); ++r) k.table(fmt::format("rigid_{}", r), [&] { problem::keep(k, last_rigids_[r]); });
   for (std::size_t c = 0; c < last_pair_impulses_.size(); ++c) k(fmt::format("pair_impulse_{}", c), last_pair_impulses_[c]);
   k("vertical", vertical_);
   k("horizontal", horizontal_);
@@ -79,9 +79,9 @@ void Recorder<dim>::keep(Keep& k)
 }
 
 template <int dim>
-void Recorder<dim>::add_motion(const Model<dim>& model, const State<dim>& state, Index rigid, std::vector<Real>& row)
+void Recorder<dim>::add_motion(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid, std::vector<Real>& row)
 {
-  const PipeMotion motion = pipe_motion(model, state, rigid);
+  const problem::PipeMotion motion = pipe_motion(model, state, rigid);
   const Real time = state.time - last_time_;
   const Vec<dim> impulse = state.rigids[rigid].impulse - last_rigids_[rigid].impulse;
   const Vec<dim> reaction = time > 0 ? Vec<dim>(-impulse / time) : Vec<dim>(Vec<dim>::Zero());
@@ -89,20 +89,20 @@ void Recorder<dim>::add_motion(const Model<dim>& model, const State<dim>& state,
 }
 
 template <int dim>
-void Recorder<dim>::add_turn(const State<dim>& state, Index rigid, std::vector<Real>& row)
+void Recorder<dim>::add_turn(const problem::State<dim>& state, Index rigid, std::vector<Real>& row)
 {
   const Real time = state.time - last_time_, impulse = state.rigids[rigid].torque_impulse - last_rigids_[rigid].torque_impulse;
   row.insert(row.end(), {time > 0 ? -impulse / time + 0. : 0, state.rigids[rigid].angle});
 }
 
 template <int dim>
-void Recorder<dim>::add_tractions(const Model<dim>& model, const State<dim>& state, std::vector<Real>& row) const
+void Recorder<dim>::add_tractions(const problem::Model<dim>& model, const problem::State<dim>& state, std::vector<Real>& row) const
 {
   for (Index t = 0; t < static_cast<Index>(model.tractions.size()); ++t) {
     Vec<dim> force = Vec<dim>::Zero(), moved_by = Vec<dim>::Zero();
     Real area = 0;
     for (std::size_t l = 0; l < model.load_points.size(); ++l) {
-      const LoadPoint<dim>& point = model.load_points[l];
+      const problem::LoadPoint<dim>& point = model.load_points[l];
       if (point.traction != t) continue;
       force += point.force;
       moved_by += point.area * (state.load_points[l].x - first_loaded_[l].x);
@@ -116,7 +116,8 @@ void Recorder<dim>::add_tractions(const Model<dim>& model, const State<dim>& sta
 }
 
 template <int dim>
-void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Work<dim>& work, HistoryFile& file)
+void Recorder<dim>::add_row(const problem::Model<dim>& model, problem::State<dim>& state, const mpm::Work<dim>& work,
+                            run_folder::HistoryFile& file)
 {
   std::vector<Real> row;
   if (model.main_rigid != none)
@@ -127,14 +128,14 @@ void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Wo
   vertical_ = row[3];
 
   Real kinetic = 0;
-  std::vector<BodySums<dim>> sums;
-  for (const Particles<dim>& particles : state.particles) {
-    sums.push_back(measure(particles));
+  std::vector<mpm::BodySums<dim>> sums;
+  for (const bodies::Particles<dim>& particles : state.particles) {
+    sums.push_back(mpm::measure(particles));
     kinetic += sums.back().kinetic;
   }
   for (std::size_t r = 0; r < model.rigids.size(); ++r)
-    if (model.rigids[r].motion == Motion::free) kinetic += kinetic_energy(model.rigids[r], state.rigids[r]);
-  const Totals<dim>& t = state.totals;
+    if (model.rigids[r].motion == bodies::Motion::free) kinetic += kinetic_energy(model.rigids[r], state.rigids[r]);
+  const problem::Totals<dim>& t = state.totals;
   const Real error = kinetic - first_kinetic_ + t.internal + t.damping + t.friction - t.external;
   if (!std::isfinite(error))
     throw RunError(fmt::format("energies are not finite at t = {} s (step {}); try a smaller mpm.courant (now {})", state.time, state.step,
@@ -145,8 +146,8 @@ void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Wo
   row.insert(row.end(), {kinetic, t.internal, t.damping, t.friction, t.external, error, out_of_balance_});
 
   if (model.main_rigid != none) {
-    RigidState<dim>& now = state.rigids[model.main_rigid];
-    const RigidState<dim>& last = last_rigids_[model.main_rigid];
+    bodies::RigidState<dim>& now = state.rigids[model.main_rigid];
+    const bodies::RigidState<dim>& last = last_rigids_[model.main_rigid];
     const Real pressed = now.pressed - last.pressed, time = state.time - last_time_;
     row.push_back(pressed > 0 ? (now.pressed_distance - last.pressed_distance) / pressed : unknown);
     row.push_back(now.deepest);
@@ -175,7 +176,7 @@ void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Wo
       row.push_back(time > 0 ? (state.pair_impulses[k][d] - last_pair_impulses_[k][d]) / time : 0);
   add_tractions(model, state, row);
   for (std::size_t k = 0; k < model.watches.size(); ++k) {
-    const Particle<dim> watched = particle_of(state.particles[model.watches[k].body], model.watches[k].id);
+    const bodies::Particle<dim> watched = mpm::particle_of(state.particles[model.watches[k].body], model.watches[k].id);
     const Vec<dim> moved_by = watched.x - first_watched_[k];
     row.insert(row.end(), moved_by.begin(), moved_by.end());
     row.insert(row.end(), watched.v.begin(), watched.v.end());
@@ -183,7 +184,7 @@ void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Wo
   }
   file.add(state.time, model.stages[state.stage.index].name, row);
   if (model.main_rigid != none && model.driven[state.stage.index] == model.main_rigid)
-    if (const Real now = berm::shaking(model, state, work); std::isfinite(now)) shaking_ += now, shaken_rows_ += 1;
+    if (const Real now = mpm::shaking(model, state, work); std::isfinite(now)) shaking_ += now, shaken_rows_ += 1;
   last_time_ = state.time;
   last_rigids_ = state.rigids;
   last_pair_impulses_ = state.pair_impulses;
@@ -192,4 +193,4 @@ void Recorder<dim>::add_row(const Model<dim>& model, State<dim>& state, const Wo
 template class Recorder<2>;
 template class Recorder<3>;
 
-}  // namespace berm
+}  // namespace berm::simulation

@@ -5,19 +5,19 @@
 #include "mpm/grid.hpp"
 #include "run_folder/history.hpp"
 
-namespace berm {
+namespace berm::simulation {
 
 /// Writes the rows of history.csv, in a file that the run makes. Forces are impulses over the time since the row before, so that nothing between two rows is lost.
 template <int dim>
 class Recorder {
 public:
   /// Remembers the start, from which displacements and energies count.
-  Recorder(const Model<dim>& model, const State<dim>& start);
+  Recorder(const problem::Model<dim>& model, const problem::State<dim>& start);
 
   /// The columns behind time_s and stage.
-  static std::vector<std::string> columns(const Model<dim>& model);
+  static std::vector<std::string> columns(const problem::Model<dim>& model);
   /// Throws RunError where a number is not finite that must be.
-  void add_row(const Model<dim>& model, State<dim>& state, const Work<dim>& work, HistoryFile& file);
+  void add_row(const problem::Model<dim>& model, problem::State<dim>& state, const mpm::Work<dim>& work, run_folder::HistoryFile& file);
 
   /// What the next row needs to know of those before it. What is remembered of the start is not kept.
   void keep(Keep& k);
@@ -36,19 +36,19 @@ public:
   Real shaking() const { return shaken_rows_ > 0 ? shaking_ / shaken_rows_ : std::numeric_limits<Real>::quiet_NaN(); }
 
 private:
-  void add_motion(const Model<dim>& model, const State<dim>& state, Index rigid, std::vector<Real>& row);
-  void add_turn(const State<dim>& state, Index rigid, std::vector<Real>& row);
-  void add_tractions(const Model<dim>& model, const State<dim>& state, std::vector<Real>& row) const;
+  void add_motion(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid, std::vector<Real>& row);
+  void add_turn(const problem::State<dim>& state, Index rigid, std::vector<Real>& row);
+  void add_tractions(const problem::Model<dim>& model, const problem::State<dim>& state, std::vector<Real>& row) const;
 
   Real last_time_ = 0;
-  std::vector<RigidState<dim>> last_rigids_;
+  std::vector<bodies::RigidState<dim>> last_rigids_;
   std::vector<Vec<dim>> last_pair_impulses_;
   std::vector<Vec<dim>> first_centers_;  ///< of mass, by body
   std::vector<Vec<dim>> first_watched_;
-  std::vector<LoadPointState<dim>> first_loaded_;
+  std::vector<problem::LoadPointState<dim>> first_loaded_;
   Real first_kinetic_ = 0;
   Real vertical_ = 0, horizontal_ = 0, out_of_balance_ = 0, largest_error_ = 0, largest_work_ = 0;
   Real shaking_ = 0, shaken_rows_ = 0;  ///< sum over rows, and their number
 };
 
-}  // namespace berm
+}  // namespace berm::simulation

@@ -1,59 +1,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "simulation/results.hpp"
 
+#include "io/atomic_file.hpp"
 #include "io/host_info.hpp"
+#include "problem/stages.hpp"
+#include "run_folder/progress.hpp"
 #include "structures/pipe/pipe_case.hpp"
 #include "structures/pipe/plots.hpp"
-#include "run_folder/progress.hpp"
-#include "io/atomic_file.hpp"
-#include "problem/stages.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-namespace berm {
+namespace berm::simulation {
 namespace {
 
 /// Columns that are worth a curve where there is no pipe: of watched particles, else of the bodies.
 template <int dim>
-std::vector<std::string> curve_columns(const Model<dim>& model, const History& history)
+std::vector<std::string> curve_columns(const problem::Model<dim>& model, const run_folder::History& history)
 {
   std::vector<std::string> chosen;
   for (const std::string& column : history.columns)
-    for (const Watch& watch : model.watches)
+    for (const problem::Watch& watch : model.watches)
       if (column.starts_with(watch.name + "_u")) chosen.push_back(column);
   if (chosen.empty())
     for (const std::string& column : history.columns)
-      for (const Body<dim>& body : model.bodies)
+      for (const problem::Body<dim>& body : model.bodies)
         if (column.starts_with(body.name + "_")) chosen.push_back(column);
   return chosen;
 }
 
-void draw(const RunRequest& request, const RunFolder& folder, const Model<2>& model, const std::vector<RigidState<2>>& rigids,
-          const Frame<2>& last, const PipeScale& scale)
+void draw(const RunRequest& request, const run_folder::RunFolder& folder, const problem::Model<2>& model,
+          const std::vector<bodies::RigidState<2>>& rigids, const run_folder::Frame<2>& last, const pipe::PipeScale& scale)
 {
-  SoilView view{model.mesh.lower, model.mesh.upper, model.surface};
+  pipe::SoilView view{model.mesh.lower, model.mesh.upper, model.surface};
   if (scale.diameter > 0) {
-    const Rigid<2>& pipe = model.rigids[model.main_rigid];
-    const RigidState<2>& now = rigids[model.main_rigid];
-    view = view_around_pipe(center_now<2>(pipe, now)[0], lowest_level<2>(placed<2>(pipe, now)), scale.diameter, model.surface);
+    const bodies::Rigid<2>& pipe = model.rigids[model.main_rigid];
+    const bodies::RigidState<2>& now = rigids[model.main_rigid];
+    view = pipe::view_around_pipe(center_now<2>(pipe, now)[0], lowest_level<2>(placed<2>(pipe, now)), scale.diameter, model.surface);
   }
-  draw_soil(folder.path(), last, {"soil", SoilColor::deviatoric_strain, view, request.settings.title});
-  draw_soil(folder.path(), last, {"soil_increment", SoilColor::incremental_deviatoric_strain, view, request.settings.title});
+  pipe::draw_soil(folder.path(), last, {"soil", pipe::SoilColor::deviatoric_strain, view, request.settings.title});
+  pipe::draw_soil(folder.path(), last, {"soil_increment", pipe::SoilColor::incremental_deviatoric_strain, view, request.settings.title});
 }
-void draw(const RunRequest&, const RunFolder&, const Model<3>&, const std::vector<RigidState<3>>&, const Frame<3>&, const PipeScale&) {}
+void draw(const RunRequest&, const run_folder::RunFolder&, const problem::Model<3>&, const std::vector<bodies::RigidState<3>>&,
+          const run_folder::Frame<3>&, const pipe::PipeScale&)
+{
+}
 
-std::string words_of(const RunTiming& timing, const MpmCounts& counts)
+std::string words_of(const run_folder::RunTiming& timing, const run_folder::MpmCounts& counts)
 {
   return fmt::format("{} steps of {} particles, {:.1f} million particle-steps/s", timing.steps, counts.particles,
                      particle_steps_per_s(timing, counts) / 1e6);
 }
-std::string words_of(const RunTiming& timing, const FemCounts& counts)
+std::string words_of(const run_folder::RunTiming& timing, const run_folder::FemCounts& counts)
 {
   return fmt::format("{} steps of {} nodes, {} iterations", timing.steps, counts.nodes, counts.iterations);
 }
 
-void print_timings(const RunTiming& timing)
+void print_timings(const run_folder::RunTiming& timing)
 {
   std::string table = fmt::format("{:<32} {:>10} {:>8}\n", "time by loop", "s", "part");
   for (const Timing& loop : timing.loops)
@@ -66,24 +69,25 @@ void print_timings(const RunTiming& timing)
 }  // namespace
 
 template <int dim>
-void write_results(const RunRequest& request, const RunFolder& folder, const Model<dim>& model, const std::vector<RigidState<dim>>& rigids,
-                   const Frame<dim>& last, const RunOutcome& outcome, const RunTiming& timing)
+void write_results(const RunRequest& request, const run_folder::RunFolder& folder, const problem::Model<dim>& model,
+                   const std::vector<bodies::RigidState<dim>>& rigids, const run_folder::Frame<dim>& last, const RunOutcome& outcome,
+                   const run_folder::RunTiming& timing)
 {
-  sync_file(folder.file("history.csv"));  // a summary that says "finished" must not outlive it
-  const History history = read_history(folder.file("history.csv"));
-  const PipeScale scale = pipe_scale(request.settings);
-  PipeStages stages = pipe_stages(request.settings);
+  io::sync_file(folder.file("history.csv"));  // a summary that says "finished" must not outlive it
+  const run_folder::History history = run_folder::read_history(folder.file("history.csv"));
+  const pipe::PipeScale scale = pipe::pipe_scale(request.settings);
+  pipe::PipeStages stages = pipe::pipe_stages(request.settings);
   stages.held_force = outcome.held_force;
   const bool pipe = scale.diameter > 0;
 
-  Summary summary;
+  run_folder::Summary summary;
   if (pipe) summary.quantities = pipe_quantities(history, scale, stages);
   summary.timing = timing;
   summary.text = {{"title", request.settings.title},
                   {"case", request.case_file.filename().string()},
                   {"version", BERM_VERSION},
-                  {"machine", machine_words()},
-                  {"date", utc_date(std::chrono::system_clock::now())}};
+                  {"machine", io::machine_words()},
+                  {"date", io::utc_date(std::chrono::system_clock::now())}};
   summary.checks = {{"finished", outcome.finished}};
   summary.checks.insert(summary.checks.end(), outcome.checks.begin(), outcome.checks.end());
   summary.write(folder.file("summary.json"));
@@ -91,16 +95,18 @@ void write_results(const RunRequest& request, const RunFolder& folder, const Mod
   if (pipe)
     draw_pipe_curves(folder, history, scale, stages, request.settings.title);
   else
-    draw_columns(folder, history, curve_columns(model, history), request.settings.title);
+    pipe::draw_columns(folder, history, curve_columns(model, history), request.settings.title);
   draw(request, folder, model, rigids, last, scale);
   print_timings(timing);
   if (pipe) spdlog::info("key results\n{}", key_results_table(summary.quantities, scale));
   spdlog::info("everything is in {}", folder.path().string());
 }
 
-template void write_results(const RunRequest&, const RunFolder&, const Model<2>&, const std::vector<RigidState<2>>&, const Frame<2>&,
-                            const RunOutcome&, const RunTiming&);
-template void write_results(const RunRequest&, const RunFolder&, const Model<3>&, const std::vector<RigidState<3>>&, const Frame<3>&,
-                            const RunOutcome&, const RunTiming&);
+template void write_results(const RunRequest&, const run_folder::RunFolder&, const problem::Model<2>&,
+                            const std::vector<bodies::RigidState<2>>&, const run_folder::Frame<2>&, const RunOutcome&,
+                            const run_folder::RunTiming&);
+template void write_results(const RunRequest&, const run_folder::RunFolder&, const problem::Model<3>&,
+                            const std::vector<bodies::RigidState<3>>&, const run_folder::Frame<3>&, const RunOutcome&,
+                            const run_folder::RunTiming&);
 
-}  // namespace berm
+}  // namespace berm::simulation

@@ -5,19 +5,20 @@
 #include "run_folder/run_folder.hpp"
 #include "simulation/simulate.hpp"
 
-namespace berm {
+namespace berm::simulation {
 
 /// What a run found out about itself.
 struct RunOutcome {
   bool finished;
-  std::optional<Real> held_force;  ///< N/m, V that the first drag holds
-  Summary::Checks checks;          ///< others than "finished"
+  std::optional<Real> held_force;      ///< N/m, V that the first drag holds
+  run_folder::Summary::Checks checks;  ///< others than "finished"
 };
 
 /// Reads the history back and writes what follows from it and from the last frame: summary.json, curves, pictures; prints the key results and the
 /// time by loop. `rigids` says where the rigid bodies are at the end.
 template <int dim>
-void write_results(const RunRequest& request, const RunFolder& folder, const Model<dim>& model, const std::vector<RigidState<dim>>& rigids,
-                   const Frame<dim>& last, const RunOutcome& outcome, const RunTiming& timing);
+void write_results(const RunRequest& request, const run_folder::RunFolder& folder, const problem::Model<dim>& model,
+                   const std::vector<bodies::RigidState<dim>>& rigids, const run_folder::Frame<dim>& last, const RunOutcome& outcome,
+                   const run_folder::RunTiming& timing);
 
-}  // namespace berm
+}  // namespace berm::simulation

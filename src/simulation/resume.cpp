@@ -3,13 +3,13 @@
 
 #include "core/error.hpp"
 #include "input/read_case.hpp"
-#include "run_folder/summary_file.hpp"
 #include "io/atomic_file.hpp"
+#include "run_folder/summary_file.hpp"
 #include "simulation/checkpoints.hpp"
 
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::simulation {
 namespace {
 
 namespace fs = std::filesystem;
@@ -22,7 +22,7 @@ fs::path note_in(const fs::path& run_folder)
 bool is_finished(const fs::path& folder)
 {
   try {
-    const std::optional<RunSummary> summary = read_summary(folder);
+    const std::optional<run_folder::RunSummary> summary = run_folder::read_summary(folder);
     return summary && summary->finished();
   } catch (const RunError& error) {
     throw RunError(
@@ -32,10 +32,10 @@ bool is_finished(const fs::path& folder)
 
 }  // namespace
 
-void note_case_file(const RunFolder& folder, const fs::path& case_file)
+void note_case_file(const run_folder::RunFolder& folder, const fs::path& case_file)
 {
   folder.subfolder(checkpoints_in("").string());
-  write_whole(note_in(folder.path()), fs::absolute(case_file).string());
+  io::write_whole(note_in(folder.path()), fs::absolute(case_file).string());
 }
 
 std::optional<RunRequest> run_to_go_on_with(const fs::path& folder, int threads)
@@ -45,8 +45,9 @@ std::optional<RunRequest> run_to_go_on_with(const fs::path& folder, int threads)
       throw InputError(fmt::format("--resume: {} is not the folder of a run that has begun: there is no {}", folder.string(), name));
   // A finished run removes its checkpoints last of all.
   if (!fs::exists(checkpoints_in(folder)) && is_finished(folder)) return std::nullopt;
-  const std::string noted = read_whole(note_in(folder));
-  return RunRequest{read_case(folder / "resolved.toml"), noted.empty() ? folder / "case.toml" : fs::path(noted), folder, threads, true};
+  const std::string noted = io::read_whole(note_in(folder));
+  return RunRequest{input::read_case(folder / "resolved.toml"), noted.empty() ? folder / "case.toml" : fs::path(noted), folder, threads,
+                    true};
 }
 
-}  // namespace berm
+}  // namespace berm::simulation

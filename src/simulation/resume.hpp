@@ -4,13 +4,13 @@
 #include "run_folder/run_folder.hpp"
 #include "simulation/simulate.hpp"
 
-namespace berm {
+namespace berm::simulation {
 
 /// Notes in the run folder which case file it is of, for summary.json of a run that goes on.
-void note_case_file(const RunFolder& folder, const std::filesystem::path& case_file);
+void note_case_file(const run_folder::RunFolder& folder, const std::filesystem::path& case_file);
 
 /// The run in this folder, as its resolved.toml tells, to go on with; empty where it is finished. Throws InputError where the folder holds no run,
 /// RunError where it has no checkpoints and its summary.json is damaged.
 std::optional<RunRequest> run_to_go_on_with(const std::filesystem::path& folder, int threads);
 
-}  // namespace berm
+}  // namespace berm::simulation

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <sstream>
 
-namespace berm {
+namespace berm::simulation {
 
 std::vector<Timing> RunClock::loops() const
 {
@@ -48,4 +48,4 @@ void RunClock::keep(Keep& k)
   }
 }
 
-}  // namespace berm
+}  // namespace berm::simulation

@@ -4,7 +4,7 @@
 #include "core/archive.hpp"
 #include "core/timer.hpp"
 
-namespace berm {
+namespace berm::simulation {
 
 /// The wall time of a run and the time by loop, those of earlier programs included where the run goes on. Begins, and resets the timings, when it is made.
 class RunClock {
@@ -23,4 +23,4 @@ private:
   std::vector<Timing> earlier_loops_;
 };
 
-}  // namespace berm
+}  // namespace berm::simulation

@@ -9,7 +9,7 @@
 #include <cstring>
 #include <string>
 
-namespace berm {
+namespace berm::simulation {
 namespace fs = std::filesystem;
 
 ScratchFolder::ScratchFolder()
@@ -29,7 +29,7 @@ void ScratchFolder::move_files_to(const fs::path& folder) const
 {
   try {
     for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
-      copy_whole(entry.path(), folder / entry.path().filename());
+      io::copy_whole(entry.path(), folder / entry.path().filename());
       fs::remove(entry.path());
     }
   } catch (const fs::filesystem_error& error) {
@@ -37,4 +37,4 @@ void ScratchFolder::move_files_to(const fs::path& folder) const
   }
 }
 
-}  // namespace berm
+}  // namespace berm::simulation

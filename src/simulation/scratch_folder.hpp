@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-namespace berm {
+namespace berm::simulation {
 
 /// A folder for the mesh generator's files until it is known that the case can be built; removed with this object.
 class ScratchFolder {
@@ -21,4 +21,4 @@ private:
   std::filesystem::path path_;
 };
 
-}  // namespace berm
+}  // namespace berm::simulation

@@ -3,60 +3,60 @@
 
 #include "core/error.hpp"
 #include "core/for_each.hpp"
+#include "core/interrupt.hpp"
 #include "core/vector_unit.hpp"
 #include "input/write_case.hpp"
-#include "mpm/condition.hpp"
 #include "mpm/body_sums.hpp"
+#include "mpm/condition.hpp"
 #include "mpm/diagnose.hpp"
 #include "mpm/step.hpp"
 #include "mpm/time_step.hpp"
+#include "problem/archive_state.hpp"
+#include "problem/stages.hpp"
 #include "run_folder/frame_maker.hpp"
 #include "run_folder/frames.hpp"
 #include "run_folder/progress.hpp"
-#include "problem/archive_state.hpp"
-#include "problem/stages.hpp"
 #include "simulation/checkpoints.hpp"
-#include "simulation/with_run_folder.hpp"
-#include "core/interrupt.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/recorder.hpp"
 #include "simulation/results.hpp"
 #include "simulation/run_clock.hpp"
 #include "simulation/scratch_folder.hpp"
 #include "simulation/simulate_fem.hpp"
+#include "simulation/with_run_folder.hpp"
 
 #include <fmt/format.h>
 #include <malloc.h>
 #include <spdlog/spdlog.h>
 
-namespace berm {
+namespace berm::simulation {
 namespace {
 
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-Real expected_time(const Case& c)
+Real expected_time(const problem::Case& c)
 {
   Real total = 0;
-  for (const StageSettings& stage : c.stage) total += expected_time(stage);
+  for (const problem::StageSettings& stage : c.stage) total += expected_time(stage);
   return total;
 }
 
 /// A thousandth of the time that the stages take, unless the user says.
-Real history_interval(const Case& c)
+Real history_interval(const problem::Case& c)
 {
   if (c.output.history_time) return *c.output.history_time;
-  for (const StageSettings& stage : c.stage)
+  for (const problem::StageSettings& stage : c.stage)
     if (expected_time(stage) <= 0)
       throw InputError(fmt::format("output.history_time: is needed, since it cannot be told how long stage \"{}\" takes", stage.name));
   return expected_time(c) / 1000;
 }
 
 template <int dim>
-BigIndex particle_count(const State<dim>& state)
+BigIndex particle_count(const problem::State<dim>& state)
 {
   BigIndex count = 0;
-  for (const Particles<dim>& particles : state.particles) count += particles.size();
+  for (const bodies::Particles<dim>& particles : state.particles) count += particles.size();
   return count;
 }
 
@@ -64,7 +64,7 @@ BigIndex particle_count(const State<dim>& state)
 template <int dim>
 class Run {
 public:
-  Run(const RunRequest& request, Problem<dim> problem, const RunFolder& folder, RunLog& log)
+  Run(const RunRequest& request, problem::Problem<dim> problem, const run_folder::RunFolder& folder, run_folder::RunLog& log)
       : request_(request),
         folder_(folder),
         problem_(std::move(problem)),
@@ -95,14 +95,14 @@ private:
   void leave_results()
   {
     if (!finished_) frame();
-    const MpmCounts counts{particle_count(state())};
-    const RunTiming timing{clock_.wall(), request_.threads, model().mesh.cell_count(), state().step, counts, clock_.loops()};
+    const run_folder::MpmCounts counts{particle_count(state())};
+    const run_folder::RunTiming timing{clock_.wall(), request_.threads, model().mesh.cell_count(), state().step, counts, clock_.loops()};
     write_results(request_, folder_, model(), state().rigids, frames_.last(), {finished_, held_force_, checks()}, timing);
   }
 
-  const Model<dim>& model() const { return problem_.model; }
-  State<dim>& state() { return problem_.state; }
-  const StageSettings& stage() { return model().stages[state().stage.index]; }
+  const problem::Model<dim>& model() const { return problem_.model; }
+  problem::State<dim>& state() { return problem_.state; }
+  const problem::StageSettings& stage() { return model().stages[state().stage.index]; }
 
   /// Begins at the start (true), or where the last checkpoint was written.
   bool begin()
@@ -127,7 +127,7 @@ private:
     bool stopped = false;
     while (!finished_ && !stopped) {
       step(model(), state(), *work_);
-      refuse_rigid_outside_mesh(model(), state());
+      mpm::refuse_rigid_outside_mesh(model(), state());
       const bool ended = stage_ended(model(), state());
       if (ended || state().time >= next_row_) record();
       if (ended || frame_is_due()) frame();
@@ -147,14 +147,14 @@ private:
   }
 
   /// The time step is chosen by the velocities of the nodes in the step before, which are no part of the state: not where it is due.
-  bool can_go_on_from_here() { return state().step % steps_between_time_steps != 0; }
+  bool can_go_on_from_here() { return state().step % mpm::steps_between_time_steps != 0; }
 
   fs::path history_path() const { return folder_.file("history.csv"); }
 
   /// All that a checkpoint holds. What must fit comes first.
   void keep(Keep& k)
   {
-    keep_same(k, "case", resolved_toml(request_.settings), "it is of another case than resolved.toml");
+    keep_same(k, "case", input::resolved_toml(request_.settings), "it is of another case than resolved.toml");
     keep_same_mesh(k, model().mesh);
     k("vector_unit", unit_);
     k.table("history", [&] { keep_history(k, history_path(), history_bytes_); });
@@ -167,7 +167,7 @@ private:
     k("frame_displacement", frame_displacement_);
     k("equilibrium", equilibrium_);
     k("held_force", held_force_);
-    k.table("state", [&] { berm::keep(k, model(), state()); });
+    k.table("state", [&] { problem::keep(k, model(), state()); });
   }
 
   void record()
@@ -183,7 +183,7 @@ private:
   }
   bool frame_is_due()
   {
-    const OutputSettings& output = request_.settings.output;
+    const problem::OutputSettings& output = request_.settings.output;
     return (output.frame_time && state().time >= frame_time_ + *output.frame_time) ||
            (output.frame_travel && travel() >= *output.frame_travel);
   }
@@ -199,7 +199,7 @@ private:
 
   void next_stage()
   {
-    if (stage().kind == StageKind::geostatic) {
+    if (stage().kind == problem::StageKind::geostatic) {
       equilibrium_ = recorder_.out_of_balance();
       const char* verdict = equilibrium_ <= stage().equilibrium ? "in equilibrium" : "NOT in equilibrium";
       spdlog::info("stage \"{}\": the soil is {}: out-of-balance force over weight {:.3g}, accepted {:.3g}", stage().name, verdict,
@@ -212,8 +212,8 @@ private:
     }
     ++state().stage.index;
     begin_stage(model(), state());
-    const Drive& vertical = state().stage.drive[1];
-    if (stage().kind == StageKind::drag && vertical.by_force && !held_force_) held_force_ = -vertical.to;
+    const problem::Drive& vertical = state().stage.drive[1];
+    if (stage().kind == problem::StageKind::drag && vertical.by_force && !held_force_) held_force_ = -vertical.to;
   }
 
   /// The part of the run that is done, by the limits that the stages name.
@@ -227,12 +227,12 @@ private:
   }
   void tell()
   {
-    ProgressReport report;
+    run_folder::ProgressReport report;
     report.stage = stage().name;
     report.done = part_done();
-    report.drag = stage().kind == StageKind::drag;
+    report.drag = stage().kind == problem::StageKind::drag;
     if (model().main_rigid != none) {
-      const PipeMotion motion = pipe_motion(model(), state(), model().main_rigid);
+      const problem::PipeMotion motion = pipe_motion(model(), state(), model().main_rigid);
       report.u = motion.u;
       report.w = motion.w;
       report.V = recorder_.vertical();
@@ -244,15 +244,15 @@ private:
   }
 
   /// What tells that the run can be trusted; what does not is a warning in the log, too.
-  Summary::Checks checks()
+  run_folder::Summary::Checks checks()
   {
     constexpr Real much_shaking = 0.15, much_mass = 0.01, much_work = 0.01;
-    Summary::Checks found = {{"energy_error", recorder_.energy_error()}};
+    run_folder::Summary::Checks found = {{"energy_error", recorder_.energy_error()}};
     if (std::isfinite(equilibrium_)) found.emplace_back("out_of_balance_after_geostatic", equilibrium_);
-    found.emplace_back("momentum_error", momentum_error(state()));
+    found.emplace_back("momentum_error", mpm::momentum_error(state()));
     found.emplace_back("friction_work_is_loss", state().totals.friction >= 0);
     if (std::isfinite(recorder_.shaking())) found.emplace_back("shaking_at_body", recorder_.shaking());
-    const SoilCondition soil = soil_condition(model(), state());
+    const mpm::SoilCondition soil = mpm::soil_condition(model(), state());
     found.emplace_back("mass_at_least_volume", soil.at_least_volume);
     found.emplace_back("mass_at_most_volume", soil.at_most_volume);
     found.emplace_back("mass_in_the_air", soil.in_the_air);
@@ -279,18 +279,18 @@ private:
   }
 
   const RunRequest& request_;
-  const RunFolder& folder_;
-  Problem<dim> problem_;
-  std::optional<Work<dim>> work_;  ///< made of the state that the run begins with or goes on from
+  const run_folder::RunFolder& folder_;
+  problem::Problem<dim> problem_;
+  std::optional<mpm::Work<dim>> work_;  ///< made of the state that the run begins with or goes on from
   Real interval_;
   RunClock clock_;
   Checkpoints checkpoints_;
-  std::optional<HistoryFile> history_;
+  std::optional<run_folder::HistoryFile> history_;
   BigIndex history_bytes_ = 0;  ///< when the last checkpoint was written or read
   Recorder<dim> recorder_;
-  FrameMaker<dim> frame_maker_;
-  FrameWriter<dim> frames_;
-  Progress progress_;
+  run_folder::FrameMaker<dim> frame_maker_;
+  run_folder::FrameWriter<dim> frames_;
+  run_folder::Progress progress_;
   bool finished_ = false;
   Real next_row_ = 0, frame_time_ = 0, equilibrium_ = std::numeric_limits<Real>::quiet_NaN();
   Vec<dim> frame_displacement_ = Vec<dim>::Zero();
@@ -300,15 +300,15 @@ private:
 
 /// Mesh files go to the scratch folder. A run that there is no memory for is refused as early as its size is known.
 template <int dim>
-Problem<dim> build_for(const RunRequest& request, const ScratchFolder& scratch)
+problem::Problem<dim> build_for(const RunRequest& request, const ScratchFolder& scratch)
 {
   history_interval(request.settings);  // refuses a case in which it cannot be told
-  const Case c = to_build(request);
+  const problem::Case c = to_build(request);
   const Real in_use = memory_in_use();
   refuse_without_memory<dim>(least_size<dim>(c), in_use);
-  Mesh<dim> mesh = make_mesh<dim>(c.mesh, request.case_file.parent_path().string(), scratch.path().string());
+  mesh::Mesh<dim> mesh = make_mesh<dim>(c.mesh, request.case_file.parent_path().string(), scratch.path().string());
   refuse_without_memory<dim>(least_size(c, mesh), in_use);
-  Problem<dim> problem = build(c, std::move(mesh));
+  problem::Problem<dim> problem = build(c, std::move(mesh));
   refuse_without_memory<dim>(size_of(problem), in_use);
   ::malloc_trim(0);  // gives back what building took on the way: a fifth of what it made
   return problem;
@@ -318,10 +318,10 @@ template <int dim>
 bool run_in(const RunRequest& request)
 {
   const ScratchFolder scratch;
-  Problem<dim> problem = build_for<dim>(request, scratch);
+  problem::Problem<dim> problem = build_for<dim>(request, scratch);
 
   const std::string size = fmt::format("{} cells, {} particles", problem.model.mesh.cell_count(), particle_count(problem.state));
-  return in_run_folder(request, scratch, size, [&](const RunFolder& folder, RunLog& log) {
+  return in_run_folder(request, scratch, size, [&](const run_folder::RunFolder& folder, run_folder::RunLog& log) {
     return Run<dim>(request, std::move(problem), folder, log).to_the_end();
   });
 }
@@ -331,8 +331,8 @@ void check_in(const RunRequest& request)
 {
   const ScratchFolder scratch;
   const Real in_use = memory_in_use();
-  Problem<dim> problem = build_for<dim>(request, scratch);
-  Work<dim> work(problem.model, problem.state);
+  problem::Problem<dim> problem = build_for<dim>(request, scratch);
+  mpm::Work<dim> work(problem.model, problem.state);
   const Real dt = stable_time_step(problem.model, problem.state, work);
   fmt::print("{}\n", request.case_file.string());
   fmt::print("  cells        {}\n  nodes        {}\n", problem.model.mesh.cell_count(), problem.model.mesh.node_count());
@@ -351,25 +351,26 @@ void check_in(const RunRequest& request)
   }
   const Real seconds_a_step = wall / static_cast<Real>(problem.state.step);
   const Real total = expected_time(request.settings);
-  for (const StageSettings& stage : request.settings.stage)
+  for (const problem::StageSettings& stage : request.settings.stage)
     if (!(expected_time(stage) > 0)) fmt::print("  stage \"{}\": its end cannot be foretold and is not counted below\n", stage.name);
   fmt::print("  steps        about {:.0f}, {} rows of history\n", total / dt,
              static_cast<BigIndex>(total / history_interval(request.settings)));
-  fmt::print("  time         about {} with {} threads ({:.3g} million particle-steps/s)\n", words_of_duration(total / dt * seconds_a_step),
-             request.threads, static_cast<Real>(particle_count(problem.state)) / seconds_a_step / 1e6);
+  fmt::print("  time         about {} with {} threads ({:.3g} million particle-steps/s)\n",
+             run_folder::words_of_duration(total / dt * seconds_a_step), request.threads,
+             static_cast<Real>(particle_count(problem.state)) / seconds_a_step / 1e6);
 }
 
 }  // namespace
 
 bool run_case(const RunRequest& request)
 {
-  if (request.settings.method == Method::fem) return run_fem(request);
+  if (request.settings.method == problem::Method::fem) return run_fem(request);
   return request.settings.dimension == 2 ? run_in<2>(request) : run_in<3>(request);
 }
 
 void try_to_build(const RunRequest& request)
 {
-  if (request.settings.method == Method::fem) return try_to_build_fem(request);
+  if (request.settings.method == problem::Method::fem) return try_to_build_fem(request);
   const ScratchFolder scratch;
   if (request.settings.dimension == 2)
     build_for<2>(request, scratch);
@@ -379,8 +380,8 @@ void try_to_build(const RunRequest& request)
 
 void check_case(const RunRequest& request)
 {
-  if (request.settings.method == Method::fem) return check_fem(request);
+  if (request.settings.method == problem::Method::fem) return check_fem(request);
   request.settings.dimension == 2 ? check_in<2>(request) : check_in<3>(request);
 }
 
-}  // namespace berm
+}  // namespace berm::simulation

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "run_folder/summary.hpp"
 #include "problem/case.hpp"
+#include "run_folder/summary.hpp"
 
 #include <filesystem>
 
-namespace berm {
+namespace berm::simulation {
 
 /// One case to run.
 struct RunRequest {
-  Case settings;
+  problem::Case settings;
   std::filesystem::path case_file;
   std::filesystem::path folder;  ///< the run folder
   int threads = 1;
@@ -28,4 +28,4 @@ void try_to_build(const RunRequest& request);
 /// Builds the problem and prints what it is and what a run would take.
 void check_case(const RunRequest& request);
 
-}  // namespace berm
+}  // namespace berm::simulation

@@ -2,23 +2,23 @@
 #include "simulation/simulate_fem.hpp"
 
 #include "core/error.hpp"
+#include "core/interrupt.hpp"
 #include "fem/load_steps.hpp"
+#include "problem/stages.hpp"
 #include "run_folder/fem_frame.hpp"
 #include "run_folder/frames.hpp"
 #include "run_folder/progress.hpp"
-#include "problem/stages.hpp"
 #include "simulation/checkpoints.hpp"
 #include "simulation/fem_recorder.hpp"
-#include "simulation/with_run_folder.hpp"
-#include "core/interrupt.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/results.hpp"
 #include "simulation/scratch_folder.hpp"
+#include "simulation/with_run_folder.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-namespace berm {
+namespace berm::simulation {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -28,7 +28,7 @@ Real seconds_since(Clock::time_point start)
   return std::chrono::duration<Real>(Clock::now() - start).count();
 }
 
-std::string words_of(const FemModel& model)
+std::string words_of(const fem::FemModel& model)
 {
   return fmt::format("{} elements, {} nodes", model.mesh.cell_count(), model.mesh.node_count());
 }
@@ -41,7 +41,7 @@ constexpr const char* larger_elements = "take larger elements";
 /// The run itself: increments, and what is written on the way.
 class FemRun {
 public:
-  FemRun(const RunRequest& request, FemProblem problem, const RunFolder& folder, RunLog& log)
+  FemRun(const RunRequest& request, fem::FemProblem problem, const run_folder::RunFolder& folder, run_folder::RunLog& log)
       : request_(request),
         folder_(folder),
         problem_(std::move(problem)),
@@ -73,22 +73,22 @@ private:
           "the strength of the soil lags behind its pressure by {:.2g} of what its flow dissipates, and forces may be off by as much; "
           "compare a run with a tenth of fem.largest_step",
           recorder_.strength_lag());
-    const RunTiming timing{seconds_since(start),
-                           request_.threads,
-                           model().mesh.cell_count(),
-                           state().state.step,
-                           FemCounts{model().mesh.node_count(), iterations_},
-                           timings()};
-    const Summary::Checks checks = {
+    const run_folder::RunTiming timing{seconds_since(start),
+                                       request_.threads,
+                                       model().mesh.cell_count(),
+                                       state().state.step,
+                                       run_folder::FemCounts{model().mesh.node_count(), iterations_},
+                                       timings()};
+    const run_folder::Summary::Checks checks = {
         {"energy_error", recorder_.energy_error()},      {"largest_unbalance", recorder_.largest_unbalance()},
         {"loose_increments", static_cast<Real>(loose_)}, {"largest_overstress", recorder_.largest_overstress()},
         {"strength_lag", recorder_.strength_lag()},      {"friction_work_is_loss", state().state.totals.friction >= 0}};
     write_results(request_, folder_, model().model, state().state.rigids, frames_.last(), {finished_, held_force_, checks}, timing);
   }
 
-  const FemModel& model() const { return problem_.model; }
-  FemState& state() { return problem_.state; }
-  const StageSettings& stage() { return model().model.stages[state().state.stage.index]; }
+  const fem::FemModel& model() const { return problem_.model; }
+  fem::FemState& state() { return problem_.state; }
+  const problem::StageSettings& stage() { return model().model.stages[state().state.stage.index]; }
 
   void step_to_the_end()
   {
@@ -100,7 +100,7 @@ private:
     recorder_.add_row(model(), state(), {true, 0, 0, {}});
     frame();
     while (!interrupted() && !finished_) {
-      const IncrementEnd end = steps_.advance();
+      const fem::IncrementEnd end = steps_.advance();
       iterations_ += end.iterations;
       if (!end.converged) {
         ++loose_;
@@ -120,7 +120,7 @@ private:
 
   bool frame_is_due()
   {
-    const OutputSettings& output = request_.settings.output;
+    const problem::OutputSettings& output = request_.settings.output;
     const Real travel = model().rigid == none ? 0 : (state().state.rigids[model().rigid].displacement - frame_displacement_).norm();
     return (output.frame_time && state().state.time >= frame_time_ + *output.frame_time) ||
            (output.frame_travel && travel >= *output.frame_travel);
@@ -137,18 +137,18 @@ private:
   {
     finished_ = !steps_.next_stage();
     if (finished_) return;
-    const Drive& vertical = state().state.stage.drive[1];
-    if (stage().kind == StageKind::drag && vertical.by_force && !held_force_) held_force_ = -vertical.to;
+    const problem::Drive& vertical = state().state.stage.drive[1];
+    if (stage().kind == problem::StageKind::drag && vertical.by_force && !held_force_) held_force_ = -vertical.to;
   }
 
   void tell()
   {
-    ProgressReport report;
+    run_folder::ProgressReport report;
     report.stage = stage().name;
     report.done = std::numeric_limits<Real>::quiet_NaN();
-    report.drag = stage().kind == StageKind::drag;
+    report.drag = stage().kind == problem::StageKind::drag;
     if (model().rigid != none) {
-      const PipeMotion motion = pipe_motion(model().model, state().state, model().rigid);
+      const problem::PipeMotion motion = pipe_motion(model().model, state().state, model().rigid);
       report.u = motion.u;
       report.w = motion.w;
       report.V = recorder_.vertical();
@@ -159,13 +159,13 @@ private:
   }
 
   const RunRequest& request_;
-  const RunFolder& folder_;
-  FemProblem problem_;
-  LoadSteps steps_;
+  const run_folder::RunFolder& folder_;
+  fem::FemProblem problem_;
+  fem::LoadSteps steps_;
   FemRecorder recorder_;
-  FemFrameMaker frame_maker_;
-  FrameWriter<2> frames_;
-  Progress progress_;
+  run_folder::FemFrameMaker frame_maker_;
+  run_folder::FrameWriter<2> frames_;
+  run_folder::Progress progress_;
   bool finished_ = false;
   BigIndex iterations_ = 0, loose_ = 0;
   Real frame_time_ = 0;
@@ -174,19 +174,19 @@ private:
 };
 
 /// The least number of elements that a case can have, before its mesh is made: there are none above the bed.
-Real least_elements(Case c)
+Real least_elements(problem::Case c)
 {
-  if (auto* bed = std::get_if<SeabedMesh>(&c.mesh)) bed->headroom = bed->near_height = 0;
+  if (auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) bed->headroom = bed->near_height = 0;
   return least_size<2>(c).cells;
 }
 
-FemProblem build_for(const RunRequest& request, const ScratchFolder& scratch)
+fem::FemProblem build_for(const RunRequest& request, const ScratchFolder& scratch)
 {
-  const Case c = to_build(request);
+  const problem::Case c = to_build(request);
   const Real elements = least_elements(c);
-  refuse_without_memory(elements * Assembly::bytes_of_element(), memory_in_use(), fmt::format("{:.4g} elements", elements),
+  refuse_without_memory(elements * fem::Assembly::bytes_of_element(), memory_in_use(), fmt::format("{:.4g} elements", elements),
                         larger_elements);
-  return build_fem(c, request.case_file.parent_path().string(), scratch.path().string());
+  return fem::build_fem(c, request.case_file.parent_path().string(), scratch.path().string());
 }
 
 }  // namespace
@@ -194,9 +194,10 @@ FemProblem build_for(const RunRequest& request, const ScratchFolder& scratch)
 bool run_fem(const RunRequest& request)
 {
   const ScratchFolder scratch;
-  FemProblem problem = build_for(request, scratch);
-  return in_run_folder(request, scratch, words_of(problem.model),
-                       [&](const RunFolder& folder, RunLog& log) { return FemRun(request, std::move(problem), folder, log).to_the_end(); });
+  fem::FemProblem problem = build_for(request, scratch);
+  return in_run_folder(request, scratch, words_of(problem.model), [&](const run_folder::RunFolder& folder, run_folder::RunLog& log) {
+    return FemRun(request, std::move(problem), folder, log).to_the_end();
+  });
 }
 
 void try_to_build_fem(const RunRequest& request)
@@ -208,21 +209,21 @@ void try_to_build_fem(const RunRequest& request)
 void check_fem(const RunRequest& request)
 {
   const ScratchFolder scratch;
-  FemProblem problem = build_for(request, scratch);
+  fem::FemProblem problem = build_for(request, scratch);
   fmt::print("{}\n", request.case_file.string());
   fmt::print("  elements     {}\n  nodes        {}\n  contact      {} points\n", problem.model.mesh.cell_count(),
              problem.model.mesh.node_count(), problem.model.contact.size());
 
   const Clock::time_point start = Clock::now();
-  Newton newton(problem.model);
+  fem::Newton newton(problem.model);
   fmt::print("  memory       about {:.0f} MiB at most\n", (memory_in_use() + newton.memory_to_come()) / (1 << 20));
   std::vector<Real> change(problem.model.unknowns(), 0.);
-  FemLoads loads;
+  fem::FemLoads loads;
   loads.gravity = gravity_now(problem.model.model, problem.state.state.time);
   newton.assembly().hold_back(problem.state, loads);
-  const IncrementEnd end = newton.find_equilibrium(problem.state, loads, 1, change);
+  const fem::IncrementEnd end = newton.find_equilibrium(problem.state, loads, 1, change);
   fmt::print("  time         about {:.2g} s an iteration with {} threads; a push or a drag takes some hundred iterations\n",
              seconds_since(start) / (end.iterations + 1), request.threads);
 }
 
-}  // namespace berm
+}  // namespace berm::simulation

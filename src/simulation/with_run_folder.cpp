@@ -11,43 +11,44 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-namespace berm {
+namespace berm::simulation {
 namespace {
 
 namespace fs = std::filesystem;
 
 /// A folder for a run from its start: what an earlier one left is removed.
-RunFolder new_run_folder(const RunRequest& request, const ScratchFolder& scratch)
+run_folder::RunFolder new_run_folder(const RunRequest& request, const ScratchFolder& scratch)
 {
-  const bool unfinished = !CheckpointFolder(checkpoints_in(request.folder)).files().empty();
-  RunFolder folder(request.folder);
+  const bool unfinished = !checkpoint::CheckpointFolder(checkpoints_in(request.folder)).files().empty();
+  run_folder::RunFolder folder(request.folder);
   if (unfinished)
     fmt::print(stderr, "the unfinished run in {} is replaced; `berm run --resume` goes on with one instead\n", request.folder.string());
-  write_whole(folder.file("resolved.toml"), resolved_toml(request.settings));
+  io::write_whole(folder.file("resolved.toml"), input::resolved_toml(request.settings));
   note_case_file(folder, request.case_file);
   scratch.move_files_to(folder.path());
-  copy_whole(request.case_file, folder.file("case.toml"));
+  io::copy_whole(request.case_file, folder.file("case.toml"));
   return folder;
 }
 
 }  // namespace
 
-Case to_build(const RunRequest& request)
+problem::Case to_build(const RunRequest& request)
 {
-  Case settings = request.settings;
+  problem::Case settings = request.settings;
   const fs::path mesh = fs::absolute(request.folder / "mesh.msh");
-  const bool from_file = std::holds_alternative<GmshFile>(settings.mesh);
-  const bool made = std::holds_alternative<SeabedMesh>(settings.mesh) && settings.method == Method::mpm;
+  const bool from_file = std::holds_alternative<mesh::GmshFile>(settings.mesh);
+  const bool made = std::holds_alternative<mesh::SeabedMesh>(settings.mesh) && settings.method == problem::Method::mpm;
   std::error_code error;
-  if (request.goes_on && (from_file || made) && fs::exists(mesh, error)) settings.mesh = GmshFile{mesh.string()};
+  if (request.goes_on && (from_file || made) && fs::exists(mesh, error)) settings.mesh = mesh::GmshFile{mesh.string()};
   return settings;
 }
 
 bool in_run_folder(const RunRequest& request, const ScratchFolder& scratch, const std::string& size,
-                   const std::function<bool(const RunFolder&, RunLog&)>& run)
+                   const std::function<bool(const run_folder::RunFolder&, run_folder::RunLog&)>& run)
 {
-  const RunFolder folder = request.goes_on ? RunFolder::of_earlier_run(request.folder) : new_run_folder(request, scratch);
-  RunLog log(folder.file("run.log"), request.goes_on);
+  const run_folder::RunFolder folder =
+      request.goes_on ? run_folder::RunFolder::of_earlier_run(request.folder) : new_run_folder(request, scratch);
+  run_folder::RunLog log(folder.file("run.log"), request.goes_on);
   spdlog::info("{} -> {}: {}, {} threads", request.case_file.string(), folder.path().string(), size, request.threads);
   try {
     const bool finished = run(folder, log);
@@ -76,4 +77,4 @@ void run_and_leave(const std::function<void()>& run, const std::function<void()>
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace berm
+}  // namespace berm::simulation

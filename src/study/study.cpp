@@ -3,8 +3,8 @@
 
 #include "core/error.hpp"
 #include "input/read_case.hpp"
-#include "run_folder/progress.hpp"
 #include "io/atomic_file.hpp"
+#include "run_folder/progress.hpp"
 #include "study/study_report.hpp"
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
-namespace berm {
+namespace berm::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -48,18 +48,18 @@ const StudySkip* skip_of(const Study& study, const std::vector<std::string>& nam
   return nullptr;
 }
 
-Real pipe_diameter(const Case& settings)
+Real pipe_diameter(const problem::Case& settings)
 {
   const Index main = main_rigid(settings);
   if (main == none) return 0;
-  const auto* circle = std::get_if<CircleSettings>(&settings.rigid[main].second.shape);
+  const auto* circle = std::get_if<bodies::CircleSettings>(&settings.rigid[main].second.shape);
   return circle == nullptr ? 0 : circle->diameter;
 }
 
-Case read_row(const fs::path& file, const StudyRow& row)
+problem::Case read_row(const fs::path& file, const StudyRow& row)
 {
   try {
-    return read_case(row.job.case_file, row.job.set);
+    return input::read_case(row.job.case_file, row.job.set);
   } catch (const InputError& error) {
     throw InputError(fmt::format("{}: {}: {}", file.string(), name_of(row.names), error.what()));
   }
@@ -71,7 +71,7 @@ void take_numbers(StudyRow& row, const Study& study, std::vector<std::string>& t
   for (const StudyMeasure& measure : study.measure) {
     row.numbers.push_back(std::numeric_limits<Real>::quiet_NaN());
     const bool wanted = measure.cases.empty() || std::find(measure.cases.begin(), measure.cases.end(), row.names[0]) != measure.cases.end();
-    if (row.end.kind != JobEnd::Kind::finished || !wanted) continue;
+    if (row.end.kind != jobs::JobEnd::Kind::finished || !wanted) continue;
     try {
       row.numbers.back() = measure.scale * evaluate(measure.reading, row.job.folder);
     } catch (const std::exception& error) {
@@ -118,10 +118,10 @@ StudyPlan plan_study(const fs::path& file, const fs::path& output)
 
 bool run_study(StudyPlan& plan, const fs::path& output, int at_once)
 {
-  std::vector<Job> jobs;
+  std::vector<jobs::Job> jobs;
   std::vector<std::size_t> row_of_job;
   for (std::size_t k = 0; k < plan.rows.size(); ++k) {
-    plan.rows[k].end.kind = JobEnd::Kind::finished;
+    plan.rows[k].end.kind = jobs::JobEnd::Kind::finished;
     if (has_result(plan.rows[k].job)) continue;
     jobs.push_back(plan.rows[k].job);
     row_of_job.push_back(k);
@@ -129,16 +129,17 @@ bool run_study(StudyPlan& plan, const fs::path& output, int at_once)
   if (const std::size_t there = plan.rows.size() - jobs.size(); there > 0)
     fmt::print(stderr, "{} of {} runs have their result already and are not run again\n", there, plan.rows.size());
   std::size_t done = 0, failed = 0, interrupted = 0;
-  run_jobs(jobs, at_once, [&](std::size_t job, const JobEnd& end) {
+  run_jobs(jobs, at_once, [&](std::size_t job, const jobs::JobEnd& end) {
     StudyRow& row = plan.rows[row_of_job[job]];
     row.end = end;
-    if (end.kind == JobEnd::Kind::interrupted) {
+    if (end.kind == jobs::JobEnd::Kind::interrupted) {
       ++interrupted;
       return;
     }
-    failed += end.kind == JobEnd::Kind::failed;
+    failed += end.kind == jobs::JobEnd::Kind::failed;
     fmt::print(stderr, "{}/{} {}: {}\n", ++done, jobs.size(), name_of(row.names),
-               end.kind == JobEnd::Kind::failed ? "FAILED: " + end.reason : words_of_duration(wall_time_of(row.job.folder)));
+               end.kind == jobs::JobEnd::Kind::failed ? "FAILED: " + end.reason
+                                                      : run_folder::words_of_duration(jobs::wall_time_of(row.job.folder)));
   });
   std::vector<std::string> told;
   for (StudyRow& row : plan.rows) take_numbers(row, plan.study, told);
@@ -151,4 +152,4 @@ bool run_study(StudyPlan& plan, const fs::path& output, int at_once)
   return interrupted == 0;
 }
 
-}  // namespace berm
+}  // namespace berm::study

@@ -4,15 +4,15 @@
 #include "jobs/jobs.hpp"
 #include "study/study_settings.hpp"
 
-namespace berm {
+namespace berm::study {
 
 /// One run of a study: a row of its table.
 struct StudyRow {
   std::vector<std::size_t> choice;  ///< which case, then which value of each axis
   std::vector<std::string> names;   ///< of the same
   Real diameter = 0;                ///< m, of the pipe; 0 = there is none
-  Job job;
-  JobEnd end;
+  jobs::Job job;
+  jobs::JobEnd end;
   std::vector<Real> numbers;  ///< by measure, scaled; NaN where there is none
 };
 
@@ -38,4 +38,4 @@ StudyPlan plan_study(const std::filesystem::path& file, const std::filesystem::p
 /// False where Ctrl-C ended it. Throws RunError.
 bool run_study(StudyPlan& plan, const std::filesystem::path& output, int at_once);
 
-}  // namespace berm
+}  // namespace berm::study

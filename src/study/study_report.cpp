@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/study_report.hpp"
 
+#include "io/atomic_file.hpp"
 #include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"
 #include "structures/pipe/pipe_quantities.hpp"
 #include "structures/pipe/plots.hpp"
 #include "structures/pipe/travel_curve.hpp"
-#include "io/atomic_file.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
-namespace berm {
+namespace berm::study {
 namespace {
 
 namespace fs = std::filesystem;
@@ -41,7 +41,7 @@ std::string csv(const StudyPlan& plan)
   std::string text;
   const auto add_line = [&](const Words& fields) {
     for (const std::string& field : fields) {
-      text += csv_field(field);
+      text += run_folder::csv_field(field);
       text += ',';
     }
     text.back() = '\n';
@@ -85,7 +85,7 @@ std::string markdown(const StudyPlan& plan, const std::vector<std::string>& pict
   for (const StudyRow& row : plan.rows) {
     Words cells = row.names;
     for (const Real number : row.numbers) cells.push_back(std::isnan(number) ? "" : fmt::format("{:.4g}", number));
-    if (row.end.kind != JobEnd::Kind::finished) cells[row.names.size()] = state_of(row);
+    if (row.end.kind != jobs::JobEnd::Kind::finished) cells[row.names.size()] = state_of(row);
     text += markdown_line(cells);
     if (const std::string& reason = row.end.reason; !reason.empty())
       failed += fmt::format("- {}: {}{}\n", fmt::join(row.names, ", "), reason.substr(0, most), reason.size() > most ? " ..." : "");
@@ -98,7 +98,7 @@ std::string markdown(const StudyPlan& plan, const std::vector<std::string>& pict
 }
 
 /// Numbers of the rows of some stages.
-std::vector<Real> of_stages(const History& history, const std::string& column, const std::vector<std::string>& stages)
+std::vector<Real> of_stages(const run_folder::History& history, const std::string& column, const std::vector<std::string>& stages)
 {
   std::vector<Real> values;
   for (Index k = 0; k < history.rows(); ++k)
@@ -107,13 +107,13 @@ std::vector<Real> of_stages(const History& history, const std::string& column, c
 }
 
 /// y freed from noise over x +- half. A travel that goes down is followed as one that goes up.
-void smooth(FigureCurve& curve, Real half)
+void smooth(plot::FigureCurve& curve, Real half)
 {
   if (!(half > 0) || curve.x.size() < 2) return;
   const Real direction = curve.x.back() < curve.x.front() ? -1 : 1;
   std::vector<Real> travel = curve.x;
   for (Real& x : travel) x *= direction;
-  const TravelCurve line(travel, curve.y);
+  const pipe::TravelCurve line(travel, curve.y);
   curve.x.clear();
   curve.y.clear();
   for (const Real s : line.travel()) {
@@ -141,9 +141,10 @@ std::vector<std::string> styles_of(const std::vector<const StudyRow*>& rows)
     std::size_t dash = 0;
     for (std::size_t k = 0; k < values.size(); ++k)
       if (k != colored) dash = dash * values[k].size() + place(k);
-    const bool fits = dashes <= curve_dashes && values[colored].size() <= curve_colors;
+    const bool fits = dashes <= plot::curve_dashes && values[colored].size() <= plot::curve_colors;
     const std::size_t own = styles.size();
-    styles.push_back(fits ? curve_style(place(colored), dash) : curve_style(own % curve_colors, own / curve_colors));
+    styles.push_back(fits ? plot::curve_style(place(colored), dash)
+                          : plot::curve_style(own % plot::curve_colors, own / plot::curve_colors));
   }
   return styles;
 }
@@ -156,45 +157,46 @@ std::string curve_name(const StudyPlan& plan, const StudyRow& row, bool one_case
 }
 
 /// What scales a column for the plot, and its unit.
-PlotUnit unit_for(const std::string& unit, const std::vector<FigureCurve>& curves, std::vector<Real> FigureCurve::*values)
+plot::PlotUnit unit_for(const std::string& unit, const std::vector<plot::FigureCurve>& curves, std::vector<Real> plot::FigureCurve::*values)
 {
   Real most = 0;
-  for (const FigureCurve& curve : curves)
+  for (const plot::FigureCurve& curve : curves)
     for (const Real value : curve.*values) most = std::isfinite(value) ? std::max(most, std::abs(value)) : most;
-  if (unit == "m") return length_unit(most);
-  if (unit == "N/m") return force_unit(most);
+  if (unit == "m") return plot::length_unit(most);
+  if (unit == "N/m") return plot::force_unit(most);
   return {1, ""};
 }
 
 bool draw_study_figure(const StudyPlan& plan, const StudyFigure& wanted, const fs::path& output)
 {
-  Figure figure;
+  plot::Figure figure;
   figure.title = wanted.case_name.empty() ? wanted.name : fmt::format("{}: {}", wanted.case_name, wanted.name);
   const bool one_case = !wanted.case_name.empty();
-  const auto [x_name, x_unit] = name_and_unit(wanted.x);
-  const auto [y_name, y_unit] = name_and_unit(wanted.y);
+  const auto [x_name, x_unit] = pipe::name_and_unit(wanted.x);
+  const auto [y_name, y_unit] = pipe::name_and_unit(wanted.y);
   std::vector<const StudyRow*> rows;
   for (const StudyRow& row : plan.rows)
-    if (row.end.kind == JobEnd::Kind::finished && (!one_case || row.names[0] == wanted.case_name)) rows.push_back(&row);
+    if (row.end.kind == jobs::JobEnd::Kind::finished && (!one_case || row.names[0] == wanted.case_name)) rows.push_back(&row);
   const std::vector<std::string> styles = styles_of(rows);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const StudyRow& row = *rows[k];
-    const History history = read_history(row.job.folder / "history.csv");
+    const run_folder::History history = run_folder::read_history(row.job.folder / "history.csv");
     if (!history.has(wanted.x) || !history.has(wanted.y)) {
       spdlog::warn("{}: figure \"{}\": the history has not both of {} and {}", fmt::join(row.names, ", "), wanted.name, wanted.x, wanted.y);
       continue;
     }
-    FigureCurve curve{curve_name(plan, row, one_case), styles[k], of_stages(history, wanted.x, wanted.stage),
-                      of_stages(history, wanted.y, wanted.stage)};
-    smooth(curve, wanted.smooth ? *wanted.smooth : x_unit == "m" ? averaging_half_width * row.diameter : 0);
+    plot::FigureCurve curve{curve_name(plan, row, one_case), styles[k], of_stages(history, wanted.x, wanted.stage),
+                            of_stages(history, wanted.y, wanted.stage)};
+    smooth(curve, wanted.smooth ? *wanted.smooth : x_unit == "m" ? pipe::averaging_half_width * row.diameter : 0);
     figure.curves.push_back(curve);
   }
-  const PlotUnit x = unit_for(x_unit, figure.curves, &FigureCurve::x), y = unit_for(y_unit, figure.curves, &FigureCurve::y);
-  for (FigureCurve& curve : figure.curves) {
+  const plot::PlotUnit x = unit_for(x_unit, figure.curves, &plot::FigureCurve::x),
+                       y = unit_for(y_unit, figure.curves, &plot::FigureCurve::y);
+  for (plot::FigureCurve& curve : figure.curves) {
     for (Real& value : curve.x) value *= x.per_si;
     for (Real& value : curve.y) value *= y.per_si;
   }
-  const auto label = [](const std::string& name, const std::string& unit, const PlotUnit& shown) {
+  const auto label = [](const std::string& name, const std::string& unit, const plot::PlotUnit& shown) {
     const std::string words = *shown.name != '\0' ? shown.name : unit == "1" ? "" : unit;
     return words.empty() ? name : fmt::format("{} ({})", name, words);
   };
@@ -209,12 +211,12 @@ bool draw_study_figure(const StudyPlan& plan, const StudyFigure& wanted, const f
 
 void write_study_report(const StudyPlan& plan, const fs::path& output)
 {
-  make_folder(output);
-  write_whole(output / "results.csv", csv(plan));
+  io::make_folder(output);
+  io::write_whole(output / "results.csv", csv(plan));
   std::vector<std::string> pictures;
   for (const StudyFigure& figure : plan.study.figure)
     if (draw_study_figure(plan, figure, output)) pictures.push_back(file_of(figure));
-  write_whole(output / "results.md", markdown(plan, pictures));
+  io::write_whole(output / "results.md", markdown(plan, pictures));
 }
 
-}  // namespace berm
+}  // namespace berm::study

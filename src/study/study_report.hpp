@@ -3,10 +3,10 @@
 
 #include "study/study.hpp"
 
-namespace berm {
+namespace berm::study {
 
 /// Writes OUTPUT/results.csv (all digits), results.md (a table for people, with what was skipped and what failed, and the figures) and a picture
 /// for each figure. Throws RunError.
 void write_study_report(const StudyPlan& plan, const std::filesystem::path& output);
 
-}  // namespace berm
+}  // namespace berm::study

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "study/study_settings.hpp"
 
-#include "input/reader.hpp"
 #include "input/message_text.hpp"
+#include "input/reader.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::study {
 namespace {
 
 constexpr const char* case_key = "case";
@@ -39,32 +39,32 @@ void check_names(Describe& d, const std::string& path, const std::vector<Item>& 
 }
 
 /// The keys of a [[skip]] are names of axes. They are taken out of the document before the others are read.
-std::vector<std::vector<Node>> take_conditions(Document& document)
+std::vector<std::vector<input::Node>> take_conditions(input::Document& document)
 {
-  std::vector<std::vector<Node>> conditions;
-  Node* skips = member(document.root, "skip");
-  if (skips == nullptr || skips->kind != Node::Kind::array) return conditions;
-  for (Node& skip : skips->items) {
-    std::vector<Node>& taken = conditions.emplace_back();
-    for (const Node& item : skip.items)
+  std::vector<std::vector<input::Node>> conditions;
+  input::Node* skips = member(document.root, "skip");
+  if (skips == nullptr || skips->kind != input::Node::Kind::array) return conditions;
+  for (input::Node& skip : skips->items) {
+    std::vector<input::Node>& taken = conditions.emplace_back();
+    for (const input::Node& item : skip.items)
       if (item.key != why_key) taken.push_back(item);
-    std::erase_if(skip.items, [](const Node& item) { return item.key != why_key; });
+    std::erase_if(skip.items, [](const input::Node& item) { return item.key != why_key; });
   }
   return conditions;
 }
 
 /// One key of a [[skip]] and its text.
-std::pair<std::string, std::string> condition_of(const Document& document, const Node& node, const Study& study)
+std::pair<std::string, std::string> condition_of(const input::Document& document, const input::Node& node, const Study& study)
 {
   std::vector<std::string> keys = names_of(study.axis), values = names_of(study.cases);
   keys.insert(keys.begin(), case_key);
   const std::string path = "skip." + node.key;
   const auto axis = std::find(keys.begin(), keys.end(), node.key);
-  if (axis == keys.end()) refuse(document, node, path, "is no axis" + suggestion(node.key, keys));
+  if (axis == keys.end()) refuse(document, node, path, "is no axis" + input::suggestion(node.key, keys));
   if (axis != keys.begin()) values = names_of(study.axis[static_cast<std::size_t>(axis - keys.begin()) - 1].value);
-  if (node.kind != Node::Kind::text) refuse(document, node, path, fmt::format("must be a name in quotes, not {}", kind_of(node)));
+  if (node.kind != input::Node::Kind::text) refuse(document, node, path, fmt::format("must be a name in quotes, not {}", kind_of(node)));
   if (!contains(values, node.text))
-    refuse(document, node, path, in_quotes(node.text) + " is none of its names" + suggestion(node.text, values));
+    refuse(document, node, path, input::in_quotes(node.text) + " is none of its names" + input::suggestion(node.text, values));
   return {node.key, node.text};
 }
 
@@ -110,7 +110,7 @@ void describe(Describe& d, StudyFigure& figure)
   d.value("y", figure.y, {.meaning = "column of history.csv along the vertical axis", .required = true});
   d.value("stage", figure.stage, {.meaning = "rows of these stages only; absent = all"});
   d.value(case_key, figure.case_name, {.meaning = "curves of this case only; absent = all"});
-  const std::string unit = unit_of(figure.x);
+  const std::string unit = verification::unit_of(figure.x);
   d.value("smooth", figure.smooth,
           {.meaning = "y is averaged over x +- this; absent: 0.01 of the pipe's diameter", .unit = unit.c_str(), .range = not_negative});
 }
@@ -146,12 +146,12 @@ void describe(Describe& d, Study& study)
 
 Study read_study(const std::filesystem::path& file)
 {
-  Document document = parse_file(file);
-  const std::vector<std::vector<Node>> conditions = take_conditions(document);
+  input::Document document = input::parse_file(file);
+  const std::vector<std::vector<input::Node>> conditions = take_conditions(document);
   Study study;
   read(document, study);
   for (std::size_t k = 0; k < study.skip.size(); ++k) {
-    for (const Node& node : conditions[k]) study.skip[k].where.push_back(condition_of(document, node, study));
+    for (const input::Node& node : conditions[k]) study.skip[k].where.push_back(condition_of(document, node, study));
     if (conditions[k].empty())
       refuse(document, member(document.root, "skip")->items[k], "skip", "names no axis and would leave out everything");
   }
@@ -168,4 +168,4 @@ std::string as_file_name(std::string name)
   return name;
 }
 
-}  // namespace berm
+}  // namespace berm::study

@@ -3,7 +3,7 @@
 
 #include "verification/observable.hpp"
 
-namespace berm {
+namespace berm::study {
 
 /// A case of a study.
 struct StudyCase {
@@ -32,7 +32,7 @@ struct StudySkip {
 /// A column of the table.
 struct StudyMeasure {
   std::string name;  ///< its heading
-  Reading reading;
+  verification::Reading reading;
   std::string unit;                ///< as it is shown, after scaling
   Real scale = 1;                  ///< shown number over the SI number
   std::vector<std::string> cases;  ///< only for these; empty = all
@@ -71,4 +71,4 @@ Study read_study(const std::filesystem::path& file);
 /// A name as part of a file's: everything but letters, digits and . _ - + = becomes "_", and one of dots alone gets a "_".
 std::string as_file_name(std::string name);
 
-}  // namespace berm
+}  // namespace berm::study

@@ -5,7 +5,7 @@
 #include <new>
 #include <zlib.h>
 
-namespace berm {
+namespace berm::text {
 
 std::string base64(std::string_view bytes)
 {
@@ -34,4 +34,4 @@ std::string packed(std::string_view bytes)
   return base64(std::string_view(stream).substr(0, size));
 }
 
-}  // namespace berm
+}  // namespace berm::text

@@ -6,7 +6,7 @@
 #include <array>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::text {
 namespace {
 
 std::string class_attribute(const std::string& name)
@@ -62,4 +62,4 @@ std::string html_badge(Standing standing, const std::string& word)
   return fmt::format("<span class=\"badge {}\">{}</span>", classes[static_cast<std::size_t>(standing)], html_text(word));
 }
 
-}  // namespace berm
+}  // namespace berm::text

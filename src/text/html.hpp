@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace berm {
+namespace berm::text {
 
 /// One cell of a table. The content is HTML: text of the user's goes through html_text first.
 struct HtmlCell {
@@ -45,4 +45,4 @@ enum class Standing { good, fair, bad, unknown };
 /// A short verdict with a colour (and the word itself for those who do not see it).
 std::string html_badge(Standing standing, const std::string& word);
 
-}  // namespace berm
+}  // namespace berm::text

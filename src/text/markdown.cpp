@@ -12,7 +12,7 @@
 #include <memory>
 #include <vector>
 
-namespace berm {
+namespace berm::text {
 namespace {
 
 /// Stands for formula k while Markdown is read, which would take its underscores and backslashes for its own: letters that no text uses.
@@ -114,4 +114,4 @@ std::string html_of_markdown(const std::string& text, const std::function<std::s
   return html;
 }
 
-}  // namespace berm
+}  // namespace berm::text

@@ -4,10 +4,10 @@
 #include <functional>
 #include <string>
 
-namespace berm {
+namespace berm::text {
 
 /// Markdown with tables and with formulas between $ or $$ (see html_math), as HTML. HTML within the text is left out. `link` gives the address to
 /// write for each link and picture that the text has.
 std::string html_of_markdown(const std::string& text, const std::function<std::string(const std::string& address)>& link);
 
-}  // namespace berm
+}  // namespace berm::text

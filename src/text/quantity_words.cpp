@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <vector>
 
-namespace berm {
+namespace berm::text {
 namespace {
 
 /// A unit, and the size from which on it is used.
@@ -95,4 +95,4 @@ std::string count_words(Real value)
   return digits;
 }
 
-}  // namespace berm
+}  // namespace berm::text

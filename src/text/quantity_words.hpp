@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace berm {
+namespace berm::text {
 
 /// Numbers as people read them, with four digits that count. "not known" where one is NaN.
 
@@ -38,4 +38,4 @@ std::string number_words(Real value);
 /// A whole number in groups of three digits; "not known" for NaN.
 std::string count_words(Real value);
 
-}  // namespace berm
+}  // namespace berm::text

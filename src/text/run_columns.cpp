@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::text {
 namespace {
 
 template <class Entries>
@@ -56,4 +56,4 @@ HtmlTable RunColumns::table(const std::string& id, const std::string& caption) c
   return table;
 }
 
-}  // namespace berm
+}  // namespace berm::text

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace berm {
+namespace berm::text {
 
 /// What a table says of a run under one heading.
 struct RunEntry {
@@ -40,4 +40,4 @@ private:
   std::vector<std::vector<RunEntry>> runs_;
 };
 
-}  // namespace berm
+}  // namespace berm::text

@@ -7,7 +7,7 @@
 #include <array>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::text {
 namespace {
 
 struct Look {
@@ -174,4 +174,4 @@ std::string Svg::whole(const Vec<2>& size, const std::string& title, const std::
                      number_text(size[0]), number_text(size[1]), html_text(title), html_text(description), elements_);
 }
 
-}  // namespace berm
+}  // namespace berm::text

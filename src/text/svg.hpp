@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace berm {
+namespace berm::text {
 
 /// What a line or an area of a drawing stands for; the page's style knows it by its name as a class. Colours are those of the page where it has them
 /// (--text, --quiet, --link, --ground), so that drawings are read in light and in dark.
@@ -59,4 +59,4 @@ private:
   std::string elements_;
 };
 
-}  // namespace berm
+}  // namespace berm::text

@@ -7,7 +7,7 @@
 #include <map>
 #include <stdexcept>
 
-namespace berm {
+namespace berm::text {
 namespace {
 
 /// What is not known.
@@ -240,4 +240,4 @@ std::string html_math(const std::string& tex, bool block)
   }
 }
 
-}  // namespace berm
+}  // namespace berm::text

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace berm {
+namespace berm::text {
 
 /// A text as HTML shows it: &, <, > and " escaped.
 std::string html_text(const std::string& text);
@@ -13,4 +13,4 @@ std::string html_text(const std::string& text);
 /// anything else the source is shown: <code class="tex">.
 std::string html_math(const std::string& tex, bool block);
 
-}  // namespace berm
+}  // namespace berm::text

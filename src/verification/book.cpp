@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verification/book.hpp"
 
-#include "text/markdown.hpp"
-#include "run_folder/progress.hpp"
-#include "text/tex_math.hpp"
 #include "io/atomic_file.hpp"
+#include "run_folder/progress.hpp"
+#include "text/markdown.hpp"
+#include "text/tex_math.hpp"
 #include "verification/book_figures.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 #include <sstream>
 
-namespace berm {
+namespace berm::verification {
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,12 +43,12 @@ std::string page(const std::string& title, const std::string& content)
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
       "content=\"width=device-width\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</html>\n",
-      html_text(title), style, content);
+      text::html_text(title), style, content);
 }
 
 std::string link_to(const std::string& address, const std::string& text)
 {
-  return fmt::format("<a href=\"{}\">{}</a>", html_text(address), html_text(text));
+  return fmt::format("<a href=\"{}\">{}</a>", text::html_text(address), text::html_text(text));
 }
 
 /// Addresses have no spaces; everything that is no plain character is written as %XX.
@@ -80,21 +80,21 @@ std::string row(const std::vector<std::string>& cells, std::size_t first_number,
 std::vector<std::string> numbers_of(const Finding& f)
 {
   std::vector<std::string> cells;
-  for (const std::string& text : {f.exact, f.reason.empty() ? f.berm : "", f.error, f.tolerance}) cells.push_back(html_text(text));
+  for (const std::string& text : {f.exact, f.reason.empty() ? f.berm : "", f.error, f.tolerance}) cells.push_back(text::html_text(text));
   cells.push_back(badge(f.verdict));
   return cells;
 }
 
 std::string time_of(const ProblemResult& result)
 {
-  return result.end.kind == JobEnd::Kind::finished ? words_of_duration(wall_time_of(result.folder)) : "";
+  return result.end.kind == jobs::JobEnd::Kind::finished ? run_folder::words_of_duration(jobs::wall_time_of(result.folder)) : "";
 }
 
 constexpr const char* convergence = "convergence";  // the section of the orders, which belong to no one run
 
 std::string readme_of(const Example& example)
 {
-  return read_whole(example.folder / "README.md");
+  return io::read_whole(example.folder / "README.md");
 }
 
 /// Its name and the first heading of its README.
@@ -121,14 +121,14 @@ std::string summary_words(const std::vector<Chapter>& chapters)
   for (const Chapter& chapter : chapters) {
     for (const Finding& f : chapter.findings) ++count[static_cast<std::size_t>(f.verdict)];
     for (const ProblemResult& result : chapter.results)
-      if (const Real wall = wall_time_of(result.folder); result.end.kind == JobEnd::Kind::finished && std::isfinite(wall))
+      if (const Real wall = jobs::wall_time_of(result.folder); result.end.kind == jobs::JobEnd::Kind::finished && std::isfinite(wall))
         time += wall, ++runs;
   }
   std::string words = fmt::format("{} numbers met", count[0]);
   if (count[1] > 0) words += fmt::format(", {} missed", count[1]);
   if (count[2] > 0) words += fmt::format(", {} failed", count[2]);
   if (count[3] > 0) words += fmt::format(", {} not run", count[3]);
-  return words + fmt::format(". {} runs, {} in all on one thread each.", runs, words_of_duration(time));
+  return words + fmt::format(". {} runs, {} in all on one thread each.", runs, run_folder::words_of_duration(time));
 }
 
 std::string index_page(const std::vector<Chapter>& chapters)
@@ -146,7 +146,7 @@ std::string index_page(const std::vector<Chapter>& chapters)
       const ProblemResult* result = result_of(chapter, e.run);
       const std::string problem = f.problem.substr(name.size() + 1);
       std::vector<std::string> cells = {link_to(address_of(name + ".html") + "#" + (e.runs.empty() ? e.run : convergence), problem),
-                                        html_text(f.what)};
+                                        text::html_text(f.what)};
       for (const std::string& cell : numbers_of(f)) cells.push_back(cell);
       cells.push_back(result == nullptr ? "" : time_of(*result));
       html += row(cells, 2, 5, "td");
@@ -159,14 +159,14 @@ std::string index_page(const std::vector<Chapter>& chapters)
 std::string readme(const Chapter& chapter, const fs::path& output)
 {
   const fs::path& folder = chapter.example.folder;
-  return html_of_markdown(readme_of(chapter.example), [&](const std::string& address) {
+  return text::html_of_markdown(readme_of(chapter.example), [&](const std::string& address) {
     const fs::path target = folder / address.substr(0, address.find('#'));
     std::error_code error;
     if (address.starts_with("#") || address.find(':') != std::string::npos || !fs::exists(target, error)) return address;
     if (target.extension() == ".png" || target.extension() == ".svg") {
       const fs::path copy = fs::path("figures") / (chapter.example.name + "_" + target.filename().string());
-      make_folder(output / "figures");
-      copy_whole(target, output / copy);
+      io::make_folder(output / "figures");
+      io::copy_whole(target, output / copy);
       return address_of(copy);
     }
     return address_of(fs::proximate(fs::absolute(target).lexically_normal(), fs::absolute(output).lexically_normal(), error));
@@ -181,14 +181,14 @@ std::string findings_html(const Chapter& chapter, const std::string& run, const 
     const Expectation& e = chapter.example.expectations[k];
     const Finding& f = chapter.findings[k];
     if (e.run != run) continue;
-    std::vector<std::string> cells = {html_text(f.what)};
+    std::vector<std::string> cells = {text::html_text(f.what)};
     for (const std::string& cell : numbers_of(f)) cells.push_back(cell);
-    cells.push_back(html_text(e.source) + fmt::format("<br><span class=\"quiet\">{}</span>", html_text(e.why)));
+    cells.push_back(text::html_text(e.source) + fmt::format("<br><span class=\"quiet\">{}</span>", text::html_text(e.why)));
     rows += row(cells, 1, 4, "td");
     const std::string name = fmt::format("{}_{}_{}", chapter.example.name, run.empty() ? convergence : run, k + 1);
     const ProblemResult* result = result_of(chapter, e.run);
     if (draw_finding(output / "figures", name, e, f, result == nullptr ? "" : result->folder))
-      figures += fmt::format("<img src=\"{}\" alt=\"{}\">\n", address_of("figures/" + name + ".png"), html_text(f.what));
+      figures += fmt::format("<img src=\"{}\" alt=\"{}\">\n", address_of("figures/" + name + ".png"), text::html_text(f.what));
   }
   if (rows.empty()) return "";
   if (!figures.empty()) figures = fmt::format("<div class=\"pictures\">\n{}</div>\n", figures);
@@ -209,9 +209,11 @@ std::string problem_html(const Chapter& chapter, std::size_t k, const fs::path& 
   const auto& [name, run] = chapter.example.runs[k];
   const ProblemResult& result = chapter.results[k];
   const fs::path folder = fs::path(chapter.example.name) / name;
-  std::string html = fmt::format("<h3 id=\"{0}\">{0}{1}</h3>\n", html_text(name), run.title.empty() ? "" : html_text(": " + run.title));
-  html += fmt::format("<pre>{}</pre>\n", html_text(command_of(chapter, run)));
-  if (result.end.kind == JobEnd::Kind::failed) html += fmt::format("<p>{} {}</p>\n", badge(Verdict::failed), html_text(result.end.reason));
+  std::string html =
+      fmt::format("<h3 id=\"{0}\">{0}{1}</h3>\n", text::html_text(name), run.title.empty() ? "" : text::html_text(": " + run.title));
+  html += fmt::format("<pre>{}</pre>\n", text::html_text(command_of(chapter, run)));
+  if (result.end.kind == jobs::JobEnd::Kind::failed)
+    html += fmt::format("<p>{} {}</p>\n", badge(Verdict::failed), text::html_text(result.end.reason));
   html += findings_html(chapter, name, output);
   std::string pictures, files;
   for (const char* picture : {"curves.png", "soil.png"})
@@ -236,9 +238,9 @@ std::string chapter_page(const Chapter& chapter, const fs::path& output)
 
 void write_book(const fs::path& output, const std::vector<Chapter>& chapters)
 {
-  make_folder(output);
-  for (const Chapter& chapter : chapters) write_whole(output / (chapter.example.name + ".html"), chapter_page(chapter, output));
-  write_whole(output / "index.html", index_page(chapters));
+  io::make_folder(output);
+  for (const Chapter& chapter : chapters) io::write_whole(output / (chapter.example.name + ".html"), chapter_page(chapter, output));
+  io::write_whole(output / "index.html", index_page(chapters));
 }
 
-}  // namespace berm
+}  // namespace berm::verification

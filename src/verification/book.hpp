@@ -3,7 +3,7 @@
 
 #include "verification/expectation_result.hpp"
 
-namespace berm {
+namespace berm::verification {
 
 /// An example with all that came of it: a chapter of the book.
 struct Chapter {
@@ -16,4 +16,4 @@ struct Chapter {
 /// for each problem its numbers, figures and files. The pages need nothing but what is in OUTPUT; the run folders are expected there. Throws RunError.
 void write_book(const std::filesystem::path& output, const std::vector<Chapter>& chapters);
 
-}  // namespace berm
+}  // namespace berm::verification

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <numeric>
 
-namespace berm {
+namespace berm::verification {
 namespace {
 
 constexpr const char* of_berm = "lines lw 2 lc rgb '#1764ab'";
@@ -17,7 +17,7 @@ constexpr const char* of_exact = "lines lw 2 lc rgb '#c8452f' dt '-'";
 constexpr const char* of_bound = "lines lw 1.5 lc rgb '#2f8f4e' dt '-'";
 
 /// A level over the window.
-FigureCurve level(const std::string& title, const char* style, const Rows& rows, Real value)
+plot::FigureCurve level(const std::string& title, const char* style, const Rows& rows, Real value)
 {
   return {title, style, {rows.time.front(), rows.time.back()}, {value, value}};
 }
@@ -28,7 +28,7 @@ Real mean(const std::vector<Real>& values)
 }
 
 /// The line (degree 1) or parabola (degree 2) of a given slope or acceleration that fits the rows best.
-FigureCurve expected_motion(const Rows& rows, Real rate, int degree)
+plot::FigureCurve expected_motion(const Rows& rows, Real rate, int degree)
 {
   const Real t0 = rows.time.front();
   const auto known_part = [&](Real t) { return degree == 1 ? rate * (t - t0) : rate / 2 * (t - t0) * (t - t0); };
@@ -41,20 +41,20 @@ FigureCurve expected_motion(const Rows& rows, Real rate, int degree)
     squares += (rows.time[k] - mean_t) * (rows.time[k] - mean_t);
   }
   const Real slope = degree == 2 && squares > 0 ? product / squares : 0;
-  FigureCurve curve{"expected", of_exact, rows.time, {}};
+  plot::FigureCurve curve{"expected", of_exact, rows.time, {}};
   for (const Real t : rows.time) curve.y.push_back(known_part(t) + mean_rest + slope * (t - mean_t));
   return curve;
 }
 
 /// Upright lines one expected period apart, from the first time that the column crosses its mean.
-FigureCurve marks_of_period(const Rows& rows, Real period)
+plot::FigureCurve marks_of_period(const Rows& rows, Real period)
 {
   constexpr Real gap = std::numeric_limits<Real>::quiet_NaN();
   const auto [low, high] = std::minmax_element(rows.value.begin(), rows.value.end());
   const Real middle = mean(rows.value);
   std::size_t k = 1;
   while (k < rows.value.size() && (rows.value[k - 1] < middle) == (rows.value[k] < middle)) ++k;
-  FigureCurve marks{"expected", of_exact, {}, {}};
+  plot::FigureCurve marks{"expected", of_exact, {}, {}};
   constexpr int most = 50;
   for (int n = 0; n < most && k < rows.value.size() && rows.time[k] + n * period <= rows.time.back(); ++n) {
     const Real t = rows.time[k] + n * period;
@@ -65,7 +65,7 @@ FigureCurve marks_of_period(const Rows& rows, Real period)
 }
 
 /// What is expected of a measure that is a level of the column itself.
-void add_levels(Figure& figure, const Expectation& e, const Rows& rows)
+void add_levels(plot::Figure& figure, const Expectation& e, const Rows& rows)
 {
   const Real offset = e.reading.measure == Measure::change ? rows.value.front() : 0;
   if (e.exact) {
@@ -78,11 +78,11 @@ void add_levels(Figure& figure, const Expectation& e, const Rows& rows)
   if (e.most) figure.curves.push_back(level("most", of_bound, rows, *e.most + offset));
 }
 
-Figure column_figure(const Expectation& e, const History& history)
+plot::Figure column_figure(const Expectation& e, const run_folder::History& history)
 {
-  Figure figure;
+  plot::Figure figure;
   const Reading& reading = e.reading;
-  const auto [name, unit] = name_and_unit(reading.column);
+  const auto [name, unit] = pipe::name_and_unit(reading.column);
   figure.title = fmt::format("{}: {}", name, measure_words[static_cast<std::size_t>(reading.measure)]);
   figure.x_label = "time (s)";
   figure.y_label = unit == "1" ? name : fmt::format("{} ({})", name, unit);
@@ -102,17 +102,17 @@ Figure column_figure(const Expectation& e, const History& history)
   return figure;
 }
 
-Figure order_figure(const Expectation& e, const Finding& finding)
+plot::Figure order_figure(const Expectation& e, const Finding& finding)
 {
-  Figure figure;
-  const auto [name, unit] = name_and_unit(e.reading.column.empty() ? e.reading.quantity : e.reading.column);
+  plot::Figure figure;
+  const auto [name, unit] = pipe::name_and_unit(e.reading.column.empty() ? e.reading.quantity : e.reading.column);
   figure.title = fmt::format("{}: order {:.3g}", name, finding.number);
   figure.x_label = "size over the coarsest, halved each time";
   figure.y_label = fmt::format("|{} - limit|{}", name, unit == "1" ? "" : fmt::format(" ({})", unit));
   figure.width = 800;
   figure.more = "set logscale xy\nset format y '%.0e'\n";
   std::string tics;
-  FigureCurve errors{"berm", "points pt 7 ps 1.4 lc rgb '#1764ab'", {}, {}};
+  plot::FigureCurve errors{"berm", "points pt 7 ps 1.4 lc rgb '#1764ab'", {}, {}};
   for (std::size_t k = 0; k < finding.values.size(); ++k) {
     errors.x.push_back(std::pow(2, -static_cast<Real>(k)));
     tics += fmt::format("{}'{}' {:.9g}", tics.empty() ? "" : ", ", k == 0 ? "1" : fmt::format("1/{}", 1LL << k), errors.x.back());
@@ -124,7 +124,7 @@ Figure order_figure(const Expectation& e, const Finding& finding)
   for (const Real error : errors.y) middle += std::log2(error) / static_cast<Real>(errors.y.size());
   const Real center = (static_cast<Real>(errors.y.size()) - 1) / 2;
   const auto line = [&](const std::string& title, const char* style, Real order) {
-    FigureCurve curve{title, style, errors.x, {}};
+    plot::FigureCurve curve{title, style, errors.x, {}};
     for (std::size_t k = 0; k < errors.x.size(); ++k) curve.y.push_back(std::pow(2, middle - order * (static_cast<Real>(k) - center)));
     return curve;
   };
@@ -144,7 +144,7 @@ bool draw_finding(const std::filesystem::path& folder, const std::string& name, 
   if (finding.values.empty()) return false;
   if (!e.runs.empty()) return !std::isnan(finding.number) && draw_figure(folder, name, order_figure(e, finding));
   if (e.reading.column.empty() || !e.over.empty()) return false;
-  return draw_figure(folder, name, column_figure(e, read_history(run_folder / "history.csv")));
+  return plot::draw_figure(folder, name, column_figure(e, run_folder::read_history(run_folder / "history.csv")));
 }
 
-}  // namespace berm
+}  // namespace berm::verification

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::verification {
 namespace {
 
 std::vector<std::string> names_of(const std::vector<std::pair<std::string, VerificationRun>>& runs)
@@ -129,4 +129,4 @@ bool is_met(const Expectation& e, Real number)
   return std::abs(error_of(e, number)) <= (e.exact ? e.tolerance ? *e.tolerance : *e.absolute_tolerance : 0);
 }
 
-}  // namespace berm
+}  // namespace berm::verification

@@ -3,7 +3,7 @@
 
 #include "verification/observable.hpp"
 
-namespace berm {
+namespace berm::verification {
 
 /// One problem of the verification book: one run of berm.
 struct VerificationRun {
@@ -55,4 +55,4 @@ Real error_of(const Expectation& e, Real number);
 /// Whether a number is as expected; NaN never is.
 bool is_met(const Expectation& e, Real number);
 
-}  // namespace berm
+}  // namespace berm::verification

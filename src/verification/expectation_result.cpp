@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::verification {
 namespace {
 
 std::string percent(Real part)
@@ -52,10 +52,10 @@ bool take_values(Finding& finding, const Example& example, const Expectation& e,
 {
   for (const std::string& run : runs_of(e)) {
     const ProblemResult& result = result_of(run, example, results);
-    if (result.end.kind == JobEnd::Kind::interrupted) return false;
+    if (result.end.kind == jobs::JobEnd::Kind::interrupted) return false;
     finding.verdict = Verdict::failed;
     finding.reason = e.runs.empty() && e.over.empty() ? result.end.reason : fmt::format("{}: {}", run, result.end.reason);
-    if (result.end.kind == JobEnd::Kind::failed) return false;
+    if (result.end.kind == jobs::JobEnd::Kind::failed) return false;
     try {
       finding.values.push_back(evaluate(e.reading, result.folder));
     } catch (const std::exception& error) {
@@ -96,4 +96,4 @@ Finding find_out(const Example& example, const Expectation& e, const std::vector
   return finding;
 }
 
-}  // namespace berm
+}  // namespace berm::verification

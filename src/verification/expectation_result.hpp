@@ -4,12 +4,12 @@
 #include "jobs/jobs.hpp"
 #include "verification/problems.hpp"
 
-namespace berm {
+namespace berm::verification {
 
 /// What came of one problem.
 struct ProblemResult {
   std::filesystem::path folder;  ///< the run folder
-  JobEnd end;
+  jobs::JobEnd end;
 };
 
 enum class Verdict { met, missed, failed, not_run };
@@ -31,4 +31,4 @@ const char* word_of(Verdict verdict);
 /// the verdict is `failed` with the reason, or `not_run`.
 Finding find_out(const Example& example, const Expectation& e, const std::vector<ProblemResult>& results);
 
-}  // namespace berm
+}  // namespace berm::verification

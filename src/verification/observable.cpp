@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <numeric>
 
-namespace berm {
+namespace berm::verification {
 namespace {
 
 constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
@@ -102,10 +102,11 @@ std::string unit_of(const Reading& reading)
   return unit;
 }
 
-Rows rows_of(const Reading& reading, const History& history)
+Rows rows_of(const Reading& reading, const run_folder::History& history)
 {
   if (!history.has(reading.column))
-    throw InputError(fmt::format("the history has no column {}{}", in_quotes(reading.column), suggestion(reading.column, history.columns)));
+    throw InputError(fmt::format("the history has no column {}{}", input::in_quotes(reading.column),
+                                 input::suggestion(reading.column, history.columns)));
   const std::vector<Real>&time = history["time_s"], &value = history[reading.column];
   // The slack is for the round-off in the sum of time steps.
   const Real slack = time.empty() ? 0 : 1e-9 * time.back();
@@ -119,7 +120,7 @@ Rows rows_of(const Reading& reading, const History& history)
   return rows;
 }
 
-Real evaluate(const Reading& reading, const History& history)
+Real evaluate(const Reading& reading, const run_folder::History& history)
 {
   const Rows rows = rows_of(reading, history);
   if (rows.value.empty()) return unknown;
@@ -146,11 +147,11 @@ Real evaluate(const Reading& reading, const History& history)
 
 Real evaluate(const Reading& reading, const std::filesystem::path& run_folder)
 {
-  if (!reading.column.empty()) return evaluate(reading, read_history(run_folder / "history.csv"));
-  const std::optional<RunSummary> summary = read_summary(run_folder);
+  if (!reading.column.empty()) return evaluate(reading, run_folder::read_history(run_folder / "history.csv"));
+  const std::optional<run_folder::RunSummary> summary = run_folder::read_summary(run_folder);
   if (!summary) throw RunError(fmt::format("there is no {}", (run_folder / "summary.json").string()));
   std::vector<std::pair<std::string, Real>> numbers;
-  for (const Quantity& quantity : summary->quantities) numbers.emplace_back(quantity.name, quantity.value);
+  for (const run_folder::Quantity& quantity : summary->quantities) numbers.emplace_back(quantity.name, quantity.value);
   numbers.insert(numbers.end(), summary->checks.begin(), summary->checks.end());
   numbers.insert(numbers.end(), summary->timing.begin(), summary->timing.end());
   std::vector<std::string> names;
@@ -158,8 +159,8 @@ Real evaluate(const Reading& reading, const std::filesystem::path& run_folder)
     if (name == reading.quantity) return value;
     names.push_back(name);
   }
-  throw InputError(
-      one_line(fmt::format("summary.json has no quantity {}{}", in_quotes(reading.quantity), suggestion(reading.quantity, names))));
+  throw InputError(input::one_line(
+      fmt::format("summary.json has no quantity {}{}", input::in_quotes(reading.quantity), input::suggestion(reading.quantity, names))));
 }
 
-}  // namespace berm
+}  // namespace berm::verification

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-namespace berm {
+namespace berm::verification {
 
 /// The one number that is taken from a column of a history over a window of time.
 enum class Measure {
@@ -52,13 +52,13 @@ struct Rows {
 };
 
 /// Throws InputError where the history has no such column.
-Rows rows_of(const Reading& reading, const History& history);
+Rows rows_of(const Reading& reading, const run_folder::History& history);
 
 /// The measure of the column over its window. NaN where the window has too few rows or crossings. Throws InputError as rows_of.
-Real evaluate(const Reading& reading, const History& history);
+Real evaluate(const Reading& reading, const run_folder::History& history);
 
 /// The number, from summary.json or history.csv of a run folder; true is 1, false 0, and what was not finite NaN. Throws InputError where there is
 /// no such quantity or column, RunError where there is no such file.
 Real evaluate(const Reading& reading, const std::filesystem::path& run_folder);
 
-}  // namespace berm
+}  // namespace berm::verification

@@ -2,13 +2,13 @@
 #include "verification/problems.hpp"
 
 #include "core/error.hpp"
-#include "input/reader.hpp"
 #include "input/message_text.hpp"
+#include "input/reader.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::verification {
 namespace {
 
 namespace fs = std::filesystem;
@@ -17,7 +17,7 @@ constexpr const char* expected_file = "expected.toml";
 
 Example read_example(const fs::path& folder)
 {
-  Document document = parse_file(folder / expected_file);
+  input::Document document = input::parse_file(folder / expected_file);
   Expectations all;
   read(document, all);
   const fs::path clean = fs::absolute(folder / "").lexically_normal();
@@ -45,9 +45,10 @@ std::pair<fs::path, std::string> place_of(const std::string& name, const fs::pat
   const std::string example = path.parent_path().string();
   if (!example.empty() && fs::exists(examples / example / expected_file)) return {examples / example, path.filename().string()};
   const std::vector<std::string> known = names_in(examples);
-  const std::string near = nearest(example.empty() ? name : example, known);
-  throw InputError(fmt::format("{} is no example, and no problem EXAMPLE/RUN, of {}{} (examples: {})", in_quotes(name), examples.string(),
-                               near.empty() ? "" : fmt::format("; did you mean {}?", in_quotes(near)), listed(known)));
+  const std::string near = input::nearest(example.empty() ? name : example, known);
+  throw InputError(fmt::format("{} is no example, and no problem EXAMPLE/RUN, of {}{} (examples: {})", input::in_quotes(name),
+                               examples.string(), near.empty() ? "" : fmt::format("; did you mean {}?", input::in_quotes(near)),
+                               input::listed(known)));
 }
 
 using Runs = std::vector<std::pair<std::string, VerificationRun>>;
@@ -64,7 +65,7 @@ void add(std::vector<Example>& chosen, const Example& whole, const std::string& 
     std::vector<std::string> known;
     for (const auto& entry : whole.runs) known.push_back(whole.name + "/" + entry.first);
     const std::string name = whole.name + "/" + run;
-    throw InputError(fmt::format("there is no problem {}{}", in_quotes(name), suggestion(name, known)));
+    throw InputError(fmt::format("there is no problem {}{}", input::in_quotes(name), input::suggestion(name, known)));
   }
   auto example = std::find_if(chosen.begin(), chosen.end(), [&](const Example& other) { return other.name == whole.name; });
   if (example == chosen.end())
@@ -101,4 +102,4 @@ std::vector<Example> find_problems(const ProblemChoice& choice)
   return chosen;
 }
 
-}  // namespace berm
+}  // namespace berm::verification

@@ -3,7 +3,7 @@
 
 #include "verification/expectation.hpp"
 
-namespace berm {
+namespace berm::verification {
 
 /// An example of the verification book, or the part of it that was asked for.
 struct Example {
@@ -24,4 +24,4 @@ struct ProblemChoice {
 /// where nothing is left.
 std::vector<Example> find_problems(const ProblemChoice& choice);
 
-}  // namespace berm
+}  // namespace berm::verification

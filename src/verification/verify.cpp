@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::verification {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,12 +27,12 @@ void print(const std::vector<Row>& rows)
 }
 
 /// The runs of an example as jobs, in their order. Throws InputError where a case cannot be read.
-void add_jobs(std::vector<Job>& jobs, const Example& example, const fs::path& output)
+void add_jobs(std::vector<jobs::Job>& jobs, const Example& example, const fs::path& output)
 {
   for (const auto& [name, run] : example.runs) {
     const fs::path file = example.folder / run.case_file;
     try {
-      read_case(file, run.set);
+      input::read_case(file, run.set);
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: run.{}: {}", (example.folder / "expected.toml").string(), name, error.what()));
     }
@@ -44,10 +44,10 @@ void add_jobs(std::vector<Job>& jobs, const Example& example, const fs::path& ou
 class Teller {
 public:
   explicit Teller(std::size_t count) : count_(count) {}
-  void tell(const std::string& problem, const JobEnd& end, Real wall)
+  void tell(const std::string& problem, const jobs::JobEnd& end, Real wall)
   {
-    if (end.kind == JobEnd::Kind::interrupted) return;
-    const std::string words = end.kind == JobEnd::Kind::failed ? "FAILED: " + end.reason : fmt::format("{:.1f} s", wall);
+    if (end.kind == jobs::JobEnd::Kind::interrupted) return;
+    const std::string words = end.kind == jobs::JobEnd::Kind::failed ? "FAILED: " + end.reason : fmt::format("{:.1f} s", wall);
     fmt::print(stderr, "{:>{}}/{} {}: {}\n", ++done_, fmt::formatted_size("{}", count_), count_, problem, words);
   }
   std::size_t done() const { return done_; }
@@ -76,15 +76,15 @@ void list_problems(const ProblemChoice& choice)
 bool verify(const VerifyRequest& request)
 {
   const std::vector<Example> examples = find_problems(request.choice);
-  std::vector<Job> jobs;
+  std::vector<jobs::Job> jobs;
   for (const Example& example : examples) add_jobs(jobs, example, request.output);
 
   std::vector<ProblemResult> results;
-  for (const Job& job : jobs) results.push_back({job.folder, {}});
+  for (const jobs::Job& job : jobs) results.push_back({job.folder, {}});
   Teller teller(jobs.size());
-  run_jobs(jobs, request.at_once, [&](std::size_t job, const JobEnd& end) {
+  run_jobs(jobs, request.at_once, [&](std::size_t job, const jobs::JobEnd& end) {
     results[job].end = end;
-    teller.tell(fs::relative(jobs[job].folder, request.output).string(), end, wall_time_of(jobs[job].folder));
+    teller.tell(fs::relative(jobs[job].folder, request.output).string(), end, jobs::wall_time_of(jobs[job].folder));
   });
 
   std::vector<Row> rows = {{"problem", "quantity", "exact", "berm", "error", "tolerance", "verdict", "source"}};
@@ -95,7 +95,7 @@ bool verify(const VerifyRequest& request)
     const auto last = first + static_cast<std::ptrdiff_t>(example.runs.size());
     Chapter& chapter = chapters.emplace_back(Chapter{example, {first, last}, {}});
     first = last;
-    for (const ProblemResult& result : chapter.results) all_met = all_met && result.end.kind == JobEnd::Kind::finished;
+    for (const ProblemResult& result : chapter.results) all_met = all_met && result.end.kind == jobs::JobEnd::Kind::finished;
     for (const Expectation& e : example.expectations) {
       const Finding& f = chapter.findings.emplace_back(find_out(example, e, chapter.results));
       rows.push_back(
@@ -111,4 +111,4 @@ bool verify(const VerifyRequest& request)
   return all_met;
 }
 
-}  // namespace berm
+}  // namespace berm::verification

@@ -3,7 +3,7 @@
 
 #include "verification/problems.hpp"
 
-namespace berm {
+namespace berm::verification {
 
 /// What `berm verify` is asked to do.
 struct VerifyRequest {
@@ -20,4 +20,4 @@ void list_problems(const ProblemChoice& choice);
 /// is as expected. Throws InputError and RunError.
 bool verify(const VerifyRequest& request);
 
-}  // namespace berm
+}  // namespace berm::verification

@@ -23,9 +23,9 @@ std::vector<std::string> parts_of(const std::string& text)
 }
 
 /// What is worked out of the settings alone before anything is built.
-void work_out(const Case& c)
+void work_out(const problem::Case& c)
 {
-  for (const StageSettings& stage : c.stage) promise(expected_time(stage) >= 0, "a stage takes time", stage.name);
+  for (const problem::StageSettings& stage : c.stage) promise(expected_time(stage) >= 0, "a stage takes time", stage.name);
 }
 
 }  // namespace
@@ -35,15 +35,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::string> overrides = parts_of(text_of(data, size));
   const std::string text = overrides.front();
   overrides.erase(overrides.begin());
-  Case read;
+  problem::Case read;
   try {
-    read = read_case_text("case.toml", text, overrides);
+    read = input::read_case_text("case.toml", text, overrides);
   } catch (const InputError& error) {
     promise_one_line(error.what());
     return 0;
   }
   work_out(read);
-  const std::string resolved = resolved_toml(read);
-  promise(resolved_toml(read_case_text("resolved.toml", resolved)) == resolved, "resolved.toml reads as the same case", resolved);
+  const std::string resolved = input::resolved_toml(read);
+  promise(input::resolved_toml(input::read_case_text("resolved.toml", resolved)) == resolved, "resolved.toml reads as the same case",
+          resolved);
   return 0;
 }

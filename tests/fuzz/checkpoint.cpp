@@ -10,12 +10,12 @@
 #include "checkpoint/checkpoint_file.hpp"
 #include "core/error.hpp"
 #include "input/read_case.hpp"
+#include "io/atomic_file.hpp"
 #include "mpm/diagnose.hpp"
 #include "mpm/step.hpp"
-#include "run_folder/frame_maker.hpp"
-#include "io/atomic_file.hpp"
 #include "problem/archive_state.hpp"
 #include "problem/stages.hpp"
+#include "run_folder/frame_maker.hpp"
 
 #include <cstring>
 #include <memory>
@@ -95,8 +95,8 @@ constexpr std::size_t header_bytes = 512;
 std::string whole_file()
 {
   const fs::path path = fs::path("/dev/shm") / fmt::format("berm_fuzz_{}.h5", ::getpid());
-  write_checkpoint(path, keep_sample);
-  const std::string bytes = read_whole(path);
+  checkpoint::write_checkpoint(path, keep_sample);
+  const std::string bytes = io::read_whole(path);
   fs::remove(path);
   return bytes;
 }
@@ -108,7 +108,7 @@ std::string with_true_header(const std::string& file)
   std::size_t line = file.find('\n');
   line = file.find('\n', line + 1) + 1;
   std::string header = file.substr(0, line) + fmt::format("{} bytes, CRC-32 {:08x} from byte {} on\n", header_bytes + content.size(),
-                                                          crc_of(content.data(), content.size()), header_bytes);
+                                                          checkpoint::crc_of(content.data(), content.size()), header_bytes);
   header.resize(header_bytes, '\n');
   return header + content;
 }
@@ -117,7 +117,7 @@ void read_file(const std::string& bytes)
 {
   static const MemoryFile file;
   const fs::path& path = file.hold(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-  may_be_refused([&] { read_checkpoint(path, keep_sample); });
+  may_be_refused([&] { checkpoint::read_checkpoint(path, keep_sample); });
 }
 
 void change_header(Input input)
@@ -314,13 +314,13 @@ stage = [{{name = "push", kind = "push", velocity = 0.25, until.time = 1}},
 )";
 
 template <int dim>
-Problem<dim> small_problem()
+problem::Problem<dim> small_problem()
 {
   const auto third = [](const char* text) { return dim == 3 ? text : ""; };
   const std::string text =
       fmt::format(small_case, third(", 0"), third(", 0.125"), third(", 0.25"), third(", 1"), dim,
                   third("support.front = {boundary = \"front\", fixed = [\"z\"]}\nsupport.back = {boundary = \"back\", fixed = [\"z\"]}"));
-  return build<dim>(read_case_text("small.toml", text), "", "/dev/shm");
+  return problem::build<dim>(input::read_case_text("small.toml", text), "", "/dev/shm");
 }
 
 /// A run of the material point method: its state, and what its next frame counts from.
@@ -329,7 +329,7 @@ class SmallRun {
 public:
   SmallRun()
   {
-    Work<dim> work(problem_.model, problem_.state);
+    mpm::Work<dim> work(problem_.model, problem_.state);
     for (int n = 0; n < 37; ++n) step(problem_.model, problem_.state, work);
     frame_maker_.make(problem_.state);
     ToLists to;
@@ -354,23 +354,23 @@ private:
   void keep(Keep& k)
   {
     k.table("increments", [&] { frame_maker_.keep(k); });
-    k.table("state", [&] { berm::keep(k, problem_.model, problem_.state); });
+    k.table("state", [&] { problem::keep(k, problem_.model, problem_.state); });
   }
   void go_on() const
   {
-    State<dim> state = problem_.state;
-    FrameMaker<dim> frames = frame_maker_;
-    Work<dim> work(problem_.model, state);
+    problem::State<dim> state = problem_.state;
+    run_folder::FrameMaker<dim> frames = frame_maker_;
+    mpm::Work<dim> work(problem_.model, state);
     for (int n = 0; n < 2; ++n) {
       step(problem_.model, state, work);
-      refuse_rigid_outside_mesh(problem_.model, state);
+      mpm::refuse_rigid_outside_mesh(problem_.model, state);
       if (stage_ended(problem_.model, state)) break;
     }
     frames.make(state);
   }
 
-  Problem<dim> problem_ = small_problem<dim>();
-  FrameMaker<dim> frame_maker_{problem_.model, problem_.state};
+  problem::Problem<dim> problem_ = small_problem<dim>();
+  run_folder::FrameMaker<dim> frame_maker_{problem_.model, problem_.state};
   Lists whole_;
 };
 

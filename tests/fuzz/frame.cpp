@@ -12,7 +12,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const MemoryFile file;
   const std::filesystem::path& path = file.hold(data, size);
   try {
-    const SavedSoil soil = read_soil(path);
+    const run_folder::SavedSoil soil = run_folder::read_soil(path);
     const std::size_t count = soil.x.size();
     promise(soil.velocity.size() == 3 * count && soil.id.size() == count, "fields have a number for each point", std::to_string(count));
     for (const auto& triangle : soil.triangles)
@@ -21,7 +21,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     promise_one_line(error.what());
   }
   try {
-    const SavedRigids rigids = read_rigids(path);
+    const run_folder::SavedRigids rigids = run_folder::read_rigids(path);
     promise(rigids.types.size() == rigids.cells.size() && rigids.rigid.size() == rigids.cells.size(), "each cell has a type", "");
     for (const auto& cell : rigids.cells)
       for (const Index point : cell)

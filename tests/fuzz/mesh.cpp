@@ -14,10 +14,10 @@ template <int dim>
 void read_in(const std::filesystem::path& path)
 {
   try {
-    const Mesh<dim> mesh = read_msh<dim>(path);
+    const mesh::Mesh<dim> mesh = mesh::read_msh<dim>(path);
     make_patches(mesh, dim == 2 ? 1 : 2);
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-      const Location found = locate(mesh, mesh.centroid(cell), 0);
+      const mesh::Location found = locate(mesh, mesh.centroid(cell), 0);
       promise(found.inside, "a cell's centre lies in the mesh", std::to_string(cell));
     }
   } catch (const InputError& error) {

@@ -17,14 +17,14 @@ namespace {
 constexpr Real most_cells = 50, most_particles = 500;
 constexpr const char* scratch = "/dev/shm";  // a box needs no files
 
-Real cells_of(const BoxMesh& box)
+Real cells_of(const mesh::BoxMesh& box)
 {
   Real cells = 1;
   for (const Real count : box.cells) cells *= count;
   return cells;
 }
 
-Real particles_of(const BodySettings& body, Real cells)
+Real particles_of(const bodies::BodySettings& body, Real cells)
 {
   if (body.disk) return std::pow(body.disk->diameter / body.disk->spacing, 2);
   Real count = 1;
@@ -36,20 +36,20 @@ Real particles_of(const BodySettings& body, Real cells)
   return count;
 }
 
-bool is_small(const Case& c)
+bool is_small(const problem::Case& c)
 {
-  const auto* box = std::get_if<BoxMesh>(&c.mesh);
+  const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh);
   if (box == nullptr || cells_of(*box) > most_cells) return false;
   Real particles = 0;
   for (const auto& entry : c.body) particles += particles_of(entry.second, cells_of(*box));
-  return particles <= most_particles || c.method == Method::fem;
+  return particles <= most_particles || c.method == problem::Method::fem;
 }
 
 template <int dim>
-void make_steps(const Case& c)
+void make_steps(const problem::Case& c)
 {
-  Problem<dim> problem = build<dim>(c, "", scratch);
-  Work<dim> work(problem.model, problem.state);
+  problem::Problem<dim> problem = build<dim>(c, "", scratch);
+  mpm::Work<dim> work(problem.model, problem.state);
   stable_time_step(problem.model, problem.state, work);
   for (int n = 0; n < 3; ++n) {
     step(problem.model, problem.state, work);
@@ -62,10 +62,10 @@ void make_steps(const Case& c)
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   try {
-    const Case c = read_case_text("case.toml", text_of(data, size));
+    const problem::Case c = input::read_case_text("case.toml", text_of(data, size));
     if (!is_small(c)) return 0;
-    if (c.method == Method::fem)
-      build_fem(c, "", scratch);
+    if (c.method == problem::Method::fem)
+      fem::build_fem(c, "", scratch);
     else
       c.dimension == 2 ? make_steps<2>(c) : make_steps<3>(c);
   } catch (const InputError&) {

@@ -4,13 +4,13 @@
 #include "target.hpp"
 
 #include "core/error.hpp"
-#include "run_folder/frame_reader.hpp"
-#include "report/page/page_data.hpp"
-#include "structures/pipe/run_record.hpp"
-#include "report/results/results_section.hpp"
-#include "report/quality/quality_section.hpp"
-#include "report/claims/claims.hpp"
 #include "jobs/jobs.hpp"
+#include "report/claims/claims.hpp"
+#include "report/page/page_data.hpp"
+#include "report/quality/quality_section.hpp"
+#include "report/results/results_section.hpp"
+#include "run_folder/frame_reader.hpp"
+#include "structures/pipe/run_record.hpp"
 #include "verification/observable.hpp"
 
 #include <fstream>
@@ -71,12 +71,13 @@ void may_be_refused(const Work& work)
 /// The numbers that `berm study` and `berm verify` take.
 void take_numbers(const fs::path& folder)
 {
-  Reading reading;
+  verification::Reading reading;
   reading.quantity = "energy_error";
   may_be_refused([&] { evaluate(reading, folder); });
   reading.quantity.clear();
   reading.column = "w_m";
-  for (const Measure measure : {Measure::slope, Measure::acceleration, Measure::period}) {
+  for (const verification::Measure measure :
+       {verification::Measure::slope, verification::Measure::acceleration, verification::Measure::period}) {
     reading.measure = measure;
     may_be_refused([&] { evaluate(reading, folder); });
   }
@@ -85,11 +86,11 @@ void take_numbers(const fs::path& folder)
 void write_sections(const fs::path& folder)
 {
   may_be_refused([&] {
-    const std::vector<RunRecord> runs = {read_run(folder)};
-    run_data(runs[0]);
-    results_section(runs);
-    quality_section(runs);
-    claims_section(runs);
+    const std::vector<pipe::RunRecord> runs = {pipe::read_run(folder)};
+    report::run_data(runs[0]);
+    report::results_section(runs);
+    report::quality_section(runs);
+    report::claims_section(runs);
   });
 }
 
@@ -103,14 +104,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const char* file = kind == 's' ? "summary.json" : kind == 'l' ? "run.log" : kind == 'p' ? "frames/frames.pvd" : "history.csv";
   folder.hold(file, text.empty() ? "" : text.substr(1));
   if (kind == 'p') {
-    may_be_refused([&] { frame_files(folder.path() / "frames"); });
+    may_be_refused([&] { run_folder::frame_files(folder.path() / "frames"); });
     return 0;
   }
   write_sections(folder.path());
   if (kind != 'l') take_numbers(folder.path());
   if (kind == 's') {
-    wall_time_of(folder.path());
-    has_result({folder.path() / "resolved.toml", {}, folder.path(), false});
+    jobs::wall_time_of(folder.path());
+    jobs::has_result({folder.path() / "resolved.toml", {}, folder.path(), false});
   }
   return 0;
 }

@@ -4,8 +4,8 @@
 
 #include "core/error.hpp"
 #include "input/reader.hpp"
-#include "verification/expectation.hpp"
 #include "study/study_settings.hpp"
+#include "verification/expectation.hpp"
 
 using namespace berm;
 
@@ -13,7 +13,7 @@ namespace {
 
 void promise_file_name(const std::string& name)
 {
-  const std::string file = as_file_name(name);
+  const std::string file = study::as_file_name(name);
   const bool inside = !file.empty() && file.find('/') == std::string::npos && file.find_first_not_of('.') != std::string::npos;
   promise(inside, "a name as a file stays in its folder", file);
 }
@@ -24,15 +24,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
   static const MemoryFile file;
   try {
-    const Study study = read_study(file.hold(data, size));
-    for (const StudyCase& c : study.cases) promise_file_name(c.name);
-    for (const StudyFigure& figure : study.figure) promise_file_name(figure.name);
+    const study::Study study = study::read_study(file.hold(data, size));
+    for (const study::StudyCase& c : study.cases) promise_file_name(c.name);
+    for (const study::StudyFigure& figure : study.figure) promise_file_name(figure.name);
   } catch (const InputError& error) {
     promise_one_line(error.what());
   }
   try {
-    Document document = parse_text("expected.toml", text_of(data, size));
-    Expectations all;
+    input::Document document = input::parse_text("expected.toml", text_of(data, size));
+    verification::Expectations all;
     read(document, all);
   } catch (const InputError& error) {
     promise_one_line(error.what());

@@ -13,18 +13,18 @@ namespace {
 struct Approach {
   const char* name;
   Real along, towards;
-  Grip grip;
+  contact::Grip grip;
 };
 
 constexpr Approach approaches[] = {
-    {"open", 0.3, -0.1, Grip::open}, {"sticks", 0.02, 0.1, Grip::sticks}, {"slides", 0.3, 0.1, Grip::slides}};
+    {"open", 0.3, -0.1, contact::Grip::open}, {"sticks", 0.02, 0.1, contact::Grip::sticks}, {"slides", 0.3, 0.1, contact::Grip::slides}};
 
 template <int dim>
 void correct_points(benchmark::State& state, const Approach& approach)
 {
   constexpr int count = 256;
   constexpr Real mass = 0.2, turn = 0.05;
-  const Interface interface = {.friction = 0.43, .adhesion_impulse = 0, .allowed_approach = 0.01};
+  const contact::Interface interface = {.friction = 0.43, .adhesion_impulse = 0, .allowed_approach = 0.01};
   std::vector<Vec<dim>> normal(count, Vec<dim>::Zero()), relative(count), impulse(count);
   for (int p = 0; p < count; ++p) {
     Vec<dim> along = Vec<dim>::Zero();

@@ -15,11 +15,11 @@ void axes_of_part(benchmark::State& state)
   SymTensor<3, WidePart> stress;
   for (int l = 0; l < count; ++l)
     for (int k = 0; k < 6; ++k) stress[k][l] = turned<3>(trial, 0.3 + 0.1 * l)[k];
-  PrincipalAxes<WidePart> axes;
+  material::PrincipalAxes<WidePart> axes;
 
   for (auto _ : state) {
     benchmark::DoNotOptimize(stress);
-    axes = principal_axes(stress);
+    axes = material::principal_axes(stress);
     benchmark::DoNotOptimize(axes);
   }
   state.SetItemsProcessed(state.iterations() * count);

@@ -12,8 +12,8 @@ namespace {
 template <int dim>
 void find_cells(benchmark::State& state, Real cells_along_side)
 {
-  const Mesh<dim> mesh =
-      make_box<dim>({.lower = {}, .size = std::vector<Real>(dim, 1.), .cells = std::vector<Real>(dim, cells_along_side)});
+  const mesh::Mesh<dim> mesh =
+      mesh::make_box<dim>({.lower = {}, .size = std::vector<Real>(dim, 1.), .cells = std::vector<Real>(dim, cells_along_side)});
   std::vector<Vec<dim>> points;
   std::vector<Index> starts;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
@@ -21,7 +21,7 @@ void find_cells(benchmark::State& state, Real cells_along_side)
     starts.push_back(mesh.neighbor(c, 0));
     for (int k = 1; k <= dim; ++k) starts.back() = std::max(starts.back(), mesh.neighbor(c, k));
   }
-  std::vector<Location> found(points.size());
+  std::vector<mesh::Location> found(points.size());
 
   for (auto _ : state) {
     for (std::size_t p = 0; p < points.size(); ++p) found[p] = locate(mesh, points[p], starts[p]);

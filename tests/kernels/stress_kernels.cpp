@@ -13,7 +13,7 @@ template <int dim>
 void update_part(benchmark::State& state, const Trial& trial)
 {
   constexpr int count = lanes_of<WidePart>;
-  const PreparedMohrCoulomb law = trial_sand();
+  const material::PreparedMohrCoulomb law = trial_sand();
   SymTensor<dim, WidePart> begin, end, strain{};
   for (int l = 0; l < count; ++l)
     for (int k = 0; k < tensor_size<dim>; ++k) begin[k][l] = turned<dim>(trial, 0.3 + 0.1 * l)[k];

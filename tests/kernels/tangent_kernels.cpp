@@ -11,9 +11,9 @@ namespace {
 
 void differentiate_point(benchmark::State& state, const Trial& trial)
 {
-  const PreparedMohrCoulomb law = trial_sand();
+  const material::PreparedMohrCoulomb law = trial_sand();
   SymTensor<2> begin = turned<2>(trial, 0.3), strain, end;
-  Tangent tangent;
+  material::Tangent tangent;
 
   for (auto _ : state) {
     benchmark::DoNotOptimize(begin);

@@ -8,9 +8,9 @@
 namespace berm {
 
 /// Sand with a little cohesion, and no dilation as in most examples: a return that does not change the mean stress.
-inline PreparedMohrCoulomb trial_sand()
+inline material::PreparedMohrCoulomb trial_sand()
 {
-  MohrCoulomb law;
+  material::MohrCoulomb law;
   law.density = 1600;
   law.young_modulus = 7e6;
   law.poisson_ratio = 0.25;
@@ -42,7 +42,7 @@ SymTensor<dim> turned(const Trial& trial, Real angle)
   Real tilt_c = 1, tilt_s = 0;
   if constexpr (dim == 3) tilt_c = std::cos(2 * angle), tilt_s = std::sin(2 * angle);
   const Real direction[3][3] = {{c, s * tilt_c, s * tilt_s}, {0, -tilt_s, tilt_c}, {-s, c * tilt_c, c * tilt_s}};
-  const SymTensor<3> stress = tensor_from(trial.principal, direction);
+  const SymTensor<3> stress = material::tensor_from(trial.principal, direction);
   SymTensor<dim> part;
   std::copy_n(stress.c, tensor_size<dim>, part.c);
   return part;
@@ -55,7 +55,7 @@ bool ends_there(const Trial& trial, const SymTensor<dim>& begin, const SymTensor
   const bool stays = std::equal(begin.c, begin.c + tensor_size<dim>, end.c);
   SymTensor<3> stress;
   std::copy_n(end.c, tensor_size<dim>, stress.c);
-  const PrincipalAxes<Real> axes = principal_axes(stress);
+  const material::PrincipalAxes<Real> axes = material::principal_axes(stress);
   constexpr Real rounding = 1e-6;  // Pa
   const int equal = (axes.value[0] - axes.value[1] < rounding) + (axes.value[1] - axes.value[2] < rounding);
   return stays == trial.stays && equal == trial.equal;

@@ -8,20 +8,20 @@ namespace berm {
 namespace {
 
 /// A block of 0.4 m x 0.4 m, 1000 kg/m3, whose lower rim is at y = 0.2 m, and a plane at y = level; cells of 0.1 m.
-Case block_over_plane(Real level)
+problem::Case block_over_plane(Real level)
 {
-  Case c = elastic_box(2, {1, 1.5}, {10, 15}, 1e6, 0.2, 1000);
-  BlockSettings block;
+  problem::Case c = elastic_box(2, {1, 1.5}, {10, 15}, 1e6, 0.2, 1000);
+  bodies::BlockSettings block;
   block.center = {0.5, 0.4};
   block.size = {0.4, 0.4};
   block.spacing = 0.1 / 3;
   c.body[0].second.regions.clear();
   c.body[0].second.block = block;
-  RigidSettings plane;
-  plane.shape = HalfPlaneSettings{{0, level}, {0, 1}};
+  bodies::RigidSettings plane;
+  plane.shape = bodies::HalfPlaneSettings{{0, level}, {0, 1}};
   plane.mass = 1;
   c.rigid = {{"plane", plane}};
-  ContactSettings contact;
+  contact::ContactSettings contact;
   contact.body = "body";
   contact.rigid = "plane";
   contact.friction_angle = 0.4;
@@ -31,12 +31,12 @@ Case block_over_plane(Real level)
 
 TEST(Damping, does_not_act_at_the_contact_so_that_the_reaction_of_a_resting_block_is_its_weight)
 {
-  Case c = block_over_plane(0.2);
+  problem::Case c = block_over_plane(0.2);
   c.gravity = {0, -10};
   c.body[0].second.damping = 0.9;
   Simulation<2> run(c);
   run.run_until(4);
-  const Real weight = 10 * measure(run.state().particles[0]).mass;
+  const Real weight = 10 * mpm::measure(run.state().particles[0]).mass;
   EXPECT_NEAR(run.state().rigids[0].reaction[1] / -weight, 1, 1e-6);
   EXPECT_NEAR(run.state().rigids[0].reaction[0] / weight, 0, 1e-6);
 }
@@ -46,17 +46,17 @@ TEST(Damping, hardly_adds_to_the_reaction_of_a_block_that_is_moved_at_constant_s
   // Damping opposes the motion by a part of the unbalanced forces inside, which are there only because particles cross cells. Where it acted on the
   // contact's nodes too, it would add its factor.
   const auto reaction_over_weight = [](Real factor) {
-    Case c = block_over_plane(0.2);
+    problem::Case c = block_over_plane(0.2);
     c.gravity = {0, -10};
     c.body[0].second.damping = factor;
-    c.stage[0].kind = StageKind::push;
+    c.stage[0].kind = problem::StageKind::push;
     c.stage[0].velocity = -0.1;  // upwards
     c.stage[0].ramp = 0.2;
     Simulation<2> run(c);
     run.run_until(1);
     const Real impulse = run.state().rigids[0].impulse[1], begin = run.state().time;
     run.run_until(3);
-    return (run.state().rigids[0].impulse[1] - impulse) / (run.state().time - begin) / (10 * measure(run.state().particles[0]).mass);
+    return (run.state().rigids[0].impulse[1] - impulse) / (run.state().time - begin) / (10 * mpm::measure(run.state().particles[0]).mass);
   };
   EXPECT_NEAR(reaction_over_weight(0), 1, 0.002);
   EXPECT_NEAR(reaction_over_weight(0.1), 1, 0.06);
@@ -64,19 +64,19 @@ TEST(Damping, hardly_adds_to_the_reaction_of_a_block_that_is_moved_at_constant_s
 
 TEST(Bounce, energy_is_kept_stored_or_lost_at_the_contact)
 {
-  Case c = block_over_plane(0.18);
-  std::get<BoxMesh>(c.mesh).cells = {20, 30};
+  problem::Case c = block_over_plane(0.18);
+  std::get<mesh::BoxMesh>(c.mesh).cells = {20, 30};
   c.body[0].second.block->spacing = 0.05 / 3;
-  InitialVelocity motion;
+  bodies::InitialVelocity motion;
   motion.amplitude = {0, -0.5};
   c.body[0].second.initial_velocity = {motion};
   Simulation<2> run(c);
-  const Real first = measure(run.state().particles[0]).kinetic;
+  const Real first = mpm::measure(run.state().particles[0]).kinetic;
   Real worst = 0, last = 0;
   // Until it is on its way back: a second touch would be a collision of single nodes, whose loss the particles feel only in part.
   run.run_until(0.1, [&] {
-    const auto now = measure(run.state().particles[0]);
-    const Totals<2>& t = run.state().totals;
+    const auto now = mpm::measure(run.state().particles[0]);
+    const problem::Totals<2>& t = run.state().totals;
     worst = std::max(worst, std::abs(now.kinetic + t.internal + t.friction + t.damping - t.external - first));
     last = now.momentum[1];
   });

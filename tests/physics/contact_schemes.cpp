@@ -8,25 +8,25 @@ namespace berm {
 namespace {
 
 /// A block of 0.4 m x 0.2 m with 4 particles a square on a plane that leans by `angle` against the mesh; gravity of 10 m/s2 grows within 0.1 s.
-Case block_on_incline(Scheme scheme, Detection detection, Real friction_angle)
+problem::Case block_on_incline(contact::Scheme scheme, contact::Detection detection, Real friction_angle)
 {
   constexpr Real angle = pi / 6;
-  Case c = elastic_box(2, {2, 1.6}, {20, 16}, 1e6, 0.3, 1000);
+  problem::Case c = elastic_box(2, {2, 1.6}, {20, 16}, 1e6, 0.3, 1000);
   c.gravity = {0, -10};
   c.gravity_ramp = 0.1;
   const Vec<2> base(0.6, 1.1), along(std::cos(angle), -std::sin(angle)), up(std::sin(angle), std::cos(angle));
   const Vec<2> center = base + 0.1 * up;
-  BlockSettings block;
+  bodies::BlockSettings block;
   block.center = {center[0], center[1]};
   block.size = {0.4, 0.2};
   block.angle = -angle;
   block.spacing = 0.05;
   c.body[0].second.regions.clear();
   c.body[0].second.block = block;
-  RigidSettings plane;
-  plane.shape = HalfPlaneSettings{{base[0], base[1]}, {up[0], up[1]}};
+  bodies::RigidSettings plane;
+  plane.shape = bodies::HalfPlaneSettings{{base[0], base[1]}, {up[0], up[1]}};
   c.rigid = {{"plane", plane}};
-  ContactSettings contact;
+  contact::ContactSettings contact;
   contact.body = "body";
   contact.rigid = "plane";
   contact.friction_angle = friction_angle;
@@ -42,16 +42,16 @@ struct Slide {
 
 /// Mean acceleration along the plane from 0.2 s to 0.6 s, how far the block's middle has come nearer to it, and how far it has gone along it in that
 /// time. m/s2, m
-Slide slide(const Case& c)
+Slide slide(const problem::Case& c)
 {
   const Vec<2> along(std::cos(pi / 6), -0.5), up(0.5, std::cos(pi / 6));
   Simulation<2> run(c);
-  const auto first = measure(run.state().particles[0]);
+  const auto first = mpm::measure(run.state().particles[0]);
   run.run_until(0.2);
   const Real begin = run.state().time;
-  const auto before = measure(run.state().particles[0]);
+  const auto before = mpm::measure(run.state().particles[0]);
   run.run_until(0.6);
-  const auto after = measure(run.state().particles[0]);
+  const auto after = mpm::measure(run.state().particles[0]);
   return {(after.momentum - before.momentum).dot(along) / after.mass / (run.state().time - begin),
           (first.moment - after.moment).dot(up) / after.mass, (after.moment - before.moment).dot(along) / after.mass};
 }
@@ -59,8 +59,8 @@ Slide slide(const Case& c)
 TEST(BlockOnIncline, slides_as_coulomb_says_across_the_mesh_with_4_particles_a_square)
 {
   const Real friction_angle = std::atan(0.3), exact = 10 * (0.5 - 0.3 * std::cos(pi / 6));
-  for (const Scheme scheme : {Scheme::two_sided, Scheme::twice, Scheme::once, Scheme::usf})
-    for (const Detection detection : {Detection::particle, Detection::gap}) {
+  for (const contact::Scheme scheme : {contact::Scheme::two_sided, contact::Scheme::twice, contact::Scheme::once, contact::Scheme::usf})
+    for (const contact::Detection detection : {contact::Detection::particle, contact::Detection::gap}) {
       SCOPED_TRACE(testing::Message() << "scheme " << static_cast<int>(scheme) << ", detection " << static_cast<int>(detection));
       const Slide result = slide(block_on_incline(scheme, detection, friction_angle));
       EXPECT_NEAR(result.acceleration, exact, 0.01 * exact);  // the mean of less than ten swings of the block
@@ -71,57 +71,57 @@ TEST(BlockOnIncline, slides_as_coulomb_says_across_the_mesh_with_4_particles_a_s
 TEST(BlockOnIncline, stays_where_friction_is_enough_and_where_it_is_stuck)
 {
   // 2e-5 of a free slide. The block swings along the plane by some 1e-4 m/s, which says nothing of how it creeps.
-  const Case sticks = block_on_incline(Scheme::two_sided, Detection::particle, 31 * pi / 180);
+  const problem::Case sticks = block_on_incline(contact::Scheme::two_sided, contact::Detection::particle, 31 * pi / 180);
   EXPECT_NEAR(slide(sticks).slip, 0, 2e-5 * 0.5 * 5 * 0.4 * 0.4);
   // One velocity field: it stays without any friction.
-  EXPECT_NEAR(slide(block_on_incline(Scheme::sticky, Detection::overlap, 0)).acceleration, 0, 0.05 * 5);
+  EXPECT_NEAR(slide(block_on_incline(contact::Scheme::sticky, contact::Detection::overlap, 0)).acceleration, 0, 0.05 * 5);
 }
 
 TEST(TwoSidedCorrection, makes_no_energy_in_a_block_that_rests)
 {
-  const auto kinetic_at_rest = [](Scheme scheme) {
-    Simulation<2> run(block_on_incline(scheme, Detection::particle, 40 * pi / 180));
+  const auto kinetic_at_rest = [](contact::Scheme scheme) {
+    Simulation<2> run(block_on_incline(scheme, contact::Detection::particle, 40 * pi / 180));
     run.run_until(1);
-    return measure(run.state().particles[0]).kinetic;
+    return mpm::measure(run.state().particles[0]).kinetic;
   };
-  const Real two_sided = kinetic_at_rest(Scheme::two_sided), published = kinetic_at_rest(Scheme::twice);
+  const Real two_sided = kinetic_at_rest(contact::Scheme::two_sided), published = kinetic_at_rest(contact::Scheme::twice);
   EXPECT_LT(two_sided, 0.1 * published);
 }
 
 TEST(Detection, by_overlap_holds_soil_farther_off_than_by_gap_and_by_particle)
 {
-  const auto gap_of = [](Detection detection) {
-    Case c = pipe_in_sand();
+  const auto gap_of = [](contact::Detection detection) {
+    problem::Case c = pipe_in_sand();
     c.contact[0].second.detection = detection;
     Simulation<2> run(c);
     take_steps(run, 200);
-    const RigidState<2>& pipe = run.state().rigids[0];
+    const bodies::RigidState<2>& pipe = run.state().rigids[0];
     return pipe.pressed_distance / pipe.pressed;
   };
-  const Real overlap = gap_of(Detection::overlap);
-  EXPECT_LT(gap_of(Detection::gap), 0.8 * overlap);
-  EXPECT_LT(gap_of(Detection::particle), 0.8 * overlap);
+  const Real overlap = gap_of(contact::Detection::overlap);
+  EXPECT_LT(gap_of(contact::Detection::gap), 0.8 * overlap);
+  EXPECT_LT(gap_of(contact::Detection::particle), 0.8 * overlap);
 }
 
 TEST(UpdateStressFirst, keeps_the_energy_of_a_free_block_that_swings)
 {
   // The floor is far away: contact plays no part but to choose the order of the step.
-  const auto energy_after = [](Scheme scheme) {
-    Case c = block_on_incline(scheme, Detection::gap, 0.3);
+  const auto energy_after = [](contact::Scheme scheme) {
+    problem::Case c = block_on_incline(scheme, contact::Detection::gap, 0.3);
     c.gravity.clear();
-    InitialVelocity wave;
+    bodies::InitialVelocity wave;
     wave.amplitude = {0.5, 0};
     wave.wave_number = {10, 0};
     c.body[0].second.initial_velocity = {wave};
-    c.rigid[0].second.shape = HalfPlaneSettings{{0, 0.1}, {0, 1}};
+    c.rigid[0].second.shape = bodies::HalfPlaneSettings{{0, 0.1}, {0, 1}};
     Simulation<2> run(c);
-    const Real first = measure(run.state().particles[0]).kinetic;
+    const Real first = mpm::measure(run.state().particles[0]).kinetic;
     run.run_until(0.02);
-    return (measure(run.state().particles[0]).kinetic + run.state().totals.internal) / first;
+    return (mpm::measure(run.state().particles[0]).kinetic + run.state().totals.internal) / first;
   };
-  EXPECT_NEAR(energy_after(Scheme::usf), 1, 0.05);
-  EXPECT_NEAR(energy_after(Scheme::twice), 1, 0.05);
-  EXPECT_NE(energy_after(Scheme::usf), energy_after(Scheme::twice));
+  EXPECT_NEAR(energy_after(contact::Scheme::usf), 1, 0.05);
+  EXPECT_NEAR(energy_after(contact::Scheme::twice), 1, 0.05);
+  EXPECT_NE(energy_after(contact::Scheme::usf), energy_after(contact::Scheme::twice));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace berm {
 namespace {
 
-SupportSettings held(const char* boundary, std::vector<std::string> directions)
+boundary::SupportSettings held(const char* boundary, std::vector<std::string> directions)
 {
   return {boundary, std::move(directions)};
 }
@@ -18,13 +18,13 @@ Real bar_period_ratio()
 {
   constexpr Real length = 25, young_modulus = 100, density = 1, v0 = 0.1;
   std::vector<Real> size = {length, 1}, cells = {50, 2};
-  InitialVelocity mode{{v0, 0}, {pi / (2 * length), 0}, 0};
+  bodies::InitialVelocity mode{{v0, 0}, {pi / (2 * length), 0}, 0};
   if (dim == 3) size.push_back(1), cells.push_back(2), mode.amplitude.push_back(0), mode.wave_number.push_back(0);
-  Case c = elastic_box(dim, size, cells, young_modulus, 0, density);
+  problem::Case c = elastic_box(dim, size, cells, young_modulus, 0, density);
   // The mesh ends at the tip, so a moving tip needs room: the body fills the mesh but for one column of cells.
-  std::get<BoxMesh>(c.mesh).size[0] += length / 50;
-  std::get<BoxMesh>(c.mesh).cells[0] += 1;
-  BlockSettings block;
+  std::get<mesh::BoxMesh>(c.mesh).size[0] += length / 50;
+  std::get<mesh::BoxMesh>(c.mesh).cells[0] += 1;
+  bodies::BlockSettings block;
   block.center = {length / 2, 0.5};
   block.size = {length, 1};
   if (dim == 3) block.center.push_back(0.5), block.size.push_back(1);
@@ -38,9 +38,9 @@ Real bar_period_ratio()
   // Zero crossings of the momentum: the first at a quarter of the period, the next at three quarters.
   Simulation<dim> run(c);
   std::vector<Real> crossings;
-  Real before = measure(run.state().particles[0]).momentum[0], time_before = 0;
+  Real before = mpm::measure(run.state().particles[0]).momentum[0], time_before = 0;
   run.run_until(12, [&] {
-    const Real now = measure(run.state().particles[0]).momentum[0];
+    const Real now = mpm::measure(run.state().particles[0]).momentum[0];
     if (before * now < 0) crossings.push_back(time_before + (run.state().time - time_before) * before / (before - now));
     before = now;
     time_before = run.state().time;
@@ -56,7 +56,7 @@ Real column_settlement_ratio()
   constexpr Real height = 1, young_modulus = 1e8, density = 1000, g = 10;
   std::vector<Real> size = {0.1, height}, cells = {2, 20};
   if (dim == 3) size.push_back(0.1), cells.push_back(2);
-  Case c = elastic_box(dim, size, cells, young_modulus, 0, density);
+  problem::Case c = elastic_box(dim, size, cells, young_modulus, 0, density);
   c.gravity = {0, -g};
   c.support = {{"bottom", held("bottom", {"y"})}, {"left", held("left", {"x"})}, {"right", held("right", {"x"})}};
   if (dim == 3) {
@@ -66,9 +66,9 @@ Real column_settlement_ratio()
   }
   c.body[0].second.damping = 0.3;
   Simulation<dim> run(c);
-  const Real before = measure(run.state().particles[0]).moment[1];
+  const Real before = mpm::measure(run.state().particles[0]).moment[1];
   run.run_until(0.2);
-  const auto after = measure(run.state().particles[0]);
+  const auto after = mpm::measure(run.state().particles[0]);
   // The centre of mass settles by rho g L^2 / (3 E): the mean of u(y) = rho g (L y - y^2 / 2) / E.
   return (before - after.moment[1]) / after.mass / (density * g * height * height / (3 * young_modulus));
 }

@@ -8,22 +8,22 @@ namespace berm {
 namespace {
 
 /// A free cylinder of 0.4 m and 200 kg/m, 5 mm above an elastic bed of 2 m x 0.5 m on a fixed base.
-Case cylinder_over_bed()
+problem::Case cylinder_over_bed()
 {
-  Case c = elastic_box(2, {2, 1}, {40, 20}, 1e6, 0.3, 1000);
-  BlockSettings bed;
+  problem::Case c = elastic_box(2, {2, 1}, {40, 20}, 1e6, 0.3, 1000);
+  bodies::BlockSettings bed;
   bed.center = {1, 0.25};
   bed.size = {2, 0.5};
   bed.spacing = 0.05 / 3;
   c.body[0].second.regions.clear();
   c.body[0].second.block = bed;
   c.support = {{"base", {"bottom", {"x", "y"}}}};
-  RigidSettings cylinder;
-  cylinder.shape = CircleSettings{{1.01, 0.705}, 0.4};
+  bodies::RigidSettings cylinder;
+  cylinder.shape = bodies::CircleSettings{{1.01, 0.705}, 0.4};
   cylinder.mass = 200;
-  cylinder.motion = Motion::free;
+  cylinder.motion = bodies::Motion::free;
   c.rigid = {{"cylinder", cylinder}};
-  ContactSettings contact;
+  contact::ContactSettings contact;
   contact.body = "body";
   contact.rigid = "cylinder";
   c.contact = {{"contact", contact}};
@@ -32,12 +32,12 @@ Case cylinder_over_bed()
 
 TEST(FreeCylinder, falls_as_gravity_says_until_it_touches)
 {
-  Case c = cylinder_over_bed();
+  problem::Case c = cylinder_over_bed();
   c.gravity = {1, -10};
   c.contact.clear();
   Simulation<2> run(c);
   run.run_until(0.1);
-  const RigidState<2>& cylinder = run.state().rigids[0];
+  const bodies::RigidState<2>& cylinder = run.state().rigids[0];
   const Real t = run.state().time;
   EXPECT_NEAR((cylinder.velocity - t * Vec<2>(1, -10)).norm(), 0, 1e-12);
   // Each step moves it by the velocity at its end: g t dt / 2 too far.
@@ -46,17 +46,17 @@ TEST(FreeCylinder, falls_as_gravity_says_until_it_touches)
 
 TEST(FreeCylinder, gives_the_bed_the_momentum_that_it_loses_and_energy_balances)
 {
-  Case c = cylinder_over_bed();
+  problem::Case c = cylinder_over_bed();
   c.mpm.courant = 0.125;
   Simulation<2> run(c);
-  RigidState<2>& cylinder = run.state().rigids[0];
-  const Rigid<2>& body = run.model().rigids[0];
+  bodies::RigidState<2>& cylinder = run.state().rigids[0];
+  const bodies::Rigid<2>& body = run.model().rigids[0];
   cylinder.velocity = {0, -0.5};
   const Real first = kinetic_energy(body, cylinder);
   Real worst = 0, slowest = infinity;
   run.run_until(0.15, [&] {
-    const Totals<2>& t = run.state().totals;
-    const Real kinetic = measure(run.state().particles[0]).kinetic + kinetic_energy(body, cylinder);
+    const problem::Totals<2>& t = run.state().totals;
+    const Real kinetic = mpm::measure(run.state().particles[0]).kinetic + kinetic_energy(body, cylinder);
     worst = std::max(worst, std::abs(kinetic + t.internal + t.friction + t.damping - t.external - first));
     slowest = std::min(slowest, kinetic_energy(body, cylinder));
     // What the soil gave it by the step before is what it has got by now.
@@ -70,13 +70,13 @@ TEST(FreeCylinder, gives_the_bed_the_momentum_that_it_loses_and_energy_balances)
 
 TEST(FreeCylinder, is_turned_by_friction_as_much_as_the_bed_is_turned_back)
 {
-  Case c = cylinder_over_bed();
-  std::get<CircleSettings>(c.rigid[0].second.shape).center[1] = 0.695;  // 5 mm in the bed: it is pressed from the start
+  problem::Case c = cylinder_over_bed();
+  std::get<bodies::CircleSettings>(c.rigid[0].second.shape).center[1] = 0.695;  // 5 mm in the bed: it is pressed from the start
   c.gravity = {2, -10};
-  c.rigid[0].second.rotation = Rotation::free;
+  c.rigid[0].second.rotation = bodies::Rotation::free;
   c.contact[0].second.friction_angle = 0.2;
   Simulation<2> run(c);
-  const RigidState<2>& cylinder = run.state().rigids[0];
+  const bodies::RigidState<2>& cylinder = run.state().rigids[0];
   run.run_until(0.1);
   EXPECT_LT(cylinder.spin, -0.1);  // it goes along x on top of the bed, so it rolls clockwise
   // I times its spin, and the moment that its contacts gave to the bed, but for the last step's, which acts in the next.

@@ -9,13 +9,13 @@ namespace {
 
 constexpr Real weight_density = 900, inertia = 2400, gravity = 10;
 
-Case submerged_block(bool held)
+problem::Case submerged_block(bool held)
 {
-  Case c = elastic_box(2, {1, 1}, {8, 8}, 1e6, 0.2, weight_density);
-  std::get<LinearElastic>(c.material[0].second).inertia_density = inertia;
+  problem::Case c = elastic_box(2, {1, 1}, {8, 8}, 1e6, 0.2, weight_density);
+  std::get<material::LinearElastic>(c.material[0].second).inertia_density = inertia;
   c.gravity = {0, -gravity};
   c.body[0].second.regions.clear();
-  BlockSettings block;
+  bodies::BlockSettings block;
   block.center = {0.5, held ? 0.25 : 0.7};
   block.size = {1, 0.5};
   block.spacing = 0.0625;
@@ -29,16 +29,16 @@ TEST(InertiaDensity, slows_a_free_fall_down_to_the_weight_over_the_inertia)
   Simulation<2> run(submerged_block(false));
   run.run_until(0.1);
   const Real t = run.state().time, acceleration = gravity * weight_density / inertia;
-  const BodySums<2> sums = measure(run.state().particles[0]);
+  const mpm::BodySums<2> sums = mpm::measure(run.state().particles[0]);
   EXPECT_NEAR(sums.mass, inertia * 0.5, 1e-9);
   EXPECT_NEAR(sums.momentum[1] / sums.mass, -acceleration * t, 1e-10);
   EXPECT_NEAR(run.state().totals.external, sums.kinetic, 1e-10 * sums.kinetic);
-  EXPECT_LT(momentum_error(run.state()), 1e-12);
+  EXPECT_LT(mpm::momentum_error(run.state()), 1e-12);
 }
 
 TEST(InertiaDensity, leaves_the_weight_on_the_ground_as_it_is)
 {
-  Case c = submerged_block(true);
+  problem::Case c = submerged_block(true);
   c.body[0].second.damping = 0.5;
   Simulation<2> run(c);
   run.run_until(1);
@@ -54,8 +54,8 @@ TEST(InertiaDensity, slows_the_waves_that_the_time_step_comes_from)
   Simulation<2> run(submerged_block(true));
   step(run.model(), run.state(), run.work);
   const Real slow = run.state().dt;
-  Case c = submerged_block(true);
-  std::get<LinearElastic>(c.material[0].second).inertia_density.reset();
+  problem::Case c = submerged_block(true);
+  std::get<material::LinearElastic>(c.material[0].second).inertia_density.reset();
   Simulation<2> quick(c);
   step(quick.model(), quick.state(), quick.work);
   EXPECT_NEAR(slow / quick.state().dt, std::sqrt(inertia / weight_density), 1e-12);

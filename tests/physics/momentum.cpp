@@ -10,7 +10,7 @@ namespace {
 // Some 1e3 additions of forces that nearly cancel: 1e-16 times their number, with a wide margin.
 constexpr Real round_off = 1e-12;
 
-std::vector<Real> masses(const State<2>& state)
+std::vector<Real> masses(const problem::State<2>& state)
 {
   std::vector<Real> all;
   for (const auto& p : all_particles(state)) all.push_back(p.mass);
@@ -22,13 +22,13 @@ TEST(Momentum, is_what_gravity_contact_supports_and_damping_gave_while_a_pipe_is
   Simulation<2> run(pipe_in_sand());
   const auto mass = masses(run.state());
   take_steps(run, 300);
-  EXPECT_LT(momentum_error(run.state()), round_off);
+  EXPECT_LT(mpm::momentum_error(run.state()), round_off);
   next_stage(run);
   take_steps(run, 300);
-  EXPECT_LT(momentum_error(run.state()), round_off);
+  EXPECT_LT(mpm::momentum_error(run.state()), round_off);
   EXPECT_EQ(masses(run.state()), mass);
   // All four took part.
-  const Totals<2>& t = run.state().totals;
+  const problem::Totals<2>& t = run.state().totals;
   for (const Vec<2>& impulse : {t.gravity_impulse, t.contact_impulse, t.support_impulse, t.damping_impulse})
     EXPECT_GT(impulse.norm(), 1e-3 * t.contact_impulse.norm());
   EXPECT_LT(t.contact_impulse[1], 0);  // the pipe pushes the soil down
@@ -36,10 +36,12 @@ TEST(Momentum, is_what_gravity_contact_supports_and_damping_gave_while_a_pipe_is
 
 TEST(Momentum, is_kept_by_every_scheme_with_every_detection)
 {
-  for (const Scheme scheme : {Scheme::two_sided, Scheme::twice, Scheme::once, Scheme::hybrid, Scheme::usf, Scheme::sticky})
-    for (const Detection detection : {Detection::particle, Detection::gap, Detection::distance, Detection::overlap}) {
+  for (const contact::Scheme scheme : {contact::Scheme::two_sided, contact::Scheme::twice, contact::Scheme::once, contact::Scheme::hybrid,
+                                       contact::Scheme::usf, contact::Scheme::sticky})
+    for (const contact::Detection detection :
+         {contact::Detection::particle, contact::Detection::gap, contact::Detection::distance, contact::Detection::overlap}) {
       SCOPED_TRACE(testing::Message() << "scheme " << static_cast<int>(scheme) << ", detection " << static_cast<int>(detection));
-      Case c = pipe_in_sand();
+      problem::Case c = pipe_in_sand();
       c.contact[0].second.scheme = scheme;
       c.contact[0].second.detection = detection;
       Simulation<2> run(c);
@@ -47,7 +49,7 @@ TEST(Momentum, is_kept_by_every_scheme_with_every_detection)
       take_steps(run, 150);
       next_stage(run);
       take_steps(run, 100);
-      EXPECT_LT(momentum_error(run.state()), round_off);
+      EXPECT_LT(mpm::momentum_error(run.state()), round_off);
       EXPECT_EQ(masses(run.state()), mass);
       EXPECT_LT(run.state().totals.contact_impulse[1], 0);
       EXPECT_GE(run.state().totals.friction, 0);
@@ -59,16 +61,16 @@ TEST(Momentum, is_what_gravity_floor_and_wall_gave_to_a_collapsing_column)
   Simulation<2> run(collapsing_column());
   const auto mass = masses(run.state());
   take_steps(run, 600);
-  EXPECT_LT(momentum_error(run.state()), round_off);
+  EXPECT_LT(mpm::momentum_error(run.state()), round_off);
   EXPECT_EQ(masses(run.state()), mass);
-  const auto now = measure(run.state().particles[0]);
+  const auto now = mpm::measure(run.state().particles[0]);
   EXPECT_GT(now.momentum[0], 0.05 * now.mass);  // it collapses: 0.05 m/s and more on the average
 }
 
 TEST(Reaction, is_the_momentum_that_the_soil_got_and_nothing_else_gave)
 {
   Simulation<2> run(pipe_in_sand());
-  const State<2>& state = run.state();
+  const problem::State<2>& state = run.state();
   Vec<2> reaction = Vec<2>::Zero();
   const auto add_steps = [&](int count) {
     for (int n = 0; n < count; ++n) {
@@ -79,9 +81,9 @@ TEST(Reaction, is_the_momentum_that_the_soil_got_and_nothing_else_gave)
   add_steps(300);
   next_stage(run);
   add_steps(300);
-  const Totals<2>& t = state.totals;
+  const problem::Totals<2>& t = state.totals;
   const Vec<2> of_others = t.gravity_impulse + t.support_impulse + t.damping_impulse;
-  const Vec<2> by_pipe = measure(state.particles[0]).momentum - t.first_momentum - of_others;
+  const Vec<2> by_pipe = mpm::measure(state.particles[0]).momentum - t.first_momentum - of_others;
   EXPECT_NEAR((-reaction - by_pipe).norm() / reaction.norm(), 0, 1e-10);
   EXPECT_NEAR((-reaction - state.rigids[0].impulse).norm() / reaction.norm(), 0, 1e-12);
   EXPECT_GT(reaction[1], 0);
@@ -90,19 +92,19 @@ TEST(Reaction, is_the_momentum_that_the_soil_got_and_nothing_else_gave)
 
 TEST(SecondCorrection, at_nodes_moves_particles_and_never_changes_their_momentum)
 {
-  Case c = pipe_in_sand();
-  c.contact[0].second.detection = Detection::gap;
+  problem::Case c = pipe_in_sand();
+  c.contact[0].second.detection = contact::Detection::gap;
   Simulation<2> run(c);
   take_steps(run, 301);
   ASSERT_NE(run.state().step % 16, 0);  // a new time step would look at velocities of the step before
-  const auto one_step = [&](Scheme scheme, State<2> state) {
-    Model<2> model = run.model();
+  const auto one_step = [&](contact::Scheme scheme, problem::State<2> state) {
+    problem::Model<2> model = run.model();
     model.contacts[0].scheme = scheme;
-    Work<2> work(model, state);
+    mpm::Work<2> work(model, state);
     step(model, state, work);
     return state;
   };
-  const State<2> once = one_step(Scheme::once, run.state()), twice = one_step(Scheme::two_sided, run.state());
+  const problem::State<2> once = one_step(contact::Scheme::once, run.state()), twice = one_step(contact::Scheme::two_sided, run.state());
   EXPECT_EQ(once.rigids[0].second_impulse, run.state().rigids[0].second_impulse);
   EXPECT_NE(twice.rigids[0].second_impulse, run.state().rigids[0].second_impulse);
   EXPECT_EQ(once.rigids[0].reaction, twice.rigids[0].reaction);
@@ -117,7 +119,7 @@ TEST(SecondCorrection, at_nodes_moves_particles_and_never_changes_their_momentum
 }
 
 /// The same number, bit by bit.
-bool same(const Particle<2>& a, const Particle<2>& b)
+bool same(const bodies::Particle<2>& a, const bodies::Particle<2>& b)
 {
   return a.id == b.id && a.x == b.x && a.v == b.v && a.volume == b.volume && a.mass == b.mass &&
          a.deviatoric_strain == b.deviatoric_strain && std::equal(a.stress.c, a.stress.c + 4, b.stress.c) &&
@@ -136,11 +138,11 @@ TEST(Threads, do_not_change_one_bit_of_the_state)
     omp_set_num_threads(before);
     return run.state();
   };
-  const State<2> one = state_with(1);
+  const problem::State<2> one = state_with(1);
   std::vector<std::int32_t> order;
   one.particles[0].visit([&](Index, Index b, int l) { order.push_back(one.particles[0].block(b).id[l]); });
   for (const int threads : {2, 3}) {
-    const State<2> several = state_with(threads);
+    const problem::State<2> several = state_with(threads);
     const auto a = all_particles(one), b = all_particles(several);
     for (std::size_t k = 0; k < a.size(); ++k) ASSERT_TRUE(same(a[k], b[k])) << "particle " << k << " with " << threads << " threads";
     std::size_t place = 0;

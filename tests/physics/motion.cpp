@@ -9,11 +9,11 @@ namespace {
 
 /// An elastic block of 0.4 m a side somewhere in an empty box of 1 m a side with cells of 0.1 m.
 template <int dim>
-Case free_block(std::vector<Real> center)
+problem::Case free_block(std::vector<Real> center)
 {
   center.resize(dim, 0.5);
-  Case c = elastic_box(dim, std::vector<Real>(dim, 1), std::vector<Real>(dim, 10), 1e6, 0.3, 1000);
-  BlockSettings block;
+  problem::Case c = elastic_box(dim, std::vector<Real>(dim, 1), std::vector<Real>(dim, 10), 1e6, 0.3, 1000);
+  bodies::BlockSettings block;
   block.center = center;
   block.size.assign(dim, 0.4);
   block.spacing = 0.05;
@@ -24,9 +24,9 @@ Case free_block(std::vector<Real> center)
 
 /// Speed and place after `steps` steps are those of the sums v = sum dt g, x = sum dt v, and no stress is made.
 template <int dim>
-void expect_free_fall(Case c, int steps)
+void expect_free_fall(problem::Case c, int steps)
 {
-  InitialVelocity motion;
+  bodies::InitialVelocity motion;
   motion.amplitude = {0.7, 0.9, -0.5};
   motion.amplitude.resize(dim);
   c.body[0].second.initial_velocity = {motion};
@@ -50,7 +50,7 @@ void expect_free_fall(Case c, int steps)
   EXPECT_LT(error, 1e-12);  // of 1 m/s and 0.1 m
   EXPECT_LT(stress, 1e-9 * 1e6);
   EXPECT_GT(moved_by.norm(), 0.05);  // it crossed cells
-  EXPECT_LT(momentum_error(run.state()), 1e-12);
+  EXPECT_LT(mpm::momentum_error(run.state()), 1e-12);
 }
 
 TEST(FreeFall, is_exact_in_triangles)
@@ -72,7 +72,7 @@ TEST(FreeFall, is_exact_where_particles_begin_on_nodes_and_faces_of_tetrahedra)
 }
 TEST(FreeFall, is_exact_with_one_particle_on_a_node)
 {
-  Case c = free_block<2>({0.5, 0.5});
+  problem::Case c = free_block<2>({0.5, 0.5});
   c.body[0].second.block->size = {0.05, 0.05};
   expect_free_fall<2>(c, 80);
 }
@@ -80,7 +80,7 @@ TEST(FreeFall, is_exact_with_one_particle_on_a_node)
 TEST(Rest, a_bed_under_its_own_stress_stays_at_rest_without_projection)
 {
   // The stress is linear in depth and so are the weights that corners get: forces balance to round-off at every node.
-  Case c = elastic_box(2, {0.6, 0.4}, {12, 8}, 7e6, 0.25, 877);
+  problem::Case c = elastic_box(2, {0.6, 0.4}, {12, 8}, 7e6, 0.25, 877);
   c.gravity = {0, -490};
   c.surface = 0.4;
   c.body[0].second.k0 = 0.43;
@@ -96,16 +96,16 @@ TEST(Rest, a_bed_under_its_own_stress_stays_at_rest_without_projection)
 
 TEST(Spin, a_free_square_keeps_its_angular_momentum_and_makes_little_stress)
 {
-  Case c = free_block<2>({0.5, 0.5});
-  std::get<BoxMesh>(c.mesh).cells = {20, 20};
+  problem::Case c = free_block<2>({0.5, 0.5});
+  std::get<mesh::BoxMesh>(c.mesh).cells = {20, 20};
   c.body[0].second.block->spacing = 0.0125;
   Simulation<2> run(c);
   // A quarter turn. The corners move with a hundredth of the speed of waves: the stress of the turn, density (omega r)^2, is a ten-thousandth of
   // the stiffness; what particles make that cross cells with linear shape functions is some thirty times that.
   constexpr Real omega = 1.2, radius = 0.283;
-  Particles<2>& particles = run.state().particles[0];
+  bodies::Particles<2>& particles = run.state().particles[0];
   particles.visit([&](Index, Index b, int l) {
-    Block<2>& p = particles.block(b);
+    bodies::Block<2>& p = particles.block(b);
     p.v[0][l] = -omega * (p.x[1][l] - 0.5);
     p.v[1][l] = omega * (p.x[0][l] - 0.5);
   });
@@ -114,14 +114,14 @@ TEST(Spin, a_free_square_keeps_its_angular_momentum_and_makes_little_stress)
     for (const auto& p : all_particles(run.state())) turn += p.mass * ((p.x[0] - 0.5) * p.v[1] - (p.x[1] - 0.5) * p.v[0]);
     return turn;
   };
-  const Real kinetic = measure(particles).kinetic, turn = turn_of_all();
+  const Real kinetic = mpm::measure(particles).kinetic, turn = turn_of_all();
   run.run_until(pi / 2 / omega);
   Real stress = 0;
   for (const auto& p : all_particles(run.state()))
     for (int k = 0; k < 4; ++k) stress = std::max(stress, std::abs(p.stress[k]));
   EXPECT_LT(stress, 60 * 1000 * omega * omega * radius * radius);
   EXPECT_GT(turn_of_all() / turn, 0.95);
-  EXPECT_GT(measure(particles).kinetic / kinetic, 0.92);
+  EXPECT_GT(mpm::measure(particles).kinetic / kinetic, 0.92);
 }
 
 }  // namespace

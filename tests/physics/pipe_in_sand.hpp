@@ -5,9 +5,9 @@
 
 namespace berm {
 
-inline MohrCoulomb loose_sand()
+inline material::MohrCoulomb loose_sand()
 {
-  MohrCoulomb law;
+  material::MohrCoulomb law;
   law.density = 877;
   law.young_modulus = 7e6;
   law.poisson_ratio = 0.25;
@@ -17,19 +17,19 @@ inline MohrCoulomb loose_sand()
 
 /// A pipe of 20 mm in sand at 50 g, small and coarse: 30 x 15 squares of 4 mm, 2700 particles. Stages "push" at 1 m/s, then "drag" at 1 m/s with
 /// the vertical force held; the first 300 steps press the pipe in by some 4 mm.
-inline Case pipe_in_sand()
+inline problem::Case pipe_in_sand()
 {
-  Case c;
+  problem::Case c;
   c.gravity = {0, -50 * standard_gravity};
   c.surface = 0.04;
-  BoxMesh mesh;
+  mesh::BoxMesh mesh;
   mesh.size = {0.12, 0.06};
   mesh.cells = {30, 15};
   c.mesh = mesh;
   c.material = {{"sand", loose_sand()}};
-  BodySettings body;
+  bodies::BodySettings body;
   body.material = "sand";
-  BlockSettings block;
+  bodies::BlockSettings block;
   block.center = {0.06, 0.02};
   block.size = {0.12, 0.04};
   block.spacing = 0.004 / 3;
@@ -37,58 +37,58 @@ inline Case pipe_in_sand()
   body.damping = 0.05;
   body.k0 = 0.43;
   c.body = {{"sand", body}};
-  RigidSettings pipe;
-  pipe.shape = CircleSettings{{0.05, 0.05}, 0.02};
+  bodies::RigidSettings pipe;
+  pipe.shape = bodies::CircleSettings{{0.05, 0.05}, 0.02};
   pipe.mass = 1;
   c.rigid = {{"pipe", pipe}};
-  ContactSettings contact;
+  contact::ContactSettings contact;
   contact.body = "sand";
   contact.rigid = "pipe";
   contact.friction_angle = 23 * pi / 180;
   c.contact = {{"skin", contact}};
   c.support = {{"base", {"bottom", {"x", "y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}};
-  StageSettings push, drag;
+  problem::StageSettings push, drag;
   push.name = "push";
-  push.kind = StageKind::push;
+  push.kind = problem::StageKind::push;
   push.velocity = 1;
   push.until.time = infinity;
   drag = push;
   drag.name = "drag";
-  drag.kind = StageKind::drag;
+  drag.kind = problem::StageKind::drag;
   c.stage = {push, drag};
   return c;
 }
 
 /// A column of sand, 0.5 m x 1 m, that collapses over a rough floor at y = 0.1 m and along a smooth wall at x = 0.
-inline Case collapsing_column()
+inline problem::Case collapsing_column()
 {
-  Case c;
+  problem::Case c;
   c.gravity = {0, -standard_gravity};
-  BoxMesh mesh;
+  mesh::BoxMesh mesh;
   mesh.size = {2, 1.2};
   mesh.cells = {20, 12};
   c.mesh = mesh;
-  MohrCoulomb law = loose_sand();
+  material::MohrCoulomb law = loose_sand();
   law.young_modulus = 1e6;
   c.material = {{"sand", law}};
-  BodySettings body;
+  bodies::BodySettings body;
   body.material = "sand";
-  BlockSettings block;
+  bodies::BlockSettings block;
   block.center = {0.25, 0.6};
   block.size = {0.5, 1};
   block.spacing = 0.1 / 3;
   body.block = block;
   c.body = {{"sand", body}};
-  RigidSettings floor;
-  floor.shape = HalfPlaneSettings{{0, 0.1}, {0, 1}};
+  bodies::RigidSettings floor;
+  floor.shape = bodies::HalfPlaneSettings{{0, 0.1}, {0, 1}};
   c.rigid = {{"floor", floor}};
-  ContactSettings contact;
+  contact::ContactSettings contact;
   contact.body = "sand";
   contact.rigid = "floor";
   contact.friction_angle = 0.5;
   c.contact = {{"floor", contact}};
   c.support = {{"left", {"left", {"x"}}}};
-  StageSettings stage;
+  problem::StageSettings stage;
   stage.name = "collapse";
   stage.until.time = infinity;
   c.stage = {stage};
@@ -97,10 +97,10 @@ inline Case collapsing_column()
 
 /// Every number of every particle, by number.
 template <int dim>
-std::vector<Particle<dim>> all_particles(const State<dim>& state, Index body = 0)
+std::vector<bodies::Particle<dim>> all_particles(const problem::State<dim>& state, Index body = 0)
 {
-  const Particles<dim>& particles = state.particles[body];
-  std::vector<Particle<dim>> all(particles.size());
+  const bodies::Particles<dim>& particles = state.particles[body];
+  std::vector<bodies::Particle<dim>> all(particles.size());
   particles.visit([&](Index, Index b, int l) { all.at(particles.block(b).id[l]) = particles.read(b, l); });
   return all;
 }

@@ -10,15 +10,15 @@ namespace {
 constexpr Real young_modulus = 1e6, poisson_ratio = 0.3, height = 0.5, length = 1, pressure = 1e3;
 
 /// A weightless block under pressure on its top; the right roller holds in the first stage only.
-Case released_block()
+problem::Case released_block()
 {
-  Case c = elastic_box(2, {length, height}, {8, 4}, young_modulus, poisson_ratio, 1000);
+  problem::Case c = elastic_box(2, {length, height}, {8, 4}, young_modulus, poisson_ratio, 1000);
   c.body[0].second.damping = 0.3;
   c.support = {{"base", {"bottom", {"y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}, {"held"}}}};
   c.stage.push_back(c.stage[0]);
   c.stage[0].name = "held";
   c.stage[1].name = "released";
-  TractionSettings load;
+  boundary::TractionSettings load;
   load.boundary = "top";
   load.pressure = pressure;
   load.ramp = 0.1;
@@ -30,13 +30,13 @@ struct Means {
   SymTensor<2> stress;
   Vec<2> top;  ///< mean displacement of the loaded surface
 };
-Means means_of(const Simulation<2>& run, const std::vector<LoadPointState<2>>& first)
+Means means_of(const Simulation<2>& run, const std::vector<problem::LoadPointState<2>>& first)
 {
   Means means{{}, Vec<2>::Zero()};
   Real volume = 0;
-  const Particles<2>& particles = run.problem.state.particles[0];
+  const bodies::Particles<2>& particles = run.problem.state.particles[0];
   particles.visit([&](Index, Index b, int l) {
-    const Block<2>& p = particles.block(b);
+    const bodies::Block<2>& p = particles.block(b);
     for (int k = 0; k < 4; ++k) means.stress[k] += p.volume[l] * p.stress[k][l];
     volume += p.volume[l];
   });
@@ -72,9 +72,9 @@ TEST(ReleasedSupport, takes_the_stress_along_x_away_and_lets_the_soil_settle_as_
   EXPECT_NEAR(released.top[1], -height * pressure / plane_modulus, small_strain * height * pressure / plane_modulus);
 
   // All work is stored or damped.
-  const Totals<2>& t = run.state().totals;
-  EXPECT_NEAR((t.internal + t.damping + measure(run.state().particles[0]).kinetic) / t.external, 1, 0.01);
-  EXPECT_LT(momentum_error(run.state()), 1e-12);
+  const problem::Totals<2>& t = run.state().totals;
+  EXPECT_NEAR((t.internal + t.damping + mpm::measure(run.state().particles[0]).kinetic) / t.external, 1, 0.01);
+  EXPECT_LT(mpm::momentum_error(run.state()), 1e-12);
 }
 
 }  // namespace

@@ -10,10 +10,10 @@ namespace berm {
 /// A case, built and stepped without files.
 template <int dim>
 struct Simulation {
-  explicit Simulation(const Case& c) : problem(build<dim>(c, ".", ".")), work(problem.model, problem.state) {}
+  explicit Simulation(const problem::Case& c) : problem(build<dim>(c, ".", ".")), work(problem.model, problem.state) {}
 
-  Model<dim>& model() { return problem.model; }
-  State<dim>& state() { return problem.state; }
+  problem::Model<dim>& model() { return problem.model; }
+  problem::State<dim>& state() { return problem.state; }
 
   /// Steps until `end` (s); calls after_step() after each step.
   template <class After>
@@ -29,29 +29,30 @@ struct Simulation {
     run_until(end, [] {});
   }
 
-  Problem<dim> problem;
-  Work<dim> work;
+  problem::Problem<dim> problem;
+  mpm::Work<dim> work;
 };
 
 /// A case with one linear elastic body that fills a box mesh.
-inline Case elastic_box(int dim, std::vector<Real> size, std::vector<Real> cells, Real young_modulus, Real poisson_ratio, Real density)
+inline problem::Case elastic_box(int dim, std::vector<Real> size, std::vector<Real> cells, Real young_modulus, Real poisson_ratio,
+                                 Real density)
 {
-  Case c;
+  problem::Case c;
   c.dimension = dim;
-  BoxMesh box;
+  mesh::BoxMesh box;
   box.size = size;
   box.cells = cells;
   c.mesh = box;
-  LinearElastic law;
+  material::LinearElastic law;
   law.young_modulus = young_modulus;
   law.poisson_ratio = poisson_ratio;
   law.density = density;
   c.material = {{"solid", law}};
-  BodySettings body;
+  bodies::BodySettings body;
   body.material = "solid";
   body.regions = {"box"};
   c.body = {{"body", body}};
-  StageSettings stage;
+  problem::StageSettings stage;
   stage.name = "all";
   stage.until.time = infinity;
   c.stage = {stage};

@@ -10,20 +10,20 @@ namespace {
 constexpr Real round_off = 1e-12;  // some hundred additions of forces
 
 /// Soil in the lower left quarter of a box of 2 m x 2 m, free on all sides, with an oblique traction on its right side.
-Case free_soil()
+problem::Case free_soil()
 {
-  Case c = elastic_box(2, {2, 2}, {8, 8}, 1e6, 0.3, 1000);
+  problem::Case c = elastic_box(2, {2, 2}, {8, 8}, 1e6, 0.3, 1000);
   c.body[0].second.regions = {"soil"};
-  TractionSettings pull;
+  boundary::TractionSettings pull;
   pull.boundary = "side";
   pull.stress = {2000, 500};
   pull.ramp = 0.02;
   c.traction = {{"pull", pull}};
   return c;
 }
-Mesh<2> mesh_of_quarter(const Case& c)
+mesh::Mesh<2> mesh_of_quarter(const problem::Case& c)
 {
-  Mesh<2> mesh = make_box<2>(std::get<BoxMesh>(c.mesh));
+  mesh::Mesh<2> mesh = make_box<2>(std::get<mesh::BoxMesh>(c.mesh));
   mesh.region_names = {"soil", "space"};
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) mesh.region[cell] = mesh.centroid(cell).maxCoeff() < 1 ? 0 : 1;
   mesh.boundary_names.push_back("side");
@@ -35,9 +35,9 @@ Mesh<2> mesh_of_quarter(const Case& c)
 
 /// 0.15 s: the soil goes through more than a cell.
 struct PulledSoil {
-  Problem<2> problem;
-  Work<2> work;
-  explicit PulledSoil(const Case& c) : problem(build<2>(c, mesh_of_quarter(c))), work(problem.model, problem.state) {}
+  problem::Problem<2> problem;
+  mpm::Work<2> work;
+  explicit PulledSoil(const problem::Case& c) : problem(build<2>(c, mesh_of_quarter(c))), work(problem.model, problem.state) {}
   void run_until(Real end)
   {
     while (problem.state.time < end) step(problem.model, problem.state, work);
@@ -49,10 +49,10 @@ TEST(Traction, accelerates_free_soil_by_its_force_over_the_mass)
   PulledSoil soil(free_soil());
   const Real end = 0.3;
   soil.run_until(end);
-  const State<2>& state = soil.problem.state;
+  const problem::State<2>& state = soil.problem.state;
   const Real t = state.time, of_force = t - 0.01;  // the ramp takes half of its own time away
-  const BodySums<2> sums = measure(state.particles[0]);
-  EXPECT_LT(momentum_error(state), round_off);
+  const mpm::BodySums<2> sums = mpm::measure(state.particles[0]);
+  EXPECT_LT(mpm::momentum_error(state), round_off);
   EXPECT_NEAR((state.totals.traction_impulse - of_force * Vec<2>(2000, 500)).norm() / 2000, 0, 2 * state.dt);
   EXPECT_NEAR((sums.momentum - of_force * Vec<2>(2000, 500)).norm() / sums.momentum.norm(), 0, 2 * state.dt / t);
 }
@@ -61,8 +61,8 @@ TEST(Traction, does_the_work_that_the_soil_has)
 {
   PulledSoil soil(free_soil());
   soil.run_until(0.3);
-  const State<2>& state = soil.problem.state;
-  const Real kinetic = measure(state.particles[0]).kinetic;
+  const problem::State<2>& state = soil.problem.state;
+  const Real kinetic = mpm::measure(state.particles[0]).kinetic;
   // The force moves by half of the square of the speed that it makes, and by what the soil stretches. The method loses some of the waves' energy.
   EXPECT_NEAR((kinetic + state.totals.internal) / state.totals.external, 1, 0.02);
   EXPECT_GT(state.totals.external, 0.9 * kinetic);
@@ -70,15 +70,15 @@ TEST(Traction, does_the_work_that_the_soil_has)
 
 TEST(Traction, stays_with_the_soil_that_it_began_on_from_cell_to_cell)
 {
-  Case c = free_soil();
+  problem::Case c = free_soil();
   c.traction[0].second.stress = {0, 0};
-  InitialVelocity motion;
+  bodies::InitialVelocity motion;
   motion.amplitude = {1, 0.5};
   c.body[0].second.initial_velocity = {motion};
   PulledSoil soil(c);
   const auto first = soil.problem.state.load_points;
   soil.run_until(0.6);  // more than two cells
-  const State<2>& state = soil.problem.state;
+  const problem::State<2>& state = soil.problem.state;
   ASSERT_EQ(first.size(), 16u);
   for (std::size_t l = 0; l < first.size(); ++l) {
     EXPECT_NEAR((state.load_points[l].x - first[l].x - state.time * Vec<2>(1, 0.5)).norm(), 0, 1e-9);
@@ -88,7 +88,7 @@ TEST(Traction, stays_with_the_soil_that_it_began_on_from_cell_to_cell)
 
 TEST(Traction, goes_over_its_ramp_and_acts_in_its_stages_only)
 {
-  Case c = free_soil();
+  problem::Case c = free_soil();
   c.stage.push_back(c.stage[0]);
   c.stage[0].name = "with";
   c.stage[1].name = "without";
@@ -120,7 +120,7 @@ TEST(Traction, is_the_same_to_the_last_bit_for_any_number_of_threads)
     omp_set_num_threads(before);
     return soil.problem.state;
   };
-  const State<2> one = state_with(1), three = state_with(3);
+  const problem::State<2> one = state_with(1), three = state_with(3);
   for (std::size_t l = 0; l < one.load_points.size(); ++l) EXPECT_EQ(one.load_points[l].x, three.load_points[l].x);
   EXPECT_EQ(one.totals.traction_impulse, three.totals.traction_impulse);
   EXPECT_EQ(one.totals.external, three.totals.external);

@@ -9,24 +9,24 @@
 namespace berm {
 namespace {
 
-BodySettings block_at(std::vector<Real> center, std::vector<Real> size, std::vector<Real> velocity)
+bodies::BodySettings block_at(std::vector<Real> center, std::vector<Real> size, std::vector<Real> velocity)
 {
-  BodySettings body;
+  bodies::BodySettings body;
   body.material = "solid";
-  BlockSettings block;
+  bodies::BlockSettings block;
   block.center = center;
   block.size = size;
   block.spacing = 0.025;
   body.block = block;
-  InitialVelocity motion;
+  bodies::InitialVelocity motion;
   motion.amplitude = velocity;
   body.initial_velocity = {motion};
   return body;
 }
 
-ContactSettings contact_between(const std::string& body, const std::string& other, Real friction_angle)
+contact::ContactSettings contact_between(const std::string& body, const std::string& other, Real friction_angle)
 {
-  ContactSettings contact;
+  contact::ContactSettings contact;
   contact.body = body;
   contact.other_body = other;
   contact.friction_angle = friction_angle;
@@ -34,24 +34,25 @@ ContactSettings contact_between(const std::string& body, const std::string& othe
 }
 
 /// Blocks in a box of 2 m x 1 m with cells of 0.1 m; E = 1 MPa, nu = 0.3, 1000 kg/m3.
-Case blocks(std::vector<std::pair<std::string, BodySettings>> bodies, std::vector<std::pair<std::string, ContactSettings>> contacts)
+problem::Case blocks(std::vector<std::pair<std::string, bodies::BodySettings>> bodies,
+                     std::vector<std::pair<std::string, contact::ContactSettings>> contacts)
 {
-  Case c = elastic_box(2, {2, 1}, {20, 10}, 1e6, 0.3, 1000);
+  problem::Case c = elastic_box(2, {2, 1}, {20, 10}, 1e6, 0.3, 1000);
   c.body = std::move(bodies);
   c.contact = std::move(contacts);
   return c;
 }
 
-Case two_blocks_that_meet(Real friction_angle)
+problem::Case two_blocks_that_meet(Real friction_angle)
 {
   // Rims 0.2 m apart, 2 m/s towards each other, and one of them slides past the other.
   return blocks({{"left", block_at({0.5, 0.5}, {0.4, 0.4}, {1, 0.3})}, {"right", block_at({1.15, 0.55}, {0.5, 0.3}, {-1, 0})}},
                 {{"meeting", contact_between("left", "right", friction_angle)}});
 }
 
-Vec<2> momentum_of(const State<2>& state, Index body)
+Vec<2> momentum_of(const problem::State<2>& state, Index body)
 {
-  return measure(state.particles[body]).momentum;
+  return mpm::measure(state.particles[body]).momentum;
 }
 
 TEST(TwoBodies, keep_their_momentum_to_round_off_through_a_collision_with_friction)
@@ -79,7 +80,7 @@ TEST(TwoBodies, feel_nothing_of_each_other_before_their_rims_meet)
 
 TEST(TwoBodies, swapped_give_the_same_motion)
 {
-  Case c = two_blocks_that_meet(0.3), swapped = c;
+  problem::Case c = two_blocks_that_meet(0.3), swapped = c;
   std::swap(swapped.contact[0].second.body, swapped.contact[0].second.other_body);
   Simulation<2> run(c), other(swapped);
   run.run_until(0.2);
@@ -92,16 +93,16 @@ TEST(TwoBodies, swapped_give_the_same_motion)
 /// The speed at which the sides of a contact point still approach each other faster than their gap allows, after the correction of step 4; m/s.
 Real worst_approach(Simulation<2>& run)
 {
-  const Model<2>& model = run.model();
-  const State<2>& state = run.state();
+  const problem::Model<2>& model = run.model();
+  const problem::State<2>& state = run.state();
   Real worst = 0;
   for (std::size_t k = 0; k < model.contacts.size(); ++k) {
-    const Contact& contact = model.contacts[k];
+    const problem::Contact& contact = model.contacts[k];
     const auto velocity = [&](Index b, Index node) {
-      const BodyGrid<2>& grid = run.work.grids[b];
+      const mpm::BodyGrid<2>& grid = run.work.grids[b];
       return Vec<2>(grid.velocity[node] + state.dt * grid.acceleration[node]);
     };
-    for (const ContactPoint<2>& point : run.work.contact_points[k].list) {
+    for (const contact::ContactPoint<2>& point : run.work.contact_points[k].list) {
       const Index node = point.nodes[0];
       const Real approach = -(velocity(contact.body, node) - velocity(contact.other_body, node)).dot(point.normal);
       worst = std::max(worst, approach - std::max(Real(0), point.gap) / (contact.approach_steps * state.dt));
@@ -113,12 +114,12 @@ Real worst_approach(Simulation<2>& run)
 TEST(ThreeBodies, that_meet_at_a_node_press_on_each_other_consistently)
 {
   // Two blocks side by side, pushed together by 1 m/s, and a third that falls on both: at the nodes above the joint all three have mass.
-  Case c = blocks({{"left", block_at({0.75, 0.35}, {0.5, 0.3}, {1, 0})},
-                   {"right", block_at({1.25, 0.35}, {0.5, 0.3}, {-1, 0})},
-                   {"top", block_at({1.02, 0.65}, {0.5, 0.3}, {0, -1})}},
-                  {{"joint", contact_between("left", "right", 0.3)},
-                   {"left_top", contact_between("top", "left", 0.3)},
-                   {"right_top", contact_between("top", "right", 0.3)}});
+  problem::Case c = blocks({{"left", block_at({0.75, 0.35}, {0.5, 0.3}, {1, 0})},
+                            {"right", block_at({1.25, 0.35}, {0.5, 0.3}, {-1, 0})},
+                            {"top", block_at({1.02, 0.65}, {0.5, 0.3}, {0, -1})}},
+                           {{"joint", contact_between("left", "right", 0.3)},
+                            {"left_top", contact_between("top", "left", 0.3)},
+                            {"right_top", contact_between("top", "right", 0.3)}});
   Simulation<2> run(c);
   Vec<2> before = Vec<2>::Zero(), after = Vec<2>::Zero();
   for (Index b = 0; b < 3; ++b) before += momentum_of(run.state(), b);
@@ -141,12 +142,12 @@ TEST(ThreeBodies, that_meet_at_a_node_press_on_each_other_consistently)
 TEST(BlockOnBlock, slides_with_the_friction_of_the_interface)
 {
   // The lower block is held at its base by a plane with plenty of friction; gravity leans by 30 deg.
-  Case c = blocks({{"lower", block_at({1, 0.3}, {1.8, 0.2}, {0, 0})}, {"upper", block_at({0.6, 0.5}, {0.4, 0.2}, {0, 0})}},
-                  {{"interface", contact_between("upper", "lower", std::atan(0.3))}});
-  RigidSettings floor;
-  floor.shape = HalfPlaneSettings{{0, 0.2}, {0, 1}};
+  problem::Case c = blocks({{"lower", block_at({1, 0.3}, {1.8, 0.2}, {0, 0})}, {"upper", block_at({0.6, 0.5}, {0.4, 0.2}, {0, 0})}},
+                           {{"interface", contact_between("upper", "lower", std::atan(0.3))}});
+  bodies::RigidSettings floor;
+  floor.shape = bodies::HalfPlaneSettings{{0, 0.2}, {0, 1}};
   c.rigid = {{"floor", floor}};
-  ContactSettings base;
+  contact::ContactSettings base;
   base.body = "lower";
   base.rigid = "floor";
   base.friction_angle = 80 * pi / 180;
@@ -155,7 +156,7 @@ TEST(BlockOnBlock, slides_with_the_friction_of_the_interface)
   c.gravity_ramp = 0.1;
   Simulation<2> run(c);
   run.run_until(0.15);
-  const auto velocity = [&] { return momentum_of(run.state(), 1)[0] / measure(run.state().particles[1]).mass; };
+  const auto velocity = [&] { return momentum_of(run.state(), 1)[0] / mpm::measure(run.state().particles[1]).mass; };
   const Real first = velocity(), begin = run.state().time;
   run.run_until(0.5);
   EXPECT_NEAR((velocity() - first) / (run.state().time - begin), 5 - 0.3 * 5 * std::sqrt(Real(3)), 0.01 * 2.4);

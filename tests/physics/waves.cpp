@@ -38,19 +38,19 @@ Real frequency(Mode mode)
 
 /// sqrt(int |u - exact|^2 / int |exact|^2) over the particles, after 0.3 of a period; the strain is 1e-5, so that no particle leaves its cell.
 template <int dim>
-Real error_of(Mode mode, int cells, BoxPattern pattern = BoxPattern::diagonal, bool projection = true)
+Real error_of(Mode mode, int cells, mesh::BoxPattern pattern = mesh::BoxPattern::diagonal, bool projection = true)
 {
   const Real omega = frequency<dim>(mode), speed = 1e-5 * omega / pi;
-  Case c = elastic_box(dim, std::vector<Real>(dim, 1), std::vector<Real>(dim, cells), young_modulus, poisson_ratio, density);
-  std::get<BoxMesh>(c.mesh).pattern = pattern;
+  problem::Case c = elastic_box(dim, std::vector<Real>(dim, 1), std::vector<Real>(dim, cells), young_modulus, poisson_ratio, density);
+  std::get<mesh::BoxMesh>(c.mesh).pattern = pattern;
   c.body[0].second.particles_per_cell = dim == 2 ? 4 : 1;
   c.mpm.volumetric_projection = projection;
   c.support = {{"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}, {"bottom", {"bottom", {"y"}}}, {"top", {"top", {"y"}}}};
   if (dim == 3) c.support.push_back({"back", {"back", {"z"}}}), c.support.push_back({"front", {"front", {"z"}}});
   Simulation<dim> run(c);
-  Particles<dim>& particles = run.state().particles[0];
+  bodies::Particles<dim>& particles = run.state().particles[0];
   particles.visit([&](Index, Index b, int l) {
-    Block<dim>& p = particles.block(b);
+    bodies::Block<dim>& p = particles.block(b);
     Vec<dim> x;
     for (int d = 0; d < dim; ++d) x[d] = p.x[d][l];
     const Vec<dim> v = speed * shape<dim>(mode, x);
@@ -70,7 +70,8 @@ Real error_of(Mode mode, int cells, BoxPattern pattern = BoxPattern::diagonal, b
 
 /// The order over two halvings of the cells, and the error on the finest: dispersion makes single steps of the pressure mode scatter by 0.5.
 template <int dim>
-void expect_order(Real least, Real largest_error, Mode mode, int cells, BoxPattern pattern = BoxPattern::diagonal, bool projection = true)
+void expect_order(Real least, Real largest_error, Mode mode, int cells, mesh::BoxPattern pattern = mesh::BoxPattern::diagonal,
+                  bool projection = true)
 {
   const Real coarse = error_of<dim>(mode, cells, pattern, projection), fine = error_of<dim>(mode, 4 * cells, pattern, projection);
   EXPECT_GT(std::log2(coarse / fine) / 2, least) << coarse << " -> " << fine;
@@ -81,15 +82,15 @@ void expect_order(Real least, Real largest_error, Mode mode, int cells, BoxPatte
 TEST(Waves, of_shear_converge_with_order_two)
 {
   for (const bool projection : {true, false}) {
-    expect_order<2>(1.9, 0.0045, Mode::shear, 8, BoxPattern::diagonal, projection);
-    expect_order<2>(1.9, 0.00075, Mode::shear, 8, BoxPattern::criss_cross, projection);
+    expect_order<2>(1.9, 0.0045, Mode::shear, 8, mesh::BoxPattern::diagonal, projection);
+    expect_order<2>(1.9, 0.00075, Mode::shear, 8, mesh::BoxPattern::criss_cross, projection);
   }
 }
 TEST(Waves, of_pressure_converge_with_order_two)
 {
   for (const bool projection : {true, false}) {
-    expect_order<2>(1.7, 0.0035, Mode::pressure, 8, BoxPattern::diagonal, projection);
-    expect_order<2>(1.7, 0.0029, Mode::pressure, 8, BoxPattern::criss_cross, projection);
+    expect_order<2>(1.7, 0.0035, Mode::pressure, 8, mesh::BoxPattern::diagonal, projection);
+    expect_order<2>(1.7, 0.0029, Mode::pressure, 8, mesh::BoxPattern::criss_cross, projection);
   }
 }
 // Cells of 1/4 to 1/16 only: from 18 % of error to 2 %.

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "samples/temporary_folder.hpp"
 #include "fem/load_steps.hpp"
 #include "problem/stages.hpp"
+#include "samples/temporary_folder.hpp"
 
 #include <random>
 
 namespace berm {
 
-inline FemProblem fem_problem_of(const Case& c)
+inline fem::FemProblem fem_problem_of(const problem::Case& c)
 {
   const TemporaryFolder folder;
-  return build_fem(c, ".", folder.path());
+  return fem::build_fem(c, ".", folder.path());
 }
 
-inline LinearElastic elastic_soil()
+inline material::LinearElastic elastic_soil()
 {
-  LinearElastic law;
+  material::LinearElastic law;
   law.density = 1000;
   law.young_modulus = 1e6;
   law.poisson_ratio = 0.25;
@@ -25,9 +25,9 @@ inline LinearElastic elastic_soil()
 }
 constexpr Real oedometer_modulus = 1.2e6;  ///< Pa, of elastic_soil
 
-inline MohrCoulomb plastic_soil(Real cohesion, Real friction_angle, Real dilation_angle)
+inline material::MohrCoulomb plastic_soil(Real cohesion, Real friction_angle, Real dilation_angle)
 {
-  MohrCoulomb law;
+  material::MohrCoulomb law;
   law.density = 1000;
   law.young_modulus = 1e6;
   law.poisson_ratio = 0.25;
@@ -37,47 +37,47 @@ inline MohrCoulomb plastic_soil(Real cohesion, Real friction_angle, Real dilatio
   return law;
 }
 
-inline StageSettings resting(Real time)
+inline problem::StageSettings resting(Real time)
 {
-  StageSettings stage;
+  problem::StageSettings stage;
   stage.name = "rest";
-  stage.kind = StageKind::geostatic;
+  stage.kind = problem::StageKind::geostatic;
   stage.until.time = time;
   return stage;
 }
 
 /// At 1 m/s, which the limit is to be added to.
-inline StageSettings pushing()
+inline problem::StageSettings pushing()
 {
-  StageSettings stage;
+  problem::StageSettings stage;
   stage.name = "push";
-  stage.kind = StageKind::push;
+  stage.kind = problem::StageKind::push;
   stage.velocity = 1;
   return stage;
 }
 
-inline StageSettings dragging(Vertical vertical)
+inline problem::StageSettings dragging(problem::Vertical vertical)
 {
-  StageSettings stage;
+  problem::StageSettings stage;
   stage.name = "drag";
-  stage.kind = StageKind::drag;
+  stage.kind = problem::StageKind::drag;
   stage.velocity = 1;
   stage.vertical = vertical;
   return stage;
 }
 
 /// A block 0 < x < 1 m, 0 < y < 0.5 m between rollers on a fixed base, its top at the level `surface`, and nothing else.
-inline Case block_of(const Material& soil, std::vector<Real> cells = {4, 2})
+inline problem::Case block_of(const material::Material& soil, std::vector<Real> cells = {4, 2})
 {
-  Case c;
-  c.method = Method::fem;
+  problem::Case c;
+  c.method = problem::Method::fem;
   c.surface = 0.5;
-  BoxMesh box;
+  mesh::BoxMesh box;
   box.size = {1, 0.5};
   box.cells = cells;
   c.mesh = box;
   c.material = {{"soil", soil}};
-  BodySettings body;
+  bodies::BodySettings body;
   body.material = "soil";
   body.regions = {"box"};
   c.body = {{"block", body}};
@@ -87,14 +87,14 @@ inline Case block_of(const Material& soil, std::vector<Real> cells = {4, 2})
 }
 
 /// The block under a rigid plate of this width that lies on the middle of its top.
-inline Case plate_on_block(const Material& soil, Real width = 1, std::vector<Real> cells = {4, 2})
+inline problem::Case plate_on_block(const material::Material& soil, Real width = 1, std::vector<Real> cells = {4, 2})
 {
-  Case c = block_of(soil, cells);
-  RigidSettings plate;
-  plate.shape = BoxSettings{{0.5, 0.6}, {width, 0.2}};
+  problem::Case c = block_of(soil, cells);
+  bodies::RigidSettings plate;
+  plate.shape = bodies::BoxSettings{{0.5, 0.6}, {width, 0.2}};
   plate.mass = 1;
   c.rigid = {{"plate", plate}};
-  ContactSettings skin;
+  contact::ContactSettings skin;
   skin.body = "block";
   skin.rigid = "plate";
   c.contact = {{"skin", skin}};
@@ -113,7 +113,7 @@ inline std::vector<Real> random_numbers(Index count, Real size)
 
 /// By unknown: the nodes move as displacement(x) says, the rigid body does not.
 template <class Displacement>
-std::vector<Real> change_of(const FemModel& model, const Displacement& displacement)
+std::vector<Real> change_of(const fem::FemModel& model, const Displacement& displacement)
 {
   std::vector<Real> change(model.unknowns(), 0.);
   for (Index node = 0; node < model.mesh.node_count(); ++node) {

@@ -2,48 +2,11 @@
 #pragma once
 
 #include "report/animation/film.hpp"
-
-#include <cstring>
-#include <gtest/gtest.h>
-#include <zlib.h>
+#include "samples/unpacking.hpp"
 
 namespace berm {
 
 /// Decodes what the page's script decodes, from the words of web/src/data.ts alone.
-
-inline std::string from_base64(const std::string& text)
-{
-  const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  unsigned bits = 0;
-  int held = 0;
-  for (const char letter : text) {
-    if (letter == '=') break;
-    bits = bits << 6 | static_cast<unsigned>(letters.find(letter));
-    held += 6;
-    if (held < 8) continue;
-    held -= 8;
-    bytes += static_cast<char>(bits >> held & 255);
-  }
-  return bytes;
-}
-
-inline std::string inflated(const std::string& stream)
-{
-  std::string bytes(std::size_t{1} << 22, '\0');
-  uLongf size = bytes.size();
-  EXPECT_EQ(uncompress(reinterpret_cast<Bytef*>(bytes.data()), &size, reinterpret_cast<const Bytef*>(stream.data()), stream.size()), Z_OK);
-  bytes.resize(size);
-  return bytes;
-}
-
-template <class T>
-std::vector<T> numbers_in(const std::string& bytes)
-{
-  std::vector<T> list(bytes.size() / sizeof(T));
-  std::memcpy(list.data(), bytes.data(), list.size() * sizeof(T));
-  return list;
-}
 
 /// The codes of all places by direction, frame and point.
 inline std::array<std::vector<std::vector<int>>, 2> decoded_places(const std::string& bytes, std::size_t frames, std::size_t count)
@@ -80,13 +43,13 @@ inline std::vector<std::vector<int>> decoded_values(const std::string& bytes, st
 
 /// A film as the page sees it.
 struct SeenFilm {
-  const Film& film;
+  const report::Film& film;
 
   std::size_t frames() const { return film.json["frames"].size(); }
   std::size_t count() const { return film.json["count"]; }
   std::string bytes(const std::string& id) const
   {
-    for (const FilmBlock& block : film.blocks)
+    for (const report::FilmBlock& block : film.blocks)
       if (block.id == id) return inflated(from_base64(block.base64));
     ADD_FAILURE() << "no block " << id;
     return "";

@@ -15,17 +15,17 @@ struct MadeRun {
   Real left = 0.3;                                                ///< m from the wall to the pipe
   Real gravity_level = 50, held_V = 800;                          ///< N/m
   bool settles = true;                                            ///< whether a geostatic stage comes before the push
-  MohrCoulomb law = sand_law();
-  ContactSettings contact = contact_law();
-  Method method = Method::mpm;
+  material::MohrCoulomb law = sand_law();
+  contact::ContactSettings contact = contact_law();
+  problem::Method method = problem::Method::mpm;
   std::function<Real(Real w)> V = [](Real w) { return 4e5 * w; };
   std::function<Real(Real u)> H = [](Real u) { return 3e4 * u; };
   std::function<Real(Real u)> sunk = [](Real u) { return u / 2; };
 
-  static MohrCoulomb sand_law()
+  static material::MohrCoulomb sand_law()
   {
     constexpr Real degree = pi / 180;
-    MohrCoulomb law;
+    material::MohrCoulomb law;
     law.density = 430e3 / (50 * standard_gravity);
     law.young_modulus = 7e6;
     law.poisson_ratio = 0.25;
@@ -33,25 +33,25 @@ struct MadeRun {
     return law;
   }
   /// Clay with s_u = 1 kPa.
-  static MohrCoulomb clay_law()
+  static material::MohrCoulomb clay_law()
   {
-    MohrCoulomb law = sand_law();
+    material::MohrCoulomb law = sand_law();
     law.friction_angle = law.dilation_angle = 0;
     law.cohesion = 1000;
     return law;
   }
-  static ContactSettings contact_law()
+  static contact::ContactSettings contact_law()
   {
-    ContactSettings contact;
+    contact::ContactSettings contact;
     contact.body = "soil";
     contact.rigid = "pipe";
     contact.friction_angle = 70. / 3 * pi / 180;
     return contact;
   }
 
-  static StageSettings stage_of(const std::string& stage_name, StageKind kind)
+  static problem::StageSettings stage_of(const std::string& stage_name, problem::StageKind kind)
   {
-    StageSettings stage;
+    problem::StageSettings stage;
     stage.name = stage_name;
     stage.kind = kind;
     stage.rigid = "pipe";
@@ -59,13 +59,13 @@ struct MadeRun {
     return stage;
   }
 
-  Case settings() const
+  problem::Case settings() const
   {
-    Case c;
+    problem::Case c;
     c.title = name;
     c.method = method;
     c.gravity = {0, -gravity_level * standard_gravity};
-    SeabedMesh bed;
+    mesh::SeabedMesh bed;
     bed.length = 0.65;
     bed.left = left;
     c.mesh = bed;
@@ -73,17 +73,17 @@ struct MadeRun {
     c.body = {{"soil", {}}};
     c.body[0].second.material = "soil";
     c.rigid = {{"pipe", {}}};
-    c.rigid[0].second.shape = CircleSettings{{0, D / 2 - first_w}, D};
+    c.rigid[0].second.shape = bodies::CircleSettings{{0, D / 2 - first_w}, D};
     c.contact = {{"skin", contact}};
-    if (pushed_to > first_w) c.stage.push_back(stage_of("push", StageKind::push));
-    if (dragged > 0) c.stage.push_back(stage_of("drag", StageKind::drag));
+    if (pushed_to > first_w) c.stage.push_back(stage_of("push", problem::StageKind::push));
+    if (dragged > 0) c.stage.push_back(stage_of("drag", problem::StageKind::drag));
     return c;
   }
 
   /// Rows 0.002 D apart.
-  History history() const
+  run_folder::History history() const
   {
-    History h{{"time_s", "u_m", "w_m", "H_N_m", "V_N_m"}, std::vector<std::vector<Real>>(5), {}};
+    run_folder::History h{{"time_s", "u_m", "w_m", "H_N_m", "V_N_m"}, std::vector<std::vector<Real>>(5), {}};
     const auto add = [&](const std::string& stage, Real u, Real w, Real H_here, Real V_here) {
       const Real row[] = {static_cast<Real>(h.rows()), u, w, H_here, V_here};
       for (int k = 0; k < 5; ++k) h.values[k].push_back(row[k]);
@@ -96,16 +96,16 @@ struct MadeRun {
     return h;
   }
 
-  RunRecord record() const
+  pipe::RunRecord record() const
   {
-    RunRecord run;
+    pipe::RunRecord run;
     run.name = name;
     run.settings = settings();
-    run.scale = pipe_scale(run.settings);
-    run.stages = pipe_stages(run.settings);
+    run.scale = pipe::pipe_scale(run.settings);
+    run.stages = pipe::pipe_stages(run.settings);
     run.history = history();
     run.quantities = pipe_quantities(run.history, run.scale, run.stages);
-    run.end = RunEnd::finished;
+    run.end = pipe::RunEnd::finished;
     return run;
   }
 };

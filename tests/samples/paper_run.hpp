@@ -18,13 +18,13 @@ struct PaperRun {
   std::function<double(double)> H = [](double travel) { return 1000 * travel; };
   std::function<double(double)> w = [](double travel) { return 0.1 + 0.5 * travel; };
 
-  RunRecord record(const std::string& name) const
+  pipe::RunRecord record(const std::string& name) const
   {
-    RunRecord run;
+    pipe::RunRecord run;
     run.name = name;
-    run.settings = read_case(std::string(BERM_SOURCE_DIR) + "/examples/probe_test/" + file, overrides);
-    run.scale = pipe_scale(run.settings);
-    run.stages = pipe_stages(run.settings);
+    run.settings = input::read_case(std::string(BERM_SOURCE_DIR) + "/examples/probe_test/" + file, overrides);
+    run.scale = pipe::pipe_scale(run.settings);
+    run.stages = pipe::pipe_stages(run.settings);
     run.history.columns = {"time_s", "u_m", "w_m", "H_N_m", "V_N_m"};
     run.history.values.resize(5);
     const double D = 0.02;
@@ -39,7 +39,7 @@ struct PaperRun {
     const int first = run.stages.push.empty() ? 0 : 1;
     for (int k = first; k <= rows; ++k) add("drag", k * u_end / rows, w(k * u_end / rows), H(k * u_end / rows), V(w_push));
     run.quantities = pipe_quantities(run.history, run.scale, run.stages);
-    run.end = RunEnd::finished;
+    run.end = pipe::RunEnd::finished;
     return run;
   }
 };

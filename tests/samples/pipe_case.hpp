@@ -9,9 +9,9 @@
 namespace berm {
 
 /// The probe test, small: a pipe of 20 mm on a bed of 650 mm by 140 mm at 50 g, pushed 2 mm and dragged 20 mm; cells of D/20.
-inline Case sample_case(const std::vector<std::string>& changes = {}, const std::string& more = "")
+inline problem::Case sample_case(const std::vector<std::string>& changes = {}, const std::string& more = "")
 {
-  return read_case_text("case.toml", R"(title = "a pipe"
+  return input::read_case_text("case.toml", R"(title = "a pipe"
 gravity = [0, "-50 gravity"]
 [mesh]
 kind = "seabed"
@@ -65,18 +65,18 @@ kind = "drag"
 velocity = "0.1 m/s"
 until.displacement = "20 mm"
 )" + more,
-                        changes);
+                               changes);
 }
 
 /// A record of a run of a case, with a summary in which all is well, and no history.
-inline RunRecord sample_record(const Case& settings, const std::string& name = "sample")
+inline pipe::RunRecord sample_record(const problem::Case& settings, const std::string& name = "sample")
 {
-  RunRecord run;
+  pipe::RunRecord run;
   run.name = name;
   run.settings = settings;
-  run.scale = pipe_scale(settings);
-  run.stages = pipe_stages(settings);
-  run.end = RunEnd::finished;
+  run.scale = pipe::pipe_scale(settings);
+  run.stages = pipe::pipe_stages(settings);
+  run.end = pipe::RunEnd::finished;
   run.begun = "2026-01-31 12:00:00";
   run.quantities = {{"V_noise", 0.01, "1"},
                     {"H_noise", 0.05, "1"},
@@ -85,7 +85,7 @@ inline RunRecord sample_record(const Case& settings, const std::string& name = "
                     {"second_impulse_over_V", 0.001, "1"},
                     {"gap_mean", 5e-5, "m"},
                     {"gap_mean_over_D", 0.0025, "1"}};
-  RunSummary summary;
+  run_folder::RunSummary summary;
   summary.quantities = run.quantities;
   summary.timing = {
       {"wall_s", 10}, {"threads", 1}, {"cells", 100}, {"particles", 900}, {"nodes", 60}, {"steps", 1000}, {"particle_steps_per_s", 9e4}};

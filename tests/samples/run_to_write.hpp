@@ -5,30 +5,14 @@
 #include "run_folder/frame_maker.hpp"
 #include "run_folder/frames.hpp"
 #include "run_folder/history.hpp"
+#include "samples/temporary_folder.hpp"
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <stdlib.h>
 
 namespace berm {
-
-/// A new folder that goes when the test ends.
-class TemporaryFolder {
-public:
-  TemporaryFolder()
-  {
-    std::string name = (std::filesystem::temp_directory_path() / "berm_test_XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
-    path = name;
-  }
-  ~TemporaryFolder() { std::filesystem::remove_all(path); }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  std::filesystem::path path;
-};
 
 inline std::string content_of(const std::filesystem::path& path)
 {
@@ -46,20 +30,20 @@ inline void put(const std::filesystem::path& path, const std::string& content)
 /// A box of 0.2 x 0.1 (x 0.05) m with one particle near the middle of each cell, in two bodies (left and right half), and a circle, a box and
 /// a half-plane as rigid bodies. The particles' numbers are functions of body and id, so that a test can tell them.
 template <int dim>
-Problem<dim> sample_problem()
+problem::Problem<dim> sample_problem()
 {
-  Problem<dim> problem{};
-  BoxMesh box{.lower = {0, 0, 0}, .size = {0.2, 0.1, 0.05}, .cells = {8, 4, 2}};
+  problem::Problem<dim> problem{};
+  mesh::BoxMesh box{.lower = {0, 0, 0}, .size = {0.2, 0.1, 0.05}, .cells = {8, 4, 2}};
   box.lower.resize(dim);
   box.size.resize(dim);
   box.cells.resize(dim);
-  Model<dim>& model = problem.model;
-  State<dim>& state = problem.state;
+  problem::Model<dim>& model = problem.model;
+  problem::State<dim>& state = problem.state;
   model.mesh = make_box<dim>(box);
   for (int body = 0; body < 2; ++body) state.particles.emplace_back(model.mesh, model.mesh.cell_count(), 0);
   model.bodies.resize(2);
   for (Index cell = model.mesh.cell_count() - 1; cell >= 0; --cell) {  // backwards: storage is by cell, ids run against it
-    Particle<dim> p;
+    bodies::Particle<dim> p;
     p.x = model.mesh.centroid(cell);
     const int body = p.x[0] < 0.1 ? 0 : 1;
     p.id = state.particles[body].size();
@@ -71,9 +55,9 @@ Problem<dim> sample_problem()
     state.particles[body].insert(cell, p);
   }
   const Vec<dim> middle = (model.mesh.lower + model.mesh.upper) / 2;
-  model.rigids = {{"pipe", Circle<dim>{middle, 0.02}, 1},
-                  {"block", Box<dim>{middle, Vec<dim>::Constant(0.01), Matrix<dim>::Identity()}, 1},
-                  {"floor", HalfPlane<dim>{middle, Vec<dim>::UnitY()}, 1}};
+  model.rigids = {{"pipe", bodies::Circle<dim>{middle, 0.02}, 1},
+                  {"block", bodies::Box<dim>{middle, Vec<dim>::Constant(0.01), Matrix<dim>::Identity()}, 1},
+                  {"floor", bodies::HalfPlane<dim>{middle, Vec<dim>::UnitY()}, 1}};
   state.rigids.resize(3);
   return problem;
 }
@@ -82,28 +66,28 @@ Problem<dim> sample_problem()
 template <int dim>
 class SampleFrames {
 public:
-  SampleFrames(const std::filesystem::path& folder, const Problem<dim>& problem)
+  SampleFrames(const std::filesystem::path& folder, const problem::Problem<dim>& problem)
       : maker_(problem.model, problem.state),
         writer_(folder, problem.model.mesh)
   {
   }
-  void write(const State<dim>& state) { writer_.write(maker_.make(state)); }
+  void write(const problem::State<dim>& state) { writer_.write(maker_.make(state)); }
   std::size_t count() const { return writer_.times().size(); }
-  const Frame<dim>& last() const { return writer_.last(); }
+  const run_folder::Frame<dim>& last() const { return writer_.last(); }
 
 private:
-  FrameMaker<dim> maker_;
-  FrameWriter<dim> writer_;
+  run_folder::FrameMaker<dim> maker_;
+  run_folder::FrameWriter<dim> writer_;
 };
 
 /// A square of 0.2 m of two 6-node triangles, below and above the diagonal through its origin: node 3 j + i is at (0.1 i, 0.1 j), and the
 /// strain is 0 in the corner x = 0, 1 in the corner y = 0 and linear between.
-inline Frame<2> two_triangles()
+inline run_folder::Frame<2> two_triangles()
 {
-  Frame<2> frame;
+  run_folder::Frame<2> frame;
   frame.triangles = {{0, 2, 8, 1, 5, 4}, {0, 8, 6, 4, 7, 3}};
   for (int k = 0; k < 9; ++k) {
-    FrameParticle<2> f{{}, 0, Vec<2>(0.001 * k, 0), {}, 0.25};
+    run_folder::FrameParticle<2> f{{}, 0, Vec<2>(0.001 * k, 0), {}, 0.25};
     f.particle.x = Vec<2>(0.1 * (k % 3), 0.1 * static_cast<Real>(k / 3));
     f.particle.id = k;
     f.particle.volume = 0.04 / 9;
@@ -126,7 +110,7 @@ struct SamplePipe {
 
   void write(const std::filesystem::path& path) const
   {
-    HistoryFile file(path, {"u_m", "w_m", "H_N_m", "V_N_m", "gap_m", "overlap_m", "second_impulse_N_m"});
+    run_folder::HistoryFile file(path, {"u_m", "w_m", "H_N_m", "V_N_m", "gap_m", "overlap_m", "second_impulse_N_m"});
     const Real spacing = 0.002 * D;
     Real time = 0;
     Index row = 0;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "samples/temporary_folder.hpp"
 #include "mesh/box.hpp"
 #include "run_folder/frames.hpp"
+#include "samples/temporary_folder.hpp"
 #include "structures/pipe/run_record.hpp"
 
 namespace berm {
@@ -16,32 +16,32 @@ public:
   static constexpr Index across = 8, up = 4, settle_frames = 3;
   static constexpr Real D = 0.02, cell = 0.05, first_time = 0.5;  // m, m, s
   TemporaryFolder folder;
-  RunRecord run;
+  pipe::RunRecord run;
 
   explicit SampleFilmRun(Index frames = 7, bool pipe = true) : pipe_(pipe)
   {
     run.folder = folder.path();
-    Case& c = run.settings;
+    problem::Case& c = run.settings;
     c.dimension = dim;
-    BoxMesh box{.lower = {-0.2, -0.1, 0}, .size = {0.4, 0.13, 0.1}, .cells = {8, 4, 2}};
+    mesh::BoxMesh box{.lower = {-0.2, -0.1, 0}, .size = {0.4, 0.13, 0.1}, .cells = {8, 4, 2}};
     for (auto* list : {&box.lower, &box.size, &box.cells}) list->resize(dim);
     c.mesh = box;
-    c.body = {{"sand", BodySettings{}}};
+    c.body = {{"sand", bodies::BodySettings{}}};
     c.body[0].second.k0 = 0.5;
     if (pipe) {
-      RigidSettings rigid;
-      rigid.shape = CircleSettings{std::vector<Real>{0, D / 2, 0}, D};
-      std::get<CircleSettings>(rigid.shape).center.resize(dim);
+      bodies::RigidSettings rigid;
+      rigid.shape = bodies::CircleSettings{std::vector<Real>{0, D / 2, 0}, D};
+      std::get<bodies::CircleSettings>(rigid.shape).center.resize(dim);
       c.rigid = {{"pipe <1>", rigid}};
-      StageSettings drag;
+      problem::StageSettings drag;
       drag.name = "drag";
-      drag.kind = StageKind::drag;
+      drag.kind = problem::StageKind::drag;
       drag.rigid = "pipe <1>";
       c.stage = {drag};
     }
-    run.scale = pipe_scale(c);
+    run.scale = pipe::pipe_scale(c);
     write_history(frames);
-    FrameWriter<dim> writer(folder / "frames", make_box<dim>(box));
+    run_folder::FrameWriter<dim> writer(folder / "frames", make_box<dim>(box));
     for (Index f = 0; f < frames; ++f) writer.write(frame(f));
   }
 
@@ -53,15 +53,15 @@ public:
   static std::string stage(Index f) { return f < settle_frames ? "settle" : "drag"; }
 
   /// What is written.
-  Frame<dim> frame(Index f) const
+  run_folder::Frame<dim> frame(Index f) const
   {
-    Frame<dim> frame;
+    run_folder::Frame<dim> frame;
     frame.time = time(f);
     Index id = 0;
     for (Index k = 0; k < (dim == 3 ? 4 : 1); ++k)
       for (Index j = 0; j < up; ++j)
         for (Index i = 0; i < across; ++i, ++id) {
-          FrameParticle<dim> p{{}, 0, Vec<dim>::Zero(), {}, 0};
+          run_folder::FrameParticle<dim> p{{}, 0, Vec<dim>::Zero(), {}, 0};
           p.displacement[0] = 1e-3 * f * (j + 1) + 1e-5 * f * i;
           p.displacement[1] = -2e-3 * f * i;
           p.particle.x = p.displacement;
@@ -81,7 +81,7 @@ public:
       Vec<dim> center = Vec<dim>::Zero(), low = Vec<dim>::Constant(-0.2), high = Vec<dim>::Constant(0.2);
       center[0] = u(f);
       center[1] = D / 2 - w(f);
-      frame.rigids = {{surface_of<dim>(Circle<dim>{center, D / 2}, low, high), Vec<dim>::Zero()}};
+      frame.rigids = {{run_folder::surface_of<dim>(bodies::Circle<dim>{center, D / 2}, low, high), Vec<dim>::Zero()}};
     }
     return frame;
   }
@@ -90,7 +90,7 @@ private:
   /// Two rows a frame, u and w linear in time between frames.
   void write_history(Index frames)
   {
-    History& h = run.history;
+    run_folder::History& h = run.history;
     h.columns = {"time_s", "u_m", "w_m", "H_N_m", "V_N_m"};
     h.values.resize(5);
     for (Index row = 0; row <= 2 * (frames - 1); ++row) {

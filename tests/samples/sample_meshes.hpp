@@ -17,9 +17,9 @@ Vec<dim> random_point(std::mt19937& random, const Vec<dim>& lower, const Vec<dim
 
 /// A box of 2.1 x 1.2 (x 0.9) m whose lower corner is at (-0.3, 0.2 (, 1)) m.
 template <int dim>
-BoxMesh sample_box(BoxPattern pattern = BoxPattern::diagonal)
+mesh::BoxMesh sample_box(mesh::BoxPattern pattern = mesh::BoxPattern::diagonal)
 {
-  BoxMesh box{.lower = {-0.3, 0.2, 1}, .size = {2.1, 1.2, 0.9}, .cells = {7, 4, 3}, .pattern = pattern};
+  mesh::BoxMesh box{.lower = {-0.3, 0.2, 1}, .size = {2.1, 1.2, 0.9}, .cells = {7, 4, 3}, .pattern = pattern};
   box.lower.resize(dim);
   box.size.resize(dim);
   box.cells.resize(dim);
@@ -28,9 +28,9 @@ BoxMesh sample_box(BoxPattern pattern = BoxPattern::diagonal)
 
 /// The sample box with its inner nodes moved at random, so that no two cells are alike.
 template <int dim>
-Mesh<dim> shaken_box(unsigned seed = 1)
+mesh::Mesh<dim> shaken_box(unsigned seed = 1)
 {
-  Mesh<dim> mesh = make_box<dim>(sample_box<dim>());
+  mesh::Mesh<dim> mesh = make_box<dim>(sample_box<dim>());
   std::mt19937 random(seed);
   const Vec<dim> reach = Vec<dim>::Constant(0.05);  // a sixth of the cells' side: no cell turns over
   NodeField<char> fixed(mesh.node_count(), false);

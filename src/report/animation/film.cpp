@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 std::size_t size_of(const Film& film)
@@ -18,11 +18,11 @@ std::size_t size_of(const Film& film)
 }
 
 /// Most wanted first: the last ones go where the page has no room.
-std::vector<FilmField> fields_of(Method method)
+std::vector<FilmField> fields_of(problem::Method method)
 {
   std::vector<FilmField> fields = {FilmField::deviatoric_strain, FilmField::incremental_deviatoric_strain, FilmField::mean_stress,
                                    FilmField::displacement};
-  if (method == Method::mpm) fields.push_back(FilmField::speed);
+  if (method == problem::Method::mpm) fields.push_back(FilmField::speed);
   return fields;
 }
 
@@ -41,7 +41,7 @@ std::string note_of(const Footage& footage, Index step, const std::vector<FilmFi
 
 }  // namespace
 
-Film make_film(const RunRecord& run, const std::string& prefix, std::size_t most_bytes)
+Film make_film(const pipe::RunRecord& run, const std::string& prefix, std::size_t most_bytes)
 {
   const Footage footage = read_footage(run);
   std::vector<std::string> faults;
@@ -78,4 +78,4 @@ Film make_film(const RunRecord& run, const std::string& prefix, std::size_t most
   }
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::report {
 
 std::vector<Index> kept_frames(const std::vector<std::string>& stages, Index step)
 {
@@ -22,4 +22,4 @@ std::string kept_words(Index step)
   return fmt::format("every {}{} frame", step, ending);
 }
 
-}  // namespace berm
+}  // namespace berm::report

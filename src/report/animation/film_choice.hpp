@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace berm {
+namespace berm::report {
 
 /// Every `step`th frame, with the first, the last and the last of each stage; `stages` is by frame.
 std::vector<Index> kept_frames(const std::vector<std::string>& stages, Index step);
@@ -14,4 +14,4 @@ std::vector<Index> kept_frames(const std::vector<std::string>& stages, Index ste
 /// "every 2nd frame"; with a step of 1 "".
 std::string kept_words(Index step);
 
-}  // namespace berm
+}  // namespace berm::report

@@ -2,8 +2,8 @@
 #include "report/animation/film_encoding.hpp"
 
 #include "core/for_each_task.hpp"
-#include "report/animation/film_quantization.hpp"
 #include "report/animation/film_outline.hpp"
+#include "report/animation/film_quantization.hpp"
 #include "report/animation/film_view.hpp"
 #include "text/base64_zlib.hpp"
 
@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <functional>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -33,7 +33,7 @@ public:
   }
   std::vector<FilmBlock> make()
   {
-    for_each_task("pack film", static_cast<Index>(blocks_.size()), [&](Index k) { blocks_[k].base64 = packed(bytes_[k]()); });
+    for_each_task("pack film", static_cast<Index>(blocks_.size()), [&](Index k) { blocks_[k].base64 = text::packed(bytes_[k]()); });
     return std::move(blocks_);
   }
 
@@ -44,7 +44,7 @@ private:
 };
 
 /// What strain increments since the frame before are multiplied with, so that they are those of the unit way; 1 where the pipe rests.
-std::vector<Real> increment_factors(const RunRecord& run, const Footage& footage, const std::vector<Index>& kept)
+std::vector<Real> increment_factors(const pipe::RunRecord& run, const Footage& footage, const std::vector<Index>& kept)
 {
   std::vector<Real> factors(kept.size(), 1);
   const Real D = run.scale.diameter;
@@ -55,7 +55,7 @@ std::vector<Real> increment_factors(const RunRecord& run, const Footage& footage
   return factors;
 }
 
-Json frames_json(const RunRecord& run, const Footage& footage, const std::vector<Index>& kept)
+Json frames_json(const pipe::RunRecord& run, const Footage& footage, const std::vector<Index>& kept)
 {
   Json list = Json::array();
   for (const Index k : kept) {
@@ -84,7 +84,7 @@ FilmBox covered(const FilmBox& points, const Footage& footage)
   return {points.lower - half, points.upper + half};
 }
 
-std::string name_of(std::int32_t rigid, const Case& settings)
+std::string name_of(std::int32_t rigid, const problem::Case& settings)
 {
   const bool known = rigid >= 0 && rigid < static_cast<std::int32_t>(settings.rigid.size());
   return known ? settings.rigid[rigid].first : "rigid body";
@@ -92,7 +92,7 @@ std::string name_of(std::int32_t rigid, const Case& settings)
 
 }  // namespace
 
-Film encoded_film(const RunRecord& run, const Footage& footage, const std::vector<Index>& kept, const std::vector<FilmField>& fields,
+Film encoded_film(const pipe::RunRecord& run, const Footage& footage, const std::vector<Index>& kept, const std::vector<FilmField>& fields,
                   const std::string& prefix)
 {
   std::vector<const FilmFrame*> frames;
@@ -141,4 +141,4 @@ Film encoded_film(const RunRecord& run, const Footage& footage, const std::vecto
   return {std::move(film), std::move(made), {}};
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -5,10 +5,10 @@
 #include "report/animation/film_fields.hpp"
 #include "report/animation/film_frames.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// The film of those frames that are kept, with those fields, without a note. Ids of blocks begin with `prefix`.
-Film encoded_film(const RunRecord& run, const Footage& footage, const std::vector<Index>& kept, const std::vector<FilmField>& fields,
+Film encoded_film(const pipe::RunRecord& run, const Footage& footage, const std::vector<Index>& kept, const std::vector<FilmField>& fields,
                   const std::string& prefix);
 
-}  // namespace berm
+}  // namespace berm::report

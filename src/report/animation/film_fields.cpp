@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/animation/film_fields.hpp"
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 std::vector<float> one_after_the_other(const std::vector<const FilmFrame*>& frames, std::vector<float> FilmFrame::*list)
@@ -61,4 +61,4 @@ std::vector<float> field_values(FilmField field, const std::vector<const FilmFra
   return {};
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -3,7 +3,7 @@
 
 #include "report/animation/film_fields_of_frames.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// What colours the soil of a film.
 enum class FilmField { deviatoric_strain, incremental_deviatoric_strain, mean_stress, speed, displacement };
@@ -17,4 +17,4 @@ FieldWords words_of(FilmField field, bool with_pipe);
 /// Values of a field by frame, then point. The increments count from the frame before, times `increment_factor` of the frame; 0 in the first.
 std::vector<float> field_values(FilmField field, const std::vector<const FilmFrame*>& frames, const std::vector<Real>& increment_factor);
 
-}  // namespace berm
+}  // namespace berm::report

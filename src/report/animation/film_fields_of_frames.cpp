@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 float finite(float value)
@@ -22,7 +22,7 @@ float length(const std::vector<float>& vectors, Index k)
 
 }  // namespace
 
-FilmReader::FilmReader(const FrameFiles& first, int dimension) : first_(read_soil(first.soil))
+FilmReader::FilmReader(const run_folder::FrameFiles& first, int dimension) : first_(run_folder::read_soil(first.soil))
 {
   const Index count = static_cast<Index>(first_.x.size());
   if (count == 0) throw RunError(fmt::format("{}: has no particles", first.soil.string()));
@@ -37,28 +37,28 @@ FilmReader::FilmReader(const FrameFiles& first, int dimension) : first_(read_soi
   if (chosen_.empty()) throw RunError(fmt::format("{}: has no particles in the middle", first.soil.string()));
 }
 
-SavedSoil FilmReader::same_soil(const FrameFiles& files) const
+run_folder::SavedSoil FilmReader::same_soil(const run_folder::FrameFiles& files) const
 {
-  SavedSoil soil = read_soil(files.soil);
+  run_folder::SavedSoil soil = run_folder::read_soil(files.soil);
   if (soil.id != first_.id || soil.body != first_.body)
     throw RunError(fmt::format("{}: has other particles than the first frame", files.soil.string()));
   return soil;
 }
 
-FilmFrame FilmReader::read(const FrameFiles& files) const
+FilmFrame FilmReader::read(const run_folder::FrameFiles& files) const
 {
   FilmFrame frame = film_frame(same_soil(files));
-  if (!files.rigid.empty()) frame.rigids = read_rigids(files.rigid);
+  if (!files.rigid.empty()) frame.rigids = run_folder::read_rigids(files.rigid);
   return frame;
 }
 
-void FilmReader::add_sheared(const FrameFiles& files, FilmFrame& frame) const
+void FilmReader::add_sheared(const run_folder::FrameFiles& files, FilmFrame& frame) const
 {
-  const SavedSoil soil = same_soil(files);
+  const run_folder::SavedSoil soil = same_soil(files);
   for (std::size_t k = 0; k < chosen_.size(); ++k) frame.sheared[k] += finite(soil.incremental_deviatoric_strain[chosen_[k]]);
 }
 
-FilmFrame FilmReader::film_frame(const SavedSoil& soil) const
+FilmFrame FilmReader::film_frame(const run_folder::SavedSoil& soil) const
 {
   constexpr float kPa = 1e-3f, mm = 1e3f;  // of one Pa and one m
   FilmFrame frame;
@@ -77,4 +77,4 @@ FilmFrame FilmReader::film_frame(const SavedSoil& soil) const
   return frame;
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -3,7 +3,7 @@
 
 #include "run_folder/frame_reader.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// What a film needs of a frame. Values by point; one that is not finite is 0.
 struct FilmFrame {
@@ -13,14 +13,14 @@ struct FilmFrame {
   std::vector<float> mean_stress;   ///< kPa, compression positive
   std::vector<float> speed;         ///< m/s
   std::vector<float> displacement;  ///< mm, since the start
-  SavedRigids rigids;
+  run_folder::SavedRigids rigids;
 };
 
 /// Reads the frames of a run as its film shows them: all points in plane strain, in space those of the slice in the middle.
 class FilmReader {
 public:
   /// Reads the first frame, whose points all others must have. Throws RunError where it cannot be read or has no points.
-  FilmReader(const FrameFiles& first, int dimension);
+  FilmReader(const run_folder::FrameFiles& first, int dimension);
 
   std::size_t count() const { return chosen_.size(); }
   /// m, of the square or cube that each particle stands for at the start.
@@ -31,18 +31,18 @@ public:
   Real middle() const { return middle_; }
 
   /// `sheared` is that since the frame before it. Throws RunError where a file cannot be read or holds other points. Safe to call from several threads.
-  FilmFrame read(const FrameFiles& files) const;
+  FilmFrame read(const run_folder::FrameFiles& files) const;
   /// Adds to `sheared` of a frame that of one that is not shown.
-  void add_sheared(const FrameFiles& files, FilmFrame& frame) const;
+  void add_sheared(const run_folder::FrameFiles& files, FilmFrame& frame) const;
 
 private:
-  SavedSoil same_soil(const FrameFiles& files) const;
-  FilmFrame film_frame(const SavedSoil& soil) const;
+  run_folder::SavedSoil same_soil(const run_folder::FrameFiles& files) const;
+  FilmFrame film_frame(const run_folder::SavedSoil& soil) const;
 
-  SavedSoil first_;
+  run_folder::SavedSoil first_;
   std::vector<Index> chosen_;  ///< points of the frames that the film shows
   std::vector<float> sizes_;
   Real middle_ = 0;
 };
 
-}  // namespace berm
+}  // namespace berm::report

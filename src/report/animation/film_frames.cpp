@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <functional>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 constexpr std::size_t bytes_of_point = 7 * sizeof(float);  // the lists of a FilmFrame
@@ -22,11 +22,11 @@ std::vector<std::string> stages_of(const std::vector<FilmMoment>& moments)
 }
 
 /// Reads those of the files that are wanted, until one cannot be read.
-void read_frames(Footage& footage, const RunRecord& run, const std::vector<FrameFiles>& files, const FilmReader& reader,
+void read_frames(Footage& footage, const pipe::RunRecord& run, const std::vector<run_folder::FrameFiles>& files, const FilmReader& reader,
                  std::size_t most_memory)
 {
   std::vector<FilmMoment> moments;
-  for (const FrameFiles& frame : files) moments.push_back(moment_at(run.history, frame.time));
+  for (const run_folder::FrameFiles& frame : files) moments.push_back(moment_at(run.history, frame.time));
   footage.step = static_cast<Index>(files.size() * reader.count() * bytes_of_point / most_memory) + 1;
   const std::vector<Index> wanted = kept_frames(stages_of(moments), footage.step);
 
@@ -62,12 +62,12 @@ std::vector<std::string> Footage::stages() const
   return stages_of(moments);
 }
 
-Footage read_footage(const RunRecord& run, std::size_t most_memory)
+Footage read_footage(const pipe::RunRecord& run, std::size_t most_memory)
 {
   Footage footage;
-  std::vector<FrameFiles> files;
+  std::vector<run_folder::FrameFiles> files;
   try {
-    files = frame_files(run.folder / "frames");
+    files = run_folder::frame_files(run.folder / "frames");
     if (files.empty()) {
       if (run.history.rows() > 0) footage.fault = "there is no film of the soil: frames/ lists no frames";
       return footage;
@@ -84,4 +84,4 @@ Footage read_footage(const RunRecord& run, std::size_t most_memory)
   return footage;
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
@@ -24,7 +24,7 @@ std::size_t first_row_from(const std::vector<Real>& times, Real time)
 
 }  // namespace
 
-FilmMoment moment_at(const History& history, Real time)
+FilmMoment moment_at(const run_folder::History& history, Real time)
 {
   FilmMoment moment;
   if (history.rows() == 0 || !history.has("time_s")) return moment;
@@ -40,7 +40,7 @@ FilmMoment moment_at(const History& history, Real time)
   return moment;
 }
 
-Real way_between(const History& history, Real from, Real to)
+Real way_between(const run_folder::History& history, Real from, Real to)
 {
   if (history.rows() == 0 || !history.has("time_s") || !history.has("u_m") || !history.has("w_m")) return unknown;
   const std::vector<Real>&times = history["time_s"], &u = history["u_m"], &w = history["w_m"];
@@ -56,4 +56,4 @@ Real way_between(const History& history, Real from, Real to)
   return way;
 }
 
-}  // namespace berm
+}  // namespace berm::report

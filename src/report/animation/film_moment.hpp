@@ -3,7 +3,7 @@
 
 #include "run_folder/history.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// What the history tells of a moment; NaN and "" where it tells nothing.
 struct FilmMoment {
@@ -13,9 +13,9 @@ struct FilmMoment {
 };
 
 /// The moment of a time, s; before the first row or behind the last one, that row's.
-FilmMoment moment_at(const History& history, Real time);
+FilmMoment moment_at(const run_folder::History& history, Real time);
 
 /// The length of the pipe's way (u, w) between two times, m; NaN where the history does not tell it.
-Real way_between(const History& history, Real from, Real to);
+Real way_between(const run_folder::History& history, Real from, Real to);
 
-}  // namespace berm
+}  // namespace berm::report

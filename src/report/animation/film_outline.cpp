@@ -3,13 +3,13 @@
 
 #include <map>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 using Outlines = std::vector<std::vector<Index>>;
 
 /// The outlines of each rigid body in one frame, as points of the frame.
-std::map<std::int32_t, Outlines> outlines_in(const SavedRigids& rigids, int dimension)
+std::map<std::int32_t, Outlines> outlines_in(const run_folder::SavedRigids& rigids, int dimension)
 {
   std::map<std::int32_t, Outlines> outlines;
   for (std::size_t cell = 0; cell < rigids.cells.size(); ++cell) {
@@ -18,7 +18,7 @@ std::map<std::int32_t, Outlines> outlines_in(const SavedRigids& rigids, int dime
     Outlines& own = outlines[rigids.rigid[cell]];
     if (dimension == 2) {
       own.push_back(points);
-    } else if (rigids.types[cell] == VtkCell::quad) {  // a side of an extruded body; its first corner is one of the lower end
+    } else if (rigids.types[cell] == io::VtkCell::quad) {  // a side of an extruded body; its first corner is one of the lower end
       if (own.empty()) own.emplace_back();
       own.front().push_back(points.front());
     }
@@ -33,7 +33,7 @@ std::vector<FilmOutline> film_outlines(const std::vector<const FilmFrame*>& fram
   // The number of a body's outlines may change: a circle that turns gets a spoke.
   std::map<std::pair<std::int32_t, std::size_t>, FilmOutline> films;
   for (std::size_t f = 0; f < frames.size(); ++f) {
-    const SavedRigids& rigids = frames[f]->rigids;
+    const run_folder::SavedRigids& rigids = frames[f]->rigids;
     for (const auto& [rigid, outlines] : outlines_in(rigids, dimension))
       for (std::size_t number = 0; number < outlines.size(); ++number) {
         const std::vector<Index>& outline = outlines[number];
@@ -55,4 +55,4 @@ std::vector<FilmOutline> film_outlines(const std::vector<const FilmFrame*>& fram
   return list;
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -3,7 +3,7 @@
 
 #include "report/animation/film_fields_of_frames.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// A closed polygon or a line of a rigid body, as it moves.
 struct FilmOutline {
@@ -15,4 +15,4 @@ struct FilmOutline {
 /// The outlines of all rigid bodies: in plane strain of each of their polygons and lines, in space of the end of those that are extruded along z.
 std::vector<FilmOutline> film_outlines(const std::vector<const FilmFrame*>& frames, int dimension);
 
-}  // namespace berm
+}  // namespace berm::report

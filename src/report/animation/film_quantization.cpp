@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 constexpr Real most_code = 65535;
@@ -85,10 +85,10 @@ std::string triangle_bytes(const std::vector<std::array<Index, 6>>& triangles)
 
 Real range_end(std::vector<float> values)
 {
-  if (values.empty()) return round_up(0);
+  if (values.empty()) return plot::round_up(0);
   const auto place = values.end() - 1 - static_cast<std::ptrdiff_t>(values.size() / 500);
   std::nth_element(values.begin(), place, values.end());
-  return round_up(*place);
+  return plot::round_up(*place);
 }
 
 std::string field_bytes(const std::vector<float>& values, std::size_t count, Real high)
@@ -104,4 +104,4 @@ std::string field_bytes(const std::vector<float>& values, std::size_t count, Rea
   return bytes;
 }
 
-}  // namespace berm
+}  // namespace berm::report

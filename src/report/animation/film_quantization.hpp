@@ -3,7 +3,7 @@
 
 #include "report/animation/film_fields_of_frames.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// Numbers as they lie in memory: little-endian.
 template <class T>
@@ -44,4 +44,4 @@ Real range_end(std::vector<float> values);
 /// Values (by frame, then point) as bytes of a field's block: 0 stands for 0, 255 for `high`.
 std::string field_bytes(const std::vector<float>& values, std::size_t count, Real high);
 
-}  // namespace berm
+}  // namespace berm::report

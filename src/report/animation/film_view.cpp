@@ -5,32 +5,32 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 // Around the pipe's path, in diameters: to the sides of its centre, below and above its lowest point.
 constexpr Real beside = 2.5, below = 2, above = 1.3;
 
 /// How high soil can rise; infinite where the settings do not tell.
-Real top_of(const MeshSettings& mesh)
+Real top_of(const mesh::MeshSettings& mesh)
 {
-  if (const auto* seabed = std::get_if<SeabedMesh>(&mesh)) return seabed->headroom;
-  if (const auto* box = std::get_if<BoxMesh>(&mesh)) return (box->lower.empty() ? 0 : box->lower[1]) + box->size[1];
+  if (const auto* seabed = std::get_if<mesh::SeabedMesh>(&mesh)) return seabed->headroom;
+  if (const auto* box = std::get_if<mesh::BoxMesh>(&mesh)) return (box->lower.empty() ? 0 : box->lower[1]) + box->size[1];
   return infinity;
 }
 
 /// Centre (x) and lowest point (y) of a body at the start, m.
 template <int dim>
-Vec<2> start_of(const RigidShapeSettings& settings)
+Vec<2> start_of(const bodies::RigidShapeSettings& settings)
 {
-  const RigidShape<dim> shape = make_shape<dim>(settings);
+  const bodies::RigidShape<dim> shape = make_shape<dim>(settings);
   return {center_of<dim>(shape)[0], lowest_level<dim>(shape)};
 }
 
 /// The box of the centres (x) and lowest points (y) of the pipe.
-FilmBox path_of(const RunRecord& run)
+FilmBox path_of(const pipe::RunRecord& run)
 {
-  const RigidShapeSettings& shape = run.settings.rigid[main_rigid(run.settings)].second.shape;
+  const bodies::RigidShapeSettings& shape = run.settings.rigid[main_rigid(run.settings)].second.shape;
   const Vec<2> start = run.settings.dimension == 2 ? start_of<2>(shape) : start_of<3>(shape);
   FilmBox path{start, start};
   if (!run.history.has("u_m") || !run.history.has("w_m")) return path;
@@ -46,7 +46,7 @@ FilmBox path_of(const RunRecord& run)
 
 }  // namespace
 
-FilmBox film_view(const RunRecord& run, const FilmBox& soil)
+FilmBox film_view(const pipe::RunRecord& run, const FilmBox& soil)
 {
   if (!run.has_pipe()) return soil;
   const Real D = run.scale.diameter;
@@ -60,11 +60,11 @@ FilmBox film_view(const RunRecord& run, const FilmBox& soil)
   return seen ? view : soil;
 }
 
-std::optional<Real> film_surface(const Case& settings)
+std::optional<Real> film_surface(const problem::Case& settings)
 {
   const bool flat = std::any_of(settings.body.begin(), settings.body.end(), [](const auto& body) { return body.second.k0.has_value(); });
-  if (flat || std::holds_alternative<SeabedMesh>(settings.mesh)) return settings.surface;
+  if (flat || std::holds_alternative<mesh::SeabedMesh>(settings.mesh)) return settings.surface;
   return {};
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -2,16 +2,16 @@
 #pragma once
 
 #include "core/error.hpp"
+#include "report/claims/test_run.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
-#include "report/claims/test_run.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// What one run says of a claim.
 struct Finding {
   std::string run;
-  Standing standing;
+  text::Standing standing;
   std::string words;
 };
 
@@ -38,8 +38,8 @@ void add_findings(Claim& claim, const TestRuns& runs, const Find& find)
 constexpr Real near_enough = 0.15, not_far = 0.4;
 
 /// By the distance from the published value: good within near_enough, fair within not_far. Neither number may be NaN.
-Standing standing_of(Real value, Real published);
-Standing standing_if(bool holds);
+text::Standing standing_of(Real value, Real published);
+text::Standing standing_if(bool holds);
 
 /// A length for sentences.
 std::string diameters(const TestRun& run, Real length);  ///< "0.25 D"
@@ -50,4 +50,4 @@ std::vector<Claim> claims_of_contact(const TestRuns& mpm);
 /// The claims about finite elements around a pipe wished in place, beside the material point method.
 std::vector<Claim> claims_of_finite_elements(const TestRuns& mpm, const TestRuns& fem);
 
-}  // namespace berm
+}  // namespace berm::report

@@ -3,9 +3,9 @@
 
 #include "structures/pipe/run_record.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// The claims of the paper, each with what the runs found, as HTML; "" where the runs are not of its test.
-std::string claims_section(const std::vector<RunRecord>& runs);
+std::string claims_section(const std::vector<pipe::RunRecord>& runs);
 
-}  // namespace berm
+}  // namespace berm::report

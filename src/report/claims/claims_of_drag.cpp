@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 using MaybeFinding = std::optional<Finding>;
@@ -35,7 +35,7 @@ Claim force_of_the_push(const TestRuns& mpm)
     parts.take(V / paper_V_push);
     const auto w = run.w_where_V_is(paper_V_push);
     return Finding{run.record.name, standing_of(V, paper_V_push),
-                   fmt::format("V = {} at {:g} D; {}", force_words(V, 2), paper_w_push,
+                   fmt::format("V = {} at {:g} D; {}", text::force_words(V, 2), paper_w_push,
                                w ? fmt::format("{:g} kN/m at {}", paper_V_push / 1000, diameters(run, *w))
                                  : fmt::format("{:g} kN/m is not reached", paper_V_push / 1000))};
   });
@@ -53,11 +53,11 @@ Claim heave_of_the_push(const TestRuns& mpm)
       "Heave is the largest rise of the surface beside the pipe (less than 0: it sinks). It counts where it is at least half of what the "
       "displaced soil would make, spread evenly over 1.5 D to both sides of the axis.";
   add_findings(claim, mpm, [](const TestRun& run) -> MaybeFinding {
-    const auto frame = run.frames.last(StageKind::push);
+    const auto frame = run.frames.last(problem::StageKind::push);
     if (!frame || !run.has_drag()) return {};
-    const PipePlace& pipe = run.frames.place(*frame);
-    const Heave heave = heave_of(run.frames.soil(0), run.frames.soil(*frame), run.record.settings.surface, pipe, run.D);
-    const Real even = f114_penetrated_area(run.D, pipe.w) / (3 * run.D);
+    const pipe::PipePlace& pipe = run.frames.place(*frame);
+    const pipe::Heave heave = heave_of(run.frames.soil(0), run.frames.soil(*frame), run.record.settings.surface, pipe, run.D);
+    const Real even = formulas::f114_penetrated_area(run.D, pipe.w) / (3 * run.D);
     return Finding{run.record.name, standing_if(std::min(heave.behind, heave.ahead) >= even / 2),
                    fmt::format("{} and {} at w = {}; spread evenly {}", diameters(run, heave.behind), diameters(run, heave.ahead),
                                diameters(run, pipe.w), diameters(run, even))};
@@ -74,8 +74,8 @@ Claim growing_resistance(const TestRuns& mpm)
     const Real u = run.end_of_drag(), first = run.H(u / 3), second = run.H(2 * u / 3), last = run.H(u);
     if (std::isnan(first + second + last)) return {};
     return Finding{run.record.name, standing_if(first < second && second < last),
-                   fmt::format("{}, {}, {} at u = {}, {}, {}", force_words(first, 2), force_words(second, 2), force_words(last, 2),
-                               diameters(run, u / 3), diameters(run, 2 * u / 3), diameters(run, u))};
+                   fmt::format("{}, {}, {} at u = {}, {}, {}", text::force_words(first, 2), text::force_words(second, 2),
+                               text::force_words(last, 2), diameters(run, u / 3), diameters(run, 2 * u / 3), diameters(run, u))};
   });
   return claim;
 }
@@ -116,7 +116,8 @@ Claim berm_of_soil(const TestRuns& mpm)
   Claim claim{fmt::format("After u = {:g} D the berm that the pipe heaps up makes H grow", paper_u_drag), "3.4, 4", {}, ""};
   bool sinks = false;
   add_findings(claim, mpm, [&](const TestRun& run) -> MaybeFinding {
-    const auto from = run.frames.nearest(StageKind::drag, &PipePlace::u, paper_u_drag * run.D), to = run.frames.last(StageKind::drag);
+    const auto from = run.frames.nearest(problem::StageKind::drag, &pipe::PipePlace::u, paper_u_drag * run.D),
+               to = run.frames.last(problem::StageKind::drag);
     if (!from || !to || *from == *to || !comes_beyond(run, (paper_u_drag + 0.1) * run.D)) return {};
     const auto berm = [&](std::size_t frame) {
       return heave_of(run.frames.soil(0), run.frames.soil(frame), run.record.settings.surface, run.frames.place(frame), run.D).berm /
@@ -126,18 +127,19 @@ Claim berm_of_soil(const TestRuns& mpm)
     const bool grows = last > first && H_last > H_first;
     const bool sinks_on = run.w(run.end_of_drag()) - run.w(paper_u_drag * run.D) > still * run.D;
     sinks = sinks || sinks_on;
-    const Standing standing = !grows ? Standing::bad : sinks_on ? Standing::fair : Standing::good;
-    return Finding{run.record.name, standing,
-                   fmt::format("berm {:.3g} to {:.3g} D², H {} to {}", first, last, force_words(H_first, 2), force_words(H_last, 2))};
+    const text::Standing standing = !grows ? text::Standing::bad : sinks_on ? text::Standing::fair : text::Standing::good;
+    return Finding{
+        run.record.name, standing,
+        fmt::format("berm {:.3g} to {:.3g} D², H {} to {}", first, last, text::force_words(H_first, 2), text::force_words(H_last, 2))};
   });
   claim.why = sinks ? "Berm and H grow together, but the pipe sinks on as well, so that these runs cannot tell the two apart."
                     : "The pipe sinks no more: what grows with H is the berm.";
   return claim;
 }
 
-const ContactSettings& contact_of(const TestRun& run)
+const contact::ContactSettings& contact_of(const TestRun& run)
 {
-  return *contact_of_pipe(run.record.settings);
+  return *pipe::contact_of_pipe(run.record.settings);
 }
 
 Claim no_penetration(const TestRuns& mpm)
@@ -149,8 +151,8 @@ Claim no_penetration(const TestRuns& mpm)
       deepest);
   claim.missing = "No run here that came to its drag corrects twice.";
   add_findings(claim, mpm, [](const TestRun& run) -> MaybeFinding {
-    const Quantity* overlap = run.record.quantity("overlap_max_over_D");
-    if (overlap == nullptr || std::isnan(overlap->value) || contact_of(run).scheme != Scheme::twice || !run.has_drag()) return {};
+    const run_folder::Quantity* overlap = run.record.quantity("overlap_max_over_D");
+    if (overlap == nullptr || std::isnan(overlap->value) || contact_of(run).scheme != contact::Scheme::twice || !run.has_drag()) return {};
     return Finding{run.record.name, standing_if(overlap->value <= deepest),
                    fmt::format("deepest particle {:.2g} D inside", overlap->value)};
   });
@@ -165,9 +167,9 @@ Claim fewer_oscillations(const TestRuns& mpm)
   claim.missing = "No two runs here differ in it; berm study examples/contact_schemes compares the schemes.";
   for (const TestRun& once : mpm)
     add_findings(claim, mpm, [&](const TestRun& twice) -> MaybeFinding {
-      const ContactSettings &a = contact_of(once), &b = contact_of(twice);
-      const Quantity *noise_a = once.record.quantity("V_noise"), *noise_b = twice.record.quantity("V_noise");
-      const bool pair = a.scheme == Scheme::once && b.scheme == Scheme::twice && a.detection == b.detection;
+      const contact::ContactSettings &a = contact_of(once), &b = contact_of(twice);
+      const run_folder::Quantity *noise_a = once.record.quantity("V_noise"), *noise_b = twice.record.quantity("V_noise");
+      const bool pair = a.scheme == contact::Scheme::once && b.scheme == contact::Scheme::twice && a.detection == b.detection;
       if (!pair || noise_a == nullptr || noise_b == nullptr) return {};
       return Finding{twice.record.name, standing_if(noise_b->value < 0.9 * noise_a->value),
                      fmt::format("noise of V {:.2g} % with two, {:.2g} % with one correction", 100 * noise_b->value, 100 * noise_a->value)};
@@ -187,4 +189,4 @@ std::vector<Claim> claims_of_contact(const TestRuns& mpm)
   return {no_penetration(mpm), fewer_oscillations(mpm)};
 }
 
-}  // namespace berm
+}  // namespace berm::report

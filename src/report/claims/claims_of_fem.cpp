@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 using MaybeFinding = std::optional<Finding>;
@@ -40,8 +40,8 @@ Claim force_of_finite_elements(const TestRuns& fem)
       forces.push_back(plateau(run));
       most = std::max(most, plateau(run) / H);
       return Finding{run.record.name, standing_of(prototype, H),
-                     fmt::format("{} at u = {}, {} in the prototype (paper {:g} kN)", force_words(plateau(run), 2),
-                                 diameters(run, run.end_of_drag()), force_words(prototype, 2), H / 1000)};
+                     fmt::format("{} at u = {}, {} in the prototype (paper {:g} kN)", text::force_words(plateau(run), 2),
+                                 diameters(run, run.end_of_drag()), text::force_words(prototype, 2), H / 1000)};
     });
   claim.why = fmt::format("Judged per metre run of the prototype; read per metre run of the model, as V is above and in the curves, berm "
                           "gives at most {:.2g} of "
@@ -75,9 +75,9 @@ Claim finite_elements_fall_short(const TestRuns& mpm, const TestRuns& fem, Real 
     const Real ratio = per_weight(run, H) / H_fem, ratio_V = per_weight(run, run.V(*u)) / V_fem;
     const bool same = ratio_V < alike && ratio_V > 1 / alike;
     same_load = same_load && same;
-    const Standing standing = ratio <= 1 + near_enough ? Standing::bad : same ? Standing::good : Standing::fair;
+    const text::Standing standing = ratio <= 1 + near_enough ? text::Standing::bad : same ? text::Standing::good : text::Standing::fair;
     return Finding{run.record.name, standing,
-                   fmt::format("H = {} at u = {} (w = {}): {:.2g} times that of {}, under {:.2g} times its V", force_words(H, 2),
+                   fmt::format("H = {} at u = {} (w = {}): {:.2g} times that of {}, under {:.2g} times its V", text::force_words(H, 2),
                                diameters(run, *u), diameters(run, run.w(*u)), ratio, wished->record.name, ratio_V)};
   });
   claim.why = "H and V over γ′ D² are compared.";
@@ -98,13 +98,13 @@ Claim mechanisms_differ(const TestRuns& mpm, const TestRuns& fem)
   std::vector<Real> reaches;  // of D
   const auto judge = [&](const TestRun& run, std::size_t frame, bool two_wedges) -> MaybeFinding {
     if (frame == 0) return {};
-    const Mechanism m = mechanism_of(run.frames.soil(frame - 1), run.frames.soil(frame), run.record.settings.surface,
-                                     run.frames.place(frame - 1), run.frames.place(frame), run.D);
+    const pipe::Mechanism m = mechanism_of(run.frames.soil(frame - 1), run.frames.soil(frame), run.record.settings.surface,
+                                           run.frames.place(frame - 1), run.frames.place(frame), run.D);
     reaches.push_back(m.reach / run.D);
     const bool behind = m.behind >= a_tenth, drags = m.dragged >= half;  // NaN, no heaped soil: drags nothing
-    const Standing standing = behind == two_wedges && drags != two_wedges   ? Standing::good
-                              : behind == two_wedges || drags != two_wedges ? Standing::fair
-                                                                            : Standing::bad;
+    const text::Standing standing = behind == two_wedges && drags != two_wedges   ? text::Standing::good
+                                    : behind == two_wedges || drags != two_wedges ? text::Standing::fair
+                                                                                  : text::Standing::bad;
     const std::string heap =
         std::isnan(m.dragged) ? "no soil is heaped up" : fmt::format("{:.0f} % of the heaped soil moves along", 100 * m.dragged);
     return Finding{run.record.name, standing,
@@ -112,12 +112,12 @@ Claim mechanisms_differ(const TestRuns& mpm, const TestRuns& fem)
                                diameters(run, run.frames.place(frame).w), 100 * m.behind, diameters(run, m.reach), heap)};
   };
   add_findings(claim, fem, [&](const TestRun& run) -> MaybeFinding {
-    const auto frame = wished_at(run, paper_w_drag) ? run.frames.last(StageKind::drag) : std::nullopt;
+    const auto frame = wished_at(run, paper_w_drag) ? run.frames.last(problem::StageKind::drag) : std::nullopt;
     return frame ? judge(run, *frame, true) : MaybeFinding{};
   });
   add_findings(claim, mpm, [&](const TestRun& run) -> MaybeFinding {
     if (!run.has_drag() || !run.u_where_w_is(paper_w_drag * run.D)) return {};
-    const auto frame = run.frames.nearest(StageKind::drag, &PipePlace::w, paper_w_drag * run.D);
+    const auto frame = run.frames.nearest(problem::StageKind::drag, &pipe::PipePlace::w, paper_w_drag * run.D);
     return frame ? judge(run, *frame, false) : MaybeFinding{};
   });
   claim.why = "Two wedges: a tenth of the shearing or more behind the pipe's centre, and the heaped soil stays. Dragging: less than a "
@@ -137,4 +137,4 @@ std::vector<Claim> claims_of_finite_elements(const TestRuns& mpm, const TestRuns
           finite_elements_fall_short(mpm, fem, paper_H_fem[1].first), mechanisms_differ(mpm, fem)};
 }
 
-}  // namespace berm
+}  // namespace berm::report

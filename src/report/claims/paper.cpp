@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 bool near(Real value, Real published)
@@ -14,20 +14,20 @@ bool near(Real value, Real published)
 
 }  // namespace
 
-bool is_of_paper(const RunRecord& run)
+bool is_of_paper(const pipe::RunRecord& run)
 {
-  const Case& c = run.settings;
-  const Material* material = touched_material(c);
-  const auto* sand = material == nullptr ? nullptr : std::get_if<MohrCoulomb>(material);
+  const problem::Case& c = run.settings;
+  const material::Material* material = pipe::touched_material(c);
+  const auto* sand = material == nullptr ? nullptr : std::get_if<material::MohrCoulomb>(material);
   if (!run.has_pipe() || sand == nullptr || c.dimension != 2) return false;
-  const bool pipe = std::holds_alternative<CircleSettings>(c.rigid[main_rigid(c)].second.shape) &&
+  const bool pipe = std::holds_alternative<bodies::CircleSettings>(c.rigid[main_rigid(c)].second.shape) &&
                     near(run.scale.diameter, paper_diameter) && near(run.scale.gravity_level, 50);
   const bool soil =
       near(sand->friction_angle, 35 * pi / 180) && sand->cohesion == 0 && near(sand->young_modulus, 7e6) && near(sand->poisson_ratio, 0.25);
-  return pipe && soil && near(contact_of_pipe(c)->friction_angle, 23.33 * pi / 180);
+  return pipe && soil && near(pipe::contact_of_pipe(c)->friction_angle, 23.33 * pi / 180);
 }
 
-std::vector<PaperPoint> paper_points(const std::vector<RunRecord>& runs)
+std::vector<PaperPoint> paper_points(const std::vector<pipe::RunRecord>& runs)
 {
   if (std::none_of(runs.begin(), runs.end(), is_of_paper)) return {};
   const Real D = paper_diameter;
@@ -38,4 +38,4 @@ std::vector<PaperPoint> paper_points(const std::vector<RunRecord>& runs)
   return points;
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -5,7 +5,7 @@
 
 // M. Maglia, N. M. Pinyol and C. Hoffman: Material Point Method modelling of offshore unburied cable/pipe interacting with soil.
 
-namespace berm {
+namespace berm::report {
 
 /// What the paper states of its test, in metres, diameters and N/m. It gives forces in kN and neither length nor scale. The curves show them per metre run of the model, as V is read.
 constexpr Real paper_diameter = 0.02;
@@ -15,7 +15,7 @@ constexpr std::pair<Real, Real> paper_H_fem[] = {{0.1, 1000.}, {0.25, 2000.}};  
 
 /// Whether a run has the pipe and the sand of the paper's centrifuge test: D = 20 mm at 50 g, phi = 35 deg without cohesion, E = 7 MPa, nu = 0.25, friction
 /// of the interface 2/3 phi.
-bool is_of_paper(const RunRecord& run);
+bool is_of_paper(const pipe::RunRecord& run);
 
 /// A number that the paper states, in a chart of V over w, H over u or w over u; without x it is a level.
 struct PaperPoint {
@@ -26,6 +26,6 @@ struct PaperPoint {
 };
 
 /// What the paper states; empty unless a run is of its test.
-std::vector<PaperPoint> paper_points(const std::vector<RunRecord>& runs);
+std::vector<PaperPoint> paper_points(const std::vector<pipe::RunRecord>& runs);
 
-}  // namespace berm
+}  // namespace berm::report

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "structures/pipe/travel_curve.hpp"
 #include "structures/pipe/mechanism.hpp"
+#include "structures/pipe/travel_curve.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// A run of the paper's test with its curves and frames.
 class TestRun {
 public:
-  explicit TestRun(const RunRecord& run)
+  explicit TestRun(const pipe::RunRecord& run)
       : record(run),
         D(run.scale.diameter),
         half_(averaging_half(run.scale)),
@@ -22,7 +22,7 @@ public:
   {
   }
 
-  const RunRecord& record;
+  const pipe::RunRecord& record;
   const Real D;
 
   /// N/m and m, freed from noise; NaN where the push or the drag does not come so far.
@@ -40,22 +40,22 @@ public:
   std::optional<Real> u_where_w_is(Real embedment) const { return first_travel(w_, embedment); }
 
 private:
-  std::optional<Real> first_travel(const TravelCurve& curve, Real value) const
+  std::optional<Real> first_travel(const pipe::TravelCurve& curve, Real value) const
   {
-    const TravelCurve smooth = curve.smoothed(half_);
+    const pipe::TravelCurve smooth = curve.smoothed(half_);
     for (std::size_t k = 0; k < smooth.travel().size(); ++k)
       if (smooth.value()[k] >= value) return smooth.travel()[k];
     return std::nullopt;
   }
 
   Real half_;
-  PipePath path_;
-  TravelCurve V_, H_, V_drag_, w_;
+  pipe::PipePath path_;
+  pipe::TravelCurve V_, H_, V_drag_, w_;
 
 public:
-  const PipeFrames frames;
+  const pipe::PipeFrames frames;
 };
 
 using TestRuns = std::vector<TestRun>;
 
-}  // namespace berm
+}  // namespace berm::report

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page/page.hpp"
 
-#include "text/tex_math.hpp"
 #include "report/animation/film.hpp"
-#include "text/html.hpp"
+#include "report/claims/claims.hpp"
+#include "report/claims/paper.hpp"
 #include "report/page/page_data.hpp"
 #include "report/page/page_files.hpp"
-#include "report/claims/paper.hpp"
-#include "report/setup/setup_section.hpp"
-#include "report/results/results_section.hpp"
 #include "report/quality/quality_section.hpp"
-#include "report/claims/claims.hpp"
+#include "report/results/results_section.hpp"
+#include "report/setup/setup_section.hpp"
+#include "text/html.hpp"
+#include "text/tex_math.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -31,7 +31,7 @@ std::string script_json(const Json& json)
   return text;
 }
 
-Json paper_json(const std::vector<RunRecord>& runs)
+Json paper_json(const std::vector<pipe::RunRecord>& runs)
 {
   Json points = Json::array();
   for (const PaperPoint& p : paper_points(runs))
@@ -39,16 +39,16 @@ Json paper_json(const std::vector<RunRecord>& runs)
   return points;
 }
 
-std::string title_of(const std::vector<RunRecord>& runs)
+std::string title_of(const std::vector<pipe::RunRecord>& runs)
 {
-  const RunRecord& first = runs.front();
-  return html_text(first.settings.title.empty() ? first.name : first.settings.title);
+  const pipe::RunRecord& first = runs.front();
+  return text::html_text(first.settings.title.empty() ? first.name : first.settings.title);
 }
 
-std::string header_of(const std::vector<RunRecord>& runs, const std::vector<std::pair<std::string, std::string>>& sections)
+std::string header_of(const std::vector<pipe::RunRecord>& runs, const std::vector<std::pair<std::string, std::string>>& sections)
 {
   std::vector<std::string> names, links;
-  for (const RunRecord& run : runs) names.push_back(html_text(run.name));
+  for (const pipe::RunRecord& run : runs) names.push_back(text::html_text(run.name));
   for (const auto& [id, word] : sections) links.push_back(fmt::format("<a href=\"#{}\">{}</a>", id, word));
   return fmt::format(
       "<header>\n<h1>{}</h1>\n<p class=\"quiet\">{}: {}; written by berm {}</p>\n<nav aria-label=\"sections\">{}</nav>\n</header>\n",
@@ -57,26 +57,26 @@ std::string header_of(const std::vector<RunRecord>& runs, const std::vector<std:
 }
 
 /// What a reader must know first of runs that did not end well.
-std::string faults_of(const std::vector<RunRecord>& runs, const std::vector<std::string>& left_out)
+std::string faults_of(const std::vector<pipe::RunRecord>& runs, const std::vector<std::string>& left_out)
 {
   std::string items;
-  for (const std::string& words : left_out) items += fmt::format("<li class=\"warning\">{}</li>\n", html_text(words));
-  for (const RunRecord& run : runs) {
+  for (const std::string& words : left_out) items += fmt::format("<li class=\"warning\">{}</li>\n", text::html_text(words));
+  for (const pipe::RunRecord& run : runs) {
     std::vector<std::string> said;
-    if (run.end == RunEnd::unfinished)
+    if (run.end == pipe::RunEnd::unfinished)
       said.emplace_back("did not come to its end: it was killed, crashed or still runs. Shown is what it wrote until then.");
-    if (run.end == RunEnd::stopped)
+    if (run.end == pipe::RunEnd::stopped)
       said.push_back(fmt::format("was stopped before its end. It said: {}", run.last_words.empty() ? "nothing" : run.last_words));
     said.insert(said.end(), run.faults.begin(), run.faults.end());
     for (const std::string& words : said)
-      items += fmt::format("<li class=\"warning\"><strong>{}</strong> {}</li>\n", html_text(run.name), html_text(words));
+      items += fmt::format("<li class=\"warning\"><strong>{}</strong> {}</li>\n", text::html_text(run.name), text::html_text(words));
   }
   return items.empty() ? "" : fmt::format("<ul class=\"warnings\" id=\"faults\">\n{}</ul>\n", items);
 }
 
 }  // namespace
 
-std::string report_page(std::vector<RunRecord> runs, const std::vector<std::string>& left_out)
+std::string report_page(std::vector<pipe::RunRecord> runs, const std::vector<std::string>& left_out)
 {
   Json data = {{"version", BERM_VERSION}, {"runs", Json::array()}, {"paper", paper_json(runs)}};
   std::string blocks;
@@ -102,9 +102,9 @@ std::string report_page(std::vector<RunRecord> runs, const std::vector<std::stri
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   page += fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n", title_of(runs), page_style);
   page += header_of(runs, sections) + faults_of(runs, left_out) + results_section(runs) + setup_section(runs);
-  page += html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
-  page += html_section("soil", "The soil, moving",
-                       "<noscript><p>The moving soil needs scripts, which this browser does not run.</p></noscript>\n");
+  page += text::html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
+  page += text::html_section("soil", "The soil, moving",
+                             "<noscript><p>The moving soil needs scripts, which this browser does not run.</p></noscript>\n");
   page += quality_section(runs) + claims + "</main>\n";
   page += blocks;
   page += fmt::format("<script type=\"application/json\" id=\"berm-data\">{}</script>\n<script>", script_json(data));
@@ -112,4 +112,4 @@ std::string report_page(std::vector<RunRecord> runs, const std::vector<std::stri
   return page + "</script>\n</body>\n</html>\n";
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page/page_data.hpp"
 
-#include "structures/pipe/travel_curve.hpp"
 #include "report/claims/paper.hpp"
 #include "structures/pipe/display_units.hpp"
+#include "structures/pipe/travel_curve.hpp"
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -20,7 +20,7 @@ Json number_or_null(Real value)
 }
 
 /// Rows of the history that the page holds: each so manieth, and the first and the last of each stage.
-std::vector<Index> kept_rows(const History& history)
+std::vector<Index> kept_rows(const run_folder::History& history)
 {
   const Index rows = history.rows(), step = std::max(1, (rows + most_rows - 1) / most_rows);
   std::vector<Index> kept;
@@ -33,17 +33,19 @@ std::vector<Index> kept_rows(const History& history)
 }
 
 /// The rows of a push or a drag (of the history, ascending) among those that the page holds, and its forces freed from noise along its travel (m).
-Json path_json(const RunRecord& run, const std::vector<Index>& kept, const std::vector<Index>& rows, const std::vector<Real>& travel,
+Json path_json(const pipe::RunRecord& run, const std::vector<Index>& kept, const std::vector<Index>& rows, const std::vector<Real>& travel,
                Real u_begin)
 {
   const Real half = averaging_half(run.scale);
   const auto curve_of = [&](const char* column) {
     std::vector<Real> force;
     for (const Index k : rows) force.push_back(run.history[column][k]);
-    return TravelCurve(travel, force).condensed(half);
+    return pipe::TravelCurve(travel, force).condensed(half);
   };
-  const TravelCurve V = curve_of("V_N_m"), H = curve_of("H_N_m");
-  const auto mean = [&](const TravelCurve& force, Real s) { return std::isnan(s) ? Json(nullptr) : number_or_null(force.at(s, half)); };
+  const pipe::TravelCurve V = curve_of("V_N_m"), H = curve_of("H_N_m");
+  const auto mean = [&](const pipe::TravelCurve& force, Real s) {
+    return std::isnan(s) ? Json(nullptr) : number_or_null(force.at(s, half));
+  };
   Json path = {{"rows", Json::array()}, {"u_begin", u_begin}, {"V_mean", Json::array()}, {"H_mean", Json::array()}};
   auto on_page = kept.begin();
   for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -57,11 +59,11 @@ Json path_json(const RunRecord& run, const std::vector<Index>& kept, const std::
 }
 
 /// What forces are made dimensionless with (N/m) and its letters; what stresses and energies per metre are made so with follows by D.
-Json measure_of(const RunRecord& run)
+Json measure_of(const pipe::RunRecord& run)
 {
-  const ForceMeasure measure = run.has_pipe() ? force_measure(run) : ForceMeasure{};
+  const pipe::ForceMeasure measure = run.has_pipe() ? force_measure(run) : pipe::ForceMeasure{};
   if (!(measure.size > 0)) return nullptr;
-  const bool weight = measure.kind == ForceMeasure::Kind::weight;
+  const bool weight = measure.kind == pipe::ForceMeasure::Kind::weight;
   return {{"size", measure.size},
           {"stress", weight ? "γ′ D" : "s_u"},
           {"force", weight ? "γ′ D²" : "D s_u"},
@@ -70,14 +72,14 @@ Json measure_of(const RunRecord& run)
 
 }  // namespace
 
-Json run_data(const RunRecord& run)
+Json run_data(const pipe::RunRecord& run)
 {
-  const History& history = run.history;
+  const run_folder::History& history = run.history;
   const std::vector<Index> kept = kept_rows(history);
   Json data;
   data["name"] = run.name;
   data["title"] = run.settings.title;
-  data["method"] = run.settings.method == Method::mpm ? "mpm" : "fem";
+  data["method"] = run.settings.method == problem::Method::mpm ? "mpm" : "fem";
   data["diameter"] = run.has_pipe() ? Json(run.scale.diameter) : Json(nullptr);
   data["measure"] = measure_of(run);
   data["prototype"] = has_prototype(run.scale) ? Json(run.scale.gravity_level) : Json(nullptr);
@@ -90,11 +92,11 @@ Json run_data(const RunRecord& run)
   data["stage"] = Json::array();
   for (const Index k : kept) data["stage"].push_back(history.stage[k]);
   data["row"] = static_cast<Index>(kept.size()) == history.rows() ? Json(nullptr) : Json(kept);
-  const PipePath path = run.has_pipe() && history.rows() > 0 ? pipe_path(history, run.stages) : PipePath{};
+  const pipe::PipePath path = run.has_pipe() && history.rows() > 0 ? pipe_path(history, run.stages) : pipe::PipePath{};
   data["push"] = path_json(run, kept, path.push_rows, path.w, 0);
   data["drag"] = path_json(run, kept, path.drag_rows, path.drag_u, path.u_begin);
   data["film"] = nullptr;
   return data;
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-namespace berm {
+namespace berm::report {
 
 /// RunData of web/src/data.ts, with "film": null.
-nlohmann::ordered_json run_data(const RunRecord& run);
+nlohmann::ordered_json run_data(const pipe::RunRecord& run);
 
-}  // namespace berm
+}  // namespace berm::report

@@ -3,9 +3,9 @@
 
 #include <string_view>
 
-namespace berm {
+namespace berm::report {
 
 /// The script and the style of the report's page, made from web/ by the build.
 extern const std::string_view page_script, page_style;
 
-}  // namespace berm
+}  // namespace berm::report

@@ -3,8 +3,8 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
-#include "report/results/figures.hpp"
 #include "report/page/page.hpp"
+#include "report/results/figures.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -14,7 +14,7 @@
 #include <spdlog/spdlog.h>
 #include <stdexcept>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -35,7 +35,7 @@ std::vector<fs::path> run_folders_in(const fs::path& folder)
   for (const fs::path& place : {folder, folder / "runs"}) {
     std::error_code error;
     for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error))
-      if (is_run_folder(entry->path())) found.push_back(entry->path());
+      if (pipe::is_run_folder(entry->path())) found.push_back(entry->path());
     if (!found.empty()) break;
   }
   std::sort(found.begin(), found.end());
@@ -55,7 +55,7 @@ std::vector<fs::path> run_folders(const std::vector<std::string>& names)
     if (path.filename() == page_name && !fs::is_directory(found)) continue;
     if (path.filename() == figures_name) continue;
     if (!fs::is_directory(found)) throw InputError(fmt::format("{}: is a file; a run folder is needed, as berm run makes it", name));
-    if (is_run_folder(path)) {
+    if (pipe::is_run_folder(path)) {
       folders.push_back(path);
       continue;
     }
@@ -72,16 +72,16 @@ std::vector<fs::path> run_folders(const std::vector<std::string>& names)
   return unique;
 }
 
-Real particles_of(const RunRecord& run)
+Real particles_of(const pipe::RunRecord& run)
 {
   const Real count = run.timing("particles");
   return std::isnan(count) ? 0 : count;
 }
 
 /// The order of the page: the material point method first, then by number of particles.
-bool finer(const RunRecord& a, const RunRecord& b)
+bool finer(const pipe::RunRecord& a, const pipe::RunRecord& b)
 {
-  if (a.settings.method != b.settings.method) return a.settings.method == Method::mpm;
+  if (a.settings.method != b.settings.method) return a.settings.method == problem::Method::mpm;
   return particles_of(a) > particles_of(b);
 }
 
@@ -97,20 +97,20 @@ fs::path place_of_page(const std::vector<std::string>& names, const std::vector<
 }
 
 /// Runs of one name get that of the folder above before it.
-void tell_apart(std::vector<RunRecord>& runs)
+void tell_apart(std::vector<pipe::RunRecord>& runs)
 {
   std::map<std::string, int> count;
-  for (const RunRecord& run : runs) ++count[run.name];
-  for (RunRecord& run : runs)
+  for (const pipe::RunRecord& run : runs) ++count[run.name];
+  for (pipe::RunRecord& run : runs)
     if (count[run.name] > 1) run.name = fmt::format("{}/{}", run.folder.parent_path().filename().string(), run.name);
 }
 
 /// Reads what can be read; of several runs one that cannot is left out, with a word in `left_out`. Throws InputError where none is left.
-std::vector<RunRecord> read_runs(const std::vector<fs::path>& folders, std::vector<std::string>& left_out)
+std::vector<pipe::RunRecord> read_runs(const std::vector<fs::path>& folders, std::vector<std::string>& left_out)
 {
-  std::vector<RunRecord> runs;
+  std::vector<pipe::RunRecord> runs;
   for (const fs::path& folder : folders) try {
-      runs.push_back(read_run(folder));
+      runs.push_back(pipe::read_run(folder));
     } catch (const std::runtime_error& error) {
       if (folders.size() == 1) throw;
       left_out.push_back(fmt::format("{} is left out: {}", folder.filename().string(), error.what()));
@@ -129,9 +129,9 @@ std::vector<fs::path> write_report(const ReportRequest& request)
   const std::vector<fs::path> folders = run_folders(request.folders);
   const fs::path page = request.output.empty() ? place_of_page(request.folders, folders) / page_name : fs::path(request.output);
   std::vector<std::string> left_out;
-  const std::vector<RunRecord> runs = read_runs(folders, left_out);
+  const std::vector<pipe::RunRecord> runs = read_runs(folders, left_out);
 
-  write_whole(page, report_page(runs, left_out));
+  io::write_whole(page, report_page(runs, left_out));
   std::vector<fs::path> written = {page};
   if (request.figures) {
     const fs::path figures = page.parent_path() / figures_name;
@@ -140,4 +140,4 @@ std::vector<fs::path> write_report(const ReportRequest& request)
   return written;
 }
 
-}  // namespace berm
+}  // namespace berm::report

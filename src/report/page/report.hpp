@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace berm {
+namespace berm::report {
 
 /// What `berm report` was asked for.
 struct ReportRequest {
@@ -17,4 +17,4 @@ struct ReportRequest {
 /// Writes the page and gives it and the figures that were written, the page first. Throws InputError where a folder is none of a run, RunError where the page cannot be written.
 std::vector<std::filesystem::path> write_report(const ReportRequest& request);
 
-}  // namespace berm
+}  // namespace berm::report

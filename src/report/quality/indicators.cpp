@@ -7,24 +7,24 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
 
 }  // namespace
 
-Standing judge(const Limit& limit, Real value)
+text::Standing judge(const Limit& limit, Real value)
 {
-  if (std::isnan(value)) return Standing::unknown;
-  if (limit.large ? value >= limit.good : value <= limit.good) return Standing::good;
-  return (limit.large ? value < limit.bad : value > limit.bad) ? Standing::bad : Standing::fair;
+  if (std::isnan(value)) return text::Standing::unknown;
+  if (limit.large ? value >= limit.good : value <= limit.good) return text::Standing::good;
+  return (limit.large ? value < limit.bad : value > limit.bad) ? text::Standing::bad : text::Standing::fair;
 }
 
-EnergyError energy_error(const RunRecord& run)
+EnergyError energy_error(const pipe::RunRecord& run)
 {
   EnergyError found{run.check("energy_error"), ""};
-  const History& h = run.history;
+  const run_folder::History& h = run.history;
   if (h.rows() == 0 || !h.has("energy_error_J_m") || !h.has("external_J_m") || !h.has("internal_J_m")) return found;
   Real largest = 0, work = 0;
   Index row = none;
@@ -36,15 +36,15 @@ EnergyError energy_error(const RunRecord& run)
   if (std::isnan(found.over_work) && work > 0) found.over_work = largest / work;
   if (row == none) return found;
   const bool drag = std::find(run.stages.drag.begin(), run.stages.drag.end(), h.stage[row]) != run.stages.drag.end();
-  const std::string at = run.has_pipe() ? fmt::format("{} = {}", drag ? "u" : "w", length_words(h[drag ? "u_m" : "w_m"][row]))
-                                        : "t = " + time_words(h["time_s"][row]);
+  const std::string at = run.has_pipe() ? fmt::format("{} = {}", drag ? "u" : "w", text::length_words(h[drag ? "u_m" : "w_m"][row]))
+                                        : "t = " + text::time_words(h["time_s"][row]);
   found.where = fmt::format("{}, {}", h.stage[row], at);
   return found;
 }
 
-Real work_of_contact(const RunRecord& run)
+Real work_of_contact(const pipe::RunRecord& run)
 {
-  const History& h = run.history;
+  const run_folder::History& h = run.history;
   if (h.rows() == 0 || !h.has("friction_J_m") || !h.has("external_J_m") || !h.has("internal_J_m"))
     return std::numeric_limits<Real>::quiet_NaN();
   Real work = 0;
@@ -52,9 +52,9 @@ Real work_of_contact(const RunRecord& run)
   return work > 0 ? std::max(Real(0), -h["friction_J_m"].back() / work) : 0;
 }
 
-Real kinetic_over_internal(const RunRecord& run, const std::vector<std::string>& stages)
+Real kinetic_over_internal(const pipe::RunRecord& run, const std::vector<std::string>& stages)
 {
-  const History& h = run.history;
+  const run_folder::History& h = run.history;
   if (h.rows() == 0 || !h.has("kinetic_J_m") || !h.has("internal_J_m")) return unknown;
   Real largest = unknown;
   for (const std::string& stage : stages) {
@@ -69,27 +69,27 @@ Real kinetic_over_internal(const RunRecord& run, const std::vector<std::string>&
   return largest;
 }
 
-bool holds_force(const Case& settings)
+bool holds_force(const problem::Case& settings)
 {
-  return std::any_of(settings.stage.begin(), settings.stage.end(), [](const StageSettings& stage) {
-    return stage.kind == StageKind::drag && stage.vertical == Vertical::hold && !stage.vertical_velocity;
+  return std::any_of(settings.stage.begin(), settings.stage.end(), [](const problem::StageSettings& stage) {
+    return stage.kind == problem::StageKind::drag && stage.vertical == problem::Vertical::hold && !stage.vertical_velocity;
   });
 }
 
-Real quantity_value(const RunRecord& run, const std::string& name)
+Real quantity_value(const pipe::RunRecord& run, const std::string& name)
 {
-  const Quantity* quantity = run.quantity(name);
+  const run_folder::Quantity* quantity = run.quantity(name);
   return quantity == nullptr ? unknown : quantity->value;
 }
 
-Real gap_in_cells(const RunRecord& run)
+Real gap_in_cells(const pipe::RunRecord& run)
 {
   return quantity_value(run, "gap_mean") / near_cell_size(run.settings);
 }
 
-Real acts_larger(const RunRecord& run)
+Real acts_larger(const pipe::RunRecord& run)
 {
   return 2 * quantity_value(run, "gap_mean_over_D");
 }
 
-}  // namespace berm
+}  // namespace berm::report

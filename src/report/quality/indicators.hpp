@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "text/html.hpp"
 #include "structures/pipe/run_record.hpp"
+#include "text/html.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// Up to which value something is good, beyond which it is bad, and why just there. With `large` it is the other way round: good from `good` on, bad
 /// below `bad`.
@@ -15,7 +15,7 @@ struct Limit {
 };
 
 /// How a value stands; unknown where it is NaN.
-Standing judge(const Limit& limit, Real value);
+text::Standing judge(const Limit& limit, Real value);
 
 namespace limits {
 
@@ -73,23 +73,23 @@ struct EnergyError {
   Real over_work;     ///< the largest error over the largest work, as summary.json has it, else as the history has it
   std::string where;  ///< "drag, u = 18 mm"; "" where it is not known
 };
-EnergyError energy_error(const RunRecord& run);
+EnergyError energy_error(const pipe::RunRecord& run);
 
 /// The largest kinetic over internal energy in the stages of a list, beyond the first tenth of the rows of each (internal energy begins at nothing); NaN
 /// where there are no such rows.
-Real kinetic_over_internal(const RunRecord& run, const std::vector<std::string>& stages);
+Real kinetic_over_internal(const pipe::RunRecord& run, const std::vector<std::string>& stages);
 
 /// The energy that contact (friction_J_m) gave in all, where it should take some, over the largest work; 0 where it took some, NaN without a history.
-Real work_of_contact(const RunRecord& run);
+Real work_of_contact(const pipe::RunRecord& run);
 
 /// Whether a drag of the run holds a vertical force.
-bool holds_force(const Case& settings);
+bool holds_force(const problem::Case& settings);
 
 /// A quantity's value, NaN where there is none.
-Real quantity_value(const RunRecord& run, const std::string& name);
+Real quantity_value(const pipe::RunRecord& run, const std::string& name);
 
 /// The mean contact gap in cells of the mesh near the pipe, and how much larger the pipe acts, at most: 2 gap / D.
-Real gap_in_cells(const RunRecord& run);
-Real acts_larger(const RunRecord& run);
+Real gap_in_cells(const pipe::RunRecord& run);
+Real acts_larger(const pipe::RunRecord& run);
 
-}  // namespace berm
+}  // namespace berm::report

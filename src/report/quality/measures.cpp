@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
-using Run = const RunRecord&;
+using Run = const pipe::RunRecord&;
 
 bool always(Run)
 {
@@ -35,8 +35,9 @@ bool holds(Run run)
 }
 bool settles(Run run)
 {
-  const std::vector<StageSettings>& stages = run.settings.stage;
-  return std::any_of(stages.begin(), stages.end(), [](const StageSettings& stage) { return stage.kind == StageKind::geostatic; });
+  const std::vector<problem::StageSettings>& stages = run.settings.stage;
+  return std::any_of(stages.begin(), stages.end(),
+                     [](const problem::StageSettings& stage) { return stage.kind == problem::StageKind::geostatic; });
 }
 
 bool has_soil(Run run)
@@ -50,7 +51,7 @@ bool shakes(Run run)
 
 std::string percent(Run, Real value)
 {
-  return percent_words(value);
+  return text::percent_words(value);
 }
 std::string bare(Run, Real value)
 {
@@ -76,7 +77,7 @@ std::string diameter_limit(Real value)
 std::string energy_words(Run run, Real value)
 {
   const std::string where = energy_error(run).where;
-  return percent_words(value) + (where.empty() ? "" : fmt::format(" ({})", where));
+  return text::percent_words(value) + (where.empty() ? "" : fmt::format(" ({})", where));
 }
 
 Real tightness(Run run)
@@ -92,13 +93,13 @@ TrustMeasure energy(const Limit& limit)
           [](Run run) { return energy_error(run).over_work; },
           energy_words,
           [](Run run, Real value) {
-            return fmt::format("{} of the work is not balanced by energy ({}): halve {}", percent_words(value), energy_error(run).where,
-                               run.settings.method == Method::mpm ? "mpm.courant" : "fem.largest_step");
+            return fmt::format("{} of the work is not balanced by energy ({}): halve {}", text::percent_words(value),
+                               energy_error(run).where, run.settings.method == problem::Method::mpm ? "mpm.courant" : "fem.largest_step");
           },
-          percent_words};
+          text::percent_words};
 }
 
-TrustMeasure kinetic(const char* what, const char* stage, bool (*applies)(Run), std::vector<std::string> PipeStages::*stages)
+TrustMeasure kinetic(const char* what, const char* stage, bool (*applies)(Run), std::vector<std::string> pipe::PipeStages::*stages)
 {
   return {what,
           &limits::kinetic,
@@ -106,9 +107,9 @@ TrustMeasure kinetic(const char* what, const char* stage, bool (*applies)(Run), 
           [stages](Run run) { return kinetic_over_internal(run, run.stages.*stages); },
           percent,
           [stage](Run, Real value) {
-            return fmt::format("kinetic energy is {} of internal energy in the {}: drive slower", percent_words(value), stage);
+            return fmt::format("kinetic energy is {} of internal energy in the {}: drive slower", text::percent_words(value), stage);
           },
-          percent_words};
+          text::percent_words};
 }
 
 TrustMeasure held()
@@ -119,9 +120,9 @@ TrustMeasure held()
           [](Run run) { return quantity_value(run, "V_rms_error_in_drag"); },
           percent,
           [](Run, Real value) {
-            return fmt::format("V is held within {} only: give the drag a longer ramp, or the pipe less mass", percent_words(value));
+            return fmt::format("V is held within {} only: give the drag a longer ramp, or the pipe less mass", text::percent_words(value));
           },
-          percent_words};
+          text::percent_words};
 }
 
 TrustMeasure overlap()
@@ -132,7 +133,8 @@ TrustMeasure overlap()
           [](Run run) { return quantity_value(run, "overlap_max_over_D"); },
           bare,
           [](Run run, Real value) {
-            return fmt::format("soil is {} inside the pipe, {} D", length_words(value * run.scale.diameter), number_words(value));
+            return fmt::format("soil is {} inside the pipe, {} D", text::length_words(value * run.scale.diameter),
+                               text::number_words(value));
           },
           diameter_limit};
 }
@@ -143,24 +145,24 @@ TrustMeasure size_at_pipe(const char* what, const Limit* limit)
           limit,
           has_pipe,
           tightness,
-          [](Run run, Real value) { return fmt::format("D/{:.3g} ({})", value, length_words(near_cell_size(run.settings))); },
+          [](Run run, Real value) { return fmt::format("D/{:.3g} ({})", value, text::length_words(near_cell_size(run.settings))); },
           [what](Run, Real value) { return fmt::format("{} are D/{:.3g}: resistance on a coarse mesh is too large", what, value); },
           over_limit};
 }
 
 /// The soil that loses most in shear bands; null where none has friction.
-const MohrCoulomb* weakest_in_shear_bands(Run run)
+const material::MohrCoulomb* weakest_in_shear_bands(Run run)
 {
-  const MohrCoulomb* weakest = nullptr;
+  const material::MohrCoulomb* weakest = nullptr;
   for (const auto& [name, material] : run.settings.material)
-    if (const auto* law = std::get_if<MohrCoulomb>(&material))
+    if (const auto* law = std::get_if<material::MohrCoulomb>(&material))
       if (weakest == nullptr || friction_lost_in_shear_bands(*law) > friction_lost_in_shear_bands(*weakest)) weakest = law;
   return weakest;
 }
 
 Real lost_in_shear_bands(Run run)
 {
-  const MohrCoulomb* law = weakest_in_shear_bands(run);
+  const material::MohrCoulomb* law = weakest_in_shear_bands(run);
   return law == nullptr ? 0 : friction_lost_in_shear_bands(*law);
 }
 
@@ -177,22 +179,25 @@ TrustMeasure shear_bands()
                                "cells. Take cells of a third to a fifth of the soil's own bands, which are 10 to 20 d50 wide, and estimate "
                                "the lower end of the answer by the "
                                "same case with phi* = {:.1f} deg as friction_angle (docs/decisions/0018)",
-                               percent_words(value), friction_angle_in_shear_bands(*weakest_in_shear_bands(run)) * 180 / pi);
+                               text::percent_words(value), friction_angle_in_shear_bands(*weakest_in_shear_bands(run)) * 180 / pi);
           },
-          percent_words};
+          text::percent_words};
 }
 
 TrustMeasure part_of_soil(const char* what, const char* check, const Limit& limit)
 {
-  return {what,         &limit,
-          has_soil,     [check](Run run) { return run.check(check); },
-          percent,      [what](Run, Real value) { return fmt::format("{}: {}", what, percent_words(value)); },
-          percent_words};
+  return {what,
+          &limit,
+          has_soil,
+          [check](Run run) { return run.check(check); },
+          percent,
+          [what](Run, Real value) { return fmt::format("{}: {}", what, text::percent_words(value)); },
+          text::percent_words};
 }
 
 TrustMeasure count(const char* what, const char* timing)
 {
-  return {what, nullptr, always, [timing](Run run) { return run.timing(timing); }, [](Run, Real value) { return count_words(value); },
+  return {what, nullptr, always, [timing](Run run) { return run.timing(timing); }, [](Run, Real value) { return text::count_words(value); },
           {},   nullptr};
 }
 
@@ -200,8 +205,8 @@ std::vector<TrustMeasure> mpm_measures()
 {
   return {
       energy(limits::energy),
-      kinetic("kinetic over internal energy, push", "push", pushes, &PipeStages::push),
-      kinetic("kinetic over internal energy, drag", "drag", drags, &PipeStages::drag),
+      kinetic("kinetic over internal energy, push", "push", pushes, &pipe::PipeStages::push),
+      kinetic("kinetic over internal energy, drag", "drag", drags, &pipe::PipeStages::drag),
       {"out-of-balance force after the geostatic stage, over the weight", &limits::out_of_balance, settles,
        [](Run run) { return run.check("out_of_balance_after_geostatic"); }, bare,
        [](Run, Real value) {
@@ -212,14 +217,14 @@ std::vector<TrustMeasure> mpm_measures()
       held(),
       {"noise of V in the push", &limits::noise_of_V, pushes, [](Run run) { return quantity_value(run, "V_noise"); }, percent,
        [](Run, Real value) {
-         return fmt::format("V wavers by {} about its mean: a single value says little, take means", percent_words(value));
+         return fmt::format("V wavers by {} about its mean: a single value says little, take means", text::percent_words(value));
        },
-       percent_words},
+       text::percent_words},
       {"noise of H in the drag", &limits::noise_of_H, drags, [](Run run) { return quantity_value(run, "H_noise"); }, percent,
        [](Run, Real value) {
-         return fmt::format("H wavers by {} about its mean: a single value says little, take means", percent_words(value));
+         return fmt::format("H wavers by {} about its mean: a single value says little, take means", text::percent_words(value));
        },
-       percent_words},
+       text::percent_words},
       {"pressure of unresolved motion at the pipe, over the mean pressure there", &limits::shaking, shakes,
        [](Run run) { return run.check("shaking_at_body"); }, bare,
        [](Run, Real value) {
@@ -231,24 +236,26 @@ std::vector<TrustMeasure> mpm_measures()
       part_of_soil("soil at its largest volume", "mass_at_most_volume", limits::at_bounds),
       part_of_soil("soil in the air", "mass_in_the_air", limits::in_the_air),
       {"mean contact gap, in cells h at the pipe", &limits::gap, has_pipe, gap_in_cells,
-       [](Run run, Real value) { return fmt::format("{:.2g} h: the pipe acts up to {} larger", value, percent_words(acts_larger(run))); },
        [](Run run, Real value) {
-         return fmt::format("gap is {:.2g} h: the pipe acts up to {} larger (2 gap/D)", value, percent_words(acts_larger(run)));
+         return fmt::format("{:.2g} h: the pipe acts up to {} larger", value, text::percent_words(acts_larger(run)));
+       },
+       [](Run run, Real value) {
+         return fmt::format("gap is {:.2g} h: the pipe acts up to {} larger (2 gap/D)", value, text::percent_words(acts_larger(run)));
        },
        cells_limit},
       overlap(),
       {"second contact correction, over V", &limits::second_impulse, pushes,
        [](Run run) { return quantity_value(run, "second_impulse_over_V"); }, percent,
        [](Run, Real value) {
-         return fmt::format("the second contact correction is {} of V: contact works against itself", percent_words(value));
+         return fmt::format("the second contact correction is {} of V: contact works against itself", text::percent_words(value));
        },
-       percent_words},
+       text::percent_words},
       {"momentum that does not balance", &limits::momentum, always, [](Run run) { return run.check("momentum_error"); }, bare,
        [](Run, Real value) { return fmt::format("{:.2g} of the momentum is not accounted for", value); }, bare_limit},
       size_at_pipe("cells at the pipe", &limits::cells),
       shear_bands(),
       {"particles per cell at the pipe", &limits::particles, has_pipe, [](Run run) { return near_particles(run.settings); },
-       [](Run, Real value) { return count_words(value); },
+       [](Run, Real value) { return text::count_words(value); },
        [](Run, Real value) { return fmt::format("{:.0f} particles per cell at the pipe are few: stresses scatter", value); }, bare_limit},
       count("particles", "particles"),
       count("cells", "cells"),
@@ -263,21 +270,23 @@ std::vector<TrustMeasure> fem_measures()
        [](Run, Real value) { return fmt::format("unbalanced forces are {:.2g} times what fem.tolerance accepts", value); }, bare_limit},
       {"increments that did not converge", &limits::loose, always,
        [](Run run) { return run.check("loose_increments") / run.timing("steps"); },
-       [](Run run, Real) { return fmt::format("{} of {}", count_words(run.check("loose_increments")), count_words(run.timing("steps"))); },
-       [](Run, Real value) {
-         return fmt::format("{} of the increments did not converge: try a larger fem.relaxation", percent_words(value));
+       [](Run run, Real) {
+         return fmt::format("{} of {}", text::count_words(run.check("loose_increments")), text::count_words(run.timing("steps")));
        },
-       percent_words},
+       [](Run, Real value) {
+         return fmt::format("{} of the increments did not converge: try a larger fem.relaxation", text::percent_words(value));
+       },
+       text::percent_words},
       {"part of the stress beyond the strength", &limits::overstress, always, [](Run run) { return run.check("largest_overstress"); },
-       percent, [](Run, Real value) { return fmt::format("{} of the stress is beyond the soil's strength", percent_words(value)); },
-       percent_words},
+       percent, [](Run, Real value) { return fmt::format("{} of the stress is beyond the soil's strength", text::percent_words(value)); },
+       text::percent_words},
       {"strength that lags behind the pressure, psi < phi, over what flow dissipates", &limits::lag,
        [](Run run) { return lost_in_shear_bands(run) > 0; }, [](Run run) { return run.check("strength_lag"); }, percent,
        [](Run, Real value) {
          return fmt::format("the strength of the soil lags by {} of what its flow dissipates: take a smaller fem.largest_step",
-                            percent_words(value));
+                            text::percent_words(value));
        },
-       percent_words},
+       text::percent_words},
       energy(limits::energy_of_fem),
       held(),
       overlap(),
@@ -290,10 +299,10 @@ std::vector<TrustMeasure> fem_measures()
 
 }  // namespace
 
-const std::vector<TrustMeasure>& trust_measures(Method method)
+const std::vector<TrustMeasure>& trust_measures(problem::Method method)
 {
   static const std::vector<TrustMeasure> mpm = mpm_measures(), fem = fem_measures();
-  return method == Method::mpm ? mpm : fem;
+  return method == problem::Method::mpm ? mpm : fem;
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "text/tex_math.hpp"
+#include "report/quality/quality_section.hpp"
 #include "report/quality/measures.hpp"
 #include "text/run_columns.hpp"
-#include "report/quality/quality_section.hpp"
+#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 constexpr Real most_work_of_contact = 0.01;   // of all work: round-off and the contact's springs give less
@@ -21,38 +21,38 @@ std::string reason_of(const TrustMeasure& measure)
   const Limit& limit = *measure.limit;
   const std::string good = measure.limit_words(limit.good), bad = measure.limit_words(limit.bad);
   return fmt::format("<span class=\"quiet\">good {} {}, bad {} {}: {}</span>", limit.large ? "from" : "up to", good,
-                     limit.large ? "below" : "above", bad, html_text(limit.reason));
+                     limit.large ? "below" : "above", bad, text::html_text(limit.reason));
 }
 
-std::string content_of(const TrustMeasure& measure, const RunRecord& run)
+std::string content_of(const TrustMeasure& measure, const pipe::RunRecord& run)
 {
   constexpr std::array words{"good", "fair", "bad", "not known"};
   const Real value = measure.value(run);
-  if (std::isnan(value)) return html_badge(Standing::unknown, "not known");
-  const std::string text = html_text(measure.words(run, value));
+  if (std::isnan(value)) return html_badge(text::Standing::unknown, "not known");
+  const std::string text = text::html_text(measure.words(run, value));
   if (measure.limit == nullptr) return text;
-  const Standing standing = judge(*measure.limit, value);
+  const text::Standing standing = judge(*measure.limit, value);
   return fmt::format("{} {}", text, html_badge(standing, words[static_cast<std::size_t>(standing)]));
 }
 
-std::string table_of(const std::vector<RunRecord>& runs, Method method, const std::string& id, const std::string& caption)
+std::string table_of(const std::vector<pipe::RunRecord>& runs, problem::Method method, const std::string& id, const std::string& caption)
 {
-  RunColumns columns("", "", "judged by");
+  text::RunColumns columns("", "", "judged by");
   bool any = false;
-  for (const RunRecord& run : runs) {
+  for (const pipe::RunRecord& run : runs) {
     if (run.settings.method != method) continue;
     any = true;
-    std::vector<RunEntry> entries;
+    std::vector<text::RunEntry> entries;
     for (const TrustMeasure& measure : trust_measures(method))
       if (measure.applies(run))
-        entries.push_back({measure.what, html_text(measure.what), content_of(measure, run), true, "", reason_of(measure)});
+        entries.push_back({measure.what, text::html_text(measure.what), content_of(measure, run), true, "", reason_of(measure)});
     columns.run(run.name, entries);
   }
   return any ? columns.table(id, caption).html() : "";
 }
 
 /// What is wrong with a run or not known of it, in words.
-std::vector<std::string> warnings_of(const RunRecord& run)
+std::vector<std::string> warnings_of(const pipe::RunRecord& run)
 {
   std::vector<std::string> found, not_known;
   for (const TrustMeasure& measure : trust_measures(run.settings.method)) {
@@ -60,10 +60,10 @@ std::vector<std::string> warnings_of(const RunRecord& run)
     const Real value = measure.value(run);
     if (std::isnan(value))
       not_known.emplace_back(measure.what);
-    else if (measure.limit != nullptr && judge(*measure.limit, value) != Standing::good)
+    else if (measure.limit != nullptr && judge(*measure.limit, value) != text::Standing::good)
       found.push_back(measure.warning(run, value) + ".");
   }
-  if (run.settings.method == Method::mpm && !run.settings.mpm.volumetric_projection)
+  if (run.settings.method == problem::Method::mpm && !run.settings.mpm.volumetric_projection)
     found.emplace_back("plain triangles lock: mpm.volumetric_projection is off, and resistance is too large.");
   if (const Real given = work_of_contact(run); given > most_work_of_contact)
     found.push_back(fmt::format("contact gave {:.2g} % of the work instead of taking energy.", 100 * given));
@@ -75,28 +75,30 @@ std::vector<std::string> warnings_of(const RunRecord& run)
   return found;
 }
 
-std::string warning_list(const std::vector<RunRecord>& runs)
+std::string warning_list(const std::vector<pipe::RunRecord>& runs)
 {
   std::string items;
-  for (const RunRecord& run : runs)
+  for (const pipe::RunRecord& run : runs)
     for (const std::string& words : warnings_of(run))
-      items += fmt::format("<li class=\"warning\"><strong>{}</strong>: {}</li>\n", html_text(run.name), html_text(words));
-  return items.empty() ? html_paragraph("By these measures nothing is wrong.") : fmt::format("<ul class=\"warnings\">\n{}</ul>\n", items);
+      items += fmt::format("<li class=\"warning\"><strong>{}</strong>: {}</li>\n", text::html_text(run.name), text::html_text(words));
+  return items.empty() ? text::html_paragraph("By these measures nothing is wrong.")
+                       : fmt::format("<ul class=\"warnings\">\n{}</ul>\n", items);
 }
 
 }  // namespace
 
-std::string quality_section(const std::vector<RunRecord>& runs)
+std::string quality_section(const std::vector<pipe::RunRecord>& runs)
 {
   std::string content = warning_list(runs);
-  content += table_of(runs, Method::mpm, "trust-mpm", "Can it be trusted? Material point method");
-  content += table_of(runs, Method::fem, "trust-fem", "Can it be trusted? Finite elements");
-  if (std::any_of(runs.begin(), runs.end(), [](const RunRecord& run) { return run.settings.method == Method::mpm && run.has_pipe(); }))
+  content += table_of(runs, problem::Method::mpm, "trust-mpm", "Can it be trusted? Material point method");
+  content += table_of(runs, problem::Method::fem, "trust-fem", "Can it be trusted? Finite elements");
+  if (std::any_of(runs.begin(), runs.end(),
+                  [](const pipe::RunRecord& run) { return run.settings.method == problem::Method::mpm && run.has_pipe(); }))
     content += "<p>V depends on the mesh: in the probe test V(0.1 D) is 901, 808 and 706 N/m with cells of D/10, D/20 and D/40 "
                "(examples/mesh_study), since sand with psi below phi localises in bands as wide as the cells (examples/localisation). "
                "Run two sizes before believing a number, and phi* for phi to see the lower end; "
                "<code>berm study examples/mesh_study</code> shows how.</p>\n";
-  return html_section("trust", "Can it be trusted?", content);
+  return text::html_section("trust", "Can it be trusted?", content);
 }
 
-}  // namespace berm
+}  // namespace berm::report

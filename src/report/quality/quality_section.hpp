@@ -3,9 +3,9 @@
 
 #include "structures/pipe/run_record.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// Energy balance, quasi-static indicators, contact and mesh of all runs of the page, as HTML, with warnings in words.
-std::string quality_section(const std::vector<RunRecord>& runs);
+std::string quality_section(const std::vector<pipe::RunRecord>& runs);
 
-}  // namespace berm
+}  // namespace berm::report

@@ -2,14 +2,14 @@
 #include "report/results/curve_figures.hpp"
 
 #include "plot/figure.hpp"
+#include "report/claims/paper.hpp"
 #include "structures/pipe/plots.hpp"
 #include "structures/pipe/travel_curve.hpp"
-#include "report/claims/paper.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,17 +20,17 @@ constexpr int width = 1000, height = 660;  // pixels
 /// What a figure shows over what: columns of the path of a push or a drag.
 struct Chart {
   const char *name, *title, *x_label, *y_label;
-  std::vector<Real> PipePath::*x;
-  std::vector<Real> (*y)(const PipePath&);
-  PlotUnit (*unit)(Real most);  ///< of y
+  std::vector<Real> pipe::PipePath::*x;
+  std::vector<Real> (*y)(const pipe::PipePath&);
+  plot::PlotUnit (*unit)(Real most);  ///< of y
 };
 
-PlotUnit no_unit(Real)
+plot::PlotUnit no_unit(Real)
 {
   return {1, "1"};
 }
 
-std::vector<Real> H_over_V(const PipePath& path)
+std::vector<Real> H_over_V(const pipe::PipePath& path)
 {
   std::vector<Real> ratio;
   for (std::size_t k = 0; k < path.drag_H.size(); ++k) ratio.push_back(path.drag_H[k] / path.drag_V[k]);
@@ -38,15 +38,15 @@ std::vector<Real> H_over_V(const PipePath& path)
 }
 
 const Chart charts[] = {
-    {"V_w", "Vertical resistance in the push", "embedment w", "vertical resistance V", &PipePath::w, [](const PipePath& p) { return p.V; },
-     force_unit},
-    {"H_u", "Horizontal resistance in the drag", "horizontal displacement u", "horizontal resistance H", &PipePath::drag_u,
-     [](const PipePath& p) { return p.drag_H; }, force_unit},
-    {"w_u", "Embedment in the drag", "horizontal displacement u", "embedment w", &PipePath::drag_u,
-     [](const PipePath& p) { return p.drag_w; }, length_unit},
-    {"H_over_V_u", "Ratio of forces in the drag", "horizontal displacement u", "H/V", &PipePath::drag_u, H_over_V, no_unit}};
+    {"V_w", "Vertical resistance in the push", "embedment w", "vertical resistance V", &pipe::PipePath::w,
+     [](const pipe::PipePath& p) { return p.V; }, plot::force_unit},
+    {"H_u", "Horizontal resistance in the drag", "horizontal displacement u", "horizontal resistance H", &pipe::PipePath::drag_u,
+     [](const pipe::PipePath& p) { return p.drag_H; }, plot::force_unit},
+    {"w_u", "Embedment in the drag", "horizontal displacement u", "embedment w", &pipe::PipePath::drag_u,
+     [](const pipe::PipePath& p) { return p.drag_w; }, plot::length_unit},
+    {"H_over_V_u", "Ratio of forces in the drag", "horizontal displacement u", "H/V", &pipe::PipePath::drag_u, H_over_V, no_unit}};
 
-std::string label_with(const std::string& words, const PlotUnit& unit)
+std::string label_with(const std::string& words, const plot::PlotUnit& unit)
 {
   return std::string(unit.name) == "1" ? words : fmt::format("{} ({})", words, unit.name);
 }
@@ -65,38 +65,39 @@ Real largest(const std::vector<Real>& values)
   return most;
 }
 
-bool draw_both(const fs::path& folder, const std::string& name, const Figure& figure)
+bool draw_both(const fs::path& folder, const std::string& name, const plot::Figure& figure)
 {
-  return draw_figure(folder, name, figure, PlotFormat::png) && draw_figure(folder, name, figure, PlotFormat::svg);
+  return draw_figure(folder, name, figure, plot::PlotFormat::png) && draw_figure(folder, name, figure, plot::PlotFormat::svg);
 }
 
 /// The rows of a run, pale, and the same freed from noise.
-void add_run(Figure& figure, const Chart& chart, const RunRecord& run, std::size_t number, const PlotUnit& x_unit, const PlotUnit& y_unit)
+void add_run(plot::Figure& figure, const Chart& chart, const pipe::RunRecord& run, std::size_t number, const plot::PlotUnit& x_unit,
+             const plot::PlotUnit& y_unit)
 {
-  const PipePath path = pipe_path(run.history, run.stages);
+  const pipe::PipePath path = pipe_path(run.history, run.stages);
   const std::vector<Real>&x = path.*chart.x, y = chart.y(path);
-  const TravelCurve curve(x, y);
+  const pipe::TravelCurve curve(x, y);
   if (curve.empty()) return;
-  const TravelCurve smooth = curve.smoothed(averaging_half(run.scale));
-  if (run.scale.noisy) figure.curves.push_back({"", curve_style(number, 0, 0.4), scaled(x, x_unit.per_si), scaled(y, y_unit.per_si)});
+  const pipe::TravelCurve smooth = curve.smoothed(averaging_half(run.scale));
+  if (run.scale.noisy) figure.curves.push_back({"", plot::curve_style(number, 0, 0.4), scaled(x, x_unit.per_si), scaled(y, y_unit.per_si)});
   figure.curves.push_back(
-      {run.name, curve_style(number, number), scaled(smooth.travel(), x_unit.per_si), scaled(smooth.value(), y_unit.per_si)});
+      {run.name, plot::curve_style(number, number), scaled(smooth.travel(), x_unit.per_si), scaled(smooth.value(), y_unit.per_si)});
 }
 
 /// A figure of all runs over one another, with what the paper states; false where no run has the curve.
-bool draw_chart(const std::vector<RunRecord>& runs, const Chart& chart, const fs::path& folder)
+bool draw_chart(const std::vector<pipe::RunRecord>& runs, const Chart& chart, const fs::path& folder)
 {
-  const auto has_path = [](const RunRecord& run) { return run.has_pipe() && run.history.rows() > 0; };
+  const auto has_path = [](const pipe::RunRecord& run) { return run.has_pipe() && run.history.rows() > 0; };
   Real most = 0, longest = 0;
-  for (const RunRecord& run : runs) {
+  for (const pipe::RunRecord& run : runs) {
     if (!has_path(run)) continue;
-    const PipePath path = pipe_path(run.history, run.stages);
+    const pipe::PipePath path = pipe_path(run.history, run.stages);
     most = std::max(most, largest(chart.y(path)));
     longest = std::max(longest, largest(path.*chart.x));
   }
   if (most == 0) return false;
-  const PlotUnit x_unit = length_unit(longest), y_unit = chart.unit(most);
-  Figure figure{chart.title, label_with(chart.x_label, x_unit), label_with(chart.y_label, y_unit), {}, from_zero, width, height};
+  const plot::PlotUnit x_unit = plot::length_unit(longest), y_unit = chart.unit(most);
+  plot::Figure figure{chart.title, label_with(chart.x_label, x_unit), label_with(chart.y_label, y_unit), {}, from_zero, width, height};
   for (std::size_t k = 0; k < runs.size(); ++k)
     if (has_path(runs[k])) add_run(figure, chart, runs[k], k, x_unit, y_unit);
   for (const PaperPoint& point : paper_points(runs)) {
@@ -129,29 +130,29 @@ const TimeChart time_charts[] = {
      "set key below\n"},
     {"contact", "Contact", "distance (mm)", {{"gap_m", "gap"}, {"overlap_m", "deepest overlap"}}, 1000, from_zero}};
 
-bool draw_time_chart(const RunRecord& run, const TimeChart& chart, const fs::path& folder)
+bool draw_time_chart(const pipe::RunRecord& run, const TimeChart& chart, const fs::path& folder)
 {
   if (run.history.rows() < 2) return false;
-  Figure figure{fmt::format("{}: {}", run.name, chart.title), "time (s)", chart.y_label, {}, chart.more, width, height};
+  plot::Figure figure{fmt::format("{}: {}", run.name, chart.title), "time (s)", chart.y_label, {}, chart.more, width, height};
   for (const auto& [column, words] : chart.columns) {
     const std::size_t number = figure.curves.size();
     if (run.history.has(column) && largest(run.history[column]) > 0)
-      figure.curves.push_back({words, curve_style(number, number), run.history["time_s"], scaled(run.history[column], chart.per_si)});
+      figure.curves.push_back({words, plot::curve_style(number, number), run.history["time_s"], scaled(run.history[column], chart.per_si)});
   }
-  return !figure.curves.empty() && draw_both(folder, fmt::format("{}_{}", file_name_of(run.name), chart.name), figure);
+  return !figure.curves.empty() && draw_both(folder, fmt::format("{}_{}", pipe::file_name_of(run.name), chart.name), figure);
 }
 
 }  // namespace
 
-std::vector<std::string> draw_curves(const std::vector<RunRecord>& runs, const fs::path& folder)
+std::vector<std::string> draw_curves(const std::vector<pipe::RunRecord>& runs, const fs::path& folder)
 {
   std::vector<std::string> names;
   for (const Chart& chart : charts)
     if (draw_chart(runs, chart, folder)) names.emplace_back(chart.name);
-  for (const RunRecord& run : runs)
+  for (const pipe::RunRecord& run : runs)
     for (const TimeChart& chart : time_charts)
-      if (draw_time_chart(run, chart, folder)) names.push_back(fmt::format("{}_{}", file_name_of(run.name), chart.name));
+      if (draw_time_chart(run, chart, folder)) names.push_back(fmt::format("{}_{}", pipe::file_name_of(run.name), chart.name));
   return names;
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -3,10 +3,10 @@
 
 #include "structures/pipe/run_record.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// Draws V(w), H(u), w(u) and H/V of all runs over one another, and energies and contact of each run, as SVG and PNG. Gives the names of what was
 /// drawn.
-std::vector<std::string> draw_curves(const std::vector<RunRecord>& runs, const std::filesystem::path& folder);
+std::vector<std::string> draw_curves(const std::vector<pipe::RunRecord>& runs, const std::filesystem::path& folder);
 
-}  // namespace berm
+}  // namespace berm::report

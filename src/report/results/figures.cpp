@@ -2,28 +2,28 @@
 #include "report/results/figures.hpp"
 
 #include "core/error.hpp"
-#include "structures/pipe/plots.hpp"
 #include "report/results/curve_figures.hpp"
 #include "structures/pipe/mechanism.hpp"
+#include "structures/pipe/plots.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr PlotFormat formats[] = {PlotFormat::png, PlotFormat::svg};
+constexpr plot::PlotFormat formats[] = {plot::PlotFormat::png, plot::PlotFormat::svg};
 
 /// A frame as pictures take it.
-Frame<2> frame_of(const SavedSoil& soil, const SavedRigids& rigids)
+run_folder::Frame<2> frame_of(const run_folder::SavedSoil& soil, const run_folder::SavedRigids& rigids)
 {
-  Frame<2> frame;
+  run_folder::Frame<2> frame;
   frame.triangles = soil.triangles;
   for (std::size_t k = 0; k < soil.x.size(); ++k) {
-    FrameParticle<2> shown{};
+    run_folder::FrameParticle<2> shown{};
     shown.particle.x = Vec<2>(soil.x[k], soil.y[k]);
     shown.displacement = Vec<2>::Zero();
     shown.particle.volume = soil.volume[k];
@@ -31,60 +31,61 @@ Frame<2> frame_of(const SavedSoil& soil, const SavedRigids& rigids)
     shown.strain_increment = soil.incremental_deviatoric_strain[k];
     frame.particles.push_back(shown);
   }
-  FrameRigid<2> all{{}, Vec<2>::Zero()};
+  run_folder::FrameRigid<2> all{{}, Vec<2>::Zero()};
   for (std::size_t k = 0; k < rigids.x.size(); ++k) all.surface.points.emplace_back(rigids.x[k], rigids.y[k]);
-  for (const std::vector<Index>& cell : rigids.cells) all.surface.cells.push_back({VtkCell::polygon, cell});
+  for (const std::vector<Index>& cell : rigids.cells) all.surface.cells.push_back({io::VtkCell::polygon, cell});
   if (!rigids.cells.empty()) frame.rigids.push_back(all);
   return frame;
 }
 
 /// The soil of one frame in both colourings, named NAME_soil and NAME_mechanism; gives the names that were drawn.
-std::vector<std::string> draw_frame(const RunRecord& run, const PipeFrames& frames, std::size_t number, const std::string& when,
+std::vector<std::string> draw_frame(const pipe::RunRecord& run, const pipe::PipeFrames& frames, std::size_t number, const std::string& when,
                                     const fs::path& folder)
 {
-  const PipePlace& pipe = frames.place(number);
+  const pipe::PipePlace& pipe = frames.place(number);
   const Real D = run.scale.diameter, surface = run.settings.surface;
-  const Frame<2> frame = frame_of(frames.soil(number), frames.rigids(number));
-  const SoilView view = view_around_pipe(pipe.x, surface - pipe.w, D, surface);
+  const run_folder::Frame<2> frame = frame_of(frames.soil(number), frames.rigids(number));
+  const pipe::SoilView view = pipe::view_around_pipe(pipe.x, surface - pipe.w, D, surface);
   const std::string place = fmt::format("{}: u = {:.3g} D, w = {:.3g} D", run.name, std::abs(pipe.u - frames.place(0).u) / D, pipe.w / D);
   std::vector<std::string> drawn;
-  const auto draw_one = [&](const char* what, SoilColor color) {
-    const SoilPicture picture{file_name_of(run.name) + "_" + what + when, color, view, place};
-    if (std::all_of(std::begin(formats), std::end(formats), [&](PlotFormat format) { return draw_soil(folder, frame, picture, format); }))
+  const auto draw_one = [&](const char* what, pipe::SoilColor color) {
+    const pipe::SoilPicture picture{pipe::file_name_of(run.name) + "_" + what + when, color, view, place};
+    if (std::all_of(std::begin(formats), std::end(formats),
+                    [&](plot::PlotFormat format) { return draw_soil(folder, frame, picture, format); }))
       drawn.push_back(picture.name);
   };
-  draw_one("soil", SoilColor::deviatoric_strain);
-  if (number > 0) draw_one("mechanism", SoilColor::incremental_deviatoric_strain);
+  draw_one("soil", pipe::SoilColor::deviatoric_strain);
+  if (number > 0) draw_one("mechanism", pipe::SoilColor::incremental_deviatoric_strain);
   return drawn;
 }
 
 /// The largest embedment at which a run of finite elements ends; empty without one.
-std::optional<Real> deepest_wished(const std::vector<RunRecord>& runs)
+std::optional<Real> deepest_wished(const std::vector<pipe::RunRecord>& runs)
 {
   std::optional<Real> deepest;
-  for (const RunRecord& run : runs)
-    if (run.settings.method == Method::fem && run.has_pipe() && run.history.rows() > 0)
+  for (const pipe::RunRecord& run : runs)
+    if (run.settings.method == problem::Method::fem && run.has_pipe() && run.history.rows() > 0)
       deepest = std::max(deepest.value_or(0), run.history["w_m"].back());
   return deepest;
 }
 
 }  // namespace
 
-std::vector<std::string> draw_report_figures(const std::vector<RunRecord>& runs, const fs::path& folder)
+std::vector<std::string> draw_report_figures(const std::vector<pipe::RunRecord>& runs, const fs::path& folder)
 {
   std::vector<std::string> names = draw_curves(runs, folder);
   const std::optional<Real> wished = deepest_wished(runs);
-  for (const RunRecord& run : runs) {
+  for (const pipe::RunRecord& run : runs) {
     try {
-      const PipeFrames frames(run);
+      const pipe::PipeFrames frames(run);
       if (frames.count() == 0) continue;
       const auto add = [&](std::size_t number, const std::string& when) {
         for (const std::string& name : draw_frame(run, frames, number, when, folder)) names.push_back(name);
       };
       add(frames.count() - 1, "");
       // The mechanism at the embedment of the finite elements, to be held beside theirs.
-      if (const auto same = frames.nearest(StageKind::drag, &PipePlace::w, wished.value_or(0));
-          wished && same && run.settings.method == Method::mpm)
+      if (const auto same = frames.nearest(problem::StageKind::drag, &pipe::PipePlace::w, wished.value_or(0));
+          wished && same && run.settings.method == problem::Method::mpm)
         add(*same, "_at_w_of_fem");
     } catch (const RunError& error) {
       spdlog::warn("the soil of {} is not drawn: {}", run.name, error.what());
@@ -96,4 +97,4 @@ std::vector<std::string> draw_report_figures(const std::vector<RunRecord>& runs,
   return files;
 }
 
-}  // namespace berm
+}  // namespace berm::report

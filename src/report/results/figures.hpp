@@ -3,9 +3,9 @@
 
 #include "structures/pipe/run_record.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// Draws the curves of all runs and the mechanism of each, for print: SVG and PNG, into a folder that is made. Gives the names of what was drawn.
-std::vector<std::string> draw_report_figures(const std::vector<RunRecord>& runs, const std::filesystem::path& folder);
+std::vector<std::string> draw_report_figures(const std::vector<pipe::RunRecord>& runs, const std::filesystem::path& folder);
 
-}  // namespace berm
+}  // namespace berm::report

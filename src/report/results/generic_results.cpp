@@ -1,58 +1,58 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/results/generic_results.hpp"
 
-#include "text/tex_math.hpp"
-#include "text/html.hpp"
 #include "structures/pipe/display_units.hpp"
+#include "text/html.hpp"
+#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
-std::string quantities_table(const RunRecord& run, const std::string& id)
+std::string quantities_table(const pipe::RunRecord& run, const std::string& id)
 {
-  HtmlTable table(id, fmt::format("{}: results", run.name));
+  text::HtmlTable table(id, fmt::format("{}: results", run.name));
   table.columns({{"quantity"}, {"value", true}, {"unit"}});
-  for (const Quantity& q : run.quantities)
-    table.row({{html_text(q.name)}, {table_number(q.value), true}, {q.unit == "1" ? "" : html_text(q.unit)}});
+  for (const run_folder::Quantity& q : run.quantities)
+    table.row({{text::html_text(q.name)}, {pipe::table_number(q.value), true}, {q.unit == "1" ? "" : text::html_text(q.unit)}});
   return table.empty() ? "" : table.html();
 }
 
-bool is_watched(const Case& c, const std::string& column)
+bool is_watched(const problem::Case& c, const std::string& column)
 {
   return std::any_of(c.watch.begin(), c.watch.end(), [&](const auto& watch) { return column.starts_with(watch.first + "_"); });
 }
 
-std::string watched_table(const RunRecord& run, const std::string& id)
+std::string watched_table(const pipe::RunRecord& run, const std::string& id)
 {
-  const History& history = run.history;
+  const run_folder::History& history = run.history;
   if (history.rows() == 0) return "";
-  const std::string when = history.has("time_s") ? fmt::format(" after {} s", said_number(history["time_s"].back())) : "";
-  HtmlTable table(id, fmt::format("{}: what it watches, at its end{}", run.name, when));
+  const std::string when = history.has("time_s") ? fmt::format(" after {} s", pipe::said_number(history["time_s"].back())) : "";
+  text::HtmlTable table(id, fmt::format("{}: what it watches, at its end{}", run.name, when));
   table.columns({{"column of the history, with its unit"}, {"last value", true}});
   for (std::size_t c = 0; c < history.columns.size(); ++c)
     if (is_watched(run.settings, history.columns[c]))
-      table.row({{html_text(history.columns[c])}, {table_number(history.values[c].back()), true}});
+      table.row({{text::html_text(history.columns[c])}, {pipe::table_number(history.values[c].back()), true}});
   return table.empty() ? "" : table.html();
 }
 
-std::string checks_table(const RunRecord& run, const std::string& id)
+std::string checks_table(const pipe::RunRecord& run, const std::string& id)
 {
-  HtmlTable table(id, fmt::format("{}: checks", run.name));
+  text::HtmlTable table(id, fmt::format("{}: checks", run.name));
   table.columns({{"check"}, {"value", true}});
   if (run.summary)
-    for (const auto& [name, value] : run.summary->checks) table.row({{html_text(name)}, {table_number(value), true}});
+    for (const auto& [name, value] : run.summary->checks) table.row({{text::html_text(name)}, {pipe::table_number(value), true}});
   return table.empty() ? "" : table.html();
 }
 
 }  // namespace
 
-std::string other_results(const RunRecord& run, const std::string& id)
+std::string other_results(const pipe::RunRecord& run, const std::string& id)
 {
   const std::string results = quantities_table(run, id + "-quantities") + watched_table(run, id + "-watched");
   return results.empty() ? checks_table(run, id + "-checks") : results;
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/results/key_results.hpp"
 
-#include "text/tex_math.hpp"
 #include "structures/pipe/resistance.hpp"
 #include "structures/pipe/run_points.hpp"
+#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
-std::vector<HtmlCell> joined(std::initializer_list<std::vector<HtmlCell>> parts)
+std::vector<text::HtmlCell> joined(std::initializer_list<std::vector<text::HtmlCell>> parts)
 {
-  std::vector<HtmlCell> all;
+  std::vector<text::HtmlCell> all;
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
   return all;
 }
@@ -26,16 +26,16 @@ class PointTable {
 public:
   PointTable(std::string id, std::string caption, bool several) : table_(std::move(id), std::move(caption)), several_(several) {}
 
-  void columns(const std::string& first, const std::vector<HtmlCell>& cells)
+  void columns(const std::string& first, const std::vector<text::HtmlCell>& cells)
   {
     table_.columns(joined({{{several_ ? "run" : first}}, cells}));
   }
 
   /// Points stand by their rank, then in the order in which they came.
-  void add(Real rank, const std::string& point, const RunRecord& run, const std::vector<HtmlCell>& cells)
+  void add(Real rank, const std::string& point, const pipe::RunRecord& run, const std::vector<text::HtmlCell>& cells)
   {
     Rows& rows = points_[{rank, point}];
-    rows.push_back(joined({{{several_ ? html_text(run.name) : point}}, cells}));
+    rows.push_back(joined({{{several_ ? text::html_text(run.name) : point}}, cells}));
   }
 
   std::string html()
@@ -48,54 +48,54 @@ public:
   }
 
 private:
-  using Rows = std::vector<std::vector<HtmlCell>>;
-  HtmlTable table_;
+  using Rows = std::vector<std::vector<text::HtmlCell>>;
+  text::HtmlTable table_;
   bool several_;
   std::map<std::pair<Real, std::string>, Rows> points_;
 };
 
-std::string push_table(const std::vector<RunRecord>& runs, const Shown& shown, bool several)
+std::string push_table(const std::vector<pipe::RunRecord>& runs, const pipe::Shown& shown, bool several)
 {
   PointTable table("key-push", "Push: vertical resistance V at embedment w", several);
   table.columns("point", joined({shown.length_columns("w"), shown.force_columns("V")}));
-  for (const RunRecord& run : runs) {
+  for (const pipe::RunRecord& run : runs) {
     if (!run.has_pipe()) continue;
-    const RunPoints points = points_of(run);
-    const auto add = [&](Real rank, const std::string& name, const PushPoint& p) {
+    const pipe::RunPoints points = points_of(run);
+    const auto add = [&](Real rank, const std::string& name, const pipe::PushPoint& p) {
       table.add(rank, name, run, joined({shown.length_cells(run, p.w), shown.force_cells(run, p.V)}));
     };
-    for (const PushPoint& p : points.push) {
+    for (const pipe::PushPoint& p : points.push) {
       const Real part = p.w / run.scale.diameter;
-      add(std::round(1000 * part), fmt::format("w = {} D", said_number(part)), p);
+      add(std::round(1000 * part), fmt::format("w = {} D", pipe::said_number(part)), p);
     }
     if (!points.push_end) continue;
     // An end at a round embedment stands among the points that other runs have there.
-    const StageEnd end = end_of_push(run);
+    const pipe::StageEnd end = end_of_push(run);
     const Real part = points.push_end->w / run.scale.diameter, round = std::round(20 * part) / 20;
     if (end.reached && round > 0 && std::abs(part - round) < 5e-4)
-      add(std::round(1000 * round), fmt::format("w = {} D", said_number(round)), *points.push_end);
+      add(std::round(1000 * round), fmt::format("w = {} D", pipe::said_number(round)), *points.push_end);
     else
       add(infinity, end.at, *points.push_end);
   }
   return table.html();
 }
 
-std::string drag_table(const std::vector<RunRecord>& runs, const Shown& shown, bool several)
+std::string drag_table(const std::vector<pipe::RunRecord>& runs, const pipe::Shown& shown, bool several)
 {
   PointTable table("key-drag", "Drag: horizontal resistance H and embedment w at displacement u from where the drag began", several);
   table.columns("point", joined({shown.length_columns("w"), shown.force_columns("H"), {{"H/V", true}}}));
-  for (const RunRecord& run : runs) {
+  for (const pipe::RunRecord& run : runs) {
     if (!run.has_pipe()) continue;
-    for (const DragPoint& p : points_of(run).drag) {
+    for (const pipe::DragPoint& p : points_of(run).drag) {
       const Real part = p.u / run.scale.diameter;
-      table.add(std::round(1000 * part), fmt::format("u = {} D", said_number(part)), run,
-                joined({shown.length_cells(run, p.w), shown.force_cells(run, p.H), {{table_number(p.H / p.V), true}}}));
+      table.add(std::round(1000 * part), fmt::format("u = {} D", pipe::said_number(part)), run,
+                joined({shown.length_cells(run, p.w), shown.force_cells(run, p.H), {{pipe::table_number(p.H / p.V), true}}}));
     }
   }
   return table.html();
 }
 
-std::string residual_words(const Resistance& resistance, const StageEnd& end)
+std::string residual_words(const pipe::Resistance& resistance, const pipe::StageEnd& end)
 {
   const std::string change = fmt::format("{:.2g}", 100 * resistance.last_change);
   const std::string last = end.reached ? "the end of the drag" : "the last part of the drag, " + end.at;
@@ -103,14 +103,14 @@ std::string residual_words(const Resistance& resistance, const StageEnd& end)
                              : fmt::format("not reached: H changes by {} % over {}", change, last);
 }
 
-std::string resistance_table(const std::vector<RunRecord>& runs, const Shown& shown, bool several)
+std::string resistance_table(const std::vector<pipe::RunRecord>& runs, const pipe::Shown& shown, bool several)
 {
   PointTable table("key-resistance", "Resistance to the drag: largest, at breakout and residual H", several);
   table.columns("H", joined({shown.length_columns("u"), shown.force_columns("H"), {{"how it was found"}}}));
-  for (const RunRecord& run : runs) {
+  for (const pipe::RunRecord& run : runs) {
     if (!run.has_pipe()) continue;
-    const Resistance resistance = resistance_of(run);
-    const StageEnd end = end_of_drag(run);
+    const pipe::Resistance resistance = resistance_of(run);
+    const pipe::StageEnd end = end_of_drag(run);
     const auto add = [&](Real rank, const std::string& name, Real u, Real H, const std::string& words) {
       table.add(rank, name, run, joined({shown.length_cells(run, u), shown.force_cells(run, H), {{words}}}));
     };
@@ -125,34 +125,34 @@ std::string resistance_table(const std::vector<RunRecord>& runs, const Shown& sh
   const std::string html = table.html();
   if (html.empty()) return "";
   return html +
-         html_paragraph(
+         text::html_paragraph(
              fmt::format(
                  "Breakout is the first peak of H from which H "
                  "falls by at least {:g} % before it grows beyond it; where forces are averaged, H must also stay below it for {:g} D. "
                  "Residual is the mean of H over the end of the drag, its last tenth and at least its last {:g} D, if the straight line "
                  "fitted to H there changes by less than {:g} % of that mean.",
-                 100 * least_fall, breakout_stays, least_residual_travel, 100 * most_residual_change),
+                 100 * pipe::least_fall, pipe::breakout_stays, pipe::least_residual_travel, 100 * pipe::most_residual_change),
              "quiet");
 }
 
-std::string averaging_words(const std::vector<RunRecord>& runs)
+std::string averaging_words(const std::vector<pipe::RunRecord>& runs)
 {
-  if (std::none_of(runs.begin(), runs.end(), [](const RunRecord& run) { return run.has_pipe() && run.scale.noisy; })) return "";
-  return html_paragraph(
+  if (std::none_of(runs.begin(), runs.end(), [](const pipe::RunRecord& run) { return run.has_pipe() && run.scale.noisy; })) return "";
+  return text::html_paragraph(
       fmt::format(
           "Forces of the material point method are averaged: each is taken from the straight line fitted to H or V within ±{:g} D of "
           "travel, near the ends of a push or drag to its first or last {:g} D.",
-          averaging_half_width, 2 * averaging_half_width),
+          pipe::averaging_half_width, 2 * pipe::averaging_half_width),
       "quiet");
 }
 
 }  // namespace
 
-std::string key_results(const std::vector<RunRecord>& runs, const Shown& shown)
+std::string key_results(const std::vector<pipe::RunRecord>& runs, const pipe::Shown& shown)
 {
-  const bool several = std::count_if(runs.begin(), runs.end(), [](const RunRecord& run) { return run.has_pipe(); }) > 1;
+  const bool several = std::count_if(runs.begin(), runs.end(), [](const pipe::RunRecord& run) { return run.has_pipe(); }) > 1;
   const std::string tables = push_table(runs, shown, several) + drag_table(runs, shown, several) + resistance_table(runs, shown, several);
   return tables.empty() ? "" : shown.prototype_words() + averaging_words(runs) + tables;
 }
 
-}  // namespace berm
+}  // namespace berm::report

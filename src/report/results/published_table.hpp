@@ -3,9 +3,9 @@
 
 #include "structures/pipe/display_units.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// What design codes and published formulas give beside a run, as HTML: remarks, then a table with the run's states as groups. `id` names the table.
-std::string published_table(const RunRecord& run, const Shown& shown, const std::string& id);
+std::string published_table(const pipe::RunRecord& run, const pipe::Shown& shown, const std::string& id);
 
-}  // namespace berm
+}  // namespace berm::report

@@ -3,9 +3,9 @@
 
 #include "structures/pipe/run_record.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// Key results of all runs of the page, as HTML, beside what design codes and published formulas give for the same soil.
-std::string results_section(const std::vector<RunRecord>& runs);
+std::string results_section(const std::vector<pipe::RunRecord>& runs);
 
-}  // namespace berm
+}  // namespace berm::report

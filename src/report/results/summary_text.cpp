@@ -1,50 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/results/summary_text.hpp"
 
-#include "text/tex_math.hpp"
 #include "report/quality/measures.hpp"
 #include "structures/pipe/pipe_soil.hpp"
 #include "structures/pipe/resistance.hpp"
 #include "structures/pipe/run_points.hpp"
+#include "text/tex_math.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 constexpr Real same_depth = 0.005;  // of D
 
-std::string subject_of(const Case& c)
+std::string subject_of(const problem::Case& c)
 {
-  return fmt::format("{}{}", modelled_part(c) < 1 ? "the half that is modelled of the " : "the ", body_word(c));
+  return fmt::format("{}{}", pipe::modelled_part(c) < 1 ? "the half that is modelled of the " : "the ", pipe::body_word(c));
 }
 
 /// What the vertical direction does in the first drag.
-std::string vertical_words(const Case& c)
+std::string vertical_words(const problem::Case& c)
 {
-  for (const StageSettings& stage : c.stage) {
-    if (stage.kind != StageKind::drag) continue;
+  for (const problem::StageSettings& stage : c.stage) {
+    if (stage.kind != problem::StageKind::drag) continue;
     if (stage.vertical_velocity) return " while it is driven vertically, too";
-    return stage.vertical == Vertical::fixed ? " with w fixed" : " with V held";
+    return stage.vertical == problem::Vertical::fixed ? " with w fixed" : " with V held";
   }
   return "";
 }
 
-std::string push_words(const RunRecord& run, const RunPoints& points, const Shown& shown)
+std::string push_words(const pipe::RunRecord& run, const pipe::RunPoints& points, const pipe::Shown& shown)
 {
-  const PushPoint& end = *points.push_end;
-  const StageEnd stage = end_of_push(run);
+  const pipe::PushPoint& end = *points.push_end;
+  const pipe::StageEnd stage = end_of_push(run);
   const std::string begin = is_wished_in_place(run)
                                 ? fmt::format("Wished in place at w = {} and pushed to w = {} D", shown.length_said(run, points.first_w),
-                                              said_number(end.w / run.scale.diameter))
+                                              pipe::said_number(end.w / run.scale.diameter))
                                 : fmt::format("Pushed to w = {}", shown.length_said(run, end.w));
   return fmt::format("{}{}, {} carries V = {}. ", begin, stage.reached ? "" : ", " + stage.at, subject_of(run.settings),
                      shown.force_said(run, end.V));
 }
 
 /// "Dragged 1 D with V held, the pipe meets", after a push "it".
-std::string drag_begin(const RunRecord& run, const RunPoints& points, const std::string& travel, const Shown& shown)
+std::string drag_begin(const pipe::RunRecord& run, const pipe::RunPoints& points, const std::string& travel, const pipe::Shown& shown)
 {
   const std::string vertical = vertical_words(run.settings), subject = points.push_end ? "it" : subject_of(run.settings);
   const std::string begin = !points.push_end && is_wished_in_place(run)
@@ -53,32 +53,33 @@ std::string drag_begin(const RunRecord& run, const RunPoints& points, const std:
   return fmt::format("{} {}{}, {} meets", begin, travel, vertical, subject);
 }
 
-std::string drag_words(const RunRecord& run, const RunPoints& points, const Shown& shown)
+std::string drag_words(const pipe::RunRecord& run, const pipe::RunPoints& points, const pipe::Shown& shown)
 {
-  const DragPoint& last = points.drag.back();
+  const pipe::DragPoint& last = points.drag.back();
   const Real D = run.scale.diameter, began = points.push_end ? points.push_end->w : points.first_w;
-  std::string words = fmt::format("{} H = {}, {} V", drag_begin(run, points, said_number(last.u / D) + " D", shown),
-                                  shown.force_said(run, last.H), said_number(last.H / last.V));
+  std::string words = fmt::format("{} H = {}, {} V", drag_begin(run, points, pipe::said_number(last.u / D) + " D", shown),
+                                  shown.force_said(run, last.H), pipe::said_number(last.H / last.V));
   if (std::abs(last.w - began) > same_depth * D)
     words += fmt::format(", and {} to w = {}", last.w > began ? "sinks" : "rises", shown.length_said(run, last.w));
   return words + ". ";
 }
 
 /// Of a drag that came to none of its points.
-std::string short_drag_words(const RunRecord& run, const RunPoints& points, const Resistance& resistance, const Shown& shown)
+std::string short_drag_words(const pipe::RunRecord& run, const pipe::RunPoints& points, const pipe::Resistance& resistance,
+                             const pipe::Shown& shown)
 {
   const Real D = run.scale.diameter;
-  const std::string travel = std::isnan(resistance.travel) ? "less than 0.1 D" : said_number(resistance.travel / D) + " D";
+  const std::string travel = std::isnan(resistance.travel) ? "less than 0.1 D" : pipe::said_number(resistance.travel / D) + " D";
   const std::string V =
       std::isnan(resistance.V_at_largest) ? "" : fmt::format(", under V = {}", shown.force_said(run, resistance.V_at_largest));
   return fmt::format("{} at most H = {}, at u = {}{}. ", drag_begin(run, points, travel, shown),
                      shown.force_said(run, resistance.largest->H), shown.length_said(run, resistance.largest->u), V);
 }
 
-std::string resistance_words(const RunRecord& run, const Resistance& resistance, const Shown& shown)
+std::string resistance_words(const pipe::RunRecord& run, const pipe::Resistance& resistance, const pipe::Shown& shown)
 {
   if (std::isnan(resistance.last_change)) return "";
-  const StageEnd end = end_of_drag(run);
+  const pipe::StageEnd end = end_of_drag(run);
   if (!resistance.breakout) return fmt::format("There is {}.", no_peak_words(resistance, end.to));
   const std::string peak = fmt::format("H peaks at u = {} with {}", shown.length_said(run, resistance.breakout->u),
                                        shown.force_said(run, resistance.breakout->H));
@@ -88,10 +89,10 @@ std::string resistance_words(const RunRecord& run, const Resistance& resistance,
 
 }  // namespace
 
-std::string results_in_words(const RunRecord& run, const Shown& shown)
+std::string results_in_words(const pipe::RunRecord& run, const pipe::Shown& shown)
 {
-  const RunPoints points = points_of(run);
-  const Resistance resistance = resistance_of(run);
+  const pipe::RunPoints points = points_of(run);
+  const pipe::Resistance resistance = resistance_of(run);
   if (!points.push_end && !resistance.largest) return "Nothing is known of its forces: it did not come as far as a push or a drag.";
   std::string words;
   if (points.push_end) words += push_words(run, points, shown);
@@ -100,21 +101,21 @@ std::string results_in_words(const RunRecord& run, const Shown& shown)
     words += resistance_words(run, resistance, shown);
   }
   words.erase(words.find_last_not_of(' ') + 1);
-  if (!is_circle(run.settings)) words += fmt::format(" D is the width of the {}.", body_word(run.settings));
+  if (!pipe::is_circle(run.settings)) words += fmt::format(" D is the width of the {}.", pipe::body_word(run.settings));
   return words;
 }
 
-std::string doubts_in_words(const RunRecord& run)
+std::string doubts_in_words(const pipe::RunRecord& run)
 {
   std::vector<std::string> bad;
   for (const TrustMeasure& measure : trust_measures(run.settings.method)) {
     if (measure.limit == nullptr || !measure.applies(run)) continue;
     const Real value = measure.value(run);
-    if (judge(*measure.limit, value) == Standing::bad)
-      bad.push_back(html_text(fmt::format("{} – {}", measure.what, measure.words(run, value))));
+    if (judge(*measure.limit, value) == text::Standing::bad)
+      bad.push_back(text::html_text(fmt::format("{} – {}", measure.what, measure.words(run, value))));
   }
   return bad.empty() ? ""
                      : fmt::format("Take it with care. Bad among its <a href=\"#trust\">measures of trust</a>: {}.", fmt::join(bad, "; "));
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/setup/drawing.hpp"
 
-#include "text/quantity_words.hpp"
 #include "report/setup/sketch.hpp"
 #include "report/setup/stage_words.hpp"
+#include "text/quantity_words.hpp"
 #include "text/svg.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 // Units of a drawing, which are pixels where it is shown in its size.
@@ -76,7 +76,7 @@ std::vector<std::string> wrapped(const std::string& words, std::size_t most)
 /// Draws a sketch as a view shows it.
 class Drawer {
 public:
-  Drawer(const Case& c, const Sketch& sketch, const View& view) : case_(c), sketch_(sketch), view_(view) {}
+  Drawer(const problem::Case& c, const Sketch& sketch, const View& view) : case_(c), sketch_(sketch), view_(view) {}
 
   void inside()
   {
@@ -85,17 +85,17 @@ public:
       const auto place = [&](const Extent& e) { return view_(Vec<2>(e.lower[0], e.upper[1])); };
       const auto size = [&](const Extent& e) { return Vec<2>(view_.length(e.size()[0]), view_.length(e.size()[1])); };
       if (part.hole)
-        svg_.frame(place(part.part), size(part.part), place(*part.hole), size(*part.hole), Pen::soil);
+        svg_.frame(place(part.part), size(part.part), place(*part.hole), size(*part.hole), text::Pen::soil);
       else
-        svg_.rectangle(place(part.part), size(part.part), Pen::soil);
+        svg_.rectangle(place(part.part), size(part.part), text::Pen::soil);
     }
-    if (sketch_.domain_known) box(sketch_.domain, Pen::domain);
-    if (sketch_.fine) box(*sketch_.fine, Pen::fine);
-    for (const NamedOutline& body : sketch_.bodies) outline(body.outline, Vec<2>::Zero(), Pen::material);
+    if (sketch_.domain_known) box(sketch_.domain, text::Pen::domain);
+    if (sketch_.fine) box(*sketch_.fine, text::Pen::fine);
+    for (const NamedOutline& body : sketch_.bodies) outline(body.outline, Vec<2>::Zero(), text::Pen::material);
     const Real left = std::max(sketch_.domain.lower[0], view_.extent().lower[0]);
     const Real right = std::min(sketch_.domain.upper[0], view_.extent().upper[0]);
-    if (sketch_.surface) svg_.line(view_(Vec<2>(left, *sketch_.surface)), view_(Vec<2>(right, *sketch_.surface)), Pen::surface);
-    for (const NamedOutline& rigid : sketch_.rigids) outline(rigid.outline, Vec<2>::Zero(), Pen::rigid);
+    if (sketch_.surface) svg_.line(view_(Vec<2>(left, *sketch_.surface)), view_(Vec<2>(right, *sketch_.surface)), text::Pen::surface);
+    for (const NamedOutline& rigid : sketch_.rigids) outline(rigid.outline, Vec<2>::Zero(), text::Pen::rigid);
   }
 
   /// Ends what is cut off at the edges of the view.
@@ -108,7 +108,7 @@ public:
     for (const PathStep& step : sketch_.path) {
       const Outline& outline_there = sketch_.rigids[step.rigid].outline;
       const Extent extent = extent_of(outline_there);
-      if (step.known) outline(outline_there, step.to - 0.5 * (extent.lower + extent.upper), Pen::later);
+      if (step.known) outline(outline_there, step.to - 0.5 * (extent.lower + extent.upper), text::Pen::later);
     }
     for (const PathStep& step : sketch_.path) {
       // A way that was gone already is drawn beside itself.
@@ -120,7 +120,7 @@ public:
       const Vec<2> rim(26, 40), way = view_(step.to) - view_(step.from), along = way.normalized();
       const Vec<2> from = view_(step.from).cwiseMax(view_.upper_left() + rim).cwiseMin(view_.lower_right() - rim), to = from + way;
       const Vec<2> beside = Vec<2>(along[1], -along[0]) * (along[0] < 0 ? -1 : 1) * 14 * static_cast<Real>(same);
-      svg_.arrow(from + beside, to + beside, step.known ? Pen::path : Pen::nominal);
+      svg_.arrow(from + beside, to + beside, step.known ? text::Pen::path : text::Pen::nominal);
       const bool level = std::abs(along[0]) > std::abs(along[1]);
       svg_.number(0.5 * (from + to) + beside + (level ? Vec<2>(0, -14) : Vec<2>(-15, 0)), step.stage + 1);
     }
@@ -130,21 +130,21 @@ public:
   {
     for (const NamedOutline& body : sketch_.bodies) {
       const Extent extent = extent_of(body.outline);
-      svg_.text(view_(0.5 * (extent.lower + extent.upper)) + Vec<2>(0, 4), body.name, Anchor::middle);
+      svg_.text(view_(0.5 * (extent.lower + extent.upper)) + Vec<2>(0, 4), body.name, text::Anchor::middle);
     }
     for (const NamedOutline& rigid : sketch_.rigids)
       if (const auto* plane = std::get_if<PlaneOutline>(&rigid.outline)) {
         const std::vector<Vec<2>> corners = part_inside(*plane, view_.extent());
         Vec<2> middle = Vec<2>::Zero();
         for (const Vec<2>& corner : corners) middle += view_(corner) / static_cast<Real>(corners.size());
-        if (!corners.empty()) svg_.text(middle + Vec<2>(0, 4), rigid.name, Anchor::middle);
+        if (!corners.empty()) svg_.text(middle + Vec<2>(0, 4), rigid.name, text::Anchor::middle);
       }
     if (!sketch_.filled_by.empty() && !sketch_.filled.empty()) {
       const Extent& part = sketch_.filled.front().part;
       if (view_.length(part.size()[0]) > letter * static_cast<Real>(sketch_.filled_by.size()) + 20)
         svg_.text(view_(part.lower) + Vec<2>(10, -8), sketch_.filled_by);
       else
-        svg_.text(view_(0.5 * (part.lower + part.upper)) + Vec<2>(4, 0), sketch_.filled_by, Anchor::middle, true);
+        svg_.text(view_(0.5 * (part.lower + part.upper)) + Vec<2>(4, 0), sketch_.filled_by, text::Anchor::middle, true);
     }
   }
 
@@ -154,8 +154,8 @@ public:
     for (const Flight& flight : sketch_.flights) {
       const Vec<2> along = Vec<2>(flight.velocity[0], -flight.velocity[1]).normalized(), middle = view_(flight.at);
       const Vec<2> from = middle + (12 + 0.5 * letter * static_cast<Real>(flight.name.size()) * std::abs(along[0])) * along;
-      svg_.arrow(from, from + 30 * along, Pen::path);
-      svg_.text(middle + Vec<2>(0, along[1] > 0 ? -14 : 22), speed_words(flight.velocity.norm()), Anchor::middle);
+      svg_.arrow(from, from + 30 * along, text::Pen::path);
+      svg_.text(middle + Vec<2>(0, along[1] > 0 ? -14 : 22), text::speed_words(flight.velocity.norm()), text::Anchor::middle);
     }
   }
 
@@ -172,8 +172,8 @@ public:
     const Real right = std::min(sketch_.domain.upper[0], view_.extent().upper[0]);
     const bool at_left = covered(right);
     const Vec<2> mark = view_(Vec<2>(at_left ? left : right, *sketch_.surface)) + Vec<2>(at_left ? 14 : -14, 0);
-    svg_.polygon({mark, mark + Vec<2>(-5, -8), mark + Vec<2>(5, -8)}, Pen::dimension);
-    svg_.text(mark + Vec<2>(at_left ? 10 : -10, -4), "surface", at_left ? Anchor::start : Anchor::end);
+    svg_.polygon({mark, mark + Vec<2>(-5, -8), mark + Vec<2>(5, -8)}, text::Pen::dimension);
+    svg_.text(mark + Vec<2>(at_left ? 10 : -10, -4), "surface", at_left ? text::Anchor::start : text::Anchor::end);
   }
 
   void fine_name()
@@ -183,7 +183,7 @@ public:
     const Vec<2> below = view_(Vec<2>(0.5 * (sketch_.fine->lower[0] + sketch_.fine->upper[0]), sketch_.fine->lower[1]));
     const Real half = 0.5 * letter * static_cast<Real>(words.size());
     const Real x = std::clamp(below[0], view_.upper_left()[0] + half + 4, view_.lower_right()[0] - half - 4);
-    if (below[1] + 16 < view_.lower_right()[1]) svg_.text(Vec<2>(x, below[1] + 13), words, Anchor::middle);
+    if (below[1] + 16 < view_.lower_right()[1]) svg_.text(Vec<2>(x, below[1] + 13), words, text::Anchor::middle);
   }
 
   void supports()
@@ -193,9 +193,9 @@ public:
       edge.wholly ? svg_.hatching(from, to, outward) : svg_.rollers(from, to, outward);
       const Vec<2> middle = 0.5 * (from + to);
       if (outward[0] != 0)
-        svg_.text(middle + Vec<2>(outward[0] > 0 ? 21 : -12, 0), edge.words, Anchor::middle, true);
+        svg_.text(middle + Vec<2>(outward[0] > 0 ? 21 : -12, 0), edge.words, text::Anchor::middle, true);
       else
-        svg_.text(middle + Vec<2>(0, outward[1] > 0 ? 21 : -13), edge.words, Anchor::middle);
+        svg_.text(middle + Vec<2>(0, outward[1] > 0 ? 21 : -13), edge.words, text::Anchor::middle);
     }
   }
 
@@ -205,17 +205,17 @@ public:
     if (!sketch_.domain_known) return;
     const Vec<2>&low = sketch_.domain.lower, &high = sketch_.domain.upper;
     const Vec<2> base = view_(low), right = view_(Vec<2>(high[0], low[1])), top = view_(Vec<2>(low[0], high[1]));
-    svg_.dimension(base + Vec<2>(0, 34), right + Vec<2>(0, 34), length_words(high[0] - low[0]));
+    svg_.dimension(base + Vec<2>(0, 34), right + Vec<2>(0, 34), text::length_words(high[0] - low[0]));
     const bool split = sketch_.surface && *sketch_.surface > low[1] && *sketch_.surface < high[1] &&
                        view_.length(high[1] - *sketch_.surface) > 14 && view_.length(*sketch_.surface - low[1]) > 14;
     const Vec<2> aside(-32, 0);
     if (!split) {
-      svg_.dimension(base + aside, top + aside, length_words(high[1] - low[1]));
+      svg_.dimension(base + aside, top + aside, text::length_words(high[1] - low[1]));
       return;
     }
     const Vec<2> surface = view_(Vec<2>(low[0], *sketch_.surface));
-    svg_.dimension(base + aside, surface + aside, length_words(*sketch_.surface - low[1]));
-    svg_.dimension(surface + aside, top + aside, length_words(high[1] - *sketch_.surface));
+    svg_.dimension(base + aside, surface + aside, text::length_words(*sketch_.surface - low[1]));
+    svg_.dimension(surface + aside, top + aside, text::length_words(high[1] - *sketch_.surface));
   }
 
   /// The width of the driven (else every) rigid body above it, and its embedment beside it where it begins below the surface.
@@ -226,14 +226,14 @@ public:
       if (extent.size()[0] <= 0) continue;
       const Vec<2> left = view_(Vec<2>(extent.lower[0], extent.upper[1])), right = view_(extent.upper);
       const char* letter_of_width = std::holds_alternative<DiskOutline>(rigid.outline) ? "D" : "B";
-      const std::string words = fmt::format("{} = {}", letter_of_width, length_words(extent.size()[0]));
+      const std::string words = fmt::format("{} = {}", letter_of_width, text::length_words(extent.size()[0]));
       if (left[1] < view_.upper_left()[1] + 4 || left[0] < view_.upper_left()[0] || right[0] > view_.lower_right()[0]) {
         words_within(extent, words);
         continue;
       }
       const Vec<2> above(0, -9);
       svg_.dimension(left + above, right + above, "");
-      svg_.text(0.5 * (left + right) + above + Vec<2>(0, -5), words, Anchor::middle);
+      svg_.text(0.5 * (left + right) + above + Vec<2>(0, -5), words, text::Anchor::middle);
       embedment(extent);
     }
   }
@@ -243,16 +243,16 @@ public:
     const Real size = sketch_.gravity.norm();
     if (size == 0) return;
     const Vec<2> along = Vec<2>(sketch_.gravity[0], -sketch_.gravity[1]) / size;
-    svg_.arrow(at - 20 * along, at + 20 * along, Pen::dimension);
-    svg_.text(at + Vec<2>(0, 38), fmt::format("{:.3g} g", size / standard_gravity), Anchor::middle);
+    svg_.arrow(at - 20 * along, at + 20 * along, text::Pen::dimension);
+    svg_.text(at + Vec<2>(0, 38), fmt::format("{:.3g} g", size / standard_gravity), text::Anchor::middle);
   }
 
   void scale_bar(const Vec<2>& at)
   {
     const Real metres = bar_length(view_.extent().size()[0]), length = view_.length(metres);
-    svg_.line(at, at + Vec<2>(length, 0), Pen::surface);
-    for (const Real end : {0., length}) svg_.line(at + Vec<2>(end, -4), at + Vec<2>(end, 4), Pen::surface);
-    svg_.text(at + Vec<2>(length + 8, 4), length_words(metres));
+    svg_.line(at, at + Vec<2>(length, 0), text::Pen::surface);
+    for (const Real end : {0., length}) svg_.line(at + Vec<2>(end, -4), at + Vec<2>(end, 4), text::Pen::surface);
+    svg_.text(at + Vec<2>(length + 8, 4), text::length_words(metres));
   }
 
   /// The stages in words, each with the number that its arrow has; gives how high they are.
@@ -271,15 +271,15 @@ public:
     return y - at[1];
   }
 
-  Svg& svg() { return svg_; }
+  text::Svg& svg() { return svg_; }
 
 private:
-  void box(const Extent& e, Pen pen)
+  void box(const Extent& e, text::Pen pen)
   {
     svg_.rectangle(view_(Vec<2>(e.lower[0], e.upper[1])), Vec<2>(view_.length(e.size()[0]), view_.length(e.size()[1])), pen);
   }
 
-  void outline(const Outline& shape, const Vec<2>& moved, Pen pen)
+  void outline(const Outline& shape, const Vec<2>& moved, text::Pen pen)
   {
     if (const auto* disk = std::get_if<DiskOutline>(&shape)) svg_.circle(view_(disk->center + moved), view_.length(disk->radius), pen);
     const auto* plane = std::get_if<PlaneOutline>(&shape);
@@ -296,7 +296,7 @@ private:
   {
     const Extent seen{body.lower.cwiseMax(view_.extent().lower), body.upper.cwiseMin(view_.extent().upper)};
     if (seen.size().minCoeff() > 0)
-      svg_.text(view_(Vec<2>(0.5 * (seen.lower[0] + seen.upper[0]), seen.upper[1])) + Vec<2>(0, 20), words, Anchor::middle);
+      svg_.text(view_(Vec<2>(0.5 * (seen.lower[0] + seen.upper[0]), seen.upper[1])) + Vec<2>(0, 20), words, text::Anchor::middle);
   }
 
   void embedment(const Extent& body)
@@ -306,15 +306,15 @@ private:
     if (w <= 1e-3 * body.size()[1] || body.lower[1] < sketch_.domain.lower[1]) return;
     const Vec<2> level = view_(Vec<2>(body.upper[0], *sketch_.surface)) + Vec<2>(16, 0);
     const Vec<2> lowest = view_(Vec<2>(body.upper[0], body.lower[1])) + Vec<2>(16, 0);
-    svg_.line(view_(Vec<2>(0.5 * (body.lower[0] + body.upper[0]), body.lower[1])), lowest, Pen::dimension);
+    svg_.line(view_(Vec<2>(0.5 * (body.lower[0] + body.upper[0]), body.lower[1])), lowest, text::Pen::dimension);
     svg_.dimension(lowest, level, "");
-    svg_.text(lowest + Vec<2>(8, 12), "w = " + length_words(w));
+    svg_.text(lowest + Vec<2>(8, 12), "w = " + text::length_words(w));
   }
 
-  const Case& case_;
+  const problem::Case& case_;
   const Sketch& sketch_;
   const View& view_;
-  Svg svg_;
+  text::Svg svg_;
 };
 
 /// The mesh, and what stands out of it above and below, as far as it is not much higher.
@@ -346,23 +346,24 @@ std::optional<Extent> detail_extent(const Sketch& sketch)
   return way;
 }
 
-std::string description_of(const Case& c, const Sketch& sketch)
+std::string description_of(const problem::Case& c, const Sketch& sketch)
 {
   std::vector<std::string> parts;
   if (sketch.domain_known)
-    parts.push_back(fmt::format("mesh of {} by {}", length_words(sketch.domain.size()[0]), length_words(sketch.domain.size()[1])));
+    parts.push_back(
+        fmt::format("mesh of {} by {}", text::length_words(sketch.domain.size()[0]), text::length_words(sketch.domain.size()[1])));
   for (const NamedOutline& rigid : sketch.rigids) {
     const Extent extent = extent_of(rigid.outline);
     const Vec<2> middle = 0.5 * (extent.lower + extent.upper);
-    parts.push_back(fmt::format("rigid body {} of {} at x = {}, y = {}", rigid.name, length_words(extent.size()[0]),
-                                length_words(middle[0]), length_words(middle[1])));
+    parts.push_back(fmt::format("rigid body {} of {} at x = {}, y = {}", rigid.name, text::length_words(extent.size()[0]),
+                                text::length_words(middle[0]), text::length_words(middle[1])));
   }
   for (const HeldEdge& edge : sketch.held) parts.push_back(edge.words);
-  for (const StageSettings& stage : c.stage) parts.push_back(stage_words(stage, c.dimension));
+  for (const problem::StageSettings& stage : c.stage) parts.push_back(stage_words(stage, c.dimension));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 
-std::string draw_whole(const Case& c, const Sketch& sketch, const std::string& title, bool with_path)
+std::string draw_whole(const problem::Case& c, const Sketch& sketch, const std::string& title, bool with_path)
 {
   const Real left = 104, top = 46, right = 84;
   const View view(whole_extent(sketch), whole_width, whole_height, Vec<2>(left, top));
@@ -386,7 +387,7 @@ std::string draw_whole(const Case& c, const Sketch& sketch, const std::string& t
   return drawer.svg().whole(Vec<2>(std::max(corner[0], left + least_width) + right, height), title, description_of(c, sketch));
 }
 
-std::string draw_detail(const Case& c, const Sketch& sketch, const Extent& extent, const std::string& title)
+std::string draw_detail(const problem::Case& c, const Sketch& sketch, const Extent& extent, const std::string& title)
 {
   const Real left = 16, top = 26, right = 16;
   const View view(extent, detail_width, detail_height, Vec<2>(left, top));
@@ -406,7 +407,7 @@ std::string draw_detail(const Case& c, const Sketch& sketch, const Extent& exten
 
 }  // namespace
 
-Drawing draw_case(const Case& settings, const std::string& title)
+Drawing draw_case(const problem::Case& settings, const std::string& title)
 {
   const Sketch sketch = sketch_of(settings);
   const std::optional<Extent> detail = detail_extent(sketch);
@@ -415,4 +416,4 @@ Drawing draw_case(const Case& settings, const std::string& title)
   return drawing;
 }
 
-}  // namespace berm
+}  // namespace berm::report

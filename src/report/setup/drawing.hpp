@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace berm {
+namespace berm::report {
 
 /// A case drawn to scale, in the plane x-y, from what its file says alone.
 struct Drawing {
@@ -16,6 +16,6 @@ struct Drawing {
 
 /// The bed with its supports and its zones, all bodies at the start, the way of the driven body stage by stage, gravity, dimensions and a scale
 /// bar. `title` (plain text) is for those who cannot see it. Cases that look the same are drawn the same.
-Drawing draw_case(const Case& settings, const std::string& title);
+Drawing draw_case(const problem::Case& settings, const std::string& title);
 
-}  // namespace berm
+}  // namespace berm::report

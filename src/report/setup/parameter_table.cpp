@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/setup/parameter_table.hpp"
 
-#include "text/tex_math.hpp"
 #include "text/run_columns.hpp"
+#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 /// A value as people read it.
@@ -36,20 +36,20 @@ struct ToWords {
 };
 
 /// The name that an item of an array has among its own settings.
-std::string name_in(const SettingTable& table)
+std::string name_in(const input::SettingTable& table)
 {
-  for (const Setting& setting : table.settings)
+  for (const input::Setting& setting : table.settings)
     if (const auto* name = std::get_if<std::string>(&setting.value); name != nullptr && setting.key == "name") return *name;
   return "";
 }
 
-void collect(const SettingTable& table, const std::string& path, std::vector<ParameterEntry>& entries)
+void collect(const input::SettingTable& table, const std::string& path, std::vector<ParameterEntry>& entries)
 {
   const std::string before = path.empty() ? "" : path + ".";
-  for (const Setting& setting : table.settings)
+  for (const input::Setting& setting : table.settings)
     entries.push_back({before + setting.key, std::visit(ToWords{setting.unit == "rad"}, setting.value), setting.unit, setting.meaning});
   std::map<std::string, int> items;  // of each array
-  for (const SettingTable& inner : table.tables) {
+  for (const input::SettingTable& inner : table.tables) {
     const std::string key = table.path.empty() ? inner.path : inner.path.substr(table.path.size() + 1);
     const std::string name = name_in(inner);
     collect(inner, before + key + (!inner.item ? "" : name.empty() ? fmt::format("[{}]", items[key]) : "." + name), entries);
@@ -59,24 +59,24 @@ void collect(const SettingTable& table, const std::string& path, std::vector<Par
 
 }  // namespace
 
-std::vector<ParameterEntry> parameters_of(const Case& settings)
+std::vector<ParameterEntry> parameters_of(const problem::Case& settings)
 {
   std::vector<ParameterEntry> entries;
-  collect(all_settings(settings), "", entries);
+  collect(input::all_settings(settings), "", entries);
   return entries;
 }
 
-HtmlTable parameter_columns(const std::vector<RunRecord>& runs)
+text::HtmlTable parameter_columns(const std::vector<pipe::RunRecord>& runs)
 {
-  RunColumns columns("key", "unit", "meaning");
-  for (const RunRecord& run : runs) {
-    std::vector<RunEntry> entries;
+  text::RunColumns columns("key", "unit", "meaning");
+  for (const pipe::RunRecord& run : runs) {
+    std::vector<text::RunEntry> entries;
     for (const ParameterEntry& parameter : parameters_of(run.settings))
-      entries.push_back({parameter.path, fmt::format("<code>{}</code>", html_text(parameter.path)), html_text(parameter.value), true,
-                         html_text(parameter.unit), html_text(parameter.meaning)});
+      entries.push_back({parameter.path, fmt::format("<code>{}</code>", text::html_text(parameter.path)), text::html_text(parameter.value),
+                         true, text::html_text(parameter.unit), text::html_text(parameter.meaning)});
     columns.run(run.name, entries);
   }
   return columns.table("parameters", "Every parameter, defaults included");
 }
 
-}  // namespace berm
+}  // namespace berm::report

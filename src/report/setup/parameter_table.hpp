@@ -2,10 +2,10 @@
 #pragma once
 
 #include "input/write_case.hpp"
-#include "text/html.hpp"
 #include "structures/pipe/run_record.hpp"
+#include "text/html.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// A parameter by its dotted path, as `--set` takes it: "material.sand.friction_angle", "stage.push.until.embedment".
 struct ParameterEntry {
@@ -13,9 +13,9 @@ struct ParameterEntry {
 };
 
 /// Every parameter of a case, table by table.
-std::vector<ParameterEntry> parameters_of(const Case& settings);
+std::vector<ParameterEntry> parameters_of(const problem::Case& settings);
 
 /// Every parameter of all runs: its path, a column with its value for each run, unit and meaning. Rows in which runs differ have the class "differs".
-HtmlTable parameter_columns(const std::vector<RunRecord>& runs);
+text::HtmlTable parameter_columns(const std::vector<pipe::RunRecord>& runs);
 
-}  // namespace berm
+}  // namespace berm::report

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "text/tex_math.hpp"
-#include "report/setup/setup_tables.hpp"
-#include "report/setup/drawing.hpp"
-#include "text/html.hpp"
-#include "report/setup/parameter_table.hpp"
 #include "report/setup/setup_section.hpp"
+#include "report/setup/drawing.hpp"
+#include "report/setup/parameter_table.hpp"
+#include "report/setup/setup_tables.hpp"
+#include "text/html.hpp"
+#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 constexpr std::size_t most_open_drawings = 2;  // more than these are folded away
@@ -18,14 +18,14 @@ constexpr std::size_t most_open_drawings = 2;  // more than these are folded awa
 /// Runs that look the same.
 struct Alike {
   std::string look;  ///< their drawing without a title
-  const RunRecord* first;
+  const pipe::RunRecord* first;
   std::vector<std::string> names;
 };
 
-std::vector<Alike> alike(const std::vector<RunRecord>& runs)
+std::vector<Alike> alike(const std::vector<pipe::RunRecord>& runs)
 {
   std::vector<Alike> groups;
-  for (const RunRecord& run : runs) {
+  for (const pipe::RunRecord& run : runs) {
     const std::string look = draw_case(run.settings, "").svgs;
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const Alike& group) { return group.look == look; });
     if (same == groups.end())
@@ -40,12 +40,12 @@ std::string figure_of(const Alike& group)
 {
   const std::string names = fmt::format("{}", fmt::join(group.names, ", "));
   const Drawing drawing = draw_case(group.first->settings, "Drawing to scale: " + names);
-  std::string words = fmt::format("<strong>{}</strong>, to scale.", html_text(names));
-  for (const std::string& note : drawing.notes) words += fmt::format(" {}", html_text(note));
+  std::string words = fmt::format("<strong>{}</strong>, to scale.", text::html_text(names));
+  for (const std::string& note : drawing.notes) words += fmt::format(" {}", text::html_text(note));
   return fmt::format("<figure>\n<div class=\"drawing\">\n{}</div>\n<figcaption>{}</figcaption>\n</figure>\n", drawing.svgs, words);
 }
 
-std::string drawings_of(const std::vector<RunRecord>& runs)
+std::string drawings_of(const std::vector<pipe::RunRecord>& runs)
 {
   std::string open, folded;
   const std::vector<Alike> groups = alike(runs);
@@ -58,13 +58,13 @@ std::string drawings_of(const std::vector<RunRecord>& runs)
 
 }  // namespace
 
-std::string setup_section(const std::vector<RunRecord>& runs)
+std::string setup_section(const std::vector<pipe::RunRecord>& runs)
 {
   std::string content = drawings_of(runs);
   content += compact_table(runs).html();
   content += fmt::format("<details><summary>All parameters</summary>\n{}</details>\n", parameter_columns(runs).html());
   content += computation_table(runs).html();
-  return html_section("asked", "What was asked", content);
+  return text::html_section("asked", "What was asked", content);
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -3,9 +3,9 @@
 
 #include "structures/pipe/run_record.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// The case, as HTML: for each run of the page a drawing to scale and all parameters.
-std::string setup_section(const std::vector<RunRecord>& runs);
+std::string setup_section(const std::vector<pipe::RunRecord>& runs);
 
-}  // namespace berm
+}  // namespace berm::report

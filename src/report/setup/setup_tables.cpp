@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/setup/setup_tables.hpp"
 
-#include "text/tex_math.hpp"
 #include "report/setup/parameter_table.hpp"
+#include "report/setup/stage_words.hpp"
 #include "text/quantity_words.hpp"
 #include "text/run_columns.hpp"
-#include "report/setup/stage_words.hpp"
+#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
@@ -18,111 +18,112 @@ constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
 /// The rows of one run.
 class Rows {
 public:
-  explicit Rows(const Case& settings) : case_(settings), scale_(pipe_scale(settings)) {}
+  explicit Rows(const problem::Case& settings) : case_(settings), scale_(pipe::pipe_scale(settings)) {}
 
   void add(const std::string& heading, const std::string& words, const std::string& key = "")
   {
-    entries_.push_back({key.empty() ? heading : key, html_text(heading), html_text(words), false, "", ""});
+    entries_.push_back({key.empty() ? heading : key, text::html_text(heading), text::html_text(words), false, "", ""});
   }
   void length(const std::string& heading, Real metres)
   {
-    add(heading, with_prototype(length_words(metres), length_words(metres * level())));
+    add(heading, with_prototype(text::length_words(metres), text::length_words(metres * level())));
   }
   std::string with_prototype(const std::string& model, const std::string& prototype) const
   {
     return has_prototype(scale_) && model != prototype ? fmt::format("{} ({})", model, prototype) : model;
   }
   Real level() const { return scale_.gravity_level; }
-  const PipeScale& scale() const { return scale_; }
-  const Case& settings() const { return case_; }
-  std::vector<RunEntry> list() && { return std::move(entries_); }
+  const pipe::PipeScale& scale() const { return scale_; }
+  const problem::Case& settings() const { return case_; }
+  std::vector<text::RunEntry> list() && { return std::move(entries_); }
 
 private:
-  const Case& case_;
-  PipeScale scale_;
-  std::vector<RunEntry> entries_;
+  const problem::Case& case_;
+  pipe::PipeScale scale_;
+  std::vector<text::RunEntry> entries_;
 };
 
-void add_material(Rows& rows, const std::string& prefix, const Material& material)
+void add_material(Rows& rows, const std::string& prefix, const material::Material& material)
 {
-  const Case& c = rows.settings();
+  const problem::Case& c = rows.settings();
   const Real gravity = rows.level() * standard_gravity;
-  const auto* soil = std::get_if<MohrCoulomb>(&material);
+  const auto* soil = std::get_if<material::MohrCoulomb>(&material);
   rows.add(prefix + "law", soil == nullptr ? "linear elastic" : soil->friction_angle == 0 ? "Tresca" : "Mohr-Coulomb");
   rows.add(prefix + "density", fmt::format("{:.4g} kg/m³", density(material)));
   if (gravity > 0)
-    rows.add(prefix + "unit weight",
-             rows.with_prototype(unit_weight_words(density(material) * gravity), unit_weight_words(density(material) * standard_gravity)));
+    rows.add(prefix + "unit weight", rows.with_prototype(text::unit_weight_words(density(material) * gravity),
+                                                         text::unit_weight_words(density(material) * standard_gravity)));
   const auto [E, nu] = std::visit([](const auto& law) { return std::pair{law.young_modulus, law.poisson_ratio}; }, material);
-  rows.add(prefix + "Young's modulus", stress_words(E));
-  rows.add(prefix + "Poisson's ratio", number_words(nu));
+  rows.add(prefix + "Young's modulus", text::stress_words(E));
+  rows.add(prefix + "Poisson's ratio", text::number_words(nu));
   if (soil == nullptr) return;
-  rows.add(prefix + "friction angle", angle_words(soil->friction_angle));
-  rows.add(prefix + "dilation angle", angle_words(soil->dilation_angle));
-  rows.add(prefix + "cohesion", stress_words(soil->cohesion));
-  if (soil->cohesion_gradient > 0) rows.add(prefix + "cohesion per metre of depth", stress_words(soil->cohesion_gradient));
+  rows.add(prefix + "friction angle", text::angle_words(soil->friction_angle));
+  rows.add(prefix + "dilation angle", text::angle_words(soil->dilation_angle));
+  rows.add(prefix + "cohesion", text::stress_words(soil->cohesion));
+  if (soil->cohesion_gradient > 0) rows.add(prefix + "cohesion per metre of depth", text::stress_words(soil->cohesion_gradient));
   for (const auto& [name, body] : c.body)
-    if (body.k0 && &c.material[place_of(c.material, body.material)].second == &material) rows.add(prefix + "K0", number_words(*body.k0));
+    if (body.k0 && &c.material[problem::place_of(c.material, body.material)].second == &material)
+      rows.add(prefix + "K0", text::number_words(*body.k0));
 }
 
-void add_rigid(Rows& rows, const std::string& prefix, const RigidSettings& rigid)
+void add_rigid(Rows& rows, const std::string& prefix, const bodies::RigidSettings& rigid)
 {
-  const auto* circle = std::get_if<CircleSettings>(&rigid.shape);
+  const auto* circle = std::get_if<bodies::CircleSettings>(&rigid.shape);
   if (circle != nullptr) rows.length(prefix + "diameter", circle->diameter);
-  if (const auto* box = std::get_if<BoxSettings>(&rigid.shape)) {
+  if (const auto* box = std::get_if<bodies::BoxSettings>(&rigid.shape)) {
     rows.length(prefix + "width", box->size[0]);
     rows.length(prefix + "height", box->size[1]);
   }
-  if (const auto* polygon = std::get_if<PolygonSettings>(&rigid.shape))
+  if (const auto* polygon = std::get_if<bodies::PolygonSettings>(&rigid.shape))
     rows.add(prefix + "shape", fmt::format("polygon with {} corners", polygon->x.size()));
-  if (std::holds_alternative<HalfPlaneSettings>(rigid.shape)) rows.add(prefix + "shape", "half-plane");
+  if (std::holds_alternative<bodies::HalfPlaneSettings>(rigid.shape)) rows.add(prefix + "shape", "half-plane");
   if (circle != nullptr) rows.length(prefix + "embedment at the start", rows.settings().surface - circle->center[1] + circle->diameter / 2);
   if (rigid.mass > 0) rows.add(prefix + "mass", fmt::format("{:.4g} {}", rigid.mass, rows.settings().dimension == 2 ? "kg/m" : "kg"));
 }
 
 /// The word that the case file has for a parameter.
-std::string word_of(const Case& c, const std::string& path)
+std::string word_of(const problem::Case& c, const std::string& path)
 {
   const std::vector<ParameterEntry> all = parameters_of(c);
   const auto found = std::find_if(all.begin(), all.end(), [&](const ParameterEntry& entry) { return entry.path == path; });
   return found == all.end() ? "not known" : found->value;
 }
 
-void add_contact(Rows& rows, const std::string& prefix, const std::string& name, const ContactSettings& contact)
+void add_contact(Rows& rows, const std::string& prefix, const std::string& name, const contact::ContactSettings& contact)
 {
-  rows.add(prefix + "friction angle", angle_words(contact.friction_angle));
-  if (contact.adhesion > 0) rows.add(prefix + "adhesion", stress_words(contact.adhesion));
-  if (rows.settings().method == Method::mpm)
+  rows.add(prefix + "friction angle", text::angle_words(contact.friction_angle));
+  if (contact.adhesion > 0) rows.add(prefix + "adhesion", text::stress_words(contact.adhesion));
+  if (rows.settings().method == problem::Method::mpm)
     for (const char* key : {"scheme", "detection"})
       rows.add(prefix + key, word_of(rows.settings(), fmt::format("contact.{}.{}", name, key)));
 }
 
 void add_mesh(Rows& rows)
 {
-  const Case& c = rows.settings();
-  if (const auto* bed = std::get_if<SeabedMesh>(&c.mesh)) {
+  const problem::Case& c = rows.settings();
+  if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
     rows.length("bed: length", bed->length);
     rows.length("bed: depth", bed->depth);
     if (bed->layer > 0) rows.length("bed: outer layer", bed->layer);
   }
-  if (const auto* file = std::get_if<GmshFile>(&c.mesh)) rows.add("mesh", "from " + file->file);
-  if (const auto* box = std::get_if<BoxMesh>(&c.mesh))
+  if (const auto* file = std::get_if<mesh::GmshFile>(&c.mesh)) rows.add("mesh", "from " + file->file);
+  if (const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh))
     for (std::size_t d = 0; d < box->size.size(); ++d)
       rows.length(fmt::format("mesh: length along {}", static_cast<char>('x' + d)), box->size[d]);
   const Real h = near_cell_size(c);
   const bool pipe = rows.scale().diameter > 0;
   rows.add(pipe ? "cells at the pipe" : "cells", std::isnan(h) ? "not known"
-                                                 : pipe        ? fmt::format("{} = D/{:.3g}", length_words(h), rows.scale().diameter / h)
-                                                               : length_words(h));
+                                                 : pipe ? fmt::format("{} = D/{:.3g}", text::length_words(h), rows.scale().diameter / h)
+                                                        : text::length_words(h));
 }
 
 void add_stages(Rows& rows)
 {
   int number = 0;
-  for (const StageSettings& stage : rows.settings().stage) {
+  for (const problem::StageSettings& stage : rows.settings().stage) {
     const int dimension = rows.settings().dimension;
     const std::string until = rows.with_prototype(until_words(stage, dimension), until_words(stage, dimension, rows.level()));
-    const bool driven = stage.kind == StageKind::push || stage.kind == StageKind::drag;
+    const bool driven = stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
     rows.add(fmt::format("stage {}", ++number),
              fmt::format("{}: {}{}", stage.name, driven ? drive_words(stage, dimension) + ", until " : "", until));
   }
@@ -135,23 +136,23 @@ std::string prefix_of(const std::string& what, const std::string& name, std::siz
 
 }  // namespace
 
-Real near_cell_size(const Case& c)
+Real near_cell_size(const problem::Case& c)
 {
-  if (c.method == Method::fem && c.fem.contact_size) return *c.fem.contact_size;
-  if (const auto* bed = std::get_if<SeabedMesh>(&c.mesh)) return bed->near_size;
-  const auto* box = std::get_if<BoxMesh>(&c.mesh);
+  if (c.method == problem::Method::fem && c.fem.contact_size) return *c.fem.contact_size;
+  if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) return bed->near_size;
+  const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh);
   if (box == nullptr) return unknown;
   Real size = 0;
   for (std::size_t d = 0; d < box->size.size(); ++d) size = std::max(size, box->size[d] / box->cells[d]);
   return size;
 }
 
-Real near_particles(const Case& c)
+Real near_particles(const problem::Case& c)
 {
-  if (c.method == Method::fem || c.body.empty()) return unknown;
-  const ContactSettings* contact = contact_of_pipe(c);
-  const Index body = contact == nullptr ? 0 : place_of(c.body, contact->body);
-  const BodySettings& settings = c.body[body].second;
+  if (c.method == problem::Method::fem || c.body.empty()) return unknown;
+  const contact::ContactSettings* contact = pipe::contact_of_pipe(c);
+  const Index body = contact == nullptr ? 0 : problem::place_of(c.body, contact->body);
+  const bodies::BodySettings& settings = c.body[body].second;
   const Real spacing = settings.block ? settings.block->spacing : settings.disk ? settings.disk->spacing : 0;
   if (spacing > 0) return std::pow(std::round(near_cell_size(c) / spacing), c.dimension);
   const auto near = settings.region_particles_per_cell.find("near");
@@ -160,18 +161,19 @@ Real near_particles(const Case& c)
   return settings.particles_per_cell > 0 ? settings.particles_per_cell : c.dimension == 2 ? 9 : 8;
 }
 
-HtmlTable compact_table(const std::vector<RunRecord>& runs)
+text::HtmlTable compact_table(const std::vector<pipe::RunRecord>& runs)
 {
-  RunColumns columns("");
+  text::RunColumns columns("");
   bool models = false;
-  for (const RunRecord& run : runs) {
-    const Case& c = run.settings;
+  for (const pipe::RunRecord& run : runs) {
+    const problem::Case& c = run.settings;
     Rows rows(c);
     models = models || has_prototype(rows.scale());
-    rows.add("method", c.method == Method::mpm ? "material point method" : "finite elements, wished in place");
+    rows.add("method", c.method == problem::Method::mpm ? "material point method" : "finite elements, wished in place");
     rows.add("gravity", rows.level() > 0 ? fmt::format("{:.4g} g", rows.level()) : "none");
     for (const auto& [name, rigid] : c.rigid)
-      add_rigid(rows, prefix_of(std::holds_alternative<CircleSettings>(rigid.shape) ? "pipe" : "rigid body", name, c.rigid.size()), rigid);
+      add_rigid(rows, prefix_of(std::holds_alternative<bodies::CircleSettings>(rigid.shape) ? "pipe" : "rigid body", name, c.rigid.size()),
+                rigid);
     for (const auto& [name, material] : c.material) add_material(rows, prefix_of("material", name, c.material.size()), material);
     for (const auto& [name, contact] : c.contact) add_contact(rows, prefix_of("interface", name, c.contact.size()), name, contact);
     add_mesh(rows);
@@ -186,28 +188,28 @@ HtmlTable compact_table(const std::vector<RunRecord>& runs)
                                              : "Soil, pipe, interface and stages");
 }
 
-HtmlTable computation_table(const std::vector<RunRecord>& runs)
+text::HtmlTable computation_table(const std::vector<pipe::RunRecord>& runs)
 {
-  RunColumns columns("");
-  for (const RunRecord& run : runs) {
+  text::RunColumns columns("");
+  for (const pipe::RunRecord& run : runs) {
     Rows rows(run.settings);
     const auto text = [&](const std::string& name) {
       if (!run.summary) return std::string("not recorded");
       const auto found = run.summary->text.find(name);
       return found == run.summary->text.end() || found->second.empty() ? std::string("not recorded") : found->second;
     };
-    const bool mpm = run.settings.method == Method::mpm;
+    const bool mpm = run.settings.method == problem::Method::mpm;
     rows.add("version of berm", text("version"));
     rows.add("begun", run.begun.empty() ? "not recorded" : run.begun);
     rows.add("ended (UTC)", text("date"));
     rows.add("machine", text("machine"));
-    rows.add("threads", count_words(run.timing("threads")));
-    rows.add("time taken", time_words(run.timing("wall_s")));
-    rows.add("cells", count_words(run.timing("cells")));
-    if (mpm) rows.add("particles", count_words(run.timing("particles")));
-    if (!mpm) rows.add("nodes", count_words(run.timing("nodes")));
-    rows.add(mpm ? "steps" : "increments", count_words(run.timing("steps")));
-    if (!mpm) rows.add("iterations", count_words(run.timing("iterations")));
+    rows.add("threads", text::count_words(run.timing("threads")));
+    rows.add("time taken", text::time_words(run.timing("wall_s")));
+    rows.add("cells", text::count_words(run.timing("cells")));
+    if (mpm) rows.add("particles", text::count_words(run.timing("particles")));
+    if (!mpm) rows.add("nodes", text::count_words(run.timing("nodes")));
+    rows.add(mpm ? "steps" : "increments", text::count_words(run.timing("steps")));
+    if (!mpm) rows.add("iterations", text::count_words(run.timing("iterations")));
     if (mpm) {
       const Real rate = run.timing("particle_steps_per_s");
       rows.add("particle-steps per second", std::isnan(rate) ? "not known" : fmt::format("{:.3g} million", rate / 1e6));
@@ -217,4 +219,4 @@ HtmlTable computation_table(const std::vector<RunRecord>& runs)
   return columns.table("computation", "How it was computed");
 }
 
-}  // namespace berm
+}  // namespace berm::report

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 Vec<2> in_plane(const std::vector<Real>& entries)
@@ -19,23 +19,23 @@ CornersOutline rectangle(const Vec<2>& center, const Vec<2>& size, Real angle)
 {
   CornersOutline outline;
   for (const auto& [x, y] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
-    outline.corners.emplace_back(center + turn<2>(angle) * Vec<2>(x * size[0], y * size[1]));
+    outline.corners.emplace_back(center + bodies::turn<2>(angle) * Vec<2>(x * size[0], y * size[1]));
   return outline;
 }
 
-Outline outline_of(const CircleSettings& circle)
+Outline outline_of(const bodies::CircleSettings& circle)
 {
   return DiskOutline{in_plane(circle.center), circle.diameter / 2};
 }
-Outline outline_of(const HalfPlaneSettings& plane)
+Outline outline_of(const bodies::HalfPlaneSettings& plane)
 {
   return PlaneOutline{in_plane(plane.point), in_plane(plane.normal).normalized()};
 }
-Outline outline_of(const BoxSettings& box)
+Outline outline_of(const bodies::BoxSettings& box)
 {
   return rectangle(in_plane(box.center), in_plane(box.size), box.angle);
 }
-Outline outline_of(const PolygonSettings& polygon)
+Outline outline_of(const bodies::PolygonSettings& polygon)
 {
   CornersOutline outline;
   for (std::size_t k = 0; k < polygon.x.size(); ++k) outline.corners.emplace_back(polygon.x[k], polygon.y[k]);
@@ -48,7 +48,7 @@ Vec<2> middle_of(const Outline& outline)
   return 0.5 * (extent.lower + extent.upper);
 }
 
-bool fills(const Case& c, const std::string& region)
+bool fills(const problem::Case& c, const std::string& region)
 {
   return std::any_of(c.body.begin(), c.body.end(), [&](const auto& body) {
     const std::vector<std::string>& regions = body.second.regions;
@@ -56,9 +56,9 @@ bool fills(const Case& c, const std::string& region)
   });
 }
 
-void add_mesh(Sketch& sketch, const Case& c, const SeabedMesh& bed)
+void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::SeabedMesh& bed)
 {
-  const SeabedLayout at = layout_of(bed);
+  const mesh::SeabedLayout at = layout_of(bed);
   sketch.domain = {Vec<2>(at.left, -bed.depth), Vec<2>(at.right, bed.headroom)};
   sketch.domain_known = true;
   sketch.fine = Extent{Vec<2>(bed.near_left, -bed.near_depth), Vec<2>(bed.near_right, bed.near_height)};
@@ -71,7 +71,7 @@ void add_mesh(Sketch& sketch, const Case& c, const SeabedMesh& bed)
   if (fills(c, "near")) sketch.filled.push_back({near, {}});
 }
 
-void add_mesh(Sketch& sketch, const Case& c, const BoxMesh& box)
+void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::BoxMesh& box)
 {
   sketch.domain.lower = in_plane(box.lower);
   sketch.domain.upper = sketch.domain.lower + in_plane(box.size);
@@ -79,14 +79,14 @@ void add_mesh(Sketch& sketch, const Case& c, const BoxMesh& box)
   if (fills(c, "box")) sketch.filled.push_back({sketch.domain, {}});
 }
 
-void add_mesh(Sketch& sketch, const Case& c, const GmshFile& mesh)
+void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::GmshFile& mesh)
 {
   sketch.notes.push_back(fmt::format("The mesh comes from {}: its outline is not drawn.", mesh.file));
   for (const auto& [name, support] : c.support)
     sketch.notes.push_back(fmt::format("Held at its boundary \"{}\": {}.", support.boundary, fmt::join(support.fixed, ", ")));
 }
 
-void add_bodies(Sketch& sketch, const Case& c)
+void add_bodies(Sketch& sketch, const problem::Case& c)
 {
   for (const auto& [name, body] : c.body) {
     if (body.block) sketch.bodies.push_back({name, rectangle(in_plane(body.block->center), in_plane(body.block->size), body.block->angle)});
@@ -95,7 +95,7 @@ void add_bodies(Sketch& sketch, const Case& c)
     if (body.k0) sketch.surface = c.surface;
     if (body.regions.empty()) {
       Vec<2> velocity = Vec<2>::Zero();
-      for (const InitialVelocity& part : body.initial_velocity)
+      for (const bodies::InitialVelocity& part : body.initial_velocity)
         if (part.wave_number.empty()) velocity += in_plane(part.amplitude);
       if (velocity.norm() > 0) sketch.flights.push_back({name, middle_of(sketch.bodies.back().outline), velocity});
     }
@@ -121,7 +121,7 @@ void take_domain_from_bodies(Sketch& sketch)
   sketch.domain.upper += Vec<2>(rim, rim);
 }
 
-void add_supports(Sketch& sketch, const Case& c)
+void add_supports(Sketch& sketch, const problem::Case& c)
 {
   if (!sketch.domain_known) return;
   const Vec<2>&low = sketch.domain.lower, &high = sketch.domain.upper;
@@ -150,21 +150,21 @@ void add_supports(Sketch& sketch, const Case& c)
 }
 
 /// How far a drive goes in its time: it grows evenly from nothing within the ramp.
-std::optional<Real> travel_in_time(const StageSettings& stage)
+std::optional<Real> travel_in_time(const problem::StageSettings& stage)
 {
   if (!stage.velocity || !stage.until.time) return {};
   return std::abs(*stage.velocity) * std::max(0., *stage.until.time - stage.ramp / 2);
 }
 
-void add_path(Sketch& sketch, const Case& c)
+void add_path(Sketch& sketch, const problem::Case& c)
 {
   std::vector<Vec<2>> centers;
   for (const NamedOutline& rigid : sketch.rigids) centers.push_back(middle_of(rigid.outline));
   for (int k = 0; k < static_cast<int>(c.stage.size()); ++k) {
-    const StageSettings& stage = c.stage[k];
-    const bool push = stage.kind == StageKind::push, drag = stage.kind == StageKind::drag;
+    const problem::StageSettings& stage = c.stage[k];
+    const bool push = stage.kind == problem::StageKind::push, drag = stage.kind == problem::StageKind::drag;
     if ((!push && !drag) || c.rigid.empty()) continue;
-    const int rigid = static_cast<int>(stage.rigid.empty() ? 0 : place_of(c.rigid, stage.rigid));
+    const int rigid = static_cast<int>(stage.rigid.empty() ? 0 : problem::place_of(c.rigid, stage.rigid));
     const Extent extent = extent_of(sketch.rigids[rigid].outline);
     const Vec<2> from = centers[rigid];
     const Real reverse = stage.velocity.value_or(stage.force.value_or(1)) < 0 ? -1 : 1;
@@ -222,7 +222,7 @@ std::vector<Vec<2>> part_inside(const PlaneOutline& plane, const Extent& extent)
   return part;
 }
 
-Sketch sketch_of(const Case& settings)
+Sketch sketch_of(const problem::Case& settings)
 {
   Sketch sketch;
   std::visit([&](const auto& mesh) { add_mesh(sketch, settings, mesh); }, settings.mesh);
@@ -235,4 +235,4 @@ Sketch sketch_of(const Case& settings)
   return sketch;
 }
 
-}  // namespace berm
+}  // namespace berm::report

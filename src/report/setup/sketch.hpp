@@ -3,7 +3,7 @@
 
 #include "problem/case.hpp"
 
-namespace berm {
+namespace berm::report {
 
 /// A rectangle of the plane, m.
 struct Extent {
@@ -81,6 +81,6 @@ struct Sketch {
   std::vector<std::string> notes;   ///< what cannot be drawn, in words
 };
 
-Sketch sketch_of(const Case& settings);
+Sketch sketch_of(const problem::Case& settings);
 
-}  // namespace berm
+}  // namespace berm::report

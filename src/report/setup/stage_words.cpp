@@ -7,53 +7,54 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
-std::string vertical_words(const StageSettings& stage, int dimension)
+std::string vertical_words(const problem::StageSettings& stage, int dimension)
 {
-  if (stage.kind != StageKind::drag) return "";
-  if (stage.vertical == Vertical::fixed) return ", w fixed";
-  if (stage.vertical_velocity) return fmt::format(", {} down", speed_words(*stage.vertical_velocity));
-  if (stage.vertical_force) return fmt::format(", V = {}", force_words(*stage.vertical_force, dimension));
+  if (stage.kind != problem::StageKind::drag) return "";
+  if (stage.vertical == problem::Vertical::fixed) return ", w fixed";
+  if (stage.vertical_velocity) return fmt::format(", {} down", text::speed_words(*stage.vertical_velocity));
+  if (stage.vertical_force) return fmt::format(", V = {}", text::force_words(*stage.vertical_force, dimension));
   return ", V held";
 }
 
-std::string rate_words(const StageSettings& stage, int dimension)
+std::string rate_words(const problem::StageSettings& stage, int dimension)
 {
-  return stage.velocity ? speed_words(*stage.velocity) : stage.force ? force_words(*stage.force, dimension) : "";
+  return stage.velocity ? text::speed_words(*stage.velocity) : stage.force ? text::force_words(*stage.force, dimension) : "";
 }
 
 }  // namespace
 
-std::string until_words(const StageSettings& stage, int dimension, Real scale)
+std::string until_words(const problem::StageSettings& stage, int dimension, Real scale)
 {
-  const Until& until = stage.until;
+  const problem::Until& until = stage.until;
   std::vector<std::string> limits;
-  if (until.embedment) limits.push_back("w = " + length_words(scale * *until.embedment));
-  if (until.displacement) limits.push_back(length_words(scale * *until.displacement));
+  if (until.embedment) limits.push_back("w = " + text::length_words(scale * *until.embedment));
+  if (until.displacement) limits.push_back(text::length_words(scale * *until.displacement));
   if (until.force)
-    limits.push_back(fmt::format("{} = {}", stage.kind == StageKind::drag ? "H" : "V", force_words(scale * *until.force, dimension)));
-  if (until.time) limits.push_back(time_words(*until.time));
+    limits.push_back(
+        fmt::format("{} = {}", stage.kind == problem::StageKind::drag ? "H" : "V", text::force_words(scale * *until.force, dimension)));
+  if (until.time) limits.push_back(text::time_words(*until.time));
   return fmt::format("{}", fmt::join(limits, " or "));
 }
 
-std::string drive_words(const StageSettings& stage, int dimension)
+std::string drive_words(const problem::StageSettings& stage, int dimension)
 {
   switch (stage.kind) {
-  case StageKind::geostatic:
+  case problem::StageKind::geostatic:
     return "the soil finds its equilibrium";
-  case StageKind::free:
+  case problem::StageKind::free:
     return "time goes on";
-  case StageKind::push:
+  case problem::StageKind::push:
     return rate_words(stage, dimension) + " down";
-  case StageKind::drag:
+  case problem::StageKind::drag:
     return rate_words(stage, dimension) + " along x" + vertical_words(stage, dimension);
   }
   return "";
 }
 
-std::string stage_words(const StageSettings& stage, int dimension)
+std::string stage_words(const problem::StageSettings& stage, int dimension)
 {
   constexpr std::array kinds{"geostatic", "push", "drag", "free"};
   const std::string kind = kinds[static_cast<std::size_t>(stage.kind)];
@@ -65,4 +66,4 @@ std::string stage_words(const StageSettings& stage, int dimension)
                      until_words(stage, dimension));
 }
 
-}  // namespace berm
+}  // namespace berm::report

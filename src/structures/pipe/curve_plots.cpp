@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "io/atomic_file.hpp"
 #include "plot/gnuplot.hpp"
 #include "structures/pipe/plots.hpp"
 #include "structures/pipe/travel_curve.hpp"
-#include "io/atomic_file.hpp"
 
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 constexpr int width = 1200, height = 900;
@@ -31,7 +31,7 @@ std::string begin_panels(const std::string& title)
                      "set grid lc rgb '#dddddd' lt 1\nset border lc rgb '#444444'\nset tics nomirror textcolor rgb '#222222'\nset key "
                      "samplen 2 spacing 1.2\n"
                      "push = '#1764ab'\ndrag = '#c8452f'\n",
-                     gnuplot_text(title));
+                     plot::gnuplot_text(title));
 }
 
 /// Columns of the file: travel, value of the row, value freed from noise, and a partner taken along (freed from noise).
@@ -80,10 +80,10 @@ struct Axis {
     const auto range = [&](Real factor) {
       return fmt::format("[{:.6g}:{:.6g}]", factor * (downwards ? to : from), factor * (downwards ? from : to));
     };
-    std::string words = fmt::format("set {0}label {1}\nset {0}range {2}\nset {0}tics {3:.6g}\n", letter, gnuplot_text(label), range(1),
-                                    tic_step(to - from));
+    std::string words = fmt::format("set {0}label {1}\nset {0}range {2}\nset {0}tics {3:.6g}\n", letter, plot::gnuplot_text(label),
+                                    range(1), tic_step(to - from));
     if (second > 0)
-      words += fmt::format("set {0}2label {1}\nset {0}2range {2}\nset {0}2tics {3:.6g}\n", letter, gnuplot_text(second_label),
+      words += fmt::format("set {0}2label {1}\nset {0}2range {2}\nset {0}2tics {3:.6g}\n", letter, plot::gnuplot_text(second_label),
                            range(second), tic_step(second * (to - from)));
     return words;
   }
@@ -93,8 +93,8 @@ constexpr const char* next_panel = "unset label 1\nunset x2tics\nunset x2label\n
 
 }  // namespace
 
-bool draw_pipe_curves(const RunFolder& folder, const History& history, const PipeScale& scale, const PipeStages& stages,
-                      const std::string& title)
+bool draw_pipe_curves(const run_folder::RunFolder& folder, const run_folder::History& history, const PipeScale& scale,
+                      const PipeStages& stages, const std::string& title)
 {
   PipePath path = pipe_path(history, stages);
   // The way down to the surface is of no interest, and its V = 0 would smooth away the first touch.
@@ -109,7 +109,7 @@ bool draw_pipe_curves(const RunFolder& folder, const History& history, const Pip
   Real most = 0;
   for (const auto* list : {&path.V, &path.drag_V, &path.drag_H})
     for (const Real force : *list) most = std::isnan(force) ? most : std::max(most, std::abs(force));
-  const PlotUnit length = length_unit(D), force = force_unit(most);
+  const plot::PlotUnit length = plot::length_unit(D), force = plot::force_unit(most);
 
   folder.subfolder("plots");
   const std::string units = fmt::format("({}, {})", length.name, force.name);
@@ -119,7 +119,7 @@ bool draw_pipe_curves(const RunFolder& folder, const History& history, const Pip
   data += has_drag ? block(path.drag_u, {path.drag_H, path.drag_w, path.drag_V}, half, length.per_si,
                            {force.per_si, length.per_si, force.per_si})
                    : "NaN NaN NaN NaN NaN NaN NaN\n";
-  write_whole(folder.file("plots/curves.dat"), data);
+  io::write_whole(folder.file("plots/curves.dat"), data);
 
   const Real per_force = unit_force > 0 ? 1 / (unit_force * force.per_si) : 0, per_length = 1 / (D * length.per_si);
   const auto force_axis = [&](char axis, const std::string& words, const char* symbol) {
@@ -163,7 +163,7 @@ bool draw_pipe_curves(const RunFolder& folder, const History& history, const Pip
     script += next_panel + margins({left, right, 0.085, 0.43}) + u_below.script() + w_drag.script();
     script += "plot 'curves.dat' index 1 using 1:5 with lines lc rgb drag lw 2.5 notitle\n";
   }
-  return draw(folder.path(), "curves", width, height, script + "unset multiplot\n");
+  return plot::draw(folder.path(), "curves", width, height, script + "unset multiplot\n");
 }
 
 std::pair<std::string, std::string> name_and_unit(const std::string& column)
@@ -190,7 +190,8 @@ std::pair<std::string, std::string> name_and_unit(const std::string& column)
   return {name, unit};
 }
 
-bool draw_columns(const RunFolder& folder, const History& history, const std::vector<std::string>& columns, const std::string& title)
+bool draw_columns(const run_folder::RunFolder& folder, const run_folder::History& history, const std::vector<std::string>& columns,
+                  const std::string& title)
 {
   std::vector<std::pair<std::string, std::vector<std::size_t>>> panels;  // unit, columns
   for (std::size_t k = 0; k < columns.size(); ++k) {
@@ -211,7 +212,7 @@ bool draw_columns(const RunFolder& folder, const History& history, const std::ve
     }
     data += '\n';
   }
-  write_whole(folder.file("plots/curves.dat"), data);
+  io::write_whole(folder.file("plots/curves.dat"), data);
 
   constexpr std::array colors{"#1764ab", "#c8452f", "#2f8f4e", "#8155a6", "#c98a16", "#4a4a4a"};
   std::string script = begin_panels(title) + "set key at graph 0,1.01 left bottom horizontal Left reverse\n";
@@ -225,15 +226,16 @@ bool draw_columns(const RunFolder& folder, const History& history, const std::ve
     const std::string unit_label = unit == "1" ? "" : fmt::format(" ({})", unit);
     if (p + 1 == panels.size()) script += "set xlabel 'time (s)'\n";
     const bool alone = list.size() == 1;
-    script += fmt::format("set ylabel {}\nplot ", gnuplot_text(alone         ? name_and_unit(columns[list[0]]).first + unit_label
-                                                               : unit == "1" ? ""
-                                                                             : unit));
+    script += fmt::format("set ylabel {}\nplot ", plot::gnuplot_text(alone         ? name_and_unit(columns[list[0]]).first + unit_label
+                                                                     : unit == "1" ? ""
+                                                                                   : unit));
     for (std::size_t k = 0; k < list.size(); ++k)
-      script += fmt::format("{}'curves.dat' using 1:{} with lines lw 2 lc rgb '{}' {}", k > 0 ? ", \\\n     " : "", list[k] + 2,
-                            colors[k % colors.size()], alone ? "notitle" : "title " + gnuplot_text(name_and_unit(columns[list[k]]).first));
+      script +=
+          fmt::format("{}'curves.dat' using 1:{} with lines lw 2 lc rgb '{}' {}", k > 0 ? ", \\\n     " : "", list[k] + 2,
+                      colors[k % colors.size()], alone ? "notitle" : "title " + plot::gnuplot_text(name_and_unit(columns[list[k]]).first));
     script += "\nunset label 1\n";
   }
-  return draw(folder.path(), "curves", width, height, script + "unset multiplot\n");
+  return plot::draw(folder.path(), "curves", width, height, script + "unset multiplot\n");
 }
 
-}  // namespace berm
+}  // namespace berm::pipe

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 constexpr const char* nothing = "–";
@@ -39,8 +39,8 @@ std::string said_number(Real value)
 
 ForceMeasure force_measure(const RunRecord& run)
 {
-  const Material* material = touched_material(run.settings);
-  const auto* law = material == nullptr ? nullptr : std::get_if<MohrCoulomb>(material);
+  const material::Material* material = touched_material(run.settings);
+  const auto* law = material == nullptr ? nullptr : std::get_if<material::MohrCoulomb>(material);
   const Real D = run.scale.diameter;
   if (law != nullptr && law->friction_angle == 0 && law->cohesion > 0) return {ForceMeasure::Kind::strength, D * law->cohesion};
   if (run.scale.unit_weight > 0) return {ForceMeasure::Kind::weight, run.scale.unit_weight * D * D};
@@ -62,31 +62,31 @@ Shown::Shown(const std::vector<RunRecord>& runs) : force_{1, "N/m"}, prototype_f
     if (has_prototype(run.scale) && std::find(levels_.begin(), levels_.end(), level) == levels_.end()) levels_.push_back(level);
     by_weight_ = by_weight_ || force_measure(run).kind == ForceMeasure::Kind::weight;
     by_strength_ = by_strength_ || force_measure(run).kind == ForceMeasure::Kind::strength;
-    for (const Quantity& q : run.quantities) {
+    for (const run_folder::Quantity& q : run.quantities) {
       if (q.unit != "N/m" || !std::isfinite(q.value)) continue;
       largest = std::max(largest, std::abs(q.value));
       largest_prototype = std::max(largest_prototype, std::abs(q.value) * run.scale.gravity_level);
     }
   }
-  force_ = unit_of_forces(largest, 2);
-  prototype_force_ = unit_of_forces(largest_prototype, 2);
+  force_ = text::unit_of_forces(largest, 2);
+  prototype_force_ = text::unit_of_forces(largest_prototype, 2);
   if (diameter > largest_in_mm) length_ = {1, "m"};
 }
 
-std::vector<HtmlCell> Shown::force_columns(const std::string& symbol) const
+std::vector<text::HtmlCell> Shown::force_columns(const std::string& symbol) const
 {
-  std::vector<HtmlCell> cells{{fmt::format("{}, {}", symbol, force_.name), true}};
+  std::vector<text::HtmlCell> cells{{fmt::format("{}, {}", symbol, force_.name), true}};
   if (by_weight_) cells.push_back({fmt::format("{}/({})", symbol, letters_of(ForceMeasure::Kind::weight)), true});
   if (by_strength_) cells.push_back({fmt::format("{}/({})", symbol, letters_of(ForceMeasure::Kind::strength)), true});
   if (!levels_.empty()) cells.push_back({fmt::format("{} in the prototype, {}", symbol, prototype_force_.name), true});
   return cells;
 }
 
-std::vector<HtmlCell> Shown::force_cells(const RunRecord& run, Real force) const
+std::vector<text::HtmlCell> Shown::force_cells(const RunRecord& run, Real force) const
 {
   const ForceMeasure measure = force_measure(run);
   const auto over = [&](ForceMeasure::Kind kind) { return kind == measure.kind ? table_number(force / measure.size) : nothing; };
-  std::vector<HtmlCell> cells{{table_number(force / force_.size), true}};
+  std::vector<text::HtmlCell> cells{{table_number(force / force_.size), true}};
   if (by_weight_) cells.push_back({over(ForceMeasure::Kind::weight), true});
   if (by_strength_) cells.push_back({over(ForceMeasure::Kind::strength), true});
   if (!levels_.empty())
@@ -94,16 +94,16 @@ std::vector<HtmlCell> Shown::force_cells(const RunRecord& run, Real force) const
   return cells;
 }
 
-std::vector<HtmlCell> Shown::length_columns(const std::string& symbol) const
+std::vector<text::HtmlCell> Shown::length_columns(const std::string& symbol) const
 {
-  std::vector<HtmlCell> cells{{symbol + "/D", true}, {fmt::format("{}, {}", symbol, length_.name), true}};
+  std::vector<text::HtmlCell> cells{{symbol + "/D", true}, {fmt::format("{}, {}", symbol, length_.name), true}};
   if (!levels_.empty()) cells.push_back({symbol + " in the prototype, m", true});
   return cells;
 }
 
-std::vector<HtmlCell> Shown::length_cells(const RunRecord& run, Real length) const
+std::vector<text::HtmlCell> Shown::length_cells(const RunRecord& run, Real length) const
 {
-  std::vector<HtmlCell> cells{{table_number(length / run.scale.diameter), true}, {table_number(length / length_.size), true}};
+  std::vector<text::HtmlCell> cells{{table_number(length / run.scale.diameter), true}, {table_number(length / length_.size), true}};
   if (!levels_.empty()) cells.push_back({has_prototype(run.scale) ? table_number(length * run.scale.gravity_level) : nothing, true});
   return cells;
 }
@@ -113,9 +113,10 @@ std::string Shown::prototype_words() const
   if (levels_.empty()) return "";
   std::vector<std::string> levels;
   for (const Real level : levels_) levels.push_back(said_number(level));
-  return html_paragraph(fmt::format("In the prototype, lengths and forces per metre are those of the model times the gravity level ({}).",
-                                    fmt::join(levels, ", ")),
-                        "quiet");
+  return text::html_paragraph(
+      fmt::format("In the prototype, lengths and forces per metre are those of the model times the gravity level ({}).",
+                  fmt::join(levels, ", ")),
+      "quiet");
 }
 
 std::string Shown::force_said(const RunRecord& run, Real force) const
@@ -138,4 +139,4 @@ std::string Shown::length_said(const RunRecord& run, Real length) const
   return fmt::format("{} D ({})", said_number(length / run.scale.diameter), also);
 }
 
-}  // namespace berm
+}  // namespace berm::pipe

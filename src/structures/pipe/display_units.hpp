@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "structures/pipe/run_record.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
-#include "structures/pipe/run_record.hpp"
 
-namespace berm {
+namespace berm::pipe {
 
 /// A number for a table: four digits that count, "–" where it is none.
 std::string table_number(Real value);
@@ -36,11 +36,11 @@ public:
   explicit Shown(const std::vector<RunRecord>& runs);
 
   /// The columns of a force called `symbol` (HTML), each with its unit; and a force (N/m) of a run in them.
-  std::vector<HtmlCell> force_columns(const std::string& symbol) const;
-  std::vector<HtmlCell> force_cells(const RunRecord& run, Real force) const;
+  std::vector<text::HtmlCell> force_columns(const std::string& symbol) const;
+  std::vector<text::HtmlCell> force_cells(const RunRecord& run, Real force) const;
   /// The same of a length, m.
-  std::vector<HtmlCell> length_columns(const std::string& symbol) const;
-  std::vector<HtmlCell> length_cells(const RunRecord& run, Real length) const;
+  std::vector<text::HtmlCell> length_columns(const std::string& symbol) const;
+  std::vector<text::HtmlCell> length_cells(const RunRecord& run, Real length) const;
 
   /// "0.783 kN/m (39.1 kN/m in the prototype, 4.55 γ′ D²)", HTML.
   std::string force_said(const RunRecord& run, Real force) const;
@@ -55,9 +55,9 @@ public:
   Real in_force_unit(Real force) const { return force / force_.size; }
 
 private:
-  NamedUnit force_, prototype_force_, length_;
+  text::NamedUnit force_, prototype_force_, length_;
   std::vector<Real> levels_;  ///< gravity levels of the runs that have a prototype, each once
   bool by_weight_ = false, by_strength_ = false;
 };
 
-}  // namespace berm
+}  // namespace berm::pipe

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <map>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 constexpr Real beside_pipe = 1.5, around_pipe = 4;  // of D
@@ -15,14 +15,14 @@ constexpr Real column_width = 0.1;                  // of D
 constexpr Real a_tenth = 0.1, nine_tenths = 0.9, a_hundredth = 0.01;
 
 /// The volume of a particle's square that lies above a level.
-Real volume_above(const SavedSoil& soil, std::size_t k, Real level)
+Real volume_above(const run_folder::SavedSoil& soil, std::size_t k, Real level)
 {
   const Real side = std::sqrt(Real(soil.volume[k]));
   return side * std::clamp(soil.y[k] + side / 2 - level, Real(0), side);
 }
 
 /// Height of the soil above the surface by column, counted from the pipe's centre: m.
-std::map<Index, Real> columns_above(const SavedSoil& soil, Real surface, Real center, Real width)
+std::map<Index, Real> columns_above(const run_folder::SavedSoil& soil, Real surface, Real center, Real width)
 {
   std::map<Index, Real> columns;
   for (std::size_t k = 0; k < soil.x.size(); ++k)
@@ -30,14 +30,14 @@ std::map<Index, Real> columns_above(const SavedSoil& soil, Real surface, Real ce
   return columns;
 }
 
-Real start_of_pipe(const Case& c)
+Real start_of_pipe(const problem::Case& c)
 {
   return center_of<2>(make_shape<2>(c.rigid[main_rigid(c)].second.shape))[0];
 }
 
 }  // namespace
 
-Heave heave_of(const SavedSoil& start, const SavedSoil& now, Real surface, const PipePlace& pipe, Real diameter)
+Heave heave_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, Real surface, const PipePlace& pipe, Real diameter)
 {
   const Real width = column_width * diameter;
   std::map<Index, Real> columns = columns_above(now, surface, pipe.x, width);
@@ -53,8 +53,8 @@ Heave heave_of(const SavedSoil& start, const SavedSoil& now, Real surface, const
   return heave;
 }
 
-Mechanism mechanism_of(const SavedSoil& before, const SavedSoil& after, Real surface, const PipePlace& from, const PipePlace& to,
-                       Real diameter)
+Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::SavedSoil& after, Real surface, const PipePlace& from,
+                       const PipePlace& to, Real diameter)
 {
   std::vector<std::size_t> close;
   std::vector<Real> growth;
@@ -97,24 +97,24 @@ PipeFrames::PipeFrames(const RunRecord& run)
 {
   if (!run.has_pipe() || run.history.rows() == 0 || run.settings.dimension != 2) return;
   try {
-    files_ = frame_files(run.folder / "frames");
+    files_ = run_folder::frame_files(run.folder / "frames");
   } catch (const RunError&) {
     return;  // the film says what is wrong with them
   }
   const Real start = start_of_pipe(run.settings);
   const std::vector<Real>&time = run.history["time_s"], &u = run.history["u_m"], &w = run.history["w_m"];
-  for (const FrameFiles& frame : files_) {
+  for (const run_folder::FrameFiles& frame : files_) {
     // A frame is written where a row is or between two: the row that follows is of the same stage.
     const auto row = std::min<std::ptrdiff_t>(std::lower_bound(time.begin(), time.end(), frame.time * (1 - 1e-12)) - time.begin(),
                                               static_cast<std::ptrdiff_t>(time.size()) - 1);
     places_.push_back({start + u[row], u[row], w[row]});
     const auto stage = std::find_if(run.settings.stage.begin(), run.settings.stage.end(),
-                                    [&](const StageSettings& s) { return s.name == run.history.stage[row]; });
-    kinds_.push_back(stage == run.settings.stage.end() ? StageKind::free : stage->kind);
+                                    [&](const problem::StageSettings& s) { return s.name == run.history.stage[row]; });
+    kinds_.push_back(stage == run.settings.stage.end() ? problem::StageKind::free : stage->kind);
   }
 }
 
-std::optional<std::size_t> PipeFrames::nearest(StageKind kind, Real PipePlace::*quantity, Real value) const
+std::optional<std::size_t> PipeFrames::nearest(problem::StageKind kind, Real PipePlace::*quantity, Real value) const
 {
   std::optional<std::size_t> found;
   for (std::size_t k = 0; k < count(); ++k)
@@ -122,11 +122,11 @@ std::optional<std::size_t> PipeFrames::nearest(StageKind kind, Real PipePlace::*
   return found;
 }
 
-std::optional<std::size_t> PipeFrames::last(StageKind kind) const
+std::optional<std::size_t> PipeFrames::last(problem::StageKind kind) const
 {
   for (std::size_t k = count(); k-- > 0;)
     if (kinds_[k] == kind) return k;
   return std::nullopt;
 }
 
-}  // namespace berm
+}  // namespace berm::pipe

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace berm {
+namespace berm::pipe {
 
 /// Where the pipe is, m.
 struct PipePlace {
@@ -23,7 +23,7 @@ struct Heave {
 
 /// Soil above the `surface` (m) now, less that at the `start`: columns are D/10 wide, each particle a square, so that a grain that was thrown up
 /// counts for the soil that it is.
-Heave heave_of(const SavedSoil& start, const SavedSoil& now, Real surface, const PipePlace& pipe, Real diameter);
+Heave heave_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, Real surface, const PipePlace& pipe, Real diameter);
 
 /// What moves between two frames with the same points, the one right before the other.
 struct Mechanism {
@@ -35,8 +35,8 @@ struct Mechanism {
 
 /// Of the soil within 4 D of the pipe's axis. Strain of less than a tenth of what one point in a hundred exceeds there does not count: everywhere
 /// else the soil shakes a little.
-Mechanism mechanism_of(const SavedSoil& before, const SavedSoil& after, Real surface, const PipePlace& from, const PipePlace& to,
-                       Real diameter);
+Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::SavedSoil& after, Real surface, const PipePlace& from,
+                       const PipePlace& to, Real diameter);
 
 /// A run's frames with the place of the pipe in each; none without a pipe, without frames that can be told or in space.
 class PipeFrames {
@@ -46,17 +46,17 @@ public:
   std::size_t count() const { return files_.size(); }
   const PipePlace& place(std::size_t frame) const { return places_[frame]; }
   /// The frame of the pushes or drags of this kind in which the quantity is nearest to `value`; empty where there is none.
-  std::optional<std::size_t> nearest(StageKind kind, Real PipePlace::*quantity, Real value) const;
+  std::optional<std::size_t> nearest(problem::StageKind kind, Real PipePlace::*quantity, Real value) const;
   /// The last frame of the stages of this kind.
-  std::optional<std::size_t> last(StageKind kind) const;
+  std::optional<std::size_t> last(problem::StageKind kind) const;
   /// Throw RunError where the frame's file is missing or damaged.
-  SavedSoil soil(std::size_t frame) const { return read_soil(files_[frame].soil); }
-  SavedRigids rigids(std::size_t frame) const { return read_rigids(files_[frame].rigid); }
+  run_folder::SavedSoil soil(std::size_t frame) const { return run_folder::read_soil(files_[frame].soil); }
+  run_folder::SavedRigids rigids(std::size_t frame) const { return run_folder::read_rigids(files_[frame].rigid); }
 
 private:
-  std::vector<FrameFiles> files_;
+  std::vector<run_folder::FrameFiles> files_;
   std::vector<PipePlace> places_;
-  std::vector<StageKind> kinds_;
+  std::vector<problem::StageKind> kinds_;
 };
 
-}  // namespace berm
+}  // namespace berm::pipe

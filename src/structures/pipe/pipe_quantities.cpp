@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <numeric>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 constexpr Real drag_points[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.75, 1.0};  // of D
@@ -66,11 +66,11 @@ public:
   {
     if (!std::isnan(value)) ratio(name, value);
   }
-  std::vector<Quantity> list() && { return std::move(list_); }
+  std::vector<run_folder::Quantity> list() && { return std::move(list_); }
 
 private:
   PipeScale scale_;
-  std::vector<Quantity> list_;
+  std::vector<run_folder::Quantity> list_;
 };
 
 void add_push(Collector& collector, const PipePath& path, const PipeScale& scale)
@@ -88,7 +88,7 @@ void add_push(Collector& collector, const PipePath& path, const PipeScale& scale
 }
 
 /// V by the travel from the row before the push, of a pipe that is in the bed there.
-void add_travel(Collector& collector, const PipePath& path, const History& history, const PipeScale& scale)
+void add_travel(Collector& collector, const PipePath& path, const run_folder::History& history, const PipeScale& scale)
 {
   const TravelCurve V(path.w, path.V);
   if (V.empty()) return;
@@ -128,7 +128,7 @@ void add_drag(Collector& collector, const PipePath& path, std::optional<Real> he
   collector.ratio("V_rms_error_in_drag", std::sqrt(squares / static_cast<Real>(force.size())) / std::abs(target));
 }
 
-void add_contact(Collector& collector, const History& history, const PipeStages& stages)
+void add_contact(Collector& collector, const run_folder::History& history, const PipeStages& stages)
 {
   Real most = -infinity, sum = 0;
   Index overlaps = 0, gaps = 0;
@@ -141,7 +141,7 @@ void add_contact(Collector& collector, const History& history, const PipeStages&
   if (gaps > 0) collector.length("gap_mean", sum / gaps);
 }
 
-void add_second_impulse(Collector& collector, const History& history, const PipeStages& stages)
+void add_second_impulse(Collector& collector, const run_folder::History& history, const PipeStages& stages)
 {
   constexpr const char* column = "second_impulse_N_m";
   if (!history.has(column)) return;
@@ -175,7 +175,7 @@ Real averaging_half(const PipeScale& scale)
   return scale.noisy ? averaging_half_width * scale.diameter : 0;
 }
 
-PipePath pipe_path(const History& history, const PipeStages& stages)
+PipePath pipe_path(const run_folder::History& history, const PipeStages& stages)
 {
   const auto &u = history["u_m"], &w = history["w_m"], &H = history["H_N_m"], &V = history["V_N_m"];
   PipePath path;
@@ -195,7 +195,7 @@ PipePath pipe_path(const History& history, const PipeStages& stages)
   return path;
 }
 
-std::vector<Quantity> pipe_quantities(const History& history, const PipeScale& scale, const PipeStages& stages)
+std::vector<run_folder::Quantity> pipe_quantities(const run_folder::History& history, const PipeScale& scale, const PipeStages& stages)
 {
   const PipePath path = pipe_path(history, stages);
   Collector collector(scale);
@@ -207,16 +207,16 @@ std::vector<Quantity> pipe_quantities(const History& history, const PipeScale& s
   return std::move(collector).list();
 }
 
-std::string key_results_table(const std::vector<Quantity>& quantities, const PipeScale& scale)
+std::string key_results_table(const std::vector<run_folder::Quantity>& quantities, const PipeScale& scale)
 {
   const auto find = [&](const std::string& name) {
-    return std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& q) { return q.name == name; });
+    return std::find_if(quantities.begin(), quantities.end(), [&](const run_folder::Quantity& q) { return q.name == name; });
   };
   const bool prototype = has_prototype(scale);
   std::string table = fmt::format("{:<24}{:>18}{:>16}", "", "model", "dimensionless");
   if (prototype) table += fmt::format("{:>20}", fmt::format("prototype ({:.4g} g)", scale.gravity_level));
   table += '\n';
-  for (const Quantity& q : quantities) {
+  for (const run_folder::Quantity& q : quantities) {
     if (q.name.ends_with("_over_gammaD2") || q.name.ends_with("_over_D")) continue;
     const bool force = q.unit == "N/m", length = q.unit == "m";
     const auto twin = find(q.name + (force ? "_over_gammaD2" : "_over_D"));
@@ -233,4 +233,4 @@ std::string key_results_table(const std::vector<Quantity>& quantities, const Pip
   return table;
 }
 
-}  // namespace berm
+}  // namespace berm::pipe

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace berm {
+namespace berm::pipe {
 
 /// What the results of a pipe are made dimensionless with, and carried to the prototype.
 struct PipeScale {
@@ -35,7 +35,7 @@ struct PipePath {
 };
 
 /// Takes push and drag out of a history. The row before the first of the drag is where the drag begins, and is its first.
-PipePath pipe_path(const History& history, const PipeStages& stages);
+PipePath pipe_path(const run_folder::History& history, const PipeStages& stages);
 
 /// The half width of the travel over which noisy forces are averaged, as part of the diameter.
 constexpr Real averaging_half_width = 0.01;
@@ -56,10 +56,10 @@ Real averaging_half(const PipeScale& scale);
 /// Forces (N/m) come once more over gamma' D^2 (suffix _over_gammaD2), lengths (m) over D (_over_D). Forces and w are taken from the straight
 /// line fitted over +-0.01 D of travel, +- a quarter of the travel for V_at_travel where that is less (TravelCurve::at), or between two rows where there is no
 /// noise.
-std::vector<Quantity> pipe_quantities(const History& history, const PipeScale& scale, const PipeStages& stages);
+std::vector<run_folder::Quantity> pipe_quantities(const run_folder::History& history, const PipeScale& scale, const PipeStages& stages);
 
 /// The same as a table for people: model, dimensionless, and prototype (force per metre and length times the gravity level) where the model has
 /// one.
-std::string key_results_table(const std::vector<Quantity>& quantities, const PipeScale& scale);
+std::string key_results_table(const std::vector<run_folder::Quantity>& quantities, const PipeScale& scale);
 
-}  // namespace berm
+}  // namespace berm::pipe

@@ -6,61 +6,61 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
-const CircleSettings* circle_of(const Case& c)
+const bodies::CircleSettings* circle_of(const problem::Case& c)
 {
   const Index rigid = main_rigid(c);
-  return rigid == none ? nullptr : std::get_if<CircleSettings>(&c.rigid[rigid].second.shape);
+  return rigid == none ? nullptr : std::get_if<bodies::CircleSettings>(&c.rigid[rigid].second.shape);
 }
 
 }  // namespace
 
-PipeInClay ClayAround::at(Real embedment) const
+formulas::PipeInClay ClayAround::at(Real embedment) const
 {
   const Real strength = surface_strength + strength_gradient * embedment;
   const Real roughness = std::isnan(adhesion) ? adhesion : std::min(Real(1), adhesion / strength);
   return {diameter, embedment, strength, roughness, strength_gradient, unit_weight};
 }
 
-bool is_circle(const Case& c)
+bool is_circle(const problem::Case& c)
 {
   return circle_of(c) != nullptr;
 }
 
-const char* body_word(const Case& c)
+const char* body_word(const problem::Case& c)
 {
   if (is_circle(c)) return "pipe";
   const Index rigid = main_rigid(c);
-  return rigid != none && std::holds_alternative<BoxSettings>(c.rigid[rigid].second.shape) ? "footing" : "body";
+  return rigid != none && std::holds_alternative<bodies::BoxSettings>(c.rigid[rigid].second.shape) ? "footing" : "body";
 }
 
-Real modelled_part(const Case& c)
+Real modelled_part(const problem::Case& c)
 {
   constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-  const CircleSettings* circle = circle_of(c);
+  const bodies::CircleSettings* circle = circle_of(c);
   if (circle == nullptr) return nan;
-  const auto* seabed = std::get_if<SeabedMesh>(&c.mesh);
+  const auto* seabed = std::get_if<mesh::SeabedMesh>(&c.mesh);
   if (seabed == nullptr) return 1;
-  const SeabedLayout layout = layout_of(*seabed);
+  const mesh::SeabedLayout layout = layout_of(*seabed);
   const Real x = circle->center[0], radius = circle->diameter / 2, round_off = 1e-9 * radius;
   if (x - radius >= layout.left && x + radius <= layout.right) return 1;
   return std::abs(x - layout.left) < round_off || std::abs(x - layout.right) < round_off ? 0.5 : nan;
 }
 
-PipeSoil pipe_soil(const Case& c)
+PipeSoil pipe_soil(const problem::Case& c)
 {
-  const CircleSettings* circle = circle_of(c);
+  const bodies::CircleSettings* circle = circle_of(c);
   if (circle == nullptr) return NoFormula{"The published formulas are those of pipes; the rigid body of this run is no circle."};
   if (c.dimension != 2) return NoFormula{"The published formulas are per metre of pipe in plane strain; this run is in space."};
   if (std::isnan(modelled_part(c)))
     return NoFormula{"The published formulas are those of a whole pipe; a wall of the mesh cuts the pipe of this run."};
-  const Material* material = touched_material(c);
-  const auto* law = material == nullptr ? nullptr : std::get_if<MohrCoulomb>(material);
+  const material::Material* material = touched_material(c);
+  const auto* law = material == nullptr ? nullptr : std::get_if<material::MohrCoulomb>(material);
   if (law == nullptr) return NoFormula{"No formula is known for this soil: it has no strength after Mohr-Coulomb."};
-  const ContactSettings& contact = *contact_of_pipe(c);
-  const bool sticks = contact.scheme == Scheme::sticky;
+  const contact::ContactSettings& contact = *contact_of_pipe(c);
+  const bool sticks = contact.scheme == contact::Scheme::sticky;
   const Real unit_weight = pipe_scale(c).unit_weight;
   const bool cohesive = law->cohesion > 0 || law->cohesion_gradient > 0;
   if (law->friction_angle > 0 && !cohesive && unit_weight > 0)
@@ -73,4 +73,4 @@ PipeSoil pipe_soil(const Case& c)
   return NoFormula{"No formula is known for this soil: it is neither clay (φ = 0) nor sand (c = 0) with weight."};
 }
 
-}  // namespace berm
+}  // namespace berm::pipe

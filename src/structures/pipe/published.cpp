@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
@@ -25,7 +25,7 @@ bool is_one_of(Real part, const Real (&parts)[size])
 std::vector<ComparedState> states_of(const RunRecord& run)
 {
   const RunPoints points = points_of(run);
-  const bool small_strain = run.settings.method == Method::fem;
+  const bool small_strain = run.settings.method == problem::Method::fem;
   const Real D = run.scale.diameter;
   std::vector<ComparedState> states;
   // Small strains leave the pipe where it began: what it carries on the way is no strength.
@@ -43,7 +43,7 @@ std::vector<ComparedState> states_of(const RunRecord& run)
 
 std::string remark_on_place(const RunRecord& run)
 {
-  if (run.settings.method == Method::fem)
+  if (run.settings.method == problem::Method::fem)
     return fmt::format(
         "This run is wished in place: the pipe lies at w = {:.3g} D from the start, below a flat surface, and strains are small. Formulas "
         "with heave are for a pipe that was pushed there.",
@@ -87,7 +87,7 @@ PublishedValues published_beside(const RunRecord& run)
   const auto* sand = std::get_if<SandAround>(&soil);
   const auto* clay = std::get_if<ClayAround>(&soil);
   const RunPoints points = points_of(run);
-  const bool heaves = run.settings.method == Method::mpm && points.push_end.has_value();
+  const bool heaves = run.settings.method == problem::Method::mpm && points.push_end.has_value();
   const Real part = modelled_part(run.settings);
   for (ComparedState& state : values.states) {
     state.V /= part;
@@ -100,7 +100,7 @@ PublishedValues published_beside(const RunRecord& run)
   }
   std::erase_if(values.states, [](const ComparedState& state) { return state.comparisons.empty(); });
   if (sand != nullptr && !points.drag.empty()) {
-    const Real w = points.push_end && run.settings.method == Method::mpm ? points.push_end->w : points.first_w;
+    const Real w = points.push_end && run.settings.method == problem::Method::mpm ? points.push_end->w : points.first_w;
     const auto breakout = resistance_of(run).breakout;
     const Real u = breakout ? breakout->u : nan;
     values.states.push_back({ComparedState::Kind::breakout, u, w, nan, sand_at_breakout(*sand, w, u)});
@@ -112,4 +112,4 @@ PublishedValues published_beside(const RunRecord& run)
   return values;
 }
 
-}  // namespace berm
+}  // namespace berm::pipe

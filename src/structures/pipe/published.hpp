@@ -4,7 +4,7 @@
 #include "formulas/formula.hpp"
 #include "structures/pipe/run_record.hpp"
 
-namespace berm {
+namespace berm::pipe {
 
 /// A value of a run beside what a formula gives.
 struct Comparison {
@@ -15,7 +15,7 @@ struct Comparison {
   std::string quantity;  ///< a symbol or some words
   Unit unit;
   Real berm;  ///< NaN: the run has no such value
-  Formula published;
+  formulas::Formula published;
   std::string about;  ///< what the source's name leaves out, such as "wished in place"
 
   /// berm over formula; NaN where one of them is missing.
@@ -41,4 +41,4 @@ struct PublishedValues {
 /// symmetry are doubled.
 PublishedValues published_beside(const RunRecord& run);
 
-}  // namespace berm
+}  // namespace berm::pipe

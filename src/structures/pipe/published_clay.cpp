@@ -3,33 +3,34 @@
 
 #include "formulas/design_code.hpp"
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 /// What the clay that the pipe displaces weighs, N/m: the formulas from strength alone leave it out.
-Real buoyancy_of(const PipeInClay& pipe)
+Real buoyancy_of(const formulas::PipeInClay& pipe)
 {
-  return pipe.unit_weight > 0 ? pipe.unit_weight * f114_penetrated_area(pipe.diameter, pipe.embedment) : 0;
+  return pipe.unit_weight > 0 ? pipe.unit_weight * formulas::f114_penetrated_area(pipe.diameter, pipe.embedment) : 0;
 }
 
-Formula with_buoyancy(Formula strength_alone, const PipeInClay& pipe)
+formulas::Formula with_buoyancy(formulas::Formula strength_alone, const formulas::PipeInClay& pipe)
 {
   strength_alone.value += buoyancy_of(pipe);
   return strength_alone;
 }
 
-Formula bound(Real factor, const PipeInClay& pipe)
+formulas::Formula bound(Real factor, const formulas::PipeInClay& pipe)
 {
-  return with_buoyancy(formula(factor * pipe.diameter * pipe.strength, murff_source, pipe.strength_gradient == 0), pipe);
+  return with_buoyancy(formulas::formula(factor * pipe.diameter * pipe.strength, formulas::murff_source, pipe.strength_gradient == 0),
+                       pipe);
 }
 
 }  // namespace
 
 std::vector<Comparison> clay_in_push(const ClayAround& clay, Real w, Real V, bool heaves)
 {
-  const PipeInClay pipe = clay.at(w);
+  const formulas::PipeInClay pipe = clay.at(w);
   std::vector<Comparison> list;
-  const auto add = [&](const Formula& published, const char* about) {
+  const auto add = [&](const formulas::Formula& published, const char* about) {
     list.push_back({"V", Comparison::Unit::force, V, published, about});
   };
   if (pipe.strength_gradient == 0) add(f114_undrained_model_1(pipe, 1), "model 1, bearing capacity, wished in place");
@@ -40,7 +41,7 @@ std::vector<Comparison> clay_in_push(const ClayAround& clay, Real w, Real V, boo
   if (pipe.roughness == 0) add(with_buoyancy(clay_vertical_smooth(pipe), pipe), "wished in place");
   const bool ends = pipe.roughness == 0 || pipe.roughness == 1;
   if (ends && std::abs(w / pipe.diameter - 0.5) < 0.005) {
-    const MurffBounds& bounds = pipe.roughness == 0 ? murff_smooth : murff_rough;
+    const formulas::MurffBounds& bounds = pipe.roughness == 0 ? formulas::murff_smooth : formulas::murff_rough;
     add(bound(bounds.lower, pipe), "lower, wished in place");
     add(bound(bounds.upper, pipe), "upper, wished in place");
   }
@@ -50,10 +51,10 @@ std::vector<Comparison> clay_in_push(const ClayAround& clay, Real w, Real V, boo
 
 std::vector<Comparison> clay_in_drag(const ClayAround& clay, Real w, Real V, Real H)
 {
-  const PipeInClay pipe = clay.at(w);
+  const formulas::PipeInClay pipe = clay.at(w);
   if (std::isnan(pipe.roughness)) return {};
-  const Formula V_max = clay_vertical(pipe), H_max = clay_horizontal(pipe);
-  const Formula at_V = clay_envelope(pipe, V - buoyancy_of(pipe), V_max.value, H_max.value);
+  const formulas::Formula V_max = clay_vertical(pipe), H_max = clay_horizontal(pipe);
+  const formulas::Formula at_V = clay_envelope(pipe, V - buoyancy_of(pipe), V_max.value, H_max.value);
   return {{"H", Comparison::Unit::force, H, at_V, "envelope at the run's V, wished in place"},
           {"H", Comparison::Unit::force, H, H_max, "apex of the envelope, wished in place"},
           {"H", Comparison::Unit::force, H, clay_deep(pipe), "deeply buried: the most that a pipe can meet"}};
@@ -74,4 +75,4 @@ std::vector<std::string> remarks_on(const ClayAround& clay)
   return remarks;
 }
 
-}  // namespace berm
+}  // namespace berm::pipe

@@ -4,7 +4,7 @@
 #include "structures/pipe/pipe_soil.hpp"
 #include "structures/pipe/published.hpp"
 
-namespace berm {
+namespace berm::pipe {
 
 /// A vertical load V (N/m) that a pushed pipe carries at embedment w (m); `heaves`: it was pushed there.
 std::vector<Comparison> clay_in_push(const ClayAround& clay, Real w, Real V, bool heaves);
@@ -14,4 +14,4 @@ std::vector<Comparison> clay_in_drag(const ClayAround& clay, Real w, Real V, Rea
 
 std::vector<std::string> remarks_on(const ClayAround& clay);
 
-}  // namespace berm
+}  // namespace berm::pipe

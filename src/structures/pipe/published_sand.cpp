@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 constexpr Real degree = pi / 180;
@@ -19,8 +19,8 @@ bool is_associated(const SandAround& sand)
 
 std::vector<Comparison> sand_in_push(const SandAround& sand, Real w, Real V)
 {
-  const PipeInSand pipe = sand.at(w);
-  Formula characteristics = sand_vertical(pipe);
+  const formulas::PipeInSand pipe = sand.at(w);
+  formulas::Formula characteristics = sand_vertical(pipe);
   if (!is_associated(sand)) {
     characteristics.valid = false;
     characteristics.source.range = "phi = psi = 35 deg, delta = 0 or 2/3 phi, 0.05 <= w/D <= 0.5";
@@ -32,14 +32,14 @@ std::vector<Comparison> sand_in_push(const SandAround& sand, Real w, Real V)
 
 std::vector<Comparison> sand_in_drag(const SandAround& sand, Real w, Real V, Real H)
 {
-  const PipeInSand pipe = sand.at(w);
+  const formulas::PipeInSand pipe = sand.at(w);
   return {{"H", Comparison::Unit::force, H, f114_drained_lateral(pipe, V), "passive wedge and friction"},
           {"H", Comparison::Unit::force, H, f109_lateral(pipe, V), ""}};
 }
 
 std::vector<Comparison> sand_at_breakout(const SandAround& sand, Real w, Real u)
 {
-  const Breakout breakout = f114_breakout(sand.diameter, w);
+  const formulas::Breakout breakout = formulas::f114_breakout(sand.diameter, w);
   return {{"u at breakout", Comparison::Unit::length, u, breakout.least, "least"},
           {"u at breakout", Comparison::Unit::length, u, breakout.mean, "mean"},
           {"u at breakout", Comparison::Unit::length, u, breakout.most, "most"}};
@@ -55,4 +55,4 @@ std::vector<std::string> remarks_on(const SandAround& sand)
   return remarks;
 }
 
-}  // namespace berm
+}  // namespace berm::pipe

@@ -4,7 +4,7 @@
 #include "structures/pipe/pipe_soil.hpp"
 #include "structures/pipe/published.hpp"
 
-namespace berm {
+namespace berm::pipe {
 
 /// A vertical load V (N/m) that a pushed pipe carries at embedment w (m).
 std::vector<Comparison> sand_in_push(const SandAround& sand, Real w, Real V);
@@ -17,4 +17,4 @@ std::vector<Comparison> sand_at_breakout(const SandAround& sand, Real w, Real u)
 
 std::vector<std::string> remarks_on(const SandAround& sand);
 
-}  // namespace berm
+}  // namespace berm::pipe

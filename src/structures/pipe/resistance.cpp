@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
@@ -59,7 +59,7 @@ Resistance resistance_of(const RunRecord& run)
   if (!run.has_pipe()) return resistance_to({{}, {}}, run.scale);
   const PipePath path = run.history.rows() > 0 ? pipe_path(run.history, run.stages) : PipePath{};
   Resistance resistance = resistance_to({path.drag_u, path.drag_H}, run.scale);
-  const Quantity *H_max = run.quantity("H_max"), *u_at_H_max = run.quantity("u_at_H_max");
+  const run_folder::Quantity *H_max = run.quantity("H_max"), *u_at_H_max = run.quantity("u_at_H_max");
   if (!resistance.largest && H_max != nullptr && u_at_H_max != nullptr) take_if_larger(resistance.largest, u_at_H_max->value, H_max->value);
   // The points need not be among the travels at which a long curve is looked at.
   for (const DragPoint& p : points_of(run).drag) take_if_larger(resistance.largest, p.u, p.H);
@@ -74,4 +74,4 @@ std::string no_peak_words(const Resistance& resistance, const std::string& end)
   return resistance.last_change > 0 ? fmt::format("no peak: H grows {}", end) : "no peak";
 }
 
-}  // namespace berm
+}  // namespace berm::pipe

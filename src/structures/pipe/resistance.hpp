@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "structures/pipe/travel_curve.hpp"
 #include "structures/pipe/run_record.hpp"
+#include "structures/pipe/travel_curve.hpp"
 
 #include <optional>
 
-namespace berm {
+namespace berm::pipe {
 
 /// How the soil resists a drag: how much at most, where it gives way, and what is left.
 struct Resistance {
@@ -41,4 +41,4 @@ Resistance resistance_of(const RunRecord& run);
 /// What to say of a drag whose H has no peak: "no peak: H grows to the end of the drag", whose `end` may be another.
 std::string no_peak_words(const Resistance& resistance, const std::string& end);
 
-}  // namespace berm
+}  // namespace berm::pipe

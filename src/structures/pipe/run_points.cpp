@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <string_view>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
@@ -28,16 +28,16 @@ std::optional<Real> part_of_D(std::string_view name, std::string_view begin)
 
 Real value_of(const RunRecord& run, const std::string& name)
 {
-  const Quantity* q = run.quantity(name);
+  const run_folder::Quantity* q = run.quantity(name);
   return q == nullptr ? nan : q->value;
 }
 
 /// The embedment of the main rigid body as the case places it, m; NaN where there is none.
-Real placed_w(const Case& c)
+Real placed_w(const problem::Case& c)
 {
   const Index rigid = main_rigid(c);
   if (rigid == none) return nan;
-  const RigidShapeSettings& shape = c.rigid[rigid].second.shape;
+  const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;
   return c.surface - (c.dimension == 2 ? lowest_level(make_shape<2>(shape)) : lowest_level(make_shape<3>(shape)));
 }
 
@@ -46,7 +46,7 @@ bool contains(const std::vector<std::string>& stages, const std::string& stage)
   return std::find(stages.begin(), stages.end(), stage) != stages.end();
 }
 
-bool knows_w(const History& history)
+bool knows_w(const run_folder::History& history)
 {
   return history.rows() > 0 && history.has("w_m");
 }
@@ -54,7 +54,7 @@ bool knows_w(const History& history)
 /// The embedment at which the push begins: in the row before its first, as far as there is one.
 Real push_begin(const RunRecord& run, Real first_w)
 {
-  const History& h = run.history;
+  const run_folder::History& h = run.history;
   for (Index k = 0; knows_w(h) && k < h.rows(); ++k)
     if (contains(run.stages.push, h.stage[k])) return h["w_m"][std::max(k - 1, 0)];
   return first_w;
@@ -74,7 +74,7 @@ RunPoints points_of(const RunRecord& run)
   RunPoints points;
   const Real D = run.scale.diameter;
   points.first_w = knows_w(run.history) ? run.history["w_m"].front() : placed_w(run.settings);
-  for (const Quantity& q : run.quantities) {
+  for (const run_folder::Quantity& q : run.quantities) {
     if (const auto part = part_of_D(q.name, "V_at_w_")) points.push.push_back({*part * D, q.value});
     if (const auto part = part_of_D(q.name, "H_at_u_")) {
       const std::string at = q.name.substr(1);
@@ -106,4 +106,4 @@ bool is_wished_in_place(const RunRecord& run)
   return points_of(run).first_w > wished_beyond * run.scale.diameter;
 }
 
-}  // namespace berm
+}  // namespace berm::pipe

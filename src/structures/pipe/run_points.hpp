@@ -5,7 +5,7 @@
 
 #include <optional>
 
-namespace berm {
+namespace berm::pipe {
 
 /// A point of a push.
 struct PushPoint {
@@ -42,4 +42,4 @@ StageEnd end_of_drag(const RunRecord& run);
 /// Whether the pipe lay in the soil from the start, below a flat surface: deeper than 0.01 D.
 bool is_wished_in_place(const RunRecord& run);
 
-}  // namespace berm
+}  // namespace berm::pipe

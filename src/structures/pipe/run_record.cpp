@@ -11,7 +11,7 @@
 #include <sstream>
 #include <unistd.h>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 namespace fs = std::filesystem;
@@ -32,7 +32,7 @@ Found look_for(const fs::path& path)
 void take_summary(RunRecord& run)
 {
   try {
-    run.summary = read_summary(run.folder);
+    run.summary = run_folder::read_summary(run.folder);
   } catch (const RunError&) {
     run.faults.emplace_back("summary.json is damaged or cannot be read: how the run ended is not known");
     run.end = RunEnd::not_told;
@@ -48,7 +48,7 @@ void take_history(RunRecord& run)
     if (look_for(file) == Found::nothing)
       run.faults.emplace_back("history.csv is missing: there are no curves");
     else
-      run.history = read_history(file);
+      run.history = run_folder::read_history(file);
   } catch (const RunError& error) {
     run.faults.push_back(fmt::format("the history cannot be read: {}", error.what()));
   }
@@ -71,7 +71,7 @@ void take_log(RunRecord& run)
 {
   constexpr std::size_t time_length = 19;
   const fs::path file = run.folder / "run.log";
-  std::istringstream lines(look_for(file) == Found::file ? read_whole(file) : "");
+  std::istringstream lines(look_for(file) == Found::file ? io::read_whole(file) : "");
   const std::string warning = "warning: ";
   for (std::string line; std::getline(lines, line);) {
     const bool timed = line.size() > time_length + 1 && line[4] == '-' && line[time_length] == ' ';
@@ -104,9 +104,10 @@ Real RunRecord::timing(const std::string& timing_name) const
   return summary ? value_in(summary->timing, timing_name) : unknown;
 }
 
-const Quantity* RunRecord::quantity(const std::string& quantity_name) const
+const run_folder::Quantity* RunRecord::quantity(const std::string& quantity_name) const
 {
-  const auto found = std::find_if(quantities.begin(), quantities.end(), [&](const Quantity& q) { return q.name == quantity_name; });
+  const auto found =
+      std::find_if(quantities.begin(), quantities.end(), [&](const run_folder::Quantity& q) { return q.name == quantity_name; });
   return found == quantities.end() ? nullptr : &*found;
 }
 
@@ -132,7 +133,7 @@ RunRecord read_run(const fs::path& folder)
   const fs::path whole = fs::absolute(folder).lexically_normal();
   const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
   run.name = Json::parse(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
-  run.settings = read_case(folder / "resolved.toml");
+  run.settings = input::read_case(folder / "resolved.toml");
   run.scale = pipe_scale(run.settings);
   run.stages = pipe_stages(run.settings);
   take_history(run);
@@ -146,4 +147,4 @@ RunRecord read_run(const fs::path& folder)
   return run;
 }
 
-}  // namespace berm
+}  // namespace berm::pipe

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "structures/pipe/pipe_case.hpp"
 #include "run_folder/summary_file.hpp"
+#include "structures/pipe/pipe_case.hpp"
 
-namespace berm {
+namespace berm::pipe {
 
 /// How a run ended, as its folder tells.
 enum class RunEnd {
@@ -17,13 +17,13 @@ enum class RunEnd {
 /// All that a run folder holds, but the frames.
 struct RunRecord {
   std::filesystem::path folder;
-  std::string name;  ///< of the folder, as valid UTF-8; a page tells runs apart by it
-  Case settings;     ///< of resolved.toml
-  PipeScale scale;   ///< diameter 0: there is no pipe
+  std::string name;        ///< of the folder, as valid UTF-8; a page tells runs apart by it
+  problem::Case settings;  ///< of resolved.toml
+  PipeScale scale;         ///< diameter 0: there is no pipe
   PipeStages stages;
-  History history;                    ///< without rows where there is none
-  std::optional<RunSummary> summary;  ///< none in an unfinished run
-  std::vector<Quantity> quantities;   ///< of the summary; of an unfinished run, from its history
+  run_folder::History history;                    ///< without rows where there is none
+  std::optional<run_folder::RunSummary> summary;  ///< none in an unfinished run
+  std::vector<run_folder::Quantity> quantities;   ///< of the summary; of an unfinished run, from its history
   RunEnd end = RunEnd::unfinished;
   std::string begun;                  ///< date and time of the first line of run.log; "" where that is missing
   std::vector<std::string> warnings;  ///< of run.log, without their times
@@ -35,7 +35,7 @@ struct RunRecord {
   Real check(const std::string& name) const;
   Real timing(const std::string& name) const;
   /// The quantity of that name, or null.
-  const Quantity* quantity(const std::string& name) const;
+  const run_folder::Quantity* quantity(const std::string& name) const;
 };
 
 /// A name that files may have: letters, digits, points, - and _; everything else becomes _.
@@ -48,4 +48,4 @@ bool is_run_folder(const std::filesystem::path& folder);
 /// resolved.toml cannot be read.
 RunRecord read_run(const std::filesystem::path& folder);
 
-}  // namespace berm
+}  // namespace berm::pipe

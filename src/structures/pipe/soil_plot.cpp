@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "plot/gnuplot.hpp"
-#include "structures/pipe/plots.hpp"
-#include "plot/raster.hpp"
-#include "plot/nice_number.hpp"
 #include "io/atomic_file.hpp"
+#include "plot/gnuplot.hpp"
+#include "plot/nice_number.hpp"
+#include "plot/raster.hpp"
+#include "structures/pipe/plots.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 constexpr int width = 1200, left = 95, right = 175, bottom = 80, top = 70;  // pixels; the plot's height follows from the view
@@ -20,32 +20,32 @@ constexpr const char* palette =
 
 /// A picture in the making: what it shows and in which unit.
 struct Picture {
-  const Frame<2>& frame;
+  const run_folder::Frame<2>& frame;
   const std::string& name;
   bool since_start;
   const SoilView& view;
-  PlotUnit unit;
+  plot::PlotUnit unit;
   Vec<2> size() const { return view.upper - view.lower; }
   int plot_height() const { return std::clamp(static_cast<int>(std::lround(plot_width * size()[1] / size()[0])), 200, 1400); }
   const char* words() const
   {
     return since_start ? "deviatoric strain of displacement since the start" : "deviatoric strain of displacement since last frame";
   }
-  Real value(const FrameParticle<2>& f) const { return since_start ? f.strain.deviatoric : f.strain_increment; }
+  Real value(const run_folder::FrameParticle<2>& f) const { return since_start ? f.strain.deviatoric : f.strain_increment; }
 };
 
 constexpr std::size_t most_disks = 100'000;  // beyond, a picture of a million pixels has hardly any left for each
 
 /// Radius of the disk that stands for a particle: larger than its share, so that neighbours close the ground between them.
-Real shown_radius(const Particle<2>& p)
+Real shown_radius(const bodies::Particle<2>& p)
 {
   return std::sqrt(p.volume);
 }
 
-std::vector<const FrameParticle<2>*> particles_in_view(const Picture& picture)
+std::vector<const run_folder::FrameParticle<2>*> particles_in_view(const Picture& picture)
 {
-  std::vector<const FrameParticle<2>*> shown;
-  for (const FrameParticle<2>& f : picture.frame.particles) {
+  std::vector<const run_folder::FrameParticle<2>*> shown;
+  for (const run_folder::FrameParticle<2>& f : picture.frame.particles) {
     const auto x = f.particle.x.array();
     const Real radius = shown_radius(f.particle);
     if ((x >= picture.view.lower.array() - radius).all() && (x <= picture.view.upper.array() + radius).all()) shown.push_back(&f);
@@ -54,17 +54,17 @@ std::vector<const FrameParticle<2>*> particles_in_view(const Picture& picture)
 }
 
 /// The data of a picture of disks.
-std::string disks(const Picture& picture, const std::vector<const FrameParticle<2>*>& particles)
+std::string disks(const Picture& picture, const std::vector<const run_folder::FrameParticle<2>*>& particles)
 {
-  const PlotUnit& unit = picture.unit;
+  const plot::PlotUnit& unit = picture.unit;
   std::string data = fmt::format("# x, y, radius ({}), {}\n", unit.name, picture.words());
-  for (const FrameParticle<2>* f : particles)
+  for (const run_folder::FrameParticle<2>* f : particles)
     data += fmt::format("{:.6g} {:.6g} {:.4g} {:.5g}\n", f->particle.x[0] * unit.per_si, f->particle.x[1] * unit.per_si,
                         shown_radius(f->particle) * unit.per_si, picture.value(*f));
   return data;
 }
 
-std::string pixel_text(const Picture& picture, const Raster& raster)
+std::string pixel_text(const Picture& picture, const plot::Raster& raster)
 {
   return fmt::format("# {}, of each pixel, a line a row, the lowest first\n", picture.words()) + raster.text();
 }
@@ -73,13 +73,13 @@ std::string pixel_text(const Picture& picture, const Raster& raster)
 std::string pixels(const Picture& picture)
 {
   constexpr int parts[4][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
-  Raster raster(picture.view.lower, picture.view.upper, plot_width, picture.plot_height());
+  plot::Raster raster(picture.view.lower, picture.view.upper, plot_width, picture.plot_height());
   for (const std::array<Index, 6>& nodes : picture.frame.triangles)
     for (const auto& part : parts) {
       std::array<Vec<2>, 3> corners;
       std::array<Real, 3> values;
       for (int k = 0; k < 3; ++k) {
-        const FrameParticle<2>& node = picture.frame.particles[nodes[part[k]]];
+        const run_folder::FrameParticle<2>& node = picture.frame.particles[nodes[part[k]]];
         corners[k] = node.particle.x;
         values[k] = picture.value(node);
       }
@@ -90,10 +90,10 @@ std::string pixels(const Picture& picture)
 
 /// Particles as pixels, each as the square of its radius: a vector graphic of a disk for every particle would be tens of megabytes, and gnuplot takes more
 /// than a kilobyte of memory for each.
-std::string pixels(const Picture& picture, const std::vector<const FrameParticle<2>*>& particles)
+std::string pixels(const Picture& picture, const std::vector<const run_folder::FrameParticle<2>*>& particles)
 {
-  Raster raster(picture.view.lower, picture.view.upper, plot_width, picture.plot_height());
-  for (const FrameParticle<2>* f : particles) {
+  plot::Raster raster(picture.view.lower, picture.view.upper, plot_width, picture.plot_height());
+  for (const run_folder::FrameParticle<2>* f : particles) {
     const Real half = shown_radius(f->particle), value = picture.value(*f);
     const Vec<2> x = f->particle.x, across(half, -half), up(half, half);
     raster.paint({x - up, Vec<2>(x + across), Vec<2>(x + up)}, {value, value, value});
@@ -106,7 +106,7 @@ std::string outlines(const Picture& picture)
 {
   const Real per_si = picture.unit.per_si;
   std::string data = fmt::format("# x, y ({}) of each rigid body\n", picture.unit.name);
-  for (const FrameRigid<2>& rigid : picture.frame.rigids)
+  for (const run_folder::FrameRigid<2>& rigid : picture.frame.rigids)
     for (const auto& cell : rigid.surface.cells) {
       const auto line = [&](Index k) {
         return fmt::format("{:.6g} {:.6g}\n", rigid.surface.points[k][0] * per_si, rigid.surface.points[k][1] * per_si);
@@ -118,10 +118,10 @@ std::string outlines(const Picture& picture)
 }
 
 /// The value that one particle in a hundred exceeds.
-Real hundredth(const Picture& picture, const std::vector<const FrameParticle<2>*>& particles)
+Real hundredth(const Picture& picture, const std::vector<const run_folder::FrameParticle<2>*>& particles)
 {
   std::vector<Real> values;
-  for (const FrameParticle<2>* f : particles) values.push_back(picture.value(*f));
+  for (const run_folder::FrameParticle<2>* f : particles) values.push_back(picture.value(*f));
   const auto place = values.end() - 1 - static_cast<std::ptrdiff_t>(values.size() / 100);
   std::nth_element(values.begin(), place, values.end());
   return *place;
@@ -132,16 +132,16 @@ std::string axes(const Picture& picture, Real most, const std::string& title)
 {
   const int height = picture.plot_height() + bottom + top;
   const SoilView& view = picture.view;
-  const PlotUnit& unit = picture.unit;
+  const plot::PlotUnit& unit = picture.unit;
   const auto part = [](int pixels, int of) { return static_cast<Real>(pixels) / of; };
   std::string script = fmt::format(
       "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset bmargin at screen {:.4f}\nset tmargin at screen {:.4f}\n",
       part(left, width), 1 - part(right, width), part(bottom, height), 1 - part(top, height));
-  script += fmt::format("set title {} font 'DejaVu Sans,17'\nset size ratio -1\n", gnuplot_text(title));
+  script += fmt::format("set title {} font 'DejaVu Sans,17'\nset size ratio -1\n", plot::gnuplot_text(title));
   script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", view.lower[0] * unit.per_si,
                         view.upper[0] * unit.per_si, view.lower[1] * unit.per_si, view.upper[1] * unit.per_si);
   script += fmt::format("set xlabel 'x ({0})'\nset ylabel 'y ({0})'\nset tics out nomirror\nset border lc rgb '#444444'\n", unit.name);
-  script += fmt::format("set cblabel '{}'\nset cbrange [0:{:g}]\n", picture.words(), round_up(most));
+  script += fmt::format("set cblabel '{}'\nset cbrange [0:{:g}]\n", picture.words(), plot::round_up(most));
   script += std::string(palette) + "unset key\nset style fill solid noborder\n";
   if (view.surface) {
     const Real level = *view.surface * unit.per_si;
@@ -154,7 +154,7 @@ std::string axes(const Picture& picture, Real most, const std::string& title)
 /// A file of plots/ between quotes. With ./ before it, since gnuplot runs a name that begins with < as a command.
 std::string data_file(const std::string& name)
 {
-  return gnuplot_text("./" + name + ".dat");
+  return plot::gnuplot_text("./" + name + ".dat");
 }
 
 /// The command that draws the data.
@@ -181,22 +181,22 @@ SoilView view_around_pipe(Real x, Real lowest, Real diameter, Real surface)
   return {Vec<2>(x - 2.5 * diameter, lowest - 1.2 * diameter), Vec<2>(x + 2.5 * diameter, lowest + 1.3 * diameter), surface};
 }
 
-bool draw_soil(const std::filesystem::path& folder, const Frame<2>& frame, const SoilPicture& wanted, PlotFormat format)
+bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<2>& frame, const SoilPicture& wanted, plot::PlotFormat format)
 {
   const SoilView& view = wanted.view;
   const Picture picture{frame, wanted.name, wanted.color == SoilColor::deviatoric_strain, view,
-                        length_unit((view.upper - view.lower).maxCoeff())};
-  const std::vector<const FrameParticle<2>*> particles = particles_in_view(picture);
+                        plot::length_unit((view.upper - view.lower).maxCoeff())};
+  const std::vector<const run_folder::FrameParticle<2>*> particles = particles_in_view(picture);
   const std::filesystem::path plots = folder / "plots";
-  make_folder(plots);
+  io::make_folder(plots);
   if (particles.empty()) return false;
-  const bool as_disks = frame.triangles.empty() && format == PlotFormat::png && particles.size() <= most_disks;
-  write_whole(plots / (picture.name + ".dat"), as_disks                  ? disks(picture, particles)
-                                               : frame.triangles.empty() ? pixels(picture, particles)
-                                                                         : pixels(picture));
-  write_whole(plots / (picture.name + "_rigid.dat"), outlines(picture));
+  const bool as_disks = frame.triangles.empty() && format == plot::PlotFormat::png && particles.size() <= most_disks;
+  io::write_whole(plots / (picture.name + ".dat"), as_disks                  ? disks(picture, particles)
+                                                   : frame.triangles.empty() ? pixels(picture, particles)
+                                                                             : pixels(picture));
+  io::write_whole(plots / (picture.name + "_rigid.dat"), outlines(picture));
   return draw(folder, picture.name, width, picture.plot_height() + bottom + top,
               axes(picture, hundredth(picture, particles), wanted.title) + plot(picture, as_disks), format);
 }
 
-}  // namespace berm
+}  // namespace berm::pipe

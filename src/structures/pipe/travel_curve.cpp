@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 constexpr std::size_t most_marks = 2000;    // each takes a sum over its window
@@ -86,4 +86,4 @@ TravelCurve TravelCurve::smoothed(Real half) const
   return {marks, values};
 }
 
-}  // namespace berm
+}  // namespace berm::pipe

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-namespace berm {
+namespace berm::pipe {
 
 /// A noisy quantity along a travel that only grows.
 class TravelCurve {
@@ -38,4 +38,4 @@ private:
   std::vector<Real> travel_, value_;
 };
 
-}  // namespace berm
+}  // namespace berm::pipe

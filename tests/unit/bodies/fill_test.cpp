@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/fill.hpp"
 
-#include "samples/sample_meshes.hpp"
 #include "core/error.hpp"
+#include "samples/sample_meshes.hpp"
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::bodies {
 namespace {
 
 template <int dim>
@@ -14,9 +14,9 @@ const StartState<dim> at_rest{1000, 10, 0, 0};
 
 /// A mesh with the regions "low" (y < 0.8), "high" and "empty", which has no cells.
 template <int dim>
-Mesh<dim> mesh_of_two_regions()
+mesh::Mesh<dim> mesh_of_two_regions()
 {
-  Mesh<dim> mesh = shaken_box<dim>();
+  mesh::Mesh<dim> mesh = shaken_box<dim>();
   mesh.region_names = {"low", "high", "empty"};
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) mesh.region[cell] = mesh.centroid(cell)[1] < 0.8 ? 0 : 1;
   return mesh;
@@ -60,7 +60,7 @@ TYPED_TEST_SUITE(Fill, Dimensions);
 TYPED_TEST(Fill, leaves_out_the_particles_inside_a_hole_and_changes_no_other)
 {
   constexpr int dim = TypeParam::value;
-  const Mesh<dim> mesh = mesh_of_two_regions<dim>();
+  const mesh::Mesh<dim> mesh = mesh_of_two_regions<dim>();
   StartState<dim> start = at_rest<dim>;
   start.holes = {make_shape<dim>(CircleSettings{std::vector<Real>(dim, 0.5), 0.5})};
   const auto whole = fill<dim>(mesh, "bed", in_regions({"low", "high"}), at_rest<dim>);
@@ -328,4 +328,4 @@ TEST(FillBlock, may_be_turned)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::bodies

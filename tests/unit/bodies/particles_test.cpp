@@ -7,7 +7,7 @@
 #include <rapidcheck/gtest.h>
 #include <set>
 
-namespace berm {
+namespace berm::bodies {
 namespace {
 
 /// A particle whose every number tells which one it is.
@@ -184,4 +184,4 @@ TEST(Particles, tell_whether_the_occupied_cells_changed)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::bodies

@@ -6,19 +6,19 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::boundary {
 namespace {
 
 /// 2 m x 1 m (x 1 m), of which only y < 0.5 m is soil; boundary "surface" lies between soil and the rest.
 template <int dim>
-Mesh<dim> half_full()
+mesh::Mesh<dim> half_full()
 {
-  BoxMesh box;
+  mesh::BoxMesh box;
   box.size.assign(dim, 1);
   box.size[0] = 2;
   box.cells.assign(dim, 2);
   box.cells[0] = 4;
-  Mesh<dim> mesh = make_box<dim>(box);
+  mesh::Mesh<dim> mesh = make_box<dim>(box);
   mesh.region_names = {"soil", "space"};
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) mesh.region[cell] = mesh.centroid(cell)[1] < 0.5 ? 0 : 1;
   mesh.boundary_names.push_back("surface");
@@ -37,7 +37,7 @@ template <int dim>
 Load<dim> load_of(const TractionSettings& traction)
 {
   Load<dim> load;
-  const Mesh<dim> mesh = half_full<dim>();
+  const mesh::Mesh<dim> mesh = half_full<dim>();
   for (const LoadedPlace<dim>& place : loaded_places(mesh, "load", traction, {0, none})) {
     EXPECT_EQ(mesh.region[place.cell], 0);
     for (int k = 0; k <= dim; ++k) EXPECT_GT(mesh.shape(place.cell).value(k, place.x), -1e-12);
@@ -112,4 +112,4 @@ TEST(Traction, names_the_boundaries_there_are_and_refuses_those_without_soil)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::boundary

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-namespace berm {
+namespace berm::checkpoint {
 namespace {
 
 namespace fs = std::filesystem;
@@ -298,4 +298,4 @@ TEST_F(InCheckpointFolder, other_files_are_left_alone)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::checkpoint

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace berm {
+namespace berm::commands {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -30,7 +30,7 @@ struct Place {
   /// A run that failed has left its rows, a frame of its last state and a summary that says so.
   void expect_results_of_a_failure() const
   {
-    EXPECT_GE(read_history(folder / "results/history.csv").rows(), 1);
+    EXPECT_GE(run_folder::read_history(folder / "results/history.csv").rows(), 1);
     const std::string frames = text("results/frames/frames.pvd");
     EXPECT_NE(frames.find("particles_0001.vtu"), std::string::npos) << frames;
     EXPECT_TRUE(has("results/frames/particles_0001.vtu"));
@@ -143,4 +143,4 @@ TEST(Faults, a_full_standard_output_is_an_error)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::commands

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::commands {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -219,4 +219,4 @@ figure = [{name = "..", x = "time_s", y = "stone_vy_m_s"}, {name = "-persist", x
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::commands

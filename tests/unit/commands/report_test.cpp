@@ -6,7 +6,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::commands {
 namespace {
 
 namespace fs = std::filesystem;
@@ -222,4 +222,4 @@ TEST_F(Report, a_new_run_removes_the_old_page)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::commands

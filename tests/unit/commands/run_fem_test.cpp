@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace berm {
+namespace berm::commands {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -153,7 +153,7 @@ TEST(FemRun, history_has_the_columns_of_every_run_first_and_a_row_for_each_incre
       "time_s,stage,u_m,w_m,H_N_m,V_N_m,kinetic_J_m,internal_J_m,damping_J_m,friction_J_m,external_J_m,energy_error_J_m,"
       "out_of_balance,gap_m,overlap_m,second_impulse_N_m,M_Nm_m,angle_rad,iterations,unbalance,overstress,strength_lag,deep_ux_m,deep_uy_m,"
       "deep_sxx_Pa,deep_syy_Pa,deep_szz_Pa,deep_sxy_Pa");
-  const History history = read_history(place.folder / "results/history.csv");
+  const run_folder::History history = run_folder::read_history(place.folder / "results/history.csv");
   const auto& w = history["w_m"];
   const auto& u = history["u_m"];
   EXPECT_NEAR(w.front(), 0.01, 1e-15);
@@ -179,7 +179,7 @@ TEST(FemRun, summary_has_nodes_elements_increments_and_iterations)
   EXPECT_LT(summary["checks"]["energy_error"].get<double>(), 5e-3);
   for (const char* name : {"V_end_of_push", "w_end_of_push"}) EXPECT_TRUE(summary["quantities"].contains(name)) << name;
   // All that is there is in history.csv.
-  const History history = read_history(place.folder / "results/history.csv");
+  const run_folder::History history = run_folder::read_history(place.folder / "results/history.csv");
   EXPECT_EQ(summary["timing"]["steps"].get<std::size_t>() + 1, history["w_m"].size());
 }
 
@@ -280,4 +280,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& row) { return row.param.name; });
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::commands

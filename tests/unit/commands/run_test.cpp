@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace berm {
+namespace berm::commands {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -102,7 +102,7 @@ TEST(Run, history_tells_extents_and_spin_of_a_body_and_motion_and_stress_of_a_wa
   place.folder.write("small.toml", std::string(test::small_case) + "[watch.deep]\nbody = \"sand\"\npoint = [0.0006, 0.0006]\n"
                                                                    "[[body.sand.initial_velocity]]\namplitude = [0.1, -0.2]\n");
   ASSERT_EQ(place.berm({"run", "small.toml", "--threads", "1"}).status, 0);
-  const History history = read_history(place.folder / "out/small/history.csv");
+  const run_folder::History history = run_folder::read_history(place.folder / "out/small/history.csv");
   const auto first = [&](const char* column) { return history[column].at(0); };
   // Particles are 4/3 mm apart in 120 mm x 40 mm.
   constexpr Real half = 0.0006666667, digits = 1e-9;
@@ -284,4 +284,4 @@ TEST(VectorUnits, the_engine_for_the_plainest_processor_finds_the_same_forces)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::commands

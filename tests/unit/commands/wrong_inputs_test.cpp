@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the program does with wrong input: status 2, one line, nothing written.
-#include "samples/wrong_inputs.hpp"
 #include "samples/program.hpp"
 #include "samples/small_case.hpp"
+#include "samples/wrong_inputs.hpp"
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::commands {
 namespace {
 
 using test::WrongInput;
@@ -111,4 +111,4 @@ TEST(WrongInput, of_the_command_line_ends_with_status_2)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::commands

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/detect.hpp"
 
-#include "samples/sample_meshes.hpp"
 #include "bodies/fill.hpp"
+#include "samples/sample_meshes.hpp"
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::contact {
 namespace {
 
 constexpr Real spacing = 0.05;
@@ -14,12 +14,12 @@ constexpr Real spacing = 0.05;
 /// Two blocks in a mesh without two equal cells (-0.3 ... 1.8 m, 0.2 ... 1.4 m (, 1 ... 1.9 m)); each with the mass of its particles' cells.
 template <int dim>
 struct TwoBlocks {
-  Mesh<dim> mesh = shaken_box<dim>();
-  Particles<dim> lower, upper;
+  mesh::Mesh<dim> mesh = shaken_box<dim>();
+  bodies::Particles<dim> lower, upper;
   NodeField<Real> lower_mass, upper_mass;
   std::vector<Index> nodes;
 
-  TwoBlocks(const BlockSettings& below, const BlockSettings& above)
+  TwoBlocks(const bodies::BlockSettings& below, const bodies::BlockSettings& above)
       : lower(filled(below)),
         upper(filled(above)),
         lower_mass(mass_of(lower)),
@@ -37,13 +37,13 @@ struct TwoBlocks {
   }
 
 private:
-  Particles<dim> filled(const BlockSettings& block) const
+  bodies::Particles<dim> filled(const bodies::BlockSettings& block) const
   {
-    BodySettings body;
+    bodies::BodySettings body;
     body.block = block;
-    return fill<dim>(mesh, "block", body, StartState<dim>{1000, 0, 0, 0});
+    return fill<dim>(mesh, "block", body, bodies::StartState<dim>{1000, 0, 0, 0});
   }
-  NodeField<Real> mass_of(const Particles<dim>& particles) const
+  NodeField<Real> mass_of(const bodies::Particles<dim>& particles) const
   {
     NodeField<Real> mass(mesh.node_count(), 0);
     for (Index cell : particles.occupied())
@@ -52,11 +52,11 @@ private:
   }
 };
 
-BlockSettings block(std::vector<Real> center, std::vector<Real> size, int dim, Real angle = 0)
+bodies::BlockSettings block(std::vector<Real> center, std::vector<Real> size, int dim, Real angle = 0)
 {
   center.resize(dim);
   size.resize(dim);
-  BlockSettings settings;
+  bodies::BlockSettings settings;
   settings.center = center;
   settings.size = size;
   settings.angle = angle;
@@ -150,4 +150,4 @@ TEST(DetectBodies2, far_apart_share_no_node)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::contact

@@ -1,42 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/detect.hpp"
 
-#include "samples/sample_meshes.hpp"
 #include "bodies/fill.hpp"
+#include "samples/sample_meshes.hpp"
 
 #include <gtest/gtest.h>
 #include <map>
 
-namespace berm {
+namespace berm::contact {
 namespace {
 
 /// Particles fill the cells below y = 0.8 m of a mesh without two equal cells, 0.2 m ... 1.4 m high.
 template <int dim>
 struct Bed {
-  Mesh<dim> mesh = shaken_box<dim>();
-  Particles<dim> particles;
+  mesh::Mesh<dim> mesh = shaken_box<dim>();
+  bodies::Particles<dim> particles;
   NodeField<Real> mass;
 
   Bed() : mass(mesh.node_count(), 0)
   {
     mesh.region_names = {"low", "high"};
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) mesh.region[cell] = mesh.centroid(cell)[1] < 0.8 ? 0 : 1;
-    BodySettings body;
+    bodies::BodySettings body;
     body.regions = {"low"};
-    particles = fill<dim>(mesh, "bed", body, StartState<dim>{1000, 0, 0, 0});
+    particles = fill<dim>(mesh, "bed", body, bodies::StartState<dim>{1000, 0, 0, 0});
     for (Index cell : particles.occupied())
       for (Index node : mesh.nodes[cell]) mass[node] = 1;
   }
 
-  ContactPoints<dim> found(const Rigid<dim>& rigid, const Vec<dim>& displacement, Detection detection) const
+  ContactPoints<dim> found(const bodies::Rigid<dim>& rigid, const Vec<dim>& displacement, Detection detection) const
   {
     ContactPoints<dim> result;
     find_again(rigid, displacement, detection, result);
     return result;
   }
-  void find_again(const Rigid<dim>& rigid, const Vec<dim>& displacement, Detection detection, ContactPoints<dim>& result) const
+  void find_again(const bodies::Rigid<dim>& rigid, const Vec<dim>& displacement, Detection detection, ContactPoints<dim>& result) const
   {
-    RigidState<dim> state;
+    bodies::RigidState<dim> state;
     state.displacement = displacement;
     detect(mesh, particles, rigid, state, detection, mass, result);
   }
@@ -59,15 +59,15 @@ Vec<dim> at(Real x, Real y)
 }
 
 template <int dim>
-std::vector<Rigid<dim>> rigids()
+std::vector<bodies::Rigid<dim>> rigids()
 {
   const auto vec = [](std::vector<Real> v) {
     v.resize(dim);
     return v;
   };
-  return {{"circle", make_shape<dim>(CircleSettings{vec({0.8, 1.05, 1.4}), 0.5}), 0},
-          {"plane", make_shape<dim>(HalfPlaneSettings{vec({0.8, 0.85, 1.4}), vec({-0.2, -1, 0})}), 0},
-          {"box", make_shape<dim>(BoxSettings{vec({0.8, 1, 1.4}), vec({0.5, 0.4, 0.6}), 0}), 0}};
+  return {{"circle", make_shape<dim>(bodies::CircleSettings{vec({0.8, 1.05, 1.4}), 0.5}), 0},
+          {"plane", make_shape<dim>(bodies::HalfPlaneSettings{vec({0.8, 0.85, 1.4}), vec({-0.2, -1, 0})}), 0},
+          {"box", make_shape<dim>(bodies::BoxSettings{vec({0.8, 1, 1.4}), vec({0.5, 0.4, 0.6}), 0}), 0}};
 }
 
 /// The gap and the distance that a node should have by looking at all particles of all its cells.
@@ -77,11 +77,11 @@ struct Brute {
 };
 
 template <int dim>
-std::vector<Brute> brute_force(const Bed<dim>& bed, const RigidShape<dim>& shape)
+std::vector<Brute> brute_force(const Bed<dim>& bed, const bodies::RigidShape<dim>& shape)
 {
   std::vector<Brute> nodes(bed.mesh.node_count());
   bed.particles.visit([&](Index cell, Index b, int l) {
-    const Particle<dim> p = bed.particles.read(b, l);
+    const bodies::Particle<dim> p = bed.particles.read(b, l);
     const Real half = std::pow(p.volume, 1. / dim) / 2, distance = surface_at<dim>(shape, p.x).distance;
     for (Index node : bed.mesh.nodes[cell]) {
       nodes[node].gap = std::min(nodes[node].gap, distance - half);
@@ -101,9 +101,9 @@ std::map<Index, ContactPoint<dim>> by_node(const ContactPoints<dim>& found)
 }
 
 template <int dim>
-void expect_gaps(const Bed<dim>& bed, const Rigid<dim>& rigid, const Vec<dim>& displacement, const ContactPoints<dim>& found)
+void expect_gaps(const Bed<dim>& bed, const bodies::Rigid<dim>& rigid, const Vec<dim>& displacement, const ContactPoints<dim>& found)
 {
-  const auto shape = placed<dim>(rigid, RigidState<dim>{displacement});
+  const auto shape = placed<dim>(rigid, bodies::RigidState<dim>{displacement});
   const auto expected = brute_force(bed, shape);
   const auto nodes = by_node(found);
   Real nearest = infinity, least = infinity;
@@ -123,7 +123,7 @@ void expect_gaps(const Bed<dim>& bed, const Rigid<dim>& rigid, const Vec<dim>& d
     EXPECT_NEAR(it->second.gap, brute.gap, 1e-14);
     EXPECT_NEAR(it->second.distance, brute.distance, 1e-14);
     EXPECT_EQ(it->second.touching, brute.touching);
-    if (!std::holds_alternative<Box<dim>>(shape)) {
+    if (!std::holds_alternative<bodies::Box<dim>>(shape)) {
       EXPECT_NEAR((it->second.normal - surface_at<dim>(shape, bed.mesh.position[node]).normal).norm(), 0, 1e-14);
     }
     ++compared;
@@ -180,14 +180,14 @@ TYPED_TEST(Detect, nothing_is_listed_far_from_the_body)
 
 /// Whether the body reaches into a cell, tried at many points inside it and along its edges.
 template <int dim>
-bool reached(const Mesh<dim>& mesh, Index cell, const RigidShape<dim>& shape)
+bool reached(const mesh::Mesh<dim>& mesh, Index cell, const bodies::RigidShape<dim>& shape)
 {
   const auto& nodes = mesh.nodes[cell];
   for (int a = 0; a <= dim; ++a)
     for (int b = 0; b < a; ++b)
       for (int n = 0; n <= 16; ++n)
         if (surface_at<dim>(shape, mesh.position[nodes[a]] * (n / 16.) + mesh.position[nodes[b]] * (1 - n / 16.)).distance < 0) return true;
-  for (const auto& point : points_in_simplex<dim>(4)) {
+  for (const auto& point : bodies::points_in_simplex<dim>(4)) {
     Vec<dim> x = Vec<dim>::Zero();
     for (int k = 0; k <= dim; ++k) x += point[k] * mesh.position[nodes[k]];
     if (surface_at<dim>(shape, x).distance < 0) return true;
@@ -204,7 +204,7 @@ TYPED_TEST(Detect, overlap_lists_the_nodes_with_mass_of_all_cells_that_the_body_
     for (int n = 0; n <= 10; ++n) {
       const Vec<dim> displacement = at<dim>(0.02 * n, -0.02 * n);
       bed.find_again(rigid, displacement, Detection::overlap, found);
-      const auto shape = placed<dim>(rigid, RigidState<dim>{displacement});
+      const auto shape = placed<dim>(rigid, bodies::RigidState<dim>{displacement});
       // Certainly in: a corner lies in the body. Certainly out: none of many points does.
       std::vector<bool> surely(bed.mesh.node_count(), false), perhaps(bed.mesh.node_count(), false);
       for (Index cell = 0; cell < bed.mesh.cell_count(); ++cell) {
@@ -259,12 +259,12 @@ TYPED_TEST(Detect, particle_lists_each_particle_whose_gap_is_less_than_its_width
   for (const auto& rigid : rigids<dim>()) {
     const Vec<dim> displacement = at<dim>(0.01, -0.05);
     const auto found = bed.found(rigid, displacement, Detection::particle);
-    RigidState<dim> state;
+    bodies::RigidState<dim> state;
     state.displacement = displacement;
     const auto shape = placed<dim>(rigid, state);
     std::size_t expected = 0;
     bed.particles.visit([&](Index, Index b, int l) {
-      const Particle<dim> p = bed.particles.read(b, l);
+      const bodies::Particle<dim> p = bed.particles.read(b, l);
       const Real width = std::pow(p.volume, 1. / dim);
       expected += surface_at<dim>(shape, p.x).distance - width / 2 < width;
     });
@@ -288,7 +288,7 @@ TEST(DetectBox, nodes_beside_a_corner_take_the_normal_of_the_side_that_the_soil_
   // The box stands 0.3 m deep in the bed. A node inside it, nearer to its wall than to its base, still gets the base's normal where its nearest
   // particle lies below the base.
   const Bed<2> bed;
-  const Rigid<2> rigid{"box", make_shape<2>(BoxSettings{{0.8, 1.0}, {0.9, 0.6}, 0}), 0};
+  const bodies::Rigid<2> rigid{"box", make_shape<2>(bodies::BoxSettings{{0.8, 1.0}, {0.9, 0.6}, 0}), 0};
   const auto shape = rigid.shape;
   const auto found = bed.found(rigid, Vec<2>::Zero(), Detection::gap);
   ASSERT_GT(found.list.size(), 10u);
@@ -309,4 +309,4 @@ TEST(DetectBox, nodes_beside_a_corner_take_the_normal_of_the_side_that_the_soil_
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::contact

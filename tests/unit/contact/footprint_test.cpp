@@ -8,24 +8,24 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
-namespace berm {
+namespace berm::contact {
 namespace {
 
 /// A bed of cells of 0.1 m below y = 0, filled by a lattice, with a rigid body on it.
 struct Bed {
-  Mesh<2> mesh;
-  Particles<2> particles;
+  mesh::Mesh<2> mesh;
+  bodies::Particles<2> particles;
   ContactPoints<2> found;
 
   explicit Bed(Real spacing)
   {
-    BoxMesh box;
+    mesh::BoxMesh box;
     box.lower = {-1, -0.5};
     box.size = {2, 1};
     box.cells = {20, 10};
     mesh = make_box<2>(box);
-    BodySettings body;
-    BlockSettings block;
+    bodies::BodySettings body;
+    bodies::BlockSettings block;
     block.center = {0, -0.25};
     block.size = {2, 0.5};
     block.spacing = spacing;
@@ -33,11 +33,11 @@ struct Bed {
     particles = fill<2>(mesh, "bed", body, {1000, 0, 0, 0});
     found.node_area = found.node_weight = NodeField<Real>::zeros(mesh.node_count());
   }
-  Real covered(const RigidShape<2>& shape, Detection detection = Detection::particle)
+  Real covered(const bodies::RigidShape<2>& shape, Detection detection = Detection::particle)
   {
-    Rigid<2> rigid;
+    bodies::Rigid<2> rigid;
     rigid.shape = shape;
-    RigidState<2> state;
+    bodies::RigidState<2> state;
     found.near_at.setConstant(infinity);
     state.listed_at.setConstant(infinity);
     detect<2>(mesh, particles, rigid, state, detection, NodeField<Real>(mesh.node_count(), 1), found);
@@ -46,7 +46,7 @@ struct Bed {
   }
 };
 
-Box<2> plate(Real x, Real y = 0.1)
+bodies::Box<2> plate(Real x, Real y = 0.1)
 {
   return {Vec<2>(x, y), Vec<2>(0.4, 0.1), Matrix<2>::Identity()};
 }
@@ -68,13 +68,13 @@ TEST(Footprints, of_a_polygon_are_those_of_the_same_box)
   Bed bed(0.025);
   const auto corners = std::make_shared<const std::vector<Vec<2>>>(
       std::vector<Vec<2>>{Vec<2>(-0.4, -0.1), Vec<2>(0.4, -0.1), Vec<2>(0.4, 0.1), Vec<2>(-0.4, 0.1)});
-  EXPECT_NEAR(bed.covered(Polygon<2>{Vec<2>(0.013, 0.1), Matrix<2>::Identity(), corners}), 0.8, 1e-12);
+  EXPECT_NEAR(bed.covered(bodies::Polygon<2>{Vec<2>(0.013, 0.1), Matrix<2>::Identity(), corners}), 0.8, 1e-12);
 }
 
 TEST(Footprints, of_a_half_plane_end_where_the_particles_do)
 {
   Bed bed(0.025);
-  EXPECT_NEAR(bed.covered(HalfPlane<2>{Vec<2>(0, 0), Vec<2>(0, -1)}), 2, 1e-12);
+  EXPECT_NEAR(bed.covered(bodies::HalfPlane<2>{Vec<2>(0, 0), Vec<2>(0, -1)}), 2, 1e-12);
 }
 
 TEST(Footprints, are_none_where_a_particle_width_is_open)
@@ -88,10 +88,10 @@ TEST(Footprints, of_a_circle_close_round_it)
 {
   // A lattice without what lies in the circle: all of it is covered. The neighbours' borders are within it by construction.
   Bed bed(0.01);
-  const Circle<2> hole{Vec<2>(0, -0.25), 0.1};
-  Particles<2> left(bed.mesh, bed.particles.size(), 0);
+  const bodies::Circle<2> hole{Vec<2>(0, -0.25), 0.1};
+  bodies::Particles<2> left(bed.mesh, bed.particles.size(), 0);
   bed.particles.visit([&](Index cell, Index b, int l) {
-    const Particle<2> p = bed.particles.read(b, l);
+    const bodies::Particle<2> p = bed.particles.read(b, l);
     if ((p.x - hole.center).norm() > hole.radius) left.insert(cell, p);
   });
   left.sort_occupied();
@@ -125,4 +125,4 @@ TEST(Shares, add_up_to_the_covered_surface_whichever_points_press)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::contact

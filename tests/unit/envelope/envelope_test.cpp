@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/error.hpp"
+#include "envelope/envelope_published.hpp"
 #include "formulas/pipe_in_sand.hpp"
 #include "input/read_case.hpp"
 #include "samples/program.hpp"
-#include "envelope/envelope_published.hpp"
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::envelope {
 namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
@@ -67,12 +67,12 @@ vertical = "fixed"
 until.time = "1 s"
 )";
 
-Case clay(const std::vector<std::string>& set = {})
+problem::Case clay(const std::vector<std::string>& set = {})
 {
-  return read_case_text("clay.toml", coarse_clay, set);
+  return input::read_case_text("clay.toml", coarse_clay, set);
 }
 
-std::string refusal_of(const Case& c)
+std::string refusal_of(const problem::Case& c)
 {
   try {
     choose_probes(c, {});
@@ -96,11 +96,11 @@ TEST(EnvelopeProbes, go_down_then_ever_flatter_to_45_degrees_upwards_and_swipe)
 TEST(EnvelopeProbes, keep_the_stages_before_the_first_drive_and_take_its_speed_and_ramp)
 {
   for (const Probe& probe : choose_probes(clay(), {4, 0.1})) {
-    const std::vector<StageSettings>& stages = probe.settings.stage;
+    const std::vector<problem::StageSettings>& stages = probe.settings.stage;
     EXPECT_EQ(stages[0].name, "rest");
     ASSERT_EQ(stages.size(), probe.kind == ProbeKind::swipe ? 3u : 2u);
     for (std::size_t k = 1; k < stages.size(); ++k) {
-      const StageSettings& s = stages[k];
+      const problem::StageSettings& s = stages[k];
       EXPECT_NEAR(std::hypot(*s.velocity, s.vertical_velocity.value_or(0)), 0.1, 1e-15);
       EXPECT_EQ(s.ramp, 0.2);
       EXPECT_NEAR(*s.until.time, 1.1, 1e-15);  // 0.1 D at 0.1 m/s, and half the ramp
@@ -114,7 +114,7 @@ TEST(EnvelopeProbes, keep_the_stages_before_the_first_drive_and_take_its_speed_a
 
 TEST(EnvelopeProbes, find_another_name_where_a_stage_has_theirs)
 {
-  const Case c = clay({"stage.rest.name=probe"});
+  const problem::Case c = clay({"stage.rest.name=probe"});
   EXPECT_EQ(choose_probes(c, {})[1].stage, "probe_probe");
 }
 
@@ -123,13 +123,13 @@ TEST(EnvelopeProbes, are_refused_where_there_is_no_pipe_in_the_bed_or_no_speed)
   EXPECT_EQ(refusal_of(clay()), "");
   EXPECT_NE(refusal_of(clay({"rigid.pipe.center=[0, 0.6]"})).find("lies 0.1 m above the bed"), std::string::npos);
   EXPECT_NE(refusal_of(clay({"rigid.pipe.center=[-1.6, 0]"})).find("beyond a wall"), std::string::npos);
-  Case square = clay();
-  square.rigid[0].second.shape = BoxSettings{{0, 0}, {1, 1}};
+  problem::Case square = clay();
+  square.rigid[0].second.shape = bodies::BoxSettings{{0, 0}, {1, 1}};
   EXPECT_NE(refusal_of(square).find("rigid.pipe.shape: an envelope is that of a pipe"), std::string::npos);
-  Case space = clay();
+  problem::Case space = clay();
   space.dimension = 3;
   EXPECT_NE(refusal_of(space).find("dimension = 2"), std::string::npos);
-  Case by_force = clay();
+  problem::Case by_force = clay();
   by_force.stage[1].velocity.reset();
   EXPECT_NE(refusal_of(by_force).find("by velocity"), std::string::npos);
   by_force.stage.pop_back();
@@ -140,13 +140,14 @@ TEST(EnvelopeProbes, are_refused_where_there_is_no_pipe_in_the_bed_or_no_speed)
 Probe probe_of(ProbeKind kind, Real angle)
 {
   Probe probe{"probe", kind, angle, {}, "probe"};
-  probe.settings.method = Method::fem;
+  probe.settings.method = problem::Method::fem;
   return probe;
 }
 
-History history_of(const std::vector<Real>& u, const std::vector<Real>& w, const std::vector<Real>& V, const std::vector<Real>& H)
+run_folder::History history_of(const std::vector<Real>& u, const std::vector<Real>& w, const std::vector<Real>& V,
+                               const std::vector<Real>& H)
 {
-  History history;
+  run_folder::History history;
   history.columns = {"u_m", "w_m", "V_N_m", "H_N_m", "overstress"};
   history.values = {u, w, V, H, std::vector<Real>(u.size(), 1e-7)};
   history.values[0].insert(history.values[0].begin(), 0);
@@ -163,7 +164,7 @@ TEST(EnvelopeTable, takes_the_last_forces_of_a_probe_and_their_growth_along_its_
 {
   // Travel 4 m along 3:4; the resistance at 3/4 of it is 0.8 x 40 + 0.6 x 20 = 44, at the end 0.8 x 50 + 0.6 x 30 = 58.
   const Real angle = std::atan2(4., 3.) * 180 / pi;
-  const History history = history_of({0.6, 1.2, 1.8, 2.4}, {1.8, 2.6, 3.4, 4.2}, {10, 30, 40, 50}, {0, 10, 20, 30});
+  const run_folder::History history = history_of({0.6, 1.2, 1.8, 2.4}, {1.8, 2.6, 3.4, 4.2}, {10, 30, 40, 50}, {0, 10, 20, 30});
   const ProbeResult result = result_of(probe_of(ProbeKind::direction, angle), history, 1);
   EXPECT_EQ(result.end.V, 50);
   EXPECT_EQ(result.end.H, 30);
@@ -250,8 +251,8 @@ TEST(EnvelopePublished, has_no_curve_for_friction_on_clay)
 
 TEST(EnvelopePublished, is_zhangs_surface_through_the_probes_in_sand)
 {
-  const Case sand = clay({"gravity=[0, -10]", "material.clay.cohesion=0", "material.clay.friction_angle=\"30 deg\""});
-  const YieldSurface surface{0.4, 0.2};
+  const problem::Case sand = clay({"gravity=[0, -10]", "material.clay.cohesion=0", "material.clay.friction_angle=\"30 deg\""});
+  const formulas::YieldSurface surface{0.4, 0.2};
   std::vector<EnvelopeRow> rows = {row_of(90, 1e3, 0)};
   for (const Real V : {200., 400., 700.}) rows.push_back(row_of(0, V, zhang_envelope(surface, V, 1e3).value));
   const Published published = published_for(sand, rows);
@@ -319,4 +320,4 @@ TEST_F(EnvelopeCommand, refuses_what_is_no_pipe_in_a_bed_with_one_line_and_write
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::envelope

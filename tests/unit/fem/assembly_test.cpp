@@ -8,13 +8,13 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 /// One state of soil at which the matrix is looked at: it moves by `strain` (xx, yy, xy) and a little at random. No soil is at the border of yield.
 struct Tried {
   std::string name;
-  Material soil = elastic_soil();
+  material::Material soil = elastic_soil();
   Real viscosity = 0;
   Vec<3> strain{0, 0, 0};
   SymTensor<2> first_stress = {};
@@ -30,7 +30,7 @@ class MatrixOf : public testing::TestWithParam<Tried> {
 protected:
   MatrixOf()
   {
-    Case c = plate_on_block(GetParam().soil, 1, {2, 1});
+    problem::Case c = plate_on_block(GetParam().soil, 1, {2, 1});
     problem = fem_problem_of(c);
     loads.gravity = {0, -10};
     for (FemLoads::Direction& direction : loads.rigid) direction.by_force = GetParam().by_force;
@@ -105,7 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Assembly, linear_displacement_makes_constant_stress_and_balance_inside)
 {
   // Triangles of every shape around a circle, whose sides are curved.
-  Case c = bed_around(pipe_at(0.3));
+  problem::Case c = bed_around(pipe_at(0.3));
   c.stage = {resting(1)};
   FemProblem problem = fem_problem_of(c);
   const FemModel& model = problem.model;
@@ -124,7 +124,7 @@ TEST(Assembly, linear_displacement_makes_constant_stress_and_balance_inside)
   }
 
   assembly.accept(problem.state, change, {});
-  const Elasticity elastic = elasticity(model.model.bodies[0].material);
+  const material::Elasticity elastic = elasticity(model.model.bodies[0].material);
   const Real volume = e[0][0] + e[1][1];
   const SymTensor<2> stress{{elastic.lame * volume + 2 * elastic.shear * e[0][0], elastic.lame * volume + 2 * elastic.shear * e[1][1],
                              elastic.lame * volume, elastic.shear * (e[0][1] + e[1][0])}};
@@ -138,7 +138,7 @@ TEST(Assembly, linear_displacement_makes_constant_stress_and_balance_inside)
 
 TEST(Assembly, a_bed_with_k0_stresses_is_in_balance_but_for_the_hole)
 {
-  Case c = bed_around(pipe_at(0.3));
+  problem::Case c = bed_around(pipe_at(0.3));
   c.stage = {resting(1)};
   c.gravity = {0, -10};
   c.body[0].second.k0 = 0.5;
@@ -169,7 +169,7 @@ class PlateOnBlock : public testing::Test {
 protected:
   PlateOnBlock()
   {
-    Case c = plate_on_block(plastic_soil(1e3, 30, 10), 0.5);
+    problem::Case c = plate_on_block(plastic_soil(1e3, 30, 10), 0.5);
     c.contact[0].second.friction_angle = 0.3;
     c.support.clear();
     problem = fem_problem_of(c);
@@ -304,7 +304,7 @@ TEST(Assembly, strength_that_follows_the_pressure_of_the_increment_lags_no_more)
 
 TEST(Assembly, soil_that_does_not_flow_has_no_lag_of_strength)
 {
-  for (const Material& soil : {Material(elastic_soil()), Material(plastic_soil(1e6, 30, 0))}) {
+  for (const material::Material& soil : {material::Material(elastic_soil()), material::Material(plastic_soil(1e6, 30, 0))}) {
     FemProblem problem = fem_problem_of(block_of(soil));
     const auto shear = change_of(problem.model, [](const Vec<2>& x) { return Vec<2>(1e-3 * x[1], 0); });
     Assembly assembly(problem.model);
@@ -316,7 +316,7 @@ TEST(Assembly, soil_that_does_not_flow_has_no_lag_of_strength)
 
 TEST(Assembly, held_back_forces_keep_the_first_state_in_balance)
 {
-  Case c = block_of(elastic_soil());
+  problem::Case c = block_of(elastic_soil());
   c.gravity = {0, -10};
   FemProblem problem = fem_problem_of(c);
   Assembly assembly(problem.model);
@@ -330,4 +330,4 @@ TEST(Assembly, held_back_forces_keep_the_first_state_in_balance)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::fem

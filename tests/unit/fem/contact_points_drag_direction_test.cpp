@@ -5,15 +5,15 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 TEST(DragOfFiniteElements, with_a_vertical_velocity_goes_straight_in_that_direction)
 {
-  Case c = bed_around(pipe_at(0.1));
-  StageSettings drag;
+  problem::Case c = bed_around(pipe_at(0.1));
+  problem::StageSettings drag;
   drag.name = "drag";
-  drag.kind = StageKind::drag;
+  drag.kind = problem::StageKind::drag;
   drag.velocity = 0.1;
   drag.vertical_velocity = 0.05;
   drag.ramp = 0.01;
@@ -23,7 +23,7 @@ TEST(DragOfFiniteElements, with_a_vertical_velocity_goes_straight_in_that_direct
   FemProblem problem = build_fem(c, ".", folder.path());
   LoadSteps steps(problem.model, problem.state);
   steps.settle();
-  const RigidState<2>& pipe = problem.state.state.rigids[0];
+  const bodies::RigidState<2>& pipe = problem.state.state.rigids[0];
   do {
     ASSERT_TRUE(steps.advance().converged);
     EXPECT_NEAR(pipe.displacement[1], -0.5 * pipe.displacement[0], 1e-15);
@@ -32,4 +32,4 @@ TEST(DragOfFiniteElements, with_a_vertical_velocity_goes_straight_in_that_direct
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::fem

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 const FemInterface rough{0.5, 0, false, 1e6};
@@ -123,8 +123,8 @@ TEST(UpdateTraction, stiffness_is_the_derivative_of_the_traction)
 
 class PointsOfPipe : public testing::TestWithParam<Real> {
 protected:
-  Case c = bed_around(pipe_at(GetParam()));
-  Circle<2> circle = std::get<Circle<2>>(shapes_of(c)[0]);
+  problem::Case c = bed_around(pipe_at(GetParam()));
+  bodies::Circle<2> circle = std::get<bodies::Circle<2>>(shapes_of(c)[0]);
   QuadraticMesh mesh = quadratic_mesh_of(c);
   std::vector<BoundarySide> skin = contact_sides(mesh, circle);
   std::vector<FemContactPoint> points = make_contact_points(skin, mesh.position, circle);
@@ -162,7 +162,7 @@ TEST(ContactPoints, at_the_corner_of_a_box_have_the_normal_of_both_sides_by_thei
   // Sides of 0.2 m below and 0.1 m at the right of the corner (1, -1).
   NodeField<Vec<2>> position;
   for (const Vec<2>& x : {Vec<2>(0.8, -1), Vec<2>(0.9, -1), Vec<2>(1, -1), Vec<2>(1, -0.95), Vec<2>(1, -0.9)}) position.push_back(x);
-  const RigidShape<2> box = make_shape<2>(BoxSettings{{0, 0}, {2, 2}});
+  const bodies::RigidShape<2> box = make_shape<2>(bodies::BoxSettings{{0, 0}, {2, 2}});
   const auto points = make_contact_points({{2, 0, 1}, {4, 2, 3}}, position, box);
   ASSERT_EQ(points.size(), 5u);
   EXPECT_LT((points[2].normal - Vec<2>(0.1, -0.2).normalized()).norm(), 1e-12);
@@ -174,4 +174,4 @@ TEST(ContactPoints, at_the_corner_of_a_box_have_the_normal_of_both_sides_by_thei
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::fem

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 /// A plate on a block of soil that has moved a little at random: what the contact's step solves, with the whole matrix beside.
@@ -33,9 +33,9 @@ struct Block {
   }
   static FemProblem problem_of(Real friction, bool sticks, Real width)
   {
-    Case c = plate_on_block(elastic_soil(), width);
+    problem::Case c = plate_on_block(elastic_soil(), width);
     c.contact[0].second.friction_angle = std::atan(friction);
-    if (sticks) c.contact[0].second.scheme = Scheme::sticky;
+    if (sticks) c.contact[0].second.scheme = contact::Scheme::sticky;
     return fem_problem_of(c);
   }
 
@@ -182,4 +182,4 @@ TEST(ContactStep, has_no_unknowns_where_nothing_touches)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::fem

@@ -5,15 +5,15 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
-SeabedMesh& bed_of(Case& c)
+mesh::SeabedMesh& bed_of(problem::Case& c)
 {
-  return std::get<SeabedMesh>(c.mesh);
+  return std::get<mesh::SeabedMesh>(c.mesh);
 }
 
-Real area_of(const Mesh<2>& mesh, const std::string& region)
+Real area_of(const mesh::Mesh<2>& mesh, const std::string& region)
 {
   Real area = 0;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
@@ -21,13 +21,13 @@ Real area_of(const Mesh<2>& mesh, const std::string& region)
   return area;
 }
 
-bool has_node(const Mesh<2>& mesh, const Vec<2>& x)
+bool has_node(const mesh::Mesh<2>& mesh, const Vec<2>& x)
 {
   return std::any_of(mesh.position.begin(), mesh.position.end(), [&](const Vec<2>& node) { return (node - x).norm() < 1e-12; });
 }
 
 // 1 for an equilateral triangle, 0 for a flat one: 4 sqrt(3) area over the sum of squared sides.
-Real worst_quality(const Mesh<2>& mesh)
+Real worst_quality(const mesh::Mesh<2>& mesh)
 {
   Real worst = 1;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
@@ -39,13 +39,13 @@ Real worst_quality(const Mesh<2>& mesh)
   return worst;
 }
 
-class CutMesh : public testing::TestWithParam<CircleSettings> {};
+class CutMesh : public testing::TestWithParam<bodies::CircleSettings> {};
 
 TEST_P(CutMesh, keeps_out_of_the_circle_and_has_vertices_exactly_on_it)
 {
-  const Case c = bed_around(GetParam());
-  const Mesh<2> mesh = cut_mesh_of(c);
-  const auto circle = std::get<Circle<2>>(shapes_of(c)[0]);
+  const problem::Case c = bed_around(GetParam());
+  const mesh::Mesh<2> mesh = cut_mesh_of(c);
+  const auto circle = std::get<bodies::Circle<2>>(shapes_of(c)[0]);
   int on_circle = 0;
   for (const Vec<2>& x : mesh.position) {
     const Real distance = surface_at<2>(circle, x).distance / circle.radius;
@@ -65,7 +65,7 @@ TEST_P(CutMesh, has_well_shaped_cells)
 
 TEST_P(CutMesh, has_sides_of_contact_size_at_the_circle)
 {
-  Case c = bed_around(GetParam());
+  problem::Case c = bed_around(GetParam());
   c.fem.contact_size = 0.01;
   const QuadraticMesh mesh = quadratic_mesh_of(c);
   const auto sides = contact_sides(mesh, shapes_of(c)[0]);
@@ -75,13 +75,13 @@ TEST_P(CutMesh, has_sides_of_contact_size_at_the_circle)
 
 INSTANTIATE_TEST_SUITE_P(Pipe, CutMesh,
                          testing::Values(pipe_at(0.04), pipe_at(0.1), pipe_at(0.2), pipe_at(0.33),  // D/10, D/4, D/2, more
-                                         CircleSettings{{-1.4, 0.1}, 0.4},                          // half of it, at the axis of symmetry
-                                         CircleSettings{{1.6, -0.5}, 0.4},                          // half of it, buried at the right wall
-                                         CircleSettings{{0.1, -0.5}, 0.4}));                        // buried
+                                         bodies::CircleSettings{{-1.4, 0.1}, 0.4},                  // half of it, at the axis of symmetry
+                                         bodies::CircleSettings{{1.6, -0.5}, 0.4},                  // half of it, buried at the right wall
+                                         bodies::CircleSettings{{0.1, -0.5}, 0.4}));                // buried
 
 TEST(CutMesh, has_the_boundaries_of_the_bed)
 {
-  const Mesh<2> mesh = cut_mesh_of(bed_around(pipe_at(0.1)));
+  const mesh::Mesh<2> mesh = cut_mesh_of(bed_around(pipe_at(0.1)));
   const auto expect_on = [&](const char* name, int direction, Real coordinate) {
     std::vector<Index> expected;
     for (Index i = 0; i < mesh.node_count(); ++i)
@@ -98,10 +98,10 @@ TEST(CutMesh, has_the_boundaries_of_the_bed)
 
 TEST(CutMesh, divides_regions_of_different_bodies_by_lines_of_the_mesh)
 {
-  Case c = bed_around(pipe_at(0.1));
+  problem::Case c = bed_around(pipe_at(0.1));
   c.contact.clear();
   fill_regions_apart(c);
-  const Mesh<2> mesh = cut_mesh_of(c);
+  const mesh::Mesh<2> mesh = cut_mesh_of(c);
   EXPECT_NEAR(area_of(mesh, "near"), 0.8 * 0.3, 1e-12);
   EXPECT_NEAR(area_of(mesh, "bed"), 2.6 * 0.8 - 0.8 * 0.3, 1e-12);
   EXPECT_NEAR(area_of(mesh, "layer"), 3 - 2.6 * 0.8, 1e-12);
@@ -110,9 +110,9 @@ TEST(CutMesh, divides_regions_of_different_bodies_by_lines_of_the_mesh)
 
 TEST(CutMesh, names_regions_of_one_body_by_centroids)
 {
-  Case c = bed_around(pipe_at(0.1));
+  problem::Case c = bed_around(pipe_at(0.1));
   c.contact.clear();
-  const Mesh<2> mesh = cut_mesh_of(c);
+  const mesh::Mesh<2> mesh = cut_mesh_of(c);
   // Without a line the border runs between the cells, here of about 0.05 m at "near" and 0.2 m at "layer", now on one side, now on the other.
   EXPECT_NEAR(area_of(mesh, "near"), 0.8 * 0.3, 0.025 * 1.4);
   EXPECT_NEAR(area_of(mesh, "layer"), 3 - 2.6 * 0.8, 0.1 * 4.2);
@@ -121,16 +121,16 @@ TEST(CutMesh, names_regions_of_one_body_by_centroids)
 
 TEST(CutMesh, has_no_layer_where_there_is_none)
 {
-  Case c = bed_around(pipe_at(0.1));
+  problem::Case c = bed_around(pipe_at(0.1));
   bed_of(c).layer = 0;
-  const Mesh<2> mesh = cut_mesh_of(c);
+  const mesh::Mesh<2> mesh = cut_mesh_of(c);
   EXPECT_EQ(mesh.region_names, (std::vector<std::string>{"near", "bed"}));
 }
 
 TEST(CutMesh, gives_each_body_its_part_where_the_circle_cuts_through_all)
 {
   // Of radius 0.6 m around (0.45, -0.8): its centre is below the corner of the fine zone and above the lower layer by zero.
-  Case c = bed_around(CircleSettings{{0.45, -0.8}, 1.2});
+  problem::Case c = bed_around(bodies::CircleSettings{{0.45, -0.8}, 1.2});
   fill_regions_apart(c);
   const QuadraticMesh mesh = quadratic_mesh_of(c);
   std::array<Real, 3> area{};
@@ -156,8 +156,8 @@ TEST(CutMesh, is_the_same_every_time)
 
 TEST(CutMesh, ends_a_footing_that_lies_on_the_bed_at_vertices)
 {
-  const Case c = bed_around(BoxSettings{{0.0123, 0.1}, {0.4, 0.2}});
-  const Mesh<2> mesh = cut_mesh_of(c);
+  const problem::Case c = bed_around(bodies::BoxSettings{{0.0123, 0.1}, {0.4, 0.2}});
+  const mesh::Mesh<2> mesh = cut_mesh_of(c);
   EXPECT_TRUE(has_node(mesh, {-0.1877, 0}));
   EXPECT_TRUE(has_node(mesh, {0.2123, 0}));
   const QuadraticMesh quadratic = make_quadratic(mesh, c, shapes_of(c));
@@ -166,77 +166,77 @@ TEST(CutMesh, ends_a_footing_that_lies_on_the_bed_at_vertices)
 
 TEST(CutMesh, takes_half_a_footing_at_the_axis_of_symmetry)
 {
-  const Case c = bed_around(BoxSettings{{-1.4, 0.1}, {0.6, 0.2}});
+  const problem::Case c = bed_around(bodies::BoxSettings{{-1.4, 0.1}, {0.6, 0.2}});
   const QuadraticMesh mesh = quadratic_mesh_of(c);
   EXPECT_NEAR(length_of(mesh, contact_sides(mesh, shapes_of(c)[0])), 0.3, 1e-12);
 }
 
 TEST(CutMesh, cuts_out_boxes_turned_or_not)
 {
-  const Case c = bed_around(BoxSettings{{0, -0.1}, {0.4, 0.3}});
+  const problem::Case c = bed_around(bodies::BoxSettings{{0, -0.1}, {0.4, 0.3}});
   const QuadraticMesh mesh = quadratic_mesh_of(c);
-  EXPECT_NEAR(area_of(mesh), 3 - 0.4 * 0.25, 1e-12);
+  EXPECT_NEAR(berm::area_of(mesh), 3 - 0.4 * 0.25, 1e-12);
   EXPECT_NEAR(length_of(mesh, contact_sides(mesh, shapes_of(c)[0])), 0.4 + 2 * 0.25, 1e-12);
 
-  const Case turned = bed_around(BoxSettings{{0, -0.5}, {0.4, 0.3}, 0.3});
+  const problem::Case turned = bed_around(bodies::BoxSettings{{0, -0.5}, {0.4, 0.3}, 0.3});
   const QuadraticMesh buried = quadratic_mesh_of(turned);
-  EXPECT_NEAR(area_of(buried), 3 - 0.4 * 0.3, 1e-12);
+  EXPECT_NEAR(berm::area_of(buried), 3 - 0.4 * 0.3, 1e-12);
   EXPECT_NEAR(length_of(buried, contact_sides(buried, shapes_of(turned)[0])), 2 * 0.4 + 2 * 0.3, 1e-12);
 }
 
 TEST(CutMesh, cuts_out_every_rigid_body_with_a_contact_and_no_other)
 {
-  Case c = bed_around(pipe_at(0.2));
-  RigidSettings other;
-  other.shape = CircleSettings{{0.8, -0.4}, 0.2};
+  problem::Case c = bed_around(pipe_at(0.2));
+  bodies::RigidSettings other;
+  other.shape = bodies::CircleSettings{{0.8, -0.4}, 0.2};
   c.rigid.emplace_back("cable", other);
-  EXPECT_NEAR(area_of(quadratic_mesh_of(c)), 3 - pi * 0.04 / 2, 1e-5);
+  EXPECT_NEAR(berm::area_of(quadratic_mesh_of(c)), 3 - pi * 0.04 / 2, 1e-5);
   c.contact.push_back({"other_skin", c.contact[0].second});
   c.contact[1].second.rigid = "cable";
-  EXPECT_NEAR(area_of(quadratic_mesh_of(c)), 3 - pi * 0.04 / 2 - pi * 0.01, 1e-5);
+  EXPECT_NEAR(berm::area_of(quadratic_mesh_of(c)), 3 - pi * 0.04 / 2 - pi * 0.01, 1e-5);
 }
 
 TEST(CutMesh, takes_lengths_of_a_model_in_millimetres)
 {
-  Case c = bed_around(pipe_at(0.1));
-  SeabedMesh& bed = bed_of(c);
+  problem::Case c = bed_around(pipe_at(0.1));
+  mesh::SeabedMesh& bed = bed_of(c);
   for (Real* length : {&bed.length, &bed.depth, &bed.headroom, &*bed.left, &bed.near_size, &bed.near_left, &bed.near_right, &bed.near_depth,
                        &bed.near_height, &*bed.far_size, &bed.layer, &*c.fem.contact_size})
     *length *= 0.02;
-  c.rigid[0].second.shape = CircleSettings{{0.0006, 0.002}, 0.008};
+  c.rigid[0].second.shape = bodies::CircleSettings{{0.0006, 0.002}, 0.008};
   const QuadraticMesh mesh = quadratic_mesh_of(c);
   EXPECT_NEAR(length_of(mesh, contact_sides(mesh, shapes_of(c)[0])), 0.008 * pi / 3, 1e-6 * 0.008);
 }
 
 TEST(CutMesh, leaves_meshes_of_other_kinds_as_they_are)
 {
-  Case c = bed_around(pipe_at(0.1));
-  BoxMesh box;
+  problem::Case c = bed_around(pipe_at(0.1));
+  mesh::BoxMesh box;
   box.size = {2, 1};
   box.cells = {4, 2};
   c.mesh = box;
-  const Mesh<2> mesh = cut_mesh_of(c);
+  const mesh::Mesh<2> mesh = cut_mesh_of(c);
   EXPECT_EQ(mesh.cell_count(), 16);
   EXPECT_EQ(mesh.region_names, std::vector<std::string>{"box"});
 }
 
 TEST(CutMesh, refuses_rigid_bodies_that_it_cannot_cut_out)
 {
-  const auto refusal = [](const RigidShapeSettings& shape) { return refusal_of([&] { cut_mesh_of(bed_around(shape)); }); };
+  const auto refusal = [](const bodies::RigidShapeSettings& shape) { return refusal_of([&] { cut_mesh_of(bed_around(shape)); }); };
   EXPECT_EQ(refusal(pipe_at(0)),
             "rigid.pipe.center: the body reaches from (-0.17, 0) to (0.23, 0.4) m; for finite elements it must lie in the soil, "
             "-1.4 < x < 1.6 m and -1 < y < 0 m, at least partly, or be a box that lies on it");
-  EXPECT_EQ(refusal(CircleSettings{{2, 0}, 0.4}).find("rigid.pipe.center: "), 0u);
-  EXPECT_EQ(refusal(CircleSettings{{0, -1.3}, 0.4}).find("rigid.pipe.center: "), 0u);
-  EXPECT_EQ(refusal(BoxSettings{{0, 0.11}, {0.4, 0.2}}).find("rigid.pipe.center: "), 0u);
-  EXPECT_EQ(refusal(BoxSettings{{0, std::sqrt(0.5)}, {1, 1}, pi / 4}).find("rigid.pipe.center: "), 0u);  // on its corner
-  EXPECT_EQ(refusal(HalfPlaneSettings{{0, -0.1}, {0, 1}}).find("rigid.pipe.shape: "), 0u);
-  EXPECT_EQ(refusal(PolygonSettings{{-0.1, 0.1, 0}, {0.1, 0.1, -0.1}}).find("rigid.pipe.shape: "), 0u);
+  EXPECT_EQ(refusal(bodies::CircleSettings{{2, 0}, 0.4}).find("rigid.pipe.center: "), 0u);
+  EXPECT_EQ(refusal(bodies::CircleSettings{{0, -1.3}, 0.4}).find("rigid.pipe.center: "), 0u);
+  EXPECT_EQ(refusal(bodies::BoxSettings{{0, 0.11}, {0.4, 0.2}}).find("rigid.pipe.center: "), 0u);
+  EXPECT_EQ(refusal(bodies::BoxSettings{{0, std::sqrt(0.5)}, {1, 1}, pi / 4}).find("rigid.pipe.center: "), 0u);  // on its corner
+  EXPECT_EQ(refusal(bodies::HalfPlaneSettings{{0, -0.1}, {0, 1}}).find("rigid.pipe.shape: "), 0u);
+  EXPECT_EQ(refusal(bodies::PolygonSettings{{-0.1, 0.1, 0}, {0.1, 0.1, -0.1}}).find("rigid.pipe.shape: "), 0u);
 }
 
 TEST(CutMesh, refuses_sizes_that_do_not_fit)
 {
-  Case c = bed_around(pipe_at(0.1));
+  problem::Case c = bed_around(pipe_at(0.1));
   c.fem.contact_size = 0.0003;
   EXPECT_EQ(refusal_of([&] { cut_mesh_of(c); }),
             "fem.contact_size: 0.0003 m is less than a thousandth of the width of [rigid.pipe], 0.4 m");
@@ -246,4 +246,4 @@ TEST(CutMesh, refuses_sizes_that_do_not_fit)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::fem

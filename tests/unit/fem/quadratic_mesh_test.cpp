@@ -7,13 +7,13 @@
 #include <map>
 #include <set>
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 class PipeInBed : public testing::TestWithParam<Real> {
 protected:
-  Case c = bed_around(pipe_at(GetParam()));
-  Circle<2> circle = std::get<Circle<2>>(shapes_of(c)[0]);
+  problem::Case c = bed_around(pipe_at(GetParam()));
+  bodies::Circle<2> circle = std::get<bodies::Circle<2>>(shapes_of(c)[0]);
   QuadraticMesh mesh = quadratic_mesh_of(c);
   std::vector<BoundarySide> skin = contact_sides(mesh, circle);
   // Half the angle of the arc in the soil.
@@ -74,9 +74,9 @@ TEST_P(PipeInBed, has_the_soil_to_the_left_of_its_boundary)
 
 INSTANTIATE_TEST_SUITE_P(At, PipeInBed, testing::Values(0.04, 0.1, 0.2, 0.3, 0.7));  // D/10, D/4, D/2, 3 D/4, buried
 
-BoxMesh two_by_one()
+mesh::BoxMesh two_by_one()
 {
-  BoxMesh box;
+  mesh::BoxMesh box;
   box.size = {2, 1};
   box.cells = {2, 1};
   return box;
@@ -84,8 +84,8 @@ BoxMesh two_by_one()
 
 // The left half of a mesh of four triangles is filled.
 struct HalfFilledBox {
-  Mesh<2> mesh = make_box<2>(two_by_one());
-  Case c = bed_around(CircleSettings{{0, 5}, 1});
+  mesh::Mesh<2> mesh = make_box<2>(two_by_one());
+  problem::Case c = bed_around(bodies::CircleSettings{{0, 5}, 1});
 
   HalfFilledBox()
   {
@@ -180,7 +180,7 @@ TEST(QuadraticMesh, holds_no_middle_inside_though_both_ends_are_held)
 
 TEST(QuadraticMesh, holds_the_walls_and_the_base_of_a_bed)
 {
-  const QuadraticMesh mesh = quadratic_mesh_of(bed_around(CircleSettings{{-1.4, 0.1}, 0.4}));
+  const QuadraticMesh mesh = quadratic_mesh_of(bed_around(bodies::CircleSettings{{-1.4, 0.1}, 0.4}));
   for (Index i = 0; i < mesh.node_count(); ++i) {
     const Vec<2>& x = mesh.position[i];
     const bool base = x[1] < -1 + 1e-9, wall = x[0] < -1.4 + 1e-9 || x[0] > 1.6 - 1e-9;
@@ -195,19 +195,19 @@ TEST(QuadraticMesh, refuses_what_finite_elements_do_not_know)
     change(box.c);
     return refusal_of([&] { box.make(); });
   };
-  EXPECT_EQ(refusal([](Case& c) { c.body[0].second.regions = {"bed"}; }),
+  EXPECT_EQ(refusal([](problem::Case& c) { c.body[0].second.regions = {"bed"}; }),
             "body.soil.regions: the mesh has no region \"bed\"; it has left half, right half");
-  EXPECT_EQ(refusal([](Case& c) {
+  EXPECT_EQ(refusal([](problem::Case& c) {
               c.support = {{"base", {"base", {"x"}}}};
             }),
             "support.base.boundary: the mesh has no boundary \"base\"; it has left, right, bottom, top");
-  EXPECT_EQ(refusal([](Case& c) {
+  EXPECT_EQ(refusal([](problem::Case& c) {
               c.body.push_back({"other", c.body[0].second});
             }),
             "body.other.regions: the region \"left half\" is filled by [body.soil] already; for finite elements a region has one body");
-  EXPECT_EQ(refusal([](Case& c) { c.body[0].second.block.emplace(); }),
+  EXPECT_EQ(refusal([](problem::Case& c) { c.body[0].second.block.emplace(); }),
             "body.soil.block: for finite elements a body must fill regions of the mesh: regions = [...]");
-  EXPECT_EQ(refusal([](Case& c) { c.body[0].second.disk.emplace(); }),
+  EXPECT_EQ(refusal([](problem::Case& c) { c.body[0].second.disk.emplace(); }),
             "body.soil.disk: for finite elements a body must fill regions of the mesh: regions = [...]");
 }
 
@@ -215,9 +215,9 @@ TEST(QuadraticMesh, refuses_elements_that_a_circle_folds)
 {
   // The right side of the filled half, from (1, 0) to (1, 1), becomes a half circle about (1, 0.5), whose middle is at (0.5, 0.5) or (1.5, 0.5).
   const HalfFilledBox box;
-  const auto message = refusal_of([&] { make_quadratic(box.mesh, box.c, {Circle<2>{{1.0001, 0.5}, std::hypot(1e-4, 0.5)}}); });
+  const auto message = refusal_of([&] { make_quadratic(box.mesh, box.c, {bodies::Circle<2>{{1.0001, 0.5}, std::hypot(1e-4, 0.5)}}); });
   EXPECT_EQ(message.find("fem.contact_size: an element near "), 0u) << message;
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::fem

@@ -4,14 +4,14 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::fem {
 namespace {
 
 struct Loaded {
   FemProblem problem;
   LoadSteps steps;
 
-  explicit Loaded(const Case& c) : problem(fem_problem_of(c)), steps(problem.model, problem.state) { steps.settle(); }
+  explicit Loaded(const problem::Case& c) : problem(fem_problem_of(c)), steps(problem.model, problem.state) { steps.settle(); }
   void to_end_of_stage()
   {
     do steps.advance();
@@ -19,7 +19,7 @@ struct Loaded {
   }
   Real energy_error() const
   {
-    const Totals<2>& t = problem.state.state.totals;
+    const problem::Totals<2>& t = problem.state.state.totals;
     return (t.internal + t.friction - t.external) / t.external;
   }
   void expect_stress(int component, Real exact, Real tolerance) const
@@ -29,11 +29,11 @@ struct Loaded {
   }
 };
 
-Case pressed_block()
+problem::Case pressed_block()
 {
-  Case c = block_of(elastic_soil());
+  problem::Case c = block_of(elastic_soil());
   c.support = {{"left", {"left", {"x"}}}, {"right", {"right", {"x"}, {"rest"}}}, {"base", {"bottom", {"y"}}}};
-  TractionSettings load;
+  boundary::TractionSettings load;
   load.boundary = "top";
   load.stress = {0, -6000};
   load.ramp = 0.5;
@@ -43,7 +43,7 @@ Case pressed_block()
 
 TEST(SideLoads, sum_up_to_traction_times_length_at_its_middle)
 {
-  Case c = pressed_block();
+  problem::Case c = pressed_block();
   c.traction[0].second.stress = {200, -600};
   c.traction[0].second.x_range = {0.1, 0.6};  // within sides of 0.25 m
   const FemProblem problem = fem_problem_of(c);
@@ -75,7 +75,7 @@ TEST(Traction, compresses_a_block_between_rollers_as_an_oedometer_does)
 
 TEST(ReleasedSupport, lets_its_reaction_go_and_the_block_settle_as_in_uniaxial_plane_strain)
 {
-  Case c = pressed_block();
+  problem::Case c = pressed_block();
   c.stage.push_back(resting(1));
   c.stage[1].name = "released";
   Loaded block(c);
@@ -95,11 +95,11 @@ TEST(ReleasedSupport, lets_its_reaction_go_and_the_block_settle_as_in_uniaxial_p
 TEST(GravityLoading, is_the_k0_state_of_a_level_bed)
 {
   for (const Real k0 : {0.4, 1., 1.4}) {
-    Case c = block_of(elastic_soil());
+    problem::Case c = block_of(elastic_soil());
     c.gravity = {0, -10};
     c.body[0].second.k0 = k0;
     const FemProblem exact = fem_problem_of(c);
-    c.initial_state = InitialState::gravity_loading;
+    c.initial_state = problem::InitialState::gravity_loading;
     const FemProblem found = fem_problem_of(c);
     for (Index cell = 0; cell < found.model.mesh.cell_count(); ++cell)
       for (int q = 0; q < triangle_points; ++q)
@@ -109,4 +109,4 @@ TEST(GravityLoading, is_the_k0_state_of_a_level_bed)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::fem

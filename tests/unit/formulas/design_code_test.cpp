@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::formulas {
 namespace {
 
 constexpr Real degree = pi / 180, D = 0.4;
@@ -148,4 +148,4 @@ TEST(DesignCode, values_out_of_range_are_told)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::formulas

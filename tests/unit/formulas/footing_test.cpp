@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::formulas {
 namespace {
 
 constexpr Real degree = pi / 180;
@@ -69,4 +69,4 @@ TEST(Footing, a_source_says_how_far_to_trust_it)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::formulas

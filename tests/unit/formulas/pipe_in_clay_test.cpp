@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::formulas {
 namespace {
 
 PipeInClay pipe_at(Real relative_embedment, Real roughness = 0)
@@ -118,4 +118,4 @@ TEST(PipeInClay, values_out_of_range_are_told)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::formulas

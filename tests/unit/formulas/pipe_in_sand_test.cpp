@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace berm {
+namespace berm::formulas {
 namespace {
 
 constexpr Real degree = pi / 180;
@@ -134,4 +134,4 @@ TEST(YieldSurface, cannot_be_found_from_points_at_one_load)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::formulas

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/catalogue.hpp"
+#include "input/message_text.hpp"
 #include "input/parameters.hpp"
 #include "input/read_case.hpp"
 #include "input/units.hpp"
-#include "input/message_text.hpp"
 
 #include <fstream>
 #include <functional>
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace berm {
+namespace berm::input {
 namespace {
 
 void for_each_value(const Listed& table, const std::string& path, const std::function<void(const Listed&, const std::string&)>& visit)
@@ -25,7 +25,7 @@ TEST(Parameters, of_the_case_are_all_in_the_table_and_on_the_page)
 {
   const std::string table = parameter_table(), page = parameter_page();
   int count = 0;
-  for_each_value(catalogue_of<Case>(), "", [&](const Listed& entry, const std::string& path) {
+  for_each_value(catalogue_of<problem::Case>(), "", [&](const Listed& entry, const std::string& path) {
     ++count;
     EXPECT_NE(table.find("  " + entry.key + " "), std::string::npos) << path;
     EXPECT_NE(page.find("| `" + entry.key + "` |"), std::string::npos) << path;
@@ -41,7 +41,7 @@ TEST(Parameters, of_the_case_are_all_in_the_table_and_on_the_page)
 
 TEST(Parameters, have_units_that_are_units_and_defaults_in_range)
 {
-  for_each_value(catalogue_of<Case>(), "", [](const Listed& entry, const std::string& path) {
+  for_each_value(catalogue_of<problem::Case>(), "", [](const Listed& entry, const std::string& path) {
     EXPECT_NO_THROW(to_si("1 " + entry.unit, entry.unit)) << path;
     const bool number = !entry.default_text.empty() && entry.type == "number";
     EXPECT_TRUE(!number || within(to_si(entry.default_text, entry.unit), entry.range)) << path;
@@ -90,4 +90,4 @@ TEST(Words, for_a_range_show_angles_in_degrees)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::input

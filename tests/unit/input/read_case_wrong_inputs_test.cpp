@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm {
+namespace berm::input {
 namespace {
 
 using test::WrongInput;
@@ -41,18 +41,18 @@ INSTANTIATE_TEST_SUITE_P(Table, WrongInputs, testing::ValuesIn(test::wrong_input
 
 TEST(ReadCase, takes_the_good_case)
 {
-  const Case read = read_case_text("case.toml", std::string(test::good_case));
+  const problem::Case read = read_case_text("case.toml", std::string(test::good_case));
   EXPECT_EQ(read.title, "a pipe on sand");
   ASSERT_EQ(read.gravity.size(), 2u);
   EXPECT_DOUBLE_EQ(read.gravity[1], -standard_gravity);
   ASSERT_EQ(read.material.size(), 2u);
   EXPECT_EQ(read.material[0].first, "sand");
-  EXPECT_DOUBLE_EQ(std::get<MohrCoulomb>(read.material[0].second).friction_angle, 35 * pi / 180);
-  EXPECT_DOUBLE_EQ(std::get<LinearElastic>(read.material[1].second).young_modulus, 2e6);
+  EXPECT_DOUBLE_EQ(std::get<material::MohrCoulomb>(read.material[0].second).friction_angle, 35 * pi / 180);
+  EXPECT_DOUBLE_EQ(std::get<material::LinearElastic>(read.material[1].second).young_modulus, 2e6);
   EXPECT_EQ(read.body[0].second.region_damping, (std::map<std::string, Real>{{"box", 0.05}}));
   EXPECT_FALSE(read.body[0].second.block.has_value());
   ASSERT_EQ(read.stage.size(), 2u);
-  EXPECT_EQ(read.stage[0].kind, StageKind::push);
+  EXPECT_EQ(read.stage[0].kind, problem::StageKind::push);
   EXPECT_DOUBLE_EQ(read.stage[0].until.embedment.value(), 0.08);
   EXPECT_DOUBLE_EQ(read.stage[1].until.displacement.value(), 0.4);
   EXPECT_EQ(read.stage[1].until.force, std::nullopt);
@@ -102,4 +102,4 @@ TEST(ReadCase, survives_random_damage)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::input

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-namespace berm {
+namespace berm::input {
 namespace {
 
 struct Quantity {
@@ -129,4 +129,4 @@ TEST(Units, keep_every_number_that_is_written_in_SI)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::input

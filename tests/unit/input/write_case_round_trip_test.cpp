@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-namespace berm {
+namespace berm::input {
 
 /// One parameter of every kind.
 struct Inner {
@@ -188,7 +188,7 @@ kind = "push"
 force = "2 kN"
 until.time = 1
 )";
-  const Case c = read_case_text("case.toml", text);
+  const problem::Case c = read_case_text("case.toml", text);
   EXPECT_EQ(c.rigid[0].second.mass, 5);
   EXPECT_EQ(c.stage[0].force.value(), 2000);
   EXPECT_NE(resolved_toml(c).find("# [N] force of the drive"), std::string::npos) << resolved_toml(c);
@@ -199,10 +199,10 @@ TEST(RoundTrip, of_an_override_is_as_if_the_file_said_so)
   std::string changed(test::good_case);
   changed.replace(changed.find("\"35 deg\""), 8, "\"40 deg\"");
   changed.replace(changed.find("\"0.4 m\""), 7, "\"40 mm\"");
-  const Case by_override = read_case_text("case.toml", std::string(test::good_case),
-                                          {"material.sand.friction_angle=40 deg", "stage.drag.until.displacement=\"40 mm\""});
+  const problem::Case by_override = read_case_text("case.toml", std::string(test::good_case),
+                                                   {"material.sand.friction_angle=40 deg", "stage.drag.until.displacement=\"40 mm\""});
   EXPECT_EQ(resolved_toml(by_override), resolved_toml(read_case_text("case.toml", changed)));
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::input

@@ -2,14 +2,14 @@
 #include "io/folder_lock.hpp"
 
 #include "core/error.hpp"
-#include "samples/run_to_write.hpp"
+#include "samples/temporary_folder.hpp"
 
 #include <csignal>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace berm {
+namespace berm::io {
 namespace {
 
 std::string refusal(const std::filesystem::path& folder)
@@ -25,8 +25,8 @@ std::string refusal(const std::filesystem::path& folder)
 TEST(FolderLock, refuses_a_second_owner_and_names_the_first)
 {
   const TemporaryFolder base;
-  const FolderLock lock(base.path);
-  const std::string message = refusal(base.path);
+  const FolderLock lock(base.path());
+  const std::string message = refusal(base.path());
   EXPECT_NE(message.find("another run is writing into it"), std::string::npos) << message;
   EXPECT_NE(message.find("process " + std::to_string(::getpid()) + " on "), std::string::npos) << message;
 }
@@ -35,8 +35,8 @@ TEST(FolderLock, leaves_nothing_behind_and_can_be_had_again)
 {
   const TemporaryFolder base;
   for (int n = 0; n < 2; ++n) {
-    EXPECT_EQ(refusal(base.path), "");
-    EXPECT_TRUE(std::filesystem::is_empty(base.path));
+    EXPECT_EQ(refusal(base.path()), "");
+    EXPECT_TRUE(std::filesystem::is_empty(base.path()));
   }
 }
 
@@ -47,20 +47,20 @@ TEST(FolderLock, dies_with_its_process)
   ASSERT_EQ(::pipe(ready), 0);
   const pid_t owner = ::fork();
   if (owner == 0) {
-    const FolderLock lock(base.path);
+    const FolderLock lock(base.path());
     if (::write(ready[1], "!", 1) == 1) ::pause();
     ::_exit(1);
   }
   char sign = 0;
   ASSERT_EQ(::read(ready[0], &sign, 1), 1);
-  EXPECT_NE(refusal(base.path).find("process " + std::to_string(owner)), std::string::npos);
+  EXPECT_NE(refusal(base.path()).find("process " + std::to_string(owner)), std::string::npos);
   ::kill(owner, SIGKILL);
   ::waitpid(owner, nullptr, 0);
-  EXPECT_TRUE(std::filesystem::exists(base.path / FolderLock::file_name));
-  EXPECT_EQ(refusal(base.path), "");
+  EXPECT_TRUE(std::filesystem::exists(base.path() / FolderLock::file_name));
+  EXPECT_EQ(refusal(base.path()), "");
   ::close(ready[0]);
   ::close(ready[1]);
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::io

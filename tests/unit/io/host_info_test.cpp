@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <regex>
 
-namespace berm {
+namespace berm::io {
 namespace {
 
 TEST(machine, processor_is_read_from_cpuinfo)
@@ -32,4 +32,4 @@ TEST(machine, date_is_iso_in_utc)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::io

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::material {
 namespace {
 
 /// Chooses one law, and keeps what is said of every key.
@@ -108,4 +108,4 @@ TEST(Material, answers_for_the_law_it_holds)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::material

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-namespace berm {
+namespace berm::material {
 
 constexpr Real degree = pi / 180;
 
@@ -112,4 +112,4 @@ inline SymTensor<3> in_space(const SymTensor<2>& a)
   return b;
 }
 
-}  // namespace berm
+}  // namespace berm::material

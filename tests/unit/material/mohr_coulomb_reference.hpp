@@ -5,7 +5,7 @@
 
 #include <Eigen/LU>
 
-namespace berm {
+namespace berm::material {
 
 /// What the enumeration of active planes finds for one trial stress.
 struct ReferenceReturn {
@@ -73,4 +73,4 @@ inline ReferenceReturn reference_return(const MohrCoulomb& law, const Vec<3>& tr
   return result;
 }
 
-}  // namespace berm
+}  // namespace berm::material

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
-namespace berm {
+namespace berm::material {
 namespace {
 
 Matrix<3> matrix(const SymTensor<3>& a)
@@ -127,4 +127,4 @@ TEST(MohrCoulomb, rotated_trial_gives_rotated_stress)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::material

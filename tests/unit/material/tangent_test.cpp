@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <map>
 
-namespace berm {
+namespace berm::material {
 namespace {
 
 /// A particle and an increment of it.
@@ -252,4 +252,4 @@ TEST(Tangent, of_no_stress_no_strength_and_huge_strains_is_finite)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::material

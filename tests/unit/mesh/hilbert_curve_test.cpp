@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace berm {
+namespace berm::mesh {
 namespace {
 
 // The points of a small cube at the origin, in the order of the curve.
@@ -58,4 +58,4 @@ TEST(HilbertCurve, far_corners_have_places_inside_the_range)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::mesh

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::mesh {
 namespace {
 
 constexpr const char* square = R"(
@@ -219,4 +219,4 @@ TEST(MakeMesh, says_when_the_run_folder_cannot_be_made)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::mesh

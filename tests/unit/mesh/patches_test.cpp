@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::mesh {
 namespace {
 
 /// The cells of a patch, beginning with `cell`; cut off where its ring does not close.
@@ -132,4 +132,4 @@ TEST(Patches, are_single_cells_without_rounds)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::mesh

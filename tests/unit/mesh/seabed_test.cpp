@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::mesh {
 namespace {
 
 SeabedMesh sample_bed()
@@ -216,4 +216,4 @@ TEST(SeabedMesh, lengths_that_do_not_fit_are_refused)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::mesh

@@ -6,15 +6,15 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 /// Gives each particle v = drift + rate cross (x - center of mass).
 template <int dim>
-void spin(Particles<dim>& particles, const Vec<3>& drift, const Vec<3>& rate)
+void spin(bodies::Particles<dim>& particles, const Vec<3>& drift, const Vec<3>& rate)
 {
   const Vec<dim> center = measure(particles).center();
-  for_each_particle(particles, [&](Block<dim>& p, int l) {
+  for_each_particle(particles, [&](bodies::Block<dim>& p, int l) {
     Vec<3> r = Vec<3>::Zero();
     r.template head<dim>() = position(p, l) - center;
     const Vec<3> v = drift + Vec<3>(rate[1] * r[2] - rate[2] * r[1], rate[2] * r[0] - rate[0] * r[2], rate[0] * r[1] - rate[1] * r[0]);
@@ -25,22 +25,22 @@ void spin(Particles<dim>& particles, const Vec<3>& drift, const Vec<3>& rate)
 TEST(Measure, spin_is_about_the_center_of_mass_and_drift_is_no_part_of_it)
 {
   auto problem = problem_on(criss_cross<2>(), sample_solid(), 4);
-  Particles<2>& particles = problem.state.particles[0];
+  bodies::Particles<2>& particles = problem.state.particles[0];
   spin<2>(particles, {7, -3, 0}, {0, 0, 0.5});
   const Vec<2> center = measure(particles).center();
   Real inertia = 0;
-  for_each_particle(particles, [&](Block<2>& p, int l) { inertia += p.mass[l] * (position(p, l) - center).squaredNorm(); });
+  for_each_particle(particles, [&](bodies::Block<2>& p, int l) { inertia += p.mass[l] * (position(p, l) - center).squaredNorm(); });
   EXPECT_NEAR(measure(particles).spin()[2] / (0.5 * inertia), 1, 1e-10);
 }
 TEST(Measure, spin_in_space_has_three_components)
 {
   auto problem = problem_on(make_box<3>(sample_box<3>()), sample_solid(), 8);
-  Particles<3>& particles = problem.state.particles[0];
+  bodies::Particles<3>& particles = problem.state.particles[0];
   const Vec<3> rate(0.3, -0.2, 0.5);
   spin<3>(particles, {7, -3, 2}, rate);
   const Vec<3> center = measure(particles).center();
   Vec<3> expected = Vec<3>::Zero();
-  for_each_particle(particles, [&](Block<3>& p, int l) {
+  for_each_particle(particles, [&](bodies::Block<3>& p, int l) {
     const Vec<3> r = position(p, l) - center;
     expected += p.mass[l] * (r.squaredNorm() * rate - r.dot(rate) * r);
   });
@@ -50,9 +50,9 @@ TEST(Measure, spin_in_space_has_three_components)
 TEST(Measure, extents_are_those_of_the_particles_and_not_of_empty_lanes)
 {
   auto problem = problem_on(criss_cross<2>(), sample_solid(), 1);  // one particle a block: three empty lanes
-  Particles<2>& particles = problem.state.particles[0];
+  bodies::Particles<2>& particles = problem.state.particles[0];
   Vec<2> lower = Vec<2>::Constant(infinity), upper = -lower;
-  for_each_particle(particles, [&](Block<2>& p, int l) {
+  for_each_particle(particles, [&](bodies::Block<2>& p, int l) {
     lower = lower.cwiseMin(position(p, l));
     upper = upper.cwiseMax(position(p, l));
     for (int empty = 1; empty < lanes; ++empty) p.x[0][empty] = p.x[1][empty] = 1e6;
@@ -75,10 +75,10 @@ TEST(MomentumError, is_told_against_the_motion_where_all_momenta_cancel)
 TEST(Measure, finds_a_particle_by_its_id_and_refuses_an_id_that_there_is_not)
 {
   auto problem = problem_on(criss_cross<2>(), sample_solid(), 4);
-  Particles<2>& particles = problem.state.particles[0];
+  bodies::Particles<2>& particles = problem.state.particles[0];
   for (std::int32_t id : {0, 5, particles.size() - 1}) EXPECT_EQ(particle_of(particles, id).id, id);
   EXPECT_THROW(particle_of(particles, particles.size()), RunError);
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::mpm

@@ -5,19 +5,19 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 /// A box of sand under 10 kPa, and a circle so large that half its width reaches all of it.
-Problem<2> pressed_box()
+problem::Problem<2> pressed_box()
 {
   auto problem = problem_on<2>(shaken_box<2>(), sample_sand(), 9);
-  Rigid<2> pipe;
-  pipe.shape = Circle<2>{.center = problem.model.mesh.upper + Vec<2>(0, 10), .radius = 10};
+  bodies::Rigid<2> pipe;
+  pipe.shape = bodies::Circle<2>{.center = problem.model.mesh.upper + Vec<2>(0, 10), .radius = 10};
   problem.model.rigids.push_back(pipe);
   problem.state.rigids.resize(1);
   problem.model.main_rigid = 0;
-  for_each_particle(problem.state.particles[0], [](Block<2>& p, int l) {
+  for_each_particle(problem.state.particles[0], [](bodies::Block<2>& p, int l) {
     for (int k = 0; k < 3; ++k) p.stress[k][l] = -1e4;
   });
   return problem;
@@ -27,8 +27,8 @@ Problem<2> pressed_box()
 template <class Velocity, class NodeVelocity>
 Real shaking_of(const Velocity& velocity_at, const NodeVelocity& node_velocity)
 {
-  Problem<2> problem = pressed_box();
-  for_each_particle(problem.state.particles[0], [&](Block<2>& p, int l) { set_velocity<2>(p, l, velocity_at(position<2>(p, l))); });
+  problem::Problem<2> problem = pressed_box();
+  for_each_particle(problem.state.particles[0], [&](bodies::Block<2>& p, int l) { set_velocity<2>(p, l, velocity_at(position<2>(p, l))); });
   Work<2> work(problem.model, problem.state);
   for (Index i = 0; i < problem.model.mesh.node_count(); ++i)
     work.grids[0].moved_velocity[i] = node_velocity(problem.model.mesh.position[i]);
@@ -40,7 +40,7 @@ TEST(Shaking, is_the_pressure_of_random_velocities_over_the_mean_pressure)
   std::mt19937 random(3);
   std::normal_distribution<Real> number(0, 0.1);
   const auto noise = [&](const Vec<2>&) { return Vec<2>(number(random), number(random)); };
-  const Real wave_speed = std::sqrt(p_wave_modulus(Material(sample_sand())) / 1500);
+  const Real wave_speed = std::sqrt(p_wave_modulus(material::Material(sample_sand())) / 1500);
   // The mean of nine velocities takes a ninth of their variance out.
   const Real expected = 1500 * wave_speed * 0.1 * std::sqrt(8. / 9) / 1e4;
   EXPECT_NEAR(shaking_of(noise, [](const Vec<2>&) { return Vec<2>(0, 0); }) / expected, 1, 0.05);  // some 500 random numbers: 3 %
@@ -55,8 +55,8 @@ TEST(Shaking, is_none_where_particles_move_as_the_nodes_do)
 TEST(SoilCondition, counts_grains_in_the_air_and_at_the_bounds_of_volume)
 {
   auto problem = problem_on<2>(shaken_box<2>(), sample_sand(), 9);
-  Particles<2>& particles = problem.state.particles[0];
-  const Mesh<2>& mesh = problem.model.mesh;
+  bodies::Particles<2>& particles = problem.state.particles[0];
+  const mesh::Mesh<2>& mesh = problem.model.mesh;
   const Real level = 0.4 * mesh.lower[1] + 0.6 * mesh.upper[1];
   // Sand up to a level, and one grain in the topmost cell.
   Index top = 0;
@@ -66,9 +66,9 @@ TEST(SoilCondition, counts_grains_in_the_air_and_at_the_bounds_of_volume)
     for (Index place = particles.count_in(cell); place-- > (cell == top ? 1 : 0);)
       if (cell == top || particles.read_at(cell, place).x[1] > level) particles.take(cell, place);
   particles.sort_occupied();
-  const Particle<2> grain = particles.read_at(top, 0);
+  const bodies::Particle<2> grain = particles.read_at(top, 0);
   Real mass = 0, smallest = 0, largest = 0;
-  for_each_particle(particles, [&](Block<2>& p, int l) {
+  for_each_particle(particles, [&](bodies::Block<2>& p, int l) {
     mass += p.mass[l];
     const Real ratio = p.id[l] % 10 == 0 ? 0.8 : p.id[l] % 10 == 1 ? 1.2 : 1;
     p.volume[l] = ratio * p.mass[l] / 1500;
@@ -84,4 +84,4 @@ TEST(SoilCondition, counts_grains_in_the_air_and_at_the_bounds_of_volume)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::mpm

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
@@ -38,7 +38,7 @@ void expect_named(bool update_stress_first, const char* what, const Spoil& spoil
   problem.model.update_stress_first = update_stress_first;
   Work<dim> work(problem.model, problem.state);
   for (int n = 0; n < 3; ++n) step(problem.model, problem.state, work);
-  Particles<dim>& particles = problem.state.particles[0];
+  bodies::Particles<dim>& particles = problem.state.particles[0];
   const Index cell = particles.occupied()[particles.occupied().size() / 2], block = particles.first_block(cell);
   const int id = particles.block(block).id[0];
   spoil(particles.block(block));
@@ -54,23 +54,23 @@ TYPED_TEST(Sound, what_is_not_finite_of_one_particle_is_named_within_the_step_wi
 {
   constexpr int dim = TypeParam::value;
   constexpr bool last = false, first = true;
-  expect_named<dim>(last, "its velocity is not a number", [](Block<dim>& p) { p.v[0][0] = not_a_number; });
-  expect_named<dim>(last, "its velocity is infinite", [](Block<dim>& p) { p.v[dim - 1][0] = infinity; });
-  expect_named<dim>(last, "its position is not a number", [](Block<dim>& p) { p.x[0][0] = not_a_number; });
-  expect_named<dim>(last, "its volume is not a number", [](Block<dim>& p) { p.volume[0] = not_a_number; });
-  expect_named<dim>(last, "its mass is not a number", [](Block<dim>& p) { p.mass[0] = not_a_number; });
+  expect_named<dim>(last, "its velocity is not a number", [](bodies::Block<dim>& p) { p.v[0][0] = not_a_number; });
+  expect_named<dim>(last, "its velocity is infinite", [](bodies::Block<dim>& p) { p.v[dim - 1][0] = infinity; });
+  expect_named<dim>(last, "its position is not a number", [](bodies::Block<dim>& p) { p.x[0][0] = not_a_number; });
+  expect_named<dim>(last, "its volume is not a number", [](bodies::Block<dim>& p) { p.volume[0] = not_a_number; });
+  expect_named<dim>(last, "its mass is not a number", [](bodies::Block<dim>& p) { p.mass[0] = not_a_number; });
   for (int k = 0; k < tensor_size<dim>; ++k)
     if (dim == 3 || k != 2)  // the stress across the plane makes no force: its work tells, a step later
-      expect_named<dim>(last, "its stress is not a number", [&](Block<dim>& p) { p.stress[k][0] = not_a_number; });
-  expect_named<dim>(first, "its velocity is not a number", [](Block<dim>& p) { p.v[0][0] = not_a_number; });
-  expect_named<dim>(first, "its stress is not a number", [](Block<dim>& p) { p.stress[1][0] = not_a_number; });
+      expect_named<dim>(last, "its stress is not a number", [&](bodies::Block<dim>& p) { p.stress[k][0] = not_a_number; });
+  expect_named<dim>(first, "its velocity is not a number", [](bodies::Block<dim>& p) { p.v[0][0] = not_a_number; });
+  expect_named<dim>(first, "its stress is not a number", [](bodies::Block<dim>& p) { p.stress[1][0] = not_a_number; });
 }
 
 TYPED_TEST(Sound, a_body_that_moves_and_strains_is_not_refused)
 {
   constexpr int dim = TypeParam::value;
   auto problem = problem_on<dim>(shaken_box<dim>(), sample_solid(), 0);
-  for_each_particle(problem.state.particles[0], [](Block<dim>& p, int l) { p.v[0][l] = 1e-3 * p.x[1][l]; });
+  for_each_particle(problem.state.particles[0], [](bodies::Block<dim>& p, int l) { p.v[0][l] = 1e-3 * p.x[1][l]; });
   Work<dim> work(problem.model, problem.state);
   EXPECT_EQ(refusal([&] {
               for (int n = 0; n < 20; ++n) step(problem.model, problem.state, work);
@@ -80,7 +80,7 @@ TYPED_TEST(Sound, a_body_that_moves_and_strains_is_not_refused)
 
 /// A mesh of 1.5 m or more a side, and a rigid body in its middle that has moved by `moved`.
 template <int dim>
-std::string rigid_refusal(const RigidShapeSettings& shape, const Vec<dim>& moved)
+std::string rigid_refusal(const bodies::RigidShapeSettings& shape, const Vec<dim>& moved)
 {
   auto problem = problem_on<dim>(make_box<dim>(sample_box<dim>()), sample_solid(), 1);
   problem.model.rigids.push_back({"pipe", make_shape<dim>(shape)});
@@ -93,9 +93,9 @@ std::string rigid_refusal(const RigidShapeSettings& shape, const Vec<dim>& moved
 TYPED_TEST(Sound, a_pipe_that_leaves_the_mesh_is_named_with_side_place_time_and_advice)
 {
   constexpr int dim = TypeParam::value;
-  const Mesh<dim> mesh = make_box<dim>(sample_box<dim>());
+  const mesh::Mesh<dim> mesh = make_box<dim>(sample_box<dim>());
   const Vec<dim> middle = 0.5 * (mesh.lower + mesh.upper);
-  const CircleSettings pipe{std::vector<Real>(middle.begin(), middle.end()), 0.2};
+  const bodies::CircleSettings pipe{std::vector<Real>(middle.begin(), middle.end()), 0.2};
   const Real down = middle[1] - mesh.lower[1] - 0.1, right = mesh.upper[0] - middle[0] - 0.1;
   const auto x = [](Real by) { return Vec<dim>(by * Vec<dim>::UnitX()); };
   const auto y = [](Real by) { return Vec<dim>(by * Vec<dim>::UnitY()); };
@@ -115,13 +115,13 @@ TYPED_TEST(Sound, a_pipe_that_leaves_the_mesh_is_named_with_side_place_time_and_
 TYPED_TEST(Sound, a_rigid_body_that_began_beyond_a_side_may_stay_there)
 {
   constexpr int dim = TypeParam::value;
-  const Mesh<dim> mesh = make_box<dim>(sample_box<dim>());
+  const mesh::Mesh<dim> mesh = make_box<dim>(sample_box<dim>());
   std::vector<Real> at_wall(mesh.lower.begin(), mesh.lower.end());
-  EXPECT_EQ(rigid_refusal<dim>(CircleSettings{at_wall, 0.2}, Vec<dim>(-0.05 * Vec<dim>::UnitX() - 0.05 * Vec<dim>::UnitY())), "");
+  EXPECT_EQ(rigid_refusal<dim>(bodies::CircleSettings{at_wall, 0.2}, Vec<dim>(-0.05 * Vec<dim>::UnitX() - 0.05 * Vec<dim>::UnitY())), "");
   std::vector<Real> up(dim, 0);
   up[1] = 1;
-  EXPECT_EQ(rigid_refusal<dim>(HalfPlaneSettings{at_wall, up}, Vec<dim>(-Vec<dim>::UnitY())), "");
+  EXPECT_EQ(rigid_refusal<dim>(bodies::HalfPlaneSettings{at_wall, up}, Vec<dim>(-Vec<dim>::UnitY())), "");
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::mpm

@@ -5,17 +5,17 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 /// Moves all nodes by velocity(x) for one step, projection off.
 template <int dim, class Velocity>
-void move_once(Problem<dim>& problem, Real dt, const Velocity& velocity_at)
+void move_once(problem::Problem<dim>& problem, Real dt, const Velocity& velocity_at)
 {
   problem.model.mpm.volumetric_projection = false;
   problem.state.dt = dt;
   Work<dim> work(problem.model, problem.state);
-  const Mesh<dim>& mesh = problem.model.mesh;
+  const mesh::Mesh<dim>& mesh = problem.model.mesh;
   sum_moments(mesh, problem.state.particles[0], work.grids[0]);
   gather_mass_and_momentum(mesh, work.grids[0]);
   for (Index i = 0; i < mesh.node_count(); ++i) work.grids[0].moved_velocity[i] = velocity_at(mesh.position[i]);
@@ -24,7 +24,7 @@ void move_once(Problem<dim>& problem, Real dt, const Velocity& velocity_at)
 
 TEST(Dilation, ends_where_a_particle_has_its_largest_volume)
 {
-  MohrCoulomb sand;
+  material::MohrCoulomb sand;
   sand.density = 1600;
   sand.young_modulus = 1e7;
   sand.poisson_ratio = 0.25;
@@ -33,7 +33,7 @@ TEST(Dilation, ends_where_a_particle_has_its_largest_volume)
   // Simple shear of sand under 10 kPa at constant volume. Sand that dilates, but is not let, presses harder; sand that does not, does not.
   const auto pressure_after_shear = [&](Real volume_ratio) {
     auto problem = problem_on<2>(criss_cross<2>(), sand, 9);
-    for_each_particle(problem.state.particles[0], [&](Block<2>& p, int l) {
+    for_each_particle(problem.state.particles[0], [&](bodies::Block<2>& p, int l) {
       for (int k = 0; k < 3; ++k) p.stress[k][l] = -1e4;
       p.volume[l] = volume_ratio * p.mass[l] / sand.density;
     });
@@ -43,8 +43,8 @@ TEST(Dilation, ends_where_a_particle_has_its_largest_volume)
   };
   EXPECT_GT(pressure_after_shear(1), 2e4);
   // With a dilation angle of zero the in-plane mean stress stays; the stress out of the plane hardly moves.
-  EXPECT_NEAR(pressure_after_shear(MpmSettings{}.most_volume_ratio), 1e4, 1e3);
+  EXPECT_NEAR(pressure_after_shear(problem::MpmSettings{}.most_volume_ratio), 1e4, 1e3);
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::mpm

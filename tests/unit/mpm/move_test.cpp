@@ -7,23 +7,23 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 /// A body whose nodes move as the test says.
 template <int dim>
 struct Moved {
-  Problem<dim> problem;
+  problem::Problem<dim> problem;
   Work<dim> work;
 
-  Moved(const Mesh<dim>& mesh, const Material& material, int particles_per_cell, bool project)
+  Moved(const mesh::Mesh<dim>& mesh, const material::Material& material, int particles_per_cell, bool project)
       : problem(problem_on<dim>(mesh, material, particles_per_cell)),
         work(problem.model, problem.state)
   {
     problem.model.mpm.volumetric_projection = project;
   }
-  Particles<dim>& particles() { return problem.state.particles[0]; }
-  const Mesh<dim>& mesh() const { return problem.model.mesh; }
+  bodies::Particles<dim>& particles() { return problem.state.particles[0]; }
+  const mesh::Mesh<dim>& mesh() const { return problem.model.mesh; }
   BodyGrid<dim>& grid() { return work.grids[0]; }
 
   /// Moves all nodes with velocity(x) for a time dt.
@@ -38,7 +38,7 @@ struct Moved {
     if (problem.model.mpm.volumetric_projection) sum_volume_changes(mesh(), particles(), dt, grid());
     move_and_strain(problem.model, problem.state, work, 0);
   }
-  void change_cells() { berm::change_cells(problem.model, problem.state, work, 0); }
+  void change_cells() { mpm::change_cells(problem.model, problem.state, work, 0); }
 };
 
 template <int dim>
@@ -51,27 +51,27 @@ Matrix<3> full(const Matrix<dim>& m)
 
 /// Every particle has the position, volume, stress and strain that a uniform velocity gradient gives it in one step.
 template <int dim>
-void expect_uniform_strain(const Mesh<dim>& mesh)
+void expect_uniform_strain(const mesh::Mesh<dim>& mesh)
 {
   std::mt19937 random(5);
   for (const bool project : {false, true})
     for (const int n : {1, 3}) {
-      const LinearElastic law = sample_solid();
+      const material::LinearElastic law = sample_solid();
       Moved<dim> body(mesh, law, dim == 2 ? n * n : n * n * n, project);
       const Matrix<dim> gradient = random_matrix<dim>(random);
       constexpr Real dt = 1e-3;
-      std::vector<Particle<dim>> before(body.particles().size());
+      std::vector<bodies::Particle<dim>> before(body.particles().size());
       body.particles().visit([&](Index, Index b, int l) { before[body.particles().block(b).id[l]] = body.particles().read(b, l); });
       const Vec<dim> drift = Vec<dim>::Constant(0.1);
       body.move(dt, [&](const Vec<dim>& x) { return Vec<dim>(drift + gradient * x); });
 
       const Matrix<3> strain = dt / 2 * (full<dim>(gradient) + full<dim>(gradient).transpose());
-      const Elasticity elastic = elasticity(law);
+      const material::Elasticity elastic = elasticity(law);
       const Matrix<3> stress = elastic.lame * strain.trace() * Matrix<3>::Identity() + 2 * elastic.shear * strain;
       const Matrix<3> deviator = strain - strain.trace() / 3 * Matrix<3>::Identity();
       body.particles().visit([&](Index, Index b, int l) {
-        const Particle<dim> p = body.particles().read(b, l);
-        const Particle<dim>& was = before[p.id];
+        const bodies::Particle<dim> p = body.particles().read(b, l);
+        const bodies::Particle<dim>& was = before[p.id];
         EXPECT_NEAR((p.x - was.x - dt * (drift + gradient * was.x)).norm(), 0, 1e-15);
         EXPECT_NEAR(p.volume / was.volume, 1 + strain.trace(), 1e-14);
         for (int a = 0; a < dim; ++a)
@@ -122,7 +122,7 @@ TYPED_TEST(Move, projection_gives_the_cells_of_a_patch_one_dilation_and_keeps_th
   sum_volumes(after);
   for (Index cell = 0; cell < before.size(); ++cell) {
     Real patch_before = 0, patch_after = 0, plain_after = 0;
-    for_each_in_patch(projected.problem.model.patches, cell, [&](Index member) {
+    mesh::for_each_in_patch(projected.problem.model.patches, cell, [&](Index member) {
       patch_before += before[member];
       patch_after += after[member];
       Real divergence = 0;
@@ -143,7 +143,7 @@ TYPED_TEST(Move, work_of_the_stress_is_that_of_the_internal_forces_with_and_with
     std::mt19937 random(6);
     std::uniform_real_distribution<Real> number(-1, 1);
     Moved<dim> body(shaken_box<dim>(), sample_solid(), 0, project);
-    for_each_particle(body.particles(), [&](Block<dim>& p, int l) {
+    for_each_particle(body.particles(), [&](bodies::Block<dim>& p, int l) {
       for (int k = 0; k < tensor_size<dim>; ++k) p.stress[k][l] = 1e3 * number(random);
       p.volume[l] *= 2 + number(random);
     });
@@ -151,7 +151,7 @@ TYPED_TEST(Move, work_of_the_stress_is_that_of_the_internal_forces_with_and_with
     constexpr Real dt = 1e-13;
     body.move(dt, [&](const Vec<dim>&) { return random_point<dim>(random, Vec<dim>::Constant(-1), Vec<dim>::Constant(1)); });
     Real power = 0, size = 0;
-    const Mesh<dim>& mesh = body.mesh();
+    const mesh::Mesh<dim>& mesh = body.mesh();
     for (Index e = 0; e < static_cast<Index>(mesh.entries.size()); ++e) {
       const Real term =
           Eigen::Map<const Vec<dim>>(body.grid().at(e).sum).dot(body.grid().moved_velocity[mesh.nodes[e / (dim + 1)][e % (dim + 1)]]);
@@ -166,7 +166,7 @@ TYPED_TEST(Move, work_of_the_stress_is_that_of_the_internal_forces_with_and_with
 TYPED_TEST(Move, particles_keep_their_numbers_and_state_when_they_change_cell)
 {
   constexpr int dim = TypeParam::value;
-  MohrCoulomb law;
+  material::MohrCoulomb law;
   law.density = 1500;
   law.young_modulus = 2e6;
   law.poisson_ratio = 0.3;
@@ -174,7 +174,7 @@ TYPED_TEST(Move, particles_keep_their_numbers_and_state_when_they_change_cell)
   Moved<dim> body(shaken_box<dim>(), law, 0, true);
   body.particles().visit([&](Index, Index b, int l) { body.particles().state(b)[0][l] = 1e-3 * body.particles().block(b).id[l]; });
   std::vector<Real> mass(body.particles().size());
-  for_each_particle(body.particles(), [&](Block<dim>& p, int l) { mass[p.id[l]] = p.mass[l] *= 1 + 1e-3 * p.id[l]; });
+  for_each_particle(body.particles(), [&](bodies::Block<dim>& p, int l) { mass[p.id[l]] = p.mass[l] *= 1 + 1e-3 * p.id[l]; });
   // Nodes inside stir, those at the walls stay: nothing leaves.
   const auto swirl = [&](const Vec<dim>& x) {
     Vec<dim> v = Vec<dim>::Zero();
@@ -192,7 +192,7 @@ TYPED_TEST(Move, particles_keep_their_numbers_and_state_when_they_change_cell)
   }
   Index seen = 0, moved_on = 0;
   body.particles().visit([&](Index cell, Index b, int l) {
-    const Block<dim>& p = body.particles().block(b);
+    const bodies::Block<dim>& p = body.particles().block(b);
     EXPECT_EQ(p.mass[l], mass[p.id[l]]);
     for (int k = 0; k <= dim; ++k) EXPECT_GE(body.mesh().shape(cell).value(k, position(p, l)), -1e-9);
     moved_on += cell != first_cell[p.id[l]];
@@ -230,15 +230,15 @@ TYPED_TEST(Move, a_particle_that_leaves_the_mesh_ends_the_run_with_its_number_bo
 TYPED_TEST(Move, a_cell_that_gets_its_first_particle_gets_its_shape)
 {
   constexpr int dim = TypeParam::value;
-  Problem<dim> problem = problem_on<dim>(shaken_box<dim>(), sample_solid(), 0);
-  const Mesh<dim>& mesh = problem.model.mesh;
-  Particles<dim>& particles = problem.state.particles[0];
+  problem::Problem<dim> problem = problem_on<dim>(shaken_box<dim>(), sample_solid(), 0);
+  const mesh::Mesh<dim>& mesh = problem.model.mesh;
+  bodies::Particles<dim>& particles = problem.state.particles[0];
   const Index empty = 0, next = std::max(mesh.neighbor(empty, 0), mesh.neighbor(empty, 1));
   while (particles.count_in(empty) > 0) particles.take(empty, 0);
   particles.sort_occupied();
   Work<dim> work(problem.model, problem.state);
   work.movers[0].push_back({next, 0, empty});
-  change_cells(problem.model, problem.state, work, 0);
+  mpm::change_cells(problem.model, problem.state, work, 0);
   ASSERT_EQ(particles.count_in(empty), 1);
   for (const Index cell : particles.occupied()) EXPECT_EQ(work.grids[0].gradients[cell], mesh.shape(cell).gradients) << cell;
 }
@@ -249,7 +249,7 @@ TYPED_TEST(Move, a_particle_that_round_off_put_beyond_a_wall_is_brought_back_to_
   const auto mesh = make_box<dim>(sample_box<dim>());
   Moved<dim> body(mesh, sample_solid(), 0, true);
   // The highest particle is put onto the top wall, and the nodes rise by a billionth of a cell.
-  Particles<dim>& particles = body.particles();
+  bodies::Particles<dim>& particles = body.particles();
   Index block = none;
   int lane = 0;
   particles.visit([&](Index, Index b, int l) {
@@ -260,7 +260,7 @@ TYPED_TEST(Move, a_particle_that_round_off_put_beyond_a_wall_is_brought_back_to_
   body.move(1, [&](const Vec<dim>&) { return Vec<dim>(1e-9 * height * Vec<dim>::UnitY()); });
   EXPECT_NO_THROW(body.change_cells());
   Real highest = -infinity;
-  for_each_particle(particles, [&](Block<dim>& p, int l) { highest = std::max(highest, p.x[1][l]); });
+  for_each_particle(particles, [&](bodies::Block<dim>& p, int l) { highest = std::max(highest, p.x[1][l]); });
   EXPECT_NEAR(highest, mesh.upper[1], 1e-15);
 }
 
@@ -268,8 +268,8 @@ TYPED_TEST(Move, a_particle_beyond_a_wall_by_the_least_there_is_does_not_end_the
 {
   constexpr int dim = TypeParam::value;
   const std::vector<Real> lower(dim, 0), size(dim, 1), cells(dim, 3);
-  Moved<dim> body(make_box<dim>({.lower = lower, .size = size, .cells = cells}), sample_solid(), 0, true);
-  Particles<dim>& particles = body.particles();
+  Moved<dim> body(mesh::make_box<dim>({.lower = lower, .size = size, .cells = cells}), sample_solid(), 0, true);
+  bodies::Particles<dim>& particles = body.particles();
   for (const Real beyond : {1e-18, 1e-12}) {
     Index block = none;
     int lane = 0;
@@ -279,7 +279,7 @@ TYPED_TEST(Move, a_particle_beyond_a_wall_by_the_least_there_is_does_not_end_the
     particles.block(block).x[1][lane] = -beyond;
     body.move(1e-3, [](const Vec<dim>&) { return Vec<dim>(Vec<dim>::Zero()); });
     EXPECT_NO_THROW(body.change_cells());
-    for_each_particle(particles, [&](Block<dim>& p, int l) {
+    for_each_particle(particles, [&](bodies::Block<dim>& p, int l) {
       for (int d = 0; d < dim; ++d) EXPECT_GE(p.x[d][l], -1e-13);  // of a cell of 1/3 m: less than that is inside to locate()
     });
   }
@@ -290,10 +290,10 @@ TYPED_TEST(Move, a_rigid_turn_makes_no_stress)
   // A whole turn in 500 steps; nodes take the velocity of the turn, so nothing but the step itself could make stress.
   constexpr int dim = TypeParam::value;
   std::vector<Real> lower(dim, -1.2), size(dim, 2.4), cells(dim, 8), middle(dim, 0), side(dim, 1);
-  auto problem = problem_on<dim>(make_box<dim>({.lower = lower, .size = size, .cells = cells}), sample_solid(), 1);
+  auto problem = problem_on<dim>(mesh::make_box<dim>({.lower = lower, .size = size, .cells = cells}), sample_solid(), 1);
   Moved<dim> body(problem.model.mesh, sample_solid(), 1, true);
-  BodySettings settings;
-  settings.block = BlockSettings{middle, side, 0, 0.1};
+  bodies::BodySettings settings;
+  settings.block = bodies::BlockSettings{middle, side, 0, 0.1};
   body.particles() = fill<dim>(body.mesh(), "body", settings, {1500, 0, 0, 0});
   const int steps = 500;
   const Real angle = 2 * pi / steps;
@@ -306,7 +306,7 @@ TYPED_TEST(Move, a_rigid_turn_makes_no_stress)
     body.change_cells();
   }
   // Round-off of the strain, some 1e-16 a step, times the stiffness.
-  for_each_particle(body.particles(), [&](Block<dim>& p, int l) {
+  for_each_particle(body.particles(), [&](bodies::Block<dim>& p, int l) {
     for (int k = 0; k < tensor_size<dim>; ++k) EXPECT_NEAR(p.stress[k][l], 0, 2e6 * 1e-16 * steps);
     EXPECT_NEAR(p.deviatoric_strain[l], 0, 1e-16 * 10 * steps);
   });
@@ -322,7 +322,7 @@ TYPED_TEST(Move, stress_turns_with_the_body_and_keeps_its_invariants)
     const Real angle = theta / steps;
     const Vec<dim> middle = 0.5 * (body.mesh().lower + body.mesh().upper);
     const Real first[6] = {300, -100, 40, 70, 20, -60};
-    for_each_particle(body.particles(), [&](Block<dim>& p, int l) {
+    for_each_particle(body.particles(), [&](bodies::Block<dim>& p, int l) {
       for (int k = 0; k < tensor_size<dim>; ++k) p.stress[k][l] = first[k];
     });
     for (int n = 0; n < steps; ++n) {
@@ -341,7 +341,7 @@ TYPED_TEST(Move, stress_turns_with_the_body_and_keeps_its_invariants)
     turn(0, 1) = -turn(1, 0);
     const Matrix<3> turned = turn * was * turn.transpose();
     const Real error = 1.1 * (std::exp(2 * theta * theta / steps) - 1) * was.norm();
-    for_each_particle(body.particles(), [&](Block<dim>& p, int l) {
+    for_each_particle(body.particles(), [&](bodies::Block<dim>& p, int l) {
       Matrix<3> now = Matrix<3>::Zero();
       for (int a = 0; a < 3; ++a)
         for (int b = 0; b < 3; ++b) now(a, b) = dim == 2 && a != b && a + b != 1 ? 0 : p.stress[tensor_place(a, b)][l];
@@ -353,4 +353,4 @@ TYPED_TEST(Move, stress_turns_with_the_body_and_keeps_its_invariants)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::mpm

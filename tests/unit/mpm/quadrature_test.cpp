@@ -7,18 +7,18 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 /// A box of solid whose cells hold unequal numbers of particles, up to the nodal forces of step 1.
 template <int dim>
 struct Uneven {
-  Problem<dim> problem;
+  problem::Problem<dim> problem;
   Work<dim> work;
 
   /// keep(x) says which particles of the filled box are there, volume(x) how large they are over their first volume.
   template <class Stress, class Keep>
-  Uneven(Quadrature quadrature, const Stress& stress, const Keep& keep)
+  Uneven(problem::Quadrature quadrature, const Stress& stress, const Keep& keep)
       : problem(prepared(quadrature, stress, keep)),
         work(problem.model, problem.state)
   {
@@ -29,23 +29,23 @@ struct Uneven {
   }
 
   template <class Stress, class Keep>
-  static Problem<dim> prepared(Quadrature quadrature, const Stress& stress, const Keep& keep)
+  static problem::Problem<dim> prepared(problem::Quadrature quadrature, const Stress& stress, const Keep& keep)
   {
     auto made = problem_on<dim>(shaken_box<dim>(), sample_solid(), dim == 2 ? 9 : 27);
     made.model.mpm.quadrature = quadrature;
-    Particles<dim>& particles = made.state.particles[0];
+    bodies::Particles<dim>& particles = made.state.particles[0];
     for (Index cell = 0; cell < made.model.mesh.cell_count(); ++cell)
       for (Index place = particles.count_in(cell); place-- > 0;)
         if (!keep(particles.read_at(cell, place))) particles.take(cell, place);
     particles.sort_occupied();
-    for_each_particle(particles, [&](Block<dim>& p, int l) {
+    for_each_particle(particles, [&](bodies::Block<dim>& p, int l) {
       const SymTensor<dim> s = stress(position<dim>(p, l));
       for (int k = 0; k < tensor_size<dim>; ++k) p.stress[k][l] = s[k];
     });
     return made;
   }
-  const Mesh<dim>& mesh() const { return problem.model.mesh; }
-  Particles<dim>& particles() { return problem.state.particles[0]; }
+  const mesh::Mesh<dim>& mesh() const { return problem.model.mesh; }
+  bodies::Particles<dim>& particles() { return problem.state.particles[0]; }
   BodyGrid<dim>& grid() { return work.grids[0]; }
 
   Vec<dim> force(Index node)
@@ -67,7 +67,7 @@ SymTensor<dim> pressure(const Vec<dim>&)
 
 /// One particle in thirty is missing: every cell is nearly full, but not all alike.
 template <int dim>
-bool with_gaps(const Particle<dim>& p)
+bool with_gaps(const bodies::Particle<dim>& p)
 {
   return p.id % 30 != 5;
 }
@@ -81,7 +81,7 @@ TYPED_TEST_SUITE(FullCells, Dimensions);
 TYPED_TEST(FullCells, carry_a_uniform_stress_without_forces_inside_however_particles_lie)
 {
   constexpr int dim = TypeParam::value;
-  const auto largest_inside = [](Quadrature quadrature) {
+  const auto largest_inside = [](problem::Quadrature quadrature) {
     Uneven<dim> soil(quadrature, pressure<dim>, with_gaps<dim>);
     const auto boundary = boundary_flags(soil.mesh());
     Real largest = 0, at_boundary = 0;
@@ -91,15 +91,15 @@ TYPED_TEST(FullCells, carry_a_uniform_stress_without_forces_inside_however_parti
     }
     return largest / at_boundary;
   };
-  EXPECT_LT(largest_inside(Quadrature::full_cells), 1e-13);
-  EXPECT_GT(largest_inside(Quadrature::particles), 1e-2);
+  EXPECT_LT(largest_inside(problem::Quadrature::full_cells), 1e-13);
+  EXPECT_GT(largest_inside(problem::Quadrature::particles), 1e-2);
 }
 
 TYPED_TEST(FullCells, leave_the_cells_at_a_free_surface_to_their_particles)
 {
   constexpr int dim = TypeParam::value;
   const Real level = 0.5 * (shaken_box<dim>().lower[1] + shaken_box<dim>().upper[1]);
-  Uneven<dim> soil(Quadrature::full_cells, pressure<dim>, [&](const Particle<dim>& p) { return p.x[1] < level; });
+  Uneven<dim> soil(problem::Quadrature::full_cells, pressure<dim>, [&](const bodies::Particle<dim>& p) { return p.x[1] < level; });
   Index at_surface = 0, inside = 0;
   for (Index cell : soil.particles().occupied()) {
     bool cut = false, whole = true;
@@ -124,7 +124,7 @@ TYPED_TEST(FullCells, do_the_work_of_the_nodal_forces)
 {
   constexpr int dim = TypeParam::value;
   Uneven<dim> soil(
-      Quadrature::full_cells,
+      problem::Quadrature::full_cells,
       [](const Vec<dim>& x) {
         SymTensor<dim> stress{};
         for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = 1e3 * std::sin(k + 3 * x[0] - 2 * x[1]);
@@ -144,4 +144,4 @@ TYPED_TEST(FullCells, do_the_work_of_the_nodal_forces)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::mpm

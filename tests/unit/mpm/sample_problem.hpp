@@ -6,11 +6,11 @@
 
 #include "samples/sample_meshes.hpp"
 
-namespace berm {
+namespace berm::mpm {
 
-inline LinearElastic sample_solid(Real poisson_ratio = 0.3)
+inline material::LinearElastic sample_solid(Real poisson_ratio = 0.3)
 {
-  LinearElastic law;
+  material::LinearElastic law;
   law.density = 1500;
   law.young_modulus = 2e6;
   law.poisson_ratio = poisson_ratio;
@@ -18,10 +18,10 @@ inline LinearElastic sample_solid(Real poisson_ratio = 0.3)
 }
 
 /// Sand of the same stiffness, without cohesion and dilation.
-inline MohrCoulomb sample_sand()
+inline material::MohrCoulomb sample_sand()
 {
-  const LinearElastic solid = sample_solid();
-  MohrCoulomb law;
+  const material::LinearElastic solid = sample_solid();
+  material::MohrCoulomb law;
   law.density = solid.density;
   law.young_modulus = solid.young_modulus;
   law.poisson_ratio = solid.poisson_ratio;
@@ -31,23 +31,23 @@ inline MohrCoulomb sample_sand()
 
 /// One body that fills all regions of a mesh with n^dim particles a cell; no supports, no gravity, no rigid body.
 template <int dim>
-Problem<dim> problem_on(const Mesh<dim>& mesh, const Material& material, int particles_per_cell)
+problem::Problem<dim> problem_on(const mesh::Mesh<dim>& mesh, const material::Material& material, int particles_per_cell)
 {
-  Problem<dim> problem;
-  Model<dim>& model = problem.model;
+  problem::Problem<dim> problem;
+  problem::Model<dim>& model = problem.model;
   model.mesh = mesh;
   model.patches = make_patches(mesh, dim == 2 ? 1 : 2);
   model.bodies.push_back({"body", material, NodeField<Real>(mesh.node_count(), 0)});
   model.fixed.assign(1, NodeField<std::uint8_t>(mesh.node_count(), 0));
   model.fixed_in = {0};
-  model.mpm.quadrature = Quadrature::particles;
+  model.mpm.quadrature = problem::Quadrature::particles;
   model.gravity = Vec<dim>::Zero();
   model.gravity_ramp = model.surface = 0;
   model.stages.emplace_back();
   model.stages[0].until.time = infinity;
   model.driven = {none};
   model.main_rigid = none;
-  BodySettings body;
+  bodies::BodySettings body;
   body.regions = mesh.region_names;
   body.particles_per_cell = particles_per_cell;
   problem.state.particles.push_back(fill<dim>(mesh, "body", body, {density(material), 0, 0, state_size(material)}));
@@ -55,43 +55,43 @@ Problem<dim> problem_on(const Mesh<dim>& mesh, const Material& material, int par
 }
 
 template <int dim>
-Mesh<dim> criss_cross();
+mesh::Mesh<dim> criss_cross();
 template <>
-inline Mesh<2> criss_cross<2>()
+inline mesh::Mesh<2> criss_cross<2>()
 {
-  return make_box<2>(sample_box<2>(BoxPattern::criss_cross));
+  return make_box<2>(sample_box<2>(mesh::BoxPattern::criss_cross));
 }
 
 /// Calls change(block, lane) for each particle.
 template <int dim, class Change>
-void for_each_particle(Particles<dim>& particles, const Change& change)
+void for_each_particle(bodies::Particles<dim>& particles, const Change& change)
 {
   particles.visit([&](Index, Index b, int l) { change(particles.block(b), l); });
 }
 
 template <int dim>
-Vec<dim> position(const Block<dim>& block, int lane)
+Vec<dim> position(const bodies::Block<dim>& block, int lane)
 {
   Vec<dim> x;
   for (int d = 0; d < dim; ++d) x[d] = block.x[d][lane];
   return x;
 }
 template <int dim>
-Vec<dim> velocity(const Block<dim>& block, int lane)
+Vec<dim> velocity(const bodies::Block<dim>& block, int lane)
 {
   Vec<dim> v;
   for (int d = 0; d < dim; ++d) v[d] = block.v[d][lane];
   return v;
 }
 template <int dim>
-void set_velocity(Block<dim>& block, int lane, const Vec<dim>& v)
+void set_velocity(bodies::Block<dim>& block, int lane, const Vec<dim>& v)
 {
   for (int d = 0; d < dim; ++d) block.v[d][lane] = v[d];
 }
 
 /// Whether a node lies on a boundary of the mesh.
 template <int dim>
-NodeField<char> boundary_flags(const Mesh<dim>& mesh)
+NodeField<char> boundary_flags(const mesh::Mesh<dim>& mesh)
 {
   NodeField<char> flags(mesh.node_count(), 0);
   for (const auto& list : mesh.boundary_nodes)
@@ -108,4 +108,4 @@ Matrix<dim> random_matrix(std::mt19937& random)
   return m;
 }
 
-}  // namespace berm
+}  // namespace berm::mpm

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 template <class Dimension>
@@ -22,7 +22,7 @@ TYPED_TEST(TimeStep, is_courant_times_the_least_height_over_the_speeds_of_wave_a
   auto problem = problem_on<dim>(shaken_box<dim>(), sample_solid(0.2), 0);
   problem.model.mpm.courant = 0.4;
   // Only cells with particles count: the lowest one loses its particles.
-  const Mesh<dim>& mesh = problem.model.mesh;
+  const mesh::Mesh<dim>& mesh = problem.model.mesh;
   Index lowest = 0;
   for (Index cell = 1; cell < mesh.cell_count(); ++cell)
     if (mesh.height(cell) < mesh.height(lowest)) lowest = cell;
@@ -42,7 +42,7 @@ TYPED_TEST(TimeStep, is_courant_times_the_least_height_over_the_speeds_of_wave_a
   work.grids[0].moved_velocity[work.grids[0].nodes.back()] = 3 * Vec<dim>::UnitX() - 4 * Vec<dim>::UnitY();
   EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / (wave + 5)), 1, 1e-14);
 
-  problem.model.rigids.push_back({"pipe", make_shape<dim>(CircleSettings{std::vector<Real>(dim, 0), 0.5})});
+  problem.model.rigids.push_back({"pipe", make_shape<dim>(bodies::CircleSettings{std::vector<Real>(dim, 0), 0.5})});
   problem.state.rigids.emplace_back();
   problem.state.rigids[0].velocity = 7 * Vec<dim>::UnitX();
   EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / (wave + 7)), 1, 1e-14);
@@ -92,11 +92,11 @@ TYPED_TEST(TimeStep, of_less_than_a_thousandth_of_that_at_rest_ends_the_run_with
   };
   work.grids[0].moved_velocity[node] = 1010 * wave * Vec<dim>::UnitX();
   expect_refused(fmt::format("body \"body\" at the node at ({:.6g}, ", problem.model.mesh.position[node][0]));
-  problem.model.rigids.push_back({"pipe", make_shape<dim>(CircleSettings{std::vector<Real>(dim, 0), 0.5})});
+  problem.model.rigids.push_back({"pipe", make_shape<dim>(bodies::CircleSettings{std::vector<Real>(dim, 0), 0.5})});
   problem.state.rigids.emplace_back();
   problem.state.rigids[0].velocity = 2000 * wave * Vec<dim>::UnitX();
   expect_refused("rigid body \"pipe\"");
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::mpm

@@ -4,12 +4,12 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
-MohrCoulomb sand(Real dilation_angle)
+material::MohrCoulomb sand(Real dilation_angle)
 {
-  MohrCoulomb law = sample_sand();
+  material::MohrCoulomb law = sample_sand();
   law.dilation_angle = dilation_angle;
   return law;
 }
@@ -17,18 +17,18 @@ MohrCoulomb sand(Real dilation_angle)
 /// Soil without stress whose particles move as `velocity_at(x)` says, with the internal forces of its cells.
 template <int dim>
 struct Moving {
-  Problem<dim> problem;
+  problem::Problem<dim> problem;
   Work<dim> work;
 
   template <class Velocity>
-  Moving(const Material& material, bool project, const Velocity& velocity_at)
+  Moving(const material::Material& material, bool project, const Velocity& velocity_at)
       : problem(problem_on<dim>(shaken_box<dim>(), material, dim == 2 ? 9 : 8)),
         work(problem.model, problem.state)
   {
     problem.model.mpm.volumetric_projection = project;
     if (!project) problem.model.patches = make_patches(problem.model.mesh, 0);
-    Particles<dim>& particles = problem.state.particles[0];
-    for_each_particle(particles, [&](Block<dim>& p, int l) { set_velocity<dim>(p, l, velocity_at(position(p, l))); });
+    bodies::Particles<dim>& particles = problem.state.particles[0];
+    for_each_particle(particles, [&](bodies::Block<dim>& p, int l) { set_velocity<dim>(p, l, velocity_at(position(p, l))); });
     sum_moments(problem.model.mesh, particles, work.grids[0]);
     gather_mass_and_momentum(problem.model.mesh, work.grids[0]);
     find_viscous_stress(problem.model, particles, work.grids[0]);
@@ -46,7 +46,7 @@ struct Moving {
   Real power() const
   {
     Real sum = 0;
-    const Mesh<dim>& mesh = problem.model.mesh;
+    const mesh::Mesh<dim>& mesh = problem.model.mesh;
     for (Index cell = 0; cell < mesh.cell_count(); ++cell)
       for (int k = 0; k <= dim; ++k)
         sum += Eigen::Map<const Vec<dim>>(work.grids[0].corners[cell][k].sum).dot(work.grids[0].velocity[mesh.nodes[cell][k]]);
@@ -55,7 +55,7 @@ struct Moving {
   Real divergence(Index cell) const
   {
     Real sum = 0;
-    const Mesh<dim>& mesh = problem.model.mesh;
+    const mesh::Mesh<dim>& mesh = problem.model.mesh;
     for (int k = 0; k <= dim; ++k) sum += mesh.shape(cell).gradient(k).dot(work.grids[0].velocity[mesh.nodes[cell][k]]);
     return sum;
   }
@@ -79,8 +79,8 @@ TYPED_TEST(BulkViscosity, takes_out_the_power_of_viscous_stress_on_the_rate_of_v
 {
   constexpr int dim = TypeParam::value;
   const Moving<dim> soil(sand(0.5), false, swirl<dim>);
-  const Mesh<dim>& mesh = soil.problem.model.mesh;
-  const Real viscosity = 0.06 * std::sqrt(p_wave_modulus(Material(sand(0.5))) * 1500);
+  const mesh::Mesh<dim>& mesh = soil.problem.model.mesh;
+  const Real viscosity = 0.06 * std::sqrt(p_wave_modulus(material::Material(sand(0.5))) * 1500);
   Real taken_out = 0;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
     taken_out += viscosity * mesh.volume(cell) * mesh.height(cell) * std::pow(soil.divergence(cell), 2);
@@ -117,4 +117,4 @@ TYPED_TEST(BulkViscosity, is_not_in_elastic_bodies)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::mpm

@@ -5,20 +5,20 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 /// A body of half the mesh whose particles have masses, velocities, volumes and stresses at random.
 template <int dim>
 struct Random {
-  Problem<dim> problem;
+  problem::Problem<dim> problem;
   Work<dim> work;
 
   Random() : problem(make()), work(problem.model, problem.state)
   {
     std::mt19937 random(7);
     std::uniform_real_distribution<Real> number(-1, 1);
-    for_each_particle(particles(), [&](Block<dim>& p, int l) {
+    for_each_particle(particles(), [&](bodies::Block<dim>& p, int l) {
       for (int d = 0; d < dim; ++d) p.v[d][l] = number(random);
       for (int k = 0; k < tensor_size<dim>; ++k) p.stress[k][l] = number(random);
       p.mass[l] *= 2 + number(random);
@@ -26,22 +26,22 @@ struct Random {
     });
     state().dt = 0.01;
   }
-  static Problem<dim> make()
+  static problem::Problem<dim> make()
   {
-    Mesh<dim> mesh = shaken_box<dim>();
+    mesh::Mesh<dim> mesh = shaken_box<dim>();
     auto problem = problem_on<dim>(mesh, sample_solid(), 0);
     // Cells of the upper half become empty, and with them some nodes.
-    Particles<dim>& all = problem.state.particles[0];
+    bodies::Particles<dim>& all = problem.state.particles[0];
     for (Index cell = 0; cell < mesh.cell_count(); ++cell)
       while (mesh.centroid(cell)[1] > 0.8 && all.count_in(cell) > 0) all.take(cell, 0);
     all.sort_occupied();
     return problem;
   }
 
-  Particles<dim>& particles() { return problem.state.particles[0]; }
-  const Mesh<dim>& mesh() const { return problem.model.mesh; }
+  bodies::Particles<dim>& particles() { return problem.state.particles[0]; }
+  const mesh::Mesh<dim>& mesh() const { return problem.model.mesh; }
   BodyGrid<dim>& grid() { return work.grids[0]; }
-  State<dim>& state() { return problem.state; }
+  problem::State<dim>& state() { return problem.state; }
 
   void to_the_nodes(bool project)
   {
@@ -63,8 +63,8 @@ struct Random {
   void particle_by_particle(const Add& add)
   {
     particles().visit([&](Index cell, Index b, int l) {
-      const Block<dim>& p = particles().block(b);
-      const Shape<dim> shape = mesh().shape(cell);
+      const bodies::Block<dim>& p = particles().block(b);
+      const mesh::Shape<dim> shape = mesh().shape(cell);
       for (int k = 0; k <= dim; ++k) add(mesh().nodes[cell][k], shape.value(k, position(p, l)), shape.gradient(k), p, l);
     });
   }
@@ -83,7 +83,7 @@ TYPED_TEST(Transfer, nodes_get_the_mass_and_velocity_that_sums_over_particles_gi
   random.to_the_nodes(false);
   NodeField<Real> mass(random.mesh().node_count(), 0);
   NodeField<Vec<dim>> momentum(random.mesh().node_count(), Vec<dim>::Zero());
-  random.particle_by_particle([&](Index i, Real n, const Vec<dim>&, const Block<dim>& p, int l) {
+  random.particle_by_particle([&](Index i, Real n, const Vec<dim>&, const bodies::Block<dim>& p, int l) {
     mass[i] += p.mass[l] * n;
     momentum[i] += p.mass[l] * n * velocity(p, l);
   });
@@ -105,7 +105,7 @@ TYPED_TEST(Transfer, internal_forces_are_minus_the_sum_of_volume_stress_and_grad
   random.to_the_nodes(false);
   NodeField<Vec<dim>> force(random.mesh().node_count(), Vec<dim>::Zero());
   Real size = 0;
-  random.particle_by_particle([&](Index i, Real, const Vec<dim>& gradient, const Block<dim>& p, int l) {
+  random.particle_by_particle([&](Index i, Real, const Vec<dim>& gradient, const bodies::Block<dim>& p, int l) {
     for (int a = 0; a < dim; ++a)
       for (int b = 0; b < dim; ++b) force[i][a] -= p.volume[l] * p.stress[tensor_place(a, b)][l] * gradient[b];
     size = std::max(size, force[i].norm());
@@ -126,7 +126,7 @@ TYPED_TEST(Transfer, new_velocities_are_those_of_particles_that_took_the_nodes_a
 
   NodeField<Vec<dim>> momentum(random.mesh().node_count(), Vec<dim>::Zero());
   random.particles().visit([&](Index cell, Index b, int l) {
-    const Block<dim>& p = random.particles().block(b);
+    const bodies::Block<dim>& p = random.particles().block(b);
     const auto& nodes = random.mesh().nodes[cell];
     const Vec<dim> x = position(p, l);
     Vec<dim> v = velocity(p, l);
@@ -156,7 +156,7 @@ TYPED_TEST(Transfer, mass_and_momentum_of_the_nodes_are_those_of_the_particles)
   Real mass = 0, of_nodes = 0;
   Vec<dim> momentum = Vec<dim>::Zero(), momentum_of_nodes = Vec<dim>::Zero(), force = Vec<dim>::Zero();
   Real size = 0;
-  for_each_particle(random.particles(), [&](Block<dim>& p, int l) { mass += p.mass[l], momentum += p.mass[l] * velocity(p, l); });
+  for_each_particle(random.particles(), [&](bodies::Block<dim>& p, int l) { mass += p.mass[l], momentum += p.mass[l] * velocity(p, l); });
   for (Index i : random.grid().nodes) {
     of_nodes += random.grid().mass[i];
     momentum_of_nodes += random.grid().mass[i] * random.grid().velocity[i];
@@ -173,14 +173,14 @@ TYPED_TEST(Transfer, a_node_has_no_mass_where_round_off_is_all_of_it)
   constexpr int dim = TypeParam::value;
   for (const Real of_cell : {1e-13, 1e-6}) {  // what the node gets of the mass in the only cell with particles
     auto problem = problem_on<dim>(shaken_box<dim>(), sample_solid(), 0);
-    const Mesh<dim>& mesh = problem.model.mesh;
-    Particles<dim>& particles = problem.state.particles[0];
+    const mesh::Mesh<dim>& mesh = problem.model.mesh;
+    bodies::Particles<dim>& particles = problem.state.particles[0];
     for (Index cell = 1; cell < mesh.cell_count(); ++cell)
       while (particles.count_in(cell) > 0) particles.take(cell, 0);
     particles.sort_occupied();
     const auto& nodes = mesh.nodes[0];
     const Vec<dim> apex = mesh.position[nodes[0]], beside = (mesh.position[nodes[1]] + mesh.position[nodes[2]]) / 2;
-    for_each_particle(particles, [&](Block<dim>& p, int l) {
+    for_each_particle(particles, [&](bodies::Block<dim>& p, int l) {
       for (int d = 0; d < dim; ++d) p.x[d][l] = beside[d] + of_cell * (apex[d] - beside[d]);
     });
     Work<dim> work(problem.model, problem.state);
@@ -195,8 +195,8 @@ TYPED_TEST(Transfer, a_node_of_light_particles_beside_a_heavy_body_has_their_mas
 {
   constexpr int dim = TypeParam::value;
   auto problem = problem_on<dim>(shaken_box<dim>(), sample_solid(), 0);
-  const Mesh<dim>& mesh = problem.model.mesh;
-  Particles<dim>& particles = problem.state.particles[0];
+  const mesh::Mesh<dim>& mesh = problem.model.mesh;
+  bodies::Particles<dim>& particles = problem.state.particles[0];
   const Index node = mesh.nodes[0][0];
   particles.visit([&](Index cell, Index b, int l) {
     if (std::count(mesh.nodes[cell].begin(), mesh.nodes[cell].end(), node) > 0) particles.block(b).mass[l] *= 1e-12;
@@ -208,16 +208,16 @@ TYPED_TEST(Transfer, a_node_of_light_particles_beside_a_heavy_body_has_their_mas
 }
 
 template <int dim>
-void expect_no_force_of_a_uniform_stress(const Mesh<dim>& mesh)
+void expect_no_force_of_a_uniform_stress(const mesh::Mesh<dim>& mesh)
 {
   for (const bool project : {false, true})
     for (const int n : {1, 2, 3}) {
       auto problem = problem_on<dim>(mesh, sample_solid(), dim == 2 ? n * n : n * n * n);
       problem.model.mpm.volumetric_projection = project;
       Work<dim> work(problem.model, problem.state);
-      Particles<dim>& particles = problem.state.particles[0];
+      bodies::Particles<dim>& particles = problem.state.particles[0];
       const Real stress[6] = {-300, -500, -200, 120, 70, -90};
-      for_each_particle(particles, [&](Block<dim>& p, int l) {
+      for_each_particle(particles, [&](bodies::Block<dim>& p, int l) {
         for (int k = 0; k < tensor_size<dim>; ++k) p.stress[k][l] = stress[k];
       });
       sum_moments(mesh, particles, work.grids[0]);
@@ -250,4 +250,4 @@ TEST(UniformStress, makes_no_force_inside_an_irregular_mesh_of_tetrahedra)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::mpm

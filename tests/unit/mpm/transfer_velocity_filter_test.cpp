@@ -6,35 +6,35 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::mpm {
 namespace {
 
 /// Steps 1 to 9 of soil without stress and forces, so that only the filter changes velocities.
 template <int dim>
 struct Drifting {
-  Problem<dim> problem;
+  problem::Problem<dim> problem;
   Work<dim> work;
 
   template <class Velocity>
-  Drifting(const Material& material, const Velocity& velocity_at, Real filter = MpmSettings{}.velocity_filter)
+  Drifting(const material::Material& material, const Velocity& velocity_at, Real filter = problem::MpmSettings{}.velocity_filter)
       : problem(filtered(problem_on<dim>(shaken_box<dim>(), material, dim == 2 ? 9 : 8), filter)),
         work(problem.model, problem.state)
   {
     problem.model.mpm.volumetric_projection = false;
     problem.state.dt = 1e-3;  // a particle moves by some thousandths of a cell
-    for_each_particle(particles(), [&](Block<dim>& p, int l) { set_velocity<dim>(p, l, velocity_at(position<dim>(p, l))); });
+    for_each_particle(particles(), [&](bodies::Block<dim>& p, int l) { set_velocity<dim>(p, l, velocity_at(position<dim>(p, l))); });
   }
-  static Problem<dim> filtered(Problem<dim> made, Real filter)
+  static problem::Problem<dim> filtered(problem::Problem<dim> made, Real filter)
   {
     made.model.mpm.velocity_filter = filter;
     return made;
   }
-  Particles<dim>& particles() { return problem.state.particles[0]; }
+  bodies::Particles<dim>& particles() { return problem.state.particles[0]; }
   BodyGrid<dim>& grid() { return work.grids[0]; }
 
   void step()
   {
-    const Mesh<dim>& mesh = problem.model.mesh;
+    const mesh::Mesh<dim>& mesh = problem.model.mesh;
     sum_moments(mesh, particles(), grid());
     gather_mass_and_momentum(mesh, grid());
     smooth_velocities(mesh, particles(), grid());
@@ -80,7 +80,7 @@ TYPED_TEST(VelocityFilter, leaves_uniform_motion_alone)
   Drifting<dim> soil(sample_sand(), [](const Vec<dim>&) { return Vec<dim>(Vec<dim>::Constant(0.05)); });
   for (int n = 0; n < 20; ++n) soil.step();
   for_each_particle(soil.particles(),
-                    [](Block<dim>& p, int l) { EXPECT_NEAR((velocity<dim>(p, l) - Vec<dim>::Constant(0.05)).norm(), 0, 1e-12); });
+                    [](bodies::Block<dim>& p, int l) { EXPECT_NEAR((velocity<dim>(p, l) - Vec<dim>::Constant(0.05)).norm(), 0, 1e-12); });
 }
 
 TYPED_TEST(VelocityFilter, is_in_the_momentum_that_nodes_are_told)
@@ -112,4 +112,4 @@ TYPED_TEST(VelocityFilter, is_not_in_elastic_bodies)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::mpm

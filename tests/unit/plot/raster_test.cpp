@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::plot {
 namespace {
 
 constexpr Real digits = 1e-12;  // a few roundings of numbers near 1
@@ -51,4 +51,4 @@ TEST(Raster, as_text_has_a_line_a_row_from_the_lowest_up)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::plot

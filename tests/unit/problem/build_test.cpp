@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::problem {
 namespace {
 
 StageSettings rest()
@@ -46,7 +46,7 @@ TEST(Build, names_the_boundaries_there_are_when_one_is_unknown)
 TEST(Build, refuses_a_block_that_leaves_the_mesh)
 {
   Case c = pipe_over_box({rest()});
-  BlockSettings block;
+  bodies::BlockSettings block;
   block.center = {0, 0};
   block.size = {1, 1};
   block.spacing = 0.5;
@@ -58,30 +58,30 @@ TEST(Build, refuses_a_block_that_leaves_the_mesh)
 TEST(Build, fills_no_body_where_a_rigid_body_is_that_it_has_a_contact_with)
 {
   Case c = pipe_over_box({rest()});
-  std::get<CircleSettings>(c.rigid[0].second.shape).center[1] = 1;
+  std::get<bodies::CircleSettings>(c.rigid[0].second.shape).center[1] = 1;
   const auto least_distance = [&] {
     const auto problem = build<2>(c, ".", ".");
     Real least = infinity;
     problem.state.particles[0].visit([&](Index, Index b, int l) {
-      const Block<2>& p = problem.state.particles[0].block(b);
+      const bodies::Block<2>& p = problem.state.particles[0].block(b);
       least = std::min(least, surface_at<2>(problem.model.rigids[0].shape, Vec<2>(p.x[0][l], p.x[1][l])).distance);
     });
     return least;
   };
   EXPECT_LT(least_distance(), 0);
-  ContactSettings skin;
+  contact::ContactSettings skin;
   skin.body = "bed";
   skin.rigid = "pipe";
   c.contact = {{"skin", skin}};
   EXPECT_GE(least_distance(), 0);
-  std::get<CircleSettings>(c.rigid[0].second.shape).diameter = 10;
+  std::get<bodies::CircleSettings>(c.rigid[0].second.shape).diameter = 10;
   EXPECT_EQ(message_of(c), "body.bed: its regions have no cells outside the rigid bodies, so it has no particles");
 }
 
 TEST(Build, gives_a_rigid_body_that_turns_the_inertia_of_a_solid_or_its_own)
 {
   Case c = pipe_over_box({rest()});
-  c.rigid[0].second.rotation = Rotation::free;
+  c.rigid[0].second.rotation = bodies::Rotation::free;
   const auto inertia = [&] { return build<2>(c, ".", ".").model.rigids[0].inertia; };
   EXPECT_NEAR(inertia(), 2 * 0.2 * 0.2 / 2, 1e-15);  // m R^2 / 2
   c.rigid[0].second.moment_of_inertia = 3;
@@ -102,7 +102,7 @@ TEST(Build, holds_the_nodes_of_a_boundary_in_the_directions_named)
 TEST(Build, starts_at_rest_with_the_momentum_of_the_particles)
 {
   Case c = pipe_over_box({rest()});
-  InitialVelocity motion;
+  bodies::InitialVelocity motion;
   motion.amplitude = {0.5, -0.25};
   c.body[0].second.initial_velocity = {motion};
   const auto state = build<2>(c, ".", ".").state;
@@ -116,7 +116,7 @@ TEST(Build, looks_contacts_and_watched_points_up)
 {
   Case c = pipe_over_box({rest()});
   c.body.push_back({"second", c.body[0].second});
-  ContactSettings contact;
+  contact::ContactSettings contact;
   contact.body = "second";
   contact.rigid = "pipe";
   contact.friction_angle = pi / 6;
@@ -166,4 +166,4 @@ TEST(MainRigid, is_the_first_that_a_stage_names_else_the_first_there_is)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::problem

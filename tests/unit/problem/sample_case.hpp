@@ -4,7 +4,7 @@
 #include "problem/model.hpp"
 #include "problem/stages.hpp"
 
-namespace berm {
+namespace berm::problem {
 
 inline StageSettings stage_of(StageKind kind, const char* name = "stage")
 {
@@ -19,25 +19,25 @@ inline StageSettings stage_of(StageKind kind, const char* name = "stage")
 inline Case pipe_over_box(std::vector<StageSettings> stages)
 {
   Case c;
-  BoxMesh box;
+  mesh::BoxMesh box;
   box.size = {2, 2};
   box.cells = {4, 4};
   c.mesh = box;
   c.surface = 1;
-  LinearElastic law;
+  material::LinearElastic law;
   law.density = 1000;
   law.young_modulus = 1e6;
   c.material = {{"solid", law}};
-  BodySettings body;
+  bodies::BodySettings body;
   body.material = "solid";
   body.regions = {"box"};
   c.body = {{"bed", body}};
-  RigidSettings pipe;
-  pipe.shape = CircleSettings{{1, 1.3}, 0.4};
+  bodies::RigidSettings pipe;
+  pipe.shape = bodies::CircleSettings{{1, 1.3}, 0.4};
   pipe.mass = 2;
   c.rigid = {{"pipe", pipe}};
   c.stage = std::move(stages);
   return c;
 }
 
-}  // namespace berm
+}  // namespace berm::problem

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::problem {
 namespace {
 
 constexpr Real dt = 1e-3;
@@ -11,7 +11,7 @@ constexpr Real dt = 1e-3;
 /// The rigid body of a problem alone: the soil's force on it is whatever the test says.
 struct Driver {
   Problem<2> problem;
-  RigidState<2>& pipe;
+  bodies::RigidState<2>& pipe;
 
   explicit Driver(std::vector<StageSettings> stages)
       : problem(build<2>(pipe_over_box(std::move(stages)), ".", ".")),
@@ -268,14 +268,14 @@ Case free_pipe(std::vector<StageSettings> stages)
 {
   Case c = pipe_over_box(std::move(stages));
   c.gravity = {3, -10};
-  c.rigid[0].second.motion = Motion::free;
+  c.rigid[0].second.motion = bodies::Motion::free;
   return c;
 }
 
 TEST(FreeBody, moves_by_its_weight_and_the_force_of_the_soil)
 {
   auto problem = build<2>(free_pipe({stage_of(StageKind::free)}), ".", ".");
-  RigidState<2>& pipe = problem.state.rigids[0];
+  bodies::RigidState<2>& pipe = problem.state.rigids[0];
   pipe.velocity = {1, 2};
   pipe.reaction = {8, 12};  // 4 and 6 m/s2 of its 2 kg/m
   drive_rigids(problem.model, problem.state, dt);
@@ -286,7 +286,7 @@ TEST(FreeBody, moves_by_its_weight_and_the_force_of_the_soil)
 TEST(FreeBody, rests_in_a_geostatic_stage_and_follows_the_drive_of_a_stage)
 {
   auto problem = build<2>(free_pipe({stage_of(StageKind::geostatic), drag(0.2)}), ".", ".");
-  RigidState<2>& pipe = problem.state.rigids[0];
+  bodies::RigidState<2>& pipe = problem.state.rigids[0];
   pipe.reaction = pipe.smooth_reaction = {8, 12};
   drive_rigids(problem.model, problem.state, dt);
   EXPECT_EQ(pipe.velocity, Vec<2>(0, 0));
@@ -299,7 +299,7 @@ TEST(FreeBody, rests_in_a_geostatic_stage_and_follows_the_drive_of_a_stage)
 TEST(FreeBody, gets_the_work_of_its_weight_from_outside_and_that_of_the_soil_from_within)
 {
   auto problem = build<2>(free_pipe({stage_of(StageKind::free)}), ".", ".");
-  RigidState<2>& pipe = problem.state.rigids[0];
+  bodies::RigidState<2>& pipe = problem.state.rigids[0];
   Real of_weight = 0;
   for (int n = 0; n < 100; ++n) {
     pipe.reaction = {5. + n, 40. - n};
@@ -314,7 +314,7 @@ TEST(FreeBody, gets_the_work_of_its_weight_from_outside_and_that_of_the_soil_fro
 TEST(FreeBody, gets_its_kinetic_energy_from_a_drive_and_loses_it_where_it_is_stopped)
 {
   auto problem = build<2>(free_pipe({drag(0.2, 0.1), stage_of(StageKind::geostatic)}), ".", ".");
-  RigidState<2>& pipe = problem.state.rigids[0];
+  bodies::RigidState<2>& pipe = problem.state.rigids[0];
   for (int n = 0; n < 150; ++n) {
     drive_rigids(problem.model, problem.state, dt);
     problem.state.time += dt;
@@ -330,9 +330,9 @@ TEST(FreeBody, gets_its_kinetic_energy_from_a_drive_and_loses_it_where_it_is_sto
 TEST(FreeRotation, follows_the_moment_of_the_soil_and_the_inertia)
 {
   Case c = pipe_over_box({drag(0.2), stage_of(StageKind::free)});
-  c.rigid[0].second.rotation = Rotation::free;
+  c.rigid[0].second.rotation = bodies::Rotation::free;
   auto problem = build<2>(c, ".", ".");
-  RigidState<2>& pipe = problem.state.rigids[0];
+  bodies::RigidState<2>& pipe = problem.state.rigids[0];
   pipe.torque = 0.3;
   drive_rigids(problem.model, problem.state, dt);
   EXPECT_NEAR(pipe.spin, dt * 0.3 / (2 * 0.2 * 0.2 / 2), 1e-15);
@@ -387,4 +387,4 @@ TEST(Gravity, grows_from_nothing_over_its_ramp)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::problem

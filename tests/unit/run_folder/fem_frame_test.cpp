@@ -5,23 +5,23 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 /// A block whose stress (Pa) and strain are linear in the place.
 struct Stressed {
-  FemProblem problem = fem_problem_of(plate_on_block(elastic_soil()));
+  fem::FemProblem problem = fem_problem_of(plate_on_block(elastic_soil()));
 
   static Real field(int component, const Vec<2>& x) { return 100 * (component + 1) - 30 * x[0] * component + 50 * x[1]; }
 
   Stressed()
   {
-    const QuadraticMesh& mesh = problem.model.mesh;
+    const fem::QuadraticMesh& mesh = problem.model.mesh;
     for (Index cell = 0; cell < mesh.cell_count(); ++cell)
-      for (int q = 0; q < triangle_points; ++q) {
+      for (int q = 0; q < fem::triangle_points; ++q) {
         Vec<2> x = Vec<2>::Zero();
         for (int k = 0; k < 6; ++k) x += problem.model.shape[cell][q].value[k] * mesh.positions_of(cell)[k];
-        SoilPoint& point = problem.state.points[cell][q];
+        fem::SoilPoint& point = problem.state.points[cell][q];
         for (int k = 0; k < 4; ++k) point.stress[k] = field(k, x);
         point.deviatoric_strain = field(0, x) / 1000;
       }
@@ -32,7 +32,7 @@ TEST(FemFrame, draws_linear_fields_out_to_the_nodes_exactly)
 {
   Stressed s;
   const Frame<2> frame = FemFrameMaker(s.problem.model).make(s.problem.state);
-  const QuadraticMesh& mesh = s.problem.model.mesh;
+  const fem::QuadraticMesh& mesh = s.problem.model.mesh;
   ASSERT_EQ(static_cast<Index>(frame.particles.size()), mesh.node_count());
   ASSERT_EQ(static_cast<Index>(frame.triangles.size()), mesh.cell_count());
   for (Index node = 0; node < mesh.node_count(); ++node) {
@@ -76,4 +76,4 @@ TEST(FemFrame, nodes_share_the_area_of_the_soil)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -7,21 +7,21 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 /// A square of 0.2 m in the middle of a box of 0.4 m with 16 x 16 squares: cells of nine particles, or two halves that are two bodies.
-Problem<2> block_in_box(int bodies = 1)
+problem::Problem<2> block_in_box(int bodies = 1)
 {
-  Problem<2> problem{};
-  problem.model.mesh = make_box<2>(BoxMesh{.lower = {-0.2, -0.2}, .size = {0.4, 0.4}, .cells = {16, 16}});
+  problem::Problem<2> problem{};
+  problem.model.mesh = make_box<2>(mesh::BoxMesh{.lower = {-0.2, -0.2}, .size = {0.4, 0.4}, .cells = {16, 16}});
   problem.model.bodies.resize(bodies);
   for (int b = 0; b < bodies; ++b) {
-    BlockSettings block;
+    bodies::BlockSettings block;
     block.center = {bodies == 1 ? 0 : -0.05 + 0.1 * b, 0};
     block.size = {0.2 / bodies, 0.2};
     block.spacing = 0.025 / 4;
-    BodySettings body;
+    bodies::BodySettings body;
     body.block = block;
     problem.state.particles.push_back(fill<2>(problem.model.mesh, "block", body, {1000, 0, 0, 0}));
   }
@@ -30,13 +30,13 @@ Problem<2> block_in_box(int bodies = 1)
 
 /// Takes all particles of a body to where `place` says, and to the cells that hold them there.
 template <class Place>
-void take_to(Problem<2>& problem, std::size_t body, const Place& place)
+void take_to(problem::Problem<2>& problem, std::size_t body, const Place& place)
 {
-  Particles<2>& particles = problem.state.particles[body];
-  std::vector<Particle<2>> all;
+  bodies::Particles<2>& particles = problem.state.particles[body];
+  std::vector<bodies::Particle<2>> all;
   for (Index cell = 0; cell < problem.model.mesh.cell_count(); ++cell)
     while (particles.count_in(cell) > 0) all.push_back(particles.take(cell, 0));
-  for (Particle<2>& p : all) {
+  for (bodies::Particle<2>& p : all) {
     p.x = place(p);
     particles.insert(locate(problem.model.mesh, p.x, 0).cell, p);
   }
@@ -56,11 +56,11 @@ constexpr Real rounding = 1e-13;
 
 TEST(FrameMaker, a_block_that_moves_and_turns_has_no_strain)
 {
-  Problem<2> problem = block_in_box();
+  problem::Problem<2> problem = block_in_box();
   FrameMaker<2> maker(problem.model, problem.state);
-  take_to(problem, 0, [](const Particle<2>& p) { return Vec<2>(p.x + Vec<2>(0.03, -0.02)); });
+  take_to(problem, 0, [](const bodies::Particle<2>& p) { return Vec<2>(p.x + Vec<2>(0.03, -0.02)); });
   expect_strain(maker.make(problem.state), 0, 0, rounding);
-  take_to(problem, 0, [](const Particle<2>& p) { return Vec<2>(-p.x[1], p.x[0]); });
+  take_to(problem, 0, [](const bodies::Particle<2>& p) { return Vec<2>(-p.x[1], p.x[0]); });
   const Frame<2> frame = maker.make(problem.state);
   expect_strain(frame, 0, 0, rounding);
   EXPECT_GT(frame.particles[0].displacement.norm(), 0.1);
@@ -68,11 +68,11 @@ TEST(FrameMaker, a_block_that_moves_and_turns_has_no_strain)
 
 TEST(FrameMaker, a_sheared_block_has_the_strain_of_the_whole_shear_and_of_that_since_the_frame_before)
 {
-  Problem<2> problem = block_in_box();
+  problem::Problem<2> problem = block_in_box();
   FrameMaker<2> maker(problem.model, problem.state);
   const auto exact = [](Real gamma) { return 2 / std::sqrt(3.) * std::asinh(gamma / 2); };
   const auto shear = [&](Real gamma) {
-    take_to(problem, 0, [&](const Particle<2>& p) { return Vec<2>(p.x[0] + gamma * p.x[1], p.x[1]); });
+    take_to(problem, 0, [&](const bodies::Particle<2>& p) { return Vec<2>(p.x[0] + gamma * p.x[1], p.x[1]); });
   };
   shear(0.5);
   expect_strain(maker.make(problem.state), exact(0.5), exact(0.5), rounding);
@@ -84,15 +84,15 @@ TEST(FrameMaker, a_sheared_block_has_the_strain_of_the_whole_shear_and_of_that_s
 
 TEST(FrameMaker, bodies_that_slide_past_each_other_have_no_strain)
 {
-  Problem<2> problem = block_in_box(2);
+  problem::Problem<2> problem = block_in_box(2);
   FrameMaker<2> maker(problem.model, problem.state);
-  take_to(problem, 1, [](const Particle<2>& p) { return Vec<2>(p.x + Vec<2>(0, 0.07)); });
+  take_to(problem, 1, [](const bodies::Particle<2>& p) { return Vec<2>(p.x + Vec<2>(0, 0.07)); });
   expect_strain(maker.make(problem.state), 0, 0, rounding);
 }
 
 TEST(FrameMaker, grains_that_are_thrown_leave_finite_numbers_and_the_soil_away_from_them_without_strain)
 {
-  Problem<2> problem = block_in_box();
+  problem::Problem<2> problem = block_in_box();
   FrameMaker<2> maker(problem.model, problem.state);
   const Vec<2> corner(-0.1, 0.1), there(0.15, 0.15);
   const auto close = [&](const FrameParticle<2>& f) {
@@ -100,7 +100,7 @@ TEST(FrameMaker, grains_that_are_thrown_leave_finite_numbers_and_the_soil_away_f
   };
   std::int32_t thrown = none;
   for (int frames = 0; frames < 2; ++frames) {
-    take_to(problem, 0, [&](const Particle<2>& p) {
+    take_to(problem, 0, [&](const bodies::Particle<2>& p) {
       if (thrown == none && (p.x - corner).norm() < 0.025) thrown = p.id;
       return p.id == thrown ? Vec<2>(there + 1e-3 * frames * Vec<2>::Ones()) : p.x;
     });
@@ -119,20 +119,20 @@ TEST(FrameMaker, grains_that_are_thrown_leave_finite_numbers_and_the_soil_away_f
 }
 
 /// A bed of sand, 0.4 m wide and 0.2 m deep, at rest under its weight.
-Case bed_at_rest()
+problem::Case bed_at_rest()
 {
-  Case c;
+  problem::Case c;
   c.gravity = {0, -10};
-  c.mesh = BoxMesh{.lower = {-0.2, -0.2}, .size = {0.4, 0.4}, .cells = {16, 16}};
-  MohrCoulomb sand;
+  c.mesh = mesh::BoxMesh{.lower = {-0.2, -0.2}, .size = {0.4, 0.4}, .cells = {16, 16}};
+  material::MohrCoulomb sand;
   sand.density = 1600;
   sand.young_modulus = 1e7;
   sand.poisson_ratio = 0.3;
   sand.friction_angle = 0.6;
   c.material = {{"sand", sand}};
-  BodySettings bed;
+  bodies::BodySettings bed;
   bed.material = "sand";
-  BlockSettings block;
+  bodies::BlockSettings block;
   block.center = {0, -0.1};
   block.size = {0.4, 0.2};
   block.spacing = 0.025 / 4;
@@ -140,12 +140,12 @@ Case bed_at_rest()
   bed.k0 = 0.43;
   c.body = {{"bed", bed}};
   for (const char* side : {"left", "right", "bottom"}) {
-    SupportSettings support;
+    boundary::SupportSettings support;
     support.boundary = side;
     support.fixed = {side == std::string("bottom") ? "y" : "x"};
     c.support.emplace_back(side, support);
   }
-  StageSettings stage;
+  problem::StageSettings stage;
   stage.until.time = 10;
   c.stage = {stage};
   return c;
@@ -155,10 +155,10 @@ Case bed_at_rest()
 // at the bottom of an elastic bed, twice that where it is put on at once. 1e-3 leaves room for the cell at the surface.
 TEST(FrameMaker, a_bed_at_rest_has_no_strain_however_long_it_rests)
 {
-  const Case c = bed_at_rest();
-  Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
+  const problem::Case c = bed_at_rest();
+  problem::Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
   FrameMaker<2> maker(problem.model, problem.state);
-  Work<2> work(problem.model, problem.state);
+  mpm::Work<2> work(problem.model, problem.state);
   for (int frames = 0; frames < 4; ++frames) {
     for (int n = 0; n < 1500; ++n) step(problem.model, problem.state, work);
     Real most = 0, most_increment = 0;
@@ -172,4 +172,4 @@ TEST(FrameMaker, a_bed_at_rest_has_no_strain_however_long_it_rests)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::run_folder

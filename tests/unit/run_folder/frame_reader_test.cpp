@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 std::string refusal_of(const std::filesystem::path& file)
@@ -24,8 +24,8 @@ std::string refusal_of(const std::filesystem::path& file)
 template <int dim>
 struct WrittenFrames {
   TemporaryFolder folder;
-  Problem<dim> problem = sample_problem<dim>();
-  SampleFrames<dim> frames{folder.path, problem};
+  problem::Problem<dim> problem = sample_problem<dim>();
+  SampleFrames<dim> frames{folder.path(), problem};
   WrittenFrames()
   {
     frames.write(problem.state);
@@ -44,7 +44,7 @@ TYPED_TEST(FrameReaderIn, soil_reads_back_as_it_was_written)
 {
   constexpr int dim = TypeParam::value;
   const WrittenFrames<dim> written;
-  const std::vector<FrameFiles> files = frame_files(written.folder.path);
+  const std::vector<FrameFiles> files = frame_files(written.folder.path());
   ASSERT_EQ(files.size(), 2u);
   EXPECT_EQ(files[0].time, 0);
   EXPECT_EQ(files[1].time, 0.1 + 0.2);
@@ -53,7 +53,7 @@ TYPED_TEST(FrameReaderIn, soil_reads_back_as_it_was_written)
   ASSERT_EQ(soil.x.size(), particles.size());
   EXPECT_TRUE(soil.triangles.empty());
   for (std::size_t k = 0; k < particles.size(); ++k) {
-    const Particle<dim>& p = particles[k].particle;
+    const bodies::Particle<dim>& p = particles[k].particle;
     EXPECT_EQ(soil.x[k], static_cast<float>(p.x[0]));
     EXPECT_EQ(soil.y[k], static_cast<float>(p.x[1]));
     EXPECT_EQ(soil.z[k], dim == 3 ? static_cast<float>(p.x[dim - 1]) : 0);
@@ -72,7 +72,7 @@ TYPED_TEST(FrameReaderIn, rigid_bodies_read_back_with_their_cells)
 {
   constexpr int dim = TypeParam::value;
   const WrittenFrames<dim> written;
-  const SavedRigids rigids = read_rigids(frame_files(written.folder.path)[0].rigid);
+  const SavedRigids rigids = read_rigids(frame_files(written.folder.path())[0].rigid);
   std::size_t cell = 0, first = 0;
   for (std::size_t r = 0; r < 3; ++r) {
     const RigidSurface<dim>& surface = written.frames.last().rigids[r].surface;
@@ -99,8 +99,8 @@ TYPED_TEST(FrameReaderIn, rigid_bodies_read_back_with_their_cells)
 TEST(FrameReader, triangles_read_back)
 {
   const TemporaryFolder folder;
-  FrameWriter<2>(folder.path, sample_problem<2>().model.mesh).write(two_triangles());
-  const std::vector<FrameFiles> files = frame_files(folder.path);
+  FrameWriter<2>(folder.path(), sample_problem<2>().model.mesh).write(two_triangles());
+  const std::vector<FrameFiles> files = frame_files(folder.path());
   ASSERT_EQ(files.size(), 1u);
   EXPECT_TRUE(files[0].rigid.empty());
   const SavedSoil soil = read_soil(files[0].soil);
@@ -115,23 +115,23 @@ TEST(FrameReader, triangles_read_back)
 TEST(FrameReader, without_a_collection_there_are_no_frames)
 {
   const TemporaryFolder folder;
-  EXPECT_TRUE(frame_files(folder.path).empty());
-  EXPECT_TRUE(frame_files(folder.path / "nowhere").empty());
+  EXPECT_TRUE(frame_files(folder.path()).empty());
+  EXPECT_TRUE(frame_files(folder.path() / "nowhere").empty());
 }
 
 TEST(FrameReader, missing_file_is_named)
 {
   const TemporaryFolder folder;
-  EXPECT_NE(refusal_of(folder.path / "particles_0007.vtu").find("particles_0007.vtu"), std::string::npos);
-  std::filesystem::create_directory(folder.path / "rigid_0001.vtu");
-  EXPECT_NE(refusal_of(folder.path / "rigid_0001.vtu").find("rigid_0001.vtu"), std::string::npos);
+  EXPECT_NE(refusal_of(folder.path() / "particles_0007.vtu").find("particles_0007.vtu"), std::string::npos);
+  std::filesystem::create_directory(folder.path() / "rigid_0001.vtu");
+  EXPECT_NE(refusal_of(folder.path() / "rigid_0001.vtu").find("rigid_0001.vtu"), std::string::npos);
 }
 
 TEST(FrameReader, file_cut_off_anywhere_is_refused_with_its_name)
 {
   const WrittenFrames<2> written;
   for (const char* name : {"particles_0001.vtu", "rigid_0001.vtu"}) {
-    const std::filesystem::path file = written.folder.path / name;
+    const std::filesystem::path file = written.folder.path() / name;
     const std::string whole = content_of(file);
     ASSERT_EQ(refusal_of(file), "");
     for (std::size_t length = 0; length < whole.size(); length += 97) {
@@ -146,7 +146,7 @@ TEST(FrameReader, file_cut_off_anywhere_is_refused_with_its_name)
 TEST(FrameReader, file_without_its_middle_is_refused)
 {
   const WrittenFrames<2> written;
-  const std::filesystem::path file = written.folder.path / "particles_0001.vtu";
+  const std::filesystem::path file = written.folder.path() / "particles_0001.vtu";
   const std::string whole = content_of(file);
   const std::size_t data = whole.find("<AppendedData");
   for (std::size_t at = data + 40; at + 200 < whole.size(); at += 97) {
@@ -158,7 +158,7 @@ TEST(FrameReader, file_without_its_middle_is_refused)
 TEST(FrameReader, offsets_and_sizes_beyond_the_file_are_refused)
 {
   const WrittenFrames<2> written;
-  const std::filesystem::path file = written.folder.path / "particles_0001.vtu";
+  const std::filesystem::path file = written.folder.path() / "particles_0001.vtu";
   const std::string whole = content_of(file);
   const auto with = [&](const std::string& what, const std::string& instead) {
     const std::size_t at = whole.find(what);
@@ -188,8 +188,8 @@ TEST(FrameReader, offsets_and_sizes_beyond_the_file_are_refused)
 TEST(FrameReader, cell_with_points_that_are_not_there_is_refused)
 {
   const TemporaryFolder folder;
-  FrameWriter<2>(folder.path, sample_problem<2>().model.mesh).write(two_triangles());
-  const std::filesystem::path file = folder.path / "soil_0000.vtu";
+  FrameWriter<2>(folder.path(), sample_problem<2>().model.mesh).write(two_triangles());
+  const std::filesystem::path file = folder.path() / "soil_0000.vtu";
   const std::string whole = content_of(file), mark = "<AppendedData encoding=\"raw\">\n_";
   const std::size_t connectivity = whole.find(mark) + mark.size() + 16 + 8 + 9 * 24 + 8, offsets = connectivity + 12 * 8 + 8;
   for (const auto& [place, value] : std::vector<std::pair<std::size_t, std::int64_t>>{
@@ -204,12 +204,12 @@ TEST(FrameReader, cell_with_points_that_are_not_there_is_refused)
 TEST(FrameReader, coordinate_that_is_no_number_is_refused)
 {
   WrittenFrames<2> written;
-  Particle<2> p = written.problem.state.particles[0].take(0, 0);
+  bodies::Particle<2> p = written.problem.state.particles[0].take(0, 0);
   p.x[1] = std::numeric_limits<Real>::quiet_NaN();
   written.problem.state.particles[0].insert(0, p);
   written.problem.state.time = 1;
   written.frames.write(written.problem.state);
-  EXPECT_NE(refusal_of(written.folder.path / "particles_0002.vtu").find("nowhere"), std::string::npos);
+  EXPECT_NE(refusal_of(written.folder.path() / "particles_0002.vtu").find("nowhere"), std::string::npos);
 }
 
 TEST(FrameReader, flipped_bits_are_read_as_some_numbers_or_refused)
@@ -217,7 +217,7 @@ TEST(FrameReader, flipped_bits_are_read_as_some_numbers_or_refused)
   const WrittenFrames<2> written;
   std::mt19937 random(1);
   for (const char* name : {"particles_0001.vtu", "rigid_0001.vtu"}) {
-    const std::filesystem::path file = written.folder.path / name;
+    const std::filesystem::path file = written.folder.path() / name;
     const std::string whole = content_of(file);
     const std::size_t header = whole.find("<AppendedData");
     for (int attempt = 0; attempt < 3000; ++attempt) {
@@ -234,12 +234,12 @@ TEST(FrameReader, flipped_bits_are_read_as_some_numbers_or_refused)
 TEST(FrameReader, collection_that_is_damaged_is_refused_with_its_name)
 {
   const WrittenFrames<2> written;
-  const std::filesystem::path file = written.folder.path / "frames.pvd";
+  const std::filesystem::path file = written.folder.path() / "frames.pvd";
   const std::string whole = content_of(file);
   const auto refused = [&](const std::string& content) {
     put(file, content);
     try {
-      frame_files(written.folder.path);
+      frame_files(written.folder.path());
     } catch (const RunError& error) {
       return std::string(error.what()).find("frames.pvd") != std::string::npos;
     }
@@ -257,4 +257,4 @@ TEST(FrameReader, collection_that_is_damaged_is_refused_with_its_name)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::run_folder

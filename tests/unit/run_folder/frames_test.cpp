@@ -8,7 +8,7 @@
 #include <map>
 #include <regex>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 /// A .vtu file read back without the writer's code: the arrays by name, their types, and whether the blocks lie end to end.
@@ -65,13 +65,13 @@ struct ReadVtu {
 };
 
 template <int dim>
-void move_all(Problem<dim>& problem, const Vec<dim>& by, Real strain)
+void move_all(problem::Problem<dim>& problem, const Vec<dim>& by, Real strain)
 {
   for (auto& particles : problem.state.particles)
     for (Index cell = 0; cell < problem.model.mesh.cell_count(); ++cell) {
-      std::vector<Particle<dim>> taken;
+      std::vector<bodies::Particle<dim>> taken;
       while (particles.count_in(cell) > 0) taken.push_back(particles.take(cell, 0));
-      for (Particle<dim>& p : taken) {
+      for (bodies::Particle<dim>& p : taken) {
         p.x += by;
         p.deviatoric_strain += strain;
         particles.insert(cell, p);
@@ -89,15 +89,15 @@ TYPED_TEST(FramesIn, particles_read_back_by_body_then_id_with_every_field)
 {
   constexpr int dim = TypeParam::value;
   const TemporaryFolder folder;
-  Problem<dim> problem = sample_problem<dim>();
-  SampleFrames<dim> frames(folder.path / "frames", problem);
+  problem::Problem<dim> problem = sample_problem<dim>();
+  SampleFrames<dim> frames(folder.path() / "frames", problem);
   frames.write(problem.state);
   const Vec<dim> by = Vec<dim>::Constant(0.001);
   move_all<dim>(problem, by, 0.25);
   problem.state.time = 1.5;
   frames.write(problem.state);
 
-  const ReadVtu vtu(folder.path / "frames" / "particles_0001.vtu");
+  const ReadVtu vtu(folder.path() / "frames" / "particles_0001.vtu");
   const int count = problem.state.particles[0].size() + problem.state.particles[1].size();
   EXPECT_TRUE(vtu.tight);
   ASSERT_EQ(vtu.points, count);
@@ -135,10 +135,10 @@ TYPED_TEST(FramesIn, positions_are_exact_and_the_mesh_is_there)
 {
   constexpr int dim = TypeParam::value;
   const TemporaryFolder folder;
-  const Problem<dim> problem = sample_problem<dim>();
-  SampleFrames<dim> frames(folder.path, problem);
+  const problem::Problem<dim> problem = sample_problem<dim>();
+  SampleFrames<dim> frames(folder.path(), problem);
   frames.write(problem.state);
-  const ReadVtu particles(folder.path / "particles_0000.vtu"), mesh(folder.path / "mesh.vtu");
+  const ReadVtu particles(folder.path() / "particles_0000.vtu"), mesh(folder.path() / "mesh.vtu");
   const auto x = particles.numbers<double>("Points");
   for (std::size_t k = 0; k < frames.last().particles.size(); ++k)
     for (int d = 0; d < 3; ++d) EXPECT_EQ(x[3 * k + d], d < dim ? frames.last().particles[k].particle.x[d] : 0);
@@ -153,11 +153,11 @@ TYPED_TEST(FramesIn, rigid_bodies_move_with_their_displacement)
 {
   constexpr int dim = TypeParam::value;
   const TemporaryFolder folder;
-  Problem<dim> problem = sample_problem<dim>();
-  SampleFrames<dim> frames(folder.path, problem);
+  problem::Problem<dim> problem = sample_problem<dim>();
+  SampleFrames<dim> frames(folder.path(), problem);
   problem.state.rigids[0].displacement[0] = 0.03;
   frames.write(problem.state);
-  const ReadVtu vtu(folder.path / "rigid_0000.vtu");
+  const ReadVtu vtu(folder.path() / "rigid_0000.vtu");
   EXPECT_TRUE(vtu.tight);
   const auto x = vtu.numbers<double>("Points");
   const auto rigid = vtu.numbers<std::int32_t>("rigid");
@@ -172,20 +172,20 @@ TYPED_TEST(FramesIn, the_collection_lists_every_frame_and_every_file_it_lists_is
 {
   constexpr int dim = TypeParam::value;
   const TemporaryFolder folder;
-  Problem<dim> problem = sample_problem<dim>();
-  SampleFrames<dim> frames(folder.path, problem);
+  problem::Problem<dim> problem = sample_problem<dim>();
+  SampleFrames<dim> frames(folder.path(), problem);
   for (int k = 0; k < 3; ++k) {
     problem.state.time = 0.125 * k;
     frames.write(problem.state);
     frames.write(problem.state);  // the same time: nothing new
     EXPECT_EQ(frames.count(), static_cast<std::size_t>(k + 1));
-    const std::string pvd = content_of(folder.path / "frames.pvd");
+    const std::string pvd = content_of(folder.path() / "frames.pvd");
     EXPECT_EQ(pvd.rfind("</VTKFile>\n"), pvd.size() - 11);
     const std::regex entry("<DataSet timestep=\"([^\"]+)\" part=\"(\\d)\" name=\"(\\w+)\" file=\"([^\"]+)\"/>");
     int entries = 0;
     for (std::sregex_iterator e(pvd.begin(), pvd.end(), entry), none_left; e != none_left; ++e, ++entries) {
       EXPECT_EQ(std::stod((*e)[1]), 0.125 * (entries / 2));
-      EXPECT_TRUE(std::filesystem::exists(folder.path / std::string((*e)[4])));
+      EXPECT_TRUE(std::filesystem::exists(folder.path() / std::string((*e)[4])));
     }
     EXPECT_EQ(entries, 2 * (k + 1));
   }
@@ -194,29 +194,29 @@ TYPED_TEST(FramesIn, the_collection_lists_every_frame_and_every_file_it_lists_is
 TEST(Frames, without_rigid_bodies_there_is_no_rigid_file)
 {
   const TemporaryFolder folder;
-  Problem<2> problem = sample_problem<2>();
+  problem::Problem<2> problem = sample_problem<2>();
   problem.model.rigids.clear();
   problem.state.rigids.clear();
-  SampleFrames<2> frames(folder.path, problem);
+  SampleFrames<2> frames(folder.path(), problem);
   frames.write(problem.state);
-  EXPECT_FALSE(std::filesystem::exists(folder.path / "rigid_0000.vtu"));
-  EXPECT_EQ(content_of(folder.path / "frames.pvd").find("rigid"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "rigid_0000.vtu"));
+  EXPECT_EQ(content_of(folder.path() / "frames.pvd").find("rigid"), std::string::npos);
 }
 
 TEST(Frames, of_finite_elements_are_quadratic_triangles_with_every_field_at_their_nodes)
 {
   const TemporaryFolder folder;
-  FrameWriter<2> frames(folder.path, sample_problem<2>().model.mesh);
+  FrameWriter<2> frames(folder.path(), sample_problem<2>().model.mesh);
   Frame<2> frame = two_triangles();
   frames.write(frame);
   frame.time = 0.5;
   frames.write(frame);
   EXPECT_EQ(frames.times(), (std::vector<Real>{0, 0.5}));
-  EXPECT_FALSE(std::filesystem::exists(folder.path / "particles_0000.vtu"));
-  const std::string pvd = content_of(folder.path / "frames.pvd");
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "particles_0000.vtu"));
+  const std::string pvd = content_of(folder.path() / "frames.pvd");
   for (const char* name : {"soil_0000.vtu", "soil_0001.vtu"}) EXPECT_NE(pvd.find(name), std::string::npos) << name;
 
-  const ReadVtu vtu(folder.path / "soil_0001.vtu");
+  const ReadVtu vtu(folder.path() / "soil_0001.vtu");
   EXPECT_TRUE(vtu.tight);
   ASSERT_EQ(vtu.points, 9);
   ASSERT_EQ(vtu.cells, 2);
@@ -246,11 +246,11 @@ TEST(Frames, of_finite_elements_are_quadratic_triangles_with_every_field_at_thei
 TEST(Frames, rigid_bodies_have_their_velocities)
 {
   const TemporaryFolder folder;
-  Problem<2> problem = sample_problem<2>();
+  problem::Problem<2> problem = sample_problem<2>();
   for (std::size_t r = 0; r < 3; ++r) problem.state.rigids[r].velocity = Vec<2>(static_cast<Real>(r), -0.5);
-  SampleFrames<2> frames(folder.path, problem);
+  SampleFrames<2> frames(folder.path(), problem);
   frames.write(problem.state);
-  const ReadVtu vtu(folder.path / "rigid_0000.vtu");
+  const ReadVtu vtu(folder.path() / "rigid_0000.vtu");
   const auto rigid = vtu.numbers<std::int32_t>("rigid");
   const auto velocity = vtu.numbers<float>("velocity");
   ASSERT_EQ(velocity.size(), 3 * rigid.size());
@@ -261,4 +261,4 @@ TEST(Frames, rigid_bodies_have_their_velocities)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::run_folder

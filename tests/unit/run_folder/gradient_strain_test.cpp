@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 Matrix<2> turn(Real angle)
@@ -25,9 +25,9 @@ Matrix<2> simple_shear(Real gamma)
 
 /// A square of 0.1 m (a cube) in 4 x 4 (x 4) squares.
 template <int dim>
-Mesh<dim> square()
+mesh::Mesh<dim> square()
 {
-  BoxMesh box{.lower = {0, 0, 0}, .size = {0.1, 0.1, 0.1}, .cells = {4, 4, 4}};
+  mesh::BoxMesh box{.lower = {0, 0, 0}, .size = {0.1, 0.1, 0.1}, .cells = {4, 4, 4}};
   for (auto* list : {&box.lower, &box.size, &box.cells}) list->resize(dim);
   return make_box<dim>(box);
 }
@@ -96,7 +96,7 @@ TYPED_TEST_SUITE(NodalGradientIn, Dimensions);
 TYPED_TEST(NodalGradientIn, is_exact_for_a_linear_displacement_of_points_anywhere)
 {
   constexpr int dim = TypeParam::value;
-  const Mesh<dim> mesh = square<dim>();
+  const mesh::Mesh<dim> mesh = square<dim>();
   std::mt19937 random(1);
   std::uniform_real_distribution<Real> anywhere(0, 0.1), number(-1, 1);
   Matrix<dim> gradient;
@@ -119,7 +119,7 @@ TYPED_TEST(NodalGradientIn, is_exact_for_a_linear_displacement_of_points_anywher
 TYPED_TEST(NodalGradientIn, is_zero_where_points_do_not_tell_one)
 {
   constexpr int dim = TypeParam::value;
-  const Mesh<dim> mesh = square<dim>();
+  const mesh::Mesh<dim> mesh = square<dim>();
   NodalGradient<dim> nodal(mesh);
   const Vec<dim> x = mesh.centroid(0);
   for (int k = 0; k < 5; ++k) nodal.add(0, x + Vec<dim>::Unit(0) * 1e-4 * k, Vec<dim>::Constant(k * k));  // in line
@@ -129,4 +129,4 @@ TYPED_TEST(NodalGradientIn, is_zero_where_points_do_not_tell_one)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -8,13 +8,13 @@
 #include <rapidcheck/gtest.h>
 #include <sys/resource.h>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 RC_GTEST_PROP(History, numbers_come_back_to_the_last_bit, (const std::vector<double>& numbers))
 {
   const TemporaryFolder folder;
-  const auto path = folder.path / "history.csv";
+  const auto path = folder.path() / "history.csv";
   {
     HistoryFile file(path, {"u_m"});
     for (const double x : numbers) file.add(x / 3, "push", {x});
@@ -31,11 +31,11 @@ TEST(History, numbers_that_are_not_there_are_nan_and_ends_are_kept)
 {
   const TemporaryFolder folder;
   {
-    HistoryFile file(folder.path / "h", {"a", "b"});
+    HistoryFile file(folder.path() / "h", {"a", "b"});
     file.add(0, "push", {-std::numeric_limits<Real>::quiet_NaN(), infinity});
   }
-  EXPECT_EQ(content_of(folder.path / "h"), "time_s,stage,a,b\n0,push,nan,inf\n");
-  const History history = read_history(folder.path / "h");
+  EXPECT_EQ(content_of(folder.path() / "h"), "time_s,stage,a,b\n0,push,nan,inf\n");
+  const History history = read_history(folder.path() / "h");
   EXPECT_TRUE(std::isnan(history["a"][0]));
   EXPECT_EQ(history["b"][0], infinity);
 }
@@ -45,11 +45,11 @@ TEST(History, names_of_stages_may_hold_commas_quotes_and_line_ends)
   const TemporaryFolder folder;
   const std::string name = "push, \"hard\"\nthen rest";
   {
-    HistoryFile file(folder.path / "h", {"a"});
+    HistoryFile file(folder.path() / "h", {"a"});
     file.add(0, name, {1});
     file.add(1, "plain", {2});
   }
-  const History history = read_history(folder.path / "h");
+  const History history = read_history(folder.path() / "h");
   EXPECT_EQ(history.stage, (std::vector<std::string>{name, "plain"}));
   EXPECT_EQ(history["a"], (std::vector<Real>{1, 2}));
 }
@@ -57,15 +57,15 @@ TEST(History, names_of_stages_may_hold_commas_quotes_and_line_ends)
 TEST(History, a_row_is_on_the_disk_when_add_returns)
 {
   const TemporaryFolder folder;
-  HistoryFile file(folder.path / "h", {"a"});
+  HistoryFile file(folder.path() / "h", {"a"});
   file.add(0.5, "push", {1.25});
-  EXPECT_EQ(content_of(folder.path / "h"), "time_s,stage,a\n0.5,push,1.25\n");
+  EXPECT_EQ(content_of(folder.path() / "h"), "time_s,stage,a\n0.5,push,1.25\n");
 }
 
 TEST(History, a_last_line_cut_anywhere_is_left_out)
 {
   const TemporaryFolder folder;
-  const auto path = folder.path / "h";
+  const auto path = folder.path() / "h";
   const std::string whole = "time_s,stage,a\n0,push,1.5\n", last = "1,push,2.75";
   for (std::size_t length = 0; length <= last.size(); ++length) {
     put(path, whole + last.substr(0, length));
@@ -80,9 +80,9 @@ TEST(History, a_line_that_is_wrong_is_named)
 {
   const TemporaryFolder folder;
   const auto message = [&](const std::string& text) -> std::string {
-    put(folder.path / "h", text);
+    put(folder.path() / "h", text);
     try {
-      read_history(folder.path / "h");
+      read_history(folder.path() / "h");
     } catch (const RunError& error) {
       return error.what();
     }
@@ -99,12 +99,12 @@ TEST(History, a_line_that_is_wrong_is_named)
 TEST(History, a_missing_column_is_named)
 {
   const TemporaryFolder folder;
-  put(folder.path / "h", "time_s,stage,a\n");
-  const History history = read_history(folder.path / "h");
+  put(folder.path() / "h", "time_s,stage,a\n");
+  const History history = read_history(folder.path() / "h");
   EXPECT_TRUE(history.has("a"));
   EXPECT_FALSE(history.has("b"));
   EXPECT_THROW(history["b"], RunError);
-  EXPECT_THROW(read_history(folder.path / "none"), RunError);
+  EXPECT_THROW(read_history(folder.path() / "none"), RunError);
 }
 
 TEST(HistoryFile, a_full_disk_is_an_error_with_its_reason)
@@ -121,10 +121,10 @@ TEST(HistoryFile, a_full_disk_is_an_error_with_its_reason)
 TEST(HistoryFile, a_row_that_the_disk_takes_a_part_of_is_taken_back)
 {
   const TemporaryFolder folder;
-  const auto path = folder.path / "history.csv";
+  const auto path = folder.path() / "history.csv";
   HistoryFile file(path, {"u_m"});
   file.add(1, "push", {0.5});
-  const std::string before = read_whole(path);
+  const std::string before = io::read_whole(path);
   rlimit unlimited{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &unlimited), 0);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
@@ -133,15 +133,15 @@ TEST(HistoryFile, a_row_that_the_disk_takes_a_part_of_is_taken_back)
   EXPECT_THROW(file.add(2, "push", {0.75}), RunError);
   ::setrlimit(RLIMIT_FSIZE, &unlimited);
   std::signal(SIGXFSZ, handler);
-  EXPECT_EQ(read_whole(path), before);
+  EXPECT_EQ(io::read_whole(path), before);
 }
 
 TEST(HistoryFile, a_row_of_the_wrong_length_is_refused)
 {
   const TemporaryFolder folder;
-  HistoryFile file(folder.path / "h", {"a", "b"});
+  HistoryFile file(folder.path() / "h", {"a", "b"});
   EXPECT_THROW(file.add(0, "push", {1}), RunError);
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 TEST(Duration, is_said_in_words)
@@ -50,11 +50,11 @@ std::vector<std::string> log_of(const std::function<void(Progress&)>& run)
 {
   const TemporaryFolder folder;
   {
-    RunLog log(folder.path / "run.log");
+    RunLog log(folder.path() / "run.log");
     Progress progress(log);
     run(progress);
   }
-  std::ifstream file(folder.path / "run.log");
+  std::ifstream file(folder.path() / "run.log");
   std::vector<std::string> lines;
   for (std::string line; std::getline(file, line);) lines.push_back(line.substr(20));  // after the date and time
   return lines;
@@ -91,14 +91,14 @@ TEST(RunLog, messages_go_to_the_file_with_their_level_and_end_with_the_log)
   const TemporaryFolder folder;
   const auto before = spdlog::default_logger();
   {
-    RunLog log(folder.path / "run.log");
+    RunLog log(folder.path() / "run.log");
     spdlog::info("plain");
     spdlog::warn("odd {}", 7);
     log.info_to_file("quiet {}");
-    EXPECT_NE(content_of(folder.path / "run.log").find("quiet {}\n"), std::string::npos);  // on the disk at once
+    EXPECT_NE(content_of(folder.path() / "run.log").find("quiet {}\n"), std::string::npos);  // on the disk at once
   }
   EXPECT_EQ(spdlog::default_logger(), before);
-  const std::string text = content_of(folder.path / "run.log");
+  const std::string text = content_of(folder.path() / "run.log");
   EXPECT_NE(text.find(" plain\n"), std::string::npos);
   EXPECT_NE(text.find(" warning: odd 7\n"), std::string::npos);
   EXPECT_EQ(text.find('\x1b'), std::string::npos);
@@ -110,4 +110,4 @@ TEST(RunLog, a_file_that_cannot_be_written_is_an_error)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::run_folder

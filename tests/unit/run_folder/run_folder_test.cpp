@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,25 +27,25 @@ std::string refusal(const fs::path& path)
 TEST(RunFolder, is_made_with_its_parents)
 {
   const TemporaryFolder base;
-  const RunFolder folder(base.path / "out" / "probe" / "case");
-  EXPECT_TRUE(fs::is_directory(base.path / "out/probe/case"));
-  EXPECT_EQ(folder.file("frames/mesh.vtu"), base.path / "out/probe/case/frames/mesh.vtu");
+  const RunFolder folder(base.path() / "out" / "probe" / "case");
+  EXPECT_TRUE(fs::is_directory(base.path() / "out/probe/case"));
+  EXPECT_EQ(folder.file("frames/mesh.vtu"), base.path() / "out/probe/case/frames/mesh.vtu");
   EXPECT_TRUE(fs::is_directory(folder.subfolder("plots")));
 }
 
 TEST(RunFolder, an_empty_folder_is_taken)
 {
   const TemporaryFolder base;
-  EXPECT_EQ(refusal(base.path), "");
+  EXPECT_EQ(refusal(base.path()), "");
 }
 
 TEST(RunFolder, a_file_is_refused)
 {
   const TemporaryFolder base;
-  put(base.path / "file", "mine");
-  EXPECT_NE(refusal(base.path / "file").find("not a folder"), std::string::npos);
-  EXPECT_NE(refusal(base.path / "file" / "below"), "");
-  EXPECT_EQ(content_of(base.path / "file"), "mine");
+  put(base.path() / "file", "mine");
+  EXPECT_NE(refusal(base.path() / "file").find("not a folder"), std::string::npos);
+  EXPECT_NE(refusal(base.path() / "file" / "below"), "");
+  EXPECT_EQ(content_of(base.path() / "file"), "mine");
 }
 
 TEST(RunFolder, a_place_that_cannot_be_written_is_refused)
@@ -56,60 +56,60 @@ TEST(RunFolder, a_place_that_cannot_be_written_is_refused)
 TEST(RunFolder, a_folder_of_something_else_is_refused_and_left_alone)
 {
   const TemporaryFolder base;
-  put(base.path / "history.csv", "mine");
-  EXPECT_NE(refusal(base.path).find("not of a run"), std::string::npos);
-  EXPECT_EQ(content_of(base.path / "history.csv"), "mine");
+  put(base.path() / "history.csv", "mine");
+  EXPECT_NE(refusal(base.path()).find("not of a run"), std::string::npos);
+  EXPECT_EQ(content_of(base.path() / "history.csv"), "mine");
 }
 
 TEST(RunFolder, of_a_run_that_was_killed_as_it_began_is_taken)
 {
   const TemporaryFolder base;
-  put(base.path / "resolved.toml.part", "[me");
-  put(base.path / FolderLock::file_name, "");
-  EXPECT_EQ(refusal(base.path), "");
+  put(base.path() / "resolved.toml.part", "[me");
+  put(base.path() / io::FolderLock::file_name, "");
+  EXPECT_EQ(refusal(base.path()), "");
 }
 
 TEST(RunFolder, of_an_earlier_run_what_berm_wrote_is_removed_and_nothing_else)
 {
   const TemporaryFolder base;
-  fs::create_directories(base.path / "frames");
-  fs::create_directories(base.path / "plots");
+  fs::create_directories(base.path() / "frames");
+  fs::create_directories(base.path() / "plots");
   const std::vector<std::string> own = {"history.csv",     "summary.json",      "run.log",        "case.toml", "resolved.toml",
                                         "mesh.geo",        "mesh.msh",          "curves.png",     "soil.png",  "report.html",
                                         "frames/mesh.vtu", "frames/frames.pvd", "plots/curves.gp"};
   const std::vector<std::string> others = {"notes.txt", "paraview.png", "plots/mine.gp"};
-  for (const auto& name : own) put(base.path / name, "old");
-  for (const auto& name : others) put(base.path / name, "mine");
-  const RunFolder folder(base.path);
-  for (const auto& name : own) EXPECT_FALSE(fs::exists(base.path / name)) << name;
-  for (const auto& name : others) EXPECT_EQ(content_of(base.path / name), "mine") << name;
+  for (const auto& name : own) put(base.path() / name, "old");
+  for (const auto& name : others) put(base.path() / name, "mine");
+  const RunFolder folder(base.path());
+  for (const auto& name : own) EXPECT_FALSE(fs::exists(base.path() / name)) << name;
+  for (const auto& name : others) EXPECT_EQ(content_of(base.path() / name), "mine") << name;
 }
 
 TEST(RunFolder, what_a_link_points_to_is_not_removed)
 {
   const TemporaryFolder base, elsewhere;
   put(elsewhere.path / "precious", "mine");
-  put(base.path / "resolved.toml", "");
-  fs::create_directory_symlink(elsewhere.path, base.path / "frames");
-  const RunFolder folder(base.path);
-  EXPECT_FALSE(fs::exists(fs::symlink_status(base.path / "frames")));
+  put(base.path() / "resolved.toml", "");
+  fs::create_directory_symlink(elsewhere.path, base.path() / "frames");
+  const RunFolder folder(base.path());
+  EXPECT_FALSE(fs::exists(fs::symlink_status(base.path() / "frames")));
   EXPECT_EQ(content_of(elsewhere.path / "precious"), "mine");
 }
 
 TEST(WholeFile, replaces_the_old_content_and_leaves_nothing_beside)
 {
   const TemporaryFolder base;
-  write_whole(base.path / "a", "old and longer");
-  write_whole(base.path / "a", std::string("new\0x", 5));
-  EXPECT_EQ(content_of(base.path / "a"), std::string("new\0x", 5));
-  EXPECT_EQ(std::distance(fs::directory_iterator(base.path), {}), 1);
+  io::write_whole(base.path() / "a", "old and longer");
+  io::write_whole(base.path() / "a", std::string("new\0x", 5));
+  EXPECT_EQ(content_of(base.path() / "a"), std::string("new\0x", 5));
+  EXPECT_EQ(std::distance(fs::directory_iterator(base.path()), {}), 1);
 }
 
 // A limit on the size of files stands in for a full disk: the write stops half way.
 TEST(WholeFile, a_write_that_fails_half_way_leaves_the_old_file_and_says_why)
 {
   const TemporaryFolder base;
-  write_whole(base.path / "a", "old");
+  io::write_whole(base.path() / "a", "old");
   rlimit before{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
@@ -117,21 +117,21 @@ TEST(WholeFile, a_write_that_fails_half_way_leaves_the_old_file_and_says_why)
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
   std::string message;
   try {
-    write_whole(base.path / "a", std::string(5000, 'x'));
+    io::write_whole(base.path() / "a", std::string(5000, 'x'));
   } catch (const RunError& error) {
     message = error.what();
   }
   ::setrlimit(RLIMIT_FSIZE, &before);
   std::signal(SIGXFSZ, handler);
   EXPECT_NE(message.find("File too large"), std::string::npos) << message;
-  EXPECT_EQ(content_of(base.path / "a"), "old");
-  EXPECT_EQ(std::distance(fs::directory_iterator(base.path), {}), 1);
+  EXPECT_EQ(content_of(base.path() / "a"), "old");
+  EXPECT_EQ(std::distance(fs::directory_iterator(base.path()), {}), 1);
 }
 
 TEST(WholeFile, a_missing_folder_is_named)
 {
-  EXPECT_THROW(write_whole("/nowhere/a", "x"), RunError);
+  EXPECT_THROW(io::write_whole("/nowhere/a", "x"), RunError);
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::run_folder

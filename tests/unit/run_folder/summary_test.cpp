@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace berm {
+namespace berm::run_folder {
 namespace {
 
 Summary sample_summary()
@@ -23,8 +23,8 @@ Summary sample_summary()
 TEST(Summary, has_the_form_that_readers_rely_on)
 {
   const TemporaryFolder folder;
-  sample_summary().write(folder.path / "summary.json");
-  const auto json = nlohmann::json::parse(content_of(folder.path / "summary.json"));
+  sample_summary().write(folder.path() / "summary.json");
+  const auto json = nlohmann::json::parse(content_of(folder.path() / "summary.json"));
   EXPECT_EQ(json["quantities"]["V_at_w_0.1D"]["value"].get<double>(), 764.25);
   EXPECT_EQ(json["quantities"]["V_at_w_0.1D"]["unit"], "N/m");
   EXPECT_EQ(json["timing"]["particle_steps_per_s"].get<double>(), 3.6e12);
@@ -69,10 +69,10 @@ TEST(Summary, empty_has_all_its_parts)
 TEST(Summary, is_read_as_it_was_written)
 {
   const TemporaryFolder folder;
-  EXPECT_FALSE(read_summary(folder.path).has_value());
+  EXPECT_FALSE(read_summary(folder.path()).has_value());
   Summary written = sample_summary();
-  written.write(folder.path / "summary.json");
-  RunSummary read = read_summary(folder.path).value();
+  written.write(folder.path() / "summary.json");
+  RunSummary read = read_summary(folder.path()).value();
   ASSERT_EQ(read.quantities.size(), 2u);
   EXPECT_EQ(read.quantities[0].name, "V_at_w_0.1D");
   EXPECT_EQ(read.quantities[0].value, 764.25);
@@ -86,8 +86,8 @@ TEST(Summary, is_read_as_it_was_written)
   EXPECT_FALSE(read.finished());
   for (const bool finished : {false, true}) {
     written.checks = {{"finished", finished}};
-    written.write(folder.path / "summary.json");
-    EXPECT_EQ(read_summary(folder.path)->finished(), finished);
+    written.write(folder.path() / "summary.json");
+    EXPECT_EQ(read_summary(folder.path())->finished(), finished);
   }
 }
 
@@ -95,10 +95,10 @@ TEST(Summary, is_read_as_it_was_written)
 std::string refusal_of(const std::string& text)
 {
   const TemporaryFolder folder;
-  const std::filesystem::path file = folder.path / "summary.json";
+  const std::filesystem::path file = folder.path() / "summary.json";
   std::ofstream(file, std::ios::binary) << text;
   try {
-    read_summary(folder.path);
+    read_summary(folder.path());
   } catch (const RunError& error) {
     const std::string said = error.what();
     EXPECT_EQ(said.find(file.string() + " "), 0u) << said;
@@ -142,8 +142,8 @@ TEST(Summary, that_is_cut_is_never_taken)
 TEST(Summary, that_is_no_file_cannot_be_read)
 {
   const TemporaryFolder folder;
-  std::filesystem::create_directory(folder.path / "summary.json");
-  EXPECT_THROW(read_summary(folder.path), RunError);
+  std::filesystem::create_directory(folder.path() / "summary.json");
+  EXPECT_THROW(read_summary(folder.path()), RunError);
 }
 
 TEST(Summary, quantities_keep_their_order)
@@ -153,4 +153,4 @@ TEST(Summary, quantities_keep_their_order)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::run_folder

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::simulation {
 namespace {
 
 TEST(CheckpointOfHistory, is_refused_with_a_length_that_the_file_has_not)
@@ -14,16 +14,16 @@ TEST(CheckpointOfHistory, is_refused_with_a_length_that_the_file_has_not)
   const TemporaryFolder folder;
   const auto history = folder.write("history.csv", "time_s,stage\n0,rest\n");
   const auto refusal_of = [&](BigIndex bytes, BigIndex crc) {
-    write_checkpoint(folder / "file.h5", [&](Keep& k) { k("bytes", bytes), k("crc", crc); });
+    checkpoint::write_checkpoint(folder / "file.h5", [&](Keep& k) { k("bytes", bytes), k("crc", crc); });
     BigIndex found = 0;
     try {
-      read_checkpoint(folder / "file.h5", [&](Keep& k) { keep_history(k, history, found); });
+      checkpoint::read_checkpoint(folder / "file.h5", [&](Keep& k) { keep_history(k, history, found); });
     } catch (const RunError& error) {
       return std::string(error.what());
     }
     return std::string();
   };
-  const BigIndex whole = 20, crc_of_whole = *crc_of(history, whole);
+  const BigIndex whole = 20, crc_of_whole = *checkpoint::crc_of(history, whole);
   EXPECT_EQ(refusal_of(whole, crc_of_whole), "");
   EXPECT_EQ(refusal_of(0, 0), "");
   constexpr BigIndex most = std::numeric_limits<BigIndex>::max();
@@ -54,4 +54,4 @@ TEST(Checkpoints, that_cannot_be_written_end_no_run_and_the_next_one_is_written)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::simulation

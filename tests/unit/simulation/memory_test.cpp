@@ -7,27 +7,27 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::simulation {
 namespace {
 
 /// A bed that fills the lower half of a box of 2 n x n squares, of 9 particles a cell in regions or of a block.
-Case bed(Real n, bool as_block)
+problem::Case bed(Real n, bool as_block)
 {
-  Case c;
-  BoxMesh mesh;
+  problem::Case c;
+  mesh::BoxMesh mesh;
   mesh.size = {2, 1};
   mesh.cells = {2 * n, n};
   c.mesh = mesh;
-  MohrCoulomb sand;
+  material::MohrCoulomb sand;
   sand.density = 1600;
   sand.young_modulus = 7e6;
   sand.poisson_ratio = 0.25;
   sand.friction_angle = 0.6;
   c.material = {{"sand", sand}};
-  BodySettings body;
+  bodies::BodySettings body;
   body.material = "sand";
   if (as_block) {
-    BlockSettings block;
+    bodies::BlockSettings block;
     block.center = {1, 0.25};
     block.size = {2, 0.5};
     block.spacing = 1 / n / 4;
@@ -36,7 +36,7 @@ Case bed(Real n, bool as_block)
     body.regions = {"box"};
   }
   c.body = {{"sand", body}};
-  StageSettings stage;
+  problem::StageSettings stage;
   stage.until.time = 1;
   c.stage = {stage};
   return c;
@@ -47,21 +47,21 @@ TEST(Memory, is_foretold_as_it_is_taken)
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer keeps what is freed";
 #endif
-  const Case c = bed(150, false);
+  const problem::Case c = bed(150, false);
   const Real before = memory_of_data();
-  Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
-  Work<2> work(problem.model, problem.state);
+  problem::Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
+  mpm::Work<2> work(problem.model, problem.state);
   step(problem.model, problem.state, work);
-  FrameMaker<2> maker(problem.model, problem.state);
-  const Frame<2> first = maker.make(problem.state), second = maker.make(problem.state);
+  run_folder::FrameMaker<2> maker(problem.model, problem.state);
+  const run_folder::Frame<2> first = maker.make(problem.state), second = maker.make(problem.state);
   EXPECT_NEAR(memory_of<2>(size_of(problem)) / (memory_of_data() - before), 1, 0.1);
 }
 
 TEST(Memory, is_at_least_what_the_case_alone_tells)
 {
   for (const bool as_block : {false, true}) {
-    const Case c = bed(40, as_block);
-    const Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
+    const problem::Case c = bed(40, as_block);
+    const problem::Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
     const Real exact = memory_of<2>(size_of(problem));
     for (const RunSize& least : {least_size<2>(c), least_size(c, problem.model.mesh)}) {
       EXPECT_EQ(least.cells, problem.model.mesh.cell_count());
@@ -99,4 +99,4 @@ TEST(Memory, that_is_in_use_counts_with_what_is_needed)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::simulation

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-namespace berm {
+namespace berm::simulation {
 namespace {
 
 namespace fs = std::filesystem;
@@ -146,7 +146,7 @@ TEST_F(Resume, is_never_from_where_the_next_step_asks_for_more_than_the_state)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_GT(steps.size(), 30u);
-  for (const long step : steps) EXPECT_NE(step % steps_between_time_steps, 0) << step;
+  for (const long step : steps) EXPECT_NE(step % mpm::steps_between_time_steps, 0) << step;
 }
 
 TEST_F(Resume, without_a_checkpoint_begins_at_the_start)
@@ -268,4 +268,4 @@ TEST_F(Resume, a_new_run_over_an_unfinished_one_says_what_it_replaces)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::simulation

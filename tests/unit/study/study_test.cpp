@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::study {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -192,4 +192,4 @@ TEST_F(StudyCommand, refuses_wrong_input_at_its_line_and_runs_nothing)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::study

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text/base64_zlib.hpp"
 
-#include "samples/film_decoding.hpp"
+#include "samples/unpacking.hpp"
 
 #include <random>
 
-namespace berm {
+namespace berm::text {
 namespace {
 
 TEST(packed, base64_is_that_of_the_standard)
@@ -33,4 +33,4 @@ TEST(packed, bytes_unpack_to_what_they_were)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::text

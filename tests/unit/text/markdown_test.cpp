@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::text {
 namespace {
 
 std::string html(const std::string& text)
@@ -70,4 +70,4 @@ TEST(Math, that_is_not_known_or_broken_is_shown_as_it_is_written)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::text

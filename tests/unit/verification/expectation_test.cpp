@@ -6,13 +6,13 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::verification {
 namespace {
 
 /// What reading an expected.toml complains of, or "".
 std::string complaint(const std::string& text)
 {
-  Document document = parse_text("expected.toml", text);
+  input::Document document = input::parse_text("expected.toml", text);
   Expectations all;
   try {
     read(document, all);
@@ -56,7 +56,7 @@ TEST(Expectation, is_never_met_by_what_is_not_a_number)
 TEST(Expectation, takes_the_unit_from_the_name)
 {
   Expectations all;
-  Document document = parse_text(
+  input::Document document = input::parse_text(
       "expected.toml", one_run + "[[expect]]\nrun = \"a\"\nquantity = \"w_at_u_0.3D\"\nleast = \"5 mm\"\nmost = 0.0066\n" + words);
   read(document, all);
   EXPECT_DOUBLE_EQ(all.expect.at(0).least.value(), 0.005);
@@ -72,7 +72,7 @@ TEST(Expectation, may_be_the_ratio_of_the_numbers_of_two_runs)
 {
   const std::string runs = "[run.a]\n[run.b]\n[[expect]]\nrun = \"a\"\nquantity = \"V_at_w_0.1D\"\nexact = 1\ntolerance = 0.03\n" + words;
   Expectations all;
-  Document document = parse_text("expected.toml", runs + "over = \"b\"\n");
+  input::Document document = input::parse_text("expected.toml", runs + "over = \"b\"\n");
   read(document, all);
   const Expectation& ratio = all.expect.at(0);
   EXPECT_EQ(runs_of(ratio), (std::vector<std::string>{"a", "b"}));
@@ -100,7 +100,7 @@ TEST(Expectation, of_an_order_has_a_limit_with_a_unit_and_bounds_without)
 {
   const std::string runs = "[run.h8]\n[run.h16]\n[[expect]]\nruns = [\"h8\", \"h16\"]\ncolumn = \"a_ux_m\"\n" + words;
   Expectations all;
-  Document document = parse_text("expected.toml", runs + "limit = \"1 mm\"\nleast = 1.8\n");
+  input::Document document = input::parse_text("expected.toml", runs + "limit = \"1 mm\"\nleast = 1.8\n");
   read(document, all);
   EXPECT_DOUBLE_EQ(all.expect.at(0).limit.value(), 0.001);
   EXPECT_EQ(unit_of(all.expect.at(0)), "");
@@ -136,4 +136,4 @@ TEST(Expectation, and_run_belong_together)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::verification

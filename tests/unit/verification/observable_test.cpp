@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verification/observable.hpp"
 
-#include "samples/temporary_folder.hpp"
 #include "core/error.hpp"
+#include "samples/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::verification {
 namespace {
 
 /// Rows of one column, 0.013 s apart: no multiple of it is a period.
 template <class Function>
-History sampled(const std::string& column, Real end, const Function& value)
+run_folder::History sampled(const std::string& column, Real end, const Function& value)
 {
-  History history;
+  run_folder::History history;
   history.columns = {"time_s", column};
   history.values.resize(2);
   for (Real t = 0; t <= end; t += 0.013) {
@@ -37,26 +37,26 @@ Reading of_column(const std::string& column, Measure measure, std::optional<Real
 TEST(Reading, measures_the_period_of_a_sine_about_any_level)
 {
   // 2.3 periods: the mean of the rows is not the sine's level. Linear interpolation over 0.013 s is good for 1e-4.
-  const History history = sampled("a_ux_m", 2.3 * 1.7, [](Real t) { return 5 + std::sin(2 * pi / 1.7 * t + 0.4); });
+  const run_folder::History history = sampled("a_ux_m", 2.3 * 1.7, [](Real t) { return 5 + std::sin(2 * pi / 1.7 * t + 0.4); });
   EXPECT_NEAR(evaluate(of_column("a_ux_m", Measure::period), history), 1.7, 2e-4);
 }
 TEST(Reading, measures_no_period_where_there_is_none)
 {
-  const History history = sampled("a_ux_m", 1, [](Real t) { return t; });
+  const run_folder::History history = sampled("a_ux_m", 1, [](Real t) { return t; });
   EXPECT_TRUE(std::isnan(evaluate(of_column("a_ux_m", Measure::period), history)));
 }
 TEST(Reading, measures_the_acceleration_of_a_displacement_and_of_a_velocity)
 {
   // Far from t = 0, where a fit with powers of t itself would lose digits.
-  const History u = sampled("a_ux_m", 100, [](Real t) { return 3 - 2 * t + 0.5 * 1.25 * t * t; });
-  const History v = sampled("a_vx_m_s", 100, [](Real t) { return -2 + 1.25 * t; });
+  const run_folder::History u = sampled("a_ux_m", 100, [](Real t) { return 3 - 2 * t + 0.5 * 1.25 * t * t; });
+  const run_folder::History v = sampled("a_vx_m_s", 100, [](Real t) { return -2 + 1.25 * t; });
   EXPECT_NEAR(evaluate(of_column("a_ux_m", Measure::acceleration, 90., 99.), u), 1.25, 1e-9);
   EXPECT_NEAR(evaluate(of_column("a_vx_m_s", Measure::acceleration, 90., 99.), v), 1.25, 1e-12);
   EXPECT_NEAR(evaluate(of_column("a_vx_m_s", Measure::slope), v), 1.25, 1e-12);
 }
 TEST(Reading, measures_within_its_window_only)
 {
-  const History history = sampled("V_N_m", 1, [](Real t) { return t < 0.5 ? 1e6 : t; });
+  const run_folder::History history = sampled("V_N_m", 1, [](Real t) { return t < 0.5 ? 1e6 : t; });
   EXPECT_NEAR(evaluate(of_column("V_N_m", Measure::mean, 0.6, 0.8), history), 0.7, 0.01);
   EXPECT_NEAR(evaluate(of_column("V_N_m", Measure::largest, 0.6, 0.8), history), 0.8, 0.013);
   EXPECT_NEAR(evaluate(of_column("V_N_m", Measure::least, 0.6, 0.8), history), 0.6, 0.013);
@@ -119,4 +119,4 @@ TEST(Reading, of_a_summary_that_is_damaged_is_refused)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::verification

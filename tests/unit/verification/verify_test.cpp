@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::verification {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -177,4 +177,4 @@ TEST_F(Verify, that_is_interrupted_ends_its_runs_and_tells_what_is_done)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::verification

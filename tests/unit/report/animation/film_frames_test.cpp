@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 constexpr std::size_t bytes_of_frame = 32 * 28;  // 32 particles of seven numbers
@@ -43,4 +43,4 @@ TEST(film_footage, counts_the_frames_of_the_run_in_what_it_says)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::report

@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
-FilmFrame with(SavedRigids rigids)
+FilmFrame with(run_folder::SavedRigids rigids)
 {
   FilmFrame frame;
   frame.rigids = std::move(rigids);
@@ -15,8 +15,9 @@ FilmFrame with(SavedRigids rigids)
 
 TEST(film_outline, part_that_comes_later_is_not_there_before)
 {
-  const FilmFrame first = with({{0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {{0, 1, 2}}, {VtkCell::polygon}, {4}});
-  const FilmFrame second = with({{5, 6, 5, 7}, {0, 0, 1, 8}, {0, 0, 0, 0}, {{0, 1, 2}, {3, 0}}, {VtkCell::polygon, VtkCell::line}, {4, 4}});
+  const FilmFrame first = with({{0, 1, 0}, {0, 0, 1}, {0, 0, 0}, {{0, 1, 2}}, {io::VtkCell::polygon}, {4}});
+  const FilmFrame second =
+      with({{5, 6, 5, 7}, {0, 0, 1, 8}, {0, 0, 0, 0}, {{0, 1, 2}, {3, 0}}, {io::VtkCell::polygon, io::VtkCell::line}, {4, 4}});
   const std::vector<FilmOutline> outlines = film_outlines({&first, &second}, 2);
   ASSERT_EQ(outlines.size(), 2u);
   EXPECT_EQ(outlines[0].rigid, 4);
@@ -32,12 +33,12 @@ TEST(film_outline, part_that_comes_later_is_not_there_before)
 TEST(film_outline, in_space_is_one_end_of_what_is_extruded_and_nothing_of_the_rest)
 {
   // A prism over a triangle, and a box.
-  SavedRigids rigids;
+  run_folder::SavedRigids rigids;
   rigids.x = {0, 0, 1, 1, 0, 0, 9, 9, 9, 9, 9, 9, 9, 9};
   rigids.y = {0, 0, 0, 0, 1, 1, 9, 9, 9, 9, 9, 9, 9, 9};
   rigids.z = {-1, 1, -1, 1, -1, 1, 9, 9, 9, 9, 9, 9, 9, 9};
   rigids.cells = {{0, 2, 3, 1}, {2, 4, 5, 3}, {4, 0, 1, 5}, {6, 7, 8, 9, 10, 11, 12, 13}};
-  rigids.types = {VtkCell::quad, VtkCell::quad, VtkCell::quad, VtkCell::hexahedron};
+  rigids.types = {io::VtkCell::quad, io::VtkCell::quad, io::VtkCell::quad, io::VtkCell::hexahedron};
   rigids.rigid = {0, 0, 0, 1};
   const FilmFrame frame = with(rigids);
   const std::vector<FilmOutline> outlines = film_outlines({&frame}, 3);
@@ -46,4 +47,4 @@ TEST(film_outline, in_space_is_one_end_of_what_is_extruded_and_nothing_of_the_re
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::report

@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 struct Moving {
@@ -96,4 +96,4 @@ TEST(film_codes, range_of_nothing_is_not_empty)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::report

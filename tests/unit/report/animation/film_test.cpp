@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 constexpr std::size_t plenty = 10'000'000;
@@ -45,9 +45,9 @@ TEST(film, places_decode_within_half_a_step_and_fields_within_half_a_level)
     EXPECT_NEAR(value, std::min(wanted, high), seen.level(name) / 2 * (1 + 1e-5) + 1e-6 * high) << name;
   };
   for (Index f = 0; f < 7; ++f) {
-    const Frame<2> frame = sample.frame(f);
+    const run_folder::Frame<2> frame = sample.frame(f);
     for (std::size_t k = 0; k < 32; ++k) {
-      const FrameParticle<2>& p = frame.particles[k];
+      const run_folder::FrameParticle<2>& p = frame.particles[k];
       EXPECT_NEAR(x[f][k], p.particle.x[0], half_step);
       EXPECT_NEAR(y[f][k], p.particle.x[1], half_step);
       near("deviatoric_strain", strain[f][k], p.strain.deviatoric);
@@ -195,9 +195,9 @@ TEST(film, ends_before_a_frame_that_cannot_be_read)
 TEST(film, ends_before_a_frame_with_other_particles)
 {
   const SampleFilmRun<2> sample, larger(1);
-  Frame<2> other = sample.frame(0);
+  run_folder::Frame<2> other = sample.frame(0);
   other.particles[5].particle.id = 77;
-  FrameWriter<2>(larger.folder / "frames", make_box<2>(std::get<BoxMesh>(larger.run.settings.mesh))).write(other);
+  run_folder::FrameWriter<2>(larger.folder / "frames", make_box<2>(std::get<mesh::BoxMesh>(larger.run.settings.mesh))).write(other);
   std::filesystem::copy_file(larger.file("particles_0000.vtu"), sample.file("particles_0002.vtu"),
                              std::filesystem::copy_options::overwrite_existing);
   const Film film = make_film(sample.run, "f", plenty);
@@ -224,7 +224,7 @@ TEST(film, without_a_first_frame_or_a_sound_list_there_is_none_and_it_says_why)
 TEST(film, of_a_run_without_frames_is_null)
 {
   const TemporaryFolder folder;
-  RunRecord run;
+  pipe::RunRecord run;
   run.folder = folder.path();
   const Film film = make_film(run, "f", plenty);
   EXPECT_TRUE(film.json.is_null());
@@ -300,9 +300,9 @@ TEST(film, in_space_is_the_slice_in_the_middle)
   const Real step = film.json["step"], half_step = step / 2 * (1 + 1e-6);
   const auto x = seen.places(0), y = seen.places(1);
   for (Index f = 0; f < 7; ++f) {
-    const Frame<3> frame = sample.frame(f);
+    const run_folder::Frame<3> frame = sample.frame(f);
     for (std::size_t k = 0; k < 64; ++k) {
-      const FrameParticle<3>& p = frame.particles[32 + k];
+      const run_folder::FrameParticle<3>& p = frame.particles[32 + k];
       EXPECT_NEAR(x[f][k], p.particle.x[0], half_step);
       EXPECT_NEAR(y[f][k], p.particle.x[1], half_step);
     }
@@ -318,16 +318,16 @@ TEST(film, in_space_is_the_slice_in_the_middle)
 TEST(film, of_finite_elements_is_of_triangles_without_speed)
 {
   SampleFilmRun<2> sample(1, false);
-  sample.run.settings.method = Method::fem;
-  Frame<2> frame;
+  sample.run.settings.method = problem::Method::fem;
+  run_folder::Frame<2> frame;
   frame.triangles = {{0, 2, 8, 1, 5, 4}, {0, 8, 6, 4, 7, 3}};
   for (int k = 0; k < 9; ++k) {
-    FrameParticle<2> p{{}, 0, Vec<2>::Zero(), {}, 0};
+    run_folder::FrameParticle<2> p{{}, 0, Vec<2>::Zero(), {}, 0};
     p.particle.x = Vec<2>(0.1 * (k % 3), 0.1 * static_cast<Real>(k / 3));
     p.particle.id = k;
     frame.particles.push_back(p);
   }
-  FrameWriter<2>(sample.folder / "frames", make_box<2>(std::get<BoxMesh>(sample.run.settings.mesh))).write(frame);
+  run_folder::FrameWriter<2>(sample.folder / "frames", make_box<2>(std::get<mesh::BoxMesh>(sample.run.settings.mesh))).write(frame);
   const Film film = make_film(sample.run, "f", plenty);
   EXPECT_EQ(film.json["kind"], "triangles");
   EXPECT_TRUE(film.json["size"].is_null());
@@ -344,4 +344,4 @@ TEST(film, of_finite_elements_is_of_triangles_without_speed)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::report

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 const FilmBox wide{Vec<2>(-9, -9), Vec<2>(9, 0)};
@@ -13,7 +13,7 @@ const FilmBox wide{Vec<2>(-9, -9), Vec<2>(9, 0)};
 TEST(film_view, is_around_the_whole_path_of_the_pipe)
 {
   SampleFilmRun<2> sample(13);  // to u = 0.22 D, w = 0.11 D
-  std::get<BoxMesh>(sample.run.settings.mesh).size[1] = 20;
+  std::get<mesh::BoxMesh>(sample.run.settings.mesh).size[1] = 20;
   const Real D = sample.D;
   const FilmBox view = film_view(sample.run, wide);
   EXPECT_NEAR(view.lower[0], -2.5 * D, 1e-12);
@@ -28,7 +28,7 @@ TEST(film_view, ends_with_the_soil_and_the_room_above_it)
   const FilmBox view = film_view(sample.run, {Vec<2>(-0.03, -0.01), Vec<2>(0.04, 0.001)});
   EXPECT_EQ(view.lower, Vec<2>(-0.03, -0.01));
   EXPECT_EQ(view.upper[0], 0.04);
-  SeabedMesh seabed;
+  mesh::SeabedMesh seabed;
   seabed.headroom = 0.012;
   sample.run.settings.mesh = seabed;
   EXPECT_EQ(film_view(sample.run, wide).upper[1], 0.012);
@@ -37,8 +37,8 @@ TEST(film_view, ends_with_the_soil_and_the_room_above_it)
 TEST(film_view, of_a_pipe_that_starts_high_above_the_soil_is_near_the_soil)
 {
   SampleFilmRun<2> sample(1);
-  std::get<BoxMesh>(sample.run.settings.mesh).size[1] = 20;
-  std::get<CircleSettings>(sample.run.settings.rigid[0].second.shape).center[1] = 3.01;
+  std::get<mesh::BoxMesh>(sample.run.settings.mesh).size[1] = 20;
+  std::get<bodies::CircleSettings>(sample.run.settings.rigid[0].second.shape).center[1] = 3.01;
   sample.run.history.values[2] = {-3};
   EXPECT_NEAR(film_view(sample.run, wide).upper[1], 3 + 1.3 * sample.D, 1e-12);  // it never comes down
   sample.run.history.values = {{0, 1}, {0, 0}, {-3, 0.01}, {0, 0}, {0, 0}};
@@ -64,17 +64,17 @@ TEST(film_view, without_a_pipe_is_the_soil)
 
 TEST(film_view, surface_is_known_of_a_flat_bed)
 {
-  Case c;
-  c.mesh = BoxMesh{};
+  problem::Case c;
+  c.mesh = mesh::BoxMesh{};
   c.surface = 0.5;
-  c.body = {{"sand", BodySettings{}}};
+  c.body = {{"sand", bodies::BodySettings{}}};
   EXPECT_FALSE(film_surface(c));
   c.body[0].second.k0 = 1;
   EXPECT_EQ(film_surface(c), 0.5);
   c.body[0].second.k0.reset();
-  c.mesh = SeabedMesh{};
+  c.mesh = mesh::SeabedMesh{};
   EXPECT_EQ(film_surface(c), 0.5);
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::report

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "samples/paper_run.hpp"
 
-#include "report/claims/paper.hpp"
 #include "report/claims/claims.hpp"
+#include "report/claims/paper.hpp"
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 using test::PaperRun;
@@ -36,7 +36,7 @@ TEST(Claims, are_only_made_of_runs_with_the_pipe_and_the_sand_of_the_paper)
   EXPECT_TRUE(is_of_paper(PaperRun{.file = "wip_10.toml", .overrides = {}}.record("wip")));
   for (const char* other : {"material.sand.friction_angle=\"30 deg\"", "material.sand.cohesion=\"1 kPa\"", "rigid.pipe.diameter=\"40 mm\"",
                             "contact.skin.friction_angle=\"10 deg\"", "material.sand.young_modulus=\"20 MPa\""}) {
-    const RunRecord run = PaperRun{.file = "case.toml", .overrides = {other}}.record("other");
+    const pipe::RunRecord run = PaperRun{.file = "case.toml", .overrides = {other}}.record("other");
     EXPECT_FALSE(is_of_paper(run)) << other;
     EXPECT_EQ(claims_section({run}), "") << other;
     EXPECT_TRUE(paper_points({run}).empty()) << other;
@@ -141,10 +141,10 @@ TEST(Claims, a_larger_resistance_under_a_larger_load_proves_half)
 
 TEST(Claims, of_two_corrections_are_judged_by_runs_that_correct_twice)
 {
-  RunRecord once = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"once\""}}.record("run");
+  pipe::RunRecord once = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"once\""}}.record("run");
   once.quantities = {{"overlap_max_over_D", 0, "1"}};
   EXPECT_EQ(verdict(claims_section({once}), "With the two corrections"), "not examined");
-  RunRecord twice = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"twice\""}}.record("run");
+  pipe::RunRecord twice = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"twice\""}}.record("run");
   twice.quantities = {{"overlap_max_over_D", 0, "1"}};
   EXPECT_EQ(verdict(claims_section({twice}), "With the two corrections"), "reproduced");
   twice.quantities = {{"overlap_max_over_D", 0.01, "1"}};
@@ -153,9 +153,9 @@ TEST(Claims, of_two_corrections_are_judged_by_runs_that_correct_twice)
 
 TEST(Claims, correcting_twice_is_judged_where_a_run_corrects_once)
 {
-  RunRecord once =
+  pipe::RunRecord once =
       PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"once\"", "contact.skin.detection=\"gap\""}}.record("once");
-  RunRecord twice =
+  pipe::RunRecord twice =
       PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"twice\"", "contact.skin.detection=\"gap\""}}.record("twice");
   once.quantities = {{"V_noise", 0.03, "1"}};
   twice.quantities = {{"V_noise", 0.02, "1"}};
@@ -170,4 +170,4 @@ TEST(Claims, names_of_runs_are_no_markup)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::report

@@ -2,8 +2,8 @@
 #include "report/page/page_data.hpp"
 
 #include "samples/made_run.hpp"
-#include "structures/pipe/travel_curve.hpp"
 #include "samples/paper_run.hpp"
+#include "structures/pipe/travel_curve.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,10 +14,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A pipe that rests for a row, is pushed by 2 mm in `push` rows and dragged by 10 mm in `drag` rows, with forces that jump from row to row.
-RunRecord long_run(Index push, Index drag)
+pipe::RunRecord long_run(Index push, Index drag)
 {
-  RunRecord run = MadeRun{}.record();
-  History& h = run.history;
+  pipe::RunRecord run = MadeRun{}.record();
+  run_folder::History& h = run.history;
   h = {{"time_s", "u_m", "w_m", "H_N_m", "V_N_m"}, std::vector<std::vector<Real>>(5), {}};
   const auto add = [&](const char* stage, Real u, Real w, Real H, Real V) {
     const Real row[] = {static_cast<Real>(h.rows()), u, w, H, V};
@@ -41,17 +41,17 @@ Index history_row(const Json& data, Index row)
 
 TEST(PageData, short_history_has_all_its_rows)
 {
-  const RunRecord run = MadeRun{}.record();
-  const Json data = run_data(run);
+  const pipe::RunRecord run = MadeRun{}.record();
+  const Json data = report::run_data(run);
   EXPECT_TRUE(data["row"].is_null());
   EXPECT_EQ(data["columns"]["time_s"].size(), std::size_t(run.history.rows()));
 }
 
 TEST(PageData, thinned_history_keeps_the_ends_of_each_stage_and_the_row_before_the_drag)
 {
-  const RunRecord run = long_run(1000, 5000);
+  const pipe::RunRecord run = long_run(1000, 5000);
   ASSERT_EQ(run.history.rows(), 6001);
-  const Json data = run_data(run);
+  const Json data = report::run_data(run);
   const std::vector<Index> kept = data["row"];
   EXPECT_LT(kept.size(), 5006u);
   EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
@@ -67,8 +67,8 @@ TEST(PageData, thinned_history_keeps_the_ends_of_each_stage_and_the_row_before_t
 
 TEST(PageData, rows_of_a_thinned_history_are_those_of_history_csv)
 {
-  const RunRecord run = long_run(1000, 5000);
-  const Json data = run_data(run);
+  const pipe::RunRecord run = long_run(1000, 5000);
+  const Json data = report::run_data(run);
   const std::size_t kept = data["row"].size();
   EXPECT_EQ(data["stage"].size(), kept);
   for (std::size_t c = 0; c < run.history.columns.size(); ++c) {
@@ -81,11 +81,11 @@ TEST(PageData, rows_of_a_thinned_history_are_those_of_history_csv)
 
 TEST(PageData, means_of_a_thinned_history_are_those_of_all_its_rows)
 {
-  const RunRecord run = long_run(1000, 5000);
-  const Json data = run_data(run);
-  const History& h = run.history;
+  const pipe::RunRecord run = long_run(1000, 5000);
+  const Json data = report::run_data(run);
+  const run_folder::History& h = run.history;
   std::vector<Real> u(h["u_m"].begin() + 1000, h["u_m"].end()), H(h["H_N_m"].begin() + 1000, h["H_N_m"].end());
-  const TravelCurve curve(u, H);
+  const pipe::TravelCurve curve(u, H);
   const Json& drag = data["drag"];
   ASSERT_EQ(drag["H_mean"].size(), drag["rows"].size());
   for (std::size_t k = 0; k < drag["rows"].size(); ++k) {
@@ -96,8 +96,8 @@ TEST(PageData, means_of_a_thinned_history_are_those_of_all_its_rows)
 
 TEST(PageData, means_along_very_many_rows_stay_on_the_force)
 {
-  const RunRecord run = long_run(20000, 30000);
-  const Json data = run_data(run);
+  const pipe::RunRecord run = long_run(20000, 30000);
+  const Json data = report::run_data(run);
   const Real D = run.scale.diameter;
   std::size_t seen = 0;
   for (std::size_t k = 0; k < data["drag"]["rows"].size(); ++k) {
@@ -116,18 +116,18 @@ TEST(PageData, prototype_is_of_runs_whose_gravity_is_not_the_earths)
   MadeRun made;
   for (const Real level : {0., 1., 10 / standard_gravity}) {
     made.gravity_level = level;
-    EXPECT_TRUE(run_data(made.record())["prototype"].is_null()) << level;
+    EXPECT_TRUE(report::run_data(made.record())["prototype"].is_null()) << level;
   }
   for (const Real level : {0.5, 50.}) {
     made.gravity_level = level;
-    EXPECT_DOUBLE_EQ(run_data(made.record())["prototype"], level);
+    EXPECT_DOUBLE_EQ(report::run_data(made.record())["prototype"], level);
   }
 }
 
 TEST(PageData, forces_have_the_measure_of_the_tables)
 {
   MadeRun made;
-  const auto measure = [&] { return run_data(made.record())["measure"]; };
+  const auto measure = [&] { return report::run_data(made.record())["measure"]; };
   const Real weight = made.record().scale.unit_weight;
   EXPECT_DOUBLE_EQ(measure()["size"], weight * made.D * made.D);
   EXPECT_EQ(measure()["force"], "γ′ D²");
@@ -146,8 +146,8 @@ TEST(PageData, forces_have_the_measure_of_the_tables)
 
 TEST(PageData, runs_of_the_papers_test_are_told)
 {
-  EXPECT_TRUE(run_data(test::PaperRun{}.record("case"))["of_paper"]);
+  EXPECT_TRUE(report::run_data(test::PaperRun{}.record("case"))["of_paper"]);
   MadeRun other;
   other.D = 0.05;
-  EXPECT_FALSE(run_data(other.record())["of_paper"]);
+  EXPECT_FALSE(report::run_data(other.record())["of_paper"]);
 }

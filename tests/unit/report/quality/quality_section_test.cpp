@@ -5,12 +5,12 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
-void set_gap(RunRecord& run, Real metres)
+void set_gap(pipe::RunRecord& run, Real metres)
 {
-  for (Quantity& quantity : run.quantities) {
+  for (run_folder::Quantity& quantity : run.quantities) {
     if (quantity.name == "gap_mean") quantity.value = metres;
     if (quantity.name == "gap_mean_over_D") quantity.value = metres / run.scale.diameter;
   }
@@ -32,7 +32,7 @@ TEST(trust, nothing_wrong_is_said)
 
 TEST(trust, large_gap_is_a_warning_and_a_small_one_is_not)
 {
-  RunRecord run = sample_record(sample_case());
+  pipe::RunRecord run = sample_record(sample_case());
   set_gap(run, 0.05e-3);
   EXPECT_FALSE(contains(quality_section({run}), "gap is"));
   set_gap(run, 0.4e-3);
@@ -43,26 +43,26 @@ TEST(trust, large_gap_is_a_warning_and_a_small_one_is_not)
 
 TEST(trust, gap_is_counted_in_cells_at_the_pipe)
 {
-  RunRecord run = sample_record(sample_case({"mesh.near_size=2 mm"}));
+  pipe::RunRecord run = sample_record(sample_case({"mesh.near_size=2 mm"}));
   set_gap(run, 0.8e-3);
   EXPECT_TRUE(contains(quality_section({run}), "gap is 0.4 h: the pipe acts up to 8 % larger")) << quality_section({run});
 }
 
 TEST(trust, verdicts_change_at_their_limits)
 {
-  EXPECT_EQ(judge(limits::energy, limits::energy.good), Standing::good);
-  EXPECT_EQ(judge(limits::energy, 1.001 * limits::energy.good), Standing::fair);
-  EXPECT_EQ(judge(limits::energy, limits::energy.bad), Standing::fair);
-  EXPECT_EQ(judge(limits::energy, 1.001 * limits::energy.bad), Standing::bad);
-  EXPECT_EQ(judge(limits::cells, 20), Standing::good);
-  EXPECT_EQ(judge(limits::cells, 19.9), Standing::fair);
-  EXPECT_EQ(judge(limits::cells, 9.9), Standing::bad);
-  EXPECT_EQ(judge(limits::energy, std::nan("")), Standing::unknown);
+  EXPECT_EQ(judge(limits::energy, limits::energy.good), text::Standing::good);
+  EXPECT_EQ(judge(limits::energy, 1.001 * limits::energy.good), text::Standing::fair);
+  EXPECT_EQ(judge(limits::energy, limits::energy.bad), text::Standing::fair);
+  EXPECT_EQ(judge(limits::energy, 1.001 * limits::energy.bad), text::Standing::bad);
+  EXPECT_EQ(judge(limits::cells, 20), text::Standing::good);
+  EXPECT_EQ(judge(limits::cells, 19.9), text::Standing::fair);
+  EXPECT_EQ(judge(limits::cells, 9.9), text::Standing::bad);
+  EXPECT_EQ(judge(limits::energy, std::nan("")), text::Standing::unknown);
 }
 
 TEST(trust, verdicts_of_the_page_follow_the_numbers)
 {
-  RunRecord run = sample_record(sample_case());
+  pipe::RunRecord run = sample_record(sample_case());
   EXPECT_TRUE(contains(row_of(quality_section({run}), "energy that does not balance"), "0.4 % <span class=\"badge good\">"));
   run.summary->checks["energy_error"] = 0.03;
   EXPECT_TRUE(contains(row_of(quality_section({run}), "energy that does not balance"), "badge fair"));
@@ -73,7 +73,7 @@ TEST(trust, verdicts_of_the_page_follow_the_numbers)
 
 TEST(trust, kinetic_energy_of_a_fast_push_is_a_warning)
 {
-  RunRecord run = sample_record(sample_case());
+  pipe::RunRecord run = sample_record(sample_case());
   run.history.columns = {"kinetic_J_m", "internal_J_m"};
   run.history.values = {{}, {}};
   for (int k = 0; k < 40; ++k) {
@@ -90,7 +90,7 @@ TEST(trust, kinetic_energy_of_a_fast_push_is_a_warning)
 
 TEST(trust, place_of_the_largest_energy_error_is_told)
 {
-  RunRecord run = sample_record(sample_case());
+  pipe::RunRecord run = sample_record(sample_case());
   run.history.columns = {"u_m", "w_m", "internal_J_m", "external_J_m", "energy_error_J_m"};
   run.history.values = {{0, 0, 0.004}, {0, 0.002, 0.003}, {0, 1, 2}, {0, 1, 2}, {0, -0.1, 0.05}};
   run.history.stage = {"push", "push", "drag"};
@@ -108,7 +108,7 @@ TEST(trust, plain_triangles_are_a_warning)
 
 TEST(trust, coarse_cells_are_a_warning)
 {
-  RunRecord run = sample_record(sample_case({"mesh.near_size=4 mm"}));
+  pipe::RunRecord run = sample_record(sample_case({"mesh.near_size=4 mm"}));
   EXPECT_TRUE(contains(quality_section({run}), "cells at the pipe are D/5: resistance on a coarse mesh is too large"))
       << quality_section({run});
 }
@@ -123,9 +123,9 @@ TEST(trust, friction_that_shear_bands_lose_is_a_warning)
 
 TEST(trust, run_without_a_summary_says_what_is_not_known)
 {
-  RunRecord run = sample_record(sample_case());
+  pipe::RunRecord run = sample_record(sample_case());
   run.summary.reset();
-  run.end = RunEnd::unfinished;
+  run.end = pipe::RunEnd::unfinished;
   const std::string html = quality_section({run});
   EXPECT_TRUE(contains(html, "there is no summary of the run")) << html;
   EXPECT_TRUE(contains(row_of(html, "momentum that does not balance"), "<span class=\"badge none\">not known</span>"));
@@ -134,8 +134,8 @@ TEST(trust, run_without_a_summary_says_what_is_not_known)
 
 TEST(trust, finite_elements_have_rows_of_their_own_only)
 {
-  RunRecord run = sample_record(sample_case({"stage.drag.vertical=fixed"}));
-  run.settings.method = Method::fem;
+  pipe::RunRecord run = sample_record(sample_case({"stage.drag.vertical=fixed"}));
+  run.settings.method = problem::Method::fem;
   const std::string html = quality_section({run});
   EXPECT_TRUE(contains(html, "part of the stress beyond the strength"));
   EXPECT_TRUE(contains(row_of(html, "strength that lags behind the pressure"), "badge good"));
@@ -148,7 +148,7 @@ TEST(trust, finite_elements_have_rows_of_their_own_only)
 
 TEST(trust, warnings_of_the_log_are_there_and_not_too_many)
 {
-  RunRecord run = sample_record(sample_case());
+  pipe::RunRecord run = sample_record(sample_case());
   for (int k = 0; k < 8; ++k) run.warnings.push_back("<careful> " + std::to_string(k));
   const std::string html = quality_section({run});
   EXPECT_TRUE(contains(html, "run.log: &lt;careful&gt; 0"));
@@ -157,4 +157,4 @@ TEST(trust, warnings_of_the_log_are_there_and_not_too_many)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::report

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "report/results/results_section.hpp"
 #include "samples/made_run.hpp"
 #include "text/quantity_words.hpp"
-#include "report/results/results_section.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 bool holds(const std::string& html, const std::string& part)
@@ -108,7 +108,7 @@ TEST(answer, several_runs_stand_one_below_the_other_at_each_point)
 
 TEST(answer, a_push_has_no_point_where_it_begins_but_one_where_it_ends)
 {
-  for (const Method method : {Method::mpm, Method::fem}) {
+  for (const problem::Method method : {problem::Method::mpm, problem::Method::fem}) {
     MadeRun made;
     made.method = method;
     made.first_w = 0.004;
@@ -141,14 +141,14 @@ TEST(answer, a_push_that_was_stopped_or_killed_has_no_end_to_compare)
   MadeRun made;
   made.pushed_to = 0.00156;
   made.dragged = 0;
-  RunRecord run = made.record();
-  run.end = RunEnd::stopped;
+  pipe::RunRecord run = made.record();
+  run.end = pipe::RunEnd::stopped;
   std::string html = results_section({run});
   EXPECT_TRUE(holds(html, "in the prototype), where it was stopped, the pipe carries")) << html;
   EXPECT_TRUE(holds(html, "<th scope=\"row\">where it was stopped</th>"));
   EXPECT_TRUE(holds(html, "Where it was stopped, w = 0.078 D"));
   EXPECT_FALSE(holds(html, "nd of the push"));
-  run.end = RunEnd::unfinished;
+  run.end = pipe::RunEnd::unfinished;
   html = results_section({run});
   EXPECT_TRUE(holds(html, "in the prototype), as far as it came, the pipe carries")) << html;
   EXPECT_TRUE(holds(html, "As far as it came, w = 0.078 D"));
@@ -157,7 +157,7 @@ TEST(answer, a_push_that_was_stopped_or_killed_has_no_end_to_compare)
   MadeRun dragged;
   dragged.pushed_to = 0.00156;
   run = dragged.record();
-  run.end = RunEnd::stopped;
+  run.end = pipe::RunEnd::stopped;
   html = results_section({run});
   EXPECT_TRUE(holds(html, "End of the push, w = 0.078 D")) << html;
   EXPECT_TRUE(holds(html, "There is no peak: H grows to where it was stopped."));
@@ -172,8 +172,8 @@ TEST(answer, no_H_is_larger_than_the_largest)
       << html;
   EXPECT_TRUE(holds(html, "straight line fitted to H or V within ±0.01 D of travel"));
   // An older folder has a largest H without the ends; a folder without a history has nothing else.
-  RunRecord run = MadeRun{}.record();
-  for (Quantity& q : run.quantities)
+  pipe::RunRecord run = MadeRun{}.record();
+  for (run_folder::Quantity& q : run.quantities)
     if (q.name == "H_max") q.value = 290;
   EXPECT_FALSE(holds(results_section({run}), "0.2900"));
   run.history = {};
@@ -184,7 +184,7 @@ TEST(answer, no_H_is_larger_than_the_largest)
 TEST(answer, a_drag_of_less_than_a_tenth_of_D_tells_its_largest_H)
 {
   MadeRun made;
-  made.method = Method::fem;
+  made.method = problem::Method::fem;
   made.first_w = made.pushed_to = 0.006;
   made.dragged = 0.0016;
   made.H = [](Real u) { return u < 0.0008 ? 1e6 * u : 800 - 1e5 * (u - 0.0008); };
@@ -199,7 +199,7 @@ TEST(answer, a_drag_of_less_than_a_tenth_of_D_tells_its_largest_H)
 
 TEST(answer, what_cannot_be_trusted_is_named_beside_the_words)
 {
-  RunRecord run = MadeRun{}.record();
+  pipe::RunRecord run = MadeRun{}.record();
   EXPECT_FALSE(holds(results_section({run}), "#trust"));
   run.quantities.push_back({"overlap_max_over_D", 0.03, "1"});
   const std::string html = results_section({run});
@@ -212,12 +212,12 @@ TEST(answer, a_box_is_a_footing_and_any_other_shape_a_body)
 {
   MadeRun made;
   made.dragged = 0;
-  RunRecord run = made.record();
-  run.settings.rigid[0].second.shape = BoxSettings{{0, 0.01}, {0.02, 0.02}, 0};
+  pipe::RunRecord run = made.record();
+  run.settings.rigid[0].second.shape = bodies::BoxSettings{{0, 0.01}, {0.02, 0.02}, 0};
   EXPECT_TRUE(holds(results_section({run}), "the footing carries V")) << results_section({run});
   EXPECT_TRUE(holds(results_section({run}), "). D is the width of the footing.</p>"));
   EXPECT_FALSE(holds(results_section({run}), "the pipe "));
-  PolygonSettings wedge;
+  bodies::PolygonSettings wedge;
   wedge.x = {-0.01, 0.01, 0};
   wedge.y = {0.02, 0.02, 0};
   run.settings.rigid[0].second.shape = wedge;
@@ -232,19 +232,19 @@ TEST(answer, forces_are_in_the_unit_of_the_largest)
            {99, "carries V = 99 N/m"}, {101, "carries V = 0.101 kN/m"}, {1e6, "carries V = 1000 kN/m"}, {2e7, "carries V = 20 MN/m"}}) {
     made.V = [size = largest](Real w) { return size * w / 0.002; };
     EXPECT_TRUE(holds(results_section({made.record()}), words)) << words;
-    EXPECT_EQ(words.substr(words.rfind(' ') + 1), unit_of_forces(largest, 2).name);
+    EXPECT_EQ(words.substr(words.rfind(' ') + 1), text::unit_of_forces(largest, 2).name);
   }
-  EXPECT_EQ(force_words(99, 2), "99 N/m");
-  EXPECT_EQ(force_words(800, 2), "0.8 kN/m");
-  EXPECT_EQ(force_words(800, 3), "0.8 kN");
+  EXPECT_EQ(text::force_words(99, 2), "99 N/m");
+  EXPECT_EQ(text::force_words(800, 2), "0.8 kN/m");
+  EXPECT_EQ(text::force_words(800, 3), "0.8 kN");
 }
 
 TEST(answer, of_a_run_that_did_not_end_there_is_what_there_is)
 {
   MadeRun made;
   made.dragged = 0.004;
-  RunRecord run = made.record();
-  run.end = RunEnd::unfinished;
+  pipe::RunRecord run = made.record();
+  run.end = pipe::RunEnd::unfinished;
   const std::string html = results_section({run});
   EXPECT_TRUE(holds(html, "(not finished) Pushed to w = 0.1 D"));
   EXPECT_TRUE(holds(html, "Dragged 0.2 D"));
@@ -255,9 +255,9 @@ TEST(answer, of_a_run_that_did_not_end_there_is_what_there_is)
 
 TEST(answer, a_run_without_a_pipe_tells_its_quantities_and_what_it_watches)
 {
-  RunRecord run = MadeRun{}.record();
+  pipe::RunRecord run = MadeRun{}.record();
   run.settings.stage.clear();
-  run.scale = pipe_scale(run.settings);
+  run.scale = pipe::pipe_scale(run.settings);
   run.quantities = {{"run_out", 1.234, "m"}};
   run.settings.watch = {{"ti<p", {"soil", {0, 0}}}};
   run.history.columns.push_back("ti<p_uy_m");
@@ -270,9 +270,9 @@ TEST(answer, a_run_without_a_pipe_tells_its_quantities_and_what_it_watches)
   EXPECT_FALSE(holds(html, "Key results"));
   run.settings.watch.clear();
   run.quantities.clear();
-  run.summary = RunSummary{{}, {}, {{"momentum_error", 1e-3}}, {}};
+  run.summary = run_folder::RunSummary{{}, {}, {{"momentum_error", 1e-3}}, {}};
   EXPECT_TRUE(holds(results_section({run}), "<th scope=\"row\">momentum_error</th><td class=\"number\">0.001000</td>"));
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::report

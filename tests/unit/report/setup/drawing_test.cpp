@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <regex>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 /// The numbers of the attributes of the first element of that kind and class in an SVG.
@@ -92,7 +92,7 @@ TEST(drawing, embedment_of_a_pipe_wished_in_place_is_told)
 
 TEST(drawing, text_is_escaped)
 {
-  Case c = sample_case();
+  problem::Case c = sample_case();
   c.body[0].first = "<b> & \"sand\"";
   c.stage[1].name = "<script>";
   const std::string svg = draw_case(c, "</title><script>").svgs;
@@ -106,7 +106,7 @@ TEST(drawing, nothing_is_drawn_outside_of_its_picture)
 {
   for (const char* name : {"incline/across", "incline/case", "wished_footing/case", "colliding_disks/case", "cylinder/case", "hertz/case",
                            "oedometer/case", "oedometer/case_3d", "column/case_3d", "envelope/clay", "probe_test/case"}) {
-    const std::string svgs = draw_case(read_case(std::string(BERM_SOURCE_DIR) + "/examples/" + name + ".toml"), name).svgs;
+    const std::string svgs = draw_case(input::read_case(std::string(BERM_SOURCE_DIR) + "/examples/" + name + ".toml"), name).svgs;
     std::size_t from = 0;
     const std::regex frame("<svg xmlns=\"[^\"]*\" role=\"img\" width=\"([0-9.]+)\" height=\"([0-9.]+)\"");
     const std::regex word("<text x=\"([-0-9.]+)\" y=\"([-0-9.]+)\" text-anchor=\"(\\w+)\"( transform[^>]*)?[^>]*>([^<]*)<");
@@ -132,7 +132,7 @@ TEST(drawing, nothing_is_drawn_outside_of_its_picture)
 
 TEST(drawing, mesh_from_a_file_is_told_and_bodies_are_drawn)
 {
-  const Drawing drawing = draw_case(read_case(std::string(BERM_SOURCE_DIR) + "/examples/oedometer/case.toml"), "x");
+  const Drawing drawing = draw_case(input::read_case(std::string(BERM_SOURCE_DIR) + "/examples/oedometer/case.toml"), "x");
   ASSERT_FALSE(drawing.notes.empty());
   EXPECT_TRUE(contains(drawing.notes[0], "cells_10.geo")) << drawing.notes[0];
   EXPECT_FALSE(contains(drawing.svgs, "class=\"domain\""));
@@ -141,7 +141,7 @@ TEST(drawing, mesh_from_a_file_is_told_and_bodies_are_drawn)
 
 TEST(drawing, half_plane_is_cut_at_the_edge_of_the_mesh)
 {
-  const std::string svg = draw_case(read_case(std::string(BERM_SOURCE_DIR) + "/examples/incline/across.toml"), "x").svgs;
+  const std::string svg = draw_case(input::read_case(std::string(BERM_SOURCE_DIR) + "/examples/incline/across.toml"), "x").svgs;
   const auto mesh = numbers_of(svg, "rect", "domain", {"x", "y", "width", "height"});
   const std::size_t begin = svg.find("<polygon class=\"rigid\"");
   ASSERT_NE(begin, std::string::npos);
@@ -156,4 +156,4 @@ TEST(drawing, half_plane_is_cut_at_the_edge_of_the_mesh)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::report

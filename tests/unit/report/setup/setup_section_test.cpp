@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/setup/setup_tables.hpp"
 #include "report/setup/parameter_table.hpp"
 #include "report/setup/setup_section.hpp"
+#include "report/setup/setup_tables.hpp"
 #include "samples/pipe_case.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace berm {
+namespace berm::report {
 namespace {
 
 const ParameterEntry& entry_of(const std::vector<ParameterEntry>& all, const std::string& path)
@@ -20,14 +20,14 @@ const ParameterEntry& entry_of(const std::vector<ParameterEntry>& all, const std
 
 TEST(parameters, every_key_of_the_resolved_case_is_there_once)
 {
-  const Case c = sample_case();
+  const problem::Case c = sample_case();
   std::vector<std::string> paths;
   for (const ParameterEntry& entry : parameters_of(c)) paths.push_back(entry.path);
   std::vector<std::string> sorted = paths;
   std::sort(sorted.begin(), sorted.end());
   EXPECT_EQ(std::adjacent_find(sorted.begin(), sorted.end()), sorted.end());
   // resolved.toml has a line for each; its other lines are tables, blank, or the remark at the top.
-  std::istringstream lines(resolved_toml(c));
+  std::istringstream lines(input::resolved_toml(c));
   std::size_t count = 0;
   std::string line;
   std::getline(lines, line);
@@ -79,14 +79,14 @@ TEST(parameters, those_of_one_run_only_stand_behind_their_neighbour)
 
 TEST(asked, runs_that_look_the_same_share_a_drawing)
 {
-  const auto drawings = [](const std::vector<RunRecord>& runs) {
+  const auto drawings = [](const std::vector<pipe::RunRecord>& runs) {
     const std::string html = setup_section(runs);
     int count = 0;
     for (std::size_t at = 0; (at = html.find("<figure", at)) != std::string::npos; ++at) ++count;
     return count;
   };
-  const RunRecord a = sample_record(sample_case(), "a"), finer = sample_record(sample_case({"mesh.near_size=2 mm"}), "b");
-  const RunRecord deeper = sample_record(sample_case({"mesh.depth=200 mm"}), "c");
+  const pipe::RunRecord a = sample_record(sample_case(), "a"), finer = sample_record(sample_case({"mesh.near_size=2 mm"}), "b");
+  const pipe::RunRecord deeper = sample_record(sample_case({"mesh.depth=200 mm"}), "c");
   EXPECT_EQ(drawings({a, finer}), 1);
   EXPECT_EQ(drawings({a, finer, deeper}), 2);
 }
@@ -108,7 +108,7 @@ TEST(asked, gravity_rounded_to_ten_makes_no_prototype)
 
 TEST(asked, what_older_runs_lack_is_told)
 {
-  RunRecord run = sample_record(sample_case());
+  pipe::RunRecord run = sample_record(sample_case());
   EXPECT_TRUE(contains(computation_table({run}).html(), "machine</th><td>not recorded")) << computation_table({run}).html();
   run.summary->text["machine"] = "a machine";
   EXPECT_TRUE(contains(computation_table({run}).html(), "machine</th><td>a machine"));
@@ -125,4 +125,4 @@ TEST(asked, names_of_the_user_are_escaped)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::report

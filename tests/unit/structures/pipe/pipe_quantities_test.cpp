@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/pipe_quantities.hpp"
 
-#include "structures/pipe/travel_curve.hpp"
 #include "samples/run_to_write.hpp"
+#include "structures/pipe/travel_curve.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 const PipeScale scale{.diameter = 0.02, .unit_weight = 430e3, .gravity_level = 50};
 const PipeStages stages{.push = {"push"}, .drag = {"drag"}, .held_force = {}};
 
-std::vector<Quantity> quantities_of(const SamplePipe& pipe, const PipeStages& by = stages)
+std::vector<run_folder::Quantity> quantities_of(const SamplePipe& pipe, const PipeStages& by = stages)
 {
   const TemporaryFolder folder;
-  pipe.write(folder.path / "h");
-  return pipe_quantities(read_history(folder.path / "h"), scale, by);
+  pipe.write(folder.path() / "h");
+  return pipe_quantities(run_folder::read_history(folder.path() / "h"), scale, by);
 }
 
-const Quantity* find(const std::vector<Quantity>& list, const std::string& name)
+const run_folder::Quantity* find(const std::vector<run_folder::Quantity>& list, const std::string& name)
 {
-  const auto found = std::find_if(list.begin(), list.end(), [&](const Quantity& q) { return q.name == name; });
+  const auto found = std::find_if(list.begin(), list.end(), [&](const run_folder::Quantity& q) { return q.name == name; });
   return found == list.end() ? nullptr : &*found;
 }
 
-Real value(const std::vector<Quantity>& list, const std::string& name)
+Real value(const std::vector<run_folder::Quantity>& list, const std::string& name)
 {
-  const Quantity* q = find(list, name);
+  const run_folder::Quantity* q = find(list, name);
   EXPECT_NE(q, nullptr) << name;
   return q == nullptr ? std::numeric_limits<Real>::quiet_NaN() : q->value;
 }
@@ -58,13 +58,13 @@ TEST(PipeQuantities, a_push_that_begins_in_the_bed_is_read_at_its_travel_from_th
   const auto list_from = [](Real begin, bool noisy) {
     const TemporaryFolder folder;
     {
-      HistoryFile file(folder.path / "h", {"u_m", "w_m", "H_N_m", "V_N_m"});
+      run_folder::HistoryFile file(folder.path() / "h", {"u_m", "w_m", "H_N_m", "V_N_m"});
       file.add(0, "rest", {0, begin * scale.diameter, 0, 0});
       for (int k = 1; k <= 20; ++k) file.add(k, "push", {0, (begin + 0.001 * k) * scale.diameter, 0, 5e3 * 0.001 * k});
     }
     PipeScale by = scale;
     by.noisy = noisy;
-    return pipe_quantities(read_history(folder.path / "h"), by, stages);
+    return pipe_quantities(run_folder::read_history(folder.path() / "h"), by, stages);
   };
   for (const bool noisy : {true, false}) {
     const auto list = list_from(0.1, noisy);
@@ -82,13 +82,13 @@ TEST(PipeQuantities, forces_without_noise_are_taken_between_two_rows)
   // Rises to its plateau within the window of +-0.01 D that noise would be averaged over, from an embedment of 0.1 D.
   const TemporaryFolder folder;
   {
-    HistoryFile file(folder.path / "h", {"u_m", "w_m", "H_N_m", "V_N_m"});
+    run_folder::HistoryFile file(folder.path() / "h", {"u_m", "w_m", "H_N_m", "V_N_m"});
     for (const auto& [w, V] : std::vector<std::pair<Real, Real>>{{0.1, 0}, {0.105, 900}, {0.11, 1000}})
       file.add(w, "push", {0, w * scale.diameter, 0, V});
   }
   PipeScale exact = scale;
   exact.noisy = false;
-  const auto list = pipe_quantities(read_history(folder.path / "h"), exact, stages);
+  const auto list = pipe_quantities(run_folder::read_history(folder.path() / "h"), exact, stages);
   EXPECT_EQ(value(list, "V_end_of_push"), 1000);
   EXPECT_EQ(value(list, "V_at_w_0.1D"), 0);
   EXPECT_EQ(find(list, "V_at_w_0.05D"), nullptr);  // above where the push began
@@ -149,10 +149,10 @@ TEST(PipeQuantities, noise_is_not_told_of_rows_too_far_apart)
 {
   const TemporaryFolder folder;
   {
-    HistoryFile file(folder.path / "h", {"u_m", "w_m", "H_N_m", "V_N_m"});
+    run_folder::HistoryFile file(folder.path() / "h", {"u_m", "w_m", "H_N_m", "V_N_m"});
     for (int k = 0; k <= 20; ++k) file.add(k, "push", {0, k * 0.01 * scale.diameter, 0, k % 2 == 0 ? 900. : 1100.});
   }
-  EXPECT_EQ(find(pipe_quantities(read_history(folder.path / "h"), scale, stages), "V_noise"), nullptr);
+  EXPECT_EQ(find(pipe_quantities(run_folder::read_history(folder.path() / "h"), scale, stages), "V_noise"), nullptr);
 }
 
 TEST(PipeQuantities, the_second_impulse_is_told_over_V_of_the_push)
@@ -175,7 +175,7 @@ TEST(PipeQuantities, a_push_alone_has_no_numbers_of_a_drag)
   push_only.drag.clear();
   const auto list = quantities_of({}, push_only);
   EXPECT_NE(find(list, "V_end_of_push"), nullptr);
-  for (const Quantity& q : list) EXPECT_EQ(q.name.find("_at_u_"), std::string::npos) << q.name;
+  for (const run_folder::Quantity& q : list) EXPECT_EQ(q.name.find("_at_u_"), std::string::npos) << q.name;
   EXPECT_EQ(find(list, "H_max"), nullptr);
 }
 
@@ -190,17 +190,18 @@ TEST(PipeQuantities, contact_numbers_cover_push_and_drag_only)
 TEST(PipeQuantities, of_a_run_that_stopped_early_there_is_what_was_reached)
 {
   const TemporaryFolder folder;
-  put(folder.path / "h", "time_s,stage,u_m,w_m,H_N_m,V_N_m\n");
-  EXPECT_TRUE(pipe_quantities(read_history(folder.path / "h"), scale, stages).empty());
-  put(folder.path / "h", "time_s,stage,u_m,w_m,H_N_m,V_N_m\n0,drag,0,0.001,nan,nan\n");
-  EXPECT_NO_THROW(pipe_quantities(read_history(folder.path / "h"), scale, stages));
+  put(folder.path() / "h", "time_s,stage,u_m,w_m,H_N_m,V_N_m\n");
+  EXPECT_TRUE(pipe_quantities(run_folder::read_history(folder.path() / "h"), scale, stages).empty());
+  put(folder.path() / "h", "time_s,stage,u_m,w_m,H_N_m,V_N_m\n0,drag,0,0.001,nan,nan\n");
+  EXPECT_NO_THROW(pipe_quantities(run_folder::read_history(folder.path() / "h"), scale, stages));
 }
 
 TEST(PipeQuantities, weightless_soil_has_no_gamma_to_divide_by)
 {
   const TemporaryFolder folder;
-  SamplePipe{}.write(folder.path / "h");
-  for (const Quantity& q : pipe_quantities(read_history(folder.path / "h"), {.diameter = 0.02, .unit_weight = 0}, stages))
+  SamplePipe{}.write(folder.path() / "h");
+  for (const run_folder::Quantity& q :
+       pipe_quantities(run_folder::read_history(folder.path() / "h"), {.diameter = 0.02, .unit_weight = 0}, stages))
     EXPECT_EQ(q.name.find("gamma"), std::string::npos);
 }
 
@@ -262,4 +263,4 @@ TEST(TravelCurve, leaves_out_rows_that_go_back_and_does_not_reach_beyond_its_end
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::pipe

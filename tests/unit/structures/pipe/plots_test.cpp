@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 namespace fs = std::filesystem;
@@ -36,7 +36,7 @@ using Color = std::array<int, 3>;
 Color color_at(const fs::path& picture, int column, int row)
 {
   const TemporaryFolder folder;
-  const fs::path table = folder.path / "table";
+  const fs::path table = folder.path() / "table";
   const std::string command =
       fmt::format("gnuplot -e \"set table '{}'; plot '{}' binary filetype=png every ::{}:{}:{}:{} with rgbimage\" > /dev/null 2>&1",
                   table.string(), picture.string(), column, row, column + 1, row + 1);
@@ -53,22 +53,22 @@ Color color_at(const fs::path& picture, int column, int row)
 class Plots : public testing::Test {
 protected:
   TemporaryFolder base;
-  RunFolder folder{base.path / "run"};
+  run_folder::RunFolder folder{base.path() / "run"};
 
   static bool gnuplot_is_there() { return std::system("gnuplot --version > /dev/null 2>&1") == 0; }
-  History pipe_history(Real drag)
+  run_folder::History pipe_history(Real drag)
   {
     SamplePipe pipe;
     pipe.drag = drag;
     pipe.ripple = 20;
     pipe.write(folder.file("history.csv"));
-    return read_history(folder.file("history.csv"));
+    return run_folder::read_history(folder.file("history.csv"));
   }
-  static Frame<2> frame()
+  static run_folder::Frame<2> frame()
   {
-    static const Problem<2> problem = sample_problem<2>();
+    static const problem::Problem<2> problem = sample_problem<2>();
     const TemporaryFolder frames_folder;
-    SampleFrames<2> frames(frames_folder.path, problem);
+    SampleFrames<2> frames(frames_folder.path(), problem);
     frames.write(problem.state);
     return frames.last();
   }
@@ -124,9 +124,9 @@ TEST_F(Plots, triangles_are_filled_with_the_colour_of_their_strain)
 
 TEST_F(Plots, triangles_are_painted_without_gaps_as_far_as_the_middles_of_their_sides_reach)
 {
-  Frame<2> frame = two_triangles();
+  run_folder::Frame<2> frame = two_triangles();
   const auto strain = [](Real x, Real y) { return 0.5 + (x - y) / 0.4; };
-  FrameParticle<2>& middle = frame.particles[1];  // of the lower side
+  run_folder::FrameParticle<2>& middle = frame.particles[1];  // of the lower side
   middle.particle.x[1] = -0.03;
   middle.strain.deviatoric = strain(0.1, -0.03);
   draw_soil(folder.path(), frame, {"soil", SoilColor::deviatoric_strain, {Vec<2>(-0.1, -0.1), Vec<2>(0.31, 0.3), {}}, "two triangles"});
@@ -148,7 +148,7 @@ TEST_F(Plots, triangles_are_painted_without_gaps_as_far_as_the_middles_of_their_
 TEST_F(Plots, particles_outside_the_view_are_left_out)
 {
   const SoilView left_half{Vec<2>(0, 0), Vec<2>(0.1, 0.1), {}};
-  Frame<2> one = frame();
+  run_folder::Frame<2> one = frame();
   for (auto& p : one.particles) p.particle.volume = 1e-8;
   draw_soil(folder.path(), one, {"soil", SoilColor::deviatoric_strain, left_half, "left"});
   std::istringstream lines(content_of(folder.file("plots/soil.dat")));
@@ -164,7 +164,7 @@ TEST_F(Plots, of_nothing_there_is_no_picture)
   const SoilView elsewhere{Vec<2>(50, 50), Vec<2>(51, 51), {}};
   EXPECT_FALSE(draw_soil(folder.path(), frame(), {"soil", SoilColor::deviatoric_strain, elsewhere, "nothing"}));
   put(folder.file("history.csv"), "time_s,stage,u_m,w_m,H_N_m,V_N_m\n");
-  const History empty = read_history(folder.file("history.csv"));
+  const run_folder::History empty = run_folder::read_history(folder.file("history.csv"));
   EXPECT_FALSE(draw_pipe_curves(folder, empty, scale, stages, "nothing"));
   EXPECT_FALSE(draw_columns(folder, empty, {"u_m"}, "nothing"));
 }
@@ -172,9 +172,9 @@ TEST_F(Plots, of_nothing_there_is_no_picture)
 TEST_F(Plots, a_missing_gnuplot_is_no_failure_and_the_script_stays)
 {
   const std::string path = std::getenv("PATH");
-  ::setenv("PATH", base.path.c_str(), 1);
+  ::setenv("PATH", base.path().c_str(), 1);
   bool drawn = true;
-  EXPECT_NO_THROW(drawn = draw(folder.path(), "curves", 100, 100, "plot x\n"));
+  EXPECT_NO_THROW(drawn = plot::draw(folder.path(), "curves", 100, 100, "plot x\n"));
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_FALSE(drawn);
   EXPECT_TRUE(fs::exists(folder.file("plots/curves.gp")));
@@ -183,7 +183,7 @@ TEST_F(Plots, a_missing_gnuplot_is_no_failure_and_the_script_stays)
 TEST_F(Plots, a_script_that_fails_is_no_failure_and_leaves_no_broken_picture)
 {
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
-  EXPECT_FALSE(draw(folder.path(), "curves", 100, 100, "plot 'not there'\n"));
+  EXPECT_FALSE(plot::draw(folder.path(), "curves", 100, 100, "plot 'not there'\n"));
   EXPECT_FALSE(fs::exists(folder.file("curves.png")));
 }
 
@@ -191,13 +191,13 @@ TEST_F(Plots, a_picture_that_the_disk_took_a_part_of_is_an_error_and_the_one_bef
 {
   const fs::path picture = folder.file("curves.png");
   put(picture, "the one before");
-  put(base.path / "gnuplot", "#!/bin/sh\nprintf 'PNG' > ../curves.png.part\n");
-  fs::permissions(base.path / "gnuplot", fs::perms::owner_all);
+  put(base.path() / "gnuplot", "#!/bin/sh\nprintf 'PNG' > ../curves.png.part\n");
+  fs::permissions(base.path() / "gnuplot", fs::perms::owner_all);
   const std::string path = std::getenv("PATH");
-  ::setenv("PATH", base.path.c_str(), 1);
+  ::setenv("PATH", base.path().c_str(), 1);
   std::string message;
   try {
-    draw(folder.path(), "curves", 100, 100, "plot x\n");
+    plot::draw(folder.path(), "curves", 100, 100, "plot x\n");
   } catch (const RunError& error) {
     message = error.what();
   }
@@ -217,8 +217,8 @@ TEST(ColumnNames, end_with_their_unit)
 
 TEST(GnuplotText, cannot_leave_its_quotes)
 {
-  EXPECT_EQ(gnuplot_text("it's\n`x`"), "'it''s `x`'");
+  EXPECT_EQ(plot::gnuplot_text("it's\n`x`"), "'it''s `x`'");
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::pipe

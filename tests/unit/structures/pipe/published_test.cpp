@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 using Kind = ComparedState::Kind;
@@ -147,14 +147,14 @@ TEST(published, clay_at_07_D_is_out_of_range)
   ASSERT_NE(deeper, nullptr);
   EXPECT_TRUE(half->published.valid);
   EXPECT_FALSE(deeper->published.valid);
-  EXPECT_NE(by(state_at(values, Kind::push, 0.01), murff_source.work), nullptr);
-  EXPECT_EQ(by(state_at(values, Kind::end_of_push, 0.014), murff_source.work), nullptr);
+  EXPECT_NE(by(state_at(values, Kind::push, 0.01), formulas::murff_source.work), nullptr);
+  EXPECT_EQ(by(state_at(values, Kind::end_of_push, 0.014), formulas::murff_source.work), nullptr);
 }
 
 TEST(published, a_sticky_pipe_in_clay_is_rough)
 {
   MadeRun made = clay_run(0.002);
-  made.contact.scheme = Scheme::sticky;
+  made.contact.scheme = contact::Scheme::sticky;
   made.gravity_level = 0;
   const PublishedValues values = published_beside(made.record());
   const Comparison* rough = by(state_at(values, Kind::end_of_push, 0.002), merifield);
@@ -177,7 +177,7 @@ TEST(published, clay_with_friction_at_the_pipe_has_no_formula_for_H)
 TEST(published, a_run_wished_in_place_takes_the_w_that_it_began_with)
 {
   MadeRun made;
-  made.method = Method::fem;
+  made.method = problem::Method::fem;
   made.first_w = made.pushed_to = 0.002;
   const PublishedValues values = published_beside(made.record());
   const ComparedState* drag = state_at(values, Kind::drag, 0.006);
@@ -191,7 +191,7 @@ TEST(published, a_run_wished_in_place_takes_the_w_that_it_began_with)
 TEST(published, a_push_of_the_finite_element_method_is_compared_at_its_end_and_first_w)
 {
   MadeRun made;
-  made.method = Method::fem;
+  made.method = problem::Method::fem;
   made.first_w = 0.002;
   made.pushed_to = 0.0056;
   const PublishedValues values = published_beside(made.record());
@@ -249,7 +249,7 @@ TEST(published, forces_of_half_a_pipe_are_doubled)
 TEST(published, what_is_no_whole_pipe_has_no_formulas)
 {
   RunRecord run = MadeRun{}.record();
-  run.settings.rigid[0].second.shape = BoxSettings{{0, 0.01}, {0.02, 0.02}, 0};
+  run.settings.rigid[0].second.shape = bodies::BoxSettings{{0, 0.01}, {0.02, 0.02}, 0};
   const PublishedValues values = published_beside(run);
   EXPECT_TRUE(values.states.empty());
   EXPECT_TRUE(says(values, "no circle"));
@@ -262,4 +262,4 @@ TEST(published, what_is_no_whole_pipe_has_no_formulas)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::pipe

@@ -5,12 +5,12 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::pipe {
 namespace {
 
 constexpr Real D = 0.02;
 
-Resistance of(const std::function<Real(Real u_over_D)>& H, Real dragged = D, Method method = Method::mpm)
+Resistance of(const std::function<Real(Real u_over_D)>& H, Real dragged = D, problem::Method method = problem::Method::mpm)
 {
   MadeRun made;
   made.dragged = dragged;
@@ -65,7 +65,7 @@ TEST(resistance, waves_of_a_dynamic_method_are_no_breakout)
   // Waves of 0.06 D that fall by 8 %, on H that grows.
   const auto waves = [](Real x) { return 100 + 600 * x + 30 * std::sin(2 * pi * x / 0.06); };
   EXPECT_FALSE(of(waves).breakout);
-  EXPECT_TRUE(of(waves, D, Method::fem).breakout);  // where nothing is noise, the same is a peak
+  EXPECT_TRUE(of(waves, D, problem::Method::fem).breakout);  // where nothing is noise, the same is a peak
 }
 
 TEST(resistance, a_short_drag_is_residual_only_if_its_last_tenth_of_D_is_level)
@@ -116,4 +116,4 @@ TEST(resistance, a_run_without_a_drag_has_none)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::pipe

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A checkpoint is the state to the last bit: a run that goes on from it cannot be told from one that was never interrupted.
-#include "samples/temporary_folder.hpp"
 #include "keep_in_memory.hpp"
 #include "sample_run.hpp"
+#include "samples/temporary_folder.hpp"
 
 #include "checkpoint/checkpoint_file.hpp"
 #include "mpm/time_step.hpp"
@@ -11,7 +11,7 @@
 #include <cstring>
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::simulation {
 namespace {
 
 template <int dim>
@@ -25,24 +25,24 @@ test::KeepInMemory all_of(test::SampleRun<dim>& run)
 template <int dim>
 void write(const std::filesystem::path& file, test::SampleRun<dim>& run)
 {
-  write_checkpoint(file, [&](Keep& k) { keep(k, run.problem.model, run.problem.state); });
+  checkpoint::write_checkpoint(file, [&](Keep& k) { keep(k, run.problem.model, run.problem.state); });
 }
 template <int dim>
 void read(const std::filesystem::path& file, test::SampleRun<dim>& run)
 {
-  read_checkpoint(file, [&](Keep& k) { keep(k, run.problem.model, run.problem.state); });
+  checkpoint::read_checkpoint(file, [&](Keep& k) { keep(k, run.problem.model, run.problem.state); });
 }
 
 /// Whether all blocks, cell by cell, are the same to the last bit, lanes without a particle included.
 template <int dim>
-bool same_blocks(const Particles<dim>& a, const Particles<dim>& b)
+bool same_blocks(const bodies::Particles<dim>& a, const bodies::Particles<dim>& b)
 {
   if (a.occupied() != b.occupied() || a.size() != b.size()) return false;
   for (const Index cell : a.occupied()) {
     if (a.count_in(cell) != b.count_in(cell)) return false;
     Index left = a.count_in(cell);
     for (Index p = a.first_block(cell), q = b.first_block(cell); left > 0; p = a.block(p).next, q = b.block(q).next, left -= lanes) {
-      const std::size_t numbers = offsetof(Block<dim>, next);
+      const std::size_t numbers = offsetof(bodies::Block<dim>, next);
       if (std::memcmp(&a.block(p), &b.block(q), numbers) != 0) return false;
       if (a.state_size() > 0 && std::memcmp(a.state(p), b.state(q), static_cast<std::size_t>(a.state_size()) * sizeof(Lanes)) != 0)
         return false;
@@ -66,7 +66,7 @@ TYPED_TEST(StateCheckpoint, gives_the_same_bits_back)
   test::SampleRun<dim> first, second;
   first.steps(403);
   // The particles have moved between cells, yielded, and touched the disk and each other.
-  const State<dim>& state = first.problem.state;
+  const problem::State<dim>& state = first.problem.state;
   ASSERT_FALSE(same_blocks(state.particles[0], second.problem.state.particles[0]));
   ASSERT_NE(state.particles[0].occupied(), second.problem.state.particles[0].occupied());
   ASSERT_GT(state.rigids[0].pressed, 0);
@@ -101,7 +101,7 @@ TYPED_TEST(StateCheckpoint, leaves_no_number_out)
 {
   constexpr int dim = TypeParam::value;
   test::SampleRun<dim> first, second;
-  State<dim>&state = first.problem.state, &found = second.problem.state;
+  problem::State<dim>&state = first.problem.state, &found = second.problem.state;
   Real next = 1;
   fill(state.time, next);
   fill(state.dt, next);
@@ -111,7 +111,7 @@ TYPED_TEST(StateCheckpoint, leaves_no_number_out)
   for (Vec<dim>& impulse : state.pair_impulses) fill(impulse, next);
   fill(state.stage.begin_time, next);
   fill(state.stage.begin_displacement, next);
-  for (Drive& drive : state.stage.drive) {
+  for (problem::Drive& drive : state.stage.drive) {
     drive.by_force = !drive.by_force;
     fill(drive.from, next);
     fill(drive.to, next);
@@ -139,14 +139,15 @@ TYPED_TEST(StateCheckpoint, lets_a_run_go_on_as_if_it_had_never_stopped)
 {
   constexpr int dim = TypeParam::value;
   const auto file = this->folder_ / "file.h5";
-  for (const Scheme scheme : {Scheme::two_sided, Scheme::usf}) {
+  for (const contact::Scheme scheme : {contact::Scheme::two_sided, contact::Scheme::usf}) {
     test::SampleRun<dim> whole(scheme);
     auto parts = std::make_unique<test::SampleRun<dim>>(scheme);
     for (const int steps : {17, 38, 100, 61, 1, 230, 5}) {
-      if (scheme == Scheme::usf && whole.problem.state.step > 200) break;  // usf throws grains out of so coarse a mesh some time later
+      if (scheme == contact::Scheme::usf && whole.problem.state.step > 200)
+        break;  // usf throws grains out of so coarse a mesh some time later
       whole.steps(steps);
       parts->steps(steps);
-      ASSERT_NE(parts->problem.state.step % steps_between_time_steps, 0) << "a run is not interrupted here";
+      ASSERT_NE(parts->problem.state.step % mpm::steps_between_time_steps, 0) << "a run is not interrupted here";
       write(file, *parts);
       parts = std::make_unique<test::SampleRun<dim>>(scheme);
       read(file, *parts);
@@ -162,7 +163,7 @@ TYPED_TEST(StateCheckpoint, lets_a_run_go_on_as_if_it_had_never_stopped)
 TYPED_TEST(StateCheckpoint, holds_tractions_and_where_their_points_are)
 {
   constexpr int dim = TypeParam::value;
-  Case c = test::two_bodies<dim>(Scheme::two_sided);
+  problem::Case c = test::two_bodies<dim>(contact::Scheme::two_sided);
   c.body.resize(1);
   c.body[0].second.block.reset();
   c.body[0].second.regions = {"box"};
@@ -170,7 +171,7 @@ TYPED_TEST(StateCheckpoint, holds_tractions_and_where_their_points_are)
   c.rigid.clear();
   c.stage[0] = {};
   c.stage[0].until.time = 1;
-  TractionSettings load;
+  boundary::TractionSettings load;
   load.boundary = "top";
   load.pressure = 2e4;
   load.ramp = 0.05;
@@ -230,4 +231,4 @@ TYPED_TEST(StateCheckpoint, of_a_step_that_no_run_comes_to_is_refused)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::simulation

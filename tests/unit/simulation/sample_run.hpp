@@ -9,32 +9,32 @@ namespace berm::test {
 /// A block of sand and one of elastic soil side by side in a box of 1 m, and a disk (a sphere) that is pushed into the sand while the boxes' walls
 /// hold both. One particle a cell, so that the contact lists many cells.
 template <int dim>
-Case two_bodies(Scheme scheme)
+problem::Case two_bodies(contact::Scheme scheme)
 {
-  Case c;
+  problem::Case c;
   c.dimension = dim;
   c.gravity.assign(dim, 0);
   c.gravity[1] = -10;
   c.surface = 0.5;
-  BoxMesh box;
+  mesh::BoxMesh box;
   box.size.assign(dim, 1);
   box.cells.assign(dim, dim == 2 ? 12 : 5);
   c.mesh = box;
-  MohrCoulomb sand;
+  material::MohrCoulomb sand;
   sand.density = 1600;
   sand.young_modulus = 1e6;
   sand.poisson_ratio = 0.3;
   sand.friction_angle = 0.6;
   sand.most_opening = 0.2;
   sand.dilation_angle = 0.1;
-  LinearElastic solid;
+  material::LinearElastic solid;
   solid.density = 1500;
   solid.young_modulus = 1e6;
   solid.poisson_ratio = 0.3;
   c.material = {{"sand", sand}, {"solid", solid}};
   const auto block = [](Real x) {
-    BodySettings body;
-    BlockSettings of;
+    bodies::BodySettings body;
+    bodies::BlockSettings of;
     of.center.assign(dim, 0.5);
     of.size.assign(dim, 1);
     of.center[0] = x;
@@ -49,14 +49,14 @@ Case two_bodies(Scheme scheme)
   c.body = {{"left", block(0.25)}, {"right", block(0.75)}};
   c.body[0].second.material = "sand";
   c.body[1].second.material = "solid";
-  RigidSettings disk;
+  bodies::RigidSettings disk;
   std::vector<Real> center(dim, 0.5);
   center[0] = 0.3;
   center[1] = 0.62;
-  disk.shape = CircleSettings{center, 0.24};
+  disk.shape = bodies::CircleSettings{center, 0.24};
   disk.mass = 10;
   c.rigid = {{"disk", disk}};
-  ContactSettings skin, between;
+  contact::ContactSettings skin, between;
   skin.body = "left";
   skin.rigid = "disk";
   skin.friction_angle = 0.4;
@@ -67,9 +67,9 @@ Case two_bodies(Scheme scheme)
   c.contact = {{"skin", skin}, {"between", between}};
   c.support = {{"bottom", {"bottom", {"x", "y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}};
   if (dim == 3) c.support.insert(c.support.end(), {{"front", {"front", {"z"}}}, {"back", {"back", {"z"}}}});
-  StageSettings push;
+  problem::StageSettings push;
   push.name = "push";
-  push.kind = StageKind::push;
+  push.kind = problem::StageKind::push;
   push.velocity = 0.25;
   push.until.time = 1;
   c.stage = {push};
@@ -79,11 +79,11 @@ Case two_bodies(Scheme scheme)
 /// Everything a step changes: the state, and the memory that it works with.
 template <int dim>
 struct SampleRun {
-  Problem<dim> problem;
-  std::optional<Work<dim>> work;
+  problem::Problem<dim> problem;
+  std::optional<mpm::Work<dim>> work;
 
-  explicit SampleRun(Scheme scheme = ContactSettings{}.scheme) : SampleRun(two_bodies<dim>(scheme)) {}
-  explicit SampleRun(const Case& c) : problem(build<dim>(c, ".", ".")) {}
+  explicit SampleRun(contact::Scheme scheme = contact::ContactSettings{}.scheme) : SampleRun(two_bodies<dim>(scheme)) {}
+  explicit SampleRun(const problem::Case& c) : problem(build<dim>(c, ".", ".")) {}
 
   void steps(int count)
   {
