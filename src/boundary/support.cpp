@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/problem/build_test.cpp
 #include "boundary/support.hpp"
 
 #include "core/error.hpp"

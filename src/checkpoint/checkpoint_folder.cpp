@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/simulation/checkpoints_test.cpp
 #include "checkpoint/checkpoint_folder.hpp"
 
 #include <charconv>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/checkpoint/checkpoint_file_test.cpp
 #include "checkpoint/hdf5_archive.hpp"
 
 #include "io/atomic_file.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/commands/run_test.cpp
 #include "commands/side_by_side.hpp"
 
 #include "core/threads.hpp"

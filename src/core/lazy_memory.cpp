@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/core/fields_test.cpp
 #include "core/lazy_memory.hpp"
 
 #include <cstdint>

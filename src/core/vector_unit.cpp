@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/commands/run_test.cpp
 #include "core/vector_unit.hpp"
 
 namespace berm {

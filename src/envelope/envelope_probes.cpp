@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/envelope/envelope_test.cpp
 #include "envelope/envelope_probes.hpp"
 
 #include "core/error.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/fem/cut_mesh_test.cpp
 #include "bodies/fill.hpp"
 #include "core/error.hpp"
 #include "fem/cut_mesh.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/fem/load_steps_test.cpp
 #include "fem/gravity_loading.hpp"
 
 #include "core/error.hpp"

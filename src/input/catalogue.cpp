@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/input/parameters_test.cpp
 #include "input/catalogue.hpp"
 
 #include "input/message_text.hpp"

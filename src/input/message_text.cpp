@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/input/document_test.cpp
 #include "input/message_text.hpp"
 
 #include <algorithm>

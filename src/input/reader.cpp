@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/input/read_case_wrong_inputs_test.cpp
 #include "input/reader.hpp"
 
 #include "input/message_text.hpp"

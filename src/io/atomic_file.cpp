@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/run_folder/run_folder_test.cpp
 #include "io/atomic_file.hpp"
 
 #include "core/error.hpp"

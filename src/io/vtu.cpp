@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/run_folder/frames_test.cpp
 #include "io/vtu.hpp"
 
 #include "io/atomic_file.hpp"

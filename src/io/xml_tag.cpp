@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/run_folder/frame_reader_test.cpp
 #include "io/xml_tag.hpp"
 
 #include <charconv>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/study/study_test.cpp
 #include "jobs/jobs.hpp"
 
 #include "core/error.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/mesh/gmsh_test.cpp
 #include "mesh/gmsh_program.hpp"
 
 #include "core/error.hpp"

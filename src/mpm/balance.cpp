@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/physics/momentum.cpp
 #include "mpm/balance.hpp"
 
 #include "core/for_each.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/physics/contact_schemes.cpp
 #include "mpm/contact.hpp"
 
 #include "contact/contact_law.hpp"

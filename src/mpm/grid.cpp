@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/mpm/transfer_test.cpp
 #include "mpm/grid.hpp"
 
 #include "mpm/body_sums.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/physics/tractions.cpp
 #include "mpm/loads.hpp"
 
 #include "core/error.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/physics/momentum.cpp
 #include "mpm/step.hpp"
 
 #include "mpm/balance.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/simulation/checkpoints_state_test.cpp
 #include "problem/archive_state.hpp"
 
 #include <fmt/format.h>

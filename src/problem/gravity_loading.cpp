@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/physics/gravity_loading.cpp
 #include "core/error.hpp"
 #include "core/for_each.hpp"
 #include "problem/initial_state.hpp"

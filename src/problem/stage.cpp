@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/problem/stages_test.cpp
 #include "problem/stage.hpp"
 
 namespace berm::problem {

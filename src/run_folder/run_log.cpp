@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/commands/run_test.cpp
 #include "run_folder/run_log.hpp"
 
 #include "core/error.hpp"

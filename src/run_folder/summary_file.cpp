@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/run_folder/summary_test.cpp
 #include "run_folder/summary_file.hpp"
 
 #include "core/error.hpp"

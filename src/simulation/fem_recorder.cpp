@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/commands/run_fem_test.cpp
 #include "simulation/fem_recorder.hpp"
 
 #include "problem/stages.hpp"

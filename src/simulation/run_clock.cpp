@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/simulation/resume_test.cpp
 #include "simulation/run_clock.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/commands/run_faults_test.cpp
 #include "simulation/with_run_folder.hpp"
 
 #include "core/error.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/study/study_test.cpp
 #include "study/study_report.hpp"
 
 #include "io/atomic_file.hpp"

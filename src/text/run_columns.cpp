@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/setup/setup_section_test.cpp
 #include "text/run_columns.hpp"
 
 #include "text/tex_math.hpp"

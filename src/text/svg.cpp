@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/setup/drawing_test.cpp
 #include "text/svg.hpp"
 
 #include "text/tex_math.hpp"

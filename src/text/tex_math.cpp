@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/text/markdown_test.cpp
 #include "text/tex_math.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/verification/expectation_test.cpp
 #include "verification/expectation_result.hpp"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/verification/verify_test.cpp
 #include "verification/problems.hpp"
 
 #include "core/error.hpp"

@@ -115,35 +115,99 @@ def names(tree):
             yield f"{path}: '{found.group(0)}' says nothing of what lives there"
 
 
-def folders_of(cmake):
-    """The folders that CMakeLists.txt declares with berm_folder, each with the folders it uses, in their order."""
-    folders = {}
-    for name, rest in re.findall(r"^\s*berm_folder\((\w+)\s*([^)]*)\)", cmake, re.M):
+def rooms_of(cmake):
+    """The rooms that CMakeLists.txt declares with berm_room, each with the rooms it uses, in their order."""
+    rooms = {}
+    for name, rest in re.findall(r"^\s*berm_room\(([\w/]+)\s*([^)]*)\)", cmake, re.M):
         used = re.search(r"USES\s+(.*?)(?:\bLINKS\b|\bENGINE\b|$)", rest, re.S)
-        folders[name] = used.group(1).split() if used else []
-    return folders
+        rooms[name] = used.group(1).split() if used else []
+    return rooms
+
+
+def room_of(path):
+    """The room of a file of src/, or of the tests that mirror it: its folder there; "" for main.cpp."""
+    return os.path.dirname(re.sub(r"^(?:src|tests/unit)/", "", path))
 
 
 def tiers(tree):
-    """A folder of src/ includes itself and what it USES in CMakeLists.txt, which are folders above it in that list."""
-    folders = folders_of(tree.read("CMakeLists.txt"))
+    """A room of src/ includes itself and what it USES in CMakeLists.txt, which are rooms above it in that list."""
+    rooms = rooms_of(tree.read("CMakeLists.txt"))
     reach = {}
-    for name, used in folders.items():
+    for name, used in rooms.items():
         for other in used:
             if other not in reach:
-                yield f"CMakeLists.txt: {name} uses {other}, which is not a folder declared before it"
+                yield f"CMakeLists.txt: {name} uses {other}, which is not a room declared before it"
         reach[name] = {name}.union(*(reach.get(other, set()) for other in used))
     for path in tree.ending(CPP, "src/"):
-        parts = path.split("/")
-        if len(parts) < 3:
+        room = room_of(path)
+        if not room:
             continue
-        if parts[1] not in reach:
-            yield f"{path}: CMakeLists.txt does not declare the folder {parts[1]}"
+        if room not in reach:
+            yield f"{path}: CMakeLists.txt does not declare the room {room}"
             continue
         for number, line in enumerate(tree.read(path).splitlines(), 1):
             found = re.match(r'\s*#\s*include\s*"([^"]+)"', line)
-            if found and found.group(1).split("/")[0] not in reach[parts[1]]:
-                yield f'{path}:{number}: {parts[1]} may not include "{found.group(1)}"; it uses {", ".join(sorted(reach[parts[1]]))}'
+            if found and os.path.dirname(found.group(1)) not in reach[room]:
+                yield f'{path}:{number}: {room} may not include "{found.group(1)}"; it uses {", ".join(sorted(reach[room]))}'
+
+
+def namespace_of(room):
+    """core is berm itself; inner rooms of the report share one namespace, a structure has its own."""
+    if room == "core":
+        return "berm"
+    return "berm::" + (room.split("/")[1] if room.startswith("structures/") else room.split("/")[0])
+
+
+def namespaces(tree):
+    """What a room declares stands in the room's namespace."""
+    for path in tree.ending(CPP, "src/"):
+        room = room_of(path)
+        opened = set(re.findall(r"^namespace (berm[\w:]*) \{", without_words(tree.read(path)), re.M))
+        if room and opened - {namespace_of(room)}:
+            yield f"{path}: namespace {', '.join(sorted(opened))}; it is {namespace_of(room)} in {room}"
+
+
+def types_in(text):
+    """The types that a file defines in a named namespace, as (namespace, type)."""
+    spaces = []
+    for line in text.splitlines():
+        opened = re.match(r"namespace ([\w:]*) ?\{", line)
+        if opened:
+            spaces.append(opened.group(1))
+        elif re.match(r"\}(  // namespace.*)?$", line) and spaces:
+            spaces.pop()
+        found = re.match(r"(?:struct|class|union|enum class|enum)\s+(?:alignas\([^)]*\)\s*)?(\w+)\b", line)
+        if found and spaces and all(spaces) and ("{" in line or not line.endswith(";")):
+            yield "::".join(spaces), found.group(1)
+
+
+def type_names(tree):
+    """A type name stands once in a namespace, in all of the program, and once in what its tests share."""
+    seen = {}
+    for path in tree.ending(CPP, "src/") + tree.ending(".hpp", "tests/"):
+        for space, name in types_in(tree.read(path)):
+            first = seen.setdefault((space, name, path.startswith("src/")), path)
+            if first != path:
+                yield f"{path}: {space}::{name} is a type of {first}, too"
+
+
+def test_files(tree):
+    """Each source of src/ has a test file of its name, or says in its second line which test it has."""
+    tests = {os.path.splitext(path)[0] for path in tree.ending(".cpp", "tests/unit/")}
+    for path in tree.ending(".cpp", "src/"):
+        room, stem = room_of(path), os.path.splitext(os.path.basename(path))[0]
+        if not room or any(re.fullmatch(rf"tests/unit/{re.escape(room)}/{stem}(?:_\w+)?_test", test) for test in tests):
+            continue
+        told = re.match(r"// Tests: (\S+)$", (tree.read(path).splitlines() + ["", ""])[1])
+        if not told:
+            yield f"{path}: there is no tests/unit/{room}/{stem}_test.cpp, and its second line is not '// Tests: FILE'"
+        elif not os.path.exists(os.path.join(tree.root, told.group(1))):
+            yield f"{path}: its test {told.group(1)} does not exist"
+    sources = {room_of(path) + "/" + os.path.splitext(os.path.basename(path))[0] for path in tree.ending(CPP, "src/")}
+    for path in tree.ending(".cpp", "tests/unit/"):
+        stem = re.sub(r"_test$", "", os.path.splitext(path)[0])[len("tests/unit/") :]
+        if not path.endswith("_test.cpp") or not any(stem == source or stem.startswith(source + "_") for source in sources):
+            yield f"{path}: a test file is named after a source, SOURCE_test.cpp or SOURCE_WHAT_test.cpp"
 
 
 def places(tree):
@@ -196,8 +260,8 @@ def examples(tree):
 
 
 def silence(tree):
-    """Only run/, main.cpp, the progress line and the run log write to the terminal."""
-    allowed = ("src/run/", "src/main.cpp", "src/output/progress", "src/output/run_log")
+    """Only what runs cases, main.cpp, the progress line and the run log write to the terminal."""
+    allowed = ("src/commands/", "src/benchmark/", "src/envelope/", "src/jobs/", "src/simulation/", "src/study/", "src/verification/", "src/main.cpp", "src/run_folder/progress", "src/run_folder/run_log")
     paths = [path for path in tree.ending(CPP, "src/") if not path.startswith(allowed)]
     pattern = r"\bstd::(?:cout|cerr|clog)\b|\b(?:v?printf|puts|putchar)\s*\(|\b(?:fprintf|fputs|print)\s*\([^;]*\bstd(?:out|err)\b"
     yield from code_matching(tree, paths, pattern, "writes to the terminal")
@@ -221,7 +285,7 @@ def links(tree):
 
 
 SPDX = "// " + LICENCE + "\n"
-TIERS = "berm_folder(core ENGINE)\nberm_folder(mesh ENGINE USES core)\nberm_folder(mpm ENGINE USES core mesh)\nberm_folder(input USES mpm LINKS toml)\n"
+TIERS = "berm_room(core ENGINE)\nberm_room(mesh ENGINE USES core)\nberm_room(mpm ENGINE USES core mesh)\nberm_room(input/inner USES mpm LINKS toml)\n"
 EXAMPLE = {"examples/slope/README.md": "a", "examples/slope/case.toml": "a", "examples/slope/expected.toml": "a"}
 
 # Each check with trees that it must refuse and trees that it must let pass: {path: text}.
@@ -237,9 +301,31 @@ CHECKS = {
             {"CMakeLists.txt": TIERS, "src/core/a.hpp": '#include "mesh/mesh.hpp"\n'},
             {"CMakeLists.txt": TIERS, "src/mesh/a.cpp": '#include "../core/a.hpp"\n'},
             {"CMakeLists.txt": TIERS, "src/fem/a.cpp": ""},
-            {"CMakeLists.txt": "berm_folder(core USES mesh)\nberm_folder(mesh)\n"},
+            {"CMakeLists.txt": TIERS, "src/input/a.cpp": ""},
+            {"CMakeLists.txt": "berm_room(core USES mesh)\nberm_room(mesh)\n"},
         ],
-        [{"CMakeLists.txt": TIERS, "src/input/a.cpp": '#include "core/a.hpp"\n#include "mpm/b.hpp"\n#include <vector>\n', "src/main.cpp": '#include "run/a.hpp"\n'}],
+        [{"CMakeLists.txt": TIERS, "src/input/inner/a.cpp": '#include "core/a.hpp"\n#include "mpm/b.hpp"\n#include <vector>\n', "src/main.cpp": '#include "commands/a.hpp"\n'}],
+    ),
+    namespaces: (
+        [{"src/mesh/a.hpp": "namespace berm {\n}\n"}, {"src/report/page/a.cpp": "namespace berm::page {\n}\n"}],
+        [{"src/mesh/a.hpp": "namespace berm::mesh {\nnamespace {\n}\n}\n", "src/core/a.hpp": "namespace berm {\n}\n", "src/structures/pipe/a.hpp": "namespace berm::pipe {\n}\n"}],
+    ),
+    type_names: (
+        [
+            {"src/mesh/a.hpp": "namespace berm::mesh {\nstruct A {\n};\n}\n", "src/mesh/b.cpp": "namespace berm::mesh {\nclass A {\n};\n}\n"},
+            {"tests/a.hpp": "namespace berm {\nstruct A {\n};\n}\n", "tests/b.hpp": "namespace berm {\nenum class A { one };\n}\n"},
+        ],
+        [
+            {
+                "src/mesh/a.hpp": "namespace berm::mesh {\nstruct A {\n};\nstruct B;\n}\n",
+                "src/mesh/b.cpp": "namespace berm::mesh {\nnamespace {\nstruct A {\n};\n}  // namespace\nstruct B {\n};\n}\n",
+                "src/fem/a.hpp": "namespace berm::fem {\nstruct A {\n};\n}\n",
+            }
+        ],
+    ),
+    test_files: (
+        [{"src/mesh/a.cpp": ""}, {"src/mesh/a.cpp": "\n// Tests: tests/b.cpp\n"}, {"tests/unit/mesh/a_test.cpp": ""}, {"src/mesh/a.hpp": "", "tests/unit/mesh/test_a.cpp": ""}],
+        [{"src/mesh/a.cpp": "", "tests/unit/mesh/a_of_tests_test.cpp": "", "src/mesh/b.cpp": "\n// Tests: tests/b.cpp\n", "tests/b.cpp": ""}],
     ),
     places: (
         [{"a.md": "see /ho" + "me/me/x"}, {"a.sh": "cd /wo" + "rk/main"}, {"a.lock": "https://registry." + "npmjs.org/x"}],
@@ -262,14 +348,14 @@ CHECKS = {
         [
             {"src/mpm/a.cpp": "std::cout << 1;\n"},
             {"src/mesh/a.cpp": 'printf("x");\n'},
-            {"src/output/table.cpp": 'std::fprintf(stderr, "x");\n'},
+            {"src/io/table.cpp": 'std::fprintf(stderr, "x");\n'},
             {"src/mpm/b.cpp": 'fmt::print("{}", 1);\n'},
         ],
-        [{"src/run/a.cpp": "std::cout << 1;\n", "src/output/table.cpp": 'std::fprintf(file, "x"); // not printf( here\n', "src/mpm/a.cpp": 'snprintf(s, 3, "a");\n'}],
+        [{"src/commands/a.cpp": "std::cout << 1;\n", "src/io/table.cpp": 'std::fprintf(file, "x"); // not printf( here\n', "src/mpm/a.cpp": 'snprintf(s, 3, "a");\n'}],
     ),
     allocation: (
         [{"src/mpm/a.cpp": "int* a = new int;\n"}, {"src/contact/a.hpp": "void* p = std::malloc(3);\n"}],
-        [{"src/mpm/a.cpp": '// a new step\nthrow RunError("no new one");\n', "src/output/a.cpp": "new int;\n"}],
+        [{"src/mpm/a.cpp": '// a new step\nthrow RunError("no new one");\n', "src/io/a.cpp": "new int;\n"}],
     ),
     links: ([{"docs/a.md": "[b](b.md)"}], [{"docs/a.md": "[b](../b.md#part) [c](https://berm.example/c.md)", "b.md": ""}]),
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/animation/film_test.cpp
 #include "report/animation/film_fields_of_frames.hpp"
 
 #include "core/error.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/claims/claims_test.cpp
 #include "formulas/design_code.hpp"
 #include "report/claims/claim.hpp"
 #include "report/claims/paper.hpp"

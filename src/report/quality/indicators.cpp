@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/quality/quality_section_test.cpp
 #include "report/quality/indicators.hpp"
 
 #include "report/setup/setup_tables.hpp"

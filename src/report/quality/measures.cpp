@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/quality/quality_section_test.cpp
 #include "report/quality/measures.hpp"
 
 #include "material/shear_band.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/commands/report_test.cpp
 #include "report/results/curve_figures.hpp"
 
 #include "plot/figure.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/results/results_section_test.cpp
 #include "report/results/generic_results.hpp"
 
 #include "structures/pipe/display_units.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/results/results_section_test.cpp
 #include "report/results/published_table.hpp"
 
 #include "structures/pipe/published.hpp"

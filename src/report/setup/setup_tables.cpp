@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/setup/setup_section_test.cpp
 #include "report/setup/setup_tables.hpp"
 
 #include "report/setup/parameter_table.hpp"

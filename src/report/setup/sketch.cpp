@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/setup/drawing_test.cpp
 #include "report/setup/sketch.hpp"
 
 #include "bodies/rigid.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/setup/setup_section_test.cpp
 #include "report/setup/stage_words.hpp"
 
 #include "text/quantity_words.hpp"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/pipe/published_test.cpp
 #include "structures/pipe/published_clay.hpp"
 
 #include "formulas/design_code.hpp"

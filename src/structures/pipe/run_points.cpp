@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/pipe/resistance_test.cpp
 #include "structures/pipe/run_points.hpp"
 
 #include "bodies/rigid.hpp"

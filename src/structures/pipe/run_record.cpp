@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/commands/report_test.cpp
 #include "structures/pipe/run_record.hpp"
 
 #include "core/error.hpp"

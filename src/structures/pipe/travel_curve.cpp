@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/pipe/pipe_quantities_test.cpp
 #include "structures/pipe/travel_curve.hpp"
 
 #include <algorithm>

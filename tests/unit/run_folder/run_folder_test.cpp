@@ -88,12 +88,12 @@ TEST(RunFolder, of_an_earlier_run_what_berm_wrote_is_removed_and_nothing_else)
 TEST(RunFolder, what_a_link_points_to_is_not_removed)
 {
   const TemporaryFolder base, elsewhere;
-  put(elsewhere.path / "precious", "mine");
+  put(elsewhere.path() / "precious", "mine");
   put(base.path() / "resolved.toml", "");
-  fs::create_directory_symlink(elsewhere.path, base.path() / "frames");
+  fs::create_directory_symlink(elsewhere.path(), base.path() / "frames");
   const RunFolder folder(base.path());
   EXPECT_FALSE(fs::exists(fs::symlink_status(base.path() / "frames")));
-  EXPECT_EQ(content_of(elsewhere.path / "precious"), "mine");
+  EXPECT_EQ(content_of(elsewhere.path() / "precious"), "mine");
 }
 
 TEST(WholeFile, replaces_the_old_content_and_leaves_nothing_beside)

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/verification/verify_test.cpp
+#include "benchmark/benchmark.hpp"
+#include "commands/case_options.hpp"
+#include "commands/command.hpp"
+#include "core/threads.hpp"
+
+namespace berm::commands {
+
+Command add_bench(CLI::App& program)
+{
+  struct Options : CaseOptions {
+    std::vector<std::string> names;
+    std::string json;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* app = program.add_subcommand("bench", "measure the speed on fixed problems");
+  app->add_option("NAME", options->names, "problems (default: all)")->check(CLI::IsMember(benchmark::bench_names()));
+  app->add_option("--json", options->json, "also write the table to this file");
+  options->take_threads(*app);
+  return {app, [options] {
+            benchmark::run_bench(options->names, options->json, use_threads(options->threads));
+            return 0;
+          }};
+}
+
+}  // namespace berm::commands

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "simulation/simulate.hpp"
+
+#include <CLI/CLI.hpp>
+
+namespace berm::commands {
+
+/// What commands that run cases are asked: the cases, changes to them, where results go, and on how many threads.
+struct CaseOptions {
+  std::vector<std::string> files, overrides;
+  std::string output;
+  int threads = 0;  ///< 0: all processors
+
+  /// CASE... and --set.
+  CLI::Option* take_cases(CLI::App& command);
+  /// --threads: of one run, or runs at a time.
+  void take_threads(CLI::App& command);
+  void take_jobs(CLI::App& command);
+  int jobs() const;
+};
+
+/// Reads all cases, before the first one runs, so that a wrong one costs nothing. One case goes to `output` itself, several to folders in it that are
+/// named like their files. Throws InputError.
+std::vector<simulation::RunRequest> requests(const CaseOptions& options);
+
+/// Messages of commands that write no run.log go to stderr.
+void messages_to_stderr();
+
+}  // namespace berm::commands

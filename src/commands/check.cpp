@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/commands/run_wrong_inputs_test.cpp
+#include "commands/case_options.hpp"
+#include "commands/command.hpp"
+
+namespace berm::commands {
+
+Command add_check(CLI::App& program)
+{
+  const auto options = std::make_shared<CaseOptions>();
+  CLI::App* app = program.add_subcommand("check", "validate a case and tell what a run would take");
+  options->take_cases(*app);
+  options->take_threads(*app);
+  return {app, [options] {
+            for (const simulation::RunRequest& request : requests(*options)) check_case(request);
+            return 0;
+          }};
+}
+
+}  // namespace berm::commands

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace berm::commands {
+
+/// A command of the program: its part of the command line, and what it does once that is read.
+struct Command {
+  CLI::App* app;
+  std::function<int()> act;  ///< gives the exit status; throws InputError and RunError
+};
+
+/// Each adds its name, its options and their meaning to the program.
+Command add_run(CLI::App& program);
+Command add_check(CLI::App& program);
+Command add_report(CLI::App& program);
+Command add_study(CLI::App& program);
+Command add_envelope(CLI::App& program);
+Command add_verify(CLI::App& program);
+Command add_bench(CLI::App& program);
+Command add_params(CLI::App& program);
+
+}  // namespace berm::commands

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/envelope/envelope_test.cpp
+#include "envelope/envelope.hpp"
+
+#include "commands/case_options.hpp"
+#include "commands/command.hpp"
+#include "core/error.hpp"
+#include "core/interrupt.hpp"
+#include "input/read_case.hpp"
+
+#include <fmt/format.h>
+
+namespace berm::commands {
+
+Command add_envelope(CLI::App& program)
+{
+  struct Options : CaseOptions {
+    envelope::EnvelopeSettings how;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* app = program.add_subcommand("envelope", "find the V-H yield envelope of the pipe of a case, where it lies");
+  options->take_cases(*app);
+  options->take_jobs(*app);
+  app->add_option("-o,--output", options->output, "folder for the envelope and its runs (default: out/envelope/CASE)");
+  app->add_option("--points", options->how.directions, "directions between straight down and 45 degrees upwards (default: 10)")
+      ->check(CLI::Range(2, 50));
+  app->add_option("--travel", options->how.travel, "travel of each probe over the diameter (default: 0.1)")->check(CLI::Range(1e-3, 1.));
+  return {
+      app, [options] {
+        catch_interrupts();
+        messages_to_stderr();
+        if (options->files.size() > 1)
+          throw InputError(fmt::format("an envelope is that of one case, and here are {}", options->files.size()));
+        const std::filesystem::path file = options->files[0], folder = options->output.empty()
+                                                                           ? std::filesystem::path("out/envelope") / file.stem()
+                                                                           : std::filesystem::path(options->output);
+        return envelope::find_envelope({input::read_case(file, options->overrides), file, folder, options->how, options->jobs()}) ? 0 : 1;
+      }};
+}
+
+}  // namespace berm::commands

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/page/report.hpp"
+
+#include "commands/case_options.hpp"
+#include "commands/command.hpp"
+
+#include <fmt/format.h>
+
+namespace berm::commands {
+
+Command add_report(CLI::App& program)
+{
+  const auto request = std::make_shared<report::ReportRequest>();
+  CLI::App* app = program.add_subcommand("report", "write one page, report.html, that shows what runs found");
+  app->add_option("DIR", request->folders, "run folders, or folders that hold run folders")->required();
+  app->add_option("-o,--output", request->output, "the page's file (default: report.html in the folder that holds the runs)");
+  app->add_flag("--figures", request->figures, "also draw the curves and mechanisms as SVG and PNG, in report_figures beside the page");
+  return {app, [request] {
+            messages_to_stderr();
+            for (const std::filesystem::path& file : write_report(*request)) fmt::print("{}\n", std::filesystem::proximate(file).string());
+            return 0;
+          }};
+}
+
+}  // namespace berm::commands
