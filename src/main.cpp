@@ -4,6 +4,6 @@
 
 int main(int argc, char** argv)
 {
-  berm::restart_with_settings(argv);
+  berm::reexec_with_openmp_environment(argv);
   return berm::commands::run_commands(argc, argv);
 }

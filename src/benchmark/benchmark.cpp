@@ -190,10 +190,10 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, i
   ::malloc_trim(0);  // as a run does
   mpm::Work<dim> work(problem.model, problem.state);
   const BigIndex particles = problem.state.particles[0].size();
-  const auto seconds = [&](Real least, BigIndex least_steps) {
+  const auto seconds = [&](Real min, BigIndex min_steps) {
     const Clock::time_point start = Clock::now();
     Real passed = 0;
-    for (BigIndex k = 0; k < least_steps || passed < least; ++k) {
+    for (BigIndex k = 0; k < min_steps || passed < min; ++k) {
       step(problem.model, problem.state, work);
       passed = std::chrono::duration<Real>(Clock::now() - start).count();
     }
@@ -267,7 +267,7 @@ void run_bench(const std::vector<std::string>& names, const std::string& json_fi
     table["problems"].push_back(c.dimension == 2 ? measure_speed<2>(bench.name, c, threads, bandwidth)
                                                  : measure_speed<3>(bench.name, c, threads, bandwidth));
   }
-  if (!json_file.empty()) io::write_whole(json_file, table.dump(2) + "\n");
+  if (!json_file.empty()) io::write_atomically(json_file, table.dump(2) + "\n");
 }
 
 }  // namespace berm::benchmark

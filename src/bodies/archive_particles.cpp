@@ -24,7 +24,7 @@ std::vector<Index> blocks_in_order(const Particles<dim>& particles)
 
 /// One number of every lane, those without a particle included. numbers_of(b) points to those of block b.
 template <class T, class NumbersOf>
-void keep_lanes(Keep& k, const std::string& name, const std::vector<Index>& order, const NumbersOf& numbers_of)
+void keep_lanes(Archive& k, const std::string& name, const std::vector<Index>& order, const NumbersOf& numbers_of)
 {
   std::vector<T> all(order.size() * lanes);
   if (!k.reads())
@@ -74,7 +74,7 @@ void Particles<dim>::lay_out(const std::vector<Index>& cells, const std::vector<
 }
 
 template <int dim>
-void Particles<dim>::keep(Keep& k)
+void Particles<dim>::archive(Archive& k)
 {
   std::vector<Index> cells = occupied_, counts;
   for (const Index cell : cells) counts.push_back(count_[cell]);
@@ -105,7 +105,7 @@ void Particles<dim>::keep(Keep& k)
   if (k.reads() && !numbered(*this)) k.refuse(fmt::format("its particles are not numbered from 0 to {}", size_ - 1));
 }
 
-template void Particles<2>::keep(Keep&);
-template void Particles<3>::keep(Keep&);
+template void Particles<2>::archive(Archive&);
+template void Particles<3>::archive(Archive&);
 
 }  // namespace berm::bodies

@@ -45,8 +45,8 @@ std::array<Real, 3> counts_in(const BlockSettings& block)
 /// Refuses, before any memory is taken, more particles than can be numbered.
 void check_count(const std::string& key, Real count)
 {
-  constexpr Index most = std::numeric_limits<Index>::max() / 2;
-  if (!(count <= most)) throw InputError(fmt::format("{}: {:.3g} particles are too many; at most {} can be numbered", key, count, most));
+  constexpr Index max = std::numeric_limits<Index>::max() / 2;
+  if (!(count <= max)) throw InputError(fmt::format("{}: {:.3g} particles are too many; at most {} can be numbered", key, count, max));
 }
 
 template <int dim>
@@ -130,11 +130,11 @@ std::vector<Seed<2>> seeds_in_disk(const mesh::Mesh<2>& mesh, const std::string&
   const Vec<2> center(disk.center[0], disk.center[1]);
   const Real radius = disk.diameter / 2;
   check_count(fmt::format("body.{}.disk.spacing", name), std::pow(disk.diameter / disk.spacing, 2));
-  const int most = static_cast<int>(std::ceil(radius / disk.spacing));
+  const int max = static_cast<int>(std::ceil(radius / disk.spacing));
   std::vector<Seed<2>> seeds;
   Finder<2> finder{mesh, name, "disk"};
-  for (int j = -most; j < most; ++j)
-    for (int i = -most; i < most; ++i) {
+  for (int j = -max; j < max; ++j)
+    for (int i = -max; i < max; ++i) {
       const Vec<2> local = disk.spacing * Vec<2>(i + 0.5, j + 0.5);
       if (local.norm() < radius) seeds.push_back({center + local, finder.cell_at(center + local), 0});
     }

@@ -8,20 +8,20 @@
 namespace berm::bodies {
 
 template <int dim>
-Particles<dim>::Particles(const mesh::Mesh<dim>& mesh, Index most, int state_size)
+Particles<dim>::Particles(const mesh::Mesh<dim>& mesh, Index max, int state_size)
     : head_(CellField<Index>::zeros(mesh.cell_count())),
       count_(CellField<Index>::zeros(mesh.cell_count())),
       state_size_(state_size)
 {
   // A cell wastes less than one block, so this many blocks are never exceeded.
-  const std::size_t most_blocks = static_cast<std::size_t>(most / lanes) + std::min(most, mesh.cell_count()) + 1;
-  blocks_.reserve(most_blocks);
-  state_.reserve(most_blocks * state_size);
+  const std::size_t max_blocks = static_cast<std::size_t>(max / lanes) + std::min(max, mesh.cell_count()) + 1;
+  blocks_.reserve(max_blocks);
+  state_.reserve(max_blocks * state_size);
   // At the least as many as there would be if all were full.
-  const auto least_blocks = static_cast<std::size_t>(most / lanes);
-  ask_for_huge_pages(blocks_.data(), least_blocks * sizeof(Block<dim>));
-  ask_for_huge_pages(state_.data(), least_blocks * state_size * sizeof(StoredLanes));
-  occupied_.reserve(std::min(most, mesh.cell_count()));
+  const auto min_blocks = static_cast<std::size_t>(max / lanes);
+  ask_for_huge_pages(blocks_.data(), min_blocks * sizeof(Block<dim>));
+  ask_for_huge_pages(state_.data(), min_blocks * state_size * sizeof(StoredLanes));
+  occupied_.reserve(std::min(max, mesh.cell_count()));
 }
 
 template <int dim>

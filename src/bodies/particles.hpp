@@ -26,12 +26,12 @@ struct alignas(32) Block {
 /// One particle on its own: on its way from one cell to another, or read for output.
 template <int dim>
 struct Particle {
-  static constexpr int most_state = 2;  ///< numbers of law state that a particle may carry
+  static constexpr int max_state = 2;  ///< numbers of law state that a particle may carry
 
   Vec<dim> x = Vec<dim>::Zero(), v = Vec<dim>::Zero();
   SymTensor<dim> stress{};
   Real volume = 0, mass = 0, deviatoric_strain = 0;
-  Real state[most_state] = {};
+  Real state[max_state] = {};
   std::int32_t id = none;
 };
 
@@ -42,7 +42,7 @@ class Particles {
 public:
   Particles() = default;
   /// Room for `most` particles anywhere in the mesh, each with state_size numbers that belong to its law.
-  Particles(const mesh::Mesh<dim>& mesh, Index most, int state_size);
+  Particles(const mesh::Mesh<dim>& mesh, Index max, int state_size);
 
   Index size() const { return size_; }
   int state_size() const { return state_size_; }
@@ -85,7 +85,7 @@ public:
   Particle<dim> read_at(Index cell, Index place) const { return read(block_at(cell, place), place % lanes); }
 
   /// All particles with their cells, blocks and lanes, on which sums depend to the last bit. Reading replaces those that are here by as many others.
-  void keep(Keep& k);
+  void archive(Archive& k);
 
   /// Visits visit(cell, block index, lane) for each particle, cell by cell in ascending order.
   template <class Visit>
@@ -111,8 +111,8 @@ private:
   void write(Index block, int lane, const Particle<dim>& particle);
   Index block_at(Index cell, Index place) const;
 
-  std::vector<Block<dim>, ZeroMemory<Block<dim>>> blocks_;
-  std::vector<StoredLanes, ZeroMemory<StoredLanes>> state_;
+  std::vector<Block<dim>, LazyZeroAllocator<Block<dim>>> blocks_;
+  std::vector<StoredLanes, LazyZeroAllocator<StoredLanes>> state_;
   CellField<Index> head_, count_;  ///< untouched, and so without memory, where there never was a particle
   std::vector<Index> occupied_;
   Index free_ = none;  ///< chain of blocks that no cell uses

@@ -113,15 +113,15 @@ SurfacePoint<dim> surface_at(const Polygon<dim>& polygon, const Vec<dim>& x)
   const Vec<2> local = (polygon.axes.transpose() * (x - polygon.center)).template head<2>();
   const std::vector<Vec<2>>& corners = *polygon.corners;
   const std::size_t n = corners.size();
-  Real least = infinity, distance = 0;
+  Real min = infinity, distance = 0;
   Vec<2> normal = Vec<2>::Zero();
   for (std::size_t k = 0; k < n; ++k) {
     const Vec<2>&a = corners[k], along = corners[(k + 1) % n] - a, reach = local - a;
     const Real t = std::clamp(reach.dot(along) / along.squaredNorm(), Real(0), Real(1));
     const Vec<2> from = reach - t * along;
     const Real square = from.squaredNorm();
-    if (square >= least) continue;
-    least = square;
+    if (square >= min) continue;
+    min = square;
     const Vec<2> outwards = Vec<2>(along[1], -along[0]).normalized();
     if ((t > 0 && t < 1) || square == 0) {
       distance = outwards.dot(reach);
@@ -140,13 +140,13 @@ SurfacePoint<dim> surface_at(const Polygon<dim>& polygon, const Vec<dim>& x)
 }
 
 template <int dim>
-Vec<dim> center_now(const Rigid<dim>& rigid, const RigidState<dim>& state)
+Vec<dim> center_now(const RigidBody<dim>& rigid, const RigidState<dim>& state)
 {
   return center_of<dim>(rigid.shape) + state.displacement;
 }
 
 template <int dim>
-RigidShape<dim> placed(const Rigid<dim>& rigid, const RigidState<dim>& state)
+RigidShape<dim> placed(const RigidBody<dim>& rigid, const RigidState<dim>& state)
 {
   RigidShape<dim> shape = rigid.shape;
   if (auto* circle = std::get_if<Circle<dim>>(&shape)) {
@@ -234,8 +234,8 @@ Real inertia_over_mass(const RigidShape<dim>& shape)
   template SurfacePoint<dim> surface_at<dim>(const HalfPlane<dim>&, const Vec<dim>&);                                                      \
   template SurfacePoint<dim> surface_at<dim>(const Box<dim>&, const Vec<dim>&);                                                            \
   template SurfacePoint<dim> surface_at<dim>(const Polygon<dim>&, const Vec<dim>&);                                                        \
-  template Vec<dim> center_now<dim>(const Rigid<dim>&, const RigidState<dim>&);                                                            \
-  template RigidShape<dim> placed<dim>(const Rigid<dim>&, const RigidState<dim>&);                                                         \
+  template Vec<dim> center_now<dim>(const RigidBody<dim>&, const RigidState<dim>&);                                                        \
+  template RigidShape<dim> placed<dim>(const RigidBody<dim>&, const RigidState<dim>&);                                                     \
   template Real reach_of<dim>(const RigidShape<dim>&);                                                                                     \
   template Real inertia_over_mass<dim>(const RigidShape<dim>&);                                                                            \
   template Vec<dim> center_of<dim>(const RigidShape<dim>&);                                                                                \

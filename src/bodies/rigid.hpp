@@ -91,7 +91,7 @@ Real inertia_over_mass(const RigidShape<dim>& shape);
 
 /// A rigid body: where it is at the start, how heavy it is and how it may move.
 template <int dim>
-struct Rigid {
+struct RigidBody {
   std::string name;
   RigidShape<dim> shape;
   Real mass = 0;  ///< kg/m or kg
@@ -106,44 +106,45 @@ struct RigidState {
   Vec<dim> displacement = Vec<dim>::Zero();     ///< since the start, m
   Real angle = 0;                               ///< since the start, counter-clockwise about the centre (in space: about z), rad
   Vec<dim> velocity = Vec<dim>::Zero();         ///< of the centre, m/s, in force during the step
-  Real spin = 0;                                ///< rad/s, in force during the step
+  Real angular_velocity = 0;                    ///< rad/s, in force during the step
   Vec<dim> reaction = Vec<dim>::Zero();         ///< force of the soil on it in the last step, N/m or N
   Vec<dim> smooth_reaction = Vec<dim>::Zero();  ///< the same, averaged over about a hundred steps
   Real torque = 0;                              ///< of the soil on it about its centre in the last step, N m/m or N m
   Vec<dim> impulse = Vec<dim>::Zero();          ///< what its contacts gave to the soil since the start (step 4), N s/m or N s
   Real torque_impulse = 0;                      ///< the same about the centre as it was at the time, N s or N m s
   Vec<dim> second_impulse = Vec<dim>::Zero();   ///< the same for the correction of step 8, which is no force
-  Real pressed = 0;                             ///< sum of the magnitudes of all nodal impulses since the start, N s/m or N s
-  Real pressed_distance =
-      0;             ///< the same, each times the distance of the node's nearest particle from the surface; over pressed: the contact gap
-  Real deepest = 0;  ///< m, how far a particle was inside the body since the last row of the history
-  Vec<dim> listed_at = Vec<dim>::Constant(infinity);  ///< displacement at which the cells near it were listed last (contact/detect.hpp), m
-  Real listed_angle = 0;                              ///< and its angle
+  Real impulse_sum = 0;                         ///< sum of the magnitudes of all nodal impulses since the start, N s/m or N s
+  Real impulse_times_gap =
+      0;  ///< the same, each times the distance of the node's nearest particle from the surface; over impulse_sum: the contact gap
+  Real max_overlap = 0;  ///< m, how far a particle was inside the body since the last row of the history
+  Vec<dim> near_cells_displacement =
+      Vec<dim>::Constant(infinity);  ///< displacement at which the cells near it were listed last (contact/detect.hpp), m
+  Real near_cells_angle = 0;         ///< and its angle
 };
 
 /// Where its centre is now (of a half-plane: its point).
 template <int dim>
-Vec<dim> center_now(const Rigid<dim>& rigid, const RigidState<dim>& state);
+Vec<dim> center_now(const RigidBody<dim>& rigid, const RigidState<dim>& state);
 
 /// Its shape where it is now, moved and turned.
 template <int dim>
-RigidShape<dim> placed(const Rigid<dim>& rigid, const RigidState<dim>& state);
+RigidShape<dim> placed(const RigidBody<dim>& rigid, const RigidState<dim>& state);
 
 /// Its kinetic energy, J/m or J.
 template <int dim>
-Real kinetic_energy(const Rigid<dim>& rigid, const RigidState<dim>& state)
+Real kinetic_energy(const RigidBody<dim>& rigid, const RigidState<dim>& state)
 {
-  return 0.5 * (rigid.mass * state.velocity.squaredNorm() + rigid.inertia * state.spin * state.spin);
+  return 0.5 * (rigid.mass * state.velocity.squaredNorm() + rigid.inertia * state.angular_velocity * state.angular_velocity);
 }
 
-/// The velocity of its point that is at x now: velocity + spin x (x - centre).
+/// The velocity of its point that is at x now: velocity + angular velocity x (x - centre).
 template <int dim>
-Vec<dim> velocity_at(const Rigid<dim>& rigid, const RigidState<dim>& state, const Vec<dim>& x)
+Vec<dim> velocity_at(const RigidBody<dim>& rigid, const RigidState<dim>& state, const Vec<dim>& x)
 {
   const Vec<dim> from = x - center_now(rigid, state);
   Vec<dim> v = state.velocity;
-  v[0] -= state.spin * from[1];
-  v[1] += state.spin * from[0];
+  v[0] -= state.angular_velocity * from[1];
+  v[1] += state.angular_velocity * from[0];
   return v;
 }
 

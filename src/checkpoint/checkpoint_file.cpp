@@ -39,8 +39,8 @@ private:
 /// Of the bytes from ... to of a file; empty where some are missing.
 std::optional<std::uint32_t> crc_of(int file, BigIndex from, BigIndex to)
 {
-  constexpr BigIndex most = 1 << 20;
-  std::vector<unsigned char> buffer(static_cast<std::size_t>(std::clamp<BigIndex>(to - from, 0, most)));
+  constexpr BigIndex max = 1 << 20;
+  std::vector<unsigned char> buffer(static_cast<std::size_t>(std::clamp<BigIndex>(to - from, 0, max)));
   uLong crc = crc32(0, nullptr, 0);
   while (from < to) {
     const ssize_t got =

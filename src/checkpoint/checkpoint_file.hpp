@@ -12,7 +12,7 @@ namespace berm::checkpoint {
 constexpr int checkpoint_format = 2;
 
 /// Names all that a checkpoint holds.
-using Contents = std::function<void(Keep&)>;
+using Contents = std::function<void(Archive&)>;
 
 /// Writes a checkpoint: an HDF5 file behind 512 bytes of text, which tell the format, berm's version, and length and CRC-32 of all that follows. The file is
 /// forced to the disk before it gets its name, so that it is there as a whole or not at all. Throws RunError with the reason; nothing is left then.

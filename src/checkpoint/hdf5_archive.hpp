@@ -30,7 +30,7 @@ private:
 
 /// Writes each value as a dataset of a new HDF5 file, a table as a group. The file begins with a user block of `header_bytes` zeros, which the library
 /// leaves to its user. Errors are RunErrors.
-class Hdf5Writer : public Keep {
+class Hdf5Writer : public Archive {
 public:
   Hdf5Writer(const std::filesystem::path& path, std::size_t header_bytes);
 
@@ -54,7 +54,7 @@ private:
 };
 
 /// Reads what Hdf5Writer wrote. Errors are RunErrors.
-class Hdf5Reader : public Keep {
+class Hdf5Reader : public Archive {
 public:
   explicit Hdf5Reader(const std::filesystem::path& path);
 

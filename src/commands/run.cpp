@@ -33,7 +33,7 @@ int run_all(const std::vector<simulation::RunRequest>& all, const std::vector<st
 
 int resume(const std::filesystem::path& folder, int threads)
 {
-  const std::optional<simulation::RunRequest> request = simulation::run_to_go_on_with(folder, threads);
+  const std::optional<simulation::RunRequest> request = simulation::run_to_resume(folder, threads);
   if (!request) return fmt::print("the run in {} is finished\n", folder.string()), 0;
   catch_interrupts();
   return run_case(*request) ? 0 : 1;

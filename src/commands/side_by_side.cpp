@@ -18,7 +18,7 @@ bool run_side_by_side(const std::vector<simulation::RunRequest>& requests, const
   bool all_fine = true;
   run_jobs(jobs, at_once, [&](std::size_t job, const jobs::JobEnd& end) {
     const simulation::RunRequest& request = requests[job];
-    fmt::print(stderr, "{}", io::read_whole(request.folder / "run.log"));
+    fmt::print(stderr, "{}", io::read_text_file(request.folder / "run.log"));
     if (end.kind == jobs::JobEnd::Kind::finished) return;
     all_fine = false;
     fmt::print(stderr, "berm: {}: {}\n", request.case_file.string(),

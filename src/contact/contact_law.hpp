@@ -32,11 +32,11 @@ Vec<dim> contact_impulse(const Vec<dim>& relative, const Vec<dim>& n, const Effe
 {
   const Real speed = relative.dot(n), before_n = before.dot(n);
   if (interface.welded) return before - m.normal * speed * n - m.along * (relative - speed * n);
-  const Real pressed = before_n - m.normal * (speed + interface.allowed_approach);
-  if (!(pressed > 0)) return Vec<dim>::Zero();
+  const Real normal_impulse = before_n - m.normal * (speed + interface.allowed_approach);
+  if (!(normal_impulse > 0)) return Vec<dim>::Zero();
   const Vec<dim> sticking = before - before_n * n - m.along * (relative - speed * n);
-  const Real needed = sticking.norm(), limit = interface.friction * pressed + interface.adhesion_impulse;
-  return pressed * n + (needed <= limit ? Real(1) : limit / needed) * sticking;
+  const Real needed = sticking.norm(), limit = interface.friction * normal_impulse + interface.adhesion_impulse;
+  return normal_impulse * n + (needed <= limit ? Real(1) : limit / needed) * sticking;
 }
 
 /// What a contact point does under the impulse that it carries.
@@ -46,10 +46,10 @@ enum class Grip : std::uint8_t { open, slides, sticks };
 template <int dim>
 Grip grip_of(const Vec<dim>& impulse, const Vec<dim>& n, const Interface& interface)
 {
-  const Real pressed = impulse.dot(n);
-  if (!(pressed > 0)) return Grip::open;
-  const Real limit = interface.friction * pressed + interface.adhesion_impulse;
-  return (impulse - pressed * n).norm() < (1 - 1e-9) * limit ? Grip::sticks : Grip::slides;
+  const Real normal_impulse = impulse.dot(n);
+  if (!(normal_impulse > 0)) return Grip::open;
+  const Real limit = interface.friction * normal_impulse + interface.adhesion_impulse;
+  return (impulse - normal_impulse * n).norm() < (1 - 1e-9) * limit ? Grip::sticks : Grip::slides;
 }
 
 /// The impulse that keeps together what is pressed together, when the point carries `before` already: the gap closes at the speed that it allows,

@@ -22,8 +22,8 @@ void describe(Describe& d, ContactSettings& contact)
            {.meaning = "automatic: particle at a rigid body, gap between deformable ones. In contact are: nodes whose particles have "
                        "closed their gap, at a speed that the gap allows; nodes that both bodies "
                        "reach (as published); nodes whose particles touch; or particles at the surface of a rigid body"});
-  d.value("approach_steps", contact.approach_steps,
-          {.meaning = "steps over which detection by gap or particle lets a gap close", .range = {1, 1000}});
+  d.value("gap_closing_steps", contact.gap_closing_steps,
+          {.meaning = "steps over which detection by gap or particle lets a gap close", .range = {1, 1000}, .formerly = "approach_steps"});
 }
 
 }  // namespace berm::contact

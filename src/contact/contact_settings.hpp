@@ -32,7 +32,7 @@ struct ContactSettings {
   Real adhesion = 0;              ///< Pa
   Scheme scheme = Scheme::two_sided;
   Detection detection = Detection::automatic;
-  Real approach_steps = 20;  ///< T/dt: a gap closes over this many steps
+  Real gap_closing_steps = 20;  ///< T/dt: a gap closes over this many steps
 };
 
 void describe(Describe& d, ContactSettings& contact);

@@ -9,27 +9,27 @@ namespace {
 /// The cells that the surface, or the body behind it, can reach before it has moved by `reach` from where they are listed. They follow from the state
 /// alone, so that a run that goes on from a checkpoint lists the same ones.
 template <int dim>
-void find_near_cells(const mesh::Mesh<dim>& mesh, const bodies::Rigid<dim>& rigid, bodies::RigidState<dim>& state,
+void find_near_cells(const mesh::Mesh<dim>& mesh, const bodies::RigidBody<dim>& rigid, bodies::RigidState<dim>& state,
                      ContactPoints<dim>& found)
 {
   if (found.reach == 0) {
-    Real least = infinity;
-    for (Index cell = 0; cell < mesh.cell_count(); ++cell) least = std::min(least, mesh.height(cell));
-    found.reach = least;
+    Real min = infinity;
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) min = std::min(min, mesh.height(cell));
+    found.reach = min;
   }
-  const Real moved =
-      (state.displacement - state.listed_at).norm() + std::abs(state.angle - state.listed_angle) * reach_of<dim>(rigid.shape);
+  const Real moved = (state.displacement - state.near_cells_displacement).norm() +
+                     std::abs(state.angle - state.near_cells_angle) * reach_of<dim>(rigid.shape);
   if (!(moved < found.reach)) {
-    state.listed_at = state.displacement;
-    state.listed_angle = state.angle;
+    state.near_cells_displacement = state.displacement;
+    state.near_cells_angle = state.angle;
   }
-  if (found.near_at == state.listed_at && found.near_angle == state.listed_angle) return;
-  found.near_at = state.listed_at;
-  found.near_angle = state.listed_angle;
+  if (found.near_at == state.near_cells_displacement && found.near_angle == state.near_cells_angle) return;
+  found.near_at = state.near_cells_displacement;
+  found.near_angle = state.near_cells_angle;
   found.near_cells.clear();
   bodies::RigidState<dim> then;
-  then.displacement = state.listed_at;
-  then.angle = state.listed_angle;
+  then.displacement = state.near_cells_displacement;
+  then.angle = state.near_cells_angle;
   const bodies::RigidShape<dim> shape = placed<dim>(rigid, then);
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     const Vec<dim> center = mesh.centroid(cell);
@@ -128,7 +128,7 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
 }  // namespace
 
 template <int dim>
-void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::Rigid<dim>& rigid,
+void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidBody<dim>& rigid,
             bodies::RigidState<dim>& state, Detection detection, const NodeField<Real>& mass, ContactPoints<dim>& found)
 {
   const bodies::RigidShape<dim> shape = placed<dim>(rigid, state);
@@ -163,7 +163,7 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void detect(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, const bodies::Rigid<dim>&, bodies::RigidState<dim>&,         \
+  template void detect(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, const bodies::RigidBody<dim>&, bodies::RigidState<dim>&,     \
                        Detection, const NodeField<Real>&, ContactPoints<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

@@ -22,7 +22,7 @@ Real half_width(Real volume)
 /// Detection::particle: the particles whose gap is less than their width. Nodes without mass are left out.
 /// `state` keeps where the rigid body was when the cells near it were listed last.
 template <int dim>
-void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::Rigid<dim>& rigid,
+void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidBody<dim>& rigid,
             bodies::RigidState<dim>& state, Detection detection, const NodeField<Real>& mass, ContactPoints<dim>& found);
 
 /// One of two deformable bodies: its particles, and the mass that its nodes have.

@@ -24,14 +24,14 @@ Real reach(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles,
       farthest = lane_numbers < all_lanes(left) ? larger(farthest, along) : farthest;
     }
   }
-  Real most = farthest[0];
-  for (int l = 1; l < lanes; ++l) most = std::max(most, farthest[l]);
-  return most;
+  Real max = farthest[0];
+  for (int l = 1; l < lanes; ++l) max = std::max(max, farthest[l]);
+  return max;
 }
 
 /// The particles of two bodies around a node, and the gap between them as seen along a direction n out of `other`.
 template <int dim>
-struct Meeting {
+struct NodeNeighbourhood {
   const mesh::Mesh<dim>& mesh;
   const bodies::Particles<dim>&body, &other;
   Index node;
@@ -43,10 +43,10 @@ struct Meeting {
   Vec<dim> widest() const
   {
     Vec<dim> best = Vec<dim>::Zero();
-    Real most = -infinity;
+    Real max = -infinity;
     const auto attempt = [&](Vec<dim> n) {
       n.normalize();
-      if (const Real wide = gap(n, false); wide > most) most = wide, best = n;
+      if (const Real wide = gap(n, false); wide > max) max = wide, best = n;
     };
     if constexpr (dim == 2) {
       for (int k = 0; k < 16; ++k) attempt(Vec<2>(std::cos(k * pi / 8), std::sin(k * pi / 8)));
@@ -57,11 +57,11 @@ struct Meeting {
             if (x != 0 || y != 0 || z != 0) attempt(Vec<3>(x, y, z));
     }
     const Real reach = dim == 2 ? pi / 8 : pi / 4;
-    for (int turn = 0; turn < (dim == 2 ? 1 : 4); ++turn) best = turned_to_the_widest(best, turn, reach);
+    for (int turn = 0; turn < (dim == 2 ? 1 : 4); ++turn) best = refine_by_golden_section(best, turn, reach);
     return best;
   }
 
-  Vec<dim> turned_to_the_widest(const Vec<dim>& n, int turn, Real most_angle) const
+  Vec<dim> refine_by_golden_section(const Vec<dim>& n, int turn, Real max_angle) const
   {
     constexpr Real golden = 0.6180339887498949, narrow = 1e-3;
     Vec<dim> side;
@@ -72,7 +72,7 @@ struct Meeting {
       side = turn % 2 == 0 ? across : Vec<3>(n.cross(across));
     }
     const auto turned = [&](Real angle) { return Vec<dim>(std::cos(angle) * n + std::sin(angle) * side); };
-    Real from = -most_angle, to = most_angle;
+    Real from = -max_angle, to = max_angle;
     Real a = to - golden * (to - from), b = from + golden * (to - from), at_a = gap(turned(a), false), at_b = gap(turned(b), false);
     while (to - from > narrow) {
       if (at_a > at_b) {
@@ -108,7 +108,7 @@ void detect(const mesh::Mesh<dim>& mesh, const BodyView<dim>& body, const BodyVi
     point.nodes[0] = node;
     point.weights[0] = 1;
     point.place = mesh.position[node];
-    const Meeting<dim> meeting{mesh, body.particles, other.particles, node};
+    const NodeNeighbourhood<dim> meeting{mesh, body.particles, other.particles, node};
     point.normal = meeting.widest();
     point.gap = meeting.gap(point.normal, true);
     point.distance = meeting.gap(point.normal, false);

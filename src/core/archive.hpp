@@ -17,9 +17,9 @@ namespace berm {
 ///   void keep(Keep& k, Totals<dim>& totals) { k("internal_work", totals.internal); ... }
 ///
 /// and a checkpoint is written and read by it: the writer takes the values down, the reader puts the same bits back.
-class Keep {
+class Archive {
 public:
-  virtual ~Keep() = default;
+  virtual ~Archive() = default;
 
   /// True where values are put back.
   virtual bool reads() const = 0;

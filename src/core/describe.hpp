@@ -14,8 +14,8 @@ namespace berm {
 
 /// The values a number may take. Ends that are `open` are left out themselves.
 struct Range {
-  Real least = -infinity, most = infinity;
-  bool least_open = false, most_open = false;
+  Real min = -infinity, max = infinity;
+  bool min_open = false, max_open = false;
 };
 constexpr Range any_number{};
 constexpr Range positive{0, infinity, true, false};
@@ -28,6 +28,7 @@ struct Parameter {
   const char* unit = "";
   Range range = any_number;
   bool required = false;
+  const char* formerly = "";  ///< the key that earlier versions had: refused, with the new one
 };
 
 /// Visits the parameters of a struct. A struct declares them in one free function

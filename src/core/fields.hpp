@@ -12,12 +12,12 @@ namespace berm {
 
 /// Memory that is zero when it is asked for and of which the machine gives no page before it is written: what stays zero costs nothing.
 template <class T>
-struct ZeroMemory {
+struct LazyZeroAllocator {
   using value_type = T;
 
-  ZeroMemory() = default;
+  LazyZeroAllocator() = default;
   template <class Other>
-  ZeroMemory(const ZeroMemory<Other>&)
+  LazyZeroAllocator(const LazyZeroAllocator<Other>&)
   {
   }
 
@@ -29,7 +29,7 @@ struct ZeroMemory {
   {
     if constexpr (sizeof...(Arguments) > 0) ::new (static_cast<void*>(place)) Made(std::forward<Arguments>(arguments)...);
   }
-  bool operator==(const ZeroMemory&) const = default;
+  bool operator==(const LazyZeroAllocator&) const = default;
 };
 
 /// Values that live on one kind of thing; fields on different things are different types.
@@ -42,7 +42,7 @@ public:
   static Field zeros(Index size) requires std::is_trivially_destructible_v<T>
   {
     Field field;
-    field.values_ = std::vector<T, ZeroMemory<T>>(size);
+    field.values_ = std::vector<T, LazyZeroAllocator<T>>(size);
     return field;
   }
 
@@ -59,7 +59,7 @@ public:
   auto end() const { return values_.end(); }
 
 private:
-  std::vector<T, ZeroMemory<T>> values_;
+  std::vector<T, LazyZeroAllocator<T>> values_;
 };
 
 struct OnNodes;

@@ -12,8 +12,8 @@ namespace berm {
 /// ones lie together, so that one range a thread would leave one waiting. A thread finds in its cache what it wrote in the loop before.
 inline Index chunk_of(Index count)
 {
-  constexpr Index least_chunks = 64, most = 256;
-  return std::clamp(count / least_chunks, 1, most);
+  constexpr Index min_chunks = 64, max = 256;
+  return std::clamp(count / min_chunks, 1, max);
 }
 
 /// Runs body(i) for i = 0 ... count-1 over all threads; each thread takes the same chunks at every call. The label is the row of the timing
@@ -33,12 +33,12 @@ template <class Sum, class Term>
 Sum sum_of(const char* label, Index count, const Term& term)
 {
   const Timer timer(label);
-  constexpr Index most_chunks = 256;
+  constexpr Index max_chunks = 256;
   const Index chunk = chunk_of(count);
   Sum total{};
-  for (Index first = 0; first < count; first += chunk * most_chunks) {
-    Sum part[most_chunks] = {};
-    const Index chunks = std::min(most_chunks, (count - first + chunk - 1) / chunk);
+  for (Index first = 0; first < count; first += chunk * max_chunks) {
+    Sum part[max_chunks] = {};
+    const Index chunks = std::min(max_chunks, (count - first + chunk - 1) / chunk);
 #pragma omp parallel for schedule(static, 1)
     for (Index c = 0; c < chunks; ++c) {
       Sum sum{};

@@ -16,7 +16,7 @@ namespace berm {
 namespace {
 
 /// Numbers below 2e-308, which a stress wave leaves ahead of itself, take a processor many times as long as others.
-void take_tiny_numbers_as_zero()
+void flush_denormals_to_zero()
 {
 #ifdef __SSE2__
   _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
@@ -54,7 +54,7 @@ int use_threads(int count)
   const bool bind = count > 1 && count <= static_cast<int>(processors.size()) && std::getenv("OMP_PROC_BIND") == nullptr;
 #pragma omp parallel
   {
-    take_tiny_numbers_as_zero();
+    flush_denormals_to_zero();
     cpu_set_t own;
     CPU_ZERO(&own);
     if (bind) CPU_SET(processors[omp_get_thread_num()], &own);
@@ -71,7 +71,7 @@ void unbind_thread()
   if (!allowed_processors().empty()) sched_setaffinity(0, sizeof all, &all);
 }
 
-void restart_with_settings(char** argv)
+void reexec_with_openmp_environment(char** argv)
 {
   constexpr const char* spins = "GOMP_SPINCOUNT";
   if (std::getenv(spins) != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr) return;

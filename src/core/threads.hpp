@@ -15,7 +15,7 @@ int use_threads(int count);
 /// - Threads wait for each other awake for some 30 microseconds and asleep from then on: OpenMP's own choice is to stay awake, which takes the
 ///   processor from the very thread that is waited for as soon as anything else runs on the machine.
 /// - OpenBLAS gets one thread.
-void restart_with_settings(char** argv);
+void reexec_with_openmp_environment(char** argv);
 
 /// Lets the calling thread run on all processors that the process had before use_threads bound it to one: for processes that it is about to start, which
 /// inherit where they may run.

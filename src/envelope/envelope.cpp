@@ -39,7 +39,7 @@ bool find_envelope(const EnvelopeRequest& request)
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Probe& probe = rows[k].probe;
     const jobs::Job job{runs / (probe.name + ".toml"), {}, runs / probe.name};
-    io::write_whole(job.case_file, input::resolved_toml(probe.settings));
+    io::write_atomically(job.case_file, input::resolved_toml(probe.settings));
     if (has_result(job)) continue;
     jobs.push_back(job);
     row_of_job.push_back(k);

@@ -95,7 +95,7 @@ private:
 
 }  // namespace
 
-WishedPipe wished_pipe(const problem::Case& c)
+EmbeddedPipe wished_pipe(const problem::Case& c)
 {
   if (c.dimension != 2) throw InputError("dimension: an envelope is that of a pipe in plane strain; it needs dimension = 2");
   const auto drive = first_drive(c);
@@ -106,7 +106,7 @@ WishedPipe wished_pipe(const problem::Case& c)
   const auto& [name, rigid] = c.rigid[main];
   const auto* circle = std::get_if<bodies::CircleSettings>(&rigid.shape);
   if (circle == nullptr) throw InputError(fmt::format("rigid.{}.shape: an envelope is that of a pipe; it needs \"circle\"", name));
-  const WishedPipe pipe{circle->diameter, c.surface - (circle->center[1] - circle->diameter / 2)};
+  const EmbeddedPipe pipe{circle->diameter, c.surface - (circle->center[1] - circle->diameter / 2)};
   if (!(pipe.embedment > 0))
     throw InputError(
         fmt::format("rigid.{}.center: the lowest point of the pipe lies {:g} m above the bed; an envelope needs a pipe that lies in it",

@@ -12,13 +12,13 @@ struct EnvelopeSettings {
 };
 
 /// The pipe of a case, as it lies before the first stage.
-struct WishedPipe {
+struct EmbeddedPipe {
   Real diameter = 0;   ///< m
   Real embedment = 0;  ///< m, depth of the lowest point below the bed's surface
 };
 
 /// The pipe that the case drives. Throws InputError where the case is not plane, drives no circle, or the pipe lies above the bed or beyond the walls.
-WishedPipe wished_pipe(const problem::Case& c);
+EmbeddedPipe wished_pipe(const problem::Case& c);
 
 /// What a probe does: it goes in one direction until the soil yields, or pushes first and then drags at that depth.
 enum class ProbeKind { direction, swipe };

@@ -14,7 +14,7 @@ constexpr int curve_points = 100;
 
 /// The soil that touches the pipe.
 struct PipeInSoil {
-  WishedPipe pipe;
+  EmbeddedPipe pipe;
   const material::MohrCoulomb* law = nullptr;  ///< null: of another kind
   const contact::ContactSettings* contact = nullptr;
   Real unit_weight = 0;  ///< N/m3

@@ -11,7 +11,7 @@
 namespace berm::envelope {
 namespace {
 
-constexpr std::size_t most_path_points = 100;
+constexpr std::size_t max_path_points = 100;
 constexpr Real last_part = 0.25;  // of the travel, over which growth is told
 
 /// V, H and w of a stage over its travel, from where it began: the row before its first.
@@ -54,7 +54,7 @@ ProbeResult result_of(const Probe& probe, const run_folder::History& history, Re
   if (history.has("overstress")) result.overstress = history["overstress"].back();
   if (probe.kind == ProbeKind::swipe) {
     const std::vector<Real>& travel = path.V.travel();
-    const std::size_t every = 1 + travel.size() / most_path_points;
+    const std::size_t every = 1 + travel.size() / max_path_points;
     for (std::size_t k = 0; k < travel.size(); k += every) result.path.push_back(at(travel[k]));
   }
   return result;

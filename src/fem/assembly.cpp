@@ -10,7 +10,7 @@ namespace berm::fem {
 namespace {
 
 /// Of the elastic stiffness: what is left of it where the law has none, so that stress-free soil does not make the matrix singular.
-constexpr Real least_stiffness = 1e-6;
+constexpr Real min_stiffness = 1e-6;
 
 /// The largest and the smallest principal stress.
 std::pair<Real, Real> extreme_stresses(const SymTensor<2>& stress)
@@ -59,7 +59,7 @@ Stiffness stiffness_of_point(const Law& law, Real viscosity, const SymTensor<2>&
   update_stress_and_tangent(law, point.stress, strain, &point.law_state, tangent);
   Stiffness d;
   for (int j = 0; j < 3; ++j) d.col(j) = Eigen::Vector3d(tangent(0, j), tangent(1, j), tangent(3, j));
-  return ((d + d.transpose()) / 2 + (viscosity + least_stiffness) * elastic_stiffness(law.elastic)) / (1 + viscosity);
+  return ((d + d.transpose()) / 2 + (viscosity + min_stiffness) * elastic_stiffness(law.elastic)) / (1 + viscosity);
 }
 
 /// Strain (e_xx, e_yy, gamma_xy) by the movement of the nodes (x, y, x, y, ...).
@@ -96,7 +96,7 @@ Assembly::Assembly(const FemModel& model)
       soil_residual_(model.unknowns()),
       residual_(model.unknowns()),
       matrix_(model.pattern.entry_count()),
-      held_back_(model.unknowns(), 0.),
+      initial_imbalance_(model.unknowns(), 0.),
       given_(model.unknowns())
 {
 }
@@ -236,7 +236,7 @@ void Assembly::evaluate(const FemState& begin, const std::vector<Real>& change, 
 {
   for_each("evaluate elements", cells_.size(), [&](Index cell) { evaluate_cell(begin, change, loads.gravity, viscosity, cell); });
   const Timer timer("assemble");
-  for (std::size_t k = 0; k < residual_.size(); ++k) residual_[k] = -loads.held_back * held_back_[k];
+  for (std::size_t k = 0; k < residual_.size(); ++k) residual_[k] = -loads.initial_imbalance_factor * initial_imbalance_[k];
   for (Index cell = 0; cell < cells_.size(); ++cell) {
     const auto& nodes = model_.mesh.nodes[cell];
     for (int k = 0; k < 12; ++k) residual_[2 * nodes[k / 2] + k % 2] += cells_[cell].force[k];
@@ -292,7 +292,7 @@ void Assembly::count_work(FemState& state, const std::vector<Real>& change, cons
 {
   problem::Totals<2>& totals = state.state.totals;
   const Vec<2> gravity = (state.gravity + loads.gravity) / 2;
-  const Real held_back = (state.held_back + loads.held_back) / 2;
+  const Real initial_imbalance_factor = (state.initial_imbalance_factor + loads.initial_imbalance_factor) / 2;
   for (const CellWork& cell : cells_) totals.internal += cell.work;
   for (Index cell = 0; cell < cells_.size(); ++cell)
     for (const ShapeAtPoint& shape : model_.shape[cell])
@@ -304,9 +304,9 @@ void Assembly::count_work(FemState& state, const std::vector<Real>& change, cons
     for (const NodalLoad& load : model_.loads[t])
       for (int d = 0; d < 2; ++d)
         totals.external += (state.tractions[t] + loads.tractions[t]) / 2 * load.force[d] * change[2 * load.node + d];
-  for (std::size_t k = 0; k < change.size(); ++k) totals.external += held_back * held_back_[k] * change[k];
+  for (std::size_t k = 0; k < change.size(); ++k) totals.external += initial_imbalance_factor * initial_imbalance_[k] * change[k];
   if (model_.rigid == none) return;
-  const bodies::RigidState<2>& rigid = state.state.rigids[model_.rigid];
+  const bodies::RigidState<2>& rigid = state.state.rigid_bodies[model_.rigid];
   const Index first = model_.rigid_unknown();
   const Vec<2> moved(change[first], change[first + 1]), force = -(rigid.reaction + reaction()) / 2;
   totals.external += force.dot(moved) - (rigid.torque + torque()) / 2 * change[first + 2];
@@ -325,7 +325,7 @@ void Assembly::accept(FemState& state, const std::vector<Real>& change, const Fe
   state.contact = contact_;
   state.gravity = loads.gravity;
   state.tractions = loads.tractions;
-  state.held_back = loads.held_back;
+  state.initial_imbalance_factor = loads.initial_imbalance_factor;
   state.unbalanced = unbalanced_;
   for (std::size_t k = 0; k < change.size(); ++k) state.displacement[k] += change[k];
   Real over = 0, carried = 0;
@@ -337,21 +337,21 @@ void Assembly::accept(FemState& state, const std::vector<Real>& change, const Fe
       }
   state.overstress = carried > 0 ? over / carried : 0;
   if (model_.rigid == none) return;
-  bodies::RigidState<2>& rigid = state.state.rigids[model_.rigid];
+  bodies::RigidState<2>& rigid = state.state.rigid_bodies[model_.rigid];
   rigid.reaction = rigid.smooth_reaction = reaction();
   rigid.torque = torque();
-  for (const FemContactState& point : contact_) rigid.deepest = std::max(rigid.deepest, -point.gap);
+  for (const FemContactState& point : contact_) rigid.max_overlap = std::max(rigid.max_overlap, -point.gap);
   const Index first = model_.rigid_unknown();
   rigid.displacement = Vec<2>(state.displacement[first], state.displacement[first + 1]);
   rigid.angle = state.displacement[first + 2];
 }
 
-void Assembly::hold_back(const FemState& state, const FemLoads& loads)
+void Assembly::store_initial_imbalance(const FemState& state, const FemLoads& loads)
 {
   FemLoads nothing = loads;
-  nothing.held_back = 0;
+  nothing.initial_imbalance_factor = 0;
   evaluate(state, std::vector<Real>(model_.unknowns(), 0.), nothing, 0);
-  held_back_ = residual_;
+  initial_imbalance_ = residual_;
 }
 
 }  // namespace berm::fem

@@ -7,9 +7,9 @@ namespace berm::fem {
 
 /// What acts in an increment, and how the rigid body moves.
 struct FemLoads {
-  Vec<2> gravity = Vec<2>::Zero();  ///< m/s2
-  std::vector<Real> tractions;      ///< part of each that acts; none where empty
-  Real held_back = 0;               ///< part of the first state's unbalanced forces that is still held back by fictitious ones
+  Vec<2> gravity = Vec<2>::Zero();    ///< m/s2
+  std::vector<Real> tractions;        ///< part of each that acts; none where empty
+  Real initial_imbalance_factor = 0;  ///< part of the first state's unbalanced forces that is still held back by fictitious ones
   struct Direction {
     bool by_force = false;
     Real value = 0;  ///< m (rad): movement in this increment; or N/m (N m/m): force on the body
@@ -74,7 +74,7 @@ public:
   void accept(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const;
 
   /// The forces that are held back where nothing has moved yet: residual of the state as it is.
-  void hold_back(const FemState& state, const FemLoads& loads);
+  void store_initial_imbalance(const FemState& state, const FemLoads& loads);
 
 private:
   void evaluate_cell(const FemState& begin, const std::vector<Real>& change, const Vec<2>& gravity, Real viscosity, Index cell);
@@ -83,7 +83,7 @@ private:
   void count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const;
   void give_unknowns(const FemLoads& loads, Index stage);
 
-  /// The law of a point of integration for the increments that begin with this stress: dear to make, and the same in all iterations. It may stand for
+  /// The law of a point of integration for the increments that begin with this stress: expensive to build, and the same in all iterations. It may stand for
   /// the strength of another stress (follow_strength).
   struct PointLaw {
     SymTensor<2> begin{{std::numeric_limits<Real>::quiet_NaN()}};  ///< Pa
@@ -101,7 +101,7 @@ private:
   CellField<std::array<SoilPoint, triangle_points>> points_;
   CellField<std::array<PointLaw, triangle_points>> laws_, laws_before_;
   std::vector<FemContactState> contact_;
-  std::vector<Real> soil_residual_, residual_, matrix_, held_back_;
+  std::vector<Real> soil_residual_, residual_, matrix_, initial_imbalance_;
   std::vector<char> given_;
   Real unbalanced_ = 0, contact_force_ = 0;
 };

@@ -87,7 +87,7 @@ FemWatch make_watch(const FemModel& model, const std::string& name, const proble
   return made;
 }
 
-bool flows_unassociated(const problem::Model<2>& model)
+bool flows_non_associated(const problem::Model<2>& model)
 {
   return std::any_of(model.bodies.begin(), model.bodies.end(), [](const problem::Body<2>& body) {
     const auto* law = std::get_if<material::MohrCoulomb>(&body.material);
@@ -102,7 +102,7 @@ void make_contact(FemModel& model)
       throw InputError(fmt::format("contact.{}.other_body: finite elements know contact with a rigid body only", contact.name));
     if (model.rigid != none) throw InputError(fmt::format("contact.{}: finite elements know one contact only", contact.name));
     model.rigid = contact.rigid;
-    const bodies::Rigid<2>& rigid = model.model.rigids[contact.rigid];
+    const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[contact.rigid];
     const auto sides = contact_sides(model.mesh, rigid.shape);
     if (sides.empty())
       throw InputError(fmt::format("contact.{}: the mesh has no side on the surface of rigid.{}", contact.name, rigid.name));
@@ -128,9 +128,9 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
   model.model = make_model(c, make_cut_mesh(c, case_folder, work_folder));
   if (c.initial_state == problem::InitialState::level_ground) refuse_k0_below_uneven_ground(c, model.model);
   model.settings = c.fem;
-  model.strength_lags = flows_unassociated(model.model);
+  model.non_associated = flows_non_associated(model.model);
   std::vector<bodies::RigidShape<2>> shapes;
-  for (const bodies::Rigid<2>& rigid : model.model.rigids) shapes.push_back(rigid.shape);
+  for (const bodies::RigidBody<2>& rigid : model.model.rigid_bodies) shapes.push_back(rigid.shape);
   model.mesh = make_quadratic(model.model.mesh, c, shapes);
   make_contact(model);
   for (std::size_t t = 0; t < c.traction.size(); ++t)
@@ -139,7 +139,7 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
     if (model.model.driven[k] != none && model.model.driven[k] != model.rigid)
       throw InputError(
           fmt::format("stage \"{}\": finite elements move the rigid body that a contact joins with the soil; rigid.{} has none",
-                      model.model.stages[k].name, model.model.rigids[model.model.driven[k]].name));
+                      model.model.stages[k].name, model.model.rigid_bodies[model.model.driven[k]].name));
 
   const Real gravity = -model.model.gravity[1];
   model.shape.assign(model.mesh.nodes.size());
@@ -161,14 +161,14 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
     for (const ShapeAtPoint& shape : model.shape[cell])
       model.weight += shape.area * density(model.model.bodies[model.mesh.body[cell]].material) * model.model.gravity.norm();
-  if (model.rigid != none) model.width = width_of<2>(model.model.rigids[model.rigid].shape);
+  if (model.rigid != none) model.width = width_of<2>(model.model.rigid_bodies[model.rigid].shape);
   number_unknowns(model);
   if (c.initial_state == problem::InitialState::gravity_loading) load_by_gravity(c, model, state);
   for (const auto& [name, watch] : c.watch) model.watches.push_back(make_watch(model, name, watch, problem::place_of(c.body, watch.body)));
   state.displacement.assign(model.unknowns(), 0.);
   state.contact.resize(model.contact.size());
   state.state.tractions.resize(model.model.tractions.size());
-  state.state.rigids.resize(model.model.rigids.size());
+  state.state.rigid_bodies.resize(model.model.rigid_bodies.size());
   begin_stage(model.model, state.state);
   return problem;
 }

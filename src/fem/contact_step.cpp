@@ -9,7 +9,7 @@
 namespace berm::fem {
 namespace {
 
-constexpr int most_steps = 40, most_searches = 30;
+constexpr int max_steps = 40, max_searches = 30;
 constexpr Real rounding = 1e-10;       // of the forces: what is left where the contact has settled, its law being linear in pieces
 constexpr Real enough_descent = 0.01;  // a slope of this part of the first one ends the line search
 
@@ -62,7 +62,7 @@ Real ContactStep::part_of_direction(const FemState& begin, const Vector& load)
   };
   Real at = 1, low = 0, low_slope = first, high = 1, high_slope = slope(1), here = high_slope;
   if (here <= 0) return at;
-  for (int k = 1; k < most_searches && std::abs(here) > enough_descent * std::abs(first); ++k) {
+  for (int k = 1; k < max_searches && std::abs(here) > enough_descent * std::abs(first); ++k) {
     // The chord creeps where the slope has a bend: every third time the middle.
     at = k % 3 == 0 ? (low + high) / 2 : low + (high - low) * std::clamp(-low_slope / (high_slope - low_slope), 0.05, 0.95);
     here = slope(at);
@@ -90,7 +90,7 @@ bool ContactStep::find(const FemState& begin, const std::vector<Real>& change, c
   step_.setZero();
   first_step_.setZero();
   bool settled = false;
-  for (int k = 0; k < most_steps && !settled; ++k) {
+  for (int k = 0; k < max_steps && !settled; ++k) {
     evaluate(begin, step_, true);
     unbalanced_ = soil_ * step_ - load - force_;
     settled = k > 0 && unbalanced_.norm() <= rounding * (load.norm() + force_.norm());

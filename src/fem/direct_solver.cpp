@@ -49,7 +49,7 @@ DirectSolver::DirectSolver(const SparsePattern& pattern, const std::vector<Index
   m.control(4) = 0;
   m.control(6) = 0;    // rows stay where they are: the diagonal is as good as any
   m.control(7) = 4;    // nested dissection by PORD
-  m.control(14) = 60;  // per cent of memory beyond what was foretold
+  m.control(14) = 60;  // per cent of memory beyond the estimate of the analysis phase
   m.call.n = pattern.size();
   m.call.nnz = pattern.entry_count();
   m.call.irn = m.row.data();
@@ -80,16 +80,16 @@ Real DirectSolver::memory() const
   return megabyte * mumps_->call.infog[15];
 }
 
-bool DirectSolver::decompose(std::span<const Real> entries)
+bool DirectSolver::factorize(std::span<const Real> entries)
 {
   const Timer timer("decompose matrix");
   Mumps& m = *mumps_;
   std::copy(entries.begin(), entries.end(), m.entries.begin());
   const MUMPS_INT error = m.run(2);
   if (error == -10) return false;
-  if (error == -9) {  // the foretold memory did not do
+  if (error == -9) {  // the estimate was too low
     m.control(14) *= 2;
-    if (m.control(14) < 2000) return decompose(entries);
+    if (m.control(14) < 2000) return factorize(entries);
   }
   if (error < 0) throw RunError(fmt::format("MUMPS cannot decompose the matrix (error {}, {})", error, m.call.infog[1]));
   return true;

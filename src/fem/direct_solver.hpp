@@ -33,11 +33,11 @@ public:
   DirectSolver(const DirectSolver&) = delete;
   DirectSolver& operator=(const DirectSolver&) = delete;
 
-  /// Bytes that a decomposition takes at most, as foretold when the order was found.
+  /// Bytes that a factorization takes at most, as estimated by the analysis phase.
   Real memory() const;
 
   /// Decomposes the matrix with these entries, in the pattern's order. False where it is singular. Throws RunError where memory is wanting.
-  bool decompose(std::span<const Real> entries);
+  bool factorize(std::span<const Real> entries);
 
   /// Solves with the last decomposition; b becomes x. Not where unknowns are kept.
   void solve(std::span<Real> b);

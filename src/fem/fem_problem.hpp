@@ -30,7 +30,7 @@ struct FemModel {
   Real weight = 0;                            ///< N/m, of all soil
   std::vector<std::vector<NodalLoad>> loads;  ///< by traction
   problem::FemSettings settings;
-  bool strength_lags = false;  ///< some soil's flow is not associated
+  bool non_associated = false;  ///< some soil's flow is not associated
   std::vector<FemWatch> watches;
 
   // Unknowns: node i moves by 2 i and 2 i + 1 (x, y); the rigid body, where there is one, by the last three (x, y, angle).
@@ -54,11 +54,11 @@ struct FemState {
   std::vector<Real> displacement;  ///< by unknown: m, and rad for the angle
   CellField<std::array<SoilPoint, triangle_points>> points;
   std::vector<FemContactState> contact;
-  Vec<2> gravity = Vec<2>::Zero();  ///< m/s2, that acts
-  std::vector<Real> tractions;      ///< part of each that acts
-  Real held_back = 0;               ///< part of the first state's unbalanced forces that is held back
-  Real unbalanced = 0;              ///< N/m, sum of the unbalanced nodal forces
-  Real overstress = 0;              ///< part of the stress that is beyond the law's surface: integral of both over the soil at yield
+  Vec<2> gravity = Vec<2>::Zero();    ///< m/s2, that acts
+  std::vector<Real> tractions;        ///< part of each that acts
+  Real initial_imbalance_factor = 0;  ///< part of the first state's unbalanced forces that is held back
+  Real unbalanced = 0;                ///< N/m, sum of the unbalanced nodal forces
+  Real overstress = 0;                ///< part of the stress that is beyond the law's surface: integral of both over the soil at yield
 };
 
 struct FemProblem {

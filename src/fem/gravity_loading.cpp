@@ -50,7 +50,7 @@ void load_by_gravity(const problem::Case& c, const FemModel& model, FemState& st
       if (given[row] || given[model.pattern.column[k]]) matrix[k] = model.pattern.column[k] == row ? 1 : 0;
   }
   DirectSolver solver(model.pattern);
-  if (!solver.decompose(matrix))
+  if (!solver.factorize(matrix))
     throw InputError("initial_state: the soil finds no equilibrium under gravity: supports of the first stage must hold it");
   solver.solve(unknowns);
 

@@ -13,12 +13,12 @@ namespace {
 constexpr Real settling_viscosity = 0.1;
 constexpr Real first_travel = 2e-4;     // of the width, in the first increment of a stage
 constexpr Real loose = 10;              // times the tolerance: taken where even the smallest increment comes no nearer, once in a row
-constexpr Real least_growth = 5e-3;     // of the width: an increment of this travel is never too long for the pressure that it brings
+constexpr Real min_growth = 5e-3;       // of the width: an increment of this travel is never too long for the pressure that it brings
 constexpr Real pressure_change = 0.02;  // of the contact force, in one increment
-constexpr Real most_lag = 0.01;         // of what plastic flow dissipates: strength that is less behind its pressure follows no further
-constexpr int most_passes = 4;          // in which the equilibrium of an increment is found, each with the strength of the one before
+constexpr Real max_lag = 0.01;          // of what plastic flow dissipates: strength that is less behind its pressure follows no further
+constexpr int max_passes = 4;           // in which the equilibrium of an increment is found, each with the strength of the one before
 constexpr Real worth_it = 0.7;          // a pass that leaves more of the lag is the last
-constexpr Real most_overstress = 0.05;  // of the stress of soil at yield
+constexpr Real max_overstress = 0.05;   // of the stress of soil at yield
 constexpr int quick = 8, quick_enough = 12;  // iterations
 
 }  // namespace
@@ -27,8 +27,8 @@ LoadSteps::LoadSteps(const FemModel& model, FemState& state)
     : model_(model),
       state_(state),
       newton_(model),
-      least_relaxation_((model.strength_lags ? 0.5 : 1e-4) * model.settings.relaxation),
-      relaxation_(model.strength_lags ? model.settings.relaxation : least_relaxation_)
+      min_relaxation_((model.non_associated ? 0.5 : 1e-4) * model.settings.relaxation),
+      relaxation_(model.non_associated ? model.settings.relaxation : min_relaxation_)
 {
   begin();
 }
@@ -42,13 +42,13 @@ void LoadSteps::settle()
 /// Holds back by fictitious forces what is out of balance under these loads, and lets these forces go; false where no equilibrium is found.
 bool LoadSteps::let_go(FemLoads loads)
 {
-  newton_.assembly().hold_back(state_, loads);
+  newton_.assembly().store_initial_imbalance(state_, loads);
   state_.gravity = loads.gravity;
   state_.tractions = loads.tractions;
-  state_.held_back = 1;
+  state_.initial_imbalance_factor = 1;
   Real part = 1;
-  while (state_.held_back > 0) {
-    loads.held_back = std::max(Real(0), state_.held_back - part);
+  while (state_.initial_imbalance_factor > 0) {
+    loads.initial_imbalance_factor = std::max(Real(0), state_.initial_imbalance_factor - part);
     std::vector<Real> change(model_.unknowns(), 0.);
     const IncrementEnd end = newton_.find_equilibrium(state_, loads, settling_viscosity, change);
     if (end.converged) {
@@ -96,7 +96,8 @@ Real LoadSteps::up_to_the_end(Real dt) const
     }
     dt = high;
   };
-  if (until.displacement) cut(0, *until.displacement - std::abs(state_.state.rigids[driven()].displacement[0] - now.begin_displacement[0]));
+  if (until.displacement)
+    cut(0, *until.displacement - std::abs(state_.state.rigid_bodies[driven()].displacement[0] - now.begin_displacement[0]));
   if (until.embedment && travel(1, since, since + dt) < 0) cut(1, *until.embedment - pipe_motion(model_.model, state_.state, driven()).w);
   return dt;
 }
@@ -121,7 +122,7 @@ FemLoads LoadSteps::loads_after(Real dt) const
     const problem::Drive& drive = now.drive[d];
     loads.rigid[d] = {drive.by_force, drive.by_force ? ramped(stage(), drive, since + dt) : travel(d, since, since + dt)};
   }
-  loads.rigid[2].by_force = model_.model.rigids[driven()].rotation == bodies::Rotation::free;
+  loads.rigid[2].by_force = model_.model.rigid_bodies[driven()].rotation == bodies::Rotation::free;
   return loads;
 }
 
@@ -130,7 +131,7 @@ Real LoadSteps::part_within_force(const IncrementEnd& end) const
 {
   const std::optional<Real>& limit = stage().until.force;
   if (!limit || driven() == none || !end.converged) return 1;
-  const Real before = resistance(model_.model, state_.state, state_.state.rigids[driven()].reaction),
+  const Real before = resistance(model_.model, state_.state, state_.state.rigid_bodies[driven()].reaction),
              after = resistance(model_.model, state_.state, newton_.assembly().reaction());
   return after > *limit * (1 + 1e-4) ? std::max(0.1, (*limit - before) / (after - before)) : 1;
 }
@@ -143,9 +144,9 @@ IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::ve
   Assembly& assembly = newton_.assembly();
   IncrementEnd end = newton_.find_equilibrium(state_, loads, viscosity, change);
   last_iterations_ = end.iterations;
-  if (!model_.strength_lags) return end;
+  if (!model_.non_associated) return end;
   end.lag = assembly.strength_lag(state_, change);
-  for (int pass = 1; pass < most_passes && end.converged && std::abs(end.lag.part()) > most_lag; ++pass) {
+  for (int pass = 1; pass < max_passes && end.converged && std::abs(end.lag.part()) > max_lag; ++pass) {
     const std::vector<Real> before = change;
     assembly.follow_strength();
     IncrementEnd next = newton_.find_equilibrium(state_, loads, viscosity, change);
@@ -182,13 +183,13 @@ IncrementEnd LoadSteps::advance()
       shortest *= part;
       continue;
     }
-    const bool last_resort = !loose_ && dt < 2e-4 * first_dt_ && end.unbalance <= loose * model_.settings.tolerance;
+    const bool last_resort = !accepted_above_tolerance_ && dt < 2e-4 * first_dt_ && end.unbalance <= loose * model_.settings.tolerance;
     if (end.converged || last_resort) {
-      const Vec<2> before = driven() == none ? Vec<2>(Vec<2>::Zero()) : state_.state.rigids[driven()].reaction;
+      const Vec<2> before = driven() == none ? Vec<2>(Vec<2>::Zero()) : state_.state.rigid_bodies[driven()].reaction;
       newton_.assembly().accept(state_, change, loads);
       const Real force = newton_.assembly().contact_force();
       accept(change, dt, end, force > 0 ? (newton_.assembly().reaction() - before).norm() / force : 0);
-      if (state_.overstress > most_overstress && driven() != none) refuse_overstress();
+      if (state_.overstress > max_overstress && driven() != none) refuse_overstress();
       return end;
     }
     dt_ = dt / 2;
@@ -208,11 +209,11 @@ void LoadSteps::accept(const std::vector<Real>& change, Real dt, const Increment
   ++state_.state.step;
   last_change_ = change;
   last_dt_ = dt;
-  if (last_iterations_ <= quick) relaxation_ = std::max(relaxation_ / 4, least_relaxation_);
+  if (last_iterations_ <= quick) relaxation_ = std::max(relaxation_ / 4, min_relaxation_);
   if (last_iterations_ <= quick_enough) dt_ = std::max(dt_, dt * 1.5);
-  if (model_.strength_lags) dt_ = std::min(dt_, std::max(dt * pressure_change / force_change, first_dt_ * least_growth / first_travel));
-  loose_ = !end.converged;
-  if (loose_) dt_ = first_dt_;
+  if (model_.non_associated) dt_ = std::min(dt_, std::max(dt * pressure_change / force_change, first_dt_ * min_growth / first_travel));
+  accepted_above_tolerance_ = !end.converged;
+  if (accepted_above_tolerance_) dt_ = first_dt_;
 }
 
 void LoadSteps::refuse_overstress() const

@@ -45,12 +45,12 @@ private:
   const FemModel& model_;
   FemState& state_;
   Newton newton_;
-  Real least_relaxation_, relaxation_;  ///< travel over which overstress fades, over the width: at least, and of the next increment
-  Real first_dt_ = 0, dt_ = 0;          ///< s, of the first and of the next increment of the stage
-  Real last_dt_ = 0;                    ///< s, of the last increment in this stage; 0 = none
-  int last_iterations_ = 0;             ///< of Newton, where the equilibrium of an increment was found the last time
-  bool loose_ = false;                  ///< the last increment was taken though it stayed above the tolerance
-  std::vector<Real> last_change_;       ///< of displacement in it
+  Real min_relaxation_, relaxation_;       ///< travel over which overstress fades, over the width: at least, and of the next increment
+  Real first_dt_ = 0, dt_ = 0;             ///< s, of the first and of the next increment of the stage
+  Real last_dt_ = 0;                       ///< s, of the last increment in this stage; 0 = none
+  int last_iterations_ = 0;                ///< of Newton, where the equilibrium of an increment was found the last time
+  bool accepted_above_tolerance_ = false;  ///< the last increment was taken though it stayed above the tolerance
+  std::vector<Real> last_change_;          ///< of displacement in it
 };
 
 }  // namespace berm::fem

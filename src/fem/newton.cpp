@@ -6,8 +6,8 @@
 namespace berm::fem {
 namespace {
 
-constexpr int most_iterations = 25;
-constexpr int most_searches = 12;
+constexpr int max_iterations = 25;
+constexpr int max_searches = 12;
 constexpr Real enough_descent = 0.1;  // a slope of this part of the first one ends the line search
 constexpr Real fast = 0.3;            // a matrix that brings the unbalanced forces down to this part is kept for the next step
 
@@ -18,10 +18,10 @@ Newton::Newton(const FemModel& model)
       assembly_(model),
       contact_(model),
       solver_(model.pattern, contact_.unknowns()),
-      least_force_(std::max(1e-3 * model.weight, 1e-300))
+      min_force_(std::max(1e-3 * model.weight, 1e-300))
 {
   for (const std::vector<NodalLoad>& loads : model.loads)
-    for (const NodalLoad& load : loads) least_force_ += 1e-3 * load.force.norm();
+    for (const NodalLoad& load : loads) min_force_ += 1e-3 * load.force.norm();
 }
 
 /// The right-hand side of the equations of the step; whether the given unknowns have moved as given.
@@ -66,7 +66,7 @@ void Newton::search_line(const FemState& begin, const FemLoads& loads, Real visc
   };
   Real at = 1, here = go(1), low = 0, low_slope = first, high = 0, high_slope = 0;
   if (!(first < 0)) return;
-  for (int k = 0; k < most_searches && !(std::abs(here) <= -enough_descent * first); ++k) {
+  for (int k = 0; k < max_searches && !(std::abs(here) <= -enough_descent * first); ++k) {
     if (here < 0 && high == 0) return;  // still downhill after the whole step
     if (here < 0)
       low = at, low_slope = here;
@@ -87,12 +87,12 @@ IncrementEnd Newton::find_equilibrium(const FemState& begin, const FemLoads& loa
   assembly_.evaluate(begin, change, loads, viscosity);
   for (;; ++end.iterations) {
     const bool moves_as_given = set_step(loads, change);
-    end.unbalance = assembly_.unbalanced() / std::max(assembly_.contact_force(), least_force_);
+    end.unbalance = assembly_.unbalanced() / std::max(assembly_.contact_force(), min_force_);
     end.converged = moves_as_given && end.unbalance <= model_.settings.tolerance;
-    if (end.converged || end.iterations == most_iterations || !std::isfinite(end.unbalance)) return end;
+    if (end.converged || end.iterations == max_iterations || !std::isfinite(end.unbalance)) return end;
     if (!(end.unbalance < fast * last)) {
       assembly_.differentiate(begin, change, viscosity);
-      if (!solver_.decompose(assembly_.matrix())) return end;
+      if (!solver_.factorize(assembly_.matrix())) return end;
     }
     last = end.unbalance;
     find_step(begin, change);

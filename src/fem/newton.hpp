@@ -40,7 +40,7 @@ private:
   Assembly assembly_;
   ContactStep contact_;
   DirectSolver solver_;
-  Real least_force_;  ///< N/m, that unbalanced forces are compared with at least
+  Real min_force_;  ///< N/m, that unbalanced forces are compared with at least
   std::vector<Real> step_;
 };
 

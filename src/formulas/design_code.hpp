@@ -36,7 +36,7 @@ Formula f114_drained_lateral(const PipeInSand& pipe, Real V);
 
 /// Horizontal displacement at which the horizontal resistance is largest, m.
 struct Breakout {
-  Formula least, mean, most;
+  Formula min, mean, max;
 };
 
 /// least D (0.004 + 0.02 w/D), mean D (0.02 + 0.25 w/D), most D (0.1 + 0.7 w/D). [fit: DNV-RP-F114]

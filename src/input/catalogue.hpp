@@ -21,7 +21,7 @@ struct Listed {
   };
 
   Kind kind = Kind::table;
-  std::string key, meaning, unit;
+  std::string key, formerly, meaning, unit;
   std::string type;          ///< of a value: "number", "list of texts", ...
   std::string default_text;  ///< "" where there is none
   Range range;

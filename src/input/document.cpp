@@ -36,8 +36,8 @@ struct TomlStumbled {};
 namespace berm::input {
 namespace {
 
-constexpr std::size_t most_bytes = 1'000'000;
-constexpr int most_dots = 32;
+constexpr std::size_t max_bytes = 1'000'000;
+constexpr int max_dots = 32;
 
 Node convert(const toml::node& from);
 
@@ -119,7 +119,7 @@ int line_of_too_deep_key(const std::string& text)
       continue;
     }
     if (c == '\n' || c == ',' || c == '=' || c == '[' || c == '{') dots = 0;
-    if (c == '.' && ++dots > most_dots)
+    if (c == '.' && ++dots > max_dots)
       return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(k), '\n'));
     ++k;
   }
@@ -171,7 +171,7 @@ Document parse_file(const std::filesystem::path& file)
   if (std::filesystem::is_directory(file, problem)) refuse_file("is a folder; wanted is a TOML file, such as case.toml");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse_file("cannot be opened");
-  std::string text(most_bytes + 1, '\0');
+  std::string text(max_bytes + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   if (stream.bad()) refuse_file("cannot be read");
   text.resize(static_cast<std::size_t>(stream.gcount()));
@@ -180,9 +180,8 @@ Document parse_file(const std::filesystem::path& file)
 
 Document parse_text(const std::string& file, const std::string& text)
 {
-  if (text.size() > most_bytes)
-    throw InputError(one_line(fmt::format("{}: is longer than {} bytes, the most for a case", file, most_bytes)));
-  if (const int line = line_of_too_deep_key(text)) refuse_line(file, line, fmt::format("a key has more than {} dots", most_dots));
+  if (text.size() > max_bytes) throw InputError(one_line(fmt::format("{}: is longer than {} bytes, the most for a case", file, max_bytes)));
+  if (const int line = line_of_too_deep_key(text)) refuse_line(file, line, fmt::format("a key has more than {} dots", max_dots));
   if (const std::size_t nul = text.find('\0'); nul != std::string::npos)
     refuse_line(file, 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n'),
                 "a NUL byte: this is not a text file");
@@ -253,9 +252,9 @@ void refuse(const Document& document, const Node& node, const std::string& path,
   const bool by_override = !node.override_key.empty();
   const std::string place = by_override ? "--set " + node.override_key : fmt::format("{}:{}", document.file, node.line);
   const bool repeats = by_override && node.override_key == path;
-  constexpr std::size_t most_of_path = 300, most_of_message = 3000;
+  constexpr std::size_t max_of_path = 300, max_of_message = 3000;
   throw InputError(
-      one_line(place + ": " + (path.empty() || repeats ? "" : shortened(path, most_of_path) + ": ") + shortened(message, most_of_message)));
+      one_line(place + ": " + (path.empty() || repeats ? "" : shortened(path, max_of_path) + ": ") + shortened(message, max_of_message)));
 }
 
 }  // namespace berm::input

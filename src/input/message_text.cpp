@@ -18,12 +18,12 @@ std::string with_unit(const std::string& number, const std::string& unit)
 std::string bounds(const Range& range, Real scale, const std::string& unit)
 {
   const auto number = [&](Real value) { return fmt::format("{:.4g}", value / scale); };
-  const bool below = range.least > -infinity, above = range.most < infinity;
-  if (below && above && !range.least_open && !range.most_open)
-    return with_unit(fmt::format("from {} to {}", number(range.least), number(range.most)), unit);
+  const bool below = range.min > -infinity, above = range.max < infinity;
+  if (below && above && !range.min_open && !range.max_open)
+    return with_unit(fmt::format("from {} to {}", number(range.min), number(range.max)), unit);
   std::string text;
-  if (below) text = fmt::format("{} {}", range.least_open ? "more than" : "at least", number(range.least));
-  if (above) text += fmt::format("{}{} {}", below ? " and " : "", range.most_open ? "less than" : "at most", number(range.most));
+  if (below) text = fmt::format("{} {}", range.min_open ? "more than" : "at least", number(range.min));
+  if (above) text += fmt::format("{}{} {}", below ? " and " : "", range.max_open ? "less than" : "at most", number(range.max));
   return with_unit(text, unit);
 }
 
@@ -47,11 +47,11 @@ std::string nearest(const std::string& word, const std::vector<std::string>& wor
 {
   if (word.empty() || word.size() > 100) return "";
   std::string best;
-  int least = 2 + static_cast<int>(word.size()) / 4;
+  int min = 2 + static_cast<int>(word.size()) / 4;
   for (const std::string& candidate : words) {
     if (candidate.size() > 2 * word.size() + 2) continue;  // further away than that
     const int distance = edit_distance(word, candidate);
-    if (distance < least && distance < static_cast<int>(std::max(word.size(), candidate.size()))) least = distance, best = candidate;
+    if (distance < min && distance < static_cast<int>(std::max(word.size(), candidate.size()))) min = distance, best = candidate;
   }
   const auto begins = [&](const std::string& candidate) { return word.size() > 2 && candidate.starts_with(word); };
   if (best.empty() && std::count_if(words.begin(), words.end(), begins) == 1) best = *std::find_if(words.begin(), words.end(), begins);
@@ -67,15 +67,15 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
 
 std::string listed(const std::vector<std::string>& words)
 {
-  constexpr std::size_t most = 12;
+  constexpr std::size_t max = 12;
   std::string text;
-  for (std::size_t k = 0; k < std::min(words.size(), most); ++k) text += (k == 0 ? "" : ", ") + words[k];
-  return words.size() > most ? text + ", ..." : text;
+  for (std::size_t k = 0; k < std::min(words.size(), max); ++k) text += (k == 0 ? "" : ", ") + words[k];
+  return words.size() > max ? text + ", ..." : text;
 }
 
-std::string shortened(const std::string& text, std::size_t most)
+std::string shortened(const std::string& text, std::size_t max)
 {
-  std::size_t end = std::min(text.size(), most);
+  std::size_t end = std::min(text.size(), max);
   while (end < text.size() && end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;
   return text.substr(0, end) + (end < text.size() ? "..." : "");
 }
@@ -100,7 +100,7 @@ std::string quantity(Real value, const std::string& si_unit)
 
 std::string range_text(const Range& range, const std::string& si_unit)
 {
-  if (range.least == -infinity && range.most == infinity) return "";
+  if (range.min == -infinity && range.max == infinity) return "";
   if (si_unit != "rad") return bounds(range, 1, si_unit);
   std::string radians = bounds(range, 1, "rad");
   if (radians.starts_with("from ")) radians.erase(0, 5);
@@ -109,8 +109,8 @@ std::string range_text(const Range& range, const std::string& si_unit)
 
 bool within(Real value, const Range& range)
 {
-  const bool above = range.least_open ? value > range.least : value >= range.least;
-  const bool below = range.most_open ? value < range.most : value <= range.most;
+  const bool above = range.min_open ? value > range.min : value >= range.min;
+  const bool below = range.max_open ? value < range.max : value <= range.max;
   return above && below;
 }
 

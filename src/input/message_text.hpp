@@ -19,7 +19,7 @@ std::string suggestion(const std::string& word, const std::vector<std::string>& 
 std::string listed(const std::vector<std::string>& words);
 
 /// The first `most` bytes of a text and "...", or all of it; no UTF-8 character is cut.
-std::string shortened(const std::string& text, std::size_t most);
+std::string shortened(const std::string& text, std::size_t max);
 
 /// A text in quotes, on one line, shortened after 60 bytes.
 std::string in_quotes(const std::string& text);

@@ -31,8 +31,8 @@ std::vector<std::string> split(const std::string& key)
   for (const std::string& part : parts)
     if (part.empty()) refuse_override(key, "the key has an empty part; wanted is a path such as material.sand.friction_angle");
   if (inside) refuse_override(key, "a quote is not closed");
-  constexpr std::size_t most_parts = 32;
-  if (parts.size() > most_parts) refuse_override(key, "the key has too many parts");
+  constexpr std::size_t max_parts = 32;
+  if (parts.size() > max_parts) refuse_override(key, "the key has too many parts");
   return parts;
 }
 

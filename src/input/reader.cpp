@@ -20,13 +20,13 @@ void use(Node& node)
   for (Node& item : node.items) use(item);
 }
 
-constexpr std::size_t most_in_name = 100;  // bytes
+constexpr std::size_t max_in_name = 100;  // bytes
 
 /// Names become parts of paths and columns of files.
 bool is_name(const std::string& name)
 {
   const auto fits = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-' || (c & 0x80) != 0; };
-  return !name.empty() && name.size() <= most_in_name && std::all_of(name.begin(), name.end(), fits);
+  return !name.empty() && name.size() <= max_in_name && std::all_of(name.begin(), name.end(), fits);
 }
 
 std::string item_path(const std::string& path, const Node& item, int k)
@@ -138,7 +138,7 @@ void Reader::leaf(const char* key, Leaf variable, const Parameter& declared)
     return;
   }
   use(*node);
-  std::visit(Taker(document_, *node, path_of(key), parameter), variable);
+  std::visit(ValueReader(document_, *node, path_of(key), parameter), variable);
 }
 
 int Reader::choose(const char* key, const std::vector<const char*>& names, int current, const Parameter& parameter)
@@ -196,7 +196,7 @@ std::vector<std::string> Reader::names_in(const char* key, const std::vector<std
       if (!is_name(item.key))
         refuse(
             document_, item, path + "." + item.key,
-            fmt::format("{} is no name; allowed are letters, digits, _ and -, from one to {} of them", in_quotes(item.key), most_in_name));
+            fmt::format("{} is no name; allowed are letters, digits, _ and -, from one to {} of them", in_quotes(item.key), max_in_name));
       if (std::find(names.begin(), names.end(), item.key) == names.end()) names.push_back(item.key);
     }
   }

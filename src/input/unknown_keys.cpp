@@ -91,6 +91,8 @@ private:
       refuse(document_, item, path,
              fmt::format("goes with {0} = {1}, and here {0} = {2} (allowed: {3})", missed->selector, in_quotes(missed->word),
                          in_quotes(chosen_word(node, known, missed->selector)), listed(allowed)));
+    for (const Listed& entry : known.children)
+      if (entry.formerly == item.key) refuse(document_, item, path, fmt::format("is {} now", in_quotes(entry.key)));
     refuse(document_, item, path, (item.kind == Node::Kind::table ? "unknown table" : "unknown key") + suggestion(item.key, allowed));
   }
 

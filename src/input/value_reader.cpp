@@ -10,7 +10,7 @@
 namespace berm::input {
 namespace {
 
-constexpr std::size_t most_in_text = 4096;  // bytes
+constexpr std::size_t max_in_text = 4096;  // bytes
 
 /// Texts go to terminals, tables and the scripts of plots. In UTF-8 the control characters beyond ASCII are C2 80 to C2 9F.
 bool has_control_character(const std::string& text)
@@ -24,7 +24,7 @@ bool has_control_character(const std::string& text)
 
 }  // namespace
 
-Real Taker::number(const Node& node, const std::string& path) const
+Real ValueReader::number(const Node& node, const std::string& path) const
 {
   Real value = 0;
   if (node.kind == Node::Kind::text) {
@@ -45,7 +45,7 @@ Real Taker::number(const Node& node, const std::string& path) const
   return value;
 }
 
-void Taker::check_range(const Node& node, const std::string& path, Real value) const
+void ValueReader::check_range(const Node& node, const std::string& path, Real value) const
 {
   if (within(value, parameter_.range)) return;
   const std::string unit = parameter_.unit;
@@ -59,7 +59,7 @@ void Taker::check_range(const Node& node, const std::string& path, Real value) c
   refuse(document_, node, path, fmt::format("must be {}{}", range_text(parameter_.range, unit), hint));
 }
 
-int Taker::whole_number(const Node& node, const std::string& path) const
+int ValueReader::whole_number(const Node& node, const std::string& path) const
 {
   Real value = 0.5;
   if (node.kind == Node::Kind::whole) value = static_cast<Real>(node.whole);
@@ -72,30 +72,30 @@ int Taker::whole_number(const Node& node, const std::string& path) const
   return static_cast<int>(value);
 }
 
-std::string Taker::text(const Node& node, const std::string& path) const
+std::string ValueReader::text(const Node& node, const std::string& path) const
 {
   if (node.kind != Node::Kind::text) refuse(document_, node, path, fmt::format("must be a text in quotes, not {}", kind_of(node)));
   if (node.text.empty() && parameter_.required) refuse(document_, node, path, "must not be empty");
-  if (node.text.size() > most_in_text) refuse(document_, node, path, fmt::format("is longer than {} bytes", most_in_text));
+  if (node.text.size() > max_in_text) refuse(document_, node, path, fmt::format("is longer than {} bytes", max_in_text));
   if (has_control_character(node.text))
     refuse(document_, node, path, fmt::format("{} holds a control character, such as the end of a line", in_quotes(node.text)));
   return node.text;
 }
 
-void Taker::operator()(bool* value) const
+void ValueReader::operator()(bool* value) const
 {
   if (node_.kind != Node::Kind::boolean) refuse(document_, node_, path_, fmt::format("must be true or false, not {}", kind_of(node_)));
   *value = node_.truth;
 }
 
-void Taker::check_array(const char* what, const char* example, const std::string& entries) const
+void ValueReader::check_array(const char* what, const char* example, const std::string& entries) const
 {
   if (node_.kind != Node::Kind::array)
     refuse(document_, node_, path_, fmt::format("must be a list of {}, such as {}, not {}{}", what, example, kind_of(node_), entries));
   if (node_.items.empty() && parameter_.required) refuse(document_, node_, path_, "must not be empty");
 }
 
-void Taker::operator()(std::vector<std::string>* values) const
+void ValueReader::operator()(std::vector<std::string>* values) const
 {
   check_array("texts", "[\"left\", \"right\"]", "");
   values->clear();
@@ -106,14 +106,14 @@ void Taker::operator()(std::vector<std::string>* values) const
   }
 }
 
-void Taker::operator()(std::vector<Real>* values) const
+void ValueReader::operator()(std::vector<Real>* values) const
 {
   check_array("numbers", "[0, 1]", fmt::format("; each is {}", wanted(parameter_.unit)));
   values->clear();
   for (std::size_t k = 0; k < node_.items.size(); ++k) values->push_back(number(node_.items[k], fmt::format("{}[{}]", path_, k)));
 }
 
-void Taker::check_names(const char* example) const
+void ValueReader::check_names(const char* example) const
 {
   if (node_.kind != Node::Kind::table)
     refuse(document_, node_, path_, fmt::format("must be a table from names to numbers, such as {}, not {}", example, kind_of(node_)));
@@ -121,14 +121,14 @@ void Taker::check_names(const char* example) const
     if (item.key.empty()) refuse(document_, item, path_, "a name must not be empty");
 }
 
-void Taker::operator()(std::map<std::string, Real>* values) const
+void ValueReader::operator()(std::map<std::string, Real>* values) const
 {
   check_names("{top = 0.5}");
   values->clear();
   for (const Node& item : node_.items) (*values)[item.key] = number(item, path_ + "." + item.key);
 }
 
-void Taker::operator()(std::map<std::string, int>* values) const
+void ValueReader::operator()(std::map<std::string, int>* values) const
 {
   check_names("{top = 4}");
   values->clear();

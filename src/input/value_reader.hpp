@@ -8,9 +8,9 @@ namespace berm::input {
 
 /// Takes one parameter from the node that holds it. `path` is its name in messages. Throws InputError (see refuse) where the node is of the wrong
 /// kind or dimension, out of range, or empty although the parameter is required.
-class Taker {
+class ValueReader {
 public:
-  Taker(const Document& document, const Node& node, std::string path, const Parameter& parameter)
+  ValueReader(const Document& document, const Node& node, std::string path, const Parameter& parameter)
       : document_(document),
         node_(node),
         path_(std::move(path)),

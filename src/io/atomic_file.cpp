@@ -63,7 +63,7 @@ bool write_all(int file, std::string_view text)
   return true;
 }
 
-std::string read_whole(const std::filesystem::path& path)
+std::string read_text_file(const std::filesystem::path& path)
 {
   std::ifstream file(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(file), {}};
@@ -74,19 +74,19 @@ std::filesystem::path part_of(const std::filesystem::path& path)
   return path.string() + ".part";
 }
 
-void write_whole(const std::filesystem::path& path, std::string_view text)
+void write_atomically(const std::filesystem::path& path, std::string_view text)
 {
   make_whole(path, [&](int file) { return write_all(file, text); });
 }
 
-void write_whole(const std::filesystem::path& path, const std::vector<std::string_view>& parts)
+void write_atomically(const std::filesystem::path& path, const std::vector<std::string_view>& parts)
 {
   make_whole(path, [&](int file) {
     return std::all_of(parts.begin(), parts.end(), [&](std::string_view part) { return write_all(file, part); });
   });
 }
 
-void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to)
+void copy_atomically(const std::filesystem::path& from, const std::filesystem::path& to)
 {
   const int source = ::open(from.c_str(), O_RDONLY | O_CLOEXEC);
   if (source < 0) throw_errno(fmt::format("cannot read {}", from.string()));

@@ -10,13 +10,13 @@ namespace berm::io {
 
 /// Writes the file as a whole or not at all: to a temporary file beside it, which is forced to the disk and renamed. Whoever reads `path`
 /// sees the old content or the new one. Throws RunError with the reason (disk full, no permission, ...); the old file is untouched then.
-void write_whole(const std::filesystem::path& path, std::string_view text);
+void write_atomically(const std::filesystem::path& path, std::string_view text);
 
 /// Writes the parts one behind the other in the same way.
-void write_whole(const std::filesystem::path& path, const std::vector<std::string_view>& parts);
+void write_atomically(const std::filesystem::path& path, const std::vector<std::string_view>& parts);
 
 /// Copies a file in the same way.
-void copy_whole(const std::filesystem::path& from, const std::filesystem::path& to);
+void copy_atomically(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// The temporary file of `path`. What another program wrote there finish_whole() forces to the disk and renames, in the same way.
 std::filesystem::path part_of(const std::filesystem::path& path);
@@ -29,7 +29,7 @@ void sync_file(const std::filesystem::path& path);
 void make_folder(const std::filesystem::path& path);
 
 /// All bytes of a file; "" where it cannot be read.
-std::string read_whole(const std::filesystem::path& path);
+std::string read_text_file(const std::filesystem::path& path);
 
 /// Throws RunError with the words of the present errno.
 [[noreturn]] void throw_errno(const std::string& what);

@@ -45,7 +45,7 @@ FolderLock::FolderLock(const std::filesystem::path& folder) : path_(folder / fil
     if (::flock(file_, LOCK_EX | LOCK_NB) != 0) {
       if (errno != EWOULDBLOCK) refuse("cannot lock");
       ::close(file_);
-      const std::string owner = read_whole(path_);
+      const std::string owner = read_text_file(path_);
       throw RunError(
           fmt::format("cannot use {} as the run folder: another run is writing into it{}; wait for it, or name another folder with -o",
                       folder.string(), owner.empty() ? "" : fmt::format(" ({})", owner.substr(0, owner.find('\n')))));

@@ -44,7 +44,7 @@ std::string processor_model(const std::string& cpuinfo)
 std::string machine_words()
 {
   std::vector<std::string> parts;
-  if (const std::string model = processor_model(read_whole("/proc/cpuinfo")); !model.empty()) parts.push_back(model);
+  if (const std::string model = processor_model(read_text_file("/proc/cpuinfo")); !model.empty()) parts.push_back(model);
   const int processors = processor_count();
   parts.push_back(fmt::format("{} processor{}", processors, processors == 1 ? "" : "s"));
   if (utsname name{}; uname(&name) == 0)

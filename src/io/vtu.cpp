@@ -89,7 +89,7 @@ void Vtu::write(const std::filesystem::path& path) const
   xml += "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
   parts.front() = xml;
   parts.emplace_back("\n</AppendedData>\n</VTKFile>\n");
-  write_whole(path, parts);
+  write_atomically(path, parts);
 }
 
 template void Vtu::point_field(const std::string&, int, const std::vector<double>&, std::initializer_list<const char*>);

@@ -16,7 +16,7 @@
 namespace berm::io {
 namespace {
 
-constexpr std::uint64_t most_header = 1 << 16;  // bytes; Vtu's headers have some 3000
+constexpr std::uint64_t max_header = 1 << 16;  // bytes; Vtu's headers have some 3000
 constexpr std::string_view data_mark = "<AppendedData encoding=\"raw\">\n_", end_mark = "\n</AppendedData>\n</VTKFile>\n",
                            kind = "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">";
 
@@ -62,7 +62,7 @@ void VtuFile::read_header()
   if (::fstat(file_, &about) != 0) throw_errno(fmt::format("cannot read {}", path_.string()));
   if (!S_ISREG(about.st_mode)) refuse("is no file");
   size_ = static_cast<std::uint64_t>(about.st_size);
-  std::string header(std::min(size_, most_header), '\0'), end(std::min<std::uint64_t>(size_, end_mark.size()), '\0');
+  std::string header(std::min(size_, max_header), '\0'), end(std::min<std::uint64_t>(size_, end_mark.size()), '\0');
   read(header.data(), header.size(), 0);
   const std::size_t mark = header.find(data_mark);
   if (mark == std::string::npos || header.find(kind) == std::string::npos) refuse("is not a .vtu file of a frame, or was cut off");

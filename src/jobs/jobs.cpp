@@ -170,7 +170,7 @@ bool has_result(const Job& job)
   std::error_code error;
   if (fs::last_write_time(job.folder / "summary.json", error) < fs::last_write_time(engine_file(settings.method), error) || error)
     return false;
-  return io::read_whole(job.folder / "resolved.toml") == input::resolved_toml(settings);
+  return io::read_text_file(job.folder / "resolved.toml") == input::resolved_toml(settings);
 }
 
 Real wall_time_of(const fs::path& folder)

@@ -56,7 +56,7 @@ bool dilates(const Material& material)
 Material without_dilation(Material material)
 {
   if (auto* law = std::get_if<MohrCoulomb>(&material)) {
-    law->most_opening = prepare(*law).most_opening;
+    law->max_opening = prepare(*law).max_opening;
     law->dilation_angle = 0;
   }
   return material;

@@ -29,11 +29,12 @@ void describe(Describe& d, MohrCoulomb& law)
           {.meaning = "angle of dilation, not larger than friction_angle", .unit = "rad", .range = {0, steepest}});
   d.value("tension_cutoff", law.tension_cutoff,
           {.meaning = "largest tension; left out, the apex of the cone", .unit = "Pa", .range = not_negative});
-  d.value("most_opening", law.most_opening,
-          {.meaning =
-               "largest volumetric strain by which soil comes apart and must close again before it carries load; 0 turns this off; absent: "
-               "0.2 where dilation_angle is above 0, else 0",
-           .range = {0, 1}});
+  d.value("max_opening", law.max_opening,
+          {.meaning = "cap on the tensile volumetric strain that is stored and must close before the soil carries compression again; 0: "
+                      "none is stored; absent: "
+                      "0.2 where dilation_angle is above 0, else 0",
+           .range = {0, 1},
+           .formerly = "most_opening"});
 }
 
 namespace {
@@ -60,7 +61,7 @@ PreparedMohrCoulomb prepare(const MohrCoulomb& law)
   p.tension = law.tension_cutoff && *law.tension_cutoff < p.cone_apex ? *law.tension_cutoff : infinity;
   p.apex = std::min(p.tension, p.cone_apex);
   constexpr Real of_dilating_soil = 0.2;
-  p.most_opening = p.apex < infinity ? law.most_opening.value_or(dilation > 0 ? of_dilating_soil : 0) : 0;
+  p.max_opening = p.apex < infinity ? law.max_opening.value_or(dilation > 0 ? of_dilating_soil : 0) : 0;
 
   p.drop_1 = lame * dilation + shear * (1 + dilation);
   p.drop_2 = lame * dilation;

@@ -21,7 +21,7 @@ namespace berm::material {
 /// increment is added to the opening. While the opening lasts, the stress is the apex, volumetric strain changes the opening only and shear does
 /// nothing. An increment that closes it is split at that moment, and its rest acts on closed soil. So soil that fell apart and comes together again
 /// carries load when it is closed and not before. The work p_apex x opening is given back on closing: no cycle of opening and closing makes
-/// energy, and for c = 0 no work is done at all. The opening is bounded by most_opening, beyond which expansion is forgotten; 0 is plain
+/// energy, and for c = 0 no work is done at all. The opening is bounded by max_opening, beyond which expansion is forgotten; 0 is plain
 /// Mohr-Coulomb.
 struct MohrCoulomb {
   static constexpr int state_size = 1;
@@ -35,7 +35,7 @@ struct MohrCoulomb {
   Real friction_angle = 0;             ///< rad
   Real dilation_angle = 0;             ///< rad
   std::optional<Real> tension_cutoff;  ///< Pa; absent, or above the apex c cot(phi): the cone alone
-  std::optional<Real> most_opening;    ///< empty: 0.2 where the soil dilates, else 0
+  std::optional<Real> max_opening;     ///< empty: 0.2 where the soil dilates, else 0
 };
 
 void describe(Describe& d, MohrCoulomb& law);
@@ -79,7 +79,7 @@ template <int dim, class T>
       strain[k] *= part_after_closing;
       stress[k] = was_open ? (k < 3 ? apex : T{}) : stress[k];
     }
-    opening = stays_open ? smaller(left, law.most_opening - T{}) : T{};
+    opening = stays_open ? smaller(left, law.max_opening - T{}) : T{};
   }
   add_elastic_stress(law.elastic, stress, strain);
   return_to_surface(law, stress, opening);

@@ -17,7 +17,7 @@ struct PreparedMohrCoulomb {
   Real tension = infinity;          ///< of the cut-off, Pa; infinity where the cone ends below it
   Real cone_apex = infinity;        ///< c cot phi, Pa
   Real apex = infinity;             ///< the largest possible mean stress, Pa
-  Real most_opening = 0;            ///< 0 also where there is no apex
+  Real max_opening = 0;             ///< 0 also where there is no apex
 
   Real drop_1 = 0, drop_2 = 0, drop_3 = 0;       ///< C m, Pa
   Real drop_high = 0, drop_low = 0;              ///< means of drop_1 and drop_2, of drop_2 and drop_3
@@ -82,7 +82,7 @@ template <class T>
   }
 
   s = {r1, r2, r3};
-  if (law.most_opening > 0) {
+  if (law.max_opening > 0) {
     // Uniaxial stretching of stress-free soil ends exactly at the corner of the cut-off; rounding must not decide.
     constexpr Real rounding = 1e-10;
     const Mask at_apex = (outside | (s1 > tension)) & (r3 >= apex - rounding * magnitude(s1 - apex));
@@ -120,7 +120,7 @@ template <class T>
   stress[1] = outside ? new_mean - shrink * half : stress[1];
   stress[2] = outside ? new_z : stress[2];
   stress[3] = outside ? shrink * stress[3] : stress[3];
-  opening = smaller(opening + (outside ? opened : T{}), law.most_opening - T{});
+  opening = smaller(opening + (outside ? opened : T{}), law.max_opening - T{});
 }
 
 /// Returns trial stresses in space that lie outside the surface, through their principal axes. A function of its own: rarely needed, and long.
@@ -133,7 +133,7 @@ template <class T>
   const Mask outside = (law.weight_1 * s.s1 - law.weight_3 * s.s3 - law.strength > T{}) | (s.s1 > law.tension);
   if (!any(outside)) return;
   const T opened = return_principal(law, s);
-  opening = smaller(opening + (outside ? opened : T{}), law.most_opening - T{});
+  opening = smaller(opening + (outside ? opened : T{}), law.max_opening - T{});
   const SymTensor<3, T> returned = tensor_from({s.s1, s.s2, s.s3}, axes.direction);
   for (int k = 0; k < 6; ++k) stress[k] = outside ? returned[k] : stress[k];
 }

@@ -52,9 +52,9 @@ Grid<dim> grid_of(const BoxMesh& box)
     grid.cells[d] = static_cast<Index>(box.cells[d]);
     total *= box.cells[d];
   }
-  constexpr Real most = 5e7;
-  if (total > most)
-    throw InputError(fmt::format("box mesh: {:.3g} {} are too many; at most {:.0e}", total, dim == 2 ? "squares" : "cubes", most));
+  constexpr Real max = 5e7;
+  if (total > max)
+    throw InputError(fmt::format("box mesh: {:.3g} {} are too many; at most {:.0e}", total, dim == 2 ? "squares" : "cubes", max));
   return grid;
 }
 

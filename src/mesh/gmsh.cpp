@@ -34,8 +34,8 @@ public:
     read_format();
     while (lines_.next()) {
       const std::string section(lines_.text());
-      constexpr std::size_t most = 60;
-      if (section[0] != '$' || section.size() > most) lines_.fail_expected("the beginning of a section ($...)");
+      constexpr std::size_t max = 60;
+      if (section[0] != '$' || section.size() > max) lines_.fail_expected("the beginning of a section ($...)");
       const std::string name = section.substr(1);
       if (name == "PhysicalNames")
         read_names();
@@ -161,14 +161,14 @@ private:
     BigIndex third;  // whether nodes are parametric, or the type of the elements
     BigIndex count;
   };
-  Block read_block(const char* expected, BigIndex most_third, BigIndex bytes)
+  Block read_block(const char* expected, BigIndex max_third, BigIndex bytes)
   {
     static const std::vector<Index> no_groups;
     lines_.need(expected);
     Block block{};
     block.dimension = static_cast<int>(lines_.integer(expected, 0, 3));
     const BigIndex tag = lines_.integer(expected, -any_tag, any_tag);
-    block.third = lines_.integer(expected, 0, most_third);
+    block.third = lines_.integer(expected, 0, max_third);
     block.count = lines_.count(expected, bytes);
     lines_.need_end(expected);
     const auto entity = entity_groups_.find({block.dimension, tag});

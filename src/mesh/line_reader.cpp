@@ -30,11 +30,11 @@ std::string plain(std::string text)
 // Enough of a line to recognize it.
 std::string shown(std::string_view text)
 {
-  constexpr std::size_t most = 60;
-  std::string result = plain(std::string(text.substr(0, most)));
+  constexpr std::size_t max = 60;
+  std::string result = plain(std::string(text.substr(0, max)));
   for (char& c : result)
     if (static_cast<unsigned char>(c) > '~') c = '?';
-  return "\"" + result + (text.size() > most ? "...\"" : "\"");
+  return "\"" + result + (text.size() > max ? "...\"" : "\"");
 }
 
 }  // namespace
@@ -82,13 +82,13 @@ std::string_view Lines::word(const char* expected)
   return found;
 }
 
-BigIndex Lines::integer(const char* expected, BigIndex least, BigIndex most)
+BigIndex Lines::integer(const char* expected, BigIndex min, BigIndex max)
 {
   const std::string_view digits = word(expected);
   BigIndex value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) fail_expected(expected);
-  if (error != std::errc() || value < least || value > most) fail(fmt::format("expected {}; {} is out of range", expected, shown(digits)));
+  if (error != std::errc() || value < min || value > max) fail(fmt::format("expected {}; {} is out of range", expected, shown(digits)));
   return value;
 }
 

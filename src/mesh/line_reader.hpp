@@ -24,7 +24,7 @@ public:
   std::string_view text() const { return line_; }
 
   /// The next word of this line as a whole number from `least` to `most`, or as a finite number.
-  BigIndex integer(const char* expected, BigIndex least, BigIndex most);
+  BigIndex integer(const char* expected, BigIndex min, BigIndex max);
   Real real(const char* expected);
   /// A number of things that need at least `bytes` of file each: more than could follow is refused before any memory is taken for them.
   BigIndex count(const char* expected, BigIndex bytes);

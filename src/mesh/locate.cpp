@@ -42,14 +42,14 @@ Location locate(const Mesh<dim>& mesh, const Vec<dim>& x, Index start)
   for (Index step = 0; step < mesh.cell_count(); ++step) {
     // The face to cross is the one with the most negative shape function among those that lead to another cell.
     const Shape<dim> shape = mesh.shape(cell);
-    Real smallest = held, most_negative = held;
+    Real smallest = held, max_negative = held;
     Index next = none;
     for (int k = 0; k <= dim; ++k) {
       const Real n = shape.value(k, x);
       smallest = std::min(smallest, n);
-      if (!(n < most_negative)) continue;
+      if (!(n < max_negative)) continue;
       const Index beyond = mesh.neighbor(cell, k);
-      if (beyond != none) most_negative = n, next = beyond;
+      if (beyond != none) max_negative = n, next = beyond;
     }
     if (smallest >= held) return {cell, true};
     // Outside a convex mesh is outside the box around it, or so near the boundary that rounding decides. Beyond a boundary face yet inside the box

@@ -32,9 +32,9 @@ Index place_of(const std::vector<std::string>& names, const std::string& name)
 template <int dim>
 void check_numbers(const Mesh<dim>& mesh)
 {
-  constexpr BigIndex most = std::numeric_limits<Index>::max() / (dim + 1);
+  constexpr BigIndex max = std::numeric_limits<Index>::max() / (dim + 1);
   if (mesh.cell_count() == 0) throw RunError("the mesh has no cells");
-  if (mesh.cell_count() > most) throw RunError(fmt::format("the mesh has {} cells; at most {} can be numbered", mesh.cell_count(), most));
+  if (mesh.cell_count() > max) throw RunError(fmt::format("the mesh has {} cells; at most {} can be numbered", mesh.cell_count(), max));
   if (mesh.region.size() != mesh.cell_count())
     throw RunError(fmt::format("the mesh has {} cells but regions for {}", mesh.cell_count(), mesh.region.size()));
   const auto node_exists = [&](Index i) { return i >= 0 && i < mesh.node_count(); };

@@ -117,7 +117,7 @@ Groups joined(const Mesh<dim>& mesh, const Groups& groups)
     Index smallest = none;
     for (Index other : neighbors.of(g))
       if (place[other] != none && (smallest == none || result[place[other]].size() < result[smallest].size())) smallest = place[other];
-    if (smallest == none || result[smallest].size() + groups[g].size() > most_patch_cells) {
+    if (smallest == none || result[smallest].size() + groups[g].size() > max_patch_cells) {
       result.push_back(groups[g]);
     } else {
       result[smallest].insert(result[smallest].end(), groups[g].begin(), groups[g].end());

@@ -7,7 +7,7 @@ namespace berm::mesh {
 
 /// Patches as rings: for each cell the next of its patch, ascending, and after the last the first. A cell alone is followed by itself.
 using Patches = CellField<Index>;
-constexpr int most_patch_cells = 16;
+constexpr int max_patch_cells = 16;
 
 /// Calls visit(cell) for each cell of the patch that `first` belongs to, beginning with it.
 template <class Visit>

@@ -181,9 +181,9 @@ void check(const SeabedMesh& bed)
   fits(bed.near_depth <= bed.depth - bed.layer - h,
        fmt::format("near_depth {} m must stay above the base and its layer by near_size: at most {} m", bed.near_depth,
                    bed.depth - bed.layer - h));
-  fits(expected_cells(bed) <= most_seabed_cells,
+  fits(expected_cells(bed) <= max_seabed_cells,
        fmt::format("about {:.2g} cells would be made; at most {:.0e}: enlarge near_size, growth or far_size", expected_cells(bed),
-                   most_seabed_cells));
+                   max_seabed_cells));
 }
 
 std::string size_formula(const SeabedMesh& bed)

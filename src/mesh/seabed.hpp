@@ -58,7 +58,7 @@ extern const char* const gmsh_options;
 /// tenth, by which Gmsh makes them smaller.
 Real expected_cells(const SeabedMesh& seabed);
 /// More are refused.
-constexpr Real most_seabed_cells = 2e7;
+constexpr Real max_seabed_cells = 2e7;
 
 /// Writes the geometry for the gmsh program. Throws InputError where the lengths do not fit each other, RunError where it cannot write.
 void write_geo(const SeabedMesh& seabed, const std::filesystem::path& path);

@@ -88,7 +88,7 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
     return sums_i;
   });
 
-  if (!std::isfinite(sums.all + state.totals.internal)) refuse_what_is_not_finite(model, state, body);
+  if (!std::isfinite(sums.all + state.totals.internal)) throw_not_finite(model, state, body);
 
   problem::Totals<dim>& totals = state.totals;
   totals.gravity_impulse += dt * sums.gravity;

@@ -7,7 +7,7 @@
 namespace berm::mpm {
 
 template <int dim>
-Vec<3> BodySums<dim>::spin() const
+Vec<3> BodySums<dim>::angular_momentum() const
 {
   Vec<3> of_center = Vec<3>::Zero();
   const Vec<dim> x = center();
@@ -16,11 +16,11 @@ Vec<3> BodySums<dim>::spin() const
     of_center[1] = x[2] * momentum[0] - x[0] * momentum[2];
   }
   of_center[2] = x[0] * momentum[1] - x[1] * momentum[0];
-  return turn - of_center;
+  return moment_of_momentum - of_center;
 }
 
 template <int dim>
-BodySums<dim> measure(const bodies::Particles<dim>& particles)
+BodySums<dim> sums_over(const bodies::Particles<dim>& particles)
 {
   const auto& occupied = particles.occupied();
   return sum_of<BodySums<dim>>("measure", static_cast<Index>(occupied.size()), [&](Index c) {
@@ -40,10 +40,10 @@ BodySums<dim> measure(const bodies::Particles<dim>& particles)
         }
       }
       if constexpr (dim == 3) {
-        sums.turn[0] += sum(p.mass * (p.x[1] * p.v[2] - p.x[2] * p.v[1]));
-        sums.turn[1] += sum(p.mass * (p.x[2] * p.v[0] - p.x[0] * p.v[2]));
+        sums.moment_of_momentum[0] += sum(p.mass * (p.x[1] * p.v[2] - p.x[2] * p.v[1]));
+        sums.moment_of_momentum[1] += sum(p.mass * (p.x[2] * p.v[0] - p.x[0] * p.v[2]));
       }
-      sums.turn[2] += sum(p.mass * (p.x[0] * p.v[1] - p.x[1] * p.v[0]));
+      sums.moment_of_momentum[2] += sum(p.mass * (p.x[0] * p.v[1] - p.x[1] * p.v[0]));
       sums.mass += sum(p.mass);
       sums.kinetic += 0.5 * sum(p.mass * square);
     }
@@ -57,7 +57,7 @@ Real momentum_error(const problem::State<dim>& state)
   Vec<dim> now = Vec<dim>::Zero();
   Real moving = 0;  // what the bodies would have if all their particles went the same way
   for (const bodies::Particles<dim>& particles : state.particles) {
-    const BodySums<dim> sums = measure(particles);
+    const BodySums<dim> sums = sums_over(particles);
     now += sums.momentum;
     moving += std::sqrt(2 * sums.mass * sums.kinetic);
   }
@@ -82,8 +82,8 @@ bodies::Particle<dim> particle_of(const bodies::Particles<dim>& particles, std::
 
 template struct BodySums<2>;
 template struct BodySums<3>;
-template BodySums<2> measure(const bodies::Particles<2>&);
-template BodySums<3> measure(const bodies::Particles<3>&);
+template BodySums<2> sums_over(const bodies::Particles<2>&);
+template BodySums<3> sums_over(const bodies::Particles<3>&);
 template Real momentum_error(const problem::State<2>&);
 template Real momentum_error(const problem::State<3>&);
 template bodies::Particle<2> particle_of(const bodies::Particles<2>&, std::int32_t);

@@ -8,16 +8,16 @@ namespace berm::mpm {
 /// Sums over the particles of one body.
 template <int dim>
 struct BodySums {
-  Real mass = 0;                         ///< kg/m or kg
-  Real kinetic = 0;                      ///< J/m or J
-  Vec<dim> momentum = Vec<dim>::Zero();  ///< N s/m or N s
-  Vec<dim> moment = Vec<dim>::Zero();    ///< sum m x; over mass: the centre of mass
-  Vec<3> turn = Vec<3>::Zero();          ///< sum x cross m v, angular momentum about the origin, N s or N m s; in 2D about z only
+  Real mass = 0;                               ///< kg/m or kg
+  Real kinetic = 0;                            ///< J/m or J
+  Vec<dim> momentum = Vec<dim>::Zero();        ///< N s/m or N s
+  Vec<dim> moment = Vec<dim>::Zero();          ///< sum m x; over mass: the centre of mass
+  Vec<3> moment_of_momentum = Vec<3>::Zero();  ///< sum x cross m v, angular momentum about the origin, N s or N m s; in 2D about z only
   Vec<dim> lower = Vec<dim>::Constant(infinity), upper = Vec<dim>::Constant(-infinity);  ///< extents of the particles' centres
 
   Vec<dim> center() const { return moment / mass; }
   /// Angular momentum about the centre of mass.
-  Vec<3> spin() const;
+  Vec<3> angular_momentum() const;
 
   BodySums& operator+=(const BodySums& other)
   {
@@ -25,7 +25,7 @@ struct BodySums {
     kinetic += other.kinetic;
     momentum += other.momentum;
     moment += other.moment;
-    turn += other.turn;
+    moment_of_momentum += other.moment_of_momentum;
     lower = lower.cwiseMin(other.lower);
     upper = upper.cwiseMax(other.upper);
     return *this;
@@ -33,7 +33,7 @@ struct BodySums {
 };
 
 template <int dim>
-BodySums<dim> measure(const bodies::Particles<dim>& particles);
+BodySums<dim> sums_over(const bodies::Particles<dim>& particles);
 
 /// |momentum now - momentum at the start - impulses of gravity, tractions, contact, supports and damping| over the sum of the sizes of all these and of the
 /// momentum that the bodies would have if all their particles went the same way: round-off.

@@ -60,8 +60,8 @@ SoilCondition soil_condition(const problem::Model<dim>& model, const problem::St
       for_each_in_cell(particles, cell, [&](const bodies::Particle<dim>& p) {
         const Real ratio = p.volume * inertia_density(material) / p.mass;
         of_cell += p.mass;
-        if (ratio <= model.mpm.least_volume_ratio * (1 + round_off)) found.at_least_volume += p.mass;
-        if (ratio >= model.mpm.most_volume_ratio * (1 - round_off)) found.at_most_volume += p.mass;
+        if (ratio <= model.mpm.min_volume_ratio * (1 + round_off)) found.at_min_volume += p.mass;
+        if (ratio >= model.mpm.max_volume_ratio * (1 - round_off)) found.at_max_volume += p.mass;
       });
       mass += of_cell;
       const auto& nodes = model.mesh.nodes[cell];
@@ -70,7 +70,7 @@ SoilCondition soil_condition(const problem::Model<dim>& model, const problem::St
     }
   }
   if (mass > 0)
-    for (Real* part : {&found.at_least_volume, &found.at_most_volume, &found.in_the_air}) *part /= mass;
+    for (Real* part : {&found.at_min_volume, &found.at_max_volume, &found.in_the_air}) *part /= mass;
   return found;
 }
 
@@ -78,7 +78,7 @@ template <int dim>
 Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work)
 {
   if (model.main_rigid == none) return std::numeric_limits<Real>::quiet_NaN();
-  const bodies::RigidShape<dim> shape = placed<dim>(model.rigids[model.main_rigid], state.rigids[model.main_rigid]);
+  const bodies::RigidShape<dim> shape = placed<dim>(model.rigid_bodies[model.main_rigid], state.rigid_bodies[model.main_rigid]);
   const Real reach = 0.5 * width_of<dim>(shape);
   ShakenSoil all;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
@@ -100,7 +100,7 @@ Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state,
         sums.volume += p.volume;
         sums.pressure -= p.volume * trace(p.stress) / 3;
       });
-      const LinearField<dim> field(grid.shape(model.mesh, cell), model.mesh.nodes[cell], grid.moved_velocity);
+      const LinearField<dim> field(grid.shape(model.mesh, cell), model.mesh.nodes[cell], grid.mapped_velocity);
       for_each_in_cell(particles, cell, [&](const bodies::Particle<dim>& p) {
         const Vec<dim> from = p.x - moment / sums.mass;
         Vec<dim> rest = p.v - momentum / sums.mass;

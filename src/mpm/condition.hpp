@@ -7,9 +7,9 @@ namespace berm::mpm {
 
 /// Parts of the mass of all bodies that can yield; 0 without such bodies.
 struct SoilCondition {
-  Real at_least_volume = 0;  ///< in particles at the smallest volume that they may have
-  Real at_most_volume = 0;   ///< in particles at the largest
-  Real in_the_air = 0;       ///< in cells around none of whose nodes particles fill a quarter of the cells: grains thrown off
+  Real at_min_volume = 0;  ///< in particles at the smallest volume that they may have
+  Real at_max_volume = 0;  ///< in particles at the largest
+  Real in_the_air = 0;     ///< in cells around none of whose nodes particles fill a quarter of the cells: grains thrown off
 };
 template <int dim>
 SoilCondition soil_condition(const problem::Model<dim>& model, const problem::State<dim>& state);

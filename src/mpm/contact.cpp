@@ -30,8 +30,8 @@ void find_surface(const problem::Model<dim>& model, const problem::State<dim>& s
   if (points.node_area.size() == 0) points.node_area = points.node_weight = NodeField<Real>::zeros(model.mesh.node_count());
   if constexpr (dim == 2)
     if (contact.rigid != none) {
-      find_footprints(model.mesh, state.particles[contact.body], placed<dim>(model.rigids[contact.rigid], state.rigids[contact.rigid]),
-                      points);
+      find_footprints(model.mesh, state.particles[contact.body],
+                      placed<dim>(model.rigid_bodies[contact.rigid], state.rigid_bodies[contact.rigid]), points);
       return;
     }
   points.footprints.clear();
@@ -52,7 +52,8 @@ void find_surface(const problem::Model<dim>& model, const problem::State<dim>& s
 
 /// Effective masses of the points of one contact. A direction that a support holds at a node has infinite mass there.
 template <int dim>
-void weigh(const problem::Model<dim>& model, const Work<dim>& work, const problem::Contact& contact, contact::ContactPoints<dim>& points)
+void set_effective_masses(const problem::Model<dim>& model, const Work<dim>& work, const problem::Contact& contact,
+                          contact::ContactPoints<dim>& points)
 {
   constexpr Real immovable = 1e-4;  // of what a point would give way to an impulse without supports
   for (contact::ContactPoint<dim>& point : points.list) {
@@ -87,17 +88,17 @@ struct Predicted {  ///< step 4: v + dt a
 template <int dim>
 struct Moved {  ///< step 8: the velocity that moves the particles
   static constexpr bool is_force = false;
-  Vec<dim> velocity(const BodyGrid<dim>& grid, Index node) const { return grid.moved_velocity[node]; }
-  void change(BodyGrid<dim>& grid, Index node, const Vec<dim>& by) const { grid.moved_velocity[node] += by; }
+  Vec<dim> velocity(const BodyGrid<dim>& grid, Index node) const { return grid.mapped_velocity[node]; }
+  void change(BodyGrid<dim>& grid, Index node, const Vec<dim>& by) const { grid.mapped_velocity[node] += by; }
 };
 template <int dim>
 struct MovedWithParticles {  ///< step 8: the same, and the velocity that the particles carry
   static constexpr bool is_force = true;
   Real dt;
-  Vec<dim> velocity(const BodyGrid<dim>& grid, Index node) const { return grid.moved_velocity[node]; }
+  Vec<dim> velocity(const BodyGrid<dim>& grid, Index node) const { return grid.mapped_velocity[node]; }
   void change(BodyGrid<dim>& grid, Index node, const Vec<dim>& by) const
   {
-    grid.moved_velocity[node] += by;
+    grid.mapped_velocity[node] += by;
     grid.acceleration[node] += by / dt;
   }
 };
@@ -107,8 +108,9 @@ template <int dim, class Field>
 Vec<dim> relative_velocity(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work,
                            const problem::Contact& contact, const contact::ContactPoint<dim>& point, const Field& field)
 {
-  Vec<dim> relative = contact.rigid != none ? Vec<dim>(-velocity_at(model.rigids[contact.rigid], state.rigids[contact.rigid], point.place))
-                                            : Vec<dim>(-field.velocity(work.grids[contact.other_body], point.nodes[0]));
+  Vec<dim> relative = contact.rigid != none
+                          ? Vec<dim>(-velocity_at(model.rigid_bodies[contact.rigid], state.rigid_bodies[contact.rigid], point.place))
+                          : Vec<dim>(-field.velocity(work.grids[contact.other_body], point.nodes[0]));
   for (int n = 0; n < point.node_count; ++n) relative += point.weights[n] * field.velocity(work.grids[contact.body], point.nodes[n]);
   return relative;
 }
@@ -131,7 +133,7 @@ template <int dim, class Field>
 Real sweep(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work, Index k, const Field& field)
 {
   const problem::Contact& contact = model.contacts[k];
-  const Real period = contact.approach_steps * state.dt;
+  const Real period = contact.gap_closing_steps * state.dt;
   if (contact.adhesion > 0) share_surface(work.contact_points[k]);
   Real changed = 0, carried = 0;
   for (contact::ContactPoint<dim>& point : work.contact_points[k].list) {
@@ -159,9 +161,9 @@ template <int dim, class Field, class TakesPart>
 void solve(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work, const Field& field,
            const TakesPart& takes_part)
 {
-  constexpr int most_sweeps = 20;
+  constexpr int max_sweeps = 20;
   constexpr Real settled = 1e-3;  // of the sum of all impulses
-  for (int n = 0; n < (work.contacts_share_nodes ? most_sweeps : 1); ++n) {
+  for (int n = 0; n < (work.contacts_share_nodes ? max_sweeps : 1); ++n) {
     Real changed = 0;
     for (Index k = 0; k < static_cast<Index>(model.contacts.size()); ++k)
       if (takes_part(model.contacts[k])) changed = std::max(changed, sweep(model, state, work, k, field));
@@ -182,7 +184,7 @@ void move_with_predicted(const problem::Model<dim>& model, const problem::State<
     for (Index e = model.mesh.first_entry[node]; e < model.mesh.first_entry[node + 1]; ++e)
       volume += model.mesh.volume(model.mesh.entries[e] / (dim + 1));
     if (grid.mass[node] > little * inertia_density(model.bodies[b].material) * volume / (dim + 1))
-      grid.moved_velocity[node] = grid.velocity[node] + state.dt * grid.acceleration[node];
+      grid.mapped_velocity[node] = grid.velocity[node] + state.dt * grid.acceleration[node];
   };
   for (const contact::ContactPoint<dim>& point : work.contact_points[k].list) {
     if (!point.touching) continue;
@@ -217,15 +219,15 @@ void find_contacts(const problem::Model<dim>& model, problem::State<dim>& state,
     const BodyGrid<dim>& grid = work.grids[contact.body];
     contact::ContactPoints<dim>& points = work.contact_points[k];
     if (contact.rigid != none) {
-      bodies::RigidState<dim>& rigid = state.rigids[contact.rigid];
-      detect(model.mesh, state.particles[contact.body], model.rigids[contact.rigid], rigid, contact.detection, grid.mass, points);
-      rigid.deepest = std::max(rigid.deepest, -points.nearest_particle);
+      bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
+      detect(model.mesh, state.particles[contact.body], model.rigid_bodies[contact.rigid], rigid, contact.detection, grid.mass, points);
+      rigid.max_overlap = std::max(rigid.max_overlap, -points.nearest_particle);
     } else {
       const BodyGrid<dim>& other = work.grids[contact.other_body];
       detect<dim>(model.mesh, {state.particles[contact.body], grid.mass, grid.nodes},
                   {state.particles[contact.other_body], other.mass, other.nodes}, contact.detection, points);
     }
-    weigh(model, work, contact, points);
+    set_effective_masses(model, work, contact, points);
     if (contact.adhesion > 0) find_surface(model, state, work, contact, points);
     mark(k, 1, 1);
   }
@@ -239,7 +241,7 @@ void react(const problem::Model<dim>& model, problem::State<dim>& state, Work<di
 {
   const Real dt = state.dt;
   const Vec<dim> gravity = gravity_now(model, state.time);
-  for (bodies::RigidState<dim>& rigid : state.rigids) rigid.reaction.setZero(), rigid.torque = 0;
+  for (bodies::RigidState<dim>& rigid : state.rigid_bodies) rigid.reaction.setZero(), rigid.torque = 0;
   // A node's share of an impulse. It also moves the mid velocity with which gravity and tractions were taken to work; supports take what they hold.
   const auto add = [&](Index b, Index node, const Vec<dim>& impulse, const Vec<dim>& partner_velocity) {
     const BodyGrid<dim>& grid = work.grids[b];
@@ -263,18 +265,18 @@ void react(const problem::Model<dim>& model, problem::State<dim>& state, Work<di
         state.pair_impulses[k] += impulse;
         continue;
       }
-      bodies::RigidState<dim>& rigid = state.rigids[contact.rigid];
-      const Vec<dim> surface_velocity = velocity_at(model.rigids[contact.rigid], rigid, point.place);
+      bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
+      const Vec<dim> surface_velocity = velocity_at(model.rigid_bodies[contact.rigid], rigid, point.place);
       for (int n = 0; n < point.node_count; ++n) add(contact.body, point.nodes[n], point.weights[n] * impulse, surface_velocity);
-      const Vec<dim> arm = point.place - center_now(model.rigids[contact.rigid], rigid);
+      const Vec<dim> arm = point.place - center_now(model.rigid_bodies[contact.rigid], rigid);
       const Real turning = arm[0] * impulse[1] - arm[1] * impulse[0];
       rigid.reaction -= impulse / dt;
       rigid.torque -= turning / dt;
       rigid.impulse += impulse;
       rigid.torque_impulse += turning;
       if (point.distance < infinity) {
-        rigid.pressed += impulse.norm();
-        rigid.pressed_distance += impulse.norm() * point.distance;
+        rigid.impulse_sum += impulse.norm();
+        rigid.impulse_times_gap += impulse.norm() * point.distance;
       }
       state.totals.external += impulse.dot(surface_velocity);
     }
@@ -298,8 +300,8 @@ void push_out(const problem::Model<dim>& model, const problem::State<dim>& state
     const problem::Contact& contact = model.contacts[k];
     if (contact.rigid == none || !(point.distance < 0) || !(point.mass.normal > 0)) return;
     const material::Material& material = model.bodies[contact.body].material;
-    const Real most = of_wave * std::sqrt(p_wave_modulus(material) / inertia_density(material));
-    const Real wanted = std::min(-point.distance / (contact.approach_steps * state.dt), most);
+    const Real max = of_wave * std::sqrt(p_wave_modulus(material) / inertia_density(material));
+    const Real wanted = std::min(-point.distance / (contact.gap_closing_steps * state.dt), max);
     const Real lacking = wanted - relative_velocity(model, state, work, contact, point, Moved<dim>{}).dot(point.normal);
     if (lacking > 0) push(model, work, contact, point, Vec<dim>(point.mass.normal * lacking * point.normal), Moved<dim>{});
   });
@@ -326,7 +328,7 @@ void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& s
   const auto note_second = [&](const auto& takes_part, Real sign) {
     for_each_point(work, [&](std::size_t k, const contact::ContactPoint<dim>& point) {
       const problem::Contact& contact = model.contacts[k];
-      if (contact.rigid != none && takes_part(contact)) state.rigids[contact.rigid].second_impulse += sign * point.impulse;
+      if (contact.rigid != none && takes_part(contact)) state.rigid_bodies[contact.rigid].second_impulse += sign * point.impulse;
     });
   };
   const auto completes = [](const problem::Contact& contact) {
@@ -351,10 +353,10 @@ template <int dim>
 void move_rigids(const problem::Model<dim>& model, problem::State<dim>& state)
 {
   constexpr Real averaged_steps = 100;
-  for (std::size_t r = 0; r < model.rigids.size(); ++r) {
-    bodies::RigidState<dim>& rigid = state.rigids[r];
+  for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r) {
+    bodies::RigidState<dim>& rigid = state.rigid_bodies[r];
     rigid.displacement += state.dt * rigid.velocity;
-    rigid.angle += state.dt * rigid.spin;
+    rigid.angle += state.dt * rigid.angular_velocity;
     rigid.smooth_reaction += (rigid.reaction - rigid.smooth_reaction) / averaged_steps;
   }
 }

@@ -55,7 +55,7 @@ Trouble trouble_of(const bodies::Particle<dim>& p, int state_size)
 }  // namespace
 
 template <int dim>
-void refuse_what_is_not_finite(const problem::Model<dim>& model, const problem::State<dim>& state, Index body)
+void throw_not_finite(const problem::Model<dim>& model, const problem::State<dim>& state, Index body)
 {
   const std::string when = fmt::format("at t = {:.6g} s (step {})", state.time, state.step),
                     advice = fmt::format("try a smaller mpm.courant (now {}), and see whether stiffness, strength and loads are meant so",
@@ -80,12 +80,12 @@ void refuse_what_is_not_finite(const problem::Model<dim>& model, const problem::
 template <int dim>
 std::string advice_for_leaving(const problem::Model<dim>& model, const problem::State<dim>& state, const Vec<dim>& x, Index cell)
 {
-  for (std::size_t r = 0; r < model.rigids.size(); ++r)
-    if (surface_at<dim>(placed<dim>(model.rigids[r], state.rigids[r]), x).distance < 2 * model.mesh.height(cell))
+  for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
+    if (surface_at<dim>(placed<dim>(model.rigid_bodies[r], state.rigid_bodies[r]), x).distance < 2 * model.mesh.height(cell))
       return fmt::format(
           "rigid body \"{}\" is there and has pushed it out: make the mesh larger there, let the stage \"{}\" end earlier, or hold that "
           "boundary with a [support.NAME]",
-          model.rigids[r].name, model.stages[state.stage.index].name);
+          model.rigid_bodies[r].name, model.stages[state.stage.index].name);
   return fmt::format("make the mesh larger there, hold that boundary with a [support.NAME], or take a smaller mpm.courant");
 }
 
@@ -93,16 +93,16 @@ template <int dim>
 void refuse_rigid_outside_mesh(const problem::Model<dim>& model, const problem::State<dim>& state)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
-  for (std::size_t r = 0; r < model.rigids.size(); ++r) {
-    const bodies::RigidShape<dim>& first = model.rigids[r].shape;
+  for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r) {
+    const bodies::RigidShape<dim>& first = model.rigid_bodies[r].shape;
     if (std::holds_alternative<bodies::HalfPlane<dim>>(first)) continue;
-    const bodies::RigidShape<dim> now = placed<dim>(model.rigids[r], state.rigids[r]);
+    const bodies::RigidShape<dim> now = placed<dim>(model.rigid_bodies[r], state.rigid_bodies[r]);
     const Real radius = std::holds_alternative<bodies::Circle<dim>>(first) ? reach_of<dim>(first) : 0;
     const auto refuse = [&](const char* side, char axis, Real place, Real limit, const char* advice) {
       throw RunError(fmt::format(
           "rigid body \"{}\" has left the mesh through its {}: it reaches {} = {:.6g} m, where the mesh ends at {:.6g} m, at "
           "t = {:.6g} s (step {}); {}, or let the stage \"{}\" end earlier",
-          model.rigids[r].name, side, axis, place, limit, state.time, state.step, advice, model.stages[state.stage.index].name));
+          model.rigid_bodies[r].name, side, axis, place, limit, state.time, state.step, advice, model.stages[state.stage.index].name));
     };
     const Real low = lowest_level<dim>(now), x = center_of<dim>(now)[0], first_x = center_of<dim>(first)[0];
     if (lowest_level<dim>(first) >= mesh.lower[1] && low < mesh.lower[1]) refuse("bottom", 'y', low, mesh.lower[1], "make the mesh deeper");
@@ -111,13 +111,13 @@ void refuse_rigid_outside_mesh(const problem::Model<dim>& model, const problem::
     if (first_x + radius <= mesh.upper[0] && x + radius > mesh.upper[0])
       refuse("right side", 'x', x + radius, mesh.upper[0], "make the mesh longer there");
     if (!std::isfinite(low) || !std::isfinite(x))
-      throw RunError(fmt::format("the place of rigid body \"{}\" is not finite at t = {:.6g} s (step {})", model.rigids[r].name, state.time,
-                                 state.step));
+      throw RunError(fmt::format("the place of rigid body \"{}\" is not finite at t = {:.6g} s (step {})", model.rigid_bodies[r].name,
+                                 state.time, state.step));
   }
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void refuse_what_is_not_finite(const problem::Model<dim>&, const problem::State<dim>&, Index);                                  \
+  template void throw_not_finite(const problem::Model<dim>&, const problem::State<dim>&, Index);                                           \
   template std::string advice_for_leaving(const problem::Model<dim>&, const problem::State<dim>&, const Vec<dim>&, Index);                 \
   template void refuse_rigid_outside_mesh(const problem::Model<dim>&, const problem::State<dim>&);
 BERM_INSTANTIATE(2)

@@ -8,7 +8,7 @@ namespace berm::mpm {
 /// Throws the RunError for a body of which a sum over its particles is not finite: it names the first particle (body, number, place, cell, time, step) of
 /// which something is not a number or infinite, and what; where there is none, it says that velocities and forces are not finite.
 template <int dim>
-[[noreturn]] void refuse_what_is_not_finite(const problem::Model<dim>& model, const problem::State<dim>& state, Index body);
+[[noreturn]] void throw_not_finite(const problem::Model<dim>& model, const problem::State<dim>& state, Index body);
 
 /// What to do about a particle of a cell that left the mesh at x: where a rigid body is less than two heights of the cell away, it has pushed the soil out.
 template <int dim>

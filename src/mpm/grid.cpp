@@ -24,7 +24,7 @@ BodyGrid<dim>::BodyGrid(const mesh::Mesh<dim>& mesh)
       velocity(NodeField<Vec<dim>>::zeros(mesh.node_count())),
       smooth_velocity(NodeField<Vec<dim>>::zeros(mesh.node_count())),
       acceleration(NodeField<Vec<dim>>::zeros(mesh.node_count())),
-      moved_velocity(NodeField<Vec<dim>>::zeros(mesh.node_count())),
+      mapped_velocity(NodeField<Vec<dim>>::zeros(mesh.node_count())),
       traction(NodeField<Vec<dim>>::zeros(mesh.node_count())),
       touching(NodeField<std::uint8_t>::zeros(mesh.node_count())),
       contact_points(NodeField<std::uint8_t>::zeros(mesh.node_count()))
@@ -61,11 +61,11 @@ void find_nodes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& parti
 template <int dim>
 Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& state)
     : contact_points(model.contacts.size()),
-      movers(omp_get_max_threads())
+      cell_changes(omp_get_max_threads())
 {
-  std::size_t most = 0;
-  Real least_height = infinity;
-  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) least_height = std::min(least_height, model.mesh.height(cell));
+  std::size_t max = 0;
+  Real min_height = infinity;
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) min_height = std::min(min_height, model.mesh.height(cell));
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     grids.emplace_back(model.mesh);
     find_nodes(model.mesh, state.particles[b], grids[b]);
@@ -74,18 +74,18 @@ Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& sta
     if (yields(material)) {
       const Real wave_speed = std::sqrt(p_wave_modulus(material) / inertia_density(material));
       grids[b].bulk_viscosity = model.mpm.bulk_viscosity * inertia_density(material) * wave_speed;
-      if (!model.update_stress_first) grids[b].filter_rate = model.mpm.velocity_filter * wave_speed / least_height;
+      if (!model.update_stress_first) grids[b].filter_rate = model.mpm.velocity_filter * wave_speed / min_height;
     }
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);
-    grids[b].whole_mass = measure(state.particles[b]).mass;
+    grids[b].whole_mass = sums_over(state.particles[b]).mass;
     const auto prepared = [](const auto& law) { return PreparedMaterial(prepare(law)); };
     laws.push_back(std::visit(prepared, material));
-    spent_laws.push_back(std::visit(prepared, without_dilation(material)));
-    most = std::max<std::size_t>(most, state.particles[b].size());
+    laws_without_dilation.push_back(std::visit(prepared, without_dilation(material)));
+    max = std::max<std::size_t>(max, state.particles[b].size());
   }
   // A sixteenth of all particles at once is far more than ever change cell in one step of a stable run.
-  for (auto& list : movers) list.reserve(most / 16 + 1024);
-  moving.reserve(most / 16 + 1024);
+  for (auto& list : cell_changes) list.reserve(max / 16 + 1024);
+  in_transit.reserve(max / 16 + 1024);
 }
 
 template struct BodyGrid<2>;

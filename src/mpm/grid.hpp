@@ -61,7 +61,7 @@ struct BodyGrid {
   NodeField<Vec<dim>> velocity;            ///< v^t
   NodeField<Vec<dim>> smooth_velocity;     ///< v^t of second order in the particles', towards which the filter pulls them; 0 without it
   NodeField<Vec<dim>> acceleration;        ///< corrected, step 4
-  NodeField<Vec<dim>> moved_velocity;      ///< v^(t+1) of steps 7 and 8: moves and strains the particles
+  NodeField<Vec<dim>> mapped_velocity;     ///< v^(t+1) of steps 7 and 8: moves and strains the particles
   NodeField<Vec<dim>> traction;            ///< N, of the load points; zero where there are none
   NodeField<std::uint8_t> touching;        ///< 1: near a contact; damping leaves it alone
   NodeField<std::uint8_t> contact_points;  ///< 1: a contact point of this step moves the node
@@ -97,7 +97,7 @@ template <int dim>
 void find_nodes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);
 
 /// A particle on its way to another cell.
-struct Mover {
+struct CellChange {
   Index from, place, to;
 };
 
@@ -107,10 +107,10 @@ struct Work {
   std::vector<BodyGrid<dim>> grids;                         ///< by body
   std::vector<contact::ContactPoints<dim>> contact_points;  ///< by contact
   bool contacts_share_nodes = false;                        ///< some node is moved by more than one contact point
-  std::vector<std::vector<Mover>> movers;                   ///< by thread
-  std::vector<bodies::Particle<dim>> moving;
-  std::vector<PreparedMaterial> laws;        ///< by body
-  std::vector<PreparedMaterial> spent_laws;  ///< by body: the same without dilation, for particles at their largest volume
+  std::vector<std::vector<CellChange>> cell_changes;        ///< by thread
+  std::vector<bodies::Particle<dim>> in_transit;
+  std::vector<PreparedMaterial> laws;                   ///< by body
+  std::vector<PreparedMaterial> laws_without_dilation;  ///< by body: the same without dilation, for particles at their largest volume
   Real unbalanced = 0,
        weight = 0;  ///< N, sums over the nodes of |unbalanced force| (away from contacts); of m g and of tractions, last step
 

@@ -14,7 +14,7 @@ namespace berm::mpm {
 namespace {
 
 /// Soil that swings back may carry a point out of the mesh by this many heights of the cell; there it counts as on the nearest face.
-constexpr Real most_outside = 0.5;
+constexpr Real max_outside = 0.5;
 
 [[noreturn]] void refuse(const std::string& traction, const Real* x, int dim, Real time, BigIndex step, const char* what)
 {
@@ -77,7 +77,7 @@ void move_load_points(const problem::Model<dim>& model, problem::State<dim>& sta
     const std::array<Real, dim + 1> shares = shares_of(model, state, grid, l);
     const auto& nodes = model.mesh.nodes[point.cell];
     for (int k = 0; k <= dim; ++k) {
-      if (shares[k] > 0) point.x += state.dt * shares[k] * grid.moved_velocity[nodes[k]];
+      if (shares[k] > 0) point.x += state.dt * shares[k] * grid.mapped_velocity[nodes[k]];
       grid.traction[nodes[k]].setZero();
     }
     const mesh::Location found = locate(model.mesh, point.x, point.cell);
@@ -85,7 +85,7 @@ void move_load_points(const problem::Model<dim>& model, problem::State<dim>& sta
     if (found.inside) continue;
     const mesh::Shape<dim> shape = model.mesh.shape(point.cell);
     for (int k = 0; k <= dim; ++k)
-      if (!(shape.value(k, point.x) > -most_outside))
+      if (!(shape.value(k, point.x) > -max_outside))
         refuse(model.tractions[model.load_points[l].traction].name, point.x.data(), dim, state.time, state.step,
                "the loaded soil has left the mesh");
   }

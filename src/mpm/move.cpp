@@ -17,7 +17,7 @@ namespace {
 template <int dim>
 struct CellStrain {
   SymTensor<dim> strain{};
-  Real spin[dim][dim] = {};
+  Real rotation[dim][dim] = {};
   Real dilation = 0;
 
   [[gnu::always_inline]] CellStrain(const LinearField<dim>& velocity, Real dt)
@@ -25,7 +25,7 @@ struct CellStrain {
     for (int a = 0; a < dim; ++a) {
       dilation += velocity.slope[a][a] * dt;
       for (int b = a; b < dim; ++b) strain[tensor_place(a, b)] = 0.5 * dt * (velocity.slope[a][b] + velocity.slope[b][a]);
-      for (int b = 0; b < dim; ++b) spin[a][b] = 0.5 * dt * (velocity.slope[a][b] - velocity.slope[b][a]);
+      for (int b = 0; b < dim; ++b) rotation[a][b] = 0.5 * dt * (velocity.slope[a][b] - velocity.slope[b][a]);
     }
   }
   /// Takes over the projected dilation: the change is shared by the directions of the mesh, so that plane strain stays plane.
@@ -38,29 +38,29 @@ struct CellStrain {
 
 /// stress += spin stress - stress spin (Jaumann).
 template <class V>
-[[gnu::always_inline]] inline void rotate(SymTensor<2, V>& s, const Real (&spin)[2][2])
+[[gnu::always_inline]] inline void rotate(SymTensor<2, V>& s, const Real (&rotation)[2][2])
 {
-  const Real w = spin[0][1];
+  const Real w = rotation[0][1];
   const V turned = w * (s[1] - s[0]), change = 2 * w * s[3];
   s[0] += change;
   s[1] -= change;
   s[3] += turned;
 }
 template <class V>
-[[gnu::always_inline]] inline void rotate(SymTensor<3, V>& s, const Real (&spin)[3][3])
+[[gnu::always_inline]] inline void rotate(SymTensor<3, V>& s, const Real (&rotation)[3][3])
 {
   const SymTensor<3, V> old = s;
   for (int a = 0; a < 3; ++a)
     for (int b = a; b < 3; ++b) {
       V change{};
-      for (int k = 0; k < 3; ++k) change += spin[a][k] * old[tensor_place(k, b)] - old[tensor_place(a, k)] * spin[k][b];
+      for (int k = 0; k < 3; ++k) change += rotation[a][k] * old[tensor_place(k, b)] - old[tensor_place(a, k)] * rotation[k][b];
       s[tensor_place(a, b)] += change;
     }
 }
 
 /// A point that round-off put beyond a face is moved onto it: negative shape functions become zero. True where it was no more than that.
 template <int dim>
-bool bring_back(const mesh::Mesh<dim>& mesh, Index cell, Vec<dim>& x)
+bool clamp_to_cell(const mesh::Mesh<dim>& mesh, Index cell, Vec<dim>& x)
 {
   constexpr Real round_off = 1e-9;  // of a cell's height
   const mesh::Shape<dim> shape = mesh.shape(cell);
@@ -77,20 +77,20 @@ bool bring_back(const mesh::Mesh<dim>& mesh, Index cell, Vec<dim>& x)
 
 /// The law, but for particles that have grown to their largest volume: these dilate no more.
 template <int dim, class Law, class V>
-[[gnu::always_inline]] inline void update_stress_of(const Law& law, const Law* spent_law, typename Part<V>::Mask spent,
+[[gnu::always_inline]] inline void update_stress_of(const Law& law, const Law* law_without_dilation, typename Part<V>::Mask fully_dilated,
                                                     SymTensor<dim, V>& stress, const SymTensor<dim, V>& strain, V* state)
 {
-  if (spent_law == nullptr || !any(spent)) {
+  if (law_without_dilation == nullptr || !any(fully_dilated)) {
     update_stress<dim, V>(law, stress, strain, state);
     return;
   }
-  SymTensor<dim, V> spent_stress = stress;
-  V spent_state[std::max(Law::state_size, 1)];
-  std::copy_n(state, Law::state_size, spent_state);
+  SymTensor<dim, V> dilated_stress = stress;
+  V dilated_state[std::max(Law::state_size, 1)];
+  std::copy_n(state, Law::state_size, dilated_state);
   update_stress<dim, V>(law, stress, strain, state);
-  update_stress<dim, V>(*spent_law, spent_stress, strain, spent_state);
-  for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = spent ? spent_stress[k] : stress[k];
-  for (int k = 0; k < Law::state_size; ++k) state[k] = spent ? spent_state[k] : state[k];
+  update_stress<dim, V>(*law_without_dilation, dilated_stress, strain, dilated_state);
+  for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = fully_dilated ? dilated_stress[k] : stress[k];
+  for (int k = 0; k < Law::state_size; ++k) state[k] = fully_dilated ? dilated_state[k] : state[k];
 }
 
 /// What a pass over the particles takes to the totals, J.
@@ -122,18 +122,18 @@ enum class Pass {
   strain,  ///< 10, 11
 };
 
-/// spent_law is null where the law does not dilate.
+/// law_without_dilation is null where the law does not dilate.
 template <Pass pass, int dim, class Law>
-void move_and_strain_with(const Law& law, const Law* spent_law, const problem::Model<dim>& model, problem::State<dim>& state,
+void move_and_strain_with(const Law& law, const Law* law_without_dilation, const problem::Model<dim>& model, problem::State<dim>& state,
                           Work<dim>& work, Index body)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
   const BodyGrid<dim>& grid = work.grids[body];
   bodies::Particles<dim>& particles = state.particles[body];
   const Real dt = state.dt, per_density = 1 / inertia_density(model.bodies[body].material);
-  const Real least_volume = model.mpm.least_volume_ratio * per_density, most_volume = model.mpm.most_volume_ratio * per_density;
+  const Real min_volume = model.mpm.min_volume_ratio * per_density, max_volume = model.mpm.max_volume_ratio * per_density;
   const Real filtered = pass == Pass::both ? grid.filtered_part(dt) : 0, unfiltered = 1 - filtered;
-  for (auto& list : work.movers) list.clear();
+  for (auto& list : work.cell_changes) list.clear();
 
   const WorkDone work_done = sum_of<WorkDone>("move and strain particles", static_cast<Index>(particles.occupied().size()), [&](Index c) {
     const Index cell = particles.occupied()[c];
@@ -144,7 +144,7 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const problem::M
     for (int k = 0; k < dim; ++k)
       for (int d = 0; d < dim; ++d) at_zero[k] -= shape.gradients[k][d] * shape.origin[d];
     const LinearField<dim> gain(shape, nodes, [&](Index i, int d) { return grid.gain(i, d, dt, filtered); }),
-        velocity(shape, nodes, grid.moved_velocity);
+        velocity(shape, nodes, grid.mapped_velocity);
     CellStrain<dim> cell_strain(velocity, dt);
     if (pass != Pass::move && model.mpm.volumetric_projection) {
       Real volume = 0, change = 0;
@@ -162,7 +162,7 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const problem::M
       using Mask = typename Part<V>::Mask;
       bodies::Block<dim>&p = particles.block(part.block), &q = particles.block(part.other);
       const Mask alive = part.alive();
-      V least_shape = 1 - V{};
+      V min_shape = 1 - V{};
       if constexpr (pass != Pass::strain) {
         V old_x[dim], x[dim], kinetic_loss{};
         for (int d = 0; d < dim; ++d) old_x[d] = part.get(p.x[d], q.x[d]);
@@ -180,9 +180,9 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const problem::M
           V n = at_zero[k] + shape.gradients[k][0] * x[0];
           for (int d = 1; d < dim; ++d) n += shape.gradients[k][d] * x[d];
           of_corner_0 -= n;
-          least_shape = smaller(least_shape, n);
+          min_shape = smaller(min_shape, n);
         }
-        least_shape = smaller(least_shape, of_corner_0);
+        min_shape = smaller(min_shape, of_corner_0);
       }
       if constexpr (pass != Pass::move) {
         const V mass = part.get(p.mass, q.mass), volume = part.get(p.volume, q.volume);
@@ -191,10 +191,10 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const problem::M
           strain[k] = cell_strain.strain[k] - V{};
           stress[k] = both_stresses[k] = part.get(p.stress[k], q.stress[k]);
         }
-        rotate(stress, cell_strain.spin);
-        const Mask spent = alive & (volume >= mass * most_volume);
+        rotate(stress, cell_strain.rotation);
+        const Mask fully_dilated = alive & (volume >= mass * max_volume);
         part.template change<Law::state_size>(particles.state(part.block), particles.state(part.other), [&](V* law_state) {
-          update_stress_of<dim>(law, spent_law, spent, stress, strain, law_state);
+          update_stress_of<dim>(law, law_without_dilation, fully_dilated, stress, strain, law_state);
         });
         for (int k = 0; k < tensor_size<dim>; ++k) {
           const V kept = alive ? stress[k] : V{};
@@ -202,11 +202,11 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const problem::M
           part.set(p.stress[k], q.stress[k], kept);
         }
         done.internal += sum(0.5 * volume * double_dot(both_stresses, strain));
-        part.set(p.volume, q.volume, smaller(larger(volume * stretch, mass * least_volume), mass * most_volume));
+        part.set(p.volume, q.volume, smaller(larger(volume * stretch, mass * min_volume), mass * max_volume));
         part.set(p.deviatoric_strain, q.deviatoric_strain, part.get(p.deviatoric_strain, q.deviatoric_strain) + deviatoric);
       }
 
-      const Mask leaves = alive & (least_shape < V{});
+      const Mask leaves = alive & (min_shape < V{});
       if (any(leaves)) [[unlikely]]
         for (int l = 0; l < part.size; ++l)
           if (leaves[l]) {
@@ -215,10 +215,10 @@ void move_and_strain_with(const Law& law, const Law* spent_law, const problem::M
             Vec<dim> at;
             for (int d = 0; d < dim; ++d) at[d] = block.x[d][lane];
             const mesh::Location found = locate(mesh, at, cell);
-            const bool in_mesh = found.inside || bring_back(mesh, found.cell, at);
+            const bool in_mesh = found.inside || clamp_to_cell(mesh, found.cell, at);
             for (int d = 0; d < dim; ++d) block.x[d][lane] = at[d];
             if (!in_mesh || found.cell != cell)
-              work.movers[omp_get_thread_num()].push_back({cell, part.place + l, in_mesh ? found.cell : none});
+              work.cell_changes[omp_get_thread_num()].push_back({cell, part.place + l, in_mesh ? found.cell : none});
           }
     });
     if (filtered > 0) done.filtered += kinetic_gain(LinearField<dim>(shape, nodes, grid.acceleration), grid.moments[cell], dt);
@@ -236,8 +236,8 @@ void pass_over_particles(const problem::Model<dim>& model, problem::State<dim>& 
   const bool dilates = material::dilates(model.bodies[body].material);
   std::visit(
       [&](const auto& law) {
-        const auto& spent_law = std::get<std::decay_t<decltype(law)>>(work.spent_laws[body]);
-        move_and_strain_with<pass, dim>(law, dilates ? &spent_law : nullptr, model, state, work, body);
+        const auto& law_without_dilation = std::get<std::decay_t<decltype(law)>>(work.laws_without_dilation[body]);
+        move_and_strain_with<pass, dim>(law, dilates ? &law_without_dilation : nullptr, model, state, work, body);
       },
       work.laws[body]);
 }
@@ -277,23 +277,24 @@ void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, 
   const Timer timer("change cells");
   bodies::Particles<dim>& particles = state.particles[body];
   BodyGrid<dim>& grid = work.grids[body];
-  std::vector<Mover>& movers = work.movers.front();
-  for (std::size_t t = 1; t < work.movers.size(); ++t) movers.insert(movers.end(), work.movers[t].begin(), work.movers[t].end());
-  if (movers.empty()) return;
+  std::vector<CellChange>& cell_changes = work.cell_changes.front();
+  for (std::size_t t = 1; t < work.cell_changes.size(); ++t)
+    cell_changes.insert(cell_changes.end(), work.cell_changes[t].begin(), work.cell_changes[t].end());
+  if (cell_changes.empty()) return;
   // Threads share a large body's cells in several rounds, so their lists laid end to end are not in the order of the cells yet.
-  std::sort(movers.begin(), movers.end(),
-            [](const Mover& a, const Mover& b) { return a.from != b.from ? a.from < b.from : a.place < b.place; });
+  std::sort(cell_changes.begin(), cell_changes.end(),
+            [](const CellChange& a, const CellChange& b) { return a.from != b.from ? a.from < b.from : a.place < b.place; });
 
-  for (const Mover& mover : movers)
+  for (const CellChange& mover : cell_changes)
     if (mover.to == none) refuse(model, state, particles.read_at(mover.from, mover.place), body, mover.from);
   // The last first: taking a particle moves only ones that were behind it.
-  work.moving.resize(movers.size());
-  for (std::size_t m = movers.size(); m-- > 0;) work.moving[m] = particles.take(movers[m].from, movers[m].place);
-  for (std::size_t m = 0; m < movers.size(); ++m) {
-    particles.insert(movers[m].to, work.moving[m]);
-    grid.enter(model.mesh, movers[m].to);
+  work.in_transit.resize(cell_changes.size());
+  for (std::size_t m = cell_changes.size(); m-- > 0;) work.in_transit[m] = particles.take(cell_changes[m].from, cell_changes[m].place);
+  for (std::size_t m = 0; m < cell_changes.size(); ++m) {
+    particles.insert(cell_changes[m].to, work.in_transit[m]);
+    grid.enter(model.mesh, cell_changes[m].to);
   }
-  for (const Mover& mover : movers)
+  for (const CellChange& mover : cell_changes)
     if (particles.count_in(mover.from) == 0) {
       grid.moments[mover.from] = {};
       grid.corners[mover.from] = {};

@@ -14,9 +14,9 @@ constexpr Real surface_fill = 0.75, full_fill = 0.9;
 template <int dim>
 Real fullness(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell)
 {
-  Real least = 1;
-  for (Index node : mesh.nodes[cell]) least = std::min(least, grid.fill[node]);
-  const Real s = std::clamp((least - surface_fill) / (full_fill - surface_fill), Real(0), Real(1));
+  Real min = 1;
+  for (Index node : mesh.nodes[cell]) min = std::min(min, grid.fill[node]);
+  const Real s = std::clamp((min - surface_fill) / (full_fill - surface_fill), Real(0), Real(1));
   return s * s * (3 - 2 * s);
 }
 

@@ -20,9 +20,10 @@ std::pair<Real, std::string> fastest_of(const problem::Model<dim>& model, const 
   const auto take = [&](Real speed, const auto& words) {
     if (speed > fastest.first) fastest = {speed, words()};
   };
-  for (std::size_t r = 0; r < state.rigids.size(); ++r)
-    take(state.rigids[r].velocity.norm() + std::abs(state.rigids[r].spin) * reach_of<dim>(model.rigids[r].shape),
-         [&] { return fmt::format("rigid body \"{}\"", model.rigids[r].name); });
+  for (std::size_t r = 0; r < state.rigid_bodies.size(); ++r)
+    take(state.rigid_bodies[r].velocity.norm() +
+             std::abs(state.rigid_bodies[r].angular_velocity) * reach_of<dim>(model.rigid_bodies[r].shape),
+         [&] { return fmt::format("rigid body \"{}\"", model.rigid_bodies[r].name); });
   for (const problem::Drive& drive : state.stage.drive)
     if (!drive.by_force)
       take(std::abs(drive.to), [&] { return fmt::format("the drive of stage \"{}\"", model.stages[state.stage.index].name); });
@@ -34,7 +35,7 @@ std::pair<Real, std::string> fastest_of(const problem::Model<dim>& model, const 
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     for (const Index i : work.grids[b].nodes) {
       const Vec<dim>& x = model.mesh.position[i];
-      take(work.grids[b].moved_velocity[i].norm(),
+      take(work.grids[b].mapped_velocity[i].norm(),
            [&] { return fmt::format("body \"{}\" at the node at ({:.6g}) m", model.bodies[b].name, fmt::join(x.begin(), x.end(), ", ")); });
     }
   return fastest;
@@ -52,7 +53,7 @@ Real stable_courant(const problem::Model<dim>& model)
 }
 
 /// A time step this small beside that of a body at rest is no longer a run: soil that moves a thousand times faster than its own waves has blown up.
-constexpr Real least_part = 1e-3;
+constexpr Real min_part = 1e-3;
 
 }  // namespace
 
@@ -60,9 +61,9 @@ template <int dim>
 Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work)
 {
   Real fastest = 0;
-  for (std::size_t r = 0; r < state.rigids.size(); ++r) {
-    const bodies::RigidState<dim>& rigid = state.rigids[r];
-    fastest = std::max(fastest, rigid.velocity.norm() + std::abs(rigid.spin) * reach_of<dim>(model.rigids[r].shape));
+  for (std::size_t r = 0; r < state.rigid_bodies.size(); ++r) {
+    const bodies::RigidState<dim>& rigid = state.rigid_bodies[r];
+    fastest = std::max(fastest, rigid.velocity.norm() + std::abs(rigid.angular_velocity) * reach_of<dim>(model.rigid_bodies[r].shape));
   }
   for (const problem::Drive& drive : state.stage.drive)
     if (!drive.by_force) fastest = std::max(fastest, std::abs(drive.to));
@@ -78,19 +79,19 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
     const BodyGrid<dim>& grid = work.grids[b];
     // A comparison with NaN is false, so NaN is turned into infinity to be seen.
     fastest = largest_of("fastest node", static_cast<Index>(grid.nodes.size()), fastest, [&](Index n) {
-      const Real speed = grid.moved_velocity[grid.nodes[n]].norm();
+      const Real speed = grid.mapped_velocity[grid.nodes[n]].norm();
       return std::isfinite(speed) ? speed : infinity;
     });
   }
   if (!std::isfinite(fastest))
     for (std::size_t b = 0; b < model.bodies.size(); ++b)
       for (const Index i : work.grids[b].nodes)
-        if (!work.grids[b].moved_velocity[i].allFinite()) refuse_what_is_not_finite(model, state, static_cast<Index>(b));
+        if (!work.grids[b].mapped_velocity[i].allFinite()) throw_not_finite(model, state, static_cast<Index>(b));
   if (!std::isfinite(fastest))
     throw RunError(fmt::format("velocities are not finite at t = {} s (step {}); try a smaller mpm.courant (now {})", state.time,
                                state.step, model.mpm.courant));
 
-  Real least = infinity, least_at_rest = infinity;
+  Real min = infinity, min_at_rest = infinity;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const material::Material& material = model.bodies[b].material;
     const Real wave_speed = std::sqrt(p_wave_modulus(material) / inertia_density(material));
@@ -98,16 +99,16 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
     const Real steepest = largest_of("smallest height", static_cast<Index>(occupied.size()), 0,
                                      [&](Index c) { return work.grids[b].shape(model.mesh, occupied[c]).steepest_square(); });
     const Real height = 1 / std::sqrt(steepest);
-    least = std::min(least, height / (wave_speed + fastest));
-    least_at_rest = std::min(least_at_rest, height / wave_speed);
+    min = std::min(min, height / (wave_speed + fastest));
+    min_at_rest = std::min(min_at_rest, height / wave_speed);
   }
-  const Real dt = std::min(model.mpm.courant, stable_courant(model)) * least;
-  if (least < least_part * least_at_rest || state.time + dt == state.time) {
+  const Real dt = std::min(model.mpm.courant, stable_courant(model)) * min;
+  if (min < min_part * min_at_rest || state.time + dt == state.time) {
     const auto [speed, what] = fastest_of(model, state, work);
     throw RunError(fmt::format(
         "the time step has fallen to {:.3g} s (with everything at rest it is {:.3g} s) at t = {:.6g} s (step {}), because of {}, "
         "which moves at {:.3g} m/s; try a smaller mpm.courant (now {}), and see whether velocities and loads are meant so",
-        dt, model.mpm.courant * least_at_rest, state.time, state.step, what, speed, model.mpm.courant));
+        dt, model.mpm.courant * min_at_rest, state.time, state.step, what, speed, model.mpm.courant));
   }
   return dt;
 }

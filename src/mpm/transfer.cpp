@@ -123,7 +123,7 @@ void sum_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& part
 }
 
 /// A node with less than this part of the mass in its cells has none: the rest is round-off, which must not be divided by.
-constexpr Real least_mass_part = 1e-9;
+constexpr Real min_mass_part = 1e-9;
 
 /// The mean velocity of all particles in a node's cells: for a node without mass, which then strains nothing that moves as one. The momentum of a
 /// cell is told by momentum_of(cell).
@@ -154,17 +154,17 @@ void gather_mass_and_momentum(const mesh::Mesh<dim>& mesh, BodyGrid<dim>& grid)
   for_each("gather mass and momentum", static_cast<Index>(grid.nodes.size()), [&](Index n) {
     const Index i = grid.nodes[n];
     CornerSums<dim> total{};
-    Real least_volume = infinity;
+    Real min_volume = infinity;
     for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) {
       const CornerSums<dim>& corner = grid.at(mesh.entries[e]);
       for (int d = 0; d < dim; ++d) total.sum[d] += corner.sum[d];
       total.mass += corner.mass;
       total.volume += corner.volume;
-      least_volume = std::min(least_volume, corner.volume);
+      min_volume = std::min(min_volume, corner.volume);
     }
-    if (grid.full_cells) grid.fill[i] = least_volume > 0 ? total.volume / grid.volume_around[i] : 0;
+    if (grid.full_cells) grid.fill[i] = min_volume > 0 ? total.volume / grid.volume_around[i] : 0;
     // Most nodes have more than that part of the whole body.
-    if (!(total.mass > least_mass_part * grid.whole_mass) && !(total.mass > least_mass_part * mass_of_cells(mesh, grid, i))) total.mass = 0;
+    if (!(total.mass > min_mass_part * grid.whole_mass) && !(total.mass > min_mass_part * mass_of_cells(mesh, grid, i))) total.mass = 0;
     const Real per_mass = total.mass > 0 ? 1 / total.mass : 0;
     grid.mass[i] = total.mass;
     for (int d = 0; d < dim; ++d) grid.velocity[i][d] = total.sum[d] * per_mass;
@@ -295,7 +295,7 @@ void gather_new_velocities(const problem::Model<dim>& model, BodyGrid<dim>& grid
       for (const CornerSums<dim>& corner : grid.corners[cell]) sum += Eigen::Map<const Vec<dim>>(corner.sum);
       return sum;
     };
-    grid.moved_velocity[i] = problem::without_held<dim>(
+    grid.mapped_velocity[i] = problem::without_held<dim>(
         model.fixed[grid.fixed], i, grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
   });
 }
@@ -306,9 +306,9 @@ void predict_velocities(const problem::Model<dim>& model, Real ahead, BodyGrid<d
   for_each("predict velocities", static_cast<Index>(grid.nodes.size()), [&](Index n) {
     const Index i = grid.nodes[n];
     const auto momentum_of = [&](Index cell) { return Eigen::Map<const Vec<dim>>(grid.moments[cell].mv); };
-    grid.moved_velocity[i] = problem::without_held<dim>(model.fixed[grid.fixed], i,
-                                                        grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
-                                                                         : velocity_of_cells(model.mesh, grid, i, momentum_of));
+    grid.mapped_velocity[i] = problem::without_held<dim>(model.fixed[grid.fixed], i,
+                                                         grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
+                                                                          : velocity_of_cells(model.mesh, grid, i, momentum_of));
   });
 }
 
@@ -318,7 +318,7 @@ void sum_volume_changes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim
   const auto& occupied = particles.occupied();
   for_each("volume change of cells", static_cast<Index>(occupied.size()), [&](Index c) {
     const Index cell = occupied[c];
-    const Real divergence = divergence_in<dim>(grid.shape(mesh, cell), mesh.nodes[cell], grid.moved_velocity);
+    const Real divergence = divergence_in<dim>(grid.shape(mesh, cell), mesh.nodes[cell], grid.mapped_velocity);
     grid.volume_change[cell] = grid.moments[cell].volume * divergence * dt;
   });
 }

@@ -41,7 +41,7 @@ bool draw_figure(const std::filesystem::path& folder, const std::string& name, c
     const FigureCurve& curve = figure.curves[k];
     if (!has_points(curve)) continue;
     const std::string data = fmt::format("{}_{}.dat", name, k);
-    io::write_whole(folder / "plots" / data, block(curve));
+    io::write_atomically(folder / "plots" / data, block(curve));
     plot += fmt::format("{}{} using 1:2 with {} {}", plot.empty() ? "plot " : ", \\\n     ", gnuplot_text("./" + data), curve.style,
                         curve.title.empty() ? "notitle" : "title " + gnuplot_text(curve.title));
   }

@@ -55,7 +55,7 @@ std::string last_message(const std::filesystem::path& file)
 bool is_whole(const std::filesystem::path& picture, PlotFormat format)
 {
   constexpr std::string_view end_of_svg = "</svg>", end_of_png("IEND\xAE\x42\x60\x82", 8);
-  std::string bytes = io::read_whole(picture);
+  std::string bytes = io::read_text_file(picture);
   if (format == PlotFormat::svg) bytes.erase(bytes.find_last_not_of(" \n") + 1);
   return bytes.ends_with(format == PlotFormat::svg ? end_of_svg : end_of_png);
 }
@@ -90,7 +90,7 @@ bool draw(const std::filesystem::path& folder, const std::string& name, int widt
                                        "set terminal {2} size {3},{4} noenhanced font 'DejaVu Sans,13' linewidth 1.2 background '#ffffff'\n"
                                        "if (!exists('picture')) picture = {5}\nset output picture\nset encoding utf8\n",
                                        picture, stem, vector ? "svg" : "pngcairo", width, height, gnuplot_text("../" + picture));
-  io::write_whole(plots / (stem + ".gp"), head + script);
+  io::write_atomically(plots / (stem + ".gp"), head + script);
   // A name that begins with - is no option.
   const int status = run_gnuplot(plots, "./" + stem + ".gp", "../" + io::part_of(picture).string(), messages.filename().string());
   const int reason = errno;

@@ -13,10 +13,10 @@ Real cross(const Vec<2>& a, const Vec<2>& b)
 }
 
 /// The whole numbers from `least` to `most`, as far as they are from 0 to count - 1.
-std::pair<Index, Index> whole_between(Real least, Real most, Index count)
+std::pair<Index, Index> whole_between(Real min, Real max, Index count)
 {
-  return {static_cast<Index>(std::ceil(std::clamp<Real>(least, 0, count))),
-          static_cast<Index>(std::floor(std::clamp<Real>(most, -1, count - 1)))};
+  return {static_cast<Index>(std::ceil(std::clamp<Real>(min, 0, count))),
+          static_cast<Index>(std::floor(std::clamp<Real>(max, -1, count - 1)))};
 }
 
 }  // namespace

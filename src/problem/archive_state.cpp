@@ -6,34 +6,34 @@
 
 namespace berm::problem {
 
-constexpr BigIndex most_steps = BigIndex(1) << 60;  // no run gets so far, and the next ones can still be counted
+constexpr BigIndex max_steps = BigIndex(1) << 60;  // no run gets so far, and the next ones can still be counted
 
 // The sizes tell of a member that is not kept yet.
 template <int dim>
-void keep(Keep& k, bodies::RigidState<dim>& rigid)
+void archive(Archive& k, bodies::RigidState<dim>& rigid)
 {
   static_assert(sizeof(rigid) == (7 * dim + 8) * sizeof(Real));
   k("displacement", rigid.displacement);
   k("angle", rigid.angle);
   k("velocity", rigid.velocity);
-  k("spin", rigid.spin);
+  k("angular_velocity", rigid.angular_velocity);
   k("reaction", rigid.reaction);
   k("smooth_reaction", rigid.smooth_reaction);
   k("torque", rigid.torque);
   k("impulse", rigid.impulse);
   k("torque_impulse", rigid.torque_impulse);
   k("second_impulse", rigid.second_impulse);
-  k("pressed", rigid.pressed);
-  k("pressed_distance", rigid.pressed_distance);
-  k("deepest", rigid.deepest);
-  k("listed_at", rigid.listed_at);
-  k("listed_angle", rigid.listed_angle);
+  k("impulse_sum", rigid.impulse_sum);
+  k("impulse_times_gap", rigid.impulse_times_gap);
+  k("max_overlap", rigid.max_overlap);
+  k("near_cells_displacement", rigid.near_cells_displacement);
+  k("near_cells_angle", rigid.near_cells_angle);
 }
 
 namespace {
 
 template <int dim>
-void keep(Keep& k, Totals<dim>& totals)
+void archive(Archive& k, Totals<dim>& totals)
 {
   static_assert(sizeof(totals) == (4 + 6 * dim) * sizeof(Real));
   k("internal", totals.internal);
@@ -49,7 +49,7 @@ void keep(Keep& k, Totals<dim>& totals)
 }
 
 template <int dim>
-void keep(Keep& k, const Model<dim>& model, StageState<dim>& stage)
+void archive(Archive& k, const Model<dim>& model, StageState<dim>& stage)
 {
   k("index", stage.index);
   if (stage.index < 0 || stage.index >= static_cast<Index>(model.stages.size())) k.refuse(fmt::format("there is no stage {}", stage.index));
@@ -63,7 +63,7 @@ void keep(Keep& k, const Model<dim>& model, StageState<dim>& stage)
     });
 }
 
-void keep(Keep& k, TractionState& traction)
+void archive(Archive& k, TractionState& traction)
 {
   static_assert(sizeof(traction) == 3 * sizeof(Real));
   k("begin_time", traction.begin_time);
@@ -72,7 +72,7 @@ void keep(Keep& k, TractionState& traction)
 }
 
 template <int dim>
-void keep(Keep& k, const Model<dim>& model, std::vector<LoadPointState<dim>>& points)
+void archive(Archive& k, const Model<dim>& model, std::vector<LoadPointState<dim>>& points)
 {
   std::vector<Index> cells;
   std::vector<Real> x;
@@ -92,24 +92,25 @@ void keep(Keep& k, const Model<dim>& model, std::vector<LoadPointState<dim>>& po
 }  // namespace
 
 template <int dim>
-void keep(Keep& k, const Model<dim>& model, State<dim>& state)
+void archive(Archive& k, const Model<dim>& model, State<dim>& state)
 {
   k("time", state.time);
   k("step", state.step);
-  if (k.reads() && (state.step < 0 || state.step > most_steps)) k.refuse(fmt::format("there is no step {}", state.step));
+  if (k.reads() && (state.step < 0 || state.step > max_steps)) k.refuse(fmt::format("there is no step {}", state.step));
   k("dt", state.dt);
-  k.table("stage", [&] { keep(k, model, state.stage); });
-  k.table("totals", [&] { keep(k, state.totals); });
-  for (std::size_t r = 0; r < state.rigids.size(); ++r) k.table(fmt::format("rigid_{}", r), [&] { keep(k, state.rigids[r]); });
+  k.table("stage", [&] { archive(k, model, state.stage); });
+  k.table("totals", [&] { archive(k, state.totals); });
+  for (std::size_t r = 0; r < state.rigid_bodies.size(); ++r)
+    k.table(fmt::format("rigid_{}", r), [&] { archive(k, state.rigid_bodies[r]); });
   for (std::size_t c = 0; c < state.pair_impulses.size(); ++c) k(fmt::format("pair_impulse_{}", c), state.pair_impulses[c]);
-  for (std::size_t t = 0; t < state.tractions.size(); ++t) k.table(fmt::format("traction_{}", t), [&] { keep(k, state.tractions[t]); });
-  if (!state.load_points.empty()) k.table("load_points", [&] { keep(k, model, state.load_points); });
-  for (std::size_t b = 0; b < state.particles.size(); ++b) k.table(fmt::format("body_{}", b), [&] { state.particles[b].keep(k); });
+  for (std::size_t t = 0; t < state.tractions.size(); ++t) k.table(fmt::format("traction_{}", t), [&] { archive(k, state.tractions[t]); });
+  if (!state.load_points.empty()) k.table("load_points", [&] { archive(k, model, state.load_points); });
+  for (std::size_t b = 0; b < state.particles.size(); ++b) k.table(fmt::format("body_{}", b), [&] { state.particles[b].archive(k); });
 }
 
-template void keep(Keep&, bodies::RigidState<2>&);
-template void keep(Keep&, bodies::RigidState<3>&);
-template void keep(Keep&, const Model<2>&, State<2>&);
-template void keep(Keep&, const Model<3>&, State<3>&);
+template void archive(Archive&, bodies::RigidState<2>&);
+template void archive(Archive&, bodies::RigidState<3>&);
+template void archive(Archive&, const Model<2>&, State<2>&);
+template void archive(Archive&, const Model<3>&, State<3>&);
 
 }  // namespace berm::problem

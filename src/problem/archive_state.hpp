@@ -9,10 +9,10 @@ namespace berm::problem {
 /// The whole state, bit for bit. Reading puts it into one that was built for the same case: bodies, particles, rigid bodies and contacts
 /// must be as many. Throws RunError where they are not, or where what is read cannot be a state of this model.
 template <int dim>
-void keep(Keep& k, const Model<dim>& model, State<dim>& state);
+void archive(Archive& k, const Model<dim>& model, State<dim>& state);
 
 /// One rigid body.
 template <int dim>
-void keep(Keep& k, bodies::RigidState<dim>& rigid);
+void archive(Archive& k, bodies::RigidState<dim>& rigid);
 
 }  // namespace berm::problem

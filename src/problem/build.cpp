@@ -63,11 +63,11 @@ template <int dim>
 std::int32_t nearest_particle(const bodies::Particles<dim>& particles, const std::vector<Real>& point)
 {
   std::int32_t nearest = none;
-  Real least = infinity;
+  Real min = infinity;
   particles.visit([&](Index, Index b, int l) {
     Real square = 0;
     for (int d = 0; d < dim; ++d) square += std::pow(particles.block(b).x[d][l] - point[d], 2);
-    if (square < least) least = square, nearest = particles.block(b).id[l];
+    if (square < min) min = square, nearest = particles.block(b).id[l];
   });
   return nearest;
 }
@@ -91,7 +91,7 @@ Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh)
   for (const auto& [name, settings] : c.rigid) {
     const bodies::RigidShape<dim> shape = make_shape<dim>(settings.shape);
     const Real inertia = settings.moment_of_inertia.value_or(settings.mass * inertia_over_mass<dim>(shape));
-    model.rigids.push_back({name, shape, settings.mass, settings.motion, settings.rotation, inertia});
+    model.rigid_bodies.push_back({name, shape, settings.mass, settings.motion, settings.rotation, inertia});
   }
   for (const auto& [name, settings] : c.body) {
     const material::Material& material = c.material[place_of(c.material, settings.material)].second;
@@ -101,7 +101,7 @@ Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh)
     const contact::Detection best = s.rigid.empty() ? contact::Detection::gap : contact::Detection::particle;
     model.contacts.push_back({name, place_of(c.body, s.body), place_of(c.rigid, s.rigid), place_of(c.body, s.other_body),
                               std::tan(s.friction_angle), s.adhesion, s.scheme,
-                              s.detection == contact::Detection::automatic ? best : s.detection, s.approach_steps});
+                              s.detection == contact::Detection::automatic ? best : s.detection, s.gap_closing_steps});
   }
   for (const auto& [name, s] : c.traction) {
     model.tractions.push_back({name, s.ramp, {}});
@@ -132,7 +132,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   State<dim>& state = problem.state;
   model = make_model(c, std::move(mesh));
   model.patches = make_patches(model.mesh, !model.mpm.volumetric_projection ? 0 : dim == 2 ? 1 : 2);
-  state.rigids.resize(model.rigids.size());
+  state.rigid_bodies.resize(model.rigid_bodies.size());
   if (c.initial_state == InitialState::level_ground) refuse_k0_below_uneven_ground(c, model);
   for (const auto& [name, settings] : c.body) {
     const material::Material& material = c.material[place_of(c.material, settings.material)].second;
@@ -140,7 +140,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
     bodies::StartState<dim> start{inertia, -model.gravity[1] * density(material) / inertia, c.surface, state_size(material)};
     for (const auto& entry : c.contact)
       if (entry.second.body == name && !entry.second.rigid.empty())
-        start.holes.push_back(model.rigids[place_of(c.rigid, entry.second.rigid)].shape);
+        start.holes.push_back(model.rigid_bodies[place_of(c.rigid, entry.second.rigid)].shape);
     state.particles.push_back(fill(model.mesh, name, settings, start));
     if (state.particles.back().size() == 0)
       throw InputError(fmt::format("body.{}: its regions have no cells outside the rigid bodies, so it has no particles", name));

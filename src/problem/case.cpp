@@ -115,8 +115,8 @@ void check_rigids(Describe& d, const Case& c)
       d.check(polygon->x.size() == polygon->y.size(), path + ".y",
               fmt::format("has {} numbers, and x has {}", polygon->y.size(), polygon->x.size()));
       d.check(polygon->x.size() >= 3, path + ".x", fmt::format("needs three corners or more, and has {}", polygon->x.size()));
-      constexpr std::size_t most = 1000;  // every corner is compared with every other
-      d.check(polygon->x.size() <= most, path + ".x", fmt::format("may have {} corners at most, and has {}", most, polygon->x.size()));
+      constexpr std::size_t max = 1000;  // every corner is compared with every other
+      d.check(polygon->x.size() <= max, path + ".x", fmt::format("may have {} corners at most, and has {}", max, polygon->x.size()));
       d.check(is_simple(*polygon), path + ".x", "the sides of a polygon must not cross or touch each other");
     }
     d.check(rigid.motion == bodies::Motion::driven || rigid.mass > 0, path + ".motion", "a free body needs a mass");
@@ -147,9 +147,9 @@ void check_stages(Describe& d, const Case& c)
     const StageSettings& s = c.stage[k];
     const std::string path = fmt::format("stage[{}]", k);
     const bool push = s.kind == StageKind::push, drag = s.kind == StageKind::drag, driven = push || drag;
-    constexpr std::size_t most = 100;
-    d.check(!s.name.empty() && s.name.size() <= most && s.name.find_first_of(",\".") == std::string::npos, path + ".name",
-            fmt::format("must be a word without comma, dot or quotes, {} bytes at most", most));
+    constexpr std::size_t max = 100;
+    d.check(!s.name.empty() && s.name.size() <= max && s.name.find_first_of(",\".") == std::string::npos, path + ".name",
+            fmt::format("must be a word without comma, dot or quotes, {} bytes at most", max));
     d.check(!among(s.name, seen), path + ".name", "another stage has this name");
     seen.push_back(s.name);
     if (!s.rigid.empty()) check_name(d, path + ".rigid", s.rigid, "rigid", names_of(c.rigid));
@@ -236,27 +236,27 @@ void check_fem(Describe& d, const Case& c)
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
   if (c.method != Method::fem || !c.fem.contact_size || bed == nullptr) return;
   for (const auto& [name, rigid] : c.rigid)
-    d.check(cells_around(rigid.shape, *bed, *c.fem.contact_size) <= mesh::most_seabed_cells, "fem.contact_size",
-            fmt::format("makes more than {:.0e} cells around [rigid.{}]: enlarge it or mesh.growth", mesh::most_seabed_cells, name));
+    d.check(cells_around(rigid.shape, *bed, *c.fem.contact_size) <= mesh::max_seabed_cells, "fem.contact_size",
+            fmt::format("makes more than {:.0e} cells around [rigid.{}]: enlarge it or mesh.growth", mesh::max_seabed_cells, name));
 }
 
 /// Rows and frames are written to a disk that ends. Stages whose end cannot be told are not counted.
 void check_output(Describe& d, const Case& c)
 {
-  constexpr Real most_rows = 1e10, most_frames = 1e5;
+  constexpr Real max_rows = 1e10, max_frames = 1e5;
   Real time = 0, travel = 0;
   for (const StageSettings& stage : c.stage) {
     if (stage.until.force || (!stage.velocity && (stage.until.displacement || stage.until.embedment))) continue;
     time += expected_time(stage);
     travel += std::abs(stage.velocity.value_or(0)) * expected_time(stage);
   }
-  const auto check_number = [&](const std::optional<Real>& interval, Real whole, Real most, const char* key, const char* what) {
+  const auto check_number = [&](const std::optional<Real>& interval, Real whole, Real max, const char* key, const char* what) {
     const Real number = interval ? whole / *interval : 0;
-    d.check(number <= most, std::string("output.") + key, fmt::format("makes {:.3g} {}; at most {:.0e} are written", number, what, most));
+    d.check(number <= max, std::string("output.") + key, fmt::format("makes {:.3g} {}; at most {:.0e} are written", number, what, max));
   };
-  check_number(c.output.history_time, time, most_rows, "history_time", "rows of history.csv");
-  check_number(c.output.frame_time, time, most_frames, "frame_time", "frames");
-  check_number(c.output.frame_travel, travel, most_frames, "frame_travel", "frames");
+  check_number(c.output.history_time, time, max_rows, "history_time", "rows of history.csv");
+  check_number(c.output.frame_time, time, max_frames, "frame_time", "frames");
+  check_number(c.output.frame_travel, travel, max_frames, "frame_travel", "frames");
 }
 
 }  // namespace
@@ -271,10 +271,12 @@ void describe(Describe& d, MpmSettings& mpm)
            {.meaning =
                 "what stress is integrated over: a cell within the body over its own volume, one at a free surface over its particles'; or "
                 "each particle over its own everywhere, as published"});
-  d.value("least_volume_ratio", mpm.least_volume_ratio,
-          {.meaning = "smallest volume of a particle, over its first", .range = {0, 1, true}});
-  d.value("most_volume_ratio", mpm.most_volume_ratio,
-          {.meaning = "largest volume of a particle, over its first; a particle that has it dilates no more", .range = {1, 10}});
+  d.value("min_volume_ratio", mpm.min_volume_ratio,
+          {.meaning = "smallest volume of a particle, over its first", .range = {0, 1, true}, .formerly = "least_volume_ratio"});
+  d.value("max_volume_ratio", mpm.max_volume_ratio,
+          {.meaning = "largest volume of a particle, over its first; a particle that has it dilates no more",
+           .range = {1, 10},
+           .formerly = "most_volume_ratio"});
   d.value(
       "velocity_filter", mpm.velocity_filter,
       {.meaning =
@@ -283,7 +285,7 @@ void describe(Describe& d, MpmSettings& mpm)
        .range = {0, 1}});
   d.value("bulk_viscosity", mpm.bulk_viscosity,
           {.meaning = "in soil that can yield: viscous mean stress over density x wave speed x height of a cell x rate of volume change; "
-                      "calms the waves that take strength from soil without cohesion",
+                      "damps the pressure waves that take strength from soil without cohesion",
            .range = {0, 1}});
 }
 

@@ -23,8 +23,8 @@ struct MpmSettings {
   Real courant = 0.5;                 ///< time step over the time that a wave needs across the smallest height
   bool volumetric_projection = true;  ///< the cure against volumetric locking
   Quadrature quadrature = Quadrature::full_cells;
-  Real least_volume_ratio = 0.8;  ///< bounds of a particle's volume over its first
-  Real most_volume_ratio = 1.2;
+  Real min_volume_ratio = 0.8;  ///< bounds of a particle's volume over its first
+  Real max_volume_ratio = 1.2;
   /// Of soil that can yield: the part of unresolved particle velocities that is taken out while a wave crosses the smallest height.
   Real velocity_filter = 0.1;
   /// Of soil that can yield: viscous mean stress over density, wave speed, height and rate of volume change.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr Real steepest_isotropic = 0.8;  // k0, beyond which the soil is stiffer along the horizontal
 constexpr Real converged = 1e-11;         // of the weight
-constexpr int most_iterations = 20000;
+constexpr int max_iterations = 20000;
 
 /// The soil of one body in one cell.
 template <int dim>
@@ -72,7 +72,7 @@ public:
     precondition();
     direction = step;
     Real slope = product<dim>(residual, step);
-    for (int n = 0; n < most_iterations; ++n) {
+    for (int n = 0; n < max_iterations; ++n) {
       if (product<dim>(residual, residual) <= enough) return true;
       multiply(direction, image);
       const Real stiffness = product<dim>(direction, image), by = slope / stiffness;

@@ -62,13 +62,13 @@ struct Lines {
     int first[2] = {0, 0}, last[2] = {0, 0};
     for (const int d : {0, dim - 1}) {
       if (d == 1) continue;
-      Real least = infinity, most = -infinity;
+      Real min = infinity, max = -infinity;
       for (const Index i : mesh.nodes[cell]) {
-        least = std::min(least, mesh.position[i][d]);
-        most = std::max(most, mesh.position[i][d]);
+        min = std::min(min, mesh.position[i][d]);
+        max = std::max(max, mesh.position[i][d]);
       }
-      first[d > 0] = std::max(0, static_cast<int>(std::ceil((least - lower[d]) / spacing[d] - between)));
-      last[d > 0] = std::min(along - 1, static_cast<int>(std::floor((most - lower[d]) / spacing[d] - between)));
+      first[d > 0] = std::max(0, static_cast<int>(std::ceil((min - lower[d]) / spacing[d] - between)));
+      last[d > 0] = std::min(along - 1, static_cast<int>(std::floor((max - lower[d]) / spacing[d] - between)));
     }
     for (int j = first[1]; j <= last[1]; ++j)
       for (int i = first[0]; i <= last[0]; ++i) {
@@ -83,7 +83,7 @@ struct Lines {
 template <int dim>
 bool meets_rigid(const Model<dim>& model, const Vec<dim>& x)
 {
-  return std::any_of(model.rigids.begin(), model.rigids.end(), [&](const bodies::Rigid<dim>& rigid) {
+  return std::any_of(model.rigid_bodies.begin(), model.rigid_bodies.end(), [&](const bodies::RigidBody<dim>& rigid) {
     if (std::holds_alternative<bodies::HalfPlane<dim>>(rigid.shape)) return false;
     Vec<dim> away = center_of<dim>(rigid.shape) - x;
     away[1] = 0;

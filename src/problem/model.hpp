@@ -25,7 +25,7 @@ struct Contact {
   Real adhesion;                  ///< Pa
   contact::Scheme scheme;
   contact::Detection detection;
-  Real approach_steps;
+  Real gap_closing_steps;
 };
 
 /// A traction: when it acts. Its forces are those of the load points.
@@ -56,7 +56,7 @@ struct Model {
   mesh::Mesh<dim> mesh;
   mesh::Patches patches;  ///< that share one volume change; each cell alone without the volumetric projection
   std::vector<Body<dim>> bodies;
-  std::vector<bodies::Rigid<dim>> rigids;
+  std::vector<bodies::RigidBody<dim>> rigid_bodies;
   std::vector<Contact> contacts;
   std::vector<Traction> tractions;
   std::vector<LoadPoint<dim>> load_points;
@@ -134,7 +134,7 @@ struct State {
   BigIndex step = 0;
   Real dt = 0;                                    ///< s, the time step in force
   std::vector<bodies::Particles<dim>> particles;  ///< by body
-  std::vector<bodies::RigidState<dim>> rigids;
+  std::vector<bodies::RigidState<dim>> rigid_bodies;
   std::vector<Vec<dim>>
       pair_impulses;  ///< by contact: what the other body gave to the body since the start, N s/m or N s; zero at rigid bodies
   std::vector<TractionState> tractions;

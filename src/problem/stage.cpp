@@ -29,7 +29,8 @@ void describe(Describe& d, StageSettings& stage)
   d.value("ramp", stage.ramp,
           {.meaning = "time in which the drive goes from what it was to its value", .unit = "s", .range = not_negative});
   d.value("damping", stage.damping,
-          {.meaning = "local damping of all bodies in this stage, instead of their own; a geostatic stage likes 0.7", .range = {0, 1}});
+          {.meaning = "local damping of all bodies in this stage, instead of their own; 0.7 is recommended for a geostatic stage",
+           .range = {0, 1}});
   d.table("until", stage.until, {.meaning = "the stage ends at the first of these that is reached"});
   d.value("equilibrium", stage.equilibrium,
           {.meaning = "geostatic: largest out-of-balance force, over the weight, that is called equilibrium", .range = positive});

@@ -7,12 +7,13 @@ namespace {
 /// What gravity and a drive did to a free rigid body when they and its contacts changed its motion, less the work that the contacts counted when
 /// they gave their part to the soil: the kinetic energy of a free body is in the balance, so what passes between it and the soil is not from outside.
 template <int dim>
-Real work_of_outside(const bodies::Rigid<dim>& body, const bodies::RigidState<dim>& before, const bodies::RigidState<dim>& after, Real dt)
+Real work_of_outside(const bodies::RigidBody<dim>& body, const bodies::RigidState<dim>& before, const bodies::RigidState<dim>& after,
+                     Real dt)
 {
   const Vec<dim> impulse = body.mass * (after.velocity - before.velocity) - dt * after.reaction;
-  const Real torque_impulse = body.inertia * (after.spin - before.spin) - dt * after.torque;
-  return impulse.dot(after.velocity + before.velocity) / 2 + torque_impulse * (after.spin + before.spin) / 2 +
-         dt * (after.reaction.dot(before.velocity) + after.torque * before.spin);
+  const Real torque_impulse = body.inertia * (after.angular_velocity - before.angular_velocity) - dt * after.torque;
+  return impulse.dot(after.velocity + before.velocity) / 2 + torque_impulse * (after.angular_velocity + before.angular_velocity) / 2 +
+         dt * (after.reaction.dot(before.velocity) + after.torque * before.angular_velocity);
 }
 
 }  // namespace
@@ -20,7 +21,8 @@ Real work_of_outside(const bodies::Rigid<dim>& body, const bodies::RigidState<di
 template <int dim>
 PipeMotion pipe_motion(const Model<dim>& model, const State<dim>& state, Index rigid)
 {
-  return {state.rigids[rigid].displacement[0], model.surface - lowest_level<dim>(placed<dim>(model.rigids[rigid], state.rigids[rigid]))};
+  return {state.rigid_bodies[rigid].displacement[0],
+          model.surface - lowest_level<dim>(placed<dim>(model.rigid_bodies[rigid], state.rigid_bodies[rigid]))};
 }
 
 template <int dim>
@@ -45,7 +47,7 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
   }
   if (driven == none) return;
 
-  const bodies::RigidState<dim>& rigid = state.rigids[driven];
+  const bodies::RigidState<dim>& rigid = state.rigid_bodies[driven];
   now.begin_displacement = rigid.displacement;
   const auto by_velocity = [&](int d, Real v) { now.drive[d] = {false, rigid.velocity[d], v}; };
   const auto by_force = [&](int d, Real f) { now.drive[d] = {true, -rigid.smooth_reaction[d], f}; };
@@ -77,7 +79,7 @@ bool stage_ended(const Model<dim>& model, const State<dim>& state)
   if (until.time && state.time - now.begin_time >= *until.time * (1 - 1e-12)) return true;
   const Index driven = model.driven[now.index];
   if (driven == none) return false;
-  const bodies::RigidState<dim>& rigid = state.rigids[driven];
+  const bodies::RigidState<dim>& rigid = state.rigid_bodies[driven];
   if (until.displacement && std::abs(rigid.displacement[0] - now.begin_displacement[0]) >= *until.displacement) return true;
   if (until.embedment && pipe_motion(model, state, driven).w >= *until.embedment) return true;
   return until.force && resistance(model, state, rigid.smooth_reaction) >= *until.force;
@@ -89,9 +91,9 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
   const StageSettings& stage = model.stages[state.stage.index];
   const Real since = state.time + dt - state.stage.begin_time;
   const Vec<dim> gravity = gravity_now(model, state.time);
-  for (Index r = 0; r < static_cast<Index>(state.rigids.size()); ++r) {
-    const bodies::Rigid<dim>& body = model.rigids[r];
-    bodies::RigidState<dim>& rigid = state.rigids[r];
+  for (Index r = 0; r < static_cast<Index>(state.rigid_bodies.size()); ++r) {
+    const bodies::RigidBody<dim>& body = model.rigid_bodies[r];
+    bodies::RigidState<dim>& rigid = state.rigid_bodies[r];
     const bodies::RigidState<dim> before = rigid;
     const bool driven = r == model.driven[state.stage.index];
     const bool moves = driven || (body.motion == bodies::Motion::free && stage.kind != StageKind::geostatic);
@@ -103,22 +105,22 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
       else
         rigid.velocity[d] = moves ? rigid.velocity[d] + dt * (gravity[d] + rigid.reaction[d] / body.mass) : 0;
     }
-    rigid.spin = moves && body.rotation == bodies::Rotation::free ? rigid.spin + dt * rigid.torque / body.inertia : 0;
+    rigid.angular_velocity =
+        moves && body.rotation == bodies::Rotation::free ? rigid.angular_velocity + dt * rigid.torque / body.inertia : 0;
     if (body.motion == bodies::Motion::free) state.totals.external += work_of_outside(body, before, rigid, dt);
   }
 }
 
 Real expected_time(const StageSettings& stage)
 {
-  Real least = stage.until.time.value_or(infinity);
+  Real min = stage.until.time.value_or(infinity);
   if (stage.velocity && *stage.velocity != 0) {
     const Real speed = std::abs(*stage.velocity);
-    if (stage.kind == StageKind::drag && stage.until.displacement)
-      least = std::min(least, *stage.until.displacement / speed + stage.ramp / 2);
-    if (stage.kind == StageKind::push && stage.until.embedment) least = std::min(least, *stage.until.embedment / speed + stage.ramp / 2);
+    if (stage.kind == StageKind::drag && stage.until.displacement) min = std::min(min, *stage.until.displacement / speed + stage.ramp / 2);
+    if (stage.kind == StageKind::push && stage.until.embedment) min = std::min(min, *stage.until.embedment / speed + stage.ramp / 2);
   }
   // A body that starts above the bed may have a negative embedment to reach.
-  return 0 < least && least < infinity ? least : 0;
+  return 0 < min && min < infinity ? min : 0;
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \

@@ -227,9 +227,9 @@ private:
       for (int b = 0; b < blocks_a_cell_; ++b) {
         BareBlock& p = blocks_[e * blocks_a_cell_ + b];
         for (int d = 0; d < 2; ++d) p.x[d] += tiny_motion * dt * (f[0][d] + f[1][d] * p.x[0] + f[2][d] * p.x[1]);
-        BareLanes least = 1 - BareLanes{};
-        for (int k = 0; k < 3; ++k) least = smaller(least, cell.a[k] + cell.b[k] * p.x[0] + cell.c[k] * p.x[1]);
-        if (any(least < -1e-6 - BareLanes{})) [[unlikely]]
+        BareLanes min = 1 - BareLanes{};
+        for (int k = 0; k < 3; ++k) min = smaller(min, cell.a[k] + cell.b[k] * p.x[0] + cell.c[k] * p.x[1]);
+        if (any(min < -1e-6 - BareLanes{})) [[unlikely]]
           p.plastic = BareLanes{};
         BareLanes* s = p.stress;
         const BareLanes trial_x = s[0] + (lame * volume + 2 * shear * xx) + 2 * spin * s[3];

@@ -78,7 +78,7 @@ Frame<2> FemFrameMaker::make(const fem::FemState& state)
   }
   last_displacement_ = state.displacement;
   frame.triangles.assign(mesh.nodes.begin(), mesh.nodes.end());
-  frame.rigids = frame_rigids(model_.model, state.state.rigids);
+  frame.rigid_bodies = frame_rigids(model_.model, state.state.rigid_bodies);
   return frame;
 }
 

@@ -4,11 +4,12 @@
 namespace berm::run_folder {
 
 template <int dim>
-std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>& model, const std::vector<bodies::RigidState<dim>>& rigids)
+std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>& model, const std::vector<bodies::RigidState<dim>>& rigid_bodies)
 {
   std::vector<FrameRigid<dim>> shown;
-  for (std::size_t r = 0; r < model.rigids.size(); ++r)
-    shown.push_back({surface_of<dim>(placed<dim>(model.rigids[r], rigids[r]), model.mesh.lower, model.mesh.upper), rigids[r].velocity});
+  for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
+    shown.push_back({surface_of<dim>(placed<dim>(model.rigid_bodies[r], rigid_bodies[r]), model.mesh.lower, model.mesh.upper),
+                     rigid_bodies[r].velocity});
   return shown;
 }
 

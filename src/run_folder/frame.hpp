@@ -32,11 +32,11 @@ struct Frame {
   std::vector<FrameParticle<dim>> particles;
   std::vector<std::array<Index, 6>>
       triangles;  ///< quadratic, of particles: corners counter-clockwise, middles of sides 01 12 20; none in MPM
-  std::vector<FrameRigid<dim>> rigids;
+  std::vector<FrameRigid<dim>> rigid_bodies;
 };
 
 /// The model's rigid bodies where `rigids` says that they are; a half-plane as far as the mesh reaches.
 template <int dim>
-std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>& model, const std::vector<bodies::RigidState<dim>>& rigids);
+std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>& model, const std::vector<bodies::RigidState<dim>>& rigid_bodies);
 
 }  // namespace berm::run_folder

@@ -62,7 +62,7 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
     add_strains(state.particles[body], known_[body], frame.particles.data() + offset);
   }
   std::erase_if(frame.particles, [](const FrameParticle<dim>& f) { return f.particle.id == none; });
-  frame.rigids = frame_rigids(model_, state.rigids);
+  frame.rigid_bodies = frame_rigids(model_, state.rigid_bodies);
   return frame;
 }
 
@@ -93,7 +93,7 @@ void FrameMaker<dim>::add_strains(const bodies::Particles<dim>& particles, std::
 }
 
 template <int dim>
-void FrameMaker<dim>::keep(Keep& k)
+void FrameMaker<dim>::archive(Archive& k)
 {
   for (std::size_t body = 0; body < known_.size(); ++body)
     for (int d = 0; d < dim; ++d) {

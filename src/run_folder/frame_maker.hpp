@@ -18,7 +18,7 @@ public:
 
   /// What the increments of the next frame count from. Where the particles were at the start is not kept: a run that goes on makes its FrameMaker at the
   /// same start.
-  void keep(Keep& k);
+  void archive(Archive& k);
 
 private:
   /// What is remembered of a particle.

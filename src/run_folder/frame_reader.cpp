@@ -74,7 +74,7 @@ std::vector<FrameFiles> frame_files(const std::filesystem::path& frames_folder)
 {
   const std::filesystem::path path = frames_folder / "frames.pvd";
   if (!std::filesystem::exists(path)) return {};
-  const std::string text = io::read_whole(path);
+  const std::string text = io::read_text_file(path);
   const auto refuse = [&](const char* words) { throw RunError(fmt::format("{}: {}", path.string(), words)); };
   if (!text.ends_with("</Collection>\n</VTKFile>\n")) refuse("has no end; it was cut off");
   std::vector<FrameFiles> frames;
@@ -116,16 +116,16 @@ SavedSoil read_soil(const std::filesystem::path& file)
 SavedRigids read_rigids(const std::filesystem::path& file)
 {
   const io::VtuFile vtu(file);
-  SavedRigids rigids;
+  SavedRigids rigid_bodies;
   Coordinates points = coordinates_in(vtu);
-  rigids.x = std::move(points.x);
-  rigids.y = std::move(points.y);
-  rigids.z = std::move(points.z);
-  rigids.cells = cells_in(vtu);
+  rigid_bodies.x = std::move(points.x);
+  rigid_bodies.y = std::move(points.y);
+  rigid_bodies.z = std::move(points.z);
+  rigid_bodies.cells = cells_in(vtu);
   for (const std::uint8_t type : vtu.numbers<std::uint8_t>("types", vtu.cell_count()))
-    rigids.types.push_back(static_cast<io::VtkCell>(type));
-  rigids.rigid = vtu.numbers<std::int32_t>("rigid", vtu.cell_count());
-  return rigids;
+    rigid_bodies.types.push_back(static_cast<io::VtkCell>(type));
+  rigid_bodies.rigid = vtu.numbers<std::int32_t>("rigid", vtu.cell_count());
+  return rigid_bodies;
 }
 
 }  // namespace berm::run_folder

@@ -39,7 +39,7 @@ void FrameWriter<dim>::write(Frame<dim> frame)
   if (written && last_.time == frame.time) return;
   last_ = std::move(frame);
   if (written) return;  // by the run that this one goes on with
-  with_rigids_ = !last_.rigids.empty();
+  with_rigids_ = !last_.rigid_bodies.empty();
   const Index number = static_cast<Index>(times_.size());
   write_soil(file_name(soil_kind(), number));
   if (with_rigids_) write_rigids(file_name("rigid", number));
@@ -59,7 +59,7 @@ std::vector<std::string> FrameWriter<dim>::files() const
 }
 
 template <int dim>
-void FrameWriter<dim>::keep(Keep& k)
+void FrameWriter<dim>::archive(Archive& k)
 {
   k("times", times_);
   k("with_rigids", with_rigids_);
@@ -151,21 +151,21 @@ template <int dim>
 void FrameWriter<dim>::write_rigids(const std::string& name) const
 {
   std::vector<Real> points;
-  for (const FrameRigid<dim>& f : last_.rigids)
+  for (const FrameRigid<dim>& f : last_.rigid_bodies)
     for (const Vec<dim>& x : f.surface.points) append<dim>(points, x);
   io::Vtu vtu(std::move(points));
   std::vector<std::int32_t> rigid;
   std::vector<float> velocity;
   Index first = 0;
-  for (std::size_t r = 0; r < last_.rigids.size(); ++r) {
-    for (const auto& cell : last_.rigids[r].surface.cells) {
+  for (std::size_t r = 0; r < last_.rigid_bodies.size(); ++r) {
+    for (const auto& cell : last_.rigid_bodies[r].surface.cells) {
       std::vector<Index> corners = cell.points;
       for (Index& corner : corners) corner += first;
       vtu.add_cell(cell.type, corners);
       rigid.push_back(static_cast<std::int32_t>(r));
-      append<dim>(velocity, last_.rigids[r].velocity);
+      append<dim>(velocity, last_.rigid_bodies[r].velocity);
     }
-    first += static_cast<Index>(last_.rigids[r].surface.points.size());
+    first += static_cast<Index>(last_.rigid_bodies[r].surface.points.size());
   }
   vtu.set_time(last_.time);
   vtu.cell_field("rigid", 1, rigid);
@@ -185,7 +185,7 @@ void FrameWriter<dim>::write_collection() const
     line(0, soil_kind());
     if (with_rigids_) line(1, "rigid");
   }
-  io::write_whole(folder_ / collection, xml + "</Collection>\n</VTKFile>\n");
+  io::write_atomically(folder_ / collection, xml + "</Collection>\n</VTKFile>\n");
 }
 
 template class FrameWriter<2>;

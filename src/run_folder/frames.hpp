@@ -23,7 +23,7 @@ public:
   void write(Frame<dim> frame);
 
   /// What is needed to go on behind the frames written so far, whose names are forced to the disk. Reading refuses where one of their files is gone.
-  void keep(Keep& k);
+  void archive(Archive& k);
   /// Removes frames that are not among those written: of a run that came farther than where it goes on from.
   void remove_others() const;
 

@@ -25,10 +25,10 @@ Vec<3> stretches(const Matrix<3>& f)
 template <int dim>
 GradientStrain gradient_strain(const Matrix<dim>& deformation)
 {
-  constexpr Real most_stretch = 1000;
+  constexpr Real max_stretch = 1000;
   const Vec<dim> stretch = stretches(deformation);
   SymTensor<dim> strain{};
-  for (int d = 0; d < dim; ++d) strain[d] = std::log(std::clamp(stretch[d], 1 / most_stretch, most_stretch));
+  for (int d = 0; d < dim; ++d) strain[d] = std::log(std::clamp(stretch[d], 1 / max_stretch, max_stretch));
   return {equivalent_deviatoric_strain(strain), trace(strain)};
 }
 
@@ -68,11 +68,11 @@ template <int dim>
 void NodalGradient<dim>::fit()
 {
   // Of the determinant that points all round would have: of points almost in line, the noise across would be the gradient.
-  constexpr Real least_determinant = 1e-4;
+  constexpr Real min_determinant = 1e-4;
   for (Node& node : nodes_) {
     if (!(node.w > 0)) continue;
     const Matrix<dim> spread = node.wdd - node.wd * node.wd.transpose() / node.w;
-    const bool all_round = spread.determinant() > least_determinant * std::pow(spread.trace() / dim, dim);
+    const bool all_round = spread.determinant() > min_determinant * std::pow(spread.trace() / dim, dim);
     if (all_round) node.wud = ((node.wud - node.wu * node.wd.transpose() / node.w) * spread.inverse()).eval();
     node.w = all_round ? 1 : 0;
   }

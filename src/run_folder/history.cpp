@@ -62,11 +62,11 @@ bool has_control_character(const std::string& text)
 /// A field in quotes on one line, as far as it is needed to find it.
 std::string shown(const std::string& field)
 {
-  constexpr std::size_t most = 30;
-  std::string text = field.substr(0, most);
+  constexpr std::size_t max = 30;
+  std::string text = field.substr(0, max);
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7F; }, '?');
-  return '"' + text + (field.size() > most ? "...\"" : "\"");
+  return '"' + text + (field.size() > max ? "...\"" : "\"");
 }
 
 }  // namespace

@@ -109,10 +109,10 @@ RigidSurface<dim> make(const bodies::HalfPlane<dim>& plane, const Vec<dim>& lowe
     a << plane.normal[1], -plane.normal[0];
     piece = {center - reach * a, center + reach * a};
   } else {
-    int least = 0;
-    plane.normal.cwiseAbs().minCoeff(&least);
-    a[least] = 1;
-    a = (a - plane.normal[least] * plane.normal).normalized();
+    int min = 0;
+    plane.normal.cwiseAbs().minCoeff(&min);
+    a[min] = 1;
+    a = (a - plane.normal[min] * plane.normal).normalized();
     const Vec<dim>& n = plane.normal;
     const Vec<dim> b(n[1] * a[2] - n[2] * a[1], n[2] * a[0] - n[0] * a[2], n[0] * a[1] - n[1] * a[0]);
     piece = {center - reach * (a + b), center + reach * (a - b), center + reach * (a + b), center - reach * (a - b)};

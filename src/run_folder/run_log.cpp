@@ -74,9 +74,9 @@ private:
 /// Hands each message to the system whole, and remembers why it did not take one.
 class LogFileSink : public spdlog::sinks::base_sink<std::mutex> {
 public:
-  LogFileSink(const std::filesystem::path& path, bool goes_on)
+  LogFileSink(const std::filesystem::path& path, bool resume)
       : path_(path),
-        file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | (goes_on ? 0 : O_TRUNC), 0666))
+        file_(::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC | (resume ? 0 : O_TRUNC), 0666))
   {
     if (file_ < 0) io::throw_errno(fmt::format("cannot write {}", path.string()));
   }
@@ -105,10 +105,10 @@ private:
   int file_, failure_ = 0;
 };
 
-RunLog::RunLog(const std::filesystem::path& file, bool goes_on)
+RunLog::RunLog(const std::filesystem::path& file, bool resume)
     : has_terminal_(::isatty(STDERR_FILENO) == 1),
       terminal_(std::make_shared<StderrSink>()),
-      file_(std::make_shared<LogFileSink>(file, goes_on)),
+      file_(std::make_shared<LogFileSink>(file, resume)),
       before_(spdlog::default_logger())
 {
   file_->set_formatter(formatter("%Y-%m-%d %H:%M:%S %*%v"));

@@ -16,7 +16,7 @@ class LogFileSink;
 class RunLog {
 public:
   /// Begins the file, or goes on behind what it holds. Throws RunError where it cannot be written.
-  explicit RunLog(const std::filesystem::path& file, bool goes_on = false);
+  explicit RunLog(const std::filesystem::path& file, bool resume = false);
   ~RunLog();
   RunLog(const RunLog&) = delete;
   RunLog& operator=(const RunLog&) = delete;

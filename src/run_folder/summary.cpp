@@ -52,7 +52,7 @@ std::string Summary::json() const
 
 void Summary::write(const std::filesystem::path& path) const
 {
-  io::write_whole(path, json());
+  io::write_atomically(path, json());
 }
 
 }  // namespace berm::run_folder

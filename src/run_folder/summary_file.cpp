@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr std::uintmax_t most_bytes = 10'000'000;  // a summary has some thousands
+constexpr std::uintmax_t max_bytes = 10'000'000;  // a summary has some thousands
 
 [[noreturn]] void refuse(const std::string& why)
 {
@@ -68,7 +68,7 @@ RunSummary summary_of(const Json& json)
 Json parsed(const fs::path& file)
 {
   try {
-    return Json::parse(io::read_whole(file));
+    return Json::parse(io::read_text_file(file));
   } catch (const Json::parse_error& error) {
     refuse(fmt::format("byte {} is not JSON", error.byte));
   } catch (const Json::exception&) {
@@ -92,7 +92,7 @@ std::optional<RunSummary> read_summary(const fs::path& run_folder)
   try {
     const bool readable = !error && fs::is_regular_file(file, error) && ::access(file.c_str(), R_OK) == 0;
     if (!readable) throw RunError("cannot be read");
-    if (fs::file_size(file, error) > most_bytes) refuse("it is too long");
+    if (fs::file_size(file, error) > max_bytes) refuse("it is too long");
     return summary_of(parsed(file));
   } catch (const RunError& found) {
     throw RunError(fmt::format("{} {}", file.string(), found.what()));

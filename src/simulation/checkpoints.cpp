@@ -44,7 +44,7 @@ bool Checkpoints::read(const checkpoint::Contents& contents)
   return !used.empty();
 }
 
-void keep_same(Keep& k, const std::string& name, const std::string& own, const std::string& why)
+void archive_same(Archive& k, const std::string& name, const std::string& own, const std::string& why)
 {
   std::string found = own;
   k(name, found);
@@ -52,16 +52,16 @@ void keep_same(Keep& k, const std::string& name, const std::string& own, const s
 }
 
 template <int dim>
-void keep_same_mesh(Keep& k, const mesh::Mesh<dim>& mesh)
+void archive_same_mesh(Archive& k, const mesh::Mesh<dim>& mesh)
 {
   const std::uint32_t of_positions =
       checkpoint::crc_of(mesh.position.data(), sizeof(Vec<dim>) * static_cast<std::size_t>(mesh.node_count()));
   const std::uint32_t of_cells = checkpoint::crc_of(mesh.nodes.data(), sizeof(mesh.nodes[0]) * static_cast<std::size_t>(mesh.cell_count()));
   const std::string own = fmt::format("{} nodes {:08x}, {} cells {:08x}", mesh.node_count(), of_positions, mesh.cell_count(), of_cells);
-  keep_same(k, "mesh", own, "it is of another mesh");
+  archive_same(k, "mesh", own, "it is of another mesh");
 }
 
-void keep_history(Keep& k, const fs::path& history, BigIndex& bytes)
+void archive_history(Archive& k, const fs::path& history, BigIndex& bytes)
 {
   // -1 where the file has not as many bytes.
   const auto crc_of_rows = [&] {
@@ -75,7 +75,7 @@ void keep_history(Keep& k, const fs::path& history, BigIndex& bytes)
   if (crc < 0 || crc != crc_of_rows()) k.refuse(fmt::format("{} has not the {} bytes any more that it had then", history.string(), bytes));
 }
 
-template void keep_same_mesh(Keep&, const mesh::Mesh<2>&);
-template void keep_same_mesh(Keep&, const mesh::Mesh<3>&);
+template void archive_same_mesh(Archive&, const mesh::Mesh<2>&);
+template void archive_same_mesh(Archive&, const mesh::Mesh<3>&);
 
 }  // namespace berm::simulation

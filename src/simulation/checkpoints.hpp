@@ -38,14 +38,14 @@ private:
 };
 
 /// Refuses a checkpoint in which a text is not this run's own.
-void keep_same(Keep& k, const std::string& name, const std::string& own, const std::string& why);
+void archive_same(Archive& k, const std::string& name, const std::string& own, const std::string& why);
 
 /// Refuses a checkpoint of another mesh.
 template <int dim>
-void keep_same_mesh(Keep& k, const mesh::Mesh<dim>& mesh);
+void archive_same_mesh(Archive& k, const mesh::Mesh<dim>& mesh);
 
 /// Refuses a checkpoint whose history.csv is not there any more: `bytes` is its length, with all rows on the disk where a checkpoint is written. Forces the
 /// names in its folder there, too.
-void keep_history(Keep& k, const std::filesystem::path& history, BigIndex& bytes);
+void archive_history(Archive& k, const std::filesystem::path& history, BigIndex& bytes);
 
 }  // namespace berm::simulation

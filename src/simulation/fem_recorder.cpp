@@ -37,15 +37,15 @@ void FemRecorder::add_row(const fem::FemModel& model, fem::FemState& state, cons
   std::vector<Real> row(4, unknown);
   Real moment = unknown, angle = unknown, overlap = unknown;
   if (model.rigid != none) {
-    bodies::RigidState<2>& rigid = state.state.rigids[model.rigid];
+    bodies::RigidState<2>& rigid = state.state.rigid_bodies[model.rigid];
     const problem::PipeMotion motion = pipe_motion(model.model, now, model.rigid);
     horizontal_ = -drag_direction(model.model, now) * rigid.reaction[0] + 0.;
     vertical_ = rigid.reaction[1];
     row = {motion.u, motion.w, horizontal_, vertical_};
     moment = rigid.torque;
     angle = rigid.angle;
-    overlap = rigid.deepest;
-    rigid.deepest = 0;
+    overlap = rigid.max_overlap;
+    rigid.max_overlap = 0;
     if (model.model.driven[now.stage.index] != none && end.iterations > 0) {
       largest_unbalance_ = std::max(largest_unbalance_, end.unbalance);
       largest_overstress_ = std::max(largest_overstress_, state.overstress);

@@ -19,7 +19,7 @@ namespace {
 constexpr Real mebibyte = 1 << 20;
 
 template <int dim, class CellsOf>
-std::vector<RunSize::OfBody> least_bodies(const problem::Case& c, const CellsOf& cells_of)
+std::vector<RunSize::OfBody> min_bodies(const problem::Case& c, const CellsOf& cells_of)
 {
   std::vector<RunSize::OfBody> bodies;
   for (const auto& [name, settings] : c.body) {
@@ -86,7 +86,7 @@ Real page_count(int place)
 }  // namespace
 
 template <int dim>
-RunSize least_size(const problem::Case& c)
+RunSize min_size(const problem::Case& c)
 {
   RunSize size;
   size.contacts = c.contact.size();
@@ -102,18 +102,18 @@ RunSize least_size(const problem::Case& c)
     size.nodes = size.cells / 2;
   }
   const bool is_box = std::holds_alternative<mesh::BoxMesh>(c.mesh);
-  size.bodies = least_bodies<dim>(c, [&](const std::string&) { return is_box ? size.cells : 0; });
+  size.bodies = min_bodies<dim>(c, [&](const std::string&) { return is_box ? size.cells : 0; });
   return size;
 }
 
 template <int dim>
-RunSize least_size(const problem::Case& c, const mesh::Mesh<dim>& mesh)
+RunSize min_size(const problem::Case& c, const mesh::Mesh<dim>& mesh)
 {
   RunSize size;
   size.contacts = c.contact.size();
   size.cells = mesh.cell_count();
   size.nodes = mesh.node_count();
-  size.bodies = least_bodies<dim>(c, [&](const std::string& name) {
+  size.bodies = min_bodies<dim>(c, [&](const std::string& name) {
     return static_cast<Real>(std::count(mesh.region.begin(), mesh.region.end(), mesh.find_region(name)));
   });
   return size;
@@ -201,8 +201,8 @@ void refuse_without_memory(const RunSize& size, Real in_use)
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template RunSize least_size<dim>(const problem::Case&);                                                                                  \
-  template RunSize least_size(const problem::Case&, const mesh::Mesh<dim>&);                                                               \
+  template RunSize min_size<dim>(const problem::Case&);                                                                                    \
+  template RunSize min_size(const problem::Case&, const mesh::Mesh<dim>&);                                                                 \
   template RunSize size_of(const problem::Problem<dim>&);                                                                                  \
   template Real memory_of<dim>(const RunSize&);                                                                                            \
   template void refuse_without_memory<dim>(const RunSize&, Real);

@@ -20,11 +20,11 @@ struct RunSize {
 
 /// The least that a case can have before anything is made of it: mesh and particles of a box, about the mesh of a bed, nothing of a mesh in a file.
 template <int dim>
-RunSize least_size(const problem::Case& c);
+RunSize min_size(const problem::Case& c);
 
 /// The same with the mesh made.
 template <int dim>
-RunSize least_size(const problem::Case& c, const mesh::Mesh<dim>& mesh);
+RunSize min_size(const problem::Case& c, const mesh::Mesh<dim>& mesh);
 
 template <int dim>
 RunSize size_of(const problem::Problem<dim>& problem);

@@ -23,10 +23,10 @@ template <int dim>
 std::vector<std::string> Recorder<dim>::columns(const problem::Model<dim>& model)
 {
   std::vector<std::string> names = run_folder::common_columns();
-  for (Index r = 0; r < static_cast<Index>(model.rigids.size()); ++r)
+  for (Index r = 0; r < static_cast<Index>(model.rigid_bodies.size()); ++r)
     if (r != model.main_rigid)
       for (const char* column : {"u_m", "w_m", "H_N_m", "V_N_m", "M_Nm_m", "angle_rad"})
-        names.push_back(fmt::format("{}_{}", model.rigids[r].name, column));
+        names.push_back(fmt::format("{}_{}", model.rigid_bodies[r].name, column));
   for (const problem::Body<dim>& body : model.bodies) {
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_u{}_m", body.name, direction_names[d]));
     for (int d = 0; d < dim; ++d) names.push_back(fmt::format("{}_v{}_m_s", body.name, direction_names[d]));
@@ -52,11 +52,11 @@ std::vector<std::string> Recorder<dim>::columns(const problem::Model<dim>& model
 template <int dim>
 Recorder<dim>::Recorder(const problem::Model<dim>& model, const problem::State<dim>& start)
     : last_time_(start.time),
-      last_rigids_(start.rigids),
+      last_rigids_(start.rigid_bodies),
       last_pair_impulses_(start.pair_impulses)
 {
   for (const bodies::Particles<dim>& particles : start.particles) {
-    const mpm::BodySums<dim> sums = mpm::measure(particles);
+    const mpm::BodySums<dim> sums = mpm::sums_over(particles);
     first_centers_.push_back(sums.center());
     first_kinetic_ += sums.kinetic;
   }
@@ -65,10 +65,10 @@ Recorder<dim>::Recorder(const problem::Model<dim>& model, const problem::State<d
 }
 
 template <int dim>
-void Recorder<dim>::keep(Keep& k)
+void Recorder<dim>::archive(Archive& k)
 {
   k("last_time", last_time_);
-  for (std::size_t r = 0; r < last_rigids_.size(); ++r) k.table(fmt::format("rigid_{}", r), [&] { problem::keep(k, last_rigids_[r]); });
+  for (std::size_t r = 0; r < last_rigids_.size(); ++r) k.table(fmt::format("rigid_{}", r), [&] { problem::archive(k, last_rigids_[r]); });
   for (std::size_t c = 0; c < last_pair_impulses_.size(); ++c) k(fmt::format("pair_impulse_{}", c), last_pair_impulses_[c]);
   k("vertical", vertical_);
   k("horizontal", horizontal_);
@@ -84,7 +84,7 @@ void Recorder<dim>::add_motion(const problem::Model<dim>& model, const problem::
 {
   const problem::PipeMotion motion = pipe_motion(model, state, rigid);
   const Real time = state.time - last_time_;
-  const Vec<dim> impulse = state.rigids[rigid].impulse - last_rigids_[rigid].impulse;
+  const Vec<dim> impulse = state.rigid_bodies[rigid].impulse - last_rigids_[rigid].impulse;
   const Vec<dim> reaction = time > 0 ? Vec<dim>(-impulse / time) : Vec<dim>(Vec<dim>::Zero());
   row.insert(row.end(), {motion.u, motion.w, -drag_direction(model, state) * reaction[0] + 0., reaction[1] + 0.});
 }
@@ -92,8 +92,8 @@ void Recorder<dim>::add_motion(const problem::Model<dim>& model, const problem::
 template <int dim>
 void Recorder<dim>::add_turn(const problem::State<dim>& state, Index rigid, std::vector<Real>& row)
 {
-  const Real time = state.time - last_time_, impulse = state.rigids[rigid].torque_impulse - last_rigids_[rigid].torque_impulse;
-  row.insert(row.end(), {time > 0 ? -impulse / time + 0. : 0, state.rigids[rigid].angle});
+  const Real time = state.time - last_time_, impulse = state.rigid_bodies[rigid].torque_impulse - last_rigids_[rigid].torque_impulse;
+  row.insert(row.end(), {time > 0 ? -impulse / time + 0. : 0, state.rigid_bodies[rigid].angle});
 }
 
 template <int dim>
@@ -131,11 +131,11 @@ void Recorder<dim>::add_row(const problem::Model<dim>& model, problem::State<dim
   Real kinetic = 0;
   std::vector<mpm::BodySums<dim>> sums;
   for (const bodies::Particles<dim>& particles : state.particles) {
-    sums.push_back(mpm::measure(particles));
+    sums.push_back(mpm::sums_over(particles));
     kinetic += sums.back().kinetic;
   }
-  for (std::size_t r = 0; r < model.rigids.size(); ++r)
-    if (model.rigids[r].motion == bodies::Motion::free) kinetic += kinetic_energy(model.rigids[r], state.rigids[r]);
+  for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
+    if (model.rigid_bodies[r].motion == bodies::Motion::free) kinetic += kinetic_energy(model.rigid_bodies[r], state.rigid_bodies[r]);
   const problem::Totals<dim>& t = state.totals;
   const Real error = kinetic - first_kinetic_ + t.internal + t.damping + t.friction - t.external;
   if (!std::isfinite(error))
@@ -147,18 +147,18 @@ void Recorder<dim>::add_row(const problem::Model<dim>& model, problem::State<dim
   row.insert(row.end(), {kinetic, t.internal, t.damping, t.friction, t.external, error, out_of_balance_});
 
   if (model.main_rigid != none) {
-    bodies::RigidState<dim>& now = state.rigids[model.main_rigid];
+    bodies::RigidState<dim>& now = state.rigid_bodies[model.main_rigid];
     const bodies::RigidState<dim>& last = last_rigids_[model.main_rigid];
-    const Real pressed = now.pressed - last.pressed, time = state.time - last_time_;
-    row.push_back(pressed > 0 ? (now.pressed_distance - last.pressed_distance) / pressed : unknown);
-    row.push_back(now.deepest);
+    const Real pressed = now.impulse_sum - last.impulse_sum, time = state.time - last_time_;
+    row.push_back(pressed > 0 ? (now.impulse_times_gap - last.impulse_times_gap) / pressed : unknown);
+    row.push_back(now.max_overlap);
     row.push_back(time > 0 ? (now.second_impulse - last.second_impulse).norm() / time : 0);
-    now.deepest = 0;
+    now.max_overlap = 0;
     add_turn(state, model.main_rigid, row);
   } else {
     row.insert(row.end(), 5, unknown);
   }
-  for (Index r = 0; r < static_cast<Index>(model.rigids.size()); ++r)
+  for (Index r = 0; r < static_cast<Index>(model.rigid_bodies.size()); ++r)
     if (r != model.main_rigid) {
       add_motion(model, state, r, row);
       add_turn(state, r, row);
@@ -168,7 +168,7 @@ void Recorder<dim>::add_row(const problem::Model<dim>& model, problem::State<dim
     row.insert(row.end(), moved_by.begin(), moved_by.end());
     row.insert(row.end(), velocity.begin(), velocity.end());
     for (int d = 0; d < dim; ++d) row.insert(row.end(), {sums[b].lower[d], sums[b].upper[d]});
-    const Vec<3> spin = sums[b].spin();
+    const Vec<3> spin = sums[b].angular_momentum();
     row.insert(row.end(), dim == 2 ? spin.end() - 1 : spin.begin(), spin.end());
   }
   const Real time = state.time - last_time_;
@@ -187,7 +187,7 @@ void Recorder<dim>::add_row(const problem::Model<dim>& model, problem::State<dim
   if (model.main_rigid != none && model.driven[state.stage.index] == model.main_rigid)
     if (const Real now = mpm::shaking(model, state, work); std::isfinite(now)) shaking_ += now, shaken_rows_ += 1;
   last_time_ = state.time;
-  last_rigids_ = state.rigids;
+  last_rigids_ = state.rigid_bodies;
   last_pair_impulses_ = state.pair_impulses;
 }
 

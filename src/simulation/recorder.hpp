@@ -20,7 +20,7 @@ public:
   void add_row(const problem::Model<dim>& model, problem::State<dim>& state, const mpm::Work<dim>& work, run_folder::HistoryFile& file);
 
   /// What the next row needs to know of those before it. What is remembered of the start is not kept.
-  void keep(Keep& k);
+  void archive(Archive& k);
 
   /// V and H of the last row, N/m.
   Real vertical() const { return vertical_; }

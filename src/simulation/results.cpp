@@ -31,12 +31,12 @@ std::vector<std::string> curve_columns(const problem::Model<dim>& model, const r
 }
 
 void draw(const RunRequest& request, const run_folder::RunFolder& folder, const problem::Model<2>& model,
-          const std::vector<bodies::RigidState<2>>& rigids, const run_folder::Frame<2>& last, const pipe::PipeScale& scale)
+          const std::vector<bodies::RigidState<2>>& rigid_bodies, const run_folder::Frame<2>& last, const pipe::PipeScale& scale)
 {
   pipe::SoilView view{model.mesh.lower, model.mesh.upper, model.surface};
   if (scale.diameter > 0) {
-    const bodies::Rigid<2>& pipe = model.rigids[model.main_rigid];
-    const bodies::RigidState<2>& now = rigids[model.main_rigid];
+    const bodies::RigidBody<2>& pipe = model.rigid_bodies[model.main_rigid];
+    const bodies::RigidState<2>& now = rigid_bodies[model.main_rigid];
     view = pipe::view_around_pipe(center_now<2>(pipe, now)[0], lowest_level<2>(placed<2>(pipe, now)), scale.diameter, model.surface);
   }
   pipe::draw_soil(folder.path(), last, {"soil", pipe::SoilColor::deviatoric_strain, view, request.settings.title});
@@ -71,7 +71,7 @@ void print_timings(const run_folder::RunTiming& timing)
 
 template <int dim>
 void write_results(const RunRequest& request, const run_folder::RunFolder& folder, const problem::Model<dim>& model,
-                   const std::vector<bodies::RigidState<dim>>& rigids, const run_folder::Frame<dim>& last, const RunOutcome& outcome,
+                   const std::vector<bodies::RigidState<dim>>& rigid_bodies, const run_folder::Frame<dim>& last, const RunOutcome& outcome,
                    const run_folder::RunTiming& timing)
 {
   io::sync_file(folder.file("history.csv"));  // a summary that says "finished" must not outlive it
@@ -97,7 +97,7 @@ void write_results(const RunRequest& request, const run_folder::RunFolder& folde
     draw_pipe_curves(folder, history, scale, stages, request.settings.title);
   else
     pipe::draw_columns(folder, history, curve_columns(model, history), request.settings.title);
-  draw(request, folder, model, rigids, last, scale);
+  draw(request, folder, model, rigid_bodies, last, scale);
   print_timings(timing);
   if (pipe) spdlog::info("key results\n{}", key_results_table(summary.quantities, scale));
   spdlog::info("everything is in {}", folder.path().string());

@@ -18,7 +18,7 @@ struct RunOutcome {
 /// time by loop. `rigids` says where the rigid bodies are at the end.
 template <int dim>
 void write_results(const RunRequest& request, const run_folder::RunFolder& folder, const problem::Model<dim>& model,
-                   const std::vector<bodies::RigidState<dim>>& rigids, const run_folder::Frame<dim>& last, const RunOutcome& outcome,
+                   const std::vector<bodies::RigidState<dim>>& rigid_bodies, const run_folder::Frame<dim>& last, const RunOutcome& outcome,
                    const run_folder::RunTiming& timing);
 
 }  // namespace berm::simulation

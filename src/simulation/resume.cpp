@@ -35,17 +35,17 @@ bool is_finished(const fs::path& folder)
 void note_case_file(const run_folder::RunFolder& folder, const fs::path& case_file)
 {
   folder.subfolder(checkpoints_in("").string());
-  io::write_whole(note_in(folder.path()), fs::absolute(case_file).string());
+  io::write_atomically(note_in(folder.path()), fs::absolute(case_file).string());
 }
 
-std::optional<RunRequest> run_to_go_on_with(const fs::path& folder, int threads)
+std::optional<RunRequest> run_to_resume(const fs::path& folder, int threads)
 {
   for (const char* name : {"resolved.toml", "case.toml"})
     if (std::error_code error; !fs::exists(folder / name, error))
       throw InputError(fmt::format("--resume: {} is not the folder of a run that has begun: there is no {}", folder.string(), name));
   // A finished run removes its checkpoints last of all.
   if (!fs::exists(checkpoints_in(folder)) && is_finished(folder)) return std::nullopt;
-  const std::string noted = io::read_whole(note_in(folder));
+  const std::string noted = io::read_text_file(note_in(folder));
   return RunRequest{input::read_case(folder / "resolved.toml"), noted.empty() ? folder / "case.toml" : fs::path(noted), folder, threads,
                     true};
 }

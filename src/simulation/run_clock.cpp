@@ -22,7 +22,7 @@ std::vector<Timing> RunClock::loops() const
   return all;
 }
 
-void RunClock::keep(Keep& k)
+void RunClock::archive(Archive& k)
 {
   Real wall = this->wall();
   std::string labels;

@@ -15,7 +15,7 @@ public:
   Real wall() const { return earlier_ + std::chrono::duration<Real>(std::chrono::steady_clock::now() - start_).count(); }
   std::vector<Timing> loops() const;
 
-  void keep(Keep& k);
+  void archive(Archive& k);
 
 private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

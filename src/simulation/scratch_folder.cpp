@@ -30,7 +30,7 @@ void ScratchFolder::move_files_to(const fs::path& folder) const
 {
   try {
     for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
-      io::copy_whole(entry.path(), folder / entry.path().filename());
+      io::copy_atomically(entry.path(), folder / entry.path().filename());
       fs::remove(entry.path());
     }
   } catch (const fs::filesystem_error& error) {

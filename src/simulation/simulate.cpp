@@ -49,7 +49,7 @@ Real history_interval(const problem::Case& c)
   if (c.output.history_time) return *c.output.history_time;
   for (const problem::StageSettings& stage : c.stage)
     if (expected_time(stage) <= 0)
-      throw InputError(fmt::format("output.history_time: is needed, since it cannot be told how long stage \"{}\" takes", stage.name));
+      throw InputError(fmt::format("output.history_time: is needed, since it is not known how long stage \"{}\" takes", stage.name));
   return expected_time(c) / 1000;
 }
 
@@ -82,7 +82,7 @@ public:
   bool to_the_end()
   {
     const bool at_start = begin();
-    run_and_leave(
+    run_then_write_results(
         [&] {
           if (at_start) record(), frame();
           step_to_the_end();
@@ -98,7 +98,7 @@ private:
     if (!finished_) frame();
     const run_folder::MpmCounts counts{particle_count(state())};
     const run_folder::RunTiming timing{clock_.wall(), request_.threads, model().mesh.cell_count(), state().step, counts, clock_.loops()};
-    write_results(request_, folder_, model(), state().rigids, frames_.last(), {finished_, held_force_, checks()}, timing);
+    write_results(request_, folder_, model(), state().rigid_bodies, frames_.last(), {finished_, held_force_, checks()}, timing);
   }
 
   const problem::Model<dim>& model() const { return problem_.model; }
@@ -108,13 +108,13 @@ private:
   /// Begins at the start (true), or where the last checkpoint was written.
   bool begin()
   {
-    const bool from_checkpoint = request_.goes_on && checkpoints_.read([&](Keep& k) { keep(k); });
-    if (request_.goes_on && !from_checkpoint) spdlog::info("there is no checkpoint in {}: begins at the start", folder_.path().string());
+    const bool from_checkpoint = request_.resume && checkpoints_.read([&](Archive& k) { archive(k); });
+    if (request_.resume && !from_checkpoint) spdlog::info("there is no checkpoint in {}: begins at the start", folder_.path().string());
     if (unit_ != vector_unit())
       spdlog::warn("the run was begun on the vector unit {}, and goes on with {}: results are the same but for round-off", unit_,
                    vector_unit());
     history_.emplace(history_path(), recorder_.columns(model()), history_bytes_);
-    if (request_.goes_on) frames_.remove_others();
+    if (request_.resume) frames_.remove_others();
     progress_.count_from(clock_.earlier());
     work_.emplace(model(), state());
     if (model().update_stress_first)
@@ -136,9 +136,9 @@ private:
       if (ended) next_stage();
       const bool asked_to_stop = interrupted();
       if (ended || asked_to_stop) checkpoints_.ask();
-      if (finished_ || !can_go_on_from_here() || !checkpoints_.due()) continue;
+      if (finished_ || !at_checkpoint_boundary() || !checkpoints_.due()) continue;
       history_bytes_ = history_->sync();  // a history that the disk does not take ends the run, a checkpoint does not
-      checkpoints_.write(state().step, [&](Keep& k) { keep(k); });
+      checkpoints_.write(state().step, [&](Archive& k) { archive(k); });
       stopped = asked_to_stop;
     }
     if (finished_) return;
@@ -148,27 +148,27 @@ private:
   }
 
   /// The time step is chosen by the velocities of the nodes in the step before, which are no part of the state: not where it is due.
-  bool can_go_on_from_here() { return state().step % mpm::steps_between_time_steps != 0; }
+  bool at_checkpoint_boundary() { return state().step % mpm::steps_between_time_steps != 0; }
 
   fs::path history_path() const { return folder_.file("history.csv"); }
 
   /// All that a checkpoint holds. What must fit comes first.
-  void keep(Keep& k)
+  void archive(Archive& k)
   {
-    keep_same(k, "case", input::resolved_toml(request_.settings), "it is of another case than resolved.toml");
-    keep_same_mesh(k, model().mesh);
+    archive_same(k, "case", input::resolved_toml(request_.settings), "it is of another case than resolved.toml");
+    archive_same_mesh(k, model().mesh);
     k("vector_unit", unit_);
-    k.table("history", [&] { keep_history(k, history_path(), history_bytes_); });
-    k.table("frames", [&] { frames_.keep(k); });
-    k.table("increments", [&] { frame_maker_.keep(k); });
-    k.table("recorder", [&] { recorder_.keep(k); });
-    k.table("clock", [&] { clock_.keep(k); });
+    k.table("history", [&] { archive_history(k, history_path(), history_bytes_); });
+    k.table("frames", [&] { frames_.archive(k); });
+    k.table("increments", [&] { frame_maker_.archive(k); });
+    k.table("recorder", [&] { recorder_.archive(k); });
+    k.table("clock", [&] { clock_.archive(k); });
     k("next_row", next_row_);
     k("frame_time", frame_time_);
     k("frame_displacement", frame_displacement_);
     k("equilibrium", equilibrium_);
     k("held_force", held_force_);
-    k.table("state", [&] { problem::keep(k, model(), state()); });
+    k.table("state", [&] { problem::archive(k, model(), state()); });
   }
 
   void record()
@@ -180,7 +180,7 @@ private:
   Real travel()
   {
     const Index driven = model().driven[state().stage.index];
-    return driven == none ? 0 : (state().rigids[driven].displacement - frame_displacement_).norm();
+    return driven == none ? 0 : (state().rigid_bodies[driven].displacement - frame_displacement_).norm();
   }
   bool frame_is_due()
   {
@@ -195,7 +195,7 @@ private:
     ::malloc_trim(0);  // gives back what writing took on the way: a tenth of what the run has
     frame_time_ = state().time;
     const Index driven = model().driven[state().stage.index];
-    if (driven != none) frame_displacement_ = state().rigids[driven].displacement;
+    if (driven != none) frame_displacement_ = state().rigid_bodies[driven].displacement;
   }
 
   void next_stage()
@@ -238,7 +238,7 @@ private:
       report.w = motion.w;
       report.V = recorder_.vertical();
       report.H = recorder_.horizontal();
-      report.diameter = width_of<dim>(model().rigids[model().main_rigid].shape);
+      report.diameter = width_of<dim>(model().rigid_bodies[model().main_rigid].shape);
     }
     report.particle_steps = static_cast<Real>(particle_count(state()) * state().step);
     progress_.update(report);
@@ -254,8 +254,8 @@ private:
     found.emplace_back("friction_work_is_loss", state().totals.friction >= 0);
     if (std::isfinite(recorder_.shaking())) found.emplace_back("shaking_at_body", recorder_.shaking());
     const mpm::SoilCondition soil = mpm::soil_condition(model(), state());
-    found.emplace_back("mass_at_least_volume", soil.at_least_volume);
-    found.emplace_back("mass_at_most_volume", soil.at_most_volume);
+    found.emplace_back("mass_at_min_volume", soil.at_min_volume);
+    found.emplace_back("mass_at_max_volume", soil.at_max_volume);
     found.emplace_back("mass_in_the_air", soil.in_the_air);
 
     if (recorder_.shaking() > much_shaking)
@@ -273,8 +273,8 @@ private:
         spdlog::warn("{:.2g} % of the soil is at its {} volume, {} of the first: change mpm.{} if it should go on", 100 * part, which,
                      ratio, key);
     };
-    warn_of_bound(soil.at_least_volume, "smallest", "least_volume_ratio", model().mpm.least_volume_ratio);
-    warn_of_bound(soil.at_most_volume, "largest", "most_volume_ratio", model().mpm.most_volume_ratio);
+    warn_of_bound(soil.at_min_volume, "smallest", "min_volume_ratio", model().mpm.min_volume_ratio);
+    warn_of_bound(soil.at_max_volume, "largest", "max_volume_ratio", model().mpm.max_volume_ratio);
     if (soil.in_the_air > much_mass) spdlog::warn("{:.2g} % of the soil is in the air", 100 * soil.in_the_air);
     return found;
   }
@@ -306,9 +306,9 @@ problem::Problem<dim> build_for(const RunRequest& request, const ScratchFolder& 
   history_interval(request.settings);  // refuses a case in which it cannot be told
   const problem::Case c = to_build(request);
   const Real in_use = memory_in_use();
-  refuse_without_memory<dim>(least_size<dim>(c), in_use);
+  refuse_without_memory<dim>(min_size<dim>(c), in_use);
   mesh::Mesh<dim> mesh = make_mesh<dim>(c.mesh, request.case_file.parent_path().string(), scratch.path().string());
-  refuse_without_memory<dim>(least_size(c, mesh), in_use);
+  refuse_without_memory<dim>(min_size(c, mesh), in_use);
   problem::Problem<dim> problem = build(c, std::move(mesh));
   refuse_without_memory<dim>(size_of(problem), in_use);
   ::malloc_trim(0);  // gives back what building took on the way: a fifth of what it made
@@ -322,7 +322,7 @@ bool run_in(const RunRequest& request)
   problem::Problem<dim> problem = build_for<dim>(request, scratch);
 
   const std::string size = fmt::format("{} cells, {} particles", problem.model.mesh.cell_count(), particle_count(problem.state));
-  return in_run_folder(request, scratch, size, [&](const run_folder::RunFolder& folder, run_folder::RunLog& log) {
+  return with_run_folder(request, scratch, size, [&](const run_folder::RunFolder& folder, run_folder::RunLog& log) {
     return Run<dim>(request, std::move(problem), folder, log).to_the_end();
   });
 }
@@ -353,7 +353,8 @@ void check_in(const RunRequest& request)
   const Real seconds_a_step = wall / static_cast<Real>(problem.state.step);
   const Real total = expected_time(request.settings);
   for (const problem::StageSettings& stage : request.settings.stage)
-    if (!(expected_time(stage) > 0)) fmt::print("  stage \"{}\": its end cannot be foretold and is not counted below\n", stage.name);
+    if (!(expected_time(stage) > 0))
+      fmt::print("  stage \"{}\": its duration is not known in advance and is not counted below\n", stage.name);
   fmt::print("  steps        about {:.0f}, {} rows of history\n", total / dt,
              static_cast<BigIndex>(total / history_interval(request.settings)));
   fmt::print("  time         about {} with {} threads ({:.3g} million particle-steps/s)\n",

@@ -14,7 +14,7 @@ struct RunRequest {
   std::filesystem::path case_file;
   std::filesystem::path folder;  ///< the run folder
   int threads = 1;
-  bool goes_on = false;  ///< from the last checkpoint in the run folder, or from the start where there is none yet
+  bool resume = false;  ///< from the last checkpoint in the run folder, or from the start where there is none yet
 };
 
 /// Runs a case from its first to its last stage and writes its run folder. Nothing is written before the problem is built.

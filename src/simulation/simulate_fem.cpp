@@ -60,7 +60,7 @@ public:
   {
     reset_timings();
     const Clock::time_point start = Clock::now();
-    run_and_leave([&] { step_to_the_end(); }, [&] { leave_results(start); });
+    run_then_write_results([&] { step_to_the_end(); }, [&] { leave_results(start); });
     if (finished_) Checkpoints(folder_.path(), 0).remove();
     return finished_;
   }
@@ -80,11 +80,13 @@ private:
                                        state().state.step,
                                        run_folder::FemCounts{model().mesh.node_count(), iterations_},
                                        timings()};
-    const run_folder::Summary::Checks checks = {
-        {"energy_error", recorder_.energy_error()},      {"largest_unbalance", recorder_.largest_unbalance()},
-        {"loose_increments", static_cast<Real>(loose_)}, {"largest_overstress", recorder_.largest_overstress()},
-        {"strength_lag", recorder_.strength_lag()},      {"friction_work_is_loss", state().state.totals.friction >= 0}};
-    write_results(request_, folder_, model().model, state().state.rigids, frames_.last(), {finished_, held_force_, checks}, timing);
+    const run_folder::Summary::Checks checks = {{"energy_error", recorder_.energy_error()},
+                                                {"largest_unbalance", recorder_.largest_unbalance()},
+                                                {"loose_increments", static_cast<Real>(accepted_above_tolerance_)},
+                                                {"largest_overstress", recorder_.largest_overstress()},
+                                                {"strength_lag", recorder_.strength_lag()},
+                                                {"friction_work_is_loss", state().state.totals.friction >= 0}};
+    write_results(request_, folder_, model().model, state().state.rigid_bodies, frames_.last(), {finished_, held_force_, checks}, timing);
   }
 
   const fem::FemModel& model() const { return problem_.model; }
@@ -93,7 +95,7 @@ private:
 
   void step_to_the_end()
   {
-    if (request_.goes_on) {
+    if (request_.resume) {
       spdlog::info("a run of finite elements begins again at the start");
       frames_.remove_others();
     }
@@ -104,7 +106,7 @@ private:
       const fem::IncrementEnd end = steps_.advance();
       iterations_ += end.iterations;
       if (!end.converged) {
-        ++loose_;
+        ++accepted_above_tolerance_;
         spdlog::warn("t = {:.6g} s: the increment is loosely converged only, with unbalanced forces of {:.2g} of the contact forces",
                      state().state.time, end.unbalance);
       }
@@ -122,7 +124,7 @@ private:
   bool frame_is_due()
   {
     const problem::OutputSettings& output = request_.settings.output;
-    const Real travel = model().rigid == none ? 0 : (state().state.rigids[model().rigid].displacement - frame_displacement_).norm();
+    const Real travel = model().rigid == none ? 0 : (state().state.rigid_bodies[model().rigid].displacement - frame_displacement_).norm();
     return (output.frame_time && state().state.time >= frame_time_ + *output.frame_time) ||
            (output.frame_travel && travel >= *output.frame_travel);
   }
@@ -131,7 +133,7 @@ private:
     if (!frames_.times().empty() && state().state.time == frame_time_) return;
     frames_.write(frame_maker_.make(state()));
     frame_time_ = state().state.time;
-    if (model().rigid != none) frame_displacement_ = state().state.rigids[model().rigid].displacement;
+    if (model().rigid != none) frame_displacement_ = state().state.rigid_bodies[model().rigid].displacement;
   }
 
   void next_stage()
@@ -168,23 +170,23 @@ private:
   run_folder::FrameWriter<2> frames_;
   run_folder::Progress progress_;
   bool finished_ = false;
-  BigIndex iterations_ = 0, loose_ = 0;
+  BigIndex iterations_ = 0, accepted_above_tolerance_ = 0;
   Real frame_time_ = 0;
   Vec<2> frame_displacement_ = Vec<2>::Zero();
   std::optional<Real> held_force_;
 };
 
 /// The least number of elements that a case can have, before its mesh is made: there are none above the bed.
-Real least_elements(problem::Case c)
+Real min_elements(problem::Case c)
 {
   if (auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) bed->headroom = bed->near_height = 0;
-  return least_size<2>(c).cells;
+  return min_size<2>(c).cells;
 }
 
 fem::FemProblem build_for(const RunRequest& request, const ScratchFolder& scratch)
 {
   const problem::Case c = to_build(request);
-  const Real elements = least_elements(c);
+  const Real elements = min_elements(c);
   refuse_without_memory(elements * fem::Assembly::bytes_of_element(), memory_in_use(), fmt::format("{:.4g} elements", elements),
                         larger_elements);
   return fem::build_fem(c, request.case_file.parent_path().string(), scratch.path().string());
@@ -196,7 +198,7 @@ bool run_fem(const RunRequest& request)
 {
   const ScratchFolder scratch;
   fem::FemProblem problem = build_for(request, scratch);
-  return in_run_folder(request, scratch, words_of(problem.model), [&](const run_folder::RunFolder& folder, run_folder::RunLog& log) {
+  return with_run_folder(request, scratch, words_of(problem.model), [&](const run_folder::RunFolder& folder, run_folder::RunLog& log) {
     return FemRun(request, std::move(problem), folder, log).to_the_end();
   });
 }
@@ -221,7 +223,7 @@ void check_fem(const RunRequest& request)
   std::vector<Real> change(problem.model.unknowns(), 0.);
   fem::FemLoads loads;
   loads.gravity = gravity_now(problem.model.model, problem.state.state.time);
-  newton.assembly().hold_back(problem.state, loads);
+  newton.assembly().store_initial_imbalance(problem.state, loads);
   const fem::IncrementEnd end = newton.find_equilibrium(problem.state, loads, 1, change);
   fmt::print("  time         about {:.2g} s an iteration with {} threads; a push or a drag takes some hundred iterations\n",
              seconds_since(start) / (end.iterations + 1), request.threads);

@@ -24,10 +24,10 @@ run_folder::RunFolder new_run_folder(const RunRequest& request, const ScratchFol
   run_folder::RunFolder folder(request.folder);
   if (unfinished)
     fmt::print(stderr, "the unfinished run in {} is replaced; `berm run --resume` goes on with one instead\n", request.folder.string());
-  io::write_whole(folder.file("resolved.toml"), input::resolved_toml(request.settings));
+  io::write_atomically(folder.file("resolved.toml"), input::resolved_toml(request.settings));
   note_case_file(folder, request.case_file);
   scratch.move_files_to(folder.path());
-  io::copy_whole(request.case_file, folder.file("case.toml"));
+  io::copy_atomically(request.case_file, folder.file("case.toml"));
   return folder;
 }
 
@@ -40,16 +40,16 @@ problem::Case to_build(const RunRequest& request)
   const bool from_file = std::holds_alternative<mesh::GmshFile>(settings.mesh);
   const bool made = std::holds_alternative<mesh::SeabedMesh>(settings.mesh) && settings.method == problem::Method::mpm;
   std::error_code error;
-  if (request.goes_on && (from_file || made) && fs::exists(mesh, error)) settings.mesh = mesh::GmshFile{mesh.string()};
+  if (request.resume && (from_file || made) && fs::exists(mesh, error)) settings.mesh = mesh::GmshFile{mesh.string()};
   return settings;
 }
 
-bool in_run_folder(const RunRequest& request, const ScratchFolder& scratch, const std::string& size,
-                   const std::function<bool(const run_folder::RunFolder&, run_folder::RunLog&)>& run)
+bool with_run_folder(const RunRequest& request, const ScratchFolder& scratch, const std::string& size,
+                     const std::function<bool(const run_folder::RunFolder&, run_folder::RunLog&)>& run)
 {
   const run_folder::RunFolder folder =
-      request.goes_on ? run_folder::RunFolder::of_earlier_run(request.folder) : new_run_folder(request, scratch);
-  run_folder::RunLog log(folder.file("run.log"), request.goes_on);
+      request.resume ? run_folder::RunFolder::of_earlier_run(request.folder) : new_run_folder(request, scratch);
+  run_folder::RunLog log(folder.file("run.log"), request.resume);
   spdlog::info("{} -> {}: {}, {} threads", request.case_file.string(), folder.path().string(), size, request.threads);
   try {
     const bool finished = run(folder, log);
@@ -61,7 +61,7 @@ bool in_run_folder(const RunRequest& request, const ScratchFolder& scratch, cons
   }
 }
 
-void run_and_leave(const std::function<void()>& run, const std::function<void()>& leave_results)
+void run_then_write_results(const std::function<void()>& run, const std::function<void()>& leave_results)
 {
   std::exception_ptr failure;
   try {

@@ -73,7 +73,7 @@ void take_numbers(StudyRow& row, const Study& study, std::vector<std::string>& t
     const bool wanted = measure.cases.empty() || std::find(measure.cases.begin(), measure.cases.end(), row.names[0]) != measure.cases.end();
     if (row.end.kind != jobs::JobEnd::Kind::finished || !wanted) continue;
     try {
-      row.numbers.back() = measure.scale * evaluate(measure.reading, row.job.folder);
+      row.numbers.back() = measure.scale * evaluate(measure.observable, row.job.folder);
     } catch (const std::exception& error) {
       if (std::find(told.begin(), told.end(), measure.name) != told.end()) continue;
       told.push_back(measure.name);

@@ -82,14 +82,14 @@ std::string markdown(const StudyPlan& plan, const std::vector<std::string>& pict
   for (std::size_t k = 0; k < head.size(); ++k) text += k <= study.axis.size() ? "---|" : "---:|";
   text += '\n';
   std::string failed, skipped;
-  constexpr std::size_t most = 240;
+  constexpr std::size_t max = 240;
   for (const StudyRow& row : plan.rows) {
     Words cells = row.names;
     for (const Real number : row.numbers) cells.push_back(std::isnan(number) ? "" : fmt::format("{:.4g}", number));
     if (row.end.kind != jobs::JobEnd::Kind::finished) cells[row.names.size()] = state_of(row);
     text += markdown_line(cells);
     if (const std::string& reason = row.end.reason; !reason.empty())
-      failed += fmt::format("- {}: {}{}\n", fmt::join(row.names, ", "), reason.substr(0, most), reason.size() > most ? " ..." : "");
+      failed += fmt::format("- {}: {}{}\n", fmt::join(row.names, ", "), reason.substr(0, max), reason.size() > max ? " ..." : "");
   }
   for (const SkippedRow& row : plan.skipped) skipped += fmt::format("- {}: {}\n", fmt::join(row.names, ", "), row.why);
   if (!failed.empty()) text += "\nFailed:\n\n" + failed;
@@ -160,11 +160,11 @@ std::string curve_name(const StudyPlan& plan, const StudyRow& row, bool one_case
 /// What scales a column for the plot, and its unit.
 plot::PlotUnit unit_for(const std::string& unit, const std::vector<plot::FigureCurve>& curves, std::vector<Real> plot::FigureCurve::*values)
 {
-  Real most = 0;
+  Real max = 0;
   for (const plot::FigureCurve& curve : curves)
-    for (const Real value : curve.*values) most = std::isfinite(value) ? std::max(most, std::abs(value)) : most;
-  if (unit == "m") return plot::length_unit(most);
-  if (unit == "N/m") return plot::force_unit(most);
+    for (const Real value : curve.*values) max = std::isfinite(value) ? std::max(max, std::abs(value)) : max;
+  if (unit == "m") return plot::length_unit(max);
+  if (unit == "N/m") return plot::force_unit(max);
   return {1, ""};
 }
 
@@ -213,11 +213,11 @@ bool draw_study_figure(const StudyPlan& plan, const StudyFigure& wanted, const f
 void write_study_report(const StudyPlan& plan, const fs::path& output)
 {
   io::make_folder(output);
-  io::write_whole(output / "results.csv", csv(plan));
+  io::write_atomically(output / "results.csv", csv(plan));
   std::vector<std::string> pictures;
   for (const StudyFigure& figure : plan.study.figure)
     if (draw_study_figure(plan, figure, output)) pictures.push_back(file_of(figure));
-  io::write_whole(output / "results.md", markdown(plan, pictures));
+  io::write_atomically(output / "results.md", markdown(plan, pictures));
 }
 
 }  // namespace berm::study

@@ -98,7 +98,7 @@ void describe(Describe& d, StudySkip& skip)
 void describe(Describe& d, StudyMeasure& measure)
 {
   d.value("name", measure.name, {.meaning = "heading of the column", .required = true});
-  describe(d, measure.reading);
+  describe(d, measure.observable);
   d.value("unit", measure.unit, {.meaning = "unit that is shown; absent: the SI unit that the name tells"});
   d.value("scale", measure.scale, {.meaning = "shown number over the number in SI units"});
   d.value("cases", measure.cases, {.meaning = "only for these cases; absent = all"});
@@ -136,7 +136,7 @@ void describe(Describe& d, Study& study)
   for (std::size_t k = 0; k < study.measure.size(); ++k) {
     const std::string path = fmt::format("measure[{}]", k);
     const StudyMeasure& measure = study.measure[k];
-    check(d, path, measure.reading);
+    check(d, path, measure.observable);
     for (const std::string& name : measure.cases) d.check(contains(cases, name), path + ".cases", "there is no such case", cases);
   }
   for (std::size_t k = 0; k < study.figure.size(); ++k) {
@@ -157,7 +157,7 @@ Study read_study(const std::filesystem::path& file)
       refuse(document, member(document.root, "skip")->items[k], "skip", "names no axis and would leave out everything");
   }
   for (StudyMeasure& measure : study.measure)
-    if (measure.unit.empty()) measure.unit = unit_of(measure.reading);
+    if (measure.unit.empty()) measure.unit = unit_of(measure.observable);
   return study;
 }
 

@@ -32,7 +32,7 @@ struct StudySkip {
 /// A column of the table.
 struct StudyMeasure {
   std::string name;  ///< its heading
-  verification::Reading reading;
+  verification::Observable observable;
   std::string unit;                ///< as it is shown, after scaling
   Real scale = 1;                  ///< shown number over the SI number
   std::vector<std::string> cases;  ///< only for these; empty = all

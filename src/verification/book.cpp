@@ -78,7 +78,7 @@ std::string row(const std::vector<std::string>& cells, std::size_t first_number,
   return html + "</tr>\n";
 }
 
-std::vector<std::string> numbers_of(const Finding& f)
+std::vector<std::string> numbers_of(const ExpectationResult& f)
 {
   std::vector<std::string> cells;
   for (const std::string& text : {f.exact, f.reason.empty() ? f.berm : "", f.error, f.tolerance}) cells.push_back(text::html_text(text));
@@ -95,7 +95,7 @@ constexpr const char* convergence = "convergence";  // the section of the orders
 
 std::string readme_of(const Example& example)
 {
-  return io::read_whole(example.folder / "README.md");
+  return io::read_text_file(example.folder / "README.md");
 }
 
 /// Its name and the first heading of its README.
@@ -120,7 +120,7 @@ std::string summary_words(const std::vector<Chapter>& chapters)
   Real time = 0;
   std::size_t runs = 0;
   for (const Chapter& chapter : chapters) {
-    for (const Finding& f : chapter.findings) ++count[static_cast<std::size_t>(f.verdict)];
+    for (const ExpectationResult& f : chapter.findings) ++count[static_cast<std::size_t>(f.verdict)];
     for (const ProblemResult& result : chapter.results)
       if (const Real wall = jobs::wall_time_of(result.folder); result.end.kind == jobs::JobEnd::Kind::finished && std::isfinite(wall))
         time += wall, ++runs;
@@ -143,7 +143,7 @@ std::string index_page(const std::vector<Chapter>& chapters)
                         link_to(address_of(name + ".html"), title_of(chapter.example)));
     for (std::size_t k = 0; k < chapter.findings.size(); ++k) {
       const Expectation& e = chapter.example.expectations[k];
-      const Finding& f = chapter.findings[k];
+      const ExpectationResult& f = chapter.findings[k];
       const ProblemResult* result = result_of(chapter, e.run);
       const std::string problem = f.problem.substr(name.size() + 1);
       std::vector<std::string> cells = {link_to(address_of(name + ".html") + "#" + (e.runs.empty() ? e.run : convergence), problem),
@@ -167,7 +167,7 @@ std::string readme(const Chapter& chapter, const fs::path& output)
     if (target.extension() == ".png" || target.extension() == ".svg") {
       const fs::path copy = fs::path("figures") / (chapter.example.name + "_" + target.filename().string());
       io::make_folder(output / "figures");
-      io::copy_whole(target, output / copy);
+      io::copy_atomically(target, output / copy);
       return address_of(copy);
     }
     return address_of(fs::proximate(fs::absolute(target).lexically_normal(), fs::absolute(output).lexically_normal(), error));
@@ -180,7 +180,7 @@ std::string findings_html(const Chapter& chapter, const std::string& run, const 
   std::string rows, figures;
   for (std::size_t k = 0; k < chapter.findings.size(); ++k) {
     const Expectation& e = chapter.example.expectations[k];
-    const Finding& f = chapter.findings[k];
+    const ExpectationResult& f = chapter.findings[k];
     if (e.run != run) continue;
     std::vector<std::string> cells = {text::html_text(f.what)};
     for (const std::string& cell : numbers_of(f)) cells.push_back(cell);
@@ -240,8 +240,8 @@ std::string chapter_page(const Chapter& chapter, const fs::path& output)
 void write_book(const fs::path& output, const std::vector<Chapter>& chapters)
 {
   io::make_folder(output);
-  for (const Chapter& chapter : chapters) io::write_whole(output / (chapter.example.name + ".html"), chapter_page(chapter, output));
-  io::write_whole(output / "index.html", index_page(chapters));
+  for (const Chapter& chapter : chapters) io::write_atomically(output / (chapter.example.name + ".html"), chapter_page(chapter, output));
+  io::write_atomically(output / "index.html", index_page(chapters));
 }
 
 }  // namespace berm::verification

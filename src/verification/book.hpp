@@ -8,8 +8,8 @@ namespace berm::verification {
 /// An example with all that came of it: a chapter of the book.
 struct Chapter {
   Example example;
-  std::vector<ProblemResult> results;  ///< of example.runs
-  std::vector<Finding> findings;       ///< of example.expectations
+  std::vector<ProblemResult> results;       ///< of example.runs
+  std::vector<ExpectationResult> findings;  ///< of example.expectations
 };
 
 /// Writes the verification book: OUTPUT/index.html with the table of all numbers, and a page OUTPUT/EXAMPLE.html for each chapter with its README, and

@@ -56,8 +56,8 @@ plot::FigureCurve marks_of_period(const Rows& rows, Real period)
   std::size_t k = 1;
   while (k < rows.value.size() && (rows.value[k - 1] < middle) == (rows.value[k] < middle)) ++k;
   plot::FigureCurve marks{"expected", of_exact, {}, {}};
-  constexpr int most = 50;
-  for (int n = 0; n < most && k < rows.value.size() && rows.time[k] + n * period <= rows.time.back(); ++n) {
+  constexpr int max = 50;
+  for (int n = 0; n < max && k < rows.value.size() && rows.time[k] + n * period <= rows.time.back(); ++n) {
     const Real t = rows.time[k] + n * period;
     marks.x.insert(marks.x.end(), {t, t, gap});
     marks.y.insert(marks.y.end(), {*low, *high, gap});
@@ -68,45 +68,46 @@ plot::FigureCurve marks_of_period(const Rows& rows, Real period)
 /// What is expected of a measure that is a level of the column itself.
 void add_levels(plot::Figure& figure, const Expectation& e, const Rows& rows)
 {
-  const Real offset = e.reading.measure == Measure::change ? rows.value.front() : 0;
+  const Real offset = e.observable.measure == Measure::change ? rows.value.front() : 0;
   if (e.exact) {
     figure.curves.push_back(level("expected", of_exact, rows, *e.exact + offset));
     const Real tolerance = e.tolerance ? *e.tolerance * std::abs(*e.exact) : *e.absolute_tolerance;
     figure.curves.push_back(level("tolerance", of_bound, rows, *e.exact + offset - tolerance));
     figure.curves.push_back(level("", of_bound, rows, *e.exact + offset + tolerance));
   }
-  if (e.least) figure.curves.push_back(level("least", of_bound, rows, *e.least + offset));
-  if (e.most) figure.curves.push_back(level("most", of_bound, rows, *e.most + offset));
+  if (e.min) figure.curves.push_back(level("least", of_bound, rows, *e.min + offset));
+  if (e.max) figure.curves.push_back(level("most", of_bound, rows, *e.max + offset));
 }
 
 plot::Figure column_figure(const Expectation& e, const run_folder::History& history)
 {
   plot::Figure figure;
-  const Reading& reading = e.reading;
-  const auto [name, unit] = pipe::name_and_unit(reading.column);
-  figure.title = fmt::format("{}: {}", name, measure_words[static_cast<std::size_t>(reading.measure)]);
+  const Observable& observable = e.observable;
+  const auto [name, unit] = pipe::name_and_unit(observable.column);
+  figure.title = fmt::format("{}: {}", name, measure_words[static_cast<std::size_t>(observable.measure)]);
   figure.x_label = "time (s)";
   figure.y_label = unit == "1" ? name : fmt::format("{} ({})", name, unit);
-  figure.curves.push_back({"berm", of_berm, history["time_s"], history[reading.column]});
-  const Rows rows = rows_of(reading, history);
+  figure.curves.push_back({"berm", of_berm, history["time_s"], history[observable.column]});
+  const Rows rows = rows_of(observable, history);
   if (rows.time.size() < 2) return figure;
-  if (reading.from || reading.to)
+  if (observable.from || observable.to)
     figure.more = fmt::format("set object rectangle from {:.9g}, graph 0 to {:.9g}, graph 1 behind fc rgb '#eef3f9' fs solid noborder\n",
                               rows.time.front(), rows.time.back());
-  const bool rate = reading.measure == Measure::slope || reading.measure == Measure::acceleration;
+  const bool rate = observable.measure == Measure::slope || observable.measure == Measure::acceleration;
   if (rate && e.exact)
-    figure.curves.push_back(expected_motion(rows, *e.exact, reading.measure == Measure::slope || reading.column.ends_with("_m_s") ? 1 : 2));
-  else if (reading.measure == Measure::period && e.exact)
+    figure.curves.push_back(
+        expected_motion(rows, *e.exact, observable.measure == Measure::slope || observable.column.ends_with("_m_s") ? 1 : 2));
+  else if (observable.measure == Measure::period && e.exact)
     figure.curves.push_back(marks_of_period(rows, *e.exact));
-  else if (!rate && reading.measure != Measure::period)
+  else if (!rate && observable.measure != Measure::period)
     add_levels(figure, e, rows);
   return figure;
 }
 
-plot::Figure order_figure(const Expectation& e, const Finding& finding)
+plot::Figure order_figure(const Expectation& e, const ExpectationResult& finding)
 {
   plot::Figure figure;
-  const auto [name, unit] = pipe::name_and_unit(e.reading.column.empty() ? e.reading.quantity : e.reading.column);
+  const auto [name, unit] = pipe::name_and_unit(e.observable.column.empty() ? e.observable.quantity : e.observable.column);
   figure.title = fmt::format("{}: order {:.3g}", name, finding.number);
   figure.x_label = "size over the coarsest, halved each time";
   figure.y_label = fmt::format("|{} - limit|{}", name, unit == "1" ? "" : fmt::format(" ({})", unit));
@@ -131,20 +132,20 @@ plot::Figure order_figure(const Expectation& e, const Finding& finding)
   };
   figure.curves.push_back(line(fmt::format("order {:.3g}", finding.number), of_berm, finding.number));
   if (e.exact) figure.curves.push_back(line(fmt::format("expected {:g}", *e.exact), of_exact, *e.exact));
-  if (e.least) figure.curves.push_back(line(fmt::format("least {:g}", *e.least), of_bound, *e.least));
-  if (e.most) figure.curves.push_back(line(fmt::format("most {:g}", *e.most), of_bound, *e.most));
+  if (e.min) figure.curves.push_back(line(fmt::format("least {:g}", *e.min), of_bound, *e.min));
+  if (e.max) figure.curves.push_back(line(fmt::format("most {:g}", *e.max), of_bound, *e.max));
   figure.curves.push_back(errors);
   return figure;
 }
 
 }  // namespace
 
-bool draw_finding(const std::filesystem::path& folder, const std::string& name, const Expectation& e, const Finding& finding,
+bool draw_finding(const std::filesystem::path& folder, const std::string& name, const Expectation& e, const ExpectationResult& finding,
                   const std::filesystem::path& run_folder)
 {
   if (finding.values.empty()) return false;
   if (!e.runs.empty()) return !std::isnan(finding.number) && draw_figure(folder, name, order_figure(e, finding));
-  if (e.reading.column.empty() || !e.over.empty()) return false;
+  if (e.observable.column.empty() || !e.over.empty()) return false;
   return plot::draw_figure(folder, name, column_figure(e, run_folder::read_history(run_folder / "history.csv")));
 }
 

@@ -32,10 +32,10 @@ void check_runs(Describe& d, const std::string& path, const Expectation& e, cons
 /// What must fit together in one expectation.
 void check(Describe& d, const std::string& path, const Expectation& e)
 {
-  check(d, path, e.reading);
-  const bool bounded = e.least || e.most;
+  check(d, path, e.observable);
+  const bool bounded = e.min || e.max;
   d.check(e.exact.has_value() != bounded, path, "needs either exact, or least and most or one of them");
-  d.check(!e.least || !e.most || *e.least <= *e.most, path + ".most", "must not be less than least");
+  d.check(!e.min || !e.max || *e.min <= *e.max, path + ".most", "must not be less than least");
   const int tolerances = e.tolerance.has_value() + e.absolute_tolerance.has_value();
   d.check(tolerances == (bounded ? 0 : 1), path, "exact needs a tolerance or an absolute_tolerance, and bounds need none");
   d.check(!e.tolerance || e.exact != 0., path + ".tolerance", "zero needs an absolute_tolerance");
@@ -57,14 +57,14 @@ void describe(Describe& d, Expectation& e)
   d.value("over", e.over, {.meaning = "name of a run by whose number it is divided: the number to expect is the ratio"});
   d.value("runs", e.runs,
           {.meaning = "instead of run: names of runs with cells half as large each time, whose order of convergence is meant"});
-  describe(d, e.reading);
-  const std::string of_value = unit_of(e.reading), unit = unit_of(e);
+  describe(d, e.observable);
+  const std::string of_value = unit_of(e.observable), unit = unit_of(e);
   d.value("limit", e.limit, {.meaning = "value that the runs converge to", .unit = of_value.c_str()});
   d.value("exact", e.exact, {.meaning = "value to expect", .unit = unit.c_str()});
   d.value("tolerance", e.tolerance, {.meaning = "largest |value / exact - 1|", .range = positive});
   d.value("absolute_tolerance", e.absolute_tolerance, {.meaning = "largest |value - exact|", .unit = unit.c_str(), .range = positive});
-  d.value("least", e.least, {.meaning = "least value to expect, instead of exact", .unit = unit.c_str()});
-  d.value("most", e.most, {.meaning = "largest value to expect, instead of exact", .unit = unit.c_str()});
+  d.value("least", e.min, {.meaning = "least value to expect, instead of exact", .unit = unit.c_str()});
+  d.value("most", e.max, {.meaning = "largest value to expect, instead of exact", .unit = unit.c_str()});
   d.value("source", e.source, {.meaning = "where the expected value comes from", .required = true});
   d.value("why", e.why, {.meaning = "why the tolerance or the bounds are what they are", .required = true});
 }
@@ -93,12 +93,12 @@ std::vector<std::string> runs_of(const Expectation& e)
 
 std::string words_of(const Expectation& e)
 {
-  return (e.runs.empty() ? "" : "order of ") + words_of(e.reading) + (e.over.empty() ? "" : " over that of " + e.over);
+  return (e.runs.empty() ? "" : "order of ") + words_of(e.observable) + (e.over.empty() ? "" : " over that of " + e.over);
 }
 
 std::string unit_of(const Expectation& e)
 {
-  return e.runs.empty() && e.over.empty() ? unit_of(e.reading) : "";
+  return e.runs.empty() && e.over.empty() ? unit_of(e.observable) : "";
 }
 
 Real number_of(const Expectation& e, const std::vector<Real>& values)
@@ -119,8 +119,8 @@ Real number_of(const Expectation& e, const std::vector<Real>& values)
 Real error_of(const Expectation& e, Real number)
 {
   if (e.exact) return e.tolerance ? (number - *e.exact) / std::abs(*e.exact) : number - *e.exact;
-  if (e.least && number < *e.least) return number - *e.least;
-  if (e.most && number > *e.most) return number - *e.most;
+  if (e.min && number < *e.min) return number - *e.min;
+  if (e.max && number > *e.max) return number - *e.max;
   return std::isnan(number) ? number : 0;
 }
 

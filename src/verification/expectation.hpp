@@ -19,8 +19,8 @@ struct Expectation {
   std::string over;               ///< run by whose number that of `run` is divided; "": none
   std::vector<std::string> runs;  ///< from the coarsest to the finest, with
   std::optional<Real> limit;      ///< SI units: what the number tends to
-  Reading reading;
-  std::optional<Real> exact, least, most;             ///< of the number in SI units, or of the order; either exact or bounds
+  Observable observable;
+  std::optional<Real> exact, min, max;                ///< of the number in SI units, or of the order; either exact or bounds
   std::optional<Real> tolerance, absolute_tolerance;  ///< of exact: relative, or in its unit
   std::string source, why;
 };

@@ -27,7 +27,7 @@ ShownUnit shown_unit(const Expectation& e)
 {
   const std::string unit = unit_of(e);
   Real size = e.exact == 0. && e.absolute_tolerance ? *e.absolute_tolerance : 0;
-  for (const auto& value : {e.exact, e.least, e.most}) size = std::max(size, std::abs(value.value_or(0)));
+  for (const auto& value : {e.exact, e.min, e.max}) size = std::max(size, std::abs(value.value_or(0)));
   if (unit == "m" && size < 1e-5) return {1e6, "um"};
   if (unit == "m" && size < 0.1) return {1e3, "mm"};
   if ((unit == "N/m" || unit == "Pa" || unit == "J/m") && size >= 1e3 && size < 1e6) return {1e-3, "k" + unit};
@@ -38,8 +38,8 @@ ShownUnit shown_unit(const Expectation& e)
 std::string exact_of(const Expectation& e, const ShownUnit& unit)
 {
   if (e.exact) return unit.value(*e.exact);
-  if (e.least && e.most) return unit.number(*e.least) + " .. " + unit.value(*e.most);
-  return e.least ? ">= " + unit.value(*e.least) : "<= " + unit.value(*e.most);
+  if (e.min && e.max) return unit.number(*e.min) + " .. " + unit.value(*e.max);
+  return e.min ? ">= " + unit.value(*e.min) : "<= " + unit.value(*e.max);
 }
 
 const ProblemResult& result_of(const std::string& run, const Example& example, const std::vector<ProblemResult>& results)
@@ -49,7 +49,7 @@ const ProblemResult& result_of(const std::string& run, const Example& example, c
 }
 
 /// Takes the values of the runs; false, and the verdict and reason say why, where one has none.
-bool take_values(Finding& finding, const Example& example, const Expectation& e, const std::vector<ProblemResult>& results)
+bool take_values(ExpectationResult& finding, const Example& example, const Expectation& e, const std::vector<ProblemResult>& results)
 {
   for (const std::string& run : runs_of(e)) {
     const ProblemResult& result = result_of(run, example, results);
@@ -58,7 +58,7 @@ bool take_values(Finding& finding, const Example& example, const Expectation& e,
     finding.reason = e.runs.empty() && e.over.empty() ? result.end.reason : fmt::format("{}: {}", run, result.end.reason);
     if (result.end.kind == jobs::JobEnd::Kind::failed) return false;
     try {
-      finding.values.push_back(evaluate(e.reading, result.folder));
+      finding.values.push_back(evaluate(e.observable, result.folder));
     } catch (const std::exception& error) {
       finding.reason = error.what();
       return false;
@@ -75,9 +75,9 @@ const char* word_of(Verdict verdict)
   return words[static_cast<int>(verdict)];
 }
 
-Finding find_out(const Example& example, const Expectation& e, const std::vector<ProblemResult>& results)
+ExpectationResult compare_with_expectation(const Example& example, const Expectation& e, const std::vector<ProblemResult>& results)
 {
-  Finding finding;
+  ExpectationResult finding;
   finding.problem = fmt::format("{}/{}", example.name, e.runs.empty() ? e.run : e.runs.front() + " .. " + e.runs.back());
   finding.what = words_of(e);
   const ShownUnit unit = shown_unit(e);

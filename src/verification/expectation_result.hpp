@@ -15,7 +15,7 @@ struct ProblemResult {
 enum class Verdict { met, missed, failed, not_run };
 
 /// What came of one expectation: its numbers as text for tables, and the verdict.
-struct Finding {
+struct ExpectationResult {
   std::string problem;  ///< EXAMPLE/RUN, or EXAMPLE/RUN .. RUN
   std::string what, exact, berm, error, tolerance;
   Verdict verdict = Verdict::not_run;
@@ -29,6 +29,6 @@ const char* word_of(Verdict verdict);
 
 /// Compares what an expectation wants with what its runs gave; `results` are of example.runs, in their order. Never throws for want of a result: then
 /// the verdict is `failed` with the reason, or `not_run`.
-Finding find_out(const Example& example, const Expectation& e, const std::vector<ProblemResult>& results);
+ExpectationResult compare_with_expectation(const Example& example, const Expectation& e, const std::vector<ProblemResult>& results);
 
 }  // namespace berm::verification

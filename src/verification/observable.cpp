@@ -52,26 +52,26 @@ Real period_of(const Rows& rows)
 
 }  // namespace
 
-void describe(Describe& d, Reading& reading)
+void describe(Describe& d, Observable& observable)
 {
-  d.value("quantity", reading.quantity, {.meaning = "quantity of summary.json"});
-  d.value("column", reading.column, {.meaning = "column of history.csv, instead of a quantity"});
-  d.choice("measure", reading.measure, measure_words, {.meaning = "number that is taken from the column"});
-  d.value("from", reading.from, {.meaning = "begin of the window in time; absent = first row", .unit = "s"});
-  d.value("to", reading.to, {.meaning = "end of the window in time; absent = last row", .unit = "s"});
+  d.value("quantity", observable.quantity, {.meaning = "quantity of summary.json"});
+  d.value("column", observable.column, {.meaning = "column of history.csv, instead of a quantity"});
+  d.choice("measure", observable.measure, measure_words, {.meaning = "number that is taken from the column"});
+  d.value("from", observable.from, {.meaning = "begin of the window in time; absent = first row", .unit = "s"});
+  d.value("to", observable.to, {.meaning = "end of the window in time; absent = last row", .unit = "s"});
 }
 
-void check(Describe& d, const std::string& path, const Reading& r)
+void check(Describe& d, const std::string& path, const Observable& r)
 {
   d.check(r.quantity.empty() != r.column.empty(), path, "needs either a quantity of summary.json or a column of history.csv, and not both");
   d.check(r.column.empty() ? !r.from && !r.to : true, path + (r.from ? ".from" : ".to"), "only a column has a window in time");
   d.check(!r.from || !r.to || *r.from < *r.to, path + ".to", "must be later than from");
 }
 
-std::string words_of(const Reading& reading)
+std::string words_of(const Observable& observable)
 {
-  if (reading.column.empty()) return reading.quantity;
-  return fmt::format("{} {}", reading.column, measure_words[static_cast<std::size_t>(reading.measure)]);
+  if (observable.column.empty()) return observable.quantity;
+  return fmt::format("{} {}", observable.column, measure_words[static_cast<std::size_t>(observable.measure)]);
 }
 
 std::string unit_of(const std::string& name)
@@ -92,39 +92,39 @@ std::string unit_of(const std::string& name)
   return "";
 }
 
-std::string unit_of(const Reading& reading)
+std::string unit_of(const Observable& observable)
 {
-  if (reading.column.empty()) return unit_of(reading.quantity);
-  const std::string unit = unit_of(reading.column);
-  if (reading.measure == Measure::period) return "s";
-  if (reading.measure == Measure::acceleration) return unit == "rad" ? "rad/s^2" : "m/s^2";
-  if (reading.measure == Measure::slope) return fmt::format("{}/s", unit.empty() ? "1" : unit);
+  if (observable.column.empty()) return unit_of(observable.quantity);
+  const std::string unit = unit_of(observable.column);
+  if (observable.measure == Measure::period) return "s";
+  if (observable.measure == Measure::acceleration) return unit == "rad" ? "rad/s^2" : "m/s^2";
+  if (observable.measure == Measure::slope) return fmt::format("{}/s", unit.empty() ? "1" : unit);
   return unit;
 }
 
-Rows rows_of(const Reading& reading, const run_folder::History& history)
+Rows rows_of(const Observable& observable, const run_folder::History& history)
 {
-  if (!history.has(reading.column))
-    throw InputError(fmt::format("the history has no column {}{}", input::in_quotes(reading.column),
-                                 input::suggestion(reading.column, history.columns)));
-  const std::vector<Real>&time = history["time_s"], &value = history[reading.column];
+  if (!history.has(observable.column))
+    throw InputError(fmt::format("the history has no column {}{}", input::in_quotes(observable.column),
+                                 input::suggestion(observable.column, history.columns)));
+  const std::vector<Real>&time = history["time_s"], &value = history[observable.column];
   // The slack is for the round-off in the sum of time steps.
   const Real slack = time.empty() ? 0 : 1e-9 * time.back();
   Rows rows;
   for (std::size_t k = 0; k < time.size(); ++k) {
-    if (reading.from && time[k] < *reading.from - slack) continue;
-    if (reading.to && time[k] > *reading.to + slack) continue;
+    if (observable.from && time[k] < *observable.from - slack) continue;
+    if (observable.to && time[k] > *observable.to + slack) continue;
     rows.time.push_back(time[k]);
     rows.value.push_back(value[k]);
   }
   return rows;
 }
 
-Real evaluate(const Reading& reading, const run_folder::History& history)
+Real evaluate(const Observable& observable, const run_folder::History& history)
 {
-  const Rows rows = rows_of(reading, history);
+  const Rows rows = rows_of(observable, history);
   if (rows.value.empty()) return unknown;
-  switch (reading.measure) {
+  switch (observable.measure) {
   case Measure::end:
     return rows.value.back();
   case Measure::mean:
@@ -138,16 +138,16 @@ Real evaluate(const Reading& reading, const run_folder::History& history)
   case Measure::slope:
     return highest_coefficient(rows, 1);
   case Measure::acceleration:
-    return reading.column.ends_with("_m_s") ? highest_coefficient(rows, 1) : 2 * highest_coefficient(rows, 2);
+    return observable.column.ends_with("_m_s") ? highest_coefficient(rows, 1) : 2 * highest_coefficient(rows, 2);
   case Measure::period:
     return period_of(rows);
   }
   return unknown;
 }
 
-Real evaluate(const Reading& reading, const std::filesystem::path& run_folder)
+Real evaluate(const Observable& observable, const std::filesystem::path& run_folder)
 {
-  if (!reading.column.empty()) return evaluate(reading, run_folder::read_history(run_folder / "history.csv"));
+  if (!observable.column.empty()) return evaluate(observable, run_folder::read_history(run_folder / "history.csv"));
   const std::optional<run_folder::RunSummary> summary = run_folder::read_summary(run_folder);
   if (!summary) throw RunError(fmt::format("there is no {}", (run_folder / "summary.json").string()));
   std::vector<std::pair<std::string, Real>> numbers;
@@ -156,11 +156,11 @@ Real evaluate(const Reading& reading, const std::filesystem::path& run_folder)
   numbers.insert(numbers.end(), summary->timing.begin(), summary->timing.end());
   std::vector<std::string> names;
   for (const auto& [name, value] : numbers) {
-    if (name == reading.quantity) return value;
+    if (name == observable.quantity) return value;
     names.push_back(name);
   }
-  throw InputError(input::one_line(
-      fmt::format("summary.json has no quantity {}{}", input::in_quotes(reading.quantity), input::suggestion(reading.quantity, names))));
+  throw InputError(input::one_line(fmt::format("summary.json has no quantity {}{}", input::in_quotes(observable.quantity),
+                                               input::suggestion(observable.quantity, names))));
 }
 
 }  // namespace berm::verification

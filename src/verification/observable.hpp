@@ -24,7 +24,7 @@ enum class Measure {
 inline const std::vector<const char*> measure_words = {"end", "mean", "largest", "least", "change", "slope", "acceleration", "period"};
 
 /// Which number of a run's results is meant.
-struct Reading {
+struct Observable {
   std::string quantity;  ///< of summary.json: a quantity, else a check, else one of the timing; or
   std::string column;    ///< of history.csv, with
   Measure measure = Measure::end;
@@ -32,19 +32,19 @@ struct Reading {
 };
 
 /// The keys of a reading stand in the table of whoever takes it.
-void describe(Describe& d, Reading& reading);
+void describe(Describe& d, Observable& observable);
 
 /// Says at `path` what does not fit together in a reading.
-void check(Describe& d, const std::string& path, const Reading& reading);
+void check(Describe& d, const std::string& path, const Observable& observable);
 
 /// "V_at_w_0.1D", "block_vx_m_s mean".
-std::string words_of(const Reading& reading);
+std::string words_of(const Observable& observable);
 
 /// The SI unit of a quantity or column, told by its name: V_at_w_0.1D is in N/m, tip_uy_m in m; "" where it is a bare number.
 std::string unit_of(const std::string& name);
 
 /// The unit of the quantity, or of the column and what the measure makes of it.
-std::string unit_of(const Reading& reading);
+std::string unit_of(const Observable& observable);
 
 /// The rows of a column within the window.
 struct Rows {
@@ -52,13 +52,13 @@ struct Rows {
 };
 
 /// Throws InputError where the history has no such column.
-Rows rows_of(const Reading& reading, const run_folder::History& history);
+Rows rows_of(const Observable& observable, const run_folder::History& history);
 
 /// The measure of the column over its window. NaN where the window has too few rows or crossings. Throws InputError as rows_of.
-Real evaluate(const Reading& reading, const run_folder::History& history);
+Real evaluate(const Observable& observable, const run_folder::History& history);
 
 /// The number, from summary.json or history.csv of a run folder; true is 1, false 0, and what was not finite NaN. Throws InputError where there is
 /// no such quantity or column, RunError where there is no such file.
-Real evaluate(const Reading& reading, const std::filesystem::path& run_folder);
+Real evaluate(const Observable& observable, const std::filesystem::path& run_folder);
 
 }  // namespace berm::verification

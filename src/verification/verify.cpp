@@ -97,7 +97,7 @@ bool verify(const VerifyRequest& request)
     first = last;
     for (const ProblemResult& result : chapter.results) all_met = all_met && result.end.kind == jobs::JobEnd::Kind::finished;
     for (const Expectation& e : example.expectations) {
-      const Finding& f = chapter.findings.emplace_back(find_out(example, e, chapter.results));
+      const ExpectationResult& f = chapter.findings.emplace_back(compare_with_expectation(example, e, chapter.results));
       rows.push_back(
           {f.problem, f.what, f.exact, f.berm, f.error, f.tolerance, word_of(f.verdict), f.reason.empty() ? e.source : f.reason});
       all_met = all_met && f.verdict == Verdict::met;

@@ -41,9 +41,9 @@ public:
     data_ += bytes, left_ -= bytes;
     return number;
   }
-  std::string text(std::size_t most)
+  std::string text(std::size_t max)
   {
-    const std::size_t bytes = std::min(left_, most);
+    const std::size_t bytes = std::min(left_, max);
     std::string taken = text_of(data_, bytes);
     data_ += bytes, left_ -= bytes;
     return taken;
@@ -68,7 +68,7 @@ bool may_be_refused(const Read& read)
 }
 
 /// What is read from a file: something of every kind.
-void keep_sample(Keep& k)
+void keep_sample(Archive& k)
 {
   Real real = 0.5;
   Index index = 7;
@@ -96,7 +96,7 @@ std::string whole_file()
 {
   const fs::path path = fs::path("/dev/shm") / fmt::format("berm_fuzz_{}.h5", ::getpid());
   checkpoint::write_checkpoint(path, keep_sample);
-  const std::string bytes = io::read_whole(path);
+  const std::string bytes = io::read_text_file(path);
   fs::remove(path);
   return bytes;
 }
@@ -171,7 +171,7 @@ std::string_view bytes_of(const Values& values)
   return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(typename Values::value_type)};
 }
 
-class ToLists : public Keep {
+class ToLists : public Archive {
 public:
   bool reads() const override { return false; }
   void refuse(const std::string& why) const override { throw RunError(why); }
@@ -192,7 +192,7 @@ private:
 };
 
 /// Whether what is kept has the same bits.
-class Compares : public Keep {
+class Compares : public Archive {
 public:
   explicit Compares(const Lists& lists) : lists_(lists) {}
   bool reads() const override { return false; }
@@ -217,7 +217,7 @@ private:
   bool same_ = true;
 };
 
-class FromLists : public Keep {
+class FromLists : public Archive {
 public:
   explicit FromLists(const Lists& lists) : lists_(lists) {}
   bool reads() const override { return true; }
@@ -333,7 +333,7 @@ public:
     for (int n = 0; n < 37; ++n) step(problem_.model, problem_.state, work);
     frame_maker_.make(problem_.state);
     ToLists to;
-    keep(to);
+    archive(to);
     whole_ = to.lists;
   }
 
@@ -342,19 +342,19 @@ public:
     Lists changed = whole_;
     while (!input.empty() && !changed.empty()) change(changed, input);
     FromLists from(changed);
-    if (may_be_refused([&] { keep(from); })) may_be_refused([&] { go_on(); });
+    if (may_be_refused([&] { archive(from); })) may_be_refused([&] { go_on(); });
     FromLists again(whole_);
-    keep(again);
+    archive(again);
     Compares compares(whole_);
-    keep(compares);
+    archive(compares);
     promise(compares.same(), "a checkpoint gives its bits back whatever was read before", "");
   }
 
 private:
-  void keep(Keep& k)
+  void archive(Archive& k)
   {
-    k.table("increments", [&] { frame_maker_.keep(k); });
-    k.table("state", [&] { problem::keep(k, problem_.model, problem_.state); });
+    k.table("increments", [&] { frame_maker_.archive(k); });
+    k.table("state", [&] { problem::archive(k, problem_.model, problem_.state); });
   }
   void go_on() const
   {

@@ -21,11 +21,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     promise_one_line(error.what());
   }
   try {
-    const run_folder::SavedRigids rigids = run_folder::read_rigids(path);
-    promise(rigids.types.size() == rigids.cells.size() && rigids.rigid.size() == rigids.cells.size(), "each cell has a type", "");
-    for (const auto& cell : rigids.cells)
+    const run_folder::SavedRigids rigid_bodies = run_folder::read_rigids(path);
+    promise(rigid_bodies.types.size() == rigid_bodies.cells.size() && rigid_bodies.rigid.size() == rigid_bodies.cells.size(),
+            "each cell has a type", "");
+    for (const auto& cell : rigid_bodies.cells)
       for (const Index point : cell)
-        promise(point >= 0 && static_cast<std::size_t>(point) < rigids.x.size(), "points exist", std::to_string(point));
+        promise(point >= 0 && static_cast<std::size_t>(point) < rigid_bodies.x.size(), "points exist", std::to_string(point));
   } catch (const RunError& error) {
     promise_one_line(error.what());
   }

@@ -14,7 +14,7 @@ using namespace berm;
 
 namespace {
 
-constexpr Real most_cells = 50, most_particles = 500;
+constexpr Real max_cells = 50, max_particles = 500;
 constexpr const char* scratch = "/dev/shm";  // a box needs no files
 
 Real cells_of(const mesh::BoxMesh& box)
@@ -39,10 +39,10 @@ Real particles_of(const bodies::BodySettings& body, Real cells)
 bool is_small(const problem::Case& c)
 {
   const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh);
-  if (box == nullptr || cells_of(*box) > most_cells) return false;
+  if (box == nullptr || cells_of(*box) > max_cells) return false;
   Real particles = 0;
   for (const auto& entry : c.body) particles += particles_of(entry.second, cells_of(*box));
-  return particles <= most_particles || c.method == problem::Method::fem;
+  return particles <= max_particles || c.method == problem::Method::fem;
 }
 
 template <int dim>

@@ -71,15 +71,15 @@ void may_be_refused(const Work& work)
 /// The numbers that `berm study` and `berm verify` take.
 void take_numbers(const fs::path& folder)
 {
-  verification::Reading reading;
-  reading.quantity = "energy_error";
-  may_be_refused([&] { evaluate(reading, folder); });
-  reading.quantity.clear();
-  reading.column = "w_m";
+  verification::Observable observable;
+  observable.quantity = "energy_error";
+  may_be_refused([&] { evaluate(observable, folder); });
+  observable.quantity.clear();
+  observable.column = "w_m";
   for (const verification::Measure measure :
        {verification::Measure::slope, verification::Measure::acceleration, verification::Measure::period}) {
-    reading.measure = measure;
-    may_be_refused([&] { evaluate(reading, folder); });
+    observable.measure = measure;
+    may_be_refused([&] { evaluate(observable, folder); });
   }
 }
 

@@ -36,9 +36,9 @@ TEST(Damping, does_not_act_at_the_contact_so_that_the_reaction_of_a_resting_bloc
   c.body[0].second.damping = 0.9;
   Simulation<2> run(c);
   run.run_until(4);
-  const Real weight = 10 * mpm::measure(run.state().particles[0]).mass;
-  EXPECT_NEAR(run.state().rigids[0].reaction[1] / -weight, 1, 1e-6);
-  EXPECT_NEAR(run.state().rigids[0].reaction[0] / weight, 0, 1e-6);
+  const Real weight = 10 * mpm::sums_over(run.state().particles[0]).mass;
+  EXPECT_NEAR(run.state().rigid_bodies[0].reaction[1] / -weight, 1, 1e-6);
+  EXPECT_NEAR(run.state().rigid_bodies[0].reaction[0] / weight, 0, 1e-6);
 }
 
 TEST(Damping, hardly_adds_to_the_reaction_of_a_block_that_is_moved_at_constant_speed)
@@ -54,9 +54,10 @@ TEST(Damping, hardly_adds_to_the_reaction_of_a_block_that_is_moved_at_constant_s
     c.stage[0].ramp = 0.2;
     Simulation<2> run(c);
     run.run_until(1);
-    const Real impulse = run.state().rigids[0].impulse[1], begin = run.state().time;
+    const Real impulse = run.state().rigid_bodies[0].impulse[1], begin = run.state().time;
     run.run_until(3);
-    return (run.state().rigids[0].impulse[1] - impulse) / (run.state().time - begin) / (10 * mpm::measure(run.state().particles[0]).mass);
+    return (run.state().rigid_bodies[0].impulse[1] - impulse) / (run.state().time - begin) /
+           (10 * mpm::sums_over(run.state().particles[0]).mass);
   };
   EXPECT_NEAR(reaction_over_weight(0), 1, 0.002);
   EXPECT_NEAR(reaction_over_weight(0.1), 1, 0.06);
@@ -71,11 +72,11 @@ TEST(Bounce, energy_is_kept_stored_or_lost_at_the_contact)
   motion.amplitude = {0, -0.5};
   c.body[0].second.initial_velocity = {motion};
   Simulation<2> run(c);
-  const Real first = mpm::measure(run.state().particles[0]).kinetic;
+  const Real first = mpm::sums_over(run.state().particles[0]).kinetic;
   Real worst = 0, last = 0;
   // Until it is on its way back: a second touch would be a collision of single nodes, whose loss the particles feel only in part.
   run.run_until(0.1, [&] {
-    const auto now = mpm::measure(run.state().particles[0]);
+    const auto now = mpm::sums_over(run.state().particles[0]);
     const problem::Totals<2>& t = run.state().totals;
     worst = std::max(worst, std::abs(now.kinetic + t.internal + t.friction + t.damping - t.external - first));
     last = now.momentum[1];

@@ -38,9 +38,9 @@ Real bar_period_ratio()
   // Zero crossings of the momentum: the first at a quarter of the period, the next at three quarters.
   Simulation<dim> run(c);
   std::vector<Real> crossings;
-  Real before = mpm::measure(run.state().particles[0]).momentum[0], time_before = 0;
+  Real before = mpm::sums_over(run.state().particles[0]).momentum[0], time_before = 0;
   run.run_until(12, [&] {
-    const Real now = mpm::measure(run.state().particles[0]).momentum[0];
+    const Real now = mpm::sums_over(run.state().particles[0]).momentum[0];
     if (before * now < 0) crossings.push_back(time_before + (run.state().time - time_before) * before / (before - now));
     before = now;
     time_before = run.state().time;
@@ -66,9 +66,9 @@ Real column_settlement_ratio()
   }
   c.body[0].second.damping = 0.3;
   Simulation<dim> run(c);
-  const Real before = mpm::measure(run.state().particles[0]).moment[1];
+  const Real before = mpm::sums_over(run.state().particles[0]).moment[1];
   run.run_until(0.2);
-  const auto after = mpm::measure(run.state().particles[0]);
+  const auto after = mpm::sums_over(run.state().particles[0]);
   // The centre of mass settles by rho g L^2 / (3 E): the mean of u(y) = rho g (L y - y^2 / 2) / E.
   return (before - after.moment[1]) / after.mass / (density * g * height * height / (3 * young_modulus));
 }

@@ -37,7 +37,7 @@ TEST(FreeCylinder, falls_as_gravity_says_until_it_touches)
   c.contact.clear();
   Simulation<2> run(c);
   run.run_until(0.1);
-  const bodies::RigidState<2>& cylinder = run.state().rigids[0];
+  const bodies::RigidState<2>& cylinder = run.state().rigid_bodies[0];
   const Real t = run.state().time;
   EXPECT_NEAR((cylinder.velocity - t * Vec<2>(1, -10)).norm(), 0, 1e-12);
   // Each step moves it by the velocity at its end: g t dt / 2 too far.
@@ -49,14 +49,14 @@ TEST(FreeCylinder, gives_the_bed_the_momentum_that_it_loses_and_energy_balances)
   problem::Case c = cylinder_over_bed();
   c.mpm.courant = 0.125;
   Simulation<2> run(c);
-  bodies::RigidState<2>& cylinder = run.state().rigids[0];
-  const bodies::Rigid<2>& body = run.model().rigids[0];
+  bodies::RigidState<2>& cylinder = run.state().rigid_bodies[0];
+  const bodies::RigidBody<2>& body = run.model().rigid_bodies[0];
   cylinder.velocity = {0, -0.5};
   const Real first = kinetic_energy(body, cylinder);
   Real worst = 0, slowest = infinity;
   run.run_until(0.15, [&] {
     const problem::Totals<2>& t = run.state().totals;
-    const Real kinetic = mpm::measure(run.state().particles[0]).kinetic + kinetic_energy(body, cylinder);
+    const Real kinetic = mpm::sums_over(run.state().particles[0]).kinetic + kinetic_energy(body, cylinder);
     worst = std::max(worst, std::abs(kinetic + t.internal + t.friction + t.damping - t.external - first));
     slowest = std::min(slowest, kinetic_energy(body, cylinder));
     // What the soil gave it by the step before is what it has got by now.
@@ -76,11 +76,11 @@ TEST(FreeCylinder, is_turned_by_friction_as_much_as_the_bed_is_turned_back)
   c.rigid[0].second.rotation = bodies::Rotation::free;
   c.contact[0].second.friction_angle = 0.2;
   Simulation<2> run(c);
-  const bodies::RigidState<2>& cylinder = run.state().rigids[0];
+  const bodies::RigidState<2>& cylinder = run.state().rigid_bodies[0];
   run.run_until(0.1);
-  EXPECT_LT(cylinder.spin, -0.1);  // it goes along x on top of the bed, so it rolls clockwise
+  EXPECT_LT(cylinder.angular_velocity, -0.1);  // it goes along x on top of the bed, so it rolls clockwise
   // I times its spin, and the moment that its contacts gave to the bed, but for the last step's, which acts in the next.
-  const Real lost = -run.model().rigids[0].inertia * cylinder.spin;
+  const Real lost = -run.model().rigid_bodies[0].inertia * cylinder.angular_velocity;
   EXPECT_NEAR(cylinder.torque_impulse + run.state().dt * cylinder.torque, lost, 1e-3 * lost);
 }
 

@@ -29,7 +29,7 @@ TEST(InertiaDensity, slows_a_free_fall_down_to_the_weight_over_the_inertia)
   Simulation<2> run(submerged_block(false));
   run.run_until(0.1);
   const Real t = run.state().time, acceleration = gravity * weight_density / inertia;
-  const mpm::BodySums<2> sums = mpm::measure(run.state().particles[0]);
+  const mpm::BodySums<2> sums = mpm::sums_over(run.state().particles[0]);
   EXPECT_NEAR(sums.mass, inertia * 0.5, 1e-9);
   EXPECT_NEAR(sums.momentum[1] / sums.mass, -acceleration * t, 1e-10);
   EXPECT_NEAR(run.state().totals.external, sums.kinetic, 1e-10 * sums.kinetic);

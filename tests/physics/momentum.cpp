@@ -63,7 +63,7 @@ TEST(Momentum, is_what_gravity_floor_and_wall_gave_to_a_collapsing_column)
   take_steps(run, 600);
   EXPECT_LT(mpm::momentum_error(run.state()), round_off);
   EXPECT_EQ(masses(run.state()), mass);
-  const auto now = mpm::measure(run.state().particles[0]);
+  const auto now = mpm::sums_over(run.state().particles[0]);
   EXPECT_GT(now.momentum[0], 0.05 * now.mass);  // it collapses: 0.05 m/s and more on the average
 }
 
@@ -75,7 +75,7 @@ TEST(Reaction, is_the_momentum_that_the_soil_got_and_nothing_else_gave)
   const auto add_steps = [&](int count) {
     for (int n = 0; n < count; ++n) {
       take_steps(run, 1);
-      reaction += state.dt * state.rigids[0].reaction;
+      reaction += state.dt * state.rigid_bodies[0].reaction;
     }
   };
   add_steps(300);
@@ -83,9 +83,9 @@ TEST(Reaction, is_the_momentum_that_the_soil_got_and_nothing_else_gave)
   add_steps(300);
   const problem::Totals<2>& t = state.totals;
   const Vec<2> of_others = t.gravity_impulse + t.support_impulse + t.damping_impulse;
-  const Vec<2> by_pipe = mpm::measure(state.particles[0]).momentum - t.first_momentum - of_others;
+  const Vec<2> by_pipe = mpm::sums_over(state.particles[0]).momentum - t.first_momentum - of_others;
   EXPECT_NEAR((-reaction - by_pipe).norm() / reaction.norm(), 0, 1e-10);
-  EXPECT_NEAR((-reaction - state.rigids[0].impulse).norm() / reaction.norm(), 0, 1e-12);
+  EXPECT_NEAR((-reaction - state.rigid_bodies[0].impulse).norm() / reaction.norm(), 0, 1e-12);
   EXPECT_GT(reaction[1], 0);
   EXPECT_LT(reaction[0], 0);  // the drag along +x is resisted
 }
@@ -105,10 +105,10 @@ TEST(SecondCorrection, at_nodes_moves_particles_and_never_changes_their_momentum
     return state;
   };
   const problem::State<2> once = one_step(contact::Scheme::once, run.state()), twice = one_step(contact::Scheme::two_sided, run.state());
-  EXPECT_EQ(once.rigids[0].second_impulse, run.state().rigids[0].second_impulse);
-  EXPECT_NE(twice.rigids[0].second_impulse, run.state().rigids[0].second_impulse);
-  EXPECT_EQ(once.rigids[0].reaction, twice.rigids[0].reaction);
-  EXPECT_GT(once.rigids[0].reaction.norm(), 0);
+  EXPECT_EQ(once.rigid_bodies[0].second_impulse, run.state().rigid_bodies[0].second_impulse);
+  EXPECT_NE(twice.rigid_bodies[0].second_impulse, run.state().rigid_bodies[0].second_impulse);
+  EXPECT_EQ(once.rigid_bodies[0].reaction, twice.rigid_bodies[0].reaction);
+  EXPECT_GT(once.rigid_bodies[0].reaction.norm(), 0);
   const auto a = all_particles(once), b = all_particles(twice);
   Index elsewhere = 0;
   for (std::size_t k = 0; k < a.size(); ++k) {
@@ -150,9 +150,9 @@ TEST(Threads, do_not_change_one_bit_of_the_state)
       EXPECT_EQ(several.particles[0].block(block).id[l], order.at(place++)) << "order of the particles";
     });
     EXPECT_EQ(one.time, several.time);
-    EXPECT_EQ(one.rigids[0].displacement, several.rigids[0].displacement);
-    EXPECT_EQ(one.rigids[0].impulse, several.rigids[0].impulse);
-    EXPECT_EQ(one.rigids[0].second_impulse, several.rigids[0].second_impulse);
+    EXPECT_EQ(one.rigid_bodies[0].displacement, several.rigid_bodies[0].displacement);
+    EXPECT_EQ(one.rigid_bodies[0].impulse, several.rigid_bodies[0].impulse);
+    EXPECT_EQ(one.rigid_bodies[0].second_impulse, several.rigid_bodies[0].second_impulse);
     EXPECT_EQ(one.totals.internal, several.totals.internal);
     EXPECT_EQ(one.totals.external, several.totals.external);
     EXPECT_EQ(one.totals.friction, several.totals.friction);

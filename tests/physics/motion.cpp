@@ -114,14 +114,14 @@ TEST(Spin, a_free_square_keeps_its_angular_momentum_and_makes_little_stress)
     for (const auto& p : all_particles(run.state())) turn += p.mass * ((p.x[0] - 0.5) * p.v[1] - (p.x[1] - 0.5) * p.v[0]);
     return turn;
   };
-  const Real kinetic = mpm::measure(particles).kinetic, turn = turn_of_all();
+  const Real kinetic = mpm::sums_over(particles).kinetic, turn = turn_of_all();
   run.run_until(pi / 2 / omega);
   Real stress = 0;
   for (const auto& p : all_particles(run.state()))
     for (int k = 0; k < 4; ++k) stress = std::max(stress, std::abs(p.stress[k]));
   EXPECT_LT(stress, 60 * 1000 * omega * omega * radius * radius);
   EXPECT_GT(turn_of_all() / turn, 0.95);
-  EXPECT_GT(mpm::measure(particles).kinetic / kinetic, 0.92);
+  EXPECT_GT(mpm::sums_over(particles).kinetic / kinetic, 0.92);
 }
 
 }  // namespace

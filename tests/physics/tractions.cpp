@@ -51,7 +51,7 @@ TEST(Traction, accelerates_free_soil_by_its_force_over_the_mass)
   soil.run_until(end);
   const problem::State<2>& state = soil.problem.state;
   const Real t = state.time, of_force = t - 0.01;  // the ramp takes half of its own time away
-  const mpm::BodySums<2> sums = mpm::measure(state.particles[0]);
+  const mpm::BodySums<2> sums = mpm::sums_over(state.particles[0]);
   EXPECT_LT(mpm::momentum_error(state), round_off);
   EXPECT_NEAR((state.totals.traction_impulse - of_force * Vec<2>(2000, 500)).norm() / 2000, 0, 2 * state.dt);
   EXPECT_NEAR((sums.momentum - of_force * Vec<2>(2000, 500)).norm() / sums.momentum.norm(), 0, 2 * state.dt / t);
@@ -62,7 +62,7 @@ TEST(Traction, does_the_work_that_the_soil_has)
   PulledSoil soil(free_soil());
   soil.run_until(0.3);
   const problem::State<2>& state = soil.problem.state;
-  const Real kinetic = mpm::measure(state.particles[0]).kinetic;
+  const Real kinetic = mpm::sums_over(state.particles[0]).kinetic;
   // The force moves by half of the square of the speed that it makes, and by what the soil stretches. The method loses some of the waves' energy.
   EXPECT_NEAR((kinetic + state.totals.internal) / state.totals.external, 1, 0.02);
   EXPECT_GT(state.totals.external, 0.9 * kinetic);

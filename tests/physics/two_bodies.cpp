@@ -52,7 +52,7 @@ problem::Case two_blocks_that_meet(Real friction_angle)
 
 Vec<2> momentum_of(const problem::State<2>& state, Index body)
 {
-  return mpm::measure(state.particles[body]).momentum;
+  return mpm::sums_over(state.particles[body]).momentum;
 }
 
 TEST(TwoBodies, keep_their_momentum_to_round_off_through_a_collision_with_friction)
@@ -105,7 +105,7 @@ Real worst_approach(Simulation<2>& run)
     for (const contact::ContactPoint<2>& point : run.work.contact_points[k].list) {
       const Index node = point.nodes[0];
       const Real approach = -(velocity(contact.body, node) - velocity(contact.other_body, node)).dot(point.normal);
-      worst = std::max(worst, approach - std::max(Real(0), point.gap) / (contact.approach_steps * state.dt));
+      worst = std::max(worst, approach - std::max(Real(0), point.gap) / (contact.gap_closing_steps * state.dt));
     }
   }
   return worst;
@@ -156,7 +156,7 @@ TEST(BlockOnBlock, slides_with_the_friction_of_the_interface)
   c.gravity_ramp = 0.1;
   Simulation<2> run(c);
   run.run_until(0.15);
-  const auto velocity = [&] { return momentum_of(run.state(), 1)[0] / mpm::measure(run.state().particles[1]).mass; };
+  const auto velocity = [&] { return momentum_of(run.state(), 1)[0] / mpm::sums_over(run.state().particles[1]).mass; };
   const Real first = velocity(), begin = run.state().time;
   run.run_until(0.5);
   EXPECT_NEAR((velocity() - first) / (run.state().time - begin), 5 - 0.3 * 5 * std::sqrt(Real(3)), 0.01 * 2.4);

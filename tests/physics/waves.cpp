@@ -70,11 +70,11 @@ Real error_of(Mode mode, int cells, mesh::BoxPattern pattern = mesh::BoxPattern:
 
 /// The order over two halvings of the cells, and the error on the finest: dispersion makes single steps of the pressure mode scatter by 0.5.
 template <int dim>
-void expect_order(Real least, Real largest_error, Mode mode, int cells, mesh::BoxPattern pattern = mesh::BoxPattern::diagonal,
+void expect_order(Real min, Real largest_error, Mode mode, int cells, mesh::BoxPattern pattern = mesh::BoxPattern::diagonal,
                   bool projection = true)
 {
   const Real coarse = error_of<dim>(mode, cells, pattern, projection), fine = error_of<dim>(mode, 4 * cells, pattern, projection);
-  EXPECT_GT(std::log2(coarse / fine) / 2, least) << coarse << " -> " << fine;
+  EXPECT_GT(std::log2(coarse / fine) / 2, min) << coarse << " -> " << fine;
   EXPECT_LT(fine, largest_error);
 }
 

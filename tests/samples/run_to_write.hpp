@@ -55,10 +55,10 @@ problem::Problem<dim> sample_problem()
     state.particles[body].insert(cell, p);
   }
   const Vec<dim> middle = (model.mesh.lower + model.mesh.upper) / 2;
-  model.rigids = {{"pipe", bodies::Circle<dim>{middle, 0.02}, 1},
-                  {"block", bodies::Box<dim>{middle, Vec<dim>::Constant(0.01), Matrix<dim>::Identity()}, 1},
-                  {"floor", bodies::HalfPlane<dim>{middle, Vec<dim>::UnitY()}, 1}};
-  state.rigids.resize(3);
+  model.rigid_bodies = {{"pipe", bodies::Circle<dim>{middle, 0.02}, 1},
+                        {"block", bodies::Box<dim>{middle, Vec<dim>::Constant(0.01), Matrix<dim>::Identity()}, 1},
+                        {"floor", bodies::HalfPlane<dim>{middle, Vec<dim>::UnitY()}, 1}};
+  state.rigid_bodies.resize(3);
   return problem;
 }
 

@@ -27,7 +27,7 @@ std::vector<FilmField> fields_of(problem::Method method)
 }
 
 /// What the film leaves out, in words.
-std::string note_of(const Footage& footage, Index step, const std::vector<FilmField>& left_out)
+std::string note_of(const FilmFrames& footage, Index step, const std::vector<FilmField>& left_out)
 {
   std::vector<std::string> words;
   if (footage.slice)
@@ -41,9 +41,9 @@ std::string note_of(const Footage& footage, Index step, const std::vector<FilmFi
 
 }  // namespace
 
-Film make_film(const pipe::RunRecord& run, const std::string& prefix, std::size_t most_bytes)
+Film make_film(const pipe::RunRecord& run, const std::string& prefix, std::size_t max_bytes)
 {
-  const Footage footage = read_footage(run);
+  const FilmFrames footage = read_footage(run);
   std::vector<std::string> faults;
   if (!footage.fault.empty()) faults.push_back(footage.fault);
   if (footage.frames.empty()) return {nullptr, {}, faults};
@@ -57,14 +57,14 @@ Film make_film(const pipe::RunRecord& run, const std::string& prefix, std::size_
     const std::vector<Index> kept = kept_frames(stages, step);
     Film film = encoded_film(run, footage, kept, fields, prefix);
     const std::size_t size = size_of(film);
-    if (size <= most_bytes) {
+    if (size <= max_bytes) {
       const std::string note = note_of(footage, step * footage.step, left_out);
       if (!note.empty()) film.json["note"] = note;
       film.faults = faults;
       return film;
     }
     if (kept.size() > fewest) {
-      const Real wanted = static_cast<Real>(step) * static_cast<Real>(size) / static_cast<Real>(std::max<std::size_t>(most_bytes, 1));
+      const Real wanted = static_cast<Real>(step) * static_cast<Real>(size) / static_cast<Real>(std::max<std::size_t>(max_bytes, 1));
       step = std::max(step + 1, static_cast<Index>(std::min<Real>(wanted, count)));
     } else if (fields.size() > 1) {
       left_out.push_back(fields.back());
@@ -72,7 +72,7 @@ Film make_film(const pipe::RunRecord& run, const std::string& prefix, std::size_
     } else {
       faults.push_back(
           fmt::format("the film of the soil is left out: it takes {:.1f} MB even with {} frames, and the page has room for {:.1f} MB of it",
-                      static_cast<Real>(size) / 1e6, fewest, static_cast<Real>(most_bytes) / 1e6));
+                      static_cast<Real>(size) / 1e6, fewest, static_cast<Real>(max_bytes) / 1e6));
       return {nullptr, {}, faults};
     }
   }

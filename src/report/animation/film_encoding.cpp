@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Of the pipe's diameter: the way that strain increments are told for, and the shortest that counts as a way.
-constexpr Real unit_way = 0.01, least_way = 0.001;
+constexpr Real unit_way = 0.01, min_way = 0.001;
 
 /// Blocks in the making: each is made and packed when all are known, over all threads.
 class Blocks {
@@ -45,18 +45,18 @@ private:
 };
 
 /// What strain increments since the frame before are multiplied with, so that they are those of the unit way; 1 where the pipe rests.
-std::vector<Real> increment_factors(const pipe::RunRecord& run, const Footage& footage, const std::vector<Index>& kept)
+std::vector<Real> increment_factors(const pipe::RunRecord& run, const FilmFrames& footage, const std::vector<Index>& kept)
 {
   std::vector<Real> factors(kept.size(), 1);
   const Real D = run.scale.diameter;
   for (std::size_t k = 1; k < kept.size() && run.has_pipe(); ++k) {
     const Real way = way_between(run.history, footage.time[kept[k - 1]], footage.time[kept[k]]);
-    if (way >= least_way * D) factors[k] = unit_way * D / way;
+    if (way >= min_way * D) factors[k] = unit_way * D / way;
   }
   return factors;
 }
 
-Json frames_json(const pipe::RunRecord& run, const Footage& footage, const std::vector<Index>& kept)
+Json frames_json(const pipe::RunRecord& run, const FilmFrames& footage, const std::vector<Index>& kept)
 {
   Json list = Json::array();
   for (const Index k : kept) {
@@ -78,7 +78,7 @@ Json pair_of(const Vec<2>& x)
 }
 
 /// The box that the soil covers: points are in the middle of what they stand for.
-FilmBox covered(const FilmBox& points, const Footage& footage)
+FilmBox covered(const FilmBox& points, const FilmFrames& footage)
 {
   if (!footage.triangles.empty()) return points;
   const Vec<2> half = Vec<2>::Constant(*std::max_element(footage.sizes.begin(), footage.sizes.end()) / 2);
@@ -93,8 +93,8 @@ std::string name_of(std::int32_t rigid, const problem::Case& settings)
 
 }  // namespace
 
-Film encoded_film(const pipe::RunRecord& run, const Footage& footage, const std::vector<Index>& kept, const std::vector<FilmField>& fields,
-                  const std::string& prefix)
+Film encoded_film(const pipe::RunRecord& run, const FilmFrames& footage, const std::vector<Index>& kept,
+                  const std::vector<FilmField>& fields, const std::string& prefix)
 {
   std::vector<const FilmFrame*> frames;
   for (const Index k : kept) frames.push_back(&footage.frames[k]);

@@ -8,7 +8,7 @@
 namespace berm::report {
 
 /// The film of those frames that are kept, with those fields, without a note. Ids of blocks begin with `prefix`.
-Film encoded_film(const pipe::RunRecord& run, const Footage& footage, const std::vector<Index>& kept, const std::vector<FilmField>& fields,
-                  const std::string& prefix);
+Film encoded_film(const pipe::RunRecord& run, const FilmFrames& footage, const std::vector<Index>& kept,
+                  const std::vector<FilmField>& fields, const std::string& prefix);
 
 }  // namespace berm::report

@@ -49,7 +49,7 @@ run_folder::SavedSoil FilmReader::same_soil(const run_folder::FrameFiles& files)
 FilmFrame FilmReader::read(const run_folder::FrameFiles& files) const
 {
   FilmFrame frame = film_frame(same_soil(files));
-  if (!files.rigid.empty()) frame.rigids = run_folder::read_rigids(files.rigid);
+  if (!files.rigid.empty()) frame.rigid_bodies = run_folder::read_rigids(files.rigid);
   return frame;
 }
 

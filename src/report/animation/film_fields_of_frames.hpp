@@ -13,7 +13,7 @@ struct FilmFrame {
   std::vector<float> mean_stress;   ///< kPa, compression positive
   std::vector<float> speed;         ///< m/s
   std::vector<float> displacement;  ///< mm, since the start
-  run_folder::SavedRigids rigids;
+  run_folder::SavedRigids rigid_bodies;
 };
 
 /// Reads the frames of a run as its film shows them: all points in plane strain, in space those of the slice in the middle.

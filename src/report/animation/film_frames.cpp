@@ -22,12 +22,12 @@ std::vector<std::string> stages_of(const std::vector<FilmMoment>& moments)
 }
 
 /// Reads those of the files that are wanted, until one cannot be read.
-void read_frames(Footage& footage, const pipe::RunRecord& run, const std::vector<run_folder::FrameFiles>& files, const FilmReader& reader,
-                 std::size_t most_memory)
+void read_frames(FilmFrames& footage, const pipe::RunRecord& run, const std::vector<run_folder::FrameFiles>& files,
+                 const FilmReader& reader, std::size_t max_memory)
 {
   std::vector<FilmMoment> moments;
   for (const run_folder::FrameFiles& frame : files) moments.push_back(moment_at(run.history, frame.time));
-  footage.step = static_cast<Index>(files.size() * reader.count() * bytes_of_point / most_memory) + 1;
+  footage.step = static_cast<Index>(files.size() * reader.count() * bytes_of_point / max_memory) + 1;
   const std::vector<Index> wanted = kept_frames(stages_of(moments), footage.step);
 
   footage.frames.resize(wanted.size());
@@ -57,14 +57,14 @@ void read_frames(Footage& footage, const pipe::RunRecord& run, const std::vector
 
 }  // namespace
 
-std::vector<std::string> Footage::stages() const
+std::vector<std::string> FilmFrames::stages() const
 {
   return stages_of(moments);
 }
 
-Footage read_footage(const pipe::RunRecord& run, std::size_t most_memory)
+FilmFrames read_footage(const pipe::RunRecord& run, std::size_t max_memory)
 {
-  Footage footage;
+  FilmFrames footage;
   std::vector<run_folder::FrameFiles> files;
   try {
     files = run_folder::frame_files(run.folder / "frames");
@@ -76,7 +76,7 @@ Footage read_footage(const pipe::RunRecord& run, std::size_t most_memory)
     footage.sizes = reader.sizes();
     footage.triangles = reader.triangles();
     if (run.settings.dimension == 3) footage.slice = reader.middle();
-    read_frames(footage, run, files, reader, most_memory);
+    read_frames(footage, run, files, reader, max_memory);
   } catch (const RunError& error) {
     footage.fault = files.empty() ? fmt::format("there is no film of the soil: {}", error.what())
                                   : fmt::format("frame 1 of {} cannot be read: {}; there is no film", files.size(), error.what());

@@ -8,7 +8,7 @@
 namespace berm::report {
 
 /// The frames of a run that could be read, with what the history tells of each.
-struct Footage {
+struct FilmFrames {
   std::vector<FilmFrame> frames;
   std::vector<Real> time;           ///< s, of each
   std::vector<FilmMoment> moments;  ///< of each
@@ -25,6 +25,6 @@ struct Footage {
 
 /// Reads the frames of a run up to the first that is missing or damaged; no frames where there are none. They are held in memory until it is known how
 /// many of them the page can take: where all would take more than `most_memory` bytes, they are left out evenly (never the last of a stage).
-Footage read_footage(const pipe::RunRecord& run, std::size_t most_memory = 1'000'000'000);
+FilmFrames read_footage(const pipe::RunRecord& run, std::size_t max_memory = 1'000'000'000);
 
 }  // namespace berm::report

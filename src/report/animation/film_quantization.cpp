@@ -9,7 +9,7 @@
 namespace berm::report {
 namespace {
 
-constexpr Real most_code = 65535;
+constexpr Real max_code = 65535;
 
 /// A change of a code, such that small changes either way are small numbers: 0, -1, 1, -2, ... are 0, 1, 2, 3, ...
 std::uint16_t folded(std::uint16_t now, std::uint16_t before)
@@ -36,14 +36,14 @@ FilmBox box_of(const std::vector<const FilmFrame*>& frames)
   return box;
 }
 
-FilmGrid::FilmGrid(const FilmBox& box) : lower(box.lower), step((box.upper - box.lower).maxCoeff() / most_code)
+FilmGrid::FilmGrid(const FilmBox& box) : lower(box.lower), step((box.upper - box.lower).maxCoeff() / max_code)
 {
-  if (!(step > 0)) step = 1 / most_code;  // one point, which never moves
+  if (!(step > 0)) step = 1 / max_code;  // one point, which never moves
 }
 
 std::uint16_t FilmGrid::code(Real x, int d) const
 {
-  return static_cast<std::uint16_t>(std::lround(std::clamp((x - lower[d]) / step, 0., most_code)));
+  return static_cast<std::uint16_t>(std::lround(std::clamp((x - lower[d]) / step, 0., max_code)));
 }
 
 std::string position_bytes(const std::vector<const FilmFrame*>& frames, const FilmGrid& grid)
@@ -69,7 +69,7 @@ std::string position_bytes(const std::vector<const FilmFrame*>& frames, const Fi
 std::string size_bytes(const std::vector<float>& sizes, const FilmGrid& grid)
 {
   std::vector<std::uint16_t> codes;
-  for (const float size : sizes) codes.push_back(static_cast<std::uint16_t>(std::lround(std::clamp(size / grid.step, 1., most_code))));
+  for (const float size : sizes) codes.push_back(static_cast<std::uint16_t>(std::lround(std::clamp(size / grid.step, 1., max_code))));
   return bytes_of(codes);
 }
 

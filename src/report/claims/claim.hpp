@@ -9,7 +9,7 @@
 namespace berm::report {
 
 /// What one run says of a claim.
-struct Finding {
+struct ClaimEvidence {
   std::string run;
   text::Standing standing;
   std::string words;
@@ -18,7 +18,7 @@ struct Finding {
 /// A claim of the paper and what the runs say of it.
 struct Claim {
   std::string statement, where;
-  std::vector<Finding> findings;
+  std::vector<ClaimEvidence> findings;
   std::string why;                                              ///< said where there are findings
   std::string missing = "No run here came so far as to tell.";  ///< said where there are none
 };
@@ -28,7 +28,7 @@ template <class Find>
 void add_findings(Claim& claim, const TestRuns& runs, const Find& find)
 {
   for (const TestRun& run : runs) try {
-      if (const std::optional<Finding> finding = find(run)) claim.findings.push_back(*finding);
+      if (const std::optional<ClaimEvidence> finding = find(run)) claim.findings.push_back(*finding);
     } catch (const RunError&) {
       continue;  // the film of the run says which frame
     }

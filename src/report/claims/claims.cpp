@@ -28,12 +28,12 @@ std::string setting_of(const pipe::RunRecord& run)
 }
 
 /// Of all findings together: what all of them say, else partly.
-text::Standing verdict_of(const std::vector<Finding>& findings)
+text::Standing verdict_of(const std::vector<ClaimEvidence>& findings)
 {
   if (findings.empty()) return text::Standing::unknown;
   const text::Standing first = findings.front().standing;
-  return std::all_of(findings.begin(), findings.end(), [&](const Finding& f) { return f.standing == first; }) ? first
-                                                                                                              : text::Standing::fair;
+  return std::all_of(findings.begin(), findings.end(), [&](const ClaimEvidence& f) { return f.standing == first; }) ? first
+                                                                                                                    : text::Standing::fair;
 }
 
 std::string word_of(text::Standing standing)
@@ -51,10 +51,10 @@ std::string word_of(text::Standing standing)
   return "not examined";
 }
 
-std::string cell_of(const std::vector<Finding>& findings)
+std::string cell_of(const std::vector<ClaimEvidence>& findings)
 {
   std::string html;
-  for (const Finding& f : findings)
+  for (const ClaimEvidence& f : findings)
     html += fmt::format("<div><strong>{}</strong>: {} {}</div>", text::html_text(f.run), text::html_text(f.words),
                         findings.size() > 1 ? html_badge(f.standing, word_of(f.standing)) : "");
   return html.empty() ? "no run shows it" : html;

@@ -10,14 +10,14 @@
 namespace berm::report {
 namespace {
 
-using MaybeFinding = std::optional<Finding>;
+using MaybeFinding = std::optional<ClaimEvidence>;
 
 constexpr Real still = 0.02;  // of D: a pipe that sinks by no more stays where it is
 
 /// The least and the most of what was found.
 struct Span {
-  Real least = infinity, most = -infinity;
-  void take(Real value) { least = std::min(least, value), most = std::max(most, value); }
+  Real min = infinity, max = -infinity;
+  void take(Real value) { min = std::min(min, value), max = std::max(max, value); }
 };
 
 bool comes_beyond(const TestRun& run, Real u)
@@ -35,15 +35,15 @@ Claim force_of_the_push(const TestRuns& mpm)
     if (std::isnan(V)) return {};
     parts.take(V / paper_V_push);
     const auto w = run.w_where_V_is(paper_V_push);
-    return Finding{run.record.name, standing_of(V, paper_V_push),
-                   fmt::format("V = {} at {:g} D; {}", text::force_words(V, 2), paper_w_push,
-                               w ? fmt::format("{:g} kN/m at {}", paper_V_push / 1000, diameters(run, *w))
-                                 : fmt::format("{:g} kN/m is not reached", paper_V_push / 1000))};
+    return ClaimEvidence{run.record.name, standing_of(V, paper_V_push),
+                         fmt::format("V = {} at {:g} D; {}", text::force_words(V, 2), paper_w_push,
+                                     w ? fmt::format("{:g} kN/m at {}", paper_V_push / 1000, diameters(run, *w))
+                                       : fmt::format("{:g} kN/m is not reached", paper_V_push / 1000))};
   });
   claim.why =
       fmt::format("Read per metre run of the model, the runs give {:.2g} to {:.2g} times the paper's force. It leaves weight, dilation, K0 "
                   "and mesh open, and the scale of its kN.",
-                  parts.least, parts.most);
+                  parts.min, parts.max);
   return claim;
 }
 
@@ -59,9 +59,9 @@ Claim heave_of_the_push(const TestRuns& mpm)
     const pipe::PipePlace& pipe = run.frames.place(*frame);
     const pipe::Heave heave = heave_of(run.frames.soil(0), run.frames.soil(*frame), run.record.settings.surface, pipe, run.D);
     const Real even = formulas::f114_penetrated_area(run.D, pipe.w) / (3 * run.D);
-    return Finding{run.record.name, standing_if(std::min(heave.behind, heave.ahead) >= even / 2),
-                   fmt::format("{} and {} at w = {}; spread evenly {}", diameters(run, heave.behind), diameters(run, heave.ahead),
-                               diameters(run, pipe.w), diameters(run, even))};
+    return ClaimEvidence{run.record.name, standing_if(std::min(heave.behind, heave.ahead) >= even / 2),
+                         fmt::format("{} and {} at w = {}; spread evenly {}", diameters(run, heave.behind), diameters(run, heave.ahead),
+                                     diameters(run, pipe.w), diameters(run, even))};
   });
   return claim;
 }
@@ -74,9 +74,9 @@ Claim growing_resistance(const TestRuns& mpm)
     if (!comes_beyond(run, 0.1 * run.D)) return {};
     const Real u = run.end_of_drag(), first = run.H(u / 3), second = run.H(2 * u / 3), last = run.H(u);
     if (std::isnan(first + second + last)) return {};
-    return Finding{run.record.name, standing_if(first < second && second < last),
-                   fmt::format("{}, {}, {} at u = {}, {}, {}", text::force_words(first, 2), text::force_words(second, 2),
-                               text::force_words(last, 2), diameters(run, u / 3), diameters(run, 2 * u / 3), diameters(run, u))};
+    return ClaimEvidence{run.record.name, standing_if(first < second && second < last),
+                         fmt::format("{}, {}, {} at u = {}, {}, {}", text::force_words(first, 2), text::force_words(second, 2),
+                                     text::force_words(last, 2), diameters(run, u / 3), diameters(run, 2 * u / 3), diameters(run, u))};
   });
   return claim;
 }
@@ -89,13 +89,13 @@ Claim sinking(const TestRuns& mpm)
     const Real w = run.has_drag() ? run.w(paper_u_drag * run.D) : std::numeric_limits<Real>::quiet_NaN();
     if (std::isnan(w)) return {};
     sinks_by.take((w - run.w_begin()) / run.D);
-    return Finding{run.record.name, standing_of(w, paper_w_drag * run.D),
-                   fmt::format("w = {} at u = {:g} D, from {}", diameters(run, w), paper_u_drag, diameters(run, run.w_begin()))};
+    return ClaimEvidence{run.record.name, standing_of(w, paper_w_drag * run.D),
+                         fmt::format("w = {} at u = {:g} D, from {}", diameters(run, w), paper_u_drag, diameters(run, run.w_begin()))};
   });
   claim.why =
       fmt::format("The drag itself makes the pipe sink by {:.2g} to {:.2g} D, in the paper by {:.2g} D; where the push ends deeper, so "
                   "does the drag.",
-                  sinks_by.least, sinks_by.most, paper_w_drag - paper_w_push);
+                  sinks_by.min, sinks_by.max, paper_w_drag - paper_w_push);
   return claim;
 }
 
@@ -106,8 +106,8 @@ Claim end_of_sinking(const TestRuns& mpm)
   add_findings(claim, mpm, [](const TestRun& run) -> MaybeFinding {
     if (!comes_beyond(run, (paper_u_drag + 0.1) * run.D)) return {};
     const Real growth = run.w(run.end_of_drag()) - run.w(paper_u_drag * run.D);
-    return Finding{run.record.name, standing_if(growth <= still * run.D),
-                   fmt::format("w grows by {} from there to u = {}", diameters(run, growth), diameters(run, run.end_of_drag()))};
+    return ClaimEvidence{run.record.name, standing_if(growth <= still * run.D),
+                         fmt::format("w grows by {} from there to u = {}", diameters(run, growth), diameters(run, run.end_of_drag()))};
   });
   return claim;
 }
@@ -129,7 +129,7 @@ Claim berm_of_soil(const TestRuns& mpm)
     const bool sinks_on = run.w(run.end_of_drag()) - run.w(paper_u_drag * run.D) > still * run.D;
     sinks = sinks || sinks_on;
     const text::Standing standing = !grows ? text::Standing::bad : sinks_on ? text::Standing::fair : text::Standing::good;
-    return Finding{
+    return ClaimEvidence{
         run.record.name, standing,
         fmt::format("berm {:.3g} to {:.3g} D², H {} to {}", first, last, text::force_words(H_first, 2), text::force_words(H_last, 2))};
   });
@@ -154,8 +154,8 @@ Claim no_penetration(const TestRuns& mpm)
   add_findings(claim, mpm, [](const TestRun& run) -> MaybeFinding {
     const run_folder::Quantity* overlap = run.record.quantity("overlap_max_over_D");
     if (overlap == nullptr || std::isnan(overlap->value) || contact_of(run).scheme != contact::Scheme::twice || !run.has_drag()) return {};
-    return Finding{run.record.name, standing_if(overlap->value <= deepest),
-                   fmt::format("deepest particle {:.2g} D inside", overlap->value)};
+    return ClaimEvidence{run.record.name, standing_if(overlap->value <= deepest),
+                         fmt::format("deepest particle {:.2g} D inside", overlap->value)};
   });
   return claim;
 }
@@ -172,8 +172,9 @@ Claim fewer_oscillations(const TestRuns& mpm)
       const run_folder::Quantity *noise_a = once.record.quantity("V_noise"), *noise_b = twice.record.quantity("V_noise");
       const bool pair = a.scheme == contact::Scheme::once && b.scheme == contact::Scheme::twice && a.detection == b.detection;
       if (!pair || noise_a == nullptr || noise_b == nullptr) return {};
-      return Finding{twice.record.name, standing_if(noise_b->value < 0.9 * noise_a->value),
-                     fmt::format("noise of V {:.2g} % with two, {:.2g} % with one correction", 100 * noise_b->value, 100 * noise_a->value)};
+      return ClaimEvidence{
+          twice.record.name, standing_if(noise_b->value < 0.9 * noise_a->value),
+          fmt::format("noise of V {:.2g} % with two, {:.2g} % with one correction", 100 * noise_b->value, 100 * noise_a->value)};
     });
   return claim;
 }

@@ -9,7 +9,7 @@
 namespace berm::report {
 namespace {
 
-using MaybeFinding = std::optional<Finding>;
+using MaybeFinding = std::optional<ClaimEvidence>;
 
 bool wished_at(const TestRun& run, Real w)
 {
@@ -33,21 +33,21 @@ Claim force_of_finite_elements(const TestRuns& fem)
 {
   Claim claim{"Finite elements around a pipe wished in place give H of about 1 kN at 0.1 D and 2 kN at 0.25 D", "3.4", {}, ""};
   std::vector<Real> forces;
-  Real most = 0;  // over the paper's, per metre of the model
+  Real max = 0;  // over the paper's, per metre of the model
   for (const auto& [w, H] : paper_H_fem)
     add_findings(claim, fem, [&, w = w, H = H](const TestRun& run) -> MaybeFinding {
       if (!wished_at(run, w) || std::isnan(plateau(run))) return {};
       const Real prototype = plateau(run) * run.record.scale.gravity_level;
       forces.push_back(plateau(run));
-      most = std::max(most, plateau(run) / H);
-      return Finding{run.record.name, standing_of(prototype, H),
-                     fmt::format("{} at u = {}, {} in the prototype (paper {:g} kN)", text::force_words(plateau(run), 2),
-                                 diameters(run, run.end_of_drag()), text::force_words(prototype, 2), H / 1000)};
+      max = std::max(max, plateau(run) / H);
+      return ClaimEvidence{run.record.name, standing_of(prototype, H),
+                           fmt::format("{} at u = {}, {} in the prototype (paper {:g} kN)", text::force_words(plateau(run), 2),
+                                       diameters(run, run.end_of_drag()), text::force_words(prototype, 2), H / 1000)};
     });
   claim.why = fmt::format("Judged per metre run of the prototype; read per metre run of the model, as V is above and in the curves, berm "
                           "gives at most {:.2g} of "
                           "the paper's forces.",
-                          most);
+                          max);
   if (forces.size() == 2)
     claim.why += fmt::format(" The ratio of the two depends on no scale: {:.2g} here, {:.2g} in the paper.", forces[1] / forces[0],
                              paper_H_fem[1].second / paper_H_fem[0].second);
@@ -77,9 +77,10 @@ Claim finite_elements_fall_short(const TestRuns& mpm, const TestRuns& fem, Real 
     const bool same = ratio_V < alike && ratio_V > 1 / alike;
     same_load = same_load && same;
     const text::Standing standing = ratio <= 1 + near_enough ? text::Standing::bad : same ? text::Standing::good : text::Standing::fair;
-    return Finding{run.record.name, standing,
-                   fmt::format("H = {} at u = {} (w = {}): {:.2g} times that of {}, under {:.2g} times its V", text::force_words(H, 2),
-                               diameters(run, *u), diameters(run, run.w(*u)), ratio, wished->record.name, ratio_V)};
+    return ClaimEvidence{run.record.name, standing,
+                         fmt::format("H = {} at u = {} (w = {}): {:.2g} times that of {}, under {:.2g} times its V",
+                                     text::force_words(H, 2), diameters(run, *u), diameters(run, run.w(*u)), ratio, wished->record.name,
+                                     ratio_V)};
   });
   claim.why = "H and V over γ′ D² are compared.";
   if (!same_load)
@@ -108,9 +109,10 @@ Claim mechanisms_differ(const TestRuns& mpm, const TestRuns& fem)
                                                                                   : text::Standing::bad;
     const std::string heap =
         std::isnan(m.dragged) ? "no soil is heaped up" : fmt::format("{:.0f} % of the heaped soil moves along", 100 * m.dragged);
-    return Finding{run.record.name, standing,
-                   fmt::format("at w = {} {:.0f} % of the shearing lies behind the centre, nine tenths of the rest within {} ahead; {}",
-                               diameters(run, run.frames.place(frame).w), 100 * m.behind, diameters(run, m.reach), heap)};
+    return ClaimEvidence{
+        run.record.name, standing,
+        fmt::format("at w = {} {:.0f} % of the shearing lies behind the centre, nine tenths of the rest within {} ahead; {}",
+                    diameters(run, run.frames.place(frame).w), 100 * m.behind, diameters(run, m.reach), heap)};
   };
   add_findings(claim, fem, [&](const TestRun& run) -> MaybeFinding {
     const auto frame = wished_at(run, paper_w_drag) ? run.frames.last(problem::StageKind::drag) : std::nullopt;

@@ -21,7 +21,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Of all films together, as base64: the page of a study stays under 15 MB.
-constexpr std::size_t most_film_bytes = 12'000'000;
+constexpr std::size_t max_film_bytes = 12'000'000;
 
 /// JSON within a page: no "</script" or "<!--" can stand in it.
 std::string script_json(const Json& json)
@@ -66,7 +66,7 @@ std::string faults_of(const std::vector<pipe::RunRecord>& runs, const std::vecto
     if (run.end == pipe::RunEnd::unfinished)
       said.emplace_back("did not come to its end: it was killed, crashed or still runs. Shown is what it wrote until then.");
     if (run.end == pipe::RunEnd::stopped)
-      said.push_back(fmt::format("was stopped before its end. It said: {}", run.last_words.empty() ? "nothing" : run.last_words));
+      said.push_back(fmt::format("was stopped before its end. It said: {}", run.last_log_line.empty() ? "nothing" : run.last_log_line));
     said.insert(said.end(), run.faults.begin(), run.faults.end());
     for (const std::string& words : said)
       items += fmt::format("<li class=\"warning\"><strong>{}</strong> {}</li>\n", text::html_text(run.name), text::html_text(words));
@@ -80,7 +80,7 @@ std::string report_page(std::vector<pipe::RunRecord> runs, const std::vector<std
 {
   Json data = {{"version", BERM_VERSION}, {"runs", Json::array()}, {"paper", paper_json(runs)}};
   std::string blocks;
-  std::size_t left = most_film_bytes;
+  std::size_t left = max_film_bytes;
   for (std::size_t k = runs.size(); k-- > 0;) {  // the smaller runs first: what they leave is the larger ones'
     Film film = make_film(runs[k], fmt::format("film-{}", k), left / (k + 1));
     runs[k].faults.insert(runs[k].faults.end(), film.faults.begin(), film.faults.end());

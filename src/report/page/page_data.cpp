@@ -12,17 +12,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr Index most_rows = 5000;  // of a history on the page, but for the ends of stages
+constexpr Index max_rows = 5000;  // of a history on the page, but for the ends of stages
 
 Json number_or_null(Real value)
 {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-/// Rows of the history that the page holds: each so manieth, and the first and the last of each stage.
+/// Rows of the history that the page holds: every n-th row, and the first and the last of each stage.
 std::vector<Index> kept_rows(const run_folder::History& history)
 {
-  const Index rows = history.rows(), step = std::max(1, (rows + most_rows - 1) / most_rows);
+  const Index rows = history.rows(), step = std::max(1, (rows + max_rows - 1) / max_rows);
   std::vector<Index> kept;
   for (Index k = 0; k < rows; ++k) {
     const bool first = k == 0 || history.stage[k] != history.stage[k - 1];

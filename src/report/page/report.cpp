@@ -132,7 +132,7 @@ std::vector<fs::path> write_report(const ReportRequest& request)
   std::vector<std::string> left_out;
   const std::vector<pipe::RunRecord> runs = read_runs(folders, left_out);
 
-  io::write_whole(page, report_page(runs, left_out));
+  io::write_atomically(page, report_page(runs, left_out));
   std::vector<fs::path> written = {page};
   if (request.figures) {
     const fs::path figures = page.parent_path() / figures_name;

@@ -233,8 +233,8 @@ std::vector<TrustMeasure> mpm_measures()
                             value);
        },
        bare_limit},
-      part_of_soil("soil at its smallest volume", "mass_at_least_volume", limits::at_bounds),
-      part_of_soil("soil at its largest volume", "mass_at_most_volume", limits::at_bounds),
+      part_of_soil("soil at its smallest volume", "mass_at_min_volume", limits::at_bounds),
+      part_of_soil("soil at its largest volume", "mass_at_max_volume", limits::at_bounds),
       part_of_soil("soil in the air", "mass_in_the_air", limits::in_the_air),
       {"mean contact gap, in cells h at the pipe", &limits::gap, has_pipe, gap_in_cells,
        [](Run run, Real value) {

@@ -12,8 +12,8 @@
 namespace berm::report {
 namespace {
 
-constexpr Real most_work_of_contact = 0.01;   // of all work: round-off and the contact's springs give less
-constexpr std::size_t most_log_warnings = 5;  // of a run; a finite element run may warn at every increment
+constexpr Real max_work_of_contact = 0.01;   // of all work: round-off and the contact's springs give less
+constexpr std::size_t max_log_warnings = 5;  // of a run; a finite element run may warn at every increment
 
 std::string reason_of(const TrustMeasure& measure)
 {
@@ -65,13 +65,13 @@ std::vector<std::string> warnings_of(const pipe::RunRecord& run)
   }
   if (run.settings.method == problem::Method::mpm && !run.settings.mpm.volumetric_projection)
     found.emplace_back("plain triangles lock: mpm.volumetric_projection is off, and resistance is too large.");
-  if (const Real given = work_of_contact(run); given > most_work_of_contact)
+  if (const Real given = work_of_contact(run); given > max_work_of_contact)
     found.push_back(fmt::format("contact gave {:.2g} % of the work instead of taking energy.", 100 * given));
   if (!run.summary && !not_known.empty())
     found.push_back(fmt::format("there is no summary of the run, so this is not known: {}.", fmt::join(not_known, "; ")));
-  for (std::size_t k = 0; k < std::min(run.warnings.size(), most_log_warnings); ++k) found.push_back("run.log: " + run.warnings[k]);
-  if (run.warnings.size() > most_log_warnings)
-    found.push_back(fmt::format("run.log has {} more warnings.", run.warnings.size() - most_log_warnings));
+  for (std::size_t k = 0; k < std::min(run.warnings.size(), max_log_warnings); ++k) found.push_back("run.log: " + run.warnings[k]);
+  if (run.warnings.size() > max_log_warnings)
+    found.push_back(fmt::format("run.log has {} more warnings.", run.warnings.size() - max_log_warnings));
   return found;
 }
 

@@ -23,7 +23,7 @@ struct Chart {
   const char *name, *title, *x_label, *y_label;
   std::vector<Real> pipe::PipePath::*x;
   std::vector<Real> (*y)(const pipe::PipePath&);
-  plot::PlotUnit (*unit)(Real most);  ///< of y
+  plot::PlotUnit (*unit)(Real max);  ///< of y
 };
 
 plot::PlotUnit no_unit(Real)
@@ -60,10 +60,10 @@ std::vector<Real> scaled(std::vector<Real> values, Real factor)
 
 Real largest(const std::vector<Real>& values)
 {
-  Real most = 0;
+  Real max = 0;
   for (const Real value : values)
-    if (std::isfinite(value)) most = std::max(most, std::abs(value));
-  return most;
+    if (std::isfinite(value)) max = std::max(max, std::abs(value));
+  return max;
 }
 
 bool draw_both(const fs::path& folder, const std::string& name, const plot::Figure& figure)
@@ -89,15 +89,15 @@ void add_run(plot::Figure& figure, const Chart& chart, const pipe::RunRecord& ru
 bool draw_chart(const std::vector<pipe::RunRecord>& runs, const Chart& chart, const fs::path& folder)
 {
   const auto has_path = [](const pipe::RunRecord& run) { return run.has_pipe() && run.history.rows() > 0; };
-  Real most = 0, longest = 0;
+  Real max = 0, longest = 0;
   for (const pipe::RunRecord& run : runs) {
     if (!has_path(run)) continue;
     const pipe::PipePath path = pipe_path(run.history, run.stages);
-    most = std::max(most, largest(chart.y(path)));
+    max = std::max(max, largest(chart.y(path)));
     longest = std::max(longest, largest(path.*chart.x));
   }
-  if (most == 0) return false;
-  const plot::PlotUnit x_unit = plot::length_unit(longest), y_unit = chart.unit(most);
+  if (max == 0) return false;
+  const plot::PlotUnit x_unit = plot::length_unit(longest), y_unit = chart.unit(max);
   plot::Figure figure{chart.title, label_with(chart.x_label, x_unit), label_with(chart.y_label, y_unit), {}, from_zero, width, height};
   for (std::size_t k = 0; k < runs.size(); ++k)
     if (has_path(runs[k])) add_run(figure, chart, runs[k], k, x_unit, y_unit);

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr plot::PlotFormat formats[] = {plot::PlotFormat::png, plot::PlotFormat::svg};
 
 /// A frame as pictures take it.
-run_folder::Frame<2> frame_of(const run_folder::SavedSoil& soil, const run_folder::SavedRigids& rigids)
+run_folder::Frame<2> frame_of(const run_folder::SavedSoil& soil, const run_folder::SavedRigids& rigid_bodies)
 {
   run_folder::Frame<2> frame;
   frame.triangles = soil.triangles;
@@ -33,9 +33,9 @@ run_folder::Frame<2> frame_of(const run_folder::SavedSoil& soil, const run_folde
     frame.particles.push_back(shown);
   }
   run_folder::FrameRigid<2> all{{}, Vec<2>::Zero()};
-  for (std::size_t k = 0; k < rigids.x.size(); ++k) all.surface.points.emplace_back(rigids.x[k], rigids.y[k]);
-  for (const std::vector<Index>& cell : rigids.cells) all.surface.cells.push_back({io::VtkCell::polygon, cell});
-  if (!rigids.cells.empty()) frame.rigids.push_back(all);
+  for (std::size_t k = 0; k < rigid_bodies.x.size(); ++k) all.surface.points.emplace_back(rigid_bodies.x[k], rigid_bodies.y[k]);
+  for (const std::vector<Index>& cell : rigid_bodies.cells) all.surface.cells.push_back({io::VtkCell::polygon, cell});
+  if (!rigid_bodies.cells.empty()) frame.rigid_bodies.push_back(all);
   return frame;
 }
 
@@ -45,7 +45,7 @@ std::vector<std::string> draw_frame(const pipe::RunRecord& run, const pipe::Pipe
 {
   const pipe::PipePlace& pipe = frames.place(number);
   const Real D = run.scale.diameter, surface = run.settings.surface;
-  const run_folder::Frame<2> frame = frame_of(frames.soil(number), frames.rigids(number));
+  const run_folder::Frame<2> frame = frame_of(frames.soil(number), frames.rigid_bodies(number));
   const pipe::SoilView view = pipe::view_around_pipe(pipe.x, surface - pipe.w, D, surface);
   const std::string place = fmt::format("{}: u = {:.3g} D, w = {:.3g} D", run.name, std::abs(pipe.u - frames.place(0).u) / D, pipe.w / D);
   std::vector<std::string> drawn;

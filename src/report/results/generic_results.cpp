@@ -30,7 +30,7 @@ std::string watched_table(const pipe::RunRecord& run, const std::string& id)
 {
   const run_folder::History& history = run.history;
   if (history.rows() == 0) return "";
-  const std::string when = history.has("time_s") ? fmt::format(" after {} s", pipe::said_number(history["time_s"].back())) : "";
+  const std::string when = history.has("time_s") ? fmt::format(" after {} s", pipe::short_number(history["time_s"].back())) : "";
   text::HtmlTable table(id, fmt::format("{}: what it watches, at its end{}", run.name, when));
   table.columns({{"column of the history, with its unit"}, {"last value", true}});
   for (std::size_t c = 0; c < history.columns.size(); ++c)

@@ -55,7 +55,7 @@ private:
   std::map<std::pair<Real, std::string>, Rows> points_;
 };
 
-std::string push_table(const std::vector<pipe::RunRecord>& runs, const pipe::Shown& shown, bool several)
+std::string push_table(const std::vector<pipe::RunRecord>& runs, const pipe::DisplayUnits& shown, bool several)
 {
   PointTable table("key-push", "Push: vertical resistance V at embedment w", several);
   table.columns("point", joined({shown.length_columns("w"), shown.force_columns("V")}));
@@ -67,21 +67,21 @@ std::string push_table(const std::vector<pipe::RunRecord>& runs, const pipe::Sho
     };
     for (const pipe::PushPoint& p : points.push) {
       const Real part = p.w / run.scale.diameter;
-      add(std::round(1000 * part), fmt::format("w = {} D", pipe::said_number(part)), p);
+      add(std::round(1000 * part), fmt::format("w = {} D", pipe::short_number(part)), p);
     }
     if (!points.push_end) continue;
     // An end at a round embedment stands among the points that other runs have there.
     const pipe::StageEnd end = end_of_push(run);
     const Real part = points.push_end->w / run.scale.diameter, round = std::round(20 * part) / 20;
     if (end.reached && round > 0 && std::abs(part - round) < 5e-4)
-      add(std::round(1000 * round), fmt::format("w = {} D", pipe::said_number(round)), *points.push_end);
+      add(std::round(1000 * round), fmt::format("w = {} D", pipe::short_number(round)), *points.push_end);
     else
       add(infinity, end.at, *points.push_end);
   }
   return table.html();
 }
 
-std::string drag_table(const std::vector<pipe::RunRecord>& runs, const pipe::Shown& shown, bool several)
+std::string drag_table(const std::vector<pipe::RunRecord>& runs, const pipe::DisplayUnits& shown, bool several)
 {
   PointTable table("key-drag", "Drag: horizontal resistance H and embedment w at displacement u from where the drag began", several);
   table.columns("point", joined({shown.length_columns("w"), shown.force_columns("H"), {{"H/V", true}}}));
@@ -89,7 +89,7 @@ std::string drag_table(const std::vector<pipe::RunRecord>& runs, const pipe::Sho
     if (!run.has_pipe()) continue;
     for (const pipe::DragPoint& p : points_of(run).drag) {
       const Real part = p.u / run.scale.diameter;
-      table.add(std::round(1000 * part), fmt::format("u = {} D", pipe::said_number(part)), run,
+      table.add(std::round(1000 * part), fmt::format("u = {} D", pipe::short_number(part)), run,
                 joined({shown.length_cells(run, p.w), shown.force_cells(run, p.H), {{pipe::table_number(p.H / p.V), true}}}));
     }
   }
@@ -104,7 +104,7 @@ std::string residual_words(const pipe::Resistance& resistance, const pipe::Stage
                              : fmt::format("not reached: H changes by {} % over {}", change, last);
 }
 
-std::string resistance_table(const std::vector<pipe::RunRecord>& runs, const pipe::Shown& shown, bool several)
+std::string resistance_table(const std::vector<pipe::RunRecord>& runs, const pipe::DisplayUnits& shown, bool several)
 {
   PointTable table("key-resistance", "Resistance to the drag: largest, at breakout and residual H", several);
   table.columns("H", joined({shown.length_columns("u"), shown.force_columns("H"), {{"how it was found"}}}));
@@ -132,7 +132,7 @@ std::string resistance_table(const std::vector<pipe::RunRecord>& runs, const pip
                  "falls by at least {:g} % before it grows beyond it; where forces are averaged, H must also stay below it for {:g} D. "
                  "Residual is the mean of H over the end of the drag, its last tenth and at least its last {:g} D, if the straight line "
                  "fitted to H there changes by less than {:g} % of that mean.",
-                 100 * pipe::least_fall, pipe::breakout_stays, pipe::least_residual_travel, 100 * pipe::most_residual_change),
+                 100 * pipe::min_fall, pipe::breakout_stays, pipe::min_residual_travel, 100 * pipe::max_residual_change),
              "quiet");
 }
 
@@ -149,7 +149,7 @@ std::string averaging_words(const std::vector<pipe::RunRecord>& runs)
 
 }  // namespace
 
-std::string key_results(const std::vector<pipe::RunRecord>& runs, const pipe::Shown& shown)
+std::string key_results(const std::vector<pipe::RunRecord>& runs, const pipe::DisplayUnits& shown)
 {
   const bool several = std::count_if(runs.begin(), runs.end(), [](const pipe::RunRecord& run) { return run.has_pipe(); }) > 1;
   const std::string tables = push_table(runs, shown, several) + drag_table(runs, shown, several) + resistance_table(runs, shown, several);

@@ -36,25 +36,25 @@ std::string with_capital(std::string words)
   return words;
 }
 
-std::string state_words(const pipe::ComparedState& state, const pipe::RunRecord& run, const pipe::Shown& shown)
+std::string state_words(const pipe::ComparedState& state, const pipe::RunRecord& run, const pipe::DisplayUnits& shown)
 {
   const Real D = run.scale.diameter;
-  const std::string w = fmt::format("w = {} D", pipe::said_number(state.w / D));
-  const std::string V = fmt::format("V = {} {}", pipe::said_number(shown.in_force_unit(state.V)), shown.force_unit());
+  const std::string w = fmt::format("w = {} D", pipe::short_number(state.w / D));
+  const std::string V = fmt::format("V = {} {}", pipe::short_number(shown.in_force_unit(state.V)), shown.force_unit());
   switch (state.kind) {
   case pipe::ComparedState::Kind::push:
     return fmt::format("Pushed to {}", w);
   case pipe::ComparedState::Kind::end_of_push:
     return fmt::format("{}{} {}", with_capital(end_of_push(run).at), run.settings.method == problem::Method::fem ? " from" : ",", w);
   case pipe::ComparedState::Kind::drag:
-    return fmt::format("Dragged {} D: {}, {}", pipe::said_number(state.u / D), w, V);
+    return fmt::format("Dragged {} D: {}, {}", pipe::short_number(state.u / D), w, V);
   case pipe::ComparedState::Kind::breakout:
     return fmt::format("Breakout of the drag from {}{}", w, std::isnan(state.u) ? ": no peak in this run" : "");
   }
   return "";
 }
 
-std::vector<text::HtmlCell> cells_of(const pipe::Comparison& c, const pipe::RunRecord& run, const pipe::Shown& shown)
+std::vector<text::HtmlCell> cells_of(const pipe::Comparison& c, const pipe::RunRecord& run, const pipe::DisplayUnits& shown)
 {
   const bool force = c.unit == pipe::Comparison::Unit::force;
   const auto number = [&](Real value) { return pipe::table_number(force ? shown.in_force_unit(value) : value / run.scale.diameter); };
@@ -72,7 +72,7 @@ std::vector<text::HtmlCell> cells_of(const pipe::Comparison& c, const pipe::RunR
 
 }  // namespace
 
-std::string published_table(const pipe::RunRecord& run, const pipe::Shown& shown, const std::string& id)
+std::string published_table(const pipe::RunRecord& run, const pipe::DisplayUnits& shown, const std::string& id)
 {
   const pipe::PublishedValues values = published_beside(run);
   std::string html;

@@ -6,6 +6,6 @@
 namespace berm::report {
 
 /// What design codes and published formulas give beside a run, as HTML: remarks, then a table with the run's states as groups. `id` names the table.
-std::string published_table(const pipe::RunRecord& run, const pipe::Shown& shown, const std::string& id);
+std::string published_table(const pipe::RunRecord& run, const pipe::DisplayUnits& shown, const std::string& id);
 
 }  // namespace berm::report

@@ -13,7 +13,7 @@
 namespace berm::report {
 namespace {
 
-std::string words_of(const std::vector<pipe::RunRecord>& runs, const pipe::Shown& shown)
+std::string words_of(const std::vector<pipe::RunRecord>& runs, const pipe::DisplayUnits& shown)
 {
   std::string html;
   for (const pipe::RunRecord& run : runs) {
@@ -28,7 +28,7 @@ std::string words_of(const std::vector<pipe::RunRecord>& runs, const pipe::Shown
 }
 
 /// Of several runs each can be folded away; the first stands open.
-std::string formulas_beside(const std::vector<pipe::RunRecord>& runs, const pipe::Shown& shown)
+std::string formulas_beside(const std::vector<pipe::RunRecord>& runs, const pipe::DisplayUnits& shown)
 {
   std::string html;
   int place = 0;
@@ -47,7 +47,7 @@ std::string formulas_beside(const std::vector<pipe::RunRecord>& runs, const pipe
          text::html_paragraph(
              "What they give for the same soil, pipe and state: the embedment and the vertical load are those that the run found. Labels: "
              "exact is a closed "
-             "form or computed to convergence, fit a published fit, recalled is quoted from memory and wants a look at its source.",
+             "form or computed to convergence, fit a published fit, recalled: quoted from memory; check the source.",
              "quiet") +
          html;
 }
@@ -56,7 +56,7 @@ std::string formulas_beside(const std::vector<pipe::RunRecord>& runs, const pipe
 
 std::string results_section(const std::vector<pipe::RunRecord>& runs)
 {
-  const pipe::Shown shown(runs);
+  const pipe::DisplayUnits shown(runs);
   std::string html = words_of(runs, shown);
   const std::string key = key_results(runs, shown);
   if (!key.empty()) html += "<h3>Key results</h3>\n" + key;

@@ -32,65 +32,66 @@ std::string vertical_words(const problem::Case& c)
   return "";
 }
 
-std::string push_words(const pipe::RunRecord& run, const pipe::RunPoints& points, const pipe::Shown& shown)
+std::string push_words(const pipe::RunRecord& run, const pipe::RunPoints& points, const pipe::DisplayUnits& shown)
 {
   const pipe::PushPoint& end = *points.push_end;
   const pipe::StageEnd stage = end_of_push(run);
-  const std::string begin = is_wished_in_place(run)
-                                ? fmt::format("Wished in place at w = {} and pushed to w = {} D", shown.length_said(run, points.first_w),
-                                              pipe::said_number(end.w / run.scale.diameter))
-                                : fmt::format("Pushed to w = {}", shown.length_said(run, end.w));
+  const std::string begin = starts_embedded(run)
+                                ? fmt::format("Wished in place at w = {} and pushed to w = {} D", shown.length_text(run, points.first_w),
+                                              pipe::short_number(end.w / run.scale.diameter))
+                                : fmt::format("Pushed to w = {}", shown.length_text(run, end.w));
   return fmt::format("{}{}, {} carries V = {}. ", begin, stage.reached ? "" : ", " + stage.at, subject_of(run.settings),
-                     shown.force_said(run, end.V));
+                     shown.force_text(run, end.V));
 }
 
 /// "Dragged 1 D with V held, the pipe meets", after a push "it".
-std::string drag_begin(const pipe::RunRecord& run, const pipe::RunPoints& points, const std::string& travel, const pipe::Shown& shown)
+std::string drag_begin(const pipe::RunRecord& run, const pipe::RunPoints& points, const std::string& travel,
+                       const pipe::DisplayUnits& shown)
 {
   const std::string vertical = vertical_words(run.settings), subject = points.push_end ? "it" : subject_of(run.settings);
-  const std::string begin = !points.push_end && is_wished_in_place(run)
-                                ? fmt::format("Wished in place at w = {} and dragged", shown.length_said(run, points.first_w))
+  const std::string begin = !points.push_end && starts_embedded(run)
+                                ? fmt::format("Wished in place at w = {} and dragged", shown.length_text(run, points.first_w))
                                 : std::string("Dragged");
   return fmt::format("{} {}{}, {} meets", begin, travel, vertical, subject);
 }
 
-std::string drag_words(const pipe::RunRecord& run, const pipe::RunPoints& points, const pipe::Shown& shown)
+std::string drag_words(const pipe::RunRecord& run, const pipe::RunPoints& points, const pipe::DisplayUnits& shown)
 {
   const pipe::DragPoint& last = points.drag.back();
   const Real D = run.scale.diameter, began = points.push_end ? points.push_end->w : points.first_w;
-  std::string words = fmt::format("{} H = {}, {} V", drag_begin(run, points, pipe::said_number(last.u / D) + " D", shown),
-                                  shown.force_said(run, last.H), pipe::said_number(last.H / last.V));
+  std::string words = fmt::format("{} H = {}, {} V", drag_begin(run, points, pipe::short_number(last.u / D) + " D", shown),
+                                  shown.force_text(run, last.H), pipe::short_number(last.H / last.V));
   if (std::abs(last.w - began) > same_depth * D)
-    words += fmt::format(", and {} to w = {}", last.w > began ? "sinks" : "rises", shown.length_said(run, last.w));
+    words += fmt::format(", and {} to w = {}", last.w > began ? "sinks" : "rises", shown.length_text(run, last.w));
   return words + ". ";
 }
 
 /// Of a drag that came to none of its points.
 std::string short_drag_words(const pipe::RunRecord& run, const pipe::RunPoints& points, const pipe::Resistance& resistance,
-                             const pipe::Shown& shown)
+                             const pipe::DisplayUnits& shown)
 {
   const Real D = run.scale.diameter;
-  const std::string travel = std::isnan(resistance.travel) ? "less than 0.1 D" : pipe::said_number(resistance.travel / D) + " D";
+  const std::string travel = std::isnan(resistance.travel) ? "less than 0.1 D" : pipe::short_number(resistance.travel / D) + " D";
   const std::string V =
-      std::isnan(resistance.V_at_largest) ? "" : fmt::format(", under V = {}", shown.force_said(run, resistance.V_at_largest));
+      std::isnan(resistance.V_at_largest) ? "" : fmt::format(", under V = {}", shown.force_text(run, resistance.V_at_largest));
   return fmt::format("{} at most H = {}, at u = {}{}. ", drag_begin(run, points, travel, shown),
-                     shown.force_said(run, resistance.largest->H), shown.length_said(run, resistance.largest->u), V);
+                     shown.force_text(run, resistance.largest->H), shown.length_text(run, resistance.largest->u), V);
 }
 
-std::string resistance_words(const pipe::RunRecord& run, const pipe::Resistance& resistance, const pipe::Shown& shown)
+std::string resistance_words(const pipe::RunRecord& run, const pipe::Resistance& resistance, const pipe::DisplayUnits& shown)
 {
   if (std::isnan(resistance.last_change)) return "";
   const pipe::StageEnd end = end_of_drag(run);
   if (!resistance.breakout) return fmt::format("There is {}.", no_peak_words(resistance, end.to));
-  const std::string peak = fmt::format("H peaks at u = {} with {}", shown.length_said(run, resistance.breakout->u),
-                                       shown.force_said(run, resistance.breakout->H));
-  return resistance.residual ? fmt::format("{}, then comes to {}.", peak, shown.force_said(run, *resistance.residual))
+  const std::string peak = fmt::format("H peaks at u = {} with {}", shown.length_text(run, resistance.breakout->u),
+                                       shown.force_text(run, resistance.breakout->H));
+  return resistance.residual ? fmt::format("{}, then comes to {}.", peak, shown.force_text(run, *resistance.residual))
                              : fmt::format("{}, and still changes {}.", peak, end.reached ? "at the " + end.at : end.at);
 }
 
 }  // namespace
 
-std::string results_in_words(const pipe::RunRecord& run, const pipe::Shown& shown)
+std::string results_in_words(const pipe::RunRecord& run, const pipe::DisplayUnits& shown)
 {
   const pipe::RunPoints points = points_of(run);
   const pipe::Resistance resistance = resistance_of(run);

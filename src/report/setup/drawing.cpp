@@ -17,7 +17,7 @@ namespace {
 constexpr Real whole_width = 460, whole_height = 330;    // most that the bed takes
 constexpr Real detail_width = 400, detail_height = 280;  // most that the surroundings of the path take
 constexpr Real line_height = 18, letter = 6.6;           // of words
-constexpr Real least_width = 340;                        // that the words below take
+constexpr Real min_width = 340;                          // that the words below take
 constexpr Real small_part = 1. / 5;                      // of the whole: a driven body below this is drawn once more, enlarged
 constexpr Real beyond = 0.4;                             // of the mesh's height: so much of rigid bodies above and below it is drawn
 
@@ -47,26 +47,26 @@ private:
 /// The largest of 1, 2, 5, 10, ... that is not above a quarter of a width, m.
 Real bar_length(Real width)
 {
-  const Real most = width / 4, power = std::pow(10., std::floor(std::log10(most)));
+  const Real max = width / 4, power = std::pow(10., std::floor(std::log10(max)));
   for (const Real step : {5., 2.})
-    if (step * power <= most) return step * power;
+    if (step * power <= max) return step * power;
   return power;
 }
 
-std::vector<std::string> wrapped(const std::string& words, std::size_t most)
+std::vector<std::string> wrapped(const std::string& words, std::size_t max)
 {
   std::vector<std::string> lines(1);
   std::size_t begin = 0;
   while (begin < words.size()) {
     const std::size_t end = std::min(words.find(' ', begin), words.size());
     const std::string word = words.substr(begin, end - begin);
-    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > most) lines.emplace_back();
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > max) lines.emplace_back();
     lines.back() += (lines.back().empty() ? "" : " ") + word;
     begin = end + 1;
   }
   for (std::string& line : lines) {
-    if (line.size() <= most) continue;
-    std::size_t end = most - 3;
+    if (line.size() <= max) continue;
+    std::size_t end = max - 3;
     while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0) == 0x80) --end;  // not inside a UTF-8 character
     line = line.substr(0, end) + "...";
   }
@@ -95,7 +95,7 @@ public:
     const Real left = std::max(sketch_.domain.lower[0], view_.extent().lower[0]);
     const Real right = std::min(sketch_.domain.upper[0], view_.extent().upper[0]);
     if (sketch_.surface) svg_.line(view_(Vec<2>(left, *sketch_.surface)), view_(Vec<2>(right, *sketch_.surface)), text::Pen::surface);
-    for (const NamedOutline& rigid : sketch_.rigids) outline(rigid.outline, Vec<2>::Zero(), text::Pen::rigid);
+    for (const NamedOutline& rigid : sketch_.rigid_bodies) outline(rigid.outline, Vec<2>::Zero(), text::Pen::rigid);
   }
 
   /// Ends what is cut off at the edges of the view.
@@ -106,7 +106,7 @@ public:
   {
     std::vector<std::pair<Vec<2>, Vec<2>>> drawn;
     for (const PathStep& step : sketch_.path) {
-      const Outline& outline_there = sketch_.rigids[step.rigid].outline;
+      const Outline& outline_there = sketch_.rigid_bodies[step.rigid].outline;
       const Extent extent = extent_of(outline_there);
       if (step.known) outline(outline_there, step.to - 0.5 * (extent.lower + extent.upper), text::Pen::later);
     }
@@ -132,7 +132,7 @@ public:
       const Extent extent = extent_of(body.outline);
       svg_.text(view_(0.5 * (extent.lower + extent.upper)) + Vec<2>(0, 4), body.name, text::Anchor::middle);
     }
-    for (const NamedOutline& rigid : sketch_.rigids)
+    for (const NamedOutline& rigid : sketch_.rigid_bodies)
       if (const auto* plane = std::get_if<PlaneOutline>(&rigid.outline)) {
         const std::vector<Vec<2>> corners = part_inside(*plane, view_.extent());
         Vec<2> middle = Vec<2>::Zero();
@@ -163,7 +163,7 @@ public:
   {
     if (!sketch_.surface) return;
     const auto covered = [&](Real x) {
-      return std::any_of(sketch_.rigids.begin(), sketch_.rigids.end(), [&](const NamedOutline& rigid) {
+      return std::any_of(sketch_.rigid_bodies.begin(), sketch_.rigid_bodies.end(), [&](const NamedOutline& rigid) {
         const Extent extent = extent_of(rigid.outline);
         return view_.length(std::abs(x - std::clamp(x, extent.lower[0], extent.upper[0]))) < 70;
       });
@@ -221,7 +221,7 @@ public:
   /// The width of the driven (else every) rigid body above it, and its embedment beside it where it begins below the surface.
   void body_dimensions()
   {
-    for (const NamedOutline& rigid : sketch_.rigids) {
+    for (const NamedOutline& rigid : sketch_.rigid_bodies) {
       const Extent extent = extent_of(rigid.outline);
       if (extent.size()[0] <= 0) continue;
       const Vec<2> left = view_(Vec<2>(extent.lower[0], extent.upper[1])), right = view_(extent.upper);
@@ -321,9 +321,9 @@ private:
 Extent whole_extent(const Sketch& sketch)
 {
   Extent extent = sketch.domain;
-  for (const NamedOutline& rigid : sketch.rigids) extent = around(extent, extent_of(rigid.outline));
-  const Vec<2> most(0, beyond * sketch.domain.size()[1]);
-  return {extent.lower.cwiseMax(sketch.domain.lower - most), extent.upper.cwiseMin(sketch.domain.upper + most)};
+  for (const NamedOutline& rigid : sketch.rigid_bodies) extent = around(extent, extent_of(rigid.outline));
+  const Vec<2> max(0, beyond * sketch.domain.size()[1]);
+  return {extent.lower.cwiseMax(sketch.domain.lower - max), extent.upper.cwiseMin(sketch.domain.upper + max)};
 }
 
 /// Around the way of the driven bodies, with a part of their size to spare; none where they are large in the whole anyway.
@@ -332,7 +332,7 @@ std::optional<Extent> detail_extent(const Sketch& sketch)
   std::optional<Extent> way;
   Real size = 0;
   for (const PathStep& step : sketch.path) {
-    const Extent start = extent_of(sketch.rigids[step.rigid].outline);
+    const Extent start = extent_of(sketch.rigid_bodies[step.rigid].outline);
     const Vec<2> half = 0.5 * start.size();
     size = std::max(size, start.size().maxCoeff());
     for (const Vec<2>& center : {Vec<2>(0.5 * (start.lower + start.upper)), step.from, step.to}) {
@@ -352,7 +352,7 @@ std::string description_of(const problem::Case& c, const Sketch& sketch)
   if (sketch.domain_known)
     parts.push_back(
         fmt::format("mesh of {} by {}", text::length_words(sketch.domain.size()[0]), text::length_words(sketch.domain.size()[1])));
-  for (const NamedOutline& rigid : sketch.rigids) {
+  for (const NamedOutline& rigid : sketch.rigid_bodies) {
     const Extent extent = extent_of(rigid.outline);
     const Vec<2> middle = 0.5 * (extent.lower + extent.upper);
     parts.push_back(fmt::format("rigid body {} of {} at x = {}, y = {}", rigid.name, text::length_words(extent.size()[0]),
@@ -383,8 +383,8 @@ std::string draw_whole(const problem::Case& c, const Sketch& sketch, const std::
   drawer.svg().text(Vec<2>(left, 14), "the whole");
   drawer.scale_bar(Vec<2>(left, corner[1] + 66));
   Real height = corner[1] + 84;
-  if (with_path) height += 6 + drawer.stages(Vec<2>(left, height + 6), std::max(view.size()[0], least_width));
-  return drawer.svg().whole(Vec<2>(std::max(corner[0], left + least_width) + right, height), title, description_of(c, sketch));
+  if (with_path) height += 6 + drawer.stages(Vec<2>(left, height + 6), std::max(view.size()[0], min_width));
+  return drawer.svg().whole(Vec<2>(std::max(corner[0], left + min_width) + right, height), title, description_of(c, sketch));
 }
 
 std::string draw_detail(const problem::Case& c, const Sketch& sketch, const Extent& extent, const std::string& title)
@@ -400,7 +400,7 @@ std::string draw_detail(const problem::Case& c, const Sketch& sketch, const Exte
   const Vec<2> corner = view.lower_right();
   drawer.svg().text(Vec<2>(left, 14), "enlarged");
   drawer.scale_bar(Vec<2>(left, corner[1] + 18));
-  const Real from = corner[1] + 44, width = std::max(view.size()[0], least_width);
+  const Real from = corner[1] + 44, width = std::max(view.size()[0], min_width);
   const Real height = from + drawer.stages(Vec<2>(left, from), width);
   return drawer.svg().whole(Vec<2>(left + width + right, height), title + ", enlarged", description_of(c, sketch));
 }

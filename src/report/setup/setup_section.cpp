@@ -13,7 +13,7 @@
 namespace berm::report {
 namespace {
 
-constexpr std::size_t most_open_drawings = 2;  // more than these are folded away
+constexpr std::size_t max_open_drawings = 2;  // more than these are folded away
 
 /// Runs that look the same.
 struct Alike {
@@ -49,11 +49,11 @@ std::string drawings_of(const std::vector<pipe::RunRecord>& runs)
 {
   std::string open, folded;
   const std::vector<Alike> groups = alike(runs);
-  for (std::size_t k = 0; k < groups.size(); ++k) (k < most_open_drawings ? open : folded) += figure_of(groups[k]);
+  for (std::size_t k = 0; k < groups.size(); ++k) (k < max_open_drawings ? open : folded) += figure_of(groups[k]);
   const auto side_by_side = [](const std::string& figures) { return fmt::format("<div class=\"drawings\">\n{}</div>\n", figures); };
   if (folded.empty()) return side_by_side(open);
   return side_by_side(open) + fmt::format("<details><summary>Drawings of {} more</summary>\n{}</details>\n",
-                                          groups.size() - most_open_drawings, side_by_side(folded));
+                                          groups.size() - max_open_drawings, side_by_side(folded));
 }
 
 }  // namespace

@@ -106,14 +106,14 @@ void add_bodies(Sketch& sketch, const problem::Case& c)
     const auto* plane = std::get_if<PlaneOutline>(&outline);
     if (plane != nullptr && !(plane->normal.norm() > 0.5))
       sketch.notes.push_back(fmt::format("The rigid half-plane \"{}\" is parallel to the plane of the drawing.", name));
-    sketch.rigids.push_back({name, outline});
+    sketch.rigid_bodies.push_back({name, outline});
   }
 }
 
 void take_domain_from_bodies(Sketch& sketch)
 {
   std::optional<Extent> all;
-  for (const std::vector<NamedOutline>* list : {&sketch.bodies, &sketch.rigids})
+  for (const std::vector<NamedOutline>* list : {&sketch.bodies, &sketch.rigid_bodies})
     for (const NamedOutline& body : *list) all = all ? around(*all, extent_of(body.outline)) : extent_of(body.outline);
   sketch.domain = all.value_or(Extent{Vec<2>::Zero(), Vec<2>::Zero()});
   const Real size = sketch.domain.size().maxCoeff();
@@ -160,13 +160,13 @@ std::optional<Real> travel_in_time(const problem::StageSettings& stage)
 void add_path(Sketch& sketch, const problem::Case& c)
 {
   std::vector<Vec<2>> centers;
-  for (const NamedOutline& rigid : sketch.rigids) centers.push_back(middle_of(rigid.outline));
+  for (const NamedOutline& rigid : sketch.rigid_bodies) centers.push_back(middle_of(rigid.outline));
   for (int k = 0; k < static_cast<int>(c.stage.size()); ++k) {
     const problem::StageSettings& stage = c.stage[k];
     const bool push = stage.kind == problem::StageKind::push, drag = stage.kind == problem::StageKind::drag;
     if ((!push && !drag) || c.rigid.empty()) continue;
     const int rigid = static_cast<int>(stage.rigid.empty() ? 0 : problem::place_of(c.rigid, stage.rigid));
-    const Extent extent = extent_of(sketch.rigids[rigid].outline);
+    const Extent extent = extent_of(sketch.rigid_bodies[rigid].outline);
     const Vec<2> from = centers[rigid];
     const Real reverse = stage.velocity.value_or(stage.force.value_or(1)) < 0 ? -1 : 1;
     const Real size = extent.size().maxCoeff(), whole = sketch.domain.size().maxCoeff();

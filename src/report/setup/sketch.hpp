@@ -72,7 +72,7 @@ struct Sketch {
   std::optional<Extent> fine;  ///< zone of fine cells
   std::vector<FilledPart> filled;
   std::string filled_by;  ///< name of the body that fills the bed
-  std::vector<NamedOutline> bodies, rigids;
+  std::vector<NamedOutline> bodies, rigid_bodies;
   std::optional<Real> surface;  ///< level of the bed's surface
   std::vector<HeldEdge> held;
   std::vector<PathStep> path;

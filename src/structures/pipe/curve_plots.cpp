@@ -65,19 +65,19 @@ struct Axis {
   char letter;  ///< x or y
   std::string label;
   bool downwards;
-  Real least = 0, most = 0;
+  Real min = 0, max = 0;
   Real second = 0;  ///< the axis on the other side is this one times this; 0 = there is none
   std::string second_label;
 
   void take(const std::vector<Real>& values, Real per_si)
   {
     for (const Real value : values)
-      if (!std::isnan(value)) least = std::min(least, value * per_si), most = std::max(most, value * per_si);
+      if (!std::isnan(value)) min = std::min(min, value * per_si), max = std::max(max, value * per_si);
   }
 
   std::string script() const
   {
-    const Real margin = most > least ? 0.04 * (most - least) : 1, from = least < 0 ? least - margin : 0, to = most + margin;
+    const Real margin = max > min ? 0.04 * (max - min) : 1, from = min < 0 ? min - margin : 0, to = max + margin;
     const auto range = [&](Real factor) {
       return fmt::format("[{:.6g}:{:.6g}]", factor * (downwards ? to : from), factor * (downwards ? from : to));
     };
@@ -107,10 +107,10 @@ bool draw_pipe_curves(const run_folder::RunFolder& folder, const run_folder::His
   const bool has_push = path.w.size() > 1, has_drag = path.drag_u.size() > 1;
   if (!has_push && !has_drag) return false;
   const Real D = scale.diameter, half = averaging_half(scale), unit_force = scale.unit_weight * D * D;
-  Real most = 0;
+  Real max = 0;
   for (const auto* list : {&path.V, &path.drag_V, &path.drag_H})
-    for (const Real force : *list) most = std::isnan(force) ? most : std::max(most, std::abs(force));
-  const plot::PlotUnit length = plot::length_unit(D), force = plot::force_unit(most);
+    for (const Real force : *list) max = std::isnan(force) ? max : std::max(max, std::abs(force));
+  const plot::PlotUnit length = plot::length_unit(D), force = plot::force_unit(max);
 
   folder.subfolder("plots");
   const std::string units = fmt::format("({}, {})", length.name, force.name);
@@ -120,7 +120,7 @@ bool draw_pipe_curves(const run_folder::RunFolder& folder, const run_folder::His
   data += has_drag ? block(path.drag_u, {path.drag_H, path.drag_w, path.drag_V}, half, length.per_si,
                            {force.per_si, length.per_si, force.per_si})
                    : "NaN NaN NaN NaN NaN NaN NaN\n";
-  io::write_whole(folder.file("plots/curves.dat"), data);
+  io::write_atomically(folder.file("plots/curves.dat"), data);
 
   const Real per_force = unit_force > 0 ? 1 / (unit_force * force.per_si) : 0, per_length = 1 / (D * length.per_si);
   const auto force_axis = [&](char axis, const std::string& words, const char* symbol) {
@@ -213,7 +213,7 @@ bool draw_columns(const run_folder::RunFolder& folder, const run_folder::History
     }
     data += '\n';
   }
-  io::write_whole(folder.file("plots/curves.dat"), data);
+  io::write_atomically(folder.file("plots/curves.dat"), data);
 
   constexpr std::array colors{"#1764ab", "#c8452f", "#2f8f4e", "#8155a6", "#c98a16", "#4a4a4a"};
   std::string script = begin_panels(title) + "set key at graph 0,1.01 left bottom horizontal Left reverse\n";

@@ -28,7 +28,7 @@ std::string table_number(Real value)
   return std::isfinite(value) ? with_digits(value, 4) : nothing;
 }
 
-std::string said_number(Real value)
+std::string short_number(Real value)
 {
   if (!std::isfinite(value)) return nothing;
   std::string text = with_digits(value, 3);
@@ -53,7 +53,7 @@ std::string letters_of(ForceMeasure::Kind kind)
   return kind == ForceMeasure::Kind::strength ? "D s<sub>u</sub>" : kind == ForceMeasure::Kind::weight ? "γ′ D²" : "";
 }
 
-Shown::Shown(const std::vector<RunRecord>& runs) : force_{1, "N/m"}, prototype_force_{1, "N/m"}, length_{1e-3, "mm"}
+DisplayUnits::DisplayUnits(const std::vector<RunRecord>& runs) : force_{1, "N/m"}, prototype_force_{1, "N/m"}, length_{1e-3, "mm"}
 {
   Real largest = 0, largest_prototype = 0, diameter = 0;
   for (const RunRecord& run : runs) {
@@ -74,7 +74,7 @@ Shown::Shown(const std::vector<RunRecord>& runs) : force_{1, "N/m"}, prototype_f
   if (diameter > largest_in_mm) length_ = {1, "m"};
 }
 
-std::vector<text::HtmlCell> Shown::force_columns(const std::string& symbol) const
+std::vector<text::HtmlCell> DisplayUnits::force_columns(const std::string& symbol) const
 {
   std::vector<text::HtmlCell> cells{{fmt::format("{}, {}", symbol, force_.name), true}};
   if (by_weight_) cells.push_back({fmt::format("{}/({})", symbol, letters_of(ForceMeasure::Kind::weight)), true});
@@ -83,7 +83,7 @@ std::vector<text::HtmlCell> Shown::force_columns(const std::string& symbol) cons
   return cells;
 }
 
-std::vector<text::HtmlCell> Shown::force_cells(const RunRecord& run, Real force) const
+std::vector<text::HtmlCell> DisplayUnits::force_cells(const RunRecord& run, Real force) const
 {
   const ForceMeasure measure = force_measure(run);
   const auto over = [&](ForceMeasure::Kind kind) { return kind == measure.kind ? table_number(force / measure.size) : nothing; };
@@ -95,49 +95,49 @@ std::vector<text::HtmlCell> Shown::force_cells(const RunRecord& run, Real force)
   return cells;
 }
 
-std::vector<text::HtmlCell> Shown::length_columns(const std::string& symbol) const
+std::vector<text::HtmlCell> DisplayUnits::length_columns(const std::string& symbol) const
 {
   std::vector<text::HtmlCell> cells{{symbol + "/D", true}, {fmt::format("{}, {}", symbol, length_.name), true}};
   if (!levels_.empty()) cells.push_back({symbol + " in the prototype, m", true});
   return cells;
 }
 
-std::vector<text::HtmlCell> Shown::length_cells(const RunRecord& run, Real length) const
+std::vector<text::HtmlCell> DisplayUnits::length_cells(const RunRecord& run, Real length) const
 {
   std::vector<text::HtmlCell> cells{{table_number(length / run.scale.diameter), true}, {table_number(length / length_.size), true}};
   if (!levels_.empty()) cells.push_back({has_prototype(run.scale) ? table_number(length * run.scale.gravity_level) : nothing, true});
   return cells;
 }
 
-std::string Shown::prototype_words() const
+std::string DisplayUnits::prototype_words() const
 {
   if (levels_.empty()) return "";
   std::vector<std::string> levels;
-  for (const Real level : levels_) levels.push_back(said_number(level));
+  for (const Real level : levels_) levels.push_back(short_number(level));
   return text::html_paragraph(
       fmt::format("In the prototype, lengths and forces per metre are those of the model times the gravity level ({}).",
                   fmt::join(levels, ", ")),
       "quiet");
 }
 
-std::string Shown::force_said(const RunRecord& run, Real force) const
+std::string DisplayUnits::force_text(const RunRecord& run, Real force) const
 {
   const ForceMeasure measure = force_measure(run);
   std::string also;
   if (has_prototype(run.scale))
     also =
-        fmt::format("{} {} in the prototype", said_number(force * run.scale.gravity_level / prototype_force_.size), prototype_force_.name);
+        fmt::format("{} {} in the prototype", short_number(force * run.scale.gravity_level / prototype_force_.size), prototype_force_.name);
   if (measure.kind != ForceMeasure::Kind::unknown)
-    also += fmt::format("{}{} {}", also.empty() ? "" : ", ", said_number(force / measure.size), letters_of(measure.kind));
-  const std::string model = fmt::format("{} {}", said_number(force / force_.size), force_.name);
+    also += fmt::format("{}{} {}", also.empty() ? "" : ", ", short_number(force / measure.size), letters_of(measure.kind));
+  const std::string model = fmt::format("{} {}", short_number(force / force_.size), force_.name);
   return also.empty() ? model : fmt::format("{} ({})", model, also);
 }
 
-std::string Shown::length_said(const RunRecord& run, Real length) const
+std::string DisplayUnits::length_text(const RunRecord& run, Real length) const
 {
-  std::string also = fmt::format("{} {}", said_number(length / length_.size), length_.name);
-  if (has_prototype(run.scale)) also += fmt::format(", {} m in the prototype", said_number(length * run.scale.gravity_level));
-  return fmt::format("{} D ({})", said_number(length / run.scale.diameter), also);
+  std::string also = fmt::format("{} {}", short_number(length / length_.size), length_.name);
+  if (has_prototype(run.scale)) also += fmt::format(", {} m in the prototype", short_number(length * run.scale.gravity_level));
+  return fmt::format("{} D ({})", short_number(length / run.scale.diameter), also);
 }
 
 }  // namespace berm::pipe

@@ -11,7 +11,7 @@ namespace berm::pipe {
 std::string table_number(Real value);
 
 /// A number for a sentence: three digits that count, without zeros at its end.
-std::string said_number(Real value);
+std::string short_number(Real value);
 
 /// What a run's forces (N/m) are made dimensionless with.
 struct ForceMeasure {
@@ -31,9 +31,9 @@ std::string letters_of(ForceMeasure::Kind kind);
 
 /// How forces per metre and lengths of all runs stand on one page: at model scale in the units of the largest (unit_of_forces), dimensionless, and at prototype scale
 /// (times the gravity level) where a run has one.
-class Shown {
+class DisplayUnits {
 public:
-  explicit Shown(const std::vector<RunRecord>& runs);
+  explicit DisplayUnits(const std::vector<RunRecord>& runs);
 
   /// The columns of a force called `symbol` (HTML), each with its unit; and a force (N/m) of a run in them.
   std::vector<text::HtmlCell> force_columns(const std::string& symbol) const;
@@ -43,9 +43,9 @@ public:
   std::vector<text::HtmlCell> length_cells(const RunRecord& run, Real length) const;
 
   /// "0.783 kN/m (39.1 kN/m in the prototype, 4.55 γ′ D²)", HTML.
-  std::string force_said(const RunRecord& run, Real force) const;
+  std::string force_text(const RunRecord& run, Real force) const;
   /// "0.1 D (2 mm, 0.1 m in the prototype)".
-  std::string length_said(const RunRecord& run, Real length) const;
+  std::string length_text(const RunRecord& run, Real length) const;
 
   /// What the prototype is, as a paragraph; "" without one.
   std::string prototype_words() const;

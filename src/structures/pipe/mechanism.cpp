@@ -43,10 +43,10 @@ Heave heave_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& 
   std::map<Index, Real> columns = columns_above(now, surface, pipe.x, width);
   for (const auto& [column, height] : columns_above(start, surface, pipe.x, width)) columns[column] -= height;
   Heave heave{-infinity, -infinity, 0};
-  const auto most = static_cast<Index>(beside_pipe / column_width);
+  const auto max = static_cast<Index>(beside_pipe / column_width);
   for (const auto& [column, rise] : columns) {
     if (column >= 0) heave.berm += std::max(Real(0), rise) * width;
-    if (column < -most || column >= most) continue;
+    if (column < -max || column >= max) continue;
     Real& highest = column < 0 ? heave.behind : heave.ahead;
     highest = std::max(highest, rise);
   }
@@ -66,13 +66,13 @@ Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::Sa
   if (close.empty()) return {0, 0, std::numeric_limits<Real>::quiet_NaN()};
   std::vector<Real> sorted = growth;
   std::sort(sorted.begin(), sorted.end());
-  const Real least = a_tenth * sorted[static_cast<std::size_t>((1 - a_hundredth) * static_cast<Real>(sorted.size() - 1))];
+  const Real min = a_tenth * sorted[static_cast<std::size_t>((1 - a_hundredth) * static_cast<Real>(sorted.size() - 1))];
 
   Real all = 0, behind = 0, heaped = 0, dragged = 0;
   std::vector<std::pair<Real, Real>> ahead;  // distance, shearing
   for (std::size_t n = 0; n < close.size(); ++n) {
     const std::size_t k = close[n];
-    const Real distance = after.x[k] - to.x, shearing = growth[n] > least ? growth[n] * after.volume[k] : 0;
+    const Real distance = after.x[k] - to.x, shearing = growth[n] > min ? growth[n] * after.volume[k] : 0;
     all += shearing;
     if (distance < 0) {
       behind += shearing;

@@ -51,7 +51,7 @@ public:
   std::optional<std::size_t> last(problem::StageKind kind) const;
   /// Throw RunError where the frame's file is missing or damaged.
   run_folder::SavedSoil soil(std::size_t frame) const { return run_folder::read_soil(files_[frame].soil); }
-  run_folder::SavedRigids rigids(std::size_t frame) const { return run_folder::read_rigids(files_[frame].rigid); }
+  run_folder::SavedRigids rigid_bodies(std::size_t frame) const { return run_folder::read_rigids(files_[frame].rigid); }
 
 private:
   std::vector<run_folder::FrameFiles> files_;

@@ -130,14 +130,14 @@ void add_drag(Collector& collector, const PipePath& path, std::optional<Real> he
 
 void add_contact(Collector& collector, const run_folder::History& history, const PipeStages& stages)
 {
-  Real most = -infinity, sum = 0;
+  Real max = -infinity, sum = 0;
   Index overlaps = 0, gaps = 0;
   for (Index k = 0; k < history.rows(); ++k) {
     if (!contains(stages.push, history.stage[k]) && !contains(stages.drag, history.stage[k])) continue;
-    if (history.has("overlap_m") && !std::isnan(history["overlap_m"][k])) most = std::max(most, history["overlap_m"][k]), ++overlaps;
+    if (history.has("overlap_m") && !std::isnan(history["overlap_m"][k])) max = std::max(max, history["overlap_m"][k]), ++overlaps;
     if (history.has("gap_m") && std::isfinite(history["gap_m"][k])) sum += history["gap_m"][k], ++gaps;
   }
-  if (overlaps > 0) collector.length("overlap_max", most);
+  if (overlaps > 0) collector.length("overlap_max", max);
   if (gaps > 0) collector.length("gap_mean", sum / gaps);
 }
 

@@ -48,7 +48,7 @@ std::string remark_on_place(const RunRecord& run)
         "This run is wished in place: the pipe lies at w = {:.3g} D from the start, below a flat surface, and strains are small. Formulas "
         "with heave are for a pipe that was pushed there.",
         points_of(run).first_w / run.scale.diameter);
-  if (is_wished_in_place(run))
+  if (starts_embedded(run))
     return fmt::format(
         "In this run the pipe is wished in place at w = {:.3g} D and moves with large strains from there: the soil heaves beside it. "
         "Formulas for a pipe wished in place take a flat surface.",

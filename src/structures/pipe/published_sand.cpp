@@ -41,9 +41,9 @@ std::vector<Comparison> sand_in_drag(const SandAround& sand, Real w, Real V, Rea
 std::vector<Comparison> sand_at_breakout(const SandAround& sand, Real w, Real u)
 {
   const formulas::Breakout breakout = formulas::f114_breakout(sand.diameter, w);
-  return {{"u at breakout", Comparison::Unit::length, u, breakout.least, "least"},
+  return {{"u at breakout", Comparison::Unit::length, u, breakout.min, "least"},
           {"u at breakout", Comparison::Unit::length, u, breakout.mean, "mean"},
-          {"u at breakout", Comparison::Unit::length, u, breakout.most, "most"}};
+          {"u at breakout", Comparison::Unit::length, u, breakout.max, "most"}};
 }
 
 std::vector<std::string> remarks_on(const SandAround& sand)

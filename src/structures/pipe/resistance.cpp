@@ -24,7 +24,7 @@ std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const Pi
       fallen = false;
       continue;
     }
-    fallen = fallen || here <= (1 - least_fall) * peak.H;
+    fallen = fallen || here <= (1 - min_fall) * peak.H;
     if (fallen && peak.H > 0 && u >= peak.u + stays) return peak;
   }
   return std::nullopt;
@@ -47,10 +47,10 @@ Resistance resistance_to(const TravelCurve& H, const PipeScale& scale)
   for (std::size_t k = 0; k < smooth.travel().size(); ++k) take_if_larger(resistance.largest, smooth.travel()[k], smooth.value()[k]);
   resistance.breakout = breakout_in(smooth, scale);
   const Real travel = H.end() - H.begin();
-  const Real half = std::min(travel, std::max(residual_part * travel, least_residual_travel * scale.diameter)) / 2;
+  const Real half = std::min(travel, std::max(residual_part * travel, min_residual_travel * scale.diameter)) / 2;
   const Real mean = H.at(H.end() - half, half);
   resistance.last_change = 2 * (H.at(H.end(), half) - mean) / std::abs(mean);
-  if (std::abs(resistance.last_change) < most_residual_change) resistance.residual = mean;
+  if (std::abs(resistance.last_change) < max_residual_change) resistance.residual = mean;
   return resistance;
 }
 

@@ -26,11 +26,11 @@ struct Resistance {
 };
 
 /// The fall after a peak that makes it the breakout, and the change at the end of the drag below which H is called residual.
-constexpr Real least_fall = 0.05, most_residual_change = 0.05;
+constexpr Real min_fall = 0.05, max_residual_change = 0.05;
 /// The travel (over D) over which noisy H must stay below the breakout.
 constexpr Real breakout_stays = 0.1;
 /// The end of the drag over which H must not change to be residual: over the travel of the drag, and at least over D.
-constexpr Real residual_part = 0.1, least_residual_travel = 0.1;
+constexpr Real residual_part = 0.1, min_residual_travel = 0.1;
 
 /// Of H (N/m) over u (m), without V.
 Resistance resistance_to(const TravelCurve& H, const PipeScale& scale);

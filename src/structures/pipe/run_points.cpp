@@ -102,7 +102,7 @@ StageEnd end_of_drag(const RunRecord& run)
   return end_of(run, "drag", run.end == RunEnd::finished || !last);
 }
 
-bool is_wished_in_place(const RunRecord& run)
+bool starts_embedded(const RunRecord& run)
 {
   return points_of(run).first_w > wished_beyond * run.scale.diameter;
 }

@@ -40,6 +40,6 @@ StageEnd end_of_push(const RunRecord& run);
 StageEnd end_of_drag(const RunRecord& run);
 
 /// Whether the pipe lay in the soil from the start, below a flat surface: deeper than 0.01 D.
-bool is_wished_in_place(const RunRecord& run);
+bool starts_embedded(const RunRecord& run);
 
 }  // namespace berm::pipe

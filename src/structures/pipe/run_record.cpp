@@ -36,7 +36,7 @@ void take_summary(RunRecord& run)
     run.summary = run_folder::read_summary(run.folder);
   } catch (const RunError&) {
     run.faults.emplace_back("summary.json is damaged or cannot be read: how the run ended is not known");
-    run.end = RunEnd::not_told;
+    run.end = RunEnd::unknown;
     return;
   }
   if (run.summary) run.end = run.summary->finished() ? RunEnd::finished : RunEnd::stopped;
@@ -72,7 +72,7 @@ void take_log(RunRecord& run)
 {
   constexpr std::size_t time_length = 19;
   const fs::path file = run.folder / "run.log";
-  std::istringstream lines(look_for(file) == Found::file ? io::read_whole(file) : "");
+  std::istringstream lines(look_for(file) == Found::file ? io::read_text_file(file) : "");
   const std::string warning = "warning: ";
   for (std::string line; std::getline(lines, line);) {
     const bool timed = line.size() > time_length + 1 && line[4] == '-' && line[time_length] == ' ';
@@ -80,10 +80,10 @@ void take_log(RunRecord& run)
     const std::string words = line.substr(time_length + 1);
     if (run.begun.empty()) run.begun = line.substr(0, time_length);
     if (words.starts_with(warning)) run.warnings.push_back(words.substr(warning.size()));
-    run.last_words = words;
+    run.last_log_line = words;
   }
   // A run that was stopped says so, and then writes its results.
-  if (run.last_words.starts_with("everything is in ") && !run.warnings.empty()) run.last_words = run.warnings.back();
+  if (run.last_log_line.starts_with("everything is in ") && !run.warnings.empty()) run.last_log_line = run.warnings.back();
   if (run.begun.empty()) run.faults.emplace_back("run.log is missing, empty or cannot be read");
 }
 

@@ -11,7 +11,7 @@ enum class RunEnd {
   finished,    ///< all of its stages
   stopped,     ///< its results are there, but not all of its stages: stopped by the user or by an error
   unfinished,  ///< no results: it was killed, crashed or still runs
-  not_told     ///< its summary.json is damaged
+  unknown      ///< its summary.json is damaged
 };
 
 /// All that a run folder holds, but the frames.
@@ -27,7 +27,7 @@ struct RunRecord {
   RunEnd end = RunEnd::unfinished;
   std::string begun;                  ///< date and time of the first line of run.log; "" where that is missing
   std::vector<std::string> warnings;  ///< of run.log, without their times
-  std::string last_words;             ///< why the run ended, as run.log tells: its last line, or the warning before the results
+  std::string last_log_line;          ///< why the run ended, as run.log tells: its last line, or the warning before the results
   std::vector<std::string> faults;    ///< what is missing or damaged in the folder, in words
 
   bool has_pipe() const { return scale.diameter > 0; }

@@ -35,7 +35,7 @@ struct Picture {
   Real value(const run_folder::FrameParticle<2>& f) const { return since_start ? f.strain.deviatoric : f.strain_increment; }
 };
 
-constexpr std::size_t most_disks = 100'000;  // beyond, a picture of a million pixels has hardly any left for each
+constexpr std::size_t max_disks = 100'000;  // beyond, a picture of a million pixels has hardly any left for each
 
 /// Radius of the disk that stands for a particle: larger than its share, so that neighbours close the ground between them.
 Real shown_radius(const bodies::Particle<2>& p)
@@ -107,7 +107,7 @@ std::string outlines(const Picture& picture)
 {
   const Real per_si = picture.unit.per_si;
   std::string data = fmt::format("# x, y ({}) of each rigid body\n", picture.unit.name);
-  for (const run_folder::FrameRigid<2>& rigid : picture.frame.rigids)
+  for (const run_folder::FrameRigid<2>& rigid : picture.frame.rigid_bodies)
     for (const auto& cell : rigid.surface.cells) {
       const auto line = [&](Index k) {
         return fmt::format("{:.6g} {:.6g}\n", rigid.surface.points[k][0] * per_si, rigid.surface.points[k][1] * per_si);
@@ -129,7 +129,7 @@ Real hundredth(const Picture& picture, const std::vector<const run_folder::Frame
 }
 
 /// Axes, colours and the line of the surface.
-std::string axes(const Picture& picture, Real most, const std::string& title)
+std::string axes(const Picture& picture, Real max, const std::string& title)
 {
   const int height = picture.plot_height() + bottom + top;
   const SoilView& view = picture.view;
@@ -142,7 +142,7 @@ std::string axes(const Picture& picture, Real most, const std::string& title)
   script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", view.lower[0] * unit.per_si,
                         view.upper[0] * unit.per_si, view.lower[1] * unit.per_si, view.upper[1] * unit.per_si);
   script += fmt::format("set xlabel 'x ({0})'\nset ylabel 'y ({0})'\nset tics out nomirror\nset border lc rgb '#444444'\n", unit.name);
-  script += fmt::format("set cblabel '{}'\nset cbrange [0:{:g}]\n", picture.words(), plot::round_up(most));
+  script += fmt::format("set cblabel '{}'\nset cbrange [0:{:g}]\n", picture.words(), plot::round_up(max));
   script += std::string(palette) + "unset key\nset style fill solid noborder\n";
   if (view.surface) {
     const Real level = *view.surface * unit.per_si;
@@ -169,7 +169,7 @@ std::string plot(const Picture& picture, bool as_disks)
     command = fmt::format("plot {} matrix using ({:.9g}+($1+0.5)*{:.9g}):({:.9g}+($2+0.5)*{:.9g}):3 with image", data_file(picture.name),
                           lower[0], size[0] / plot_width, lower[1], size[1] / picture.plot_height());
   }
-  if (!picture.frame.rigids.empty())
+  if (!picture.frame.rigid_bodies.empty())
     command += fmt::format(", \\\n     {} with filledcurves closed lc rgb '#c9ccd1', '' with lines lc rgb '#33373d' lw 2",
                            data_file(picture.name + "_rigid"));
   return command + '\n';
@@ -191,11 +191,11 @@ bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<2>& 
   const std::filesystem::path plots = folder / "plots";
   io::make_folder(plots);
   if (particles.empty()) return false;
-  const bool as_disks = frame.triangles.empty() && format == plot::PlotFormat::png && particles.size() <= most_disks;
-  io::write_whole(plots / (picture.name + ".dat"), as_disks                  ? disks(picture, particles)
-                                                   : frame.triangles.empty() ? pixels(picture, particles)
-                                                                             : pixels(picture));
-  io::write_whole(plots / (picture.name + "_rigid.dat"), outlines(picture));
+  const bool as_disks = frame.triangles.empty() && format == plot::PlotFormat::png && particles.size() <= max_disks;
+  io::write_atomically(plots / (picture.name + ".dat"), as_disks                  ? disks(picture, particles)
+                                                        : frame.triangles.empty() ? pixels(picture, particles)
+                                                                                  : pixels(picture));
+  io::write_atomically(plots / (picture.name + "_rigid.dat"), outlines(picture));
   return draw(folder, picture.name, width, picture.plot_height() + bottom + top,
               axes(picture, hundredth(picture, particles), wanted.title) + plot(picture, as_disks), format);
 }

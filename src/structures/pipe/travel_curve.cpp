@@ -7,8 +7,8 @@
 namespace berm::pipe {
 namespace {
 
-constexpr std::size_t most_marks = 2000;    // each takes a sum over its window
-constexpr std::size_t most_points = 10000;  // that are averaged as they are
+constexpr std::size_t max_marks = 2000;    // each takes a sum over its window
+constexpr std::size_t max_points = 10000;  // that are averaged as they are
 
 }  // namespace
 
@@ -56,7 +56,7 @@ Real TravelCurve::at(Real s, Real half) const
 
 TravelCurve TravelCurve::condensed(Real half) const
 {
-  if (travel_.size() <= most_points) return *this;
+  if (travel_.size() <= max_points) return *this;
   std::vector<Real> means_s{begin()}, means_y{value_.front()};
   for (std::size_t k = 1; k + 1 < travel_.size();) {
     Real weight = 0, sum_s = 0, sum_y = 0;
@@ -78,10 +78,10 @@ TravelCurve TravelCurve::smoothed(Real half) const
 {
   const TravelCurve short_enough = condensed(half);
   std::vector<Real> marks = travel_, values;
-  if (marks.size() > most_marks) {
-    marks.resize(most_marks);
-    for (std::size_t k = 0; k < most_marks; ++k)
-      marks[k] = k + 1 == most_marks ? end() : begin() + static_cast<Real>(k) / (most_marks - 1) * (end() - begin());
+  if (marks.size() > max_marks) {
+    marks.resize(max_marks);
+    for (std::size_t k = 0; k < max_marks; ++k)
+      marks[k] = k + 1 == max_marks ? end() : begin() + static_cast<Real>(k) / (max_marks - 1) * (end() - begin());
   }
   for (const Real s : marks) values.push_back(short_enough.at(s, half));
   return {marks, values};

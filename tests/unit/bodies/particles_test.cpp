@@ -30,7 +30,7 @@ bool same(const Particle<dim>& a, const Particle<dim>& b)
 {
   return a.id == b.id && a.mass == b.mass && a.volume == b.volume && a.deviatoric_strain == b.deviatoric_strain && a.x == b.x &&
          a.v == b.v && std::equal(a.stress.c, a.stress.c + tensor_size<dim>, b.stress.c) &&
-         std::equal(a.state, a.state + Particle<dim>::most_state, b.state);
+         std::equal(a.state, a.state + Particle<dim>::max_state, b.state);
 }
 
 /// What Particles promises, in the simplest form: a list of particles for each cell.
@@ -84,11 +84,11 @@ Index expect_same(const Particles<dim>& particles, const Expected<dim>& expected
 template <int dim>
 void behaves_like_a_list_for_each_cell()
 {
-  constexpr Index most = 60;
+  constexpr Index max = 60;
   const auto mesh = make_box<dim>(sample_box<dim>());
-  const int state_size = *rc::gen::inRange(0, Particle<dim>::most_state + 1);
+  const int state_size = *rc::gen::inRange(0, Particle<dim>::max_state + 1);
   const Index cells = 5;  // few, so that chains of several blocks are common
-  Particles<dim> particles(mesh, most, state_size);
+  Particles<dim> particles(mesh, max, state_size);
   Expected<dim> expected;
   expected.cells.resize(mesh.cell_count());
   const Block<dim>* memory = nullptr;
@@ -102,8 +102,8 @@ void behaves_like_a_list_for_each_cell()
     // The cells spread over the mesh, in an order that is not theirs.
     const Index cell = (3 - number % cells + cells) * 7 % mesh.cell_count();
     auto& list = expected.cells[cell];
-    if (action < 60 && expected.size() < most) {
-      for (int repeat = 0; repeat < 1 + action % 9 && expected.size() < most; ++repeat) {
+    if (action < 60 && expected.size() < max) {
+      for (int repeat = 0; repeat < 1 + action % 9 && expected.size() < max; ++repeat) {
         const auto p = particle_number<dim>(next_id++, state_size);
         particles.insert(cell, p);
         list.push_back(p);
@@ -154,16 +154,16 @@ TEST(Particles, never_need_more_memory_than_was_reserved_wherever_they_gather)
 {
   // The worst case for blocks: as many cells as possible with one particle beyond full blocks.
   const auto mesh = make_box<2>(sample_box<2>());
-  for (const Index most : {1, 8, 9, 56, 57, 200}) {
-    Particles<2> particles(mesh, most, 1);
+  for (const Index max : {1, 8, 9, 56, 57, 200}) {
+    Particles<2> particles(mesh, max, 1);
     particles.insert(0, particle_number<2>(0, 1));
     const Block<2>* memory = &particles.block(0);
-    for (Index k = 1; k < most; ++k) particles.insert(k % std::min(most, mesh.cell_count()), particle_number<2>(k, 1));
-    EXPECT_EQ(memory, &particles.block(0)) << most;
+    for (Index k = 1; k < max; ++k) particles.insert(k % std::min(max, mesh.cell_count()), particle_number<2>(k, 1));
+    EXPECT_EQ(memory, &particles.block(0)) << max;
     for (Index cell = 1; cell < mesh.cell_count(); ++cell)
       while (particles.count_in(cell) > 0) particles.insert(0, particles.take(cell, 0));
-    EXPECT_EQ(memory, &particles.block(0)) << most;
-    EXPECT_EQ(particles.size(), most);
+    EXPECT_EQ(memory, &particles.block(0)) << max;
+    EXPECT_EQ(particles.size(), max);
   }
 }
 

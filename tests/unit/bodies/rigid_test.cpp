@@ -169,7 +169,7 @@ TYPED_TEST(RigidShapes, the_normal_is_the_gradient_of_the_distance)
 /// A rigid body of this shape that has moved by `by` and turned by `angle`.
 template <int dim>
 struct Placed {
-  Rigid<dim> rigid;
+  RigidBody<dim> rigid;
   RigidState<dim> state;
 
   Placed(const RigidShape<dim>& shape, const Vec<dim>& by, Real angle) : rigid{"body", shape}
@@ -213,11 +213,11 @@ TYPED_TEST(RigidShapes, velocity_at_a_point_is_that_of_the_point_that_moves_and_
   TestFixture::for_random_points(50, [&](const auto&, const auto& shape, const Vec<dim>& x) {
     Placed<dim> body(shape, random_vec<dim>(random, 3), 0.8), before = body, after = body;
     body.state.velocity = random_vec<dim>(random, 2);
-    if (!std::holds_alternative<HalfPlane<dim>>(shape)) body.state.spin = 1.7;
+    if (!std::holds_alternative<HalfPlane<dim>>(shape)) body.state.angular_velocity = 1.7;
     for (auto* moved : {&before, &after}) {
       const Real dt = moved == &before ? -h : h;
       moved->state.displacement += dt * body.state.velocity;
-      moved->state.angle += dt * body.state.spin;
+      moved->state.angle += dt * body.state.angular_velocity;
     }
     // The central difference is off by h^2 spin^3 r / 6 and by round-off 1e-16 / h.
     const Vec<dim> difference = (after.now(x) - before.now(x)) / (2 * h);

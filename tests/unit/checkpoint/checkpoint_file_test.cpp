@@ -25,7 +25,7 @@ struct Thing {
   std::vector<Index> indices = {5, 4};
   std::string text = "a = \"b\"\n", no_text;
 
-  void keep(Keep& k)
+  void archive(Archive& k)
   {
     k("real", real);
     k("nan", nan);
@@ -86,7 +86,7 @@ void expect_same(const Thing& a, const Thing& b)
 std::string refusal(const fs::path& file, Thing& thing)
 {
   try {
-    read_checkpoint(file, [&](Keep& k) { thing.keep(k); });
+    read_checkpoint(file, [&](Archive& k) { thing.archive(k); });
   } catch (const RunError& error) {
     return error.what();
   }
@@ -103,7 +103,7 @@ protected:
   Checkpoint()
   {
     Thing thing;
-    write_checkpoint(file_, [&](Keep& k) { thing.keep(k); });
+    write_checkpoint(file_, [&](Archive& k) { thing.archive(k); });
     content_ = folder_.read("sample.h5");
   }
   std::string refusal_of(const std::string& content) const { return refusal(folder_.write("changed.h5", content)); }
@@ -173,12 +173,12 @@ TEST_F(Checkpoint, of_other_contents_is_refused)
   Real real = 0;
   Index index = 0;
   Vec<2> vec = Vec<2>::Zero();
-  EXPECT_EQ(reading([&](Keep& k) { k("density", real); }), "it has no density");
-  EXPECT_EQ(reading([&](Keep& k) { k("index", real); }), "index is of a wrong kind");
-  EXPECT_EQ(reading([&](Keep& k) { k("real", index); }), "real is of a wrong kind");
-  EXPECT_EQ(reading([&](Keep& k) { k("inner", real); }), "it has no inner");
-  EXPECT_EQ(reading([&](Keep& k) { k("reals", real); }), "reals has 3 numbers instead of 1");
-  EXPECT_EQ(reading([&](Keep& k) { k.table("inner", [&] { k.table("most", [&] { k("vec", vec); }); }); }),
+  EXPECT_EQ(reading([&](Archive& k) { k("density", real); }), "it has no density");
+  EXPECT_EQ(reading([&](Archive& k) { k("index", real); }), "index is of a wrong kind");
+  EXPECT_EQ(reading([&](Archive& k) { k("real", index); }), "real is of a wrong kind");
+  EXPECT_EQ(reading([&](Archive& k) { k("inner", real); }), "it has no inner");
+  EXPECT_EQ(reading([&](Archive& k) { k("reals", real); }), "reals has 3 numbers instead of 1");
+  EXPECT_EQ(reading([&](Archive& k) { k.table("inner", [&] { k.table("most", [&] { k("vec", vec); }); }); }),
             "inner/most/vec has 3 numbers instead of 2");
 }
 
@@ -187,7 +187,7 @@ TEST_F(Checkpoint, with_control_characters_in_a_text_is_refused)
   for (const char c : {'\0', '\x1b', '\r', '\x7f'}) {
     Thing thing;
     thing.text = std::string("a") + c + "b";
-    write_checkpoint(folder_ / "odd.h5", [&](Keep& k) { thing.keep(k); });
+    write_checkpoint(folder_ / "odd.h5", [&](Archive& k) { thing.archive(k); });
     EXPECT_EQ(refusal(folder_ / "odd.h5"), "text is no text");
   }
 }
@@ -197,11 +197,11 @@ TEST_F(Checkpoint, that_cannot_be_written_leaves_the_one_before_it_alone)
   rlimit limit{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &limit), 0);
   std::signal(SIGXFSZ, SIG_IGN);
-  for (std::size_t most = 0; most < content_.size(); most += 97) {
-    const rlimit small = {most, limit.rlim_max};
+  for (std::size_t max = 0; max < content_.size(); max += 97) {
+    const rlimit small = {max, limit.rlim_max};
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
     Thing thing = other_thing();
-    EXPECT_THROW(write_checkpoint(file_, [&](Keep& k) { thing.keep(k); }), RunError) << "a file of at most " << most << " bytes";
+    EXPECT_THROW(write_checkpoint(file_, [&](Archive& k) { thing.archive(k); }), RunError) << "a file of at most " << max << " bytes";
     ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
     EXPECT_FALSE(fs::exists(folder_ / "sample.h5.part"));
   }
@@ -216,14 +216,14 @@ protected:
   void write(BigIndex step)
   {
     Real value = static_cast<Real>(step);
-    folder_.write(step, [&](Keep& k) { k("value", value); });
+    folder_.write(step, [&](Archive& k) { k("value", value); });
   }
   /// The number that is read, and what was said before.
   Real read(CheckpointFolder folder)
   {
     Real value = -1;
     const fs::path file =
-        folder.read([&](Keep& k) { k("value", value); },
+        folder.read([&](Archive& k) { k("value", value); },
                     [&](const fs::path& refused, const std::string& why) { said_ += refused.filename().string() + ": " + why + "\n"; });
     return file.empty() ? -1 : value;
   }
@@ -266,7 +266,7 @@ TEST_F(InCheckpointFolder, the_one_that_was_used_stays_beside_the_next_and_the_d
   damage("step_500.h5");
   Real value = 0;
   folder_ = CheckpointFolder(base_ / "run");
-  folder_.read([&](Keep& k) { k("value", value); }, [](const fs::path&, const std::string&) {});
+  folder_.read([&](Archive& k) { k("value", value); }, [](const fs::path&, const std::string&) {});
   write(200);
   EXPECT_EQ(names(), "step_200.h5 step_99.h5 ");
 }

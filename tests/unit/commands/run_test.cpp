@@ -32,7 +32,7 @@ TEST(Program, tells_its_version_and_its_parameters)
   EXPECT_EQ(version.out.find("berm "), 0u) << version.out;
   const Ended params = place.berm({"params"});
   EXPECT_EQ(params.status, 0);
-  for (const char* key : {"friction_angle", "near_size", "approach_steps", "volumetric_projection"})
+  for (const char* key : {"friction_angle", "near_size", "gap_closing_steps", "volumetric_projection"})
     EXPECT_NE(params.out.find(key), std::string::npos) << key;
   const Ended markdown = place.berm({"params", "--markdown"});
   EXPECT_EQ(markdown.status, 0);

@@ -8,18 +8,18 @@ namespace berm::contact {
 namespace {
 
 /// A number between two others; the ends are likely.
-Real number_between(Real least, Real most)
+Real number_between(Real min, Real max)
 {
-  return least + (most - least) * *rc::gen::inRange(0, 10001) / 10000;
+  return min + (max - min) * *rc::gen::inRange(0, 10001) / 10000;
 }
 
 /// Velocities up to 2 m/s, a unit normal and an interface.
 template <int dim>
-struct Meeting {
+struct NodeNeighbourhood {
   Vec<dim> relative, normal;
   Interface interface;
 
-  Meeting()
+  NodeNeighbourhood()
   {
     for (int d = 0; d < dim; ++d) relative[d] = number_between(-2, 2), normal[d] = number_between(-1, 1);
     RC_PRE(normal.norm() > 1e-2);
@@ -37,7 +37,7 @@ constexpr Real round_off = 1e-14;  // of velocities of a few m/s
 template <int dim>
 void approach_never_grows_and_ends_at_what_is_allowed()
 {
-  const Meeting<dim> m;
+  const NodeNeighbourhood<dim> m;
   const Real after = -(m.relative + m.change()).dot(m.normal);
   RC_ASSERT(after <= m.approach() + round_off);
   if (m.approach() > m.interface.allowed_approach)
@@ -49,14 +49,14 @@ void approach_never_grows_and_ends_at_what_is_allowed()
 template <int dim>
 void there_is_no_tension()
 {
-  const Meeting<dim> m;
+  const NodeNeighbourhood<dim> m;
   RC_ASSERT(m.change().dot(m.normal) >= -round_off);
 }
 
 template <int dim>
 void friction_stays_below_its_limit_and_is_spent_before_anything_slides()
 {
-  const Meeting<dim> m;
+  const NodeNeighbourhood<dim> m;
   const Vec<dim> change = m.change(), slip = m.along(m.relative + change);
   const Real push = change.dot(m.normal), limit = m.interface.friction * push + m.interface.adhesion_impulse / 3;
   RC_ASSERT(m.along(change).norm() <= limit + round_off);
@@ -74,7 +74,7 @@ void friction_stays_below_its_limit_and_is_spent_before_anything_slides()
 template <int dim>
 void energy_of_the_relative_motion_never_grows()
 {
-  const Meeting<dim> m;
+  const NodeNeighbourhood<dim> m;
   RC_ASSERT((m.relative + m.change()).squaredNorm() <= m.relative.squaredNorm() + round_off);
 }
 
@@ -98,7 +98,7 @@ Matrix<dim> random_turn()
 template <int dim>
 void turned_input_gives_the_turned_answer()
 {
-  Meeting<dim> m;
+  NodeNeighbourhood<dim> m;
   // Within rounding of sticking, of touching: either answer is right, and they differ by no more than rounding; so no such case is left out.
   const Vec<dim> change = m.change();
   const Matrix<dim> turn = random_turn<dim>();
@@ -112,7 +112,7 @@ void turned_input_gives_the_turned_answer()
 template <int dim>
 void size_of_the_velocities_does_not_matter()
 {
-  Meeting<dim> m;
+  NodeNeighbourhood<dim> m;
   const Vec<dim> change = m.change();
   m.relative *= 4;  // a power of two scales without rounding
   m.interface.adhesion_impulse *= 4;
@@ -160,7 +160,7 @@ TEST(ContactCorrection, of_known_meetings)
 template <int dim>
 void an_impulse_that_is_right_already_stays()
 {
-  const Meeting<dim> m;
+  const NodeNeighbourhood<dim> m;
   const Vec<dim> impulse = contact_impulse<dim>(m.relative, m.normal, {3, 3}, m.interface, Vec<dim>::Zero());
   const Vec<dim> after = m.relative + impulse / 3;
   const Vec<dim> again = contact_impulse<dim>(after, m.normal, {3, 3}, m.interface, impulse);
@@ -171,7 +171,7 @@ template <int dim>
 void an_impulse_that_is_too_large_is_taken_back()
 {
   // The point carries far too much, and flies off with it: the law finds the impulse of the first correction again.
-  const Meeting<dim> m;
+  const NodeNeighbourhood<dim> m;
   const Vec<dim> right = contact_impulse<dim>(m.relative, m.normal, {3, 3}, m.interface, Vec<dim>::Zero());
   const Vec<dim> too_much = right + 50 * m.normal;
   const Vec<dim> found = contact_impulse<dim>(m.relative + too_much / 3, m.normal, {3, 3}, m.interface, too_much);
@@ -181,7 +181,7 @@ void an_impulse_that_is_too_large_is_taken_back()
 template <int dim>
 void held_points_keep_their_distance_and_stuck_ones_their_place()
 {
-  const Meeting<dim> m;
+  const NodeNeighbourhood<dim> m;
   for (const Grip grip : {Grip::slides, Grip::sticks}) {
     const Vec<dim> held = m.relative + holding_impulse<dim>(m.relative, m.normal, {3, 3}, m.interface, grip, Vec<dim>::Zero()) / 3;
     RC_ASSERT(std::abs(held.dot(m.normal) + m.interface.allowed_approach) < 1e-13);

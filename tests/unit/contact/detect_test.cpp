@@ -28,24 +28,24 @@ struct Bed {
       for (Index node : mesh.nodes[cell]) mass[node] = 1;
   }
 
-  ContactPoints<dim> found(const bodies::Rigid<dim>& rigid, const Vec<dim>& displacement, Detection detection) const
+  ContactPoints<dim> found(const bodies::RigidBody<dim>& rigid, const Vec<dim>& displacement, Detection detection) const
   {
     ContactPoints<dim> result;
     find_again(rigid, displacement, detection, result);
     return result;
   }
-  void find_again(const bodies::Rigid<dim>& rigid, const Vec<dim>& displacement, Detection detection, ContactPoints<dim>& result) const
+  void find_again(const bodies::RigidBody<dim>& rigid, const Vec<dim>& displacement, Detection detection, ContactPoints<dim>& result) const
   {
     bodies::RigidState<dim> state;
     state.displacement = displacement;
     detect(mesh, particles, rigid, state, detection, mass, result);
   }
 
-  Real least_height() const
+  Real min_height() const
   {
-    Real least = infinity;
-    for (Index cell = 0; cell < mesh.cell_count(); ++cell) least = std::min(least, mesh.height(cell));
-    return least;
+    Real min = infinity;
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) min = std::min(min, mesh.height(cell));
+    return min;
   }
 };
 
@@ -59,7 +59,7 @@ Vec<dim> at(Real x, Real y)
 }
 
 template <int dim>
-std::vector<bodies::Rigid<dim>> rigids()
+std::vector<bodies::RigidBody<dim>> rigid_bodies()
 {
   const auto vec = [](std::vector<Real> v) {
     v.resize(dim);
@@ -101,24 +101,24 @@ std::map<Index, ContactPoint<dim>> by_node(const ContactPoints<dim>& found)
 }
 
 template <int dim>
-void expect_gaps(const Bed<dim>& bed, const bodies::Rigid<dim>& rigid, const Vec<dim>& displacement, const ContactPoints<dim>& found)
+void expect_gaps(const Bed<dim>& bed, const bodies::RigidBody<dim>& rigid, const Vec<dim>& displacement, const ContactPoints<dim>& found)
 {
   const auto shape = placed<dim>(rigid, bodies::RigidState<dim>{displacement});
   const auto expected = brute_force(bed, shape);
   const auto nodes = by_node(found);
-  Real nearest = infinity, least = infinity;
+  Real nearest = infinity, min = infinity;
   int compared = 0;
   for (Index node = 0; node < bed.mesh.node_count(); ++node) {
     const Brute& brute = expected[node];
     nearest = std::min(nearest, brute.distance);
-    least = std::min(least, brute.gap);
+    min = std::min(min, brute.gap);
     // Cells far from the surface may be left out, so a large gap may be missed or found too large, never too small.
     const auto it = nodes.find(node);
     if (it != nodes.end()) {
       EXPECT_GE(it->second.gap, brute.gap - 1e-14);
       EXPECT_NEAR(it->second.normal.norm(), 1, 1e-14);
     }
-    if (brute.gap > bed.least_height()) continue;
+    if (brute.gap > bed.min_height()) continue;
     ASSERT_TRUE(it != nodes.end()) << rigid.name << ": node " << node << " with gap " << brute.gap << " is missing";
     EXPECT_NEAR(it->second.gap, brute.gap, 1e-14);
     EXPECT_NEAR(it->second.distance, brute.distance, 1e-14);
@@ -130,9 +130,9 @@ void expect_gaps(const Bed<dim>& bed, const bodies::Rigid<dim>& rigid, const Vec
   }
   EXPECT_GT(compared, 5) << rigid.name;
   EXPECT_NEAR(found.nearest_particle, nearest, 1e-14);
-  Real least_of_nodes = infinity;
-  for (const auto& c : found.list) least_of_nodes = std::min(least_of_nodes, c.gap);
-  EXPECT_NEAR(least_of_nodes, least, 1e-14);
+  Real min_of_nodes = infinity;
+  for (const auto& c : found.list) min_of_nodes = std::min(min_of_nodes, c.gap);
+  EXPECT_NEAR(min_of_nodes, min, 1e-14);
 }
 
 template <class Dimension>
@@ -145,7 +145,7 @@ TYPED_TEST(Detect, a_nodes_gap_is_the_least_of_all_particles_in_its_cells)
 {
   constexpr int dim = TypeParam::value;
   const Bed<dim> bed;
-  for (const auto& rigid : rigids<dim>())
+  for (const auto& rigid : rigid_bodies<dim>())
     for (const Real down : {0., -0.02, -0.2}) {
       const Vec<dim> displacement = at<dim>(0.01, down);
       expect_gaps(bed, rigid, displacement, bed.found(rigid, displacement, Detection::gap));
@@ -157,7 +157,7 @@ TYPED_TEST(Detect, the_gaps_follow_the_body_as_it_moves)
   // Small steps, in which the list of near cells is kept for a while, over most of the bed, and a leap.
   constexpr int dim = TypeParam::value;
   const Bed<dim> bed;
-  for (const auto& rigid : rigids<dim>()) {
+  for (const auto& rigid : rigid_bodies<dim>()) {
     ContactPoints<dim> found;
     for (int n = 0; n <= 60; ++n) {
       const Vec<dim> displacement = at<dim>(0.02 * n - 0.6, -0.001 * n);
@@ -173,7 +173,7 @@ TYPED_TEST(Detect, nothing_is_listed_far_from_the_body)
 {
   constexpr int dim = TypeParam::value;
   const Bed<dim> bed;
-  const auto found = bed.found(rigids<dim>()[0], at<dim>(0, 10), Detection::gap);
+  const auto found = bed.found(rigid_bodies<dim>()[0], at<dim>(0, 10), Detection::gap);
   EXPECT_TRUE(found.list.empty());
   EXPECT_EQ(found.nearest_particle, infinity);
 }
@@ -199,7 +199,7 @@ TYPED_TEST(Detect, overlap_lists_the_nodes_with_mass_of_all_cells_that_the_body_
 {
   constexpr int dim = TypeParam::value;
   const Bed<dim> bed;
-  for (const auto& rigid : rigids<dim>()) {
+  for (const auto& rigid : rigid_bodies<dim>()) {
     ContactPoints<dim> found;
     for (int n = 0; n <= 10; ++n) {
       const Vec<dim> displacement = at<dim>(0.02 * n, -0.02 * n);
@@ -238,7 +238,7 @@ TYPED_TEST(Detect, distance_lists_the_nodes_of_gap_whose_gap_is_closed)
   constexpr int dim = TypeParam::value;
   const Bed<dim> bed;
   int closed = 0;
-  for (const auto& rigid : rigids<dim>()) {
+  for (const auto& rigid : rigid_bodies<dim>()) {
     const Vec<dim> displacement = at<dim>(0.01, -0.1);
     const auto all = by_node(bed.found(rigid, displacement, Detection::gap));
     const auto found = by_node(bed.found(rigid, displacement, Detection::distance));
@@ -256,7 +256,7 @@ TYPED_TEST(Detect, particle_lists_each_particle_whose_gap_is_less_than_its_width
 {
   constexpr int dim = TypeParam::value;
   const Bed<dim> bed;
-  for (const auto& rigid : rigids<dim>()) {
+  for (const auto& rigid : rigid_bodies<dim>()) {
     const Vec<dim> displacement = at<dim>(0.01, -0.05);
     const auto found = bed.found(rigid, displacement, Detection::particle);
     bodies::RigidState<dim> state;
@@ -288,12 +288,12 @@ TEST(DetectBox, nodes_beside_a_corner_take_the_normal_of_the_side_that_the_soil_
   // The box stands 0.3 m deep in the bed. A node inside it, nearer to its wall than to its base, still gets the base's normal where its nearest
   // particle lies below the base.
   const Bed<2> bed;
-  const bodies::Rigid<2> rigid{"box", make_shape<2>(bodies::BoxSettings{{0.8, 1.0}, {0.9, 0.6}, 0}), 0};
+  const bodies::RigidBody<2> rigid{"box", make_shape<2>(bodies::BoxSettings{{0.8, 1.0}, {0.9, 0.6}, 0}), 0};
   const auto shape = rigid.shape;
   const auto found = bed.found(rigid, Vec<2>::Zero(), Detection::gap);
   ASSERT_GT(found.list.size(), 10u);
   for (const auto& contact : found.list) {
-    Real least = infinity;
+    Real min = infinity;
     Vec<2> normal = Vec<2>::Zero();
     bed.particles.visit([&](Index cell, Index b, int l) {
       const auto& corners = bed.mesh.nodes[cell];
@@ -301,9 +301,9 @@ TEST(DetectBox, nodes_beside_a_corner_take_the_normal_of_the_side_that_the_soil_
       const auto p = bed.particles.read(b, l);
       const auto surface = surface_at<2>(shape, p.x);
       const Real gap = surface.distance - std::sqrt(p.volume) / 2;
-      if (gap < least) least = gap, normal = surface.normal;
+      if (gap < min) min = gap, normal = surface.normal;
     });
-    if (contact.gap > least + 1e-12) continue;  // found by a cell that is not near
+    if (contact.gap > min + 1e-12) continue;  // found by a cell that is not near
     EXPECT_NEAR((contact.normal - normal).norm(), 0, 1e-14);
   }
 }

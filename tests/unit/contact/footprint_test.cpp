@@ -35,11 +35,11 @@ struct Bed {
   }
   Real covered(const bodies::RigidShape<2>& shape, Detection detection = Detection::particle)
   {
-    bodies::Rigid<2> rigid;
+    bodies::RigidBody<2> rigid;
     rigid.shape = shape;
     bodies::RigidState<2> state;
     found.near_at.setConstant(infinity);
-    state.listed_at.setConstant(infinity);
+    state.near_cells_displacement.setConstant(infinity);
     detect<2>(mesh, particles, rigid, state, detection, NodeField<Real>(mesh.node_count(), 1), found);
     find_footprints(mesh, particles, shape, found);
     return std::accumulate(found.footprints.begin(), found.footprints.end(), Real(0), [](Real sum, const auto& f) { return sum + f.area; });

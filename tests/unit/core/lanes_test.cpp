@@ -75,10 +75,10 @@ TEST(Lanes, all_lanes_is_the_number_in_each_lane_to_the_last_bit)
 TEST(Lanes, larger_smaller_and_magnitude_are_those_of_each_lane)
 {
   const Lanes other = {2, -1, 5, -6};
-  const Lanes most = larger(sample, other), least = smaller(sample, other), size = magnitude(sample);
+  const Lanes max = larger(sample, other), min = smaller(sample, other), size = magnitude(sample);
   for (int l = 0; l < lanes; ++l) {
-    EXPECT_EQ(most[l], std::max(sample[l], other[l]));
-    EXPECT_EQ(least[l], std::min(sample[l], other[l]));
+    EXPECT_EQ(max[l], std::max(sample[l], other[l]));
+    EXPECT_EQ(min[l], std::min(sample[l], other[l]));
     EXPECT_EQ(size[l], std::abs(sample[l]));
   }
   EXPECT_EQ(larger(2., 3.), 3);

@@ -322,9 +322,9 @@ TEST(Assembly, held_back_forces_keep_the_first_state_in_balance)
   Assembly assembly(problem.model);
   FemLoads loads;
   loads.gravity = {0, -10};
-  assembly.hold_back(problem.state, loads);
+  assembly.store_initial_imbalance(problem.state, loads);
   EXPECT_GT(assembly.unbalanced(), 0.5 * problem.model.weight);
-  loads.held_back = 1;
+  loads.initial_imbalance_factor = 1;
   assembly.evaluate(problem.state, std::vector<Real>(problem.model.unknowns(), 0.), loads, 0);
   EXPECT_LT(assembly.unbalanced(), 1e-15 * problem.model.weight);
 }

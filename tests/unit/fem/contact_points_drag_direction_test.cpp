@@ -23,7 +23,7 @@ TEST(DragOfFiniteElements, with_a_vertical_velocity_goes_straight_in_that_direct
   FemProblem problem = build_fem(c, ".", folder.path());
   LoadSteps steps(problem.model, problem.state);
   steps.settle();
-  const bodies::RigidState<2>& pipe = problem.state.state.rigids[0];
+  const bodies::RigidState<2>& pipe = problem.state.state.rigid_bodies[0];
   do {
     ASSERT_TRUE(steps.advance().converged);
     EXPECT_NEAR(pipe.displacement[1], -0.5 * pipe.displacement[0], 1e-15);

@@ -45,7 +45,7 @@ struct Block {
     const FemModel& model = problem.model;
     assembly.evaluate(problem.state, change, loads, 0);
     assembly.differentiate(problem.state, change, 0);
-    EXPECT_TRUE(solver.decompose(assembly.matrix()));
+    EXPECT_TRUE(solver.factorize(assembly.matrix()));
     step.assign(model.unknowns(), 0.);
     for (Index k = 0; k < model.unknowns(); ++k) {
       const bool rigid = k >= model.rigid_unknown();

@@ -23,22 +23,22 @@ void expect_solution(DirectSolver& solver, std::vector<Real> b, const std::vecto
 TEST(DirectSolver, solves_a_symmetric_system_by_its_lower_triangle)
 {
   DirectSolver solver(pattern);
-  ASSERT_TRUE(solver.decompose(entries));
+  ASSERT_TRUE(solver.factorize(entries));
   expect_solution(solver, {2, 1, 11}, {1, 2, 3});
 }
 
 TEST(DirectSolver, takes_other_entries_of_the_same_pattern)
 {
   DirectSolver solver(pattern);
-  ASSERT_TRUE(solver.decompose(entries));
-  ASSERT_TRUE(solver.decompose(std::vector<Real>{1, 0, 1, 0, 1}));
+  ASSERT_TRUE(solver.factorize(entries));
+  ASSERT_TRUE(solver.factorize(std::vector<Real>{1, 0, 1, 0, 1}));
   expect_solution(solver, {1, 2, 3}, {1, 2, 3});
 }
 
 TEST(DirectSolver, says_that_a_matrix_is_singular)
 {
   DirectSolver solver(pattern);
-  EXPECT_FALSE(solver.decompose(std::vector<Real>{1, -1, 1, 0, 5}));
+  EXPECT_FALSE(solver.factorize(std::vector<Real>{1, -1, 1, 0, 5}));
 }
 
 Real allocated()
@@ -64,7 +64,7 @@ TEST(DirectSolver, foretells_the_memory_of_a_decomposition)
   }
   DirectSolver solver(springs);
   const Real before = allocated();
-  ASSERT_TRUE(solver.decompose(stiffness));
+  ASSERT_TRUE(solver.factorize(stiffness));
   const Real taken = allocated() - before;
   EXPECT_GT(taken, 8 * 10 * n * n);  // ten numbers a row are less than any order of elimination leaves
   EXPECT_LE(taken, solver.memory());
@@ -95,7 +95,7 @@ TEST(DirectSolver, leaves_kept_unknowns_to_the_caller)
   const Eigen::Vector2d load = b(kept) - aok.transpose() * inverse * b(others);
 
   DirectSolver solver(dense, kept);
-  ASSERT_TRUE(solver.decompose(lower));
+  ASSERT_TRUE(solver.factorize(lower));
   const std::span<const Real> s = solver.kept_matrix();
   for (const auto& [row, column] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1)})
     EXPECT_NEAR(s[2 * row + column], schur(row, column), 1e-14) << row << ", " << column;

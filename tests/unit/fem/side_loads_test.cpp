@@ -89,7 +89,7 @@ TEST(ReleasedSupport, lets_its_reaction_go_and_the_block_settle_as_in_uniaxial_p
   const Real plane_modulus = 1e6 / (1 - 0.25 * 0.25);
   EXPECT_NEAR(block.problem.state.displacement[2 * load.node + 1] / (-6000 / plane_modulus * 0.5), 1, of_iteration);
   EXPECT_NEAR(block.energy_error(), 0, of_iteration);
-  EXPECT_EQ(block.problem.state.held_back, 0);
+  EXPECT_EQ(block.problem.state.initial_imbalance_factor, 0);
 }
 
 TEST(GravityLoading, is_the_k0_state_of_a_level_bed)

@@ -120,9 +120,9 @@ TEST(DesignCode, drained_lateral_resistance_is_passive_pressure_and_friction)
 TEST(DesignCode, breakout_lies_within_its_range)
 {
   const Breakout breakout = f114_breakout(D, 0.2 * D);
-  EXPECT_NEAR(breakout.least.value, D * 0.008, 1e-15);
+  EXPECT_NEAR(breakout.min.value, D * 0.008, 1e-15);
   EXPECT_NEAR(breakout.mean.value, D * 0.07, 1e-15);
-  EXPECT_NEAR(breakout.most.value, D * 0.24, 1e-15);
+  EXPECT_NEAR(breakout.max.value, D * 0.24, 1e-15);
   EXPECT_TRUE(breakout.mean.valid);
 }
 

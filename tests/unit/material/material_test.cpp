@@ -74,7 +74,7 @@ TEST(Material, what_no_law_can_guess_is_required)
   describe(recorder, material);
   EXPECT_TRUE(recorder.of("friction_angle")->required);
   EXPECT_STREQ(recorder.of("friction_angle")->unit, "rad");
-  EXPECT_GE(recorder.of("friction_angle")->range.most, 60 * pi / 180);
+  EXPECT_GE(recorder.of("friction_angle")->range.max, 60 * pi / 180);
 }
 
 TEST(Material, dilation_larger_than_friction_is_refused_at_its_key)

@@ -20,7 +20,7 @@ inline MohrCoulomb soil(Real cohesion, Real friction, Real dilation, std::option
   law.friction_angle = friction * degree;
   law.dilation_angle = dilation * degree;
   law.tension_cutoff = tension_cutoff;
-  law.most_opening = 0.2;
+  law.max_opening = 0.2;
   return law;
 }
 

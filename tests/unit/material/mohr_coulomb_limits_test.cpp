@@ -137,7 +137,7 @@ TEST(MohrCoulomb, no_stress_and_no_strength_and_huge_strains_give_numbers)
         for (int step = 0; step < 3; ++step) {
           update_stress(prepared, stress, strain, &opening);
           for (int k = 0; k < 4; ++k) ASSERT_TRUE(std::isfinite(stress[k]));
-          ASSERT_TRUE(opening >= 0 && opening <= law.most_opening);
+          ASSERT_TRUE(opening >= 0 && opening <= law.max_opening);
           // Rounding of the trial, which is a few times size x modulus. The square of a stress below 1e-154 Pa is zero.
           ASSERT_LE(yield_value(prepared, stress), 1e-150 + 1e-12 * (law.cohesion + size * p_wave_modulus(prepared.elastic)));
         }

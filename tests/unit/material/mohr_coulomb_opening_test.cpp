@@ -76,17 +76,17 @@ TEST(MohrCoulombOpening, open_soil_shears_without_stress_or_dilation)
 TEST(MohrCoulombOpening, is_remembered_by_default_where_soil_dilates)
 {
   MohrCoulomb dilating = soil(0, 35, 10), other = soil(0, 35, 0);
-  dilating.most_opening = other.most_opening = {};
-  EXPECT_EQ(prepare(dilating).most_opening, 0.2);
-  EXPECT_EQ(prepare(other).most_opening, 0);
+  dilating.max_opening = other.max_opening = {};
+  EXPECT_EQ(prepare(dilating).max_opening, 0.2);
+  EXPECT_EQ(prepare(other).max_opening, 0);
   // At its largest volume soil dilates no more, but remembers what it did.
-  EXPECT_EQ(prepare(std::get<MohrCoulomb>(without_dilation(dilating))).most_opening, 0.2);
+  EXPECT_EQ(prepare(std::get<MohrCoulomb>(without_dilation(dilating))).max_opening, 0.2);
 }
 
-TEST(MohrCoulombOpening, most_opening_bounds_it)
+TEST(MohrCoulombOpening, max_opening_bounds_it)
 {
   MohrCoulomb law = soil(0, 35, 0);
-  law.most_opening = 0.01;
+  law.max_opening = 0.01;
   const PreparedMohrCoulomb prepared = prepare(law);
   SymTensor<2> stress;
   Real opening = 0;
@@ -102,7 +102,7 @@ TEST(MohrCoulombOpening, most_opening_bounds_it)
 TEST(MohrCoulombOpening, without_it_stretched_soil_carries_load_at_once)
 {
   MohrCoulomb law = soil(0, 35, 0);
-  law.most_opening = 0;
+  law.max_opening = 0;
   const PreparedMohrCoulomb prepared = prepare(law);
   SymTensor<2> stress;
   Real opening = 0;

@@ -99,7 +99,7 @@ TEST(MohrCoulomb, lanes_and_single_numbers_give_the_same_stress)
       for (int l = 0; l < lanes; ++l) {
         stress[l] = returned(prepared, random_trial<2>(random));
         strain[l] = elastic_strain(prepared.elastic, random_trial<2>(random));
-        openings[l] = opening[l] = l < 4 || prepared.most_opening == 0 ? 0 : std::abs(trace(strain[l])) * (l - 3);
+        openings[l] = opening[l] = l < 4 || prepared.max_opening == 0 ? 0 : std::abs(trace(strain[l])) * (l - 3);
         if (opening[l] > 0) stress[l] = {{prepared.apex, prepared.apex, prepared.apex, 0}};
         for (int k = 0; k < 4; ++k) {
           stresses[k][l] = stress[l][k];

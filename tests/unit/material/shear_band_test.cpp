@@ -12,13 +12,13 @@ namespace {
 Real friction_of_band(const MohrCoulomb& law)
 {
   const Real compression = 1 + std::sin(law.friction_angle),
-             least = 1 - std::sin(law.friction_angle);  // principal stresses, over their mean
+             min = 1 - std::sin(law.friction_angle);  // principal stresses, over their mean
   const Real shortening = 1 - std::sin(law.dilation_angle),
              lengthening = 1 + std::sin(law.dilation_angle);  // principal strain rates, coaxial
   const Real cos2 = lengthening / (shortening + lengthening),
              sin2 = 1 - cos2;  // -cos2 shortening + sin2 lengthening = 0, cos2 of the line's angle
-  const Real shear = (compression - least) * std::sqrt(sin2 * cos2);
-  const Real normal = sin2 * compression + cos2 * least;
+  const Real shear = (compression - min) * std::sqrt(sin2 * cos2);
+  const Real normal = sin2 * compression + cos2 * min;
   return shear / normal;
 }
 

@@ -56,7 +56,7 @@ Increment random_increment(const PreparedMohrCoulomb& law, std::mt19937_64& rand
   increment.stress = returned(law, random_trial<2>(random));
   increment.strain = elastic_strain(law.elastic, random_trial<2>(random));
   increment.strain[2] = 0;
-  if (law.most_opening > 0 && random() % 3 == 0) increment.opening = std::min(std::abs(spread_number(random, 0.05)), law.most_opening);
+  if (law.max_opening > 0 && random() % 3 == 0) increment.opening = std::min(std::abs(spread_number(random, 0.05)), law.max_opening);
   return increment;
 }
 

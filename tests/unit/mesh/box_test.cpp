@@ -51,8 +51,8 @@ TEST(BoxMesh, cells_next_to_each_other_in_memory_are_near_each_other)
   EXPECT_LT(sum / (mesh.cell_count() - 1), 1.5 / 64);
   Index span = 0;
   for (const auto& corner : mesh.nodes) {
-    const auto [least, most] = std::minmax_element(corner.begin(), corner.end());
-    span += *most - *least < 32;
+    const auto [min, max] = std::minmax_element(corner.begin(), corner.end());
+    span += *max - *min < 32;
   }
   EXPECT_GT(span, mesh.cell_count() * 3 / 4);
 }

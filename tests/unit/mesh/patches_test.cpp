@@ -13,7 +13,7 @@ namespace {
 std::vector<Index> ring(const Patches& patches, Index cell)
 {
   std::vector<Index> members = {cell};
-  while (patches[members.back()] != cell && members.size() <= most_patch_cells) members.push_back(patches[members.back()]);
+  while (patches[members.back()] != cell && members.size() <= max_patch_cells) members.push_back(patches[members.back()]);
   return members;
 }
 
@@ -56,7 +56,7 @@ TYPED_TEST(PatchesOf, hold_every_cell_once)
       ASSERT_EQ(patches.size(), mesh.cell_count());
       for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
         std::vector<Index> members = ring(patches, cell);
-        EXPECT_LE(members.size(), most_patch_cells);
+        EXPECT_LE(members.size(), max_patch_cells);
         EXPECT_EQ(patches[members.back()], cell);  // a ring through every cell: none is in two
         std::rotate(members.begin(), std::min_element(members.begin(), members.end()), members.end());
         EXPECT_TRUE(std::is_sorted(members.begin(), members.end()));

@@ -13,7 +13,7 @@ namespace {
 template <int dim>
 void spin(bodies::Particles<dim>& particles, const Vec<3>& drift, const Vec<3>& rate)
 {
-  const Vec<dim> center = measure(particles).center();
+  const Vec<dim> center = sums_over(particles).center();
   for_each_particle(particles, [&](bodies::Block<dim>& p, int l) {
     Vec<3> r = Vec<3>::Zero();
     r.template head<dim>() = position(p, l) - center;
@@ -27,10 +27,10 @@ TEST(Measure, spin_is_about_the_center_of_mass_and_drift_is_no_part_of_it)
   auto problem = problem_on(criss_cross<2>(), sample_solid(), 4);
   bodies::Particles<2>& particles = problem.state.particles[0];
   spin<2>(particles, {7, -3, 0}, {0, 0, 0.5});
-  const Vec<2> center = measure(particles).center();
+  const Vec<2> center = sums_over(particles).center();
   Real inertia = 0;
   for_each_particle(particles, [&](bodies::Block<2>& p, int l) { inertia += p.mass[l] * (position(p, l) - center).squaredNorm(); });
-  EXPECT_NEAR(measure(particles).spin()[2] / (0.5 * inertia), 1, 1e-10);
+  EXPECT_NEAR(sums_over(particles).angular_momentum()[2] / (0.5 * inertia), 1, 1e-10);
 }
 TEST(Measure, spin_in_space_has_three_components)
 {
@@ -38,13 +38,13 @@ TEST(Measure, spin_in_space_has_three_components)
   bodies::Particles<3>& particles = problem.state.particles[0];
   const Vec<3> rate(0.3, -0.2, 0.5);
   spin<3>(particles, {7, -3, 2}, rate);
-  const Vec<3> center = measure(particles).center();
+  const Vec<3> center = sums_over(particles).center();
   Vec<3> expected = Vec<3>::Zero();
   for_each_particle(particles, [&](bodies::Block<3>& p, int l) {
     const Vec<3> r = position(p, l) - center;
     expected += p.mass[l] * (r.squaredNorm() * rate - r.dot(rate) * r);
   });
-  EXPECT_LT((measure(particles).spin() - expected).norm(), 1e-10 * expected.norm());
+  EXPECT_LT((sums_over(particles).angular_momentum() - expected).norm(), 1e-10 * expected.norm());
 }
 
 TEST(Measure, extents_are_those_of_the_particles_and_not_of_empty_lanes)
@@ -57,7 +57,7 @@ TEST(Measure, extents_are_those_of_the_particles_and_not_of_empty_lanes)
     upper = upper.cwiseMax(position(p, l));
     for (int empty = 1; empty < lanes; ++empty) p.x[0][empty] = p.x[1][empty] = 1e6;
   });
-  const auto sums = measure(particles);
+  const auto sums = sums_over(particles);
   EXPECT_EQ(sums.lower, lower);
   EXPECT_EQ(sums.upper, upper);
 }
@@ -67,7 +67,7 @@ TEST(MomentumError, is_told_against_the_motion_where_all_momenta_cancel)
   auto problem = problem_on(criss_cross<2>(), sample_solid(), 4);
   spin<2>(problem.state.particles[0], {0, 0, 0}, {0, 0, 0.5});
   EXPECT_LT(momentum_error(problem.state), 1e-12);
-  const BodySums<2> sums = measure(problem.state.particles[0]);
+  const BodySums<2> sums = sums_over(problem.state.particles[0]);
   problem.state.totals.contact_impulse[0] = 1e-3 * std::sqrt(2 * sums.mass * sums.kinetic);
   EXPECT_NEAR(momentum_error(problem.state), 1e-3 / 1.001, 1e-10);
 }

@@ -12,10 +12,10 @@ namespace {
 problem::Problem<2> pressed_box()
 {
   auto problem = problem_on<2>(shaken_box<2>(), sample_sand(), 9);
-  bodies::Rigid<2> pipe;
+  bodies::RigidBody<2> pipe;
   pipe.shape = bodies::Circle<2>{.center = problem.model.mesh.upper + Vec<2>(0, 10), .radius = 10};
-  problem.model.rigids.push_back(pipe);
-  problem.state.rigids.resize(1);
+  problem.model.rigid_bodies.push_back(pipe);
+  problem.state.rigid_bodies.resize(1);
   problem.model.main_rigid = 0;
   for_each_particle(problem.state.particles[0], [](bodies::Block<2>& p, int l) {
     for (int k = 0; k < 3; ++k) p.stress[k][l] = -1e4;
@@ -31,7 +31,7 @@ Real shaking_of(const Velocity& velocity_at, const NodeVelocity& node_velocity)
   for_each_particle(problem.state.particles[0], [&](bodies::Block<2>& p, int l) { set_velocity<2>(p, l, velocity_at(position<2>(p, l))); });
   Work<2> work(problem.model, problem.state);
   for (Index i = 0; i < problem.model.mesh.node_count(); ++i)
-    work.grids[0].moved_velocity[i] = node_velocity(problem.model.mesh.position[i]);
+    work.grids[0].mapped_velocity[i] = node_velocity(problem.model.mesh.position[i]);
   return shaking(problem.model, problem.state, work);
 }
 
@@ -77,8 +77,8 @@ TEST(SoilCondition, counts_grains_in_the_air_and_at_the_bounds_of_volume)
   });
   const SoilCondition found = soil_condition(problem.model, problem.state);
   EXPECT_NEAR(found.in_the_air, grain.mass / mass, 1e-12);
-  EXPECT_NEAR(found.at_least_volume, smallest / mass, 1e-12);
-  EXPECT_NEAR(found.at_most_volume, largest / mass, 1e-12);
+  EXPECT_NEAR(found.at_min_volume, smallest / mass, 1e-12);
+  EXPECT_NEAR(found.at_max_volume, largest / mass, 1e-12);
   EXPECT_GT(smallest, 0);
   EXPECT_GT(largest, 0);
 }

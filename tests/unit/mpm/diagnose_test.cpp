@@ -83,9 +83,9 @@ template <int dim>
 std::string rigid_refusal(const bodies::RigidShapeSettings& shape, const Vec<dim>& moved)
 {
   auto problem = problem_on<dim>(make_box<dim>(sample_box<dim>()), sample_solid(), 1);
-  problem.model.rigids.push_back({"pipe", make_shape<dim>(shape)});
-  problem.state.rigids.emplace_back();
-  problem.state.rigids[0].displacement = moved;
+  problem.model.rigid_bodies.push_back({"pipe", make_shape<dim>(shape)});
+  problem.state.rigid_bodies.emplace_back();
+  problem.state.rigid_bodies[0].displacement = moved;
   problem.state.time = 0.125;
   return refusal([&] { refuse_rigid_outside_mesh(problem.model, problem.state); });
 }

@@ -18,7 +18,7 @@ void move_once(problem::Problem<dim>& problem, Real dt, const Velocity& velocity
   const mesh::Mesh<dim>& mesh = problem.model.mesh;
   sum_moments(mesh, problem.state.particles[0], work.grids[0]);
   gather_mass_and_momentum(mesh, work.grids[0]);
-  for (Index i = 0; i < mesh.node_count(); ++i) work.grids[0].moved_velocity[i] = velocity_at(mesh.position[i]);
+  for (Index i = 0; i < mesh.node_count(); ++i) work.grids[0].mapped_velocity[i] = velocity_at(mesh.position[i]);
   move_and_strain(problem.model, problem.state, work, 0);
 }
 
@@ -43,7 +43,7 @@ TEST(Dilation, ends_where_a_particle_has_its_largest_volume)
   };
   EXPECT_GT(pressure_after_shear(1), 2e4);
   // With a dilation angle of zero the in-plane mean stress stays; the stress out of the plane hardly moves.
-  EXPECT_NEAR(pressure_after_shear(problem::MpmSettings{}.most_volume_ratio), 1e4, 1e3);
+  EXPECT_NEAR(pressure_after_shear(problem::MpmSettings{}.max_volume_ratio), 1e4, 1e3);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct Moved {
     sum_moments(mesh(), particles(), grid());
     gather_mass_and_momentum(mesh(), grid());
     spread_internal_forces(problem.model, particles(), grid());
-    for (Index i = 0; i < mesh().node_count(); ++i) grid().moved_velocity[i] = velocity_at(mesh().position[i]);
+    for (Index i = 0; i < mesh().node_count(); ++i) grid().mapped_velocity[i] = velocity_at(mesh().position[i]);
     if (problem.model.mpm.volumetric_projection) sum_volume_changes(mesh(), particles(), dt, grid());
     move_and_strain(problem.model, problem.state, work, 0);
   }
@@ -154,7 +154,7 @@ TYPED_TEST(Move, work_of_the_stress_is_that_of_the_internal_forces_with_and_with
     const mesh::Mesh<dim>& mesh = body.mesh();
     for (Index e = 0; e < static_cast<Index>(mesh.entries.size()); ++e) {
       const Real term =
-          Eigen::Map<const Vec<dim>>(body.grid().at(e).sum).dot(body.grid().moved_velocity[mesh.nodes[e / (dim + 1)][e % (dim + 1)]]);
+          Eigen::Map<const Vec<dim>>(body.grid().at(e).sum).dot(body.grid().mapped_velocity[mesh.nodes[e / (dim + 1)][e % (dim + 1)]]);
       power += term;
       size += std::abs(term);
     }
@@ -237,7 +237,7 @@ TYPED_TEST(Move, a_cell_that_gets_its_first_particle_gets_its_shape)
   while (particles.count_in(empty) > 0) particles.take(empty, 0);
   particles.sort_occupied();
   Work<dim> work(problem.model, problem.state);
-  work.movers[0].push_back({next, 0, empty});
+  work.cell_changes[0].push_back({next, 0, empty});
   mpm::change_cells(problem.model, problem.state, work, 0);
   ASSERT_EQ(particles.count_in(empty), 1);
   for (const Index cell : particles.occupied()) EXPECT_EQ(work.grids[0].gradients[cell], mesh.shape(cell).gradients) << cell;
@@ -331,7 +331,7 @@ TYPED_TEST(Move, stress_turns_with_the_body_and_keeps_its_invariants)
         v[0] = -angle * (x[1] - middle[1]), v[1] = angle * (x[0] - middle[0]);
         return v;
       });
-      body.work.movers.front().clear();  // where the particles are does not matter here
+      body.work.cell_changes.front().clear();  // where the particles are does not matter here
     }
     Matrix<3> was = Matrix<3>::Zero(), turn = Matrix<3>::Identity();
     for (int a = 0; a < 3; ++a)

@@ -28,8 +28,8 @@ struct Uneven {
     spread_internal_forces(problem.model, particles(), grid());
   }
 
-  template <class Stress, class Keep>
-  static problem::Problem<dim> prepared(problem::Quadrature quadrature, const Stress& stress, const Keep& keep)
+  template <class Stress, class Archive>
+  static problem::Problem<dim> prepared(problem::Quadrature quadrature, const Stress& stress, const Archive& keep)
   {
     auto made = problem_on<dim>(shaken_box<dim>(), sample_solid(), dim == 2 ? 9 : 27);
     made.model.mpm.quadrature = quadrature;
@@ -135,8 +135,8 @@ TYPED_TEST(FullCells, do_the_work_of_the_nodal_forces)
   Real power = 0;
   for (Index i = 0; i < soil.mesh().node_count(); ++i) {
     const Vec<dim>& x = soil.mesh().position[i];
-    for (int d = 0; d < dim; ++d) soil.grid().moved_velocity[i][d] = std::cos(5 * x[d] + 2 * x[(d + 1) % dim]);
-    power += soil.force(i).dot(soil.grid().moved_velocity[i]);
+    for (int d = 0; d < dim; ++d) soil.grid().mapped_velocity[i][d] = std::cos(5 * x[d] + 2 * x[(d + 1) % dim]);
+    power += soil.force(i).dot(soil.grid().mapped_velocity[i]);
   }
   sum_volume_changes(soil.mesh(), soil.particles(), soil.problem.state.dt, soil.grid());
   move_and_strain(soil.problem.model, soil.problem.state, soil.work, 0);

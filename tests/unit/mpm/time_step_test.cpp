@@ -39,15 +39,15 @@ TYPED_TEST(TimeStep, is_courant_times_the_least_height_over_the_speeds_of_wave_a
   Work<dim> work(problem.model, problem.state);
   EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / wave), 1, 1e-14);
 
-  work.grids[0].moved_velocity[work.grids[0].nodes.back()] = 3 * Vec<dim>::UnitX() - 4 * Vec<dim>::UnitY();
+  work.grids[0].mapped_velocity[work.grids[0].nodes.back()] = 3 * Vec<dim>::UnitX() - 4 * Vec<dim>::UnitY();
   EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / (wave + 5)), 1, 1e-14);
 
-  problem.model.rigids.push_back({"pipe", make_shape<dim>(bodies::CircleSettings{std::vector<Real>(dim, 0), 0.5})});
-  problem.state.rigids.emplace_back();
-  problem.state.rigids[0].velocity = 7 * Vec<dim>::UnitX();
+  problem.model.rigid_bodies.push_back({"pipe", make_shape<dim>(bodies::CircleSettings{std::vector<Real>(dim, 0), 0.5})});
+  problem.state.rigid_bodies.emplace_back();
+  problem.state.rigid_bodies[0].velocity = 7 * Vec<dim>::UnitX();
   EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / (wave + 7)), 1, 1e-14);
 
-  problem.state.rigids[0].spin = -8;  // its rim is 0.25 m away
+  problem.state.rigid_bodies[0].angular_velocity = -8;  // its rim is 0.25 m away
   EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / (wave + 9)), 1, 1e-14);
 }
 
@@ -58,7 +58,7 @@ TYPED_TEST(TimeStep, a_velocity_that_is_not_finite_ends_the_run_with_time_step_a
   problem.state.time = 0.5;
   problem.state.step = 33;
   Work<dim> work(problem.model, problem.state);
-  work.grids[0].moved_velocity[work.grids[0].nodes[3]][0] = std::numeric_limits<Real>::quiet_NaN();
+  work.grids[0].mapped_velocity[work.grids[0].nodes[3]][0] = std::numeric_limits<Real>::quiet_NaN();
   try {
     stable_time_step(problem.model, problem.state, work);
     FAIL() << "nothing was thrown";
@@ -78,7 +78,7 @@ TYPED_TEST(TimeStep, of_less_than_a_thousandth_of_that_at_rest_ends_the_run_with
   problem.state.step = 32;
   const Real wave = std::sqrt(p_wave_modulus(sample_solid()) / 1500);
   const Index node = work.grids[0].nodes[3];
-  work.grids[0].moved_velocity[node] = 990 * wave * Vec<dim>::UnitX();
+  work.grids[0].mapped_velocity[node] = 990 * wave * Vec<dim>::UnitX();
   EXPECT_NO_THROW(stable_time_step(problem.model, problem.state, work));
   const auto expect_refused = [&](const std::string& what) {
     try {
@@ -90,11 +90,11 @@ TYPED_TEST(TimeStep, of_less_than_a_thousandth_of_that_at_rest_ends_the_run_with
         EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
     }
   };
-  work.grids[0].moved_velocity[node] = 1010 * wave * Vec<dim>::UnitX();
+  work.grids[0].mapped_velocity[node] = 1010 * wave * Vec<dim>::UnitX();
   expect_refused(fmt::format("body \"body\" at the node at ({:.6g}, ", problem.model.mesh.position[node][0]));
-  problem.model.rigids.push_back({"pipe", make_shape<dim>(bodies::CircleSettings{std::vector<Real>(dim, 0), 0.5})});
-  problem.state.rigids.emplace_back();
-  problem.state.rigids[0].velocity = 2000 * wave * Vec<dim>::UnitX();
+  problem.model.rigid_bodies.push_back({"pipe", make_shape<dim>(bodies::CircleSettings{std::vector<Real>(dim, 0), 0.5})});
+  problem.state.rigid_bodies.emplace_back();
+  problem.state.rigid_bodies[0].velocity = 2000 * wave * Vec<dim>::UnitX();
   expect_refused("rigid body \"pipe\"");
 }
 

@@ -133,7 +133,8 @@ TYPED_TEST(Transfer, new_velocities_are_those_of_particles_that_took_the_nodes_a
     for (int k = 0; k <= dim; ++k) v += random.state().dt * random.mesh().shape(cell).value(k, x) * random.grid().acceleration[nodes[k]];
     for (int k = 0; k <= dim; ++k) momentum[nodes[k]] += p.mass[l] * random.mesh().shape(cell).value(k, x) * v;
   });
-  for (Index i : random.grid().nodes) EXPECT_NEAR((random.grid().moved_velocity[i] - momentum[i] / random.grid().mass[i]).norm(), 0, 1e-12);
+  for (Index i : random.grid().nodes)
+    EXPECT_NEAR((random.grid().mapped_velocity[i] - momentum[i] / random.grid().mass[i]).norm(), 0, 1e-12);
 }
 
 TYPED_TEST(Transfer, held_directions_have_no_new_velocity)
@@ -145,7 +146,7 @@ TYPED_TEST(Transfer, held_directions_have_no_new_velocity)
   spread_new_momentum(random.mesh(), random.particles(), random.state().dt, random.grid());
   gather_new_velocities(random.problem.model, random.grid());
   for (Index i : random.grid().nodes)
-    for (int d = 0; d < dim; ++d) EXPECT_EQ(random.grid().moved_velocity[i][d] == 0, (i % (1 << dim) >> d & 1) != 0);
+    for (int d = 0; d < dim; ++d) EXPECT_EQ(random.grid().mapped_velocity[i][d] == 0, (i % (1 << dim) >> d & 1) != 0);
 }
 
 TYPED_TEST(Transfer, mass_and_momentum_of_the_nodes_are_those_of_the_particles)

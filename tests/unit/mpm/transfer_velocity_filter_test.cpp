@@ -66,9 +66,9 @@ TYPED_TEST(VelocityFilter, takes_noise_out_and_books_its_energy_but_keeps_moment
   constexpr int dim = TypeParam::value;
   auto velocities = noise<dim>();
   Drifting<dim> soil(sample_sand(), [&](const Vec<dim>& x) { return velocities(x); });
-  const auto before = measure(soil.particles());
+  const auto before = sums_over(soil.particles());
   for (int n = 0; n < 20; ++n) soil.step();
-  const auto after = measure(soil.particles());
+  const auto after = sums_over(soil.particles());
   EXPECT_LT(after.kinetic, 0.9 * before.kinetic);
   EXPECT_NEAR((after.momentum - before.momentum).norm(), 0, 1e-12 * before.mass);
   EXPECT_NEAR(soil.problem.state.totals.damping, before.kinetic - after.kinetic, 1e-10 * before.kinetic);
@@ -90,7 +90,7 @@ TYPED_TEST(VelocityFilter, is_in_the_momentum_that_nodes_are_told)
   Drifting<dim> soil(
       sample_sand(), [&](const Vec<dim>& x) { return velocities(x); }, 1);
   soil.step();
-  const NodeField<Vec<dim>> before = soil.grid().velocity, told = soil.grid().moved_velocity;
+  const NodeField<Vec<dim>> before = soil.grid().velocity, told = soil.grid().mapped_velocity;
   soil.problem.state.dt = 0;
   soil.step();  // maps the particles as they are now: but for how far they moved, that is what was told
   Real error = 0, change = 0;
@@ -106,9 +106,9 @@ TYPED_TEST(VelocityFilter, is_not_in_elastic_bodies)
   constexpr int dim = TypeParam::value;
   auto velocities = noise<dim>();
   Drifting<dim> solid(sample_solid(), [&](const Vec<dim>& x) { return velocities(x); });
-  const Real before = measure(solid.particles()).kinetic;
+  const Real before = sums_over(solid.particles()).kinetic;
   for (int n = 0; n < 20; ++n) solid.step();
-  EXPECT_NEAR(measure(solid.particles()).kinetic, before, 1e-12 * before);
+  EXPECT_NEAR(sums_over(solid.particles()).kinetic, before, 1e-12 * before);
 }
 
 }  // namespace

@@ -59,21 +59,21 @@ TEST(Build, fills_no_body_where_a_rigid_body_is_that_it_has_a_contact_with)
 {
   Case c = pipe_over_box({rest()});
   std::get<bodies::CircleSettings>(c.rigid[0].second.shape).center[1] = 1;
-  const auto least_distance = [&] {
+  const auto min_distance = [&] {
     const auto problem = build<2>(c, ".", ".");
-    Real least = infinity;
+    Real min = infinity;
     problem.state.particles[0].visit([&](Index, Index b, int l) {
       const bodies::Block<2>& p = problem.state.particles[0].block(b);
-      least = std::min(least, surface_at<2>(problem.model.rigids[0].shape, Vec<2>(p.x[0][l], p.x[1][l])).distance);
+      min = std::min(min, surface_at<2>(problem.model.rigid_bodies[0].shape, Vec<2>(p.x[0][l], p.x[1][l])).distance);
     });
-    return least;
+    return min;
   };
-  EXPECT_LT(least_distance(), 0);
+  EXPECT_LT(min_distance(), 0);
   contact::ContactSettings skin;
   skin.body = "bed";
   skin.rigid = "pipe";
   c.contact = {{"skin", skin}};
-  EXPECT_GE(least_distance(), 0);
+  EXPECT_GE(min_distance(), 0);
   std::get<bodies::CircleSettings>(c.rigid[0].second.shape).diameter = 10;
   EXPECT_EQ(message_of(c), "body.bed: its regions have no cells outside the rigid bodies, so it has no particles");
 }
@@ -82,7 +82,7 @@ TEST(Build, gives_a_rigid_body_that_turns_the_inertia_of_a_solid_or_its_own)
 {
   Case c = pipe_over_box({rest()});
   c.rigid[0].second.rotation = bodies::Rotation::free;
-  const auto inertia = [&] { return build<2>(c, ".", ".").model.rigids[0].inertia; };
+  const auto inertia = [&] { return build<2>(c, ".", ".").model.rigid_bodies[0].inertia; };
   EXPECT_NEAR(inertia(), 2 * 0.2 * 0.2 / 2, 1e-15);  // m R^2 / 2
   c.rigid[0].second.moment_of_inertia = 3;
   EXPECT_EQ(inertia(), 3);
@@ -132,14 +132,14 @@ TEST(Build, looks_contacts_and_watched_points_up)
 
   const Watch& watch = problem.model.watches.at(0);
   EXPECT_EQ(watch.body, 1);
-  Real least = infinity, of_watched = infinity;
+  Real min = infinity, of_watched = infinity;
   problem.state.particles[1].visit([&](Index, Index b, int l) {
     const auto p = problem.state.particles[1].read(b, l);
     const Real distance = (p.x - Vec<2>(1.98, 1.97)).norm();
-    least = std::min(least, distance);
+    min = std::min(min, distance);
     if (p.id == watch.id) of_watched = distance;
   });
-  EXPECT_EQ(of_watched, least);
+  EXPECT_EQ(of_watched, min);
 }
 
 TEST(Build, damps_a_node_as_the_most_damped_of_its_regions)

@@ -15,7 +15,7 @@ struct Driver {
 
   explicit Driver(std::vector<StageSettings> stages)
       : problem(build<2>(pipe_over_box(std::move(stages)), ".", ".")),
-        pipe(problem.state.rigids[0])
+        pipe(problem.state.rigid_bodies[0])
   {
   }
   void soil_pushes(const Vec<2>& force) { pipe.reaction = pipe.smooth_reaction = force; }
@@ -275,18 +275,18 @@ Case free_pipe(std::vector<StageSettings> stages)
 TEST(FreeBody, moves_by_its_weight_and_the_force_of_the_soil)
 {
   auto problem = build<2>(free_pipe({stage_of(StageKind::free)}), ".", ".");
-  bodies::RigidState<2>& pipe = problem.state.rigids[0];
+  bodies::RigidState<2>& pipe = problem.state.rigid_bodies[0];
   pipe.velocity = {1, 2};
   pipe.reaction = {8, 12};  // 4 and 6 m/s2 of its 2 kg/m
   drive_rigids(problem.model, problem.state, dt);
   EXPECT_NEAR((pipe.velocity - Vec<2>(1 + 7 * dt, 2 - 4 * dt)).norm(), 0, 1e-15);
-  EXPECT_EQ(pipe.spin, 0);
+  EXPECT_EQ(pipe.angular_velocity, 0);
 }
 
 TEST(FreeBody, rests_in_a_geostatic_stage_and_follows_the_drive_of_a_stage)
 {
   auto problem = build<2>(free_pipe({stage_of(StageKind::geostatic), drag(0.2)}), ".", ".");
-  bodies::RigidState<2>& pipe = problem.state.rigids[0];
+  bodies::RigidState<2>& pipe = problem.state.rigid_bodies[0];
   pipe.reaction = pipe.smooth_reaction = {8, 12};
   drive_rigids(problem.model, problem.state, dt);
   EXPECT_EQ(pipe.velocity, Vec<2>(0, 0));
@@ -299,7 +299,7 @@ TEST(FreeBody, rests_in_a_geostatic_stage_and_follows_the_drive_of_a_stage)
 TEST(FreeBody, gets_the_work_of_its_weight_from_outside_and_that_of_the_soil_from_within)
 {
   auto problem = build<2>(free_pipe({stage_of(StageKind::free)}), ".", ".");
-  bodies::RigidState<2>& pipe = problem.state.rigids[0];
+  bodies::RigidState<2>& pipe = problem.state.rigid_bodies[0];
   Real of_weight = 0;
   for (int n = 0; n < 100; ++n) {
     pipe.reaction = {5. + n, 40. - n};
@@ -314,13 +314,13 @@ TEST(FreeBody, gets_the_work_of_its_weight_from_outside_and_that_of_the_soil_fro
 TEST(FreeBody, gets_its_kinetic_energy_from_a_drive_and_loses_it_where_it_is_stopped)
 {
   auto problem = build<2>(free_pipe({drag(0.2, 0.1), stage_of(StageKind::geostatic)}), ".", ".");
-  bodies::RigidState<2>& pipe = problem.state.rigids[0];
+  bodies::RigidState<2>& pipe = problem.state.rigid_bodies[0];
   for (int n = 0; n < 150; ++n) {
     drive_rigids(problem.model, problem.state, dt);
     problem.state.time += dt;
   }
   EXPECT_NEAR(problem.state.totals.external, 0.5 * 2 * 0.2 * 0.2, 1e-14);
-  EXPECT_NEAR(kinetic_energy(problem.model.rigids[0], pipe), 0.5 * 2 * 0.2 * 0.2, 1e-14);
+  EXPECT_NEAR(kinetic_energy(problem.model.rigid_bodies[0], pipe), 0.5 * 2 * 0.2 * 0.2, 1e-14);
   ++problem.state.stage.index;
   begin_stage(problem.model, problem.state);
   drive_rigids(problem.model, problem.state, dt);
@@ -332,13 +332,13 @@ TEST(FreeRotation, follows_the_moment_of_the_soil_and_the_inertia)
   Case c = pipe_over_box({drag(0.2), stage_of(StageKind::free)});
   c.rigid[0].second.rotation = bodies::Rotation::free;
   auto problem = build<2>(c, ".", ".");
-  bodies::RigidState<2>& pipe = problem.state.rigids[0];
+  bodies::RigidState<2>& pipe = problem.state.rigid_bodies[0];
   pipe.torque = 0.3;
   drive_rigids(problem.model, problem.state, dt);
-  EXPECT_NEAR(pipe.spin, dt * 0.3 / (2 * 0.2 * 0.2 / 2), 1e-15);
+  EXPECT_NEAR(pipe.angular_velocity, dt * 0.3 / (2 * 0.2 * 0.2 / 2), 1e-15);
   problem.state.stage.index = 1;  // it rests where nothing drives it
   drive_rigids(problem.model, problem.state, dt);
-  EXPECT_EQ(pipe.spin, 0);
+  EXPECT_EQ(pipe.angular_velocity, 0);
 }
 
 TEST(Stage, drives_the_rigid_body_that_it_names_alone)
@@ -349,8 +349,8 @@ TEST(Stage, drives_the_rigid_body_that_it_names_alone)
   c.stage[0].rigid = "other";
   auto problem = build<2>(c, ".", ".");
   drive_rigids(problem.model, problem.state, dt);
-  EXPECT_EQ(problem.state.rigids[0].velocity, Vec<2>(0, 0));
-  EXPECT_EQ(problem.state.rigids[1].velocity, Vec<2>(0, -0.5));
+  EXPECT_EQ(problem.state.rigid_bodies[0].velocity, Vec<2>(0, 0));
+  EXPECT_EQ(problem.state.rigid_bodies[1].velocity, Vec<2>(0, -0.5));
 }
 
 TEST(Stage, expected_time_follows_from_travel_speed_and_ramp)

@@ -161,13 +161,13 @@ TEST(FrameMaker, a_bed_at_rest_has_no_strain_however_long_it_rests)
   mpm::Work<2> work(problem.model, problem.state);
   for (int frames = 0; frames < 4; ++frames) {
     for (int n = 0; n < 1500; ++n) step(problem.model, problem.state, work);
-    Real most = 0, most_increment = 0;
+    Real max = 0, max_increment = 0;
     for (const FrameParticle<2>& f : maker.make(problem.state).particles) {
-      most = std::max(most, f.strain.deviatoric);
-      most_increment = std::max(most_increment, f.strain_increment);
+      max = std::max(max, f.strain.deviatoric);
+      max_increment = std::max(max_increment, f.strain_increment);
     }
-    EXPECT_LT(most, 1e-3);
-    EXPECT_LT(most_increment, 1e-3);
+    EXPECT_LT(max, 1e-3);
+    EXPECT_LT(max_increment, 1e-3);
   }
 }
 

@@ -72,28 +72,28 @@ TYPED_TEST(FrameReaderIn, rigid_bodies_read_back_with_their_cells)
 {
   constexpr int dim = TypeParam::value;
   const WrittenFrames<dim> written;
-  const SavedRigids rigids = read_rigids(frame_files(written.folder.path())[0].rigid);
+  const SavedRigids rigid_bodies = read_rigids(frame_files(written.folder.path())[0].rigid);
   std::size_t cell = 0, first = 0;
   for (std::size_t r = 0; r < 3; ++r) {
-    const RigidSurface<dim>& surface = written.frames.last().rigids[r].surface;
+    const RigidSurface<dim>& surface = written.frames.last().rigid_bodies[r].surface;
     for (const auto& wanted : surface.cells) {
-      ASSERT_LT(cell, rigids.cells.size());
-      EXPECT_EQ(rigids.rigid[cell], static_cast<std::int32_t>(r));
-      EXPECT_EQ(rigids.types[cell], wanted.type);
-      ASSERT_EQ(rigids.cells[cell].size(), wanted.points.size());
+      ASSERT_LT(cell, rigid_bodies.cells.size());
+      EXPECT_EQ(rigid_bodies.rigid[cell], static_cast<std::int32_t>(r));
+      EXPECT_EQ(rigid_bodies.types[cell], wanted.type);
+      ASSERT_EQ(rigid_bodies.cells[cell].size(), wanted.points.size());
       for (std::size_t k = 0; k < wanted.points.size(); ++k) {
         const Vec<dim>& x = surface.points[wanted.points[k]];
-        const Index at = rigids.cells[cell][k];
+        const Index at = rigid_bodies.cells[cell][k];
         ASSERT_EQ(at, static_cast<Index>(first) + wanted.points[k]);
-        EXPECT_EQ(rigids.x[at], static_cast<float>(x[0]));
-        EXPECT_EQ(rigids.y[at], static_cast<float>(x[1]));
-        EXPECT_EQ(rigids.z[at], dim == 3 ? static_cast<float>(x[dim - 1]) : 0);
+        EXPECT_EQ(rigid_bodies.x[at], static_cast<float>(x[0]));
+        EXPECT_EQ(rigid_bodies.y[at], static_cast<float>(x[1]));
+        EXPECT_EQ(rigid_bodies.z[at], dim == 3 ? static_cast<float>(x[dim - 1]) : 0);
       }
       ++cell;
     }
     first += surface.points.size();
   }
-  EXPECT_EQ(cell, rigids.cells.size());
+  EXPECT_EQ(cell, rigid_bodies.cells.size());
 }
 
 TEST(FrameReader, triangles_read_back)

@@ -155,7 +155,7 @@ TYPED_TEST(FramesIn, rigid_bodies_move_with_their_displacement)
   const TemporaryFolder folder;
   problem::Problem<dim> problem = sample_problem<dim>();
   SampleFrames<dim> frames(folder.path(), problem);
-  problem.state.rigids[0].displacement[0] = 0.03;
+  problem.state.rigid_bodies[0].displacement[0] = 0.03;
   frames.write(problem.state);
   const ReadVtu vtu(folder.path() / "rigid_0000.vtu");
   EXPECT_TRUE(vtu.tight);
@@ -195,8 +195,8 @@ TEST(Frames, without_rigid_bodies_there_is_no_rigid_file)
 {
   const TemporaryFolder folder;
   problem::Problem<2> problem = sample_problem<2>();
-  problem.model.rigids.clear();
-  problem.state.rigids.clear();
+  problem.model.rigid_bodies.clear();
+  problem.state.rigid_bodies.clear();
   SampleFrames<2> frames(folder.path(), problem);
   frames.write(problem.state);
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "rigid_0000.vtu"));
@@ -247,7 +247,7 @@ TEST(Frames, rigid_bodies_have_their_velocities)
 {
   const TemporaryFolder folder;
   problem::Problem<2> problem = sample_problem<2>();
-  for (std::size_t r = 0; r < 3; ++r) problem.state.rigids[r].velocity = Vec<2>(static_cast<Real>(r), -0.5);
+  for (std::size_t r = 0; r < 3; ++r) problem.state.rigid_bodies[r].velocity = Vec<2>(static_cast<Real>(r), -0.5);
   SampleFrames<2> frames(folder.path(), problem);
   frames.write(problem.state);
   const ReadVtu vtu(folder.path() / "rigid_0000.vtu");

@@ -76,13 +76,13 @@ TEST(GradientStrain, of_a_volume_change_in_plane_strain_keeps_the_strain_along_z
 
 TEST(GradientStrain, is_finite_where_soil_is_torn_or_turned_inside_out)
 {
-  const Real most = 2 / std::sqrt(3.) * std::log(1000.);
+  const Real max = 2 / std::sqrt(3.) * std::log(1000.);
   Matrix<2> flat, torn, inside_out;
   flat << 1, 1, 1, 1;
   torn << 1e9, 0, 0, 1e-9;
   inside_out << -1, 0, 0, 1;
-  EXPECT_LE(gradient_strain<2>(flat).deviatoric, most);
-  EXPECT_NEAR(gradient_strain<2>(torn).deviatoric, most, 1e-12);
+  EXPECT_LE(gradient_strain<2>(flat).deviatoric, max);
+  EXPECT_NEAR(gradient_strain<2>(torn).deviatoric, max, 1e-12);
   EXPECT_NEAR(gradient_strain<2>(Matrix<2>::Zero()).volumetric, -2 * std::log(1000.), 1e-12);
   EXPECT_TRUE(std::isfinite(gradient_strain<2>(inside_out).deviatoric));
 }

@@ -124,7 +124,7 @@ TEST(HistoryFile, a_row_that_the_disk_takes_a_part_of_is_taken_back)
   const auto path = folder.path() / "history.csv";
   HistoryFile file(path, {"u_m"});
   file.add(1, "push", {0.5});
-  const std::string before = io::read_whole(path);
+  const std::string before = io::read_text_file(path);
   rlimit unlimited{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &unlimited), 0);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
@@ -133,7 +133,7 @@ TEST(HistoryFile, a_row_that_the_disk_takes_a_part_of_is_taken_back)
   EXPECT_THROW(file.add(2, "push", {0.75}), RunError);
   ::setrlimit(RLIMIT_FSIZE, &unlimited);
   std::signal(SIGXFSZ, handler);
-  EXPECT_EQ(io::read_whole(path), before);
+  EXPECT_EQ(io::read_text_file(path), before);
 }
 
 TEST(HistoryFile, a_row_of_the_wrong_length_is_refused)

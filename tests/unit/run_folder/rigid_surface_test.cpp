@@ -7,9 +7,9 @@
 namespace berm::run_folder {
 namespace {
 
-Real random_number(Real least, Real most)
+Real random_number(Real min, Real max)
 {
-  return least + (most - least) * *rc::gen::inRange(0, 1000001) / 1e6;
+  return min + (max - min) * *rc::gen::inRange(0, 1000001) / 1e6;
 }
 
 template <int dim>
@@ -84,7 +84,7 @@ TEST(RigidSurface, of_a_circle_that_has_turned_has_a_spoke_that_tells_the_angle)
 
 TEST(RigidSurface, of_a_turned_polygon_has_its_corners_in_order)
 {
-  const bodies::Rigid<2> angle{"angle", make_shape<2>(bodies::PolygonSettings{{0, 2, 2, 1, 1, 0}, {0, 0, 1, 1, 2, 2}})};
+  const bodies::RigidBody<2> angle{"angle", make_shape<2>(bodies::PolygonSettings{{0, 2, 2, 1, 1, 0}, {0, 0, 1, 1, 2, 2}})};
   bodies::RigidState<2> state;
   state.displacement = {3, 4};
   state.angle = pi / 2;
@@ -114,10 +114,10 @@ TEST(RigidSurface, of_a_circle_in_space_reaches_through_the_mesh)
   const bodies::Circle<3> circle{Vec<3>(0, 0, 9), 1};
   const auto surface = surface_of<3>(bodies::RigidShape<3>(circle), Vec<3>(-1, -1, 2), Vec<3>(1, 1, 5));
   EXPECT_EQ(surface.cells.size(), 128u);
-  Real least = infinity, most = -infinity;
-  for (const auto& x : surface.points) least = std::min(least, x[2]), most = std::max(most, x[2]);
-  EXPECT_EQ(least, 2);
-  EXPECT_EQ(most, 5);
+  Real min = infinity, max = -infinity;
+  for (const auto& x : surface.points) min = std::min(min, x[2]), max = std::max(max, x[2]);
+  EXPECT_EQ(min, 2);
+  EXPECT_EQ(max, 5);
 }
 
 TEST(RigidSurface, of_a_turned_box_has_its_corners)

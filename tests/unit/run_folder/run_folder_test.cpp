@@ -99,8 +99,8 @@ TEST(RunFolder, what_a_link_points_to_is_not_removed)
 TEST(WholeFile, replaces_the_old_content_and_leaves_nothing_beside)
 {
   const TemporaryFolder base;
-  io::write_whole(base.path() / "a", "old and longer");
-  io::write_whole(base.path() / "a", std::string("new\0x", 5));
+  io::write_atomically(base.path() / "a", "old and longer");
+  io::write_atomically(base.path() / "a", std::string("new\0x", 5));
   EXPECT_EQ(content_of(base.path() / "a"), std::string("new\0x", 5));
   EXPECT_EQ(std::distance(fs::directory_iterator(base.path()), {}), 1);
 }
@@ -109,7 +109,7 @@ TEST(WholeFile, replaces_the_old_content_and_leaves_nothing_beside)
 TEST(WholeFile, a_write_that_fails_half_way_leaves_the_old_file_and_says_why)
 {
   const TemporaryFolder base;
-  io::write_whole(base.path() / "a", "old");
+  io::write_atomically(base.path() / "a", "old");
   rlimit before{};
   ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
   const auto handler = std::signal(SIGXFSZ, SIG_IGN);
@@ -117,7 +117,7 @@ TEST(WholeFile, a_write_that_fails_half_way_leaves_the_old_file_and_says_why)
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
   std::string message;
   try {
-    io::write_whole(base.path() / "a", std::string(5000, 'x'));
+    io::write_atomically(base.path() / "a", std::string(5000, 'x'));
   } catch (const RunError& error) {
     message = error.what();
   }
@@ -130,7 +130,7 @@ TEST(WholeFile, a_write_that_fails_half_way_leaves_the_old_file_and_says_why)
 
 TEST(WholeFile, a_missing_folder_is_named)
 {
-  EXPECT_THROW(io::write_whole("/nowhere/a", "x"), RunError);
+  EXPECT_THROW(io::write_atomically("/nowhere/a", "x"), RunError);
 }
 
 }  // namespace

@@ -15,22 +15,22 @@ namespace berm::simulation {
 namespace {
 
 template <int dim>
-test::KeepInMemory all_of(test::SampleRun<dim>& run)
+test::ArchiveInMemory all_of(test::SampleRun<dim>& run)
 {
-  test::KeepInMemory all;
-  keep(all, run.problem.model, run.problem.state);
+  test::ArchiveInMemory all;
+  archive(all, run.problem.model, run.problem.state);
   return all;
 }
 
 template <int dim>
 void write(const std::filesystem::path& file, test::SampleRun<dim>& run)
 {
-  checkpoint::write_checkpoint(file, [&](Keep& k) { keep(k, run.problem.model, run.problem.state); });
+  checkpoint::write_checkpoint(file, [&](Archive& k) { archive(k, run.problem.model, run.problem.state); });
 }
 template <int dim>
 void read(const std::filesystem::path& file, test::SampleRun<dim>& run)
 {
-  checkpoint::read_checkpoint(file, [&](Keep& k) { keep(k, run.problem.model, run.problem.state); });
+  checkpoint::read_checkpoint(file, [&](Archive& k) { archive(k, run.problem.model, run.problem.state); });
 }
 
 /// Whether all blocks, cell by cell, are the same to the last bit, lanes without a particle included.
@@ -69,7 +69,7 @@ TYPED_TEST(StateCheckpoint, gives_the_same_bits_back)
   const problem::State<dim>& state = first.problem.state;
   ASSERT_FALSE(same_blocks(state.particles[0], second.problem.state.particles[0]));
   ASSERT_NE(state.particles[0].occupied(), second.problem.state.particles[0].occupied());
-  ASSERT_GT(state.rigids[0].pressed, 0);
+  ASSERT_GT(state.rigid_bodies[0].impulse_sum, 0);
   ASSERT_GT(state.pair_impulses[1].norm(), 0);
   bool law_state = false;
   state.particles[0].visit([&](Index, Index b, int l) { law_state = law_state || state.particles[0].state(b)[0][l] != 0; });
@@ -106,7 +106,7 @@ TYPED_TEST(StateCheckpoint, leaves_no_number_out)
   fill(state.time, next);
   fill(state.dt, next);
   state.step = 123456789012;
-  fill(state.rigids[0], next);
+  fill(state.rigid_bodies[0], next);
   fill(state.totals, next);
   for (Vec<dim>& impulse : state.pair_impulses) fill(impulse, next);
   fill(state.stage.begin_time, next);
@@ -123,7 +123,7 @@ TYPED_TEST(StateCheckpoint, leaves_no_number_out)
   EXPECT_EQ(found.time, state.time);
   EXPECT_EQ(found.dt, state.dt);
   EXPECT_EQ(found.step, state.step);
-  EXPECT_TRUE(same(found.rigids[0], state.rigids[0]));
+  EXPECT_TRUE(same(found.rigid_bodies[0], state.rigid_bodies[0]));
   EXPECT_TRUE(same(found.totals, state.totals));
   EXPECT_EQ(found.pair_impulses, state.pair_impulses);
   EXPECT_EQ(found.stage.begin_time, state.stage.begin_time);

@@ -14,10 +14,10 @@ TEST(CheckpointOfHistory, is_refused_with_a_length_that_the_file_has_not)
   const TemporaryFolder folder;
   const auto history = folder.write("history.csv", "time_s,stage\n0,rest\n");
   const auto refusal_of = [&](BigIndex bytes, BigIndex crc) {
-    checkpoint::write_checkpoint(folder / "file.h5", [&](Keep& k) { k("bytes", bytes), k("crc", crc); });
+    checkpoint::write_checkpoint(folder / "file.h5", [&](Archive& k) { k("bytes", bytes), k("crc", crc); });
     BigIndex found = 0;
     try {
-      checkpoint::read_checkpoint(folder / "file.h5", [&](Keep& k) { keep_history(k, history, found); });
+      checkpoint::read_checkpoint(folder / "file.h5", [&](Archive& k) { archive_history(k, history, found); });
     } catch (const RunError& error) {
       return std::string(error.what());
     }
@@ -26,9 +26,9 @@ TEST(CheckpointOfHistory, is_refused_with_a_length_that_the_file_has_not)
   const BigIndex whole = 20, crc_of_whole = *checkpoint::crc_of(history, whole);
   EXPECT_EQ(refusal_of(whole, crc_of_whole), "");
   EXPECT_EQ(refusal_of(0, 0), "");
-  constexpr BigIndex most = std::numeric_limits<BigIndex>::max();
+  constexpr BigIndex max = std::numeric_limits<BigIndex>::max();
   for (const BigIndex bytes : {-1, -5, 19, 21}) EXPECT_NE(refusal_of(bytes, crc_of_whole), "") << bytes;
-  for (const BigIndex bytes : {BigIndex(-5), BigIndex(-1), BigIndex(21), most, -most - 1})
+  for (const BigIndex bytes : {BigIndex(-5), BigIndex(-1), BigIndex(21), max, -max - 1})
     for (const BigIndex crc : {-1, 0}) EXPECT_NE(refusal_of(bytes, crc), "") << bytes << " " << crc;
 }
 
@@ -37,7 +37,7 @@ TEST(Checkpoints, that_cannot_be_written_end_no_run_and_the_next_one_is_written)
   const TemporaryFolder folder;
   Checkpoints checkpoints(folder.path(), 0);
   Real number = 0;
-  const auto contents = [&](Keep& k) { k("number", number); };
+  const auto contents = [&](Archive& k) { k("number", number); };
   number = 1;
   checkpoints.write(1, contents);
   // A folder where the file is to be made.

@@ -9,7 +9,7 @@
 namespace berm::test {
 
 /// The bytes of all that is kept, by name, to compare two states with.
-class KeepInMemory : public Keep {
+class ArchiveInMemory : public Archive {
 public:
   bool reads() const override { return false; }
   void refuse(const std::string& why) const override { throw RunError(why); }
@@ -33,7 +33,7 @@ private:
 };
 
 /// Names of what differs.
-inline std::string differences(const KeepInMemory& a, const KeepInMemory& b)
+inline std::string differences(const ArchiveInMemory& a, const ArchiveInMemory& b)
 {
   std::string names;
   for (const auto& [name, bytes] : a.bytes())

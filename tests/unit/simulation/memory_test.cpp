@@ -63,12 +63,12 @@ TEST(Memory, is_at_least_what_the_case_alone_tells)
     const problem::Case c = bed(40, as_block);
     const problem::Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
     const Real exact = memory_of<2>(size_of(problem));
-    for (const RunSize& least : {least_size<2>(c), least_size(c, problem.model.mesh)}) {
-      EXPECT_EQ(least.cells, problem.model.mesh.cell_count());
-      EXPECT_EQ(least.nodes, problem.model.mesh.node_count());
-      EXPECT_EQ(least.bodies.at(0).particles, problem.state.particles[0].size());
-      EXPECT_LE(memory_of<2>(least), exact);
-      EXPECT_GT(memory_of<2>(least), 0.8 * exact);
+    for (const RunSize& min : {min_size<2>(c), min_size(c, problem.model.mesh)}) {
+      EXPECT_EQ(min.cells, problem.model.mesh.cell_count());
+      EXPECT_EQ(min.nodes, problem.model.mesh.node_count());
+      EXPECT_EQ(min.bodies.at(0).particles, problem.state.particles[0].size());
+      EXPECT_LE(memory_of<2>(min), exact);
+      EXPECT_GT(memory_of<2>(min), 0.8 * exact);
     }
   }
 }
@@ -77,7 +77,7 @@ TEST(Memory, a_run_that_needs_more_than_there_is_is_refused_with_both_numbers)
 {
   EXPECT_GT(memory_left(), 1e6);
   EXPECT_GT(memory_in_use(), 1e6);
-  RunSize size = least_size<2>(bed(40, true));
+  RunSize size = min_size<2>(bed(40, true));
   EXPECT_NO_THROW(refuse_without_memory<2>(size, memory_in_use()));
   size.cells = 1e12;
   try {

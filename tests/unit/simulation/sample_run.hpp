@@ -25,7 +25,7 @@ problem::Case two_bodies(contact::Scheme scheme)
   sand.young_modulus = 1e6;
   sand.poisson_ratio = 0.3;
   sand.friction_angle = 0.6;
-  sand.most_opening = 0.2;
+  sand.max_opening = 0.2;
   sand.dilation_angle = 0.1;
   material::LinearElastic solid;
   solid.density = 1500;

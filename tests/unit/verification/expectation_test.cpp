@@ -37,8 +37,8 @@ TEST(Expectation, is_met_within_its_tolerance_and_bounds)
   absolute.absolute_tolerance = 1e-6;
   EXPECT_TRUE(is_met(absolute, -9e-7));
   EXPECT_FALSE(is_met(absolute, 2e-6));
-  bounds.least = 650;
-  bounds.most = 950;
+  bounds.min = 650;
+  bounds.max = 950;
   EXPECT_TRUE(is_met(bounds, 800));
   EXPECT_FALSE(is_met(bounds, 649));
   EXPECT_NEAR(error_of(bounds, 960), 10, 1e-12);
@@ -48,7 +48,7 @@ TEST(Expectation, is_never_met_by_what_is_not_a_number)
   Expectation exact, bounds;
   exact.exact = 1;
   exact.tolerance = 0.1;
-  bounds.most = 1;
+  bounds.max = 1;
   EXPECT_FALSE(is_met(exact, std::nan("")));
   EXPECT_FALSE(is_met(bounds, std::nan("")));
 }
@@ -59,7 +59,7 @@ TEST(Expectation, takes_the_unit_from_the_name)
   input::Document document = input::parse_text(
       "expected.toml", one_run + "[[expect]]\nrun = \"a\"\nquantity = \"w_at_u_0.3D\"\nleast = \"5 mm\"\nmost = 0.0066\n" + words);
   read(document, all);
-  EXPECT_DOUBLE_EQ(all.expect.at(0).least.value(), 0.005);
+  EXPECT_DOUBLE_EQ(all.expect.at(0).min.value(), 0.005);
   EXPECT_EQ(unit_of(all.expect.at(0)), "m");
   EXPECT_EQ(unit_of("V_at_w_0.1D"), "N/m");
   EXPECT_EQ(unit_of("V_at_w_0.1D_over_gammaD2"), "");

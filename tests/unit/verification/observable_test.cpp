@@ -24,28 +24,28 @@ run_folder::History sampled(const std::string& column, Real end, const Function&
   return history;
 }
 
-Reading of_column(const std::string& column, Measure measure, std::optional<Real> from = {}, std::optional<Real> to = {})
+Observable of_column(const std::string& column, Measure measure, std::optional<Real> from = {}, std::optional<Real> to = {})
 {
-  Reading reading;
-  reading.column = column;
-  reading.measure = measure;
-  reading.from = from;
-  reading.to = to;
-  return reading;
+  Observable observable;
+  observable.column = column;
+  observable.measure = measure;
+  observable.from = from;
+  observable.to = to;
+  return observable;
 }
 
-TEST(Reading, measures_the_period_of_a_sine_about_any_level)
+TEST(Observable, measures_the_period_of_a_sine_about_any_level)
 {
   // 2.3 periods: the mean of the rows is not the sine's level. Linear interpolation over 0.013 s is good for 1e-4.
   const run_folder::History history = sampled("a_ux_m", 2.3 * 1.7, [](Real t) { return 5 + std::sin(2 * pi / 1.7 * t + 0.4); });
   EXPECT_NEAR(evaluate(of_column("a_ux_m", Measure::period), history), 1.7, 2e-4);
 }
-TEST(Reading, measures_no_period_where_there_is_none)
+TEST(Observable, measures_no_period_where_there_is_none)
 {
   const run_folder::History history = sampled("a_ux_m", 1, [](Real t) { return t; });
   EXPECT_TRUE(std::isnan(evaluate(of_column("a_ux_m", Measure::period), history)));
 }
-TEST(Reading, measures_the_acceleration_of_a_displacement_and_of_a_velocity)
+TEST(Observable, measures_the_acceleration_of_a_displacement_and_of_a_velocity)
 {
   // Far from t = 0, where a fit with powers of t itself would lose digits.
   const run_folder::History u = sampled("a_ux_m", 100, [](Real t) { return 3 - 2 * t + 0.5 * 1.25 * t * t; });
@@ -54,7 +54,7 @@ TEST(Reading, measures_the_acceleration_of_a_displacement_and_of_a_velocity)
   EXPECT_NEAR(evaluate(of_column("a_vx_m_s", Measure::acceleration, 90., 99.), v), 1.25, 1e-12);
   EXPECT_NEAR(evaluate(of_column("a_vx_m_s", Measure::slope), v), 1.25, 1e-12);
 }
-TEST(Reading, measures_within_its_window_only)
+TEST(Observable, measures_within_its_window_only)
 {
   const run_folder::History history = sampled("V_N_m", 1, [](Real t) { return t < 0.5 ? 1e6 : t; });
   EXPECT_NEAR(evaluate(of_column("V_N_m", Measure::mean, 0.6, 0.8), history), 0.7, 0.01);
@@ -64,12 +64,12 @@ TEST(Reading, measures_within_its_window_only)
   EXPECT_EQ(evaluate(of_column("V_N_m", Measure::end), history), history["V_N_m"].back());
   EXPECT_TRUE(std::isnan(evaluate(of_column("V_N_m", Measure::end, 7.), history)));
 }
-TEST(Reading, is_an_input_error_where_the_history_has_no_such_column)
+TEST(Observable, is_an_input_error_where_the_history_has_no_such_column)
 {
   EXPECT_THROW(evaluate(of_column("W_N_m", Measure::end), sampled("V_N_m", 1, [](Real t) { return t; })), InputError);
 }
 
-TEST(Reading, takes_the_unit_from_the_name)
+TEST(Observable, takes_the_unit_from_the_name)
 {
   for (const auto& [name, unit] : std::vector<std::pair<std::string, std::string>>{{"V_at_w_0.1D", "N/m"},
                                                                                    {"V_at_w_0.1D_over_gammaD2", ""},
@@ -84,15 +84,15 @@ TEST(Reading, takes_the_unit_from_the_name)
   EXPECT_EQ(unit_of(of_column("bar_vx_m_s", Measure::period)), "s");
   EXPECT_EQ(unit_of(of_column("V_N_m", Measure::slope)), "N/m/s");
 }
-TEST(Reading, finds_quantities_checks_and_times_in_a_summary)
+TEST(Observable, finds_quantities_checks_and_times_in_a_summary)
 {
   TemporaryFolder folder;
   folder.write("summary.json", R"({"quantities": {"V_end": {"value": 12.5, "unit": "N/m"}, "H_end": {"value": null, "unit": "N/m"}},
     "timing": {"wall_s": 3.5, "loops": []}, "checks": {"finished": true}, "text": {}})");
   const auto value = [&](const std::string& name) {
-    Reading reading;
-    reading.quantity = name;
-    return evaluate(reading, folder.path());
+    Observable observable;
+    observable.quantity = name;
+    return evaluate(observable, folder.path());
   };
   EXPECT_EQ(value("V_end"), 12.5);
   EXPECT_TRUE(std::isnan(value("H_end")));
@@ -106,15 +106,15 @@ TEST(Reading, finds_quantities_checks_and_times_in_a_summary)
   }
 }
 
-TEST(Reading, of_a_summary_that_is_damaged_is_refused)
+TEST(Observable, of_a_summary_that_is_damaged_is_refused)
 {
   const TemporaryFolder folder;
-  Reading reading;
-  reading.quantity = "V_end";
+  Observable observable;
+  observable.quantity = "V_end";
   for (const char* text :
        {"", "{", "[]", "5", "{\"quantities\": 5}", "{\"quantities\": {\"V_end\": {}}}", "{\"quantities\": {\"V\": {\"value\": [1]}}}"}) {
     folder.write("summary.json", text);
-    EXPECT_THROW(evaluate(reading, folder.path()), RunError) << text;
+    EXPECT_THROW(evaluate(observable, folder.path()), RunError) << text;
   }
 }
 

@@ -6,10 +6,10 @@
 namespace berm::report {
 namespace {
 
-FilmFrame with(run_folder::SavedRigids rigids)
+FilmFrame with(run_folder::SavedRigids rigid_bodies)
 {
   FilmFrame frame;
-  frame.rigids = std::move(rigids);
+  frame.rigid_bodies = std::move(rigid_bodies);
   return frame;
 }
 
@@ -33,14 +33,14 @@ TEST(film_outline, part_that_comes_later_is_not_there_before)
 TEST(film_outline, in_space_is_one_end_of_what_is_extruded_and_nothing_of_the_rest)
 {
   // A prism over a triangle, and a box.
-  run_folder::SavedRigids rigids;
-  rigids.x = {0, 0, 1, 1, 0, 0, 9, 9, 9, 9, 9, 9, 9, 9};
-  rigids.y = {0, 0, 0, 0, 1, 1, 9, 9, 9, 9, 9, 9, 9, 9};
-  rigids.z = {-1, 1, -1, 1, -1, 1, 9, 9, 9, 9, 9, 9, 9, 9};
-  rigids.cells = {{0, 2, 3, 1}, {2, 4, 5, 3}, {4, 0, 1, 5}, {6, 7, 8, 9, 10, 11, 12, 13}};
-  rigids.types = {io::VtkCell::quad, io::VtkCell::quad, io::VtkCell::quad, io::VtkCell::hexahedron};
-  rigids.rigid = {0, 0, 0, 1};
-  const FilmFrame frame = with(rigids);
+  run_folder::SavedRigids rigid_bodies;
+  rigid_bodies.x = {0, 0, 1, 1, 0, 0, 9, 9, 9, 9, 9, 9, 9, 9};
+  rigid_bodies.y = {0, 0, 0, 0, 1, 1, 9, 9, 9, 9, 9, 9, 9, 9};
+  rigid_bodies.z = {-1, 1, -1, 1, -1, 1, 9, 9, 9, 9, 9, 9, 9, 9};
+  rigid_bodies.cells = {{0, 2, 3, 1}, {2, 4, 5, 3}, {4, 0, 1, 5}, {6, 7, 8, 9, 10, 11, 12, 13}};
+  rigid_bodies.types = {io::VtkCell::quad, io::VtkCell::quad, io::VtkCell::quad, io::VtkCell::hexahedron};
+  rigid_bodies.rigid = {0, 0, 0, 1};
+  const FilmFrame frame = with(rigid_bodies);
   const std::vector<FilmOutline> outlines = film_outlines({&frame}, 3);
   ASSERT_EQ(outlines.size(), 1u);
   EXPECT_EQ(outlines[0].corners, (std::vector<float>{0, 0, 1, 0, 0, 1}));

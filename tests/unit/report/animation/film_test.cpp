@@ -140,10 +140,10 @@ TEST(film, budget_keeps_the_first_the_last_and_the_last_of_each_stage)
   const Film all = make_film(sample.run, "f", plenty);
   EXPECT_TRUE(all.json["note"].is_null());
   const std::size_t size = size_of(all);
-  for (const std::size_t most : {size - 1, size / 2, size / 3, size / 5}) {
-    const Film film = make_film(sample.run, "f", most);
-    ASSERT_TRUE(film.json.is_object()) << most;
-    EXPECT_LE(size_of(film), most);
+  for (const std::size_t max : {size - 1, size / 2, size / 3, size / 5}) {
+    const Film film = make_film(sample.run, "f", max);
+    ASSERT_TRUE(film.json.is_object()) << max;
+    EXPECT_LE(size_of(film), max);
     const std::vector<Real> times = times_of(film);
     EXPECT_LT(times.size(), 24u);
     EXPECT_EQ(times.front(), 0);
