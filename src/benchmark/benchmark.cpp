@@ -166,7 +166,7 @@ Demand demand_of(const bodies::Particles<dim>& particles, const mpm::BodyGrid<di
   Real blocks = 0;
   for (const Index cell : particles.occupied()) blocks += std::ceil(static_cast<Real>(particles.count_in(cell)) / lanes);
   const Real cells = static_cast<Real>(particles.occupied().size()), nodes = static_cast<Real>(grid.nodes.size());
-  const Real of_block = static_cast<Real>(3 * sizeof(bodies::Block<dim>) + 2 * sizeof(StoredLanes) * particles.state_size());
+  const Real of_block = static_cast<Real>(3 * sizeof(bodies::Block<dim>) + 2 * sizeof(StoredLanes) * particles.extra_size());
   const Real of_cell = 4 * sizeof(mpm::Moments<dim>) + 6 * corners * sizeof(mpm::CornerSums<dim>) +
                        4 * (sizeof(mesh::Gradients<dim>) + corners * sizeof(Index)) + 4 * sizeof(Real);
   const Real of_node = 2 * sizeof(Real) + 6 * sizeof(Vec<dim>);

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/simulation/checkpoints_state_test.cpp
-#include "bodies/particles.hpp"
+#include "bodies/particle_fields.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
 
 namespace berm::bodies {
 namespace {
-
-constexpr const char* directions[3] = {"x", "y", "z"};
-constexpr const char* components[6] = {"xx", "yy", "zz", "xy", "yz", "zx"};
 
 /// The blocks of all cells, cell after cell, each cell's in their order.
 template <int dim>
@@ -58,7 +55,7 @@ void Particles<dim>::lay_out(const std::vector<Index>& cells, const std::vector<
   head_ = CellField<Index>::zeros(head_.size());
   count_ = CellField<Index>::zeros(count_.size());
   blocks_.clear();
-  state_.clear();
+  extra_.clear();
   free_ = none;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     count_[cells[c]] = counts[c];
@@ -68,7 +65,7 @@ void Particles<dim>::lay_out(const std::vector<Index>& cells, const std::vector<
       blocks_.back().next = left > lanes ? static_cast<Index>(blocks_.size()) : none;
     }
   }
-  state_.resize(blocks_.size() * static_cast<std::size_t>(state_size_), StoredLanes{});
+  extra_.resize(blocks_.size() * static_cast<std::size_t>(extra_size_), StoredLanes{});
   occupied_.assign(cells.begin(), cells.end());
   changed_ = false;
 }
@@ -91,17 +88,18 @@ void Particles<dim>::archive(Archive& k)
     lay_out(cells, counts);
   }
   const std::vector<Index> order = blocks_in_order(*this);
-  const auto reals = [&](const std::string& name, const auto& lanes_of) {
-    keep_lanes<Real>(k, name, order, [&](Index b) { return reinterpret_cast<Real*>(lanes_of(b)); });
-  };
-  for (int d = 0; d < dim; ++d) reals(fmt::format("position_{}", directions[d]), [&](Index b) { return &blocks_[b].x[d]; });
-  for (int d = 0; d < dim; ++d) reals(fmt::format("velocity_{}", directions[d]), [&](Index b) { return &blocks_[b].v[d]; });
-  for (int c = 0; c < tensor_size<dim>; ++c) reals(fmt::format("stress_{}", components[c]), [&](Index b) { return &blocks_[b].stress[c]; });
-  reals("volume", [&](Index b) { return &blocks_[b].volume; });
-  reals("mass", [&](Index b) { return &blocks_[b].mass; });
-  reals("deviatoric_strain", [&](Index b) { return &blocks_[b].deviatoric_strain; });
-  for (int s = 0; s < state_size_; ++s) reals(fmt::format("law_state_{}", s), [&](Index b) { return state(b) + s; });
-  keep_lanes<Index>(k, "id", order, [&](Index b) { return &blocks_[b].id[0]; });
+  for_each_component<dim>([&](const auto& field, int component) {
+    using Number = typename std::decay_t<decltype(field)>::Number;
+    const FieldInfo info = field.info();
+    if (info.goes(to_checkpoint))
+      keep_lanes<Number>(k, component_name(info, component, dim), order,
+                         [&](Index b) { return reinterpret_cast<Number*>(&field.of(blocks_[b], component)); });
+  });
+  for (const ExtraField& field : extra_fields_)
+    for (int component = 0; component < field.info.components; ++component)
+      if (field.info.goes(to_checkpoint))
+        keep_lanes<Real>(k, component_name(field.info, component, dim), order,
+                         [&](Index b) { return reinterpret_cast<Real*>(extra(b) + field.offset + component); });
   if (k.reads() && !numbered(*this)) k.refuse(fmt::format("its particles are not numbered from 0 to {}", size_ - 1));
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/fill.hpp"
 
+#include "bodies/initial_stress.hpp"
+
 #include "core/error.hpp"
 
 #include <algorithm>
@@ -238,25 +240,13 @@ Index filled_region(const mesh::Mesh<dim>& mesh, const std::string& name, const 
 }
 
 template <int dim>
-SymTensor<dim> first_stress(const BodySettings& body, Real unit_weight, Real depth)
-{
-  SymTensor<dim> stress;
-  for (std::size_t k = 0; k < body.initial_stress.size(); ++k) stress[static_cast<int>(k)] = body.initial_stress[k];
-  if (body.k0) {
-    stress[1] = -unit_weight * std::max(Real(0), depth);
-    stress[0] = stress[2] = *body.k0 * stress[1];
-  }
-  return stress;
-}
-
-template <int dim>
 Particles<dim> fill(const mesh::Mesh<dim>& mesh, const std::string& name, const BodySettings& body, const StartState<dim>& start)
 {
   auto seeds = seeds_of(mesh, name, body);
   std::erase_if(seeds, [&](const Seed<dim>& seed) {
     return std::any_of(start.holes.begin(), start.holes.end(), [&](const auto& hole) { return surface_at(hole, seed.x).distance < 0; });
   });
-  Particles<dim> particles(mesh, static_cast<Index>(seeds.size()), start.state_size);
+  Particles<dim> particles(mesh, static_cast<Index>(seeds.size()), start.extra);
   const Vec<dim> center = center_of_mass(seeds);
   std::int32_t id = 0;
   for (const Seed<dim>& seed : seeds) {
@@ -265,7 +255,7 @@ Particles<dim> fill(const mesh::Mesh<dim>& mesh, const std::string& name, const 
     p.volume = seed.volume;
     p.mass = start.density * seed.volume;
     p.v = first_velocity<dim>(body, seed.x - center, seed.x);
-    p.stress = first_stress<dim>(body, start.density * start.vertical_gravity, start.surface - seed.x[1]);
+    p.stress = initial_stress<dim>(body, start.density * start.vertical_gravity, start.surface - seed.x[1]);
     p.id = id++;
     particles.insert(seed.cell, p);
   }
@@ -277,8 +267,6 @@ template Real particles_in<2>(const BlockSettings&);
 template Real particles_in<3>(const BlockSettings&);
 template Real particles_per_cell<2>(const BodySettings&, const std::string&);
 template Real particles_per_cell<3>(const BodySettings&, const std::string&);
-template SymTensor<2> first_stress(const BodySettings&, Real, Real);
-template SymTensor<3> first_stress(const BodySettings&, Real, Real);
 template Index filled_region<2>(const mesh::Mesh<2>&, const std::string&, const std::string&);
 template Index filled_region<3>(const mesh::Mesh<3>&, const std::string&, const std::string&);
 template Particles<2> fill(const mesh::Mesh<2>&, const std::string&, const BodySettings&, const StartState<2>&);

@@ -3,7 +3,7 @@
 
 #include "bodies/body_settings.hpp"
 #include "bodies/particles.hpp"
-#include "bodies/rigid.hpp"
+#include "bodies/rigid/rigid_body.hpp"
 
 namespace berm::bodies {
 
@@ -28,14 +28,9 @@ struct StartState {
   Real density;                             ///< kg/m3
   Real vertical_gravity;                    ///< m/s2, positive downwards
   Real surface;                             ///< m, level of the bed's surface
-  int state_size;                           ///< numbers that the law keeps for a particle
+  std::vector<FieldInfo> extra = {};        ///< fields of a particle beside those that every one has; what the law keeps comes first
   std::vector<RigidShape<dim>> holes = {};  ///< rigid bodies that it has a contact with: they take the place of its particles
 };
-
-/// The stress of a body at the start, Pa: initial_stress, or that of a flat bed where k0 is given: sigma_yy = -unit_weight depth, not above the bed's
-/// surface, and sigma_xx = sigma_zz = k0 sigma_yy. unit_weight in N/m3, depth in m.
-template <int dim>
-SymTensor<dim> first_stress(const BodySettings& body, Real unit_weight, Real depth);
 
 /// Fills the body's regions, block or disk, but for the holes, with particles at rest or with its first velocity, and with its first stress.
 /// Throws InputError where a region is unknown or a block or disk leaves the mesh.

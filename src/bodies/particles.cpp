@@ -1,26 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/particles.hpp"
 
+#include "bodies/particle_fields.hpp"
 #include "core/lazy_memory.hpp"
+#include "material/material.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace berm::bodies {
 
+static_assert(material::Laws::max_state <= Particle<2>::max_extra && material::Laws::max_state <= Particle<3>::max_extra,
+              "a law keeps more numbers than a particle has room for");
+
 template <int dim>
-Particles<dim>::Particles(const mesh::Mesh<dim>& mesh, Index max, int state_size)
+Particles<dim>::Particles(const mesh::Mesh<dim>& mesh, Index max, const std::vector<FieldInfo>& extra)
     : head_(CellField<Index>::zeros(mesh.cell_count())),
-      count_(CellField<Index>::zeros(mesh.cell_count())),
-      state_size_(state_size)
+      count_(CellField<Index>::zeros(mesh.cell_count()))
 {
+  for (const FieldInfo& info : extra) {
+    extra_fields_.push_back({info, extra_size_});
+    extra_size_ += info.components;
+    if ((info.travel & with_particle) == 0) throw std::logic_error("the field " + info.name + " does not travel with its particle");
+  }
+  if (extra_size_ > Particle<dim>::max_extra) throw std::logic_error("the extra fields are too many numbers for a Particle");
   // A cell wastes less than one block, so this many blocks are never exceeded.
   const std::size_t max_blocks = static_cast<std::size_t>(max / lanes) + std::min(max, mesh.cell_count()) + 1;
   blocks_.reserve(max_blocks);
-  state_.reserve(max_blocks * state_size);
+  extra_.reserve(max_blocks * extra_size_);
   // At the least as many as there would be if all were full.
   const auto min_blocks = static_cast<std::size_t>(max / lanes);
   ask_for_huge_pages(blocks_.data(), min_blocks * sizeof(Block<dim>));
-  ask_for_huge_pages(state_.data(), min_blocks * state_size * sizeof(StoredLanes));
+  ask_for_huge_pages(extra_.data(), min_blocks * extra_size_ * sizeof(StoredLanes));
   occupied_.reserve(std::min(max, mesh.cell_count()));
 }
 
@@ -31,11 +42,11 @@ Index Particles<dim>::free_block(const Vec<dim>& x)
   if (b != none) {
     free_ = blocks_[b].next;
     blocks_[b] = Block<dim>{};
-    std::fill_n(state(b), state_size_, Lanes{});
+    std::fill_n(extra(b), extra_size_, Lanes{});
   } else {
     b = static_cast<Index>(blocks_.size());
     blocks_.push_back(Block<dim>{});
-    state_.resize(state_.size() + state_size_, StoredLanes{});
+    extra_.resize(extra_.size() + extra_size_, StoredLanes{});
   }
   Block<dim>& block = blocks_[b];
   for (int d = 0; d < dim; ++d) block.x[d] = all_lanes(x[d]);
@@ -56,13 +67,8 @@ template <int dim>
 void Particles<dim>::write(Index b, int l, const Particle<dim>& p)
 {
   Block<dim>& block = blocks_[b];
-  for (int d = 0; d < dim; ++d) block.x[d][l] = p.x[d], block.v[d][l] = p.v[d];
-  for (int k = 0; k < tensor_size<dim>; ++k) block.stress[k][l] = p.stress[k];
-  block.volume[l] = p.volume;
-  block.mass[l] = p.mass;
-  block.deviatoric_strain[l] = p.deviatoric_strain;
-  block.id[l] = p.id;
-  for (int k = 0; k < state_size_; ++k) state(b)[k][l] = p.state[k];
+  for_each_component<dim>([&](const auto& field, int component) { field.of(block, component)[l] = field.of(p, component); });
+  for (int k = 0; k < extra_size_; ++k) extra(b)[k][l] = p.extra[k];
 }
 
 template <int dim>
@@ -70,13 +76,8 @@ Particle<dim> Particles<dim>::read(Index b, int l) const
 {
   const Block<dim>& block = blocks_[b];
   Particle<dim> p;
-  for (int d = 0; d < dim; ++d) p.x[d] = block.x[d][l], p.v[d] = block.v[d][l];
-  for (int k = 0; k < tensor_size<dim>; ++k) p.stress[k] = block.stress[k][l];
-  p.volume = block.volume[l];
-  p.mass = block.mass[l];
-  p.deviatoric_strain = block.deviatoric_strain[l];
-  p.id = block.id[l];
-  for (int k = 0; k < state_size_; ++k) p.state[k] = state(b)[k][l];
+  for_each_component<dim>([&](const auto& field, int component) { field.of(p, component) = field.of(block, component)[l]; });
+  for (int k = 0; k < extra_size_; ++k) p.extra[k] = extra(b)[k][l];
   return p;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/archive.hpp"
+#include "core/field_info.hpp"
 #include "core/lane_parts.hpp"
 #include "mesh/mesh.hpp"
 
@@ -10,7 +11,7 @@
 
 namespace berm::bodies {
 
-/// Four particles of one cell. Lanes beyond the cell's count hold no particle: mass, volume and stress zero, a finite position.
+/// Four particles of one cell; bodies/particle_fields.hpp says of each member what it is and where it travels. Lanes beyond the cell's count hold no particle: mass, volume and stress zero, a finite position.
 template <int dim>
 struct alignas(32) Block {
   Lanes x[dim];                    ///< position, m
@@ -26,13 +27,19 @@ struct alignas(32) Block {
 /// One particle on its own: on its way from one cell to another, or read for output.
 template <int dim>
 struct Particle {
-  static constexpr int max_state = 2;  ///< numbers of law state that a particle may carry
+  static constexpr int max_extra = 8;  ///< numbers of extra fields that a particle may carry
 
   Vec<dim> x = Vec<dim>::Zero(), v = Vec<dim>::Zero();
   SymTensor<dim> stress{};
   Real volume = 0, mass = 0, deviatoric_strain = 0;
-  Real state[max_state] = {};
+  Real extra[max_extra] = {};
   std::int32_t id = none;
+};
+
+/// A field that only some bodies' particles have, such as what a law keeps.
+struct ExtraField {
+  FieldInfo info;
+  int offset;  ///< of its first number among the extra numbers of a particle
 };
 
 /// The particles of one body, sorted by cell: each cell owns a chain of blocks, all full but the last. Memory is reserved once; particles that
@@ -41,19 +48,25 @@ template <int dim>
 class Particles {
 public:
   Particles() = default;
-  /// Room for `most` particles anywhere in the mesh, each with state_size numbers that belong to its law.
-  Particles(const mesh::Mesh<dim>& mesh, Index max, int state_size);
+  /// Room for `max` particles anywhere in the mesh, each with these fields beside those that every particle has; what the law keeps comes first.
+  /// Throws std::logic_error where they are too many numbers, or one does not travel with its particle.
+  Particles(const mesh::Mesh<dim>& mesh, Index max, const std::vector<FieldInfo>& extra);
 
   Index size() const { return size_; }
-  int state_size() const { return state_size_; }
+  const std::vector<ExtraField>& extra_fields() const { return extra_fields_; }
+  /// Numbers of all extra fields of a particle.
+  int extra_size() const { return extra_size_; }
 
   Index count_in(Index cell) const { return count_[cell]; }
   Index first_block(Index cell) const { return count_[cell] > 0 ? head_[cell] : none; }
   Block<dim>& block(Index b) { return blocks_[b]; }
   const Block<dim>& block(Index b) const { return blocks_[b]; }
-  /// The law's numbers of block b: state_size() Lanes.
-  Lanes* state(Index b) { return reinterpret_cast<Lanes*>(state_.data() + static_cast<std::size_t>(b) * state_size_); }
-  const Lanes* state(Index b) const { return reinterpret_cast<const Lanes*>(state_.data() + static_cast<std::size_t>(b) * state_size_); }
+  /// The extra fields of block b: extra_size() Lanes.
+  Lanes* extra(Index b) { return reinterpret_cast<Lanes*>(extra_.data() + static_cast<std::size_t>(b) * extra_size_); }
+  const Lanes* extra(Index b) const { return reinterpret_cast<const Lanes*>(extra_.data() + static_cast<std::size_t>(b) * extra_size_); }
+  /// The law's numbers of block b, with which they begin.
+  Lanes* state(Index b) { return extra(b); }
+  const Lanes* state(Index b) const { return extra(b); }
 
   /// Calls visit(part) for each part of a cell's particles (core/lane_parts.hpp).
   template <class Visit>
@@ -112,12 +125,13 @@ private:
   Index block_at(Index cell, Index place) const;
 
   std::vector<Block<dim>, LazyZeroAllocator<Block<dim>>> blocks_;
-  std::vector<StoredLanes, LazyZeroAllocator<StoredLanes>> state_;
+  std::vector<StoredLanes, LazyZeroAllocator<StoredLanes>> extra_;
   CellField<Index> head_, count_;  ///< untouched, and so without memory, where there never was a particle
   std::vector<Index> occupied_;
   Index free_ = none;  ///< chain of blocks that no cell uses
   Index size_ = 0;
-  int state_size_ = 0;
+  std::vector<ExtraField> extra_fields_;
+  int extra_size_ = 0;
   bool changed_ = false;  ///< a cell became occupied or empty since sort_occupied()
 };
 

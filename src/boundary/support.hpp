@@ -22,4 +22,13 @@ Index held_boundary(const mesh::Mesh<dim>& mesh, const std::string& name, const 
 /// Bit d is set where direction d is held.
 std::uint8_t held_directions(const SupportSettings& support);
 
+/// A vector at a node without its components in the directions that are held there.
+template <int dim>
+Vec<dim> without_held(const NodeField<std::uint8_t>& fixed, Index node, Vec<dim> v)
+{
+  for (int d = 0; d < dim; ++d)
+    if (fixed[node] >> d & 1) v[d] = 0;
+  return v;
+}
+
 }  // namespace berm::boundary

@@ -70,6 +70,10 @@ void check_header(const std::string& found, BigIndex bytes, std::uint32_t crc)
   std::from_chars(found.data() + first_words.size(), found.data() + found.size(), format);
   if (format > checkpoint_format)
     throw RunError(fmt::format("it is of format {}, which a newer berm writes; this one reads format {}", format, checkpoint_format));
+  if (format > 0 && format < checkpoint_format)
+    throw RunError(fmt::format(
+        "it is of format {}, which an older berm wrote; this one reads format {}: finish the run with that one, or begin it anew", format,
+        checkpoint_format));
   std::istringstream lines(found);
   std::string line, berm, version;
   std::getline(lines, line);

@@ -9,7 +9,7 @@
 namespace berm::checkpoint {
 
 /// The form of a checkpoint: it changes whenever what is kept does.
-constexpr int checkpoint_format = 2;
+constexpr int checkpoint_format = 3;
 
 /// Names all that a checkpoint holds.
 using Contents = std::function<void(Archive&)>;

@@ -12,19 +12,21 @@ Command add_verify(CLI::App& program)
 {
   struct Options : CaseOptions {
     verification::ProblemChoice problems;
-    bool list = false;
+    bool list = false, requirements = false;
   };
   const auto options = std::make_shared<Options>();
   options->output = "out/verification";
   CLI::App* app = program.add_subcommand("verify", "run examples and compare their results with what they expect");
   app->add_option("NAME", options->problems.names, "examples, problems (EXAMPLE/RUN) or folders that hold an expected.toml (default: all)");
   app->add_flag("--list", options->list, "list the problems and run nothing");
+  app->add_flag("--requirements", options->requirements, "print what the problems promise and how their last runs went, and run nothing");
   app->add_flag("--fast", options->problems.fast, "fast problems only");
   app->add_option("--examples", options->problems.examples, "folder of the examples (default: examples)");
   app->add_option("-o,--output", options->output, "folder for the book and its runs (default: out/verification)");
   options->take_jobs(*app);
   return {app, [options] {
             if (options->list) return list_problems(options->problems), 0;
+            if (options->requirements) return list_requirements(options->problems, options->output), 0;
             catch_interrupts();
             messages_to_stderr();
             return verification::verify({options->problems, options->output, options->jobs()}) ? 0 : 1;

@@ -50,7 +50,7 @@ struct ContactPoints {
   // At a rigid body:
   std::vector<Index> near_cells;                    ///< cells that the surface can reach until it has moved `reach`
   Vec<dim> near_at = Vec<dim>::Constant(infinity);  ///< RigidState::near_cells_displacement that near_cells is of
-  Real near_angle = 0;                              ///< and RigidState::near_cells_angle
+  bodies::Orientation<dim> near_orientation;        ///< and RigidState::near_cells_orientation
   Real reach = 0;                                   ///< m, the smallest height of all cells; 0 before the first step
   struct CellContact {
     Real gap = infinity, distance = infinity, half_width = 0;

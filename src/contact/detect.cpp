@@ -18,18 +18,18 @@ void find_near_cells(const mesh::Mesh<dim>& mesh, const bodies::RigidBody<dim>& 
     found.reach = min;
   }
   const Real moved = (state.displacement - state.near_cells_displacement).norm() +
-                     std::abs(state.angle - state.near_cells_angle) * reach_of<dim>(rigid.shape);
+                     angle_between(state.orientation, state.near_cells_orientation) * reach_of<dim>(rigid.shape);
   if (!(moved < found.reach)) {
     state.near_cells_displacement = state.displacement;
-    state.near_cells_angle = state.angle;
+    state.near_cells_orientation = state.orientation;
   }
-  if (found.near_at == state.near_cells_displacement && found.near_angle == state.near_cells_angle) return;
+  if (found.near_at == state.near_cells_displacement && found.near_orientation == state.near_cells_orientation) return;
   found.near_at = state.near_cells_displacement;
-  found.near_angle = state.near_cells_angle;
+  found.near_orientation = state.near_cells_orientation;
   found.near_cells.clear();
   bodies::RigidState<dim> then;
   then.displacement = state.near_cells_displacement;
-  then.angle = state.near_cells_angle;
+  then.orientation = state.near_cells_orientation;
   const bodies::RigidShape<dim> shape = placed<dim>(rigid, then);
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     const Vec<dim> center = mesh.centroid(cell);
@@ -60,7 +60,7 @@ void list_nodes(const mesh::Mesh<dim>& mesh, const bodies::RigidShape<dim>& shap
 {
   if (found.place.size() == 0) found.place.assign(mesh.node_count(), none);
   const bool overlap = detection == Detection::overlap;
-  const bool has_corners = !std::holds_alternative<bodies::Circle<dim>>(shape) && !std::holds_alternative<bodies::HalfPlane<dim>>(shape);
+  const bool corners = bodies::has_corners<dim>(shape);
   for (std::size_t k = 0; k < found.near_cells.size(); ++k) {
     const auto& cell = found.cells[k];
     if (overlap ? !cell.cut : !(cell.gap < infinity)) continue;
@@ -83,7 +83,7 @@ void list_nodes(const mesh::Mesh<dim>& mesh, const bodies::RigidShape<dim>& shap
       }
       ContactPoint<dim>& point = found.list[place];
       // Inside a shape with corners the side that is nearest to a node says nothing of the side that the soil touches.
-      if (has_corners && cell.gap < infinity && (first || gap < point.gap)) point.normal = cell.normal;
+      if (corners && cell.gap < infinity && (first || gap < point.gap)) point.normal = cell.normal;
       point.gap = std::min(point.gap, gap);
       point.distance = std::min(point.distance, cell.distance);
       point.touching = point.touching || overlap || cell.gap < cell.half_width;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bodies/particles.hpp"
-#include "bodies/rigid.hpp"
+#include "bodies/rigid/rigid_body.hpp"
 #include "contact/contact_point.hpp"
 #include "contact/contact_settings.hpp"
 

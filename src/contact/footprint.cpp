@@ -8,46 +8,6 @@
 namespace berm::contact {
 namespace {
 
-/// A point as seen from a side of a surface.
-struct OnSide {
-  Real along;       ///< m along the side
-  Real away;        ///< m from the side, negative inside the body
-  Real begin, end;  ///< m, where the side has its ends
-};
-
-/// Visits visit(side, point as seen from it) for each side of a shape. A circle has one side without ends.
-template <class Visit>
-void visit_sides(const bodies::Circle<2>& circle, const Vec<2>& x, const Visit& visit)
-{
-  const Vec<2> from = x - circle.center;
-  visit(0, OnSide{circle.radius * std::atan2(from[1], from[0]), from.norm() - circle.radius, -infinity, infinity});
-}
-template <class Visit>
-void visit_sides(const bodies::HalfPlane<2>& plane, const Vec<2>& x, const Visit& visit)
-{
-  const Vec<2> from = x - plane.point;
-  visit(0, OnSide{plane.normal[1] * from[0] - plane.normal[0] * from[1], plane.normal.dot(from), -infinity, infinity});
-}
-template <class Visit>
-void visit_sides(const bodies::Box<2>& box, const Vec<2>& x, const Visit& visit)
-{
-  const Vec<2> local = box.axes.transpose() * (x - box.center);
-  for (int side = 0; side < 4; ++side) {
-    const int across = side / 2, along = 1 - across;
-    visit(side, OnSide{local[along], (side % 2 == 0 ? 1 : -1) * local[across] - box.half[across], -box.half[along], box.half[along]});
-  }
-}
-template <class Visit>
-void visit_sides(const bodies::Polygon<2>& polygon, const Vec<2>& x, const Visit& visit)
-{
-  const Vec<2> local = polygon.axes.transpose() * (x - polygon.center);
-  const std::vector<Vec<2>>& corners = *polygon.corners;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec<2> side = corners[(k + 1) % corners.size()] - corners[k], along = side.normalized(), from = local - corners[k];
-    visit(static_cast<int>(k), OnSide{along.dot(from), along[1] * from[0] - along[0] * from[1], 0, side.norm()});
-  }
-}
-
 /// The border between two neighbours is drawn where their distance along the surface is less than the sum of their widths.
 void meet(Footprint<2>& left, Footprint<2>& right, Real distance)
 {
@@ -75,7 +35,7 @@ void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& part
         const bodies::Block<2>& p = particles.block(b);
         const Vec<2> x(p.x[0][l], p.x[1][l]);
         const Real half = half_width<2>(p.volume[l]);
-        const auto add = [&](int side, const OnSide& at) {
+        const auto add = [&](int side, const bodies::OnSide& at) {
           if (at.away < -half || at.away >= 2 * half || at.along < at.begin - half || at.along > at.end + half) return;
           Footprint<2> footprint;
           footprint.nodes = mesh.nodes[cell];
@@ -96,8 +56,8 @@ void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& part
             [](const Footprint<2>& a, const Footprint<2>& b) { return a.side != b.side ? a.side < b.side : a.along < b.along; });
   for (std::size_t k = 1; k < list.size(); ++k)
     if (list[k].side == list[k - 1].side) meet(list[k - 1], list[k], list[k].along - list[k - 1].along);
-  if (const auto* circle = std::get_if<bodies::Circle<2>>(&shape); circle != nullptr && list.size() > 1)
-    meet(list.back(), list.front(), list.front().along + 2 * pi * circle->radius - list.back().along);
+  const Real around = std::visit([](const auto& s) { return closes_after(s); }, shape);
+  if (around < infinity && list.size() > 1) meet(list.back(), list.front(), list.front().along + around - list.back().along);
   for (Footprint<2>& f : list) f.area = std::max(std::min(f.along + f.right, f.end) - std::max(f.along - f.left, f.begin), Real(0));
 }
 

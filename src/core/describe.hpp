@@ -29,6 +29,9 @@ struct Parameter {
   Range range = any_number;
   bool required = false;
   const char* formerly = "";  ///< the key that earlier versions had: refused, with the new one
+  /// Instead of `unit`, for a number whose unit is known only later: any may be written, and the SI unit of that goes here ("1" of a bare number in a
+  /// text; a plain number leaves it as it is). Numbers that share it must be of one dimension.
+  std::string* any_unit = nullptr;
 };
 
 /// Visits the parameters of a struct. A struct declares them in one free function

@@ -140,4 +140,10 @@ template <class Number>
   return {root, a.slope * (root > 0 ? 0.5 / root : 0.)};
 }
 
+[[gnu::always_inline]] inline Dual decimal_logarithm(const Dual& a)
+{
+  constexpr Real of_e = 0.43429448190325183;
+  return {std::log10(a.value), a.slope * (of_e / a.value)};
+}
+
 }  // namespace berm

@@ -64,6 +64,18 @@ requires(lanes_of<V> > 1) [[gnu::always_inline]] inline V square_root(V x)
   return root;
 }
 
+inline Real decimal_logarithm(Real x)
+{
+  return std::log10(x);
+}
+template <class V>
+requires(lanes_of<V> > 1) [[gnu::always_inline]] inline V decimal_logarithm(V x)
+{
+  V logarithm{};
+  for (int l = 0; l < lanes_of<V>; ++l) logarithm[l] = std::log10(x[l]);
+  return logarithm;
+}
+
 template <class T>
 [[gnu::always_inline]] inline T larger(T a, T b)
 {

@@ -15,7 +15,7 @@ constexpr int curve_points = 100;
 /// The soil that touches the pipe.
 struct PipeInSoil {
   EmbeddedPipe pipe;
-  const material::MohrCoulomb* law = nullptr;  ///< null: of another kind
+  std::optional<material::Strength> strength;  ///< empty: none of cohesion and friction
   const contact::ContactSettings* contact = nullptr;
   Real unit_weight = 0;  ///< N/m3
 };
@@ -23,7 +23,7 @@ struct PipeInSoil {
 PipeInSoil pipe_in_soil(const problem::Case& c)
 {
   const material::Material* material = pipe::touched_material(c);
-  return {wished_pipe(c), material == nullptr ? nullptr : std::get_if<material::MohrCoulomb>(material), pipe::contact_of_pipe(c),
+  return {wished_pipe(c), material == nullptr ? std::nullopt : strength_at_rest(*material), pipe::contact_of_pipe(c),
           pipe::pipe_scale(c).unit_weight};
 }
 
@@ -38,13 +38,14 @@ Real roughness_of(const PipeInSoil& soil)
 {
   if (soil.contact->scheme == contact::Scheme::sticky) return 1;
   if (soil.contact->friction_angle > 0) return std::numeric_limits<Real>::quiet_NaN();
-  return std::min(Real(1), soil.contact->adhesion / soil.law->cohesion);
+  return std::min(Real(1), soil.contact->adhesion / soil.strength->cohesion);
 }
 
 Published for_clay(const PipeInSoil& soil)
 {
   Published published;
-  const formulas::PipeInClay pipe{soil.pipe.diameter, soil.pipe.embedment, soil.law->cohesion, roughness_of(soil), 0, soil.unit_weight};
+  const formulas::PipeInClay pipe{soil.pipe.diameter, soil.pipe.embedment, soil.strength->cohesion, roughness_of(soil), 0,
+                                  soil.unit_weight};
   published.unit = pipe.diameter * pipe.strength;
   published.unit_name = "(D s_u)";
   if (std::isnan(pipe.roughness)) {
@@ -80,12 +81,12 @@ Published for_clay(const PipeInSoil& soil)
 Published for_sand(const PipeInSoil& soil, const std::vector<EnvelopeRow>& rows)
 {
   Published published;
-  const formulas::PipeInSand pipe{soil.pipe.diameter, soil.pipe.embedment, soil.unit_weight, soil.law->friction_angle,
+  const formulas::PipeInSand pipe{soil.pipe.diameter, soil.pipe.embedment, soil.unit_weight, soil.strength->friction_angle,
                                   soil.contact->friction_angle};
   published.unit = pipe.unit_weight * pipe.diameter * pipe.diameter;
   published.unit_name = "(γ' D²)";
   formulas::Formula V_max = sand_vertical(pipe);
-  if (soil.law->dilation_angle != soil.law->friction_angle) {
+  if (soil.strength->dilation_angle != soil.strength->friction_angle) {
     V_max.valid = false;
     V_max.source.range = "dilation angle = phi";
   }
@@ -118,10 +119,11 @@ Published for_sand(const PipeInSoil& soil, const std::vector<EnvelopeRow>& rows)
 Published published_for(const problem::Case& c, const std::vector<EnvelopeRow>& rows)
 {
   const PipeInSoil soil = pipe_in_soil(c);
-  if (soil.law != nullptr && soil.law->friction_angle == 0 && soil.law->cohesion > 0) return for_clay(soil);
-  if (soil.law != nullptr && soil.law->friction_angle > 0 && soil.law->cohesion == 0 && soil.unit_weight > 0) return for_sand(soil, rows);
+  if (soil.strength && soil.strength->friction_angle == 0 && soil.strength->cohesion > 0) return for_clay(soil);
+  if (soil.strength && soil.strength->friction_angle > 0 && soil.strength->cohesion == 0 && soil.unit_weight > 0)
+    return for_sand(soil, rows);
   Published published;
-  published.remark = "no formula is known for this soil: neither clay (phi = 0) nor sand (c = 0) of the law mohr_coulomb";
+  published.remark = "no formula is known for this soil: neither clay (phi = 0) nor sand (c = 0)";
   return published;
 }
 

@@ -22,14 +22,14 @@ struct StagePath {
 StagePath path_of(const run_folder::History& history, const std::string& stage)
 {
   const auto first = std::find(history.stage.begin(), history.stage.end(), stage) - history.stage.begin();
-  const auto part = [&](const char* name) {
-    const std::vector<Real>& column = history[name];
+  const auto part = [&](const char* label) {
+    const std::vector<Real>& column = history.by_label(label);
     return std::vector<Real>(column.begin() + std::max<std::ptrdiff_t>(0, first - 1), column.end());
   };
-  const std::vector<Real> u = part("u_m"), w = part("w_m");
+  const std::vector<Real> u = part("u"), w = part("w");
   std::vector<Real> travel;
   for (std::size_t k = 0; k < u.size(); ++k) travel.push_back(std::hypot(u[k] - u[0], w[k] - w[0]));
-  return {pipe::TravelCurve(travel, part("V_N_m")), pipe::TravelCurve(travel, part("H_N_m")), pipe::TravelCurve(travel, w)};
+  return {pipe::TravelCurve(travel, part("V")), pipe::TravelCurve(travel, part("H")), pipe::TravelCurve(travel, w)};
 }
 
 std::string cell(Real value)

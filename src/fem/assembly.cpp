@@ -27,22 +27,14 @@ Stiffness elastic_stiffness(const material::Elasticity& elastic)
   return Stiffness{{along, across, 0}, {across, along, 0}, {0, 0, elastic.shear}};
 }
 
-material::PreparedLinearElastic law_from(const material::LinearElastic& law, const SymTensor<2>&, Real)
-{
-  return prepare(law);
-}
-material::PreparedMohrCoulomb law_from(const material::MohrCoulomb& law, const SymTensor<2>& stress, Real depth)
-{
-  return prepare(associated(at_depth(law, depth), stress));
-}
-
 /// The law, mixed with its elastic trial stress.
 template <class Law>
-void update_point(const Law& law, Real viscosity, const SymTensor<2>& strain, SoilPoint& point)
+void update_point(const Law& law, Real viscosity, const material::Increment<2, Real>& increment, SoilPoint& point)
 {
+  const SymTensor<2>& strain = increment.strain;
   SymTensor<2> trial = point.stress;
   add_elastic_stress(law.elastic, trial, strain);
-  update_stress(law, point.stress, strain, &point.law_state);
+  update(law, point.stress, increment, point.law_state.data());
   SymTensor<2> over;
   for (int k = 0; k < 4; ++k) {
     over[k] = (trial[k] - point.stress[k]) * (viscosity / (1 + viscosity));
@@ -53,10 +45,10 @@ void update_point(const Law& law, Real viscosity, const SymTensor<2>& strain, So
 }
 
 template <class Law>
-Stiffness stiffness_of_point(const Law& law, Real viscosity, const SymTensor<2>& strain, SoilPoint point)
+Stiffness stiffness_of_point(const Law& law, Real viscosity, const material::Increment<2, Real>& increment, SoilPoint point)
 {
   material::Tangent tangent;
-  update_stress_and_tangent(law, point.stress, strain, &point.law_state, tangent);
+  update_stress_and_tangent(law, point.stress, increment, point.law_state.data(), tangent);
   Stiffness d;
   for (int j = 0; j < 3; ++j) d.col(j) = Eigen::Vector3d(tangent(0, j), tangent(1, j), tangent(3, j));
   return ((d + d.transpose()) / 2 + (viscosity + min_stiffness) * elastic_stiffness(law.elastic)) / (1 + viscosity);
@@ -111,13 +103,18 @@ Real Assembly::bytes_of_element()
   return static_cast<Real>(here + of_model + of_state);
 }
 
+/// The law at this point for increments from a stress on.
+material::PreparedMaterial Assembly::law_from(const SymTensor<2>& stress, Index cell, int q) const
+{
+  return prepare(associated(at_depth(model_.model.bodies[model_.mesh.body[cell]].material, model_.depth[cell][q]), stress));
+}
+
 const Assembly::PointLaw& Assembly::law_of_point(const SymTensor<2>& begin, Index cell, int q)
 {
   PointLaw& made = laws_[cell][q];
   if (!std::equal(begin.c, begin.c + tensor_size<2>, made.begin.c)) {
     made.begin = begin;
-    std::visit([&](const auto& law) { made.law = law_from(law, begin, model_.depth[cell][q]); },
-               model_.model.bodies[model_.mesh.body[cell]].material);
+    made.law = law_from(begin, cell, q);
   }
   return made;
 }
@@ -126,9 +123,7 @@ void Assembly::follow_strength()
 {
   laws_before_ = laws_;
   for_each("follow strength", cells_.size(), [&](Index cell) {
-    for (int q = 0; q < triangle_points; ++q)
-      std::visit([&](const auto& law) { laws_[cell][q].law = law_from(law, points_[cell][q].stress, model_.depth[cell][q]); },
-                 model_.model.bodies[model_.mesh.body[cell]].material);
+    for (int q = 0; q < triangle_points; ++q) laws_[cell][q].law = law_from(points_[cell][q].stress, cell, q);
   });
 }
 
@@ -141,21 +136,21 @@ StrengthLag Assembly::strength_lag(const FemState& begin, const std::vector<Real
 {
   StrengthLag lag;
   for (Index cell = 0; cell < cells_.size(); ++cell) {
-    const auto* law = std::get_if<material::MohrCoulomb>(&model_.model.bodies[model_.mesh.body[cell]].material);
-    if (law == nullptr) continue;
-    const material::Elasticity elastic = elasticity(*law);
+    const material::Material& material = model_.model.bodies[model_.mesh.body[cell]].material;
+    const material::Elasticity elastic = elasticity(material);
     for (int q = 0; q < triangle_points; ++q) {
       const ShapeAtPoint& shape = model_.shape[cell][q];
       const SymTensor<2>& end = points_[cell][q].stress;
+      const auto [s1, s3] = extreme_stresses(end);
+      const std::optional<Real> strength =
+          shear_strength(at_depth(material, model_.depth[cell][q]), (s1 + s3) / 2, points_[cell][q].law_state.data());
+      if (!strength) continue;
       SymTensor<2> returned = begin.points[cell][q].stress;
       add_elastic_stress(elastic, returned, strain_of(strain_matrix(shape), model_.mesh.nodes[cell], change));
       for (int k = 0; k < 4; ++k) returned[k] -= end[k];
       const auto [r1, r3] = extreme_stresses(returned);
-      const auto [s1, s3] = extreme_stresses(end);
       const Real flow = shape.area * (r1 - r3) / (2 * elastic.shear), shear = (s1 - s3) / 2;
-      const Real strength =
-          at_depth(*law, model_.depth[cell][q]).cohesion * std::cos(law->friction_angle) - (s1 + s3) / 2 * std::sin(law->friction_angle);
-      lag.missing += (strength - shear) * flow;
+      lag.missing += (*strength - shear) * flow;
       lag.dissipated += shear * flow;
     }
   }
@@ -176,7 +171,11 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
     SoilPoint& point = points_[cell][q];
     point = begin.points[cell][q];
     SymTensor<2> mean;
-    std::visit([&](const auto& law) { update_point(law, viscosity, strain, point); }, law_of_point(point.stress, cell, q).law);
+    std::visit(
+        [&](const auto& law) {
+          update_point(law, viscosity, {strain, dt_, begin.state.time}, point);
+        },
+        law_of_point(point.stress, cell, q).law);
     for (int k = 0; k < 4; ++k) mean[k] = (begin.points[cell][q].stress[k] + point.stress[k]) / 2;
     work.work += shape.area * double_dot(mean, strain);
     force += shape.area * b.transpose() * Eigen::Vector3d(point.stress[0], point.stress[1], point.stress[3]);
@@ -192,8 +191,11 @@ void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>
     const StrainMatrix b = strain_matrix(shape);
     const SymTensor<2> strain = strain_of(b, model_.mesh.nodes[cell], change);
     const SoilPoint& point = begin.points[cell][q];
-    const Stiffness d = std::visit([&](const auto& law) { return stiffness_of_point(law, viscosity, strain, point); },
-                                   law_of_point(point.stress, cell, q).law);
+    const Stiffness d = std::visit(
+        [&](const auto& law) {
+          return stiffness_of_point(law, viscosity, {strain, dt_, begin.state.time}, point);
+        },
+        law_of_point(point.stress, cell, q).law);
     stiffness += b.transpose() * (shape.area * d * b);
   }
   int k = 0;
@@ -234,6 +236,7 @@ void Assembly::give_unknowns(const FemLoads& loads, Index stage)
 
 void Assembly::evaluate(const FemState& begin, const std::vector<Real>& change, const FemLoads& loads, Real viscosity)
 {
+  dt_ = loads.dt;
   for_each("evaluate elements", cells_.size(), [&](Index cell) { evaluate_cell(begin, change, loads.gravity, viscosity, cell); });
   const Timer timer("assemble");
   for (std::size_t k = 0; k < residual_.size(); ++k) residual_[k] = -loads.initial_imbalance_factor * initial_imbalance_[k];
@@ -343,7 +346,7 @@ void Assembly::accept(FemState& state, const std::vector<Real>& change, const Fe
   for (const FemContactState& point : contact_) rigid.max_overlap = std::max(rigid.max_overlap, -point.gap);
   const Index first = model_.rigid_unknown();
   rigid.displacement = Vec<2>(state.displacement[first], state.displacement[first + 1]);
-  rigid.angle = state.displacement[first + 2];
+  rigid.orientation.angle = state.displacement[first + 2];
 }
 
 void Assembly::store_initial_imbalance(const FemState& state, const FemLoads& loads)

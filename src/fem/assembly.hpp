@@ -10,6 +10,7 @@ struct FemLoads {
   Vec<2> gravity = Vec<2>::Zero();    ///< m/s2
   std::vector<Real> tractions;        ///< part of each that acts; none where empty
   Real initial_imbalance_factor = 0;  ///< part of the first state's unbalanced forces that is still held back by fictitious ones
+  Real dt = 0;                        ///< s, that the increment takes; 0 where it takes none of the soil's time
   struct Direction {
     bool by_force = false;
     Real value = 0;  ///< m (rad): movement in this increment; or N/m (N m/m): force on the body
@@ -63,7 +64,7 @@ public:
   ///
   ///   missing = sum A_q (c cos(phi) - (s1 + s3)/2 sin(phi) - (s1 - s3)/2) g,   dissipated = sum A_q (s1 - s3)/2 g,
   ///
-  /// s1 >= s3 the extreme principal stresses, g the plastic shear strain of the increment; both over Mohr-Coulomb soil only.
+  /// s1 >= s3 the extreme principal stresses, g the plastic shear strain of the increment; both over soil whose law can say its shear strength only.
   StrengthLag strength_lag(const FemState& begin, const std::vector<Real>& change) const;
 
   /// Force of the soil on the rigid body, N/m, and its moment about the body's centre, N m/m.
@@ -87,8 +88,9 @@ private:
   /// the strength of another stress (follow_strength).
   struct PointLaw {
     SymTensor<2> begin{{std::numeric_limits<Real>::quiet_NaN()}};  ///< Pa
-    std::variant<material::PreparedLinearElastic, material::PreparedMohrCoulomb> law;
+    material::PreparedMaterial law;
   };
+  material::PreparedMaterial law_from(const SymTensor<2>& stress, Index cell, int q) const;
   const PointLaw& law_of_point(const SymTensor<2>& begin, Index cell, int q);
 
   struct CellWork {
@@ -104,6 +106,7 @@ private:
   std::vector<Real> soil_residual_, residual_, matrix_, initial_imbalance_;
   std::vector<char> given_;
   Real unbalanced_ = 0, contact_force_ = 0;
+  Real dt_ = 0;  ///< s, of what was evaluated last
 };
 
 }  // namespace berm::fem

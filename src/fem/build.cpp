@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/fem/cut_mesh_test.cpp
 #include "bodies/fill.hpp"
+#include "bodies/initial_stress.hpp"
 #include "core/error.hpp"
 #include "fem/cut_mesh.hpp"
 #include "fem/fem_problem.hpp"
@@ -89,10 +90,7 @@ FemWatch make_watch(const FemModel& model, const std::string& name, const proble
 
 bool flows_non_associated(const problem::Model<2>& model)
 {
-  return std::any_of(model.bodies.begin(), model.bodies.end(), [](const problem::Body<2>& body) {
-    const auto* law = std::get_if<material::MohrCoulomb>(&body.material);
-    return law != nullptr && law->dilation_angle < law->friction_angle;
-  });
+  return std::any_of(model.bodies.begin(), model.bodies.end(), [](const problem::Body<2>& body) { return non_associated(body.material); });
 }
 
 void make_contact(FemModel& model)
@@ -155,7 +153,7 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
       for (int k = 0; k < 6; ++k) y += shape.value[k] * nodes[k][1];
       model.depth[cell][q] = model.model.surface - y;
       state.points[cell][q].stress =
-          first_stress<2>(c.body[body].second, density(model.model.bodies[body].material) * gravity, model.depth[cell][q]);
+          bodies::initial_stress<2>(c.body[body].second, density(model.model.bodies[body].material) * gravity, model.depth[cell][q]);
     }
   }
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)

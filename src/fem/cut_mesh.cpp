@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "fem/cut_mesh.hpp"
 
-#include "bodies/rigid.hpp"
+#include "bodies/rigid/rigid_body.hpp"
 #include "core/error.hpp"
 #include "mesh/gmsh_program.hpp"
 

@@ -42,10 +42,10 @@ struct FemModel {
 
 /// The soil at a point of integration.
 struct SoilPoint {
-  SymTensor<2> stress;         ///< Pa, tension positive
-  Real law_state = 0;          ///< what the law keeps: the opening of Mohr-Coulomb
-  Real deviatoric_strain = 0;  ///< accumulated
-  Real overstress = 0;         ///< Pa, how far the stress lies outside the law's surface, in the norm of a tensor
+  SymTensor<2> stress;                                      ///< Pa, tension positive
+  std::array<Real, material::Laws::max_state> law_state{};  ///< what the law keeps: material::state_fields
+  Real deviatoric_strain = 0;                               ///< accumulated
+  Real overstress = 0;  ///< Pa, how far the stress lies outside the law's surface, in the norm of a tensor
 };
 
 /// Everything that changes during a finite element run.

@@ -74,7 +74,7 @@ void LoadSteps::begin()
 
 Real LoadSteps::travel(int direction, Real from, Real to) const
 {
-  const problem::Drive& drive = state_.state.stage.drive[direction];
+  const bodies::Drive& drive = state_.state.stage.drive[direction];
   const Real ramp = stage().ramp;
   const auto until = [&](Real t) { return t < ramp ? drive.to * t * t / (2 * ramp) : drive.to * (t - ramp / 2); };
   return drive.by_force ? 0 : until(to) - until(from);
@@ -115,11 +115,12 @@ FemLoads LoadSteps::dead_loads(Real time) const
 FemLoads LoadSteps::loads_after(Real dt) const
 {
   FemLoads loads = dead_loads(state_.state.time + dt);
+  loads.dt = dt;
   if (driven() == none) return loads;
   const problem::StageState<2>& now = state_.state.stage;
   const Real since = state_.state.time - now.begin_time;
   for (int d = 0; d < 2; ++d) {
-    const problem::Drive& drive = now.drive[d];
+    const bodies::Drive& drive = now.drive[d];
     loads.rigid[d] = {drive.by_force, drive.by_force ? ramped(stage(), drive, since + dt) : travel(d, since, since + dt)};
   }
   loads.rigid[2].by_force = model_.model.rigid_bodies[driven()].rotation == bodies::Rotation::free;

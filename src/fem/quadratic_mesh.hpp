@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "bodies/rigid.hpp"
+#include "bodies/rigid/rigid_body.hpp"
 #include "fem/triangle.hpp"
 #include "problem/case.hpp"
 

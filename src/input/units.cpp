@@ -26,6 +26,7 @@ constexpr Dimension dimensions[] = {
     {"m/s^2", "an acceleration", "-9.81 m/s^2", "-50 gravity"},
     {"rad/m", "a wave number", "3.14 rad/m", "180 deg/m"},
     {"rad/s", "an angular velocity", "0.1 rad/s", "5 deg/s"},
+    {"rad/s^2", "an angular acceleration", "2 rad/s^2", "90 deg/s^2"},
     {"1/s", "a rate", "0.1 1/s", "5 Hz"},
     {"kg/m", "a mass per length", "100 kg/m", "0.1 t/m"},
     {"kg/m^3", "a density", "1800 kg/m^3", "1.8 g/cm^3"},
@@ -33,6 +34,8 @@ constexpr Dimension dimensions[] = {
     {"Pa/m", "a stress per length", "2 kPa/m", "2000 Pa/m"},
     {"N", "a force", "500 N", "2 kN"},
     {"N/m", "a force per length", "500 N/m", "2 kN/m"},
+    {"N s", "an impulse", "2 N s", "0.5 kN s"},
+    {"N m s", "an angular momentum", "2 N m s", "0.5 kN m s"},
     {"N/m^3", "a weight per volume", "18 kN/m^3", "8000 N/m^3"},
     {"J", "an energy", "5 J", "2 kJ"},
     {"J/m", "an energy per length", "5 J/m", "2 kJ/m"},
@@ -127,6 +130,56 @@ std::string trimmed(const std::string& text)
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
+/// A text taken apart: the number as it is written, and the name of its unit ("" = none).
+struct Written {
+  Real number;
+  std::string unit;
+};
+
+[[noreturn]] void refuse_text(const std::string& text, const std::string& why, const std::string& wanted_words)
+{
+  throw UnitError(fmt::format("{} {}; wanted is {}", in_quotes(text), why, wanted_words));
+}
+
+Written taken_apart(const std::string& text, const std::string& wanted_words)
+{
+  const std::string whole = trimmed(text);
+  const char *first = whole.data() + (whole.starts_with("+") ? 1 : 0), *last = whole.data() + whole.size();
+  Real number = 0;
+  const auto [end, problem] = std::from_chars(first, last, number);
+  if (problem == std::errc::invalid_argument || (first != whole.data() && whole[1] == '-'))
+    refuse_text(text, "does not begin with a number", wanted_words);
+  if (problem != std::errc{} || !std::isfinite(number)) refuse_text(text, "is not a number that can be computed with", wanted_words);
+  const std::string name = trimmed(std::string(end, last));
+  if (name.starts_with(",")) refuse_text(text, "has a decimal comma where a point should be", wanted_words);
+  return {number, name};
+}
+
+Unit known_unit(const std::string& text, const std::string& name, const std::string& wanted_words)
+{
+  Unit unit = spelled_as_unit(name) ? parse_unit(name) : Unit();
+  if (!unit) refuse_text(text, fmt::format("has the unknown unit {}", in_quotes(name)), wanted_words);
+  return unit;
+}
+
+Unit si_unit_of(const std::string& name)
+{
+  Unit unit = parse_unit(name);
+  if (!unit) throw std::logic_error("the unit of a parameter is not one of UDUNITS-2: " + name);
+  return unit;
+}
+
+/// Whether numbers go from one unit to the other. For UDUNITS-2 an angle is a bare number.
+bool convertible(const ut_unit* unit, const ut_unit* si, bool bare)
+{
+  return ut_are_convertible(unit, si) != 0 && (!bare || power_of_radian(unit) == power_of_radian(si));
+}
+
+bool is_bare(const std::string& si_unit)
+{
+  return si_unit.empty() || si_unit == "1" || si_unit == "rad";
+}
+
 }  // namespace
 
 const char* unit_in_space(const char* si_unit)
@@ -146,31 +199,33 @@ std::string wanted(const std::string& si_unit)
 
 Real to_si(const std::string& text, const std::string& si_unit)
 {
-  const auto refuse = [&](const std::string& why) {
-    throw UnitError(fmt::format("{} {}; wanted is {}", in_quotes(text), why, wanted(si_unit)));
-  };
-  const std::string whole = trimmed(text);
-  const char *first = whole.data() + (whole.starts_with("+") ? 1 : 0), *last = whole.data() + whole.size();
-  Real number = 0;
-  const auto [end, problem] = std::from_chars(first, last, number);
-  if (problem == std::errc::invalid_argument || (first != whole.data() && whole[1] == '-')) refuse("does not begin with a number");
-  if (problem != std::errc{} || !std::isfinite(number)) refuse("is not a number that can be computed with");
-
-  const std::string name = trimmed(std::string(end, last));
-  if (name.empty()) return number;
-  if (name.starts_with(",")) refuse("has a decimal comma where a point should be");
-  const Unit unit = spelled_as_unit(name) ? parse_unit(name) : Unit();
-  if (!unit) refuse(fmt::format("has the unknown unit {}", in_quotes(name)));
-  const Unit si = parse_unit(si_unit);
-  if (!si) throw std::logic_error("the unit of a parameter is not one of UDUNITS-2: " + si_unit);
-  const bool bare = si_unit.empty() || si_unit == "rad";
-  if (!ut_are_convertible(unit.get(), si.get()) || (bare && power_of_radian(unit.get()) != power_of_radian(si.get())))
-    refuse("has the wrong dimension");
+  const std::string words = wanted(si_unit);
+  const Written written = taken_apart(text, words);
+  if (written.unit.empty()) return written.number;
+  const Unit unit = known_unit(text, written.unit, words), si = si_unit_of(si_unit);
+  if (!convertible(unit.get(), si.get(), is_bare(si_unit))) refuse_text(text, "has the wrong dimension", words);
   const std::unique_ptr<cv_converter, Free> converter(ut_get_converter(unit.get(), si.get()));
-  if (!converter || cv_convert_double(converter.get(), 0) != 0) refuse("is on a scale that does not begin at zero");
-  const Real value = cv_convert_double(converter.get(), number);
-  if (!std::isfinite(value)) refuse("is not a number that can be computed with");
+  if (!converter || cv_convert_double(converter.get(), 0) != 0) refuse_text(text, "is on a scale that does not begin at zero", words);
+  const Real value = cv_convert_double(converter.get(), written.number);
+  if (!std::isfinite(value)) refuse_text(text, "is not a number that can be computed with", words);
   return value;
+}
+
+SiQuantity to_si(const std::string& text)
+{
+  const std::string words = "a number with its unit, such as \"20 mm\" or \"35 deg\"";
+  const Written written = taken_apart(text, words);
+  if (written.unit.empty()) return {written.number, "1"};
+  const Unit unit = known_unit(text, written.unit, words);
+  for (const Dimension& d : dimensions)
+    if (convertible(unit.get(), si_unit_of(d.si_unit).get(), true)) return {to_si(text, d.si_unit), *d.si_unit == '\0' ? "1" : d.si_unit};
+  refuse_text(text, "is in a unit of nothing that is measured", words);
+}
+
+bool same_dimension(const std::string& unit, const std::string& other)
+{
+  const Unit one = parse_unit(unit), two = parse_unit(other);
+  return one && two && convertible(one.get(), two.get(), true);
 }
 
 }  // namespace berm::input

@@ -18,6 +18,18 @@ struct UnitError : std::invalid_argument {
 /// the number is not finite, and for scales that do not begin at zero (degC). Units are those of UDUNITS-2, and deg.
 Real to_si(const std::string& text, const std::string& si_unit);
 
+/// A number in SI units, and the unit.
+struct SiQuantity {
+  Real value;
+  std::string unit;  ///< "1" = a bare number
+};
+
+/// The same for a text whose dimension is not known before: in the SI unit of its own. Throws UnitError where there is no such unit.
+SiQuantity to_si(const std::string& text);
+
+/// Whether numbers in these units can be compared; "1" and "" are bare numbers.
+bool same_dimension(const std::string& unit, const std::string& other);
+
 /// The unit in space of a quantity that plane strain counts per metre run: N for N/m, kg for kg/m, kg m^2 for kg m; any other as it is.
 const char* unit_in_space(const char* si_unit);
 

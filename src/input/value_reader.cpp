@@ -29,7 +29,7 @@ Real ValueReader::number(const Node& node, const std::string& path) const
   Real value = 0;
   if (node.kind == Node::Kind::text) {
     try {
-      value = to_si(node.text, parameter_.unit);
+      value = parameter_.any_unit != nullptr ? number_in_any_unit(node, path) : to_si(node.text, parameter_.unit);
     } catch (const UnitError& error) {
       refuse(document_, node, path, error.what());
     }
@@ -43,6 +43,16 @@ Real ValueReader::number(const Node& node, const std::string& path) const
   if (!std::isfinite(value)) refuse(document_, node, path, fmt::format("must be a finite number, not {}", value));
   check_range(node, path, value);
   return value;
+}
+
+Real ValueReader::number_in_any_unit(const Node& node, const std::string& path) const
+{
+  const SiQuantity quantity = to_si(node.text);
+  if (!parameter_.any_unit->empty() && !same_dimension(*parameter_.any_unit, quantity.unit))
+    refuse(document_, node, path,
+           fmt::format("{} is in {}, another number beside it in {}", in_quotes(node.text), quantity.unit, *parameter_.any_unit));
+  *parameter_.any_unit = quantity.unit;
+  return quantity.value;
 }
 
 void ValueReader::check_range(const Node& node, const std::string& path, Real value) const

@@ -32,6 +32,7 @@ private:
   Real number(const Node& node, const std::string& path) const;
   int whole_number(const Node& node, const std::string& path) const;
   std::string text(const Node& node, const std::string& path) const;
+  Real number_in_any_unit(const Node& node, const std::string& path) const;
   void check_range(const Node& node, const std::string& path, Real value) const;
   void check_array(const char* what, const char* example, const std::string& entries) const;
   void check_names(const char* example) const;

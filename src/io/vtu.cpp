@@ -4,6 +4,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/vtk_name.hpp"
+#include "io/xml_tag.hpp"
 
 #include <deque>
 #include <fmt/format.h>
@@ -40,12 +41,13 @@ void Vtu::add_cell(VtkCell type, const std::vector<Index>& points)
 }
 
 template <class T>
-void Vtu::point_field(const std::string& name, int components, const std::vector<T>& values,
-                      std::initializer_list<const char*> component_names)
+void Vtu::point_field(const FieldInfo& info, const std::vector<T>& values, const std::vector<const char*>& component_names)
 {
-  std::string words = attributes<T>(name, components);
+  std::string words = attributes<T>(info.name, info.components);
   int k = 0;
   for (const char* component : component_names) words += fmt::format(" ComponentName{}=\"{}\"", k++, component);
+  for (const auto& [name, text] : {std::pair("Label", info.label), std::pair("Unit", info.unit)})
+    if (!text.empty()) words += fmt::format(" {}=\"{}\"", name, xml_attribute(text));
   point_fields_.push_back({words, bytes_of(values)});
 }
 
@@ -92,9 +94,9 @@ void Vtu::write(const std::filesystem::path& path) const
   write_atomically(path, parts);
 }
 
-template void Vtu::point_field(const std::string&, int, const std::vector<double>&, std::initializer_list<const char*>);
-template void Vtu::point_field(const std::string&, int, const std::vector<float>&, std::initializer_list<const char*>);
-template void Vtu::point_field(const std::string&, int, const std::vector<std::int32_t>&, std::initializer_list<const char*>);
+template void Vtu::point_field(const FieldInfo&, const std::vector<double>&, const std::vector<const char*>&);
+template void Vtu::point_field(const FieldInfo&, const std::vector<float>&, const std::vector<const char*>&);
+template void Vtu::point_field(const FieldInfo&, const std::vector<std::int32_t>&, const std::vector<const char*>&);
 template void Vtu::cell_field(const std::string&, int, const std::vector<double>&);
 template void Vtu::cell_field(const std::string&, int, const std::vector<float>&);
 template void Vtu::cell_field(const std::string&, int, const std::vector<std::int32_t>&);

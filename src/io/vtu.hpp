@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/field_info.hpp"
 #include "core/types.hpp"
 
 #include <cstdint>
 #include <filesystem>
-#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,10 +37,10 @@ public:
   void reserve_cells(std::size_t cells, std::size_t points);
   void add_cell(VtkCell type, const std::vector<Index>& points);
 
-  /// A field: `components` numbers of each point or cell, one after the other. T: float, double or std::int32_t.
+  /// A field: `components` numbers of each point or cell, one after the other. T: float, double or std::int32_t. Of a field of points the file has the
+  /// label and the unit too, as attributes Label and Unit of its array, which other programs pass over.
   template <class T>
-  void point_field(const std::string& name, int components, const std::vector<T>& values,
-                   std::initializer_list<const char*> component_names = {});
+  void point_field(const FieldInfo& info, const std::vector<T>& values, const std::vector<const char*>& component_names = {});
   template <class T>
   void cell_field(const std::string& name, int components, const std::vector<T>& values);
   template <class T>

@@ -85,6 +85,18 @@ void VtuFile::read_header()
     if (!offset) refuse("is damaged: an array has no place");
     arrays_[tag["Name"]] = {tag["type"], *offset};
   }
+  const std::size_t first = std::min(header.find("<PointData>"), header.size()),
+                    last = std::min(header.find("</PointData>"), header.size());
+  if (last < first) refuse("is damaged: its fields end before they begin");
+  for (const XmlTag& tag : xml_tags(std::string_view(header).substr(first, last - first), "DataArray")) {
+    if (tag["type"] != vtk_name<float>) continue;
+    constexpr std::uint64_t max_components = 9;
+    const std::uint64_t components = tag.whole_number("NumberOfComponents").value_or(1);
+    if (components < 1 || components > max_components)
+      refuse(fmt::format("is damaged: the array {} has {} components", tag["Name"], components));
+    const std::string name = tag["Name"], label = tag["Label"];
+    point_fields_.push_back({name, label.empty() ? name : label, tag["Unit"], static_cast<int>(components), to_frame});
+  }
 }
 
 template <class T>

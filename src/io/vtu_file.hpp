@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/field_info.hpp"
 #include "core/types.hpp"
 
 #include <filesystem>
@@ -22,6 +23,9 @@ public:
 
   std::size_t point_count() const { return points_; }
   std::size_t cell_count() const { return cells_; }
+
+  /// The fields of points of single precision, in their order; a label that is not there is the name.
+  const std::vector<FieldInfo>& point_fields() const { return point_fields_; }
 
   /// All numbers of an array; T must be what the file holds.
   template <class T>
@@ -46,6 +50,7 @@ private:
   std::uint64_t size_ = 0, data_ = 0, data_end_ = 0;  ///< bytes: the file's, where the appended data begins and ends
   std::size_t points_ = 0, cells_ = 0;
   std::map<std::string, Array> arrays_;
+  std::vector<FieldInfo> point_fields_;
 };
 
 }  // namespace berm::io

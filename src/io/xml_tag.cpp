@@ -4,6 +4,8 @@
 
 #include <charconv>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace berm::io {
 namespace {
@@ -19,7 +21,22 @@ std::optional<T> number_in(const std::string& text)
   return value;
 }
 
+constexpr std::pair<const char*, const char*> entities[] = {{"&", "&amp;"}, {"<", "&lt;"}, {">", "&gt;"}, {"\"", "&quot;"}};
+
+void replace_all(std::string& text, const std::string& what, const std::string& instead)
+{
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + instead.size()))
+    text.replace(at, what.size(), instead);
+}
+
 }  // namespace
+
+std::string xml_attribute(const std::string& text)
+{
+  std::string value = text;
+  for (const auto& [letter, entity] : entities) replace_all(value, letter, entity);
+  return value;
+}
 
 std::string XmlTag::operator[](const std::string& attribute) const
 {
@@ -27,7 +44,10 @@ std::string XmlTag::operator[](const std::string& attribute) const
   const std::size_t at = text_.find(begin);
   if (at == std::string_view::npos) return "";
   const std::size_t from = at + begin.size(), to = text_.find('"', from);
-  return to == std::string_view::npos ? "" : std::string(text_.substr(from, to - from));
+  if (to == std::string_view::npos) return "";
+  std::string value(text_.substr(from, to - from));
+  for (auto entity = std::rbegin(entities); entity != std::rend(entities); ++entity) replace_all(value, entity->second, entity->first);
+  return value;
 }
 
 std::optional<std::uint64_t> XmlTag::whole_number(const std::string& attribute) const

@@ -9,7 +9,10 @@
 
 namespace berm::io {
 
-/// A tag of the XML that berm writes: no quotes or brackets within its values.
+/// A text as the value of an attribute: & < > and " as entities.
+std::string xml_attribute(const std::string& text);
+
+/// A tag of the XML that berm writes.
 class XmlTag {
 public:
   explicit XmlTag(std::string_view text) : text_(text) {}

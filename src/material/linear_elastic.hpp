@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/describe.hpp"
 #include "material/elasticity.hpp"
+#include "material/increment.hpp"
+#include "material/law_answers.hpp"
 
 namespace berm::material {
 
 /// Isotropic linear elasticity, as the user gives it.
 struct LinearElastic {
+  static constexpr const char* word = "linear_elastic";
   static constexpr int state_size = 0;
 
   Real density = 0;                     ///< kg/m3, of the weight
@@ -30,17 +32,22 @@ inline Elasticity elasticity(const LinearElastic& law)
   return elasticity(law.young_modulus, law.poisson_ratio);
 }
 
+inline bool yields(const LinearElastic&)
+{
+  return false;
+}
+
 inline PreparedLinearElastic prepare(const LinearElastic& law)
 {
   return {elasticity(law)};
 }
 
-/// Adds to `stress` (Pa, tension positive) what the strain increment makes of it. There is no state; the last argument is not read.
+/// Adds to `stress` (Pa, tension positive) what the strain makes of it. There is no state; the last argument is not read.
 template <int dim, class T>
-[[gnu::always_inline]] inline void update_stress(const PreparedLinearElastic& law, SymTensor<dim, T>& stress,
-                                                 const SymTensor<dim, T>& strain_increment, T* /*state*/)
+[[gnu::always_inline]] inline void update(const PreparedLinearElastic& law, SymTensor<dim, T>& stress, const Increment<dim, T>& increment,
+                                          T* /*state*/)
 {
-  add_elastic_stress(law.elastic, stress, strain_increment);
+  add_elastic_stress(law.elastic, stress, increment.strain);
 }
 
 }  // namespace berm::material

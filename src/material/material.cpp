@@ -5,16 +5,19 @@ namespace berm::material {
 
 void describe(Describe& d, Material& material)
 {
-  d.one_of("law", material, {"linear_elastic", "mohr_coulomb"}, {.meaning = "how stress follows strain", .required = true});
+  d.one_of("law", material, Laws::words(), {.meaning = "how stress follows strain", .required = true});
 }
 
 void check(Describe& d, const std::string& path, const Material& material)
 {
-  if (const auto* law = std::get_if<MohrCoulomb>(&material))
-    d.check(law->dilation_angle <= law->friction_angle, path + ".dilation_angle",
-            "the dilation angle cannot be larger than the friction angle");
+  std::visit([&](const auto& law) { check(d, path, law); }, material);
   d.check(inertia_density(material) >= density(material), path + ".inertia_density",
           "cannot be less than density, which the weight comes from");
+}
+
+PreparedMaterial prepare(const Material& material)
+{
+  return std::visit([](const auto& law) { return PreparedMaterial(prepare(law)); }, material);
 }
 
 Real density(const Material& material)
@@ -32,6 +35,11 @@ Elasticity elasticity(const Material& material)
   return std::visit([](const auto& law) { return elasticity(law); }, material);
 }
 
+YoungPoisson young_poisson(const Material& material)
+{
+  return std::visit([](const auto& law) { return young_poisson(law); }, material);
+}
+
 Real p_wave_modulus(const Material& material)
 {
   return p_wave_modulus(elasticity(material));
@@ -42,24 +50,59 @@ int state_size(const Material& material)
   return std::visit([](const auto& law) { return law.state_size; }, material);
 }
 
+std::string law_name(const Material& material)
+{
+  return std::visit([](const auto& law) { return law_name(law); }, material);
+}
+
+std::vector<FieldInfo> state_fields(const Material& material)
+{
+  return std::visit([](const auto& law) { return state_fields(law); }, material);
+}
+
 bool yields(const Material& material)
 {
-  return !std::holds_alternative<LinearElastic>(material);
+  return std::visit([](const auto& law) { return yields(law); }, material);
+}
+
+std::optional<Strength> strength_at_rest(const Material& material)
+{
+  return std::visit([](const auto& law) { return strength_at_rest(law); }, material);
+}
+
+std::optional<Real> shear_strength(const Material& material, Real middle, const Real* state)
+{
+  return std::visit([&](const auto& law) { return shear_strength(law, middle, state); }, material);
 }
 
 bool dilates(const Material& material)
 {
-  const auto* law = std::get_if<MohrCoulomb>(&material);
-  return law != nullptr && law->dilation_angle > 0;
+  return std::visit([](const auto& law) { return dilates(law); }, material);
 }
 
-Material without_dilation(Material material)
+Material without_dilation(const Material& material)
 {
-  if (auto* law = std::get_if<MohrCoulomb>(&material)) {
-    law->max_opening = prepare(*law).max_opening;
-    law->dilation_angle = 0;
-  }
-  return material;
+  return std::visit([](const auto& law) { return Material(without_dilation(law)); }, material);
+}
+
+std::string depth_key(const Material& material)
+{
+  return std::visit([](const auto& law) { return depth_key(law); }, material);
+}
+
+Material at_depth(const Material& material, Real depth)
+{
+  return std::visit([&](const auto& law) { return Material(at_depth(law, depth)); }, material);
+}
+
+bool non_associated(const Material& material)
+{
+  return std::visit([](const auto& law) { return non_associated(law); }, material);
+}
+
+Material associated(const Material& material, const SymTensor<2>& stress)
+{
+  return std::visit([&](const auto& law) { return Material(associated(law, stress)); }, material);
 }
 
 }  // namespace berm::material

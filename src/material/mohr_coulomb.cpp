@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "material/mohr_coulomb.hpp"
 
+#include "material/describe_elasticity.hpp"
+
 #include <algorithm>
 
 namespace berm::material {
@@ -9,14 +11,7 @@ void describe(Describe& d, MohrCoulomb& law)
 {
   // 60 degrees, and a little for rounding.
   constexpr Real steepest = 1.0472;
-  d.value("density", law.density, {.meaning = "mass of a unit of volume", .unit = "kg/m^3", .range = positive, .required = true});
-  d.value("inertia_density", law.inertia_density,
-          {.meaning = "density that resists acceleration, where it is not `density`, which gives the weight: of submerged soil the "
-                      "saturated one and the added mass of the water",
-           .unit = "kg/m^3",
-           .range = positive});
-  d.value("young_modulus", law.young_modulus, {.meaning = "Young's modulus", .unit = "Pa", .range = positive, .required = true});
-  d.value("poisson_ratio", law.poisson_ratio, {.meaning = "Poisson's ratio", .range = {0, 0.495}, .required = true});
+  describe_elasticity(d, law);
   d.value("cohesion", law.cohesion,
           {.meaning = "cohesion; the undrained strength where friction_angle is 0", .unit = "Pa", .range = not_negative});
   d.value("cohesion_gradient", law.cohesion_gradient,
@@ -35,6 +30,12 @@ void describe(Describe& d, MohrCoulomb& law)
                       "0.2 where dilation_angle is above 0, else 0",
            .range = {0, 1},
            .formerly = "most_opening"});
+}
+
+void check(Describe& d, const std::string& path, const MohrCoulomb& law)
+{
+  d.check(law.dilation_angle <= law.friction_angle, path + ".dilation_angle",
+          "the dilation angle cannot be larger than the friction angle");
 }
 
 namespace {
@@ -83,6 +84,19 @@ PreparedMohrCoulomb prepare(const MohrCoulomb& law)
   }
   p.inner_cone = std::sqrt(1 + friction * friction / 3);
   return p;
+}
+
+MohrCoulomb without_dilation(MohrCoulomb law)
+{
+  if (!dilates(law)) return law;
+  law.max_opening = prepare(law).max_opening;
+  law.dilation_angle = 0;
+  return law;
+}
+
+std::optional<Real> shear_strength(const MohrCoulomb& law, Real middle, const Real* /*state*/)
+{
+  return law.cohesion * std::cos(law.friction_angle) - middle * std::sin(law.friction_angle);
 }
 
 MohrCoulomb at_depth(MohrCoulomb law, Real depth)

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/describe.hpp"
+#include "material/increment.hpp"
+#include "material/law_answers.hpp"
 #include "material/mohr_coulomb_return.hpp"
-
-#include <optional>
 
 namespace berm::material {
 
@@ -24,6 +23,7 @@ namespace berm::material {
 /// energy, and for c = 0 no work is done at all. The opening is bounded by max_opening, beyond which expansion is forgotten; 0 is plain
 /// Mohr-Coulomb.
 struct MohrCoulomb {
+  static constexpr const char* word = "mohr_coulomb";
   static constexpr int state_size = 1;
 
   Real density = 0;                     ///< kg/m3, of the weight
@@ -40,12 +40,49 @@ struct MohrCoulomb {
 
 void describe(Describe& d, MohrCoulomb& law);
 
+/// The dilation angle is not larger than the friction angle.
+void check(Describe& d, const std::string& path, const MohrCoulomb& law);
+
 inline Elasticity elasticity(const MohrCoulomb& law)
 {
   return elasticity(law.young_modulus, law.poisson_ratio);
 }
 
+inline std::string law_name(const MohrCoulomb& law)
+{
+  return law.friction_angle == 0 ? "Tresca" : "Mohr-Coulomb";
+}
+
 PreparedMohrCoulomb prepare(const MohrCoulomb& law);
+
+/// Soil that cannot come apart keeps an opening of zero, which no frame needs.
+inline std::vector<FieldInfo> state_fields(const MohrCoulomb& law)
+{
+  const unsigned travel = prepare(law).max_opening > 0 ? everywhere : everywhere & ~to_frame;
+  return {{"opening", "opening: volumetric strain by which the soil has come apart", "", 1, travel}};
+}
+
+inline std::optional<Strength> strength_at_rest(const MohrCoulomb& law)
+{
+  return Strength{law.cohesion, law.cohesion_gradient, law.friction_angle, law.dilation_angle};
+}
+std::optional<Real> shear_strength(const MohrCoulomb& law, Real middle, const Real* state);
+
+inline bool dilates(const MohrCoulomb& law)
+{
+  return law.dilation_angle > 0;
+}
+inline bool non_associated(const MohrCoulomb& law)
+{
+  return law.dilation_angle < law.friction_angle;
+}
+inline std::string depth_key(const MohrCoulomb& law)
+{
+  return law.cohesion_gradient > 0 ? "cohesion_gradient" : "";
+}
+
+/// With a dilation angle of zero; it remembers the opening as before.
+MohrCoulomb without_dilation(MohrCoulomb law);
 
 /// How far a stress lies outside the surface, Pa: max(f, s1 - tension_cutoff), at most 0 inside.
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<2>& stress);
@@ -60,15 +97,15 @@ MohrCoulomb at_depth(MohrCoulomb law, Real depth);
 /// law itself where its flow is associated.
 MohrCoulomb associated(const MohrCoulomb& law, const SymTensor<2>& stress);
 
-/// Advances `stress` (Pa, tension positive) by a strain increment: elastic predictor, then the exact implicit return to the surface. state[0] is the
+/// Advances `stress` (Pa, tension positive) by an increment, whatever its time: elastic predictor, then the exact implicit return to the surface. state[0] is the
 /// opening. Lanes without a particle may hold any numbers. T should fit a register of the machine: Real or LanePart.
 template <int dim, class T>
-[[gnu::always_inline]] inline void update_stress(const PreparedMohrCoulomb& law, SymTensor<dim, T>& stress,
-                                                 const SymTensor<dim, T>& strain_increment, T* state)
+[[gnu::always_inline]] inline void update(const PreparedMohrCoulomb& law, SymTensor<dim, T>& stress, const Increment<dim, T>& increment,
+                                          T* state)
 {
   using Mask = decltype(T{} < T{});
   T& opening = state[0];
-  SymTensor<dim, T> strain = strain_increment;
+  SymTensor<dim, T> strain = increment.strain;
   const Mask was_open = opening > T{};
   if (any(was_open)) [[unlikely]] {
     const T volume = trace(strain), left = opening + volume, one = T{} + 1.;

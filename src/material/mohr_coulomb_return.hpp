@@ -36,21 +36,22 @@ struct Principal {
 
 /// Returns principal trial stresses to the surface and gives the volumetric plastic strain of returns that end at the apex, 0 elsewhere.
 /// Stresses on or inside the surface stay as they are. Without branches over the lanes: face, the two edges and the apex of the cone; then, where
-/// a tension above the cut-off remains, the cut-off's planes and their meeting with the cone.
-template <class T>
-[[gnu::always_inline]] inline T return_principal(const PreparedMohrCoulomb& law, Principal<T>& s)
+/// a tension above the cut-off remains, the cut-off's planes and their meeting with the cone. `strength`, Pa, takes the place of law.strength; it may differ
+/// from lane to lane where the law has no apex and no cut-off.
+template <class T, class S>
+[[gnu::always_inline]] inline T return_principal(const PreparedMohrCoulomb& law, const S& strength, Principal<T>& s)
 {
   using Mask = decltype(T{} < T{});
   const T s1 = s.s1, s2 = s.s2, s3 = s.s3;
   const T cone_apex = law.cone_apex - T{}, apex = law.apex - T{};
 
-  const T f = law.weight_1 * s1 - law.weight_3 * s3 - law.strength;
+  const T f = law.weight_1 * s1 - law.weight_3 * s3 - strength;
   const T face = f * law.per_face;
   const T face_1 = s1 - face * law.drop_1, face_2 = s2 - face * law.drop_2, face_3 = s3 - face * law.drop_3;
   const T mean_12 = (s1 + s2) * 0.5, mean_23 = (s2 + s3) * 0.5;
-  const T high = (law.weight_1 * mean_12 - law.weight_3 * s3 - law.strength) * law.per_high;
+  const T high = (law.weight_1 * mean_12 - law.weight_3 * s3 - strength) * law.per_high;
   const T high_1 = mean_12 - high * law.drop_high, high_3 = s3 - high * law.drop_3;
-  const T low = (law.weight_1 * s1 - law.weight_3 * mean_23 - law.strength) * law.per_low;
+  const T low = (law.weight_1 * s1 - law.weight_3 * mean_23 - strength) * law.per_low;
   const T low_1 = s1 - low * law.drop_1, low_3 = mean_23 - low * law.drop_low;
 
   // A stress on an edge is beyond the apex where its smaller principal stress is above it.
@@ -96,22 +97,22 @@ template <class T>
 }
 
 /// Returns a trial stress of plane strain to the surface; what opens at the apex is added to the opening.
-template <class T>
-[[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, SymTensor<2, T>& stress, T& opening)
+template <class T, class S>
+[[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, const S& strength, SymTensor<2, T>& stress, T& opening)
 {
   using Mask = decltype(T{} < T{});
   const T mean = (stress[0] + stress[1]) * 0.5, half = (stress[0] - stress[1]) * 0.5, z = stress[2];
   const T radius = square_root(half * half + stress[3] * stress[3]);
   const T a = mean + radius, b = mean - radius;
   Principal<T> s{larger(a, z), T{}, smaller(b, z)};
-  const T f = law.weight_1 * s.s1 - law.weight_3 * s.s3 - law.strength;
+  const T f = law.weight_1 * s.s1 - law.weight_3 * s.s3 - strength;
   const Mask outside = (f > T{}) | (s.s1 > law.tension);
   if (!any(outside)) [[likely]]
     return;
 
   s.s2 = larger(b, smaller(a, z));
   const Mask z_first = z > a, z_last = z < b;
-  const T opened = return_principal(law, s);
+  const T opened = return_principal(law, strength, s);
   const T new_z = z_first ? s.s1 : (z_last ? s.s3 : s.s2);
   const T new_a = z_first ? s.s2 : s.s1, new_b = z_last ? s.s2 : s.s3;
   const T new_mean = (new_a + new_b) * 0.5;
@@ -124,32 +125,39 @@ template <class T>
 }
 
 /// Returns trial stresses in space that lie outside the surface, through their principal axes. A function of its own: rarely needed, and long.
-template <class T>
-[[gnu::noinline]] void return_by_axes(const PreparedMohrCoulomb& law, SymTensor<3, T>& stress, T& opening)
+template <class T, class S>
+[[gnu::noinline]] void return_by_axes(const PreparedMohrCoulomb& law, const S& strength, SymTensor<3, T>& stress, T& opening)
 {
   using Mask = decltype(T{} < T{});
   const PrincipalAxes<T> axes = principal_axes(stress);
   Principal<T> s{axes.value[0], axes.value[1], axes.value[2]};
-  const Mask outside = (law.weight_1 * s.s1 - law.weight_3 * s.s3 - law.strength > T{}) | (s.s1 > law.tension);
+  const Mask outside = (law.weight_1 * s.s1 - law.weight_3 * s.s3 - strength > T{}) | (s.s1 > law.tension);
   if (!any(outside)) return;
-  const T opened = return_principal(law, s);
+  const T opened = return_principal(law, strength, s);
   opening = smaller(opening + (outside ? opened : T{}), law.max_opening - T{});
   const SymTensor<3, T> returned = tensor_from({s.s1, s.s2, s.s3}, axes.direction);
   for (int k = 0; k < 6; ++k) stress[k] = outside ? returned[k] : stress[k];
 }
 
 /// Returns a trial stress in space to the surface. The check takes the cone inside the pyramid that touches its faces, and needs no principal stress.
-template <class T>
-[[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, SymTensor<3, T>& stress, T& opening)
+template <class T, class S>
+[[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, const S& strength, SymTensor<3, T>& stress, T& opening)
 {
   const T mean = trace(stress) * (1. / 3);
   SymTensor<3, T> deviator = stress;
   for (int k = 0; k < 3; ++k) deviator[k] -= mean;
   const T size = square_root(double_dot(deviator, deviator) * 0.5);
-  const auto outside = (law.inner_cone * size + (law.weight_1 - law.weight_3) * mean - law.strength > T{}) |
+  const auto outside = (law.inner_cone * size + (law.weight_1 - law.weight_3) * mean - strength > T{}) |
                        (mean + 1.1547005383792517 * size > law.tension);  // 2/sqrt(3): s1 <= p + 2/sqrt(3) sqrt(J2)
   if (any(outside)) [[unlikely]]
-    return_by_axes(law, stress, opening);
+    return_by_axes(law, strength, stress, opening);
+}
+
+/// With the law's own strength.
+template <int dim, class T>
+[[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, SymTensor<dim, T>& stress, T& opening)
+{
+  return_to_surface(law, law.strength, stress, opening);
 }
 
 }  // namespace berm::material

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "material/mohr_coulomb.hpp"
+#include "material/law_answers.hpp"
 
 #include <cmath>
 
@@ -9,16 +9,16 @@ namespace berm::material {
 
 /// The friction angle phi*, rad, of soil in a shear band, whose plane does not change its length: tan(phi*) = cos(psi) sin(phi) / (1 - sin(psi) sin(phi)),
 /// phi where psi = phi. [Davis 1968; Drescher and Detournay 1993]
-inline Real friction_angle_in_shear_bands(const MohrCoulomb& law)
+inline Real friction_angle_in_shear_bands(const Strength& strength)
 {
-  const Real phi = std::sin(law.friction_angle), psi = law.dilation_angle;
+  const Real phi = std::sin(strength.friction_angle), psi = strength.dilation_angle;
   return std::atan(std::cos(psi) * phi / (1 - std::sin(psi) * phi));
 }
 
 /// The part of tan(phi) that shear bands take from the soil; 0 without friction.
-inline Real friction_lost_in_shear_bands(const MohrCoulomb& law)
+inline Real friction_lost_in_shear_bands(const Strength& strength)
 {
-  return law.friction_angle > 0 ? 1 - std::tan(friction_angle_in_shear_bands(law)) / std::tan(law.friction_angle) : 0;
+  return strength.friction_angle > 0 ? 1 - std::tan(friction_angle_in_shear_bands(strength)) / std::tan(strength.friction_angle) : 0;
 }
 
 }  // namespace berm::material

@@ -2,6 +2,8 @@
 // Tests: tests/physics/momentum.cpp
 #include "mpm/balance.hpp"
 
+#include "boundary/damping.hpp"
+
 #include "core/for_each.hpp"
 #include "mpm/diagnose.hpp"
 #include "problem/stages.hpp"
@@ -67,7 +69,7 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
     Vec<dim> damping = Vec<dim>::Zero();
     for (int d = 0; d < dim; ++d) {
       const bool held = fixed[i] >> d & 1;
-      if (!held && v[d] != 0) damping[d] = -factor * std::abs(force[d]) * (v[d] > 0 ? 1 : -1);
+      if (!held) damping[d] = boundary::local_damping(factor, force[d], v[d]);
       if (!held && !grid.touching[i]) sums_i.unbalanced += std::abs(force[d]);
     }
     const Vec<dim> total = force + damping;

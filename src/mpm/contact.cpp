@@ -63,7 +63,7 @@ void set_effective_masses(const problem::Model<dim>& model, const Work<dim>& wor
       const Real m = work.grids[b].mass[node];
       if (!(m > 0)) return;
       free += N * N / m;
-      gives_way += problem::without_held<dim>(model.fixed[work.grids[b].fixed], node, Vec<dim>::Constant(N * N / m));
+      gives_way += boundary::without_held<dim>(model.fixed[work.grids[b].fixed], node, Vec<dim>::Constant(N * N / m));
     };
     for (int k = 0; k < point.node_count; ++k) add(contact.body, point.nodes[k], point.weights[k]);
     if (contact.other_body != none) add(contact.other_body, point.nodes[0], 1);
@@ -122,7 +122,7 @@ void push(const problem::Model<dim>& model, Work<dim>& work, const problem::Cont
 {
   const auto give = [&](Index b, Index node, const Vec<dim>& part) {
     BodyGrid<dim>& grid = work.grids[b];
-    if (grid.mass[node] > 0) field.change(grid, node, problem::without_held<dim>(model.fixed[grid.fixed], node, part / grid.mass[node]));
+    if (grid.mass[node] > 0) field.change(grid, node, boundary::without_held<dim>(model.fixed[grid.fixed], node, part / grid.mass[node]));
   };
   for (int n = 0; n < point.node_count; ++n) give(contact.body, point.nodes[n], point.weights[n] * impulse);
   if (contact.other_body != none) give(contact.other_body, point.nodes[0], -impulse);
@@ -241,11 +241,11 @@ void react(const problem::Model<dim>& model, problem::State<dim>& state, Work<di
 {
   const Real dt = state.dt;
   const Vec<dim> gravity = gravity_now(model, state.time);
-  for (bodies::RigidState<dim>& rigid : state.rigid_bodies) rigid.reaction.setZero(), rigid.torque = 0;
+  for (bodies::RigidState<dim>& rigid : state.rigid_bodies) rigid.reaction.setZero(), rigid.torque = bodies::no_angular<dim>();
   // A node's share of an impulse. It also moves the mid velocity with which gravity and tractions were taken to work; supports take what they hold.
   const auto add = [&](Index b, Index node, const Vec<dim>& impulse, const Vec<dim>& partner_velocity) {
     const BodyGrid<dim>& grid = work.grids[b];
-    const Vec<dim> taken = problem::without_held<dim>(model.fixed[grid.fixed], node, impulse);
+    const Vec<dim> taken = boundary::without_held<dim>(model.fixed[grid.fixed], node, impulse);
     state.totals.contact_impulse += impulse;
     state.totals.support_impulse += taken - impulse;
     state.totals.external += 0.5 * dt * model.bodies[b].weight_over_mass * gravity.dot(taken);
@@ -269,7 +269,7 @@ void react(const problem::Model<dim>& model, problem::State<dim>& state, Work<di
       const Vec<dim> surface_velocity = velocity_at(model.rigid_bodies[contact.rigid], rigid, point.place);
       for (int n = 0; n < point.node_count; ++n) add(contact.body, point.nodes[n], point.weights[n] * impulse, surface_velocity);
       const Vec<dim> arm = point.place - center_now(model.rigid_bodies[contact.rigid], rigid);
-      const Real turning = arm[0] * impulse[1] - arm[1] * impulse[0];
+      const bodies::Angular<dim> turning = bodies::moment_of(arm, impulse);
       rigid.reaction -= impulse / dt;
       rigid.torque -= turning / dt;
       rigid.impulse += impulse;
@@ -350,22 +350,16 @@ void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& s
 }
 
 template <int dim>
-void move_rigids(const problem::Model<dim>& model, problem::State<dim>& state)
+void move_rigids(problem::State<dim>& state)
 {
-  constexpr Real averaged_steps = 100;
-  for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r) {
-    bodies::RigidState<dim>& rigid = state.rigid_bodies[r];
-    rigid.displacement += state.dt * rigid.velocity;
-    rigid.angle += state.dt * rigid.angular_velocity;
-    rigid.smooth_reaction += (rigid.reaction - rigid.smooth_reaction) / averaged_steps;
-  }
+  for (bodies::RigidState<dim>& rigid : state.rigid_bodies) move_body(rigid, state.dt);
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void find_contacts(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&);                                               \
   template void correct_accelerations(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&);                                       \
   template void correct_velocities(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&);                                          \
-  template void move_rigids(const problem::Model<dim>&, problem::State<dim>&);
+  template void move_rigids(problem::State<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

@@ -21,6 +21,6 @@ void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& s
 
 /// Moves the rigid bodies by the velocities of this step and averages their reactions over about a hundred steps.
 template <int dim>
-void move_rigids(const problem::Model<dim>& model, problem::State<dim>& state);
+void move_rigids(problem::State<dim>& state);
 
 }  // namespace berm::mpm

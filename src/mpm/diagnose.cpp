@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/diagnose.hpp"
 
+#include "bodies/particle_fields.hpp"
 #include "core/error.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -20,36 +22,31 @@ const char* words_of(Real value)
   return std::isnan(value) ? "is not a number" : "is infinite";
 }
 
-/// The first of the numbers that is not finite, and 0 where all are.
-template <class Numbers>
-Real first_bad(const Numbers& numbers, int count)
-{
-  for (int k = 0; k < count; ++k)
-    if (!std::isfinite(numbers[k])) return numbers[k];
-  return 0;
-}
-
-/// What of a particle is not finite, and its rank: what spoils other particles within a step comes before what it spoils in them.
+/// What of a particle is not finite, and its place in the list of fields.
 struct Trouble {
-  std::size_t rank = std::numeric_limits<std::size_t>::max();
-  const char* name = "";
+  int rank = std::numeric_limits<int>::max();
+  std::string name = {};
   Real value = 0;
 };
 
 template <int dim>
-Trouble trouble_of(const bodies::Particle<dim>& p, int state_size)
+Trouble trouble_of(const bodies::Particle<dim>& p, const std::vector<bodies::ExtraField>& extra)
 {
-  const std::pair<const char*, Real> parts[] = {{"position", first_bad(p.x, dim)},
-                                                {"velocity", first_bad(p.v, dim)},
-
-                                                {"volume", first_bad(&p.volume, 1)},
-                                                {"mass", first_bad(&p.mass, 1)},
-                                                {"stress", first_bad(p.stress.c, tensor_size<dim>)},
-                                                {"deviatoric strain", first_bad(&p.deviatoric_strain, 1)},
-                                                {"state of the law", first_bad(p.state, state_size)}};
-  for (std::size_t k = 0; k < std::size(parts); ++k)
-    if (parts[k].second != 0) return {k, parts[k].first, parts[k].second};
-  return {};
+  Trouble first;
+  int rank = 0;
+  const auto look_at = [&](unsigned travel, const std::string_view name, Real value) {
+    if ((travel & must_be_finite) != 0 && !std::isfinite(value) && first.name.empty()) first = {rank, std::string(name), value};
+  };
+  bodies::for_each_field<dim>([&](const auto& field) {
+    for (int c = 0; c < field.components; ++c) look_at(field.travel, field.name, static_cast<Real>(field.of(p, c)));
+    ++rank;
+  });
+  for (const bodies::ExtraField& field : extra) {
+    for (int c = 0; c < field.info.components; ++c) look_at(field.info.travel, field.info.name, p.extra[field.offset + c]);
+    ++rank;
+  }
+  std::replace(first.name.begin(), first.name.end(), '_', ' ');
+  return first;
 }
 
 }  // namespace
@@ -66,7 +63,7 @@ void throw_not_finite(const problem::Model<dim>& model, const problem::State<dim
   Index cell = none;
   particles.visit([&](Index c, Index b, int l) {
     const bodies::Particle<dim> read = particles.read(b, l);
-    const Trouble trouble = trouble_of(read, particles.state_size());
+    const Trouble trouble = trouble_of<dim>(read, particles.extra_fields());
     if (trouble.rank < worst.rank) worst = trouble, p = read, cell = c;
   });
   if (cell != none) {
@@ -95,17 +92,19 @@ void refuse_rigid_outside_mesh(const problem::Model<dim>& model, const problem::
   const mesh::Mesh<dim>& mesh = model.mesh;
   for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r) {
     const bodies::RigidShape<dim>& first = model.rigid_bodies[r].shape;
-    if (std::holds_alternative<bodies::HalfPlane<dim>>(first)) continue;
+    if (!bodies::is_bounded<dim>(first)) continue;
     const bodies::RigidShape<dim> now = placed<dim>(model.rigid_bodies[r], state.rigid_bodies[r]);
-    const Real radius = std::holds_alternative<bodies::Circle<dim>>(first) ? reach_of<dim>(first) : 0;
+    const Real radius = bodies::has_corners<dim>(first) ? 0 : reach_of<dim>(first);
     const auto refuse = [&](const char* side, char axis, Real place, Real limit, const char* advice) {
       throw RunError(fmt::format(
           "rigid body \"{}\" has left the mesh through its {}: it reaches {} = {:.6g} m, where the mesh ends at {:.6g} m, at "
           "t = {:.6g} s (step {}); {}, or let the stage \"{}\" end earlier",
           model.rigid_bodies[r].name, side, axis, place, limit, state.time, state.step, advice, model.stages[state.stage.index].name));
     };
-    const Real low = lowest_level<dim>(now), x = center_of<dim>(now)[0], first_x = center_of<dim>(first)[0];
-    if (lowest_level<dim>(first) >= mesh.lower[1] && low < mesh.lower[1]) refuse("bottom", 'y', low, mesh.lower[1], "make the mesh deeper");
+    const Vec<dim> up = Vec<dim>::UnitY();  // the mesh's own bottom
+    const Real low = lowest_level<dim>(now, up), x = center_of<dim>(now)[0], first_x = center_of<dim>(first)[0];
+    if (lowest_level<dim>(first, up) >= mesh.lower[1] && low < mesh.lower[1])
+      refuse("bottom", 'y', low, mesh.lower[1], "make the mesh deeper");
     if (first_x - radius >= mesh.lower[0] && x - radius < mesh.lower[0])
       refuse("left side", 'x', x - radius, mesh.lower[0], "make the mesh longer there");
     if (first_x + radius <= mesh.upper[0] && x + radius > mesh.upper[0])

@@ -78,9 +78,8 @@ Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& sta
     }
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);
     grids[b].whole_mass = sums_over(state.particles[b]).mass;
-    const auto prepared = [](const auto& law) { return PreparedMaterial(prepare(law)); };
-    laws.push_back(std::visit(prepared, material));
-    laws_without_dilation.push_back(std::visit(prepared, without_dilation(material)));
+    laws.push_back(prepare(material));
+    laws_without_dilation.push_back(prepare(without_dilation(material)));
     max = std::max<std::size_t>(max, state.particles[b].size());
   }
   // A sixteenth of all particles at once is far more than ever change cell in one step of a stable run.

@@ -6,9 +6,6 @@
 
 namespace berm::mpm {
 
-/// The laws with their constants worked out.
-using PreparedMaterial = std::variant<material::PreparedLinearElastic, material::PreparedMohrCoulomb>;
-
 /// Sums over the particles of one body in one cell. Shape functions are linear, so these are all that the nodes need.
 template <int dim>
 struct Moments {
@@ -109,8 +106,9 @@ struct Work {
   bool contacts_share_nodes = false;                        ///< some node is moved by more than one contact point
   std::vector<std::vector<CellChange>> cell_changes;        ///< by thread
   std::vector<bodies::Particle<dim>> in_transit;
-  std::vector<PreparedMaterial> laws;                   ///< by body
-  std::vector<PreparedMaterial> laws_without_dilation;  ///< by body: the same without dilation, for particles at their largest volume
+  std::vector<material::PreparedMaterial> laws;  ///< by body
+  std::vector<material::PreparedMaterial>
+      laws_without_dilation;  ///< by body: the same without dilation, for particles at their largest volume
   Real unbalanced = 0,
        weight = 0;  ///< N, sums over the nodes of |unbalanced force| (away from contacts); of m g and of tractions, last step
 

@@ -78,17 +78,17 @@ bool clamp_to_cell(const mesh::Mesh<dim>& mesh, Index cell, Vec<dim>& x)
 /// The law, but for particles that have grown to their largest volume: these dilate no more.
 template <int dim, class Law, class V>
 [[gnu::always_inline]] inline void update_stress_of(const Law& law, const Law* law_without_dilation, typename Part<V>::Mask fully_dilated,
-                                                    SymTensor<dim, V>& stress, const SymTensor<dim, V>& strain, V* state)
+                                                    SymTensor<dim, V>& stress, const material::Increment<dim, V>& increment, V* state)
 {
   if (law_without_dilation == nullptr || !any(fully_dilated)) {
-    update_stress<dim, V>(law, stress, strain, state);
+    update(law, stress, increment, state);
     return;
   }
   SymTensor<dim, V> dilated_stress = stress;
   V dilated_state[std::max(Law::state_size, 1)];
   std::copy_n(state, Law::state_size, dilated_state);
-  update_stress<dim, V>(law, stress, strain, state);
-  update_stress<dim, V>(*law_without_dilation, dilated_stress, strain, dilated_state);
+  update(law, stress, increment, state);
+  update(*law_without_dilation, dilated_stress, increment, dilated_state);
   for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = fully_dilated ? dilated_stress[k] : stress[k];
   for (int k = 0; k < Law::state_size; ++k) state[k] = fully_dilated ? dilated_state[k] : state[k];
 }
@@ -130,7 +130,7 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
   const mesh::Mesh<dim>& mesh = model.mesh;
   const BodyGrid<dim>& grid = work.grids[body];
   bodies::Particles<dim>& particles = state.particles[body];
-  const Real dt = state.dt, per_density = 1 / inertia_density(model.bodies[body].material);
+  const Real dt = state.dt, time = state.time, per_density = 1 / inertia_density(model.bodies[body].material);
   const Real min_volume = model.mpm.min_volume_ratio * per_density, max_volume = model.mpm.max_volume_ratio * per_density;
   const Real filtered = pass == Pass::both ? grid.filtered_part(dt) : 0, unfiltered = 1 - filtered;
   for (auto& list : work.cell_changes) list.clear();
@@ -186,7 +186,9 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
       }
       if constexpr (pass != Pass::move) {
         const V mass = part.get(p.mass, q.mass), volume = part.get(p.volume, q.volume);
-        SymTensor<dim, V> strain, stress, both_stresses;
+        material::Increment<dim, V> increment{.strain = {}, .dt = dt, .time = time};
+        SymTensor<dim, V>& strain = increment.strain;
+        SymTensor<dim, V> stress, both_stresses;
         for (int k = 0; k < tensor_size<dim>; ++k) {
           strain[k] = cell_strain.strain[k] - V{};
           stress[k] = both_stresses[k] = part.get(p.stress[k], q.stress[k]);
@@ -194,7 +196,7 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
         rotate(stress, cell_strain.rotation);
         const Mask fully_dilated = alive & (volume >= mass * max_volume);
         part.template change<Law::state_size>(particles.state(part.block), particles.state(part.other), [&](V* law_state) {
-          update_stress_of<dim>(law, law_without_dilation, fully_dilated, stress, strain, law_state);
+          update_stress_of<dim>(law, law_without_dilation, fully_dilated, stress, increment, law_state);
         });
         for (int k = 0; k < tensor_size<dim>; ++k) {
           const V kept = alive ? stress[k] : V{};

@@ -92,7 +92,7 @@ void step(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim
     update_stress_first(model, state, work);
   else
     update_stress_last(model, state, work);
-  move_rigids(model, state);
+  move_rigids(state);
   state.time += state.dt;
   ++state.step;
 }

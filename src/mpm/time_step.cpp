@@ -12,6 +12,15 @@ namespace berm::mpm {
 
 namespace {
 
+/// How fast a drive by velocity moves the body's surface, m/s.
+template <int dim>
+Real speed_of_drive(const problem::Model<dim>& model, const problem::State<dim>& state, int freedom)
+{
+  const Real speed = std::abs(state.stage.drive[freedom].to);
+  const Index driven = model.driven[state.stage.index];
+  return freedom < dim || driven == none ? speed : speed * reach_of<dim>(model.rigid_bodies[driven].shape);
+}
+
 /// Speed and words of what moves fastest: rigid body, drive, node, or particle at the start.
 template <int dim>
 std::pair<Real, std::string> fastest_of(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work)
@@ -22,11 +31,11 @@ std::pair<Real, std::string> fastest_of(const problem::Model<dim>& model, const 
   };
   for (std::size_t r = 0; r < state.rigid_bodies.size(); ++r)
     take(state.rigid_bodies[r].velocity.norm() +
-             std::abs(state.rigid_bodies[r].angular_velocity) * reach_of<dim>(model.rigid_bodies[r].shape),
+             bodies::size_of_angular(state.rigid_bodies[r].angular_velocity) * reach_of<dim>(model.rigid_bodies[r].shape),
          [&] { return fmt::format("rigid body \"{}\"", model.rigid_bodies[r].name); });
-  for (const problem::Drive& drive : state.stage.drive)
-    if (!drive.by_force)
-      take(std::abs(drive.to), [&] { return fmt::format("the drive of stage \"{}\"", model.stages[state.stage.index].name); });
+  for (int f = 0; f < bodies::freedoms<dim>; ++f)
+    if (!state.stage.drive[f].by_force)
+      take(speed_of_drive(model, state, f), [&] { return fmt::format("the drive of stage \"{}\"", model.stages[state.stage.index].name); });
   for (std::size_t b = 0; b < model.bodies.size() && state.step == 0; ++b)
     state.particles[b].visit([&](Index, Index block, int l) {
       const bodies::Particle<dim> p = state.particles[b].read(block, l);
@@ -63,10 +72,11 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
   Real fastest = 0;
   for (std::size_t r = 0; r < state.rigid_bodies.size(); ++r) {
     const bodies::RigidState<dim>& rigid = state.rigid_bodies[r];
-    fastest = std::max(fastest, rigid.velocity.norm() + std::abs(rigid.angular_velocity) * reach_of<dim>(model.rigid_bodies[r].shape));
+    fastest = std::max(fastest, rigid.velocity.norm() +
+                                    bodies::size_of_angular(rigid.angular_velocity) * reach_of<dim>(model.rigid_bodies[r].shape));
   }
-  for (const problem::Drive& drive : state.stage.drive)
-    if (!drive.by_force) fastest = std::max(fastest, std::abs(drive.to));
+  for (int f = 0; f < bodies::freedoms<dim>; ++f)
+    if (!state.stage.drive[f].by_force) fastest = std::max(fastest, speed_of_drive(model, state, f));
   if (state.step == 0)  // the nodes do not move yet
     for (const bodies::Particles<dim>& particles : state.particles) {
       particles.visit([&](Index, Index b, int l) {

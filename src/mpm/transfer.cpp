@@ -295,7 +295,7 @@ void gather_new_velocities(const problem::Model<dim>& model, BodyGrid<dim>& grid
       for (const CornerSums<dim>& corner : grid.corners[cell]) sum += Eigen::Map<const Vec<dim>>(corner.sum);
       return sum;
     };
-    grid.mapped_velocity[i] = problem::without_held<dim>(
+    grid.mapped_velocity[i] = boundary::without_held<dim>(
         model.fixed[grid.fixed], i, grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
   });
 }
@@ -306,9 +306,9 @@ void predict_velocities(const problem::Model<dim>& model, Real ahead, BodyGrid<d
   for_each("predict velocities", static_cast<Index>(grid.nodes.size()), [&](Index n) {
     const Index i = grid.nodes[n];
     const auto momentum_of = [&](Index cell) { return Eigen::Map<const Vec<dim>>(grid.moments[cell].mv); };
-    grid.mapped_velocity[i] = problem::without_held<dim>(model.fixed[grid.fixed], i,
-                                                         grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
-                                                                          : velocity_of_cells(model.mesh, grid, i, momentum_of));
+    grid.mapped_velocity[i] = boundary::without_held<dim>(model.fixed[grid.fixed], i,
+                                                          grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
+                                                                           : velocity_of_cells(model.mesh, grid, i, momentum_of));
   });
 }
 

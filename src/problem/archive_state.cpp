@@ -8,13 +8,28 @@ namespace berm::problem {
 
 constexpr BigIndex max_steps = BigIndex(1) << 60;  // no run gets so far, and the next ones can still be counted
 
+namespace {
+
+void archive(Archive& k, const std::string& name, bodies::Orientation<2>& orientation)
+{
+  k(name, orientation.angle);
+}
+void archive(Archive& k, const std::string& name, bodies::Orientation<3>& orientation)
+{
+  std::vector<Real> q = {orientation.w, orientation.x, orientation.y, orientation.z};
+  k.fixed(name, q);
+  orientation = {q[0], q[1], q[2], q[3]};
+}
+
+}  // namespace
+
 // The sizes tell of a member that is not kept yet.
 template <int dim>
 void archive(Archive& k, bodies::RigidState<dim>& rigid)
 {
-  static_assert(sizeof(rigid) == (7 * dim + 8) * sizeof(Real));
+  static_assert(sizeof(rigid) == (dim == 2 ? 7 * 2 + 8 : 7 * 3 + 3 * 3 + 2 * 4 + 3) * sizeof(Real));
   k("displacement", rigid.displacement);
-  k("angle", rigid.angle);
+  archive(k, "orientation", rigid.orientation);
   k("velocity", rigid.velocity);
   k("angular_velocity", rigid.angular_velocity);
   k("reaction", rigid.reaction);
@@ -27,7 +42,7 @@ void archive(Archive& k, bodies::RigidState<dim>& rigid)
   k("impulse_times_gap", rigid.impulse_times_gap);
   k("max_overlap", rigid.max_overlap);
   k("near_cells_displacement", rigid.near_cells_displacement);
-  k("near_cells_angle", rigid.near_cells_angle);
+  archive(k, "near_cells_orientation", rigid.near_cells_orientation);
 }
 
 namespace {
@@ -55,7 +70,7 @@ void archive(Archive& k, const Model<dim>& model, StageState<dim>& stage)
   if (stage.index < 0 || stage.index >= static_cast<Index>(model.stages.size())) k.refuse(fmt::format("there is no stage {}", stage.index));
   k("begin_time", stage.begin_time);
   k("begin_displacement", stage.begin_displacement);
-  for (int d = 0; d < dim; ++d)
+  for (int d = 0; d < bodies::freedoms<dim>; ++d)
     k.table(fmt::format("drive_{}", d), [&] {
       k("by_force", stage.drive[d].by_force);
       k("from", stage.drive[d].from);

@@ -81,6 +81,7 @@ Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh)
   model.mesh = std::move(mesh);
   model.gravity = Vec<dim>::Zero();
   for (int d = 0; d < dim && !c.gravity.empty(); ++d) model.gravity[d] = c.gravity[d];
+  model.axes = axes_of<dim>(model.gravity);
   model.gravity_ramp = c.gravity_ramp;
   model.surface = c.surface;
   model.mpm = c.mpm;
@@ -90,7 +91,12 @@ Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh)
 
   for (const auto& [name, settings] : c.rigid) {
     const bodies::RigidShape<dim> shape = make_shape<dim>(settings.shape);
-    const Real inertia = settings.moment_of_inertia.value_or(settings.mass * inertia_over_mass<dim>(shape));
+    const Vec<3> own = settings.mass * inertia_over_mass<dim>(shape);
+    bodies::Angular<dim> inertia;
+    if constexpr (dim == 2)
+      inertia = settings.moment_of_inertia.value_or(own[2]);
+    else
+      inertia = settings.moment_of_inertia ? Vec<3>(Vec<3>::Constant(*settings.moment_of_inertia)) : own;
     model.rigid_bodies.push_back({name, shape, settings.mass, settings.motion, settings.rotation, inertia});
   }
   for (const auto& [name, settings] : c.body) {
@@ -112,8 +118,7 @@ Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh)
   model.stages = c.stage;
   model.main_rigid = main_rigid(c);
   for (const StageSettings& stage : c.stage) {
-    const bool drives = stage.kind == StageKind::push || stage.kind == StageKind::drag;
-    model.driven.push_back(!drives ? none : stage.rigid.empty() ? 0 : place_of(c.rigid, stage.rigid));
+    model.driven.push_back(!drives(stage.kind) ? none : stage.rigid.empty() ? 0 : place_of(c.rigid, stage.rigid));
   }
   return model;
 }
@@ -137,7 +142,8 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   for (const auto& [name, settings] : c.body) {
     const material::Material& material = c.material[place_of(c.material, settings.material)].second;
     const Real inertia = inertia_density(material);
-    bodies::StartState<dim> start{inertia, -model.gravity[1] * density(material) / inertia, c.surface, state_size(material)};
+    bodies::StartState<dim> start{inertia, -model.axes.sign * model.gravity[model.axes.up] * density(material) / inertia, c.surface,
+                                  state_fields(material)};
     for (const auto& entry : c.contact)
       if (entry.second.body == name && !entry.second.rigid.empty())
         start.holes.push_back(model.rigid_bodies[place_of(c.rigid, entry.second.rigid)].shape);

@@ -2,6 +2,7 @@
 // Tests: tests/unit/input/read_case_wrong_inputs_test.cpp
 #include "problem/case.hpp"
 
+#include "problem/drives.hpp"
 #include "problem/stages.hpp"
 
 #include <algorithm>
@@ -28,17 +29,18 @@ void check_name(Describe& d, const std::string& path, const std::string& word, c
   d.check(among(word, known), path, fmt::format("there is no [{}.{}]", table, word), known);
 }
 
-void check_entries(Describe& d, const std::string& path, const std::vector<Real>& numbers, int dimension, bool may_be_empty = false)
-{
-  d.check((may_be_empty && numbers.empty()) || static_cast<int>(numbers.size()) == dimension, path,
-          fmt::format("needs {} numbers, one a direction, and has {}", dimension, numbers.size()));
-}
-
 bool is_power(int count, int dimension)
 {
   for (int n = 1, power = 1; power <= count; ++n, power = dimension == 2 ? n * n : n * n * n)
     if (power == count) return true;
   return false;
+}
+
+/// Whether up is +y.
+bool upwards(const Case& c)
+{
+  const auto is_y = [](const auto& axes) { return axes.up == 1 && axes.sign > 0; };
+  return c.dimension == 2 ? is_y(axes_of<2>(bodies::to_vec<2>(c.gravity))) : is_y(axes_of<3>(bodies::to_vec<3>(c.gravity)));
 }
 
 void check_bodies(Describe& d, const Case& c)
@@ -48,6 +50,7 @@ void check_bodies(Describe& d, const Case& c)
     const std::string path = "body." + name;
     check_name(d, path + ".material", body.material, "material", names_of(c.material));
     d.check(!body.k0 || c.gravity_ramp == 0, path + ".k0", "the stress of a bed under full gravity does not go with gravity_ramp");
+    d.check(!body.k0 || c.gravity.size() < 2 || upwards(c), path + ".k0", "the bed's stress at rest is for gravity along -y");
     d.check(!body.regions.empty() + body.block.has_value() + body.disk.has_value() == 1, path,
             fmt::format("needs one of regions = [...], [body.{0}.block] and [body.{0}.disk]", name));
     d.check(body.initial_stress.empty() || !body.k0, path + ".initial_stress", "does not go with k0");
@@ -64,20 +67,20 @@ void check_bodies(Describe& d, const Case& c)
       d.check(among(entry.first, body.regions), path + ".region_damping." + entry.first, "the body does not fill this region",
               body.regions);
     if (body.block) {
-      check_entries(d, path + ".block.center", body.block->center, c.dimension);
-      check_entries(d, path + ".block.size", body.block->size, c.dimension);
+      bodies::check_entries(d, path + ".block.center", body.block->center, c.dimension);
+      bodies::check_entries(d, path + ".block.size", body.block->size, c.dimension);
       d.check(c.dimension == 2 || body.block->angle == 0, path + ".block.angle", "a block can be turned in two dimensions only");
     }
     if (body.disk) {
       d.check(c.dimension == 2, path + ".disk", "there are disks in two dimensions only");
-      check_entries(d, path + ".disk.center", body.disk->center, c.dimension);
+      bodies::check_entries(d, path + ".disk.center", body.disk->center, c.dimension);
       d.check(body.disk->spacing < body.disk->diameter / 2, path + ".disk.spacing", "must be less than half the diameter");
     }
     for (std::size_t k = 0; k < body.initial_velocity.size(); ++k) {
       const bodies::InitialVelocity& wave = body.initial_velocity[k];
       const std::string item = fmt::format("{}.initial_velocity[{}]", path, k);
-      check_entries(d, item + ".amplitude", wave.amplitude, c.dimension);
-      check_entries(d, item + ".wave_number", wave.wave_number, c.dimension, true);
+      bodies::check_entries(d, item + ".amplitude", wave.amplitude, c.dimension);
+      bodies::check_entries(d, item + ".wave_number", wave.wave_number, c.dimension, true);
       d.check(wave.phase == 0 || !wave.wave_number.empty(), item + ".phase", "only a wave has a phase: it needs a wave_number");
     }
   }
@@ -99,31 +102,7 @@ void check_rigids(Describe& d, const Case& c)
 {
   for (const auto& [name, rigid] : c.rigid) {
     const std::string path = "rigid." + name;
-    if (const auto* circle = std::get_if<bodies::CircleSettings>(&rigid.shape))
-      check_entries(d, path + ".center", circle->center, c.dimension);
-    if (const auto* plane = std::get_if<bodies::HalfPlaneSettings>(&rigid.shape)) {
-      check_entries(d, path + ".point", plane->point, c.dimension);
-      check_entries(d, path + ".normal", plane->normal, c.dimension);
-      d.check(std::any_of(plane->normal.begin(), plane->normal.end(), [](Real n) { return n != 0; }), path + ".normal", "must not be zero");
-    }
-    if (const auto* box = std::get_if<bodies::BoxSettings>(&rigid.shape)) {
-      check_entries(d, path + ".center", box->center, c.dimension);
-      check_entries(d, path + ".size", box->size, c.dimension);
-      d.check(c.dimension == 2 || box->angle == 0, path + ".angle", "a box can be turned in two dimensions only");
-    }
-    if (const auto* polygon = std::get_if<bodies::PolygonSettings>(&rigid.shape)) {
-      d.check(polygon->x.size() == polygon->y.size(), path + ".y",
-              fmt::format("has {} numbers, and x has {}", polygon->y.size(), polygon->x.size()));
-      d.check(polygon->x.size() >= 3, path + ".x", fmt::format("needs three corners or more, and has {}", polygon->x.size()));
-      constexpr std::size_t max = 1000;  // every corner is compared with every other
-      d.check(polygon->x.size() <= max, path + ".x", fmt::format("may have {} corners at most, and has {}", max, polygon->x.size()));
-      d.check(is_simple(*polygon), path + ".x", "the sides of a polygon must not cross or touch each other");
-    }
-    d.check(rigid.motion == bodies::Motion::driven || rigid.mass > 0, path + ".motion", "a free body needs a mass");
-    if (rigid.rotation == bodies::Rotation::free) {
-      d.check(!std::holds_alternative<bodies::HalfPlaneSettings>(rigid.shape), path + ".rotation", "a half-plane cannot turn");
-      d.check(rigid.mass > 0 || rigid.moment_of_inertia, path + ".rotation", "a body that turns needs a mass or a moment_of_inertia");
-    }
+    bodies::check(d, path, rigid, c.dimension);
   }
   for (const auto& [name, contact] : c.contact) {
     const std::string path = "contact." + name;
@@ -139,6 +118,44 @@ void check_rigids(Describe& d, const Case& c)
   }
 }
 
+/// Whether a stage moves its body by a force.
+template <int dim>
+bool forced_by(const Case& c, const StageSettings& s)
+{
+  return (s.kind == StageKind::drive || s.velocity || s.force) &&
+         has_force<dim>(drives_of<dim>(s, axes_of<dim>(bodies::to_vec<dim>(c.gravity)), false));
+}
+
+/// A freedom is driven in one way, and only those of the geometry are.
+void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::string& path)
+{
+  const bool drive = s.kind == StageKind::drive, plane = c.dimension == 2;
+  bool any = false;
+  const auto freedom = [&](const char* key, int ways, bool there) {
+    const std::string at = path + ".drive." + key;
+    any = any || ways > 0;
+    d.check(ways == 0 || drive, at, "is for kind = \"drive\"; a push or a drag has velocity, force and vertical");
+    d.check(ways == 0 || there, at,
+            plane ? "is no freedom in plane strain: x, y and rotation are" : "is no freedom in space: x, y, z and rotation_x, _y, _z are");
+    d.check(ways <= 1, at, "is driven in one way only");
+  };
+  const auto shift = [&](const char* key, const FreedomSettings& f, bool there) {
+    freedom(key, f.velocity.has_value() + f.force.has_value() + f.hold, there);
+  };
+  const auto turn = [&](const char* key, const TurnSettings& f, bool there) {
+    freedom(key, f.velocity.has_value() + f.moment.has_value() + f.fixed, there);
+  };
+  shift("x", s.drive.x, true);
+  shift("y", s.drive.y, true);
+  shift("z", s.drive.z, !plane);
+  turn("rotation", s.drive.rotation, plane);
+  turn("rotation_x", s.drive.rotation_x, !plane);
+  turn("rotation_y", s.drive.rotation_y, !plane);
+  turn("rotation_z", s.drive.rotation_z, !plane);
+  d.check(!drive || any, path + ".drive", "a drive needs at least one freedom: x, y, z or a rotation");
+  d.check(!drive || c.method == Method::mpm, path + ".kind", "finite elements know push and drag");
+}
+
 void check_stages(Describe& d, const Case& c)
 {
   d.check(!c.stage.empty(), "stage", "a case needs at least one [[stage]]");
@@ -146,32 +163,34 @@ void check_stages(Describe& d, const Case& c)
   for (int k = 0; k < static_cast<int>(c.stage.size()); ++k) {
     const StageSettings& s = c.stage[k];
     const std::string path = fmt::format("stage[{}]", k);
-    const bool push = s.kind == StageKind::push, drag = s.kind == StageKind::drag, driven = push || drag;
+    const bool drag = s.kind == StageKind::drag, drive = s.kind == StageKind::drive, driven = drives(s.kind), short_form = driven && !drive;
     constexpr std::size_t max = 100;
     d.check(!s.name.empty() && s.name.size() <= max && s.name.find_first_of(",\".") == std::string::npos, path + ".name",
             fmt::format("must be a word without comma, dot or quotes, {} bytes at most", max));
     d.check(!among(s.name, seen), path + ".name", "another stage has this name");
     seen.push_back(s.name);
     if (!s.rigid.empty()) check_name(d, path + ".rigid", s.rigid, "rigid", names_of(c.rigid));
-    d.check(driven || s.rigid.empty(), path + ".rigid", "only a push or a drag drives a rigid body");
+    d.check(driven || s.rigid.empty(), path + ".rigid", "only a push, a drag or a drive moves a rigid body");
     d.check(!driven || !c.rigid.empty(), path + ".kind", "there is no [rigid.NAME] to drive");
     d.check(!driven || !s.rigid.empty() || c.rigid.size() == 1, path, "must say which rigid body it drives: rigid = \"...\"",
             names_of(c.rigid));
-    d.check(!driven || s.velocity.has_value() != s.force.has_value(), path, "needs either velocity or force, and not both");
-    d.check(driven || !s.velocity, path + ".velocity", "only a push or a drag has a velocity");
-    d.check(driven || !s.force, path + ".force", "only a push or a drag has a force");
+    d.check(!short_form || s.velocity.has_value() != s.force.has_value(), path, "needs either velocity or force, and not both");
+    d.check(short_form || !s.velocity, path + ".velocity", "only a push or a drag has a velocity");
+    d.check(short_form || !s.force, path + ".force", "only a push or a drag has a force");
     d.check(drag || !s.vertical_force, path + ".vertical_force", "only a drag has a vertical force; a push has `force`");
     d.check(!s.vertical_force || s.vertical == Vertical::hold, path + ".vertical_force", "does not go with vertical = \"fixed\"");
     d.check(drag || !s.vertical_velocity, path + ".vertical_velocity", "only a drag has a vertical velocity; a push has `velocity`");
     d.check(!s.vertical_velocity || s.vertical == Vertical::hold, path + ".vertical_velocity", "does not go with vertical = \"fixed\"");
     d.check(!s.vertical_velocity || !s.vertical_force, path + ".vertical_velocity", "does not go with vertical_force");
+    check_drive(d, c, s, path);
     const Until& u = s.until;
+    d.check(!drive || !u.force, path + ".until.force", "is V of a push or H of a drag");
     d.check(u.time || u.displacement || u.embedment || u.force, path + ".until",
             "needs at least one of time, displacement, embedment, force");
     d.check(driven || (!u.displacement && !u.embedment && !u.force), path + ".until", "a stage that drives nothing ends at a time");
     if (driven) {
       const std::string& name = s.rigid.empty() ? c.rigid.front().first : s.rigid;
-      const bool by_force = s.force || (drag && s.vertical == Vertical::hold && !s.vertical_velocity);
+      const bool by_force = c.dimension == 2 ? forced_by<2>(c, s) : forced_by<3>(c, s);
       for (const auto& [rigid, settings] : c.rigid)
         d.check(rigid != name || settings.mass > 0 || !by_force, path,
                 fmt::format("a force drives [rigid.{}], which therefore needs a mass", name));
@@ -204,7 +223,7 @@ void check_tractions(Describe& d, const Case& c)
     d.check(place_of(c.body, name) == none && place_of(c.watch, name) == none, path,
             "a [body.NAME] or [watch.NAME] has this name, which columns of the history begin with");
     d.check(traction.stress.empty() == traction.pressure.has_value(), path, "needs either stress or pressure, and not both");
-    if (!traction.pressure) check_entries(d, path + ".stress", traction.stress, c.dimension);
+    if (!traction.pressure) bodies::check_entries(d, path + ".stress", traction.stress, c.dimension);
     const std::vector<Real>& range = traction.x_range;
     d.check(range.empty() || c.dimension == 2, path + ".x_range", "a part of a boundary can be loaded in two dimensions only");
     d.check(range.empty() || (range.size() == 2 && range[0] < range[1]), path + ".x_range", "needs 2 numbers, the smaller one first");
@@ -212,14 +231,13 @@ void check_tractions(Describe& d, const Case& c)
   }
 }
 
-/// About how many cells a bed gets around a circle or box that is cut out of it, what is cut out counted with them; 0 around other shapes.
+/// About how many cells a bed gets around a circle or box that is cut out of it, what is cut out counted with them; 0 around a half-plane.
 Real cells_around(const bodies::RigidShapeSettings& shape, mesh::SeabedMesh bed, Real size)
 {
-  const auto* circle = std::get_if<bodies::CircleSettings>(&shape);
-  const auto* box = std::get_if<bodies::BoxSettings>(&shape);
-  const std::vector<Real> center = circle != nullptr ? circle->center : box != nullptr ? box->center : std::vector<Real>();
-  if (center.size() != 2 || (box != nullptr && box->size.size() != 2)) return 0;
-  const Real reach = circle != nullptr ? circle->diameter / 2 : std::hypot(box->size[0], box->size[1]) / 2;
+  const bodies::RigidShape<2> body = bodies::make_shape<2>(shape);
+  if (!bodies::is_bounded(body)) return 0;
+  const Vec<2> center = bodies::center_of<2>(body);
+  const Real reach = bodies::reach_of<2>(body);
   const mesh::SeabedLayout at = layout_of(bed);
   bed.near_left = std::clamp(center[0] - reach, at.left, at.right);
   bed.near_right = std::clamp(center[0] + reach, at.left, at.right);
@@ -357,19 +375,19 @@ void describe(Describe& d, Case& c)
   d.table("output", c.output, {.meaning = "what is written"});
 
   d.check(c.method == Method::mpm || c.dimension == 2, "method", "finite elements are plane: they need dimension = 2");
-  check_entries(d, "gravity", c.gravity, c.dimension, true);
+  bodies::check_entries(d, "gravity", c.gravity, c.dimension, true);
   for (const auto& [name, material] : c.material) {
     check(d, "material." + name, material);
-    const auto* law = std::get_if<material::MohrCoulomb>(&material);
-    d.check(c.method == Method::fem || law == nullptr || law->cohesion_gradient == 0, "material." + name + ".cohesion_gradient",
-            "needs method = \"fem\": a particle does not keep a strength of its own");
+    if (const std::string key = depth_key(material); !key.empty())
+      d.check(c.method == Method::fem, "material." + name + "." + key,
+              "needs method = \"fem\": a particle does not keep a strength of its own");
   }
   check_bodies(d, c);
   check_initial_state(d, c);
   check_rigids(d, c);
   for (const auto& [name, watch] : c.watch) {
     check_name(d, "watch." + name + ".body", watch.body, "body", names_of(c.body));
-    check_entries(d, "watch." + name + ".point", watch.point, c.dimension);
+    bodies::check_entries(d, "watch." + name + ".point", watch.point, c.dimension);
   }
   check_stages(d, c);
   check_supports(d, c);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bodies/body_settings.hpp"
-#include "bodies/rigid_settings.hpp"
+#include "bodies/rigid/rigid_settings.hpp"
 #include "boundary/support.hpp"
 #include "boundary/traction.hpp"
 #include "contact/contact_settings.hpp"

@@ -56,7 +56,8 @@ public:
     number_.assign(model.mesh.node_count(), none);
     for (const Index body : bodies) add_body(c, body);
     free_.assign(node_.size(), Vec<dim>::Ones());
-    for (std::size_t i = 0; i < node_.size(); ++i) free_[i] = without_held<dim>(model.fixed[model.fixed_in[0]], node_[i], free_[i]);
+    for (std::size_t i = 0; i < node_.size(); ++i)
+      free_[i] = boundary::without_held<dim>(model.fixed[model.fixed_in[0]], node_[i], free_[i]);
     list_entries();
     displacement_.assign(node_.size(), Vec<dim>::Zero());
   }

@@ -84,7 +84,7 @@ template <int dim>
 bool meets_rigid(const Model<dim>& model, const Vec<dim>& x)
 {
   return std::any_of(model.rigid_bodies.begin(), model.rigid_bodies.end(), [&](const bodies::RigidBody<dim>& rigid) {
-    if (std::holds_alternative<bodies::HalfPlane<dim>>(rigid.shape)) return false;
+    if (!bodies::is_bounded<dim>(rigid.shape)) return false;
     Vec<dim> away = center_of<dim>(rigid.shape) - x;
     away[1] = 0;
     return away.norm() < reach_of<dim>(rigid.shape);

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "bodies/particles.hpp"
-#include "bodies/rigid.hpp"
+#include "bodies/rigid/dynamics.hpp"
+#include "boundary/support.hpp"
 #include "mesh/patches.hpp"
+#include "problem/axes.hpp"
 #include "problem/case.hpp"
 
 namespace berm::problem {
@@ -63,6 +65,7 @@ struct Model {
   std::vector<NodeField<std::uint8_t>> fixed;  ///< by set of supports that hold together; bit d: direction d of the node is held
   std::vector<Index> fixed_in;                 ///< by stage: which set
   Vec<dim> gravity;                            ///< m/s2
+  Axes<dim> axes;                              ///< which way is up
   Real gravity_ramp;                           ///< s
   Real surface;                                ///< m
   std::vector<StageSettings> stages;
@@ -72,15 +75,6 @@ struct Model {
   MpmSettings mpm;
   bool update_stress_first = false;  ///< Scheme::usf
 };
-
-/// A vector at a node without its components in the directions that are held there.
-template <int dim>
-Vec<dim> without_held(const NodeField<std::uint8_t>& fixed, Index node, Vec<dim> v)
-{
-  for (int d = 0; d < dim; ++d)
-    if (fixed[node] >> d & 1) v[d] = 0;
-  return v;
-}
 
 /// What has been given and taken since the start, per metre run (in space: in all).
 template <int dim>
@@ -97,12 +91,6 @@ struct Totals {
   Vec<dim> contact_impulse = Vec<dim>::Zero();
   Vec<dim> support_impulse = Vec<dim>::Zero();
   Vec<dim> damping_impulse = Vec<dim>::Zero();
-};
-
-/// How one direction of a rigid body is driven in the present stage.
-struct Drive {
-  bool by_force = false;
-  Real from = 0, to = 0;  ///< m/s or N/m, along +x or +y
 };
 
 /// How a traction grows or falls: the part of it that acts goes from one value to another since `begin_time`.
@@ -124,7 +112,7 @@ struct StageState {
   Index index = 0;
   Real begin_time = 0;
   Vec<dim> begin_displacement = Vec<dim>::Zero();  ///< of the driven rigid body
-  Drive drive[dim] = {};
+  bodies::Drive drive[bodies::freedoms<dim>] = {};
 };
 
 /// Everything that changes during a run; a checkpoint is exactly this.

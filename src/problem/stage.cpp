@@ -4,11 +4,38 @@
 
 namespace berm::problem {
 
+void describe(Describe& d, FreedomSettings& freedom)
+{
+  d.value("velocity", freedom.velocity, {.meaning = "velocity along the axis", .unit = "m/s"});
+  d.value("force", freedom.force, {.meaning = "force on the body along the axis, instead of a velocity", .unit = "N/m"});
+  d.value("hold", freedom.hold, {.meaning = "hold the force that balances the soil when the stage begins"});
+}
+
+void describe(Describe& d, TurnSettings& turn)
+{
+  d.value("velocity", turn.velocity, {.meaning = "angular velocity, counter-clockwise seen from the end of the axis", .unit = "rad/s"});
+  d.value("moment", turn.moment, {.meaning = "moment on the body, instead of a velocity", .unit = "N"});
+  d.value("fixed", turn.fixed, {.meaning = "does not turn, whatever [rigid.NAME] says"});
+}
+
+void describe(Describe& d, DriveSettings& drive)
+{
+  d.table("x", drive.x, {.meaning = "displacement along x"});
+  d.table("y", drive.y, {.meaning = "displacement along y"});
+  d.table("z", drive.z, {.meaning = "displacement along z, in space"});
+  d.table("rotation", drive.rotation, {.meaning = "rotation in the plane"});
+  d.table("rotation_x", drive.rotation_x, {.meaning = "rotation about x, in space"});
+  d.table("rotation_y", drive.rotation_y, {.meaning = "rotation about y, in space"});
+  d.table("rotation_z", drive.rotation_z, {.meaning = "rotation about z, in space"});
+}
+
 void describe(Describe& d, Until& until)
 {
   d.value("time", until.time, {.meaning = "time since the stage began", .unit = "s", .range = not_negative});
   d.value("displacement", until.displacement,
-          {.meaning = "horizontal travel of the rigid body in this stage", .unit = "m", .range = positive});
+          {.meaning = "horizontal travel of the rigid body in this stage; in a stage of kind drive its distance from where the stage began",
+           .unit = "m",
+           .range = positive});
   d.value("embedment", until.embedment, {.meaning = "depth of the rigid body's lowest point below the surface", .unit = "m"});
   d.value("force", until.force, {.meaning = "soil reaction: V in a push, H in a drag", .unit = "N/m", .range = positive});
 }
@@ -16,8 +43,9 @@ void describe(Describe& d, Until& until)
 void describe(Describe& d, StageSettings& stage)
 {
   d.value("name", stage.name, {.meaning = "name of the stage, for the history and for --set", .required = true});
-  d.choice("kind", stage.kind, {"geostatic", "push", "drag", "free"},
-           {.meaning = "find equilibrium; push down; drag along x; or let time go on", .required = true});
+  d.choice("kind", stage.kind, {"geostatic", "push", "drag", "free", "drive"},
+           {.meaning = "find equilibrium; push down; drag sideways; let time go on; or drive each degree of freedom as [stage.drive] says",
+            .required = true});
   d.value("rigid", stage.rigid, {.meaning = "rigid body that is driven; may be left out where there is only one"});
   d.value("velocity", stage.velocity, {.meaning = "speed of the drive: down in a push, along x in a drag", .unit = "m/s"});
   d.value("force", stage.force, {.meaning = "force of the drive, instead of a velocity", .unit = "N/m"});
@@ -28,6 +56,7 @@ void describe(Describe& d, StageSettings& stage)
           {.meaning = "in a drag: downward speed, instead of holding a force; less than 0 = upwards", .unit = "m/s"});
   d.value("ramp", stage.ramp,
           {.meaning = "time in which the drive goes from what it was to its value", .unit = "s", .range = not_negative});
+  d.table("drive", stage.drive, {.meaning = "degrees of freedom of the driven body, in a stage of kind drive; what is left out is fixed"});
   d.value("damping", stage.damping,
           {.meaning = "local damping of all bodies in this stage, instead of their own; 0.7 is recommended for a geostatic stage",
            .range = {0, 1}});

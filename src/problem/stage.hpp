@@ -10,7 +10,8 @@ enum class StageKind {
   geostatic,  ///< all rigid bodies rest; the soil finds its equilibrium, which is checked at the end
   push,       ///< down, by velocity or force; no horizontal motion
   drag,       ///< along x, by velocity or force
-  free        ///< time goes on; rigid bodies rest, but for free ones
+  free,       ///< time goes on; rigid bodies rest, but for free ones
+  drive       ///< each degree of freedom as [stage.drive] says; what it leaves out is fixed
 };
 
 /// What the vertical direction does while the body is dragged.
@@ -22,9 +23,29 @@ enum class Vertical {
 /// A stage ends when the first of the limits that are given is reached.
 struct Until {
   std::optional<Real> time;          ///< s since the stage began
-  std::optional<Real> displacement;  ///< m, |u - u at the stage's begin|
+  std::optional<Real> displacement;  ///< m, |u - u at the stage's begin|; of a drive the distance from there
   std::optional<Real> embedment;     ///< m, w
   std::optional<Real> force;         ///< N per metre: V in a push, H in a drag
+};
+
+/// How a displacement of the driven body goes; nothing: it is fixed.
+struct FreedomSettings {
+  std::optional<Real> velocity;  ///< m/s along the axis
+  std::optional<Real> force;     ///< N/m (in space: N) along the axis
+  bool hold = false;             ///< the force that was there when the stage began
+};
+
+/// How a rotation of the driven body goes; nothing: as the body's own `rotation` says.
+struct TurnSettings {
+  std::optional<Real> velocity;  ///< rad/s
+  std::optional<Real> moment;    ///< N (in space: N m)
+  bool fixed = false;
+};
+
+/// The degrees of freedom of a rigid body.
+struct DriveSettings {
+  FreedomSettings x, y, z;
+  TurnSettings rotation, rotation_x, rotation_y, rotation_z;  ///< about z in the plane; in space about the three axes
 };
 
 /// One stage of a run.
@@ -38,11 +59,21 @@ struct StageSettings {
   std::optional<Real> vertical_force;     ///< N/m downwards in a drag, instead of the one held
   std::optional<Real> vertical_velocity;  ///< m/s downwards in a drag, instead of holding a force
   Real ramp = 0;                          ///< s, time in which the drive goes from what it was to its value; 0 = at once
+  DriveSettings drive;                    ///< of a stage of kind drive
   std::optional<Real> damping;            ///< local damping of all bodies in this stage, instead of their own
   Until until;
   Real equilibrium = 0.01;  ///< geostatic: largest out-of-balance force over the weight that is accepted
 };
 
+/// Whether the stage drives a rigid body.
+inline bool drives(StageKind kind)
+{
+  return kind == StageKind::push || kind == StageKind::drag || kind == StageKind::drive;
+}
+
+void describe(Describe& d, FreedomSettings& freedom);
+void describe(Describe& d, TurnSettings& turn);
+void describe(Describe& d, DriveSettings& drive);
 void describe(Describe& d, Until& until);
 void describe(Describe& d, StageSettings& stage);
 

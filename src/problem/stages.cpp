@@ -2,27 +2,13 @@
 #include "problem/stages.hpp"
 
 namespace berm::problem {
-namespace {
-
-/// What gravity and a drive did to a free rigid body when they and its contacts changed its motion, less the work that the contacts counted when
-/// they gave their part to the soil: the kinetic energy of a free body is in the balance, so what passes between it and the soil is not from outside.
-template <int dim>
-Real work_of_outside(const bodies::RigidBody<dim>& body, const bodies::RigidState<dim>& before, const bodies::RigidState<dim>& after,
-                     Real dt)
-{
-  const Vec<dim> impulse = body.mass * (after.velocity - before.velocity) - dt * after.reaction;
-  const Real torque_impulse = body.inertia * (after.angular_velocity - before.angular_velocity) - dt * after.torque;
-  return impulse.dot(after.velocity + before.velocity) / 2 + torque_impulse * (after.angular_velocity + before.angular_velocity) / 2 +
-         dt * (after.reaction.dot(before.velocity) + after.torque * before.angular_velocity);
-}
-
-}  // namespace
-
 template <int dim>
 PipeMotion pipe_motion(const Model<dim>& model, const State<dim>& state, Index rigid)
 {
-  return {state.rigid_bodies[rigid].displacement[0],
-          model.surface - lowest_level<dim>(placed<dim>(model.rigid_bodies[rigid], state.rigid_bodies[rigid]))};
+  const Axes<dim>& axes = model.axes;
+  const bodies::RigidState<dim>& body = state.rigid_bodies[rigid];
+  return {body.displacement[axes.along],
+          axes.sign * model.surface - lowest_level<dim>(placed<dim>(model.rigid_bodies[rigid], body), axes.up_vector())};
 }
 
 template <int dim>
@@ -39,7 +25,7 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
   const StageSettings& stage = model.stages[now.index];
   const Index driven = model.driven[now.index];
   now.begin_time = state.time;
-  for (Drive& drive : now.drive) drive = {};
+  for (bodies::Drive& drive : now.drive) drive = {};
   for (std::size_t k = 0; k < state.tractions.size(); ++k) {
     TractionState& traction = state.tractions[k];
     const Real to = model.tractions[k].acts[now.index] ? 1 : 0;
@@ -49,23 +35,37 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
 
   const bodies::RigidState<dim>& rigid = state.rigid_bodies[driven];
   now.begin_displacement = rigid.displacement;
-  const auto by_velocity = [&](int d, Real v) { now.drive[d] = {false, rigid.velocity[d], v}; };
-  const auto by_force = [&](int d, Real f) { now.drive[d] = {true, -rigid.smooth_reaction[d], f}; };
-  for (int d = 0; d < dim; ++d) by_velocity(d, 0);
-  if (stage.kind == StageKind::push) {
-    if (stage.velocity)
-      by_velocity(1, -*stage.velocity);
+  const StageDrives<dim> drives = drives_of(stage, model.axes, model.rigid_bodies[driven].rotation == bodies::Rotation::free);
+  const auto velocity = [&](int f) -> Real {
+    if (f < dim) return rigid.velocity[f];
+    if constexpr (dim == 2)
+      return rigid.angular_velocity;
     else
-      by_force(1, -*stage.force);
-  } else {
-    if (stage.velocity)
-      by_velocity(0, *stage.velocity);
+      return rigid.angular_velocity[f - dim];
+  };
+  const auto balance = [&](int f) -> Real {
+    if (f < dim) return -rigid.smooth_reaction[f];
+    if constexpr (dim == 2)
+      return -rigid.torque;
     else
-      by_force(0, *stage.force);
-    if (stage.vertical_velocity)
-      by_velocity(1, -*stage.vertical_velocity);
-    else if (stage.vertical == Vertical::hold)
-      by_force(1, stage.vertical_force ? -*stage.vertical_force : -rigid.smooth_reaction[1]);
+      return -rigid.torque[f - dim];
+  };
+  for (int f = 0; f < bodies::freedoms<dim>; ++f) {
+    const FreedomDrive& drive = drives[f];
+    switch (drive.by) {
+    case FreedomDrive::By::velocity:
+      now.drive[f] = {false, velocity(f), drive.value};
+      break;
+    case FreedomDrive::By::force:
+      now.drive[f] = {true, balance(f), drive.value};
+      break;
+    case FreedomDrive::By::hold:
+      now.drive[f] = {true, balance(f), balance(f)};
+      break;
+    case FreedomDrive::By::free:
+      now.drive[f] = {true, 0, 0};
+      break;
+    }
   }
 }
 
@@ -80,7 +80,9 @@ bool stage_ended(const Model<dim>& model, const State<dim>& state)
   const Index driven = model.driven[now.index];
   if (driven == none) return false;
   const bodies::RigidState<dim>& rigid = state.rigid_bodies[driven];
-  if (until.displacement && std::abs(rigid.displacement[0] - now.begin_displacement[0]) >= *until.displacement) return true;
+  const Vec<dim> moved = rigid.displacement - now.begin_displacement;
+  const Real travel = stage.kind == StageKind::drive ? moved.norm() : std::abs(moved[model.axes.along]);
+  if (until.displacement && travel >= *until.displacement) return true;
   if (until.embedment && pipe_motion(model, state, driven).w >= *until.embedment) return true;
   return until.force && resistance(model, state, rigid.smooth_reaction) >= *until.force;
 }
@@ -95,18 +97,18 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
     const bodies::RigidBody<dim>& body = model.rigid_bodies[r];
     bodies::RigidState<dim>& rigid = state.rigid_bodies[r];
     const bodies::RigidState<dim> before = rigid;
-    const bool driven = r == model.driven[state.stage.index];
-    const bool moves = driven || (body.motion == bodies::Motion::free && stage.kind != StageKind::geostatic);
-    for (int d = 0; d < dim; ++d) {
-      const Drive& drive = state.stage.drive[d];
-      const Real value = ramped(stage, drive, since);
-      if (driven)
-        rigid.velocity[d] = drive.by_force ? rigid.velocity[d] + dt * (value + rigid.reaction[d]) / body.mass : value;
-      else
-        rigid.velocity[d] = moves ? rigid.velocity[d] + dt * (gravity[d] + rigid.reaction[d] / body.mass) : 0;
+    if (r == model.driven[state.stage.index]) {
+      bodies::DriveNow<dim> now;
+      for (int f = 0; f < bodies::freedoms<dim>; ++f) {
+        now.by_force[f] = state.stage.drive[f].by_force;
+        now.value[f] = ramped(stage, state.stage.drive[f], since);
+      }
+      drive_body(body, rigid, now, dt);
+    } else if (body.motion == bodies::Motion::free && stage.kind != StageKind::geostatic) {
+      free_body(body, rigid, gravity, dt);
+    } else {
+      rest(rigid);
     }
-    rigid.angular_velocity =
-        moves && body.rotation == bodies::Rotation::free ? rigid.angular_velocity + dt * rigid.torque / body.inertia : 0;
     if (body.motion == bodies::Motion::free) state.totals.external += work_of_outside(body, before, rigid, dt);
   }
 }
@@ -118,6 +120,11 @@ Real expected_time(const StageSettings& stage)
     const Real speed = std::abs(*stage.velocity);
     if (stage.kind == StageKind::drag && stage.until.displacement) min = std::min(min, *stage.until.displacement / speed + stage.ramp / 2);
     if (stage.kind == StageKind::push && stage.until.embedment) min = std::min(min, *stage.until.embedment / speed + stage.ramp / 2);
+  }
+  if (stage.kind == StageKind::drive && stage.until.displacement) {
+    const Real speed =
+        std::hypot(stage.drive.x.velocity.value_or(0), stage.drive.y.velocity.value_or(0), stage.drive.z.velocity.value_or(0));
+    if (speed > 0) min = std::min(min, *stage.until.displacement / speed + stage.ramp / 2);
   }
   // A body that starts above the bed may have a negative embedment to reach.
   return 0 < min && min < infinity ? min : 0;

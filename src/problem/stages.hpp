@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "boundary/gravity.hpp"
+#include "problem/drives.hpp"
 #include "problem/model.hpp"
 
 namespace berm::problem {
 
 /// The pipe as the engineer sees it: displacements in m, forces in N/m (in space: N).
 struct PipeMotion {
-  Real u = 0;  ///< horizontal displacement along +x
+  Real u = 0;  ///< horizontal displacement (Axes::along)
   Real w = 0;  ///< depth of the lowest point below the bed's first surface
 };
 template <int dim>
@@ -21,11 +23,12 @@ Real drag_direction(const Model<dim>& model, const State<dim>& state);
 template <int dim>
 Real resistance(const Model<dim>& model, const State<dim>& state, const Vec<dim>& reaction)
 {
-  return model.stages[state.stage.index].kind == StageKind::push ? reaction[1] : -drag_direction(model, state) * reaction[0];
+  return model.stages[state.stage.index].kind == StageKind::push ? model.axes.sign * reaction[model.axes.up]
+                                                                 : -drag_direction(model, state) * reaction[model.axes.along];
 }
 
 /// The value of a drive at a time since the stage's begin, s: it goes from what it was to its own over the stage's ramp.
-inline Real ramped(const StageSettings& stage, const Drive& drive, Real since)
+inline Real ramped(const StageSettings& stage, const bodies::Drive& drive, Real since)
 {
   const Real part = stage.ramp > since ? since / stage.ramp : 1;
   return drive.from + part * (drive.to - drive.from);
@@ -40,7 +43,7 @@ void begin_stage(const Model<dim>& model, State<dim>& state);
 template <int dim>
 bool stage_ended(const Model<dim>& model, const State<dim>& state);
 
-/// The velocity and spin of each rigid body in the coming step: given, or mass times acceleration = drive or weight + reaction of the last step and
+/// The velocity and angular velocity of each rigid body in the coming step: given, or mass times acceleration = drive or weight + reaction of the last step and
 /// inertia times angular acceleration = torque of the last step. Adds the work of gravity and drives on free bodies to the totals.
 template <int dim>
 void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt);
@@ -59,7 +62,7 @@ inline Real part_of_traction(const Traction& traction, const TractionState& now,
 template <int dim>
 Vec<dim> gravity_now(const Model<dim>& model, Real time)
 {
-  return model.gravity_ramp > time ? Vec<dim>(model.gravity * (time / model.gravity_ramp)) : model.gravity;
+  return boundary::ramped_gravity<dim>(model.gravity, model.gravity_ramp, time);
 }
 
 }  // namespace berm::problem

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/fem_frame.hpp"
 
+#include "run_folder/gradient_strain.hpp"
+
 #include <algorithm>
+#include <functional>
+#include <tuple>
 
 namespace berm::run_folder {
 namespace {
@@ -13,11 +17,32 @@ constexpr Real drawn_out(int k, int q)
   return (k - 3 == q || (k - 2) % 3 == q) ? 2. / 3 : -1. / 3;
 }
 
+/// A field of the points of integration: what is said of it, and the member that keeps it.
+template <class Member>
+struct PointField {
+  const char *name, *label, *unit;
+  Member fem::SoilPoint::*member;
+
+  static constexpr bool is_number = std::is_same_v<Member, Real>;
+  FieldInfo info() const { return {name, label, unit, is_number ? 1 : tensor_size<2>, to_frame}; }
+  Real of(const fem::SoilPoint& point, int component) const
+  {
+    if constexpr (is_number)
+      return point.*member;
+    else
+      return (point.*member)[component];
+  }
+};
+
+/// What points of integration carry to frames beside what their law keeps. The bare numbers are never negative.
+constexpr std::tuple point_fields = {
+    PointField<SymTensor<2>>{"stress", "stress (tension positive)", "Pa", &fem::SoilPoint::stress},
+    PointField<Real>{"accumulated_deviatoric_strain", "deviatoric strain summed over all steps", "", &fem::SoilPoint::deviatoric_strain},
+    PointField<Real>{"overstress", "overstress: how far the stress lies beyond the strength", "Pa", &fem::SoilPoint::overstress}};
+
 struct NodalSums {
   Real area = 0;
-  SymTensor<2> stress;
   Matrix<2> gradient = Matrix<2>::Zero(), gradient_since_last = Matrix<2>::Zero();  ///< of the displacement
-  Real accumulated = 0;                                                             ///< deviatoric strain
 };
 
 /// du/dx at a point of integration; `displacement` by unknown.
@@ -29,6 +54,40 @@ Matrix<2> gradient_at(const fem::ShapeAtPoint& shape, const fem::AtSixNodes<Inde
   return gradient;
 }
 
+/// A field of a frame that points of integration of some bodies carry.
+struct DrawnField {
+  FieldInfo info;
+  std::vector<int> first;  ///< by body: which of the numbers of a point is its first component, or none
+  std::function<Real(const fem::SoilPoint&, int number)> of;
+};
+
+std::vector<DrawnField> drawn_fields(const problem::Model<2>& model)
+{
+  std::vector<DrawnField> fields;
+  const std::size_t bodies = model.bodies.size();
+  std::apply(
+      [&](const auto&... field) {
+        (fields.push_back({field.info(), std::vector<int>(bodies, 0),
+                           [&field](const fem::SoilPoint& point, int component) { return field.of(point, component); }}),
+         ...);
+      },
+      point_fields);
+  for (std::size_t b = 0; b < bodies; ++b) {
+    int offset = 0;
+    for (const FieldInfo& info : state_fields(model.bodies[b].material)) {
+      const int first = offset;
+      offset += info.components;
+      if (!info.goes(to_frame)) continue;
+      auto found = std::find_if(fields.begin(), fields.end(), [&](const DrawnField& field) { return field.info.name == info.name; });
+      if (found == fields.end())
+        found = fields.insert(
+            found, {info, std::vector<int>(bodies, none), [](const fem::SoilPoint& point, int k) { return point.law_state[k]; }});
+      found->first[b] = first;
+    }
+  }
+  return fields;
+}
+
 }  // namespace
 
 FemFrameMaker::FemFrameMaker(const fem::FemModel& model) : model_(model), last_displacement_(model.unknowns(), 0.) {}
@@ -36,8 +95,17 @@ FemFrameMaker::FemFrameMaker(const fem::FemModel& model) : model_(model), last_d
 Frame<2> FemFrameMaker::make(const fem::FemState& state)
 {
   const fem::QuadraticMesh& mesh = model_.mesh;
+  const std::vector<DrawnField> drawn = drawn_fields(model_.model);
+  std::vector<FieldInfo> infos = common_fields<2>();
+  for (const DrawnField& field : drawn)
+    if (!is_common_field(field.info.name)) infos.push_back(field.info);
+  Frame<2> frame;
+  frame.time = state.state.time;
+  frame.allocate(static_cast<std::size_t>(mesh.node_count()), infos);
+  std::vector<FieldValues<Real>*> shown;
+  for (const DrawnField& field : drawn) shown.push_back(&frame.field(field.info.name));
+
   NodeField<NodalSums> sums(mesh.node_count());
-  NodeField<Index> body(mesh.node_count(), 0);
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     Real area = 0;
     for (const fem::ShapeAtPoint& shape : model_.shape[cell]) area += shape.area;
@@ -47,34 +115,42 @@ Frame<2> FemFrameMaker::make(const fem::FemState& state)
       since_last[q] = gradient[q] - gradient_at(model_.shape[cell][q], mesh.nodes[cell], last_displacement_);
     }
     for (int k = 0; k < 6; ++k) {
-      NodalSums& sum = sums[mesh.nodes[cell][k]];
+      const Index node = mesh.nodes[cell][k];
+      NodalSums& sum = sums[node];
       sum.area += area;
-      body[mesh.nodes[cell][k]] = mesh.body[cell];
+      frame.body[node] = mesh.body[cell];
       for (int q = 0; q < fem::triangle_points; ++q) {
-        const fem::SoilPoint& point = state.points[cell][q];
-        for (int c = 0; c < 4; ++c) sum.stress[c] += area * drawn_out(k, q) * point.stress[c];
-        sum.gradient += area * drawn_out(k, q) * gradient[q];
-        sum.gradient_since_last += area * drawn_out(k, q) * since_last[q];
-        sum.accumulated += area * drawn_out(k, q) * point.deviatoric_strain;
+        const Real weight = area * drawn_out(k, q);
+        sum.gradient += weight * gradient[q];
+        sum.gradient_since_last += weight * since_last[q];
+        for (std::size_t f = 0; f < drawn.size(); ++f)
+          for (int c = 0, first = drawn[f].first[mesh.body[cell]]; first != none && c < drawn[f].info.components; ++c)
+            shown[f]->at(node, c) += weight * drawn[f].of(state.points[cell][q], first + c);
       }
     }
   }
-  Frame<2> frame;
-  frame.time = state.state.time;
+  for (FieldValues<Real>* field : shown)
+    for (Index node = 0; node < mesh.node_count(); ++node)
+      for (int c = 0; c < field->info.components; ++c) {
+        Real& value = field->at(node, c);
+        value = field->info.components > 1 ? value / sums[node].area : std::max(Real(0), value / sums[node].area);
+      }
+  const FieldValues<Real>& stress = frame.field("stress");
+  FieldValues<Real>&displacement = frame.field("displacement"), &mean_stress = frame.field("mean_stress"),
+  &deviatoric = frame.field("deviatoric_strain"), &volumetric = frame.field("volumetric_strain"),
+  &increment = frame.field("incremental_deviatoric_strain");
   for (Index node = 0; node < mesh.node_count(); ++node) {
     const NodalSums& sum = sums[node];
-    FrameParticle<2> shown{};
-    shown.displacement = Vec<2>(state.displacement[2 * node], state.displacement[2 * node + 1]);
-    shown.body = body[node];
-    shown.particle.id = node;
-    shown.particle.x = mesh.position[node] + shown.displacement;
-    shown.particle.v = Vec<2>::Zero();
-    shown.particle.volume = sum.area / 6;
-    for (int c = 0; c < 4; ++c) shown.particle.stress[c] = sum.stress[c] / sum.area;
-    shown.particle.deviatoric_strain = std::max(Real(0), sum.accumulated / sum.area);
-    shown.strain = gradient_strain<2>(Matrix<2>::Identity() + sum.gradient / sum.area);
-    shown.strain_increment = gradient_strain<2>(Matrix<2>::Identity() + sum.gradient_since_last / sum.area).deviatoric;
-    frame.particles.push_back(shown);
+    const Vec<2> moved_by(state.displacement[2 * node], state.displacement[2 * node + 1]);
+    frame.id[node] = node;
+    frame.points[node] = mesh.position[node] + moved_by;
+    frame.volume[node] = sum.area / 6;
+    for (int d = 0; d < 2; ++d) displacement.at(node, d) = moved_by[d];
+    mean_stress.at(node) = (stress.at(node, 0) + stress.at(node, 1) + stress.at(node, 2)) / 3;
+    const GradientStrain strain = gradient_strain<2>(Matrix<2>::Identity() + sum.gradient / sum.area);
+    deviatoric.at(node) = strain.deviatoric;
+    volumetric.at(node) = strain.volumetric;
+    increment.at(node) = gradient_strain<2>(Matrix<2>::Identity() + sum.gradient_since_last / sum.area).deviatoric;
   }
   last_displacement_ = state.displacement;
   frame.triangles.assign(mesh.nodes.begin(), mesh.nodes.end());

@@ -1,7 +1,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/frame.hpp"
 
+#include "bodies/particle_fields.hpp"
+
+#include <stdexcept>
+
 namespace berm::run_folder {
+
+template <int dim>
+void Frame<dim>::allocate(std::size_t count, const std::vector<FieldInfo>& infos)
+{
+  points.assign(count, Vec<dim>::Zero());
+  volume.assign(count, 0);
+  body.assign(count, 0);
+  id.assign(count, 0);
+  fields.clear();
+  fields.reserve(infos.size());
+  for (const FieldInfo& info : infos) fields.push_back({info, std::vector<Real>(count * static_cast<std::size_t>(info.components), 0)});
+}
+
+template <int dim>
+const FieldValues<Real>& Frame<dim>::field(const std::string& name) const
+{
+  const FieldValues<Real>* found = find_field(fields, name);
+  if (found == nullptr) throw std::logic_error("the frame has no field " + name);
+  return *found;
+}
+
+template <int dim>
+FieldValues<Real>& Frame<dim>::field(const std::string& name)
+{
+  return const_cast<FieldValues<Real>&>(std::as_const(*this).field(name));
+}
+
+template <int dim>
+std::vector<FieldInfo> common_fields()
+{
+  std::vector<FieldInfo> fields;
+  bodies::for_each_field<dim>([&](const auto& field) {
+    if ((field.travel & to_frame) != 0) fields.push_back(field.info());
+  });
+  fields.insert(fields.end(),
+                {{"displacement", "displacement since the start", "m", dim, to_frame},
+                 {"mean_stress", "mean stress (tension positive)", "Pa", 1, to_frame},
+                 {"deviatoric_strain", "deviatoric strain of displacement since the start", "", 1, to_frame},
+                 {"volumetric_strain", "volumetric strain of displacement since the start (expansion positive)", "", 1, to_frame},
+                 {"incremental_deviatoric_strain", "deviatoric strain of displacement since the frame before", "", 1, to_frame}});
+  return fields;
+}
+
+bool is_common_field(const std::string& name)
+{
+  const std::vector<FieldInfo> fields = common_fields<2>();
+  return std::any_of(fields.begin(), fields.end(), [&](const FieldInfo& info) { return info.name == name; });
+}
+
+std::vector<std::string> own_fields(const Frame<2>& frame)
+{
+  std::vector<std::string> names;
+  for (const FieldValues<Real>& field : frame.fields) {
+    const bool zero = std::all_of(field.values.begin(), field.values.end(), [](Real value) { return value == 0; });
+    if (field.info.components == 1 && !zero && !is_common_field(field.info.name)) names.push_back(field.info.name);
+  }
+  return names;
+}
+
+template <int dim>
+std::size_t bytes_of_point(int more_numbers)
+{
+  std::size_t numbers = dim + 1 + static_cast<std::size_t>(more_numbers);  // point and volume
+  for (const FieldInfo& info : common_fields<dim>()) numbers += static_cast<std::size_t>(info.components);
+  return numbers * sizeof(Real) + 2 * sizeof(std::int32_t);
+}
 
 template <int dim>
 std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>& model, const std::vector<bodies::RigidState<dim>>& rigid_bodies)
@@ -13,7 +83,13 @@ std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>& model, cons
   return shown;
 }
 
-template std::vector<FrameRigid<2>> frame_rigids(const problem::Model<2>&, const std::vector<bodies::RigidState<2>>&);
-template std::vector<FrameRigid<3>> frame_rigids(const problem::Model<3>&, const std::vector<bodies::RigidState<3>>&);
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template struct Frame<dim>;                                                                                                              \
+  template std::vector<FieldInfo> common_fields<dim>();                                                                                    \
+  template std::size_t bytes_of_point<dim>(int);                                                                                           \
+  template std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>&, const std::vector<bodies::RigidState<dim>>&);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
 
 }  // namespace berm::run_folder

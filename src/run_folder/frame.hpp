@@ -2,20 +2,10 @@
 #pragma once
 
 #include "problem/model.hpp"
-#include "run_folder/gradient_strain.hpp"
+#include "run_folder/field_values.hpp"
 #include "run_folder/rigid_surface.hpp"
 
 namespace berm::run_folder {
-
-/// A particle, or a node of a mesh of finite elements, as a frame shows it.
-template <int dim>
-struct FrameParticle {
-  bodies::Particle<dim> particle;
-  Index body;
-  Vec<dim> displacement;  ///< since the start, m
-  GradientStrain strain;  ///< of the gradient of the displacement
-  Real strain_increment;  ///< deviatoric, of the gradient of the displacement since the frame before
-};
 
 /// A rigid body as a frame shows it.
 template <int dim>
@@ -24,16 +14,39 @@ struct FrameRigid {
   Vec<dim> velocity;  ///< m/s
 };
 
-/// What one frame shows: the particles by body and then id, and the rigid bodies where they are. Where finite elements carry the soil the particles
-/// are their nodes, each with the area that belongs to it as its volume.
+/// What one frame shows: points of the soil with fields, and the rigid bodies where they are. The points are particles, by body and then number, or nodes of
+/// finite elements, each with the area that belongs to it as its volume.
 template <int dim>
 struct Frame {
   Real time = 0;  ///< s
-  std::vector<FrameParticle<dim>> particles;
-  std::vector<std::array<Index, 6>>
-      triangles;  ///< quadratic, of particles: corners counter-clockwise, middles of sides 01 12 20; none in MPM
+  std::vector<Vec<dim>> points;
+  std::vector<Real> volume;            ///< by point: m2 or m3
+  std::vector<std::int32_t> body, id;  ///< by point
+  std::vector<FieldValues<Real>> fields;
+  std::vector<std::array<Index, 6>> triangles;  ///< quadratic, of points: corners counter-clockwise, middles of sides 01 12 20; none in MPM
   std::vector<FrameRigid<dim>> rigid_bodies;
+
+  /// Makes room for so many points and these fields, all zero; what there was is gone.
+  void allocate(std::size_t count, const std::vector<FieldInfo>& infos);
+  /// The field of that name; throws std::logic_error where there is none.
+  FieldValues<Real>& field(const std::string& name);
+  const FieldValues<Real>& field(const std::string& name) const;
 };
+
+/// The fields that every frame has, in `dim` dimensions: those of all particles that go to frames (bodies/particle_fields.hpp), and what both methods work
+/// out from the motion of the soil.
+template <int dim>
+std::vector<FieldInfo> common_fields();
+
+/// Whether every frame has a field of that name; another one belongs to a law or a method.
+bool is_common_field(const std::string& name);
+
+/// The fields of one number a point that not every frame has and that are not zero everywhere: each is worth a picture of its own.
+std::vector<std::string> own_fields(const Frame<2>& frame);
+
+/// Bytes of a point of a frame whose fields, beside the common ones, have so many numbers.
+template <int dim>
+std::size_t bytes_of_point(int more_numbers);
 
 /// The model's rigid bodies where `rigids` says that they are; a half-plane as far as the mesh reaches.
 template <int dim>

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "run_folder/frame_maker.hpp"
 
+#include "bodies/particle_fields.hpp"
+#include "run_folder/gradient_strain.hpp"
+
 #include <algorithm>
 
 namespace berm::run_folder {
@@ -22,6 +25,49 @@ Vec<dim> position(const bodies::Block<dim>& block, int lane)
   for (int d = 0; d < dim; ++d) x[d] = block.x[d][lane];
   return x;
 }
+
+/// The fields that a frame of these bodies has: the common ones, then those that only some of the bodies have, each once.
+template <int dim>
+std::vector<FieldInfo> fields_of(const std::vector<bodies::Particles<dim>>& bodies)
+{
+  std::vector<FieldInfo> fields = common_fields<dim>();
+  for (const bodies::Particles<dim>& particles : bodies)
+    for (const bodies::ExtraField& extra : particles.extra_fields()) {
+      const bool known = std::any_of(fields.begin(), fields.end(), [&](const FieldInfo& info) { return info.name == extra.info.name; });
+      if (extra.info.goes(to_frame) && !known) fields.push_back(extra.info);
+    }
+  return fields;
+}
+
+/// Puts what particles carry into a frame.
+template <int dim>
+class CarriedFields {
+public:
+  CarriedFields(Frame<dim>& frame, const bodies::Particles<dim>& particles)
+  {
+    bodies::for_each_field<dim>([&](const auto& field) {
+      if ((field.travel & to_frame) != 0) common_.push_back(&frame.field(field.name));
+    });
+    for (const bodies::ExtraField& extra : particles.extra_fields())
+      if (extra.info.goes(to_frame)) extra_.emplace_back(&frame.field(extra.info.name), extra.offset);
+  }
+
+  void put(const bodies::Particle<dim>& p, std::size_t point) const
+  {
+    auto next = common_.begin();
+    bodies::for_each_field<dim>([&](const auto& field) {
+      if ((field.travel & to_frame) == 0) return;
+      for (int c = 0; c < field.components; ++c) (*next)->at(point, c) = static_cast<Real>(field.of(p, c));
+      ++next;
+    });
+    for (const auto& [shown, offset] : extra_)
+      for (int c = 0; c < shown->info.components; ++c) shown->at(point, c) = p.extra[offset + c];
+  }
+
+private:
+  std::vector<FieldValues<Real>*> common_;
+  std::vector<std::pair<FieldValues<Real>*, int>> extra_;
+};
 
 }  // namespace
 
@@ -49,19 +95,32 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
   Frame<dim> frame;
   frame.time = state.time;
   std::size_t count = 0;
-  for (const auto& of_body : known_) count += of_body.size();
-  frame.particles.reserve(count);
+  for (const bodies::Particles<dim>& particles : state.particles) count += static_cast<std::size_t>(particles.size());
+  frame.allocate(count, fields_of(state.particles));
+  FieldValues<Real>&displacement = frame.field("displacement"), &mean_stress = frame.field("mean_stress");
+  Index next = 0;
   for (std::size_t body = 0; body < state.particles.size(); ++body) {
-    const std::size_t offset = frame.particles.size();
-    frame.particles.resize(offset + known_[body].size());
-    visit_all<dim>(state.particles[body], model_.mesh.cell_count(), [&](Index, Index b, int l) {
-      const bodies::Particle<dim> p = state.particles[body].read(b, l);
-      const Known& known = known_[body].at(static_cast<std::size_t>(p.id));
-      frame.particles[offset + static_cast<std::size_t>(p.id)] = {p, static_cast<Index>(body), p.x - known.first, {}, 0};
+    const bodies::Particles<dim>& particles = state.particles[body];
+    std::vector<Index> point(known_[body].size(), none);  // by id
+    visit_all<dim>(particles, model_.mesh.cell_count(),
+                   [&](Index, Index b, int l) { point.at(static_cast<std::size_t>(particles.block(b).id[l])) = 0; });
+    for (Index& k : point)
+      if (k != none) k = next++;
+    const CarriedFields<dim> carried(frame, particles);
+    visit_all<dim>(particles, model_.mesh.cell_count(), [&](Index, Index b, int l) {
+      const bodies::Particle<dim> p = particles.read(b, l);
+      const Index k = point[p.id];
+      const Vec<dim> moved_by = p.x - known_[body][p.id].first;
+      frame.points[k] = p.x;
+      frame.volume[k] = p.volume;
+      frame.body[k] = static_cast<Index>(body);
+      frame.id[k] = p.id;
+      carried.put(p, k);
+      for (int d = 0; d < dim; ++d) displacement.at(k, d) = moved_by[d];
+      mean_stress.at(k) = trace(p.stress) / 3;
     });
-    add_strains(state.particles[body], known_[body], frame.particles.data() + offset);
+    add_strains(particles, known_[body], point, frame);
   }
-  std::erase_if(frame.particles, [](const FrameParticle<dim>& f) { return f.particle.id == none; });
   frame.rigid_bodies = frame_rigids(model_, state.rigid_bodies);
   return frame;
 }
@@ -69,15 +128,26 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
 // The strain since the start is told from those that were neighbours at the start, whose lattice fits a gradient wherever they have gone; that since the
 // frame before from those that are neighbours now. The latter's gradient is that of the way back, which has the same deviatoric strain.
 template <int dim>
-void FrameMaker<dim>::add_strains(const bodies::Particles<dim>& particles, std::vector<Known>& known, FrameParticle<dim>* shown) const
+void FrameMaker<dim>::add_strains(const bodies::Particles<dim>& particles, std::vector<Known>& known, const std::vector<Index>& point,
+                                  Frame<dim>& frame) const
 {
+  const FieldValues<Real>& displacement = frame.field("displacement");
+  FieldValues<Real>&deviatoric = frame.field("deviatoric_strain"), &volumetric = frame.field("volumetric_strain"),
+  &increment = frame.field("incremental_deviatoric_strain");
   NodalGradient<dim> since_start(model_.mesh), since_last(model_.mesh);
-  for (std::size_t id = 0; id < known.size(); ++id)
-    if (shown[id].particle.id != none) since_start.add(known[id].first_cell, known[id].first, shown[id].displacement);
+  for (std::size_t id = 0; id < known.size(); ++id) {
+    if (point[id] == none) continue;
+    Vec<dim> moved_by;
+    for (int d = 0; d < dim; ++d) moved_by[d] = displacement.at(point[id], d);
+    since_start.add(known[id].first_cell, known[id].first, moved_by);
+  }
   since_start.fit();
-  for (std::size_t id = 0; id < known.size(); ++id)
-    if (shown[id].particle.id != none)
-      shown[id].strain = gradient_strain<dim>(Matrix<dim>::Identity() + since_start.at(known[id].first_cell, known[id].first));
+  for (std::size_t id = 0; id < known.size(); ++id) {
+    if (point[id] == none) continue;
+    const GradientStrain strain = gradient_strain<dim>(Matrix<dim>::Identity() + since_start.at(known[id].first_cell, known[id].first));
+    deviatoric.at(point[id]) = strain.deviatoric;
+    volumetric.at(point[id]) = strain.volumetric;
+  }
 
   const auto visit_with_id = [&](const auto& visit) {
     visit_all<dim>(particles, model_.mesh.cell_count(), [&](Index cell, Index b, int l) {
@@ -87,7 +157,7 @@ void FrameMaker<dim>::add_strains(const bodies::Particles<dim>& particles, std::
   visit_with_id([&](Index cell, const Vec<dim>& x, std::size_t id) { since_last.add(cell, x, known[id].last - x); });
   since_last.fit();
   visit_with_id([&](Index cell, const Vec<dim>& x, std::size_t id) {
-    shown[id].strain_increment = gradient_strain<dim>(Matrix<dim>::Identity() + since_last.at(cell, x)).deviatoric;
+    increment.at(point[id]) = gradient_strain<dim>(Matrix<dim>::Identity() + since_last.at(cell, x)).deviatoric;
     known[id].last = x;
   });
 }

@@ -27,7 +27,8 @@ private:
     Index first_cell = none;
   };
 
-  void add_strains(const bodies::Particles<dim>& particles, std::vector<Known>& known, FrameParticle<dim>* shown) const;
+  void add_strains(const bodies::Particles<dim>& particles, std::vector<Known>& known, const std::vector<Index>& point,
+                   Frame<dim>& frame) const;
 
   const problem::Model<dim>& model_;
   std::vector<std::vector<Known>> known_;  ///< by body, then id

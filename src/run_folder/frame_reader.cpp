@@ -92,20 +92,26 @@ std::vector<FrameFiles> frame_files(const std::filesystem::path& frames_folder)
   return frames;
 }
 
+const std::vector<float>& SavedSoil::operator[](const std::string& name) const
+{
+  const FieldValues<float>* found = find_field(fields, name);
+  if (found == nullptr) throw RunError(fmt::format("{}: has no array {}", file.string(), name));
+  return found->values;
+}
+
 SavedSoil read_soil(const std::filesystem::path& file)
 {
   const io::VtuFile vtu(file);
   const std::size_t count = vtu.point_count();
   SavedSoil soil;
+  soil.file = file;
   Coordinates points = coordinates_in(vtu);
   soil.x = std::move(points.x);
   soil.y = std::move(points.y);
   soil.z = std::move(points.z);
-  soil.velocity = vtu.numbers<float>("velocity", 3 * count);
-  soil.displacement = vtu.numbers<float>("displacement", 3 * count);
-  soil.mean_stress = vtu.numbers<float>("mean_stress", count);
-  soil.deviatoric_strain = vtu.numbers<float>("deviatoric_strain", count);
-  soil.incremental_deviatoric_strain = vtu.numbers<float>("incremental_deviatoric_strain", count);
+  for (const FieldInfo& info : vtu.point_fields())
+    if (info.name != "volume")
+      soil.fields.push_back({info, vtu.numbers<float>(info.name, static_cast<std::size_t>(info.components) * count)});
   soil.volume = vtu.numbers<float>("volume", count);
   soil.id = vtu.numbers<std::int32_t>("id", count);
   soil.body = vtu.numbers<std::int32_t>("body", count);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/vtu.hpp"
+#include "run_folder/field_values.hpp"
 
 #include <array>
 #include <filesystem>
@@ -22,14 +23,15 @@ std::vector<FrameFiles> frame_files(const std::filesystem::path& frames_folder);
 
 /// A frame as it was written: in space with three coordinates, in plane strain with z = 0. Numbers in single precision.
 struct SavedSoil {
-  std::vector<float> x, y, z;                        ///< m, by point: where it is now; finite
-  std::vector<float> velocity, displacement;         ///< three each, by point: m/s, m
-  std::vector<float> mean_stress;                    ///< Pa, tension positive
-  std::vector<float> deviatoric_strain;              ///< of the displacement since the start
-  std::vector<float> incremental_deviatoric_strain;  ///< of the displacement since the frame before
-  std::vector<float> volume;                         ///< m2 in plane strain, m3 in space
-  std::vector<std::int32_t> id, body;
+  std::filesystem::path file;                   ///< that it was read from
+  std::vector<float> x, y, z;                   ///< m, by point: where it is now; finite
+  std::vector<float> volume;                    ///< m2 in plane strain, m3 in space
+  std::vector<std::int32_t> id, body;           ///< by point
+  std::vector<FieldValues<float>> fields;       ///< all others that the file holds; vectors have three components, symmetric tensors six
   std::vector<std::array<Index, 6>> triangles;  ///< quadratic, of points; none in MPM
+
+  /// The numbers of a field. Throws RunError with the file's name where there is none of that name.
+  const std::vector<float>& operator[](const std::string& name) const;
 };
 
 /// The outline or surface of the rigid bodies: closed polygons and lines of points in plane strain.

@@ -5,6 +5,7 @@
 #include "io/atomic_file.hpp"
 
 #include <algorithm>
+#include <deque>
 #include <fmt/format.h>
 
 namespace berm::run_folder {
@@ -16,6 +17,25 @@ template <int dim, class T>
 void append(std::vector<T>& list, const Vec<dim>& v)
 {
   for (int d = 0; d < 3; ++d) list.push_back(d < dim ? static_cast<T>(v[d]) : T{0});
+}
+
+/// How many components a field has in a file, where vectors have three and symmetric tensors six.
+template <int dim>
+int components_in_file(int components)
+{
+  return components == dim ? 3 : components == tensor_size<dim> ? 6 : components;
+}
+
+/// A field as a file has it: in single precision, components that there are none of zero.
+template <int dim>
+std::vector<float> in_file(const FieldValues<Real>& field, std::size_t count)
+{
+  const int components = field.info.components, all = components_in_file<dim>(components);
+  std::vector<float> list(count * static_cast<std::size_t>(all), 0);
+  auto to = list.begin();
+  for (std::size_t k = 0; k < count; ++k, to += all)
+    for (int c = 0; c < components; ++c) to[c] = static_cast<float>(field.at(k, c));
+  return list;
 }
 
 std::string file_name(const char* kind, Index number)
@@ -102,48 +122,27 @@ void FrameWriter<dim>::write_mesh(const mesh::Mesh<dim>& mesh) const
 template <int dim>
 void FrameWriter<dim>::write_soil(const std::string& name) const
 {
+  const std::size_t count = last_.points.size();
   std::vector<Real> points;
-  std::vector<float> velocity, displacement, stress, mean_stress, strain, volumetric, increment, accumulated, volume;
-  std::vector<std::int32_t> body, id;
-  // Lists that grow by doubling would take half as much again, of the memory of a large run.
-  const std::size_t count = last_.particles.size();
-  points.reserve(3 * count);
-  for (auto* list : {&velocity, &displacement}) list->reserve(3 * count);
-  stress.reserve(6 * count);
-  for (auto* list : {&mean_stress, &strain, &volumetric, &increment, &accumulated, &volume}) list->reserve(count);
-  for (auto* list : {&body, &id}) list->reserve(count);
-  for (const FrameParticle<dim>& f : last_.particles) {
-    const bodies::Particle<dim>& p = f.particle;
-    append<dim>(points, p.x);
-    append<dim>(velocity, p.v);
-    append<dim>(displacement, f.displacement);
-    for (int k = 0; k < 6; ++k) stress.push_back(k < tensor_size<dim> ? static_cast<float>(p.stress[k]) : 0);
-    mean_stress.push_back(static_cast<float>(trace(p.stress) / 3));
-    strain.push_back(static_cast<float>(f.strain.deviatoric));
-    volumetric.push_back(static_cast<float>(f.strain.volumetric));
-    increment.push_back(static_cast<float>(f.strain_increment));
-    accumulated.push_back(static_cast<float>(p.deviatoric_strain));
-    volume.push_back(static_cast<float>(p.volume));
-    body.push_back(f.body);
-    id.push_back(p.id);
-  }
+  points.reserve(3 * count);  // a list that grows by doubling would take half as much again, of the memory of a large run
+  for (const Vec<dim>& x : last_.points) append<dim>(points, x);
   io::Vtu vtu(std::move(points));
   vtu.reserve_cells(last_.triangles.empty() ? count : last_.triangles.size(), last_.triangles.empty() ? 1 : 6);
   for (const auto& nodes : last_.triangles) vtu.add_cell(io::VtkCell::quadratic_triangle, std::vector<Index>(nodes.begin(), nodes.end()));
   if (last_.triangles.empty())
-    for (Index k = 0; k < static_cast<Index>(last_.particles.size()); ++k) vtu.add_cell(io::VtkCell::vertex, {k});
+    for (Index k = 0; k < static_cast<Index>(count); ++k) vtu.add_cell(io::VtkCell::vertex, {k});
   vtu.set_time(last_.time);
-  vtu.point_field("velocity", 3, velocity);
-  vtu.point_field("displacement", 3, displacement);
-  vtu.point_field("stress", 6, stress, {"XX", "YY", "ZZ", "XY", "YZ", "XZ"});
-  vtu.point_field("mean_stress", 1, mean_stress);
-  vtu.point_field("deviatoric_strain", 1, strain);
-  vtu.point_field("volumetric_strain", 1, volumetric);
-  vtu.point_field("incremental_deviatoric_strain", 1, increment);
-  vtu.point_field("accumulated_deviatoric_strain", 1, accumulated);
-  vtu.point_field("volume", 1, volume);
-  vtu.point_field("body", 1, body);
-  vtu.point_field("id", 1, id);
+  std::deque<std::vector<float>> lists;  // that stay where they are
+  for (const FieldValues<Real>& field : last_.fields) {
+    FieldInfo info = field.info;
+    info.components = components_in_file<dim>(info.components);
+    vtu.point_field(info, lists.emplace_back(in_file<dim>(field, count)),
+                    info.components == 6 ? std::vector<const char*>{"XX", "YY", "ZZ", "XY", "YZ", "XZ"} : std::vector<const char*>{});
+  }
+  const std::vector<float> volume(last_.volume.begin(), last_.volume.end());
+  vtu.point_field(FieldInfo{"volume", "volume that the point stands for", dim == 2 ? "m2" : "m3"}, volume);
+  vtu.point_field(FieldInfo{"body", "number of the body", ""}, last_.body);
+  vtu.point_field(FieldInfo{"id", "number in its body", ""}, last_.id);
   vtu.write(folder_ / name);
 }
 

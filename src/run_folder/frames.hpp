@@ -10,9 +10,8 @@ namespace berm::run_folder {
 
 /// Writes the frames of a run for ParaView: mesh.vtu once; at each frame particles_NNNN.vtu, or soil_NNNN.vtu where there are triangles,
 /// rigid_NNNN.vtu where there are rigid bodies, and frames.pvd, which lists all frames so far. Every file is written whole. Errors are RunErrors.
-/// Fields of the particles or nodes: velocity (m/s), displacement (m), stress (Pa, tension positive, XX YY ZZ XY YZ XZ), mean_stress (Pa,
-/// tension positive), deviatoric_strain and volumetric_strain (of the displacement since the start), incremental_deviatoric_strain (of that since the
-/// frame before), accumulated_deviatoric_strain (sum of the increments of all steps, which grows where soil shakes at rest), volume (m2 or m3), body, id.
+/// Particles or nodes have all fields of the Frame, each with its label and unit, and volume, body and id. Vectors have three components there,
+/// symmetric tensors six (XX YY ZZ XY YZ XZ).
 template <int dim>
 class FrameWriter {
 public:

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "run_folder/history_schema.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -79,43 +80,15 @@ std::string csv_field(const std::string& text)
   return quoted + '"';
 }
 
-const std::vector<std::string>& common_columns()
-{
-  static const std::vector<std::string> names = {"u_m",
-                                                 "w_m",
-                                                 "H_N_m",
-                                                 "V_N_m",
-                                                 "kinetic_J_m",
-                                                 "internal_J_m",
-                                                 "damping_J_m",
-                                                 "friction_J_m",
-                                                 "external_J_m",
-                                                 "energy_error_J_m",
-                                                 "out_of_balance",
-                                                 "gap_m",
-                                                 "overlap_m",
-                                                 "second_impulse_N_m",
-                                                 "M_Nm_m",
-                                                 "angle_rad"};
-  return names;
-}
-
-HistoryFile::HistoryFile(const std::filesystem::path& path, const std::vector<std::string>& columns, BigIndex kept_bytes)
-    : path_(path),
-      columns_(columns.size())
+HistoryFile::HistoryFile(const std::filesystem::path& path, BigIndex kept_bytes) : path_(path), goes_on_(kept_bytes > 0)
 {
   file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (file_ < 0) io::throw_errno(fmt::format("cannot write {}", path.string()));
-  std::string line = "time_s,stage";
-  for (const std::string& column : columns) line += ',' + csv_field(column);
-  try {
-    if (::lseek(file_, 0, SEEK_END) > kept_bytes && ::ftruncate(file_, kept_bytes) != 0)
-      io::throw_errno(fmt::format("cannot write {}", path.string()));
-    if (kept_bytes == 0) write(line + '\n');
-  } catch (...) {
-    ::close(file_);
-    throw;
-  }
+  if (::lseek(file_, 0, SEEK_END) <= kept_bytes || ::ftruncate(file_, kept_bytes) == 0) return;
+  const int reason = errno;
+  ::close(file_);
+  errno = reason;
+  io::throw_errno(fmt::format("cannot write {}", path.string()));
 }
 
 HistoryFile::~HistoryFile()
@@ -134,13 +107,28 @@ void HistoryFile::write(const std::string& line)
   io::throw_errno(fmt::format("cannot write {}", path_.string()));
 }
 
-void HistoryFile::add(Real time, const std::string& stage, const std::vector<Real>& values)
+std::string HistoryFile::header(const std::vector<Column>& columns)
 {
-  if (values.size() != columns_)
-    throw RunError(fmt::format("{}: a row of {} numbers for {} columns", path_.string(), values.size(), columns_));
-  std::string line = csv_number(time) + ',' + csv_field(stage);
-  for (const Real value : values) line += ',' + csv_number(value);
+  if (goes_on_) {
+    if (read_schema(path_) != columns)
+      throw RunError(
+          fmt::format("{}: the run would go on with other columns than {} tells", path_.string(), schema_path(path_).filename().string()));
+    return "";
+  }
+  write_schema(path_, columns);
+  std::string line = columns[0].name + ',' + stage_column;
+  for (std::size_t k = 1; k < columns.size(); ++k) line += ',' + csv_field(columns[k].name);
+  return line + '\n';
+}
+
+void HistoryFile::add(Row& row)
+{
+  row.end();
+  std::string line = begun_ ? "" : header(row.columns());
+  line += csv_number(row.values()[0]) + ',' + csv_field(row.stage());
+  for (std::size_t k = 1; k < row.values().size(); ++k) line += ',' + csv_number(row.values()[k]);
   write(line + '\n');
+  begun_ = true;
 }
 
 BigIndex HistoryFile::sync()
@@ -150,16 +138,46 @@ BigIndex HistoryFile::sync()
   return bytes;
 }
 
-bool History::has(const std::string& column) const
+bool History::has(const std::string& name) const
 {
-  return std::find(columns.begin(), columns.end(), column) != columns.end();
+  return std::ranges::find(columns, name, &Column::name) != columns.end();
 }
 
-const std::vector<Real>& History::operator[](const std::string& column) const
+const Column& History::column(const std::string& name) const
 {
-  const auto found = std::find(columns.begin(), columns.end(), column);
-  if (found == columns.end()) throw RunError(fmt::format("the history has no column {}; it has {}", column, fmt::join(columns, ", ")));
-  return values[static_cast<std::size_t>(found - columns.begin())];
+  const auto found = std::ranges::find(columns, name, &Column::name);
+  if (found == columns.end()) throw RunError(fmt::format("the history has no column {}; it has {}", name, fmt::join(names(), ", ")));
+  return *found;
+}
+
+const std::vector<Real>& History::operator[](const std::string& name) const
+{
+  return values[&column(name) - columns.data()];
+}
+
+bool History::has_label(const std::string& label) const
+{
+  return std::ranges::find(columns, label, &Column::label) != columns.end();
+}
+
+const Column& History::column_by_label(const std::string& label) const
+{
+  const auto found = std::ranges::find(columns, label, &Column::label);
+  if (found == columns.end())
+    throw RunError(fmt::format("the history has no column for \"{}\"; it has {}", label, fmt::join(names(), ", ")));
+  return *found;
+}
+
+const std::vector<Real>& History::by_label(const std::string& label) const
+{
+  return values[&column_by_label(label) - columns.data()];
+}
+
+std::vector<std::string> History::names() const
+{
+  std::vector<std::string> all;
+  for (const Column& each : columns) all.push_back(each.name);
+  return all;
 }
 
 History read_history(const std::filesystem::path& path)
@@ -171,7 +189,8 @@ History read_history(const std::filesystem::path& path)
   const std::string text = content.str();
 
   History history;
-  std::vector<std::string> header, fields;
+  if (text.empty()) return history;
+  std::vector<std::string> header, fields, columns;
   std::size_t at = 0;
   if (!next_line(text, at, header)) throw RunError(fmt::format("{}: it has no header line", path.string()));
   const auto stage = static_cast<std::size_t>(std::find(header.begin(), header.end(), stage_column) - header.begin());
@@ -179,7 +198,10 @@ History read_history(const std::filesystem::path& path)
   for (const std::string& column : header)
     if (has_control_character(column)) throw RunError(fmt::format("{}: line 1: {} is no name of a column", path.string(), shown(column)));
   for (std::size_t k = 0; k < header.size(); ++k)
-    if (k != stage) history.columns.push_back(header[k]);
+    if (k != stage) columns.push_back(header[k]);
+  history.columns = read_schema(path);
+  if (history.names() != columns)
+    throw RunError(fmt::format("{}: {} is of another history", path.string(), schema_path(path).filename().string()));
   history.values.resize(history.columns.size());
 
   for (Index line = 2; next_line(text, at, fields); ++line) {

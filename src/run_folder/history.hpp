@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/types.hpp"
+#include "run_folder/row.hpp"
 
 #include <filesystem>
 #include <string>
@@ -9,22 +9,20 @@
 
 namespace berm::run_folder {
 
-/// The columns behind time_s and stage that the history of both methods begins with.
-const std::vector<std::string>& common_columns();
-
 /// history.csv on its way to the disk: a header, then one line a row, each handed to the system whole, so that a reader at any time
-/// sees whole rows but perhaps the last. Numbers are written in the shortest form that reads back to the same number, NaN as "nan".
+/// sees whole rows but perhaps the last. Numbers are written in the shortest form that reads back to the same number, NaN as "nan". The first row
+/// brings the columns: the header, and history.schema.json beside the file (history_schema.hpp).
 class HistoryFile {
 public:
-  /// The columns are time_s, stage and then `columns`. A history that goes on keeps its first `kept_bytes` bytes, and what was written behind them is
-  /// cut off; with none the file begins anew. Throws RunError.
-  HistoryFile(const std::filesystem::path& path, const std::vector<std::string>& columns, BigIndex kept_bytes = 0);
+  /// A history that goes on keeps its first `kept_bytes` bytes and its schema, and what was written behind them is
+  /// cut off; with none the file begins anew, and is empty until its first row. Throws RunError.
+  explicit HistoryFile(const std::filesystem::path& path, BigIndex kept_bytes = 0);
   ~HistoryFile();
   HistoryFile(const HistoryFile&) = delete;
   HistoryFile& operator=(const HistoryFile&) = delete;
 
-  /// One row: values in the order of the columns. Throws RunError where it cannot be written.
-  void add(Real time, const std::string& stage, const std::vector<Real>& values);
+  /// Ends a row and writes it. Throws RunError where it cannot be written, and where its columns are not those of the rows before.
+  void add(Row& row);
 
   /// Forces all rows to the disk and gives the length of the file. Throws RunError.
   BigIndex sync();
@@ -32,14 +30,17 @@ public:
 private:
   void write(const std::string& line);
 
+  /// The first row after the file was opened: what comes before it.
+  std::string header(const std::vector<Column>& columns);
+
   std::filesystem::path path_;
-  std::size_t columns_;
+  bool goes_on_, begun_ = false;  ///< begun: by this
   int file_;
 };
 
-/// A history read back: columns of numbers by name, and the name of the stage of each row.
+/// A history read back: columns of numbers with what is said of them, and the name of the stage of each row.
 struct History {
-  std::vector<std::string> columns;       ///< all but the stage, in the order of the file
+  std::vector<Column> columns;            ///< all but the stage, in the order of the file
   std::vector<std::vector<Real>> values;  ///< by column, then row
   std::vector<std::string> stage;         ///< by row
 
@@ -47,12 +48,22 @@ struct History {
   bool has(const std::string& column) const;
   /// The numbers of a column. Throws RunError where there is no such column.
   const std::vector<Real>& operator[](const std::string& column) const;
+  /// What is said of a column. Throws RunError where there is no such column.
+  const Column& column(const std::string& name) const;
+
+  /// The same by label, whatever the dimension: "H" is H_N_m in plane strain and H_N in space.
+  bool has_label(const std::string& label) const;
+  const std::vector<Real>& by_label(const std::string& label) const;
+  const Column& column_by_label(const std::string& label) const;
+
+  std::vector<std::string> names() const;
 };
 
 /// A text as a field of a .csv file (RFC 4180): quoted only where it holds a comma, a quote or the end of a line.
 std::string csv_field(const std::string& text);
 
-/// Reads a history.csv. A last line without its end is left out. Throws RunError with file and line for anything that is not a history.
+/// Reads a history.csv and its schema. A last line without its end is left out; an empty file is a history without columns: the run ended before its first
+/// row. Throws RunError with file and line for anything that is not a history, and where there is no schema beside it that has its columns.
 History read_history(const std::filesystem::path& path);
 
 }  // namespace berm::run_folder

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "bodies/rigid.hpp"
+#include "bodies/rigid/rigid_body.hpp"
 #include "io/vtu.hpp"
 
 namespace berm::run_folder {

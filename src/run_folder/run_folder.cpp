@@ -15,9 +15,11 @@ namespace fs = std::filesystem;
 
 // All that a run writes. resolved.toml goes last: until then the folder is known as one of a run, so that an interrupted removal can be repeated.
 constexpr const char* own_files[] = {"history.csv",
+                                     "history.schema.json",
                                      "summary.json",
                                      "run.log",
                                      "case.toml",
+                                     "claims.toml",
                                      "mesh.geo",
                                      "mesh.msh",
                                      "mesh.log",

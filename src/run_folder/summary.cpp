@@ -34,11 +34,20 @@ Real particle_steps_per_s(const RunTiming& timing, const MpmCounts& counts)
   return static_cast<Real>(counts.particles * timing.steps) / timing.wall_s;
 }
 
+const char* unit_of_timing(const std::string& name)
+{
+  if (name == "wall_s" || name == "seconds_per_step") return "s";
+  return name == "particle_steps_per_s" ? "1/s" : "1";
+}
+
 std::string Summary::json() const
 {
   Json root;
   root["quantities"] = Json::object();
-  for (const Quantity& q : quantities) root["quantities"][q.name] = {{"value", q.value}, {"unit", q.unit}};
+  for (const Quantity& q : quantities) {
+    Json& entry = root["quantities"][q.name] = {{"value", q.value}, {"unit", q.unit}};
+    if (!q.meaning.empty()) entry["meaning"] = q.meaning;
+  }
   Json& t = root["timing"];
   t = std::visit([&](const auto& counts) { return json_of(timing, counts); }, timing.counts);
   t["loops"] = Json::array();

@@ -15,6 +15,7 @@ struct Quantity {
   std::string name;
   Real value;
   std::string unit;
+  std::string meaning = {};  ///< in some words; "" where none are told
 };
 
 /// What a run of the material point method counts.
@@ -39,6 +40,9 @@ struct RunTiming {
 /// Particles times steps, over the wall time.
 Real particle_steps_per_s(const RunTiming& timing, const MpmCounts& counts);
 
+/// The SI unit of a number in the timing of summary.json; "1" = a bare number.
+const char* unit_of_timing(const std::string& name);
+
 /// What summary.json says of a run.
 class Summary {
 public:
@@ -49,7 +53,7 @@ public:
   Checks checks;                                          ///< e.g. energy balance, reached the end
   std::vector<std::pair<std::string, std::string>> text;  ///< e.g. title, version
 
-  /// {"quantities": {NAME: {"value", "unit"}}, "timing": {...}, "checks": {NAME: number or bool}, "text": {NAME: words}}, in the order in which
+  /// {"quantities": {NAME: {"value", "unit", "meaning"}}, "timing": {...}, "checks": {NAME: number or bool}, "text": {NAME: words}}, in the order in which
   /// they were added. Timing has wall_s, threads, cells, steps and loops; in MPM also particle_steps_per_s, particles and seconds_per_step (wall
   /// time over steps), in FEM nodes and iterations. A number that is not finite becomes null.
   std::string json() const;

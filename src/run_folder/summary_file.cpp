@@ -56,7 +56,8 @@ RunSummary summary_of(const Json& json)
   RunSummary summary;
   for (const auto& [name, entry] : table(json, "quantities").items()) {
     if (!entry.is_object()) refuse("a value in \"quantities\" is no table");
-    summary.quantities.push_back({name, number(member(entry, "value"), "quantities"), words(member(entry, "unit"), "quantities")});
+    summary.quantities.push_back({name, number(member(entry, "value"), "quantities"), words(member(entry, "unit"), "quantities"),
+                                  entry.contains("meaning") ? words(entry["meaning"], "quantities") : ""});
   }
   for (const auto& [name, entry] : table(json, "timing").items())
     if (name != "loops") summary.timing[name] = number(entry, "timing");

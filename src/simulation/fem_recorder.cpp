@@ -3,29 +3,54 @@
 #include "simulation/fem_recorder.hpp"
 
 #include "problem/stages.hpp"
-
-#include <fmt/format.h>
+#include "simulation/observe.hpp"
 
 namespace berm::simulation {
 namespace {
 
-constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
+Vec<2> displacement_of(const fem::FemState& state, Index node)
+{
+  return {state.displacement[2 * node], state.displacement[2 * node + 1]};
+}
 
 }  // namespace
 
-std::vector<std::string> FemRecorder::columns(const fem::FemModel& model)
+void FemRecorder::observe_rigid(const fem::FemModel& model, const fem::FemState& state)
 {
-  std::vector<std::string> names = run_folder::common_columns();
-  names.insert(names.end(), {"iterations", "unbalance", "overstress", "strength_lag"});
-  for (const problem::Traction& traction : model.model.tractions)
-    for (const char* column : {"Fx_N_m", "Fy_N_m", "ux_m", "uy_m"}) names.push_back(fmt::format("{}_{}", traction.name, column));
-  for (const fem::FemWatch& watch : model.watches)
-    for (const char* column : {"ux_m", "uy_m", "sxx_Pa", "syy_Pa", "szz_Pa", "sxy_Pa"})
-      names.push_back(fmt::format("{}_{}", watch.name, column));
-  return names;
+  const bodies::RigidState<2>& rigid = state.state.rigid_bodies[model.rigid];
+  const problem::PipeMotion motion = pipe_motion(model.model, state.state, model.rigid);
+  horizontal_ = -drag_direction(model.model, state.state) * rigid.reaction[0] + 0.;
+  vertical_ = rigid.reaction[1];
+  row_.of_main(model.model.rigid_bodies[model.rigid].name);
+  observe<2>(row_, RigidMotion{motion.u, motion.w, horizontal_, vertical_});
 }
 
-FemRecorder::FemRecorder(const std::filesystem::path& path, const fem::FemModel& model) : file_(path, columns(model)) {}
+void FemRecorder::observe_solution(const fem::FemState& state, const fem::IncrementEnd& end)
+{
+  row_("iterations", static_cast<Real>(end.iterations), run_folder::bare, "iterations of the increment");
+  row_("unbalance", end.unbalance, run_folder::bare, "force out of balance over the contact forces");
+  row_("overstress", state.overstress, run_folder::bare, "stress beyond the strength over the stress");
+  row_("strength_lag", end.lag.part(), run_folder::bare, "dissipation missed over dissipation");
+}
+
+void FemRecorder::observe_tractions(const fem::FemModel& model, const fem::FemState& state)
+{
+  for (std::size_t k = 0; k < model.loads.size(); ++k) {
+    LoadedArea<2> area;
+    for (const fem::NodalLoad& load : model.loads[k]) area.add(load.force, displacement_of(state, load.node), load.area);
+    row_.of(model.model.tractions[k].name);
+    area.observe(row_, state.tractions[k]);
+  }
+}
+
+void FemRecorder::observe_watches(const fem::FemModel& model, const fem::FemState& state)
+{
+  for (const fem::FemWatch& watch : model.watches) {
+    row_.of(watch.name);
+    row_("u", displacement_of(state, watch.node), run_folder::metres, "displacement");
+    row_("s", state.points[watch.cell][watch.point].stress, run_folder::pascals, "stress");
+  }
+}
 
 void FemRecorder::add_row(const fem::FemModel& model, fem::FemState& state, const fem::IncrementEnd& end)
 {
@@ -34,18 +59,18 @@ void FemRecorder::add_row(const fem::FemModel& model, fem::FemState& state, cons
   const Real error = t.internal + t.friction - t.external;
   largest_error_ = std::max(largest_error_, std::abs(error));
   largest_work_ = std::max({largest_work_, std::abs(t.external), std::abs(t.internal)});
-  std::vector<Real> row(4, unknown);
-  Real moment = unknown, angle = unknown, overlap = unknown;
+  row_.begin(now.time, model.model.stages[now.stage.index].name);
+  if (model.rigid != none) observe_rigid(model, state);
+  row_.of_main("run");
+  observe<2>(
+      row_, Energies{.kinetic = {}, .damping = {}, .internal = t.internal, .friction = t.friction, .external = t.external, .error = error});
+  if (model.weight > 0) observe_out_of_balance(row_, state.unbalanced / model.weight);
   if (model.rigid != none) {
     bodies::RigidState<2>& rigid = state.state.rigid_bodies[model.rigid];
-    const problem::PipeMotion motion = pipe_motion(model.model, now, model.rigid);
-    horizontal_ = -drag_direction(model.model, now) * rigid.reaction[0] + 0.;
-    vertical_ = rigid.reaction[1];
-    row = {motion.u, motion.w, horizontal_, vertical_};
-    moment = rigid.torque;
-    angle = rigid.angle;
-    overlap = rigid.max_overlap;
+    row_.of_main(model.model.rigid_bodies[model.rigid].name);
+    observe_overlap(row_, rigid.max_overlap);
     rigid.max_overlap = 0;
+    observe_turn<2>(row_, rigid.torque, rigid.orientation.angle);
     if (model.model.driven[now.stage.index] != none && end.iterations > 0) {
       largest_unbalance_ = std::max(largest_unbalance_, end.unbalance);
       largest_overstress_ = std::max(largest_overstress_, state.overstress);
@@ -53,26 +78,11 @@ void FemRecorder::add_row(const fem::FemModel& model, fem::FemState& state, cons
       lag_.dissipated += end.lag.dissipated;
     }
   }
-  row.insert(row.end(), {0, t.internal, 0, t.friction, t.external, error, state.unbalanced / (model.weight > 0 ? model.weight : unknown), 0,
-                         overlap, 0, moment, angle, static_cast<Real>(end.iterations), end.unbalance, state.overstress, end.lag.part()});
-  for (std::size_t k = 0; k < model.loads.size(); ++k) {
-    Vec<2> force = Vec<2>::Zero(), moved_by = Vec<2>::Zero();
-    Real area = 0;
-    for (const fem::NodalLoad& load : model.loads[k]) {
-      force += load.force;
-      moved_by += load.area * Vec<2>(state.displacement[2 * load.node], state.displacement[2 * load.node + 1]);
-      area += load.area;
-    }
-    force *= state.tractions[k];
-    moved_by /= area;
-    row.insert(row.end(), {force[0], force[1], moved_by[0], moved_by[1]});
-  }
-  for (const fem::FemWatch& watch : model.watches) {
-    row.insert(row.end(), {state.displacement[2 * watch.node], state.displacement[2 * watch.node + 1]});
-    const SymTensor<2>& stress = state.points[watch.cell][watch.point].stress;
-    row.insert(row.end(), stress.c, stress.c + 4);
-  }
-  file_.add(now.time, model.model.stages[now.stage.index].name, row);
+  row_.of_main("run");
+  observe_solution(state, end);
+  observe_tractions(model, state);
+  observe_watches(model, state);
+  file_.add(row_);
 }
 
 }  // namespace berm::simulation

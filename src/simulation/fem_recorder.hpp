@@ -6,12 +6,12 @@
 
 namespace berm::simulation {
 
-/// Writes the rows of history.csv of a finite element run: the columns of the other method as far as they have a meaning, then
+/// Writes the rows of history.csv of a finite element run: what both methods have (observe.hpp), with
 /// iterations, unbalance (of the increment), overstress (part of the stress that lies beyond the strength) and strength_lag (part of what plastic
 /// flow dissipates that is missing because the strength lags behind its pressure).
 class FemRecorder {
 public:
-  FemRecorder(const std::filesystem::path& path, const fem::FemModel& model);
+  explicit FemRecorder(const std::filesystem::path& path) : file_(path) {}
 
   void add_row(const fem::FemModel& model, fem::FemState& state, const fem::IncrementEnd& end);
 
@@ -27,8 +27,12 @@ public:
   Real strength_lag() const { return lag_.part(); }
 
 private:
-  static std::vector<std::string> columns(const fem::FemModel& model);
+  void observe_rigid(const fem::FemModel& model, const fem::FemState& state);
+  void observe_solution(const fem::FemState& state, const fem::IncrementEnd& end);
+  void observe_tractions(const fem::FemModel& model, const fem::FemState& state);
+  void observe_watches(const fem::FemModel& model, const fem::FemState& state);
 
+  run_folder::Row row_;
   run_folder::HistoryFile file_;
   Real vertical_ = 0, horizontal_ = 0, largest_error_ = 0, largest_work_ = 0, largest_unbalance_ = 0, largest_overstress_ = 0;
   fem::StrengthLag lag_;

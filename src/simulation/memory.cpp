@@ -25,7 +25,8 @@ std::vector<RunSize::OfBody> min_bodies(const problem::Case& c, const CellsOf& c
   for (const auto& [name, settings] : c.body) {
     RunSize::OfBody body;
     const Index material = problem::place_of(c.material, settings.material);
-    if (material != none) body.state_size = state_size(c.material[material].second);
+    if (material != none)
+      for (const FieldInfo& field : state_fields(c.material[material].second)) body.extra_size += field.components;
     if (settings.block || settings.disk) {
       body.particles = settings.block ? particles_in<dim>(*settings.block) : particles_in(*settings.disk);
       body.blocks = body.particles / lanes;
@@ -127,7 +128,7 @@ RunSize size_of(const problem::Problem<dim>& problem)
   size.cells = problem.model.mesh.cell_count();
   size.nodes = problem.model.mesh.node_count();
   for (const bodies::Particles<dim>& particles : problem.state.particles) {
-    RunSize::OfBody body{static_cast<Real>(particles.size()), static_cast<Real>(particles.occupied().size()), 0, particles.state_size()};
+    RunSize::OfBody body{static_cast<Real>(particles.size()), static_cast<Real>(particles.occupied().size()), 0, particles.extra_size()};
     BigIndex blocks = 0;
     for (const Index cell : particles.occupied()) blocks += (particles.count_in(cell) + lanes - 1) / lanes;
     body.blocks = static_cast<Real>(blocks);
@@ -151,14 +152,15 @@ Real memory_of(const RunSize& size)
   constexpr Real of_node_with_soil = sizeof(Real) + 3 * sizeof(Vec<dim>) + 2 * sizeof(std::uint8_t) + sizeof(Index);
   const Real nodes_a_cell = size.nodes / std::max(size.cells, Real(1));
 
-  Real particles = 0, bytes = size.cells * of_cell + size.nodes * of_node;
+  Real frames = 0, bytes = size.cells * of_cell + size.nodes * of_node;
   for (const RunSize::OfBody& body : size.bodies) {
-    particles += body.particles;
+    // What frames remember of the start, the frame before and the new one.
+    frames += body.particles *
+              static_cast<Real>(run_folder::FrameMaker<dim>::bytes_a_particle + 2 * run_folder::bytes_of_point<dim>(body.extra_size));
     bytes += body.cells * (of_cell_with_soil + nodes_a_cell * of_node_with_soil) +
-             body.blocks * static_cast<Real>(sizeof(bodies::Block<dim>) + body.state_size * sizeof(StoredLanes));
+             body.blocks * static_cast<Real>(sizeof(bodies::Block<dim>) + body.extra_size * sizeof(StoredLanes));
   }
-  // What frames remember of the start, the frame before and the new one; or mesh.vtu on its way to the disk.
-  const Real frames = particles * (run_folder::FrameMaker<dim>::bytes_a_particle + 2 * sizeof(run_folder::FrameParticle<dim>));
+  // Or mesh.vtu on its way to the disk.
   const Real mesh_file = size.cells * ((corners + 1) * sizeof(std::int64_t) + sizeof(std::int32_t) + 1) + size.nodes * 3 * sizeof(Real);
   return bytes + std::max(frames, mesh_file);
 }

@@ -11,7 +11,7 @@ struct RunSize {
     Real particles = 0;
     Real cells = 0;      ///< that hold particles: what the body keeps of others and their nodes lies in memory that is never touched
     Real blocks = 0;     ///< of four particles, that cells own
-    int state_size = 0;  ///< numbers that its law keeps for a particle
+    int extra_size = 0;  ///< numbers of the fields that a particle has beside those that every one has
   };
   Real cells = 0, nodes = 0;
   std::vector<OfBody> bodies;

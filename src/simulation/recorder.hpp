@@ -2,20 +2,19 @@
 #pragma once
 
 #include "core/archive.hpp"
+#include "mpm/body_sums.hpp"
 #include "mpm/grid.hpp"
 #include "run_folder/history.hpp"
 
 namespace berm::simulation {
 
-/// Writes the rows of history.csv, in a file that the run makes. Forces are impulses over the time since the row before, so that nothing between two rows is lost.
+/// Writes the rows of history.csv, in a file that the run makes; a column is added where its value is observed (recorder.cpp, observe.hpp). Forces are impulses over the time since the row before, so that nothing between two rows is lost.
 template <int dim>
 class Recorder {
 public:
   /// Remembers the start, from which displacements and energies count.
   Recorder(const problem::Model<dim>& model, const problem::State<dim>& start);
 
-  /// The columns behind time_s and stage.
-  static std::vector<std::string> columns(const problem::Model<dim>& model);
   /// Throws RunError where a number is not finite that must be.
   void add_row(const problem::Model<dim>& model, problem::State<dim>& state, const mpm::Work<dim>& work, run_folder::HistoryFile& file);
 
@@ -36,10 +35,16 @@ public:
   Real shaking() const { return shaken_rows_ > 0 ? shaking_ / shaken_rows_ : std::numeric_limits<Real>::quiet_NaN(); }
 
 private:
-  void add_motion(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid, std::vector<Real>& row);
-  void add_turn(const problem::State<dim>& state, Index rigid, std::vector<Real>& row);
-  void add_tractions(const problem::Model<dim>& model, const problem::State<dim>& state, std::vector<Real>& row) const;
+  void observe_rigid(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid);
+  void observe_turn_of(const problem::State<dim>& state, Index rigid);
+  Real observe_energies(const problem::Model<dim>& model, const problem::State<dim>& state, Real kinetic);
+  void observe_contact_of_main(const problem::Model<dim>& model, problem::State<dim>& state);
+  void observe_body(const mpm::BodySums<dim>& sums, const Vec<dim>& first_center);
+  void observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state);
+  void observe_tractions(const problem::Model<dim>& model, const problem::State<dim>& state);
+  void observe_watches(const problem::Model<dim>& model, const problem::State<dim>& state);
 
+  run_folder::Row row_;
   Real last_time_ = 0;
   std::vector<bodies::RigidState<dim>> last_rigids_;
   std::vector<Vec<dim>> last_pair_impulses_;

@@ -20,13 +20,13 @@ template <int dim>
 std::vector<std::string> curve_columns(const problem::Model<dim>& model, const run_folder::History& history)
 {
   std::vector<std::string> chosen;
-  for (const std::string& column : history.columns)
+  for (const run_folder::Column& column : history.columns)
     for (const problem::Watch& watch : model.watches)
-      if (column.starts_with(watch.name + "_u")) chosen.push_back(column);
+      if (column.of == watch.name && column.unit == run_folder::metres.name) chosen.push_back(column.name);
   if (chosen.empty())
-    for (const std::string& column : history.columns)
+    for (const run_folder::Column& column : history.columns)
       for (const problem::Body<dim>& body : model.bodies)
-        if (column.starts_with(body.name + "_")) chosen.push_back(column);
+        if (column.of == body.name) chosen.push_back(column.name);
   return chosen;
 }
 
@@ -37,10 +37,15 @@ void draw(const RunRequest& request, const run_folder::RunFolder& folder, const 
   if (scale.diameter > 0) {
     const bodies::RigidBody<2>& pipe = model.rigid_bodies[model.main_rigid];
     const bodies::RigidState<2>& now = rigid_bodies[model.main_rigid];
-    view = pipe::view_around_pipe(center_now<2>(pipe, now)[0], lowest_level<2>(placed<2>(pipe, now)), scale.diameter, model.surface);
+    view = pipe::view_around_pipe(center_now<2>(pipe, now)[0], lowest_level<2>(placed<2>(pipe, now), model.axes.up_vector()),
+                                  scale.diameter, model.surface);
   }
-  pipe::draw_soil(folder.path(), last, {"soil", pipe::SoilColor::deviatoric_strain, view, request.settings.title});
-  pipe::draw_soil(folder.path(), last, {"soil_increment", pipe::SoilColor::incremental_deviatoric_strain, view, request.settings.title});
+  const auto draw_one = [&](const std::string& name, const std::string& field) {
+    pipe::draw_soil(folder.path(), last, {name, field, view, request.settings.title});
+  };
+  draw_one("soil", "deviatoric_strain");
+  draw_one("soil_increment", "incremental_deviatoric_strain");
+  for (const std::string& field : own_fields(last)) draw_one("soil_" + field, field);
 }
 void draw(const RunRequest&, const run_folder::RunFolder&, const problem::Model<3>&, const std::vector<bodies::RigidState<3>>&,
           const run_folder::Frame<3>&, const pipe::PipeScale&)
@@ -82,7 +87,7 @@ void write_results(const RunRequest& request, const run_folder::RunFolder& folde
   const bool pipe = scale.diameter > 0;
 
   run_folder::Summary summary;
-  if (pipe) summary.quantities = pipe_quantities(history, scale, stages);
+  if (pipe && history.rows() > 0) summary.quantities = pipe_quantities(history, scale, stages);
   summary.timing = timing;
   summary.text = {{"title", request.settings.title},
                   {"case", request.case_file.filename().string()},
@@ -93,7 +98,7 @@ void write_results(const RunRequest& request, const run_folder::RunFolder& folde
   summary.checks.insert(summary.checks.end(), outcome.checks.begin(), outcome.checks.end());
   summary.write(folder.file("summary.json"));
 
-  if (pipe)
+  if (pipe && history.rows() > 0)
     draw_pipe_curves(folder, history, scale, stages, request.settings.title);
   else
     pipe::draw_columns(folder, history, curve_columns(model, history), request.settings.title);

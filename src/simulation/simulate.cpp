@@ -113,7 +113,7 @@ private:
     if (unit_ != vector_unit())
       spdlog::warn("the run was begun on the vector unit {}, and goes on with {}: results are the same but for round-off", unit_,
                    vector_unit());
-    history_.emplace(history_path(), recorder_.columns(model()), history_bytes_);
+    history_.emplace(history_path(), history_bytes_);
     if (request_.resume) frames_.remove_others();
     progress_.count_from(clock_.earlier());
     work_.emplace(model(), state());
@@ -213,8 +213,8 @@ private:
     }
     ++state().stage.index;
     begin_stage(model(), state());
-    const problem::Drive& vertical = state().stage.drive[1];
-    if (stage().kind == problem::StageKind::drag && vertical.by_force && !held_force_) held_force_ = -vertical.to;
+    const bodies::Drive& vertical = state().stage.drive[model().axes.up];
+    if (stage().kind == problem::StageKind::drag && vertical.by_force && !held_force_) held_force_ = -model().axes.sign * vertical.to;
   }
 
   /// The part of the run that is done, by the limits that the stages name.

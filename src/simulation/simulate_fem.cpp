@@ -47,7 +47,7 @@ public:
         folder_(folder),
         problem_(std::move(problem)),
         steps_(model(), state()),
-        recorder_(folder.file("history.csv"), model()),
+        recorder_(folder.file("history.csv")),
         frame_maker_(model()),
         frames_(folder.subfolder("frames"), model().model.mesh),
         progress_(log)
@@ -140,7 +140,7 @@ private:
   {
     finished_ = !steps_.next_stage();
     if (finished_) return;
-    const problem::Drive& vertical = state().state.stage.drive[1];
+    const bodies::Drive& vertical = state().state.stage.drive[1];
     if (stage().kind == problem::StageKind::drag && vertical.by_force && !held_force_) held_force_ = -vertical.to;
   }
 

@@ -28,6 +28,9 @@ run_folder::RunFolder new_run_folder(const RunRequest& request, const ScratchFol
   note_case_file(folder, request.case_file);
   scratch.move_files_to(folder.path());
   io::copy_atomically(request.case_file, folder.file("case.toml"));
+  std::error_code error;
+  if (const fs::path claims = request.case_file.parent_path() / "claims.toml"; fs::exists(claims, error))
+    io::copy_atomically(claims, folder.file("claims.toml"));
   return folder;
 }
 

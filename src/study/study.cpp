@@ -66,14 +66,16 @@ problem::Case read_row(const fs::path& file, const StudyRow& row)
 }
 
 /// The numbers of a row; says once for each measure why it has none.
-void take_numbers(StudyRow& row, const Study& study, std::vector<std::string>& told)
+void take_numbers(StudyRow& row, Study& study, std::vector<std::string>& told)
 {
-  for (const StudyMeasure& measure : study.measure) {
+  for (StudyMeasure& measure : study.measure) {
     row.numbers.push_back(std::numeric_limits<Real>::quiet_NaN());
     const bool wanted = measure.cases.empty() || std::find(measure.cases.begin(), measure.cases.end(), row.names[0]) != measure.cases.end();
     if (row.end.kind != jobs::JobEnd::Kind::finished || !wanted) continue;
     try {
-      row.numbers.back() = measure.scale * evaluate(measure.observable, row.job.folder);
+      const verification::Reading reading = evaluate(measure.observable, row.job.folder);
+      row.numbers.back() = measure.scale * reading.value;
+      if (measure.unit.empty()) measure.unit = reading.unit;
     } catch (const std::exception& error) {
       if (std::find(told.begin(), told.end(), measure.name) != told.end()) continue;
       told.push_back(measure.name);

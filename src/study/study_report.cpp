@@ -2,11 +2,12 @@
 // Tests: tests/unit/study/study_test.cpp
 #include "study/study_report.hpp"
 
+#include "core/error.hpp"
+#include "input/units.hpp"
 #include "io/atomic_file.hpp"
 #include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"
 #include "structures/pipe/pipe_quantities.hpp"
-#include "structures/pipe/plots.hpp"
 #include "structures/pipe/travel_curve.hpp"
 
 #include <algorithm>
@@ -173,8 +174,7 @@ bool draw_study_figure(const StudyPlan& plan, const StudyFigure& wanted, const f
   plot::Figure figure;
   figure.title = wanted.case_name.empty() ? wanted.name : fmt::format("{}: {}", wanted.case_name, wanted.name);
   const bool one_case = !wanted.case_name.empty();
-  const auto [x_name, x_unit] = pipe::name_and_unit(wanted.x);
-  const auto [y_name, y_unit] = pipe::name_and_unit(wanted.y);
+  run_folder::Column x_column, y_column;
   std::vector<const StudyRow*> rows;
   for (const StudyRow& row : plan.rows)
     if (row.end.kind == jobs::JobEnd::Kind::finished && (!one_case || row.names[0] == wanted.case_name)) rows.push_back(&row);
@@ -186,23 +186,30 @@ bool draw_study_figure(const StudyPlan& plan, const StudyFigure& wanted, const f
       spdlog::warn("{}: figure \"{}\": the history has not both of {} and {}", fmt::join(row.names, ", "), wanted.name, wanted.x, wanted.y);
       continue;
     }
+    x_column = history.column(wanted.x);
+    y_column = history.column(wanted.y);
+    if (!wanted.smooth_unit.empty() && !input::same_dimension(wanted.smooth_unit, x_column.unit))
+      throw InputError(
+          fmt::format("figure \"{}\": smooth is in {}, but {} in {}", wanted.name, wanted.smooth_unit, wanted.x, x_column.unit));
     plot::FigureCurve curve{curve_name(plan, row, one_case), styles[k], of_stages(history, wanted.x, wanted.stage),
                             of_stages(history, wanted.y, wanted.stage)};
-    smooth(curve, wanted.smooth ? *wanted.smooth : x_unit == "m" ? pipe::averaging_half_width * row.diameter : 0);
+    smooth(curve, wanted.smooth                              ? *wanted.smooth
+                  : x_column.unit == run_folder::metres.name ? pipe::averaging_half_width * row.diameter
+                                                             : 0);
     figure.curves.push_back(curve);
   }
-  const plot::PlotUnit x = unit_for(x_unit, figure.curves, &plot::FigureCurve::x),
-                       y = unit_for(y_unit, figure.curves, &plot::FigureCurve::y);
+  const plot::PlotUnit x = unit_for(x_column.unit, figure.curves, &plot::FigureCurve::x),
+                       y = unit_for(y_column.unit, figure.curves, &plot::FigureCurve::y);
   for (plot::FigureCurve& curve : figure.curves) {
     for (Real& value : curve.x) value *= x.per_si;
     for (Real& value : curve.y) value *= y.per_si;
   }
-  const auto label = [](const std::string& name, const std::string& unit, const plot::PlotUnit& shown) {
-    const std::string words = *shown.name != '\0' ? shown.name : unit == "1" ? "" : unit;
-    return words.empty() ? name : fmt::format("{} ({})", name, words);
+  const auto label = [](const run_folder::Column& column, const plot::PlotUnit& shown) {
+    const std::string words = *shown.name != '\0' ? shown.name : column.unit == run_folder::bare.name ? "" : column.unit;
+    return words.empty() ? column.label : fmt::format("{} ({})", column.label, words);
   };
-  figure.x_label = label(x_name, x_unit, x);
-  figure.y_label = label(y_name, y_unit, y);
+  figure.x_label = label(x_column, x);
+  figure.y_label = label(y_column, y);
   figure.height = std::clamp(static_cast<int>(figure.curves.size()) * 26 + 120, 560, 1400);
   figure.width = 1150;
   return draw_figure(output, file_of(wanted), figure);

@@ -99,7 +99,7 @@ void describe(Describe& d, StudyMeasure& measure)
 {
   d.value("name", measure.name, {.meaning = "heading of the column", .required = true});
   describe(d, measure.observable);
-  d.value("unit", measure.unit, {.meaning = "unit that is shown; absent: the SI unit that the name tells"});
+  d.value("unit", measure.unit, {.meaning = "unit that is shown; absent: the SI unit of the number"});
   d.value("scale", measure.scale, {.meaning = "shown number over the number in SI units"});
   d.value("cases", measure.cases, {.meaning = "only for these cases; absent = all"});
 }
@@ -111,9 +111,10 @@ void describe(Describe& d, StudyFigure& figure)
   d.value("y", figure.y, {.meaning = "column of history.csv along the vertical axis", .required = true});
   d.value("stage", figure.stage, {.meaning = "rows of these stages only; absent = all"});
   d.value(case_key, figure.case_name, {.meaning = "curves of this case only; absent = all"});
-  const std::string unit = verification::unit_of(figure.x);
   d.value("smooth", figure.smooth,
-          {.meaning = "y is averaged over x +- this; absent: 0.01 of the pipe's diameter", .unit = unit.c_str(), .range = not_negative});
+          {.meaning = "y is averaged over x +- this; absent: 0.01 of the pipe's diameter",
+           .range = not_negative,
+           .any_unit = &figure.smooth_unit});
 }
 
 void describe(Describe& d, Study& study)
@@ -156,8 +157,6 @@ Study read_study(const std::filesystem::path& file)
     if (conditions[k].empty())
       refuse(document, member(document.root, "skip")->items[k], "skip", "names no axis and would leave out everything");
   }
-  for (StudyMeasure& measure : study.measure)
-    if (measure.unit.empty()) measure.unit = unit_of(measure.observable);
   return study;
 }
 

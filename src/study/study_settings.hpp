@@ -33,7 +33,7 @@ struct StudySkip {
 struct StudyMeasure {
   std::string name;  ///< its heading
   verification::Observable observable;
-  std::string unit;                ///< as it is shown, after scaling
+  std::string unit;                ///< as it is shown, after scaling; "": the SI unit of the first number
   Real scale = 1;                  ///< shown number over the SI number
   std::vector<std::string> cases;  ///< only for these; empty = all
 };
@@ -45,6 +45,7 @@ struct StudyFigure {
   std::string case_name;           ///< rows of this case only; "" = all
   std::optional<Real>
       smooth;  ///< half width over which y is averaged, in the unit of x; absent: 0.01 of the pipe's diameter where x is a length
+  std::string smooth_unit;  ///< SI, as it is written; "" where it has none
 };
 
 /// study.toml: a matrix of runs, and what is to be told of them.

@@ -7,76 +7,16 @@
 #include "text/markdown.hpp"
 #include "text/tex_math.hpp"
 #include "verification/book_figures.hpp"
+#include "verification/book_html.hpp"
+#include "verification/requirements.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
-#include <sstream>
 
 namespace berm::verification {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* style = R"(
-:root { --line: #d9dee4; --quiet: #5b6570; --link: #1764ab; }
-body { font: 15px/1.5 system-ui, 'DejaVu Sans', sans-serif; color: #1d232a; margin: 0; }
-main { max-width: 1180px; margin: 0 auto; padding: 24px 28px 64px; }
-h1 { font-size: 1.7em; margin: .4em 0 .5em; } h2 { font-size: 1.3em; margin: 2em 0 .5em; } h3 { font-size: 1.08em; margin: 1.8em 0 .4em; }
-a { color: var(--link); text-decoration: none; } a:hover { text-decoration: underline; }
-nav { color: var(--quiet); font-size: .9em; }
-p.quiet, .quiet { color: var(--quiet); }
-table { border-collapse: collapse; margin: .8em 0 1.2em; font-size: .92em; }
-th, td { text-align: left; padding: 5px 14px 5px 0; border-bottom: 1px solid var(--line); vertical-align: top; }
-th { color: var(--quiet); font-weight: 600; } td.number, th.number { text-align: right; white-space: nowrap; }
-tr.chapter td { padding-top: 1.3em; font-weight: 600; font-size: 1.05em; }
-code, pre { font: .9em/1.45 'DejaVu Sans Mono', monospace; } pre { background: #f5f7f9; padding: 12px 14px; overflow-x: auto; }
-pre, .tex { border-radius: 4px; } .tex { background: #f5f7f9; padding: 1px 5px; }
-math[display=block] { margin: 1em 0; font-size: 1.1em; }
-img { max-width: 100%; height: auto; display: block; margin: .6em 0; }
-.pictures { display: flex; flex-wrap: wrap; align-items: flex-start; gap: 12px; } .pictures img { width: 49%; min-width: 320px; border: 1px solid var(--line); }
-.verdict { padding: 1px 9px; border-radius: 9px; font-size: .9em; white-space: nowrap; color: #fff; }
-.met { background: #23813f; } .missed, .failed { background: #bf3425; } .not_run { background: #77818c; }
-)";
-
-std::string page(const std::string& title, const std::string& content)
-{
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
-      "content=\"width=device-width\">\n<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n{}</main>\n</body>\n</html>\n",
-      text::html_text(title), style, content);
-}
-
-std::string link_to(const std::string& address, const std::string& text)
-{
-  return fmt::format("<a href=\"{}\">{}</a>", text::html_text(address), text::html_text(text));
-}
-
-/// Addresses have no spaces; everything that is no plain character is written as %XX.
-std::string address_of(const fs::path& path)
-{
-  std::string address;
-  for (const char c : path.generic_string()) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = std::isalnum(byte) != 0 || std::string("/._-+=~").find(c) != std::string::npos;
-    address += plain ? std::string(1, c) : fmt::format("%{:02X}", byte);
-  }
-  return address;
-}
-
-std::string badge(Verdict verdict)
-{
-  constexpr std::array classes{"met", "missed", "failed", "not_run"};
-  return fmt::format("<span class=\"verdict {}\">{}</span>", classes[static_cast<std::size_t>(verdict)], word_of(verdict));
-}
-
-std::string row(const std::vector<std::string>& cells, std::size_t first_number, std::size_t last_number, const char* tag)
-{
-  std::string html = "<tr>";
-  for (std::size_t k = 0; k < cells.size(); ++k)
-    html += fmt::format("<{0}{1}>{2}</{0}>", tag, k >= first_number && k <= last_number ? " class=\"number\"" : "", cells[k]);
-  return html + "</tr>\n";
-}
 
 std::vector<std::string> numbers_of(const ExpectationResult& f)
 {
@@ -89,22 +29,6 @@ std::vector<std::string> numbers_of(const ExpectationResult& f)
 std::string time_of(const ProblemResult& result)
 {
   return result.end.kind == jobs::JobEnd::Kind::finished ? run_folder::words_of_duration(jobs::wall_time_of(result.folder)) : "";
-}
-
-constexpr const char* convergence = "convergence";  // the section of the orders, which belong to no one run
-
-std::string readme_of(const Example& example)
-{
-  return io::read_text_file(example.folder / "README.md");
-}
-
-/// Its name and the first heading of its README.
-std::string title_of(const Example& example)
-{
-  std::istringstream lines(readme_of(example));
-  for (std::string line; std::getline(lines, line);)
-    if (line.starts_with("# ")) return example.name + ": " + line.substr(2);
-  return example.name;
 }
 
 const ProblemResult* result_of(const Chapter& chapter, const std::string& run)
@@ -136,6 +60,7 @@ std::string index_page(const std::vector<Chapter>& chapters)
 {
   std::string html = "<h1>berm: verification book</h1>\n";
   html += fmt::format("<p>What berm {} gives for problems with known answers: {}</p>\n", BERM_VERSION, summary_words(chapters));
+  html += "<p>" + link_to("requirements.html", "What is promised, where it is derived, and which run proves it") + "</p>\n";
   html += "<table>\n" + row({"problem", "what", "exact", "berm", "error", "tolerance", "", "time"}, 2, 5, "th");
   for (const Chapter& chapter : chapters) {
     const std::string& name = chapter.example.name;
@@ -241,6 +166,7 @@ void write_book(const fs::path& output, const std::vector<Chapter>& chapters)
 {
   io::make_folder(output);
   for (const Chapter& chapter : chapters) io::write_atomically(output / (chapter.example.name + ".html"), chapter_page(chapter, output));
+  io::write_atomically(output / "requirements.html", requirements_page(chapters));
   io::write_atomically(output / "index.html", index_page(chapters));
 }
 

@@ -4,7 +4,6 @@
 
 #include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"
-#include "structures/pipe/plots.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -83,7 +82,7 @@ plot::Figure column_figure(const Expectation& e, const run_folder::History& hist
 {
   plot::Figure figure;
   const Observable& observable = e.observable;
-  const auto [name, unit] = pipe::name_and_unit(observable.column);
+  const std::string &name = history.column(observable.column).label, &unit = history.column(observable.column).unit;
   figure.title = fmt::format("{}: {}", name, measure_words[static_cast<std::size_t>(observable.measure)]);
   figure.x_label = "time (s)";
   figure.y_label = unit == "1" ? name : fmt::format("{} ({})", name, unit);
@@ -96,7 +95,7 @@ plot::Figure column_figure(const Expectation& e, const run_folder::History& hist
   const bool rate = observable.measure == Measure::slope || observable.measure == Measure::acceleration;
   if (rate && e.exact)
     figure.curves.push_back(
-        expected_motion(rows, *e.exact, observable.measure == Measure::slope || observable.column.ends_with("_m_s") ? 1 : 2));
+        expected_motion(rows, *e.exact, observable.measure == Measure::slope || is_velocity(observable, history) ? 1 : 2));
   else if (observable.measure == Measure::period && e.exact)
     figure.curves.push_back(marks_of_period(rows, *e.exact));
   else if (!rate && observable.measure != Measure::period)
@@ -107,10 +106,9 @@ plot::Figure column_figure(const Expectation& e, const run_folder::History& hist
 plot::Figure order_figure(const Expectation& e, const ExpectationResult& finding)
 {
   plot::Figure figure;
-  const auto [name, unit] = pipe::name_and_unit(e.observable.column.empty() ? e.observable.quantity : e.observable.column);
-  figure.title = fmt::format("{}: order {:.3g}", name, finding.number);
+  figure.title = fmt::format("{}: order {:.3g}", finding.label, finding.number);
   figure.x_label = "size over the coarsest, halved each time";
-  figure.y_label = fmt::format("|{} - limit|{}", name, unit == "1" ? "" : fmt::format(" ({})", unit));
+  figure.y_label = fmt::format("|{} - limit|{}", finding.label, finding.unit.empty() ? "" : fmt::format(" ({})", finding.unit));
   figure.width = 800;
   figure.more = "set logscale xy\nset format y '%.0e'\n";
   std::string tics;

@@ -41,6 +41,15 @@ void check(Describe& d, const std::string& path, const Expectation& e)
   d.check(!e.tolerance || e.exact != 0., path + ".tolerance", "zero needs an absolute_tolerance");
 }
 
+/// A number of which nobody says what it is for proves nothing.
+void take_promise(Describe& d, const std::string& path, Expectation& e, const Expectations& all)
+{
+  if (e.requirement.empty()) e.requirement = all.requirement;
+  if (e.derived.empty()) e.derived = all.derived;
+  d.check(!e.requirement.empty(), path, "needs a requirement, what the user may rely on, here or at the top of the file");
+  d.check(!e.derived.empty(), path, "needs derived, where its requirement is derived, here or at the top of the file");
+}
+
 }  // namespace
 
 void describe(Describe& d, VerificationRun& run)
@@ -58,19 +67,23 @@ void describe(Describe& d, Expectation& e)
   d.value("runs", e.runs,
           {.meaning = "instead of run: names of runs with cells half as large each time, whose order of convergence is meant"});
   describe(d, e.observable);
-  const std::string of_value = unit_of(e.observable), unit = unit_of(e);
-  d.value("limit", e.limit, {.meaning = "value that the runs converge to", .unit = of_value.c_str()});
-  d.value("exact", e.exact, {.meaning = "value to expect", .unit = unit.c_str()});
+  std::string* const unit = is_pure(e) ? nullptr : &e.unit;
+  d.value("limit", e.limit, {.meaning = "value that the runs converge to", .any_unit = &e.unit});
+  d.value("exact", e.exact, {.meaning = "value to expect", .any_unit = unit});
   d.value("tolerance", e.tolerance, {.meaning = "largest |value / exact - 1|", .range = positive});
-  d.value("absolute_tolerance", e.absolute_tolerance, {.meaning = "largest |value - exact|", .unit = unit.c_str(), .range = positive});
-  d.value("least", e.min, {.meaning = "least value to expect, instead of exact", .unit = unit.c_str()});
-  d.value("most", e.max, {.meaning = "largest value to expect, instead of exact", .unit = unit.c_str()});
+  d.value("absolute_tolerance", e.absolute_tolerance, {.meaning = "largest |value - exact|", .range = positive, .any_unit = unit});
+  d.value("least", e.min, {.meaning = "least value to expect, instead of exact", .any_unit = unit});
+  d.value("most", e.max, {.meaning = "largest value to expect, instead of exact", .any_unit = unit});
   d.value("source", e.source, {.meaning = "where the expected value comes from", .required = true});
   d.value("why", e.why, {.meaning = "why the tolerance or the bounds are what they are", .required = true});
+  d.value("requirement", e.requirement, {.meaning = "what the user may rely on, in a sentence; absent: that at the top of the file"});
+  d.value("derived", e.derived, {.meaning = "where that is derived; absent: as at the top of the file"});
 }
 
 void describe(Describe& d, Expectations& all)
 {
+  d.value("requirement", all.requirement, {.meaning = "what the user may rely on, in a sentence, where an [[expect]] does not say it"});
+  d.value("derived", all.derived, {.meaning = "where that is derived, where an [[expect]] does not say it"});
   d.named_tables("run", all.run, {.meaning = "problems, each one run of berm", .required = true});
   d.array("expect", all.expect, {.meaning = "numbers to expect", .required = true});
   const std::vector<std::string> names = names_of(all.run);
@@ -79,6 +92,7 @@ void describe(Describe& d, Expectations& all)
     const std::string path = fmt::format("expect[{}]", k);
     check_runs(d, path, all.expect[k], names);
     check(d, path, all.expect[k]);
+    take_promise(d, path, all.expect[k], all);
     for (const std::string& run : runs_of(all.expect[k])) needed.push_back(run);
   }
   for (const std::string& name : names)
@@ -96,9 +110,9 @@ std::string words_of(const Expectation& e)
   return (e.runs.empty() ? "" : "order of ") + words_of(e.observable) + (e.over.empty() ? "" : " over that of " + e.over);
 }
 
-std::string unit_of(const Expectation& e)
+bool is_pure(const Expectation& e)
 {
-  return e.runs.empty() && e.over.empty() ? unit_of(e.observable) : "";
+  return !e.runs.empty() || !e.over.empty();
 }
 
 Real number_of(const Expectation& e, const std::vector<Real>& values)

@@ -22,16 +22,19 @@ struct Expectation {
   Observable observable;
   std::optional<Real> exact, min, max;                ///< of the number in SI units, or of the order; either exact or bounds
   std::optional<Real> tolerance, absolute_tolerance;  ///< of exact: relative, or in its unit
+  std::string unit;                                   ///< SI, of these and of limit as they are written; "" where they have none
   std::string source, why;
+  std::string requirement, derived;  ///< what the user may rely on, and where that is derived
 };
 
 /// expected.toml: what an example should give.
 struct Expectations {
+  std::string requirement, derived;  ///< of every number that has none of its own
   std::vector<std::pair<std::string, VerificationRun>> run;
   std::vector<Expectation> expect;
 };
 
-/// The units of exact, least, most and absolute_tolerance are those of the quantity, as its name tells.
+/// exact, least, most and absolute_tolerance may have any unit, which must be of the dimension of what the run gives (compare_with_expectation).
 void describe(Describe& d, VerificationRun& run);
 void describe(Describe& d, Expectation& e);
 void describe(Describe& d, Expectations& all);
@@ -42,8 +45,8 @@ std::vector<std::string> runs_of(const Expectation& e);
 /// What is expected: words_of its reading, over that of another run, or "order of " it.
 std::string words_of(const Expectation& e);
 
-/// The unit of what is expected; "" of an order and of a ratio.
-std::string unit_of(const Expectation& e);
+/// Whether it is a bare number, whatever it is made of: an order or a ratio.
+bool is_pure(const Expectation& e);
 
 /// Of one run its value; of several the order of convergence: the slope of the least-squares line through -log2 |value - limit| over the number of
 /// times that the cells were halved. NaN where a value is NaN or the limit itself.

@@ -2,6 +2,9 @@
 // Tests: tests/unit/verification/expectation_test.cpp
 #include "verification/expectation_result.hpp"
 
+#include "core/error.hpp"
+#include "input/units.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -23,9 +26,9 @@ struct ShownUnit {
   std::string value(Real value, int digits = 5) const { return number(value, digits) + (name.empty() ? "" : " " + name); }
 };
 
-ShownUnit shown_unit(const Expectation& e)
+ShownUnit shown_unit(const Expectation& e, const std::string& of_values)
 {
-  const std::string unit = unit_of(e);
+  const std::string unit = is_pure(e) ? "" : of_values;
   Real size = e.exact == 0. && e.absolute_tolerance ? *e.absolute_tolerance : 0;
   for (const auto& value : {e.exact, e.min, e.max}) size = std::max(size, std::abs(value.value_or(0)));
   if (unit == "m" && size < 1e-5) return {1e6, "um"};
@@ -58,7 +61,13 @@ bool take_values(ExpectationResult& finding, const Example& example, const Expec
     finding.reason = e.runs.empty() && e.over.empty() ? result.end.reason : fmt::format("{}: {}", run, result.end.reason);
     if (result.end.kind == jobs::JobEnd::Kind::failed) return false;
     try {
-      finding.values.push_back(evaluate(e.observable, result.folder));
+      const Reading reading = evaluate(e.observable, result.folder);
+      finding.values.push_back(reading.value);
+      finding.unit = reading.unit;
+      finding.label = reading.label;
+      if (!e.unit.empty() && !input::same_dimension(e.unit, reading.unit))
+        throw InputError(
+            fmt::format("{} is expected in {}, and is in {}", words_of(e.observable), e.unit, reading.unit.empty() ? "1" : reading.unit));
     } catch (const std::exception& error) {
       finding.reason = error.what();
       return false;
@@ -80,10 +89,12 @@ ExpectationResult compare_with_expectation(const Example& example, const Expecta
   ExpectationResult finding;
   finding.problem = fmt::format("{}/{}", example.name, e.runs.empty() ? e.run : e.runs.front() + " .. " + e.runs.back());
   finding.what = words_of(e);
-  const ShownUnit unit = shown_unit(e);
+  finding.unit = e.unit == "1" ? "" : e.unit;
+  const bool known = take_values(finding, example, e, results);
+  const ShownUnit unit = shown_unit(e, finding.unit);
   finding.exact = exact_of(e, unit);
   finding.tolerance = e.tolerance ? percent(*e.tolerance) : e.absolute_tolerance ? unit.value(*e.absolute_tolerance) : "";
-  if (!take_values(finding, example, e, results)) {
+  if (!known) {
     finding.values.clear();
     return finding;
   }

@@ -21,6 +21,7 @@ struct ExpectationResult {
   Verdict verdict = Verdict::not_run;
   std::string reason;        ///< why there is no number
   std::vector<Real> values;  ///< of its runs; empty where one has none
+  std::string unit, label;   ///< of the values: SI, "" = a bare number; and what they are
   Real number = std::numeric_limits<Real>::quiet_NaN();
 };
 

@@ -74,39 +74,27 @@ std::string words_of(const Observable& observable)
   return fmt::format("{} {}", observable.column, measure_words[static_cast<std::size_t>(observable.measure)]);
 }
 
-std::string unit_of(const std::string& name)
+std::string unit_of(const Observable& observable, const run_folder::History& history)
 {
-  const auto starts = [&](const char* text) { return name.starts_with(text); };
-  if (name.find("_over_") != std::string::npos || starts("V_rms_error") || name.ends_with("_noise")) return "";
-  if (name.ends_with("_per_s")) return "1/s";
-  if (name.ends_with("_m_s")) return "m/s";
-  if (name.ends_with("_rad_s")) return "rad/s";
-  if (name.ends_with("_rad")) return "rad";
-  if (name.ends_with("_Pa")) return "Pa";
-  if (name.ends_with("_N_s")) return "N s";
-  if (name.ends_with("_J_m")) return "J/m";
-  if (name.ends_with("_Nm_m")) return "N";
-  if (name.ends_with("_N_m") || starts("V_") || starts("H_") || starts("second_impulse")) return "N/m";
-  if (name.ends_with("_m") || starts("w_") || starts("u_") || starts("overlap") || starts("gap")) return "m";
-  if (name.ends_with("_s") || name == "seconds_per_step") return "s";
-  return "";
+  const std::string& column = history.column(observable.column).unit;
+  const std::string unit = column == run_folder::bare.name ? "" : column;
+  if (observable.measure == Measure::period) return run_folder::seconds.name;
+  if (observable.measure == Measure::slope) return fmt::format("{}/s", unit.empty() ? "1" : unit);
+  if (observable.measure == Measure::acceleration)
+    return is_velocity(observable, history) ? "m/s^2" : fmt::format("{}/s^2", unit.empty() ? "1" : unit);
+  return unit;
 }
 
-std::string unit_of(const Observable& observable)
+bool is_velocity(const Observable& observable, const run_folder::History& history)
 {
-  if (observable.column.empty()) return unit_of(observable.quantity);
-  const std::string unit = unit_of(observable.column);
-  if (observable.measure == Measure::period) return "s";
-  if (observable.measure == Measure::acceleration) return unit == "rad" ? "rad/s^2" : "m/s^2";
-  if (observable.measure == Measure::slope) return fmt::format("{}/s", unit.empty() ? "1" : unit);
-  return unit;
+  return history.column(observable.column).unit == run_folder::metres_per_second.name;
 }
 
 Rows rows_of(const Observable& observable, const run_folder::History& history)
 {
   if (!history.has(observable.column))
     throw InputError(fmt::format("the history has no column {}{}", input::in_quotes(observable.column),
-                                 input::suggestion(observable.column, history.columns)));
+                                 input::suggestion(observable.column, history.names())));
   const std::vector<Real>&time = history["time_s"], &value = history[observable.column];
   // The slack is for the round-off in the sum of time steps.
   const Real slack = time.empty() ? 0 : 1e-9 * time.back();
@@ -138,26 +126,29 @@ Real evaluate(const Observable& observable, const run_folder::History& history)
   case Measure::slope:
     return highest_coefficient(rows, 1);
   case Measure::acceleration:
-    return observable.column.ends_with("_m_s") ? highest_coefficient(rows, 1) : 2 * highest_coefficient(rows, 2);
+    return is_velocity(observable, history) ? highest_coefficient(rows, 1) : 2 * highest_coefficient(rows, 2);
   case Measure::period:
     return period_of(rows);
   }
   return unknown;
 }
 
-Real evaluate(const Observable& observable, const std::filesystem::path& run_folder)
+Reading evaluate(const Observable& observable, const std::filesystem::path& run_folder)
 {
-  if (!observable.column.empty()) return evaluate(observable, run_folder::read_history(run_folder / "history.csv"));
+  if (!observable.column.empty()) {
+    const run_folder::History history = run_folder::read_history(run_folder / "history.csv");
+    const Real value = evaluate(observable, history);
+    return {value, unit_of(observable, history), history.column(observable.column).label};
+  }
   const std::optional<run_folder::RunSummary> summary = run_folder::read_summary(run_folder);
   if (!summary) throw RunError(fmt::format("there is no {}", (run_folder / "summary.json").string()));
-  std::vector<std::pair<std::string, Real>> numbers;
-  for (const run_folder::Quantity& quantity : summary->quantities) numbers.emplace_back(quantity.name, quantity.value);
-  numbers.insert(numbers.end(), summary->checks.begin(), summary->checks.end());
-  numbers.insert(numbers.end(), summary->timing.begin(), summary->timing.end());
+  std::vector<run_folder::Quantity> numbers = summary->quantities;
+  for (const auto& [name, value] : summary->checks) numbers.push_back({name, value, "1"});
+  for (const auto& [name, value] : summary->timing) numbers.push_back({name, value, run_folder::unit_of_timing(name)});
   std::vector<std::string> names;
-  for (const auto& [name, value] : numbers) {
-    if (name == observable.quantity) return value;
-    names.push_back(name);
+  for (const run_folder::Quantity& number : numbers) {
+    if (number.name == observable.quantity) return {number.value, number.unit == "1" ? "" : number.unit, number.name};
+    names.push_back(number.name);
   }
   throw InputError(input::one_line(fmt::format("summary.json has no quantity {}{}", input::in_quotes(observable.quantity),
                                                input::suggestion(observable.quantity, names))));

@@ -40,11 +40,11 @@ void check(Describe& d, const std::string& path, const Observable& observable);
 /// "V_at_w_0.1D", "block_vx_m_s mean".
 std::string words_of(const Observable& observable);
 
-/// The SI unit of a quantity or column, told by its name: V_at_w_0.1D is in N/m, tip_uy_m in m; "" where it is a bare number.
-std::string unit_of(const std::string& name);
+/// The SI unit of what the measure makes of the column, as the history's schema tells; "" of a bare number. Throws RunError where there is no such column.
+std::string unit_of(const Observable& observable, const run_folder::History& history);
 
-/// The unit of the quantity, or of the column and what the measure makes of it.
-std::string unit_of(const Observable& observable);
+/// Whether the column holds a velocity, whose slope is an acceleration.
+bool is_velocity(const Observable& observable, const run_folder::History& history);
 
 /// The rows of a column within the window.
 struct Rows {
@@ -57,8 +57,15 @@ Rows rows_of(const Observable& observable, const run_folder::History& history);
 /// The measure of the column over its window. NaN where the window has too few rows or crossings. Throws InputError as rows_of.
 Real evaluate(const Observable& observable, const run_folder::History& history);
 
+/// A number of a run's results.
+struct Reading {
+  Real value;
+  std::string unit;   ///< SI; "" = a bare number
+  std::string label;  ///< of the column, or the quantity
+};
+
 /// The number, from summary.json or history.csv of a run folder; true is 1, false 0, and what was not finite NaN. Throws InputError where there is
 /// no such quantity or column, RunError where there is no such file.
-Real evaluate(const Observable& observable, const std::filesystem::path& run_folder);
+Reading evaluate(const Observable& observable, const std::filesystem::path& run_folder);
 
 }  // namespace berm::verification

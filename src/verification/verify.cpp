@@ -3,7 +3,7 @@
 
 #include "core/error.hpp"
 #include "input/read_case.hpp"
-#include "verification/book.hpp"
+#include "verification/requirements.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -71,6 +71,22 @@ void list_problems(const ProblemChoice& choice)
       rows.push_back({example.name + "/" + name, run.fast ? "fast" : "", std::to_string(count), run.title});
     }
   print(rows);
+}
+
+void list_requirements(const ProblemChoice& choice, const fs::path& output)
+{
+  std::vector<Chapter> chapters;
+  for (const Example& example : find_problems(choice)) {
+    Chapter& chapter = chapters.emplace_back(Chapter{example, {}, {}});
+    for (const auto& entry : example.runs) {
+      const fs::path folder = output / example.name / entry.first;
+      std::error_code error;
+      const bool done = fs::exists(folder / "summary.json", error);
+      chapter.results.push_back({folder, {done ? jobs::JobEnd::Kind::finished : jobs::JobEnd::Kind::interrupted, ""}});
+    }
+    for (const Expectation& e : example.expectations) chapter.findings.push_back(compare_with_expectation(example, e, chapter.results));
+  }
+  fmt::print("{}", requirements_text(chapters));
 }
 
 bool verify(const VerifyRequest& request)

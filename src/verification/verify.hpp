@@ -15,6 +15,10 @@ struct VerifyRequest {
 /// Prints the problems that are wanted, with their titles and numbers of expectations. Throws InputError.
 void list_problems(const ProblemChoice& choice);
 
+/// Prints what the wanted problems promise, where it is derived and which runs prove it, with the last results of those that lie in OUTPUT. Throws
+/// InputError.
+void list_requirements(const ProblemChoice& choice, const std::filesystem::path& output);
+
 /// Runs the problems that are wanted into OUTPUT/EXAMPLE/RUN, prints how their results compare with what is expected, and writes the verification
 /// book, OUTPUT/index.html. All input is read before the first run; a run that fails is a row that says so. True where all runs finished and all
 /// is as expected. Throws InputError and RunError.

@@ -14,7 +14,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const run_folder::SavedSoil soil = run_folder::read_soil(path);
     const std::size_t count = soil.x.size();
-    promise(soil.velocity.size() == 3 * count && soil.id.size() == count, "fields have a number for each point", std::to_string(count));
+    promise(soil.volume.size() == count && soil.id.size() == count, "fields have a number for each point", std::to_string(count));
+    for (const auto& field : soil.fields)
+      promise(field.values.size() == static_cast<std::size_t>(field.info.components) * count, "fields have their numbers for each point",
+              field.info.name);
     for (const auto& triangle : soil.triangles)
       for (const Index node : triangle) promise(node >= 0 && static_cast<std::size_t>(node) < count, "nodes exist", std::to_string(node));
   } catch (const RunError& error) {

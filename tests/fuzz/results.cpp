@@ -10,10 +10,12 @@
 #include "report/quality/quality_section.hpp"
 #include "report/results/results_section.hpp"
 #include "run_folder/frame_reader.hpp"
+#include "run_folder/history_schema.hpp"
 #include "structures/pipe/run_record.hpp"
 #include "verification/observable.hpp"
 
 #include <fstream>
+#include <sstream>
 
 using namespace berm;
 
@@ -83,14 +85,39 @@ void take_numbers(const fs::path& folder)
   }
 }
 
+constexpr const char* published = R"(source = "nobody"
+test = {dimension = 2}
+[[claim]]
+statement = "V, H, w and heave"
+where = "1"
+why = "between {V least} and {H most}"
+[[claim.finding]]
+words = "{V} {H} {w} {heave}"
+value = [{name = "V", observable = "V_at_w", at = 0.1, published = 1000},
+         {name = "H", observable = "H_at_part", at = 0.5, per = 10, without = "none", least = 1},
+         {name = "w", observable = "sinking_after_u", at = 0.3, without = "none", most = 0.1, otherwise = "partly"},
+         {name = "heave", observable = "berm_at_end", without = "none"}]
+)";
+
+/// A schema that fits a header without quotes.
+std::vector<run_folder::Column> columns_in_header(const std::string& text)
+{
+  std::vector<run_folder::Column> columns;
+  std::istringstream header(text.empty() ? "" : text.substr(1, text.find('\n') - 1));
+  for (std::string name; std::getline(header, name, ',');)
+    if (name != "stage") columns.push_back({name, name.substr(0, name.find('_')), "1", "of a test", "run"});
+  return columns;
+}
+
 void write_sections(const fs::path& folder)
 {
+  static const report::ClaimSheets claims = {report::read_claims_text("claims.toml", published)};
   may_be_refused([&] {
     const std::vector<pipe::RunRecord> runs = {pipe::read_run(folder)};
     report::run_data(runs[0]);
     report::results_section(runs);
     report::quality_section(runs);
-    report::claims_section(runs);
+    report::claims_section(runs, claims);
   });
 }
 
@@ -103,6 +130,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const char kind = text.empty() ? 'h' : text[0];
   const char* file = kind == 's' ? "summary.json" : kind == 'l' ? "run.log" : kind == 'p' ? "frames/frames.pvd" : "history.csv";
   folder.hold(file, text.empty() ? "" : text.substr(1));
+  if (kind == 'h') run_folder::write_schema(folder.path() / "history.csv", columns_in_header(text));
   if (kind == 'p') {
     may_be_refused([&] { run_folder::frame_files(folder.path() / "frames"); });
     return 0;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A study.toml of `berm study`, and the same text as an expected.toml of `berm verify`.
+// A study.toml of `berm study`, and the same text as an expected.toml of `berm verify` and a claims.toml of `berm report`.
 #include "target.hpp"
 
 #include "core/error.hpp"
 #include "input/reader.hpp"
+#include "report/claims/claim_sheet.hpp"
 #include "study/study_settings.hpp"
 #include "verification/expectation.hpp"
 
@@ -34,6 +35,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     input::Document document = input::parse_text("expected.toml", text_of(data, size));
     verification::Expectations all;
     read(document, all);
+  } catch (const InputError& error) {
+    promise_one_line(error.what());
+  }
+  try {
+    report::read_claims_text("claims.toml", text_of(data, size));
   } catch (const InputError& error) {
     promise_one_line(error.what());
   }

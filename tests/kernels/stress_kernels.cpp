@@ -24,7 +24,7 @@ void update_part(benchmark::State& state, const Trial& trial)
     SymTensor<dim, WidePart> stress;
     WidePart opening{};
     for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = begin[k];
-    update_stress<dim, WidePart>(law, stress, strain, &opening);
+    update(law, stress, {strain}, &opening);
     for (int k = 0; k < tensor_size<dim>; ++k) end[k] = stress[k];
     benchmark::DoNotOptimize(opening);
     benchmark::DoNotOptimize(end);

@@ -20,7 +20,7 @@ void differentiate_point(benchmark::State& state, const Trial& trial)
     benchmark::DoNotOptimize(strain);
     Real opening = 0;
     end = begin;
-    update_stress_and_tangent(law, end, strain, &opening, tangent);
+    update_stress_and_tangent(law, end, {strain}, &opening, tangent);
     benchmark::DoNotOptimize(end);
     benchmark::DoNotOptimize(opening);
     benchmark::DoNotOptimize(tangent);

@@ -123,7 +123,7 @@ bool same(const bodies::Particle<2>& a, const bodies::Particle<2>& b)
 {
   return a.id == b.id && a.x == b.x && a.v == b.v && a.volume == b.volume && a.mass == b.mass &&
          a.deviatoric_strain == b.deviatoric_strain && std::equal(a.stress.c, a.stress.c + 4, b.stress.c) &&
-         std::equal(a.state, a.state + 2, b.state);
+         std::equal(a.extra, a.extra + a.max_extra, b.extra);
 }
 
 TEST(Threads, do_not_change_one_bit_of_the_state)

@@ -3,6 +3,7 @@
 
 #include "structures/pipe/run_record.hpp"
 
+#include "samples/history_columns.hpp"
 #include <functional>
 
 namespace berm {
@@ -83,7 +84,7 @@ struct MadeRun {
   /// Rows 0.002 D apart.
   run_folder::History history() const
   {
-    run_folder::History h{{"time_s", "u_m", "w_m", "H_N_m", "V_N_m"}, std::vector<std::vector<Real>>(5), {}};
+    run_folder::History h{columns_named({"time_s", "u_m", "w_m", "H_N_m", "V_N_m"}), std::vector<std::vector<Real>>(5), {}};
     const auto add = [&](const std::string& stage, Real u, Real w, Real H_here, Real V_here) {
       const Real row[] = {static_cast<Real>(h.rows()), u, w, H_here, V_here};
       for (int k = 0; k < 5; ++k) h.values[k].push_back(row[k]);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "input/read_case.hpp"
+#include "samples/history_columns.hpp"
 #include "structures/pipe/run_record.hpp"
 
 #include <functional>
@@ -25,7 +26,7 @@ struct PaperRun {
     run.settings = input::read_case(std::string(BERM_SOURCE_DIR) + "/examples/probe_test/" + file, overrides);
     run.scale = pipe::pipe_scale(run.settings);
     run.stages = pipe::pipe_stages(run.settings);
-    run.history.columns = {"time_s", "u_m", "w_m", "H_N_m", "V_N_m"};
+    run.history.columns = columns_named({"time_s", "u_m", "w_m", "H_N_m", "V_N_m"});
     run.history.values.resize(5);
     const double D = 0.02;
     const auto add = [&](const char* stage, double here_u, double here_w, double here_H, double here_V) {

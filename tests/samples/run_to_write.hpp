@@ -5,6 +5,8 @@
 #include "run_folder/frame_maker.hpp"
 #include "run_folder/frames.hpp"
 #include "run_folder/history.hpp"
+#include "samples/frame_particles.hpp"
+#include "samples/history_columns.hpp"
 #include "samples/temporary_folder.hpp"
 
 #include <cmath>
@@ -40,7 +42,7 @@ problem::Problem<dim> sample_problem()
   problem::Model<dim>& model = problem.model;
   problem::State<dim>& state = problem.state;
   model.mesh = make_box<dim>(box);
-  for (int body = 0; body < 2; ++body) state.particles.emplace_back(model.mesh, model.mesh.cell_count(), 0);
+  for (int body = 0; body < 2; ++body) state.particles.emplace_back(model.mesh, model.mesh.cell_count(), std::vector<FieldInfo>{});
   model.bodies.resize(2);
   for (Index cell = model.mesh.cell_count() - 1; cell >= 0; --cell) {  // backwards: storage is by cell, ids run against it
     bodies::Particle<dim> p;
@@ -84,8 +86,7 @@ private:
 /// strain is 0 in the corner x = 0, 1 in the corner y = 0 and linear between.
 inline run_folder::Frame<2> two_triangles()
 {
-  run_folder::Frame<2> frame;
-  frame.triangles = {{0, 2, 8, 1, 5, 4}, {0, 8, 6, 4, 7, 3}};
+  std::vector<run_folder::FrameParticle<2>> nodes;
   for (int k = 0; k < 9; ++k) {
     run_folder::FrameParticle<2> f{{}, 0, Vec<2>(0.001 * k, 0), {}, 0.25};
     f.particle.x = Vec<2>(0.1 * (k % 3), 0.1 * static_cast<Real>(k / 3));
@@ -95,8 +96,10 @@ inline run_folder::Frame<2> two_triangles()
     f.strain.volumetric = -0.01 * k;
     f.particle.deviatoric_strain = 2 + k;
     for (int c = 0; c < tensor_size<2>; ++c) f.particle.stress[c] = 10 * k + c;
-    frame.particles.push_back(f);
+    nodes.push_back(f);
   }
+  run_folder::Frame<2> frame = frame_of(nodes);
+  frame.triangles = {{0, 2, 8, 1, 5, 4}, {0, 8, 6, 4, 7, 3}};
   return frame;
 }
 
@@ -110,7 +113,7 @@ struct SamplePipe {
 
   void write(const std::filesystem::path& path) const
   {
-    run_folder::HistoryFile file(path, {"u_m", "w_m", "H_N_m", "V_N_m", "gap_m", "overlap_m", "second_impulse_N_m"});
+    NamedHistory file(path, {"u_m", "w_m", "H_N_m", "V_N_m", "gap_m", "overlap_m", "second_impulse_N_m"});
     const Real spacing = 0.002 * D;
     Real time = 0;
     Index row = 0;

@@ -3,6 +3,8 @@
 
 #include "mesh/box.hpp"
 #include "run_folder/frames.hpp"
+#include "samples/frame_particles.hpp"
+#include "samples/history_columns.hpp"
 #include "samples/temporary_folder.hpp"
 #include "structures/pipe/run_record.hpp"
 
@@ -55,8 +57,7 @@ public:
   /// What is written.
   run_folder::Frame<dim> frame(Index f) const
   {
-    run_folder::Frame<dim> frame;
-    frame.time = time(f);
+    std::vector<run_folder::FrameParticle<dim>> particles;
     Index id = 0;
     for (Index k = 0; k < (dim == 3 ? 4 : 1); ++k)
       for (Index j = 0; j < up; ++j)
@@ -75,8 +76,10 @@ public:
           p.strain_increment = f == 0 ? 0 : 0.01 * (2 * f - 1) + 0.001 * i;
           p.particle.deviatoric_strain = 5 + i;
           for (int d = 0; d < 3; ++d) p.particle.stress[d] = -1000 * (id + 1) - 10 * f;  // so the mean, Pa
-          frame.particles.push_back(p);
+          particles.push_back(p);
         }
+    run_folder::Frame<dim> frame = frame_of(particles);
+    frame.time = time(f);
     if (pipe_) {
       Vec<dim> center = Vec<dim>::Zero(), low = Vec<dim>::Constant(-0.2), high = Vec<dim>::Constant(0.2);
       center[0] = u(f);
@@ -91,7 +94,7 @@ private:
   void write_history(Index frames)
   {
     run_folder::History& h = run.history;
-    h.columns = {"time_s", "u_m", "w_m", "H_N_m", "V_N_m"};
+    h.columns = columns_named({"time_s", "u_m", "w_m", "H_N_m", "V_N_m"});
     h.values.resize(5);
     for (Index row = 0; row <= 2 * (frames - 1); ++row) {
       const Index f = row / 2, next = (row + 1) / 2;

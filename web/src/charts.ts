@@ -10,7 +10,7 @@ import { element } from "./element";
 
 /** Fills the section with the charts of all runs. */
 export function show_charts(section: HTMLElement, data: PageData): void {
-  const settings: Settings = { units: "model", raw: true, paper: true, hidden: new Set() };
+  const settings: Settings = { units: "model", raw: true, published: true, hidden: new Set() };
   const views: ChartView[] = [];
   const view = (plan: Plan, choices: HTMLElement | null = null) => {
     const made = new ChartView(plan, settings, data.runs, choices);

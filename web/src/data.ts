@@ -5,8 +5,8 @@
 export interface PageData {
   version: string;
   runs: RunData[];
-  /** What the paper states; empty where the runs are not of its test. */
-  paper: PaperPoint[];
+  /** What is published of the tests that there are runs of. */
+  published: PublishedPoint[];
 }
 
 export interface RunData {
@@ -20,8 +20,10 @@ export interface RunData {
   measure: Measure | null;
   /** Lengths and forces per metre are so many times larger in the prototype; null where gravity is the earth's, or none: there is no prototype. */
   prototype: number | null;
-  /** Whether it is of the paper's test. */
-  of_paper: boolean;
+  /** Whether it is of a test of which something is published. */
+  of_test: boolean;
+  /** What is said of the columns of history.csv: label without unit, some words, SI unit ("" for a pure number). */
+  quantities: Record<string, { label: string; words: string; unit: string }>;
   /** Columns of history.csv by name, each as long as `stage`. */
   columns: Record<string, (number | null)[]>;
   stage: string[];
@@ -51,8 +53,8 @@ export interface PathData {
   H_mean: (number | null)[];
 }
 
-/** A number or a level that the paper gives, in model units. */
-export interface PaperPoint {
+/** A number or a level that is published, in model units. */
+export interface PublishedPoint {
   chart: "V_w" | "H_u" | "w_u";
   /** null: a level, over the whole axis. */
   x: number | null;
@@ -97,9 +99,9 @@ export interface FrameData {
   V: number | null;
 }
 
-/** One byte for each frame and point: value = low + (high - low) * byte / 255, clipped. Frame 0 holds bytes, each later one the change modulo 256. */
+/** A field of the soil that the frames of the run hold. One byte for each frame and point: value = low + (high - low) * byte / 255, clipped. Frame 0 holds bytes, each later one the change modulo 256. */
 export interface FieldData {
-  name: "deviatoric_strain" | "incremental_deviatoric_strain" | "mean_stress" | "speed" | "displacement";
+  name: string;
   label: string;
   unit: string;
   low: number;

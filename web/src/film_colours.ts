@@ -8,19 +8,18 @@ export interface Range {
   to: number;
 }
 
-const MAPS: Record<FieldData["name"], (t: number) => string> = {
-  deviatoric_strain: interpolateViridis,
-  incremental_deviatoric_strain: interpolateViridis,
-  mean_stress: interpolateCividis,
-  speed: interpolatePlasma,
-  displacement: interpolateViridis,
-};
+/** By unit: stresses and speeds have maps of their own. */
+const MAPS = new Map<string, (t: number) => string>([
+  ["kPa", interpolateCividis],
+  ["m/s", interpolatePlasma],
+]);
 
 /** 256 colours as r, g, b, a from the low to the high end of the field; the dark end is the one nearer to zero. */
 export function colour_table(field: FieldData): Uint8Array {
   const dark_at_high = Math.abs(field.low) > Math.abs(field.high);
+  const map = MAPS.get(field.unit) ?? interpolateViridis;
   const table = new Uint8Array(4 * 256);
-  for (let i = 0; i < 256; i++) table.set([...rgb(MAPS[field.name](dark_at_high ? 1 - i / 255 : i / 255)), 255], 4 * i);
+  for (let i = 0; i < 256; i++) table.set([...rgb(map(dark_at_high ? 1 - i / 255 : i / 255)), 255], 4 * i);
   return table;
 }
 

@@ -75,11 +75,11 @@ function hard_places(data: PageData): void {
   const [x, y] = [Math.max(...along), Math.max(...values)];
   const middle = Math.floor(along.length / 2);
   const places: [number | null, number][] = [[0, 0], [x, y], [0, y], [x, 0], [along[middle], values[middle]], [null, 0.8 * y], [null, 0.81 * y]];
-  data.paper = places.map(([at, value], i) => ({ chart, x: at, y: value, label: `paper: number ${i + 1} of some` }));
+  data.published = places.map(([at, value], i) => ({ chart, x: at, y: value, label: `paper: number ${i + 1} of some` }));
 }
 
 for (const width of [1280, 400])
-  test(`labels_of_the_papers_numbers_are_within_the_chart_and_apart_${width}_px`, { skip: main_chart === "any" && "no pipe in these runs" }, () =>
+  test(`labels_of_the_published_numbers_are_within_the_chart_and_apart_${width}_px`, { skip: main_chart === "any" && "no pipe in these runs" }, () =>
     with_changed(hard_places, width, async (page) => {
       await write_anew(page);
       const chart = chart_of(page, main_chart);
@@ -93,7 +93,7 @@ for (const width of [1280, 400])
       await take_screenshot(page, `labels_${width}`);
     }));
 
-test("labels_of_the_papers_numbers_in_a_figure_are_within_it_and_apart", { skip: main_chart === "any" && "no pipe in these runs" }, () =>
+test("labels_of_the_published_numbers_in_a_figure_are_within_it_and_apart", { skip: main_chart === "any" && "no pipe in these runs" }, () =>
   with_changed(hard_places, 1280, async (page) => {
     const svg = await downloaded(page, chart_of(page, main_chart), ".chart_svg");
     const { labels, area } = await page.evaluate((text) => {

@@ -86,14 +86,14 @@ test("a_run_without_prototype_is_left_out_and_named", async (t) => {
   await context.close();
 });
 
-test("the_papers_numbers_are_scaled_as_the_runs_of_its_test", async (t) => {
+test("the_published_numbers_are_scaled_as_the_runs_of_its_test", async (t) => {
   if (main_chart === "any") return t.skip("no pipe in these runs");
   const axis_end = async (change: (changed: PageData) => void) => {
     const file = changed_report((changed) => {
       const run = changed.runs.find((each) => each.diameter !== null)!;
       changed.runs = [{ ...run, name: "other", measure: clay, prototype: null, film: null }, run];
-      Object.assign(run, { measure: sand, prototype: 50, of_paper: true });
-      changed.paper = [{ chart: main_chart as "H_u" | "V_w", x: null, y: 1e6, label: "far beyond" }];
+      Object.assign(run, { measure: sand, prototype: 50, of_test: true });
+      changed.published = [{ chart: main_chart as "H_u" | "V_w", x: null, y: 1e6, label: "far beyond" }];
       change(changed);
     });
     const { page, context } = await open_report(browser, { file });
@@ -104,5 +104,5 @@ test("the_papers_numbers_are_scaled_as_the_runs_of_its_test", async (t) => {
   };
   const end = await axis_end(() => {});
   assert.ok(end > 5e4 && end < 6e4, `50 times 1000 kN/m, and the axis ends at ${end}`);
-  assert.ok((await axis_end((changed) => changed.runs.forEach((run) => (run.of_paper = false)))) < 5e4, "no number of a run without prototype");
+  assert.ok((await axis_end((changed) => changed.runs.forEach((run) => (run.of_test = false)))) < 5e4, "no number of a run without prototype");
 });

@@ -98,7 +98,7 @@ test("run_checkbox_turns_the_run_off_in_all_charts", async () => {
   await context.close();
 });
 
-test("raw_rows_and_the_papers_numbers_can_be_turned_off", async (t) => {
+test("raw_rows_and_the_published_numbers_can_be_turned_off", async (t) => {
   if (main_chart === "any") return t.skip("no pipe in these runs");
   const { page, context } = await open_report(browser);
   const chart = chart_of(page, main_chart);
@@ -107,19 +107,19 @@ test("raw_rows_and_the_papers_numbers_can_be_turned_off", async (t) => {
   assert.equal(Number(await chart.getAttribute("data-lines")), lines / 2, "of raw and mean lines the means are left");
   await page.locator(".chart_raw").check();
   assert.ok((await pixels(chart)) === drawn, "the picture is not what it was");
-  assert.equal(await page.locator(".chart_paper").count(), data.paper.length > 0 ? 1 : 0);
+  assert.equal(await page.locator(".chart_published").count(), data.published.length > 0 ? 1 : 0);
   await context.close();
 
-  const level = Math.max(...data.runs.flatMap((run) => history_numbers(run.name, main_column).map((each) => each ?? 0)));
+  const level = Math.max(...data.runs.filter((run) => main_column in run.columns).flatMap((run) => history_numbers(run.name, main_column).map((each) => each ?? 0)));
   const file = changed_report((changed) => {
-    changed.paper = [{ chart: main_chart === "H_u" ? "H_u" : "V_w", x: null, y: 3 * level, label: "three times as much" }];
+    changed.published = [{ chart: main_chart === "H_u" ? "H_u" : "V_w", x: null, y: 3 * level, label: "three times as much" }];
   });
-  const { page: with_paper, context: its_context } = await open_report(browser, { file });
-  const marked = chart_of(with_paper, main_chart);
+  const { page: with_published, context: its_context } = await open_report(browser, { file });
+  const marked = chart_of(with_published, main_chart);
   const seen = await pixels(marked);
   const axis = main_chart === "H_u" ? "y" : "x";
   const [, top] = await range_of(marked, axis);
-  await with_paper.locator(".chart_paper").uncheck();
+  await with_published.locator(".chart_published").uncheck();
   assert.ok((await pixels(marked)) !== seen, "the picture has not changed");
   assert.ok((await range_of(marked, axis))[1] < 0.7 * top, "the axis no longer reaches up to the paper's level");
   await its_context.close();
@@ -225,7 +225,7 @@ test("charts_without_data_do_not_appear", async () => {
       for (const name of ["u_m", "w_m", "H_N_m", "V_N_m", "gap_m", "overlap_m", "second_impulse_N_m"]) delete run.columns[name];
       run.columns.out_of_balance = run.columns.out_of_balance.map(() => null);
     }
-    changed.paper = [];
+    changed.published = [];
   });
   const { page, context, errors } = await open_report(browser, { file });
   const ids = await page.locator(".chart").evaluateAll((all) => all.map((each) => (each as HTMLElement).dataset.chart!));

@@ -119,8 +119,8 @@ test("text_of_the_user_is_never_markup", async () => {
       run.stage = run.stage.map((stage) => markup + stage);
       run.columns[markup] = run.columns.time_s;
     }
-    for (const point of data.paper) point.label = markup + point.label;
-    data.paper.push({ chart: "H_u", x: null, y: 1, label: markup });
+    for (const point of data.published) point.label = markup + point.label;
+    data.published.push({ chart: "H_u", x: null, y: 1, label: markup });
   });
   const { page: plain, context: plain_context } = await open_report(browser);
   const images = await plain.locator("img").count();

@@ -17,24 +17,15 @@ std::size_t size_of(const Film& film)
   return size;
 }
 
-/// Most wanted first: the last ones go where the page has no room.
-std::vector<FilmField> fields_of(problem::Method method)
-{
-  std::vector<FilmField> fields = {FilmField::deviatoric_strain, FilmField::incremental_deviatoric_strain, FilmField::mean_stress,
-                                   FilmField::displacement};
-  if (method == problem::Method::mpm) fields.push_back(FilmField::speed);
-  return fields;
-}
-
-/// What the film leaves out, in words.
-std::string note_of(const FilmFrames& footage, Index step, const std::vector<FilmField>& left_out)
+/// What the film leaves out, in words: frames, and all but the first `fields` fields.
+std::string note_of(const FilmFrames& footage, Index step, std::size_t fields)
 {
   std::vector<std::string> words;
   if (footage.slice)
     words.push_back(fmt::format("slice in the middle: what lay within a particle's size of z = {:.3g} m at the start", *footage.slice));
   if (step > 1) words.push_back(kept_words(step));
   std::vector<std::string> names;
-  for (const FilmField field : left_out) names.push_back(words_of(field, false).label);
+  for (std::size_t f = footage.fields.size(); f-- > fields;) names.push_back(footage.fields[f].label);
   if (!names.empty()) words.push_back(fmt::format("without {}", fmt::join(names, " and ")));
   return fmt::format("{}", fmt::join(words, "; "));
 }
@@ -51,24 +42,25 @@ Film make_film(const pipe::RunRecord& run, const std::string& prefix, std::size_
   const std::vector<std::string> stages = footage.stages();
   const Index count = static_cast<Index>(stages.size());
   const std::size_t fewest = kept_frames(stages, count).size();
-  std::vector<FilmField> fields = fields_of(run.settings.method), left_out;
+  std::size_t fields = footage.fields.size();
   Index step = 1;
   while (true) {
     const std::vector<Index> kept = kept_frames(stages, step);
     Film film = encoded_film(run, footage, kept, fields, prefix);
     const std::size_t size = size_of(film);
     if (size <= max_bytes) {
-      const std::string note = note_of(footage, step * footage.step, left_out);
+      const std::string note = note_of(footage, step * footage.step, fields);
       if (!note.empty()) film.json["note"] = note;
       film.faults = faults;
       return film;
     }
-    if (kept.size() > fewest) {
+    if (fields > 1 && footage.fields[fields - 1].spare) {
+      --fields;
+    } else if (kept.size() > fewest) {
       const Real wanted = static_cast<Real>(step) * static_cast<Real>(size) / static_cast<Real>(std::max<std::size_t>(max_bytes, 1));
       step = std::max(step + 1, static_cast<Index>(std::min<Real>(wanted, count)));
-    } else if (fields.size() > 1) {
-      left_out.push_back(fields.back());
-      fields.pop_back();
+    } else if (fields > 1) {
+      --fields;
     } else {
       faults.push_back(
           fmt::format("the film of the soil is left out: it takes {:.1f} MB even with {} frames, and the page has room for {:.1f} MB of it",

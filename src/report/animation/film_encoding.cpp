@@ -85,6 +85,26 @@ FilmBox covered(const FilmBox& points, const FilmFrames& footage)
   return {points.lower - half, points.upper + half};
 }
 
+/// Values of a field by frame, then point.
+std::vector<float> one_after_the_other(const std::vector<const FilmFrame*>& frames, std::size_t field)
+{
+  std::vector<float> all;
+  all.reserve(frames.size() * frames.front()->x.size());
+  for (const FilmFrame* frame : frames) all.insert(all.end(), frame->fields[field].begin(), frame->fields[field].end());
+  return all;
+}
+
+/// The same of a field that is summed: its growth since the frame before, times the factor of the frame; 0 in the first.
+std::vector<float> increments(const std::vector<const FilmFrame*>& frames, std::size_t field, const std::vector<Real>& factor)
+{
+  const std::size_t count = frames.front()->x.size();
+  std::vector<float> all(count * frames.size(), 0);
+  for (std::size_t f = 1; f < frames.size(); ++f)
+    for (std::size_t k = 0; k < count; ++k)
+      all[f * count + k] = static_cast<float>(factor[f] * (frames[f]->fields[field][k] - frames[f - 1]->fields[field][k]));
+  return all;
+}
+
 std::string name_of(std::int32_t rigid, const problem::Case& settings)
 {
   const bool known = rigid >= 0 && rigid < static_cast<std::int32_t>(settings.rigid.size());
@@ -93,8 +113,8 @@ std::string name_of(std::int32_t rigid, const problem::Case& settings)
 
 }  // namespace
 
-Film encoded_film(const pipe::RunRecord& run, const FilmFrames& footage, const std::vector<Index>& kept,
-                  const std::vector<FilmField>& fields, const std::string& prefix)
+Film encoded_film(const pipe::RunRecord& run, const FilmFrames& footage, const std::vector<Index>& kept, std::size_t fields,
+                  const std::string& prefix)
 {
   std::vector<const FilmFrame*> frames;
   for (const Index k : kept) frames.push_back(&footage.frames[k]);
@@ -119,16 +139,16 @@ Film encoded_film(const pipe::RunRecord& run, const FilmFrames& footage, const s
 
   film["fields"] = Json::array();
   const std::vector<Real> factors = increment_factors(run, footage, kept);
-  std::vector<Real> ends(fields.size());
-  for (std::size_t f = 0; f < fields.size(); ++f) {
-    const FieldWords words = words_of(fields[f], run.has_pipe());
-    const std::string id = blocks.add(words.name, [&, f] {
-      const std::vector<float> values = field_values(fields[f], frames, factors);
-      ends[f] = range_end(values);
-      return field_bytes(values, footage.count(), ends[f]);
+  std::vector<FilmRange> ranges(fields);
+  for (std::size_t f = 0; f < fields; ++f) {
+    const FilmField& field = footage.fields[f];
+    const std::string id = blocks.add(field.name, [&, f] {
+      const std::vector<float> values = footage.fields[f].summed ? increments(frames, f, factors) : one_after_the_other(frames, f);
+      ranges[f] = range_of(values);
+      return field_bytes(values, footage.count(), ranges[f]);
     });
     film["fields"].push_back(
-        {{"name", words.name}, {"label", words.label}, {"unit", words.unit}, {"low", 0}, {"high", nullptr}, {"block", id}});
+        {{"name", field.name}, {"label", field.label}, {"unit", field.unit}, {"low", nullptr}, {"high", nullptr}, {"block", id}});
   }
   film["rigids"] = Json::array();
   const std::vector<FilmOutline> outlines = film_outlines(frames, run.settings.dimension);
@@ -138,7 +158,10 @@ Film encoded_film(const pipe::RunRecord& run, const FilmFrames& footage, const s
   }
 
   std::vector<FilmBlock> made = blocks.make();
-  for (std::size_t f = 0; f < fields.size(); ++f) film["fields"][f]["high"] = ends[f];
+  for (std::size_t f = 0; f < fields; ++f) {
+    film["fields"][f]["low"] = ranges[f].low;
+    film["fields"][f]["high"] = ranges[f].high;
+  }
   return {std::move(film), std::move(made), {}};
 }
 

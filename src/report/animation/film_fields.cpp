@@ -2,64 +2,52 @@
 // Tests: tests/unit/report/animation/film_test.cpp
 #include "report/animation/film_fields.hpp"
 
+#include "run_folder/frame.hpp"
+
+#include <algorithm>
+
 namespace berm::report {
 namespace {
 
-std::vector<float> one_after_the_other(const std::vector<const FilmFrame*>& frames, std::vector<float> FilmFrame::*list)
+constexpr const char* wanted_most[] = {"deviatoric_strain", "incremental_deviatoric_strain", "mean_stress", "displacement", "velocity"};
+
+/// 0 ... for those that are wanted most, then what belongs to a law or a method, then the rest.
+std::ptrdiff_t rank(const std::string& source)
 {
-  std::vector<float> all;
-  all.reserve(frames.size() * (frames.front()->*list).size());
-  for (const FilmFrame* frame : frames) all.insert(all.end(), (frame->*list).begin(), (frame->*list).end());
-  return all;
+  const auto place = std::find(std::begin(wanted_most), std::end(wanted_most), source) - std::begin(wanted_most);
+  return place + (place == std::ssize(wanted_most) && run_folder::is_common_field(source) ? 1 : 0);
 }
 
-std::vector<float> increments(const std::vector<const FilmFrame*>& frames, const std::vector<Real>& factor)
+FilmField film_field(const FieldInfo& info, bool with_pipe)
 {
-  const std::size_t count = frames.front()->sheared.size();
-  std::vector<float> all(count * frames.size(), 0);
-  for (std::size_t f = 1; f < frames.size(); ++f)
-    for (std::size_t k = 0; k < count; ++k)
-      all[f * count + k] = static_cast<float>(factor[f] * (frames[f]->sheared[k] - frames[f - 1]->sheared[k]));
-  return all;
+  FilmField field{info.name,
+                  info.name,
+                  info.label,
+                  info.unit.empty() ? std::string("1") : info.unit,
+                  1,
+                  false,
+                  rank(info.name) > std::ssize(wanted_most)};
+  if (info.unit == "Pa") field.unit = std::string("kPa"), field.factor = 1e-3;
+  if (info.unit == "m") field.unit = std::string("mm"), field.factor = 1e3;
+  if (info.name == "velocity") field.name = field.label = "speed";
+  if (info.name == "mean_stress") field.label = "mean stress (compression positive)", field.factor *= -1;
+  if (info.name == "incremental_deviatoric_strain") {
+    field.summed = true;
+    if (with_pipe) field.label = "deviatoric strain of displacement per 0.01 D of the pipe's way (at rest: since the frame before)";
+  }
+  return field;
 }
 
 }  // namespace
 
-FieldWords words_of(FilmField field, bool with_pipe)
+std::vector<FilmField> film_fields(const std::vector<run_folder::FieldValues<float>>& fields, bool with_pipe)
 {
-  switch (field) {
-  case FilmField::deviatoric_strain:
-    return {"deviatoric_strain", "deviatoric strain of displacement since the start", "1"};
-  case FilmField::incremental_deviatoric_strain:
-    return {"incremental_deviatoric_strain",
-            with_pipe ? "deviatoric strain of displacement per 0.01 D of the pipe's way (at rest: since the frame before)"
-                      : "deviatoric strain of displacement since the frame before",
-            "1"};
-  case FilmField::mean_stress:
-    return {"mean_stress", "mean stress (compression positive)", "kPa"};
-  case FilmField::speed:
-    return {"speed", "speed", "m/s"};
-  case FilmField::displacement:
-    return {"displacement", "displacement since the start", "mm"};
-  }
-  return {};
-}
-
-std::vector<float> field_values(FilmField field, const std::vector<const FilmFrame*>& frames, const std::vector<Real>& increment_factor)
-{
-  switch (field) {
-  case FilmField::deviatoric_strain:
-    return one_after_the_other(frames, &FilmFrame::strain);
-  case FilmField::incremental_deviatoric_strain:
-    return increments(frames, increment_factor);
-  case FilmField::mean_stress:
-    return one_after_the_other(frames, &FilmFrame::mean_stress);
-  case FilmField::speed:
-    return one_after_the_other(frames, &FilmFrame::speed);
-  case FilmField::displacement:
-    return one_after_the_other(frames, &FilmFrame::displacement);
-  }
-  return {};
+  constexpr int number = 1, vector = 3;
+  std::vector<FilmField> shown;
+  for (const run_folder::FieldValues<float>& field : fields)
+    if (field.info.components == number || field.info.components == vector) shown.push_back(film_field(field.info, with_pipe));
+  std::stable_sort(shown.begin(), shown.end(), [](const FilmField& a, const FilmField& b) { return rank(a.source) < rank(b.source); });
+  return shown;
 }
 
 }  // namespace berm::report

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "report/animation/film_fields_of_frames.hpp"
+#include "run_folder/frame_reader.hpp"
 
 namespace berm::report {
 
-/// What colours the soil of a film.
-enum class FilmField { deviatoric_strain, incremental_deviatoric_strain, mean_stress, speed, displacement };
-
-/// A field by its name in FilmData of web/src/data.ts, in words, and its unit.
-struct FieldWords {
-  std::string name, label, unit;
+/// A field that colours the soil of a film: what it is in the frames' files, and what FilmData of web/src/data.ts calls it.
+struct FilmField {
+  std::string source;             ///< name in the files
+  std::string name, label, unit;  ///< on the page
+  Real factor;                    ///< of the files' numbers; of a vector's length
+  bool summed;                    ///< the files tell it since the frame before
+  bool spare;                     ///< goes where the page has no room, before frames do
 };
-FieldWords words_of(FilmField field, bool with_pipe);
 
-/// Values of a field by frame, then point. The increments count from the frame before, times `increment_factor` of the frame; 0 in the first.
-std::vector<float> field_values(FilmField field, const std::vector<const FilmFrame*>& frames, const std::vector<Real>& increment_factor);
+/// The fields of a film, of all that the files hold numbers and vectors of: first those that are wanted most, the last ones go where the page has no room.
+std::vector<FilmField> film_fields(const std::vector<run_folder::FieldValues<float>>& fields, bool with_pipe);
 
 }  // namespace berm::report

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <functional>
 
 namespace berm::report {
 namespace {
@@ -23,7 +24,9 @@ float length(const std::vector<float>& vectors, Index k)
 
 }  // namespace
 
-FilmReader::FilmReader(const run_folder::FrameFiles& first, int dimension) : first_(run_folder::read_soil(first.soil))
+FilmReader::FilmReader(const run_folder::FrameFiles& first, int dimension, bool with_pipe)
+    : first_(run_folder::read_soil(first.soil)),
+      fields_(film_fields(first_.fields, with_pipe))
 {
   const Index count = static_cast<Index>(first_.x.size());
   if (count == 0) throw RunError(fmt::format("{}: has no particles", first.soil.string()));
@@ -53,28 +56,37 @@ FilmFrame FilmReader::read(const run_folder::FrameFiles& files) const
   return frame;
 }
 
-void FilmReader::add_sheared(const run_folder::FrameFiles& files, FilmFrame& frame) const
+void FilmReader::add_summed(const run_folder::FrameFiles& files, FilmFrame& frame) const
 {
   const run_folder::SavedSoil soil = same_soil(files);
-  for (std::size_t k = 0; k < chosen_.size(); ++k) frame.sheared[k] += finite(soil.incremental_deviatoric_strain[chosen_[k]]);
+  for (std::size_t f = 0; f < fields_.size(); ++f)
+    if (fields_[f].summed) {
+      const std::vector<float> more = values(soil, fields_[f]);
+      std::transform(more.begin(), more.end(), frame.fields[f].begin(), frame.fields[f].begin(), std::plus<>());
+    }
+}
+
+std::vector<float> FilmReader::values(const run_folder::SavedSoil& soil, const FilmField& field) const
+{
+  const std::vector<float>& all = soil[field.source];
+  const bool vectors = all.size() != soil.x.size();
+  const auto factor = static_cast<float>(field.factor);
+  std::vector<float> chosen;
+  chosen.reserve(chosen_.size());
+  for (const Index k : chosen_) chosen.push_back(finite(factor * (vectors ? length(all, k) : all[k])));
+  return chosen;
 }
 
 FilmFrame FilmReader::film_frame(const run_folder::SavedSoil& soil) const
 {
-  constexpr float kPa = 1e-3f, mm = 1e3f;  // of one Pa and one m
   FilmFrame frame;
-  for (std::vector<float>* list :
-       {&frame.x, &frame.y, &frame.strain, &frame.sheared, &frame.mean_stress, &frame.speed, &frame.displacement})
-    list->reserve(chosen_.size());
+  frame.x.reserve(chosen_.size());
+  frame.y.reserve(chosen_.size());
   for (const Index k : chosen_) {
     frame.x.push_back(soil.x[k]);
     frame.y.push_back(soil.y[k]);
-    frame.strain.push_back(finite(soil.deviatoric_strain[k]));
-    frame.sheared.push_back(finite(soil.incremental_deviatoric_strain[k]));
-    frame.mean_stress.push_back(finite(-kPa * soil.mean_stress[k]));
-    frame.speed.push_back(finite(length(soil.velocity, k)));
-    frame.displacement.push_back(finite(mm * length(soil.displacement, k)));
   }
+  for (const FilmField& field : fields_) frame.fields.push_back(values(soil, field));
   return frame;
 }
 

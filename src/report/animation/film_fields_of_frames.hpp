@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "run_folder/frame_reader.hpp"
+#include "report/animation/film_fields.hpp"
 
 namespace berm::report {
 
 /// What a film needs of a frame. Values by point; one that is not finite is 0.
 struct FilmFrame {
-  std::vector<float> x, y;          ///< m
-  std::vector<float> strain;        ///< deviatoric, of the displacement since the start
-  std::vector<float> sheared;       ///< sum of the deviatoric strains of the displacements from frame to frame, from the first one read on
-  std::vector<float> mean_stress;   ///< kPa, compression positive
-  std::vector<float> speed;         ///< m/s
-  std::vector<float> displacement;  ///< mm, since the start
+  std::vector<float> x, y;                 ///< m
+  std::vector<std::vector<float>> fields;  ///< as FilmReader::fields says; those that are summed from the first frame read on
   run_folder::SavedRigids rigid_bodies;
 };
 
@@ -20,7 +16,10 @@ struct FilmFrame {
 class FilmReader {
 public:
   /// Reads the first frame, whose points all others must have. Throws RunError where it cannot be read or has no points.
-  FilmReader(const run_folder::FrameFiles& first, int dimension);
+  FilmReader(const run_folder::FrameFiles& first, int dimension, bool with_pipe);
+
+  /// What the first frame holds of fields.
+  const std::vector<FilmField>& fields() const { return fields_; }
 
   std::size_t count() const { return chosen_.size(); }
   /// m, of the square or cube that each particle stands for at the start.
@@ -30,16 +29,19 @@ public:
   /// z of the slice, m.
   Real middle() const { return middle_; }
 
-  /// `sheared` is that since the frame before it. Throws RunError where a file cannot be read or holds other points. Safe to call from several threads.
+  /// Fields that are summed are those since the frame before it. Throws RunError where a file cannot be read or holds other points. Safe to call from several threads.
   FilmFrame read(const run_folder::FrameFiles& files) const;
-  /// Adds to `sheared` of a frame that of one that is not shown.
-  void add_sheared(const run_folder::FrameFiles& files, FilmFrame& frame) const;
+  /// Adds to the fields of a frame that are summed those of one that is not shown.
+  void add_summed(const run_folder::FrameFiles& files, FilmFrame& frame) const;
 
 private:
   run_folder::SavedSoil same_soil(const run_folder::FrameFiles& files) const;
   FilmFrame film_frame(const run_folder::SavedSoil& soil) const;
 
+  std::vector<float> values(const run_folder::SavedSoil& soil, const FilmField& field) const;
+
   run_folder::SavedSoil first_;
+  std::vector<FilmField> fields_;
   std::vector<Index> chosen_;  ///< points of the frames that the film shows
   std::vector<float> sizes_;
   Real middle_ = 0;

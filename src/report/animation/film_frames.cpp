@@ -12,13 +12,25 @@
 namespace berm::report {
 namespace {
 
-constexpr std::size_t bytes_of_point = 7 * sizeof(float);  // the lists of a FilmFrame
-
 std::vector<std::string> stages_of(const std::vector<FilmMoment>& moments)
 {
   std::vector<std::string> stages;
   for (const FilmMoment& moment : moments) stages.push_back(moment.stage);
   return stages;
+}
+
+/// Fields that are zero in all frames, such as the speed of finite elements, are not worth their room.
+void leave_out_zeros(FilmFrames& footage)
+{
+  for (std::size_t f = footage.fields.size(); f-- > 0 && footage.fields.size() > 1;) {
+    const bool zero = std::all_of(footage.frames.begin(), footage.frames.end(), [&](const FilmFrame& frame) {
+      return std::all_of(frame.fields[f].begin(), frame.fields[f].end(), [](float value) { return value == 0; });
+    });
+    if (!zero) continue;
+    const auto place = static_cast<std::ptrdiff_t>(f);
+    footage.fields.erase(footage.fields.begin() + place);
+    for (FilmFrame& frame : footage.frames) frame.fields.erase(frame.fields.begin() + place);
+  }
 }
 
 /// Reads those of the files that are wanted, until one cannot be read.
@@ -27,6 +39,7 @@ void read_frames(FilmFrames& footage, const pipe::RunRecord& run, const std::vec
 {
   std::vector<FilmMoment> moments;
   for (const run_folder::FrameFiles& frame : files) moments.push_back(moment_at(run.history, frame.time));
+  const std::size_t bytes_of_point = (2 + reader.fields().size()) * sizeof(float);  // the lists of a FilmFrame
   footage.step = static_cast<Index>(files.size() * reader.count() * bytes_of_point / max_memory) + 1;
   const std::vector<Index> wanted = kept_frames(stages_of(moments), footage.step);
 
@@ -36,7 +49,7 @@ void read_frames(FilmFrames& footage, const pipe::RunRecord& run, const std::vec
     try {
       footage.frames[k] = reader.read(files[wanted[k]]);
       for (Index left_out = k > 0 ? wanted[k - 1] + 1 : wanted[k]; left_out < wanted[k]; ++left_out)
-        reader.add_sheared(files[left_out], footage.frames[k]);
+        reader.add_summed(files[left_out], footage.frames[k]);
     } catch (const RunError& error) {
       refusals[k] = error.what();
     }
@@ -47,9 +60,14 @@ void read_frames(FilmFrames& footage, const pipe::RunRecord& run, const std::vec
     footage.moments.push_back(moments[wanted[good]]);
   }
   footage.frames.resize(good);
-  for (std::size_t k = 1; k < good; ++k)
-    std::transform(footage.frames[k].sheared.begin(), footage.frames[k].sheared.end(), footage.frames[k - 1].sheared.begin(),
-                   footage.frames[k].sheared.begin(), std::plus<>());
+  for (std::size_t f = 0; f < reader.fields().size(); ++f)
+    for (std::size_t k = 1; k < good && reader.fields()[f].summed; ++k) {
+      const std::vector<float>& before = footage.frames[k - 1].fields[f];
+      std::vector<float>& now = footage.frames[k].fields[f];
+      std::transform(now.begin(), now.end(), before.begin(), now.begin(), std::plus<>());
+    }
+  footage.fields = reader.fields();
+  leave_out_zeros(footage);
   if (good < wanted.size())
     footage.fault =
         fmt::format("frame {} of {} cannot be read: {}; the film ends before it", wanted[good] + 1, files.size(), refusals[good]);
@@ -72,7 +90,7 @@ FilmFrames read_footage(const pipe::RunRecord& run, std::size_t max_memory)
       if (run.history.rows() > 0) footage.fault = "there is no film of the soil: frames/ lists no frames";
       return footage;
     }
-    const FilmReader reader(files.front(), run.settings.dimension);
+    const FilmReader reader(files.front(), run.settings.dimension, run.has_pipe());
     footage.sizes = reader.sizes();
     footage.triangles = reader.triangles();
     if (run.settings.dimension == 3) footage.slice = reader.middle();

@@ -9,6 +9,7 @@ namespace berm::report {
 
 /// The frames of a run that could be read, with what the history tells of each.
 struct FilmFrames {
+  std::vector<FilmField> fields;  ///< that are not zero in all frames; one at the least
   std::vector<FilmFrame> frames;
   std::vector<Real> time;           ///< s, of each
   std::vector<FilmMoment> moments;  ///< of each

@@ -83,21 +83,31 @@ std::string triangle_bytes(const std::vector<std::array<Index, 6>>& triangles)
   return bytes_of(corners);
 }
 
-Real range_end(std::vector<float> values)
+FilmRange range_of(std::vector<float> values)
 {
-  if (values.empty()) return plot::round_up(0);
-  const auto place = values.end() - 1 - static_cast<std::ptrdiff_t>(values.size() / 500);
-  std::nth_element(values.begin(), place, values.end());
-  return plot::round_up(*place);
+  if (values.empty()) return {};
+  const auto part = static_cast<std::ptrdiff_t>(values.size() / 500);
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  const Real min = *lowest, max = *highest;
+  const auto at = [&](std::ptrdiff_t place) -> Real {
+    std::nth_element(values.begin(), values.begin() + place, values.end());
+    return values[static_cast<std::size_t>(place)];
+  };
+  const auto end = [](Real most, Real farthest) { return most > 0 ? most : std::max(Real(0), farthest); };
+  const Real above = end(at(std::ssize(values) - 1 - part), max), below = end(-at(part), -min);
+  // A value of single precision may lie beyond its own decimals by round-off.
+  const auto rounded = [](Real end_of_range) { return plot::round_up(end_of_range * (1 - 1e-6)); };
+  return {below > 0 ? -rounded(below) : 0, above > 0 || below == 0 ? rounded(above) : 0};
 }
 
-std::string field_bytes(const std::vector<float>& values, std::size_t count, Real high)
+std::string field_bytes(const std::vector<float>& values, std::size_t count, const FilmRange& range)
 {
   std::string bytes(values.size(), '\0');
   std::vector<std::uint8_t> before(count, 0);
   for (std::size_t first = 0; first < values.size(); first += count)
     for (std::size_t k = 0; k < count; ++k) {
-      const auto now = static_cast<std::uint8_t>(std::lround(std::clamp(values[first + k] / high, 0., 1.) * 255));
+      const auto now =
+          static_cast<std::uint8_t>(std::lround(std::clamp((values[first + k] - range.low) / (range.high - range.low), 0., 1.) * 255));
       bytes[first + k] = static_cast<char>(now - before[k]);
       before[k] = now;
     }

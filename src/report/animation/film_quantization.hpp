@@ -38,10 +38,15 @@ std::string size_bytes(const std::vector<float>& sizes, const FilmGrid& grid);
 constexpr int parts_of_triangle = 4;
 std::string triangle_bytes(const std::vector<std::array<Index, 6>>& triangles);
 
-/// The end of a field's range: what 0.2 % of the values exceed, rounded up; never 0.
-Real range_end(std::vector<float> values);
+/// What the bytes 0 and 255 of a field stand for.
+struct FilmRange {
+  Real low = 0, high = 1;
+};
 
-/// Values (by frame, then point) as bytes of a field's block: 0 stands for 0, 255 for `high`.
-std::string field_bytes(const std::vector<float>& values, std::size_t count, Real high);
+/// The range of a field: from 0 to what 0.2 % of the values exceed, rounded up, or to the largest where that is not above 0; to the other side in the same way.
+FilmRange range_of(std::vector<float> values);
+
+/// Values (by frame, then point) as bytes of a field's block.
+std::string field_bytes(const std::vector<float>& values, std::size_t count, const FilmRange& range);
 
 }  // namespace berm::report

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/animation/film_view.hpp"
 
-#include "bodies/rigid.hpp"
+#include "bodies/rigid/rigid_body.hpp"
 
 #include <algorithm>
 
@@ -24,7 +24,7 @@ template <int dim>
 Vec<2> start_of(const bodies::RigidShapeSettings& settings)
 {
   const bodies::RigidShape<dim> shape = make_shape<dim>(settings);
-  return {center_of<dim>(shape)[0], lowest_level<dim>(shape)};
+  return {center_of<dim>(shape)[0], lowest_level<dim>(shape, Vec<dim>::UnitY())};
 }
 
 /// The box of the centres (x) and lowest points (y) of the pipe.

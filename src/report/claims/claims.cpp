@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/claims/claims.hpp"
-#include "report/claims/claim.hpp"
-#include "report/claims/paper.hpp"
+#include "report/claims/claim_evidence.hpp"
 #include "text/tex_math.hpp"
 
 #include <algorithm>
@@ -10,12 +9,12 @@
 namespace berm::report {
 namespace {
 
-/// The settings that the paper leaves open, and what the mesh is.
+/// The settings that tests often leave open, and what the mesh is.
 std::string setting_of(const pipe::RunRecord& run)
 {
   const problem::Case& c = run.settings;
   std::string words = fmt::format("γ′ = {:.3g} kN/m³", run.scale.unit_weight / 1000);
-  if (const auto* sand = std::get_if<material::MohrCoulomb>(pipe::touched_material(c)))
+  if (const auto sand = strength_at_rest(*pipe::touched_material(c)))
     words += fmt::format(", ψ = {:.3g}°", sand->dilation_angle * 180 / pi);
   for (const auto& [name, body] : c.body)
     if (body.k0) words += fmt::format(", K0 = {:.3g}", *body.k0);
@@ -60,53 +59,70 @@ std::string cell_of(const std::vector<ClaimEvidence>& findings)
   return html.empty() ? "no run shows it" : html;
 }
 
-}  // namespace
-
-text::Standing standing_of(Real value, Real published)
+std::string section_of(const std::vector<pipe::RunRecord>& runs, const ClaimSheet& sheet, const std::string& id)
 {
-  const Real off = std::abs(value / published - 1);
-  return off <= near_enough ? text::Standing::good : off <= not_far ? text::Standing::fair : text::Standing::bad;
-}
-
-text::Standing standing_if(bool holds)
-{
-  return holds ? text::Standing::good : text::Standing::bad;
-}
-
-std::string diameters(const TestRun& run, Real length)
-{
-  return fmt::format("{:.3g} D", length / run.D);
-}
-
-std::string claims_section(const std::vector<pipe::RunRecord>& runs)
-{
-  TestRuns mpm, fem;
+  TestRuns of_test;
   std::string settings;
   for (const pipe::RunRecord& run : runs) {
-    if (!is_of_paper(run) || run.history.rows() == 0) continue;
-    (run.settings.method == problem::Method::mpm ? mpm : fem).emplace_back(run);
+    if (!is_of_test(run, sheet) || run.history.rows() == 0) continue;
+    of_test.emplace_back(run);
     settings += fmt::format("<li><strong>{}</strong>: {}</li>\n", text::html_text(run.name), text::html_text(setting_of(run)));
   }
-  if (mpm.empty() && fem.empty()) return "";
-
-  std::vector<Claim> claims = claims_of_the_drag(mpm);
-  for (const std::vector<Claim>& more : {claims_of_finite_elements(mpm, fem), claims_of_contact(mpm)})
-    claims.insert(claims.end(), more.begin(), more.end());
-  text::HtmlTable table("claims-table", "Claims of the paper");
+  if (of_test.empty()) return "";
+  text::HtmlTable table(id + "-table", sheet.title);
   table.columns({{"claim"}, {"verdict"}, {"what berm finds"}, {"why"}});
-  for (const Claim& claim : claims) {
-    const text::Standing verdict = verdict_of(claim.findings);
+  for (const Claim& claim : sheet.claims) {
+    const std::vector<ClaimEvidence> evidence = evidence_of(claim, sheet, of_test);
+    const text::Standing verdict = verdict_of(evidence);
     table.row({{fmt::format("{} <span class=\"quiet\">({})</span>", text::html_text(claim.statement), text::html_text(claim.where))},
                {html_badge(verdict, word_of(verdict))},
-               {cell_of(claim.findings)},
-               {text::html_text(claim.findings.empty() ? claim.missing : claim.why)}});
+               {cell_of(evidence)},
+               {text::html_text(evidence.empty() ? claim.missing : reasons_of(claim, evidence))}});
   }
-  const std::string intro = text::html_paragraph(
-      fmt::format("M. Maglia, N. M. Pinyol and C. Hoffman, Material Point Method modelling of offshore unburied cable/pipe interacting "
-                  "with soil. Each row is made "
-                  "from the numbers of the runs on this page: within {:.0f} % of the paper's number is reproduced, within {:.0f} % partly.",
-                  100 * near_enough, 100 * not_far));
-  return text::html_section("claims", "Claims of the paper", intro + "<ul>\n" + settings + "</ul>\n" + table.html());
+  const std::string intro =
+      text::html_paragraph(fmt::format("{}. Each row is made from the numbers of the runs on this page: within {:.0f} % of the published "
+                                       "number is reproduced, within {:.0f} % partly.",
+                                       sheet.source, 100 * sheet.near, 100 * sheet.off));
+  return text::html_section(id, sheet.title, intro + "<ul>\n" + settings + "</ul>\n" + table.html());
+}
+
+}  // namespace
+
+bool is_of_test(const pipe::RunRecord& run, const ClaimSheet& sheet)
+{
+  return run.has_pipe() && meets(run.settings, sheet.test);
+}
+
+bool is_of_a_test(const pipe::RunRecord& run, const ClaimSheets& sheets)
+{
+  return std::any_of(sheets.begin(), sheets.end(), [&](const ClaimSheet& sheet) { return is_of_test(run, sheet); });
+}
+
+std::vector<PublishedPoint> published_points(const std::vector<pipe::RunRecord>& runs, const ClaimSheets& sheets)
+{
+  std::vector<PublishedPoint> points;
+  for (const ClaimSheet& sheet : sheets)
+    if (std::any_of(runs.begin(), runs.end(), [&](const pipe::RunRecord& run) { return is_of_test(run, sheet); }))
+      points.insert(points.end(), sheet.points.begin(), sheet.points.end());
+  return points;
+}
+
+const char* word_of(PublishedPoint::Chart chart)
+{
+  constexpr const char* words[] = {"V_w", "H_u", "w_u"};
+  return words[static_cast<std::size_t>(chart)];
+}
+
+std::string claims_section(const std::vector<pipe::RunRecord>& runs, const ClaimSheets& sheets)
+{
+  std::string html;
+  int number = 0;
+  for (const ClaimSheet& sheet : sheets) {
+    const std::string section = section_of(runs, sheet, number == 0 ? "claims" : fmt::format("claims-{}", number + 1));
+    number += section.empty() ? 0 : 1;
+    html += section;
+  }
+  return html;
 }
 
 }  // namespace berm::report

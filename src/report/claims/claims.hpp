@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "structures/pipe/run_record.hpp"
+#include "report/claims/claim_sheet.hpp"
 
 namespace berm::report {
 
-/// The claims of the paper, each with what the runs found, as HTML; "" where the runs are not of its test.
-std::string claims_section(const std::vector<pipe::RunRecord>& runs);
+/// The claims of one test or of several.
+using ClaimSheets = std::vector<ClaimSheet>;
+
+/// Whether a run has a pipe and the parameters of the test.
+bool is_of_test(const pipe::RunRecord& run, const ClaimSheet& sheet);
+bool is_of_a_test(const pipe::RunRecord& run, const ClaimSheets& sheets);
+
+/// What is published of the tests that there are runs of.
+std::vector<PublishedPoint> published_points(const std::vector<pipe::RunRecord>& runs, const ClaimSheets& sheets);
+
+/// The claims of each test that there are runs of, with what these found, as HTML; the section of the first is #claims. "" where there are none.
+std::string claims_section(const std::vector<pipe::RunRecord>& runs, const ClaimSheets& sheets);
+
+/// The word of a chart: "V_w".
+const char* word_of(PublishedPoint::Chart chart);
 
 }  // namespace berm::report

@@ -4,9 +4,11 @@
 #include "structures/pipe/mechanism.hpp"
 #include "structures/pipe/travel_curve.hpp"
 
+#include <map>
+
 namespace berm::report {
 
-/// A run of the paper's test with its curves and frames.
+/// A run of a test with its curves and frames.
 class TestRun {
 public:
   explicit TestRun(const pipe::RunRecord& run)
@@ -18,7 +20,7 @@ public:
         H_(path_.drag_u, path_.drag_H),
         V_drag_(path_.drag_u, path_.drag_V),
         w_(path_.drag_u, path_.drag_w),
-        frames(run)
+        frames_(run)
   {
   }
 
@@ -39,6 +41,22 @@ public:
   std::optional<Real> w_where_V_is(Real force) const { return first_travel(V_, force); }
   std::optional<Real> u_where_w_is(Real embedment) const { return first_travel(w_, embedment); }
 
+  const pipe::PipeFrames& frames() const { return frames_; }
+  /// Of a frame, against the first; of a frame, against the one before it. Both are kept. Throw RunError where a frame is damaged.
+  const pipe::Heave& heave(std::size_t frame) const
+  {
+    const auto known = heaves_.find(frame);
+    if (known != heaves_.end()) return known->second;
+    return heaves_[frame] = heave_of(frames_.soil(0), frames_.soil(frame), record.settings.surface, frames_.place(frame), D);
+  }
+  const pipe::Mechanism& mechanism(std::size_t frame) const
+  {
+    const auto known = mechanisms_.find(frame);
+    if (known != mechanisms_.end()) return known->second;
+    return mechanisms_[frame] = mechanism_of(frames_.soil(frame - 1), frames_.soil(frame), record.settings.surface,
+                                             frames_.place(frame - 1), frames_.place(frame), D);
+  }
+
 private:
   std::optional<Real> first_travel(const pipe::TravelCurve& curve, Real value) const
   {
@@ -51,9 +69,9 @@ private:
   Real half_;
   pipe::PipePath path_;
   pipe::TravelCurve V_, H_, V_drag_, w_;
-
-public:
-  const pipe::PipeFrames frames;
+  pipe::PipeFrames frames_;
+  mutable std::map<std::size_t, pipe::Heave> heaves_;
+  mutable std::map<std::size_t, pipe::Mechanism> mechanisms_;
 };
 
 using TestRuns = std::vector<TestRun>;

@@ -2,8 +2,6 @@
 #include "report/page/page.hpp"
 
 #include "report/animation/film.hpp"
-#include "report/claims/claims.hpp"
-#include "report/claims/paper.hpp"
 #include "report/page/page_data.hpp"
 #include "report/page/page_files.hpp"
 #include "report/quality/quality_section.hpp"
@@ -31,11 +29,11 @@ std::string script_json(const Json& json)
   return text;
 }
 
-Json paper_json(const std::vector<pipe::RunRecord>& runs)
+Json published_json(const std::vector<pipe::RunRecord>& runs, const ClaimSheets& claims)
 {
   Json points = Json::array();
-  for (const PaperPoint& p : paper_points(runs))
-    points.push_back({{"chart", p.chart}, {"x", p.x ? Json(*p.x) : Json(nullptr)}, {"y", p.y}, {"label", p.label}});
+  for (const PublishedPoint& p : published_points(runs, claims))
+    points.push_back({{"chart", word_of(p.chart)}, {"x", p.x ? Json(*p.x) : Json(nullptr)}, {"y", p.y}, {"label", p.label}});
   return points;
 }
 
@@ -76,15 +74,16 @@ std::string faults_of(const std::vector<pipe::RunRecord>& runs, const std::vecto
 
 }  // namespace
 
-std::string report_page(std::vector<pipe::RunRecord> runs, const std::vector<std::string>& left_out)
+std::string report_page(std::vector<pipe::RunRecord> runs, const ClaimSheets& claims, const std::vector<std::string>& left_out)
 {
-  Json data = {{"version", BERM_VERSION}, {"runs", Json::array()}, {"paper", paper_json(runs)}};
+  Json data = {{"version", BERM_VERSION}, {"runs", Json::array()}, {"published", published_json(runs, claims)}};
   std::string blocks;
   std::size_t left = max_film_bytes;
   for (std::size_t k = runs.size(); k-- > 0;) {  // the smaller runs first: what they leave is the larger ones'
     Film film = make_film(runs[k], fmt::format("film-{}", k), left / (k + 1));
     runs[k].faults.insert(runs[k].faults.end(), film.faults.begin(), film.faults.end());
     Json run = run_data(runs[k]);
+    run["of_test"] = is_of_a_test(runs[k], claims);
     run["film"] = film.json;
     data["runs"].insert(data["runs"].begin(), run);
     for (const FilmBlock& block : film.blocks) {
@@ -93,10 +92,10 @@ std::string report_page(std::vector<pipe::RunRecord> runs, const std::vector<std
     }
   }
 
-  const std::string claims = claims_section(runs);
+  const std::string what_is_claimed = claims_section(runs, claims);
   std::vector<std::pair<std::string, std::string>> sections = {
       {"answer", "Answer"}, {"asked", "What was asked"}, {"curves", "Curves"}, {"soil", "Soil"}, {"trust", "Trust"}};
-  if (!claims.empty()) sections.emplace_back("claims", "Claims");
+  if (!what_is_claimed.empty()) sections.emplace_back("claims", "Claims");
 
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
@@ -105,7 +104,7 @@ std::string report_page(std::vector<pipe::RunRecord> runs, const std::vector<std
   page += text::html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
   page += text::html_section("soil", "The soil, moving",
                              "<noscript><p>The moving soil needs scripts, which this browser does not run.</p></noscript>\n");
-  page += quality_section(runs) + claims + "</main>\n";
+  page += quality_section(runs) + what_is_claimed + "</main>\n";
   page += blocks;
   page += fmt::format("<script type=\"application/json\" id=\"berm-data\">{}</script>\n<script>", script_json(data));
   page += page_script;

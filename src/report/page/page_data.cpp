@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page/page_data.hpp"
 
-#include "report/claims/paper.hpp"
 #include "structures/pipe/display_units.hpp"
 #include "structures/pipe/travel_curve.hpp"
 
@@ -37,12 +36,13 @@ Json path_json(const pipe::RunRecord& run, const std::vector<Index>& kept, const
                Real u_begin)
 {
   const Real half = averaging_half(run.scale);
+  if (rows.empty()) return {{"rows", Json::array()}, {"u_begin", u_begin}, {"V_mean", Json::array()}, {"H_mean", Json::array()}};
   const auto curve_of = [&](const char* column) {
     std::vector<Real> force;
-    for (const Index k : rows) force.push_back(run.history[column][k]);
+    for (const Index k : rows) force.push_back(run.history.by_label(column)[k]);
     return pipe::TravelCurve(travel, force).condensed(half);
   };
-  const pipe::TravelCurve V = curve_of("V_N_m"), H = curve_of("H_N_m");
+  const pipe::TravelCurve V = curve_of("V"), H = curve_of("H");
   const auto mean = [&](const pipe::TravelCurve& force, Real s) {
     return std::isnan(s) ? Json(nullptr) : number_or_null(force.at(s, half));
   };
@@ -83,10 +83,14 @@ Json run_data(const pipe::RunRecord& run)
   data["diameter"] = run.has_pipe() ? Json(run.scale.diameter) : Json(nullptr);
   data["measure"] = measure_of(run);
   data["prototype"] = has_prototype(run.scale) ? Json(run.scale.gravity_level) : Json(nullptr);
-  data["of_paper"] = is_of_paper(run);
+  data["of_test"] = false;
+  data["quantities"] = Json::object();
+  for (const run_folder::Column& column : history.columns)
+    data["quantities"][column.name] = {
+        {"label", column.label}, {"words", column.words()}, {"unit", column.unit == run_folder::bare.name ? "" : column.unit}};
   data["columns"] = Json::object();
   for (std::size_t c = 0; c < history.columns.size(); ++c) {
-    Json& column = data["columns"][history.columns[c]] = Json::array();
+    Json& column = data["columns"][history.columns[c].name] = Json::array();
     for (const Index k : kept) column.push_back(number_or_null(history.values[c][k]));
   }
   data["stage"] = Json::array();

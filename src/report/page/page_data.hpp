@@ -7,7 +7,7 @@
 
 namespace berm::report {
 
-/// RunData of web/src/data.ts, with "film": null.
+/// RunData of web/src/data.ts, with "film": null and "of_test": false.
 nlohmann::ordered_json run_data(const pipe::RunRecord& run);
 
 }  // namespace berm::report

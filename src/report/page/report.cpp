@@ -123,6 +123,24 @@ std::vector<pipe::RunRecord> read_runs(const std::vector<fs::path>& folders, std
   return runs;
 }
 
+/// The claims that were asked for, else those that stand in the run folders: each once. A run whose own cannot be read says so.
+ClaimSheets claims_of(const ReportRequest& request, std::vector<pipe::RunRecord>& runs)
+{
+  if (!request.claims.empty()) return {read_claims(request.claims)};
+  ClaimSheets sheets;
+  std::set<std::string> known;
+  for (pipe::RunRecord& run : runs) try {
+      const fs::path file = run.folder / claims_file;
+      std::error_code error;
+      if (!fs::exists(file, error)) continue;
+      const std::string text = io::read_text_file(file);
+      if (known.insert(text).second) sheets.push_back(read_claims_text(file.string(), text));
+    } catch (const std::runtime_error& error) {
+      run.faults.push_back(fmt::format("its claims are left out: {}", error.what()));
+    }
+  return sheets;
+}
+
 }  // namespace
 
 std::vector<fs::path> write_report(const ReportRequest& request)
@@ -130,13 +148,14 @@ std::vector<fs::path> write_report(const ReportRequest& request)
   const std::vector<fs::path> folders = run_folders(request.folders);
   const fs::path page = request.output.empty() ? place_of_page(request.folders, folders) / page_name : fs::path(request.output);
   std::vector<std::string> left_out;
-  const std::vector<pipe::RunRecord> runs = read_runs(folders, left_out);
+  std::vector<pipe::RunRecord> runs = read_runs(folders, left_out);
+  const ClaimSheets claims = claims_of(request, runs);
 
-  io::write_atomically(page, report_page(runs, left_out));
+  io::write_atomically(page, report_page(runs, claims, left_out));
   std::vector<fs::path> written = {page};
   if (request.figures) {
     const fs::path figures = page.parent_path() / figures_name;
-    for (const std::string& name : draw_report_figures(runs, figures)) written.push_back(figures / name);
+    for (const std::string& name : draw_report_figures(runs, published_points(runs, claims), figures)) written.push_back(figures / name);
   }
   return written;
 }

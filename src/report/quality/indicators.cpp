@@ -26,12 +26,12 @@ EnergyError energy_error(const pipe::RunRecord& run)
 {
   EnergyError found{run.check("energy_error"), ""};
   const run_folder::History& h = run.history;
-  if (h.rows() == 0 || !h.has("energy_error_J_m") || !h.has("external_J_m") || !h.has("internal_J_m")) return found;
+  if (h.rows() == 0 || !h.has_label("energy error") || !h.has_label("external") || !h.has_label("internal")) return found;
   Real largest = 0, work = 0;
   Index row = none;
   for (Index k = 0; k < h.rows(); ++k) {
-    const Real error = std::abs(h["energy_error_J_m"][k]);
-    work = std::max({work, std::abs(h["external_J_m"][k]), std::abs(h["internal_J_m"][k])});
+    const Real error = std::abs(h.by_label("energy error")[k]);
+    work = std::max({work, std::abs(h.by_label("external")[k]), std::abs(h.by_label("internal")[k])});
     if (error > largest) largest = error, row = k;
   }
   if (std::isnan(found.over_work) && work > 0) found.over_work = largest / work;
@@ -46,24 +46,24 @@ EnergyError energy_error(const pipe::RunRecord& run)
 Real work_of_contact(const pipe::RunRecord& run)
 {
   const run_folder::History& h = run.history;
-  if (h.rows() == 0 || !h.has("friction_J_m") || !h.has("external_J_m") || !h.has("internal_J_m"))
+  if (h.rows() == 0 || !h.has_label("friction") || !h.has_label("external") || !h.has_label("internal"))
     return std::numeric_limits<Real>::quiet_NaN();
   Real work = 0;
-  for (Index k = 0; k < h.rows(); ++k) work = std::max({work, std::abs(h["external_J_m"][k]), std::abs(h["internal_J_m"][k])});
-  return work > 0 ? std::max(Real(0), -h["friction_J_m"].back() / work) : 0;
+  for (Index k = 0; k < h.rows(); ++k) work = std::max({work, std::abs(h.by_label("external")[k]), std::abs(h.by_label("internal")[k])});
+  return work > 0 ? std::max(Real(0), -h.by_label("friction").back() / work) : 0;
 }
 
 Real kinetic_over_internal(const pipe::RunRecord& run, const std::vector<std::string>& stages)
 {
   const run_folder::History& h = run.history;
-  if (h.rows() == 0 || !h.has("kinetic_J_m") || !h.has("internal_J_m")) return unknown;
+  if (h.rows() == 0 || !h.has_label("kinetic") || !h.has_label("internal")) return unknown;
   Real largest = unknown;
   for (const std::string& stage : stages) {
     const auto rows = std::count(h.stage.begin(), h.stage.end(), stage);
     std::ptrdiff_t before = 0;
     for (Index k = 0; k < h.rows(); ++k) {
       if (h.stage[k] != stage || 10 * before++ < rows) continue;
-      const Real ratio = h["kinetic_J_m"][k] / std::abs(h["internal_J_m"][k]);
+      const Real ratio = h.by_label("kinetic")[k] / std::abs(h.by_label("internal")[k]);
       if (std::isfinite(ratio)) largest = std::isnan(largest) ? ratio : std::max(largest, ratio);
     }
   }

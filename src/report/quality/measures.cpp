@@ -151,20 +151,20 @@ TrustMeasure size_at_pipe(const char* what, const Limit* limit)
           over_limit};
 }
 
-/// The soil that loses most in shear bands; null where none has friction.
-const material::MohrCoulomb* weakest_in_shear_bands(Run run)
+/// The soil that loses most in shear bands; empty where none has a strength.
+std::optional<material::Strength> weakest_in_shear_bands(Run run)
 {
-  const material::MohrCoulomb* weakest = nullptr;
+  std::optional<material::Strength> weakest;
   for (const auto& [name, material] : run.settings.material)
-    if (const auto* law = std::get_if<material::MohrCoulomb>(&material))
-      if (weakest == nullptr || friction_lost_in_shear_bands(*law) > friction_lost_in_shear_bands(*weakest)) weakest = law;
+    if (const std::optional<material::Strength> soil = strength_at_rest(material))
+      if (!weakest || friction_lost_in_shear_bands(*soil) > friction_lost_in_shear_bands(*weakest)) weakest = soil;
   return weakest;
 }
 
 Real lost_in_shear_bands(Run run)
 {
-  const material::MohrCoulomb* law = weakest_in_shear_bands(run);
-  return law == nullptr ? 0 : friction_lost_in_shear_bands(*law);
+  const std::optional<material::Strength> soil = weakest_in_shear_bands(run);
+  return soil ? friction_lost_in_shear_bands(*soil) : 0;
 }
 
 TrustMeasure shear_bands()

@@ -3,7 +3,6 @@
 #include "report/results/curve_figures.hpp"
 
 #include "plot/figure.hpp"
-#include "report/claims/paper.hpp"
 #include "structures/pipe/plots.hpp"
 #include "structures/pipe/travel_curve.hpp"
 
@@ -85,8 +84,9 @@ void add_run(plot::Figure& figure, const Chart& chart, const pipe::RunRecord& ru
       {run.name, plot::curve_style(number, number), scaled(smooth.travel(), x_unit.per_si), scaled(smooth.value(), y_unit.per_si)});
 }
 
-/// A figure of all runs over one another, with what the paper states; false where no run has the curve.
-bool draw_chart(const std::vector<pipe::RunRecord>& runs, const Chart& chart, const fs::path& folder)
+/// A figure of all runs over one another, with what is published; false where no run has the curve.
+bool draw_chart(const std::vector<pipe::RunRecord>& runs, const std::vector<PublishedPoint>& published, const Chart& chart,
+                const fs::path& folder)
 {
   const auto has_path = [](const pipe::RunRecord& run) { return run.has_pipe() && run.history.rows() > 0; };
   Real max = 0, longest = 0;
@@ -101,8 +101,8 @@ bool draw_chart(const std::vector<pipe::RunRecord>& runs, const Chart& chart, co
   plot::Figure figure{chart.title, label_with(chart.x_label, x_unit), label_with(chart.y_label, y_unit), {}, from_zero, width, height};
   for (std::size_t k = 0; k < runs.size(); ++k)
     if (has_path(runs[k])) add_run(figure, chart, runs[k], k, x_unit, y_unit);
-  for (const PaperPoint& point : paper_points(runs)) {
-    if (std::string(point.chart) != chart.name) continue;
+  for (const PublishedPoint& point : published) {
+    if (std::string(word_of(point.chart)) != chart.name) continue;
     const std::vector<Real> x = point.x ? std::vector<Real>{*point.x} : std::vector<Real>{0, longest};
     figure.curves.push_back({point.label, point.x ? "points pt 7 ps 1.4 lc rgb '#000000'" : "lines dt 3 lw 1.5 lc rgb '#000000'",
                              scaled(x, x_unit.per_si), std::vector<Real>(x.size(), point.y * y_unit.per_si)});
@@ -112,44 +112,49 @@ bool draw_chart(const std::vector<pipe::RunRecord>& runs, const Chart& chart, co
 
 /// Columns of a run's history over time, those that it has.
 struct TimeChart {
-  const char *name, *title, *y_label;
-  std::vector<std::pair<const char*, const char*>> columns;  ///< of the history, and their words
+  const char *name, *title, *y_words, *y_unit;               ///< y_unit: nullptr for that of the columns
+  std::vector<std::pair<const char*, const char*>> columns;  ///< of the history, by their labels, and their words
   Real per_si;
   const char* more;
 };
 const TimeChart time_charts[] = {
     {"energies",
      "Energies",
-     "energy since the start (J/m)",
-     {{"kinetic_J_m", "kinetic"},
-      {"internal_J_m", "internal"},
-      {"damping_J_m", "damping"},
-      {"friction_J_m", "friction"},
-      {"external_J_m", "external work"},
-      {"energy_error_J_m", "error"}},
+     "energy since the start",
+     nullptr,
+     {{"kinetic", "kinetic"},
+      {"internal", "internal"},
+      {"damping", "damping"},
+      {"friction", "friction"},
+      {"external", "external work"},
+      {"energy error", "error"}},
      1,
      "set key below\n"},
-    {"contact", "Contact", "distance (mm)", {{"gap_m", "gap"}, {"overlap_m", "deepest overlap"}}, 1000, from_zero}};
+    {"contact", "Contact", "distance", "mm", {{"gap", "gap"}, {"overlap", "deepest overlap"}}, 1000, from_zero}};
 
 bool draw_time_chart(const pipe::RunRecord& run, const TimeChart& chart, const fs::path& folder)
 {
   if (run.history.rows() < 2) return false;
-  plot::Figure figure{fmt::format("{}: {}", run.name, chart.title), "time (s)", chart.y_label, {}, chart.more, width, height};
+  plot::Figure figure{fmt::format("{}: {}", run.name, chart.title), "time (s)", "", {}, chart.more, width, height};
   for (const auto& [column, words] : chart.columns) {
     const std::size_t number = figure.curves.size();
-    if (run.history.has(column) && largest(run.history[column]) > 0)
-      figure.curves.push_back({words, plot::curve_style(number, number), run.history["time_s"], scaled(run.history[column], chart.per_si)});
+    if (!run.history.has_label(column) || !(largest(run.history.by_label(column)) > 0)) continue;
+    const std::string unit = chart.y_unit != nullptr ? chart.y_unit : run.history.column_by_label(column).unit;
+    figure.y_label = fmt::format("{} ({})", chart.y_words, unit);
+    figure.curves.push_back(
+        {words, plot::curve_style(number, number), run.history["time_s"], scaled(run.history.by_label(column), chart.per_si)});
   }
   return !figure.curves.empty() && draw_both(folder, fmt::format("{}_{}", pipe::file_name_of(run.name), chart.name), figure);
 }
 
 }  // namespace
 
-std::vector<std::string> draw_curves(const std::vector<pipe::RunRecord>& runs, const fs::path& folder)
+std::vector<std::string> draw_curves(const std::vector<pipe::RunRecord>& runs, const std::vector<PublishedPoint>& published,
+                                     const fs::path& folder)
 {
   std::vector<std::string> names;
   for (const Chart& chart : charts)
-    if (draw_chart(runs, chart, folder)) names.emplace_back(chart.name);
+    if (draw_chart(runs, published, chart, folder)) names.emplace_back(chart.name);
   for (const pipe::RunRecord& run : runs)
     for (const TimeChart& chart : time_charts)
       if (draw_time_chart(run, chart, folder)) names.push_back(fmt::format("{}_{}", pipe::file_name_of(run.name), chart.name));

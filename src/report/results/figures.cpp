@@ -23,15 +23,12 @@ run_folder::Frame<2> frame_of(const run_folder::SavedSoil& soil, const run_folde
 {
   run_folder::Frame<2> frame;
   frame.triangles = soil.triangles;
-  for (std::size_t k = 0; k < soil.x.size(); ++k) {
-    run_folder::FrameParticle<2> shown{};
-    shown.particle.x = Vec<2>(soil.x[k], soil.y[k]);
-    shown.displacement = Vec<2>::Zero();
-    shown.particle.volume = soil.volume[k];
-    shown.strain.deviatoric = soil.deviatoric_strain[k];
-    shown.strain_increment = soil.incremental_deviatoric_strain[k];
-    frame.particles.push_back(shown);
-  }
+  for (std::size_t k = 0; k < soil.x.size(); ++k) frame.points.emplace_back(soil.x[k], soil.y[k]);
+  frame.volume.assign(soil.volume.begin(), soil.volume.end());
+  frame.body = soil.body;
+  frame.id = soil.id;
+  for (const run_folder::FieldValues<float>& field : soil.fields)
+    if (field.info.components == 1) frame.fields.push_back({field.info, std::vector<Real>(field.values.begin(), field.values.end())});
   run_folder::FrameRigid<2> all{{}, Vec<2>::Zero()};
   for (std::size_t k = 0; k < rigid_bodies.x.size(); ++k) all.surface.points.emplace_back(rigid_bodies.x[k], rigid_bodies.y[k]);
   for (const std::vector<Index>& cell : rigid_bodies.cells) all.surface.cells.push_back({io::VtkCell::polygon, cell});
@@ -39,7 +36,7 @@ run_folder::Frame<2> frame_of(const run_folder::SavedSoil& soil, const run_folde
   return frame;
 }
 
-/// The soil of one frame in both colourings, named NAME_soil and NAME_mechanism; gives the names that were drawn.
+/// The soil of one frame, named NAME_soil, NAME_mechanism, and NAME_FIELD of a field that not every frame has; gives the names that were drawn.
 std::vector<std::string> draw_frame(const pipe::RunRecord& run, const pipe::PipeFrames& frames, std::size_t number, const std::string& when,
                                     const fs::path& folder)
 {
@@ -49,14 +46,16 @@ std::vector<std::string> draw_frame(const pipe::RunRecord& run, const pipe::Pipe
   const pipe::SoilView view = pipe::view_around_pipe(pipe.x, surface - pipe.w, D, surface);
   const std::string place = fmt::format("{}: u = {:.3g} D, w = {:.3g} D", run.name, std::abs(pipe.u - frames.place(0).u) / D, pipe.w / D);
   std::vector<std::string> drawn;
-  const auto draw_one = [&](const char* what, pipe::SoilColor color) {
-    const pipe::SoilPicture picture{pipe::file_name_of(run.name) + "_" + what + when, color, view, place};
+  const auto draw_one = [&](const std::string& what, const std::string& field) {
+    if (find_field(frame.fields, field) == nullptr) return;
+    const pipe::SoilPicture picture{pipe::file_name_of(run.name) + "_" + what + when, field, view, place};
     if (std::all_of(std::begin(formats), std::end(formats),
                     [&](plot::PlotFormat format) { return draw_soil(folder, frame, picture, format); }))
       drawn.push_back(picture.name);
   };
-  draw_one("soil", pipe::SoilColor::deviatoric_strain);
-  if (number > 0) draw_one("mechanism", pipe::SoilColor::incremental_deviatoric_strain);
+  draw_one("soil", "deviatoric_strain");
+  if (number > 0) draw_one("mechanism", "incremental_deviatoric_strain");
+  for (const std::string& field : own_fields(frame)) draw_one(field, field);
   return drawn;
 }
 
@@ -72,9 +71,10 @@ std::optional<Real> deepest_wished(const std::vector<pipe::RunRecord>& runs)
 
 }  // namespace
 
-std::vector<std::string> draw_report_figures(const std::vector<pipe::RunRecord>& runs, const fs::path& folder)
+std::vector<std::string> draw_report_figures(const std::vector<pipe::RunRecord>& runs, const std::vector<PublishedPoint>& published,
+                                             const fs::path& folder)
 {
-  std::vector<std::string> names = draw_curves(runs, folder);
+  std::vector<std::string> names = draw_curves(runs, published, folder);
   const std::optional<Real> wished = deepest_wished(runs);
   for (const pipe::RunRecord& run : runs) {
     try {

@@ -21,9 +21,9 @@ std::string quantities_table(const pipe::RunRecord& run, const std::string& id)
   return table.empty() ? "" : table.html();
 }
 
-bool is_watched(const problem::Case& c, const std::string& column)
+bool is_watched(const problem::Case& c, const run_folder::Column& column)
 {
-  return std::any_of(c.watch.begin(), c.watch.end(), [&](const auto& watch) { return column.starts_with(watch.first + "_"); });
+  return std::any_of(c.watch.begin(), c.watch.end(), [&](const auto& watch) { return column.of == watch.first; });
 }
 
 std::string watched_table(const pipe::RunRecord& run, const std::string& id)
@@ -32,10 +32,13 @@ std::string watched_table(const pipe::RunRecord& run, const std::string& id)
   if (history.rows() == 0) return "";
   const std::string when = history.has("time_s") ? fmt::format(" after {} s", pipe::short_number(history["time_s"].back())) : "";
   text::HtmlTable table(id, fmt::format("{}: what it watches, at its end{}", run.name, when));
-  table.columns({{"column of the history, with its unit"}, {"last value", true}});
+  table.columns({{"column of the history"}, {"meaning"}, {"last value", true}, {"unit"}});
   for (std::size_t c = 0; c < history.columns.size(); ++c)
     if (is_watched(run.settings, history.columns[c]))
-      table.row({{text::html_text(history.columns[c])}, {pipe::table_number(history.values[c].back()), true}});
+      table.row({{text::html_text(history.columns[c].name)},
+                 {text::html_text(history.columns[c].meaning)},
+                 {pipe::table_number(history.values[c].back()), true},
+                 {text::html_text(history.columns[c].unit)}});
   return table.empty() ? "" : table.html();
 }
 

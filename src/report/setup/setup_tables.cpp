@@ -2,6 +2,8 @@
 // Tests: tests/unit/report/setup/setup_section_test.cpp
 #include "report/setup/setup_tables.hpp"
 
+#include "structures/pipe/pipe_soil.hpp"
+
 #include "report/setup/parameter_table.hpp"
 #include "report/setup/stage_words.hpp"
 #include "text/quantity_words.hpp"
@@ -48,16 +50,16 @@ void add_material(Rows& rows, const std::string& prefix, const material::Materia
 {
   const problem::Case& c = rows.settings();
   const Real gravity = rows.level() * standard_gravity;
-  const auto* soil = std::get_if<material::MohrCoulomb>(&material);
-  rows.add(prefix + "law", soil == nullptr ? "linear elastic" : soil->friction_angle == 0 ? "Tresca" : "Mohr-Coulomb");
+  rows.add(prefix + "law", law_name(material));
   rows.add(prefix + "density", fmt::format("{:.4g} kg/m³", density(material)));
   if (gravity > 0)
     rows.add(prefix + "unit weight", rows.with_prototype(text::unit_weight_words(density(material) * gravity),
                                                          text::unit_weight_words(density(material) * standard_gravity)));
-  const auto [E, nu] = std::visit([](const auto& law) { return std::pair{law.young_modulus, law.poisson_ratio}; }, material);
+  const auto [E, nu] = young_poisson(material);
   rows.add(prefix + "Young's modulus", text::stress_words(E));
   rows.add(prefix + "Poisson's ratio", text::number_words(nu));
-  if (soil == nullptr) return;
+  const std::optional<material::Strength> soil = strength_at_rest(material);
+  if (!soil) return;
   rows.add(prefix + "friction angle", text::angle_words(soil->friction_angle));
   rows.add(prefix + "dilation angle", text::angle_words(soil->dilation_angle));
   rows.add(prefix + "cohesion", text::stress_words(soil->cohesion));
@@ -69,16 +71,12 @@ void add_material(Rows& rows, const std::string& prefix, const material::Materia
 
 void add_rigid(Rows& rows, const std::string& prefix, const bodies::RigidSettings& rigid)
 {
-  const auto* circle = std::get_if<bodies::CircleSettings>(&rigid.shape);
-  if (circle != nullptr) rows.length(prefix + "diameter", circle->diameter);
-  if (const auto* box = std::get_if<bodies::BoxSettings>(&rigid.shape)) {
-    rows.length(prefix + "width", box->size[0]);
-    rows.length(prefix + "height", box->size[1]);
-  }
-  if (const auto* polygon = std::get_if<bodies::PolygonSettings>(&rigid.shape))
-    rows.add(prefix + "shape", fmt::format("polygon with {} corners", polygon->x.size()));
-  if (std::holds_alternative<bodies::HalfPlaneSettings>(rigid.shape)) rows.add(prefix + "shape", "half-plane");
-  if (circle != nullptr) rows.length(prefix + "embedment at the start", rows.settings().surface - circle->center[1] + circle->diameter / 2);
+  const std::vector<bodies::ShapeSize> sizes = std::visit([](const auto& shape) { return sizes_of(shape); }, rigid.shape);
+  for (const auto& [name, size] : sizes) rows.length(prefix + name, size);
+  if (sizes.empty()) rows.add(prefix + "shape", std::visit([](const auto& shape) { return name_of(shape); }, rigid.shape));
+  if (rows.settings().dimension == 2 && pipe::is_circle(rows.settings()))
+    rows.length(prefix + "embedment at the start",
+                rows.settings().surface - bodies::lowest_level<2>(bodies::make_shape<2>(rigid.shape), Vec<2>::UnitY()));
   if (rigid.mass > 0) rows.add(prefix + "mass", fmt::format("{:.4g} {}", rigid.mass, rows.settings().dimension == 2 ? "kg/m" : "kg"));
 }
 
@@ -124,7 +122,7 @@ void add_stages(Rows& rows)
   for (const problem::StageSettings& stage : rows.settings().stage) {
     const int dimension = rows.settings().dimension;
     const std::string until = rows.with_prototype(until_words(stage, dimension), until_words(stage, dimension, rows.level()));
-    const bool driven = stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
+    const bool driven = problem::drives(stage.kind);
     rows.add(fmt::format("stage {}", ++number),
              fmt::format("{}: {}{}", stage.name, driven ? drive_words(stage, dimension) + ", until " : "", until));
   }

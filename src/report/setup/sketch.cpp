@@ -2,7 +2,7 @@
 // Tests: tests/unit/report/setup/drawing_test.cpp
 #include "report/setup/sketch.hpp"
 
-#include "bodies/rigid.hpp"
+#include "bodies/rigid/rigid_body.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -14,33 +14,6 @@ namespace {
 Vec<2> in_plane(const std::vector<Real>& entries)
 {
   return entries.size() < 2 ? Vec<2>(0, 0) : Vec<2>(entries[0], entries[1]);
-}
-
-CornersOutline rectangle(const Vec<2>& center, const Vec<2>& size, Real angle)
-{
-  CornersOutline outline;
-  for (const auto& [x, y] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
-    outline.corners.emplace_back(center + bodies::turn<2>(angle) * Vec<2>(x * size[0], y * size[1]));
-  return outline;
-}
-
-Outline outline_of(const bodies::CircleSettings& circle)
-{
-  return DiskOutline{in_plane(circle.center), circle.diameter / 2};
-}
-Outline outline_of(const bodies::HalfPlaneSettings& plane)
-{
-  return PlaneOutline{in_plane(plane.point), in_plane(plane.normal).normalized()};
-}
-Outline outline_of(const bodies::BoxSettings& box)
-{
-  return rectangle(in_plane(box.center), in_plane(box.size), box.angle);
-}
-Outline outline_of(const bodies::PolygonSettings& polygon)
-{
-  CornersOutline outline;
-  for (std::size_t k = 0; k < polygon.x.size(); ++k) outline.corners.emplace_back(polygon.x[k], polygon.y[k]);
-  return outline;
 }
 
 Vec<2> middle_of(const Outline& outline)
@@ -90,7 +63,8 @@ void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::GmshFile& mesh
 void add_bodies(Sketch& sketch, const problem::Case& c)
 {
   for (const auto& [name, body] : c.body) {
-    if (body.block) sketch.bodies.push_back({name, rectangle(in_plane(body.block->center), in_plane(body.block->size), body.block->angle)});
+    if (body.block)
+      sketch.bodies.push_back({name, outline_of(bodies::BoxSettings{body.block->center, body.block->size, body.block->angle})});
     if (body.disk) sketch.bodies.push_back({name, DiskOutline{in_plane(body.disk->center), body.disk->diameter / 2}});
     if (!body.regions.empty()) sketch.filled_by += (sketch.filled_by.empty() ? "" : ", ") + name;
     if (body.k0) sketch.surface = c.surface;

@@ -15,18 +15,7 @@ struct Extent {
 /// The smallest that holds both.
 Extent around(const Extent& a, const Extent& b);
 
-struct DiskOutline {
-  Vec<2> center;
-  Real radius;
-};
-struct CornersOutline {
-  std::vector<Vec<2>> corners;
-};
-/// The line of a half-plane; the normal (a unit vector) points out of the body.
-struct PlaneOutline {
-  Vec<2> point, normal;
-};
-using Outline = std::variant<DiskOutline, CornersOutline, PlaneOutline>;
+using bodies::CornersOutline, bodies::DiskOutline, bodies::Outline, bodies::PlaneOutline;
 
 /// The smallest extent that holds an outline; of a half-plane its point.
 Extent extent_of(const Outline& outline);

@@ -25,6 +25,30 @@ std::string rate_words(const problem::StageSettings& stage, int dimension)
   return stage.velocity ? text::speed_words(*stage.velocity) : stage.force ? text::force_words(*stage.force, dimension) : "";
 }
 
+/// "x 10 mm/s, y held, rotation 0.5 rad/s".
+std::string freedom_words(const problem::DriveSettings& drive, int dimension)
+{
+  std::vector<std::string> words;
+  const auto add = [&](const char* name, const problem::FreedomSettings& f) {
+    if (f.velocity) words.push_back(fmt::format("{} {}", name, text::speed_words(*f.velocity)));
+    if (f.force) words.push_back(fmt::format("{} {}", name, text::force_words(*f.force, dimension)));
+    if (f.hold) words.push_back(fmt::format("{} held", name));
+  };
+  const auto add_turn = [&](const char* name, const problem::TurnSettings& f) {
+    if (f.velocity) words.push_back(fmt::format("{} {:.4g} rad/s", name, *f.velocity));
+    if (f.moment) words.push_back(fmt::format("{} by {:.4g} N{}", name, *f.moment, dimension == 2 ? "" : " m"));
+    if (f.fixed) words.push_back(fmt::format("{} fixed", name));
+  };
+  add("x", drive.x);
+  add("y", drive.y);
+  add("z", drive.z);
+  add_turn("rotation", drive.rotation);
+  add_turn("rotation about x", drive.rotation_x);
+  add_turn("rotation about y", drive.rotation_y);
+  add_turn("rotation about z", drive.rotation_z);
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
 }  // namespace
 
 std::string until_words(const problem::StageSettings& stage, int dimension, Real scale)
@@ -49,6 +73,8 @@ std::string drive_words(const problem::StageSettings& stage, int dimension)
     return "time goes on";
   case problem::StageKind::push:
     return rate_words(stage, dimension) + " down";
+  case problem::StageKind::drive:
+    return freedom_words(stage.drive, dimension);
   case problem::StageKind::drag:
     return rate_words(stage, dimension) + " along x" + vertical_words(stage, dimension);
   }
@@ -57,11 +83,13 @@ std::string drive_words(const problem::StageSettings& stage, int dimension)
 
 std::string stage_words(const problem::StageSettings& stage, int dimension)
 {
-  constexpr std::array kinds{"geostatic", "push", "drag", "free"};
+  constexpr std::array kinds{"geostatic", "push", "drag", "free", "drive"};
   const std::string kind = kinds[static_cast<std::size_t>(stage.kind)];
   // The user's own name says more than the kind only where it is another word.
   const std::string called = stage.name == kind ? kind : fmt::format("{} ({})", kind, stage.name);
-  const std::string rate = rate_words(stage, dimension), vertical = vertical_words(stage, dimension);
+  const bool drive = stage.kind == problem::StageKind::drive;
+  const std::string rate = drive ? freedom_words(stage.drive, dimension) : rate_words(stage, dimension),
+                    vertical = vertical_words(stage, dimension);
   const bool to_a_level = stage.until.embedment.has_value();
   return fmt::format("{}{}{}{}{}", called, rate.empty() ? "" : " " + rate, vertical, to_a_level ? " to " : ", ",
                      until_words(stage, dimension));

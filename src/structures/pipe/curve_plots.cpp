@@ -167,36 +167,12 @@ bool draw_pipe_curves(const run_folder::RunFolder& folder, const run_folder::His
   return plot::draw(folder.path(), "curves", width, height, script + "unset multiplot\n");
 }
 
-std::pair<std::string, std::string> name_and_unit(const std::string& column)
-{
-  constexpr std::array<std::pair<const char*, const char*>, 11> units{{{"_N_s_m", "N s/m"},
-                                                                       {"_m_s2", "m/s²"},
-                                                                       {"_m_s", "m/s"},
-                                                                       {"_N_m", "N/m"},
-                                                                       {"_J_m", "J/m"},
-                                                                       {"_Pa", "Pa"},
-                                                                       {"_kg", "kg"},
-                                                                       {"_N", "N"},
-                                                                       {"_J", "J"},
-                                                                       {"_m", "m"},
-                                                                       {"_s", "s"}}};
-  std::string name = column, unit = "1";
-  for (const auto& [ending, words] : units)
-    if (column.size() > std::string_view(ending).size() && column.ends_with(ending)) {
-      name = column.substr(0, column.size() - std::string_view(ending).size());
-      unit = words;
-      break;
-    }
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return {name, unit};
-}
-
 bool draw_columns(const run_folder::RunFolder& folder, const run_folder::History& history, const std::vector<std::string>& columns,
                   const std::string& title)
 {
   std::vector<std::pair<std::string, std::vector<std::size_t>>> panels;  // unit, columns
   for (std::size_t k = 0; k < columns.size(); ++k) {
-    const std::string unit = name_and_unit(columns[k]).second;
+    const std::string& unit = history.column(columns[k]).unit;
     auto panel = std::find_if(panels.begin(), panels.end(), [&](const auto& p) { return p.first == unit; });
     if (panel == panels.end()) panel = panels.insert(panel, {unit, {}});
     panel->second.push_back(k);
@@ -227,13 +203,13 @@ bool draw_columns(const run_folder::RunFolder& folder, const run_folder::History
     const std::string unit_label = unit == "1" ? "" : fmt::format(" ({})", unit);
     if (p + 1 == panels.size()) script += "set xlabel 'time (s)'\n";
     const bool alone = list.size() == 1;
-    script += fmt::format("set ylabel {}\nplot ", plot::gnuplot_text(alone         ? name_and_unit(columns[list[0]]).first + unit_label
+    script += fmt::format("set ylabel {}\nplot ", plot::gnuplot_text(alone         ? history.column(columns[list[0]]).label + unit_label
                                                                      : unit == "1" ? ""
                                                                                    : unit));
     for (std::size_t k = 0; k < list.size(); ++k)
       script +=
           fmt::format("{}'curves.dat' using 1:{} with lines lw 2 lc rgb '{}' {}", k > 0 ? ", \\\n     " : "", list[k] + 2,
-                      colors[k % colors.size()], alone ? "notitle" : "title " + plot::gnuplot_text(name_and_unit(columns[list[k]]).first));
+                      colors[k % colors.size()], alone ? "notitle" : "title " + plot::gnuplot_text(history.column(columns[list[k]]).label));
     script += "\nunset label 1\n";
   }
   return plot::draw(folder.path(), "curves", width, height, script + "unset multiplot\n");

@@ -41,9 +41,9 @@ std::string short_number(Real value)
 ForceMeasure force_measure(const RunRecord& run)
 {
   const material::Material* material = touched_material(run.settings);
-  const auto* law = material == nullptr ? nullptr : std::get_if<material::MohrCoulomb>(material);
+  const std::optional<material::Strength> soil = material == nullptr ? std::nullopt : strength_at_rest(*material);
   const Real D = run.scale.diameter;
-  if (law != nullptr && law->friction_angle == 0 && law->cohesion > 0) return {ForceMeasure::Kind::strength, D * law->cohesion};
+  if (soil && soil->friction_angle == 0 && soil->cohesion > 0) return {ForceMeasure::Kind::strength, D * soil->cohesion};
   if (run.scale.unit_weight > 0) return {ForceMeasure::Kind::weight, run.scale.unit_weight * D * D};
   return {};
 }

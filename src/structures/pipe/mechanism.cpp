@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/mechanism.hpp"
 
-#include "bodies/rigid.hpp"
+#include "bodies/rigid/rigid_body.hpp"
 #include "core/error.hpp"
 
 #include <algorithm>
@@ -58,10 +58,11 @@ Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::Sa
 {
   std::vector<std::size_t> close;
   std::vector<Real> growth;
+  const std::vector<float>& increment = after["incremental_deviatoric_strain"];
   for (std::size_t k = 0; k < after.x.size(); ++k) {
     if (std::abs(after.x[k] - to.x) > around_pipe * diameter) continue;
     close.push_back(k);
-    growth.push_back(after.incremental_deviatoric_strain[k]);
+    growth.push_back(increment[k]);
   }
   if (close.empty()) return {0, 0, std::numeric_limits<Real>::quiet_NaN()};
   std::vector<Real> sorted = growth;

@@ -2,7 +2,7 @@
 // Tests: tests/unit/structures/pipe/published_test.cpp
 #include "structures/pipe/pipe_case.hpp"
 
-#include "bodies/rigid.hpp"
+#include "bodies/rigid/rigid_body.hpp"
 
 #include <Eigen/Core>
 
@@ -38,7 +38,7 @@ const material::Material* touched_material(const problem::Case& c)
 PipeScale pipe_scale(const problem::Case& c)
 {
   const Real gravity = Eigen::Map<const Eigen::VectorXd>(c.gravity.data(), static_cast<Eigen::Index>(c.gravity.size())).norm();
-  PipeScale scale{0, 0, gravity / standard_gravity, c.method == problem::Method::mpm};
+  PipeScale scale{0, 0, gravity / standard_gravity, c.method == problem::Method::mpm, c.dimension};
   const Index rigid = main_rigid(c);
   if (rigid == none) return scale;
   const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;

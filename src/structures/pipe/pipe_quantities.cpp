@@ -10,11 +10,8 @@
 namespace berm::pipe {
 namespace {
 
-constexpr Real drag_points[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.75, 1.0};  // of D
-constexpr Real push_spacing = 0.05;                                   // of D
-constexpr Real travel_points[] = {0.0025, 0.005, 0.01, 0.02, 0.03};   // of D, from where a push began with the pipe in the bed
-constexpr Real in_the_bed = 0.02;                                     // of D: a pipe that is put on the bed sinks less by its weight
-constexpr Real reached = 1e-3;  // of D: a stage that ends at a displacement may stop this much short of it, by rounding and by a step
+constexpr Real in_the_bed = 0.02;  // of D: a pipe that is put on the bed sinks less by its weight
+constexpr Real reached = 1e-3;     // of D: a stage that ends at a displacement may stop this much short of it, by rounding and by a step
 
 bool contains(const std::vector<std::string>& list, const std::string& name)
 {
@@ -45,35 +42,12 @@ Real noise_of(const std::vector<Real>& travel, const std::vector<Real>& force, R
   return std::sqrt(squares / count) / std::abs(sum / count);
 }
 
-/// Collects quantities, each with its dimensionless twin.
-class Collector {
-public:
-  explicit Collector(const PipeScale& scale) : scale_(scale) {}
+std::optional<Real> if_known(Real value)
+{
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
 
-  void force(const std::string& name, Real value)
-  {
-    list_.push_back({name, value, "N/m"});
-    const Real unit = scale_.unit_weight * scale_.diameter * scale_.diameter;
-    if (unit > 0) list_.push_back({name + "_over_gammaD2", value / unit, "1"});
-  }
-  void length(const std::string& name, Real value)
-  {
-    list_.push_back({name, value, "m"});
-    list_.push_back({name + "_over_D", value / scale_.diameter, "1"});
-  }
-  void ratio(const std::string& name, Real value) { list_.push_back({name, value, "1"}); }
-  void ratio_if_known(const std::string& name, Real value)
-  {
-    if (!std::isnan(value)) ratio(name, value);
-  }
-  std::vector<run_folder::Quantity> list() && { return std::move(list_); }
-
-private:
-  PipeScale scale_;
-  std::vector<run_folder::Quantity> list_;
-};
-
-void add_push(Collector& collector, const PipePath& path, const PipeScale& scale)
+void take_push(PipeResults& results, const PipePath& path, const PipeScale& scale)
 {
   const Real D = scale.diameter;
   const TravelCurve V(path.w, path.V);
@@ -81,14 +55,13 @@ void add_push(Collector& collector, const PipePath& path, const PipeScale& scale
   const Real half = averaging_half(scale);
   for (int k = 1; k * push_spacing * D <= V.end() + reached * D; ++k)
     if (k * push_spacing * D >= V.begin())
-      collector.force(fmt::format("V_at_w_{:g}D", k * push_spacing), V.at(std::min(k * push_spacing * D, V.end()), half));
-  collector.force("V_end_of_push", V.at(V.end(), half));
-  collector.length("w_end_of_push", V.end());
-  collector.ratio_if_known("V_noise", noise_of(path.w, path.V, noise_of_V_from * D, scale));
+      results.push.push_back({k * push_spacing * D, V.at(std::min(k * push_spacing * D, V.end()), half)});
+  results.push_end = PushPoint{V.end(), V.at(V.end(), half)};
+  results.V_noise = if_known(noise_of(path.w, path.V, noise_of_V_from * D, scale));
 }
 
 /// V by the travel from the row before the push, of a pipe that is in the bed there.
-void add_travel(Collector& collector, const PipePath& path, const run_folder::History& history, const PipeScale& scale)
+void take_travel(PipeResults& results, const PipePath& path, const run_folder::History& history, const PipeScale& scale)
 {
   const TravelCurve V(path.w, path.V);
   if (V.empty()) return;
@@ -96,11 +69,10 @@ void add_travel(Collector& collector, const PipePath& path, const run_folder::Hi
   if (!(begin >= in_the_bed * D)) return;
   for (const Real point : travel_points)
     if (begin + point * D <= V.end() + reached * point * D)
-      collector.force(fmt::format("V_at_travel_{:g}D", point),
-                      V.at(std::min(begin + point * D, V.end()), std::min(averaging_half(scale), point * D / 4)));
+      results.travel.push_back({point * D, V.at(std::min(begin + point * D, V.end()), std::min(averaging_half(scale), point * D / 4))});
 }
 
-void add_drag(Collector& collector, const PipePath& path, std::optional<Real> held, const PipeScale& scale)
+void take_drag(PipeResults& results, const PipePath& path, std::optional<Real> held, const PipeScale& scale)
 {
   const Real D = scale.diameter;
   const TravelCurve H(path.drag_u, path.drag_H), V(path.drag_u, path.drag_V), w(path.drag_u, path.drag_w);
@@ -109,15 +81,12 @@ void add_drag(Collector& collector, const PipePath& path, std::optional<Real> he
   for (const Real point : drag_points) {
     if (point * D > H.end() + reached * D) break;
     const Real u = std::min(point * D, H.end());
-    collector.force(fmt::format("H_at_u_{:g}D", point), H.at(u, half));
-    collector.length(fmt::format("w_at_u_{:g}D", point), w.at(u, half));
-    collector.ratio(fmt::format("H_over_V_at_u_{:g}D", point), H.at(u, half) / V.at(u, half));
+    results.drag.push_back({point * D, w.at(u, half), H.at(u, half), V.at(u, half)});
   }
-  collector.ratio_if_known("H_noise", noise_of(path.drag_u, path.drag_H, noise_of_H_from * D, scale));
+  results.H_noise = if_known(noise_of(path.drag_u, path.drag_H, noise_of_H_from * D, scale));
   const TravelCurve smooth = H.smoothed(half);
   const auto largest = std::max_element(smooth.value().begin(), smooth.value().end());
-  collector.force("H_max", *largest);
-  collector.length("u_at_H_max", smooth.travel()[largest - smooth.value().begin()]);
+  results.drag_peak = DragPeak{smooth.travel()[largest - smooth.value().begin()], *largest};
 
   // The first row is the push's last.
   const std::vector<Real> force(path.drag_V.begin() + 1, path.drag_V.end());
@@ -125,10 +94,10 @@ void add_drag(Collector& collector, const PipePath& path, std::optional<Real> he
   const Real target = held ? *held : std::accumulate(force.begin(), force.end(), Real{0}) / static_cast<Real>(force.size());
   Real squares = 0;
   for (const Real f : force) squares += (f - target) * (f - target);
-  collector.ratio("V_rms_error_in_drag", std::sqrt(squares / static_cast<Real>(force.size())) / std::abs(target));
+  results.V_rms_error_in_drag = std::sqrt(squares / static_cast<Real>(force.size())) / std::abs(target);
 }
 
-void add_contact(Collector& collector, const run_folder::History& history, const PipeStages& stages)
+void take_contact(PipeResults& results, const run_folder::History& history, const PipeStages& stages)
 {
   Real max = -infinity, sum = 0;
   Index overlaps = 0, gaps = 0;
@@ -137,21 +106,22 @@ void add_contact(Collector& collector, const run_folder::History& history, const
     if (history.has("overlap_m") && !std::isnan(history["overlap_m"][k])) max = std::max(max, history["overlap_m"][k]), ++overlaps;
     if (history.has("gap_m") && std::isfinite(history["gap_m"][k])) sum += history["gap_m"][k], ++gaps;
   }
-  if (overlaps > 0) collector.length("overlap_max", max);
-  if (gaps > 0) collector.length("gap_mean", sum / gaps);
+  if (overlaps > 0) results.overlap_max = max;
+  if (gaps > 0) results.gap_mean = sum / gaps;
 }
 
-void add_second_impulse(Collector& collector, const run_folder::History& history, const PipeStages& stages)
+void take_second_impulse(PipeResults& results, const run_folder::History& history, const PipeStages& stages)
 {
-  constexpr const char* column = "second_impulse_N_m";
-  if (!history.has(column)) return;
+  constexpr const char* label = "second impulse";
+  if (!history.has_label(label)) return;
+  const std::vector<Real>&second_impulse = history.by_label(label), &reaction = history.by_label("V");
   Real second = 0, V = 0;
   for (Index k = 0; k < history.rows(); ++k) {
-    if (!contains(stages.push, history.stage[k]) || !std::isfinite(history[column][k]) || !std::isfinite(history["V_N_m"][k])) continue;
-    second += history[column][k];
-    V += history["V_N_m"][k];
+    if (!contains(stages.push, history.stage[k]) || !std::isfinite(second_impulse[k]) || !std::isfinite(reaction[k])) continue;
+    second += second_impulse[k];
+    V += reaction[k];
   }
-  if (V != 0) collector.ratio("second_impulse_over_V", second / std::abs(V));
+  if (V != 0) results.second_impulse_over_V = second / std::abs(V);
 }
 
 /// Four digits that count, without an exponent in the range of engineering numbers.
@@ -177,7 +147,7 @@ Real averaging_half(const PipeScale& scale)
 
 PipePath pipe_path(const run_folder::History& history, const PipeStages& stages)
 {
-  const auto &u = history["u_m"], &w = history["w_m"], &H = history["H_N_m"], &V = history["V_N_m"];
+  const auto &u = history["u_m"], &w = history["w_m"], &H = history.by_label("H"), &V = history.by_label("V");
   PipePath path;
   for (Index k = 0; k < history.rows(); ++k) {
     if (contains(stages.push, history.stage[k])) path.w.push_back(w[k]), path.V.push_back(V[k]), path.push_rows.push_back(k);
@@ -195,16 +165,21 @@ PipePath pipe_path(const run_folder::History& history, const PipeStages& stages)
   return path;
 }
 
-std::vector<run_folder::Quantity> pipe_quantities(const run_folder::History& history, const PipeScale& scale, const PipeStages& stages)
+PipeResults pipe_results(const run_folder::History& history, const PipeScale& scale, const PipeStages& stages)
 {
   const PipePath path = pipe_path(history, stages);
-  Collector collector(scale);
-  add_push(collector, path, scale);
-  add_travel(collector, path, history, scale);
-  add_drag(collector, path, stages.held_force, scale);
-  add_second_impulse(collector, history, stages);
-  add_contact(collector, history, stages);
-  return std::move(collector).list();
+  PipeResults results;
+  take_push(results, path, scale);
+  take_travel(results, path, history, scale);
+  take_drag(results, path, stages.held_force, scale);
+  take_second_impulse(results, history, stages);
+  take_contact(results, history, stages);
+  return results;
+}
+
+std::vector<run_folder::Quantity> pipe_quantities(const run_folder::History& history, const PipeScale& scale, const PipeStages& stages)
+{
+  return quantities_of(pipe_results(history, scale, stages), scale);
 }
 
 std::string key_results_table(const std::vector<run_folder::Quantity>& quantities, const PipeScale& scale)
@@ -218,13 +193,15 @@ std::string key_results_table(const std::vector<run_folder::Quantity>& quantitie
   table += '\n';
   for (const run_folder::Quantity& q : quantities) {
     if (q.name.ends_with("_over_gammaD2") || q.name.ends_with("_over_D")) continue;
-    const bool force = q.unit == "N/m", length = q.unit == "m";
+    const bool force = q.unit == "N/m" || q.unit == "N", length = q.unit == "m";
     const auto twin = find(q.name + (force ? "_over_gammaD2" : "_over_D"));
-    const std::string model = force ? four_digits(q.value) + " N/m " : length ? four_digits(1000 * q.value) + " mm  " : "";
+    const std::string model = force    ? four_digits(q.value) + (q.unit == "N" ? " N   " : " N/m ")
+                              : length ? four_digits(1000 * q.value) + " mm  "
+                                       : "";
     const std::string bare = !force && !length ? four_digits(q.value) : twin != quantities.end() ? four_digits(twin->value) : "";
     table += fmt::format("{:<24}{:>18}{:>16}", q.name, model, bare);
     const Real scaled = q.value * scale.gravity_level;
-    if (prototype && force) table += fmt::format("{:>20}", four_digits(scaled / 1000) + " kN/m");
+    if (prototype && q.unit == "N/m") table += fmt::format("{:>20}", four_digits(scaled / 1000) + " kN/m");
     if (prototype && length) table += fmt::format("{:>20}", four_digits(scaled) + " m   ");
     table.erase(table.find_last_not_of(' ') + 1);
     table += '\n';

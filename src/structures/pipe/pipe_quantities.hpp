@@ -2,19 +2,9 @@
 #pragma once
 
 #include "run_folder/history.hpp"
-#include "run_folder/summary.hpp"
-
-#include <optional>
+#include "structures/pipe/pipe_results.hpp"
 
 namespace berm::pipe {
-
-/// What the results of a pipe are made dimensionless with, and carried to the prototype.
-struct PipeScale {
-  Real diameter;           ///< m, in the model
-  Real unit_weight;        ///< effective unit weight of the soil in the model, N/m3: under all its gravity; 0 = weightless
-  Real gravity_level = 1;  ///< gravity in the model over that of the earth
-  bool noisy = true;       ///< whether forces have the noise of a dynamic method
-};
 
 /// Whether a model stands for a larger prototype: under gravity that differs from the earth's by more than 5 %, which 10 m/s2 does not; without gravity
 /// there is none.
@@ -43,7 +33,10 @@ constexpr Real averaging_half_width = 0.01;
 /// The same in metres; 0 where there is no noise.
 Real averaging_half(const PipeScale& scale);
 
-/// The numbers that a report wants of a run that pushes a pipe into the bed and drags it (as far as it came):
+/// What a run gives that pushes a pipe into the bed and drags it, as far as it came.
+PipeResults pipe_results(const run_folder::History& history, const PipeScale& scale, const PipeStages& stages);
+
+/// The same as quantities (quantities_of):
 ///   V_at_w_{0.05,0.1,...}D, V_end_of_push, w_end_of_push;
 ///   V_at_travel_{0.0025,0.005,0.01,0.02,0.03}D of a push that begins with the pipe in the bed (0.02 D or deeper), with the travel from there;
 ///   H, w and H_over_V _at_u_{0.1,0.2,0.3,0.4,0.5,0.75,1.0}D, with u from the begin of the drag;

@@ -58,8 +58,8 @@ PipeSoil pipe_soil(const problem::Case& c)
   if (std::isnan(modelled_part(c)))
     return NoFormula{"The published formulas are those of a whole pipe; a wall of the mesh cuts the pipe of this run."};
   const material::Material* material = touched_material(c);
-  const auto* law = material == nullptr ? nullptr : std::get_if<material::MohrCoulomb>(material);
-  if (law == nullptr) return NoFormula{"No formula is known for this soil: it has no strength after Mohr-Coulomb."};
+  const std::optional<material::Strength> law = material == nullptr ? std::nullopt : strength_at_rest(*material);
+  if (!law) return NoFormula{"No formula is known for this soil: its strength is none of cohesion and friction."};
   const contact::ContactSettings& contact = *contact_of_pipe(c);
   const bool sticks = contact.scheme == contact::Scheme::sticky;
   const Real unit_weight = pipe_scale(c).unit_weight;

@@ -17,12 +17,6 @@ bool draw_pipe_curves(const run_folder::RunFolder& folder, const run_folder::His
 bool draw_columns(const run_folder::RunFolder& folder, const run_folder::History& history, const std::vector<std::string>& columns,
                   const std::string& title);
 
-/// "tip_x_m" in two: what it is ("tip x") and the unit that the name ends with ("m"); "1" where it ends with none.
-std::pair<std::string, std::string> name_and_unit(const std::string& column);
-
-/// What colours the soil.
-enum class SoilColor { deviatoric_strain, incremental_deviatoric_strain };
-
 /// The part of the soil that a picture shows.
 struct SoilView {
   Vec<2> lower, upper;          ///< m
@@ -35,13 +29,13 @@ SoilView view_around_pipe(Real x, Real lowest, Real diameter, Real surface);
 /// A picture of the soil: NAME.png or NAME.svg.
 struct SoilPicture {
   std::string name;
-  SoilColor color;
+  std::string field;  ///< of the frame, one number a point, that colours the soil
   SoilView view;
   std::string title;
 };
 
-/// Particles as disks (in SVG as an image within it), or the triangles of the frame filled, coloured by the deviatoric strain of their displacement (since the start, or since the frame before);
-/// rigid bodies grey, equal axes. The colours end at the value that one particle or node in a hundred exceeds. Script and data go to FOLDER/plots.
+/// Particles as disks (in SVG as an image within it), or the triangles of the frame filled, coloured by a field; rigid bodies grey, equal
+/// axes. The colours span from zero to the value that one particle or node in a hundred exceeds. Script and data go to FOLDER/plots.
 /// False, with a warning, where it could not be drawn.
 bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<2>& frame, const SoilPicture& picture,
                plot::PlotFormat format = plot::PlotFormat::png);

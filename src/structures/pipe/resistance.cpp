@@ -59,8 +59,8 @@ Resistance resistance_of(const RunRecord& run)
   if (!run.has_pipe()) return resistance_to({{}, {}}, run.scale);
   const PipePath path = run.history.rows() > 0 ? pipe_path(run.history, run.stages) : PipePath{};
   Resistance resistance = resistance_to({path.drag_u, path.drag_H}, run.scale);
-  const run_folder::Quantity *H_max = run.quantity("H_max"), *u_at_H_max = run.quantity("u_at_H_max");
-  if (!resistance.largest && H_max != nullptr && u_at_H_max != nullptr) take_if_larger(resistance.largest, u_at_H_max->value, H_max->value);
+  const std::optional<DragPeak> peak = results_of(run.quantities, run.scale).drag_peak;
+  if (!resistance.largest && peak) take_if_larger(resistance.largest, peak->u, peak->H);
   // The points need not be among the travels at which a long curve is looked at.
   for (const DragPoint& p : points_of(run).drag) take_if_larger(resistance.largest, p.u, p.H);
   if (resistance.largest)

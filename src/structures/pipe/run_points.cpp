@@ -2,12 +2,10 @@
 // Tests: tests/unit/structures/pipe/resistance_test.cpp
 #include "structures/pipe/run_points.hpp"
 
-#include "bodies/rigid.hpp"
+#include "bodies/rigid/rigid_body.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fmt/format.h>
-#include <string_view>
 
 namespace berm::pipe {
 namespace {
@@ -15,31 +13,14 @@ namespace {
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real wished_beyond = 0.01;  // of D
 
-/// The 0.1 of "V_at_w_0.1D" after "V_at_w_"; nothing where the name is another.
-std::optional<Real> part_of_D(std::string_view name, std::string_view begin)
-{
-  if (!name.starts_with(begin) || !name.ends_with("D")) return std::nullopt;
-  name.remove_prefix(begin.size());
-  name.remove_suffix(1);
-  Real part = 0;
-  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), part);
-  if (error != std::errc() || end != name.data() + name.size()) return std::nullopt;
-  return part;
-}
-
-Real value_of(const RunRecord& run, const std::string& name)
-{
-  const run_folder::Quantity* q = run.quantity(name);
-  return q == nullptr ? nan : q->value;
-}
-
 /// The embedment of the main rigid body as the case places it, m; NaN where there is none.
 Real placed_w(const problem::Case& c)
 {
   const Index rigid = main_rigid(c);
   if (rigid == none) return nan;
   const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;
-  return c.surface - (c.dimension == 2 ? lowest_level(make_shape<2>(shape)) : lowest_level(make_shape<3>(shape)));
+  return c.surface - (c.dimension == 2 ? bodies::lowest_level<2>(bodies::make_shape<2>(shape), Vec<2>::UnitY())
+                                       : bodies::lowest_level<3>(bodies::make_shape<3>(shape), Vec<3>::UnitY()));
 }
 
 bool contains(const std::vector<std::string>& stages, const std::string& stage)
@@ -75,14 +56,10 @@ RunPoints points_of(const RunRecord& run)
   RunPoints points;
   const Real D = run.scale.diameter;
   points.first_w = knows_w(run.history) ? run.history["w_m"].front() : placed_w(run.settings);
-  for (const run_folder::Quantity& q : run.quantities) {
-    if (const auto part = part_of_D(q.name, "V_at_w_")) points.push.push_back({*part * D, q.value});
-    if (const auto part = part_of_D(q.name, "H_at_u_")) {
-      const std::string at = q.name.substr(1);
-      points.drag.push_back({*part * D, value_of(run, "w" + at), q.value, q.value / value_of(run, "H_over_V" + at)});
-    }
-  }
-  if (run.quantity("V_end_of_push") != nullptr) points.push_end = PushPoint{value_of(run, "w_end_of_push"), value_of(run, "V_end_of_push")};
+  PipeResults results = results_of(run.quantities, run.scale);
+  points.push = std::move(results.push);
+  points.push_end = results.push_end;
+  points.drag = std::move(results.drag);
   const Real begin = push_begin(run, points.first_w), end = points.push_end ? points.push_end->w : nan;
   std::erase_if(points.push,
                 [&](const PushPoint& p) { return std::abs(p.w - begin) < same_point * D || std::abs(p.w - end) < same_point * D; });
@@ -91,7 +68,7 @@ RunPoints points_of(const RunRecord& run)
 
 StageEnd end_of_push(const RunRecord& run)
 {
-  const bool dragged = run.quantity("H_max") != nullptr;
+  const bool dragged = results_of(run.quantities, run.scale).drag_peak.has_value();
   const bool last = run.history.rows() > 0 ? contains(run.stages.push, run.history.stage.back()) : !dragged;
   return end_of(run, "push", run.end == RunEnd::finished || !last);
 }

@@ -7,17 +7,7 @@
 
 namespace berm::pipe {
 
-/// A point of a push.
-struct PushPoint {
-  Real w, V;  ///< m, N/m
-};
-
-/// A point of a drag; u counts from where it began.
-struct DragPoint {
-  Real u, w, H, V;  ///< m, m, N/m, N/m
-};
-
-/// What the quantities of a run tell of its pipe's path, as far as it came.
+/// What the results of a run tell of its pipe's path, as far as it came.
 struct RunPoints {
   Real first_w = 0;                   ///< m, before the first stage: 0 or less where the pipe begins above the soil
   std::vector<PushPoint> push;        ///< by growing w; none closer than same_point to where the push begins or ends

@@ -23,45 +23,39 @@ constexpr const char* palette =
 struct Picture {
   const run_folder::Frame<2>& frame;
   const std::string& name;
-  bool since_start;
+  const run_folder::FieldValues<Real>& field;
   const SoilView& view;
   plot::PlotUnit unit;
   Vec<2> size() const { return view.upper - view.lower; }
   int plot_height() const { return std::clamp(static_cast<int>(std::lround(plot_width * size()[1] / size()[0])), 200, 1400); }
-  const char* words() const
-  {
-    return since_start ? "deviatoric strain of displacement since the start" : "deviatoric strain of displacement since last frame";
-  }
-  Real value(const run_folder::FrameParticle<2>& f) const { return since_start ? f.strain.deviatoric : f.strain_increment; }
+  std::string words() const { return field.info.label + (field.info.unit.empty() ? "" : " (" + field.info.unit + ")"); }
+  Real value(Index point) const { return field.at(point); }
+  Vec<2> x(Index point) const { return frame.points[point]; }
+  /// Of the disk that stands for a particle: larger than its share, so that neighbours close the ground between them.
+  Real radius(Index point) const { return std::sqrt(frame.volume[point]); }
 };
 
 constexpr std::size_t max_disks = 100'000;  // beyond, a picture of a million pixels has hardly any left for each
 
-/// Radius of the disk that stands for a particle: larger than its share, so that neighbours close the ground between them.
-Real shown_radius(const bodies::Particle<2>& p)
+std::vector<Index> points_in_view(const Picture& picture)
 {
-  return std::sqrt(p.volume);
-}
-
-std::vector<const run_folder::FrameParticle<2>*> particles_in_view(const Picture& picture)
-{
-  std::vector<const run_folder::FrameParticle<2>*> shown;
-  for (const run_folder::FrameParticle<2>& f : picture.frame.particles) {
-    const auto x = f.particle.x.array();
-    const Real radius = shown_radius(f.particle);
-    if ((x >= picture.view.lower.array() - radius).all() && (x <= picture.view.upper.array() + radius).all()) shown.push_back(&f);
+  std::vector<Index> shown;
+  for (Index k = 0; k < static_cast<Index>(picture.frame.points.size()); ++k) {
+    const auto x = picture.frame.points[k].array();
+    const Real radius = picture.radius(k);
+    if ((x >= picture.view.lower.array() - radius).all() && (x <= picture.view.upper.array() + radius).all()) shown.push_back(k);
   }
   return shown;
 }
 
 /// The data of a picture of disks.
-std::string disks(const Picture& picture, const std::vector<const run_folder::FrameParticle<2>*>& particles)
+std::string disks(const Picture& picture, const std::vector<Index>& points)
 {
   const plot::PlotUnit& unit = picture.unit;
   std::string data = fmt::format("# x, y, radius ({}), {}\n", unit.name, picture.words());
-  for (const run_folder::FrameParticle<2>* f : particles)
-    data += fmt::format("{:.6g} {:.6g} {:.4g} {:.5g}\n", f->particle.x[0] * unit.per_si, f->particle.x[1] * unit.per_si,
-                        shown_radius(f->particle) * unit.per_si, picture.value(*f));
+  for (const Index k : points)
+    data += fmt::format("{:.6g} {:.6g} {:.4g} {:.5g}\n", picture.x(k)[0] * unit.per_si, picture.x(k)[1] * unit.per_si,
+                        picture.radius(k) * unit.per_si, picture.value(k));
   return data;
 }
 
@@ -80,9 +74,8 @@ std::string pixels(const Picture& picture)
       std::array<Vec<2>, 3> corners;
       std::array<Real, 3> values;
       for (int k = 0; k < 3; ++k) {
-        const run_folder::FrameParticle<2>& node = picture.frame.particles[nodes[part[k]]];
-        corners[k] = node.particle.x;
-        values[k] = picture.value(node);
+        corners[k] = picture.x(nodes[part[k]]);
+        values[k] = picture.value(nodes[part[k]]);
       }
       raster.paint(corners, values);
     }
@@ -91,12 +84,12 @@ std::string pixels(const Picture& picture)
 
 /// Particles as pixels, each as the square of its radius: a vector graphic of a disk for every particle would be tens of megabytes, and gnuplot takes more
 /// than a kilobyte of memory for each.
-std::string pixels(const Picture& picture, const std::vector<const run_folder::FrameParticle<2>*>& particles)
+std::string pixels(const Picture& picture, const std::vector<Index>& points)
 {
   plot::Raster raster(picture.view.lower, picture.view.upper, plot_width, picture.plot_height());
-  for (const run_folder::FrameParticle<2>* f : particles) {
-    const Real half = shown_radius(f->particle), value = picture.value(*f);
-    const Vec<2> x = f->particle.x, across(half, -half), up(half, half);
+  for (const Index k : points) {
+    const Real half = picture.radius(k), value = picture.value(k);
+    const Vec<2> x = picture.x(k), across(half, -half), up(half, half);
     raster.paint({x - up, Vec<2>(x + across), Vec<2>(x + up)}, {value, value, value});
     raster.paint({x - up, Vec<2>(x + up), Vec<2>(x - across)}, {value, value, value});
   }
@@ -118,18 +111,20 @@ std::string outlines(const Picture& picture)
   return data;
 }
 
-/// The value that one particle in a hundred exceeds.
-Real hundredth(const Picture& picture, const std::vector<const run_folder::FrameParticle<2>*>& particles)
+/// Where the colours begin and end: at zero, and beyond it where one point in a hundred lies farther; at the farthest where all but those are zero.
+std::pair<Real, Real> range_of(const Picture& picture, const std::vector<Index>& points)
 {
   std::vector<Real> values;
-  for (const run_folder::FrameParticle<2>* f : particles) values.push_back(picture.value(*f));
-  const auto place = values.end() - 1 - static_cast<std::ptrdiff_t>(values.size() / 100);
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
+  for (const Index k : points) values.push_back(picture.value(k));
+  std::sort(values.begin(), values.end());
+  const std::size_t part = values.size() / 100;
+  const auto end = [](Real hundredth, Real farthest) { return hundredth > 0 ? hundredth : std::max(Real(0), farthest); };
+  const Real above = end(values[values.size() - 1 - part], values.back()), below = end(-values[part], -values.front());
+  return {below > 0 ? -plot::round_up(below) : 0, above > 0 || below == 0 ? plot::round_up(above) : 0};
 }
 
 /// Axes, colours and the line of the surface.
-std::string axes(const Picture& picture, Real max, const std::string& title)
+std::string axes(const Picture& picture, const std::pair<Real, Real>& range, const std::string& title)
 {
   const int height = picture.plot_height() + bottom + top;
   const SoilView& view = picture.view;
@@ -142,7 +137,7 @@ std::string axes(const Picture& picture, Real max, const std::string& title)
   script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", view.lower[0] * unit.per_si,
                         view.upper[0] * unit.per_si, view.lower[1] * unit.per_si, view.upper[1] * unit.per_si);
   script += fmt::format("set xlabel 'x ({0})'\nset ylabel 'y ({0})'\nset tics out nomirror\nset border lc rgb '#444444'\n", unit.name);
-  script += fmt::format("set cblabel '{}'\nset cbrange [0:{:g}]\n", picture.words(), plot::round_up(max));
+  script += fmt::format("set cblabel {}\nset cbrange [{:g}:{:g}]\n", plot::gnuplot_text(picture.words()), range.first, range.second);
   script += std::string(palette) + "unset key\nset style fill solid noborder\n";
   if (view.surface) {
     const Real level = *view.surface * unit.per_si;
@@ -184,20 +179,20 @@ SoilView view_around_pipe(Real x, Real lowest, Real diameter, Real surface)
 
 bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<2>& frame, const SoilPicture& wanted, plot::PlotFormat format)
 {
+  if (frame.points.empty()) return false;
   const SoilView& view = wanted.view;
-  const Picture picture{frame, wanted.name, wanted.color == SoilColor::deviatoric_strain, view,
-                        plot::length_unit((view.upper - view.lower).maxCoeff())};
-  const std::vector<const run_folder::FrameParticle<2>*> particles = particles_in_view(picture);
+  const Picture picture{frame, wanted.name, frame.field(wanted.field), view, plot::length_unit((view.upper - view.lower).maxCoeff())};
+  const std::vector<Index> points = points_in_view(picture);
   const std::filesystem::path plots = folder / "plots";
   io::make_folder(plots);
-  if (particles.empty()) return false;
-  const bool as_disks = frame.triangles.empty() && format == plot::PlotFormat::png && particles.size() <= max_disks;
-  io::write_atomically(plots / (picture.name + ".dat"), as_disks                  ? disks(picture, particles)
-                                                        : frame.triangles.empty() ? pixels(picture, particles)
+  if (points.empty()) return false;
+  const bool as_disks = frame.triangles.empty() && format == plot::PlotFormat::png && points.size() <= max_disks;
+  io::write_atomically(plots / (picture.name + ".dat"), as_disks                  ? disks(picture, points)
+                                                        : frame.triangles.empty() ? pixels(picture, points)
                                                                                   : pixels(picture));
   io::write_atomically(plots / (picture.name + "_rigid.dat"), outlines(picture));
   return draw(folder, picture.name, width, picture.plot_height() + bottom + top,
-              axes(picture, hundredth(picture, particles), wanted.title) + plot(picture, as_disks), format);
+              axes(picture, range_of(picture, points), wanted.title) + plot(picture, as_disks), format);
 }
 
 }  // namespace berm::pipe

@@ -10,7 +10,7 @@ namespace berm::bodies {
 namespace {
 
 template <int dim>
-const StartState<dim> at_rest{1000, 10, 0, 0};
+const StartState<dim> at_rest{1000, 10, 0};
 
 /// A mesh with the regions "low" (y < 0.8), "high" and "empty", which has no cells.
 template <int dim>
@@ -145,7 +145,7 @@ TYPED_TEST(Fill, the_stress_of_a_flat_bed_grows_with_depth)
   const auto mesh = mesh_of_two_regions<dim>();
   auto body = in_regions({"low", "high"});
   body.k0 = 0.4;
-  StartState<dim> start{1500, 20, 0.9, 1};  // the surface lies within the body: what is above it has no stress
+  StartState<dim> start{1500, 20, 0.9, {{"kept", "", ""}}};  // the surface lies within the body: what is above it has no stress
   int above = 0;
   for (const auto& p : all_of(fill<dim>(mesh, "sand", body, start))) {
     const Real vertical = p.x[1] < 0.9 ? -1500. * 20 * (0.9 - p.x[1]) : 0;

@@ -10,9 +10,17 @@
 namespace berm::bodies {
 namespace {
 
+/// Fields of so many numbers.
+std::vector<FieldInfo> extra_fields(int count)
+{
+  std::vector<FieldInfo> fields;
+  for (int k = 0; k < count; ++k) fields.push_back({"extra_" + std::to_string(k), "", ""});
+  return fields;
+}
+
 /// A particle whose every number tells which one it is.
 template <int dim>
-Particle<dim> particle_number(std::int32_t id, int state_size)
+Particle<dim> particle_number(std::int32_t id, int extra_size)
 {
   Particle<dim> p;
   p.id = id;
@@ -21,7 +29,7 @@ Particle<dim> particle_number(std::int32_t id, int state_size)
   p.deviatoric_strain = id + 0.5;
   for (int d = 0; d < dim; ++d) p.x[d] = id + 0.01 * d, p.v[d] = -id - 0.01 * d;
   for (int k = 0; k < tensor_size<dim>; ++k) p.stress[k] = id + 0.001 * k;
-  for (int k = 0; k < state_size; ++k) p.state[k] = id + 0.3 + k;
+  for (int k = 0; k < extra_size; ++k) p.extra[k] = id + 0.3 + k;
   return p;
 }
 
@@ -30,7 +38,7 @@ bool same(const Particle<dim>& a, const Particle<dim>& b)
 {
   return a.id == b.id && a.mass == b.mass && a.volume == b.volume && a.deviatoric_strain == b.deviatoric_strain && a.x == b.x &&
          a.v == b.v && std::equal(a.stress.c, a.stress.c + tensor_size<dim>, b.stress.c) &&
-         std::equal(a.state, a.state + Particle<dim>::max_state, b.state);
+         std::equal(a.extra, a.extra + Particle<dim>::max_extra, b.extra);
 }
 
 /// What Particles promises, in the simplest form: a list of particles for each cell.
@@ -86,9 +94,9 @@ void behaves_like_a_list_for_each_cell()
 {
   constexpr Index max = 60;
   const auto mesh = make_box<dim>(sample_box<dim>());
-  const int state_size = *rc::gen::inRange(0, Particle<dim>::max_state + 1);
+  const int extra_size = *rc::gen::inRange(0, Particle<dim>::max_extra + 1);
   const Index cells = 5;  // few, so that chains of several blocks are common
-  Particles<dim> particles(mesh, max, state_size);
+  Particles<dim> particles(mesh, max, extra_fields(extra_size));
   Expected<dim> expected;
   expected.cells.resize(mesh.cell_count());
   const Block<dim>* memory = nullptr;
@@ -104,7 +112,7 @@ void behaves_like_a_list_for_each_cell()
     auto& list = expected.cells[cell];
     if (action < 60 && expected.size() < max) {
       for (int repeat = 0; repeat < 1 + action % 9 && expected.size() < max; ++repeat) {
-        const auto p = particle_number<dim>(next_id++, state_size);
+        const auto p = particle_number<dim>(next_id++, extra_size);
         particles.insert(cell, p);
         list.push_back(p);
       }
@@ -155,7 +163,7 @@ TEST(Particles, never_need_more_memory_than_was_reserved_wherever_they_gather)
   // The worst case for blocks: as many cells as possible with one particle beyond full blocks.
   const auto mesh = make_box<2>(sample_box<2>());
   for (const Index max : {1, 8, 9, 56, 57, 200}) {
-    Particles<2> particles(mesh, max, 1);
+    Particles<2> particles(mesh, max, extra_fields(1));
     particles.insert(0, particle_number<2>(0, 1));
     const Block<2>* memory = &particles.block(0);
     for (Index k = 1; k < max; ++k) particles.insert(k % std::min(max, mesh.cell_count()), particle_number<2>(k, 1));
@@ -170,7 +178,7 @@ TEST(Particles, never_need_more_memory_than_was_reserved_wherever_they_gather)
 TEST(Particles, tell_whether_the_occupied_cells_changed)
 {
   const auto mesh = make_box<2>(sample_box<2>());
-  Particles<2> particles(mesh, 10, 0);
+  Particles<2> particles(mesh, 10, {});
   EXPECT_FALSE(particles.sort_occupied());
   particles.insert(4, particle_number<2>(0, 0));
   particles.insert(2, particle_number<2>(1, 0));

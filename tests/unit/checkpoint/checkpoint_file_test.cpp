@@ -5,6 +5,7 @@
 #include "checkpoint/checkpoint_folder.hpp"
 
 #include <csignal>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
@@ -153,7 +154,9 @@ TEST_F(Checkpoint, that_cannot_be_used_is_refused_with_the_reason)
   EXPECT_EQ(refusal_of("time_s,stage\n"), "it is not a checkpoint of berm");
   EXPECT_EQ(refusal_of(content_.substr(512)), "it is not a checkpoint of berm") << "an HDF5 file of somebody else";
   EXPECT_EQ(refusal_of(""), "it is not a checkpoint of berm");
-  EXPECT_EQ(refusal_of(with_header("format 2\n", "format 9\n")), "it is of format 9, which a newer berm writes; this one reads format 2");
+  EXPECT_EQ(refusal_of(with_header("format 3\n", "format 9\n")), "it is of format 9, which a newer berm writes; this one reads format 3");
+  EXPECT_EQ(refusal_of(with_header("format 3\n", "format 2\n")),
+            "it is of format 2, which an older berm wrote; this one reads format 3: finish the run with that one, or begin it anew");
   const std::string other = refusal_of(with_header("berm 0.", "berm 7."));
   EXPECT_EQ(other.find("it was written by berm 7."), 0u) << other;
   for (const char* odd : {"berm \x1b.", "berm \x7f.", "berm \xff."}) EXPECT_EQ(refusal_of(with_header("berm 0.", odd)), "it is damaged");
@@ -233,7 +236,7 @@ protected:
     for (const fs::path& file : folder_.files()) all += file.filename().string() + " ";
     return all;
   }
-  void damage(const std::string& name) const { base_.write("run/" + name, "berm checkpoint, format 1\n"); }
+  void damage(const std::string& name) const { base_.write("run/" + name, fmt::format("berm checkpoint, format {}\n", checkpoint_format)); }
 
   TemporaryFolder base_;
   CheckpointFolder folder_{base_ / "run"};

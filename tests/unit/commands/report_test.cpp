@@ -12,6 +12,19 @@ namespace {
 namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 
+/// Of a test that the small case is one of.
+const std::string claims = R"(source = "A test"
+[test]
+"rigid.*.shape" = "circle"
+[[claim]]
+statement = "The pipe is dragged"
+where = "1"
+why = "It counts as far as it comes."
+[[claim.finding]]
+words = "to {u}"
+value = [{name = "u", observable = "u_at_part", at = 1, least = 0}]
+)";
+
 /// A folder with two runs of the small case, out/a and out/b, made once for all tests, and a copy of it for each.
 class Report : public testing::Test {
 protected:
@@ -20,6 +33,7 @@ protected:
     made_ = new TemporaryFolder;
     made_->write("a.toml", test::small_case);
     made_->write("b.toml", test::small_case);
+    made_->write("claims.toml", claims);
     const Ended ended = run_program(made_->path(), {"run", "a.toml", "b.toml", "-o", "out", "--threads", "1"});
     ASSERT_EQ(ended.status, 0) << ended.err;
   }
@@ -52,6 +66,22 @@ TEST_F(Report, of_one_run_lies_in_its_folder_and_of_several_beside_them)
   EXPECT_TRUE(fs::exists(file("out/report.html")));
   EXPECT_EQ(berm({"report", "out", "-o", "page.html"}).status, 0);
   EXPECT_EQ(text("page.html"), text("out/report.html"));
+}
+
+TEST_F(Report, reads_the_claims_that_the_run_took_along_or_those_that_are_named)
+{
+  ASSERT_EQ(text("out/a/claims.toml"), claims);
+  ASSERT_EQ(berm({"report", "out/a"}).status, 0);
+  EXPECT_NE(text("out/a/report.html").find("The pipe is dragged"), std::string::npos);
+
+  std::ofstream(file("other.toml")) << claims << "missing = 3\n";
+  const Ended wrong = berm({"report", "out/a", "--claims", "other.toml"});
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_NE(wrong.err.find("other.toml:11: "), std::string::npos) << wrong.err;
+
+  std::ofstream(file("out/a/claims.toml")) << "source = 3\n";
+  EXPECT_EQ(berm({"report", "out/a"}).status, 0) << "a run whose claims are damaged is shown without them";
+  EXPECT_NE(text("out/a/report.html").find("its claims are left out"), std::string::npos);
 }
 
 TEST_F(Report, passes_over_what_an_earlier_report_wrote)
@@ -112,7 +142,7 @@ TEST_F(Report, of_damaged_files_says_which)
   const Ended ended = berm({"report", "out/a"});
   ASSERT_EQ(ended.status, 0) << ended.err;
   const std::string page = text("out/a/report.html");
-  for (const char* said : {"summary.json is damaged", "is not a number"}) EXPECT_NE(page.find(said), std::string::npos) << said;
+  for (const char* said : {"summary.json is damaged", "is of another history"}) EXPECT_NE(page.find(said), std::string::npos) << said;
 }
 
 TEST_F(Report, of_several_runs_leaves_out_one_that_cannot_be_read_and_says_so)

@@ -41,7 +41,7 @@ private:
   {
     bodies::BodySettings body;
     body.block = block;
-    return fill<dim>(mesh, "block", body, bodies::StartState<dim>{1000, 0, 0, 0});
+    return fill<dim>(mesh, "block", body, bodies::StartState<dim>{1000, 0, 0});
   }
   NodeField<Real> mass_of(const bodies::Particles<dim>& particles) const
   {

@@ -23,7 +23,7 @@ struct Bed {
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) mesh.region[cell] = mesh.centroid(cell)[1] < 0.8 ? 0 : 1;
     bodies::BodySettings body;
     body.regions = {"low"};
-    particles = fill<dim>(mesh, "bed", body, bodies::StartState<dim>{1000, 0, 0, 0});
+    particles = fill<dim>(mesh, "bed", body, bodies::StartState<dim>{1000, 0, 0});
     for (Index cell : particles.occupied())
       for (Index node : mesh.nodes[cell]) mass[node] = 1;
   }
@@ -101,9 +101,17 @@ std::map<Index, ContactPoint<dim>> by_node(const ContactPoints<dim>& found)
 }
 
 template <int dim>
+bodies::RigidState<dim> moved_by(const Vec<dim>& displacement)
+{
+  bodies::RigidState<dim> state;
+  state.displacement = displacement;
+  return state;
+}
+
+template <int dim>
 void expect_gaps(const Bed<dim>& bed, const bodies::RigidBody<dim>& rigid, const Vec<dim>& displacement, const ContactPoints<dim>& found)
 {
-  const auto shape = placed<dim>(rigid, bodies::RigidState<dim>{displacement});
+  const auto shape = placed<dim>(rigid, moved_by<dim>(displacement));
   const auto expected = brute_force(bed, shape);
   const auto nodes = by_node(found);
   Real nearest = infinity, min = infinity;
@@ -204,7 +212,7 @@ TYPED_TEST(Detect, overlap_lists_the_nodes_with_mass_of_all_cells_that_the_body_
     for (int n = 0; n <= 10; ++n) {
       const Vec<dim> displacement = at<dim>(0.02 * n, -0.02 * n);
       bed.find_again(rigid, displacement, Detection::overlap, found);
-      const auto shape = placed<dim>(rigid, bodies::RigidState<dim>{displacement});
+      const auto shape = placed<dim>(rigid, moved_by<dim>(displacement));
       // Certainly in: a corner lies in the body. Certainly out: none of many points does.
       std::vector<bool> surely(bed.mesh.node_count(), false), perhaps(bed.mesh.node_count(), false);
       for (Index cell = 0; cell < bed.mesh.cell_count(); ++cell) {

@@ -30,7 +30,7 @@ struct Bed {
     block.size = {2, 0.5};
     block.spacing = spacing;
     body.block = block;
-    particles = fill<2>(mesh, "bed", body, {1000, 0, 0, 0});
+    particles = fill<2>(mesh, "bed", body, {1000, 0, 0});
     found.node_area = found.node_weight = NodeField<Real>::zeros(mesh.node_count());
   }
   Real covered(const bodies::RigidShape<2>& shape, Detection detection = Detection::particle)
@@ -89,7 +89,7 @@ TEST(Footprints, of_a_circle_close_round_it)
   // A lattice without what lies in the circle: all of it is covered. The neighbours' borders are within it by construction.
   Bed bed(0.01);
   const bodies::Circle<2> hole{Vec<2>(0, -0.25), 0.1};
-  bodies::Particles<2> left(bed.mesh, bed.particles.size(), 0);
+  bodies::Particles<2> left(bed.mesh, bed.particles.size(), {});
   bed.particles.visit([&](Index cell, Index b, int l) {
     const bodies::Particle<2> p = bed.particles.read(b, l);
     if ((p.x - hole.center).norm() > hole.radius) left.insert(cell, p);

@@ -3,6 +3,7 @@
 #include "envelope/envelope_published.hpp"
 #include "formulas/pipe_in_sand.hpp"
 #include "input/read_case.hpp"
+#include "samples/history_columns.hpp"
 #include "samples/program.hpp"
 
 #include <gtest/gtest.h>
@@ -148,7 +149,7 @@ run_folder::History history_of(const std::vector<Real>& u, const std::vector<Rea
                                const std::vector<Real>& H)
 {
   run_folder::History history;
-  history.columns = {"u_m", "w_m", "V_N_m", "H_N_m", "overstress"};
+  history.columns = columns_named({"u_m", "w_m", "V_N_m", "H_N_m", "overstress"});
   history.values = {u, w, V, H, std::vector<Real>(u.size(), 1e-7)};
   history.values[0].insert(history.values[0].begin(), 0);
   history.values[1].insert(history.values[1].begin(), 1);

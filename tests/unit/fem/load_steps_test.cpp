@@ -131,12 +131,12 @@ TEST(LoadSteps, a_plate_that_may_turn_carries_no_moment)
   Way fixed(c);
   fixed.to_end_of_stage();
   EXPECT_GT(std::abs(fixed.rigid().torque), 1e-2 * fixed.V() * 0.4);
-  EXPECT_EQ(fixed.rigid().angle, 0);
+  EXPECT_EQ(fixed.rigid().orientation.angle, 0);
   c.rigid[0].second.rotation = bodies::Rotation::free;
   Way turns(c);
   turns.to_end_of_stage();
   EXPECT_LT(std::abs(turns.rigid().torque), turns.problem.model.settings.tolerance * turns.V() * 0.4);
-  EXPECT_NE(turns.rigid().angle, 0);
+  EXPECT_NE(turns.rigid().orientation.angle, 0);
 }
 
 void expect_top_to_sink_under_weight(const Way& way)

@@ -60,7 +60,7 @@ TEST(Material, the_word_decides_which_law_the_keys_fill)
 
 TEST(Material, what_no_law_can_guess_is_required)
 {
-  for (const int law : {0, 1}) {
+  for (const int law : {0, 1, 2}) {
     Material material;
     Recorder recorder(law);
     describe(recorder, material);
@@ -105,6 +105,56 @@ TEST(Material, answers_for_the_law_it_holds)
   EXPECT_EQ(density(soil), 1800);
   EXPECT_DOUBLE_EQ(p_wave_modulus(soil), 1.2e7);
   EXPECT_EQ(state_size(soil), 1);
+}
+
+/// A law that answers nothing itself.
+struct Plain {
+  static constexpr const char* word = "plain_law";
+  static constexpr int state_size = 0;
+  Real density = 0;
+  std::optional<Real> inertia_density;
+};
+
+TEST(Material, a_law_that_does_not_answer_has_neither_friction_nor_depth_nor_dilation)
+{
+  const Plain law;
+  EXPECT_EQ(law_name(law), "plain law");
+  EXPECT_TRUE(state_fields(law).empty());
+  EXPECT_TRUE(yields(law));
+  EXPECT_FALSE(dilates(law));
+  EXPECT_FALSE(non_associated(law));
+  EXPECT_FALSE(strength_at_rest(law));
+  EXPECT_FALSE(shear_strength(law, 0, nullptr));
+  EXPECT_EQ(depth_key(law), "");
+}
+
+TEST(Material, each_law_has_a_word_and_a_name_and_names_what_it_keeps)
+{
+  EXPECT_EQ(Laws::words().size(), std::variant_size_v<Material>);
+  for (int k = 0; k < static_cast<int>(Laws::words().size()); ++k) {
+    Material material;
+    Recorder recorder(k);
+    describe(recorder, material);
+    EXPECT_EQ(static_cast<int>(material.index()), k);
+    EXPECT_FALSE(law_name(material).empty());
+    EXPECT_EQ(static_cast<int>(state_fields(material).size()), state_size(material));
+    EXPECT_LE(state_size(material), Laws::max_state);
+  }
+}
+
+TEST(Material, opening_goes_to_frames_where_soil_can_come_apart)
+{
+  MohrCoulomb law;
+  law.density = 1800;
+  law.young_modulus = 1e7;
+  law.poisson_ratio = 0.25;
+  law.friction_angle = 0.6;
+  const auto opening = [](const MohrCoulomb& sand) { return state_fields(Material(sand)).at(0); };
+  EXPECT_FALSE(opening(law).goes(to_frame));
+  EXPECT_TRUE(opening(law).goes(to_checkpoint) && opening(law).goes(with_particle));
+  law.dilation_angle = 0.1;
+  EXPECT_TRUE(opening(law).goes(to_frame));
+  EXPECT_EQ(opening(law).name, "opening");
 }
 
 }  // namespace

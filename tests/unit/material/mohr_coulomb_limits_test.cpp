@@ -16,7 +16,7 @@ SymTensor<2> load_in_plane_strain(const PreparedMohrCoulomb& law, Real start, Re
     for (int correction = 0; correction < 200; ++correction) {
       next = stress;
       Real next_opening = opening;
-      update_stress(law, next, strain, &next_opening);
+      update(law, next, {strain}, &next_opening);
       const Real error = next[1] - start;
       if (std::abs(error) < 1e-9 * std::abs(start)) break;
       strain[1] -= error / p_wave_modulus(law.elastic);
@@ -52,7 +52,7 @@ TEST(MohrCoulomb, triaxial_compression_ends_on_the_edge)
   const Real p = -1e5, q = 6 * (1e4 * std::cos(law.friction_angle) - p * std::sin(law.friction_angle)) / (3 - std::sin(law.friction_angle));
   SymTensor<3> stress{{p, p, p, 0, 0, 0}};
   Real opening = 0;
-  for (int step = 0; step < 100; ++step) update_stress(prepare(law), stress, {{-2e-3, 1e-3, 1e-3, 0, 0, 0}}, &opening);
+  for (int step = 0; step < 100; ++step) update(prepare(law), stress, {{-2e-3, 1e-3, 1e-3, 0, 0, 0}}, &opening);
   EXPECT_NEAR(stress[0], p - 2 * q / 3, 1e-6);
   EXPECT_NEAR(stress[1], p + q / 3, 1e-6);
   EXPECT_NEAR(stress[2], p + q / 3, 1e-6);
@@ -135,7 +135,7 @@ TEST(MohrCoulomb, no_stress_and_no_strength_and_huge_strains_give_numbers)
         for (int k = 0; k < 4; ++k) strain[k] = size * pattern[k];
         Real opening = 0;
         for (int step = 0; step < 3; ++step) {
-          update_stress(prepared, stress, strain, &opening);
+          update(prepared, stress, {strain}, &opening);
           for (int k = 0; k < 4; ++k) ASSERT_TRUE(std::isfinite(stress[k]));
           ASSERT_TRUE(opening >= 0 && opening <= law.max_opening);
           // Rounding of the trial, which is a few times size x modulus. The square of a stress below 1e-154 Pa is zero.

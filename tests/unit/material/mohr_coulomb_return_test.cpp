@@ -29,7 +29,7 @@ TEST(MohrCoulomb, returned_stress_is_on_or_inside_the_surface)
         for (int k = 0; k < 4; ++k) strain[k][l] = one[k];
       }
       Lanes opening{};
-      update_stress(prepared, stress, strain, &opening);
+      update(prepared, stress, {strain}, &opening);
       for (int l = 0; l < lanes; ++l) {
         SymTensor<2> one;
         for (int k = 0; k < 4; ++k) one[k] = stress[k][l];
@@ -106,11 +106,11 @@ TEST(MohrCoulomb, lanes_and_single_numbers_give_the_same_stress)
           strains[k][l] = strain[l][k];
         }
       }
-      update_stress(prepared, stresses, strains, &openings);
+      update(prepared, stresses, {strains}, &openings);
       for (int l = 0; l < lanes; ++l) {
         SymTensor<2> trial = stress[l];
         add_elastic_stress(prepared.elastic, trial, strain[l]);
-        update_stress(prepared, stress[l], strain[l], &opening[l]);
+        update(prepared, stress[l], {strain[l]}, &opening[l]);
         // The compiler may fuse products and sums in one form and not in the other.
         const Real near = 10 * rounding(trial, law) + 1e-13 * prepared.elastic.bulk * openings[l];
         for (int k = 0; k < 4; ++k) ASSERT_NEAR(stresses[k][l], stress[l][k], near);

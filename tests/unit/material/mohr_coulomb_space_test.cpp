@@ -75,8 +75,8 @@ TEST(MohrCoulomb, plane_strain_and_space_agree)
       add_elastic_stress(prepared.elastic, trial, strain);
       SymTensor<3> space = in_space(start);
       Real opening_plane = 0, opening_space = 0;
-      update_stress(prepared, plane, strain, &opening_plane);
-      update_stress(prepared, space, in_space(strain), &opening_space);
+      update(prepared, plane, {strain}, &opening_plane);
+      update(prepared, space, {in_space(strain)}, &opening_space);
       ASSERT_LE(size_of(difference(in_space(plane), space)), 10 * near(in_space(trial), law));
       ASSERT_NEAR(opening_plane, opening_space, near(in_space(trial), law) / prepared.elastic.bulk);
     }
@@ -97,7 +97,7 @@ TEST(MohrCoulomb, returned_stress_in_space_is_on_or_inside_the_surface)
         const SymTensor<3> one = elastic_strain(prepared.elastic, trial[l]);
         for (int k = 0; k < 6; ++k) strain[k][l] = one[k];
       }
-      update_stress(prepared, stress, strain, &opening);
+      update(prepared, stress, {strain}, &opening);
       for (int l = 0; l < lanes; ++l) {
         SymTensor<3> one;
         for (int k = 0; k < 6; ++k) one[k] = stress[k][l];

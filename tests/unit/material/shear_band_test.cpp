@@ -26,15 +26,15 @@ TEST(ShearBand, bears_what_the_line_without_extension_bears)
 {
   for (const auto& [friction, dilation] : {std::pair{35., 0.}, {35., 10.}, {20., 0.}, {45., 30.}}) {
     const MohrCoulomb law = soil(0, friction, dilation);
-    EXPECT_NEAR(friction_lost_in_shear_bands(law), 1 - friction_of_band(law) / std::tan(law.friction_angle), 1e-12)
+    EXPECT_NEAR(friction_lost_in_shear_bands(*strength_at_rest(law)), 1 - friction_of_band(law) / std::tan(law.friction_angle), 1e-12)
         << friction << ' ' << dilation;
   }
 }
 
 TEST(ShearBand, loses_nothing_where_flow_is_associated)
 {
-  EXPECT_NEAR(friction_lost_in_shear_bands(soil(0, 35, 35)), 0, 1e-15);
-  EXPECT_EQ(friction_lost_in_shear_bands(soil(5e3, 0, 0)), 0);
+  EXPECT_NEAR(friction_lost_in_shear_bands(*strength_at_rest(soil(0, 35, 35))), 0, 1e-15);
+  EXPECT_EQ(friction_lost_in_shear_bands(*strength_at_rest(soil(5e3, 0, 0))), 0);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace berm::material {
 namespace {
 
 /// A particle and an increment of it.
-struct Increment {
+struct TriedIncrement {
   SymTensor<2> stress, strain;
   Real opening = 0;
 };
@@ -23,15 +23,15 @@ struct Result {
   Tangent tangent = Tangent::Constant(std::numeric_limits<Real>::quiet_NaN());
 };
 
-Result with_tangent(const PreparedMohrCoulomb& law, const Increment& increment)
+Result with_tangent(const PreparedMohrCoulomb& law, const TriedIncrement& increment)
 {
   Result result{.stress = increment.stress, .opening = increment.opening};
-  update_stress_and_tangent(law, result.stress, increment.strain, &result.opening, result.tangent);
+  update_stress_and_tangent(law, result.stress, {increment.strain}, &result.opening, result.tangent);
   return result;
 }
 
 /// By central differences of the stress with strain steps of size `h`.
-Tangent by_differences(const PreparedMohrCoulomb& law, const Increment& increment, Real h)
+Tangent by_differences(const PreparedMohrCoulomb& law, const TriedIncrement& increment, Real h)
 {
   Tangent tangent;
   for (int j = 0; j < 3; ++j) {
@@ -40,19 +40,19 @@ Tangent by_differences(const PreparedMohrCoulomb& law, const Increment& incremen
     SymTensor<2> plus = increment.stress, minus = increment.stress, strain = increment.strain;
     Real opening = increment.opening;
     strain[place] = increment.strain[place] + step;
-    update_stress(law, plus, strain, &opening);
+    update(law, plus, {strain}, &opening);
     opening = increment.opening;
     strain[place] = increment.strain[place] - step;
-    update_stress(law, minus, strain, &opening);
+    update(law, minus, {strain}, &opening);
     for (int k = 0; k < 4; ++k) tangent(k, j) = (plus[k] - minus[k]) / (2 * h);
   }
   return tangent;
 }
 
 /// A stress that the law allows and a strain increment that may leave, reach or cross each part of the surface; a third of the particles are open.
-Increment random_increment(const PreparedMohrCoulomb& law, std::mt19937_64& random)
+TriedIncrement random_increment(const PreparedMohrCoulomb& law, std::mt19937_64& random)
 {
-  Increment increment;
+  TriedIncrement increment;
   increment.stress = returned(law, random_trial<2>(random));
   increment.strain = elastic_strain(law.elastic, random_trial<2>(random));
   increment.strain[2] = 0;
@@ -61,7 +61,7 @@ Increment random_increment(const PreparedMohrCoulomb& law, std::mt19937_64& rand
 }
 
 /// The part of the law that an increment ends in.
-std::string part_of_law(const PreparedMohrCoulomb& law, const Increment& increment, const Result& result)
+std::string part_of_law(const PreparedMohrCoulomb& law, const TriedIncrement& increment, const Result& result)
 {
   if (increment.opening > 0) return result.opening > 0 ? "open" : "closing";
   if (result.opening > 0) return "opening";
@@ -110,11 +110,11 @@ TEST(Tangent, comes_with_the_stress_and_state_of_the_law_alone)
   for (const MohrCoulomb& law : soils()) {
     const PreparedMohrCoulomb prepared = prepare(law);
     for (int n = 0; n < 1000; ++n) {
-      const Increment increment = random_increment(prepared, random);
+      const TriedIncrement increment = random_increment(prepared, random);
       const Result result = with_tangent(prepared, increment);
       SymTensor<2> stress = increment.stress;
       Real opening = increment.opening;
-      update_stress(prepared, stress, increment.strain, &opening);
+      update(prepared, stress, {increment.strain}, &opening);
       // The compiler may fuse multiply and add in one of them.
       const Real rounding = 1e-12 * (p_wave_modulus(prepared.elastic) * size_of(increment.strain) + size_of(increment.stress));
       for (int k = 0; k < 4; ++k) ASSERT_NEAR(result.stress[k], stress[k], rounding);
@@ -132,7 +132,7 @@ TEST(Tangent, is_that_of_finite_differences_in_every_part_of_the_law)
     const PreparedMohrCoulomb prepared = prepare(law);
     const Real stiff = p_wave_modulus(prepared.elastic);
     for (int n = 0; n < 4000; ++n) {
-      const Increment increment = random_increment(prepared, random);
+      const TriedIncrement increment = random_increment(prepared, random);
       const Result result = with_tangent(prepared, increment);
       const std::string part = part_of_law(prepared, increment, result);
       // The error of the wider difference is about four times that of the narrower one, where the law is smooth.
@@ -184,7 +184,7 @@ TEST(Tangent, is_symmetric_if_and_only_if_flow_is_associated)
     const PreparedMohrCoulomb prepared = prepare(law);
     Real asymmetry = 0;
     for (int n = 0; n < 2000; ++n) {
-      Increment increment = random_increment(prepared, random);
+      TriedIncrement increment = random_increment(prepared, random);
       increment.opening = 0;  // the way out of an opening is not associated
       const Tangent t = with_tangent(prepared, increment).tangent;
       asymmetry = std::max({asymmetry, std::abs(t(0, 1) - t(1, 0)), std::abs(t(0, 2) - t(3, 0)), std::abs(t(1, 2) - t(3, 1))});
@@ -207,7 +207,7 @@ TEST(Tangent, is_right_where_two_principal_stresses_are_equal)
     for (const std::optional<Real> tension : {std::optional<Real>{}, std::optional<Real>{2e3}}) {
       const PreparedMohrCoulomb law = prepare(soil(1e4, 30, dilation, tension));
       for (const SymTensor<2>& trial : trials) {
-        const Increment increment{trial, {}};
+        const TriedIncrement increment{trial, {}};
         const Tangent tangent = with_tangent(law, increment).tangent, differences = by_differences(law, increment, 1e-7);
         // Steps of 1 Pa in 1e4, squared.
         EXPECT_LE((tangent - differences).cwiseAbs().maxCoeff(), 1e-7 * p_wave_modulus(law.elastic))
@@ -238,7 +238,7 @@ TEST(Tangent, of_no_stress_no_strength_and_huge_strains_is_finite)
     for (const Real size : {0., 1e-300, 1e-165, 1e-160, 1e-30, 1., 1e6, 1e30})
       for (const SymTensor<2>& pattern :
            {SymTensor<2>{{1, 1, 0, 0}}, {{-1, -1, 0, 0}}, {{1, -1, 0, 0}}, {{0, 0, 0, 1}}, {{3, 1, 0, 5}}, {{-3, 1, 0, 1}}}) {
-        Increment increment;
+        TriedIncrement increment;
         for (int k = 0; k < 4; ++k) increment.strain[k] = size * pattern[k];
         for (int step = 0; step < 3; ++step) {
           const Result result = with_tangent(prepared, increment);

@@ -294,7 +294,7 @@ TYPED_TEST(Move, a_rigid_turn_makes_no_stress)
   Moved<dim> body(problem.model.mesh, sample_solid(), 1, true);
   bodies::BodySettings settings;
   settings.block = bodies::BlockSettings{middle, side, 0, 0.1};
-  body.particles() = fill<dim>(body.mesh(), "body", settings, {1500, 0, 0, 0});
+  body.particles() = fill<dim>(body.mesh(), "body", settings, {1500, 0, 0});
   const int steps = 500;
   const Real angle = 2 * pi / steps;
   for (int n = 0; n < steps; ++n) {

@@ -28,8 +28,8 @@ struct Uneven {
     spread_internal_forces(problem.model, particles(), grid());
   }
 
-  template <class Stress, class Archive>
-  static problem::Problem<dim> prepared(problem::Quadrature quadrature, const Stress& stress, const Archive& keep)
+  template <class Stress, class Kept>
+  static problem::Problem<dim> prepared(problem::Quadrature quadrature, const Stress& stress, const Kept& keep)
   {
     auto made = problem_on<dim>(shaken_box<dim>(), sample_solid(), dim == 2 ? 9 : 27);
     made.model.mpm.quadrature = quadrature;

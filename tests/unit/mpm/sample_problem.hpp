@@ -50,7 +50,7 @@ problem::Problem<dim> problem_on(const mesh::Mesh<dim>& mesh, const material::Ma
   bodies::BodySettings body;
   body.regions = mesh.region_names;
   body.particles_per_cell = particles_per_cell;
-  problem.state.particles.push_back(fill<dim>(mesh, "body", body, {density(material), 0, 0, state_size(material)}));
+  problem.state.particles.push_back(fill<dim>(mesh, "body", body, {density(material), 0, 0, state_fields(material)}));
   return problem;
 }
 

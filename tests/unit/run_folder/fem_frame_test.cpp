@@ -2,6 +2,7 @@
 #include "run_folder/fem_frame.hpp"
 
 #include "samples/fem_sample_problem.hpp"
+#include "samples/frame_particles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,12 +34,13 @@ TEST(FemFrame, draws_linear_fields_out_to_the_nodes_exactly)
   Stressed s;
   const Frame<2> frame = FemFrameMaker(s.problem.model).make(s.problem.state);
   const fem::QuadraticMesh& mesh = s.problem.model.mesh;
-  ASSERT_EQ(static_cast<Index>(frame.particles.size()), mesh.node_count());
+  ASSERT_EQ(static_cast<Index>(frame.points.size()), mesh.node_count());
   ASSERT_EQ(static_cast<Index>(frame.triangles.size()), mesh.cell_count());
+  const auto nodes = particles_of(frame);
   for (Index node = 0; node < mesh.node_count(); ++node) {
     // Numbers of some hundred, sums of a few dozen: 1e-11 is rounding.
-    for (int k = 0; k < 4; ++k) EXPECT_NEAR(frame.particles[node].particle.stress[k], Stressed::field(k, mesh.position[node]), 1e-11);
-    EXPECT_NEAR(frame.particles[node].particle.deviatoric_strain, Stressed::field(0, mesh.position[node]) / 1000, 1e-14);
+    for (int k = 0; k < 4; ++k) EXPECT_NEAR(nodes[node].particle.stress[k], Stressed::field(k, mesh.position[node]), 1e-11);
+    EXPECT_NEAR(nodes[node].particle.deviatoric_strain, Stressed::field(0, mesh.position[node]) / 1000, 1e-14);
   }
 }
 
@@ -55,9 +57,9 @@ TEST(FemFrame, shows_nodes_where_they_are_with_the_strain_of_their_displacement)
   };
   const auto exact = [](Real gamma) { return 2 / std::sqrt(3.) * std::asinh(gamma / 2); };
   frame_sheared_by(0.5);
-  const Frame<2> frame = frame_sheared_by(0.75);
+  const auto nodes = particles_of(frame_sheared_by(0.75));
   for (Index node = 0; node < s.problem.model.mesh.node_count(); ++node) {
-    const FrameParticle<2>& shown = frame.particles[node];
+    const FrameParticle<2>& shown = nodes[node];
     EXPECT_NEAR(shown.strain.deviatoric, exact(0.75), 1e-13);
     EXPECT_NEAR(shown.strain.volumetric, 0, 1e-13);
     EXPECT_NEAR(shown.strain_increment, exact(0.25), 1e-13);
@@ -71,7 +73,7 @@ TEST(FemFrame, nodes_share_the_area_of_the_soil)
 {
   Stressed s;
   Real area = 0;
-  for (const auto& particle : FemFrameMaker(s.problem.model).make(s.problem.state).particles) area += particle.particle.volume;
+  for (const Real volume : FemFrameMaker(s.problem.model).make(s.problem.state).volume) area += volume;
   EXPECT_NEAR(area, 0.5, 1e-14);
 }
 

@@ -4,6 +4,7 @@
 #include "bodies/fill.hpp"
 #include "mesh/box.hpp"
 #include "mpm/step.hpp"
+#include "samples/frame_particles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ problem::Problem<2> block_in_box(int bodies = 1)
     block.spacing = 0.025 / 4;
     bodies::BodySettings body;
     body.block = block;
-    problem.state.particles.push_back(fill<2>(problem.model.mesh, "block", body, {1000, 0, 0, 0}));
+    problem.state.particles.push_back(fill<2>(problem.model.mesh, "block", body, {1000, 0, 0}));
   }
   return problem;
 }
@@ -44,7 +45,7 @@ void take_to(problem::Problem<2>& problem, std::size_t body, const Place& place)
 
 void expect_strain(const Frame<2>& frame, Real deviatoric, Real increment, Real tolerance)
 {
-  for (const FrameParticle<2>& f : frame.particles) {
+  for (const FrameParticle<2>& f : particles_of(frame)) {
     ASSERT_NEAR(f.strain.deviatoric, deviatoric, tolerance) << f.particle.id;
     ASSERT_NEAR(f.strain.volumetric, 0, tolerance) << f.particle.id;
     ASSERT_NEAR(f.strain_increment, increment, tolerance) << f.particle.id;
@@ -63,7 +64,7 @@ TEST(FrameMaker, a_block_that_moves_and_turns_has_no_strain)
   take_to(problem, 0, [](const bodies::Particle<2>& p) { return Vec<2>(-p.x[1], p.x[0]); });
   const Frame<2> frame = maker.make(problem.state);
   expect_strain(frame, 0, 0, rounding);
-  EXPECT_GT(frame.particles[0].displacement.norm(), 0.1);
+  EXPECT_GT(particles_of(frame)[0].displacement.norm(), 0.1);
 }
 
 TEST(FrameMaker, a_sheared_block_has_the_strain_of_the_whole_shear_and_of_that_since_the_frame_before)
@@ -104,7 +105,7 @@ TEST(FrameMaker, grains_that_are_thrown_leave_finite_numbers_and_the_soil_away_f
       if (thrown == none && (p.x - corner).norm() < 0.025) thrown = p.id;
       return p.id == thrown ? Vec<2>(there + 1e-3 * frames * Vec<2>::Ones()) : p.x;
     });
-    for (const FrameParticle<2>& f : maker.make(problem.state).particles) {
+    for (const FrameParticle<2>& f : particles_of(maker.make(problem.state))) {
       EXPECT_TRUE(std::isfinite(f.strain.deviatoric) && std::isfinite(f.strain.volumetric) && std::isfinite(f.strain_increment));
       if (f.particle.id == thrown) {
         EXPECT_GT(f.strain.deviatoric, 0.1);
@@ -162,7 +163,7 @@ TEST(FrameMaker, a_bed_at_rest_has_no_strain_however_long_it_rests)
   for (int frames = 0; frames < 4; ++frames) {
     for (int n = 0; n < 1500; ++n) step(problem.model, problem.state, work);
     Real max = 0, max_increment = 0;
-    for (const FrameParticle<2>& f : maker.make(problem.state).particles) {
+    for (const FrameParticle<2>& f : particles_of(maker.make(problem.state))) {
       max = std::max(max, f.strain.deviatoric);
       max_increment = std::max(max_increment, f.strain_increment);
     }

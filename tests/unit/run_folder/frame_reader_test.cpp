@@ -49,7 +49,7 @@ TYPED_TEST(FrameReaderIn, soil_reads_back_as_it_was_written)
   EXPECT_EQ(files[0].time, 0);
   EXPECT_EQ(files[1].time, 0.1 + 0.2);
   const SavedSoil soil = read_soil(files[1].soil);
-  const auto& particles = written.frames.last().particles;
+  const auto particles = particles_of(written.frames.last());
   ASSERT_EQ(soil.x.size(), particles.size());
   EXPECT_TRUE(soil.triangles.empty());
   for (std::size_t k = 0; k < particles.size(); ++k) {
@@ -58,10 +58,10 @@ TYPED_TEST(FrameReaderIn, soil_reads_back_as_it_was_written)
     EXPECT_EQ(soil.y[k], static_cast<float>(p.x[1]));
     EXPECT_EQ(soil.z[k], dim == 3 ? static_cast<float>(p.x[dim - 1]) : 0);
     for (int d = 0; d < 3; ++d) {
-      EXPECT_EQ(soil.velocity[3 * k + d], d < dim ? static_cast<float>(p.v[d]) : 0);
-      EXPECT_EQ(soil.displacement[3 * k + d], 0);
+      EXPECT_EQ(soil["velocity"][3 * k + d], d < dim ? static_cast<float>(p.v[d]) : 0);
+      EXPECT_EQ(soil["displacement"][3 * k + d], 0);
     }
-    EXPECT_EQ(soil.mean_stress[k], static_cast<float>(trace(p.stress) / 3));
+    EXPECT_EQ(soil["mean_stress"][k], static_cast<float>(trace(p.stress) / 3));
     EXPECT_EQ(soil.volume[k], static_cast<float>(p.volume));
     EXPECT_EQ(soil.id[k], p.id);
     EXPECT_EQ(soil.body[k], particles[k].body);
@@ -107,9 +107,28 @@ TEST(FrameReader, triangles_read_back)
   EXPECT_EQ(soil.triangles, two_triangles().triangles);
   EXPECT_EQ(soil.x.size(), 9u);
   for (std::size_t k = 0; k < 9; ++k) {
-    EXPECT_EQ(soil.deviatoric_strain[k], static_cast<float>(two_triangles().particles[k].strain.deviatoric));
-    EXPECT_EQ(soil.incremental_deviatoric_strain[k], 0.25f);
+    EXPECT_EQ(soil["deviatoric_strain"][k], static_cast<float>(two_triangles().field("deviatoric_strain").at(k)));
+    EXPECT_EQ(soil["incremental_deviatoric_strain"][k], 0.25f);
   }
+}
+
+TEST(FrameReader, every_field_reads_back_with_its_label_and_unit)
+{
+  const TemporaryFolder folder;
+  Frame<2> frame = two_triangles();
+  frame.fields.push_back({{"suction", "suction <\"&>", "Pa"}, std::vector<Real>(9, 0.5)});
+  FrameWriter<2>(folder.path(), sample_problem<2>().model.mesh).write(frame);
+  const SavedSoil soil = read_soil(frame_files(folder.path())[0].soil);
+  ASSERT_EQ(soil.fields.size(), frame.fields.size());
+  for (std::size_t f = 0; f < frame.fields.size(); ++f) {
+    const FieldInfo &wanted = frame.fields[f].info, &found = soil.fields[f].info;
+    EXPECT_EQ(found.name, wanted.name);
+    EXPECT_EQ(found.label, wanted.label);
+    EXPECT_EQ(found.unit, wanted.unit);
+    EXPECT_EQ(found.components, wanted.components == 2 ? 3 : wanted.components == 4 ? 6 : 1);
+  }
+  EXPECT_EQ(soil["suction"], std::vector<float>(9, 0.5f));
+  EXPECT_THROW(soil["nothing"], RunError);
 }
 
 TEST(FrameReader, without_a_collection_there_are_no_frames)

@@ -140,8 +140,8 @@ TYPED_TEST(FramesIn, positions_are_exact_and_the_mesh_is_there)
   frames.write(problem.state);
   const ReadVtu particles(folder.path() / "particles_0000.vtu"), mesh(folder.path() / "mesh.vtu");
   const auto x = particles.numbers<double>("Points");
-  for (std::size_t k = 0; k < frames.last().particles.size(); ++k)
-    for (int d = 0; d < 3; ++d) EXPECT_EQ(x[3 * k + d], d < dim ? frames.last().particles[k].particle.x[d] : 0);
+  for (std::size_t k = 0; k < frames.last().points.size(); ++k)
+    for (int d = 0; d < 3; ++d) EXPECT_EQ(x[3 * k + d], d < dim ? frames.last().points[k][d] : 0);
   EXPECT_TRUE(mesh.tight);
   EXPECT_EQ(mesh.points, problem.model.mesh.node_count());
   EXPECT_EQ(mesh.cells, problem.model.mesh.cell_count());
@@ -227,8 +227,9 @@ TEST(Frames, of_finite_elements_are_quadratic_triangles_with_every_field_at_thei
   EXPECT_EQ(vtu.numbers<float>("velocity"), std::vector<float>(27, 0));
   EXPECT_EQ(vtu.numbers<std::int32_t>("body"), std::vector<std::int32_t>(9, 0));
   const auto x = vtu.numbers<double>("Points");
+  const auto nodes = particles_of(frame);
   for (std::size_t k = 0; k < 9; ++k) {
-    const FrameParticle<2>& f = frame.particles[k];
+    const FrameParticle<2>& f = nodes[k];
     EXPECT_EQ(x[3 * k], f.particle.x[0]);
     EXPECT_EQ(x[3 * k + 1], f.particle.x[1]);
     EXPECT_EQ(vtu.numbers<float>("displacement")[3 * k], static_cast<float>(0.001 * static_cast<Real>(k)));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "samples/history_columns.hpp"
 #include "samples/run_to_write.hpp"
 
 #include <csignal>
@@ -16,7 +17,7 @@ RC_GTEST_PROP(History, numbers_come_back_to_the_last_bit, (const std::vector<dou
   const TemporaryFolder folder;
   const auto path = folder.path() / "history.csv";
   {
-    HistoryFile file(path, {"u_m"});
+    NamedHistory file(path, {"u_m"});
     for (const double x : numbers) file.add(x / 3, "push", {x});
   }
   const History history = read_history(path);
@@ -31,7 +32,7 @@ TEST(History, numbers_that_are_not_there_are_nan_and_ends_are_kept)
 {
   const TemporaryFolder folder;
   {
-    HistoryFile file(folder.path() / "h", {"a", "b"});
+    NamedHistory file(folder.path() / "h", {"a", "b"});
     file.add(0, "push", {-std::numeric_limits<Real>::quiet_NaN(), infinity});
   }
   EXPECT_EQ(content_of(folder.path() / "h"), "time_s,stage,a,b\n0,push,nan,inf\n");
@@ -45,7 +46,7 @@ TEST(History, names_of_stages_may_hold_commas_quotes_and_line_ends)
   const TemporaryFolder folder;
   const std::string name = "push, \"hard\"\nthen rest";
   {
-    HistoryFile file(folder.path() / "h", {"a"});
+    NamedHistory file(folder.path() / "h", {"a"});
     file.add(0, name, {1});
     file.add(1, "plain", {2});
   }
@@ -57,7 +58,7 @@ TEST(History, names_of_stages_may_hold_commas_quotes_and_line_ends)
 TEST(History, a_row_is_on_the_disk_when_add_returns)
 {
   const TemporaryFolder folder;
-  HistoryFile file(folder.path() / "h", {"a"});
+  NamedHistory file(folder.path() / "h", {"a"});
   file.add(0.5, "push", {1.25});
   EXPECT_EQ(content_of(folder.path() / "h"), "time_s,stage,a\n0.5,push,1.25\n");
 }
@@ -68,6 +69,7 @@ TEST(History, a_last_line_cut_anywhere_is_left_out)
   const auto path = folder.path() / "h";
   const std::string whole = "time_s,stage,a\n0,push,1.5\n", last = "1,push,2.75";
   for (std::size_t length = 0; length <= last.size(); ++length) {
+    put_schema(path, {"time_s", "a"});
     put(path, whole + last.substr(0, length));
     const History history = read_history(path);
     EXPECT_EQ(history["a"], (std::vector<Real>{1.5})) << length;
@@ -80,6 +82,7 @@ TEST(History, a_line_that_is_wrong_is_named)
 {
   const TemporaryFolder folder;
   const auto message = [&](const std::string& text) -> std::string {
+    put_schema(folder.path() / "h", {"time_s", "a"});
     put(folder.path() / "h", text);
     try {
       read_history(folder.path() / "h");
@@ -93,12 +96,13 @@ TEST(History, a_line_that_is_wrong_is_named)
   EXPECT_NE(message("time_s,a\n0,1\n").find("no column stage"), std::string::npos);
   EXPECT_NE(message("time_s,stage,a\n0,push,\"\x1b[2J\n" + std::string(100, 'x') + "\"\n").find("line 2: \"?[2J?xxxx"), std::string::npos);
   EXPECT_NE(message("time_s,stage,\"a\x1b[2J\"\n").find("line 1: \"a?[2J\" is no name"), std::string::npos);
-  EXPECT_NE(message("").find("no header"), std::string::npos);
+  EXPECT_NE(message("time_s,sta").find("no header"), std::string::npos);
 }
 
 TEST(History, a_missing_column_is_named)
 {
   const TemporaryFolder folder;
+  put_schema(folder.path() / "h", {"time_s", "a"});
   put(folder.path() / "h", "time_s,stage,a\n");
   const History history = read_history(folder.path() / "h");
   EXPECT_TRUE(history.has("a"));
@@ -109,9 +113,12 @@ TEST(History, a_missing_column_is_named)
 
 TEST(HistoryFile, a_full_disk_is_an_error_with_its_reason)
 {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink("/dev/full", folder.path() / "history.csv");
   try {
-    HistoryFile file("/dev/full", {"a"});
-    FAIL() << "the header was written to a full disk";
+    NamedHistory file(folder.path() / "history.csv", {"a"});
+    file.add(0, "push", {1});
+    FAIL() << "a row was written to a full disk";
   } catch (const RunError& error) {
     EXPECT_NE(std::string(error.what()).find("No space left"), std::string::npos) << error.what();
   }
@@ -122,7 +129,7 @@ TEST(HistoryFile, a_row_that_the_disk_takes_a_part_of_is_taken_back)
 {
   const TemporaryFolder folder;
   const auto path = folder.path() / "history.csv";
-  HistoryFile file(path, {"u_m"});
+  NamedHistory file(path, {"u_m"});
   file.add(1, "push", {0.5});
   const std::string before = io::read_text_file(path);
   rlimit unlimited{};
@@ -139,8 +146,91 @@ TEST(HistoryFile, a_row_that_the_disk_takes_a_part_of_is_taken_back)
 TEST(HistoryFile, a_row_of_the_wrong_length_is_refused)
 {
   const TemporaryFolder folder;
-  HistoryFile file(folder.path() / "h", {"a", "b"});
+  NamedHistory file(folder.path() / "h", {"a", "b"});
+  file.add(0, "push", {1, 2});
   EXPECT_THROW(file.add(0, "push", {1}), RunError);
+  EXPECT_THROW(file.add(0, "push", {1, 2, 3}), RunError);
+  EXPECT_NO_THROW(file.add(1, "push", {3, 4}));
+}
+
+TEST(HistoryFile, a_column_that_changes_its_name_is_refused)
+{
+  Row row;
+  row.begin(0, "push");
+  row("u", 1, metres, "displacement");
+  row.end();
+  row.begin(1, "push");
+  EXPECT_THROW(row("w", 1, metres, "embedment"), RunError);
+}
+
+TEST(HistoryFile, tells_name_unit_meaning_and_of_what_each_column_is)
+{
+  const TemporaryFolder folder;
+  {
+    HistoryFile file(folder.path() / "history.csv");
+    Row row;
+    row.begin(0, "push");
+    row.of_main("pipe");
+    row("H", 5, newtons<3>, "horizontal resistance");
+    row.of("tip_1");
+    row("u", Vec<2>(1, 2), metres, "displacement");
+    row.component("L", 2, 3, newton_metre_seconds<2>, "angular momentum");
+    file.add(row);
+  }
+  EXPECT_EQ(content_of(folder.path() / "history.csv"), "time_s,stage,H_N,tip_1_ux_m,tip_1_uy_m,tip_1_Lz_N_s\n0,push,5,1,2,3\n");
+  const History history = read_history(folder.path() / "history.csv");
+  EXPECT_EQ(history.column("H_N"), (Column{"H_N", "H", "N", "horizontal resistance", "pipe"}));
+  EXPECT_EQ(history.column("tip_1_uy_m"), (Column{"tip_1_uy_m", "tip 1 uy", "m", "displacement, y", "tip_1"}));
+  EXPECT_EQ(history.column("tip_1_Lz_N_s").unit, "N s");
+  EXPECT_EQ(history.column("time_s").unit, "s");
+  EXPECT_EQ(history.by_label("H"), (std::vector<Real>{5}));
+  EXPECT_EQ(history.column("H_N").words(), "horizontal resistance");
+  EXPECT_EQ(history.column("tip_1_uy_m").words(), "tip 1 uy");
+}
+
+TEST(HistoryFile, that_goes_on_keeps_its_schema_and_refuses_other_columns)
+{
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "history.csv";
+  {
+    NamedHistory(path, {"u_m"}).add(0, "push", {1});
+  }
+  const auto bytes = static_cast<BigIndex>(std::filesystem::file_size(path));
+  const auto goes_on = [&](const std::string& column) {
+    HistoryFile file(path, bytes);
+    NamedRow row({column});
+    file.add(row.with(1, "push", {2}));
+  };
+  EXPECT_THROW(goes_on("w_m"), RunError);
+  goes_on("u_m");
+  EXPECT_EQ(content_of(path), "time_s,stage,u_m\n0,push,1\n1,push,2\n");
+  EXPECT_EQ(read_history(path)["u_m"], (std::vector<Real>{1, 2}));
+}
+
+TEST(History, without_a_schema_or_with_that_of_another_is_refused)
+{
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "history.csv";
+  put(path, "time_s,stage,a\n0,push,1\n");
+  EXPECT_THROW(read_history(path), RunError);
+  put_schema(path, {"time_s", "b"});
+  EXPECT_THROW(read_history(path), RunError);
+  for (const char* damaged : {"", "{", "[]", "{\"columns\": [{\"name\": 5}]}"}) {
+    put(schema_path(path), damaged);
+    EXPECT_THROW(read_history(path), RunError) << damaged;
+  }
+  put_schema(path, {"time_s", "a"});
+  EXPECT_EQ(read_history(path).rows(), 1);
+}
+
+TEST(History, of_a_run_that_ended_before_its_first_row_is_empty)
+{
+  const TemporaryFolder folder;
+  {
+    HistoryFile file(folder.path() / "history.csv");
+  }
+  EXPECT_EQ(read_history(folder.path() / "history.csv").rows(), 0);
+  EXPECT_TRUE(read_history(folder.path() / "history.csv").columns.empty());
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST(RigidSurface, of_a_turned_polygon_has_its_corners_in_order)
   const bodies::RigidBody<2> angle{"angle", make_shape<2>(bodies::PolygonSettings{{0, 2, 2, 1, 1, 0}, {0, 0, 1, 1, 2, 2}})};
   bodies::RigidState<2> state;
   state.displacement = {3, 4};
-  state.angle = pi / 2;
+  state.orientation.angle = pi / 2;
   const auto surface = surface_of<2>(placed<2>(angle, state), Vec<2>(0, 0), Vec<2>(1, 1));
   const Vec<2> center(5. / 6, 5. / 6);
   const std::vector<Vec<2>> corners = {{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}};

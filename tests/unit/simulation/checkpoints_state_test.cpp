@@ -44,7 +44,7 @@ bool same_blocks(const bodies::Particles<dim>& a, const bodies::Particles<dim>& 
     for (Index p = a.first_block(cell), q = b.first_block(cell); left > 0; p = a.block(p).next, q = b.block(q).next, left -= lanes) {
       const std::size_t numbers = offsetof(bodies::Block<dim>, next);
       if (std::memcmp(&a.block(p), &b.block(q), numbers) != 0) return false;
-      if (a.state_size() > 0 && std::memcmp(a.state(p), b.state(q), static_cast<std::size_t>(a.state_size()) * sizeof(Lanes)) != 0)
+      if (a.extra_size() > 0 && std::memcmp(a.state(p), b.state(q), static_cast<std::size_t>(a.extra_size()) * sizeof(Lanes)) != 0)
         return false;
       if ((a.block(p).next == none) != (b.block(q).next == none)) return false;
     }
@@ -111,7 +111,7 @@ TYPED_TEST(StateCheckpoint, leaves_no_number_out)
   for (Vec<dim>& impulse : state.pair_impulses) fill(impulse, next);
   fill(state.stage.begin_time, next);
   fill(state.stage.begin_displacement, next);
-  for (problem::Drive& drive : state.stage.drive) {
+  for (bodies::Drive& drive : state.stage.drive) {
     drive.by_force = !drive.by_force;
     fill(drive.from, next);
     fill(drive.to, next);

@@ -23,7 +23,7 @@ std::string complaint(const std::string& text)
 }
 
 const std::string one_run = "[run.a]\n";
-const std::string words = "source = \"here\"\nwhy = \"so\"\n";
+const std::string words = "source = \"here\"\nwhy = \"so\"\nrequirement = \"it holds\"\nderived = \"there\"\n";
 
 TEST(Expectation, is_met_within_its_tolerance_and_bounds)
 {
@@ -53,20 +53,16 @@ TEST(Expectation, is_never_met_by_what_is_not_a_number)
   EXPECT_FALSE(is_met(bounds, std::nan("")));
 }
 
-TEST(Expectation, takes_the_unit_from_the_name)
+TEST(Expectation, may_be_written_in_any_unit_of_one_dimension)
 {
+  const std::string begin = one_run + "[[expect]]\nrun = \"a\"\nquantity = \"w_at_u_0.3D\"\nleast = \"5 mm\"\n" + words;
   Expectations all;
-  input::Document document = input::parse_text(
-      "expected.toml", one_run + "[[expect]]\nrun = \"a\"\nquantity = \"w_at_u_0.3D\"\nleast = \"5 mm\"\nmost = 0.0066\n" + words);
+  input::Document document = input::parse_text("expected.toml", begin + "most = 0.0066\n");
   read(document, all);
   EXPECT_DOUBLE_EQ(all.expect.at(0).min.value(), 0.005);
-  EXPECT_EQ(unit_of(all.expect.at(0)), "m");
-  EXPECT_EQ(unit_of("V_at_w_0.1D"), "N/m");
-  EXPECT_EQ(unit_of("V_at_w_0.1D_over_gammaD2"), "");
-  EXPECT_EQ(unit_of("H_over_V_at_u_0.3D"), "");
-  EXPECT_EQ(unit_of("wall_sxx_Pa"), "Pa");
-  EXPECT_EQ(unit_of("disk_Lz_N_s"), "N s");
-  EXPECT_EQ(unit_of("disk_xmax_m"), "m");
+  EXPECT_EQ(all.expect.at(0).unit, "m");
+  EXPECT_NE(complaint(begin + "most = \"1 kPa\"\n").find("is in Pa, another number beside it in m"), std::string::npos)
+      << complaint(begin + "most = \"1 kPa\"\n");
 }
 TEST(Expectation, may_be_the_ratio_of_the_numbers_of_two_runs)
 {
@@ -76,7 +72,7 @@ TEST(Expectation, may_be_the_ratio_of_the_numbers_of_two_runs)
   read(document, all);
   const Expectation& ratio = all.expect.at(0);
   EXPECT_EQ(runs_of(ratio), (std::vector<std::string>{"a", "b"}));
-  EXPECT_EQ(unit_of(ratio), "");
+  EXPECT_TRUE(is_pure(ratio));
   EXPECT_EQ(words_of(ratio), "V_at_w_0.1D over that of b");
   EXPECT_DOUBLE_EQ(number_of(ratio, {103, 100}), 1.03);
   EXPECT_TRUE(is_met(ratio, 1.029));
@@ -103,8 +99,8 @@ TEST(Expectation, of_an_order_has_a_limit_with_a_unit_and_bounds_without)
   input::Document document = input::parse_text("expected.toml", runs + "limit = \"1 mm\"\nleast = 1.8\n");
   read(document, all);
   EXPECT_DOUBLE_EQ(all.expect.at(0).limit.value(), 0.001);
-  EXPECT_EQ(unit_of(all.expect.at(0)), "");
-  EXPECT_NE(complaint(runs + "limit = \"1 mm\"\nleast = \"1.8 mm\"\n").find("expected.toml:9: expect[0].least"), std::string::npos);
+  EXPECT_TRUE(is_pure(all.expect.at(0)));
+  EXPECT_NE(complaint(runs + "limit = \"1 mm\"\nleast = \"1.8 mm\"\n").find("expected.toml:11: expect[0].least"), std::string::npos);
   EXPECT_NE(complaint(runs + "least = 1.8\n").find("runs and a limit go together"), std::string::npos);
   EXPECT_NE(complaint(runs + "limit = 1\nleast = 1.8\nrun = \"h8\"\n").find("either a run or"), std::string::npos);
 }
@@ -112,7 +108,7 @@ TEST(Expectation, is_refused_at_its_line_where_it_cannot_be)
 {
   const std::string head = one_run + "[[expect]]\nrun = \"a\"\ncolumn = \"a_ux_m\"\n";
   EXPECT_EQ(complaint(head + "exact = \"1 mm\"\ntolerance = 0.1\n" + words), "");
-  EXPECT_NE(complaint(head + "exact = \"1 kN\"\ntolerance = 0.1\n" + words).find("expected.toml:5"), std::string::npos);
+  EXPECT_NE(complaint(head + "exact = \"1 mm\"\nabsolute_tolerance = \"1 kN\"\n" + words).find("absolute_tolerance"), std::string::npos);
   EXPECT_NE(complaint(head + "exakt = 1\ntolerance = 0.1\n" + words).find("did you mean \"exact\""), std::string::npos);
   EXPECT_NE(complaint(head + "measure = \"peak\"\nexact = 1\ntolerance = 0.1\n" + words).find("largest"), std::string::npos);
   EXPECT_NE(complaint(head + "exact = 1\ntolerance = 0.1\n").find("source"), std::string::npos);
@@ -133,6 +129,22 @@ TEST(Expectation, and_run_belong_together)
   EXPECT_NE(
       complaint(one_run + "[run.b]\n[[expect]]\nrun = \"a\"\n" + rest).find("expected.toml:2: run.b: no [[expect]] is about this run"),
       std::string::npos);
+}
+
+TEST(Expectation, says_what_is_promised_or_the_file_does)
+{
+  const std::string number = one_run + "[[expect]]\nrun = \"a\"\nquantity = \"finished\"\nleast = 1\nsource = \"s\"\nwhy = \"w\"\n";
+  EXPECT_NE(complaint(number).find("expected.toml:2: expect[0]: needs a requirement"), std::string::npos) << complaint(number);
+  EXPECT_NE(complaint("requirement = \"it ends\"\n" + number).find("needs derived"), std::string::npos);
+  EXPECT_EQ(complaint("requirement = \"it ends\"\nderived = \"there\"\n" + number), "");
+
+  input::Document document = input::parse_text("expected.toml", "requirement = \"it ends\"\nderived = \"there\"\n" + number +
+                                                                    number.substr(one_run.size()) + "requirement = \"its own\"\n");
+  Expectations all;
+  read(document, all);
+  EXPECT_EQ(all.expect[0].requirement, "it ends");
+  EXPECT_EQ(all.expect[1].requirement, "its own");
+  EXPECT_EQ(all.expect[1].derived, "there");
 }
 
 }  // namespace

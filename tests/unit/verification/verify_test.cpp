@@ -15,7 +15,7 @@ constexpr const char* two_runs = "[run.earth]\nfast = true\ntitle = \"on earth\"
 std::string claim(const std::string& run, const std::string& acceleration, const std::string& more = "")
 {
   return "[[expect]]\nrun = \"" + run + "\"\ncolumn = \"stone_vy_m_s\"\nmeasure = \"acceleration\"\ntolerance = 1e-6\nsource = " +
-         "\"g\"\nwhy = \"round-off\"\nexact = " + acceleration + "\n" + more;
+         "\"g\"\nwhy = \"round-off\"\nrequirement = \"r\"\nderived = \"d\"\nexact = " + acceleration + "\n" + more;
 }
 
 class Verify : public testing::Test {
@@ -82,6 +82,20 @@ TEST_F(Verify, lists_its_problems_and_runs_nothing)
   EXPECT_EQ(verify({"--list", "--fast"}).out.find("light"), std::string::npos);
   EXPECT_EQ(names_in(folder_.path()), Words{"examples/"});
 }
+TEST_F(Verify, tells_what_is_promised_and_how_the_last_run_went)
+{
+  example("fall", two_runs + claim("earth", "-10") + claim("light", "-4"));
+  const std::string before = verify({"--requirements"}).out;
+  EXPECT_NE(before.find("fall: r\n  derived: d\n  not run: fall/earth"), std::string::npos) << before;
+  EXPECT_EQ(names_in(folder_.path()), Words{"examples/"});
+  EXPECT_EQ(verify({"fall"}).status, 1);
+  const std::string after = verify({"--requirements"}).out;
+  EXPECT_NE(after.find("  met: fall/earth"), std::string::npos) << after;
+  EXPECT_NE(after.find("  MISSED: fall/light"), std::string::npos) << after;
+  const std::string page = text_of_file(folder_ / "out/verification/requirements.html");
+  EXPECT_NE(page.find("fall.html#earth"), std::string::npos) << page;
+  EXPECT_NE(page.find("MISSED"), std::string::npos) << page;
+}
 TEST_F(Verify, knows_the_nearest_name)
 {
   example("fall", two_runs + claim("earth", "-10") + claim("light", "-5"));
@@ -114,7 +128,8 @@ TEST_F(Verify, has_a_row_for_a_run_that_fails_and_goes_on)
   // The stone of the second run begins below the mesh.
   example("fall", std::string("[run.deep]\nset = ['body.stone.block.center=[0.5, -3]']\n") + two_runs + claim("deep", "-10") +
                       claim("earth", "-10") + claim("light", "-5") + claim("light", "-5") +
-                      "[[expect]]\nrun = \"earth\"\ncolumn = \"stne_ux_m\"\nleast = 0\nsource = \"s\"\nwhy = \"w\"\n");
+                      "[[expect]]\nrun = \"earth\"\ncolumn = \"stne_ux_m\"\nleast = 0\nsource = \"s\"\nwhy = \"w\"\nrequirement = "
+                      "\"r\"\nderived = \"d\"\n");
   const Ended ended = verify({});
   EXPECT_EQ(ended.status, 1);
   std::istringstream lines(ended.out);
@@ -136,10 +151,10 @@ TEST_F(Verify, writes_a_book_that_needs_no_network)
   example("fall", two_runs + claim("earth", "-10") + claim("light", "-5.1") +
                       "[[expect]]\nruns = [\"earth\", \"light\"]\ncolumn = \"stone_vy_m_s\"\nmeasure = \"acceleration\"\nlimit = 0\nexact "
                       "= 1\ntolerance = 1e-6\n"
-                      "source = \"-10 and -5\"\nwhy = \"round-off\"\n");
+                      "source = \"-10 and -5\"\nwhy = \"round-off\"\nrequirement = \"r\"\nderived = \"d\"\n");
   EXPECT_EQ(verify({}).status, 1);
   const std::string book = "out/verification/";
-  EXPECT_EQ(names_in(folder_ / "out/verification"), (Words{"fall.html", "fall/", "figures/", "index.html"}));
+  EXPECT_EQ(names_in(folder_ / "out/verification"), (Words{"fall.html", "fall/", "figures/", "index.html", "requirements.html"}));
   const std::string index = text_of_file(folder_ / (book + "index.html")), page = text_of_file(folder_ / (book + "fall.html"));
   for (const char* part :
        {"fall.html#earth", "-10 m/s^2", ">met<", ">MISSED<", "2 numbers met, 1 missed", "order of stone_vy_m_s acceleration"})
@@ -161,7 +176,8 @@ TEST_F(Verify, writes_a_book_that_needs_no_network)
 TEST_F(Verify, that_is_interrupted_ends_its_runs_and_tells_what_is_done)
 {
   const std::string endless = "[run.endless]\nset = ['stage.fall.until.time=1e6', 'gravity=[0, 0]']\n";
-  const std::string ends = "[[expect]]\nrun = \"endless\"\nquantity = \"finished\"\nleast = 1\nsource = \"s\"\nwhy = \"w\"\n";
+  const std::string ends = "[[expect]]\nrun = \"endless\"\nquantity = \"finished\"\nleast = 1\nsource = \"s\"\nwhy = \"w\"\nrequirement = "
+                           "\"r\"\nderived = \"d\"\n";
   example("fall", endless + two_runs + ends + claim("earth", "-10") + claim("light", "-5"));
   Program program(folder_.path(), {"verify", "--threads", "2"});
   const std::string run = "out/verification/fall/";

@@ -27,8 +27,8 @@ export function chart_controls(data: PageData, settings: Settings, changed: () =
   }
   if (data.runs.some((run) => run.push.rows.length > 0 || run.drag.rows.length > 0))
     options.append(labelled_box("every row (thin)", "chart_raw", settings.raw, (on) => ((settings.raw = on), changed())));
-  if (data.paper.length > 0)
-    options.append(labelled_box("the paper\u2019s numbers", "chart_paper", settings.paper, (on) => ((settings.paper = on), changed())));
+  if (data.published.length > 0)
+    options.append(labelled_box("published numbers", "chart_published", settings.published, (on) => ((settings.published = on), changed())));
   options.append(note);
   return controls;
 }

@@ -10,7 +10,7 @@ import type { Range } from "./ticks";
 // The figure's plotting area, px.
 const area = { left: 74, top: 16, width: 520, height: 340 };
 const legend_step = 18;
-const ink = "#1a1a1a", faint = "#dddddd", paper_ink = "#7a1f5c";
+const ink = "#1a1a1a", faint = "#dddddd", published_ink = "#7a1f5c";
 const weights = { raw: 0.7, plain: 1.6, mean: 1.9 };
 
 type To = (value: number) => number;
@@ -100,7 +100,7 @@ function marks_group(scene: Scene, to_x: To, to_y: To): SVGGElement {
   for (const line of scene.lines)
     places.avoid_line(line.x.map((at, i) => (at === null || line.y[i] === null ? null : [to_x(at), to_y(line.y[i]!)])));
   for (const { mark, x, y } of marks) {
-    const colour = mark_ink(mark.of_paper);
+    const colour = mark_ink(mark.published);
     if (x !== null && y !== null) {
       group.append(svg_element("path", { d: `M${x} ${y - 5}L${x + 5} ${y}L${x} ${y + 5}L${x - 5} ${y}Z`, fill: "#ffffff", stroke: colour, "stroke-width": 1.3 }));
       places.avoid_box({ left: x - 5, top: y - 5, width: 10, height: 10 });
@@ -115,14 +115,14 @@ function marks_group(scene: Scene, to_x: To, to_y: To): SVGGElement {
     const box: Box = places.take(x, y, candidates(x, y, 6.3 * mark.label.length, 13, area, 1));
     group.append(svg_element(
       "text",
-      { x: rounded(box.left), y: rounded(box.top + 10), "font-size": 11, fill: mark_ink(mark.of_paper), stroke: "#ffffff", "stroke-width": 3, "paint-order": "stroke" },
+      { x: rounded(box.left), y: rounded(box.top + 10), "font-size": 11, fill: mark_ink(mark.published), stroke: "#ffffff", "stroke-width": 3, "paint-order": "stroke" },
       mark.label));
   }
   return group;
 }
 
-function mark_ink(of_paper: boolean): string {
-  return of_paper ? paper_ink : "#666666";
+function mark_ink(published: boolean): string {
+  return published ? published_ink : "#666666";
 }
 
 function is_within(at: number | null, from: number, length: number): boolean {

@@ -37,7 +37,7 @@ export function draw_marks(u: uPlot, scene: Scene): void {
 }
 
 function use_ink(ctx: CanvasRenderingContext2D, mark: Mark): void {
-  ctx.strokeStyle = ctx.fillStyle = page_colour(mark.of_paper ? "--paper" : "--quiet");
+  ctx.strokeStyle = ctx.fillStyle = page_colour(mark.published ? "--published" : "--quiet");
 }
 
 function is_within(at: number | null, from: number, length: number): boolean {

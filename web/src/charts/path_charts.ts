@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is seen over the pipe's path: forces and embedment in the push and in the drag.
 import type { PageData, PathData, RunData } from "../data";
-import { at_rows, combined, paper_marks, plan, run_traces } from "./plan";
+import { at_rows, combined, published_marks, plan, run_traces } from "./plan";
 import type { Curve, Numbers, Plan } from "./plan";
 import { quantity_of_column, ratio } from "./quantity";
 import type { Quantity } from "./quantity";
 
-const embedment = quantity_of_column("w_m");
-const vertical = quantity_of_column("V_N_m");
-const horizontal = quantity_of_column("H_N_m");
 const travel: Quantity = { words: "horizontal travel", symbol: "u", kind: "length", unit: "m" };
 const travel_column = "|u_m - u_begin|";
 
@@ -16,6 +13,7 @@ type CurveOf = (run: RunData) => Curve | null;
 
 /** The charts of the push. */
 export function push_plans(data: PageData): Plan[] {
+  const embedment = quantity_of_column(data.runs, "w_m"), vertical = quantity_of_column(data.runs, "V_N_m");
   const traces = (curve: CurveOf) => run_traces(data.runs, curve);
   const over_depth = (run: RunData, value: Numbers | null, value_column: string, mean: Numbers | null) =>
     curve_of(run, run.push, at_rows(run, "w_m", run.push.rows), "w_m", value, value_column, mean);
@@ -23,7 +21,7 @@ export function push_plans(data: PageData): Plan[] {
     plan({
       id: "V_w", title: "Push: V(w)", argument: embedment, value: vertical, upright: true, zero: true,
       traces: traces((run) => over_depth(run, at_rows(run, "V_N_m", run.push.rows), "V_N_m", run.push.V_mean)),
-      marks: paper_marks(data.paper, "V_w"),
+      marks: published_marks(data.published, "V_w"),
     }),
     plan({
       id: "V_noise", title: "Noise of V in the push", argument: embedment, value: { ...vertical, words: "vertical reaction less its mean", symbol: "\u0394V" },
@@ -34,6 +32,8 @@ export function push_plans(data: PageData): Plan[] {
 
 /** The charts of the drag. */
 export function drag_plans(data: PageData): Plan[] {
+  const embedment = quantity_of_column(data.runs, "w_m"), vertical = quantity_of_column(data.runs, "V_N_m");
+  const horizontal = quantity_of_column(data.runs, "H_N_m");
   const traces = (curve: CurveOf) => run_traces(data.runs, curve);
   const over_travel = (run: RunData, value: Numbers | null, value_column: string, mean: Numbers | null) =>
     curve_of(run, run.drag, travelled(run), travel_column, value, value_column, mean);
@@ -43,12 +43,12 @@ export function drag_plans(data: PageData): Plan[] {
     plan({
       ...common, id: "H_u", title: "Drag: H(u)", value: horizontal,
       traces: traces((run) => over_travel(run, column(run, "H_N_m"), "H_N_m", run.drag.H_mean)),
-      marks: paper_marks(data.paper, "H_u"),
+      marks: published_marks(data.published, "H_u"),
     }),
     plan({
       ...common, id: "w_u", title: "Drag: w(u)", value: embedment, value_downwards: true,
       traces: traces((run) => over_travel(run, column(run, "w_m"), "w_m", null)),
-      marks: paper_marks(data.paper, "w_u"),
+      marks: published_marks(data.published, "w_u"),
     }),
     plan({
       ...common, id: "H_over_V", title: "Drag: H/V", value: ratio("ratio of forces", "H/V"),

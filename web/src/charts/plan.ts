@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import type { PaperPoint, RunData } from "../data";
+import type { PublishedPoint, RunData } from "../data";
 import type { Quantity } from "./quantity";
 import { run_style } from "./run_style";
 import type { RunStyle } from "./run_style";
@@ -31,7 +31,7 @@ export interface PlanMark {
   argument: number | null;
   value: number | null;
   label: string;
-  of_paper: boolean;
+  published: boolean;
 }
 
 /** What a chart shows, whatever the units and whatever is switched off. */
@@ -68,8 +68,8 @@ export function run_traces(runs: RunData[], curve: (run: RunData) => Curve | nul
   });
 }
 
-export function paper_marks(paper: PaperPoint[], chart: PaperPoint["chart"]): PlanMark[] {
-  return paper.filter((point) => point.chart === chart).map((point) => ({ argument: point.x, value: point.y, label: point.label, of_paper: true }));
+export function published_marks(points: PublishedPoint[], chart: PublishedPoint["chart"]): PlanMark[] {
+  return points.filter((point) => point.chart === chart).map((point) => ({ argument: point.x, value: point.y, label: point.label, published: true }));
 }
 
 /** A column at some rows; null where the run has no such column. */

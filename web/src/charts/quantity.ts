@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+import type { RunData } from "../data";
 
 /** What a number measures: tells how it is scaled in another system of units. */
 export type Kind = "length" | "force" | "energy" | "stress" | "time" | "other";
@@ -13,44 +14,19 @@ export interface Quantity {
   unit: string;
 }
 
-// Endings of column names, the longest first, for no ending to hide in another.
-const endings: [string, Kind, string][] = [
-  ["_Nm_m", "energy", "N m/m"],
-  ["_N_m", "force", "N/m"],
-  ["_J_m", "energy", "J/m"],
-  ["_N_s", "other", "N s"],
-  ["_m_s", "other", "m/s"],
-  ["_rad", "other", "rad"],
-  ["_Pa", "stress", "Pa"],
-  ["_m", "length", "m"],
-  ["_s", "time", "s"],
-];
+// By unit; forces, energies and moments those of plane strain, per metre run.
+const kinds: Record<string, Kind> = { m: "length", "N/m": "force", "J/m": "energy", "N m/m": "energy", Pa: "stress", s: "time" };
 
-const known: Record<string, [words: string, symbol: string]> = {
-  time_s: ["time", "t"],
-  u_m: ["horizontal displacement", "u"],
-  w_m: ["embedment", "w"],
-  H_N_m: ["horizontal resistance", "H"],
-  V_N_m: ["vertical reaction", "V"],
-  M_Nm_m: ["moment", "M"],
-  angle_rad: ["rotation", ""],
-  kinetic_J_m: ["kinetic energy", ""],
-  internal_J_m: ["internal energy", ""],
-  damping_J_m: ["energy lost to damping", ""],
-  friction_J_m: ["energy lost to friction", ""],
-  external_J_m: ["work done from outside", ""],
-  energy_error_J_m: ["error of the energy balance", ""],
-  out_of_balance: ["force out of balance", ""],
-  gap_m: ["gap", ""],
-  overlap_m: ["overlap", ""],
-  second_impulse_N_m: ["second contact correction", ""],
-};
+/** What a column of history.csv holds, as the history's schema tells: that of the first run that has the column. */
+export function quantity_of_column(runs: RunData[], column: string): Quantity {
+  const told = runs.find((run) => column in run.quantities)?.quantities[column];
+  if (told === undefined) return { words: column, symbol: "", kind: "other", unit: "" };
+  return { words: told.words, symbol: told.label.length === 1 ? told.label : "", kind: kinds[told.unit] ?? "other", unit: told.unit };
+}
 
-/** What a column of history.csv holds, told by its name. */
-export function quantity_of_column(column: string): Quantity {
-  const [ending, kind, unit] = endings.find(([each]) => column.endsWith(each)) ?? ["", "other" as const, ""];
-  const [words, symbol] = known[column] ?? [column.slice(0, column.length - ending.length), ""];
-  return { words, symbol, kind, unit };
+/** The column of that label, whatever the dimension: "kinetic" is kinetic_J_m in plane strain, kinetic_J in space; undefined where the run has none. */
+export function column_of_label(run: RunData, label: string): string | undefined {
+  return Object.keys(run.quantities).find((column) => run.quantities[column].label === label);
 }
 
 /** A pure number. */

@@ -11,7 +11,7 @@ export interface Settings {
   units: UnitSystem;
   /** Every row as it was computed, beside what is freed from noise. */
   raw: boolean;
-  paper: boolean;
+  published: boolean;
   hidden: Set<RunData>;
 }
 
@@ -41,7 +41,7 @@ export interface Mark {
   x: number | null;
   y: number | null;
   label: string;
-  of_paper: boolean;
+  published: boolean;
 }
 
 /** A plan in units, without what is switched off: all that is needed to draw it, on the page or in a file. */
@@ -78,16 +78,16 @@ export function make_scene(plan: Plan, settings: Settings, runs: RunData[]): Sce
     ({ run }) => argument.factor(run) !== null && value.factor(run) !== null && !(plan.by_run && settings.hidden.has(run)),
   );
   const lines = traces.flatMap((trace, index) => trace_lines(trace, index, settings.raw, plan.upright, argument, value));
-  // The paper's numbers are of its test, at the scale of the runs of it.
-  const reference = runs.find((run) => run.of_paper) ?? runs.find((run) => run.diameter !== null) ?? runs[0];
+  // Published numbers are of a test, at the scale of the runs of it.
+  const reference = runs.find((run) => run.of_test) ?? runs.find((run) => run.diameter !== null) ?? runs[0];
   const marks = plan.marks
-    .filter((mark) => settings.paper || !mark.of_paper)
+    .filter((mark) => settings.published || !mark.published)
     .filter((mark) => (mark.argument === null || argument.factor(reference) !== null) && (mark.value === null || value.factor(reference) !== null))
     .map((mark) => {
       const along = mark.argument === null ? null : mark.argument * argument.factor(reference)!;
       const of = mark.value === null ? null : mark.value * value.factor(reference)!;
-      const made_with = mark.of_paper && value.divisor !== "" && differs(value, runs) ? ` (with D, \u03b3\u2032 of ${reference.name})` : "";
-      return { x: plan.upright ? of : along, y: plan.upright ? along : of, label: mark.label + made_with, of_paper: mark.of_paper };
+      const made_with = mark.published && value.divisor !== "" && differs(value, runs) ? ` (with D, \u03b3\u2032 of ${reference.name})` : "";
+      return { x: plan.upright ? of : along, y: plan.upright ? along : of, label: mark.label + made_with, published: mark.published };
     });
   const axis = (which: "x" | "y"): SceneAxis => {
     const is_argument = (which === "y") === plan.upright;

@@ -3,6 +3,7 @@
 
 #include "samples/sample_film_run.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace berm::report {
@@ -26,10 +27,13 @@ TEST(film_footage, counts_the_shearing_of_the_frames_that_are_left_out)
 {
   const SampleFilmRun<2> sample(11);
   const FilmFrames footage = read_footage(sample.run, bytes_of_frame * 11 / 3);
+  const auto summed = std::find_if(footage.fields.begin(), footage.fields.end(), [](const FilmField& field) { return field.summed; });
+  ASSERT_NE(summed, footage.fields.end());
+  const auto sheared = static_cast<std::size_t>(summed - footage.fields.begin());
   for (std::size_t f = 0; f < footage.frames.size(); ++f)
     for (std::size_t k = 0; k < 32; ++k) {
       const Real frame = footage.time[f] / sample.first_time;
-      EXPECT_NEAR(footage.frames[f].sheared[k], 0.01 * frame * frame + 0.001 * frame * static_cast<Real>(k % 8), 1e-6);
+      EXPECT_NEAR(footage.frames[f].fields[sheared][k], 0.01 * frame * frame + 0.001 * frame * static_cast<Real>(k % 8), 1e-6);
     }
 }
 

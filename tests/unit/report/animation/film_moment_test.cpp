@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/animation/film_moment.hpp"
+#include "samples/history_columns.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@ namespace {
 run_folder::History there_and_back()
 {
   run_folder::History h;
-  h.columns = {"time_s", "u_m", "w_m", "H_N_m", "V_N_m"};
+  h.columns = columns_named({"time_s", "u_m", "w_m", "H_N_m", "V_N_m"});
   h.values = {{0, 1, 2, 3}, {0, 0, 3, 0}, {0, 0, 4, 0}, {0, 10, 20, 30}, {0, 100, 200, 300}};
   h.stage = {"settle", "settle", "push", "drag"};
   return h;

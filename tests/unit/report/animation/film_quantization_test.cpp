@@ -57,8 +57,7 @@ TEST(film_codes, small_moves_either_way_leave_the_plane_of_high_bytes_empty)
 
 TEST(film_codes, a_single_point_that_rests_has_a_grid)
 {
-  const FilmFrame frame{
-      .x = {1}, .y = {2}, .strain = {}, .sheared = {}, .mean_stress = {}, .speed = {}, .displacement = {}, .rigid_bodies = {}};
+  const FilmFrame frame{.x = {1}, .y = {2}, .fields = {}, .rigid_bodies = {}};
   const FilmGrid grid(box_of({&frame}));
   EXPECT_GT(grid.step, 0);
   EXPECT_EQ(grid.code(1, 0), 0);
@@ -71,7 +70,7 @@ TEST(film_codes, field_decodes_within_half_a_level_and_is_clipped)
   const Real high = 0.8;
   std::vector<float> values;
   for (int k = 0; k < 3000; ++k) values.push_back(anywhere(random));
-  const auto decoded = decoded_values(field_bytes(values, 500, high), 6, 500);
+  const auto decoded = decoded_values(field_bytes(values, 500, {0, high}), 6, 500);
   for (std::size_t k = 0; k < 3000; ++k)
     EXPECT_NEAR(high * decoded[k / 500][k % 500] / 255, std::clamp<Real>(values[k], 0, high), high / 255 * 0.5001);
 }
@@ -81,19 +80,22 @@ TEST(film_codes, range_ends_where_two_in_a_thousand_values_are_beyond)
   std::vector<float> values(10'000);
   for (std::size_t k = 0; k < values.size(); ++k)
     values[k] = 1e-3f * static_cast<float>((k * 7919) % values.size());  // 0 to 9.999, shuffled
-  EXPECT_EQ(range_end(values), 10);
+  EXPECT_EQ(range_of(values).high, 10);
   for (std::size_t k = 0; k < 20; ++k) values[k] = 1e6f;
-  EXPECT_EQ(range_end(values), 10);
+  EXPECT_EQ(range_of(values).high, 10);
   for (std::size_t k = 0; k < 25; ++k) values[k] = 1e6f;
-  EXPECT_EQ(range_end(values), 1e6);
-  EXPECT_EQ(range_end({0.29f}), 0.3);  // as it is written, not 3 * 0.1
+  EXPECT_EQ(range_of(values).high, 1e6);
+  EXPECT_EQ(range_of({0.29f}).high, 0.3);  // as it is written, not 3 * 0.1
+  EXPECT_EQ(range_of({-0.1f, 0.1f, 3}).low, -0.1);
+  std::vector<float> few(10'000, 0.f);
+  few[7] = 0.2f;
+  EXPECT_EQ(range_of(few).high, 0.2);
 }
 
 TEST(film_codes, range_of_nothing_is_not_empty)
 {
-  EXPECT_GT(range_end({}), 0);
-  EXPECT_GT(range_end({0, 0, 0}), 0);
-  EXPECT_GT(range_end({-1, -2}), 0);
+  for (const std::vector<float>& values : {std::vector<float>{}, std::vector<float>{0, 0, 0}, std::vector<float>{-1, -2}})
+    EXPECT_GT(range_of(values).high, range_of(values).low);
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 #include "samples/paper_run.hpp"
 
 #include "report/claims/claims.hpp"
-#include "report/claims/paper.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +9,13 @@ namespace berm::report {
 namespace {
 
 using test::PaperRun;
+
+/// What is published of the probe test.
+const ClaimSheets& paper()
+{
+  static const ClaimSheets sheets = {read_claims(std::string(BERM_SOURCE_DIR) + "/examples/probe_test/claims.toml")};
+  return sheets;
+}
 
 /// The row of the claims whose statement holds these words.
 std::string row_with(const std::string& html, const std::string& words)
@@ -32,14 +38,14 @@ std::string verdict(const std::string& html, const std::string& words)
 
 TEST(Claims, are_only_made_of_runs_with_the_pipe_and_the_sand_of_the_paper)
 {
-  EXPECT_TRUE(is_of_paper(PaperRun{}.record("case")));
-  EXPECT_TRUE(is_of_paper(PaperRun{.file = "wip_10.toml", .overrides = {}}.record("wip")));
+  EXPECT_TRUE(is_of_a_test(PaperRun{}.record("case"), paper()));
+  EXPECT_TRUE(is_of_a_test(PaperRun{.file = "wip_10.toml", .overrides = {}}.record("wip"), paper()));
   for (const char* other : {"material.sand.friction_angle=\"30 deg\"", "material.sand.cohesion=\"1 kPa\"", "rigid.pipe.diameter=\"40 mm\"",
                             "contact.skin.friction_angle=\"10 deg\"", "material.sand.young_modulus=\"20 MPa\""}) {
     const pipe::RunRecord run = PaperRun{.file = "case.toml", .overrides = {other}}.record("other");
-    EXPECT_FALSE(is_of_paper(run)) << other;
-    EXPECT_EQ(claims_section({run}), "") << other;
-    EXPECT_TRUE(paper_points({run}).empty()) << other;
+    EXPECT_FALSE(is_of_a_test(run, paper())) << other;
+    EXPECT_EQ(claims_section({run}, paper()), "") << other;
+    EXPECT_TRUE(published_points({run}, paper()).empty()) << other;
   }
 }
 
@@ -48,7 +54,7 @@ TEST(Claims, the_force_of_the_push_is_judged_by_its_distance_from_the_papers)
   const auto of = [](double V_at_tenth) {
     PaperRun run;
     run.V = [=](double w) { return V_at_tenth * w / 0.1; };
-    return verdict(claims_section({run.record("case")}), "A push to w = 0.1 D");
+    return verdict(claims_section({run.record("case")}, paper()), "A push to w = 0.1 D");
   };
   EXPECT_EQ(of(4000), "reproduced");
   EXPECT_EQ(of(3500), "reproduced");
@@ -56,7 +62,7 @@ TEST(Claims, the_force_of_the_push_is_judged_by_its_distance_from_the_papers)
   EXPECT_EQ(of(784), "not reproduced");
   PaperRun low;
   low.V = [](double w) { return 7840 * w; };
-  const std::string row = row_with(claims_section({low.record("case")}), "A push to w = 0.1 D");
+  const std::string row = row_with(claims_section({low.record("case")}, paper()), "A push to w = 0.1 D");
   EXPECT_NE(row.find("V = 0.784 kN/m at 0.1 D; 4 kN/m is not reached"), std::string::npos) << row;
 }
 
@@ -64,18 +70,18 @@ TEST(Claims, runs_that_disagree_make_partly)
 {
   PaperRun low;
   low.V = [](double w) { return 7840 * w; };
-  EXPECT_EQ(verdict(claims_section({PaperRun{}.record("a"), low.record("b")}), "A push to w = 0.1 D"), "partly");
+  EXPECT_EQ(verdict(claims_section({PaperRun{}.record("a"), low.record("b")}, paper()), "A push to w = 0.1 D"), "partly");
 }
 
 TEST(Claims, sinking_and_its_end_are_told_apart)
 {
   PaperRun run;
   run.w = [](double u) { return 0.1 + std::min(u, 0.3) * 0.5; };
-  std::string html = claims_section({run.record("case")});
+  std::string html = claims_section({run.record("case")}, paper());
   EXPECT_EQ(verdict(html, "The pipe sinks while it is dragged"), "reproduced");
   EXPECT_EQ(verdict(html, "has reached its maximum"), "reproduced");
   run.w = [](double u) { return 0.1 + u; };
-  html = claims_section({run.record("case")});
+  html = claims_section({run.record("case")}, paper());
   EXPECT_EQ(verdict(html, "The pipe sinks while it is dragged"), "not reproduced");
   EXPECT_EQ(verdict(html, "has reached its maximum"), "not reproduced");
 }
@@ -84,8 +90,8 @@ TEST(Claims, a_resistance_that_falls_again_does_not_grow)
 {
   PaperRun run;
   run.H = [](double u) { return 1000 * u * (1.2 - u); };
-  EXPECT_EQ(verdict(claims_section({run.record("case")}), "H grows"), "not reproduced");
-  EXPECT_EQ(verdict(claims_section({PaperRun{}.record("case")}), "H grows"), "reproduced");
+  EXPECT_EQ(verdict(claims_section({run.record("case")}, paper()), "H grows"), "not reproduced");
+  EXPECT_EQ(verdict(claims_section({PaperRun{}.record("case")}, paper()), "H grows"), "reproduced");
 }
 
 TEST(Claims, finite_elements_are_compared_in_the_prototype_and_with_the_drag)
@@ -97,7 +103,7 @@ TEST(Claims, finite_elements_are_compared_in_the_prototype_and_with_the_drag)
   wip_10.H = [](double) { return 20; };  // times 50: 1 kN/m
   wip_25.H = [](double) { return 40; };
   PaperRun drag;  // H(0.3 D) = 300 N/m; w = 0.25 D at u = 0.3 D
-  const auto html = [&] { return claims_section({drag.record("case"), wip_10.record("wip_10"), wip_25.record("wip_25")}); };
+  const auto html = [&] { return claims_section({drag.record("case"), wip_10.record("wip_10"), wip_25.record("wip_25")}, paper()); };
   EXPECT_EQ(verdict(html(), "give H of about 1 kN"), "reproduced");
   EXPECT_EQ(verdict(html(), "Finite elements at the first embedment"), "reproduced");
   EXPECT_EQ(verdict(html(), "Finite elements at the last embedment"), "reproduced");
@@ -110,7 +116,7 @@ TEST(Claims, finite_elements_are_compared_in_the_prototype_and_with_the_drag)
 
 TEST(Claims, of_which_no_run_tells_anything_are_not_examined)
 {
-  const std::string html = claims_section({PaperRun{}.record("case")});
+  const std::string html = claims_section({PaperRun{}.record("case")}, paper());
   EXPECT_EQ(verdict(html, "Finite elements at the first embedment"), "not examined");
   EXPECT_EQ(verdict(html, "Correcting twice"), "not examined");
 }
@@ -120,8 +126,8 @@ TEST(Claims, runs_that_have_only_begun_make_no_numbers)
   PaperRun begun;
   begun.w_push = 0.01;
   begun.u_end = 1e-4;
-  for (const std::string& html :
-       {claims_section({begun.record("begun")}), claims_section({PaperRun{.file = "wip_10.toml", .overrides = {}}.record("wip")})})
+  for (const std::string& html : {claims_section({begun.record("begun")}, paper()),
+                                  claims_section({PaperRun{.file = "wip_10.toml", .overrides = {}}.record("wip")}, paper())})
     for (const char* number : {"inf", "nan"}) EXPECT_EQ(html.find(std::string(" ") + number), std::string::npos) << html;
 }
 
@@ -133,7 +139,7 @@ TEST(Claims, a_larger_resistance_under_a_larger_load_proves_half)
   wip.H = [](double) { return 20; };
   const auto verdict_with = [&](double V) {
     wip.V = [=](double) { return V; };
-    return verdict(claims_section({PaperRun{}.record("case"), wip.record("wip")}), "Finite elements at the first embedment");
+    return verdict(claims_section({PaperRun{}.record("case"), wip.record("wip")}, paper()), "Finite elements at the first embedment");
   };
   EXPECT_EQ(verdict_with(4000), "reproduced");
   EXPECT_EQ(verdict_with(1000), "partly");
@@ -143,12 +149,12 @@ TEST(Claims, of_two_corrections_are_judged_by_runs_that_correct_twice)
 {
   pipe::RunRecord once = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"once\""}}.record("run");
   once.quantities = {{"overlap_max_over_D", 0, "1"}};
-  EXPECT_EQ(verdict(claims_section({once}), "With the two corrections"), "not examined");
+  EXPECT_EQ(verdict(claims_section({once}, paper()), "With the two corrections"), "not examined");
   pipe::RunRecord twice = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"twice\""}}.record("run");
   twice.quantities = {{"overlap_max_over_D", 0, "1"}};
-  EXPECT_EQ(verdict(claims_section({twice}), "With the two corrections"), "reproduced");
+  EXPECT_EQ(verdict(claims_section({twice}, paper()), "With the two corrections"), "reproduced");
   twice.quantities = {{"overlap_max_over_D", 0.01, "1"}};
-  EXPECT_EQ(verdict(claims_section({twice}), "With the two corrections"), "not reproduced");
+  EXPECT_EQ(verdict(claims_section({twice}, paper()), "With the two corrections"), "not reproduced");
 }
 
 TEST(Claims, correcting_twice_is_judged_where_a_run_corrects_once)
@@ -159,14 +165,14 @@ TEST(Claims, correcting_twice_is_judged_where_a_run_corrects_once)
       PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"twice\"", "contact.skin.detection=\"gap\""}}.record("twice");
   once.quantities = {{"V_noise", 0.03, "1"}};
   twice.quantities = {{"V_noise", 0.02, "1"}};
-  EXPECT_EQ(verdict(claims_section({once, twice}), "Correcting twice"), "reproduced");
+  EXPECT_EQ(verdict(claims_section({once, twice}, paper()), "Correcting twice"), "reproduced");
   twice.quantities = {{"V_noise", 0.029, "1"}};
-  EXPECT_EQ(verdict(claims_section({once, twice}), "Correcting twice"), "not reproduced");
+  EXPECT_EQ(verdict(claims_section({once, twice}, paper()), "Correcting twice"), "not reproduced");
 }
 
 TEST(Claims, names_of_runs_are_no_markup)
 {
-  EXPECT_EQ(claims_section({PaperRun{}.record("<b>x")}).find("<b>x"), std::string::npos);
+  EXPECT_EQ(claims_section({PaperRun{}.record("<b>x")}, paper()).find("<b>x"), std::string::npos);
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page/page_data.hpp"
 
+#include "samples/history_columns.hpp"
 #include "samples/made_run.hpp"
-#include "samples/paper_run.hpp"
 #include "structures/pipe/travel_curve.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ pipe::RunRecord long_run(Index push, Index drag)
 {
   pipe::RunRecord run = MadeRun{}.record();
   run_folder::History& h = run.history;
-  h = {{"time_s", "u_m", "w_m", "H_N_m", "V_N_m"}, std::vector<std::vector<Real>>(5), {}};
+  h = {columns_named({"time_s", "u_m", "w_m", "H_N_m", "V_N_m"}), std::vector<std::vector<Real>>(5), {}};
   const auto add = [&](const char* stage, Real u, Real w, Real H, Real V) {
     const Real row[] = {static_cast<Real>(h.rows()), u, w, H, V};
     for (int c = 0; c < 5; ++c) h.values[c].push_back(row[c]);
@@ -72,7 +72,7 @@ TEST(PageData, rows_of_a_thinned_history_are_those_of_history_csv)
   const std::size_t kept = data["row"].size();
   EXPECT_EQ(data["stage"].size(), kept);
   for (std::size_t c = 0; c < run.history.columns.size(); ++c) {
-    const Json& column = data["columns"][run.history.columns[c]];
+    const Json& column = data["columns"][run.history.columns[c].name];
     ASSERT_EQ(column.size(), kept);
     for (std::size_t k = 0; k < kept; ++k) ASSERT_EQ(column[k], run.history.values[c][data["row"][k].get<Index>()]);
   }
@@ -142,12 +142,4 @@ TEST(PageData, forces_have_the_measure_of_the_tables)
   EXPECT_DOUBLE_EQ(measure()["size"], 1000 * made.D);
   made.law.cohesion = 0;
   EXPECT_TRUE(measure().is_null());
-}
-
-TEST(PageData, runs_of_the_papers_test_are_told)
-{
-  EXPECT_TRUE(report::run_data(test::PaperRun{}.record("case"))["of_paper"]);
-  MadeRun other;
-  other.D = 0.05;
-  EXPECT_FALSE(report::run_data(other.record())["of_paper"]);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/quality/indicators.hpp"
 #include "report/quality/quality_section.hpp"
+#include "samples/history_columns.hpp"
 #include "samples/pipe_case.hpp"
 
 #include <gtest/gtest.h>
@@ -74,7 +75,7 @@ TEST(trust, verdicts_of_the_page_follow_the_numbers)
 TEST(trust, kinetic_energy_of_a_fast_push_is_a_warning)
 {
   pipe::RunRecord run = sample_record(sample_case());
-  run.history.columns = {"kinetic_J_m", "internal_J_m"};
+  run.history.columns = columns_named({"kinetic_J_m", "internal_J_m"});
   run.history.values = {{}, {}};
   for (int k = 0; k < 40; ++k) {
     run.history.stage.emplace_back(k < 20 ? "push" : "drag");
@@ -91,7 +92,7 @@ TEST(trust, kinetic_energy_of_a_fast_push_is_a_warning)
 TEST(trust, place_of_the_largest_energy_error_is_told)
 {
   pipe::RunRecord run = sample_record(sample_case());
-  run.history.columns = {"u_m", "w_m", "internal_J_m", "external_J_m", "energy_error_J_m"};
+  run.history.columns = columns_named({"u_m", "w_m", "internal_J_m", "external_J_m", "energy_error_J_m"});
   run.history.values = {{0, 0, 0.004}, {0, 0.002, 0.003}, {0, 1, 2}, {0, 1, 2}, {0, -0.1, 0.05}};
   run.history.stage = {"push", "push", "drag"};
   EXPECT_EQ(energy_error(run).where, "push, w = 2 mm");

@@ -260,12 +260,12 @@ TEST(answer, a_run_without_a_pipe_tells_its_quantities_and_what_it_watches)
   run.scale = pipe::pipe_scale(run.settings);
   run.quantities = {{"run_out", 1.234, "m"}};
   run.settings.watch = {{"ti<p", {"soil", {0, 0}}}};
-  run.history.columns.push_back("ti<p_uy_m");
+  run.history.columns.push_back({"ti<p_uy_m", "ti<p uy", "m", "displacement", "ti<p"});
   run.history.values.emplace_back(run.history.rows(), -0.0125);
   const std::string html = results_section({run});
   EXPECT_TRUE(holds(html, "There is no pipe in this run"));
   EXPECT_TRUE(holds(html, "<th scope=\"row\">run_out</th><td class=\"number\">1.234</td><td>m</td>")) << html;
-  EXPECT_TRUE(holds(html, "<th scope=\"row\">ti&lt;p_uy_m</th><td class=\"number\">-0.01250</td>")) << html;
+  EXPECT_TRUE(holds(html, "<th scope=\"row\">ti&lt;p_uy_m</th><td>displacement</td><td class=\"number\">-0.01250</td><td>m</td>")) << html;
   EXPECT_FALSE(holds(html, "<p_uy"));
   EXPECT_FALSE(holds(html, "Key results"));
   run.settings.watch.clear();

@@ -13,13 +13,14 @@ template <class Strain, class Rise>
 run_folder::SavedSoil soil(const Strain& strain, const Rise& rise, Real shift = 0)
 {
   run_folder::SavedSoil made;
+  made.fields = {{{"incremental_deviatoric_strain", "", ""}, {}}};
   for (int row = 0; row < 20; ++row)
     for (int column = -100; column < 100; ++column) {
       const Real x = (column + 0.5) * side, y = -(row + 0.5) * side;
       made.x.push_back(static_cast<float>(x + shift));
       made.y.push_back(static_cast<float>(y + rise(x)));
       made.volume.push_back(static_cast<float>(side * side));
-      made.incremental_deviatoric_strain.push_back(static_cast<float>(strain(x, y)));
+      made.fields[0].values.push_back(static_cast<float>(strain(x, y)));
     }
   return made;
 }

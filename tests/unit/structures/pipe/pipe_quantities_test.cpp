@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/pipe_quantities.hpp"
 
+#include "samples/history_columns.hpp"
 #include "samples/run_to_write.hpp"
 #include "structures/pipe/travel_curve.hpp"
 
@@ -58,7 +59,7 @@ TEST(PipeQuantities, a_push_that_begins_in_the_bed_is_read_at_its_travel_from_th
   const auto list_from = [](Real begin, bool noisy) {
     const TemporaryFolder folder;
     {
-      run_folder::HistoryFile file(folder.path() / "h", {"u_m", "w_m", "H_N_m", "V_N_m"});
+      NamedHistory file(folder.path() / "h", {"u_m", "w_m", "H_N_m", "V_N_m"});
       file.add(0, "rest", {0, begin * scale.diameter, 0, 0});
       for (int k = 1; k <= 20; ++k) file.add(k, "push", {0, (begin + 0.001 * k) * scale.diameter, 0, 5e3 * 0.001 * k});
     }
@@ -77,12 +78,52 @@ TEST(PipeQuantities, a_push_that_begins_in_the_bed_is_read_at_its_travel_from_th
   EXPECT_EQ(find(list_from(0, true), "V_at_travel_0.01D"), nullptr);
 }
 
+TEST(PipeResults, come_back_from_their_quantities)
+{
+  const PipeScale by{.diameter = 0.02, .unit_weight = 430e3};
+  PipeResults results;
+  results.push = {{0.003, 300}, {0.004, 400}};
+  results.push_end = PushPoint{0.0045, 450};
+  results.travel = {{0.0002, 7}};
+  results.drag = {{0.002, 0.005, 300, 600}, {0.015, 0.006, 310, 620}};
+  results.drag_peak = DragPeak{0.016, 320};
+  results.H_noise = 0.01;
+  results.gap_mean = 1e-5;
+  const std::vector<run_folder::Quantity> quantities = pipe::quantities_of(results, by);
+  EXPECT_EQ(value(quantities, "V_at_w_0.15D"), 300);
+  EXPECT_EQ(value(quantities, "H_over_V_at_u_0.75D"), 0.5);
+  const PipeResults read = results_of(quantities, by);
+  ASSERT_EQ(read.push.size(), 2u);
+  EXPECT_DOUBLE_EQ(read.push[1].w, 0.004);
+  EXPECT_EQ(read.push[1].V, 400);
+  EXPECT_EQ(read.push_end->w, 0.0045);
+  ASSERT_EQ(read.travel.size(), 1u);
+  ASSERT_EQ(read.drag.size(), 2u);
+  EXPECT_DOUBLE_EQ(read.drag[1].V, 620);
+  EXPECT_EQ(read.drag_peak->H, 320);
+  EXPECT_EQ(read.H_noise, 0.01);
+  EXPECT_EQ(read.gap_mean, 1e-5);
+  EXPECT_FALSE(read.V_noise || read.overlap_max || read.second_impulse_over_V);
+  const std::vector<run_folder::Quantity> again = pipe::quantities_of(read, by);
+  ASSERT_EQ(again.size(), quantities.size());
+  for (std::size_t k = 0; k < again.size(); ++k) EXPECT_EQ(again[k].name, quantities[k].name);
+}
+
+TEST(PipeResults, in_space_are_forces_without_the_twin_of_plane_strain)
+{
+  PipeResults results;
+  results.push_end = PushPoint{0.01, 5};
+  const auto list = pipe::quantities_of(results, {.diameter = 0.02, .unit_weight = 1, .dimension = 3});
+  EXPECT_EQ(find(list, "V_end_of_push")->unit, "N");
+  EXPECT_EQ(find(list, "V_end_of_push_over_gammaD2"), nullptr);
+}
+
 TEST(PipeQuantities, forces_without_noise_are_taken_between_two_rows)
 {
   // Rises to its plateau within the window of +-0.01 D that noise would be averaged over, from an embedment of 0.1 D.
   const TemporaryFolder folder;
   {
-    run_folder::HistoryFile file(folder.path() / "h", {"u_m", "w_m", "H_N_m", "V_N_m"});
+    NamedHistory file(folder.path() / "h", {"u_m", "w_m", "H_N_m", "V_N_m"});
     for (const auto& [w, V] : std::vector<std::pair<Real, Real>>{{0.1, 0}, {0.105, 900}, {0.11, 1000}})
       file.add(w, "push", {0, w * scale.diameter, 0, V});
   }
@@ -149,7 +190,7 @@ TEST(PipeQuantities, noise_is_not_told_of_rows_too_far_apart)
 {
   const TemporaryFolder folder;
   {
-    run_folder::HistoryFile file(folder.path() / "h", {"u_m", "w_m", "H_N_m", "V_N_m"});
+    NamedHistory file(folder.path() / "h", {"u_m", "w_m", "H_N_m", "V_N_m"});
     for (int k = 0; k <= 20; ++k) file.add(k, "push", {0, k * 0.01 * scale.diameter, 0, k % 2 == 0 ? 900. : 1100.});
   }
   EXPECT_EQ(find(pipe_quantities(run_folder::read_history(folder.path() / "h"), scale, stages), "V_noise"), nullptr);
@@ -190,6 +231,7 @@ TEST(PipeQuantities, contact_numbers_cover_push_and_drag_only)
 TEST(PipeQuantities, of_a_run_that_stopped_early_there_is_what_was_reached)
 {
   const TemporaryFolder folder;
+  put_schema(folder.path() / "h", {"time_s", "u_m", "w_m", "H_N_m", "V_N_m"});
   put(folder.path() / "h", "time_s,stage,u_m,w_m,H_N_m,V_N_m\n");
   EXPECT_TRUE(pipe_quantities(run_folder::read_history(folder.path() / "h"), scale, stages).empty());
   put(folder.path() / "h", "time_s,stage,u_m,w_m,H_N_m,V_N_m\n0,drag,0,0.001,nan,nan\n");

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "plot/gnuplot.hpp"
+#include "samples/history_columns.hpp"
 #include "samples/run_to_write.hpp"
 
 #include <algorithm>
@@ -92,15 +93,15 @@ TEST_F(Plots, any_columns_are_drawn_against_time)
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
   ASSERT_TRUE(draw_columns(folder, pipe_history(0.01), {"u_m", "w_m", "H_N_m"}, "columns"));
   EXPECT_EQ(png_size(folder.file("curves.png")), (std::pair{1200, 900}));
+  EXPECT_NE(content_of(folder.file("plots/curves.gp")).find("set ylabel 'H (N/m)'"), std::string::npos);
 }
 
 TEST_F(Plots, the_soil_is_drawn_in_both_colourings)
 {
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
   const SoilView view{Vec<2>(0, 0), Vec<2>(0.2, 0.1), 0.09};
-  ASSERT_TRUE(draw_soil(folder.path(), frame(), {"soil", SoilColor::deviatoric_strain, view, "soil"}));
-  ASSERT_TRUE(
-      draw_soil(folder.path(), frame(), {"soil_increment", SoilColor::incremental_deviatoric_strain, view, "increment of nothing"}));
+  ASSERT_TRUE(draw_soil(folder.path(), frame(), {"soil", "deviatoric_strain", view, "soil"}));
+  ASSERT_TRUE(draw_soil(folder.path(), frame(), {"soil_increment", "incremental_deviatoric_strain", view, "increment of nothing"}));
   EXPECT_EQ(png_size(folder.file("soil.png")).first, 1200);
   EXPECT_EQ(png_size(folder.file("soil_increment.png")).first, 1200);
 }
@@ -109,7 +110,7 @@ TEST_F(Plots, triangles_are_filled_with_the_colour_of_their_strain)
 {
   if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
   const SoilView view{Vec<2>(-0.1, -0.1), Vec<2>(0.3, 0.3), {}};
-  ASSERT_TRUE(draw_soil(folder.path(), two_triangles(), {"soil", SoilColor::deviatoric_strain, view, "two triangles"}));
+  ASSERT_TRUE(draw_soil(folder.path(), two_triangles(), {"soil", "deviatoric_strain", view, "two triangles"}));
   ASSERT_EQ(png_size(folder.file("soil.png")), (std::pair{1200, 1080}));
   // The view is 930 pixels wide and high, 95 from the left and 70 from the top.
   const auto color = [&](Real x, Real y) {
@@ -126,10 +127,9 @@ TEST_F(Plots, triangles_are_painted_without_gaps_as_far_as_the_middles_of_their_
 {
   run_folder::Frame<2> frame = two_triangles();
   const auto strain = [](Real x, Real y) { return 0.5 + (x - y) / 0.4; };
-  run_folder::FrameParticle<2>& middle = frame.particles[1];  // of the lower side
-  middle.particle.x[1] = -0.03;
-  middle.strain.deviatoric = strain(0.1, -0.03);
-  draw_soil(folder.path(), frame, {"soil", SoilColor::deviatoric_strain, {Vec<2>(-0.1, -0.1), Vec<2>(0.31, 0.3), {}}, "two triangles"});
+  frame.points[1][1] = -0.03;  // of the middle of the lower side
+  frame.field("deviatoric_strain").at(1) = strain(0.1, -0.03);
+  draw_soil(folder.path(), frame, {"soil", "deviatoric_strain", {Vec<2>(-0.1, -0.1), Vec<2>(0.31, 0.3), {}}, "two triangles"});
   std::istringstream words(content_of(folder.file("plots/soil.dat")));
   std::string word;
   std::getline(words, word);
@@ -149,8 +149,8 @@ TEST_F(Plots, particles_outside_the_view_are_left_out)
 {
   const SoilView left_half{Vec<2>(0, 0), Vec<2>(0.1, 0.1), {}};
   run_folder::Frame<2> one = frame();
-  for (auto& p : one.particles) p.particle.volume = 1e-8;
-  draw_soil(folder.path(), one, {"soil", SoilColor::deviatoric_strain, left_half, "left"});
+  one.volume.assign(one.volume.size(), 1e-8);
+  draw_soil(folder.path(), one, {"soil", "deviatoric_strain", left_half, "left"});
   std::istringstream lines(content_of(folder.file("plots/soil.dat")));
   std::vector<Real> shown;  // x, mm
   for (std::string line; std::getline(lines, line);)
@@ -162,7 +162,8 @@ TEST_F(Plots, particles_outside_the_view_are_left_out)
 TEST_F(Plots, of_nothing_there_is_no_picture)
 {
   const SoilView elsewhere{Vec<2>(50, 50), Vec<2>(51, 51), {}};
-  EXPECT_FALSE(draw_soil(folder.path(), frame(), {"soil", SoilColor::deviatoric_strain, elsewhere, "nothing"}));
+  EXPECT_FALSE(draw_soil(folder.path(), frame(), {"soil", "deviatoric_strain", elsewhere, "nothing"}));
+  put_schema(folder.file("history.csv"), {"time_s", "u_m", "w_m", "H_N_m", "V_N_m"});
   put(folder.file("history.csv"), "time_s,stage,u_m,w_m,H_N_m,V_N_m\n");
   const run_folder::History empty = run_folder::read_history(folder.file("history.csv"));
   EXPECT_FALSE(draw_pipe_curves(folder, empty, scale, stages, "nothing"));
@@ -205,14 +206,6 @@ TEST_F(Plots, a_picture_that_the_disk_took_a_part_of_is_an_error_and_the_one_bef
   EXPECT_NE(message.find("cannot write " + picture.string()), std::string::npos) << message;
   EXPECT_EQ(content_of(picture), "the one before");
   EXPECT_FALSE(fs::exists(picture.string() + ".part"));
-}
-
-TEST(ColumnNames, end_with_their_unit)
-{
-  EXPECT_EQ(name_and_unit("tip_x_m"), (std::pair<std::string, std::string>{"tip x", "m"}));
-  EXPECT_EQ(name_and_unit("second_impulse_N_m"), (std::pair<std::string, std::string>{"second impulse", "N/m"}));
-  EXPECT_EQ(name_and_unit("tip_velocity_m_s"), (std::pair<std::string, std::string>{"tip velocity", "m/s"}));
-  EXPECT_EQ(name_and_unit("steps"), (std::pair<std::string, std::string>{"steps", "1"}));
 }
 
 TEST(GnuplotText, cannot_leave_its_quotes)

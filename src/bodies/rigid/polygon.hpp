@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "bodies/rigid/shape_checks.hpp"
+#include "bodies/rigid/surface.hpp"
+
+#include <memory>
+
+namespace berm::bodies {
+
+/// A polygon, convex or not, in space an endless prism along z. Its corners in order, either way round.
+struct PolygonSettings {
+  static constexpr const char* word = "polygon";
+
+  std::vector<Real> x, y;  ///< m
+};
+
+void describe(Describe& d, PolygonSettings& polygon);
+void check(Describe& d, const std::string& path, const PolygonSettings& polygon, int dimension);
+
+/// Whether at least three corners with different places make a polygon whose sides meet at its corners only.
+bool is_simple(const PolygonSettings& polygon);
+
+std::string name_of(const PolygonSettings& polygon);
+std::vector<ShapeSize> sizes_of(const PolygonSettings& polygon);
+Outline outline_of(const PolygonSettings& polygon);
+
+template <int dim>
+struct Polygon {
+  using Settings = PolygonSettings;
+  static constexpr bool bounded = true, has_corners = true;
+
+  Vec<dim> center;  ///< centroid
+  Matrix<dim> axes;
+  std::shared_ptr<const std::vector<Vec<2>>> corners;  ///< counter-clockwise, seen from the centroid along the axes
+};
+
+template <int dim>
+Polygon<dim> make_shape(const PolygonSettings& s);
+template <int dim>
+SurfacePoint<dim> surface_at(const Polygon<dim>& polygon, const Vec<dim>& x);
+template <int dim>
+Real lowest_level(const Polygon<dim>& polygon, const Vec<dim>& up);
+template <int dim>
+Real width_of(const Polygon<dim>& polygon);
+template <int dim>
+Real reach_of(const Polygon<dim>& polygon);
+template <int dim>
+Vec<3> inertia_over_mass(const Polygon<dim>& polygon);
+
+template <int dim>
+Vec<dim> center_of(const Polygon<dim>& polygon)
+{
+  return polygon.center;
+}
+template <int dim>
+Polygon<dim> moved(Polygon<dim> polygon, const Movement<dim>& m)
+{
+  polygon.center += m.displacement;
+  polygon.axes = m.rotation * polygon.axes;
+  return polygon;
+}
+
+template <int dim>
+SurfaceMesh<dim> surface_mesh(const Polygon<dim>& polygon, const Vec<dim>& lower, const Vec<dim>& upper)
+{
+  std::vector<Vec<dim>> outline;
+  for (const Vec<2>& corner : *polygon.corners) outline.push_back(polygon.center + polygon.axes.template leftCols<2>() * corner);
+  return extruded(outline, lower, upper);
+}
+
+template <class Visit>
+void visit_sides(const Polygon<2>& polygon, const Vec<2>& x, const Visit& visit)
+{
+  const Vec<2> local = polygon.axes.transpose() * (x - polygon.center);
+  const std::vector<Vec<2>>& corners = *polygon.corners;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Vec<2> side = corners[(k + 1) % corners.size()] - corners[k], along = side.normalized(), from = local - corners[k];
+    visit(static_cast<int>(k), OnSide{along.dot(from), along[1] * from[0] - along[0] * from[1], 0, side.norm()});
+  }
+}
+inline Real closes_after(const Polygon<2>&)
+{
+  return infinity;
+}
+
+}  // namespace berm::bodies

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/input/read_case_wrong_inputs_test.cpp
+#include "bodies/rigid/rigid_settings.hpp"
+
+namespace berm::bodies {
+void describe(Describe& d, RigidSettings& rigid)
+{
+  describe_shape(d, rigid.shape);
+  d.value("mass", rigid.mass,
+          {.meaning = "mass per metre run (in space: mass in kg); a direction that a force moves needs it",
+           .unit = "kg/m",
+           .range = not_negative});
+  d.choice("motion", rigid.motion, {"driven", "free"},
+           {.meaning = "where no stage drives it: rest, or let gravity and its contacts move it (but not in a geostatic stage)"});
+  d.choice("rotation", rigid.rotation, {"fixed", "free"}, {.meaning = "whether the moment of its contacts turns it about its centre"});
+  d.value("moment_of_inertia", rigid.moment_of_inertia,
+          {.meaning = "moment of inertia per metre run about its centre (in space: in kg m2, about every axis); absent = that of a solid "
+                      "of this shape and mass",
+           .unit = "kg m",
+           .range = positive});
+}
+
+void check(Describe& d, const std::string& path, const RigidSettings& rigid, int dimension)
+{
+  std::visit([&](const auto& shape) { check(d, path, shape, dimension); }, rigid.shape);
+  d.check(rigid.motion == Motion::driven || rigid.mass > 0, path + ".motion", "a free body needs a mass");
+  if (rigid.rotation == Rotation::free) {
+    d.check(is_bounded(make_shape<2>(rigid.shape)), path + ".rotation", "a half-plane cannot turn");
+    d.check(rigid.mass > 0 || rigid.moment_of_inertia, path + ".rotation", "a body that turns needs a mass or a moment_of_inertia");
+  }
+}
+
+}  // namespace berm::bodies

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "bodies/rigid/box.hpp"
+#include "bodies/rigid/circle.hpp"
+#include "bodies/rigid/half_plane.hpp"
+#include "bodies/rigid/polygon.hpp"
+#include "bodies/rigid/sphere.hpp"
+
+namespace berm::bodies {
+
+template <template <int> class... Shapes>
+struct ShapeList {
+  using Settings = std::variant<typename Shapes<2>::Settings...>;
+  template <int dim>
+  using In = std::variant<Shapes<dim>...>;
+};
+
+/// The closed list of shapes. Each has a file of its own: settings and how they are declared, checked, named and drawn; the exact surface with distance
+/// and normal, lowest level, width, reach, moments of inertia, moved copy, surface mesh and, in the plane, its sides. A new shape is such a file and its
+/// word here.
+using Shapes = ShapeList<Circle, HalfPlane, Box, Polygon, Sphere>;
+using RigidShapeSettings = Shapes::Settings;
+template <int dim>
+using RigidShape = Shapes::In<dim>;
+
+void describe_shape(Describe& d, RigidShapeSettings& shape);
+
+template <int dim>
+RigidShape<dim> make_shape(const RigidShapeSettings& settings);
+
+/// The nearest point of the exact surface, for any point of space.
+template <int dim>
+SurfacePoint<dim> surface_at(const RigidShape<dim>& shape, const Vec<dim>& x);
+
+/// How high its lowest point lies along the unit vector up, m (of a half-plane: its point).
+template <int dim>
+Real lowest_level(const RigidShape<dim>& shape, const Vec<dim>& up);
+
+/// Its centre (of a half-plane: its point).
+template <int dim>
+Vec<dim> center_of(const RigidShape<dim>& shape);
+
+/// The length that results are made dimensionless with: diameter of a circle or sphere, width of a box or polygon, 0 for a half-plane.
+template <int dim>
+Real width_of(const RigidShape<dim>& shape);
+
+/// How far from its centre its surface reaches (in space: of what is endless along z, across it); 0 for a half-plane, which never turns.
+template <int dim>
+Real reach_of(const RigidShape<dim>& shape);
+
+/// Moments of inertia of a solid of this shape about its centre and its axes, over its mass: m2; in the plane the last counts. Infinite about axes across
+/// an endless length. 0 for a half-plane.
+template <int dim>
+Vec<3> inertia_over_mass(const RigidShape<dim>& shape);
+
+/// Whether it ends in all directions of the plane; whether its surface has corners.
+template <int dim>
+bool is_bounded(const RigidShape<dim>& shape)
+{
+  return std::visit([](const auto& s) { return s.bounded; }, shape);
+}
+template <int dim>
+bool has_corners(const RigidShape<dim>& shape)
+{
+  return std::visit([](const auto& s) { return s.has_corners; }, shape);
+}
+
+}  // namespace berm::bodies

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/types.hpp"
+
+#include <numeric>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace berm::bodies {
+
+/// Distance and normal of a rigid surface as seen from a point.
+template <int dim>
+struct SurfacePoint {
+  Real distance;    ///< m, negative inside the rigid body
+  Vec<dim> normal;  ///< unit vector out of the rigid body
+};
+
+/// A point of the plane as seen from a side of a surface.
+struct OnSide {
+  Real along;       ///< m along the side
+  Real away;        ///< m from the side, negative inside the body
+  Real begin, end;  ///< m, where the side has its ends
+};
+
+/// A surface as points and flat cells, for pictures.
+template <int dim>
+struct SurfaceMesh {
+  enum class Kind { line, polygon, quad, hexahedron };
+  struct Cell {
+    Kind kind;
+    std::vector<Index> points;
+  };
+  std::vector<Vec<dim>> points;  ///< m
+  std::vector<Cell> cells;
+
+  void add(Kind kind, std::vector<Index> corners) { cells.push_back({kind, std::move(corners)}); }
+  void add_all_points(Kind kind)
+  {
+    std::vector<Index> all(points.size());
+    std::iota(all.begin(), all.end(), 0);
+    add(kind, std::move(all));
+  }
+};
+
+/// The surface with this outline; in space it goes along z from lower to upper.
+template <int dim>
+SurfaceMesh<dim> extruded(const std::vector<Vec<dim>>& outline, const Vec<dim>& lower, const Vec<dim>& upper)
+{
+  SurfaceMesh<dim> s;
+  if constexpr (dim == 2) {
+    s.points = outline;
+    s.add_all_points(SurfaceMesh<dim>::Kind::polygon);
+  } else {
+    const Index n = static_cast<Index>(outline.size());
+    for (Vec<dim> x : outline)
+      for (const Real z : {lower[2], upper[2]}) {
+        x[2] = z;
+        s.points.push_back(x);
+      }
+    for (Index k = 0; k < n; ++k) {
+      const Index a = 2 * k, b = 2 * ((k + 1) % n);
+      s.add(SurfaceMesh<dim>::Kind::quad, {a, b, b + 1, a + 1});
+    }
+  }
+  return s;
+}
+
+/// What a rigid body looks like in the plane x-y, before any mesh.
+struct DiskOutline {
+  Vec<2> center;
+  Real radius;
+};
+struct CornersOutline {
+  std::vector<Vec<2>> corners;
+};
+/// The line of a half-plane; the normal (a unit vector) points out of the body.
+struct PlaneOutline {
+  Vec<2> point, normal;
+};
+using Outline = std::variant<DiskOutline, CornersOutline, PlaneOutline>;
+
+/// A size of a shape as a table names it.
+struct ShapeSize {
+  std::string name;
+  Real size;  ///< m
+};
+
+/// The first dim numbers of a list; zero where it is shorter.
+template <int dim>
+Vec<dim> to_vec(const std::vector<Real>& numbers)
+{
+  Vec<dim> v = Vec<dim>::Zero();
+  for (std::size_t d = 0; d < std::min<std::size_t>(dim, numbers.size()); ++d) v[d] = numbers[d];
+  return v;
+}
+
+/// A center and whatever turns about it: the coordinates of a shape's moved copy.
+template <int dim>
+struct Movement {
+  Vec<dim> displacement;
+  Matrix<dim> rotation;
+  Real angle;  ///< in the plane, rad; in space 0
+};
+
+}  // namespace berm::bodies

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "material/rate_dependent_tresca.hpp"
+
+#include "material/describe_elasticity.hpp"
+#include "material/mohr_coulomb.hpp"
+
+#include <algorithm>
+
+namespace berm::material {
+
+void describe(Describe& d, RateDependentTresca& law)
+{
+  describe_elasticity(d, law);
+  d.value("undrained_strength", law.undrained_strength,
+          {.meaning = "undrained shear strength up to the reference rate", .unit = "Pa", .range = not_negative, .required = true});
+  d.value("undrained_strength_gradient", law.undrained_strength_gradient,
+          {.meaning = "growth of the undrained strength with depth below the bed's surface; finite elements only",
+           .unit = "Pa/m",
+           .range = not_negative});
+  d.value("rate_parameter", law.rate_parameter,
+          {.meaning = "part of itself by which the strength grows for each tenfold rate of shearing beyond the reference rate",
+           .range = not_negative,
+           .required = true});
+  d.value("reference_rate", law.reference_rate,
+          {.meaning = "rate of shear strain up to which the strength is undrained_strength",
+           .unit = "1/s",
+           .range = positive,
+           .required = true});
+}
+
+std::string law_name(const RateDependentTresca&)
+{
+  return "Tresca, strength growing with rate";
+}
+
+std::vector<FieldInfo> state_fields(const RateDependentTresca&)
+{
+  return {{"rate_strength", "strength that the rate of shearing adds", "Pa"}};
+}
+
+std::optional<Strength> strength_at_rest(const RateDependentTresca& law)
+{
+  return Strength{.cohesion = law.undrained_strength, .cohesion_gradient = law.undrained_strength_gradient};
+}
+
+std::optional<Real> shear_strength(const RateDependentTresca& law, Real /*middle*/, const Real* state)
+{
+  return law.undrained_strength + state[0];
+}
+
+std::string depth_key(const RateDependentTresca& law)
+{
+  return law.undrained_strength_gradient > 0 ? "undrained_strength_gradient" : "";
+}
+
+RateDependentTresca at_depth(RateDependentTresca law, Real depth)
+{
+  law.undrained_strength += law.undrained_strength_gradient * std::max(Real(0), depth);
+  law.undrained_strength_gradient = 0;
+  return law;
+}
+
+PreparedRateDependentTresca prepare(const RateDependentTresca& law)
+{
+  MohrCoulomb tresca;
+  tresca.young_modulus = law.young_modulus;
+  tresca.poisson_ratio = law.poisson_ratio;
+  tresca.cohesion = law.undrained_strength;
+  return {elasticity(law), prepare(tresca), law.rate_parameter * law.undrained_strength, law.reference_rate};
+}
+
+}  // namespace berm::material

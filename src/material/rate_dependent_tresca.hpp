@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "material/increment.hpp"
+#include "material/law_answers.hpp"
+#include "material/mohr_coulomb_return.hpp"
+
+namespace berm::material {
+
+/// Undrained clay whose strength grows with the rate of shearing, as the user gives it: linear elasticity with Tresca's strength
+///
+///   (s1 - s3)/2 <= s_u,   s_u = undrained_strength (1 + rate_parameter log10(rate / reference_rate)),   rate = sqrt(2 e:e) / dt,
+///
+/// e the deviator of the increment's strain; in pure shear sqrt(2 e:e) is the engineering shear strain. Below the reference rate, and where the increment
+/// takes no time, s_u = undrained_strength. The strength is that of the increment in hand, whatever went before. Perfectly plastic, without change of
+/// volume. Einav and Randolph, Int. J. Numer. Meth. Engng 63 (2005), have the same growth by a part for each tenfold rate.
+///
+/// A particle keeps the strength that the last increment's rate has added.
+struct RateDependentTresca {
+  static constexpr const char* word = "rate_dependent_tresca";
+  static constexpr int state_size = 1;
+
+  Real density = 0;                     ///< kg/m3, of the weight
+  std::optional<Real> inertia_density;  ///< kg/m3; empty: density
+  Real young_modulus = 0;               ///< Pa
+  Real poisson_ratio = 0;
+  Real undrained_strength = 0;           ///< Pa, up to the reference rate
+  Real undrained_strength_gradient = 0;  ///< Pa/m, growth with the depth below the bed's surface at the start
+  Real rate_parameter = 0;               ///< part by which the strength grows for each tenfold rate
+  Real reference_rate = 0;               ///< 1/s
+};
+
+void describe(Describe& d, RateDependentTresca& law);
+
+inline Elasticity elasticity(const RateDependentTresca& law)
+{
+  return elasticity(law.young_modulus, law.poisson_ratio);
+}
+
+std::string law_name(const RateDependentTresca& law);
+std::vector<FieldInfo> state_fields(const RateDependentTresca& law);
+std::optional<Strength> strength_at_rest(const RateDependentTresca& law);
+std::optional<Real> shear_strength(const RateDependentTresca& law, Real middle, const Real* state);
+std::string depth_key(const RateDependentTresca& law);
+RateDependentTresca at_depth(RateDependentTresca law, Real depth);
+
+/// The constants, worked out once.
+struct PreparedRateDependentTresca {
+  static constexpr int state_size = 1;
+
+  Elasticity elastic;
+  PreparedMohrCoulomb tresca;  ///< up to the reference rate
+  Real per_decade = 0;         ///< Pa, strength that each tenfold rate adds
+  Real reference_rate = 0;     ///< 1/s
+};
+
+PreparedRateDependentTresca prepare(const RateDependentTresca& law);
+
+/// Advances `stress` (Pa, tension positive) by an increment: elastic predictor, then Mohr-Coulomb's return without friction, to the strength of the
+/// increment's rate. state[0] becomes the strength that the rate adds, Pa.
+template <int dim, class T>
+[[gnu::always_inline]] inline void update(const PreparedRateDependentTresca& law, SymTensor<dim, T>& stress,
+                                          const Increment<dim, T>& increment, T* state)
+{
+  T& added = state[0];
+  added = T{};
+  if (increment.dt > 0) {
+    SymTensor<dim, T> deviator = increment.strain;
+    const T mean = trace(deviator) * (1. / 3), one = T{} + 1.;
+    for (int k = 0; k < 3; ++k) deviator[k] -= mean;
+    const T rate = square_root(double_dot(deviator, deviator) * 2.) / (increment.dt * law.reference_rate);
+    if (any(rate > one)) added = law.per_decade * decimal_logarithm(larger(rate, one));
+  }
+  add_elastic_stress(law.elastic, stress, increment.strain);
+  const T strength = law.tresca.strength + added;
+  T opening{};
+  return_to_surface(law.tresca, strength, stress, opening);
+}
+
+}  // namespace berm::material

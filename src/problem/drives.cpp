@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/problem/stages_test.cpp
+#include "problem/drives.hpp"
+
+#include <algorithm>
+
+namespace berm::problem {
+namespace {
+
+using By = FreedomDrive::By;
+
+void set(FreedomDrive& drive, const FreedomSettings& settings)
+{
+  if (settings.velocity) drive = {By::velocity, *settings.velocity};
+  if (settings.force) drive = {By::force, *settings.force};
+  if (settings.hold) drive = {By::hold, 0};
+}
+
+void set(FreedomDrive& drive, const TurnSettings& settings)
+{
+  if (settings.velocity) drive = {By::velocity, *settings.velocity};
+  if (settings.moment) drive = {By::force, *settings.moment};
+  if (settings.fixed) drive = {By::velocity, 0};
+}
+
+template <int dim>
+void set_rotations(const StageSettings& stage, StageDrives<dim>& drives)
+{
+  if constexpr (dim == 2) {
+    set(drives[2], stage.drive.rotation);
+  } else {
+    set(drives[3], stage.drive.rotation_x);
+    set(drives[4], stage.drive.rotation_y);
+    set(drives[5], stage.drive.rotation_z);
+  }
+}
+
+}  // namespace
+
+template <int dim>
+StageDrives<dim> drives_of(const StageSettings& stage, const Axes<dim>& axes, bool turns)
+{
+  StageDrives<dim> drives;
+  for (int d = dim; d < bodies::freedoms<dim>; ++d) drives[d].by = turns ? By::free : By::velocity;
+  const auto along_axis = [&](FreedomDrive& drive, const std::optional<Real>& velocity, const std::optional<Real>& force, Real sign) {
+    if (velocity)
+      drive = {By::velocity, sign * *velocity};
+    else
+      drive = {By::force, sign * *force};
+  };
+  const Real down = -axes.sign;
+  FreedomDrive& vertical = drives[axes.up];
+  switch (stage.kind) {
+  case StageKind::push:
+    along_axis(vertical, stage.velocity, stage.force, down);
+    break;
+  case StageKind::drag:
+    along_axis(drives[axes.along], stage.velocity, stage.force, 1);
+    if (stage.vertical_velocity)
+      vertical = {By::velocity, down * *stage.vertical_velocity};
+    else if (stage.vertical == Vertical::hold)
+      vertical = stage.vertical_force ? FreedomDrive{By::force, down * *stage.vertical_force} : FreedomDrive{By::hold, 0};
+    break;
+  case StageKind::drive: {
+    const FreedomSettings* settings[3] = {&stage.drive.x, &stage.drive.y, &stage.drive.z};
+    for (int d = 0; d < dim; ++d) set(drives[d], *settings[d]);
+    set_rotations<dim>(stage, drives);
+    break;
+  }
+  case StageKind::geostatic:
+  case StageKind::free:
+    break;
+  }
+  return drives;
+}
+
+template <int dim>
+bool has_force(const StageDrives<dim>& drives)
+{
+  return std::any_of(drives.begin(), drives.begin() + dim, [](const FreedomDrive& d) { return d.by == By::force || d.by == By::hold; });
+}
+
+template StageDrives<2> drives_of(const StageSettings&, const Axes<2>&, bool);
+template StageDrives<3> drives_of(const StageSettings&, const Axes<3>&, bool);
+template bool has_force<2>(const StageDrives<2>&);
+template bool has_force<3>(const StageDrives<3>&);
+
+}  // namespace berm::problem

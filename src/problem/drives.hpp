@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "bodies/rigid/dynamics.hpp"
+#include "problem/axes.hpp"
+#include "problem/stage.hpp"
+
+namespace berm::problem {
+
+/// What a stage wants of one degree of freedom of the body that it drives.
+struct FreedomDrive {
+  enum class By {
+    velocity,  ///< a given velocity; 0: it is fixed
+    force,     ///< a given force of the drive on the body (of a rotation: a moment)
+    hold,      ///< the force that balances the soil when the stage begins
+    free       ///< nothing but the contacts (a rotation that may turn)
+  };
+  By by = By::velocity;
+  Real value = 0;  ///< m/s, rad/s, N/m (in space: N), N (in space: N m), along the axis
+};
+
+template <int dim>
+using StageDrives = std::array<FreedomDrive, bodies::freedoms<dim>>;
+
+/// The drives of a stage: those of [stage.drive], or what a push or a drag is short for. `turns`: whether the body may turn where no drive says.
+template <int dim>
+StageDrives<dim> drives_of(const StageSettings& stage, const Axes<dim>& axes, bool turns);
+
+/// Whether a force, or a moment, moves it.
+template <int dim>
+bool has_force(const StageDrives<dim>& drives);
+
+}  // namespace berm::problem

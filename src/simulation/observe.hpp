@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "run_folder/row.hpp"
+
+#include <optional>
+
+// What both methods write into a row of history.csv. A method leaves out what it does not have.
+namespace berm::simulation {
+
+/// A rigid body: how far it went since the start, and the force of the soil on it.
+struct RigidMotion {
+  Real u, w, H, V;  ///< m, m; H against the drag and V upwards, N/m or N
+};
+template <int dim>
+void observe(run_folder::Row& row, const RigidMotion& motion)
+{
+  row("u", motion.u, run_folder::metres, "horizontal displacement");
+  row("w", motion.w, run_folder::metres, "embedment");
+  row("H", motion.H, run_folder::newtons<dim>, "horizontal resistance");
+  row("V", motion.V, run_folder::newtons<dim>, "vertical reaction");
+}
+
+/// How it turns, counter-clockwise: the moment of the soil on it about its centre (N m/m or N m), and its rotation since the start (rad).
+template <int dim>
+void observe_turn(run_folder::Row& row, Real moment, Real angle)
+{
+  row("M", moment, run_folder::newton_metres<dim>, "moment");
+  row("angle", angle, run_folder::radians, "rotation");
+}
+
+/// Energies and work since the start, J/m or J. Without inertia there is no kinetic energy and no damping.
+struct Energies {
+  std::optional<Real> kinetic, damping;
+  Real internal, friction, external, error;
+};
+template <int dim>
+void observe(run_folder::Row& row, const Energies& energies)
+{
+  const run_folder::ColumnUnit& unit = run_folder::joules<dim>;
+  if (energies.kinetic) row("kinetic", *energies.kinetic, unit, "kinetic energy");
+  row("internal", energies.internal, unit, "internal energy");
+  if (energies.damping) row("damping", *energies.damping, unit, "energy lost to damping");
+  row("friction", energies.friction, unit, "energy lost to friction");
+  row("external", energies.external, unit, "work done from outside");
+  row("energy_error", energies.error, unit, "error of the energy balance");
+}
+
+inline void observe_out_of_balance(run_folder::Row& row, Real over_weight)
+{
+  row("out_of_balance", over_weight, run_folder::bare, "force out of balance");
+}
+
+inline void observe_overlap(run_folder::Row& row, Real overlap)
+{
+  row("overlap", overlap, run_folder::metres, "overlap");
+}
+
+/// A traction: its force now, and the mean displacement of where it acts. Summed over points and divided by their area.
+template <int dim>
+class LoadedArea {
+public:
+  void add(const Vec<dim>& force, const Vec<dim>& displacement, Real area)
+  {
+    force_ += force;
+    moved_by_ += area * displacement;
+    area_ += area;
+  }
+  void observe(run_folder::Row& row, Real part_of_force) const
+  {
+    row("F", Vec<dim>(force_ * part_of_force), run_folder::newtons<dim>, "force");
+    row("u", Vec<dim>(moved_by_ / area_), run_folder::metres, "mean displacement");
+  }
+
+private:
+  Vec<dim> force_ = Vec<dim>::Zero(), moved_by_ = Vec<dim>::Zero();
+  Real area_ = 0;
+};
+
+}  // namespace berm::simulation
