@@ -58,8 +58,8 @@ short = --set 'stage.drag.until.displacement="0.5 mm"'
 debug: setup ## the program without optimization, its types compared at the link, and a short probe test with its report made by it
 	@cmake --preset debug >/dev/null
 	@ninja -C build/debug berm | $(only_news)
-	@build/debug/berm run examples/probe_test/case.toml -o build/debug/probe/case $(coarse) >/dev/null 2>&1
-	@build/debug/berm run examples/probe_test/wip_10.toml -o build/debug/probe/wip_10 $(short) >/dev/null 2>&1
+	@build/debug/berm run examples/probe_test/case.toml -o build/debug/probe/case $(coarse) >build/debug/probe.log 2>&1 || { cat build/debug/probe.log; exit 1; }
+	@build/debug/berm run examples/probe_test/wip_10.toml -o build/debug/probe/wip_10 $(short) >build/debug/probe.log 2>&1 || { cat build/debug/probe.log; exit 1; }
 	@build/debug/berm report build/debug/probe >/dev/null && echo 'make debug: the program, a short probe test and its report'
 
 fuzz: ## look for inputs that break berm, with clang: ten million for each target of tests/fuzz, hours

@@ -118,12 +118,22 @@ void check_rigids(Describe& d, const Case& c)
   }
 }
 
-/// Whether a stage moves its body by a force.
+/// What drives the body of a stage needs its inertia: a force its mass, a moment its moment of inertia.
 template <int dim>
-bool forced_by(const Case& c, const StageSettings& s)
+void check_inertia(Describe& d, const Case& c, const StageSettings& s, const std::string& path)
 {
-  return (s.kind == StageKind::drive || s.velocity || s.force) &&
-         has_force<dim>(drives_of<dim>(s, axes_of<dim>(bodies::to_vec<dim>(c.gravity)), false));
+  if (s.kind != StageKind::drive && !s.velocity && !s.force) return;
+  const StageDrives<dim> drives = drives_of<dim>(s, axes_of<dim>(bodies::to_vec<dim>(c.gravity)), false);
+  const std::string& driven = s.rigid.empty() ? c.rigid.front().first : s.rigid;
+  for (const auto& [name, rigid] : c.rigid) {
+    if (name != driven) continue;
+    d.check(rigid.mass > 0 || !has_force<dim>(drives), path, fmt::format("a force drives [rigid.{}], which therefore needs a mass", name));
+    d.check(rigid.mass > 0 || rigid.moment_of_inertia || !has_moment<dim>(drives), path,
+            fmt::format("a moment turns [rigid.{}], which therefore needs a mass or a moment_of_inertia", name));
+    const auto turns = [](const FreedomDrive& drive) { return drive.by == FreedomDrive::By::force || drive.value != 0; };
+    d.check(bodies::is_bounded(bodies::make_shape<2>(rigid.shape)) || std::none_of(drives.begin() + dim, drives.end(), turns), path,
+            fmt::format("[rigid.{}] is a half-plane, which cannot turn", name));
+  }
 }
 
 /// A freedom is driven in one way, and only those of the geometry are.
@@ -188,13 +198,7 @@ void check_stages(Describe& d, const Case& c)
     d.check(u.time || u.displacement || u.embedment || u.force, path + ".until",
             "needs at least one of time, displacement, embedment, force");
     d.check(driven || (!u.displacement && !u.embedment && !u.force), path + ".until", "a stage that drives nothing ends at a time");
-    if (driven) {
-      const std::string& name = s.rigid.empty() ? c.rigid.front().first : s.rigid;
-      const bool by_force = c.dimension == 2 ? forced_by<2>(c, s) : forced_by<3>(c, s);
-      for (const auto& [rigid, settings] : c.rigid)
-        d.check(rigid != name || settings.mass > 0 || !by_force, path,
-                fmt::format("a force drives [rigid.{}], which therefore needs a mass", name));
-    }
+    if (driven) c.dimension == 2 ? check_inertia<2>(d, c, s, path) : check_inertia<3>(d, c, s, path);
   }
 }
 

@@ -80,9 +80,17 @@ bool has_force(const StageDrives<dim>& drives)
   return std::any_of(drives.begin(), drives.begin() + dim, [](const FreedomDrive& d) { return d.by == By::force || d.by == By::hold; });
 }
 
+template <int dim>
+bool has_moment(const StageDrives<dim>& drives)
+{
+  return std::any_of(drives.begin() + dim, drives.end(), [](const FreedomDrive& d) { return d.by == By::force; });
+}
+
 template StageDrives<2> drives_of(const StageSettings&, const Axes<2>&, bool);
 template StageDrives<3> drives_of(const StageSettings&, const Axes<3>&, bool);
 template bool has_force<2>(const StageDrives<2>&);
 template bool has_force<3>(const StageDrives<3>&);
+template bool has_moment<2>(const StageDrives<2>&);
+template bool has_moment<3>(const StageDrives<3>&);
 
 }  // namespace berm::problem

@@ -26,8 +26,10 @@ using StageDrives = std::array<FreedomDrive, bodies::freedoms<dim>>;
 template <int dim>
 StageDrives<dim> drives_of(const StageSettings& stage, const Axes<dim>& axes, bool turns);
 
-/// Whether a force, or a moment, moves it.
+/// Whether a force moves it along an axis; whether a moment turns it.
 template <int dim>
 bool has_force(const StageDrives<dim>& drives);
+template <int dim>
+bool has_moment(const StageDrives<dim>& drives);
 
 }  // namespace berm::problem

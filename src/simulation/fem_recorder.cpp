@@ -2,7 +2,6 @@
 // Tests: tests/unit/commands/run_fem_test.cpp
 #include "simulation/fem_recorder.hpp"
 
-#include "problem/stages.hpp"
 #include "simulation/observe.hpp"
 
 namespace berm::simulation {
@@ -18,11 +17,11 @@ Vec<2> displacement_of(const fem::FemState& state, Index node)
 void FemRecorder::observe_rigid(const fem::FemModel& model, const fem::FemState& state)
 {
   const bodies::RigidState<2>& rigid = state.state.rigid_bodies[model.rigid];
-  const problem::PipeMotion motion = pipe_motion(model.model, state.state, model.rigid);
-  horizontal_ = -drag_direction(model.model, state.state) * rigid.reaction[0] + 0.;
-  vertical_ = rigid.reaction[1];
+  const RigidMotion motion = motion_of(model.model, state.state, model.rigid, rigid.reaction);
+  horizontal_ = motion.H;
+  vertical_ = motion.V;
   row_.of_main(model.model.rigid_bodies[model.rigid].name);
-  observe<2>(row_, RigidMotion{motion.u, motion.w, horizontal_, vertical_});
+  observe<2>(row_, motion);
 }
 
 void FemRecorder::observe_solution(const fem::FemState& state, const fem::IncrementEnd& end)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "problem/stages.hpp"
 #include "run_folder/row.hpp"
 
 #include <optional>
@@ -12,6 +13,15 @@ namespace berm::simulation {
 struct RigidMotion {
   Real u, w, H, V;  ///< m, m; H against the drag and V upwards, N/m or N
 };
+
+/// That of a rigid body with this force of the soil on it. A zero has no sign.
+template <int dim>
+RigidMotion motion_of(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid, const Vec<dim>& reaction)
+{
+  const problem::PipeMotion motion = pipe_motion(model, state, rigid);
+  return {motion.u, motion.w, -drag_direction(model, state) * reaction[model.axes.along] + 0.,
+          model.axes.sign * reaction[model.axes.up] + 0.};
+}
 template <int dim>
 void observe(run_folder::Row& row, const RigidMotion& motion)
 {

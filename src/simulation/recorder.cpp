@@ -14,6 +14,7 @@ namespace berm::simulation {
 namespace {
 
 constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
+
 }  // namespace
 
 template <int dim>
@@ -50,13 +51,12 @@ template <int dim>
 void Recorder<dim>::observe_rigid(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid)
 {
   const bodies::RigidState<dim>&now = state.rigid_bodies[rigid], &last = last_rigids_[rigid];
-  const problem::PipeMotion motion = pipe_motion(model, state, rigid);
   const Real time = state.time - last_time_;
   const Vec<dim> impulse = now.impulse - last.impulse;
   const Vec<dim> reaction = time > 0 ? Vec<dim>(-impulse / time) : Vec<dim>(Vec<dim>::Zero());
-  const Real H = -drag_direction(model, state) * reaction[model.axes.along] + 0., V = model.axes.sign * reaction[model.axes.up] + 0.;
-  observe<dim>(row_, RigidMotion{motion.u, motion.w, H, V});
-  if (rigid == model.main_rigid) horizontal_ = H, vertical_ = V;
+  const RigidMotion motion = motion_of(model, state, rigid, reaction);
+  observe<dim>(row_, motion);
+  if (rigid == model.main_rigid) horizontal_ = motion.H, vertical_ = motion.V;
 }
 
 template <int dim>

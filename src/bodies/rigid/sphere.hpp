@@ -95,7 +95,7 @@ Sphere<dim> moved(Sphere<dim> sphere, const Movement<dim>& m)
   return sphere;
 }
 
-/// 32 meridians and 16 bands.
+/// 32 meridians and 16 bands, of polygons: quads are the sides of what is extruded along z.
 template <int dim>
 SurfaceMesh<dim> surface_mesh(const Sphere<dim>& sphere, const Vec<dim>&, const Vec<dim>&)
 {
@@ -111,7 +111,8 @@ SurfaceMesh<dim> surface_mesh(const Sphere<dim>& sphere, const Vec<dim>&, const 
     for (Index b = 0; b < bands; ++b)
       for (Index m = 0; m < meridians; ++m) {
         const Index next = (m + 1) % meridians;
-        s.add(SurfaceMesh<dim>::Kind::quad, {b * meridians + m, b * meridians + next, (b + 1) * meridians + next, (b + 1) * meridians + m});
+        s.add(SurfaceMesh<dim>::Kind::polygon,
+              {b * meridians + m, b * meridians + next, (b + 1) * meridians + next, (b + 1) * meridians + m});
       }
   }
   return s;

@@ -96,7 +96,7 @@ Vec<dim> to_vec(const std::vector<Real>& numbers)
   return v;
 }
 
-/// A center and whatever turns about it: the coordinates of a shape's moved copy.
+/// How far a shape has moved since the start: its centre is displaced, and its axes are turned about that.
 template <int dim>
 struct Movement {
   Vec<dim> displacement;

@@ -327,6 +327,109 @@ TEST(FreeBody, gets_its_kinetic_energy_from_a_drive_and_loses_it_where_it_is_sto
   EXPECT_NEAR(problem.state.totals.external, 0, 1e-14);
 }
 
+StageSettings drive()
+{
+  return stage_of(StageKind::drive, "drive");
+}
+
+TEST(Drive, of_each_freedom_does_what_it_says)
+{
+  StageSettings stage = drive();
+  stage.drive.x.velocity = -0.3;
+  stage.drive.y.force = -50;
+  stage.drive.rotation.velocity = 2;
+  Driver run({stage});
+  run.step();
+  EXPECT_NEAR(run.pipe.velocity[0], -0.3, 1e-15);
+  EXPECT_NEAR(run.pipe.velocity[1], -50 * dt / 2, 1e-15);  // of 2 kg/m
+  EXPECT_NEAR(run.pipe.angular_velocity, 2, 1e-15);
+}
+
+TEST(Drive, by_a_moment_turns_by_the_inertia_and_a_freedom_that_is_left_out_is_fixed)
+{
+  StageSettings stage = drive();
+  stage.drive.rotation.moment = 0.3;
+  Driver run({stage});
+  run.soil_pushes({7, 9});
+  run.pipe.torque = -0.1;
+  run.step();
+  EXPECT_NEAR(run.pipe.angular_velocity, dt * 0.2 / (2 * 0.2 * 0.2 / 2), 1e-15);
+  EXPECT_EQ(run.pipe.velocity, Vec<2>(0, 0));
+}
+
+TEST(Drive, holds_the_force_that_balances_the_soil_when_it_begins)
+{
+  StageSettings stage = drive();
+  stage.drive.y.hold = true;
+  Driver run({push(0.5), stage});
+  run.soil_pushes({0, 80});
+  run.pipe.velocity.setZero();
+  run.next_stage();
+  run.step();
+  EXPECT_NEAR(run.pipe.velocity[1], 0, 1e-15);
+  run.pipe.reaction[1] = 90;
+  run.step();
+  EXPECT_NEAR(run.pipe.velocity[1], dt * 10 / 2, 1e-15);
+}
+
+TEST(Drive, is_what_push_and_drag_are_short_for)
+{
+  const Axes<2> axes;
+  const auto same = [&](const StageSettings& a, const StageSettings& b) {
+    const StageDrives<2> one = drives_of(a, axes, false), other = drives_of(b, axes, false);
+    for (std::size_t f = 0; f < one.size(); ++f) {
+      EXPECT_EQ(one[f].by, other[f].by) << f;
+      EXPECT_EQ(one[f].value, other[f].value) << f;
+    }
+  };
+  StageSettings down = drive(), along = drive();
+  down.drive.y.velocity = -0.5;
+  same(push(0.5), down);
+  along.drive.x.velocity = 0.2;
+  along.drive.y.hold = true;
+  same(drag(0.2), along);
+}
+
+TEST(Drive, ends_at_a_distance_whatever_its_direction)
+{
+  StageSettings stage = drive();
+  stage.drive.x.velocity = 3;
+  stage.drive.y.velocity = 4;
+  stage.until = {};
+  stage.until.displacement = 0.05;
+  EXPECT_NEAR(expected_time(stage), 0.01, 1e-15);
+  Driver run({stage});
+  for (int n = 0; n < 9; ++n) run.step();
+  EXPECT_FALSE(run.ended());
+  run.step();
+  run.step();
+  EXPECT_TRUE(run.ended());
+}
+
+TEST(Axes, are_against_gravity_along_the_nearest_axis)
+{
+  EXPECT_EQ(axes_of<2>({0, 0}).up, 1);
+  const Axes<2> slope = axes_of<2>({3, -9});
+  EXPECT_EQ(slope.up_vector(), Vec<2>(0, 1));
+  EXPECT_EQ(slope.along, 0);
+  const Axes<3> z_up = axes_of<3>({0, 0, -10});
+  EXPECT_EQ(z_up.up_vector(), Vec<3>(0, 0, 1));
+  EXPECT_EQ(z_up.along, 0);
+  const Axes<2> turned = axes_of<2>({10, 0});
+  EXPECT_EQ(turned.up_vector(), Vec<2>(-1, 0));
+  EXPECT_EQ(turned.along, 1);
+}
+
+TEST(Axes, a_push_goes_down_and_its_embedment_is_along_gravity)
+{
+  Case c = pipe_over_box({push(0.5)});
+  c.gravity = {10, 0};  // down is +x, so the pipe's invert is its point of largest x
+  auto problem = build<2>(c, ".", ".");
+  EXPECT_NEAR(pipe_motion(problem.model, problem.state, 0).w, 1.2 - 1, 1e-15);  // the surface is x = 1 then
+  drive_rigids(problem.model, problem.state, dt);
+  EXPECT_EQ(problem.state.rigid_bodies[0].velocity, Vec<2>(0.5, 0));
+}
+
 TEST(FreeRotation, follows_the_moment_of_the_soil_and_the_inertia)
 {
   Case c = pipe_over_box({drag(0.2), stage_of(StageKind::free)});

@@ -120,6 +120,15 @@ TEST(RigidSurface, of_a_circle_in_space_reaches_through_the_mesh)
   EXPECT_EQ(max, 5);
 }
 
+TEST(RigidSurface, of_a_sphere_lies_on_it_and_is_no_extruded_side)
+{
+  const bodies::Sphere<3> sphere{Vec<3>(1, 2, 3), 0.5};
+  const auto surface = surface_of<3>(bodies::RigidShape<3>(sphere), Vec<3>(0, 0, 0), Vec<3>(5, 5, 5));
+  ASSERT_FALSE(surface.cells.empty());
+  for (const Vec<3>& x : surface.points) EXPECT_NEAR((x - sphere.center).norm(), 0.5, 1e-15);
+  for (const auto& cell : surface.cells) EXPECT_EQ(cell.type, io::VtkCell::polygon);
+}
+
 TEST(RigidSurface, of_a_turned_box_has_its_corners)
 {
   bodies::BoxSettings settings{{1, 1}, {2, 4}, pi / 2};
