@@ -182,7 +182,7 @@ std::string shown(Real number, int decimals)
 }
 
 template <int dim>
-nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, int threads, Real bandwidth)
+nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, simulation::Context& context, Real bandwidth)
 {
   const simulation::ScratchFolder scratch;
   const Real memory_before = simulation::memory_of_data();
@@ -200,7 +200,7 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, i
     return passed;
   };
   seconds(0.5, 16);  // warm-up
-  reset_timings();
+  context.timings().clear();
   const BigIndex before = problem.state.step;
   const Real wall = seconds(3, 32);
   const BigIndex steps = problem.state.step - before;
@@ -210,20 +210,20 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, i
 
   const bodies::Particles<dim>& body = problem.state.particles[0];
   const Real per_cell = static_cast<Real>(particles) / static_cast<Real>(body.occupied().size());
-  const std::vector<Timing> loops = timings();
+  const std::vector<Timing> loops = context.timings().table();
   // The yardstick has triangles only.
   const Real ceiling =
       dim == 2 ? roofline::run_ceiling(particles, static_cast<int>(std::lround(per_cell)), 1).particle_steps_per_s() : no_number;
   const Demand demand = demand_of(body, work.grids[0]);
 
   fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9.2f} {:>9} {:>8} {:>6.0f} {:>6} {:>9.2f} {:>9.0f}\n", name, particles,
-             problem.model.mesh.cell_count(), steps, threads, speed / 1e6, shown(ceiling / 1e6, 1), shown(speed / ceiling, 2), demand.bytes,
-             shown(demand.flops, 0), speed * demand.bytes / bandwidth, memory);
+             problem.model.mesh.cell_count(), steps, context.threads(), speed / 1e6, shown(ceiling / 1e6, 1), shown(speed / ceiling, 2),
+             demand.bytes, shown(demand.flops, 0), speed * demand.bytes / bandwidth, memory);
   nlohmann::ordered_json result = {{"name", name},
                                    {"particles", particles},
                                    {"cells", problem.model.mesh.cell_count()},
                                    {"steps", steps},
-                                   {"threads", threads},
+                                   {"threads", context.threads()},
                                    {"wall_s", wall},
                                    {"particle_steps_per_s", speed},
                                    {"particles_per_occupied_cell", per_cell},
@@ -250,7 +250,7 @@ std::vector<std::string> bench_names()
   return names;
 }
 
-void run_bench(const std::vector<std::string>& names, const std::string& json_file, int threads)
+void run_bench(const std::vector<std::string>& names, const std::string& json_file, simulation::Context& context)
 {
   constexpr BigIndex triad_bytes = 300'000'000;
   const Real bandwidth = roofline::triad_bandwidth(triad_bytes, 0.5);
@@ -264,8 +264,8 @@ void run_bench(const std::vector<std::string>& names, const std::string& json_fi
   for (const BenchProblem& bench : problems) {
     if (!names.empty() && std::find(names.begin(), names.end(), bench.name) == names.end()) continue;
     const problem::Case c = bench.make();
-    table["problems"].push_back(c.dimension == 2 ? measure_speed<2>(bench.name, c, threads, bandwidth)
-                                                 : measure_speed<3>(bench.name, c, threads, bandwidth));
+    table["problems"].push_back(c.dimension == 2 ? measure_speed<2>(bench.name, c, context, bandwidth)
+                                                 : measure_speed<3>(bench.name, c, context, bandwidth));
   }
   if (!json_file.empty()) io::write_atomically(json_file, table.dump(2) + "\n");
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "simulation/context.hpp"
+
 #include <string>
 #include <vector>
 
@@ -11,6 +13,6 @@ std::vector<std::string> bench_names();
 
 /// Steps the named problems (none named: all) for a few seconds each, prints a table of particle-steps per second and time by loop, and writes the
 /// same as JSON to json_file unless that is empty. Throws RunError.
-void run_bench(const std::vector<std::string>& names, const std::string& json_file, int threads);
+void run_bench(const std::vector<std::string>& names, const std::string& json_file, simulation::Context& context);
 
 }  // namespace berm::benchmark

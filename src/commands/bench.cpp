@@ -3,7 +3,6 @@
 #include "benchmark/benchmark.hpp"
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
-#include "core/threads.hpp"
 
 namespace berm::commands {
 
@@ -19,7 +18,8 @@ Command add_bench(CLI::App& program)
   app->add_option("--json", options->json, "also write the table to this file");
   options->take_threads(*app);
   return {app, [options] {
-            benchmark::run_bench(options->names, options->json, use_threads(options->threads));
+            simulation::Context context(options->threads);
+            benchmark::run_bench(options->names, options->json, context);
             return 0;
           }};
 }

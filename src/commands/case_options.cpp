@@ -40,7 +40,6 @@ int CaseOptions::jobs() const
 
 std::vector<simulation::RunRequest> requests(const CaseOptions& options)
 {
-  const int threads = use_threads(options.threads);
   std::vector<simulation::RunRequest> all;
   for (const std::string& file : options.files) {
     const fs::path name = fs::path(file).stem();
@@ -50,7 +49,7 @@ std::vector<simulation::RunRequest> requests(const CaseOptions& options)
     for (const simulation::RunRequest& other : all)
       if (other.folder == folder)
         throw InputError(fmt::format("{} and {} would both be written to {}", other.case_file.string(), file, folder.string()));
-    all.push_back({input::read_case(file, options.overrides), file, folder, threads});
+    all.push_back({input::read_case(file, options.overrides), file, folder});
   }
   return all;
 }

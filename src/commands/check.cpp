@@ -12,7 +12,8 @@ Command add_check(CLI::App& program)
   options->take_cases(*app);
   options->take_threads(*app);
   return {app, [options] {
-            for (const simulation::RunRequest& request : requests(*options)) check_case(request);
+            simulation::Context context(options->threads);
+            for (const simulation::RunRequest& request : requests(*options)) check_case(request, context);
             return 0;
           }};
 }

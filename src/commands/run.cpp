@@ -3,7 +3,6 @@
 #include "commands/command.hpp"
 #include "commands/side_by_side.hpp"
 #include "core/interrupt.hpp"
-#include "core/threads.hpp"
 #include "simulation/resume.hpp"
 
 #include <algorithm>
@@ -13,30 +12,31 @@ namespace berm::commands {
 namespace {
 
 /// One case after the other, each on all threads; cases of finite elements, which hardly gain by threads, side by side behind them.
-int run_all(const std::vector<simulation::RunRequest>& all, const std::vector<std::string>& overrides)
+int run_all(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
 {
-  const int threads = all.front().threads;
   catch_interrupts();
   // A case that does not fit its mesh is refused before the first one runs.
   if (all.size() > 1)
     for (const simulation::RunRequest& request : all) try_to_build(request);
+  const auto is_fem = [](const simulation::RunRequest& r) { return r.settings.method == problem::Method::fem; };
   std::vector<simulation::RunRequest> fem;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(fem),
-               [](const simulation::RunRequest& r) { return r.settings.method == problem::Method::fem; });
-  const bool side_by_side = fem.size() > 1 && threads > 1;
-  for (const simulation::RunRequest& request : all) {
-    if (side_by_side && request.settings.method == problem::Method::fem) continue;
-    if (!run_case(request)) return 1;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(fem), is_fem);
+  const bool side_by_side = fem.size() > 1 && options.jobs() > 1;
+  {
+    simulation::Context context(options.threads, interrupted);
+    for (const simulation::RunRequest& request : all)
+      if (!(side_by_side && is_fem(request)) && !run_case(request, context)) return 1;
   }
-  return !side_by_side || run_side_by_side(fem, overrides, threads) ? 0 : 1;
+  return !side_by_side || run_side_by_side(fem, options.overrides, options.jobs()) ? 0 : 1;
 }
 
 int resume(const std::filesystem::path& folder, int threads)
 {
-  const std::optional<simulation::RunRequest> request = simulation::run_to_resume(folder, threads);
+  const std::optional<simulation::RunRequest> request = simulation::run_to_resume(folder);
   if (!request) return fmt::print("the run in {} is finished\n", folder.string()), 0;
   catch_interrupts();
-  return run_case(*request) ? 0 : 1;
+  simulation::Context context(threads, interrupted);
+  return run_case(*request, context) ? 0 : 1;
 }
 
 }  // namespace
@@ -59,8 +59,8 @@ Command add_run(CLI::App& program)
     if (options->files.empty() && options->unfinished.empty()) throw CLI::RequiredError("CASE or --resume");
   });
   return {app, [options] {
-            if (!options->unfinished.empty()) return resume(options->unfinished, use_threads(options->threads));
-            return run_all(requests(*options), options->overrides);
+            if (!options->unfinished.empty()) return resume(options->unfinished, options->threads);
+            return run_all(requests(*options), *options);
           }};
 }
 

@@ -2,7 +2,6 @@
 // Tests: tests/unit/commands/run_test.cpp
 #include "commands/side_by_side.hpp"
 
-#include "core/threads.hpp"
 #include "io/atomic_file.hpp"
 #include "jobs/jobs.hpp"
 
@@ -12,7 +11,6 @@ namespace berm::commands {
 
 bool run_side_by_side(const std::vector<simulation::RunRequest>& requests, const std::vector<std::string>& overrides, int at_once)
 {
-  unbind_thread();
   std::vector<jobs::Job> jobs;
   for (const simulation::RunRequest& request : requests) jobs.push_back({request.case_file, overrides, request.folder});
   bool all_fine = true;

@@ -6,7 +6,7 @@ namespace berm {
 /// From now on SIGINT and SIGTERM only ask a run to stop; a second one ends the program at once.
 void catch_interrupts();
 
-/// True once the user has asked to stop.
+/// True once a signal has asked to stop; false in a program that does not catch them.
 bool interrupted();
 
 }  // namespace berm

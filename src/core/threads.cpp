@@ -15,6 +15,22 @@
 namespace berm {
 namespace {
 
+/// The processor's control word of floating-point arithmetic; 0 where there is none.
+unsigned arithmetic()
+{
+#ifdef __SSE2__
+  return _mm_getcsr();
+#else
+  return 0;
+#endif
+}
+void set_arithmetic([[maybe_unused]] unsigned control_word)
+{
+#ifdef __SSE2__
+  _mm_setcsr(control_word);
+#endif
+}
+
 /// Numbers below 2e-308, which a stress wave leaves ahead of itself, take a processor many times as long as others.
 void flush_denormals_to_zero()
 {
@@ -46,29 +62,35 @@ int processor_count()
   return processors.empty() ? omp_get_num_procs() : static_cast<int>(processors.size());
 }
 
-int use_threads(int count)
+Threads::Threads(int count)
+    : count_(count > 0 ? count : processor_count()),
+      count_before_(omp_get_max_threads()),
+      arithmetic_before_(arithmetic())
 {
   const std::vector<int>& processors = allowed_processors();
-  if (count <= 0) count = processor_count();
-  omp_set_num_threads(count);
-  const bool bind = count > 1 && count <= static_cast<int>(processors.size()) && std::getenv("OMP_PROC_BIND") == nullptr;
+  bound_ = count_ > 1 && count_ <= static_cast<int>(processors.size()) && std::getenv("OMP_PROC_BIND") == nullptr;
+  omp_set_num_threads(count_);
 #pragma omp parallel
   {
     flush_denormals_to_zero();
     cpu_set_t own;
     CPU_ZERO(&own);
-    if (bind) CPU_SET(processors[omp_get_thread_num()], &own);
-    if (bind) sched_setaffinity(0, sizeof own, &own);
+    if (bound_) CPU_SET(processors[omp_get_thread_num()], &own);
+    if (bound_) sched_setaffinity(0, sizeof own, &own);
   }
-  return count;
 }
 
-void unbind_thread()
+Threads::~Threads()
 {
   cpu_set_t all;
   CPU_ZERO(&all);
   for (const int processor : allowed_processors()) CPU_SET(processor, &all);
-  if (!allowed_processors().empty()) sched_setaffinity(0, sizeof all, &all);
+#pragma omp parallel
+  {
+    set_arithmetic(arithmetic_before_);
+    if (bound_) sched_setaffinity(0, sizeof all, &all);
+  }
+  omp_set_num_threads(count_before_);
 }
 
 void reexec_with_openmp_environment(char** argv)

@@ -6,9 +6,24 @@ namespace berm {
 /// The number of processors that this process may use.
 int processor_count();
 
-/// Uses `count` threads from now on (0: one for each processor that this process may use) and gives the number. More than one thread are bound to a
-/// processor each, unless OMP_PROC_BIND says otherwise: threads that wander can be slower together than one alone.
-int use_threads(int count);
+/// The threads of the loops of for_each, while it lives: more than one are bound to a processor each, unless OMP_PROC_BIND says otherwise (threads that
+/// wander can be slower together than one alone), and numbers below 2e-308 count as zero in them. Behind it the calling thread has its processors, its
+/// number of threads and its arithmetic back. One at a time in a process.
+class Threads {
+public:
+  /// 0: one for each processor that this process may use.
+  explicit Threads(int count);
+  ~Threads();
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+
+  int count() const { return count_; }
+
+private:
+  int count_, count_before_;
+  unsigned arithmetic_before_;  ///< of floating-point numbers: the processor's control word
+  bool bound_;
+};
 
 /// Starts the program once more with argv and with settings that libraries read from the environment when they are loaded; to be called first of
 /// all. Does nothing where the environment says how OpenMP's threads wait.
@@ -16,9 +31,5 @@ int use_threads(int count);
 ///   processor from the very thread that is waited for as soon as anything else runs on the machine.
 /// - OpenBLAS gets one thread.
 void reexec_with_openmp_environment(char** argv);
-
-/// Lets the calling thread run on all processors that the process had before use_threads bound it to one: for processes that it is about to start, which
-/// inherit where they may run.
-void unbind_thread();
 
 }  // namespace berm

@@ -6,49 +6,49 @@
 namespace berm {
 namespace {
 
-struct Slot {
-  const char* label;
-  std::chrono::steady_clock::duration total{};
-  BigIndex calls = 0;
-};
-
-std::vector<Slot>& slots()
-{
-  static std::vector<Slot> all;
-  return all;
-}
-
-Index slot_of(const char* label)
-{
-  auto& all = slots();
-  for (Index k = 0; k < static_cast<Index>(all.size()); ++k)
-    if (all[k].label == label || std::strcmp(all[k].label, label) == 0) return k;
-  all.push_back({label});
-  return static_cast<Index>(all.size()) - 1;
-}
+thread_local Timings* current = nullptr;
 
 }  // namespace
 
-Timer::Timer(const char* label) : slot_(slot_of(label)), start_(std::chrono::steady_clock::now()) {}
-
-Timer::~Timer()
-{
-  Slot& slot = slots()[slot_];
-  slot.total += std::chrono::steady_clock::now() - start_;
-  ++slot.calls;
-}
-
-std::vector<Timing> timings()
+std::vector<Timing> Timings::table() const
 {
   std::vector<Timing> table;
-  for (const Slot& slot : slots())
+  for (const Slot& slot : slots_)
     if (slot.calls > 0) table.push_back({slot.label, std::chrono::duration<Real>(slot.total).count(), slot.calls});
   return table;
 }
 
-void reset_timings()
+std::size_t Timings::slot_of(const char* label)
 {
-  for (Slot& slot : slots()) slot.total = {}, slot.calls = 0;
+  for (std::size_t k = 0; k < slots_.size(); ++k)
+    if (slots_[k].label == label || std::strcmp(slots_[k].label, label) == 0) return k;
+  slots_.push_back({label});
+  return slots_.size() - 1;
+}
+
+Timings::Use::Use(Timings& timings) : before_(current)
+{
+  current = &timings;
+}
+
+Timings::Use::~Use()
+{
+  current = before_;
+}
+
+Timer::Timer(const char* label) : timings_(current)
+{
+  if (timings_ == nullptr) return;
+  slot_ = timings_->slot_of(label);
+  start_ = std::chrono::steady_clock::now();
+}
+
+Timer::~Timer()
+{
+  if (timings_ == nullptr) return;
+  Timings::Slot& slot = timings_->slots_[slot_];
+  slot.total += std::chrono::steady_clock::now() - start_;
+  ++slot.calls;
 }
 
 }  // namespace berm

@@ -16,11 +16,39 @@ struct Timing {
   BigIndex calls = 0;
 };
 
-/// All timings since the last reset, in order of first use.
-std::vector<Timing> timings();
-void reset_timings();
+/// The table that Timers write to. One is current on a thread at a time (Use); without one, Timers do nothing.
+class Timings {
+public:
+  /// In the order of first use since the table was cleared.
+  std::vector<Timing> table() const;
+  void clear() { slots_.clear(); }
 
-/// Adds the life of this object to the timing of its label, a string literal. For the main thread only.
+  /// Makes a table current on this thread for the life of this object; the one before is current again behind it.
+  class Use {
+  public:
+    explicit Use(Timings& timings);
+    ~Use();
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+
+  private:
+    Timings* before_;
+  };
+
+private:
+  friend class Timer;
+  struct Slot {
+    const char* label;
+    std::chrono::steady_clock::duration total{};
+    BigIndex calls = 0;
+  };
+  std::size_t slot_of(const char* label);
+
+  std::vector<Slot> slots_;
+};
+
+/// Adds the life of this object to the timing of its label, a string literal, in the table that is current on this thread. No table is cleared or
+/// replaced in that time.
 class Timer {
 public:
   explicit Timer(const char* label);
@@ -29,7 +57,8 @@ public:
   Timer& operator=(const Timer&) = delete;
 
 private:
-  Index slot_;
+  Timings* timings_;
+  std::size_t slot_ = 0;
   std::chrono::steady_clock::time_point start_;
 };
 

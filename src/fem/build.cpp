@@ -131,6 +131,7 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
   for (const bodies::RigidBody<2>& rigid : model.model.rigid_bodies) shapes.push_back(rigid.shape);
   model.mesh = make_quadratic(model.model.mesh, c, shapes);
   make_contact(model);
+  model.model.main_rigid = model.rigid;
   for (std::size_t t = 0; t < c.traction.size(); ++t)
     model.loads.push_back(side_loads(model.mesh, model.mesh.loaded_sides[t], c.traction[t].first, c.traction[t].second));
   for (std::size_t k = 0; k < model.model.stages.size(); ++k)

@@ -98,7 +98,7 @@ Real LoadSteps::up_to_the_end(Real dt) const
   };
   if (until.displacement)
     cut(0, *until.displacement - std::abs(state_.state.rigid_bodies[driven()].displacement[0] - now.begin_displacement[0]));
-  if (until.embedment && travel(1, since, since + dt) < 0) cut(1, *until.embedment - pipe_motion(model_.model, state_.state, driven()).w);
+  if (until.embedment && travel(1, since, since + dt) < 0) cut(1, *until.embedment - travel_of(model_.model, state_.state, driven()).w);
   return dt;
 }
 
@@ -235,6 +235,18 @@ bool LoadSteps::next_stage()
   begin_stage(model_.model, state_.state);
   begin();
   return true;
+}
+
+void LoadSteps::archive(Archive& k)
+{
+  k("relaxation", relaxation_);
+  k("first_dt", first_dt_);
+  k("dt", dt_);
+  k("last_dt", last_dt_);
+  k("last_iterations", last_iterations_);
+  k("accepted_above_tolerance", accepted_above_tolerance_);
+  k("last_change", last_change_);
+  if (last_dt_ > 0 && static_cast<Index>(last_change_.size()) != model_.unknowns()) k.refuse("its last increment is of another mesh");
 }
 
 }  // namespace berm::fem

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/archive.hpp"
 #include "fem/newton.hpp"
 
 namespace berm::fem {
@@ -27,6 +28,9 @@ public:
   /// Goes to the next stage; false after the last one. Where supports are released their reactions are let go first, at one moment, the rigid body at rest.
   /// Throws RunError where the soil finds no equilibrium without them.
   bool next_stage();
+
+  /// What the next increment takes from those before it, beside the state.
+  void archive(Archive& k);
 
 private:
   const problem::StageSettings& stage() const { return model_.model.stages[state_.state.stage.index]; }

@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
-#include "core/timer.hpp"
+#include "core/vector_unit.hpp"
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
@@ -111,7 +111,7 @@ fs::path engine_file(problem::Method method)
 {
   if (method == problem::Method::fem) return "/proc/self/exe";
   Dl_info info{};
-  return ::dladdr(reinterpret_cast<void*>(&reset_timings), &info) != 0 && info.dli_fname != nullptr ? info.dli_fname : "";
+  return ::dladdr(reinterpret_cast<void*>(&vector_unit), &info) != 0 && info.dli_fname != nullptr ? info.dli_fname : "";
 }
 
 /// The numbers of the jobs, the longest first.

@@ -63,7 +63,6 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
     const Vec<dim> weight = m * gravity;
     force += weight;
     if (loaded) force += grid.traction[i];
-
     const Vec<dim>& v = grid.velocity[i];
     const Real factor = grid.touching[i] ? 0 : stage_damping ? *stage_damping : model.bodies[body].damping[i];
     Vec<dim> damping = Vec<dim>::Zero();
@@ -91,7 +90,6 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
   });
 
   if (!std::isfinite(sums.all + state.totals.internal)) throw_not_finite(model, state, body);
-
   problem::Totals<dim>& totals = state.totals;
   totals.gravity_impulse += dt * sums.gravity;
   totals.traction_impulse += dt * sums.traction;

@@ -122,6 +122,100 @@ enum class Pass {
   strain,  ///< 10, 11
 };
 
+/// What the strain of particles takes from the step and from their body.
+struct StrainNumbers {
+  Real dt, time;                ///< s
+  Real min_volume, max_volume;  ///< over mass, m3/kg
+};
+
+/// The dilation that the cells of a patch share, over their volume.
+template <int dim>
+Real patch_dilation(const mesh::Patches& patches, const BodyGrid<dim>& grid, Index cell)
+{
+  Real volume = 0, change = 0;
+  mesh::for_each_in_patch(patches, cell, [&](Index member) {
+    volume += grid.moments[member].volume;
+    change += grid.volume_change[member];
+  });
+  return change / volume;
+}
+
+/// Moves a part of a cell's particles and gives their smallest shape function where they are then; adds the kinetic energy that the filter takes. at_zero is
+/// N_k where all coordinates are zero.
+template <class V, int dim, class P>
+[[gnu::always_inline]] inline V move_part(const P& part, bodies::Block<dim>& p, bodies::Block<dim>& q, const mesh::Shape<dim>& shape,
+                                          const Real (&at_zero)[dim], const LinearField<dim>& gain, const LinearField<dim>& velocity,
+                                          Real dt, Real filtered, Real& filtered_energy)
+{
+  const typename Part<V>::Mask alive = part.alive();
+  const Real unfiltered = 1 - filtered;
+  V old_x[dim], x[dim], kinetic_loss{};
+  for (int d = 0; d < dim; ++d) old_x[d] = part.get(p.x[d], q.x[d]);
+  for (int d = 0; d < dim; ++d) {
+    const V v = part.get(p.v[d], q.v[d]);
+    const V new_v = alive ? unfiltered * v + gain.at(d, old_x) : v;
+    part.set(p.v[d], q.v[d], new_v);
+    if (filtered > 0) kinetic_loss += part.get(p.mass, q.mass) * (v * v - new_v * new_v);
+    x[d] = alive ? old_x[d] + dt * velocity.at(d, old_x) : old_x[d];
+    part.set(p.x[d], q.x[d], x[d]);
+  }
+  if (filtered > 0) filtered_energy += 0.5 * sum(kinetic_loss);
+  V min_shape = 1 - V{}, of_corner_0 = 1 - V{};
+  for (int k = 0; k < dim; ++k) {
+    V n = at_zero[k] + shape.gradients[k][0] * x[0];
+    for (int d = 1; d < dim; ++d) n += shape.gradients[k][d] * x[d];
+    of_corner_0 -= n;
+    min_shape = smaller(min_shape, n);
+  }
+  return smaller(min_shape, of_corner_0);
+}
+
+/// Strains a part of a cell's particles; adds the work of their stresses. law_without_dilation is null where the law does not dilate.
+template <class V, int dim, class P, class Law>
+[[gnu::always_inline]] inline void strain_part(const Law& law, const Law* law_without_dilation, const P& part,
+                                               bodies::Particles<dim>& particles, bodies::Block<dim>& p, bodies::Block<dim>& q,
+                                               const CellStrain<dim>& cell, const StrainNumbers& numbers, Real deviatoric, WorkDone& done)
+{
+  using Mask = typename Part<V>::Mask;
+  const Mask alive = part.alive();
+  const V mass = part.get(p.mass, q.mass), volume = part.get(p.volume, q.volume);
+  material::Increment<dim, V> increment{.strain = {}, .dt = numbers.dt, .time = numbers.time};
+  SymTensor<dim, V>& strain = increment.strain;
+  SymTensor<dim, V> stress, both_stresses;
+  for (int k = 0; k < tensor_size<dim>; ++k) {
+    strain[k] = cell.strain[k] - V{};
+    stress[k] = both_stresses[k] = part.get(p.stress[k], q.stress[k]);
+  }
+  rotate(stress, cell.rotation);
+  const Mask fully_dilated = alive & (volume >= mass * numbers.max_volume);
+  part.template change<Law::state_size>(particles.state(part.block), particles.state(part.other), [&](V* law_state) {
+    update_stress_of<dim>(law, law_without_dilation, fully_dilated, stress, increment, law_state);
+  });
+  for (int k = 0; k < tensor_size<dim>; ++k) {
+    const V kept = alive ? stress[k] : V{};
+    both_stresses[k] += kept;
+    part.set(p.stress[k], q.stress[k], kept);
+  }
+  done.internal += sum(0.5 * volume * double_dot(both_stresses, strain));
+  const V stretched = volume * (1 + cell.dilation);
+  part.set(p.volume, q.volume, smaller(larger(stretched, mass * numbers.min_volume), mass * numbers.max_volume));
+  part.set(p.deviatoric_strain, q.deviatoric_strain, part.get(p.deviatoric_strain, q.deviatoric_strain) + deviatoric);
+}
+
+/// Finds the new cell of a particle that has left its own, and notes the change. A call here would change what the compiler does to the loop around it, and
+/// the last bits.
+template <int dim>
+[[gnu::always_inline]] inline void note_cell_change(const mesh::Mesh<dim>& mesh, Work<dim>& work, Index cell, Index place,
+                                                    bodies::Block<dim>& block, int lane)
+{
+  Vec<dim> at;
+  for (int d = 0; d < dim; ++d) at[d] = block.x[d][lane];
+  const mesh::Location found = locate(mesh, at, cell);
+  const bool in_mesh = found.inside || clamp_to_cell(mesh, found.cell, at);
+  for (int d = 0; d < dim; ++d) block.x[d][lane] = at[d];
+  if (!in_mesh || found.cell != cell) work.cell_changes[omp_get_thread_num()].push_back({cell, place, in_mesh ? found.cell : none});
+}
+
 /// law_without_dilation is null where the law does not dilate.
 template <Pass pass, int dim, class Law>
 void move_and_strain_with(const Law& law, const Law* law_without_dilation, const problem::Model<dim>& model, problem::State<dim>& state,
@@ -130,9 +224,9 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
   const mesh::Mesh<dim>& mesh = model.mesh;
   const BodyGrid<dim>& grid = work.grids[body];
   bodies::Particles<dim>& particles = state.particles[body];
-  const Real dt = state.dt, time = state.time, per_density = 1 / inertia_density(model.bodies[body].material);
-  const Real min_volume = model.mpm.min_volume_ratio * per_density, max_volume = model.mpm.max_volume_ratio * per_density;
-  const Real filtered = pass == Pass::both ? grid.filtered_part(dt) : 0, unfiltered = 1 - filtered;
+  const Real per_density = 1 / inertia_density(model.bodies[body].material);
+  const Real dt = state.dt, filtered = pass == Pass::both ? grid.filtered_part(dt) : 0;
+  const StrainNumbers numbers{dt, state.time, model.mpm.min_volume_ratio * per_density, model.mpm.max_volume_ratio * per_density};
   for (auto& list : work.cell_changes) list.clear();
 
   const WorkDone work_done = sum_of<WorkDone>("move and strain particles", static_cast<Index>(particles.occupied().size()), [&](Index c) {
@@ -140,88 +234,28 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
     particles.prefetch_after(c);
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    Real at_zero[dim] = {};  // N_k where all coordinates are zero
+    Real at_zero[dim] = {};
     for (int k = 0; k < dim; ++k)
       for (int d = 0; d < dim; ++d) at_zero[k] -= shape.gradients[k][d] * shape.origin[d];
     const LinearField<dim> gain(shape, nodes, [&](Index i, int d) { return grid.gain(i, d, dt, filtered); }),
         velocity(shape, nodes, grid.mapped_velocity);
     CellStrain<dim> cell_strain(velocity, dt);
-    if (pass != Pass::move && model.mpm.volumetric_projection) {
-      Real volume = 0, change = 0;
-      mesh::for_each_in_patch(model.patches, cell, [&](Index member) {
-        volume += grid.moments[member].volume;
-        change += grid.volume_change[member];
-      });
-      cell_strain.project(change / volume);
-    }
-    const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
+    if (pass != Pass::move && model.mpm.volumetric_projection) cell_strain.project(patch_dilation(model.patches, grid, cell));
+    const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain);
 
     WorkDone done;
     particles.parts(cell, [&](const auto& part) {
       using V = typename std::decay_t<decltype(part)>::Vector;
-      using Mask = typename Part<V>::Mask;
       bodies::Block<dim>&p = particles.block(part.block), &q = particles.block(part.other);
-      const Mask alive = part.alive();
       V min_shape = 1 - V{};
-      if constexpr (pass != Pass::strain) {
-        V old_x[dim], x[dim], kinetic_loss{};
-        for (int d = 0; d < dim; ++d) old_x[d] = part.get(p.x[d], q.x[d]);
-        for (int d = 0; d < dim; ++d) {
-          const V v = part.get(p.v[d], q.v[d]);
-          const V new_v = alive ? unfiltered * v + gain.at(d, old_x) : v;
-          part.set(p.v[d], q.v[d], new_v);
-          if (filtered > 0) kinetic_loss += part.get(p.mass, q.mass) * (v * v - new_v * new_v);
-          x[d] = alive ? old_x[d] + dt * velocity.at(d, old_x) : old_x[d];
-          part.set(p.x[d], q.x[d], x[d]);
-        }
-        if (filtered > 0) done.filtered += 0.5 * sum(kinetic_loss);
-        V of_corner_0 = 1 - V{};
-        for (int k = 0; k < dim; ++k) {
-          V n = at_zero[k] + shape.gradients[k][0] * x[0];
-          for (int d = 1; d < dim; ++d) n += shape.gradients[k][d] * x[d];
-          of_corner_0 -= n;
-          min_shape = smaller(min_shape, n);
-        }
-        min_shape = smaller(min_shape, of_corner_0);
-      }
-      if constexpr (pass != Pass::move) {
-        const V mass = part.get(p.mass, q.mass), volume = part.get(p.volume, q.volume);
-        material::Increment<dim, V> increment{.strain = {}, .dt = dt, .time = time};
-        SymTensor<dim, V>& strain = increment.strain;
-        SymTensor<dim, V> stress, both_stresses;
-        for (int k = 0; k < tensor_size<dim>; ++k) {
-          strain[k] = cell_strain.strain[k] - V{};
-          stress[k] = both_stresses[k] = part.get(p.stress[k], q.stress[k]);
-        }
-        rotate(stress, cell_strain.rotation);
-        const Mask fully_dilated = alive & (volume >= mass * max_volume);
-        part.template change<Law::state_size>(particles.state(part.block), particles.state(part.other), [&](V* law_state) {
-          update_stress_of<dim>(law, law_without_dilation, fully_dilated, stress, increment, law_state);
-        });
-        for (int k = 0; k < tensor_size<dim>; ++k) {
-          const V kept = alive ? stress[k] : V{};
-          both_stresses[k] += kept;
-          part.set(p.stress[k], q.stress[k], kept);
-        }
-        done.internal += sum(0.5 * volume * double_dot(both_stresses, strain));
-        part.set(p.volume, q.volume, smaller(larger(volume * stretch, mass * min_volume), mass * max_volume));
-        part.set(p.deviatoric_strain, q.deviatoric_strain, part.get(p.deviatoric_strain, q.deviatoric_strain) + deviatoric);
-      }
+      if constexpr (pass != Pass::strain) min_shape = move_part<V>(part, p, q, shape, at_zero, gain, velocity, dt, filtered, done.filtered);
+      if constexpr (pass != Pass::move)
+        strain_part<V>(law, law_without_dilation, part, particles, p, q, cell_strain, numbers, deviatoric, done);
 
-      const Mask leaves = alive & (min_shape < V{});
+      const typename Part<V>::Mask leaves = part.alive() & (min_shape < V{});
       if (any(leaves)) [[unlikely]]
         for (int l = 0; l < part.size; ++l)
-          if (leaves[l]) {
-            bodies::Block<dim>& block = l < lanes ? p : q;
-            const int lane = (part.first + l) % lanes;
-            Vec<dim> at;
-            for (int d = 0; d < dim; ++d) at[d] = block.x[d][lane];
-            const mesh::Location found = locate(mesh, at, cell);
-            const bool in_mesh = found.inside || clamp_to_cell(mesh, found.cell, at);
-            for (int d = 0; d < dim; ++d) block.x[d][lane] = at[d];
-            if (!in_mesh || found.cell != cell)
-              work.cell_changes[omp_get_thread_num()].push_back({cell, part.place + l, in_mesh ? found.cell : none});
-          }
+          if (leaves[l]) note_cell_change(mesh, work, cell, part.place + l, l < lanes ? p : q, (part.first + l) % lanes);
     });
     if (filtered > 0) done.filtered += kinetic_gain(LinearField<dim>(shape, nodes, grid.acceleration), grid.moments[cell], dt);
     if (grid.full_cells) done.internal *= grid.weight[cell];

@@ -3,7 +3,7 @@
 
 namespace berm::problem {
 template <int dim>
-PipeMotion pipe_motion(const Model<dim>& model, const State<dim>& state, Index rigid)
+RigidTravel travel_of(const Model<dim>& model, const State<dim>& state, Index rigid)
 {
   const Axes<dim>& axes = model.axes;
   const bodies::RigidState<dim>& body = state.rigid_bodies[rigid];
@@ -83,7 +83,7 @@ bool stage_ended(const Model<dim>& model, const State<dim>& state)
   const Vec<dim> moved = rigid.displacement - now.begin_displacement;
   const Real travel = stage.kind == StageKind::drive ? moved.norm() : std::abs(moved[model.axes.along]);
   if (until.displacement && travel >= *until.displacement) return true;
-  if (until.embedment && pipe_motion(model, state, driven).w >= *until.embedment) return true;
+  if (until.embedment && travel_of(model, state, driven).w >= *until.embedment) return true;
   return until.force && resistance(model, state, rigid.smooth_reaction) >= *until.force;
 }
 
@@ -130,8 +130,15 @@ Real expected_time(const StageSettings& stage)
   return 0 < min && min < infinity ? min : 0;
 }
 
+Real expected_time(const std::vector<StageSettings>& stages)
+{
+  Real total = 0;
+  for (const StageSettings& stage : stages) total += expected_time(stage);
+  return total;
+}
+
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template PipeMotion pipe_motion(const Model<dim>&, const State<dim>&, Index);                                                            \
+  template RigidTravel travel_of(const Model<dim>&, const State<dim>&, Index);                                                             \
   template Real drag_direction(const Model<dim>&, const State<dim>&);                                                                      \
   template void begin_stage(const Model<dim>&, State<dim>&);                                                                               \
   template bool stage_ended(const Model<dim>&, const State<dim>&);                                                                         \

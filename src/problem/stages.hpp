@@ -7,13 +7,13 @@
 
 namespace berm::problem {
 
-/// The pipe as the engineer sees it: displacements in m, forces in N/m (in space: N).
-struct PipeMotion {
+/// Where a rigid body is, along and against gravity, m.
+struct RigidTravel {
   Real u = 0;  ///< horizontal displacement (Axes::along)
   Real w = 0;  ///< depth of the lowest point below the bed's first surface
 };
 template <int dim>
-PipeMotion pipe_motion(const Model<dim>& model, const State<dim>& state, Index rigid);
+RigidTravel travel_of(const Model<dim>& model, const State<dim>& state, Index rigid);
 
 /// +1, or -1 in a drag along -x: H = -direction times the horizontal force of the soil on the body.
 template <int dim>
@@ -50,6 +50,8 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt);
 
 /// The time that a stage is expected to take, s; 0 where it cannot be told from its input.
 Real expected_time(const StageSettings& stage);
+/// The sum over stages.
+Real expected_time(const std::vector<StageSettings>& stages);
 
 /// The part of a traction that acts at a time.
 inline Real part_of_traction(const Traction& traction, const TractionState& now, Real time)

@@ -88,31 +88,33 @@ std::vector<DrawnField> drawn_fields(const problem::Model<2>& model)
   return fields;
 }
 
-}  // namespace
-
-FemFrameMaker::FemFrameMaker(const fem::FemModel& model) : model_(model), last_displacement_(model.unknowns(), 0.) {}
-
-Frame<2> FemFrameMaker::make(const fem::FemState& state)
+/// A frame with room for what nodes carry.
+Frame<2> empty_frame(const fem::QuadraticMesh& mesh, const std::vector<DrawnField>& drawn)
 {
-  const fem::QuadraticMesh& mesh = model_.mesh;
-  const std::vector<DrawnField> drawn = drawn_fields(model_.model);
   std::vector<FieldInfo> infos = common_fields<2>();
   for (const DrawnField& field : drawn)
     if (!is_common_field(field.info.name)) infos.push_back(field.info);
   Frame<2> frame;
-  frame.time = state.state.time;
   frame.allocate(static_cast<std::size_t>(mesh.node_count()), infos);
+  frame.triangles.assign(mesh.nodes.begin(), mesh.nodes.end());
+  return frame;
+}
+
+/// Draws the fields of the points of integration out to the nodes and averages them over the elements by their area. Gives the sums by node.
+NodeField<NodalSums> draw_out(const fem::FemModel& model, const fem::FemState& state, const std::vector<Real>& last_displacement,
+                              const std::vector<DrawnField>& drawn, Frame<2>& frame)
+{
+  const fem::QuadraticMesh& mesh = model.mesh;
   std::vector<FieldValues<Real>*> shown;
   for (const DrawnField& field : drawn) shown.push_back(&frame.field(field.info.name));
-
   NodeField<NodalSums> sums(mesh.node_count());
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     Real area = 0;
-    for (const fem::ShapeAtPoint& shape : model_.shape[cell]) area += shape.area;
+    for (const fem::ShapeAtPoint& shape : model.shape[cell]) area += shape.area;
     std::array<Matrix<2>, fem::triangle_points> gradient, since_last;
     for (int q = 0; q < fem::triangle_points; ++q) {
-      gradient[q] = gradient_at(model_.shape[cell][q], mesh.nodes[cell], state.displacement);
-      since_last[q] = gradient[q] - gradient_at(model_.shape[cell][q], mesh.nodes[cell], last_displacement_);
+      gradient[q] = gradient_at(model.shape[cell][q], mesh.nodes[cell], state.displacement);
+      since_last[q] = gradient[q] - gradient_at(model.shape[cell][q], mesh.nodes[cell], last_displacement);
     }
     for (int k = 0; k < 6; ++k) {
       const Index node = mesh.nodes[cell][k];
@@ -135,6 +137,12 @@ Frame<2> FemFrameMaker::make(const fem::FemState& state)
         Real& value = field->at(node, c);
         value = field->info.components > 1 ? value / sums[node].area : std::max(Real(0), value / sums[node].area);
       }
+  return sums;
+}
+
+/// What the nodes' own motion and the gradients of their elements say.
+void set_motion(const fem::QuadraticMesh& mesh, const fem::FemState& state, const NodeField<NodalSums>& sums, Frame<2>& frame)
+{
   const FieldValues<Real>& stress = frame.field("stress");
   FieldValues<Real>&displacement = frame.field("displacement"), &mean_stress = frame.field("mean_stress"),
   &deviatoric = frame.field("deviatoric_strain"), &volumetric = frame.field("volumetric_strain"),
@@ -152,8 +160,19 @@ Frame<2> FemFrameMaker::make(const fem::FemState& state)
     volumetric.at(node) = strain.volumetric;
     increment.at(node) = gradient_strain<2>(Matrix<2>::Identity() + sum.gradient_since_last / sum.area).deviatoric;
   }
+}
+
+}  // namespace
+
+FemFrameMaker::FemFrameMaker(const fem::FemModel& model) : model_(model), last_displacement_(model.unknowns(), 0.) {}
+
+Frame<2> FemFrameMaker::make(const fem::FemState& state)
+{
+  const std::vector<DrawnField> drawn = drawn_fields(model_.model);
+  Frame<2> frame = empty_frame(model_.mesh, drawn);
+  frame.time = state.state.time;
+  set_motion(model_.mesh, state, draw_out(model_, state, last_displacement_, drawn, frame), frame);
   last_displacement_ = state.displacement;
-  frame.triangles.assign(mesh.nodes.begin(), mesh.nodes.end());
   frame.rigid_bodies = frame_rigids(model_.model, state.state.rigid_bodies);
   return frame;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/archive.hpp"
 #include "fem/fem_problem.hpp"
 #include "run_folder/frame.hpp"
 
@@ -14,6 +15,9 @@ public:
 
   /// The strain is that of the gradient of the displacement, the increment that of the displacement since the frame before.
   Frame<2> make(const fem::FemState& state);
+
+  /// What the increments of the next frame count from.
+  void archive(Archive& k) { k.fixed("last_displacement", last_displacement_); }
 
 private:
   const fem::FemModel& model_;

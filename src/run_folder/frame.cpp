@@ -78,7 +78,7 @@ std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>& model, cons
 {
   std::vector<FrameRigid<dim>> shown;
   for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
-    shown.push_back({surface_of<dim>(placed<dim>(model.rigid_bodies[r], rigid_bodies[r]), model.mesh.lower, model.mesh.upper),
+    shown.push_back({surface_mesh<dim>(placed<dim>(model.rigid_bodies[r], rigid_bodies[r]), model.mesh.lower, model.mesh.upper),
                      rigid_bodies[r].velocity});
   return shown;
 }

@@ -3,14 +3,13 @@
 
 #include "problem/model.hpp"
 #include "run_folder/field_values.hpp"
-#include "run_folder/rigid_surface.hpp"
 
 namespace berm::run_folder {
 
 /// A rigid body as a frame shows it.
 template <int dim>
 struct FrameRigid {
-  RigidSurface<dim> surface;
+  bodies::SurfaceMesh<dim> surface;
   Vec<dim> velocity;  ///< m/s
 };
 

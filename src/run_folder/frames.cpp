@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/vtu.hpp"
 
 #include <algorithm>
 #include <deque>
@@ -43,6 +44,17 @@ std::string file_name(const char* kind, Index number)
   return fmt::format("{}_{:04}.vtu", kind, number);
 }
 
+/// VTK's word for a kind of cell of a surface.
+template <int dim>
+io::VtkCell vtk_cell(typename bodies::SurfaceMesh<dim>::Kind kind)
+{
+  using Kind = typename bodies::SurfaceMesh<dim>::Kind;
+  return kind == Kind::line      ? io::VtkCell::line
+         : kind == Kind::polygon ? io::VtkCell::polygon
+         : kind == Kind::quad    ? io::VtkCell::quad
+                                 : io::VtkCell::hexahedron;
+}
+
 }  // namespace
 
 template <int dim>
@@ -60,6 +72,7 @@ void FrameWriter<dim>::write(Frame<dim> frame)
   last_ = std::move(frame);
   if (written) return;  // by the run that this one goes on with
   with_rigids_ = !last_.rigid_bodies.empty();
+  with_triangles_ = !last_.triangles.empty();
   const Index number = static_cast<Index>(times_.size());
   write_soil(file_name(soil_kind(), number));
   if (with_rigids_) write_rigids(file_name("rigid", number));
@@ -83,6 +96,7 @@ void FrameWriter<dim>::archive(Archive& k)
 {
   k("times", times_);
   k("with_rigids", with_rigids_);
+  k("with_triangles", with_triangles_);
   if (!k.reads()) return io::sync_file(folder_);
   for (const std::string& name : files())
     if (!std::filesystem::exists(folder_ / name)) k.refuse(fmt::format("{} is gone", (folder_ / name).string()));
@@ -127,9 +141,9 @@ void FrameWriter<dim>::write_soil(const std::string& name) const
   points.reserve(3 * count);  // a list that grows by doubling would take half as much again, of the memory of a large run
   for (const Vec<dim>& x : last_.points) append<dim>(points, x);
   io::Vtu vtu(std::move(points));
-  vtu.reserve_cells(last_.triangles.empty() ? count : last_.triangles.size(), last_.triangles.empty() ? 1 : 6);
+  vtu.reserve_cells(with_triangles_ ? last_.triangles.size() : count, with_triangles_ ? 6 : 1);
   for (const auto& nodes : last_.triangles) vtu.add_cell(io::VtkCell::quadratic_triangle, std::vector<Index>(nodes.begin(), nodes.end()));
-  if (last_.triangles.empty())
+  if (!with_triangles_)
     for (Index k = 0; k < static_cast<Index>(count); ++k) vtu.add_cell(io::VtkCell::vertex, {k});
   vtu.set_time(last_.time);
   std::deque<std::vector<float>> lists;  // that stay where they are
@@ -160,7 +174,7 @@ void FrameWriter<dim>::write_rigids(const std::string& name) const
     for (const auto& cell : last_.rigid_bodies[r].surface.cells) {
       std::vector<Index> corners = cell.points;
       for (Index& corner : corners) corner += first;
-      vtu.add_cell(cell.type, corners);
+      vtu.add_cell(vtk_cell<dim>(cell.kind), corners);
       rigid.push_back(static_cast<std::int32_t>(r));
       append<dim>(velocity, last_.rigid_bodies[r].velocity);
     }

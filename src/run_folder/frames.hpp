@@ -37,11 +37,11 @@ private:
   void write_rigids(const std::string& name) const;
   void write_collection() const;
   std::vector<std::string> files() const;
-  const char* soil_kind() const { return last_.triangles.empty() ? "particles" : "soil"; }
+  const char* soil_kind() const { return with_triangles_ ? "soil" : "particles"; }
 
   std::filesystem::path folder_;
   std::vector<Real> times_;
-  bool with_rigids_ = false;
+  bool with_rigids_ = false, with_triangles_ = false;
   Frame<dim> last_;
 };
 

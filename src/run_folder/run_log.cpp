@@ -105,8 +105,8 @@ private:
   int file_, failure_ = 0;
 };
 
-RunLog::RunLog(const std::filesystem::path& file, bool resume)
-    : has_terminal_(::isatty(STDERR_FILENO) == 1),
+RunLog::RunLog(const std::filesystem::path& file, bool resume, const std::shared_ptr<spdlog::sinks::sink>& instead)
+    : has_terminal_(!instead && ::isatty(STDERR_FILENO) == 1),
       terminal_(std::make_shared<StderrSink>()),
       file_(std::make_shared<LogFileSink>(file, resume)),
       before_(spdlog::default_logger())
@@ -114,7 +114,7 @@ RunLog::RunLog(const std::filesystem::path& file, bool resume)
   file_->set_formatter(formatter("%Y-%m-%d %H:%M:%S %*%v"));
   terminal_->set_formatter(formatter("%^%*%$%v"));
   file_only_ = std::make_shared<spdlog::logger>("file", file_);
-  auto both = std::make_shared<spdlog::logger>("berm", spdlog::sinks_init_list{terminal_, file_});
+  auto both = std::make_shared<spdlog::logger>("berm", spdlog::sinks_init_list{instead ? instead : terminal_, file_});
   both->flush_on(spdlog::level::info);
   spdlog::set_default_logger(both);
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <memory>
 #include <spdlog/logger.h>
+#include <spdlog/sinks/sink.h>
 #include <string_view>
 
 namespace berm::run_folder {
@@ -15,13 +16,14 @@ class LogFileSink;
 /// On a terminal it also keeps one line that is rewritten in place, below the messages.
 class RunLog {
 public:
-  /// Begins the file, or goes on behind what it holds. Throws RunError where it cannot be written.
-  explicit RunLog(const std::filesystem::path& file, bool resume = false);
+  /// Begins the file, or goes on behind what it holds. Messages go to `instead` of stderr where it is given. Throws RunError where the file cannot be
+  /// written.
+  explicit RunLog(const std::filesystem::path& file, bool resume = false, const std::shared_ptr<spdlog::sinks::sink>& instead = {});
   ~RunLog();
   RunLog(const RunLog&) = delete;
   RunLog& operator=(const RunLog&) = delete;
 
-  /// True where stderr is a terminal.
+  /// True where messages go to stderr and that is a terminal.
   bool has_terminal() const { return has_terminal_; }
   /// Shows the line in place of the one before, cut to the terminal's width; an empty one clears it. Never goes to the file.
   void rewrite_line(std::string_view line);

@@ -2,8 +2,6 @@
 // Tests: tests/unit/commands/run_fem_test.cpp
 #include "simulation/fem_recorder.hpp"
 
-#include "simulation/observe.hpp"
-
 namespace berm::simulation {
 namespace {
 
@@ -13,16 +11,6 @@ Vec<2> displacement_of(const fem::FemState& state, Index node)
 }
 
 }  // namespace
-
-void FemRecorder::observe_rigid(const fem::FemModel& model, const fem::FemState& state)
-{
-  const bodies::RigidState<2>& rigid = state.state.rigid_bodies[model.rigid];
-  const RigidMotion motion = motion_of(model.model, state.state, model.rigid, rigid.reaction);
-  horizontal_ = motion.H;
-  vertical_ = motion.V;
-  row_.of_main(model.model.rigid_bodies[model.rigid].name);
-  observe<2>(row_, motion);
-}
 
 void FemRecorder::observe_solution(const fem::FemState& state, const fem::IncrementEnd& end)
 {
@@ -51,37 +39,49 @@ void FemRecorder::observe_watches(const fem::FemModel& model, const fem::FemStat
   }
 }
 
-void FemRecorder::add_row(const fem::FemModel& model, fem::FemState& state, const fem::IncrementEnd& end)
+void FemRecorder::add_row(const fem::FemModel& model, fem::FemState& state, const fem::IncrementEnd& end, run_folder::HistoryFile& file)
 {
   const problem::State<2>& now = state.state;
   const problem::Totals<2>& t = now.totals;
-  const Real error = t.internal + t.friction - t.external;
-  largest_error_ = std::max(largest_error_, std::abs(error));
-  largest_work_ = std::max({largest_work_, std::abs(t.external), std::abs(t.internal)});
+  const bool has_rigid = model.rigid != none;
+  const auto of_rigid = [&] { row_.of_main(model.model.rigid_bodies[model.rigid].name); };
   row_.begin(now.time, model.model.stages[now.stage.index].name);
-  if (model.rigid != none) observe_rigid(model, state);
+  if (has_rigid) of_rigid(), observe_rigid(model.model, now, model.rigid, now.rigid_bodies[model.rigid].reaction);
   row_.of_main("run");
-  observe<2>(
-      row_, Energies{.kinetic = {}, .damping = {}, .internal = t.internal, .friction = t.friction, .external = t.external, .error = error});
+  observe_energies({.kinetic = {},
+                    .damping = {},
+                    .internal = t.internal,
+                    .friction = t.friction,
+                    .external = t.external,
+                    .error = t.internal + t.friction - t.external});
   if (model.weight > 0) observe_out_of_balance(row_, state.unbalanced / model.weight);
-  if (model.rigid != none) {
+  if (has_rigid) {
+    of_rigid();
     bodies::RigidState<2>& rigid = state.state.rigid_bodies[model.rigid];
-    row_.of_main(model.model.rigid_bodies[model.rigid].name);
     observe_overlap(row_, rigid.max_overlap);
     rigid.max_overlap = 0;
     observe_turn<2>(row_, rigid.torque, rigid.orientation.angle);
-    if (model.model.driven[now.stage.index] != none && end.iterations > 0) {
-      largest_unbalance_ = std::max(largest_unbalance_, end.unbalance);
-      largest_overstress_ = std::max(largest_overstress_, state.overstress);
-      lag_.missing += std::abs(end.lag.missing);
-      lag_.dissipated += end.lag.dissipated;
-    }
+  }
+  if (model.model.driven[now.stage.index] != none && end.iterations > 0) {
+    largest_unbalance_ = std::max(largest_unbalance_, end.unbalance);
+    largest_overstress_ = std::max(largest_overstress_, state.overstress);
+    lag_.missing += std::abs(end.lag.missing);
+    lag_.dissipated += end.lag.dissipated;
   }
   row_.of_main("run");
   observe_solution(state, end);
   observe_tractions(model, state);
   observe_watches(model, state);
-  file_.add(row_);
+  file.add(row_);
+}
+
+void FemRecorder::archive(Archive& k)
+{
+  Recorder<2>::archive(k);
+  k("largest_unbalance", largest_unbalance_);
+  k("largest_overstress", largest_overstress_);
+  k("lag_missing", lag_.missing);
+  k("lag_dissipated", lag_.dissipated);
 }
 
 }  // namespace berm::simulation

@@ -3,23 +3,20 @@
 
 #include "fem/newton.hpp"
 #include "run_folder/history.hpp"
+#include "simulation/recorder.hpp"
 
 namespace berm::simulation {
 
 /// Writes the rows of history.csv of a finite element run: what both methods have (observe.hpp), with
 /// iterations, unbalance (of the increment), overstress (part of the stress that lies beyond the strength) and strength_lag (part of what plastic
 /// flow dissipates that is missing because the strength lags behind its pressure).
-class FemRecorder {
+class FemRecorder : public Recorder<2> {
 public:
-  explicit FemRecorder(const std::filesystem::path& path) : file_(path) {}
+  /// Throws RunError where a number is not finite that must be.
+  void add_row(const fem::FemModel& model, fem::FemState& state, const fem::IncrementEnd& end, run_folder::HistoryFile& file);
 
-  void add_row(const fem::FemModel& model, fem::FemState& state, const fem::IncrementEnd& end);
+  void archive(Archive& k);
 
-  /// V and H of the last row, N/m.
-  Real vertical() const { return vertical_; }
-  Real horizontal() const { return horizontal_; }
-  /// The largest |energy error| of all rows over the largest work done so far.
-  Real energy_error() const { return largest_work_ > 0 ? largest_error_ / largest_work_ : 0; }
   /// The largest unbalance and overstress of all rows in which a rigid body is driven.
   Real largest_unbalance() const { return largest_unbalance_; }
   Real largest_overstress() const { return largest_overstress_; }
@@ -27,14 +24,11 @@ public:
   Real strength_lag() const { return lag_.part(); }
 
 private:
-  void observe_rigid(const fem::FemModel& model, const fem::FemState& state);
   void observe_solution(const fem::FemState& state, const fem::IncrementEnd& end);
   void observe_tractions(const fem::FemModel& model, const fem::FemState& state);
   void observe_watches(const fem::FemModel& model, const fem::FemState& state);
 
-  run_folder::Row row_;
-  run_folder::HistoryFile file_;
-  Real vertical_ = 0, horizontal_ = 0, largest_error_ = 0, largest_work_ = 0, largest_unbalance_ = 0, largest_overstress_ = 0;
+  Real largest_unbalance_ = 0, largest_overstress_ = 0;
   fem::StrengthLag lag_;
 };
 

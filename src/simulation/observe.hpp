@@ -10,25 +10,25 @@
 namespace berm::simulation {
 
 /// A rigid body: how far it went since the start, and the force of the soil on it.
-struct RigidMotion {
+struct RigidResponse {
   Real u, w, H, V;  ///< m, m; H against the drag and V upwards, N/m or N
 };
 
 /// That of a rigid body with this force of the soil on it. A zero has no sign.
 template <int dim>
-RigidMotion motion_of(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid, const Vec<dim>& reaction)
+RigidResponse response_of(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid, const Vec<dim>& reaction)
 {
-  const problem::PipeMotion motion = pipe_motion(model, state, rigid);
-  return {motion.u, motion.w, -drag_direction(model, state) * reaction[model.axes.along] + 0.,
+  const problem::RigidTravel travel = travel_of(model, state, rigid);
+  return {travel.u, travel.w, -drag_direction(model, state) * reaction[model.axes.along] + 0.,
           model.axes.sign * reaction[model.axes.up] + 0.};
 }
 template <int dim>
-void observe(run_folder::Row& row, const RigidMotion& motion)
+void observe(run_folder::Row& row, const RigidResponse& response)
 {
-  row("u", motion.u, run_folder::metres, "horizontal displacement");
-  row("w", motion.w, run_folder::metres, "embedment");
-  row("H", motion.H, run_folder::newtons<dim>, "horizontal resistance");
-  row("V", motion.V, run_folder::newtons<dim>, "vertical reaction");
+  row("u", response.u, run_folder::metres, "horizontal displacement");
+  row("w", response.w, run_folder::metres, "embedment");
+  row("H", response.H, run_folder::newtons<dim>, "horizontal resistance");
+  row("V", response.V, run_folder::newtons<dim>, "vertical reaction");
 }
 
 /// How it turns, counter-clockwise: the moment of the soil on it about its centre (N m/m or N m), and its rotation since the start (rad).

@@ -1,203 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/commands/run_test.cpp
+// Tests: tests/unit/simulation/run_test.cpp
 #include "simulation/recorder.hpp"
 
-#include "core/error.hpp"
-#include "mpm/condition.hpp"
-#include "problem/archive_state.hpp"
-#include "problem/stages.hpp"
-#include "simulation/observe.hpp"
-
-#include <fmt/format.h>
+#include <algorithm>
 
 namespace berm::simulation {
-namespace {
-
-constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
-
-}  // namespace
 
 template <int dim>
-Recorder<dim>::Recorder(const problem::Model<dim>& model, const problem::State<dim>& start)
-    : last_time_(start.time),
-      last_rigids_(start.rigid_bodies),
-      last_pair_impulses_(start.pair_impulses)
+void Recorder<dim>::observe_rigid(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid, const Vec<dim>& reaction)
 {
-  for (const bodies::Particles<dim>& particles : start.particles) {
-    const mpm::BodySums<dim> sums = mpm::sums_over(particles);
-    first_centers_.push_back(sums.center());
-    first_kinetic_ += sums.kinetic;
-  }
-  first_loaded_ = start.load_points;
-  for (const problem::Watch& watch : model.watches) first_watched_.push_back(mpm::particle_of(start.particles[watch.body], watch.id).x);
+  const RigidResponse response = response_of(model, state, rigid, reaction);
+  observe<dim>(row_, response);
+  if (rigid == model.main_rigid) horizontal_ = response.H, vertical_ = response.V;
+}
+
+template <int dim>
+void Recorder<dim>::observe_energies(const Energies& energies, Real at_least)
+{
+  observe<dim>(row_, energies);
+  largest_error_ = std::max(largest_error_, std::abs(energies.error));
+  largest_work_ = std::max({largest_work_, std::abs(energies.external), std::abs(energies.internal), at_least});
 }
 
 template <int dim>
 void Recorder<dim>::archive(Archive& k)
 {
-  k("last_time", last_time_);
-  for (std::size_t r = 0; r < last_rigids_.size(); ++r) k.table(fmt::format("rigid_{}", r), [&] { problem::archive(k, last_rigids_[r]); });
-  for (std::size_t c = 0; c < last_pair_impulses_.size(); ++c) k(fmt::format("pair_impulse_{}", c), last_pair_impulses_[c]);
   k("vertical", vertical_);
   k("horizontal", horizontal_);
-  k("out_of_balance", out_of_balance_);
   k("largest_error", largest_error_);
   k("largest_work", largest_work_);
-  k("shaking", shaking_);
-  k("shaken_rows", shaken_rows_);
-}
-
-template <int dim>
-void Recorder<dim>::observe_rigid(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid)
-{
-  const bodies::RigidState<dim>&now = state.rigid_bodies[rigid], &last = last_rigids_[rigid];
-  const Real time = state.time - last_time_;
-  const Vec<dim> impulse = now.impulse - last.impulse;
-  const Vec<dim> reaction = time > 0 ? Vec<dim>(-impulse / time) : Vec<dim>(Vec<dim>::Zero());
-  const RigidMotion motion = motion_of(model, state, rigid, reaction);
-  observe<dim>(row_, motion);
-  if (rigid == model.main_rigid) horizontal_ = motion.H, vertical_ = motion.V;
-}
-
-template <int dim>
-void Recorder<dim>::observe_turn_of(const problem::State<dim>& state, Index rigid)
-{
-  // In space about z.
-  const auto about_z = [](const auto& angular) {
-    if constexpr (dim == 2)
-      return angular;
-    else
-      return angular[2];
-  };
-  const bodies::RigidState<dim>&now = state.rigid_bodies[rigid], &last = last_rigids_[rigid];
-  const Real time = state.time - last_time_, impulse = about_z(now.torque_impulse) - about_z(last.torque_impulse);
-  observe_turn<dim>(row_, time > 0 ? -impulse / time + 0. : 0, about_z(rotation_of(now.orientation)));
-}
-
-template <int dim>
-Real Recorder<dim>::observe_energies(const problem::Model<dim>& model, const problem::State<dim>& state, Real kinetic)
-{
-  for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
-    if (model.rigid_bodies[r].motion == bodies::Motion::free) kinetic += kinetic_energy(model.rigid_bodies[r], state.rigid_bodies[r]);
-  const problem::Totals<dim>& t = state.totals;
-  const Real error = kinetic - first_kinetic_ + t.internal + t.damping + t.friction - t.external;
-  observe<dim>(row_, Energies{kinetic, t.damping, t.internal, t.friction, t.external, error});
-  return error;
-}
-
-template <int dim>
-void Recorder<dim>::observe_contact_of_main(const problem::Model<dim>& model, problem::State<dim>& state)
-{
-  bodies::RigidState<dim>& now = state.rigid_bodies[model.main_rigid];
-  const bodies::RigidState<dim>& last = last_rigids_[model.main_rigid];
-  const Real pressed = now.impulse_sum - last.impulse_sum, time = state.time - last_time_;
-  row_.of_main(model.rigid_bodies[model.main_rigid].name);
-  row_("gap", pressed > 0 ? (now.impulse_times_gap - last.impulse_times_gap) / pressed : unknown, run_folder::metres, "gap");
-  observe_overlap(row_, now.max_overlap);
-  row_("second_impulse", time > 0 ? (now.second_impulse - last.second_impulse).norm() / time : 0, run_folder::newtons<dim>,
-       "second contact correction");
-  now.max_overlap = 0;
-  observe_turn_of(state, model.main_rigid);
-}
-
-template <int dim>
-void Recorder<dim>::observe_body(const mpm::BodySums<dim>& sums, const Vec<dim>& first_center)
-{
-  constexpr const char *lower[3] = {"xmin", "ymin", "zmin"}, *upper[3] = {"xmax", "ymax", "zmax"};
-  row_("u", Vec<dim>(sums.center() - first_center), run_folder::metres, "displacement of its centre of mass");
-  row_("v", Vec<dim>(sums.momentum / sums.mass), run_folder::metres_per_second, "velocity of its centre of mass");
-  for (int d = 0; d < dim; ++d) {
-    row_(lower[d], sums.lower[d], run_folder::metres, "where its particles begin");
-    row_(upper[d], sums.upper[d], run_folder::metres, "where its particles end");
-  }
-  const Vec<3> angular_momentum = sums.angular_momentum();
-  for (int d = dim == 2 ? 2 : 0; d < 3; ++d)
-    row_.component("L", d, angular_momentum[d], run_folder::newton_metre_seconds<dim>, "angular momentum about its centre of mass");
-}
-
-template <int dim>
-void Recorder<dim>::observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state)
-{
-  const Real time = state.time - last_time_;
-  for (std::size_t k = 0; k < model.contacts.size(); ++k) {
-    if (model.contacts[k].other_body == none) continue;
-    row_.of(model.contacts[k].name);
-    const Vec<dim> impulse = state.pair_impulses[k] - last_pair_impulses_[k];
-    row_("F", time > 0 ? Vec<dim>(impulse / time) : Vec<dim>(Vec<dim>::Zero()), run_folder::newtons<dim>,
-         "force of the other body on the body");
-  }
-}
-
-template <int dim>
-void Recorder<dim>::observe_tractions(const problem::Model<dim>& model, const problem::State<dim>& state)
-{
-  for (Index t = 0; t < static_cast<Index>(model.tractions.size()); ++t) {
-    LoadedArea<dim> area;
-    for (std::size_t l = 0; l < model.load_points.size(); ++l) {
-      const problem::LoadPoint<dim>& point = model.load_points[l];
-      if (point.traction == t) area.add(point.force, state.load_points[l].x - first_loaded_[l].x, point.area);
-    }
-    row_.of(model.tractions[t].name);
-    area.observe(row_, part_of_traction(model.tractions[t], state.tractions[t], state.time));
-  }
-}
-
-template <int dim>
-void Recorder<dim>::observe_watches(const problem::Model<dim>& model, const problem::State<dim>& state)
-{
-  for (std::size_t k = 0; k < model.watches.size(); ++k) {
-    const bodies::Particle<dim> watched = mpm::particle_of(state.particles[model.watches[k].body], model.watches[k].id);
-    row_.of(model.watches[k].name);
-    row_("u", Vec<dim>(watched.x - first_watched_[k]), run_folder::metres, "displacement");
-    row_("v", watched.v, run_folder::metres_per_second, "velocity");
-    row_("s", watched.stress, run_folder::pascals, "stress");
-  }
-}
-
-template <int dim>
-void Recorder<dim>::add_row(const problem::Model<dim>& model, problem::State<dim>& state, const mpm::Work<dim>& work,
-                            run_folder::HistoryFile& file)
-{
-  Real kinetic = 0;
-  std::vector<mpm::BodySums<dim>> sums;
-  for (const bodies::Particles<dim>& particles : state.particles) {
-    sums.push_back(mpm::sums_over(particles));
-    kinetic += sums.back().kinetic;
-  }
-  row_.begin(state.time, model.stages[state.stage.index].name);
-  if (model.main_rigid != none) {
-    row_.of_main(model.rigid_bodies[model.main_rigid].name);
-    observe_rigid(model, state, model.main_rigid);
-  }
-  row_.of_main("run");
-  const Real error = observe_energies(model, state, kinetic);
-  if (!std::isfinite(error))
-    throw RunError(fmt::format("energies are not finite at t = {} s (step {}); try a smaller mpm.courant (now {})", state.time, state.step,
-                               model.mpm.courant));
-  largest_error_ = std::max(largest_error_, std::abs(error));
-  largest_work_ = std::max({largest_work_, std::abs(state.totals.external), std::abs(state.totals.internal), first_kinetic_});
-  out_of_balance_ = work.weight > 0 ? work.unbalanced / work.weight : unknown;
-  observe_out_of_balance(row_, out_of_balance_);
-  if (model.main_rigid != none) observe_contact_of_main(model, state);
-  for (Index r = 0; r < static_cast<Index>(model.rigid_bodies.size()); ++r) {
-    if (r == model.main_rigid) continue;
-    row_.of(model.rigid_bodies[r].name);
-    observe_rigid(model, state, r);
-    observe_turn_of(state, r);
-  }
-  for (std::size_t b = 0; b < sums.size(); ++b) {
-    row_.of(model.bodies[b].name);
-    observe_body(sums[b], first_centers_[b]);
-  }
-  observe_contacts(model, state);
-  observe_tractions(model, state);
-  observe_watches(model, state);
-  file.add(row_);
-  if (model.main_rigid != none && model.driven[state.stage.index] == model.main_rigid)
-    if (const Real now = mpm::shaking(model, state, work); std::isfinite(now)) shaking_ += now, shaken_rows_ += 1;
-  last_time_ = state.time;
-  last_rigids_ = state.rigid_bodies;
-  last_pair_impulses_ = state.pair_impulses;
 }
 
 template class Recorder<2>;

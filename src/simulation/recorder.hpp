@@ -2,58 +2,37 @@
 #pragma once
 
 #include "core/archive.hpp"
-#include "mpm/body_sums.hpp"
-#include "mpm/grid.hpp"
-#include "run_folder/history.hpp"
+#include "problem/model.hpp"
+#include "run_folder/row.hpp"
+#include "simulation/observe.hpp"
 
 namespace berm::simulation {
 
-/// Writes the rows of history.csv, in a file that the run makes; a column is added where its value is observed (recorder.cpp, observe.hpp). Forces are impulses over the time since the row before, so that nothing between two rows is lost.
+/// What the rows of history.csv have in common, whatever the method: the recorder of a method adds a column where it observes its value.
 template <int dim>
 class Recorder {
 public:
-  /// Remembers the start, from which displacements and energies count.
-  Recorder(const problem::Model<dim>& model, const problem::State<dim>& start);
-
-  /// Throws RunError where a number is not finite that must be.
-  void add_row(const problem::Model<dim>& model, problem::State<dim>& state, const mpm::Work<dim>& work, run_folder::HistoryFile& file);
-
-  /// What the next row needs to know of those before it. What is remembered of the start is not kept.
-  void archive(Archive& k);
-
-  /// V and H of the last row, N/m.
+  /// V and H of the main rigid body in the last row, N/m or N.
   Real vertical() const { return vertical_; }
   Real horizontal() const { return horizontal_; }
-  /// Of the last row: sum of unbalanced nodal forces over weight and tractions.
-  Real out_of_balance() const { return out_of_balance_; }
   /// The largest |energy error| of all rows over the largest work done so far.
   Real energy_error() const { return largest_work_ > 0 ? largest_error_ / largest_work_ : 0; }
-
-  /// The largest work done so far, J/m.
+  /// The largest work done so far, J/m or J.
   Real largest_work() const { return largest_work_; }
-  /// The mean over the rows in which the main rigid body was driven of how the soil near it shakes (mpm/condition.hpp); NaN without such rows.
-  Real shaking() const { return shaken_rows_ > 0 ? shaking_ / shaken_rows_ : std::numeric_limits<Real>::quiet_NaN(); }
 
-private:
-  void observe_rigid(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid);
-  void observe_turn_of(const problem::State<dim>& state, Index rigid);
-  Real observe_energies(const problem::Model<dim>& model, const problem::State<dim>& state, Real kinetic);
-  void observe_contact_of_main(const problem::Model<dim>& model, problem::State<dim>& state);
-  void observe_body(const mpm::BodySums<dim>& sums, const Vec<dim>& first_center);
-  void observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state);
-  void observe_tractions(const problem::Model<dim>& model, const problem::State<dim>& state);
-  void observe_watches(const problem::Model<dim>& model, const problem::State<dim>& state);
+  /// What the next row takes from those before it.
+  void archive(Archive& k);
+
+protected:
+  /// u, w, H and V of a rigid body with this force of the soil on it.
+  void observe_rigid(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid, const Vec<dim>& reaction);
+  /// The energy error of the run is compared with the largest work, of which `at_least` (J/m or J) is one.
+  void observe_energies(const Energies& energies, Real at_least = 0);
 
   run_folder::Row row_;
-  Real last_time_ = 0;
-  std::vector<bodies::RigidState<dim>> last_rigids_;
-  std::vector<Vec<dim>> last_pair_impulses_;
-  std::vector<Vec<dim>> first_centers_;  ///< of mass, by body
-  std::vector<Vec<dim>> first_watched_;
-  std::vector<problem::LoadPointState<dim>> first_loaded_;
-  Real first_kinetic_ = 0;
-  Real vertical_ = 0, horizontal_ = 0, out_of_balance_ = 0, largest_error_ = 0, largest_work_ = 0;
-  Real shaking_ = 0, shaken_rows_ = 0;  ///< sum over rows, and their number
+
+private:
+  Real vertical_ = 0, horizontal_ = 0, largest_error_ = 0, largest_work_ = 0;
 };
 
 }  // namespace berm::simulation

@@ -3,6 +3,7 @@
 
 #include "run_folder/frame.hpp"
 #include "run_folder/run_folder.hpp"
+#include "run_folder/summary.hpp"
 #include "simulation/simulate.hpp"
 
 namespace berm::simulation {

@@ -38,7 +38,7 @@ void note_case_file(const run_folder::RunFolder& folder, const fs::path& case_fi
   io::write_atomically(note_in(folder.path()), fs::absolute(case_file).string());
 }
 
-std::optional<RunRequest> run_to_resume(const fs::path& folder, int threads)
+std::optional<RunRequest> run_to_resume(const fs::path& folder)
 {
   for (const char* name : {"resolved.toml", "case.toml"})
     if (std::error_code error; !fs::exists(folder / name, error))
@@ -46,8 +46,7 @@ std::optional<RunRequest> run_to_resume(const fs::path& folder, int threads)
   // A finished run removes its checkpoints last of all.
   if (!fs::exists(checkpoints_in(folder)) && is_finished(folder)) return std::nullopt;
   const std::string noted = io::read_text_file(note_in(folder));
-  return RunRequest{input::read_case(folder / "resolved.toml"), noted.empty() ? folder / "case.toml" : fs::path(noted), folder, threads,
-                    true};
+  return RunRequest{input::read_case(folder / "resolved.toml"), noted.empty() ? folder / "case.toml" : fs::path(noted), folder, true};
 }
 
 }  // namespace berm::simulation

@@ -11,6 +11,6 @@ void note_case_file(const run_folder::RunFolder& folder, const std::filesystem::
 
 /// The run in this folder, as its resolved.toml tells, to go on with; empty where it is finished. Throws InputError where the folder holds no run,
 /// RunError where it has no checkpoints and its summary.json is damaged.
-std::optional<RunRequest> run_to_resume(const std::filesystem::path& folder, int threads);
+std::optional<RunRequest> run_to_resume(const std::filesystem::path& folder);
 
 }  // namespace berm::simulation

@@ -10,7 +10,7 @@ namespace berm::simulation {
 std::vector<Timing> RunClock::loops() const
 {
   std::vector<Timing> all = earlier_loops_;
-  for (const Timing& loop : timings()) {
+  for (const Timing& loop : timings_.table()) {
     const auto same = std::find_if(all.begin(), all.end(), [&](const Timing& t) { return t.label == loop.label; });
     if (same == all.end()) {
       all.push_back(loop);

@@ -6,10 +6,10 @@
 
 namespace berm::simulation {
 
-/// The wall time of a run and the time by loop, those of earlier programs included where the run goes on. Begins, and resets the timings, when it is made.
+/// The wall time of a run and the time by loop, those of earlier programs included where the run goes on. Begins, with an empty table of timings, when it is made.
 class RunClock {
 public:
-  RunClock() { reset_timings(); }
+  explicit RunClock(Timings& timings) : timings_(timings) { timings.clear(); }
 
   Real earlier() const { return earlier_; }  ///< s
   Real wall() const { return earlier_ + std::chrono::duration<Real>(std::chrono::steady_clock::now() - start_).count(); }
@@ -18,6 +18,7 @@ public:
   void archive(Archive& k);
 
 private:
+  Timings& timings_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   Real earlier_ = 0;
   std::vector<Timing> earlier_loops_;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "problem/case.hpp"
-#include "run_folder/summary.hpp"
+#include "simulation/context.hpp"
 
 #include <filesystem>
 
@@ -13,19 +13,18 @@ struct RunRequest {
   problem::Case settings;
   std::filesystem::path case_file;
   std::filesystem::path folder;  ///< the run folder
-  int threads = 1;
-  bool resume = false;  ///< from the last checkpoint in the run folder, or from the start where there is none yet
+  bool resume = false;           ///< from the last checkpoint in the run folder, or from the start where there is none yet
 };
 
-/// Runs a case from its first to its last stage and writes its run folder. Nothing is written before the problem is built.
-/// Ctrl-C ends the run after the step in hand; what was computed is written all the same, with a checkpoint to go on from. Returns whether the run
-/// came to its end. Throws InputError and RunError.
-bool run_case(const RunRequest& request);
+/// Runs a case from its first to its last stage and writes its run folder. Nothing is written before the problem is built. A run that the context
+/// asks to stop ends after the step in hand; what was computed is written all the same, with a checkpoint to go on from. Returns whether the run came
+/// to its end. Throws InputError and RunError.
+bool run_case(const RunRequest& request, Context& context);
 
 /// Builds the problem and drops it. Throws InputError where the case does not fit its mesh.
 void try_to_build(const RunRequest& request);
 
 /// Builds the problem and prints what it is and what a run would take.
-void check_case(const RunRequest& request);
+void check_case(const RunRequest& request, Context& context);
 
 }  // namespace berm::simulation

@@ -47,13 +47,13 @@ problem::Case to_build(const RunRequest& request)
   return settings;
 }
 
-bool with_run_folder(const RunRequest& request, const ScratchFolder& scratch, const std::string& size,
+bool with_run_folder(const RunRequest& request, const Context& context, const ScratchFolder& scratch, const std::string& size,
                      const std::function<bool(const run_folder::RunFolder&, run_folder::RunLog&)>& run)
 {
   const run_folder::RunFolder folder =
       request.resume ? run_folder::RunFolder::of_earlier_run(request.folder) : new_run_folder(request, scratch);
-  run_folder::RunLog log(folder.file("run.log"), request.resume);
-  spdlog::info("{} -> {}: {}, {} threads", request.case_file.string(), folder.path().string(), size, request.threads);
+  run_folder::RunLog log(folder.file("run.log"), request.resume, context.messages());
+  spdlog::info("{} -> {}: {}", request.case_file.string(), folder.path().string(), size);
   try {
     const bool finished = run(folder, log);
     log.check();

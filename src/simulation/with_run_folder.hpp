@@ -14,8 +14,8 @@ namespace berm::simulation {
 problem::Case to_build(const RunRequest& request);
 
 /// Makes the run folder with case.toml, resolved.toml, the mesh files that building left in `scratch` and run.log, says what is run (`size`: "3052 elements,
-/// 6287 nodes"), and runs. A run that goes on finds all but the log there, which goes on, too. A RunError goes to run.log as well. Returns what `run` does.
-bool with_run_folder(const RunRequest& request, const ScratchFolder& scratch, const std::string& size,
+/// 6287 nodes, 2 threads"), and runs; messages go where the context says, and to the log. A run that goes on finds all but the log there, which goes on, too. A RunError goes to run.log as well. Returns what `run` does.
+bool with_run_folder(const RunRequest& request, const Context& context, const ScratchFolder& scratch, const std::string& size,
                      const std::function<bool(const run_folder::RunFolder&, run_folder::RunLog&)>& run);
 
 /// Runs, then writes the results of what was computed. A run that fails (RunError) leaves them too before its error goes on; an error on the way is then

@@ -84,7 +84,7 @@ public:
       Vec<dim> center = Vec<dim>::Zero(), low = Vec<dim>::Constant(-0.2), high = Vec<dim>::Constant(0.2);
       center[0] = u(f);
       center[1] = D / 2 - w(f);
-      frame.rigid_bodies = {{run_folder::surface_of<dim>(bodies::Circle<dim>{center, D / 2}, low, high), Vec<dim>::Zero()}};
+      frame.rigid_bodies = {{bodies::surface_mesh<dim>(bodies::Circle<dim>{center, D / 2}, low, high), Vec<dim>::Zero()}};
     }
     return frame;
   }

@@ -31,7 +31,7 @@ run_folder::Frame<2> frame_of(const run_folder::SavedSoil& soil, const run_folde
     if (field.info.components == 1) frame.fields.push_back({field.info, std::vector<Real>(field.values.begin(), field.values.end())});
   run_folder::FrameRigid<2> all{{}, Vec<2>::Zero()};
   for (std::size_t k = 0; k < rigid_bodies.x.size(); ++k) all.surface.points.emplace_back(rigid_bodies.x[k], rigid_bodies.y[k]);
-  for (const std::vector<Index>& cell : rigid_bodies.cells) all.surface.cells.push_back({io::VtkCell::polygon, cell});
+  for (const std::vector<Index>& cell : rigid_bodies.cells) all.surface.add(bodies::SurfaceMesh<2>::Kind::polygon, cell);
   if (!rigid_bodies.cells.empty()) frame.rigid_bodies.push_back(all);
   return frame;
 }

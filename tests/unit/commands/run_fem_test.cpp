@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The built program on a case of finite elements, from outside.
 #include "samples/program.hpp"
+#include "samples/small_fem_case.hpp"
 
 #include "run_folder/history.hpp"
 
@@ -12,87 +13,11 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-/// A pipe in clay, half of it below the surface: coarse, less than a second of computing. Rest, push to 60 N/m, drag by 0.4 mm.
-constexpr const char* small_fem_case = R"(title = "a pipe in clay, small and coarse"
-method = "fem"
-
-[mesh]
-kind = "seabed"
-length = "200 mm"
-depth = "80 mm"
-headroom = "20 mm"
-near_size = "8 mm"
-near_left = "-20 mm"
-near_right = "20 mm"
-near_depth = "20 mm"
-near_height = "10 mm"
-growth = 0.3
-far_size = "20 mm"
-
-[fem]
-contact_size = "4 mm"
-
-[material.clay]
-law = "mohr_coulomb"
-density = "800 kg/m^3"
-young_modulus = "1 MPa"
-poisson_ratio = 0.45
-cohesion = "1 kPa"
-friction_angle = 0
-
-[body.clay]
-material = "clay"
-regions = ["near", "bed"]
-
-[rigid.pipe]
-shape = "circle"
-center = [0, 0]
-diameter = "20 mm"
-mass = 1
-
-[contact.skin]
-body = "clay"
-rigid = "pipe"
-friction_angle = 0
-adhesion = "500 Pa"
-
-[support.base]
-boundary = "base"
-fixed = ["x", "y"]
-[support.left]
-boundary = "left"
-fixed = ["x"]
-[support.right]
-boundary = "right"
-fixed = ["x"]
-
-[[stage]]
-name = "rest"
-kind = "geostatic"
-until.time = "1 ms"
-
-[[stage]]
-name = "push"
-kind = "push"
-velocity = "1 m/s"
-until.force = 60
-
-[[stage]]
-name = "drag"
-kind = "drag"
-velocity = "1 m/s"
-until.displacement = "0.4 mm"
-
-[watch.deep]
-body = "clay"
-point = [0, "-50 mm"]
-)";
-
 /// A folder with the small case as small.toml.
 struct Place {
   TemporaryFolder folder;
 
-  Place() { folder.write("small.toml", small_fem_case); }
+  Place() { folder.write("small.toml", test::small_fem_case); }
   Ended berm(const Words& arguments) const { return run_program(folder.path(), arguments); }
 };
 
@@ -107,7 +32,7 @@ TEST(FemCheck, tells_elements_nodes_and_time_and_writes_nothing)
   EXPECT_EQ(names_in(place.folder.path()), Words{"small.toml"});
 }
 
-TEST(FemRun, that_goes_on_begins_again_at_the_start_and_ends_with_the_same_bytes)
+TEST(FemRun, without_a_checkpoint_begins_at_the_start_and_ends_with_the_same_bytes)
 {
   const Place place;
   ASSERT_EQ(place.berm({"run", "small.toml", "--threads", "1", "-o", "results"}).status, 0);
@@ -118,7 +43,7 @@ TEST(FemRun, that_goes_on_begins_again_at_the_start_and_ends_with_the_same_bytes
   place.folder.write("killed/frames/soil_0009.vtu", "half a fr");
   const Ended ended = place.berm({"run", "--resume", "killed", "--threads", "1"});
   ASSERT_EQ(ended.status, 0) << ended.err;
-  EXPECT_NE(ended.err.find("begins again at the start"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("there is no checkpoint in killed: begins at the start"), std::string::npos) << ended.err;
   EXPECT_TRUE(place.folder.read("results/history.csv") == place.folder.read("killed/history.csv"));
   EXPECT_EQ(names_in(place.folder / "results"), names_in(place.folder / "killed"));
   EXPECT_EQ(names_in(place.folder / "results/frames"), names_in(place.folder / "killed/frames"));
@@ -193,7 +118,7 @@ TEST(FemRun, of_resolved_toml_writes_the_same_history_byte_for_byte)
 TEST(FemRun, of_several_cases_runs_them_side_by_side_with_the_results_of_single_runs)
 {
   const Place place;
-  place.folder.write("other.toml", small_fem_case);
+  place.folder.write("other.toml", test::small_fem_case);
   const std::string set = "stage.drag.until.displacement=\"0.2 mm\"";
   const Ended both = place.berm({"run", "small.toml", "other.toml", "--threads", "2", "-o", "both", "--set", set});
   ASSERT_EQ(both.status, 0) << both.err;
@@ -235,7 +160,7 @@ class FemWrongInputs : public testing::TestWithParam<Wrong> {};
 TEST_P(FemWrongInputs, end_run_and_check_with_status_2_one_line_and_nothing_written)
 {
   const Wrong& wrong = GetParam();
-  std::string text = small_fem_case;
+  std::string text = test::small_fem_case;
   const auto at = text.find(wrong.from);
   ASSERT_NE(at, std::string::npos) << wrong.from;
   text.replace(at, wrong.from.size(), wrong.to);

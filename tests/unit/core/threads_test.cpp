@@ -2,6 +2,7 @@
 #include "core/threads.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 #include <sched.h>
 
 namespace berm {
@@ -13,18 +14,31 @@ int processors_of_this_thread()
   return sched_getaffinity(0, sizeof allowed, &allowed) == 0 ? CPU_COUNT(&allowed) : -1;
 }
 
-TEST(Threads, that_were_bound_can_be_let_go_for_processes_that_inherit_where_they_may_run)
+TEST(Threads, are_bound_while_they_are_needed_and_let_go_behind_that)
 {
-  const int all = processors_of_this_thread();
+  const int all = processors_of_this_thread(), before = omp_get_max_threads();
   if (all < 2) GTEST_SKIP() << "one processor binds nothing";
-  use_threads(2);
-  if (std::getenv("OMP_PROC_BIND") == nullptr) {
-    EXPECT_EQ(processors_of_this_thread(), 1);
+  {
+    const Threads threads(2);
+    EXPECT_EQ(threads.count(), 2);
+    EXPECT_EQ(omp_get_max_threads(), 2);
+    if (std::getenv("OMP_PROC_BIND") == nullptr) {
+      EXPECT_EQ(processors_of_this_thread(), 1);
+    }
+    EXPECT_EQ(processor_count(), all) << "binding a thread takes no processor from the process";
   }
-  EXPECT_EQ(processor_count(), all) << "binding a thread takes no processor from the process";
-  unbind_thread();
   EXPECT_EQ(processors_of_this_thread(), all);
-  use_threads(1);
+  EXPECT_EQ(omp_get_max_threads(), before);
+}
+
+TEST(Threads, take_the_smallest_numbers_for_zero_while_they_live)
+{
+  volatile double tiny = 1e-310;
+  {
+    const Threads threads(1);
+    EXPECT_EQ(tiny * 1., 0);
+  }
+  EXPECT_NE(tiny * 1., 0) << "the caller's arithmetic is as it was";
 }
 
 }  // namespace

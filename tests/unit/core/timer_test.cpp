@@ -10,7 +10,8 @@ namespace {
 
 class Timers : public testing::Test {
 protected:
-  void SetUp() override { reset_timings(); }
+  Timings timings_;
+  Timings::Use use_{timings_};
 };
 
 void wait(int milliseconds)
@@ -29,7 +30,7 @@ TEST_F(Timers, add_up_under_their_label_in_order_of_first_use)
       const Timer timer("second");
     }
   }
-  const auto table = timings();
+  const auto table = timings_.table();
   ASSERT_EQ(table.size(), 2u);
   EXPECT_EQ(table[0].label, "first");
   EXPECT_EQ(table[1].label, "second");
@@ -48,8 +49,8 @@ TEST_F(Timers, take_equal_words_for_one_label_wherever_they_are_stored)
   {
     const Timer timer(same_words.c_str());
   }
-  ASSERT_EQ(timings().size(), 1u);
-  EXPECT_EQ(timings()[0].calls, 2);
+  ASSERT_EQ(timings_.table().size(), 1u);
+  EXPECT_EQ(timings_.table()[0].calls, 2);
 }
 
 TEST_F(Timers, may_lie_inside_each_other)
@@ -60,28 +61,43 @@ TEST_F(Timers, may_lie_inside_each_other)
     const Timer inner("inner");
     wait(2);
   }
-  const auto table = timings();
+  const auto table = timings_.table();
   ASSERT_EQ(table.size(), 2u);
   EXPECT_GE(table[1].seconds, 0.002);
   EXPECT_GE(table[0].seconds, table[1].seconds + 0.001);
 }
 
-TEST_F(Timers, forget_all_when_they_are_reset)
+TEST_F(Timers, are_forgotten_where_the_table_is_cleared)
 {
   {
     const Timer timer("something");
   }
-  reset_timings();
-  EXPECT_TRUE(timings().empty());
+  timings_.clear();
+  EXPECT_TRUE(timings_.table().empty());
+}
+
+TEST_F(Timers, go_to_the_table_that_is_current_on_their_thread)
+{
+  Timings inner;
+  {
+    const Timings::Use use(inner);
+    const Timer timer("within");
+  }
+  const Timer behind("behind");
+  std::thread other([] { const Timer timer("of another thread"); });
+  other.join();
+  ASSERT_EQ(inner.table().size(), 1u);
+  EXPECT_EQ(inner.table()[0].label, "within");
+  EXPECT_TRUE(timings_.table().empty()) << "a timer that still runs has no time yet";
 }
 
 TEST_F(Timers, count_the_loops_by_their_label)
 {
   for_each("a loop", 3, [](Index) {});
   sum_of<Real>("a sum", 3, [](Index) { return 1.; });
-  ASSERT_EQ(timings().size(), 2u);
-  EXPECT_EQ(timings()[0].label, "a loop");
-  EXPECT_EQ(timings()[1].label, "a sum");
+  ASSERT_EQ(timings_.table().size(), 2u);
+  EXPECT_EQ(timings_.table()[0].label, "a loop");
+  EXPECT_EQ(timings_.table()[1].label, "a sum");
 }
 
 }  // namespace

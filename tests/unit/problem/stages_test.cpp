@@ -31,7 +31,7 @@ struct Driver {
     begin_stage(problem.model, problem.state);
   }
   bool ended() const { return stage_ended(problem.model, problem.state); }
-  Real w() const { return pipe_motion(problem.model, problem.state, 0).w; }
+  Real w() const { return travel_of(problem.model, problem.state, 0).w; }
 };
 
 StageSettings push(Real velocity, Real ramp = 0)
@@ -425,7 +425,7 @@ TEST(Axes, a_push_goes_down_and_its_embedment_is_along_gravity)
   Case c = pipe_over_box({push(0.5)});
   c.gravity = {10, 0};  // down is +x, so the pipe's invert is its point of largest x
   auto problem = build<2>(c, ".", ".");
-  EXPECT_NEAR(pipe_motion(problem.model, problem.state, 0).w, 1.2 - 1, 1e-15);  // the surface is x = 1 then
+  EXPECT_NEAR(travel_of(problem.model, problem.state, 0).w, 1.2 - 1, 1e-15);  // the surface is x = 1 then
   drive_rigids(problem.model, problem.state, dt);
   EXPECT_EQ(problem.state.rigid_bodies[0].velocity, Vec<2>(0.5, 0));
 }

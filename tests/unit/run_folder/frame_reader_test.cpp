@@ -5,6 +5,7 @@
 #include "samples/run_to_write.hpp"
 
 #include <gtest/gtest.h>
+#include <map>
 #include <random>
 
 namespace berm::run_folder {
@@ -73,13 +74,18 @@ TYPED_TEST(FrameReaderIn, rigid_bodies_read_back_with_their_cells)
   constexpr int dim = TypeParam::value;
   const WrittenFrames<dim> written;
   const SavedRigids rigid_bodies = read_rigids(frame_files(written.folder.path())[0].rigid);
+  using Kind = typename bodies::SurfaceMesh<dim>::Kind;
+  const std::map<Kind, io::VtkCell> vtk = {{Kind::line, io::VtkCell::line},
+                                           {Kind::polygon, io::VtkCell::polygon},
+                                           {Kind::quad, io::VtkCell::quad},
+                                           {Kind::hexahedron, io::VtkCell::hexahedron}};
   std::size_t cell = 0, first = 0;
   for (std::size_t r = 0; r < 3; ++r) {
-    const RigidSurface<dim>& surface = written.frames.last().rigid_bodies[r].surface;
+    const bodies::SurfaceMesh<dim>& surface = written.frames.last().rigid_bodies[r].surface;
     for (const auto& wanted : surface.cells) {
       ASSERT_LT(cell, rigid_bodies.cells.size());
       EXPECT_EQ(rigid_bodies.rigid[cell], static_cast<std::int32_t>(r));
-      EXPECT_EQ(rigid_bodies.types[cell], wanted.type);
+      EXPECT_EQ(rigid_bodies.types[cell], vtk.at(wanted.kind));
       ASSERT_EQ(rigid_bodies.cells[cell].size(), wanted.points.size());
       for (std::size_t k = 0; k < wanted.points.size(); ++k) {
         const Vec<dim>& x = surface.points[wanted.points[k]];

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/threads.hpp"
+#include "core/timer.hpp"
+
+#include <functional>
+#include <memory>
+#include <spdlog/sinks/sink.h>
+
+namespace berm::simulation {
+
+/// What a run has from the program that calls it: threads, a table of timings, who may stop it, and where its messages go. A process has one at a time,
+/// since it has one set of OpenMP threads and one default logger; behind it the calling thread is as it was.
+class Context {
+public:
+  /// threads: 0 = one for each processor. `stop` is called after every step: once true it stays true, and the run ends with a checkpoint. Messages go to
+  /// stderr, or to `messages`, and to the run's log.
+  explicit Context(int threads = 0, std::function<bool()> stop = {}, std::shared_ptr<spdlog::sinks::sink> messages = {})
+      : threads_(threads),
+        stop_(std::move(stop)),
+        messages_(std::move(messages))
+  {
+  }
+
+  int threads() const { return threads_.count(); }
+  bool asked_to_stop() const { return stop_ && stop_(); }
+  Timings& timings() { return timings_; }
+  const std::shared_ptr<spdlog::sinks::sink>& messages() const { return messages_; }
+
+private:
+  Threads threads_;
+  Timings timings_;
+  Timings::Use use_{timings_};
+  std::function<bool()> stop_;
+  std::shared_ptr<spdlog::sinks::sink> messages_;
+};
+
+}  // namespace berm::simulation

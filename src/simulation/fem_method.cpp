@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/simulation/run_test.cpp
+#include "simulation/fem_method.hpp"
+
+#include "core/error.hpp"
+#include "fem/archive_state.hpp"
+#include "problem/stages.hpp"
+#include "simulation/memory.hpp"
+#include "simulation/with_run_folder.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+namespace berm::simulation {
+namespace {
+
+/// Of what plastic flow dissipates: twice what the passes of an increment leave (LoadSteps).
+constexpr Real much_lag = 0.02;
+
+constexpr const char* larger_elements = "take larger elements";
+
+/// The minimum number of elements that a case can have, before its mesh is made: there are none above the bed.
+Real min_elements(problem::Case c)
+{
+  if (auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) bed->headroom = bed->near_height = 0;
+  return min_size<2>(c).cells;
+}
+
+std::unique_ptr<fem::FemProblem> build_for(const RunRequest& request, const ScratchFolder& scratch)
+{
+  const problem::Case c = to_build(request);
+  const Real elements = min_elements(c);
+  refuse_without_memory(elements * fem::Assembly::bytes_of_element(), memory_in_use(), fmt::format("{:.4g} elements", elements),
+                        larger_elements);
+  return std::make_unique<fem::FemProblem>(fem::build_fem(c, request.case_file.parent_path().string(), scratch.path().string()));
+}
+
+}  // namespace
+
+FemMethod::FemMethod(const RunRequest& request, const ScratchFolder& scratch)
+    : problem_(build_for(request, scratch)),
+      steps_(problem_->model, problem_->state),
+      frame_maker_(problem_->model)
+{
+  refuse_without_memory(steps_.memory_to_come(), memory_in_use(), size_words(), larger_elements);
+}
+
+std::string FemMethod::size_words() const
+{
+  return fmt::format("{} elements, {} nodes", problem_->model.mesh.cell_count(), problem_->model.mesh.node_count());
+}
+
+void FemMethod::begin(bool at_start)
+{
+  if (at_start) steps_.settle();
+}
+
+void FemMethod::step()
+{
+  last_ = steps_.advance();
+  iterations_ += last_.iterations;
+  if (last_.converged) return;
+  ++accepted_above_tolerance_;
+  spdlog::warn("t = {:.6g} s: the increment is loosely converged only, with unbalanced forces of {:.2g} of the contact forces",
+               state().time, last_.unbalance);
+}
+
+void FemMethod::archive(Archive& k)
+{
+  k.table("increments", [&] { frame_maker_.archive(k); });
+  k.table("recorder", [&] { recorder_.archive(k); });
+  k.table("steps", [&] { steps_.archive(k); });
+  k("iterations", iterations_);
+  k("accepted_above_tolerance", accepted_above_tolerance_);
+  k.table("state", [&] { fem::archive(k, problem_->model, problem_->state); });
+}
+
+run_folder::Summary::Checks FemMethod::checks() const
+{
+  if (recorder_.strength_lag() > much_lag)
+    spdlog::warn(
+        "the strength of the soil lags behind its pressure by {:.2g} of what its flow dissipates, and forces may be off by as much; "
+        "compare a run with a tenth of fem.largest_step",
+        recorder_.strength_lag());
+  return {{"energy_error", recorder_.energy_error()},
+          {"largest_unbalance", recorder_.largest_unbalance()},
+          {"loose_increments", static_cast<Real>(accepted_above_tolerance_)},
+          {"largest_overstress", recorder_.largest_overstress()},
+          {"strength_lag", recorder_.strength_lag()},
+          {"friction_work_is_loss", state().totals.friction >= 0}};
+}
+
+void FemMethod::print_check(const Context& context)
+{
+  using Clock = std::chrono::steady_clock;
+  const fem::FemModel& model = problem_->model;
+  fmt::print("  elements     {}\n  nodes        {}\n  contact      {} points\n", model.mesh.cell_count(), model.mesh.node_count(),
+             model.contact.size());
+  fmt::print("  memory       about {:.0f} MiB at most\n", (memory_in_use() + steps_.memory_to_come()) / (1 << 20));
+  const Clock::time_point start = Clock::now();
+  fem::Newton newton(model);
+  std::vector<Real> change(model.unknowns(), 0.);
+  fem::FemLoads loads;
+  loads.gravity = gravity_now(model.model, state().time);
+  newton.assembly().store_initial_imbalance(problem_->state, loads);
+  const fem::IncrementEnd end = newton.find_equilibrium(problem_->state, loads, 1, change);
+  fmt::print("  time         about {:.2g} s an iteration with {} threads; a push or a drag takes some hundred iterations\n",
+             std::chrono::duration<Real>(Clock::now() - start).count() / (end.iterations + 1), context.threads());
+}
+
+}  // namespace berm::simulation

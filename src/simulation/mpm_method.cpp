@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/simulation/run_test.cpp
+#include "simulation/mpm_method.hpp"
+
+#include "core/error.hpp"
+#include "mpm/condition.hpp"
+#include "mpm/diagnose.hpp"
+#include "mpm/step.hpp"
+#include "mpm/time_step.hpp"
+#include "problem/archive_state.hpp"
+#include "problem/stages.hpp"
+#include "run_folder/progress.hpp"
+#include "simulation/memory.hpp"
+#include "simulation/with_run_folder.hpp"
+
+#include <fmt/format.h>
+#include <malloc.h>
+#include <spdlog/spdlog.h>
+
+namespace berm::simulation {
+namespace {
+
+constexpr Real much_shaking = 0.15, much_mass = 0.01, much_work = 0.01;
+
+/// A thousandth of the time that the stages take, unless the user says.
+Real interval_of(const problem::Case& c)
+{
+  if (c.output.history_time) return *c.output.history_time;
+  for (const problem::StageSettings& stage : c.stage)
+    if (expected_time(stage) <= 0)
+      throw InputError(fmt::format("output.history_time: is needed, since it is not known how long stage \"{}\" takes", stage.name));
+  return expected_time(c.stage) / 1000;
+}
+
+/// Mesh files go to the scratch folder. A run that there is no memory for is refused as early as its size is known.
+template <int dim>
+problem::Problem<dim> build_for(const RunRequest& request, const ScratchFolder& scratch)
+{
+  interval_of(request.settings);  // refuses a case in which it cannot be told
+  const problem::Case c = to_build(request);
+  const Real in_use = memory_in_use();
+  refuse_without_memory<dim>(min_size<dim>(c), in_use);
+  mesh::Mesh<dim> mesh = make_mesh<dim>(c.mesh, request.case_file.parent_path().string(), scratch.path().string());
+  refuse_without_memory<dim>(min_size(c, mesh), in_use);
+  problem::Problem<dim> problem = build(c, std::move(mesh));
+  refuse_without_memory<dim>(size_of(problem), in_use);
+  ::malloc_trim(0);  // gives back what building took on the way: a fifth of what it made
+  return problem;
+}
+
+}  // namespace
+
+template <int d>
+MpmMethod<d>::MpmMethod(const RunRequest& request, const ScratchFolder& scratch)
+    : memory_before_(memory_in_use()),
+      problem_(build_for<d>(request, scratch)),
+      history_interval_(interval_of(request.settings)),
+      recorder_(model(), state()),
+      frame_maker_(model(), state())
+{
+}
+
+template <int d>
+run_folder::MpmCounts MpmMethod<d>::counts() const
+{
+  run_folder::MpmCounts counts;
+  for (const bodies::Particles<d>& particles : state().particles) counts.particles += particles.size();
+  return counts;
+}
+
+template <int d>
+std::string MpmMethod<d>::size_words() const
+{
+  return fmt::format("{} cells, {} particles", model().mesh.cell_count(), counts().particles);
+}
+
+template <int d>
+void MpmMethod<d>::begin(bool)
+{
+  work_.emplace(model(), state());
+  if (model().update_stress_first)
+    spdlog::warn(
+        "scheme = \"usf\" is there to compare with: a body that rests on soil under a load gains energy (docs/theory.md, section 4)");
+}
+
+template <int d>
+void MpmMethod<d>::step()
+{
+  mpm::step(model(), problem_.state, *work_);
+  mpm::refuse_rigid_outside_mesh(model(), state());
+}
+
+template <int d>
+bool MpmMethod<d>::next_stage()
+{
+  const problem::StageSettings& stage = model().stages[state().stage.index];
+  if (stage.kind == problem::StageKind::geostatic) {
+    equilibrium_ = recorder_.out_of_balance();
+    const char* verdict = equilibrium_ <= stage.equilibrium ? "in equilibrium" : "NOT in equilibrium";
+    spdlog::info("stage \"{}\": the soil is {}: out-of-balance force over weight {:.3g}, accepted {:.3g}", stage.name, verdict,
+                 equilibrium_, stage.equilibrium);
+    if (equilibrium_ > stage.equilibrium) spdlog::warn("give stage \"{}\" more time or damping", stage.name);
+  }
+  if (state().stage.index + 1 == static_cast<Index>(model().stages.size())) return false;
+  ++problem_.state.stage.index;
+  begin_stage(model(), problem_.state);
+  return true;
+}
+
+template <int d>
+bool MpmMethod<d>::at_checkpoint_boundary() const
+{
+  return state().step % mpm::steps_between_time_steps != 0;
+}
+
+template <int d>
+void MpmMethod<d>::archive(Archive& k)
+{
+  k.table("increments", [&] { frame_maker_.archive(k); });
+  k.table("recorder", [&] { recorder_.archive(k); });
+  k("equilibrium", equilibrium_);
+  k.table("state", [&] { problem::archive(k, model(), problem_.state); });
+}
+
+template <int d>
+run_folder::Summary::Checks MpmMethod<d>::checks() const
+{
+  run_folder::Summary::Checks checks = {{"energy_error", recorder_.energy_error()}};
+  if (std::isfinite(equilibrium_)) checks.emplace_back("out_of_balance_after_geostatic", equilibrium_);
+  checks.emplace_back("momentum_error", mpm::momentum_error(state()));
+  checks.emplace_back("friction_work_is_loss", state().totals.friction >= 0);
+  if (std::isfinite(recorder_.shaking())) checks.emplace_back("shaking_at_body", recorder_.shaking());
+  const mpm::SoilCondition soil = mpm::soil_condition(model(), state());
+  checks.emplace_back("mass_at_min_volume", soil.at_min_volume);
+  checks.emplace_back("mass_at_max_volume", soil.at_max_volume);
+  checks.emplace_back("mass_in_the_air", soil.in_the_air);
+  warn_of(soil);
+  return checks;
+}
+
+template <int d>
+void MpmMethod<d>::warn_of(const mpm::SoilCondition& soil) const
+{
+  if (recorder_.shaking() > much_shaking)
+    spdlog::warn("the soil at the rigid body shakes: unresolved motion makes {:.2g} of its pressure (above {:g} soil without cohesion "
+                 "loses strength); "
+                 "keep mpm.bulk_viscosity and mpm.velocity_filter at their defaults, or drive slower",
+                 recorder_.shaking(), much_shaking);
+  if (-state().totals.friction > much_work * recorder_.largest_work())
+    spdlog::warn(
+        "contact gave {:.2g} J instead of taking energy: use scheme = \"two_sided\" or a smaller mpm.courant, and let no rigid body "
+        "scrape over a boundary that is held",
+        -state().totals.friction);
+  const auto warn_of_bound = [&](Real part, const char* which, const char* key, Real ratio) {
+    if (part > much_mass)
+      spdlog::warn("{:.2g} % of the soil is at its {} volume, {} of the first: change mpm.{} if it should go on", 100 * part, which, ratio,
+                   key);
+  };
+  warn_of_bound(soil.at_min_volume, "smallest", "min_volume_ratio", model().mpm.min_volume_ratio);
+  warn_of_bound(soil.at_max_volume, "largest", "max_volume_ratio", model().mpm.max_volume_ratio);
+  if (soil.in_the_air > much_mass) spdlog::warn("{:.2g} % of the soil is in the air", 100 * soil.in_the_air);
+}
+
+template <int d>
+void MpmMethod<d>::print_check(const Context& context)
+{
+  mpm::Work<d>& work = work_.emplace(model(), state());
+  const Real dt = stable_time_step(model(), problem_.state, work);
+  fmt::print("  cells        {}\n  nodes        {}\n", model().mesh.cell_count(), model().mesh.node_count());
+  for (std::size_t b = 0; b < model().bodies.size(); ++b)
+    fmt::print("  particles    {} in body \"{}\"\n", state().particles[b].size(), model().bodies[b].name);
+  fmt::print("  memory       about {:.0f} MiB at most, while frames are written\n",
+             (memory_before_ + memory_of<d>(size_of(problem_))) / (1 << 20));
+  fmt::print("  time step    {:.4g} s\n", dt);
+
+  // The speed is measured on the first steps, for a quarter of a second.
+  const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  Real wall = 0;
+  while (wall < 0.25) {
+    step();
+    wall = std::chrono::duration<Real>(std::chrono::steady_clock::now() - start).count();
+  }
+  const Real seconds_a_step = wall / static_cast<Real>(state().step);
+  const Real total = expected_time(model().stages);
+  for (const problem::StageSettings& stage : model().stages)
+    if (!(expected_time(stage) > 0))
+      fmt::print("  stage \"{}\": its duration is not known in advance and is not counted below\n", stage.name);
+  fmt::print("  steps        about {:.0f}, {} rows of history\n", total / dt, static_cast<BigIndex>(total / history_interval()));
+  fmt::print("  time         about {} with {} threads ({:.3g} million particle-steps/s)\n",
+             run_folder::words_of_duration(total / dt * seconds_a_step), context.threads(),
+             static_cast<Real>(counts().particles) / seconds_a_step / 1e6);
+}
+
+template class MpmMethod<2>;
+template class MpmMethod<3>;
+
+}  // namespace berm::simulation

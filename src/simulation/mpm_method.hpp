@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mpm/condition.hpp"
+#include "run_folder/frame_maker.hpp"
+#include "run_folder/summary.hpp"
+#include "simulation/mpm_recorder.hpp"
+#include "simulation/scratch_folder.hpp"
+#include "simulation/simulate.hpp"
+
+namespace berm::simulation {
+
+/// The material point method as a Run needs it.
+template <int d>
+class MpmMethod {
+public:
+  static constexpr int dim = d;
+
+  /// Builds the problem; mesh files go to the scratch folder. A run that there is no memory for is refused as early as its size is known. Throws InputError
+  /// and RunError.
+  MpmMethod(const RunRequest& request, const ScratchFolder& scratch);
+
+  /// "3052 cells, 18000 particles".
+  std::string size_words() const;
+  /// Prints size, memory, time step and the time that a run would take, which is measured on the first steps.
+  void print_check(const Context& context);
+
+  const problem::Model<d>& model() const { return problem_.model; }
+  const problem::State<d>& state() const { return problem_.state; }
+  const MpmRecorder<d>& recorder() const { return recorder_; }
+
+  /// Before the first step, of the start or of a checkpoint.
+  void begin(bool at_start);
+  void step();
+  /// s between rows of the history.
+  Real history_interval() const { return history_interval_; }
+  void add_row(run_folder::HistoryFile& file) { recorder_.add_row(model(), problem_.state, *work_, file); }
+  run_folder::Frame<d> make_frame() { return frame_maker_.make(state()); }
+  /// False after the last one.
+  bool next_stage();
+  /// The time step is chosen by the velocities of the nodes in the step before, which are no part of the state: not where it is due.
+  bool at_checkpoint_boundary() const;
+  void archive(Archive& k);
+
+  /// What shows whether the run can be trusted; what does not is a warning in the log, too.
+  run_folder::Summary::Checks checks() const;
+  run_folder::MpmCounts counts() const;
+  /// Since the start.
+  Real particle_steps() const { return static_cast<Real>(counts().particles * state().step); }
+
+private:
+  void warn_of(const mpm::SoilCondition& soil) const;
+
+  Real memory_before_;  ///< bytes in use before the problem was built
+  problem::Problem<d> problem_;
+  Real history_interval_;
+  MpmRecorder<d> recorder_;
+  run_folder::FrameMaker<d> frame_maker_;
+  std::optional<mpm::Work<d>> work_;  ///< made of the state that the run begins with or goes on from
+  Real equilibrium_ = std::numeric_limits<Real>::quiet_NaN();
+};
+
+}  // namespace berm::simulation

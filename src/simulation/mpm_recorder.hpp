@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mpm/body_sums.hpp"
+#include "mpm/grid.hpp"
+#include "run_folder/history.hpp"
+#include "simulation/recorder.hpp"
+
+namespace berm::simulation {
+
+/// Writes the rows of history.csv of a run of the material point method. Forces are impulses over the time since the row before, so that nothing between
+/// two rows is lost.
+template <int dim>
+class MpmRecorder : public Recorder<dim> {
+public:
+  /// Remembers the start, from which displacements and energies count.
+  MpmRecorder(const problem::Model<dim>& model, const problem::State<dim>& start);
+
+  /// Throws RunError where a number is not finite that must be.
+  void add_row(const problem::Model<dim>& model, problem::State<dim>& state, const mpm::Work<dim>& work, run_folder::HistoryFile& file);
+
+  /// What the next row takes from those before it. What is remembered of the start is not kept.
+  void archive(Archive& k);
+
+  /// Of the last row: sum of unbalanced nodal forces over weight and tractions.
+  Real out_of_balance() const { return out_of_balance_; }
+  /// The mean over the rows in which the main rigid body was driven of how the soil near it shakes (mpm/condition.hpp); NaN without such rows.
+  Real shaking() const { return shaken_rows_ > 0 ? shaking_ / shaken_rows_ : std::numeric_limits<Real>::quiet_NaN(); }
+
+private:
+  using Recorder<dim>::row_;
+
+  void observe_rigid(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid);
+  void observe_turn_of(const problem::State<dim>& state, Index rigid);
+  void observe_energies(const problem::Model<dim>& model, const problem::State<dim>& state, Real kinetic);
+  void observe_contact_of_main(const problem::Model<dim>& model, problem::State<dim>& state);
+  void observe_body(const mpm::BodySums<dim>& sums, const Vec<dim>& first_center);
+  void observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state);
+  void observe_tractions(const problem::Model<dim>& model, const problem::State<dim>& state);
+  void observe_watches(const problem::Model<dim>& model, const problem::State<dim>& state);
+
+  Real last_time_ = 0;
+  std::vector<bodies::RigidState<dim>> last_rigids_;
+  std::vector<Vec<dim>> last_pair_impulses_;
+  std::vector<Vec<dim>> first_centers_;  ///< of mass, by body
+  std::vector<Vec<dim>> first_watched_;
+  std::vector<problem::LoadPointState<dim>> first_loaded_;
+  Real first_kinetic_ = 0;
+  Real out_of_balance_ = 0;
+  Real shaking_ = 0, shaken_rows_ = 0;  ///< sum over rows, and their number
+};
+
+}  // namespace berm::simulation

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/simulation/run_test.cpp
+#include "simulation/run.hpp"
+
+#include "core/vector_unit.hpp"
+#include "input/write_case.hpp"
+#include "problem/stages.hpp"
+#include "simulation/fem_method.hpp"
+#include "simulation/mpm_method.hpp"
+#include "simulation/results.hpp"
+#include "simulation/with_run_folder.hpp"
+
+#include <malloc.h>
+#include <spdlog/spdlog.h>
+
+namespace berm::simulation {
+
+template <class Method>
+Run<Method>::Run(const RunRequest& request, Context& context, Method& method, const run_folder::RunFolder& folder, run_folder::RunLog& log)
+    : request_(request),
+      context_(context),
+      method_(method),
+      folder_(folder),
+      clock_(context.timings()),
+      checkpoints_(folder.path(), request.settings.output.checkpoint_wall_time),
+      frames_(folder.subfolder("frames"), method.model().mesh),
+      progress_(log),
+      unit_(vector_unit())
+{
+}
+
+template <class Method>
+bool Run<Method>::to_the_end()
+{
+  const bool from_checkpoint = request_.resume && read_checkpoint();
+  history_.emplace(history_path(), history_bytes_);
+  if (request_.resume) frames_.remove_others();
+  progress_.count_from(clock_.earlier());
+  run_then_write_results(
+      [&] {
+        method_.begin(!from_checkpoint);
+        if (!from_checkpoint) record(), frame();
+        step_to_the_end();
+      },
+      [&] { leave_results(); });
+  if (finished_) checkpoints_.remove();
+  return finished_;
+}
+
+/// Goes on where the last checkpoint was written; false where there is none.
+template <class Method>
+bool Run<Method>::read_checkpoint()
+{
+  const std::string own_unit = unit_;
+  if (!checkpoints_.read([&](Archive& k) { archive(k); })) {
+    spdlog::info("there is no checkpoint in {}: begins at the start", folder_.path().string());
+    return false;
+  }
+  if (unit_ != own_unit)
+    spdlog::warn("the run was begun on the vector unit {}, and goes on with {}: results are the same but for round-off", unit_, own_unit);
+  return true;
+}
+
+template <class Method>
+void Run<Method>::step_to_the_end()
+{
+  bool stopped = false;
+  while (!finished_ && !stopped) {
+    step();
+    const bool asked_to_stop = context_.asked_to_stop();
+    if (asked_to_stop) checkpoints_.ask();
+    if (finished_ || !method_.at_checkpoint_boundary() || !checkpoints_.due()) continue;
+    write_checkpoint();
+    stopped = asked_to_stop;
+  }
+  if (finished_) return;
+  if (state().time > last_row_) record();
+  spdlog::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}. To go on: berm run --resume {}",
+               state().time, stage().name, folder_.path().string(), folder_.path().string());
+}
+
+/// One step, and what is due behind it.
+template <class Method>
+void Run<Method>::step()
+{
+  method_.step();
+  const bool ended = stage_ended(model(), state());
+  if (ended || state().time >= next_row_) record();
+  if (ended || frame_is_due()) frame();
+  if (ended || progress_.due()) report_progress();
+  if (ended) {
+    next_stage();
+    checkpoints_.ask();
+  }
+}
+
+template <class Method>
+void Run<Method>::write_checkpoint()
+{
+  history_bytes_ = history_->sync();  // a history that the disk does not take ends the run, a checkpoint does not
+  checkpoints_.write(state().step, [&](Archive& k) { archive(k); });
+}
+
+/// All that a checkpoint holds. What must fit comes first.
+template <class Method>
+void Run<Method>::archive(Archive& k)
+{
+  archive_same(k, "case", input::resolved_toml(request_.settings), "it is of another case than resolved.toml");
+  archive_same_mesh(k, model().mesh);
+  k("vector_unit", unit_);
+  k.table("history", [&] { archive_history(k, history_path(), history_bytes_); });
+  k.table("frames", [&] { frames_.archive(k); });
+  k.table("clock", [&] { clock_.archive(k); });
+  k("last_row", last_row_);
+  k("next_row", next_row_);
+  k("frame_time", frame_time_);
+  k("frame_displacement", frame_displacement_);
+  k("held_force", held_force_);
+  method_.archive(k);
+}
+
+template <class Method>
+void Run<Method>::record()
+{
+  method_.add_row(*history_);
+  last_row_ = state().time;
+  if (const Real interval = method_.history_interval(); interval > 0)
+    next_row_ = (std::floor(state().time / interval * (1 + 1e-12)) + 1) * interval;
+}
+
+template <class Method>
+bool Run<Method>::frame_is_due() const
+{
+  const problem::OutputSettings& output = request_.settings.output;
+  const Real travel = driven() == none ? 0 : (state().rigid_bodies[driven()].displacement - frame_displacement_).norm();
+  return (output.frame_time && state().time >= frame_time_ + *output.frame_time) || (output.frame_travel && travel >= *output.frame_travel);
+}
+
+template <class Method>
+void Run<Method>::frame()
+{
+  if (!frames_.times().empty() && state().time == frame_time_) return;
+  const Timer timer("write frames");
+  frames_.write(method_.make_frame());
+  ::malloc_trim(0);  // gives back what writing took on the way: a tenth of what the run has
+  frame_time_ = state().time;
+  if (driven() != none) frame_displacement_ = state().rigid_bodies[driven()].displacement;
+}
+
+template <class Method>
+void Run<Method>::next_stage()
+{
+  finished_ = !method_.next_stage();
+  if (finished_) return;
+  const bodies::Drive& vertical = state().stage.drive[model().axes.up];
+  if (stage().kind == problem::StageKind::drag && vertical.by_force && !held_force_) held_force_ = -model().axes.sign * vertical.to;
+}
+
+/// The part of the run that is done, by the limits that the stages name; NaN where the present one names none.
+template <class Method>
+Real Run<Method>::part_done() const
+{
+  Real passed = 0;
+  for (Index k = 0; k < state().stage.index; ++k) passed += expected_time(model().stages[k]);
+  const Real of_stage = expected_time(stage());
+  if (!(of_stage > 0)) return std::numeric_limits<Real>::quiet_NaN();
+  return std::min(Real(1), (passed + std::min(of_stage, state().time - state().stage.begin_time)) / expected_time(model().stages));
+}
+
+template <class Method>
+void Run<Method>::report_progress()
+{
+  run_folder::ProgressReport report;
+  report.stage = stage().name;
+  report.done = part_done();
+  report.drag = stage().kind == problem::StageKind::drag;
+  if (const Index main = model().main_rigid; main != none) {
+    const problem::RigidTravel travel = travel_of(model(), state(), main);
+    report.u = travel.u;
+    report.w = travel.w;
+    report.V = method_.recorder().vertical();
+    report.H = method_.recorder().horizontal();
+    report.diameter = width_of<dim>(model().rigid_bodies[main].shape);
+  }
+  report.particle_steps = method_.particle_steps();
+  progress_.update(report);
+}
+
+template <class Method>
+void Run<Method>::leave_results()
+{
+  frame();
+  const run_folder::RunTiming timing{clock_.wall(), context_.threads(), model().mesh.cell_count(),
+                                     state().step,  method_.counts(),   clock_.loops()};
+  write_results(request_, folder_, model(), state().rigid_bodies, frames_.last(), {finished_, held_force_, method_.checks()}, timing);
+}
+
+template class Run<MpmMethod<2>>;
+template class Run<MpmMethod<3>>;
+template class Run<FemMethod>;
+
+}  // namespace berm::simulation

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "run_folder/frames.hpp"
+#include "run_folder/history.hpp"
+#include "run_folder/progress.hpp"
+#include "run_folder/run_folder.hpp"
+#include "simulation/checkpoints.hpp"
+#include "simulation/run_clock.hpp"
+#include "simulation/simulate.hpp"
+
+namespace berm::simulation {
+
+/// The run of a problem by a method, MpmMethod<2>, MpmMethod<3> or FemMethod: steps, and what is written on the way. A method builds the problem, takes a
+/// step, adds a row, makes a frame, changes to the next stage, names its own part of a checkpoint and says what can be trusted; when each is done is said
+/// here, for all of them.
+template <class Method>
+class Run {
+public:
+  static constexpr int dim = Method::dim;
+
+  /// Keeps all that it is given, which must outlive it.
+  Run(const RunRequest& request, Context& context, Method& method, const run_folder::RunFolder& folder, run_folder::RunLog& log);
+
+  /// Begins, steps to the end or to where it is asked to stop, and writes the results. Returns whether it came to its end. A run that fails (RunError)
+  /// leaves the results of what it had before the error goes on.
+  bool to_the_end();
+
+private:
+  bool read_checkpoint();
+  void step_to_the_end();
+  void step();
+  void write_checkpoint();
+  void leave_results();
+  std::filesystem::path history_path() const { return folder_.file("history.csv"); }
+  void archive(Archive& k);
+  void record();
+  bool frame_is_due() const;
+  void frame();
+  void next_stage();
+  Real part_done() const;
+  void report_progress();
+
+  const problem::Model<dim>& model() const { return method_.model(); }
+  const problem::State<dim>& state() const { return method_.state(); }
+  const problem::StageSettings& stage() const { return model().stages[state().stage.index]; }
+  Index driven() const { return model().driven[state().stage.index]; }
+
+  const RunRequest& request_;
+  Context& context_;
+  Method& method_;
+  const run_folder::RunFolder& folder_;
+  RunClock clock_;
+  Checkpoints checkpoints_;
+  std::optional<run_folder::HistoryFile> history_;
+  BigIndex history_bytes_ = 0;  ///< when the last checkpoint was written or read
+  run_folder::FrameWriter<dim> frames_;
+  run_folder::Progress progress_;
+  bool finished_ = false;
+  Real last_row_ = -1, next_row_ = 0, frame_time_ = 0;  ///< s
+  Vec<dim> frame_displacement_ = Vec<dim>::Zero();
+  std::optional<Real> held_force_;
+  std::string unit_;  ///< vector unit that the run was begun on
+};
+
+}  // namespace berm::simulation

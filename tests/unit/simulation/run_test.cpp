@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Runs of both methods inside the process, by the context that a program gives them.
+#include "simulation/simulate.hpp"
+
+#include "core/error.hpp"
+#include "input/read_case.hpp"
+#include "run_folder/summary_file.hpp"
+#include "samples/program.hpp"
+#include "samples/small_case.hpp"
+#include "samples/small_fem_case.hpp"
+
+#include <gtest/gtest.h>
+#include <omp.h>
+#include <spdlog/sinks/ostream_sink.h>
+#include <spdlog/spdlog.h>
+#include <sstream>
+
+namespace berm::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RunOf : public testing::TestWithParam<const char*> {
+protected:
+  RunOf()
+  {
+    folder_.write("mpm.toml", test::small_case);
+    folder_.write("fem.toml", test::small_fem_case);
+  }
+
+  RunRequest request(const std::string& name, bool resume = false) const
+  {
+    const fs::path file = folder_ / (std::string(GetParam()) + ".toml");
+    return {input::read_case(file), file, folder_ / name, resume};
+  }
+
+  /// Runs at most so many steps, silently.
+  bool run(const std::string& name, int max_steps, bool resume = false)
+  {
+    std::ostringstream ignored;
+    int steps = 0;
+    Context context(
+        1, [&] { return ++steps >= max_steps; }, std::make_shared<spdlog::sinks::ostream_sink_mt>(ignored));
+    return run_case(request(name, resume), context);
+  }
+
+  TemporaryFolder folder_;
+  std::ostringstream messages_;
+};
+
+constexpr int all = 1 << 30;
+
+INSTANTIATE_TEST_SUITE_P(Methods, RunOf, testing::Values("mpm", "fem"), [](const auto& of) { return std::string(of.param); });
+
+TEST_P(RunOf, a_case_that_is_stopped_again_and_again_ends_with_the_same_bytes)
+{
+  ASSERT_TRUE(run("whole", all));
+  int parts = 1;
+  const int steps = std::string(GetParam()) == "fem" ? 4 : 83;
+  bool finished = run("parts", steps);
+  while (!finished) {
+    const auto summary = run_folder::read_summary(folder_ / "parts");
+    ASSERT_TRUE(summary);
+    EXPECT_FALSE(summary->finished());
+    ASSERT_NO_THROW(finished = run("parts", steps, true)) << messages_.str();
+    ASSERT_LT(++parts, 100);
+  }
+  EXPECT_GT(parts, 4);
+  EXPECT_TRUE(folder_.read("whole/history.csv") == folder_.read("parts/history.csv"));
+  const auto frames = names_in(folder_ / "whole/frames");
+  EXPECT_EQ(frames, names_in(folder_ / "parts/frames"));
+  for (const std::string& name : frames) EXPECT_TRUE(folder_.read("whole/frames/" + name) == folder_.read("parts/frames/" + name)) << name;
+  const auto whole = run_folder::read_summary(folder_ / "whole"), by_parts = run_folder::read_summary(folder_ / "parts");
+  EXPECT_EQ(whole->checks, by_parts->checks);
+  EXPECT_EQ(whole->timing.at("steps"), by_parts->timing.at("steps"));
+  EXPECT_FALSE(fs::exists(folder_ / "parts/checkpoint")) << "a run that is finished has none";
+}
+
+TEST_P(RunOf, a_case_takes_threads_messages_and_times_of_its_context_and_leaves_the_caller_as_it_was)
+{
+  std::ostringstream messages;
+  const int threads = omp_get_max_threads();
+  const auto logger = spdlog::default_logger();
+  {
+    Context context(2, {}, std::make_shared<spdlog::sinks::ostream_sink_mt>(messages));
+    EXPECT_TRUE(run_case(request("results"), context));
+    EXPECT_FALSE(context.timings().table().empty());
+  }
+  EXPECT_NE(messages.str().find("2 threads"), std::string::npos) << messages.str();
+  EXPECT_NE(messages.str().find("everything is in "), std::string::npos) << messages.str();
+  EXPECT_EQ(run_folder::read_summary(folder_ / "results")->timing.at("threads"), 2);
+  EXPECT_EQ(omp_get_max_threads(), threads);
+  EXPECT_EQ(spdlog::default_logger(), logger);
+}
+
+TEST_P(RunOf, a_case_refuses_a_checkpoint_of_another_case)
+{
+  ASSERT_FALSE(run("parts", 5));
+  folder_.write(std::string(GetParam()) + ".toml", std::string(std::string(GetParam()) == "fem" ? test::small_fem_case : test::small_case) +
+                                                       "[watch.more]\nbody = \"" + (std::string(GetParam()) == "fem" ? "clay" : "sand") +
+                                                       "\"\npoint = [0.01, 0]\n");
+  EXPECT_THROW(run("parts", all, true), RunError);
+}
+
+}  // namespace
+}  // namespace berm::simulation
