@@ -19,7 +19,7 @@ std::vector<Index> blocks_in_order(const Particles<dim>& particles)
   return order;
 }
 
-/// One number of every lane, those without a particle included. numbers_of(b) points to those of block b.
+/// One number of every lane, empty lanes included. numbers_of(b) points to those of block b.
 template <class T, class NumbersOf>
 void keep_lanes(Archive& k, const std::string& name, const std::vector<Index>& order, const NumbersOf& numbers_of)
 {
@@ -33,18 +33,18 @@ void keep_lanes(Archive& k, const std::string& name, const std::vector<Index>& o
       std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(n) * lanes, lanes, numbers_of(order[n]));
 }
 
-/// Whether the numbers 0 ... count - 1 are there once each, in the lanes that hold a particle.
+/// Whether the lanes with a particle hold each of the numbers 0 ... count - 1 once.
 template <int dim>
 bool numbered(const Particles<dim>& particles)
 {
   std::vector<bool> seen(static_cast<std::size_t>(particles.size()), false);
-  bool fine = true;
+  bool valid = true;
   particles.visit([&](Index, Index b, int l) {
     const std::int32_t id = particles.block(b).id[l];
-    fine = fine && id >= 0 && id < particles.size() && !seen[static_cast<std::size_t>(id)];
-    if (fine) seen[static_cast<std::size_t>(id)] = true;
+    valid = valid && id >= 0 && id < particles.size() && !seen[static_cast<std::size_t>(id)];
+    if (valid) seen[static_cast<std::size_t>(id)] = true;
   });
-  return fine;
+  return valid;
 }
 
 }  // namespace
@@ -79,12 +79,12 @@ void Particles<dim>::archive(Archive& k)
   k("counts", counts);
   if (k.reads()) {
     BigIndex total = 0;
-    bool fine = counts.size() == cells.size();
-    for (std::size_t c = 0; fine && c < cells.size(); ++c) {
-      fine = cells[c] > (c > 0 ? cells[c - 1] : -1) && cells[c] < count_.size() && counts[c] > 0;
+    bool valid = counts.size() == cells.size();
+    for (std::size_t c = 0; valid && c < cells.size(); ++c) {
+      valid = cells[c] > (c > 0 ? cells[c - 1] : -1) && cells[c] < count_.size() && counts[c] > 0;
       total += counts[c];
     }
-    if (!fine || total != size_) k.refuse(fmt::format("it has not the {} particles of this body in cells of this mesh", size_));
+    if (!valid || total != size_) k.refuse(fmt::format("it does not have the {} particles of this body in cells of this mesh", size_));
     lay_out(cells, counts);
   }
   const std::vector<Index> order = blocks_in_order(*this);

@@ -8,7 +8,7 @@ void describe(Describe& d, BlockSettings& block)
 {
   d.value("center", block.center, {.meaning = "centre of the block", .unit = "m", .required = true});
   d.value("size", block.size, {.meaning = "lengths of the block's sides", .unit = "m", .range = positive, .required = true});
-  d.value("angle", block.angle, {.meaning = "turn of the block, counter-clockwise", .unit = "rad", .range = {-pi, pi}});
+  d.value("angle", block.angle, {.meaning = "rotation of the block, counter-clockwise", .unit = "rad", .range = {-pi, pi}});
   d.value("spacing", block.spacing, {.meaning = "distance between its particles", .unit = "m", .range = positive, .required = true});
 }
 
@@ -36,25 +36,27 @@ void describe(Describe& d, BodySettings& body)
   d.value("material", body.material, {.meaning = "name of its [material.NAME]", .required = true});
   d.value("regions", body.regions, {.meaning = "regions of the mesh that it fills at the start"});
   d.value("particles_per_cell", body.particles_per_cell,
-          {.meaning = "particles a cell at the start: 1, 4, 9, 16 ... in triangles, 1, 8, 27 ... in tetrahedra; 0 = 9 or 8",
+          {.meaning = "particles per cell at the start: 1, 4, 9, 16 ... in triangles, 1, 8, 27 ... in tetrahedra; 0 = 9 or 8",
            .range = {0, 400}});
   d.value("region_particles_per_cell", body.region_particles_per_cell,
-          {.meaning = "particles a cell in single regions, by the region's name", .range = {1, 400}});
+          {.meaning = "particles per cell in some regions, by the region's name", .range = {1, 400}});
   d.optional_table("block", body.block, {.meaning = "a block of particles on a lattice of its own, instead of regions"});
   d.optional_table("disk", body.disk, {.meaning = "a disk of particles on a lattice of its own, instead of regions; 2D only"});
   d.value("damping", body.damping,
           {.meaning = "local damping: part of a node's unbalanced force that opposes its velocity", .range = {0, 1}});
-  d.value("region_damping", body.region_damping, {.meaning = "local damping in single regions, by the region's name", .range = {0, 1}});
+  d.value("region_damping", body.region_damping, {.meaning = "local damping in some regions, by the region's name", .range = {0, 1}});
   d.value("k0", body.k0,
-          {.meaning = "stress at the start is that of a flat bed below `surface`, or what `initial_state` says: horizontal over vertical "
-                      "stress; absent = no stress",
+          {.meaning = "ratio of horizontal to vertical stress at the start, which is that of a level bed below `surface`, or as "
+                      "`initial_state` says; absent = no stress",
            .range = {0, 5}});
   d.value("initial_stress", body.initial_stress,
           {.meaning = "stresses xx, yy and zz at the start, the same everywhere, tension positive; instead of k0", .unit = "Pa"});
-  d.value("initial_spin", body.initial_spin,
-          {.meaning = "turning about its centre of mass (in space: about z) at the start, counter-clockwise; added to initial_velocity",
-           .unit = "rad/s"});
-  d.array("initial_velocity", body.initial_velocity, {.meaning = "motion at the start; several are added up"});
+  d.value("initial_angular_velocity", body.initial_angular_velocity,
+          {.meaning =
+               "angular velocity about its centre of mass (in space: about z) at the start, counter-clockwise; added to initial_velocity",
+           .unit = "rad/s",
+           .formerly = "initial_spin"});
+  d.array("initial_velocity", body.initial_velocity, {.meaning = "velocity at the start; several terms are summed"});
 }
 
 }  // namespace berm::bodies

@@ -5,29 +5,30 @@
 
 namespace berm::bodies {
 
-/// A rectangular block (2D: may be turned) or box of material, filled with particles on a lattice of its own, wherever it lies in the mesh.
+/// A rectangular block (2D: may be rotated) or box of material, filled with particles on its own lattice, anywhere in the
+/// mesh.
 struct BlockSettings {
   std::vector<Real> center, size;  ///< m, one entry a direction
   Real angle = 0;                  ///< rad, counter-clockwise; 2D only
   Real spacing = 0;                ///< m, of the lattice; rounded so that whole particles fill the block
 };
 
-/// A disk of material (2D), filled with the particles of a square lattice around its centre that lie inside.
+/// A disk of material (2D), filled with the particles of a square lattice around its centre.
 struct DiskSettings {
   std::vector<Real> center;  ///< m
   Real diameter = 0;         ///< m
   Real spacing = 0;          ///< m, of the lattice
 };
 
-/// A part of the velocity of the particles at the start: v(x) = amplitude sin(wave_number . x + phase), or amplitude everywhere where wave_number
-/// is empty.
+/// A term of the initial velocity of the particles: v(x) = amplitude sin(wave_number . x + phase), or uniform where
+/// wave_number is empty.
 struct InitialVelocity {
   std::vector<Real> amplitude;    ///< m/s
   std::vector<Real> wave_number;  ///< rad/m
   Real phase = 0;                 ///< rad
 };
 
-/// A deformable body as the user gives it: what it is made of and which part of the mesh it fills at the start.
+/// Input of a deformable body: its material and the part of the mesh that it fills at the start.
 struct BodySettings {
   std::string material;
   std::vector<std::string> regions;  ///< of the mesh, filled cell by cell
@@ -37,10 +38,10 @@ struct BodySettings {
   std::optional<DiskSettings> disk;    ///< instead of regions
   Real damping = 0;                    ///< local damping factor
   std::map<std::string, Real> region_damping;
-  std::optional<Real> k0;                         ///< horizontal over vertical stress at the start; absent: no stress at the start
+  std::optional<Real> k0;                         ///< horizontal over vertical stress at the start; empty: no stress at the start
   std::vector<Real> initial_stress;               ///< Pa, xx, yy and zz everywhere, tension positive, instead of k0
-  std::vector<InitialVelocity> initial_velocity;  ///< added up
-  Real initial_spin = 0;                          ///< rad/s about the centre of mass (in space: about z), added to initial_velocity
+  std::vector<InitialVelocity> initial_velocity;  ///< summed
+  Real initial_angular_velocity = 0;              ///< rad/s about the centre of mass (in space: about z), added to initial_velocity
 };
 
 void describe(Describe& d, BlockSettings& block);

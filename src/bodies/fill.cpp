@@ -12,7 +12,7 @@
 namespace berm::bodies {
 namespace {
 
-/// A particle's place, cell and volume before anything else is known of it.
+/// Position, cell and volume of a new particle.
 template <int dim>
 struct Seed {
   Vec<dim> x;
@@ -44,7 +44,7 @@ std::array<Real, 3> counts_in(const BlockSettings& block)
   return count;
 }
 
-/// Refuses, before any memory is taken, more particles than can be numbered.
+/// Refuses more particles than can be numbered, before memory is allocated.
 void check_count(const std::string& key, Real count)
 {
   constexpr Index max = std::numeric_limits<Index>::max() / 2;
@@ -77,7 +77,7 @@ std::vector<Seed<dim>> seeds_in_regions(const mesh::Mesh<dim>& mesh, const std::
   return seeds;
 }
 
-/// Finds the cells of points that lie near each other, for one `part` (block or disk) of a body.
+/// Finds the cells of points that are near each other, for one `part` (block or disk) of a body.
 template <int dim>
 struct Finder {
   const mesh::Mesh<dim>& mesh;
@@ -117,9 +117,9 @@ std::vector<Seed<dim>> seeds_in_block(const mesh::Mesh<dim>& mesh, const std::st
   for (int k = 0; k < count[2]; ++k)
     for (int j = 0; j < count[1]; ++j)
       for (int i = 0; i < count[0]; ++i) {
-        const int place[3] = {i, j, k};
+        const int index[3] = {i, j, k};
         Vec<dim> local;
-        for (int d = 0; d < dim; ++d) local[d] = (place[d] + 0.5 - 0.5 * count[d]) * spacing[d];
+        for (int d = 0; d < dim; ++d) local[d] = (index[d] + 0.5 - 0.5 * count[d]) * spacing[d];
         const Vec<dim> x = center + axes * local;
         seeds.push_back({x, finder.cell_at(x), spacing.prod()});
       }
@@ -164,8 +164,8 @@ Vec<dim> first_velocity(const BodySettings& body, const Vec<dim>& from_center, c
     const Real size = wave.wave_number.empty() ? 1 : std::sin(phase);
     for (int d = 0; d < dim; ++d) v[d] += size * wave.amplitude[d];
   }
-  v[0] -= body.initial_spin * from_center[1];
-  v[1] += body.initial_spin * from_center[0];
+  v[0] -= body.initial_angular_velocity * from_center[1];
+  v[1] += body.initial_angular_velocity * from_center[0];
   return v;
 }
 

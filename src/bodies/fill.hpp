@@ -11,7 +11,7 @@ namespace berm::bodies {
 template <int dim>
 std::vector<std::array<Real, dim + 1>> points_in_simplex(int n);
 
-/// How many particles fill() makes of a block or disk (about), and of a cell of a region, holes not counted.
+/// Number of particles that fill() makes of a block or disk (estimated), and of a cell of a region, ignoring holes.
 template <int dim>
 Real particles_in(const BlockSettings& block);
 Real particles_in(const DiskSettings& disk);
@@ -22,17 +22,17 @@ Real particles_per_cell(const BodySettings& body, const std::string& region);
 template <int dim>
 Index filled_region(const mesh::Mesh<dim>& mesh, const std::string& name, const std::string& region);
 
-/// The state of the body at the start.
+/// Initial state of a body.
 template <int dim>
 struct StartState {
   Real density;                             ///< kg/m3
   Real vertical_gravity;                    ///< m/s2, positive downwards
   Real surface;                             ///< m, level of the bed's surface
-  std::vector<FieldInfo> extra = {};        ///< fields of a particle beside those that every one has; what the law keeps comes first
-  std::vector<RigidShape<dim>> holes = {};  ///< rigid bodies that it has a contact with: they take the place of its particles
+  std::vector<FieldInfo> extra = {};        ///< extra fields of its particles; the law's state variables come first
+  std::vector<RigidShape<dim>> holes = {};  ///< rigid bodies in contact with it, which displace its particles
 };
 
-/// Fills the body's regions, block or disk, but for the holes, with particles at rest or with its first velocity, and with its first stress.
+/// Fills the body's regions, block or disk, except for the holes, with particles at their initial velocity and stress.
 /// Throws InputError where a region is unknown or a block or disk leaves the mesh.
 template <int dim>
 Particles<dim> fill(const mesh::Mesh<dim>& mesh, const std::string& name, const BodySettings& body, const StartState<dim>& start);

@@ -8,8 +8,8 @@
 
 namespace berm::bodies {
 
-/// The stress of a body at the start, Pa: initial_stress, or that of a flat bed at rest where k0 is given: sigma_yy = -unit_weight depth, not above the
-/// bed's surface, and sigma_xx = sigma_zz = k0 sigma_yy. unit_weight in N/m3, depth in m.
+/// Initial stress of a body, Pa, tension positive: initial_stress, or with k0 that of a level bed at rest: sigma_yy =
+/// -unit_weight depth (0 above the bed's surface), sigma_xx = sigma_zz = k0 sigma_yy. unit_weight in N/m3, depth in m.
 template <int dim>
 SymTensor<dim> initial_stress(const BodySettings& body, Real unit_weight, Real depth)
 {

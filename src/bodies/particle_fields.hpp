@@ -8,7 +8,7 @@
 
 namespace berm::bodies {
 
-/// A field that every particle has: what is said of it, and the members of a block and of a particle on its own that keep it.
+/// A field that every particle has: its metadata, and the members of Block and Particle that hold it.
 template <int dim, class InBlock, class InParticle>
 struct ParticleField {
   using Number = std::conditional_t<std::is_same_v<InBlock, std::int32_t[lanes]>, std::int32_t, Real>;
@@ -45,9 +45,9 @@ constexpr ParticleField<dim, InBlock, InParticle> particle_field(const char* nam
   return {name, label, unit, travel, in_block, in_particle};
 }
 
-/// The fields that every particle has. Writing, reading, moving between cells, checkpoints, the check for numbers that are not finite and frames loop
-/// over them. That check names the first: what spoils other particles within a step comes before what it spoils in them. Frames have position, volume
-/// and number as parts of their own.
+/// The fields that every particle has. Writing, reading, moving between cells, checkpoints, the check for non-finite numbers
+/// and frames loop over them. That check names the first: a field stands before those that it spoils within a step. Frames
+/// store position, volume and number separately.
 template <int dim>
 constexpr auto particle_fields = std::tuple{
     particle_field("position", "position", "m", everywhere & ~to_frame, &Block<dim>::x, &Particle<dim>::x),

@@ -28,7 +28,7 @@ Particles<dim>::Particles(const mesh::Mesh<dim>& mesh, Index max, const std::vec
   const std::size_t max_blocks = static_cast<std::size_t>(max / lanes) + std::min(max, mesh.cell_count()) + 1;
   blocks_.reserve(max_blocks);
   extra_.reserve(max_blocks * extra_size_);
-  // At the least as many as there would be if all were full.
+  // At least as many as if all cells were full.
   const auto min_blocks = static_cast<std::size_t>(max / lanes);
   ask_for_huge_pages(blocks_.data(), min_blocks * sizeof(Block<dim>));
   ask_for_huge_pages(extra_.data(), min_blocks * extra_size_ * sizeof(StoredLanes));
@@ -56,10 +56,10 @@ Index Particles<dim>::free_block(const Vec<dim>& x)
 }
 
 template <int dim>
-Index Particles<dim>::block_at(Index cell, Index place) const
+Index Particles<dim>::block_at(Index cell, Index index) const
 {
   Index b = head_[cell];
-  for (; place >= lanes; place -= lanes) b = blocks_[b].next;
+  for (; index >= lanes; index -= lanes) b = blocks_[b].next;
   return b;
 }
 
@@ -84,31 +84,31 @@ Particle<dim> Particles<dim>::read(Index b, int l) const
 template <int dim>
 void Particles<dim>::insert(Index cell, const Particle<dim>& particle)
 {
-  const Index place = count_[cell]++;
+  const Index index = count_[cell]++;
   ++size_;
-  changed_ = changed_ || place == 0;
+  changed_ = changed_ || index == 0;
   Index b;
-  if (place % lanes != 0) {
-    b = block_at(cell, place);
+  if (index % lanes != 0) {
+    b = block_at(cell, index);
   } else {
     b = free_block(particle.x);
-    if (place == 0)
+    if (index == 0)
       head_[cell] = b;
     else
-      blocks_[block_at(cell, place - 1)].next = b;
+      blocks_[block_at(cell, index - 1)].next = b;
   }
-  write(b, place % lanes, particle);
+  write(b, index % lanes, particle);
 }
 
 template <int dim>
-Particle<dim> Particles<dim>::take(Index cell, Index place)
+Particle<dim> Particles<dim>::take(Index cell, Index index)
 {
   const Index last = --count_[cell];
   --size_;
   changed_ = changed_ || last == 0;
-  const Index b = block_at(cell, place), last_block = block_at(cell, last);
-  const Particle<dim> taken = read(b, place % lanes);
-  if (place != last) write(b, place % lanes, read(last_block, last % lanes));
+  const Index b = block_at(cell, index), last_block = block_at(cell, last);
+  const Particle<dim> taken = read(b, index % lanes);
+  if (index != last) write(b, index % lanes, read(last_block, last % lanes));
   Particle<dim> nothing;
   nothing.x = taken.x;
   write(last_block, last % lanes, nothing);

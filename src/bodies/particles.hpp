@@ -11,7 +11,8 @@
 
 namespace berm::bodies {
 
-/// Four particles of one cell; bodies/particle_fields.hpp says of each member what it is and where it travels. Lanes beyond the cell's count hold no particle: mass, volume and stress zero, a finite position.
+/// Four particles of one cell (fields: bodies/particle_fields.hpp). Lanes beyond the cell's count are empty: mass, volume
+/// and stress zero, a finite position.
 template <int dim>
 struct alignas(32) Block {
   Lanes x[dim];                    ///< position, m
@@ -20,14 +21,14 @@ struct alignas(32) Block {
   Lanes volume;                    ///< m2 (per metre run) or m3
   Lanes mass;                      ///< kg/m or kg
   Lanes deviatoric_strain;         ///< accumulated equivalent deviatoric strain
-  std::int32_t id[lanes];          ///< 0 ... count - 1, kept for life
+  std::int32_t id[lanes];          ///< 0 ... count - 1, permanent
   Index next;                      ///< the cell's next block, or none
 };
 
-/// One particle on its own: on its way from one cell to another, or read for output.
+/// One particle by itself: in transit between cells, or read for output.
 template <int dim>
 struct Particle {
-  static constexpr int max_extra = 8;  ///< numbers of extra fields that a particle may carry
+  static constexpr int max_extra = 8;  ///< numbers of extra fields per particle
 
   Vec<dim> x = Vec<dim>::Zero(), v = Vec<dim>::Zero();
   SymTensor<dim> stress{};
@@ -36,7 +37,7 @@ struct Particle {
   std::int32_t id = none;
 };
 
-/// A field that only some bodies' particles have, such as what a law keeps.
+/// A field of some bodies' particles only, such as the state variables of a law.
 struct ExtraField {
   FieldInfo info;
   int offset;  ///< of its first number among the extra numbers of a particle
@@ -48,13 +49,13 @@ template <int dim>
 class Particles {
 public:
   Particles() = default;
-  /// Room for `max` particles anywhere in the mesh, each with these fields beside those that every particle has; what the law keeps comes first.
-  /// Throws std::logic_error where they are too many numbers, or one does not travel with its particle.
+  /// Allocates for `max` particles anywhere in the mesh, each with these extra fields; the law's state variables come first.
+  /// Throws std::logic_error where they exceed Particle::max_extra numbers, or one does not move with its particle.
   Particles(const mesh::Mesh<dim>& mesh, Index max, const std::vector<FieldInfo>& extra);
 
   Index size() const { return size_; }
   const std::vector<ExtraField>& extra_fields() const { return extra_fields_; }
-  /// Numbers of all extra fields of a particle.
+  /// Numbers of all extra fields per particle.
   int extra_size() const { return extra_size_; }
 
   Index count_in(Index cell) const { return count_[cell]; }
@@ -64,7 +65,7 @@ public:
   /// The extra fields of block b: extra_size() Lanes.
   Lanes* extra(Index b) { return reinterpret_cast<Lanes*>(extra_.data() + static_cast<std::size_t>(b) * extra_size_); }
   const Lanes* extra(Index b) const { return reinterpret_cast<const Lanes*>(extra_.data() + static_cast<std::size_t>(b) * extra_size_); }
-  /// The law's numbers of block b, with which they begin.
+  /// The law's state variables of block b: the first of its extra fields.
   Lanes* state(Index b) { return extra(b); }
   const Lanes* state(Index b) const { return extra(b); }
 
@@ -76,8 +77,8 @@ public:
         head_[cell], count_[cell], [&](Index b) { return blocks_[b].next; }, visit);
   }
 
-  /// Asks for the first three blocks of the cell four places behind occupied()[c], so that they are in the cache when their turn comes: cells
-  /// differ in their number of blocks, which the processor's own prefetching does not foresee (docs/performance.md).
+  /// Prefetches the first three blocks of the cell four entries after occupied()[c]: the processor cannot predict the
+  /// addresses of cells with different numbers of blocks (docs/performance.md).
   [[gnu::always_inline]] void prefetch_after(Index c) const
   {
     constexpr std::size_t ahead = 4;
@@ -91,16 +92,17 @@ public:
   bool sort_occupied();
 
   void insert(Index cell, const Particle<dim>& particle);
-  /// Takes out the particle at `place` (0 ... count - 1) of a cell; the cell's last particle takes its place.
-  Particle<dim> take(Index cell, Index place);
+  /// Removes the particle with this index (0 ... count - 1) from a cell; the cell's last particle gets its index.
+  Particle<dim> take(Index cell, Index index);
   Particle<dim> read(Index block, int lane) const;
-  /// The particle at `place` of a cell.
-  Particle<dim> read_at(Index cell, Index place) const { return read(block_at(cell, place), place % lanes); }
+  /// The particle with this index in a cell.
+  Particle<dim> read_at(Index cell, Index index) const { return read(block_at(cell, index), index % lanes); }
 
-  /// All particles with their cells, blocks and lanes, on which sums depend to the last bit. Reading replaces those that are here by as many others.
+  /// All particles with their cells, blocks and lanes, on which sums depend to the last bit. Reading replaces the particles
+  /// by as many others.
   void archive(Archive& k);
 
-  /// Visits visit(cell, block index, lane) for each particle, cell by cell in ascending order.
+  /// Calls visit(cell, block index, lane) for each particle, cell by cell in ascending order.
   template <class Visit>
   void visit(const Visit& visit) const
   {
@@ -112,7 +114,7 @@ public:
 private:
   static constexpr std::size_t cache_line = 64;  // bytes
 
-  /// Without a loop, which would take as long as what it saves.
+  /// Unrolled: a loop would take as long as it saves.
   template <std::size_t... line>
   [[gnu::always_inline]] static void prefetch_lines(const char* bytes, std::index_sequence<line...>)
   {
@@ -122,13 +124,13 @@ private:
   void lay_out(const std::vector<Index>& cells, const std::vector<Index>& counts);
   Index free_block(const Vec<dim>& x);
   void write(Index block, int lane, const Particle<dim>& particle);
-  Index block_at(Index cell, Index place) const;
+  Index block_at(Index cell, Index index) const;
 
   std::vector<Block<dim>, LazyZeroAllocator<Block<dim>>> blocks_;
   std::vector<StoredLanes, LazyZeroAllocator<StoredLanes>> extra_;
-  CellField<Index> head_, count_;  ///< untouched, and so without memory, where there never was a particle
+  CellField<Index> head_, count_;  ///< not written, and so without memory, where there never was a particle
   std::vector<Index> occupied_;
-  Index free_ = none;  ///< chain of blocks that no cell uses
+  Index free_ = none;  ///< chain of free blocks
   Index size_ = 0;
   std::vector<ExtraField> extra_fields_;
   int extra_size_ = 0;

@@ -5,8 +5,8 @@
 
 namespace berm::boundary {
 
-/// Local damping: a force of `factor` times the size of the unbalanced force in one direction, against the velocity there. N/m or N
-/// (Cundall 1987; docs/theory.md, section 6)
+/// Local damping force, N/m or N: `factor` times the magnitude of the unbalanced force in one direction, opposed to the
+/// velocity there (Cundall 1987; docs/theory.md, section 6).
 inline Real local_damping(Real factor, Real force, Real velocity)
 {
   return velocity != 0 ? -factor * std::abs(force) * (velocity > 0 ? 1 : -1) : 0;

@@ -5,7 +5,7 @@
 
 namespace berm::boundary {
 
-/// Gravity (m/s2) at a time: it grows evenly from nothing within its ramp, s.
+/// Gravity (m/s2) at a time: it increases linearly from zero over its ramp, s.
 template <int dim>
 Vec<dim> ramped_gravity(const Vec<dim>& gravity, Real ramp, Real time)
 {

@@ -11,13 +11,13 @@ namespace berm::boundary {
 
 void describe(Describe& d, SupportSettings& support)
 {
-  d.value("boundary", support.boundary, {.meaning = "boundary of the mesh that is held", .required = true});
-  d.value("fixed", support.fixed, {.meaning = "directions that are held: \"x\", \"y\", \"z\"", .required = true});
-  d.value("stages", support.stages, {.meaning = "names of the stages in which it holds; in others it is released; absent or empty = all"});
+  d.value("boundary", support.boundary, {.meaning = "boundary of the mesh that is fixed", .required = true});
+  d.value("fixed", support.fixed, {.meaning = "directions that are fixed: \"x\", \"y\", \"z\"", .required = true});
+  d.value("stages", support.stages, {.meaning = "names of the stages in which it acts; in others it is released; absent or empty = all"});
 }
 
 template <int dim>
-Index held_boundary(const mesh::Mesh<dim>& mesh, const std::string& name, const SupportSettings& support)
+Index fixed_boundary(const mesh::Mesh<dim>& mesh, const std::string& name, const SupportSettings& support)
 {
   const Index boundary = mesh.find_boundary(support.boundary);
   if (boundary == none)
@@ -26,14 +26,14 @@ Index held_boundary(const mesh::Mesh<dim>& mesh, const std::string& name, const 
   return boundary;
 }
 
-std::uint8_t held_directions(const SupportSettings& support)
+std::uint8_t fixed_directions(const SupportSettings& support)
 {
-  int held = 0;
-  for (const std::string& direction : support.fixed) held |= 1 << (direction[0] - 'x');
-  return static_cast<std::uint8_t>(held);
+  int bits = 0;
+  for (const std::string& direction : support.fixed) bits |= 1 << (direction[0] - 'x');
+  return static_cast<std::uint8_t>(bits);
 }
 
-template Index held_boundary<2>(const mesh::Mesh<2>&, const std::string&, const SupportSettings&);
-template Index held_boundary<3>(const mesh::Mesh<3>&, const std::string&, const SupportSettings&);
+template Index fixed_boundary<2>(const mesh::Mesh<2>&, const std::string&, const SupportSettings&);
+template Index fixed_boundary<3>(const mesh::Mesh<3>&, const std::string&, const SupportSettings&);
 
 }  // namespace berm::boundary

@@ -30,11 +30,11 @@ std::pair<std::vector<Vec<dim>>, Real> points_on(const mesh::Mesh<dim>& mesh, co
   std::vector<Vec<dim>> points;
   if constexpr (dim == 2) {
     const Vec<2>&begin = mesh.position[face[0]], &end = mesh.position[face[1]];
-    const Stretch stretch = stretch_in_range(traction, begin, end);
-    const Real loaded = stretch.to - stretch.from;
+    const LoadedPart part = loaded_part(traction, begin, end);
+    const Real loaded = part.to - part.from;
     if (!(loaded > 0)) return {points, 0};
     for (int n = 0; n < points_along_edge; ++n)
-      points.push_back(begin + (stretch.from + loaded * (n + 0.5) / points_along_edge) * (end - begin));
+      points.push_back(begin + (part.from + loaded * (n + 0.5) / points_along_edge) * (end - begin));
     return {points, loaded};
   } else {
     for (const auto& at : bodies::points_in_simplex<2>(points_along_triangle))
@@ -47,19 +47,20 @@ std::pair<std::vector<Vec<dim>>, Real> points_on(const mesh::Mesh<dim>& mesh, co
 
 void describe(Describe& d, TractionSettings& traction)
 {
-  d.value("boundary", traction.boundary,
-          {.meaning = "boundary of the mesh; the soil that lies at it at the start is loaded, and takes the load along", .required = true});
   d.value(
-      "stress", traction.stress,
-      {.meaning = "force over area at the start, one number a direction, such as [0, \"-100 kPa\"]; it keeps its direction", .unit = "Pa"});
+      "boundary", traction.boundary,
+      {.meaning = "boundary of the mesh; the soil that lies at it at the start is loaded and carries the load along", .required = true});
+  d.value("stress", traction.stress,
+          {.meaning = "force over area at the start, one number per direction, such as [0, \"-100 kPa\"]; its direction is constant",
+           .unit = "Pa"});
   d.value("pressure", traction.pressure,
-          {.meaning = "instead of stress: force over area against the soil, at a right angle to the boundary at the start; it keeps its "
-                      "direction",
+          {.meaning = "instead of stress: force over area against the soil, at a right angle to the boundary at the start; its "
+                      "direction is constant",
            .unit = "Pa"});
   d.value("x_range", traction.x_range,
           {.meaning = "from and to, in two dimensions: only this part of the boundary is loaded; absent = all of it", .unit = "m"});
   d.value("ramp", traction.ramp,
-          {.meaning = "time in which it grows from nothing, and falls to nothing where a stage is without it; 0 = at once",
+          {.meaning = "time over which it increases from zero, and falls to zero in a stage without it; 0 = at once",
            .unit = "s",
            .range = not_negative});
   d.value("stages", traction.stages, {.meaning = "names of the stages in which it acts; absent or empty = all"});
@@ -82,24 +83,24 @@ Vec<dim> stress_on(const TractionSettings& traction, const Vec<dim>& normal)
   return Eigen::Map<const Vec<dim>>(traction.stress.data());
 }
 
-Stretch stretch_in_range(const TractionSettings& traction, const Vec<2>& begin, const Vec<2>& end)
+LoadedPart loaded_part(const TractionSettings& traction, const Vec<2>& begin, const Vec<2>& end)
 {
-  Stretch stretch{0, 1};
-  if (traction.x_range.empty()) return stretch;
+  LoadedPart part{0, 1};
+  if (traction.x_range.empty()) return part;
   const Real length = end[0] - begin[0];
-  if (length == 0) return traction.x_range[0] <= begin[0] && begin[0] <= traction.x_range[1] ? stretch : Stretch{0, 0};
+  if (length == 0) return traction.x_range[0] <= begin[0] && begin[0] <= traction.x_range[1] ? part : LoadedPart{0, 0};
   const Real a = (traction.x_range[0] - begin[0]) / length, b = (traction.x_range[1] - begin[0]) / length;
-  return {std::max(stretch.from, std::min(a, b)), std::min(stretch.to, std::max(a, b))};
+  return {std::max(part.from, std::min(a, b)), std::min(part.to, std::max(a, b))};
 }
 
 template <int dim>
-std::vector<LoadedPlace<dim>> loaded_places(const mesh::Mesh<dim>& mesh, const std::string& name, const TractionSettings& traction,
+std::vector<LoadedPoint<dim>> loaded_points(const mesh::Mesh<dim>& mesh, const std::string& name, const TractionSettings& traction,
                                             const std::vector<Index>& body_of_region)
 {
   NodeField<char> at_boundary(mesh.node_count(), 0);
   for (const Index i : mesh.boundary_nodes[loaded_boundary(mesh, name, traction)]) at_boundary[i] = 1;
   const auto holds_soil = [&](Index cell) { return cell != none && body_of_region[mesh.region[cell]] != none; };
-  std::vector<LoadedPlace<dim>> places;
+  std::vector<LoadedPoint<dim>> points_on_boundary;
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
     for (int corner = 0; corner <= dim && holds_soil(cell); ++corner) {
       const std::array<Index, dim> face = face_of(mesh, cell, corner);
@@ -108,15 +109,16 @@ std::vector<LoadedPlace<dim>> loaded_places(const mesh::Mesh<dim>& mesh, const s
       const Vec<dim> inwards = mesh.shape(cell).gradient(corner);  // 1 / height long
       const auto [points, loaded] = points_on<dim>(mesh, traction, face);
       const Real area = loaded * dim * mesh.volume(cell) * inwards.norm() / static_cast<Real>(std::max<std::size_t>(points.size(), 1));
-      for (const Vec<dim>& x : points) places.push_back({cell, x, area * stress_on<dim>(traction, -inwards.normalized()), area});
+      for (const Vec<dim>& x : points)
+        points_on_boundary.push_back({cell, x, area * stress_on<dim>(traction, -inwards.normalized()), area});
     }
-  if (places.empty()) refuse_without_soil(name, traction);
-  return places;
+  if (points_on_boundary.empty()) refuse_without_soil(name, traction);
+  return points_on_boundary;
 }
 
 void refuse_without_soil(const std::string& name, const TractionSettings& traction)
 {
-  throw InputError(fmt::format("traction.{}.{}: no soil of a body that fills regions ends at the boundary \"{}\"{}", name,
+  throw InputError(fmt::format("traction.{}.{}: no body that fills regions has soil at the boundary \"{}\"{}", name,
                                traction.x_range.empty() ? "boundary" : "x_range", traction.boundary,
                                traction.x_range.empty() ? "" : " in this range"));
 }
@@ -124,7 +126,7 @@ void refuse_without_soil(const std::string& name, const TractionSettings& tracti
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template Index loaded_boundary(const mesh::Mesh<dim>&, const std::string&, const TractionSettings&);                                     \
   template Vec<dim> stress_on(const TractionSettings&, const Vec<dim>&);                                                                   \
-  template std::vector<LoadedPlace<dim>> loaded_places(const mesh::Mesh<dim>&, const std::string&, const TractionSettings&,                \
+  template std::vector<LoadedPoint<dim>> loaded_points(const mesh::Mesh<dim>&, const std::string&, const TractionSettings&,                \
                                                        const std::vector<Index>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

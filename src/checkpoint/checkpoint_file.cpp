@@ -17,10 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t header_bytes = 512;  // the least that HDF5 leaves
-constexpr std::string_view first_words = "berm checkpoint, format ";
+constexpr std::size_t header_bytes = 512;  // the minimum for HDF5
+constexpr std::string_view magic = "berm checkpoint, format ";
 
-/// A file descriptor that is closed with this object.
+/// A file descriptor, closed with this object.
 class OpenFile {
 public:
   OpenFile(const fs::path& path, int how) : file_(::open(path.c_str(), how | O_CLOEXEC)) {}
@@ -55,24 +55,24 @@ std::optional<std::uint32_t> crc_of(int file, BigIndex from, BigIndex to)
 
 std::string header(BigIndex bytes, std::uint32_t crc, const std::string& version)
 {
-  std::string text = fmt::format("{}{}\nberm {}\n{} bytes, CRC-32 {:08x} from byte {} on\n", first_words, checkpoint_format, version, bytes,
-                                 crc, header_bytes);
+  std::string text =
+      fmt::format("{}{}\nberm {}\n{} bytes, CRC-32 {:08x} from byte {} on\n", magic, checkpoint_format, version, bytes, crc, header_bytes);
   text.resize(header_bytes, '\n');
   return text;
 }
 
-/// Whether the first bytes are what berm writes before a content of this length and sum; else says what is wrong with them.
+/// Whether the first bytes are the header of a content of this length and CRC; else throws what is wrong with them.
 void check_header(const std::string& found, BigIndex bytes, std::uint32_t crc)
 {
   if (found == header(bytes, crc, BERM_VERSION)) return;
-  if (!found.starts_with(first_words)) throw RunError("it is not a checkpoint of berm");
+  if (!found.starts_with(magic)) throw RunError("it is not a checkpoint of berm");
   int format = 0;
-  std::from_chars(found.data() + first_words.size(), found.data() + found.size(), format);
+  std::from_chars(found.data() + magic.size(), found.data() + found.size(), format);
   if (format > checkpoint_format)
-    throw RunError(fmt::format("it is of format {}, which a newer berm writes; this one reads format {}", format, checkpoint_format));
+    throw RunError(fmt::format("it has format {}, that of a newer berm; this one reads format {}", format, checkpoint_format));
   if (format > 0 && format < checkpoint_format)
     throw RunError(fmt::format(
-        "it is of format {}, which an older berm wrote; this one reads format {}: finish the run with that one, or begin it anew", format,
+        "it has format {}, that of an older berm; this one reads format {}: finish the run with that version, or start it again", format,
         checkpoint_format));
   std::istringstream lines(found);
   std::string line, berm, version;
@@ -80,8 +80,8 @@ void check_header(const std::string& found, BigIndex bytes, std::uint32_t crc)
   lines >> berm >> version;
   const bool readable = std::all_of(version.begin(), version.end(), [](char c) { return c > ' ' && c <= '~'; });
   if (readable && found == header(bytes, crc, version))
-    throw RunError(
-        fmt::format("it was written by berm {}, and this is berm " BERM_VERSION ": a run goes on with the version that began it", version));
+    throw RunError(fmt::format(
+        "it was written by berm {}, and this is berm " BERM_VERSION ": a run is resumed by the version that started it", version));
   throw RunError("it is damaged");
 }
 
@@ -121,7 +121,7 @@ void write_checkpoint(const fs::path& path, const Contents& contents)
       io::throw_errno(fmt::format("cannot write {}", path.string()));
     force_to_disk(path.parent_path());
   } catch (const RunError&) {
-    // Emptied first: HDF5 may keep it open, and with it its place on a disk that may be full.
+    // Emptied first: HDF5 may keep it open, and with it its space on a disk that may be full.
     [[maybe_unused]] const int ignored = ::truncate(part.c_str(), 0);
     ::unlink(part.c_str());
     throw;

@@ -63,7 +63,7 @@ void CheckpointFolder::write(BigIndex step, const Contents& contents)
 
 void CheckpointFolder::remove() const
 {
-  std::error_code ignored;  // what is left behind does no harm
+  std::error_code ignored;  // a leftover file does no harm
   fs::remove_all(path_, ignored);
 }
 

@@ -10,18 +10,19 @@ class CheckpointFolder {
 public:
   explicit CheckpointFolder(std::filesystem::path path) : path_(std::move(path)) {}
 
-  /// Files that bear a checkpoint's name, the one of the last step first.
+  /// Files with the name of a checkpoint, that of the last step first.
   std::vector<std::filesystem::path> files() const;
 
-  /// Reads the last one that can be read, and gives its path; empty where there is no file. What is refused is told to `refused` with the reason. Throws
-  /// RunError where none of several files can be read.
+  /// Reads the last one that is readable, and returns its path; empty where there is no file. `refused` is called with each
+  /// file that is refused and the reason. Throws RunError where there are files but none can be read.
   std::filesystem::path read(const Contents& contents,
                              const std::function<void(const std::filesystem::path&, const std::string&)>& refused);
 
-  /// Makes the folder where it is missing, writes one, and then removes all others but the one that was written or read before it. Throws RunError.
+  /// Makes the folder where it is missing, writes a checkpoint, and then removes all but it and the one that was written or
+  /// read before. Throws RunError.
   void write(BigIndex step, const Contents& contents);
 
-  /// Removes the folder: the run has come to its end.
+  /// Removes the folder at the end of the run.
   void remove() const;
 
 private:

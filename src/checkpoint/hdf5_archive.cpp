@@ -10,15 +10,15 @@
 namespace berm::checkpoint {
 namespace {
 
-/// The library's own messages are not shown: what berm says names the file and what to do. It does not clean up when the program ends: after a write
-/// that failed, on a full disk, it cannot let go of the file and crashes there.
+/// The library's own messages are suppressed: those of berm name the file and what to do. It does not clean up when the
+/// program ends: after a failed write, on a full disk, it cannot release the file and crashes there.
 void begin_library()
 {
   [[maybe_unused]] static const herr_t once = H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
-/// How files are reached: without the library's locks, which not all shared file systems know.
+/// Access without the library's locks, which not all shared file systems support.
 hid_t access()
 {
   begin_library();
@@ -53,7 +53,7 @@ Hdf5Writer::Hdf5Writer(const std::filesystem::path& path, std::size_t header_byt
     : path_(path),
       file_((errno = 0, create(path, header_bytes)), H5Fclose)
 {
-  if (!file_.fine()) fail();
+  if (!file_.valid()) fail();
 }
 
 void Hdf5Writer::fail() const
@@ -80,7 +80,7 @@ void Hdf5Writer::write(const std::string& path, hid_t type_in_file, hid_t type, 
   const Hdf5Id space(H5Screate_simple(1, &size, nullptr), H5Sclose), links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   H5Pset_create_intermediate_group(links, 1);
   Hdf5Id set(H5Dcreate2(file_, path.c_str(), type_in_file, space, links, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
-  if (!set.fine() || (count > 0 && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) || !set.close()) fail();
+  if (!set.valid() || (count > 0 && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) || !set.close()) fail();
 }
 
 void Hdf5Writer::list(const std::string& path, std::vector<Real>& numbers)
@@ -102,7 +102,7 @@ void Hdf5Writer::list(const std::string& path, std::string& text)
 
 Hdf5Reader::Hdf5Reader(const std::filesystem::path& path) : path_(path), file_(open(path), H5Fclose)
 {
-  if (!file_.fine()) refuse("it is no HDF5 file");
+  if (!file_.valid()) refuse("it is not an HDF5 file");
 }
 
 void Hdf5Reader::refuse(const std::string& why) const
@@ -114,13 +114,13 @@ template <class List>
 void Hdf5Reader::read(const std::string& path, H5T_class_t kind, hid_t type, List& values) const
 {
   const Hdf5Id set(H5Dopen2(file_, path.c_str(), H5P_DEFAULT), H5Dclose);
-  if (!set.fine()) refuse(fmt::format("it has no {}", path));
+  if (!set.valid()) refuse(fmt::format("it has no {}", path));
   const Hdf5Id space(H5Dget_space(set), H5Sclose), in_file(H5Dget_type(set), H5Tclose);
   const hssize_t count = H5Sget_simple_extent_npoints(space);
   using Value = typename List::value_type;
   std::error_code error;
   const bool fits = count >= 0 && static_cast<std::uintmax_t>(count) <= std::filesystem::file_size(path_, error) / sizeof(Value);
-  if (!fits || H5Tget_class(in_file) != kind || H5Tget_size(in_file) != sizeof(Value)) refuse(fmt::format("{} is of a wrong kind", path));
+  if (!fits || H5Tget_class(in_file) != kind || H5Tget_size(in_file) != sizeof(Value)) refuse(fmt::format("{} has the wrong type", path));
   values.assign(static_cast<std::size_t>(count), Value{});
   if (count > 0 && H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) < 0) refuse(fmt::format("{} cannot be read", path));
 }
@@ -141,7 +141,7 @@ void Hdf5Reader::list(const std::string& path, std::string& text)
 {
   read(path, H5T_INTEGER, H5T_NATIVE_UCHAR, text);
   if (std::any_of(text.begin(), text.end(), [](unsigned char c) { return (c < 0x20 && c != '\n') || c == 0x7F; }))
-    refuse(fmt::format("{} is no text", path));
+    refuse(fmt::format("{} is not text", path));
 }
 
 }  // namespace berm::checkpoint

@@ -8,7 +8,7 @@
 
 namespace berm::checkpoint {
 
-/// Something open in the HDF5 library, closed with this object.
+/// Handle of an HDF5 object, closed with this object.
 class Hdf5Id {
 public:
   using Close = herr_t (*)(hid_t);
@@ -19,8 +19,8 @@ public:
   Hdf5Id& operator=(const Hdf5Id&) = delete;
 
   operator hid_t() const { return id_; }
-  bool fine() const { return id_ >= 0; }
-  /// False where closing failed: something could not be written.
+  bool valid() const { return id_ >= 0; }
+  /// False where closing failed: data may not have been written.
   bool close();
 
 private:
@@ -28,13 +28,13 @@ private:
   Close close_;
 };
 
-/// Writes each value as a dataset of a new HDF5 file, a table as a group. The file begins with a user block of `header_bytes` zeros, which the library
-/// leaves to its user. Errors are RunErrors.
+/// Writes each value as a dataset of a new HDF5 file, a table as a group, behind a user block of `header_bytes` zeros.
+/// Throws RunError.
 class Hdf5Writer : public Archive {
 public:
   Hdf5Writer(const std::filesystem::path& path, std::size_t header_bytes);
 
-  /// To be called last: says whether all is written.
+  /// To be called last. Throws RunError where something could not be written.
   void close();
   bool reads() const override { return false; }
   [[noreturn]] void refuse(const std::string& why) const override;
@@ -53,7 +53,7 @@ private:
   Hdf5Id file_;
 };
 
-/// Reads what Hdf5Writer wrote. Errors are RunErrors.
+/// Reads what Hdf5Writer wrote. Throws RunError.
 class Hdf5Reader : public Archive {
 public:
   explicit Hdf5Reader(const std::filesystem::path& path);

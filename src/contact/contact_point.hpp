@@ -8,24 +8,24 @@
 
 namespace berm::contact {
 
-/// One place where a deformable body may press on a rigid one or on another deformable one: a node, or a particle.
+/// A point at which a deformable body may touch a rigid or another deformable one: a node, or a particle.
 template <int dim>
 struct ContactPoint {
-  std::array<Index, dim + 1> nodes{};   ///< of the body whose velocity counts at the point: one, or all of the particle's cell
-  std::array<Real, dim + 1> weights{};  ///< their shape functions at the point
-  int node_count = 1;                   ///< 1 or dim + 1
-  Vec<dim> normal = Vec<dim>::Zero();   ///< unit vector towards the body: out of the rigid or of the other body
-  Vec<dim> place = Vec<dim>::Zero();    ///< on the rigid surface: where the two meet
-  Real gap = 0;                         ///< m between the two; at most 0 where they touch
-  Real distance = 0;                    ///< m between the rigid surface (the other body's particle) and the nearest particle's centre
-  bool touching = false;                ///< the gap is less than half a particle's width
-  Real area = 0;                        ///< m2 (per metre run: m) of the body's surface that belongs to the point; 0 where nobody needs it
-  EffectiveMass mass;                   ///< 1 / sum of N^2 / m over all that the point moves; 0 where supports hold it
-  Vec<dim> impulse = Vec<dim>::Zero();  ///< that it carries in the present correction, on the body
-  Grip grip = Grip::open;               ///< under the impulse of step 4
+  std::array<Index, dim + 1> nodes{};    ///< whose velocity is that of the body at the point: one, or all of the particle's cell
+  std::array<Real, dim + 1> weights{};   ///< their shape functions at the point
+  int node_count = 1;                    ///< 1 or dim + 1
+  Vec<dim> normal = Vec<dim>::Zero();    ///< unit vector towards the body: out of the rigid or of the other body
+  Vec<dim> position = Vec<dim>::Zero();  ///< on the rigid surface, nearest to the body
+  Real gap = 0;                          ///< m between the two; at most 0 where they touch
+  Real distance = 0;                     ///< m between the rigid surface (the other body's particle) and the nearest particle's centre
+  bool touching = false;                 ///< the gap is less than half a particle's width
+  Real area = 0;                         ///< m2 (per metre run: m), share of the body's surface; 0 where it is not needed
+  EffectiveMass mass;                    ///< 1 / sum of N^2 / M over all that the point moves; 0 where supports fix it
+  Vec<dim> impulse = Vec<dim>::Zero();   ///< on the body, in the present correction
+  ContactStatus status = ContactStatus::open;  ///< in step 4
 };
 
-/// A part of the surface in contact, and the nodes that feel what happens there.
+/// A part of the surface in contact, and the nodes that it belongs to.
 template <int dim>
 struct Footprint {
   std::array<Index, dim + 1> nodes{};   ///< of the cell of the particle that covers it, or the one node around which it lies
@@ -35,37 +35,37 @@ struct Footprint {
 
   // Of a particle at a rigid surface in the plane:
   int side = 0;              ///< of the rigid body
-  Real along = 0;            ///< m, its place on the side, which goes from
-  Real begin = 0, end = 0;   ///< m to m
+  Real along = 0;            ///< m, position on the side, whose ends are
+  Real begin = 0, end = 0;   ///< m
   Real width = 0;            ///< m, of the particle
-  Real left = 0, right = 0;  ///< m, how far it reaches against and along the side
+  Real left = 0, right = 0;  ///< m, extent against and along the side
 };
 
-/// The points of one contact, found anew in each step, and what finding them needs. Memory is kept from step to step.
+/// The points of one contact, detected anew in each step, and the work arrays of the detection; memory is reused.
 template <int dim>
 struct ContactPoints {
   std::vector<ContactPoint<dim>> list;  ///< in the order of the cells or nodes that found them
   Real nearest_particle = infinity;     ///< m, distance of the nearest particle from the rigid surface, negative inside
 
   // At a rigid body:
-  std::vector<Index> near_cells;                    ///< cells that the surface can reach until it has moved `reach`
-  Vec<dim> near_at = Vec<dim>::Constant(infinity);  ///< RigidState::near_cells_displacement that near_cells is of
-  bodies::Orientation<dim> near_orientation;        ///< and RigidState::near_cells_orientation
-  Real reach = 0;                                   ///< m, the smallest height of all cells; 0 before the first step
+  std::vector<Index> near_cells;                              ///< cells that the surface can reach until it has moved `reach`
+  Vec<dim> near_displacement = Vec<dim>::Constant(infinity);  ///< RigidState::near_cells_displacement that near_cells is of
+  bodies::Orientation<dim> near_orientation;                  ///< and RigidState::near_cells_orientation
+  Real reach = 0;                                             ///< m, the smallest height of all cells; 0 before the first step
   struct CellContact {
     Real gap = infinity, distance = infinity, half_width = 0;
-    Vec<dim> normal = Vec<dim>::Zero();  ///< at the particle with the least gap
-    bool cut = false;                    ///< the rigid body reaches into the cell
+    Vec<dim> normal = Vec<dim>::Zero();  ///< at the particle with the smallest gap
+    bool cut = false;                    ///< the rigid body intersects the cell
   };
   std::vector<CellContact> cells;  ///< of near_cells
-  NodeField<Index> place;          ///< of a node in list, or none; empty where points are particles
+  NodeField<Index> point_of_node;  ///< index in list of the node's point, or none; empty where points are particles
 
   // Where there is adhesion:
   std::vector<Footprint<dim>> footprints;  ///< the surface in contact
-  NodeField<Real> node_area, node_weight;  ///< m2 (per metre run: m), and sum of N, over the points that press
+  NodeField<Real> node_area, node_weight;  ///< m2 (per metre run: m), and sum of N, over the closed points
 
   // Between two deformable bodies:
-  std::vector<Index> shared_nodes;        ///< nodes that both bodies reach
+  std::vector<Index> shared_nodes;        ///< nodes that particles of both bodies contribute to
   std::vector<ContactPoint<dim>> shared;  ///< one for each of them
 };
 

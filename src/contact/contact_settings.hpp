@@ -5,21 +5,21 @@
 
 namespace berm::contact {
 
-/// When contact is corrected within a step (paper, section 2).
+/// Algorithm of contact within a step (docs/theory.md, section 4); steps as in the paper, section 2.
 enum class Scheme {
-  two_sided,  ///< one impulse: step 8 completes that of step 4
-  twice,      ///< steps 4 and 8: accelerations and re-mapped velocities
-  once,       ///< step 4 only
-  hybrid,     ///< step 4; nodes in contact then move and strain with that velocity (update stress last), all others with the re-mapped one
-  usf,        ///< update stress first: the velocities before the step, which strain, and those after it, which move
-  sticky      ///< one velocity field: what touches neither slides nor parts
+  musl_coupled,  ///< modified update stress last, one impulse over both corrections: step 8 completes that of step 4
+  musl_double,   ///< two independent corrections, as published: accelerations in step 4, re-mapped velocities in step 8
+  musl_single,   ///< one correction, in step 4
+  hybrid_usl,    ///< step 4; nodes in contact then move and strain with that velocity (update stress last), all others as in musl_single
+  usf,           ///< update stress first: the velocities before the step, which strain, and those after it, which move
+  tied           ///< one velocity field where the gap is closed: neither slip nor separation
 };
 
-/// Where two bodies are in contact.
+/// How contact between two bodies is detected.
 enum class Detection {
   automatic,  ///< particle at a rigid body, gap between deformable ones
-  gap,        ///< nodes: the approach velocity is compared with the gap that the nearest particles still have
-  overlap,    ///< every node that both bodies reach through a cell, as published
+  gap,        ///< nodes: the approach velocity is limited by the gap between the nearest particles
+  overlap,    ///< nodes to which particles of both bodies contribute, as published
   distance,   ///< nodes whose nearest particles touch
   particle    ///< particles at the surface of a rigid body instead of nodes, with the rule for the gap
 };
@@ -30,7 +30,7 @@ struct ContactSettings {
   std::string rigid, other_body;  ///< one of the two; the other is empty
   Real friction_angle = 0;        ///< rad
   Real adhesion = 0;              ///< Pa
-  Scheme scheme = Scheme::two_sided;
+  Scheme scheme = Scheme::musl_coupled;
   Detection detection = Detection::automatic;
   Real gap_closing_steps = 20;  ///< T/dt: a gap closes over this many steps
 };

@@ -6,8 +6,8 @@
 namespace berm::contact {
 namespace {
 
-/// The cells that the surface, or the body behind it, can reach before it has moved by `reach` from where they are listed. They follow from the state
-/// alone, so that a run that goes on from a checkpoint lists the same ones.
+/// The cells that the surface, or the body behind it, can reach before it has moved by `reach` from the listed pose. They
+/// follow from the state alone, so that a resumed run lists the same ones.
 template <int dim>
 void find_near_cells(const mesh::Mesh<dim>& mesh, const bodies::RigidBody<dim>& rigid, bodies::RigidState<dim>& state,
                      ContactPoints<dim>& found)
@@ -23,8 +23,8 @@ void find_near_cells(const mesh::Mesh<dim>& mesh, const bodies::RigidBody<dim>& 
     state.near_cells_displacement = state.displacement;
     state.near_cells_orientation = state.orientation;
   }
-  if (found.near_at == state.near_cells_displacement && found.near_orientation == state.near_cells_orientation) return;
-  found.near_at = state.near_cells_displacement;
+  if (found.near_displacement == state.near_cells_displacement && found.near_orientation == state.near_cells_orientation) return;
+  found.near_displacement = state.near_cells_displacement;
   found.near_orientation = state.near_cells_orientation;
   found.near_cells.clear();
   bodies::RigidState<dim> then;
@@ -41,7 +41,7 @@ void find_near_cells(const mesh::Mesh<dim>& mesh, const bodies::RigidBody<dim>& 
   found.list.reserve(static_cast<std::size_t>(lanes) * found.near_cells.size());
 }
 
-/// Whether the body reaches into a cell, tried at its corners and at the quarter points of its edges.
+/// Whether the body intersects a cell, tested at its corners and at the quarter points of its edges.
 template <int dim>
 bool reaches_into(const bodies::RigidShape<dim>& shape, const mesh::Mesh<dim>& mesh, Index cell)
 {
@@ -53,12 +53,12 @@ bool reaches_into(const bodies::RigidShape<dim>& shape, const mesh::Mesh<dim>& m
   return false;
 }
 
-/// The nodes of the cells that touch, each once, with the least gap of their cells.
+/// The nodes of the cells in contact, each once, with the smallest gap of their cells.
 template <int dim>
 void list_nodes(const mesh::Mesh<dim>& mesh, const bodies::RigidShape<dim>& shape, Detection detection, const NodeField<Real>& mass,
                 ContactPoints<dim>& found)
 {
-  if (found.place.size() == 0) found.place.assign(mesh.node_count(), none);
+  if (found.point_of_node.size() == 0) found.point_of_node.assign(mesh.node_count(), none);
   const bool overlap = detection == Detection::overlap;
   const bool corners = bodies::has_corners<dim>(shape);
   for (std::size_t k = 0; k < found.near_cells.size(); ++k) {
@@ -67,33 +67,33 @@ void list_nodes(const mesh::Mesh<dim>& mesh, const bodies::RigidShape<dim>& shap
     for (Index node : mesh.nodes[found.near_cells[k]]) {
       if (mass[node] <= 0) continue;
       const Real gap = overlap ? 0 : cell.gap;
-      Index& place = found.place[node];
-      const bool first = place == none;
+      Index& index = found.point_of_node[node];
+      const bool first = index == none;
       if (first) {
-        place = static_cast<Index>(found.list.size());
+        index = static_cast<Index>(found.list.size());
         ContactPoint<dim> point;
         point.nodes[0] = node;
         point.weights[0] = 1;
         const bodies::SurfacePoint<dim> surface = surface_at(shape, mesh.position[node]);
         point.normal = surface.normal;
-        point.place = mesh.position[node] - surface.distance * surface.normal;
+        point.position = mesh.position[node] - surface.distance * surface.normal;
         point.gap = gap;
         point.distance = infinity;
         found.list.push_back(point);
       }
-      ContactPoint<dim>& point = found.list[place];
-      // Inside a shape with corners the side that is nearest to a node says nothing of the side that the soil touches.
+      ContactPoint<dim>& point = found.list[index];
+      // Inside a shape with corners, the side nearest to a node may not be the one that the soil touches.
       if (corners && cell.gap < infinity && (first || gap < point.gap)) point.normal = cell.normal;
       point.gap = std::min(point.gap, gap);
       point.distance = std::min(point.distance, cell.distance);
       point.touching = point.touching || overlap || cell.gap < cell.half_width;
     }
   }
-  for (const ContactPoint<dim>& point : found.list) found.place[point.nodes[0]] = none;
+  for (const ContactPoint<dim>& point : found.list) found.point_of_node[point.nodes[0]] = none;
   if (detection == Detection::distance) std::erase_if(found.list, [](const ContactPoint<dim>& point) { return point.gap > 0; });
 }
 
-/// The particles whose gap is less than their width; cells without any are passed over by their least gap.
+/// The particles whose gap is less than their width; cells without any are skipped by their smallest gap.
 template <int dim>
 void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape,
                     ContactPoints<dim>& found)
@@ -117,7 +117,7 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
         for (int n = 0; n <= dim; ++n) point.weights[n] = functions.value(n, x);
         point.node_count = dim + 1;
         point.normal = surface.normal;
-        point.place = x - surface.distance * surface.normal;
+        point.position = x - surface.distance * surface.normal;
         point.distance = surface.distance;
         point.touching = point.gap < half;
         found.list.push_back(point);

@@ -8,24 +8,24 @@
 
 namespace berm::contact {
 
-/// Half the width of a particle: of a square (cube) of its volume. m
+/// Half the width of a particle, m: of a square (cube) of its volume.
 template <int dim>
 Real half_width(Real volume)
 {
   return 0.5 * (dim == 2 ? std::sqrt(volume) : std::cbrt(volume));
 }
 
-/// Finds where a body may be in contact with a rigid one.
+/// Detects contact of a body with a rigid one.
 ///
-/// Detection::gap: the nodes of cells with particles near the surface, each with the least gap of the particles in its cells. Detection::distance:
-/// those of them whose gap is closed. Detection::overlap: each node of a cell that the rigid body reaches into, with gap 0.
-/// Detection::particle: the particles whose gap is less than their width. Nodes without mass are left out.
-/// `state` keeps where the rigid body was when the cells near it were listed last.
+/// Detection::gap: the nodes of cells with particles near the surface, each with the smallest gap of the particles in its
+/// cells. Detection::distance: those of them whose gap is closed. Detection::overlap: each node of a cell that the rigid
+/// body intersects, with gap 0. Detection::particle: the particles whose gap is less than their width. Nodes without mass
+/// are left out. `state` stores the pose of the rigid body when the cells near it were last listed.
 template <int dim>
 void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidBody<dim>& rigid,
             bodies::RigidState<dim>& state, Detection detection, const NodeField<Real>& mass, ContactPoints<dim>& found);
 
-/// One of two deformable bodies: its particles, and the mass that its nodes have.
+/// One of two deformable bodies: its particles and its nodal masses.
 template <int dim>
 struct BodyView {
   const bodies::Particles<dim>& particles;
@@ -33,9 +33,10 @@ struct BodyView {
   const std::vector<Index>& nodes;  ///< that may have mass, ascending
 };
 
-/// Finds the nodes where two deformable bodies may be in contact: those at which both have mass. The two share one normal, out of `other`: the
-/// direction along which their particles in the node's cells are farthest apart; the gap is that between the rims of these particles along it.
-/// Detection::overlap takes the gap for 0, Detection::distance leaves out nodes whose gap is open.
+/// Detects contact between two deformable bodies at the nodes where both have mass. The two share one normal, out of
+/// `other`: the direction along which their particles in the node's cells are farthest apart; the gap is that between the
+/// rims of these particles along it. Detection::overlap sets the gap to 0, Detection::distance leaves out nodes whose gap is
+/// open.
 template <int dim>
 void detect(const mesh::Mesh<dim>& mesh, const BodyView<dim>& body, const BodyView<dim>& other, Detection detection,
             ContactPoints<dim>& found);

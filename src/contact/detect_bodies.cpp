@@ -7,7 +7,8 @@
 namespace berm::contact {
 namespace {
 
-/// How far the particles in a node's cells reach along a direction: their centres, or (with their half widths) their rims. m
+/// Extent of the particles in a node's cells along a direction, m: of their centres, or (with their half widths) of their
+/// rims.
 template <int dim>
 Real reach(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Index node, const Vec<dim>& direction, bool rims)
 {
@@ -29,7 +30,7 @@ Real reach(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles,
   return max;
 }
 
-/// The particles of two bodies around a node, and the gap between them as seen along a direction n out of `other`.
+/// The particles of two bodies around a node, and the gap between them along a direction n out of `other`.
 template <int dim>
 struct NodeNeighbourhood {
   const mesh::Mesh<dim>& mesh;
@@ -38,9 +39,10 @@ struct NodeNeighbourhood {
 
   Real gap(const Vec<dim>& n, bool rims) const { return -reach<dim>(mesh, body, node, -n, rims) - reach(mesh, other, node, n, rims); }
 
-  /// The direction along which the centres of the two bodies' particles are farthest apart: for two convex clouds that of their nearest points. All
-  /// directions are tried coarsely, then the best one is turned by golden sections (in space: about two axes in turn).
-  Vec<dim> widest() const
+  /// The direction along which the centres of the two bodies' particles are farthest apart: for two convex clouds, that of
+  /// the shortest line between them. A coarse search over all directions, refined by golden sections (in space: about two
+  /// axes in turn).
+  Vec<dim> max_gap_direction() const
   {
     Vec<dim> best = Vec<dim>::Zero();
     Real max = -infinity;
@@ -71,19 +73,19 @@ struct NodeNeighbourhood {
       const Vec<3> across = n.unitOrthogonal();
       side = turn % 2 == 0 ? across : Vec<3>(n.cross(across));
     }
-    const auto turned = [&](Real angle) { return Vec<dim>(std::cos(angle) * n + std::sin(angle) * side); };
+    const auto rotated = [&](Real angle) { return Vec<dim>(std::cos(angle) * n + std::sin(angle) * side); };
     Real from = -max_angle, to = max_angle;
-    Real a = to - golden * (to - from), b = from + golden * (to - from), at_a = gap(turned(a), false), at_b = gap(turned(b), false);
+    Real a = to - golden * (to - from), b = from + golden * (to - from), at_a = gap(rotated(a), false), at_b = gap(rotated(b), false);
     while (to - from > narrow) {
       if (at_a > at_b) {
         to = b, b = a, at_b = at_a;
-        a = to - golden * (to - from), at_a = gap(turned(a), false);
+        a = to - golden * (to - from), at_a = gap(rotated(a), false);
       } else {
         from = a, a = b, at_a = at_b;
-        b = from + golden * (to - from), at_b = gap(turned(b), false);
+        b = from + golden * (to - from), at_b = gap(rotated(b), false);
       }
     }
-    return turned(0.5 * (from + to)).normalized();
+    return rotated(0.5 * (from + to)).normalized();
   }
 };
 
@@ -107,11 +109,11 @@ void detect(const mesh::Mesh<dim>& mesh, const BodyView<dim>& body, const BodyVi
     ContactPoint<dim> point;
     point.nodes[0] = node;
     point.weights[0] = 1;
-    point.place = mesh.position[node];
-    const NodeNeighbourhood<dim> meeting{mesh, body.particles, other.particles, node};
-    point.normal = meeting.widest();
-    point.gap = meeting.gap(point.normal, true);
-    point.distance = meeting.gap(point.normal, false);
+    point.position = mesh.position[node];
+    const NodeNeighbourhood<dim> neighbourhood{mesh, body.particles, other.particles, node};
+    point.normal = neighbourhood.max_gap_direction();
+    point.gap = neighbourhood.gap(point.normal, true);
+    point.distance = neighbourhood.gap(point.normal, false);
     const Real width = point.distance - point.gap;  // half a particle of each
     point.touching = point.gap < 0.5 * width;
     if (detection == Detection::overlap) point.gap = 0, point.touching = true;

@@ -8,7 +8,7 @@
 namespace berm::contact {
 namespace {
 
-/// The border between two neighbours is drawn where their distance along the surface is less than the sum of their widths.
+/// Two neighbours share a border where their distance along the surface is less than the sum of their widths.
 void meet(Footprint<2>& left, Footprint<2>& right, Real distance)
 {
   const Real widths = left.width + right.width;

@@ -12,22 +12,22 @@
 
 namespace berm {
 
-/// Visits what a run needs to go on later. A struct names its members once, in a function
+/// Serializes what a restart needs. A struct names its members once, in a function
 ///
-///   void keep(Keep& k, Totals<dim>& totals) { k("internal_work", totals.internal); ... }
+///   void archive(Archive& k, Totals<dim>& totals) { k("internal_work", totals.internal); ... }
 ///
-/// and a checkpoint is written and read by it: the writer takes the values down, the reader puts the same bits back.
+/// that both writes and reads a checkpoint; what is read has the bits that were written.
 class Archive {
 public:
   virtual ~Archive() = default;
 
-  /// True where values are put back.
+  /// True where values are read.
   virtual bool reads() const = 0;
-  /// What is wrong with what was read. Throws RunError.
+  /// Refuses what was read, for this reason. Throws RunError.
   [[noreturn]] virtual void refuse(const std::string& why) const = 0;
 
-  /// One value: a number, a bool, a Vec, an optional number, a list of numbers, or a text. Names are unique within their table. Reading refuses
-  /// what is not there or is of another kind.
+  /// One value: number, bool, Vec, optional number, list of numbers, or text. Names are unique within their table. Reading
+  /// refuses a missing value or one of another type.
   template <class T>
   void operator()(const std::string& name, T& variable)
   {
@@ -55,7 +55,7 @@ public:
     }
   }
 
-  /// A list of numbers whose length is known before.
+  /// A list of numbers of known length.
   template <class T>
   void fixed(const std::string& name, std::vector<T>& numbers)
   {
@@ -65,7 +65,7 @@ public:
       refuse(path_ + name + " has " + std::to_string(numbers.size()) + " numbers instead of " + std::to_string(count));
   }
 
-  /// What `visit` names goes into a table of its own.
+  /// Opens a table; what `visit` names goes into it.
   template <class Visit>
   void table(const std::string& name, const Visit& visit)
   {
@@ -90,7 +90,7 @@ private:
     path_.resize(outside);
   }
 
-  std::string path_;  ///< of the open table, "" or with "/" behind it
+  std::string path_;  ///< of the open table, "" or with a trailing "/"
 };
 
 }  // namespace berm

@@ -12,7 +12,7 @@
 
 namespace berm {
 
-/// The values a number may take. Ends that are `open` are left out themselves.
+/// The admissible values of a number; a bound that is `open` is itself excluded.
 struct Range {
   Real min = -infinity, max = infinity;
   bool min_open = false, max_open = false;
@@ -21,16 +21,22 @@ constexpr Range any_number{};
 constexpr Range positive{0, infinity, true, false};
 constexpr Range not_negative{0, infinity};
 
-/// What is said of a parameter where it is declared. The unit is the SI unit of the number in memory, as UDUNITS-2 spells it ("" = a bare number);
+/// A word of earlier versions, and the word that replaces it.
+struct FormerWord {
+  const char *former, *word;
+};
+
+/// Declaration of a parameter. The unit is the SI unit of the number in memory, as UDUNITS-2 spells it ("" = dimensionless);
 /// the user may write any unit of the same dimension.
 struct Parameter {
   const char* meaning;
   const char* unit = "";
   Range range = any_number;
   bool required = false;
-  const char* formerly = "";  ///< the key that earlier versions had: refused, with the new one
-  /// Instead of `unit`, for a number whose unit is known only later: any may be written, and the SI unit of that goes here ("1" of a bare number in a
-  /// text; a plain number leaves it as it is). Numbers that share it must be of one dimension.
+  const char* formerly = "";                  ///< key of earlier versions: refused, and the new one named
+  std::vector<FormerWord> former_words = {};  ///< of a choice: refused, and the new one named
+  /// Instead of `unit`, for a number whose dimension is known only when it is read: its SI unit goes here ("1" for a
+  /// dimensionless number in a text; a plain number leaves it unchanged). Numbers that share it must have one dimension.
   std::string* any_unit = nullptr;
 };
 
@@ -41,8 +47,8 @@ struct Parameter {
 ///     d.value("width", strip.width, {.meaning = "width of the strip", .unit = "m", .range = positive, .required = true});
 ///   }
 ///
-/// and reading, range checks, `berm params`, docs/parameters.md and resolved.toml all come from that. A default is the value that the
-/// member has before the visit. Visitors: a reader (fills), a writer (resolved.toml), a lister (`berm params`).
+/// from which follow reading, range checks, `berm params`, docs/parameters.md and resolved.toml. A default is the value that
+/// the member has before the visit. Visitors: a reader (fills), a writer (resolved.toml), a lister (`berm params`).
 class Describe {
 public:
   using Leaf = std::variant<Real*, std::optional<Real>*, int*, bool*, std::string*, std::vector<std::string>*, std::vector<Real>*,
@@ -50,22 +56,23 @@ public:
 
   virtual ~Describe() = default;
 
-  /// One parameter. A std::vector<Real> is an array of numbers with one unit; a std::map is a table from a free name to a number.
-  /// An empty optional, string, vector or map that is not required may be left out and stays empty.
+  /// One parameter. A std::vector<Real> is an array of numbers with one unit; a std::map is a table from a user's name to a
+  /// number. An empty optional, string, vector or map that is not required may be left out and stays empty.
   template <class T>
   void value(const char* key, T& variable, const Parameter& parameter)
   {
     leaf(key, Leaf(&variable), parameter);
   }
 
-  /// One word of a closed list. names[k] is the word for the value k of the enum.
+  /// One word of a closed list; names[k] is the word for enumerator k.
   template <class Enum>
   void choice(const char* key, Enum& variable, const std::vector<const char*>& names, const Parameter& parameter)
   {
     variable = static_cast<Enum>(choose(key, names, static_cast<int>(variable), parameter));
   }
 
-  /// One word of a closed list decides which struct the other keys of this table fill. names[k] is the word for alternative k.
+  /// One word of a closed list selects the struct that the other keys of this table fill; names[k] is the word for
+  /// alternative k.
   template <class... Ts>
   void one_of(const char* key, std::variant<Ts...>& variable, const std::vector<const char*>& names, const Parameter& parameter)
   {
@@ -81,7 +88,7 @@ public:
     std::visit([&](auto& alternative) { describe(*this, alternative); }, variable);
   }
 
-  /// A table inside the table: its keys go to one struct.
+  /// A nested table; its keys fill one struct.
   template <class T>
   void table(const char* key, T& variable, const Parameter& parameter)
   {
@@ -90,7 +97,7 @@ public:
     leave();
   }
 
-  /// A table that may be left out altogether; then the optional stays empty.
+  /// A table that may be left out; the optional then stays empty.
   template <class T>
   void optional_table(const char* key, std::optional<T>& variable, const Parameter& parameter)
   {
@@ -100,19 +107,19 @@ public:
     }
   }
 
-  /// Tables addressed by a name of the user's: [material.sand], [material.clay], ... in the order of the file.
+  /// Tables under names that the user chooses: [material.sand], [material.clay], ... in the order of the file.
   template <class T>
   void named_tables(const char* key, std::vector<std::pair<std::string, T>>& variable, const Parameter& parameter)
   {
     std::vector<std::string> present;
     for (const auto& entry : variable) present.push_back(entry.first);
     for (const std::string& name : names_in(key, present, parameter)) {
-      T* place = nullptr;
+      T* entry_of_name = nullptr;
       for (auto& entry : variable)
-        if (entry.first == name) place = &entry.second;
-      if (place == nullptr) place = &variable.emplace_back(name, T{}).second;
+        if (entry.first == name) entry_of_name = &entry.second;
+      if (entry_of_name == nullptr) entry_of_name = &variable.emplace_back(name, T{}).second;
       enter_named(key, name);
-      describe(*this, *place);
+      describe(*this, *entry_of_name);
       leave();
     }
   }
@@ -130,14 +137,14 @@ public:
     }
   }
 
-  /// Says at the line of `path` (a dotted path from the root, "body.sand.material" or "stage[2].until") that its value cannot be, unless it can.
-  /// Only the reader acts on it; it throws InputError. `allowed` lists the words that would do (for the nearest known one).
-  virtual void check(bool fine, const std::string& path, const std::string& message, const std::vector<std::string>& allowed = {}) = 0;
+  /// Refuses the value at `path` (dotted from the root: "body.sand.material", "stage[2].until") unless it is valid. Only the
+  /// reader acts on it: it throws InputError with the line. `allowed` lists the admissible words, for a suggestion.
+  virtual void check(bool valid, const std::string& path, const std::string& message, const std::vector<std::string>& allowed = {}) = 0;
 
 protected:
   virtual void leaf(const char* key, Leaf variable, const Parameter& parameter) = 0;
   virtual int choose(const char* key, const std::vector<const char*>& names, int current, const Parameter& parameter) = 0;
-  /// Steps into a table; an absent one is as good as an empty one. leave() follows.
+  /// Enters a table; an absent one counts as empty. leave() follows.
   virtual void enter(const char* key, const Parameter& parameter) = 0;
   virtual void leave() = 0;
   virtual bool has_table(const char* key, bool present) = 0;

@@ -5,8 +5,9 @@
 
 namespace berm {
 
-/// A number with its partial derivatives by up to four unknowns. Arithmetic follows the rules of differentiation and comparison looks at the value
-/// alone, so that a law written for a type T gives its own derivative with T = Dual: that of the branch which the value takes.
+/// A number with its partial derivatives with respect to up to four unknowns (forward automatic differentiation).
+/// Comparisons use the value alone, so that a law written for a type T gives, with T = Dual, the derivative of the branch
+/// taken.
 struct Dual {
   using Slope = Real __attribute__((vector_size(4 * sizeof(Real))));
 
@@ -127,13 +128,14 @@ template <class Number>
   return a.value >= b;
 }
 
-/// Of two equal numbers `smaller` gives the first and `larger` (core/lanes.hpp) the second: numbers sorted with the two keep each its own slope.
+/// Of two equal numbers `smaller` returns the first and `larger` (core/lanes.hpp) the second, so that sorting keeps each
+/// derivative with its value.
 [[gnu::always_inline]] inline Dual smaller(const Dual& a, const Dual& b)
 {
   return b < a ? b : a;
 }
 
-/// At 0, where the root has no derivative, it is given as 0.
+/// The derivative at 0, where the root has none, is set to 0.
 [[gnu::always_inline]] inline Dual square_root(const Dual& a)
 {
   const Real root = std::sqrt(a.value);

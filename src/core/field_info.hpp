@@ -5,28 +5,28 @@
 
 namespace berm {
 
-/// Where a field goes besides the memory of the run; sets are joined by |.
+/// Where a field travels besides the memory of the run; combined by |.
 enum Travel : unsigned {
   to_checkpoint = 1,
   to_frame = 2,
-  with_particle = 4,  ///< follows it to another cell or rank
+  with_particle = 4,  ///< moves with the particle to another cell or rank
   must_be_finite = 8,
   everywhere = 15
 };
 
-/// What is said of a field once: all that stores, sends, checks or shows it is driven by this.
+/// Metadata of a field, declared once; all that stores, sends, checks or displays it uses them.
 struct FieldInfo {
-  std::string name;   ///< as files spell it: letters, digits and _
-  std::string label;  ///< as people read it
-  std::string unit;   ///< SI, as UDUNITS-2 spells it; "" = a bare number
+  std::string name;   ///< identifier in files: letters, digits and _
+  std::string label;  ///< for display
+  std::string unit;   ///< SI, as UDUNITS-2 spells it; "" = dimensionless
   int components = 1;
   unsigned travel = everywhere;
 
   bool goes(Travel where) const { return (travel & where) != 0; }
 };
 
-/// The name of one component, as a checkpoint has it: "stress_xy" of a symmetric tensor in `dim` dimensions, "velocity_x" of a vector, the field's own
-/// of a bare number.
+/// Name of one component in a checkpoint: "stress_xy" of a symmetric tensor in `dim` dimensions, "velocity_x" of a vector,
+/// the field's own name of a scalar.
 std::string component_name(const FieldInfo& field, int component, int dim);
 
 }  // namespace berm

@@ -10,7 +10,7 @@
 
 namespace berm {
 
-/// Memory that is zero when it is asked for and of which the machine gives no page before it is written: what stays zero costs nothing.
+/// Allocator of zeroed memory whose pages are committed when first written: what stays zero takes no memory.
 template <class T>
 struct LazyZeroAllocator {
   using value_type = T;
@@ -32,13 +32,13 @@ struct LazyZeroAllocator {
   bool operator==(const LazyZeroAllocator&) const = default;
 };
 
-/// Values that live on one kind of thing; fields on different things are different types.
+/// Values on one kind of mesh entity; fields on different entities are different types.
 template <class Place, class T>
 class Field {
 public:
   Field() = default;
   explicit Field(Index size, const T& value = T{}) : values_(size, value) {}
-  /// Zeros in memory that only what is written later takes. T: numbers and fixed sets of them, also of Eigen.
+  /// Zeros in memory that is committed when first written. T: numbers and fixed-size arrays of them, Eigen's included.
   static Field zeros(Index size) requires std::is_trivially_destructible_v<T>
   {
     Field field;

@@ -8,16 +8,17 @@
 
 namespace berm {
 
-/// How many indices a thread takes at a time, in turn with the others, in all loops over `count`: cells differ in their number of particles, and like
-/// ones lie together, so that one range a thread would leave one waiting. A thread finds in its cache what it wrote in the loop before.
+/// Number of consecutive indices that a thread takes at a time, cyclically with the others, in all loops over `count`. Cells
+/// with many particles lie next to each other, so one range per thread would be unbalanced; equal chunks in all loops keep
+/// data in the thread's cache.
 inline Index chunk_of(Index count)
 {
   constexpr Index min_chunks = 64, max = 256;
   return std::clamp(count / min_chunks, 1, max);
 }
 
-/// Runs body(i) for i = 0 ... count-1 over all threads; each thread takes the same chunks at every call. The label is the row of the timing
-/// table. body may write only what belongs to i, so that the result does not depend on the number of threads.
+/// Runs body(i) for i = 0 ... count-1 in parallel; each thread gets the same chunks at every call. The label is the row of
+/// the timing table. body may write only data of i, so that the result is independent of the number of threads.
 template <class Body>
 void for_each(const char* label, Index count, const Body& body)
 {
@@ -27,8 +28,8 @@ void for_each(const char* label, Index count, const Body& body)
   for (Index i = 0; i < count; ++i) body(i);
 }
 
-/// The sum of term(i) over i = 0 ... count-1, equal to the last bit for any number of threads: chunks of fixed size are summed by themselves,
-/// then one after the other. Sum needs a default value of zero and +=.
+/// Sum of term(i) over i = 0 ... count-1, bitwise independent of the number of threads: chunks of fixed size are summed
+/// separately, then in order. Sum needs a default value of zero and +=.
 template <class Sum, class Term>
 Sum sum_of(const char* label, Index count, const Term& term)
 {
@@ -51,7 +52,7 @@ Sum sum_of(const char* label, Index count, const Term& term)
   return total;
 }
 
-/// The largest of value(i), or lowest where count = 0.
+/// Maximum of value(i), or `lowest` where count = 0.
 template <class Value>
 Real largest_of(const char* label, Index count, Real lowest, const Value& value)
 {

@@ -5,8 +5,9 @@
 
 namespace berm {
 
-/// Runs body(k) for k = 0 ... count-1 over all threads, where some take much longer than others: a thread that is free takes the next. The label is the
-/// row of the timing table. body may write only what belongs to k, so that the result does not depend on the number of threads, and must not throw.
+/// Runs body(k) for k = 0 ... count-1 in parallel with dynamic scheduling, for tasks of unequal length. The label is the row
+/// of the timing table. body may write only data of k, so that the result is independent of the number of threads, and must
+/// not throw.
 template <class Body>
 void for_each_task(const char* label, Index count, const Body& body)
 {

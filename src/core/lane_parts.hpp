@@ -8,9 +8,9 @@
 
 namespace berm {
 
-/// The passes over particles take a cell's chain of blocks in parts that fit a register of the machine: comparing and choosing are slow in the compiler
-/// for wider vectors (ten times in a return to the yield surface). A part is half a block (SSE), a block (AVX2), or, with AVX-512, two blocks of the
-/// chain where there are two. Parts without a particle are left out.
+/// Passes over particles process a cell's chain of blocks in parts as wide as a register: the compiler handles comparison
+/// and selection on wider vectors slowly (ten times in a return to the yield surface). A part is half a block (SSE), a block
+/// (AVX2), or two consecutive blocks where there are two (AVX-512). Empty parts are skipped.
 #if defined(__AVX__)
 using LanePart = Lanes;
 #else
@@ -29,12 +29,12 @@ struct Part {
   using Mask = decltype(V() < V());
   static constexpr int size = lanes_of<V>;
 
-  Index block, other;  ///< the block, and the next one where V is two blocks wide
-  Index place;         ///< of the first particle in its cell
-  Index left;          ///< particles of the cell from there on, at least 1
-  int first;           ///< lane of the first particle in its block
+  Index block, other;  ///< the block, and the next one where V spans two
+  Index index;         ///< of the part's first particle in its cell
+  Index left;          ///< particles of the cell from that one on, at least 1
+  int first;           ///< lane of the part's first particle in its block
 
-  /// Which lanes hold a particle.
+  /// Mask of the lanes that hold a particle.
   [[gnu::always_inline]] Mask alive() const
   {
     V numbers;
@@ -42,7 +42,7 @@ struct Part {
     return numbers < static_cast<Real>(left) - V{};
   }
 
-  /// The part's numbers: low is of the block, high of the other.
+  /// The part's numbers: low from the block, high from the next one.
   [[gnu::always_inline]] V get(const Lanes& low, const Lanes& high) const
   {
     if constexpr (size > lanes) {
@@ -63,14 +63,15 @@ struct Part {
     }
   }
 
-  /// Lets change(V*) work on this part of `count` Lanes: in place where the part is a block, so that what does not change is not written.
+  /// Calls change(V*) on this part of `count` Lanes; in index where a part is a block, so that unchanged values are not
+  /// written.
   template <int count, class Change>
   [[gnu::always_inline]] void change(Lanes* low, Lanes* high, const Change& change) const
   {
     if constexpr (std::is_same_v<V, Lanes>) {
       change(low);
     } else {
-      V numbers[count + 1];  // an array has at least one place
+      V numbers[count + 1];  // an array has at least one element
       for (int k = 0; k < count; ++k) numbers[k] = get(low[k], high[k]);
       change(numbers);
       for (int k = 0; k < count; ++k) set(low[k], high[k], numbers[k]);
@@ -78,21 +79,21 @@ struct Part {
   }
 };
 
-/// Calls visit(part) for each part of a cell's particles, in their order. next_of(block) is the chain's next block.
+/// Calls visit(part) for each part of a cell's particles, in order. next_of(block) gives the next block of the chain.
 template <class NextOf, class Visit>
 [[gnu::always_inline]] inline void for_each_part(Index block, Index count, const NextOf& next_of, const Visit& visit)
 {
-  for (Index place = 0; place < count; place += lanes) {
+  for (Index index = 0; index < count; index += lanes) {
     const Index next = next_of(block);
     if constexpr (lanes_of < WidePart >> lanes)
-      if (count - place > lanes) {
-        visit(Part<WidePart>{block, next, place, count - place, 0});
-        place += lanes;
+      if (count - index > lanes) {
+        visit(Part<WidePart>{block, next, index, count - index, 0});
+        index += lanes;
         block = next_of(next);
         continue;
       }
-    for (int first = 0; first < lanes && first < count - place; first += lanes_of<LanePart>)
-      visit(Part<LanePart>{block, block, place + first, count - place - first, first});
+    for (int first = 0; first < lanes && first < count - index; first += lanes_of<LanePart>)
+      visit(Part<LanePart>{block, block, index + first, count - index - first, first});
     block = next;
   }
 }

@@ -5,11 +5,12 @@
 
 namespace berm {
 
-/// Particles are stored four at a time. A Lanes holds one number of each; arithmetic, comparison and `mask ? a : b` work lane by lane, as for a Real,
+/// Four numbers, one of each particle of a block; arithmetic, comparison and `mask ? a : b` act lane by lane as on a Real,
 /// so that a law written for a type T serves one particle (T = Real) and several (T = Lanes).
 constexpr int lanes = 4;
 using Lanes = Real __attribute__((vector_size(lanes * sizeof(Real))));
-/// In memory that program and engine share: the alignment of Lanes itself depends on the vector unit that a file is compiled for.
+/// Lanes in memory shared by program and engine: the alignment of Lanes itself depends on the vector unit that a file is
+/// compiled for.
 struct alignas(lanes * sizeof(Real)) StoredLanes {
   Lanes value;
 };
@@ -20,10 +21,10 @@ using LaneMask = std::int64_t __attribute__((vector_size(lanes * sizeof(Real))))
   return value - Lanes{};
 }
 
-/// 0, 1, 2, 3: compared with a count it masks the lanes that hold a particle.
+/// 0, 1, 2, 3: compared with a count, the mask of the lanes that hold a particle.
 constexpr Lanes lane_numbers = {0, 1, 2, 3};
 
-/// How many numbers a vector holds.
+/// Number of lanes of a vector.
 template <class V>
 constexpr int lanes_of = sizeof(V) / sizeof(Real);
 
@@ -31,7 +32,7 @@ constexpr int lanes_of = sizeof(V) / sizeof(Real);
 {
   return mask;
 }
-/// Whether a lane of a mask is set. Left to itself the compiler takes the lanes apart, one by one.
+/// Whether a lane of a mask is set; the compiler by itself would extract the lanes one by one.
 template <class Mask>
 requires(lanes_of<Mask> > 1) [[gnu::always_inline]] inline bool any(Mask mask)
 {
@@ -92,7 +93,8 @@ template <class T>
   return a < T{} ? -a : a;
 }
 
-/// The sums over the numbers of as many vectors as each holds, place k that of x[k]: pairs that lie half a vector apart, then pairs of pairs.
+/// Horizontal sums of as many vectors as each has lanes; lane k is the sum of x[k]. Order: pairs half a vector apart, then
+/// pairs of pairs.
 template <class V>
 [[gnu::always_inline]] inline V sums(const V (&x)[lanes_of<V>])
 {
@@ -117,7 +119,7 @@ template <class V>
   }
 }
 
-/// The sum over the numbers of one vector, added in the order of sums().
+/// Horizontal sum of one vector, in the order of sums().
 template <class V>
 [[gnu::always_inline]] inline Real sum(V x)
 {

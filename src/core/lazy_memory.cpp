@@ -40,7 +40,7 @@ void ask_for_huge_pages(void* memory, std::size_t bytes)
 {
   const std::size_t before = (huge_page - reinterpret_cast<std::uintptr_t>(memory) % huge_page) % huge_page;
   if (bytes < before + huge_page) return;
-  // Where it fails, all goes on, only slower.
+  // Failure is harmless: the run is only slower.
   ::madvise(static_cast<char*>(memory) + before, (bytes - before) / huge_page * huge_page, MADV_HUGEPAGE);
 }
 

@@ -19,8 +19,8 @@ struct SymTensor {
   const T& operator[](int k) const { return c[k]; }
 };
 
-/// Component (i, j) of a SymTensor is c[tensor_place(i, j)].
-constexpr int tensor_place(int i, int j)
+/// Component (i, j) of a SymTensor is c[tensor_index(i, j)].
+constexpr int tensor_index(int i, int j)
 {
   return i == j ? i : i + j == 1 ? 3 : i + j == 3 ? 4 : 5;
 }
@@ -31,7 +31,7 @@ template <int dim, class T>
   return a[0] + a[1] + a[2];
 }
 
-/// a : b, shear counted twice.
+/// a : b; shear components count twice.
 template <int dim, class T>
 [[gnu::always_inline]] inline T double_dot(const SymTensor<dim, T>& a, const SymTensor<dim, T>& b)
 {
@@ -40,7 +40,7 @@ template <int dim, class T>
   return normal;
 }
 
-/// sqrt(2/3 e : e) of the deviator of a strain increment: the equivalent deviatoric strain, never negative.
+/// Equivalent deviatoric strain sqrt(2/3 e : e) of a strain increment, e its deviator; never negative.
 template <int dim>
 inline Real equivalent_deviatoric_strain(SymTensor<dim> strain)
 {

@@ -60,7 +60,7 @@ bool find_envelope(const EnvelopeRequest& request)
     fmt::print(stderr, "{}/{} {}: {}\n", ++done, jobs.size(), row.probe.name,
                fails ? "FAILED: " + end.reason : run_folder::words_of_duration(jobs::wall_time_of(jobs[job].folder)));
   });
-  const Real diameter = wished_pipe(settings).diameter;
+  const Real diameter = embedded_pipe(settings).diameter;
   for (EnvelopeRow& row : rows)
     if (row.state == "finished")
       row.result = result_of(row.probe, run_folder::read_history(runs / row.probe.name / "history.csv"), diameter);

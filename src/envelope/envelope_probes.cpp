@@ -95,7 +95,7 @@ private:
 
 }  // namespace
 
-EmbeddedPipe wished_pipe(const problem::Case& c)
+EmbeddedPipe embedded_pipe(const problem::Case& c)
 {
   if (c.dimension != 2) throw InputError("dimension: an envelope is that of a pipe in plane strain; it needs dimension = 2");
   const auto drive = first_drive(c);
@@ -121,7 +121,7 @@ EmbeddedPipe wished_pipe(const problem::Case& c)
 
 std::vector<Probe> choose_probes(const problem::Case& c, const EnvelopeSettings& settings)
 {
-  const ProbeMaker maker(c, settings.travel * wished_pipe(c).diameter);
+  const ProbeMaker maker(c, settings.travel * embedded_pipe(c).diameter);
   std::vector<Probe> probes;
   for (int k = 0; k < settings.directions; ++k)
     probes.push_back(maker.direction(steepest - (steepest - flattest) * k / (settings.directions - 1)));

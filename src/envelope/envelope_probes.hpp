@@ -18,7 +18,7 @@ struct EmbeddedPipe {
 };
 
 /// The pipe that the case drives. Throws InputError where the case is not plane, drives no circle, or the pipe lies above the bed or beyond the walls.
-EmbeddedPipe wished_pipe(const problem::Case& c);
+EmbeddedPipe embedded_pipe(const problem::Case& c);
 
 /// What a probe does: it goes in one direction until the soil yields, or pushes first and then drags at that depth.
 enum class ProbeKind { direction, swipe };
@@ -34,7 +34,7 @@ struct Probe {
 
 /// The probes of an envelope: straight down (the first), in equal steps of angle to 45 degrees above the horizontal, and a swipe. The stages of the
 /// case before its first push or drag stay; those from there on give way to the probe's, which take its speed, ramp, rigid body and damping. Throws
-/// InputError as wished_pipe, and where that stage has no velocity.
+/// InputError as embedded_pipe, and where that stage has no velocity.
 std::vector<Probe> choose_probes(const problem::Case& c, const EnvelopeSettings& settings);
 
 }  // namespace berm::envelope

@@ -23,7 +23,7 @@ struct PipeInSoil {
 PipeInSoil pipe_in_soil(const problem::Case& c)
 {
   const material::Material* material = pipe::touched_material(c);
-  return {wished_pipe(c), material == nullptr ? std::nullopt : strength_at_rest(*material), pipe::contact_of_pipe(c),
+  return {embedded_pipe(c), material == nullptr ? std::nullopt : strength_at_rest(*material), pipe::contact_of_pipe(c),
           pipe::pipe_scale(c).unit_weight};
 }
 
@@ -36,7 +36,7 @@ std::string titled(const std::string& title, const formulas::Formula& formula)
 /// The shear strength of the interface over that of the clay; NaN where it is a friction.
 Real roughness_of(const PipeInSoil& soil)
 {
-  if (soil.contact->scheme == contact::Scheme::sticky) return 1;
+  if (soil.contact->scheme == contact::Scheme::tied) return 1;
   if (soil.contact->friction_angle > 0) return std::numeric_limits<Real>::quiet_NaN();
   return std::min(Real(1), soil.contact->adhesion / soil.strength->cohesion);
 }

@@ -29,7 +29,7 @@ std::string summary_json(const problem::Case& c, const std::vector<EnvelopeRow>&
 {
   const EnvelopeExtremes extremes = extremes_of(rows);
   const Published published = published_for(c, rows);
-  const EmbeddedPipe pipe = wished_pipe(c);
+  const EmbeddedPipe pipe = embedded_pipe(c);
   Json quantities = {{"w_over_D", number(pipe.embedment / pipe.diameter, "1")},
                      {"V_max", number(extremes.V_max, "N/m")},
                      {"H_max", number(extremes.H_max, "N/m")},
@@ -57,7 +57,7 @@ std::string summary_json(const problem::Case& c, const std::vector<EnvelopeRow>&
 void draw(const problem::Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder)
 {
   const Published published = published_for(c, rows);
-  const EmbeddedPipe pipe = wished_pipe(c);
+  const EmbeddedPipe pipe = embedded_pipe(c);
   const EnvelopeExtremes extremes = extremes_of(rows);
   const plot::PlotUnit shown = published.unit > 0 ? plot::PlotUnit{1 / published.unit, ""} : plot::force_unit(extremes.V_max);
   const std::string unit = published.unit > 0 ? " / " + published.unit_name : fmt::format(" ({})", shown.name);

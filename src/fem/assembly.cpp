@@ -9,7 +9,8 @@
 namespace berm::fem {
 namespace {
 
-/// Of the elastic stiffness: what is left of it where the law has none, so that stress-free soil does not make the matrix singular.
+/// Fraction of the elastic stiffness kept where the law has none, so that stress-free soil does not make the matrix
+/// singular.
 constexpr Real min_stiffness = 1e-6;
 
 /// The largest and the smallest principal stress.
@@ -27,7 +28,7 @@ Stiffness elastic_stiffness(const material::Elasticity& elastic)
   return Stiffness{{along, across, 0}, {across, along, 0}, {0, 0, elastic.shear}};
 }
 
-/// The law, mixed with its elastic trial stress.
+/// The law's stress, mixed with its elastic trial stress.
 template <class Law>
 void update_point(const Law& law, Real viscosity, const material::Increment<2, Real>& increment, SoilPoint& point)
 {
@@ -54,7 +55,7 @@ Stiffness stiffness_of_point(const Law& law, Real viscosity, const material::Inc
   return ((d + d.transpose()) / 2 + (viscosity + min_stiffness) * elastic_stiffness(law.elastic)) / (1 + viscosity);
 }
 
-/// Strain (e_xx, e_yy, gamma_xy) by the movement of the nodes (x, y, x, y, ...).
+/// Strain (e_xx, e_yy, gamma_xy) per displacement of the nodes (x, y, x, y, ...): the B-matrix.
 using StrainMatrix = Eigen::Matrix<Real, 3, 12>;
 
 StrainMatrix strain_matrix(const ShapeAtPoint& shape)
@@ -89,7 +90,7 @@ Assembly::Assembly(const FemModel& model)
       residual_(model.unknowns()),
       matrix_(model.pattern.entry_count()),
       initial_imbalance_(model.unknowns(), 0.),
-      given_(model.unknowns())
+      prescribed_(model.unknowns())
 {
 }
 
@@ -103,7 +104,7 @@ Real Assembly::bytes_of_element()
   return static_cast<Real>(here + of_model + of_state);
 }
 
-/// The law at this point for increments from a stress on.
+/// The law at this point for increments that begin with a stress.
 material::PreparedMaterial Assembly::law_from(const SymTensor<2>& stress, Index cell, int q) const
 {
   return prepare(associated(at_depth(model_.model.bodies[model_.mesh.body[cell]].material, model_.depth[cell][q]), stress));
@@ -119,7 +120,7 @@ const Assembly::PointLaw& Assembly::law_of_point(const SymTensor<2>& begin, Inde
   return made;
 }
 
-void Assembly::follow_strength()
+void Assembly::update_strength()
 {
   laws_before_ = laws_;
   for_each("follow strength", cells_.size(), [&](Index cell) {
@@ -127,7 +128,7 @@ void Assembly::follow_strength()
   });
 }
 
-void Assembly::forget_strength()
+void Assembly::reset_strength()
 {
   for (std::array<PointLaw, triangle_points>& laws : laws_) laws.fill(PointLaw{});
 }
@@ -221,15 +222,15 @@ void Assembly::add_contact(const FemState& begin, const std::vector<Real>& chang
   }
 }
 
-void Assembly::give_unknowns(const FemLoads& loads, Index stage)
+void Assembly::prescribe_unknowns(const FemLoads& loads, Index stage)
 {
   const NodeField<std::uint8_t>& fixed = model_.mesh.fixed[model_.model.fixed_in[stage]];
   for (Index node = 0; node < fixed.size(); ++node)
-    for (int d = 0; d < 2; ++d) given_[2 * node + d] = static_cast<char>(fixed[node] >> d & 1);
+    for (int d = 0; d < 2; ++d) prescribed_[2 * node + d] = static_cast<char>(fixed[node] >> d & 1);
   if (model_.rigid != none)
     for (int d = 0; d < 3; ++d) {
       const Index unknown = model_.rigid_unknown() + d;
-      given_[unknown] = static_cast<char>(!loads.rigid[d].by_force);
+      prescribed_[unknown] = static_cast<char>(!loads.rigid[d].by_force);
       if (loads.rigid[d].by_force) residual_[unknown] -= loads.rigid[d].value;
     }
 }
@@ -247,18 +248,18 @@ void Assembly::evaluate(const FemState& begin, const std::vector<Real>& change, 
   for (std::size_t t = 0; t < loads.tractions.size(); ++t)
     for (const NodalLoad& load : model_.loads[t])
       for (int d = 0; d < 2; ++d) residual_[2 * load.node + d] -= loads.tractions[t] * load.force[d];
-  give_unknowns(loads, begin.state.stage.index);
+  prescribe_unknowns(loads, begin.state.stage.index);
   soil_residual_ = residual_;
   add_contact(begin, change);
 
   unbalanced_ = 0;
   for (Index node = 0; node < model_.mesh.position.size(); ++node) {
     Vec<2> force;
-    for (int d = 0; d < 2; ++d) force[d] = given_[2 * node + d] ? 0 : residual_[2 * node + d];
+    for (int d = 0; d < 2; ++d) force[d] = prescribed_[2 * node + d] ? 0 : residual_[2 * node + d];
     unbalanced_ += force.norm();
   }
   for (Index unknown = model_.rigid_unknown(); unknown < std::min(model_.rigid_unknown() + 2, model_.unknowns()); ++unknown)
-    if (!given_[unknown]) unbalanced_ += std::abs(residual_[unknown]);
+    if (!prescribed_[unknown]) unbalanced_ += std::abs(residual_[unknown]);
 }
 
 void Assembly::differentiate(const FemState& begin, const std::vector<Real>& change, Real viscosity)
@@ -267,11 +268,11 @@ void Assembly::differentiate(const FemState& begin, const std::vector<Real>& cha
   const Timer timer("assemble");
   std::fill(matrix_.begin(), matrix_.end(), 0.);
   for (Index cell = 0; cell < cells_.size(); ++cell)
-    for (int k = 0; k < 78; ++k) matrix_[model_.cell_places[cell][k]] += stiffness_[cell][k];
+    for (int k = 0; k < 78; ++k) matrix_[model_.cell_entries[cell][k]] += stiffness_[cell][k];
   const SparsePattern& pattern = model_.pattern;
   for (Index row = 0; row < pattern.size(); ++row)
     for (Index k = pattern.first[row]; k < pattern.first[row + 1]; ++k)
-      if (given_[row] || given_[pattern.column[k]]) matrix_[k] = pattern.column[k] == row ? 1 : 0;
+      if (prescribed_[row] || prescribed_[pattern.column[k]]) matrix_[k] = pattern.column[k] == row ? 1 : 0;
 }
 
 Vec<2> Assembly::reaction() const

@@ -15,10 +15,10 @@
 namespace berm::fem {
 namespace {
 
-/// Of the contact's springs: this many times the stiffness of a layer of soil as thick as the elements at the body.
+/// Stiffness of the contact springs, relative to a layer of soil as thick as the elements at the body.
 constexpr Real contact_stiffness = 100;
 
-/// The unknowns that belong to an element, and which entries of the matrix they couple.
+/// The unknowns of an element, and the entries of the matrix that they couple.
 class PatternMaker {
 public:
   explicit PatternMaker(Index unknowns) : rows_(unknowns) {}
@@ -59,30 +59,30 @@ void number_unknowns(FemModel& model)
   for (const auto& nodes : model.mesh.nodes) maker.couple(unknowns_of(nodes));
   for (Index unknown = model.rigid_unknown(); unknown < model.unknowns(); ++unknown) maker.couple(std::array{unknown});
   model.pattern = maker.pattern();
-  model.cell_places.assign(model.mesh.nodes.size());
+  model.cell_entries.assign(model.mesh.nodes.size());
   for (Index cell = 0; cell < model.mesh.nodes.size(); ++cell) {
     const std::array<Index, 12> unknowns = unknowns_of(model.mesh.nodes[cell]);
     int k = 0;
     for (int i = 0; i < 12; ++i)
       for (int j = 0; j <= i; ++j)
-        model.cell_places[cell][k++] = model.pattern.place(std::max(unknowns[i], unknowns[j]), std::min(unknowns[i], unknowns[j]));
+        model.cell_entries[cell][k++] = model.pattern.index_of(std::max(unknowns[i], unknowns[j]), std::min(unknowns[i], unknowns[j]));
   }
 }
 
 FemWatch make_watch(const FemModel& model, const std::string& name, const problem::WatchSettings& watch, Index body)
 {
   FemWatch made{name, none, none, 0};
-  const Vec<2> place(watch.point[0], watch.point[1]);
+  const Vec<2> position(watch.point[0], watch.point[1]);
   Real nearest_node = infinity, nearest_point = infinity;
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
     if (model.mesh.body[cell] != body) continue;
     const AtSixNodes<Vec<2>> nodes = model.mesh.positions_of(cell);
     for (int k = 0; k < 6; ++k)
-      if (const Real away = (nodes[k] - place).norm(); away < nearest_node) nearest_node = away, made.node = model.mesh.nodes[cell][k];
+      if (const Real away = (nodes[k] - position).norm(); away < nearest_node) nearest_node = away, made.node = model.mesh.nodes[cell][k];
     for (int q = 0; q < triangle_points; ++q) {
       Vec<2> x = Vec<2>::Zero();
       for (int k = 0; k < 6; ++k) x += model.shape[cell][q].value[k] * nodes[k];
-      if (const Real away = (x - place).norm(); away < nearest_point) nearest_point = away, made.cell = cell, made.point = q;
+      if (const Real away = (x - position).norm(); away < nearest_point) nearest_point = away, made.cell = cell, made.point = q;
     }
   }
   return made;
@@ -97,8 +97,9 @@ void make_contact(FemModel& model)
 {
   for (const problem::Contact& contact : model.model.contacts) {
     if (contact.rigid == none)
-      throw InputError(fmt::format("contact.{}.other_body: finite elements know contact with a rigid body only", contact.name));
-    if (model.rigid != none) throw InputError(fmt::format("contact.{}: finite elements know one contact only", contact.name));
+      throw InputError(
+          fmt::format("contact.{}.other_body: the finite element method supports contact with a rigid body only", contact.name));
+    if (model.rigid != none) throw InputError(fmt::format("contact.{}: the finite element method supports one contact only", contact.name));
     model.rigid = contact.rigid;
     const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[contact.rigid];
     const auto sides = contact_sides(model.mesh, rigid.shape);
@@ -107,7 +108,7 @@ void make_contact(FemModel& model)
     model.contact = make_contact_points(sides, model.mesh.position, rigid.shape);
     Real length = 0;
     for (const FemContactPoint& point : model.contact) length += point.area;
-    model.interface = {contact.friction, contact.adhesion, contact.scheme == contact::Scheme::sticky,
+    model.interface = {contact.friction, contact.adhesion, contact.scheme == contact::Scheme::tied,
                        contact_stiffness * p_wave_modulus(model.model.bodies[contact.body].material) * static_cast<Real>(sides.size()) /
                            length};
   }
@@ -122,7 +123,7 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
   FemState& state = problem.state;
   for (const auto& [name, rigid] : c.rigid)
     if (rigid.motion == bodies::Motion::free)
-      throw InputError(fmt::format("rigid.{}.motion: finite elements move a rigid body as a stage drives it; it cannot be \"free\"", name));
+      throw InputError(fmt::format("rigid.{}.motion: in the finite element method stages move a rigid body; it cannot be \"free\"", name));
   model.model = make_model(c, make_cut_mesh(c, case_folder, work_folder));
   if (c.initial_state == problem::InitialState::level_ground) refuse_k0_below_uneven_ground(c, model.model);
   model.settings = c.fem;
@@ -149,7 +150,7 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
     const Index body = model.mesh.body[cell];
     for (int q = 0; q < triangle_points; ++q) {
       const ShapeAtPoint& shape = model.shape[cell][q] = shape_at(nodes, q);
-      if (!(shape.area > 0)) throw RunError(fmt::format("the curved element at ({}, {}) is turned inside out", nodes[0][0], nodes[0][1]));
+      if (!(shape.area > 0)) throw RunError(fmt::format("the curved element at ({}, {}) is inverted", nodes[0][0], nodes[0][1]));
       Real y = 0;
       for (int k = 0; k < 6; ++k) y += shape.value[k] * nodes[k][1];
       model.depth[cell][q] = model.model.surface - y;

@@ -14,18 +14,18 @@ FemTraction update_traction(const FemInterface& interface, const Vec<2>& normal,
 {
   const Real k = interface.stiffness;
   FemTraction now{{before.gap + movement.dot(normal), Vec<2>::Zero()}, Matrix<2>::Zero()};
-  if (interface.sticks) {
+  if (interface.tied) {
     now.state.traction = before.traction - k * movement;
     now.stiffness = -k * Matrix<2>::Identity();
     return now;
   }
   const Real pressure = -k * now.state.gap;
-  // At zero pressure they touch, so that the first guess for soil without stress moves it with the body.
+  // Closed at zero pressure, so that the first iterate for stress-free soil moves it with the body.
   if (!(pressure >= 0)) return now;
   const Vec<2> tangent(-normal[1], normal[0]);
-  const Real grip = std::min(interface.adhesion, adhesion_per_pressure * pressure);
-  const Real trial = before.traction.dot(tangent) - k * movement.dot(tangent), limit = interface.friction * pressure + grip;
-  const Real rise = interface.friction + (grip < interface.adhesion ? adhesion_per_pressure : 0);
+  const Real status = std::min(interface.adhesion, adhesion_per_pressure * pressure);
+  const Real trial = before.traction.dot(tangent) - k * movement.dot(tangent), limit = interface.friction * pressure + status;
+  const Real rise = interface.friction + (status < interface.adhesion ? adhesion_per_pressure : 0);
   const bool slides = std::abs(trial) > limit;
   const Real sign = trial < 0 ? -1 : 1, shear = slides ? sign * limit : trial;
   now.state.traction = pressure * normal + shear * tangent;

@@ -7,41 +7,42 @@
 
 namespace berm::fem {
 
-/// A node of the soil on the surface of the rigid body: one unilateral Coulomb constraint. Wished in place, soil and body touch everywhere at first.
+/// A node of the soil on the surface of the rigid body: one unilateral Coulomb constraint. The body is wished in place, so
+/// all points are closed at first.
 struct FemContactPoint {
   Index node;
-  Vec<2> normal;  ///< unit, out of the rigid body into the soil; it stays (small strain)
+  Vec<2> normal;  ///< unit, out of the rigid body into the soil; constant (small strain)
   Vec<2> arm;     ///< m, from the body's centre
-  Real area;      ///< m2 per metre run that the point stands for
+  Real area;      ///< m2 per metre run, share of the surface
 };
 
-/// What a contact point carries and how it stands.
+/// State of a contact point.
 struct FemContactState {
-  Real gap = 0;                      ///< m; negative: how deep the soil is in the body
+  Real gap = 0;                      ///< m; negative: overlap
   Vec<2> traction = Vec<2>::Zero();  ///< Pa, of the body on the soil
 };
 
-/// The law of the interface. The normal is held by a spring of stiffness (Pa/m) that acts in compression only, the tangent by one that slides at
-/// friction times pressure + adhesion. Under small pressure adhesion is ten times the pressure at most, so that the shear does not jump where a point
-/// opens. How deep the soil is in the body measures the error of the springs.
+/// Penalty law of the interface: a normal spring of `stiffness` (Pa/m) in compression only, and a tangential one that slips
+/// at friction times pressure + adhesion. At small pressure the adhesion is limited to ten times the pressure, so that the
+/// shear does not jump where a point opens. The overlap is the error of the springs.
 struct FemInterface {
-  Real friction = 0;    ///< coefficient
-  Real adhesion = 0;    ///< Pa
-  bool sticks = false;  ///< neither slides nor opens
-  Real stiffness = 0;   ///< Pa/m
+  Real friction = 0;   ///< coefficient
+  Real adhesion = 0;   ///< Pa
+  bool tied = false;   ///< neither slip nor separation
+  Real stiffness = 0;  ///< Pa/m
 };
 
-/// One traction and its derivative by the movement of the soil relative to the body (Pa/m).
+/// A traction and its derivative with respect to the movement of the soil relative to the body (Pa/m).
 struct FemTraction {
   FemContactState state;
   Matrix<2> stiffness;
 };
 
-/// The traction after a relative movement (soil - body, m) since `before`. A point whose gap is 0 is closed: it has a
-/// stiffness, so that a force finds something to push against at the start.
+/// The traction after a relative movement (soil - body, m) since `before`. A point with gap 0 is closed: it has a stiffness,
+/// so that a force meets resistance at the start.
 FemTraction update_traction(const FemInterface& interface, const Vec<2>& normal, const FemContactState& before, const Vec<2>& movement);
 
-/// Columns: how the node and the rigid body (x, y, angle) move a contact point's soil relative to the body.
+/// Relative movement of a contact point per movement of its node and of the rigid body (x, y, angle), by column.
 Eigen::Matrix<Real, 2, 5> relative_movement(const FemContactPoint& point);
 
 /// The contact points of sides that lie on the surface of the shape. Simpson's rule gives the areas.

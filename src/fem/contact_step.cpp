@@ -10,8 +10,8 @@ namespace berm::fem {
 namespace {
 
 constexpr int max_steps = 40, max_searches = 30;
-constexpr Real rounding = 1e-10;       // of the forces: what is left where the contact has settled, its law being linear in pieces
-constexpr Real enough_descent = 0.01;  // a slope of this part of the first one ends the line search
+constexpr Real rounding = 1e-10;       // relative to the forces: residual of the converged contact, whose law is piecewise linear
+constexpr Real enough_descent = 0.01;  // the line search ends at a slope of this fraction of the first one
 
 }  // namespace
 
@@ -22,12 +22,12 @@ ContactStep::ContactStep(const FemModel& model) : model_(model)
     for (int d = 0; d < 2; ++d) unknowns_.push_back(2 * point.node + d);
   for (int d = 0; d < 3; ++d) unknowns_.push_back(model.rigid_unknown() + d);
   const auto n = static_cast<Eigen::Index>(unknowns_.size());
-  given_.resize(n);
+  prescribed_.resize(n);
   for (Vector* v : {&change_, &force_, &step_, &first_step_, &direction_, &unbalanced_}) v->resize(n);
   for (RowMatrix* m : {&soil_, &matrix_, &stiffness_}) m->resize(n, n);
 }
 
-/// The interface's forces on the unknowns that are not given, and their derivative.
+/// The forces of the interface on the unknowns that are not prescribed, and their derivative.
 void ContactStep::evaluate(const FemState& begin, const Vector& step, bool with_stiffness)
 {
   force_.setZero();
@@ -43,7 +43,7 @@ void ContactStep::evaluate(const FemState& begin, const Vector& step, bool with_
     const Eigen::Matrix<Real, 5, 1> force = point.area * p.transpose() * now.state.traction;
     const Eigen::Matrix<Real, 5, 5> stiffness = point.area * p.transpose() * now.stiffness * p;
     for (int i = 0; i < 5; ++i) {
-      if (given_[at[i]]) continue;
+      if (prescribed_[at[i]]) continue;
       force_[at[i]] += force[i];
       if (!with_stiffness) continue;
       for (int j = 0; j < 5; ++j) stiffness_(at[i], at[j]) += stiffness(i, j);
@@ -51,8 +51,8 @@ void ContactStep::evaluate(const FemState& begin, const Vector& step, bool with_
   }
 }
 
-/// How far to go along the direction: where the slope of the energy has nearly gone.
-Real ContactStep::part_of_direction(const FemState& begin, const Vector& load)
+/// Step length along the direction: where the slope of the energy has nearly vanished.
+Real ContactStep::step_length(const FemState& begin, const Vector& load)
 {
   const Real first = direction_.dot(unbalanced_), constant = direction_.dot(soil_ * step_ - load),
              linear = direction_.dot(soil_ * direction_);
@@ -63,7 +63,7 @@ Real ContactStep::part_of_direction(const FemState& begin, const Vector& load)
   Real at = 1, low = 0, low_slope = first, high = 1, high_slope = slope(1), here = high_slope;
   if (here <= 0) return at;
   for (int k = 1; k < max_searches && std::abs(here) > enough_descent * std::abs(first); ++k) {
-    // The chord creeps where the slope has a bend: every third time the middle.
+    // Regula falsi converges slowly at a kink of the slope: every third step bisects.
     at = k % 3 == 0 ? (low + high) / 2 : low + (high - low) * std::clamp(-low_slope / (high_slope - low_slope), 0.05, 0.95);
     here = slope(at);
     if (here < 0)
@@ -80,32 +80,32 @@ bool ContactStep::find(const FemState& begin, const std::vector<Real>& change, c
   const Timer timer("solve contact");
   const auto n = static_cast<Eigen::Index>(unknowns_.size());
   for (Eigen::Index k = 0; k < n; ++k) {
-    given_[k] = static_cast<char>(assembly.given(unknowns_[k]));
+    prescribed_[k] = static_cast<char>(assembly.prescribed(unknowns_[k]));
     change_[k] = change[unknowns_[k]];
   }
   soil_ = Eigen::Map<const RowMatrix>(soil.data(), n, n).selfadjointView<Eigen::Lower>();
   Eigen::Map<Vector> load(load_and_step.data(), n);
-  bool given_moves = false;
-  for (Eigen::Index k = 0; k < n; ++k) given_moves = given_moves || (given_[k] && load[k] != 0);
+  bool prescribed_moves = false;
+  for (Eigen::Index k = 0; k < n; ++k) prescribed_moves = prescribed_moves || (prescribed_[k] && load[k] != 0);
   step_.setZero();
   first_step_.setZero();
-  bool settled = false;
-  for (int k = 0; k < max_steps && !settled; ++k) {
+  bool converged = false;
+  for (int k = 0; k < max_steps && !converged; ++k) {
     evaluate(begin, step_, true);
     unbalanced_ = soil_ * step_ - load - force_;
-    settled = k > 0 && unbalanced_.norm() <= rounding * (load.norm() + force_.norm());
-    if (settled) break;
+    converged = k > 0 && unbalanced_.norm() <= rounding * (load.norm() + force_.norm());
+    if (converged) break;
     matrix_ = soil_ - stiffness_;
     direction_ = -matrix_.partialPivLu().solve(unbalanced_);
     if (!direction_.allFinite()) break;
     for (Eigen::Index i = 0; i < n; ++i)
-      if (given_[i]) direction_[i] = load[i] - step_[i];  // to the last bit
+      if (prescribed_[i]) direction_[i] = load[i] - step_[i];  // exact to the last bit
     if (k == 0) first_step_ = direction_;
-    // Where given unknowns move, in the first step, the slope does not know their work.
-    step_ += (k == 0 && given_moves ? 1 : part_of_direction(begin, load)) * direction_;
+    // In the first step, the slope does not include the work of moving prescribed unknowns.
+    step_ += (k == 0 && prescribed_moves ? 1 : step_length(begin, load)) * direction_;
   }
-  load = settled ? step_ : first_step_;
-  return settled;
+  load = converged ? step_ : first_step_;
+  return converged;
 }
 
 }  // namespace berm::fem

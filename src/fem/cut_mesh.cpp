@@ -16,10 +16,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the rigid bodies do to the bed.
+// Changes of the bed's geometry by the rigid bodies.
 struct Cuts {
-  std::vector<std::string> surfaces;   // commands that draw what is cut out, after Surface(1)
-  std::vector<Real> points;            // x of vertices that the surface y = 0 must have
+  std::vector<std::string> surfaces;   // commands that draw the holes, after Surface(1)
+  std::vector<Real> points;            // x of vertices that the surface y = 0 needs
   std::vector<std::string> distances;  // from each body, as formulas of x and y
 };
 
@@ -125,7 +125,7 @@ Cuts cuts_of(const problem::Case& c, const mesh::SeabedMesh& bed)
 struct Part {
   Real left, right, bottom;
 
-  bool holds(const Vec<2>& x) const { return left < x[0] && x[0] < right && bottom < x[1]; }
+  bool contains(const Vec<2>& x) const { return left < x[0] && x[0] < right && bottom < x[1]; }
 };
 
 Part fine_zone(const mesh::SeabedMesh& bed)
@@ -147,7 +147,8 @@ bool alike(const problem::Case& c, const std::string& region, const std::string&
   });
 }
 
-// Lines of a rigid body and of a region that nearly touch make flat cells, so the mesh has the border of a part only where it divides bodies.
+// Lines of a rigid body and of a region that nearly touch make flat cells, so the border of a part is meshed only where it
+// divides bodies.
 std::vector<Part> parts_to_draw(const problem::Case& c, const mesh::SeabedMesh& bed)
 {
   std::vector<Part> parts;
@@ -165,7 +166,7 @@ std::string draw(const Part& part)
                      part.left, part.right, part.bottom);
 }
 
-// The curves on a side of the bed, to a margin that is small for the mesh and large for rounding.
+// The curves on a side of the bed, within a margin that is small for the mesh and large for round-off.
 std::string curves_on(Real left, Real right, Real bottom, Real top, Real margin)
 {
   return fmt::format("Curve In BoundingBox{{{}, {}, {}, {}, {}, {}}};\n", left - margin, bottom - margin, -margin, right + margin,
@@ -176,7 +177,7 @@ void write_cut_geo(const mesh::SeabedMesh& bed, const Cuts& cuts, const std::vec
 {
   const mesh::SeabedLayout at = layout_of(bed);
   std::ofstream out(path);
-  out << "// A flat bed without what rigid bodies take of it, made by berm. Lengths in metres; the bed's surface is y = 0.\n"
+  out << "// A level bed without the rigid bodies, made by berm. Lengths in metres; the bed's surface is y = 0.\n"
       << "SetFactory(\"OpenCASCADE\");\n"
       << fmt::format("Rectangle(1) = {{{}, {}, 0, {}, {}}};\n", at.left, -bed.depth, bed.length, bed.depth);
   for (const std::string& surface : cuts.surfaces) out << surface;
@@ -212,7 +213,7 @@ void name_regions(mesh::Mesh<2>& mesh, const mesh::SeabedMesh& bed)
   if (bed.layer > 0) mesh.region_names.emplace_back("layer");
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     const Vec<2> x = mesh.centroid(cell);
-    mesh.region[cell] = fine_zone(bed).holds(x) ? 0 : bed.layer == 0 || inside_of_layer(bed).holds(x) ? 1 : 2;
+    mesh.region[cell] = fine_zone(bed).contains(x) ? 0 : bed.layer == 0 || inside_of_layer(bed).contains(x) ? 1 : 2;
   }
 }
 
@@ -226,13 +227,13 @@ mesh::Mesh<2> make_cut_mesh(const problem::Case& c, const fs::path& case_folder,
   const Cuts cuts = cuts_of(c, *bed);
   std::error_code failure;
   fs::create_directories(work_folder, failure);
-  if (failure) throw RunError(fmt::format("the mesh cannot be kept in {}: {}", work_folder.string(), failure.message()));
+  if (failure) throw RunError(fmt::format("the mesh cannot be written to {}: {}", work_folder.string(), failure.message()));
   const fs::path geo = work_folder / "mesh.geo", msh = work_folder / "mesh.msh";
   write_cut_geo(*bed, cuts, parts_to_draw(c, *bed), c.fem.contact_size.value_or(bed->near_size), geo);
   mesh::run_gmsh(geo, msh, 2);
   mesh::Mesh<2> mesh = mesh::read_msh<2>(msh);
   name_regions(mesh, *bed);
-  // The space above the bed is not in this mesh, so a support of its top holds nothing.
+  // The space above the bed is not in this mesh, so a support of its top fixes nothing.
   mesh.boundary_names.emplace_back("top");
   mesh.boundary_nodes.emplace_back();
   return mesh;

@@ -10,7 +10,7 @@
 
 namespace berm::fem {
 
-Index SparsePattern::place(Index row, Index col) const
+Index SparsePattern::index_of(Index row, Index col) const
 {
   const auto begin = column.begin() + first[row], end = column.begin() + first[row + 1];
   return static_cast<Index>(std::lower_bound(begin, end, col) - column.begin());
@@ -21,7 +21,7 @@ struct DirectSolver::Mumps {
   std::vector<MUMPS_INT> row, column, kept;  // counted from 1
   std::vector<Real> entries, kept_matrix, kept_part;
 
-  // The users' guide's names of controls count from 1.
+  // The names of controls in the users' guide count from 1.
   MUMPS_INT& control(int number) { return call.icntl[number - 1]; }
   MUMPS_INT run(int job)
   {
@@ -47,7 +47,7 @@ DirectSolver::DirectSolver(const SparsePattern& pattern, const std::vector<Index
   m.run(-1);
   for (const int stream : {1, 2, 3}) m.control(stream) = 0;  // no messages
   m.control(4) = 0;
-  m.control(6) = 0;    // rows stay where they are: the diagonal is as good as any
+  m.control(6) = 0;    // no column permutation: the diagonal is suitable
   m.control(7) = 4;    // nested dissection by PORD
   m.control(14) = 60;  // per cent of memory beyond the estimate of the analysis phase
   m.call.n = pattern.size();
@@ -82,7 +82,7 @@ Real DirectSolver::memory() const
 
 bool DirectSolver::factorize(std::span<const Real> entries)
 {
-  const Timer timer("decompose matrix");
+  const Timer timer("factorize matrix");
   Mumps& m = *mumps_;
   std::copy(entries.begin(), entries.end(), m.entries.begin());
   const MUMPS_INT error = m.run(2);
@@ -91,7 +91,7 @@ bool DirectSolver::factorize(std::span<const Real> entries)
     m.control(14) *= 2;
     if (m.control(14) < 2000) return factorize(entries);
   }
-  if (error < 0) throw RunError(fmt::format("MUMPS cannot decompose the matrix (error {}, {})", error, m.call.infog[1]));
+  if (error < 0) throw RunError(fmt::format("MUMPS cannot factorize the matrix (error {}, {})", error, m.call.infog[1]));
   return true;
 }
 

@@ -9,19 +9,20 @@
 
 namespace berm::fem {
 
-/// Where a symmetric sparse matrix has entries in its lower triangle: row r has the columns column[first[r]] ... column[first[r + 1] - 1], ascending,
-/// none beyond r.
+/// Pattern of the lower triangle of a symmetric sparse matrix: row r has the columns column[first[r]] ... column[first[r +
+/// 1] - 1], ascending, none beyond r.
 struct SparsePattern {
   std::vector<Index> first, column;
 
   Index size() const { return static_cast<Index>(first.size()) - 1; }
   Index entry_count() const { return static_cast<Index>(column.size()); }
-  /// The place of an entry that is there, row >= col.
-  Index place(Index row, Index col) const;
+  /// Index of an entry of the pattern, row >= col.
+  Index index_of(Index row, Index col) const;
 };
 
-/// Solves A x = b for symmetric, positive definite matrices of one pattern with MUMPS (Amestoy, Duff, L'Excellent and Koster, SIAM J. Matrix Anal.
-/// Appl. 23, 2001), sequential. The order of elimination is found once. Some unknowns may be left to the end, for which the caller solves
+/// Solves A x = b for symmetric, positive definite matrices of one pattern with MUMPS (Amestoy, Duff, L'Excellent and
+/// Koster, SIAM J. Matrix Anal. Appl. 23, 2001), sequential. The order of elimination is computed once. Some unknowns may be
+/// kept to the end, for which the caller solves
 ///
 ///   S y = c,  S = A_kk - A_ko inv(A_oo) A_ok,  c = b_k - A_ko inv(A_oo) b_o
 ///
@@ -33,16 +34,17 @@ public:
   DirectSolver(const DirectSolver&) = delete;
   DirectSolver& operator=(const DirectSolver&) = delete;
 
-  /// Bytes that a factorization takes at most, as estimated by the analysis phase.
+  /// Memory of a factorization, bytes, as estimated by the analysis phase.
   Real memory() const;
 
-  /// Decomposes the matrix with these entries, in the pattern's order. False where it is singular. Throws RunError where memory is wanting.
+  /// Factorizes the matrix with these entries, in the pattern's order. False where it is singular. Throws RunError where
+  /// memory does not suffice.
   bool factorize(std::span<const Real> entries);
 
-  /// Solves with the last decomposition; b becomes x. Not where unknowns are kept.
+  /// Solves with the last factorization; b becomes x. Not where unknowns are kept.
   void solve(std::span<Real> b);
 
-  /// S of the last decomposition, row by row: the lower triangle, the rest is not set.
+  /// S of the last factorization, row by row: the lower triangle, the rest is not set.
   std::span<const Real> kept_matrix() const;
   /// c, in which the caller then puts y.
   std::span<Real> condense(std::span<Real> b);

@@ -25,9 +25,9 @@ void load_by_gravity(const problem::Case& c, const FemModel& model, FemState& st
   std::vector<problem::GroundElasticity> grounds;
   for (std::size_t b = 0; b < c.body.size(); ++b)
     grounds.push_back(problem::ground_elasticity(model.model.bodies[b].material, c.body[b].second.k0.value()));
-  std::vector<char> given(model.unknowns(), 0);
+  std::vector<char> prescribed(model.unknowns(), 0);
   const NodeField<std::uint8_t>& fixed = model.mesh.fixed[model.model.fixed_in[0]];
-  for (Index k = 0; k < model.unknowns(); ++k) given[k] = k >= model.rigid_unknown() || (fixed[k / 2] >> k % 2 & 1) != 0;
+  for (Index k = 0; k < model.unknowns(); ++k) prescribed[k] = k >= model.rigid_unknown() || (fixed[k / 2] >> k % 2 & 1) != 0;
 
   std::vector<Real> matrix(model.pattern.entry_count(), 0.), unknowns(model.unknowns(), 0.);
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
@@ -40,18 +40,18 @@ void load_by_gravity(const problem::Case& c, const FemModel& model, FemState& st
             shape.area * shape.value[i / 2] * density(model.model.bodies[body].material) * model.model.gravity[i % 2];
         const SymTensor<2> stress = stress_of<2>(grounds[body], strain_of_unknown(shape, i));
         for (int j = 0; j <= i; ++j)
-          matrix[model.cell_places[cell][entry++]] += shape.area * double_dot(stress, strain_of_unknown(shape, j));
+          matrix[model.cell_entries[cell][entry++]] += shape.area * double_dot(stress, strain_of_unknown(shape, j));
       }
     }
   }
   for (Index row = 0; row < model.pattern.size(); ++row) {
-    if (given[row]) unknowns[row] = 0;
+    if (prescribed[row]) unknowns[row] = 0;
     for (Index k = model.pattern.first[row]; k < model.pattern.first[row + 1]; ++k)
-      if (given[row] || given[model.pattern.column[k]]) matrix[k] = model.pattern.column[k] == row ? 1 : 0;
+      if (prescribed[row] || prescribed[model.pattern.column[k]]) matrix[k] = model.pattern.column[k] == row ? 1 : 0;
   }
   DirectSolver solver(model.pattern);
   if (!solver.factorize(matrix))
-    throw InputError("initial_state: the soil finds no equilibrium under gravity: supports of the first stage must hold it");
+    throw InputError("initial_state: there is no equilibrium under gravity: supports of the first stage must hold the soil");
   solver.solve(unknowns);
 
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)

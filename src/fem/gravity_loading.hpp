@@ -5,9 +5,9 @@
 
 namespace berm::fem {
 
-/// InitialState::gravity_loading for 6-node triangles: the points of integration get the stress with which the nodes are in equilibrium with gravity and the
-/// supports of the first stage, soil being GroundElasticity. A hole is empty. The strength is not looked at. Throws InputError where supports do not hold
-/// the soil.
+/// Initial stress by gravity loading (InitialState::gravity_loading) on 6-node triangles: the integration points get the
+/// stress in equilibrium with gravity and the supports of the first stage for the elasticity GroundElasticity. Holes are
+/// empty, the strength is ignored. Throws InputError where the supports do not hold the soil.
 void load_by_gravity(const problem::Case& c, const FemModel& model, FemState& state);
 
 }  // namespace berm::fem

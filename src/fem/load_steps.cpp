@@ -149,14 +149,14 @@ IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::ve
   end.lag = assembly.strength_lag(state_, change);
   for (int pass = 1; pass < max_passes && end.converged && std::abs(end.lag.part()) > max_lag; ++pass) {
     const std::vector<Real> before = change;
-    assembly.follow_strength();
+    assembly.update_strength();
     IncrementEnd next = newton_.find_equilibrium(state_, loads, viscosity, change);
     const int iterations = end.iterations + next.iterations;
     next.lag = assembly.strength_lag(state_, change);
     const Real left = std::abs(next.lag.part() / end.lag.part());
     if (!next.converged || left > 1) {
       change = before;
-      assembly.follow_no_further();
+      assembly.undo_strength_update();
       assembly.evaluate(state_, change, loads, viscosity);
     } else {
       last_iterations_ = next.iterations;
@@ -165,7 +165,7 @@ IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::ve
     end.iterations = iterations;
     if (!next.converged || left > worth_it) break;
   }
-  assembly.forget_strength();
+  assembly.reset_strength();
   return end;
 }
 

@@ -29,7 +29,7 @@ bool Newton::set_step(const FemLoads& loads, const std::vector<Real>& change)
 {
   bool moves_as_given = true;
   for (Index k = 0; k < model_.unknowns(); ++k) {
-    if (!assembly_.given(k)) {
+    if (!assembly_.prescribed(k)) {
       step_[k] = -assembly_.soil_residual()[k];
       continue;
     }
@@ -52,7 +52,7 @@ Real Newton::slope() const
 {
   Real sum = 0;
   for (Index k = 0; k < model_.unknowns(); ++k)
-    if (!assembly_.given(k)) sum += step_[k] * assembly_.residual()[k];
+    if (!assembly_.prescribed(k)) sum += step_[k] * assembly_.residual()[k];
   return sum;
 }
 

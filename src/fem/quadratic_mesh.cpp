@@ -31,7 +31,7 @@ std::vector<Index> bodies_of_regions(const mesh::Mesh<2>& mesh, const problem::C
   return body_of;
 }
 
-// The cells of bodies become triangles with six nodes.
+// Makes 6-node triangles of the cells of bodies.
 class Maker {
 public:
   Maker(const mesh::Mesh<2>& mesh, const problem::Case& c)
@@ -91,7 +91,7 @@ private:
     return node_number_[i];
   }
 
-  // The middle of side k, from corner k to the next; the corner opposite to it is the one after that.
+  // The mid-side node of side k, from corner k to the next; the corner opposite to it is the one after that.
   Index middle(Index cell, int k, Index from, Index to)
   {
     const Index beyond = mesh_.neighbor(cell, (k + 2) % 3);
@@ -108,7 +108,7 @@ private:
   const mesh::Mesh<2>& mesh_;
   std::vector<Index> body_of_;  // by region
   NodeField<Index> node_number_;
-  CellField<Index> cell_number_;  // of the cells that are made already
+  CellField<Index> cell_number_;  // of the cells that exist already
 };
 
 // Whether nodes lie on the surface of the shape, to a millionth of the side.
@@ -154,8 +154,8 @@ QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const problem::Case& c, 
   for (const std::vector<char>& holds : support_sets(c).holds) {
     NodeField<std::uint8_t> fixed(maker.made.node_count(), 0);
     for (std::size_t k = 0; k < c.support.size(); ++k)
-      if (const Index boundary = held_boundary(mesh, c.support[k].first, c.support[k].second); holds[k])
-        maker.hold(fixed, boundary, held_directions(c.support[k].second));
+      if (const Index boundary = fixed_boundary(mesh, c.support[k].first, c.support[k].second); holds[k])
+        maker.hold(fixed, boundary, fixed_directions(c.support[k].second));
     maker.made.fixed.push_back(std::move(fixed));
   }
   for (const auto& [name, traction] : c.traction) maker.made.loaded_sides.push_back(maker.sides_at(loaded_boundary(mesh, name, traction)));

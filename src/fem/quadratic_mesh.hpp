@@ -7,7 +7,7 @@
 
 namespace berm::fem {
 
-/// A side of an element at the boundary of the mesh; the soil is on the left on the way from one end to the other.
+/// A side of an element at the boundary of the mesh, with the soil on the left from its first to its last node.
 struct BoundarySide {
   Index from, to, middle;
 };
@@ -15,9 +15,9 @@ struct BoundarySide {
 /// 6-node triangles that fill the bodies. Nodes are numbered by first use, cells as in the mesh they are made from.
 struct QuadraticMesh {
   NodeField<Vec<2>> position;                  ///< m
-  CellField<AtSixNodes<Index>> nodes;          ///< corners counter-clockwise, then the middles of sides 01, 12 and 20
+  CellField<AtSixNodes<Index>> nodes;          ///< corners counter-clockwise, then the mid-side nodes of 01, 12 and 20
   CellField<Index> body;                       ///< of each cell, an index into Case::body
-  std::vector<NodeField<std::uint8_t>> fixed;  ///< by set of supports, as in Model; bit d: held in direction d
+  std::vector<NodeField<std::uint8_t>> fixed;  ///< by set of supports, as in Model; bit d: fixed in direction d
   std::vector<BoundarySide> boundary_sides;
   std::vector<std::vector<BoundarySide>> loaded_sides;  ///< by traction: those at its boundary
 
@@ -26,11 +26,12 @@ struct QuadraticMesh {
   AtSixNodes<Vec<2>> positions_of(Index cell) const;
 };
 
-/// Makes 6-node triangles of the cells in the regions of the bodies; other cells are left out, with the nodes that only they have.
-/// A node is held as the supports say; the middle of a side where the side is at the boundary and both ends are nodes of the support's boundary.
-/// The middle of a side at the boundary whose ends lie on the surface of a shape is put onto it: the sides along a circle are curved.
-/// Throws InputError where a body is a block or a disk, where a region or boundary is unknown, where two bodies fill one region, or where
-/// an element is folded because its side is too long for the circle it lies on.
+/// Makes 6-node triangles of the cells in the regions of the bodies; other cells are left out, with the nodes that only they
+/// have. Nodes are fixed as the supports say; a mid-side node where its side is at the boundary and both ends are nodes of
+/// the support's boundary. A mid-side node at the boundary whose ends lie on the surface of a shape is moved onto it: the
+/// sides along a circle are curved. Throws InputError where a body is a block or a disk, where a region or boundary is
+/// unknown, where two bodies fill one region, or where an element is folded because its side is too long for the circle it
+/// lies on.
 QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const problem::Case& c, const std::vector<bodies::RigidShape<2>>& shapes);
 
 /// The sides at the boundary of which all three nodes lie on the surface of a shape, to a millionth of the side.

@@ -6,15 +6,15 @@
 
 namespace berm::fem {
 
-/// What a node gets of a traction.
+/// Consistent force of a traction at a node.
 struct NodalLoad {
   Index node;
   Vec<2> force;  ///< N/m, integral of N_i times the traction over the sides
   Real area;     ///< m, integral of N_i over the loaded part of the sides
 };
 
-/// The consistent forces of the traction `name` on sides with three nodes, which may be curved. Three points of Gauss a side are exact on straight ones.
-/// Throws InputError where nothing is loaded.
+/// Consistent nodal forces of the traction `name` on sides with three nodes, which may be curved; three Gauss points a side
+/// are exact on straight ones. Throws InputError where nothing is loaded.
 std::vector<NodalLoad> side_loads(const QuadraticMesh& mesh, const std::vector<BoundarySide>& sides, const std::string& name,
                                   const boundary::TractionSettings& traction);
 

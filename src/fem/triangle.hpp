@@ -8,21 +8,22 @@
 
 namespace berm::fem {
 
-/// A value for each node of a 6-node triangle: corners counter-clockwise, then the middles of sides 01, 12 and 20.
+/// A value for each node of a 6-node triangle: corners counter-clockwise, then the mid-side nodes of 01, 12 and 20.
 template <class T>
 using AtSixNodes = std::array<T, 6>;
 
-/// The places of the nodes in the reference triangle 0 <= r, s, r + s <= 1.
+/// Coordinates of the nodes in the reference triangle 0 <= r, s, r + s <= 1.
 inline const AtSixNodes<Vec<2>> six_nodes{Vec<2>{0, 0}, Vec<2>{1, 0}, Vec<2>{0, 1}, Vec<2>{0.5, 0}, Vec<2>{0.5, 0.5}, Vec<2>{0, 0.5}};
 
-/// The quadratic shape functions at (r, s): l_k (2 l_k - 1) for the corners, 4 l_j l_k for the middles, with l = (1 - r - s, r, s).
+/// The quadratic shape functions at (r, s): l_k (2 l_k - 1) for the corners, 4 l_j l_k for the mid-side nodes, with l = (1 -
+/// r - s, r, s).
 inline AtSixNodes<Real> shape_functions(const Vec<2>& at)
 {
   const Real l0 = 1 - at[0] - at[1], l1 = at[0], l2 = at[1];
   return {l0 * (2 * l0 - 1), l1 * (2 * l1 - 1), l2 * (2 * l2 - 1), 4 * l0 * l1, 4 * l1 * l2, 4 * l2 * l0};
 }
 
-/// Their derivatives by (r, s).
+/// Their derivatives with respect to (r, s).
 inline AtSixNodes<Vec<2>> shape_derivatives(const Vec<2>& at)
 {
   const Real l0 = 1 - at[0] - at[1], l1 = at[0], l2 = at[1];
@@ -30,7 +31,8 @@ inline AtSixNodes<Vec<2>> shape_derivatives(const Vec<2>& at)
           Vec<2>{4 * (l0 - l1), -4 * l1}, Vec<2>{4 * l2, 4 * l1}, Vec<2>{-4 * l2, 4 * (l0 - l2)}};
 }
 
-/// The derivatives of place by (r, s): column d is dx/dr or dx/ds. Its determinant is twice the area that a unit of (r, s) has there.
+/// The Jacobian: column d is dx/dr or dx/ds, m. Its determinant is the area per unit of (r, s), twice that of a triangle
+/// with straight sides.
 inline Matrix<2> jacobian(const AtSixNodes<Vec<2>>& x, const Vec<2>& at)
 {
   const AtSixNodes<Vec<2>> derivatives = shape_derivatives(at);

@@ -11,14 +11,15 @@ Formula n_q(Real friction_angle);
 /// The bearing capacity factor of cohesion, N_c = (N_q - 1) cot phi; 2 + pi for phi = 0. Friction angle in rad. [exact: Prandtl]
 Formula n_c(Real friction_angle);
 
-/// The base of a footing.
+/// Roughness of the base of a footing.
 enum class Base : std::uint8_t { smooth, rough };
 
 /// The bearing capacity factor of self-weight of a strip footing on associated soil, q = gamma B N_gamma / 2, tabulated at 30 and 35 degrees;
 /// between and beyond ln N_gamma is linear in phi. Friction angle in rad. [exact at the entries: characteristics]
 Formula n_gamma(Real friction_angle, Base base);
 
-/// The same factor as design codes take it, N_gamma = 1.5 (N_q - 1) tan phi. Friction angle in rad. [recalled: Brinch Hansen 1970]
+/// The same factor as in design codes, N_gamma = 1.5 (N_q - 1) tan phi. Friction angle in rad. [recalled: Brinch Hansen
+/// 1970]
 Formula n_gamma_hansen(Real friction_angle);
 
 }  // namespace berm::formulas

@@ -5,11 +5,11 @@
 
 namespace berm::formulas {
 
-/// How far a formula can be trusted.
+/// Reliability of a formula.
 enum class Label : std::uint8_t {
   exact,    ///< closed form, or computed to convergence
   fit,      ///< published fit, as design codes and programs use it
-  recalled  ///< quoted from memory: compare it with its source before you rely on it
+  recalled  ///< quoted from memory: to be compared with its source before it is relied on
 };
 
 inline const char* word_of(Label label)
@@ -17,14 +17,14 @@ inline const char* word_of(Label label)
   return label == Label::exact ? "exact" : label == Label::fit ? "fit" : "recalled";
 }
 
-/// Where a formula comes from.
+/// Source of a formula.
 struct Source {
   Label label;
   const char* work;   ///< who published it, and what
-  const char* range;  ///< the arguments that it is meant for
+  const char* range;  ///< arguments for which it holds
 };
 
-/// What a formula gives for its arguments: a number in SI units, NaN where the formula has no meaning.
+/// Value of a formula in SI units, NaN where the formula has no meaning.
 struct Formula {
   Real value;
   Source source;

@@ -9,7 +9,7 @@ Real relative_embedment(const PipeInClay& pipe)
   return pipe.embedment / pipe.diameter;
 }
 
-/// Uniform strength, embedded by no more than D/2.
+/// Uniform strength, embedment of at most D/2.
 bool in_common_range(const PipeInClay& pipe)
 {
   return pipe.diameter > 0 && pipe.strength >= 0 && pipe.strength_gradient == 0 && within(relative_embedment(pipe), 0, 0.5) &&

@@ -5,8 +5,8 @@
 
 namespace berm::formulas {
 
-/// A pipe in undrained clay, wished in place below a flat surface unless a formula says otherwise. The clay_... formulas give what the strength
-/// carries; the buoyancy of the displaced clay comes on top.
+/// A pipe in undrained clay, wished in place below a level surface unless a formula says otherwise. The clay_... formulas
+/// give the resistance of the strength; the buoyancy of the displaced clay is additional.
 struct PipeInClay {
   Real diameter;               ///< D, m
   Real embedment;              ///< w, m: depth of the invert below the surface
@@ -35,15 +35,15 @@ Formula clay_envelope(const PipeInClay& pipe, Real V, Real V_max, Real H_max);
 /// V/V_max where that envelope has its apex, H = H_max: b1/(b1 + b2).
 Real clay_envelope_apex(const PipeInClay& pipe);
 
-/// The vertical resistance of a pipe that was pushed there with the heave that this makes, N/m, upwards: V = D s_u 5.3 (w/D)^0.25 smooth,
-/// 7.1 (w/D)^0.33 rough, linear in the roughness between. [recalled: Merifield and others 2009]
+/// The vertical resistance of a pipe pushed to its embedment, with heave, N/m, upwards: V = D s_u 5.3 (w/D)^0.25 smooth, 7.1
+/// (w/D)^0.33 rough, linear in the roughness between. [recalled: Merifield and others 2009]
 Formula clay_vertical_with_heave(const PipeInClay& pipe);
 
 /// The resistance of a deeply buried pipe in any direction across it, N/m: with sin d = r,
 /// P = D s_u [pi + 2 d + 4 cos((pi/2 - d)/2) (sqrt 2 + sin((pi/2 - d)/2))]; 9.14 smooth, 11.94 rough. [recalled: Randolph and Houlsby 1984]
 Formula clay_deep(const PipeInClay& pipe);
 
-/// Between what V/(D s_u) lies at w = D/2.
+/// Bounds of V/(D s_u) at w = D/2.
 struct MurffBounds {
   Real lower, upper;
 };

@@ -21,7 +21,7 @@ struct PipeInSand {
 /// [exact at the entries: characteristics, 0.1 %]
 Formula sand_vertical(const PipeInSand& pipe);
 
-/// The embedment that a vertical load V (N/m) makes, m: w = 0.037 D (V/(gamma' D^2))^(2/3); the pipe's own embedment is not used.
+/// The embedment under a vertical load V (N/m), m: w = 0.037 D (V/(gamma' D^2))^(2/3); the pipe's own embedment is not used.
 /// [fit: Verley and Sotberg 1994]
 Formula sand_embedment(const PipeInSand& pipe, Real V);
 
@@ -37,7 +37,7 @@ struct YieldSurface {
 /// The horizontal resistance under a vertical load V on that surface, N/m; zero at V = V_max. [recalled: Zhang and others 1999, 2002]
 Formula zhang_envelope(const YieldSurface& surface, Real V, Real V_max);
 
-/// Where a curve of H over V is highest.
+/// The maximum of a curve of H over V.
 struct Apex {
   Real V, H;  ///< N/m
 };
@@ -45,8 +45,8 @@ struct Apex {
 /// V = V_max (1 - beta)/2, H = mu V_max (1 + beta)^2/4.
 Apex zhang_apex(const YieldSurface& surface, Real V_max);
 
-/// The surface that is nearest to points (V, H), N/m, in the squares of H, for a known V_max; NaN unless two of the points have different V
-/// below V_max.
+/// The surface nearest to points (V, H), N/m, in the least squares of H, for a known V_max; NaN unless two of the points
+/// have different V below V_max.
 YieldSurface fit_zhang(std::span<const Real> V, std::span<const Real> H, Real V_max);
 
 }  // namespace berm::formulas

@@ -5,12 +5,12 @@
 
 namespace berm::input {
 
-/// A key exists only where another key of the same table, the selector, has this word.
+/// Condition of a key: another key of the same table, the selector, has this word.
 struct Condition {
   std::string selector, word;
 };
 
-/// One parameter, or one table of parameters, as it was declared.
+/// A parameter or a table of parameters, as declared.
 struct Listed {
   enum class Kind {
     value,
@@ -31,7 +31,7 @@ struct Listed {
   std::vector<Listed> children;  ///< of tables
 };
 
-/// Visits a struct and lists all of its parameters, those of every alternative included.
+/// Lists all parameters of a struct, those of every alternative included.
 class Lister : public Describe {
 public:
   Lister() { levels_.push_back({&root_, {}}); }

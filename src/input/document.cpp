@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// toml++ checks its own steps with assertions, which malformed input such as "[&" reaches: here they throw, in every build.
+// toml++ checks itself with assertions, which malformed input such as "[&" triggers: here they throw, in every build.
 #undef NDEBUG
 #undef TOML_SHARED_LIB
 #undef TOML_HEADER_ONLY
@@ -17,7 +17,8 @@ struct TomlStumbled {};
 }  // namespace berm::input
 #include <cstdint>
 #include <toml++/impl/preprocessor.h>
-// A letter such as é where a space could stand makes toml++ 3.3 reach a place that it takes for unreachable; the answer there is "no space".
+// A letter such as é instead of a space makes toml++ 3.3 reach code that it declares unreachable; the right answer there is
+// "no space".
 #pragma push_macro("TOML_UNREACHABLE")
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE return false
@@ -104,7 +105,7 @@ std::size_t end_of_quoted(const std::string& text, std::size_t at)
   return text.size();
 }
 
-/// The first line that has a key of more parts than most_dots, or 0: a.a.a.a... makes tables deeper than a call stack.
+/// The first line with a key of more than max_dots parts, or 0: a.a.a.a... makes tables deeper than a call stack.
 int line_of_too_deep_key(const std::string& text)
 {
   int dots = 0;
@@ -126,7 +127,7 @@ int line_of_too_deep_key(const std::string& text)
   return 0;
 }
 
-/// What toml++ says without its first words, and what is behind the two slips that are made most.
+/// The message of toml++ without its first words, with a hint for the two most common mistakes.
 std::string advised(std::string description)
 {
   if (const std::string words = "Error while parsing "; description.starts_with(words)) description.erase(0, words.size());
@@ -147,8 +148,8 @@ bool stumbles(const std::string& text)
   return false;
 }
 
-/// The line at which toml++ stumbles: it does so too where the text ends with that line, and not where it ends before.
-int line_of_stumble(const std::string& text)
+/// The line of a syntax error: toml++ also fails where the text ends with that line, and not where it ends before.
+int line_of_syntax_error(const std::string& text)
 {
   std::vector<std::size_t> ends;
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;) ends.push_back(++at);
@@ -168,7 +169,7 @@ Document parse_file(const std::filesystem::path& file)
   std::error_code problem;
   const auto refuse_file = [&](const char* why) { throw InputError(one_line(fmt::format("{}: {}", file.string(), why))); };
   if (!std::filesystem::exists(file, problem)) refuse_file("there is no such file");
-  if (std::filesystem::is_directory(file, problem)) refuse_file("is a folder; wanted is a TOML file, such as case.toml");
+  if (std::filesystem::is_directory(file, problem)) refuse_file("is a folder; expected a TOML file, such as case.toml");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) refuse_file("cannot be opened");
   std::string text(max_bytes + 1, '\0');
@@ -180,7 +181,8 @@ Document parse_file(const std::filesystem::path& file)
 
 Document parse_text(const std::string& file, const std::string& text)
 {
-  if (text.size() > max_bytes) throw InputError(one_line(fmt::format("{}: is longer than {} bytes, the most for a case", file, max_bytes)));
+  if (text.size() > max_bytes)
+    throw InputError(one_line(fmt::format("{}: is longer than {} bytes, the maximum for a case", file, max_bytes)));
   if (const int line = line_of_too_deep_key(text)) refuse_line(file, line, fmt::format("a key has more than {} dots", max_dots));
   if (const std::size_t nul = text.find('\0'); nul != std::string::npos)
     refuse_line(file, 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n'),
@@ -192,7 +194,7 @@ Document parse_text(const std::string& file, const std::string& text)
   } catch (const toml::parse_error& error) {
     refuse_line(file, error.source().begin.line, "not valid TOML, " + advised(std::string(error.description())));
   } catch (const TomlStumbled&) {
-    refuse_line(file, line_of_stumble(text), "not valid TOML: a bracket, a quote or a key is wrong");
+    refuse_line(file, line_of_syntax_error(text), "not valid TOML: a bracket, a quote or a key is wrong");
   }
 }
 
@@ -250,11 +252,11 @@ std::string kind_of(const Node& node)
 void refuse(const Document& document, const Node& node, const std::string& path, const std::string& message)
 {
   const bool by_override = !node.override_key.empty();
-  const std::string place = by_override ? "--set " + node.override_key : fmt::format("{}:{}", document.file, node.line);
+  const std::string location = by_override ? "--set " + node.override_key : fmt::format("{}:{}", document.file, node.line);
   const bool repeats = by_override && node.override_key == path;
   constexpr std::size_t max_of_path = 300, max_of_message = 3000;
-  throw InputError(
-      one_line(place + ": " + (path.empty() || repeats ? "" : shortened(path, max_of_path) + ": ") + shortened(message, max_of_message)));
+  throw InputError(one_line(location + ": " + (path.empty() || repeats ? "" : shortened(path, max_of_path) + ": ") +
+                            shortened(message, max_of_message)));
 }
 
 }  // namespace berm::input

@@ -10,7 +10,7 @@
 
 namespace berm::input {
 
-/// One value of an input file, and where it stands.
+/// A value of an input file, with its location.
 struct Node {
   enum class Kind { boolean, whole, number, text, date, array, table };
 
@@ -23,23 +23,23 @@ struct Node {
   std::vector<Node> items;  ///< of an array in their order; of a table in the order of the file
   int line = 0, column = 0;
   std::string override_key;  ///< the KEY of `--set KEY=VALUE` that made it; empty where the file did
-  bool implied = false;      ///< a table that an override went through and that the file does not have
-  bool used = false;         ///< somebody read it
+  bool implied = false;      ///< a table that an override passed through and that the file does not have
+  bool used = false;         ///< read by some struct
 };
 
-/// An input file as it was written.
+/// An input file as written.
 struct Document {
   std::string file;
   Node root;
 };
 
-/// Reads a TOML file. Throws InputError "FILE:LINE: ..." where it is no TOML, "FILE: ..." where it cannot be read.
+/// Reads a TOML file. Throws InputError "FILE:LINE: ..." where it is not TOML, "FILE: ..." where it cannot be read.
 Document parse_file(const std::filesystem::path& file);
 
 /// As parse_file, of a text; `file` is for the messages.
 Document parse_text(const std::string& file, const std::string& text);
 
-/// The single TOML value that a text is, or nothing.
+/// The single TOML value that a text is; empty where it is not one.
 std::optional<Node> parse_value(const std::string& text);
 
 /// The entry of a table with this key, or null; null also where `table` is no table.
@@ -49,7 +49,7 @@ Node* member(Node& table, const std::string& key);
 /// The text under `name` in an item of an array of tables, by which --set and messages address it; "" where it has none.
 std::string name_of(const Node& item);
 
-/// What a node is, in words: "a number", "text in quotes".
+/// Kind of a node, for messages: "a number", "text in quotes".
 std::string kind_of(const Node& node);
 
 /// Throws InputError "FILE:LINE: PATH: MESSAGE", with "--set KEY" instead of FILE:LINE where an override made the node.

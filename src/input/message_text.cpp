@@ -49,7 +49,7 @@ std::string nearest(const std::string& word, const std::vector<std::string>& wor
   std::string best;
   int min = 2 + static_cast<int>(word.size()) / 4;
   for (const std::string& candidate : words) {
-    if (candidate.size() > 2 * word.size() + 2) continue;  // further away than that
+    if (candidate.size() > 2 * word.size() + 2) continue;  // farther than that
     const int distance = edit_distance(word, candidate);
     if (distance < min && distance < static_cast<int>(std::max(word.size(), candidate.size()))) min = distance, best = candidate;
   }

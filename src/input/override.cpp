@@ -29,7 +29,7 @@ std::vector<std::string> split(const std::string& key)
       parts.back() += c;
   }
   for (const std::string& part : parts)
-    if (part.empty()) refuse_override(key, "the key has an empty part; wanted is a path such as material.sand.friction_angle");
+    if (part.empty()) refuse_override(key, "the key has an empty part; expected a path such as material.sand.friction_angle");
   if (inside) refuse_override(key, "a quote is not closed");
   constexpr std::size_t max_parts = 32;
   if (parts.size() > max_parts) refuse_override(key, "the key has too many parts");
@@ -98,10 +98,10 @@ private:
     put(*next, k + 1, inner);
   }
 
-  /// The part is *: into every table of this one.
+  /// For a part *: continues in every table of this one.
   void put_into_all(Node& tables, std::size_t k, const std::string& path) const
   {
-    if (k + 1 == parts_.size()) refuse_override(key_, "* stands for names of tables; wanted is a key behind it");
+    if (k + 1 == parts_.size()) refuse_override(key_, "* stands for names of tables; a key must follow it");
     bool found = false;
     for (Node& item : tables.items) {
       if (item.kind != Node::Kind::table) continue;
@@ -123,8 +123,7 @@ void apply_override(Document& document, const std::string& key_and_value)
 {
   const std::size_t equals = key_and_value.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw InputError(
-        one_line(fmt::format("--set {}: wanted is KEY=VALUE, such as material.sand.friction_angle=\"40 deg\"", key_and_value)));
+    throw InputError(one_line(fmt::format("--set {}: expected KEY=VALUE, such as material.sand.friction_angle=\"40 deg\"", key_and_value)));
   const std::string key = key_and_value.substr(0, equals);
   Override(key, value_of(key, key_and_value.substr(equals + 1))).put_into(document.root);
 }

@@ -7,8 +7,8 @@
 
 namespace berm::input {
 
-/// Reads a case file, after changing it by overrides `KEY=VALUE` (see apply_override). Throws InputError, one line that names the file and the line
-/// (or the override), the key, and what is allowed, where anything in it cannot be or is not known.
+/// Reads a case file, after changing it by overrides `KEY=VALUE` (see apply_override). Throws InputError, one line with file
+/// and line (or the override), key and what is allowed, where anything in it is invalid or unknown.
 problem::Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
 /// As above, of a text; `file` is for the messages.

@@ -35,7 +35,7 @@ std::string item_path(const std::string& path, const Node& item, int k)
   return name.empty() ? fmt::format("{}[{}]", path, k) : path + "." + name;
 }
 
-/// What a missing value would look like, after its meaning.
+/// The expected value, after its meaning.
 std::string hint(const Describe::Leaf& variable, const Parameter& parameter)
 {
   const bool number = std::holds_alternative<Real*>(variable) || std::holds_alternative<std::optional<Real>*>(variable);
@@ -44,7 +44,7 @@ std::string hint(const Describe::Leaf& variable, const Parameter& parameter)
   return fmt::format("{}: {}{}", parameter.meaning, numbers ? "a list of numbers, each " : "", wanted(parameter.unit));
 }
 
-/// Where a path of Describe::check leads.
+/// Result of following a path of Describe::check.
 struct Found {
   const Node* node;  ///< the last node on the path that exists
   bool whole;        ///< whether that is the end of the path
@@ -103,9 +103,9 @@ Reader::Reader(Document& document) : document_(document)
   levels_.push_back({&document.root, &document.root, ""});
 }
 
-void Reader::check(bool fine, const std::string& path, const std::string& message, const std::vector<std::string>& allowed)
+void Reader::check(bool valid, const std::string& path, const std::string& message, const std::vector<std::string>& allowed)
 {
-  if (fine) return;
+  if (valid) return;
   const Found found = follow(document_.root, path);
   refuse(document_, *found.node, found.path, message + suggestion(wrong_word(found, allowed), allowed));
 }
@@ -125,7 +125,7 @@ void Reader::refuse_missing(const char* key, const std::string& what) const
 {
   const Level& level = levels_.back();
   const std::string where = level.path.empty() ? "at the top of the file" : fmt::format("in [{}]", level.path);
-  refuse(document_, *level.place, path_of(key), fmt::format("is missing {}: {}", where, what));
+  refuse(document_, *level.nearest, path_of(key), fmt::format("is missing {}: {}", where, what));
 }
 
 void Reader::leaf(const char* key, Leaf variable, const Parameter& declared)
@@ -153,16 +153,20 @@ int Reader::choose(const char* key, const std::vector<const char*>& names, int c
   if (node->kind != Node::Kind::text)
     refuse(document_, *node, path_of(key), fmt::format("must be a word in quotes, not {} (allowed: {})", kind_of(*node), listed(words)));
   const auto found = std::find(words.begin(), words.end(), node->text);
+  for (const FormerWord& former : parameter.former_words)
+    if (node->text == former.former)
+      refuse(document_, *node, path_of(key), fmt::format("{} is now called {}", in_quotes(node->text), in_quotes(former.word)));
   if (found == words.end())
-    refuse(document_, *node, path_of(key), fmt::format("{} is none of its words{}", in_quotes(node->text), suggestion(node->text, words)));
+    refuse(document_, *node, path_of(key),
+           fmt::format("{} is not one of its words{}", in_quotes(node->text), suggestion(node->text, words)));
   return static_cast<int>(found - words.begin());
 }
 
 void Reader::step_into(Node* table, const std::string& path)
 {
-  const Node* place = table == nullptr ? levels_.back().place : table;
+  const Node* nearest = table == nullptr ? levels_.back().nearest : table;
   if (table != nullptr) table->used = true;
-  levels_.push_back({table, place, path});
+  levels_.push_back({table, nearest, path});
 }
 
 void Reader::enter(const char* key, const Parameter& parameter)
@@ -170,7 +174,7 @@ void Reader::enter(const char* key, const Parameter& parameter)
   Node* node = find(key);
   const std::string path = path_of(key);
   if (node == nullptr && parameter.required)
-    refuse(document_, *levels_.back().place, path, fmt::format("the table [{}] is missing: {}", path, parameter.meaning));
+    refuse(document_, *levels_.back().nearest, path, fmt::format("the table [{}] is missing: {}", path, parameter.meaning));
   if (node != nullptr && node->kind != Node::Kind::table)
     refuse(document_, *node, path, fmt::format("must be a table, [{}], not {}", path, kind_of(*node)));
   step_into(node, path);
@@ -194,14 +198,14 @@ std::vector<std::string> Reader::names_in(const char* key, const std::vector<std
       if (item.kind != Node::Kind::table)
         refuse(document_, item, path + "." + item.key, fmt::format("must be in a table with a name, [{}.NAME]", path));
       if (!is_name(item.key))
-        refuse(
-            document_, item, path + "." + item.key,
-            fmt::format("{} is no name; allowed are letters, digits, _ and -, from one to {} of them", in_quotes(item.key), max_in_name));
+        refuse(document_, item, path + "." + item.key,
+               fmt::format("{} is not a valid name; allowed are letters, digits, _ and -, from one to {} of them", in_quotes(item.key),
+                           max_in_name));
       if (std::find(names.begin(), names.end(), item.key) == names.end()) names.push_back(item.key);
     }
   }
   if (names.empty() && parameter.required)
-    refuse(document_, *levels_.back().place, path, fmt::format("at least one table [{}.NAME] is needed: {}", path, parameter.meaning));
+    refuse(document_, *levels_.back().nearest, path, fmt::format("at least one table [{}.NAME] is needed: {}", path, parameter.meaning));
   return names;
 }
 
@@ -218,12 +222,12 @@ int Reader::count_in(const char* key, int present, const Parameter& parameter)
   if (node != nullptr) {
     const auto is_table = [](const Node& item) { return item.kind == Node::Kind::table; };
     if (node->kind != Node::Kind::array || !std::all_of(node->items.begin(), node->items.end(), is_table))
-      refuse(document_, *node, path, fmt::format("must be tables in a row, [[{}]], not {}", path, kind_of(*node)));
+      refuse(document_, *node, path, fmt::format("must be an array of tables, [[{}]], not {}", path, kind_of(*node)));
     node->used = true;
     present = static_cast<int>(node->items.size());
   }
   if (present == 0 && parameter.required)
-    refuse(document_, node == nullptr ? *levels_.back().place : *node, path,
+    refuse(document_, node == nullptr ? *levels_.back().nearest : *node, path,
            fmt::format("at least one [[{}]] is needed: {}", path, parameter.meaning));
   return present;
 }

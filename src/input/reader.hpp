@@ -5,11 +5,12 @@
 
 namespace berm::input {
 
-/// Fills a struct from a document, marks what it reads as used, and throws InputError (see refuse) at the first value that cannot be.
+/// Fills a struct from a document, marks what it reads as used, and throws InputError (see refuse) at the first invalid
+/// value.
 class Reader : public Describe {
 public:
   explicit Reader(Document& document);
-  void check(bool fine, const std::string& path, const std::string& message, const std::vector<std::string>& allowed = {}) override;
+  void check(bool valid, const std::string& path, const std::string& message, const std::vector<std::string>& allowed = {}) override;
 
 protected:
   void leaf(const char* key, Leaf variable, const Parameter& parameter) override;
@@ -23,10 +24,10 @@ protected:
   void enter_item(const char* key, int item) override;
 
 private:
-  /// The table that is being read. Where it is absent, `table` is null and `place` its nearest parent that exists.
+  /// The table being read. Where it is absent, `table` is null and `nearest` its nearest parent that exists.
   struct Level {
     Node* table;
-    const Node* place;
+    const Node* nearest;
     std::string path;
   };
 
@@ -36,7 +37,7 @@ private:
   [[noreturn]] void refuse_missing(const char* key, const std::string& what) const;
 
   Document& document_;
-  bool in_space_ = false;  ///< `dimension = 3`: quantities per metre run are whole
+  bool in_space_ = false;  ///< `dimension = 3`: quantities are not per metre run
   std::vector<Level> levels_;
 };
 

@@ -17,7 +17,7 @@ struct Dimension {
   const char *si_unit, *what, *example, *other_example;
 };
 constexpr Dimension dimensions[] = {
-    {"", "a bare number", "0.3", "30 %"},
+    {"", "a dimensionless number", "0.3", "30 %"},
     {"m", "a length", "20 mm", "0.8 m"},
     {"s", "a time", "0.5 s", "20 ms"},
     {"kg", "a mass", "100 kg", "1.5 t"},
@@ -73,7 +73,7 @@ bool is_radian(const ut_unit* basic)
   return symbol != nullptr && std::strcmp(symbol, "rad") == 0;
 }
 
-/// The power to which a unit holds the radian, which UDUNITS-2 takes for a bare number.
+/// The exponent of the radian in a unit, which UDUNITS-2 takes for a dimensionless number.
 int power_of_radian(const ut_unit* unit)
 {
   ut_visitor visitor{};
@@ -96,7 +96,7 @@ int power_of_radian(const ut_unit* unit)
   return power;
 }
 
-/// The same with letters outside ASCII that occur in units taken out.
+/// The same without letters outside ASCII that occur in units.
 std::string without_letters_of_units(std::string text)
 {
   for (const char* letter : {"µ", "μ", "°", "·", "²", "³"})
@@ -130,7 +130,7 @@ std::string trimmed(const std::string& text)
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-/// A text taken apart: the number as it is written, and the name of its unit ("" = none).
+/// A text split into the number as it is written and the name of its unit ("" = none).
 struct Written {
   Real number;
   std::string unit;
@@ -138,7 +138,7 @@ struct Written {
 
 [[noreturn]] void refuse_text(const std::string& text, const std::string& why, const std::string& wanted_words)
 {
-  throw UnitError(fmt::format("{} {}; wanted is {}", in_quotes(text), why, wanted_words));
+  throw UnitError(fmt::format("{} {}; expected {}", in_quotes(text), why, wanted_words));
 }
 
 Written taken_apart(const std::string& text, const std::string& wanted_words)
@@ -149,7 +149,7 @@ Written taken_apart(const std::string& text, const std::string& wanted_words)
   const auto [end, problem] = std::from_chars(first, last, number);
   if (problem == std::errc::invalid_argument || (first != whole.data() && whole[1] == '-'))
     refuse_text(text, "does not begin with a number", wanted_words);
-  if (problem != std::errc{} || !std::isfinite(number)) refuse_text(text, "is not a number that can be computed with", wanted_words);
+  if (problem != std::errc{} || !std::isfinite(number)) refuse_text(text, "is not a finite number", wanted_words);
   const std::string name = trimmed(std::string(end, last));
   if (name.starts_with(",")) refuse_text(text, "has a decimal comma where a point should be", wanted_words);
   return {number, name};
@@ -169,7 +169,7 @@ Unit si_unit_of(const std::string& name)
   return unit;
 }
 
-/// Whether numbers go from one unit to the other. For UDUNITS-2 an angle is a bare number.
+/// Whether two units are convertible. For UDUNITS-2 an angle is a dimensionless number.
 bool convertible(const ut_unit* unit, const ut_unit* si, bool bare)
 {
   return ut_are_convertible(unit, si) != 0 && (!bare || power_of_radian(unit) == power_of_radian(si));
@@ -205,9 +205,9 @@ Real to_si(const std::string& text, const std::string& si_unit)
   const Unit unit = known_unit(text, written.unit, words), si = si_unit_of(si_unit);
   if (!convertible(unit.get(), si.get(), is_bare(si_unit))) refuse_text(text, "has the wrong dimension", words);
   const std::unique_ptr<cv_converter, Free> converter(ut_get_converter(unit.get(), si.get()));
-  if (!converter || cv_convert_double(converter.get(), 0) != 0) refuse_text(text, "is on a scale that does not begin at zero", words);
+  if (!converter || cv_convert_double(converter.get(), 0) != 0) refuse_text(text, "is on a scale with an offset", words);
   const Real value = cv_convert_double(converter.get(), written.number);
-  if (!std::isfinite(value)) refuse_text(text, "is not a number that can be computed with", words);
+  if (!std::isfinite(value)) refuse_text(text, "is not a finite number", words);
   return value;
 }
 
@@ -219,7 +219,7 @@ SiQuantity to_si(const std::string& text)
   const Unit unit = known_unit(text, written.unit, words);
   for (const Dimension& d : dimensions)
     if (convertible(unit.get(), si_unit_of(d.si_unit).get(), true)) return {to_si(text, d.si_unit), *d.si_unit == '\0' ? "1" : d.si_unit};
-  refuse_text(text, "is in a unit of nothing that is measured", words);
+  refuse_text(text, "has a unit of unknown dimension", words);
 }
 
 bool same_dimension(const std::string& unit, const std::string& other)

@@ -15,7 +15,7 @@ std::string join(const std::string& path, const std::string& key)
   return path.empty() ? key : path + "." + key;
 }
 
-/// The word that a selector has in this table, or "" where it has none of its words: then any alternative may be meant.
+/// The word of a selector in this table, or "" where it has none of its words: then any alternative may be meant.
 std::string chosen_word(const Node& table, const Listed& known, const std::string& selector)
 {
   for (const Listed& entry : known.children)
@@ -27,7 +27,7 @@ std::string chosen_word(const Node& table, const Listed& known, const std::strin
   return "";
 }
 
-/// The condition of `entry` that this table does not meet, or null.
+/// The condition of `entry` that this table does not satisfy, or null.
 const Condition* unmet(const Node& table, const Listed& known, const Listed& entry)
 {
   for (const Condition& condition : entry.conditions)
@@ -89,10 +89,10 @@ private:
         allowed.push_back(entry.key);
     if (missed != nullptr)
       refuse(document_, item, path,
-             fmt::format("goes with {0} = {1}, and here {0} = {2} (allowed: {3})", missed->selector, in_quotes(missed->word),
+             fmt::format("applies with {0} = {1}, but here {0} = {2} (allowed: {3})", missed->selector, in_quotes(missed->word),
                          in_quotes(chosen_word(node, known, missed->selector)), listed(allowed)));
     for (const Listed& entry : known.children)
-      if (entry.formerly == item.key) refuse(document_, item, path, fmt::format("is {} now", in_quotes(entry.key)));
+      if (entry.formerly == item.key) refuse(document_, item, path, fmt::format("is now called {}", in_quotes(entry.key)));
     refuse(document_, item, path, (item.kind == Node::Kind::table ? "unknown table" : "unknown key") + suggestion(item.key, allowed));
   }
 

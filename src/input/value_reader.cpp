@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t max_in_text = 4096;  // bytes
 
-/// Texts go to terminals, tables and the scripts of plots. In UTF-8 the control characters beyond ASCII are C2 80 to C2 9F.
+/// Texts go to terminals, tables and plot scripts. In UTF-8 the control characters beyond ASCII are C2 80 to C2 9F.
 bool has_control_character(const std::string& text)
 {
   for (std::size_t k = 0; k < text.size(); ++k) {
@@ -50,7 +50,7 @@ Real ValueReader::number_in_any_unit(const Node& node, const std::string& path) 
   const SiQuantity quantity = to_si(node.text);
   if (!parameter_.any_unit->empty() && !same_dimension(*parameter_.any_unit, quantity.unit))
     refuse(document_, node, path,
-           fmt::format("{} is in {}, another number beside it in {}", in_quotes(node.text), quantity.unit, *parameter_.any_unit));
+           fmt::format("{} is in {}, another number of this parameter in {}", in_quotes(node.text), quantity.unit, *parameter_.any_unit));
   *parameter_.any_unit = quantity.unit;
   return quantity.value;
 }

@@ -6,8 +6,8 @@
 
 namespace berm::input {
 
-/// Takes one parameter from the node that holds it. `path` is its name in messages. Throws InputError (see refuse) where the node is of the wrong
-/// kind or dimension, out of range, or empty although the parameter is required.
+/// Reads one parameter from its node. `path` is its name in messages. Throws InputError (see refuse) where the node has the
+/// wrong kind or dimension, is out of range, or is empty although the parameter is required.
 class ValueReader {
 public:
   ValueReader(const Document& document, const Node& node, std::string path, const Parameter& parameter)

@@ -64,7 +64,7 @@ struct ToToml {
   }
 };
 
-/// What a variable holds; nothing where it is one that is left out.
+/// The value of a variable; nothing where it is not set.
 struct ToSetting {
   SettingValue operator()(const Real* v) const { return std::isfinite(*v) ? SettingValue(*v) : SettingValue(); }
   SettingValue operator()(const std::optional<Real>* v) const { return *v ? SettingValue(**v) : SettingValue(); }

@@ -5,19 +5,19 @@
 
 namespace berm::input {
 
-/// What a parameter is set to; std::monostate where it is left out.
+/// Value of a parameter; std::monostate where it is not set.
 using SettingValue = std::variant<std::monostate, Real, int, bool, std::string, std::vector<std::string>, std::vector<Real>,
                                   std::map<std::string, Real>, std::map<std::string, int>>;
 
-/// A parameter as a struct has it.
+/// A parameter with its value.
 struct Setting {
   std::string key;
   SettingValue value;
-  std::string unit;  ///< SI, "" of bare numbers and words
+  std::string unit;  ///< SI, "" of dimensionless numbers and words
   std::string meaning;
 };
 
-/// A table of parameters and the tables inside it.
+/// A table of parameters and its nested tables.
 struct SettingTable {
   std::string path;   ///< dotted, "" of the root
   bool item = false;  ///< of an array
@@ -25,7 +25,7 @@ struct SettingTable {
   std::vector<SettingTable> tables;
 };
 
-/// Takes down every parameter of a struct, with its value, its SI unit and its meaning.
+/// Records every parameter of a struct, with its value, its SI unit and its meaning.
 class SettingVisitor : public Describe {
 public:
   explicit SettingVisitor(bool in_space = false) : in_space_(in_space) { open_.push_back(&root_); }
@@ -48,13 +48,13 @@ private:
 
   SettingTable root_;
   std::vector<SettingTable*> open_;
-  bool in_space_;  ///< quantities per metre run are whole
+  bool in_space_;  ///< quantities are not per metre run
 };
 
-/// As TOML: every value in SI units, with its unit and meaning beside it. Reading the text gives the same struct.
+/// As TOML: every value in SI units, with unit and meaning in a comment. Reading the text gives the same struct.
 std::string toml_of(const SettingTable& table);
 
-/// All parameters of a case as they are, defaults included.
+/// All parameters of a case with their values, defaults included.
 SettingTable all_settings(const problem::Case& settings);
 
 /// The whole case as TOML, with every default filled in, in SI units: resolved.toml.

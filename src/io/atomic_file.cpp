@@ -16,7 +16,8 @@
 namespace berm::io {
 namespace {
 
-/// Makes a file beside its place with fill(file descriptor), which is false, and errno says why, where it failed; forces it to the disk and renames it.
+/// Makes a temporary file with fill(file descriptor), which returns false with errno where it fails; forces it to the disk
+/// and renames it.
 template <class Fill>
 void make_whole(const std::filesystem::path& path, const Fill& fill)
 {
@@ -33,7 +34,7 @@ void make_whole(const std::filesystem::path& path, const Fill& fill)
   throw_errno(fmt::format("cannot write {}", path.string()));
 }
 
-/// False, and errno says why, where not all bytes of one file came to the other.
+/// Copies one file to another; false with errno where not all bytes were copied.
 bool copy_all(int from, int to)
 {
   std::string bytes(1 << 20, '\0');

@@ -5,7 +5,7 @@
 
 namespace berm::io {
 
-/// Keeps a folder for this process: its file `lock`, which names process and machine, is locked as long as this lives, and no longer than the process.
+/// Locks a folder for this process: its file `lock`, which names process and host, is locked while this object lives.
 class FolderLock {
 public:
   static constexpr const char* file_name = "lock";

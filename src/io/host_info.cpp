@@ -15,7 +15,7 @@
 namespace berm::io {
 namespace {
 
-/// "6.1.0-18-amd64" is 6.1: what comes behind is of no interest to a reader.
+/// "6.1.0-18-amd64" becomes 6.1.
 std::string first_two_numbers(const std::string& release)
 {
   std::size_t end = release.find_first_not_of("0123456789.");
@@ -41,7 +41,7 @@ std::string processor_model(const std::string& cpuinfo)
   return "";
 }
 
-std::string machine_words()
+std::string host_description()
 {
   std::vector<std::string> parts;
   if (const std::string model = processor_model(read_text_file("/proc/cpuinfo")); !model.empty()) parts.push_back(model);

@@ -6,11 +6,11 @@
 
 namespace berm::io {
 
-/// The machine that this runs on in a line: "AMD EPYC 9B14, 2 processors, Linux 6.1 x86_64". What is not known is left out; the processors are those
-/// that this process may use.
-std::string machine_words();
+/// Description of the host in a line: "AMD EPYC 9B14, 2 processors, Linux 6.1 x86_64". Unknown parts are left out; the
+/// processors are those that this process may use.
+std::string host_description();
 
-/// The model of the processor as the text of /proc/cpuinfo tells it, with single spaces; "" where it does not.
+/// Model of the processor from the text of /proc/cpuinfo, with single spaces; "" where it is missing.
 std::string processor_model(const std::string& cpuinfo);
 
 /// A point in time as ISO 8601 in UTC, to the second: "2026-01-31T12:00:00Z".

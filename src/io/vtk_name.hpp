@@ -8,7 +8,7 @@ namespace berm::io {
 
 static_assert(std::endian::native == std::endian::little, "the .vtu files say that their data is little-endian");
 
-/// What VTK's XML calls a type of numbers.
+/// Name of a number type in VTK's XML.
 template <class T>
 constexpr const char* vtk_name = nullptr;
 template <>

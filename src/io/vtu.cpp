@@ -60,7 +60,7 @@ void Vtu::cell_field(const std::string& name, int components, const std::vector<
 void Vtu::write(const std::filesystem::path& path) const
 {
   std::string xml;
-  std::deque<std::uint64_t> sizes;  // that stay where they are
+  std::deque<std::uint64_t> sizes;  // a deque, because its elements do not move
   std::vector<std::string_view> parts = {""};
   std::uint64_t offset = 0;
   const auto add = [&](const std::string& words, std::string_view bytes) {

@@ -12,7 +12,7 @@
 
 namespace berm::io {
 
-/// Kinds of cells, as VTK numbers them.
+/// Types of cells, as VTK numbers them.
 enum class VtkCell : std::uint8_t {
   vertex = 1,
   line = 3,
@@ -24,8 +24,9 @@ enum class VtkCell : std::uint8_t {
   quadratic_triangle = 22
 };
 
-/// An unstructured grid on its way to a .vtu file: VTK's XML format, version 1.0, with raw appended little-endian data and UInt64 headers. Frames of many
-/// particles are large, so fields are not copied: what they are given must live until the file is written.
+/// An unstructured grid, to be written to a .vtu file: VTK's XML format, version 1.0, with raw appended little-endian data
+/// and UInt64 headers. Fields are not copied, because frames of many particles are large: they must live until the file is
+/// written.
 class Vtu {
 public:
   /// The grid's points: x y z of each, m.
@@ -37,8 +38,8 @@ public:
   void reserve_cells(std::size_t cells, std::size_t points);
   void add_cell(VtkCell type, const std::vector<Index>& points);
 
-  /// A field: `components` numbers of each point or cell, one after the other. T: float, double or std::int32_t. Of a field of points the file has the
-  /// label and the unit too, as attributes Label and Unit of its array, which other programs pass over.
+  /// A field: `components` numbers of each point or cell, one after the other. T: float, double or std::int32_t. A field of
+  /// points also has its label and unit in the file, as attributes Label and Unit of its array, which other programs ignore.
   template <class T>
   void point_field(const FieldInfo& info, const std::vector<T>& values, const std::vector<const char*>& component_names = {});
   template <class T>
@@ -48,7 +49,7 @@ public:
   /// The time of the grid, s, as VTK programs look for it (TimeValue).
   void set_time(Real time) { time_ = time; }
 
-  /// Writes the file whole. Throws RunError.
+  /// Writes the file atomically. Throws RunError.
   void write(const std::filesystem::path& path) const;
 
 private:

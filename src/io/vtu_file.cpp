@@ -60,7 +60,7 @@ void VtuFile::read_header()
 {
   struct stat about {};
   if (::fstat(file_, &about) != 0) throw_errno(fmt::format("cannot read {}", path_.string()));
-  if (!S_ISREG(about.st_mode)) refuse("is no file");
+  if (!S_ISREG(about.st_mode)) refuse("is not a file");
   size_ = static_cast<std::uint64_t>(about.st_size);
   std::string header(std::min(size_, max_header), '\0'), end(std::min<std::uint64_t>(size_, end_mark.size()), '\0');
   read(header.data(), header.size(), 0);
@@ -76,13 +76,13 @@ void VtuFile::read_header()
   for (const XmlTag& tag : xml_tags(header, "Piece")) {
     const std::optional<std::uint64_t> points = tag.whole_number("NumberOfPoints"), cells = tag.whole_number("NumberOfCells");
     // A point takes 24 bytes and a cell 9.
-    if (!points || !cells || *points > size_ / 24 || *cells > size_ / 9) refuse("is damaged: it cannot hold the points that it tells of");
+    if (!points || !cells || *points > size_ / 24 || *cells > size_ / 9) refuse("is damaged: it is too short for the points in its header");
     points_ = *points;
     cells_ = *cells;
   }
   for (const XmlTag& tag : xml_tags(header, "DataArray")) {
     const std::optional<std::uint64_t> offset = tag.whole_number("offset");
-    if (!offset) refuse("is damaged: an array has no place");
+    if (!offset) refuse("is damaged: an array has no offset");
     arrays_[tag["Name"]] = {tag["type"], *offset};
   }
   const std::size_t first = std::min(header.find("<PointData>"), header.size()),

@@ -11,11 +11,12 @@
 
 namespace berm::io {
 
-/// A .vtu file as Vtu writes it, open to read single arrays from. Whatever its header says, nothing beyond the file's end is read or asked memory for.
+/// Reads single arrays of a .vtu file that Vtu wrote. Sizes in its header are checked against the size of the file before
+/// memory is allocated.
 /// All functions throw RunError, with the file's name, where the file is missing, cut off or not one of Vtu's.
 class VtuFile {
 public:
-  /// Reads the header and looks whether the file has its end.
+  /// Reads the header and checks that the file is complete.
   explicit VtuFile(const std::filesystem::path& path);
   ~VtuFile();
   VtuFile(const VtuFile&) = delete;
@@ -24,13 +25,13 @@ public:
   std::size_t point_count() const { return points_; }
   std::size_t cell_count() const { return cells_; }
 
-  /// The fields of points of single precision, in their order; a label that is not there is the name.
+  /// The single-precision fields of points, in order; a missing label is the name.
   const std::vector<FieldInfo>& point_fields() const { return point_fields_; }
 
   /// All numbers of an array; T must be what the file holds.
   template <class T>
   std::vector<T> numbers(const std::string& name) const;
-  /// The same where there must be `count` of them.
+  /// The same, where there must be `count` of them.
   template <class T>
   std::vector<T> numbers(const std::string& name, std::size_t count) const;
 

@@ -10,7 +10,7 @@
 namespace berm::io {
 namespace {
 
-/// The whole of a text as a number.
+/// A text that is a number as a whole.
 template <class T>
 std::optional<T> number_in(const std::string& text)
 {

@@ -19,16 +19,16 @@ public:
 
   /// The value of an attribute; "" where there is none.
   std::string operator[](const std::string& attribute) const;
-  /// The value as a whole number that is not negative; none where it is none.
+  /// The value as a whole number that is not negative; empty where it is not.
   std::optional<std::uint64_t> whole_number(const std::string& attribute) const;
-  /// The value as a finite number; none where it is none.
+  /// The value as a finite number; empty where it is not.
   std::optional<double> number(const std::string& attribute) const;
 
 private:
   std::string_view text_;
 };
 
-/// The tags of that name in a text, in their order; they look into the text.
+/// The tags of that name in a text, in order; they refer to the text.
 std::vector<XmlTag> xml_tags(std::string_view text, const std::string& name);
 
 }  // namespace berm::io

@@ -30,7 +30,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Real time_of_fast = 5;  // s, where nothing better is known
+constexpr Real time_of_fast = 5;  // s, where no earlier run tells it
 
 fs::path messages_of(const Job& job)
 {
@@ -44,7 +44,8 @@ std::vector<std::string> words_of(const Job& job)
   return words;
 }
 
-/// Starts the job and gives its process. The process gets signals from here alone, and is asked to stop when this one is gone.
+/// Starts the job and returns its process, which gets signals from this program alone and is asked to stop when this program
+/// ends.
 pid_t start(const Job& job)
 {
   std::vector<std::string> words = words_of(job);
@@ -93,10 +94,10 @@ JobEnd end_of(const Job& job, int status, bool stopped)
   if (WIFSIGNALED(status))
     return {JobEnd::Kind::failed, fmt::format("ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)))};
   const std::string last = last_message(messages);
-  return {JobEnd::Kind::failed, last.empty() ? fmt::format("ended with status {} and without a word", WEXITSTATUS(status)) : last};
+  return {JobEnd::Kind::failed, last.empty() ? fmt::format("ended with status {} without a message", WEXITSTATUS(status)) : last};
 }
 
-/// Empty where it is damaged, too: the case is run again.
+/// Empty where it is damaged, too: the case is then run again.
 std::optional<run_folder::RunSummary> summary_if_whole(const fs::path& folder)
 {
   try {
@@ -106,7 +107,7 @@ std::optional<run_folder::RunSummary> summary_if_whole(const fs::path& folder)
   }
 }
 
-/// The file that the method was loaded from: finite elements are part of the program.
+/// The file that the method was loaded from: the finite element method is part of the program.
 fs::path engine_file(problem::Method method)
 {
   if (method == problem::Method::fem) return "/proc/self/exe";
@@ -147,7 +148,7 @@ void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<voi
       running[start(jobs[job])] = job;
     }
     if (running.empty()) break;
-    // A signal does not end a wait, so that nobody waits for long.
+    // A signal does not end a wait, so each wait is short.
     std::vector<std::pair<std::size_t, int>> gone;
     for (const auto& [process, job] : running)
       if (int status = 0; ::waitpid(process, &status, WNOHANG) == process) gone.emplace_back(job, status);

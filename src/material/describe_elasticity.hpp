@@ -5,13 +5,13 @@
 
 namespace berm::material {
 
-/// Declares what all laws with isotropic linear elasticity have: densities, Young's modulus, Poisson's ratio.
+/// Declares the parameters of every law with isotropic linear elasticity: densities, Young's modulus, Poisson's ratio.
 template <class Law>
 void describe_elasticity(Describe& d, Law& law)
 {
-  d.value("density", law.density, {.meaning = "mass of a unit of volume", .unit = "kg/m^3", .range = positive, .required = true});
+  d.value("density", law.density, {.meaning = "mass per volume", .unit = "kg/m^3", .range = positive, .required = true});
   d.value("inertia_density", law.inertia_density,
-          {.meaning = "density that resists acceleration, where it is not `density`, which gives the weight: of submerged soil the "
+          {.meaning = "density that gives the inertia, where it is not `density`, which gives the weight: of submerged soil the "
                       "saturated one and the added mass of the water",
            .unit = "kg/m^3",
            .range = positive});

@@ -5,12 +5,12 @@
 
 namespace berm::material {
 
-/// What happens to soil in a step, as its law is told. Shear strains are tensor components.
+/// Strain increment of a time step, as the constitutive law receives it. Shear strains are tensor components.
 template <int dim, class T>
 struct Increment {
   SymTensor<dim, T> strain;
-  Real dt = 0;    ///< s, that it takes; 0: in no time of the soil's, so that nothing is said of its rate
-  Real time = 0;  ///< s, at its beginning
+  Real dt = 0;    ///< s, duration; 0: none, so that no strain rate is defined
+  Real time = 0;  ///< s, at the beginning
 };
 
 }  // namespace berm::material

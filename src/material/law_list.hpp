@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "material/law_answers.hpp"
+#include "material/law_queries.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -10,20 +10,21 @@
 
 namespace berm::material {
 
-/// A law with its constants worked out.
+/// A law with precomputed constants.
 template <Law L>
 using PreparedLaw = decltype(prepare(std::declval<const L&>()));
 
-/// A closed list of laws, and what follows from it.
+/// A closed list of laws, and the types that follow from it.
 template <Law... Ls>
 struct LawList {
-  static_assert(((Ls::state_size == PreparedLaw<Ls>::state_size) && ...), "a law and its prepared form keep the same numbers");
+  static_assert(((Ls::state_size == PreparedLaw<Ls>::state_size) && ...),
+                "a law and its prepared form must have the same number of state variables");
 
-  using Material = std::variant<Ls...>;               ///< one of them, as the user gives it
-  using Prepared = std::variant<PreparedLaw<Ls>...>;  ///< one of them, for the inner loop
+  using Material = std::variant<Ls...>;               ///< one of them, with its parameters
+  using Prepared = std::variant<PreparedLaw<Ls>...>;  ///< one of them, with precomputed constants
   static constexpr int max_state = std::max({Ls::state_size...});
 
-  /// Of the input, in the order of the list.
+  /// Words of the input, in the order of the list.
   static std::vector<const char*> words() { return {Ls::word...}; }
 };
 

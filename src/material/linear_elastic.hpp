@@ -3,24 +3,24 @@
 
 #include "material/elasticity.hpp"
 #include "material/increment.hpp"
-#include "material/law_answers.hpp"
+#include "material/law_queries.hpp"
 
 namespace berm::material {
 
-/// Isotropic linear elasticity, as the user gives it.
+/// Isotropic linear elasticity: parameters.
 struct LinearElastic {
   static constexpr const char* word = "linear_elastic";
   static constexpr int state_size = 0;
 
-  Real density = 0;                     ///< kg/m3, of the weight
-  std::optional<Real> inertia_density;  ///< kg/m3; empty: density
+  Real density = 0;                     ///< kg/m3, gives the weight
+  std::optional<Real> inertia_density;  ///< kg/m3, gives the inertia; empty: density
   Real young_modulus = 0;               ///< Pa
   Real poisson_ratio = 0;
 };
 
 void describe(Describe& d, LinearElastic& law);
 
-/// The law with its constants worked out, for the inner loop.
+/// Precomputed constants.
 struct PreparedLinearElastic {
   static constexpr int state_size = 0;
 
@@ -42,7 +42,7 @@ inline PreparedLinearElastic prepare(const LinearElastic& law)
   return {elasticity(law)};
 }
 
-/// Adds to `stress` (Pa, tension positive) what the strain makes of it. There is no state; the last argument is not read.
+/// Adds the elastic stress increment to `stress` (Pa, tension positive). No state; the last argument is ignored.
 template <int dim, class T>
 [[gnu::always_inline]] inline void update(const PreparedLinearElastic& law, SymTensor<dim, T>& stress, const Increment<dim, T>& increment,
                                           T* /*state*/)

@@ -5,14 +5,13 @@ namespace berm::material {
 
 void describe(Describe& d, Material& material)
 {
-  d.one_of("law", material, Laws::words(), {.meaning = "how stress follows strain", .required = true});
+  d.one_of("law", material, Laws::words(), {.meaning = "constitutive law", .required = true});
 }
 
 void check(Describe& d, const std::string& path, const Material& material)
 {
   std::visit([&](const auto& law) { check(d, path, law); }, material);
-  d.check(inertia_density(material) >= density(material), path + ".inertia_density",
-          "cannot be less than density, which the weight comes from");
+  d.check(inertia_density(material) >= density(material), path + ".inertia_density", "cannot be less than density, which gives the weight");
 }
 
 PreparedMaterial prepare(const Material& material)

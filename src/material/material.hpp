@@ -12,8 +12,8 @@ namespace berm::material {
 ///
 ///   update(prepared, stress, increment, state)
 ///
-/// for T = Real, T = Lanes and, in plane strain, T = Dual; and it answers those questions of law_answers.hpp whose ready answer is not its own. Choose once
-/// per body with std::visit, outside the loop over particles.
+/// for T = Real, T = Lanes and, in plane strain, T = Dual; it overrides the queries of law_queries.hpp whose default does
+/// not apply. Choose once per body with std::visit, outside the loop over particles.
 using Laws = LawList<LinearElastic, MohrCoulomb, RateDependentTresca>;
 
 using Material = Laws::Material;
@@ -21,29 +21,30 @@ using PreparedMaterial = Laws::Prepared;
 
 void describe(Describe& d, Material& material);
 
-/// What no range of a single key can say, for the table at `path` ("material.sand"): what the law says, and that density is not larger than inertia_density.
+/// Checks beyond the range of a single key, for the table at `path` ("material.sand"): those of the law, and density <=
+/// inertia_density.
 void check(Describe& d, const std::string& path, const Material& material);
 
-/// The law with its constants worked out.
+/// The law with precomputed constants.
 PreparedMaterial prepare(const Material& material);
 
-/// Of the weight, kg/m3.
+/// Density that gives the weight, kg/m3.
 Real density(const Material& material);
 
-/// Of the mass that resists acceleration, kg/m3.
+/// Density that gives the inertia, kg/m3.
 Real inertia_density(const Material& material);
 
-/// Of the law's elastic part.
+/// Elastic moduli.
 Elasticity elasticity(const Material& material);
 YoungPoisson young_poisson(const Material& material);
 
-/// The modulus that gives the speed of pressure waves sqrt(M / inertia density), Pa.
+/// P-wave modulus M, Pa; sqrt(M / inertia density) is the speed of pressure waves.
 Real p_wave_modulus(const Material& material);
 
-/// How many numbers of its own a particle of this material keeps.
+/// Number of state variables per particle.
 int state_size(const Material& material);
 
-// The questions of law_answers.hpp.
+// The queries of law_queries.hpp.
 std::string law_name(const Material& material);
 std::vector<FieldInfo> state_fields(const Material& material);
 bool yields(const Material& material);

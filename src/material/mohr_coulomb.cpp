@@ -15,7 +15,7 @@ void describe(Describe& d, MohrCoulomb& law)
   d.value("cohesion", law.cohesion,
           {.meaning = "cohesion; the undrained strength where friction_angle is 0", .unit = "Pa", .range = not_negative});
   d.value("cohesion_gradient", law.cohesion_gradient,
-          {.meaning = "growth of the cohesion with depth below the bed's surface; finite elements only",
+          {.meaning = "increase of the cohesion with depth below the bed's surface; finite elements only",
            .unit = "Pa/m",
            .range = not_negative});
   d.value("friction_angle", law.friction_angle,
@@ -23,7 +23,7 @@ void describe(Describe& d, MohrCoulomb& law)
   d.value("dilation_angle", law.dilation_angle,
           {.meaning = "angle of dilation, not larger than friction_angle", .unit = "rad", .range = {0, steepest}});
   d.value("tension_cutoff", law.tension_cutoff,
-          {.meaning = "largest tension; left out, the apex of the cone", .unit = "Pa", .range = not_negative});
+          {.meaning = "tension cut-off; left out, the apex of the cone", .unit = "Pa", .range = not_negative});
   d.value("max_opening", law.max_opening,
           {.meaning = "cap on the tensile volumetric strain that is stored and must close before the soil carries compression again; 0: "
                       "none is stored; absent: "

@@ -2,40 +2,35 @@
 #pragma once
 
 #include "material/increment.hpp"
-#include "material/law_answers.hpp"
+#include "material/law_queries.hpp"
 #include "material/mohr_coulomb_return.hpp"
 
 namespace berm::material {
 
-/// Linear elasticity with the Mohr-Coulomb strength, as the user gives it. Angles in radians, stresses in Pa, tension positive:
+/// Linear elasticity with Mohr-Coulomb strength, perfectly plastic. Angles in radians, stresses in Pa, tension positive:
 ///
 ///   f = (s1 - s3)/2 + (s1 + s3)/2 sin(friction_angle) - cohesion cos(friction_angle) <= 0,   s1 <= tension_cutoff,   s1 >= s2 >= s3.
 ///
-/// Perfectly plastic; flow on the planes of f follows the same planes with the dilation angle, flow on the tension planes is associated.
-/// friction_angle = 0 is Tresca with the undrained strength su = cohesion. Cones: de Souza Neto, Peric and Owen, Computational Methods for
-/// Plasticity (2008), section 8.2.
+/// The flow on the planes of f has the dilation angle; that on the tension planes is associated. friction_angle = 0 is
+/// Tresca with s_u = cohesion. Source: de Souza Neto, Peric and Owen, Computational Methods for Plasticity (2008), section
+/// 8.2.
 ///
-/// Soil that cannot carry tension comes apart. A particle keeps one number for it, the `opening` >= 0: the volumetric strain by which it has come
-/// apart. Where the returned stress is the apex (three equal principal stresses), the volumetric plastic strain (p_trial - p_apex) / K of the
-/// increment is added to the opening. While the opening lasts, the stress is the apex, volumetric strain changes the opening only and shear does
-/// nothing. An increment that closes it is split at that moment, and its rest acts on closed soil. So soil that fell apart and comes together again
-/// carries load when it is closed and not before. The work p_apex x opening is given back on closing: no cycle of opening and closing makes
-/// energy, and for c = 0 no work is done at all. The opening is bounded by max_opening, beyond which expansion is forgotten; 0 is plain
-/// Mohr-Coulomb.
+/// State: the `opening` >= 0, the volumetric strain by which the soil has come apart and which must close before it carries
+/// load again (docs/theory.md, section 7).
 struct MohrCoulomb {
   static constexpr const char* word = "mohr_coulomb";
   static constexpr int state_size = 1;
 
-  Real density = 0;                     ///< kg/m3, of the weight
-  std::optional<Real> inertia_density;  ///< kg/m3; empty: density
+  Real density = 0;                     ///< kg/m3, gives the weight
+  std::optional<Real> inertia_density;  ///< kg/m3, gives the inertia; empty: density
   Real young_modulus = 0;               ///< Pa
   Real poisson_ratio = 0;
   Real cohesion = 0;                   ///< Pa
-  Real cohesion_gradient = 0;          ///< Pa/m, growth of the cohesion with the depth below the bed's surface at the start
+  Real cohesion_gradient = 0;          ///< Pa/m, increase with depth below the bed's surface at the start
   Real friction_angle = 0;             ///< rad
   Real dilation_angle = 0;             ///< rad
-  std::optional<Real> tension_cutoff;  ///< Pa; absent, or above the apex c cot(phi): the cone alone
-  std::optional<Real> max_opening;     ///< empty: 0.2 where the soil dilates, else 0
+  std::optional<Real> tension_cutoff;  ///< Pa; empty or above the apex c cot(phi): the cone alone
+  std::optional<Real> max_opening;     ///< upper bound of the opening; empty: 0.2 where the soil dilates, else 0
 };
 
 void describe(Describe& d, MohrCoulomb& law);
@@ -55,7 +50,7 @@ inline std::string law_name(const MohrCoulomb& law)
 
 PreparedMohrCoulomb prepare(const MohrCoulomb& law);
 
-/// Soil that cannot come apart keeps an opening of zero, which no frame needs.
+/// Soil that cannot open keeps an opening of zero, which frames leave out.
 inline std::vector<FieldInfo> state_fields(const MohrCoulomb& law)
 {
   const unsigned travel = prepare(law).max_opening > 0 ? everywhere : everywhere & ~to_frame;
@@ -81,24 +76,25 @@ inline std::string depth_key(const MohrCoulomb& law)
   return law.cohesion_gradient > 0 ? "cohesion_gradient" : "";
 }
 
-/// With a dilation angle of zero; it remembers the opening as before.
+/// With a dilation angle of zero; the opening stays as it is.
 MohrCoulomb without_dilation(MohrCoulomb law);
 
-/// How far a stress lies outside the surface, Pa: max(f, s1 - tension_cutoff), at most 0 inside.
+/// Distance of a stress from the yield surface, Pa: max(f, s1 - tension_cutoff), positive outside.
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<2>& stress);
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<3>& stress);
 
-/// The law at a depth (m) below the bed's surface: its cohesion has grown.
+/// The law at a depth (m) below the bed's surface, with the cohesion there.
 MohrCoulomb at_depth(MohrCoulomb law, Real depth);
 
-/// The law whose flow is associated and which for one increment stands for this one, from a stress on (Krabbenhoft, Karim, Lyamin and Sloan, Int. J.
-/// Numer. Meth. Engng 90, 2012): its friction angle is the dilation angle, and its cohesion such that the shear strength at the present mean of the
-/// extreme principal stresses, (s1 + s3)/2, is the same; the largest tension is the same. A steady flow of the one is a steady flow of the other. The
-/// law itself where its flow is associated.
+/// The associated law that replaces this one in an increment from a stress on (Krabbenhoft, Karim, Lyamin and Sloan, Int. J.
+/// Numer. Meth. Engng 90, 2012): its friction angle is the dilation angle, its cohesion gives the same shear strength at the
+/// present (s1 + s3)/2, and the tension cut-off is the same. Their steady flows coincide. The law itself where its flow is
+/// associated.
 MohrCoulomb associated(const MohrCoulomb& law, const SymTensor<2>& stress);
 
-/// Advances `stress` (Pa, tension positive) by an increment, whatever its time: elastic predictor, then the exact implicit return to the surface. state[0] is the
-/// opening. Lanes without a particle may hold any numbers. T should fit a register of the machine: Real or LanePart.
+/// Advances `stress` (Pa, tension positive) by an increment of any duration: elastic predictor, then the exact implicit
+/// return to the yield surface. state[0] is the opening. Lanes without a particle may hold any numbers. T should fit a
+/// register: Real or LanePart.
 template <int dim, class T>
 [[gnu::always_inline]] inline void update(const PreparedMohrCoulomb& law, SymTensor<dim, T>& stress, const Increment<dim, T>& increment,
                                           T* state)

@@ -6,25 +6,26 @@
 
 namespace berm::material {
 
-/// The constants of a MohrCoulomb law, worked out once. With m = ((1 + sin psi)/2, 0, -(1 - sin psi)/2) the direction of flow on the face of
-/// f = weight_1 s1 - weight_3 s3 - strength, an amount g of flow lowers the principal stresses by g (drop_1, drop_2, drop_3) = g C m.
+/// Precomputed constants of MohrCoulomb. With m = ((1 + sin psi)/2, 0, -(1 - sin psi)/2) the flow direction on the face f =
+/// weight_1 s1 - weight_3 s3 - strength, a plastic multiplier g lowers the principal stresses by g (drop_1, drop_2, drop_3)
+/// = g C m.
 struct PreparedMohrCoulomb {
   static constexpr int state_size = 1;
 
   Elasticity elastic;
   Real weight_1 = 0, weight_3 = 0;  ///< (1 + sin phi)/2, (1 - sin phi)/2
   Real strength = 0;                ///< c cos phi, Pa
-  Real tension = infinity;          ///< of the cut-off, Pa; infinity where the cone ends below it
+  Real tension = infinity;          ///< cut-off, Pa; infinity where the cone ends below it
   Real cone_apex = infinity;        ///< c cot phi, Pa
-  Real apex = infinity;             ///< the largest possible mean stress, Pa
+  Real apex = infinity;             ///< maximum mean stress, Pa
   Real max_opening = 0;             ///< 0 also where there is no apex
 
   Real drop_1 = 0, drop_2 = 0, drop_3 = 0;       ///< C m, Pa
   Real drop_high = 0, drop_low = 0;              ///< means of drop_1 and drop_2, of drop_2 and drop_3
-  Real per_face = 0, per_high = 0, per_low = 0;  ///< amount of flow per Pa of f: on the face, on the edges s1 = s2 and s2 = s3
+  Real per_face = 0, per_high = 0, per_low = 0;  ///< plastic multiplier per Pa of f: on the face, on the edges s1 = s2 and s2 = s3
   Real cut_3 = 0;                                ///< s3 where the face meets the cut-off s1 = tension, Pa
-  Real pull_one = 0, pull_two = 0;               ///< fall of the other principal stresses per Pa of the one or two that are cut
-  Real line_1 = 0, line_3 = 0;                   ///< fall of s2 per Pa of s1 and of s3 on the line where face and cut-off meet
+  Real pull_one = 0, pull_two = 0;               ///< reduction of the other principal stresses per Pa of the one or two that are cut
+  Real line_1 = 0, line_3 = 0;                   ///< reduction of s2 per Pa of s1 and of s3 on the line where face and cut-off meet
   Real inner_cone = 1;                           ///< sqrt(1 + sin2 phi / 3): f <= inner_cone sqrt(J2) + p sin phi - strength
 };
 
@@ -34,10 +35,10 @@ struct Principal {
   T s1, s2, s3;
 };
 
-/// Returns principal trial stresses to the surface and gives the volumetric plastic strain of returns that end at the apex, 0 elsewhere.
-/// Stresses on or inside the surface stay as they are. Without branches over the lanes: face, the two edges and the apex of the cone; then, where
-/// a tension above the cut-off remains, the cut-off's planes and their meeting with the cone. `strength`, Pa, takes the place of law.strength; it may differ
-/// from lane to lane where the law has no apex and no cut-off.
+/// Returns principal trial stresses to the yield surface and gives the volumetric plastic strain of returns to the apex, 0
+/// elsewhere. Stresses on or inside the surface are unchanged. Without branches over the lanes: face, two edges and apex of
+/// the cone; then, where the tension exceeds the cut-off, its planes and their intersection with the cone. `strength`, Pa,
+/// replaces law.strength; it may differ between lanes where the law has neither apex nor cut-off.
 template <class T, class S>
 [[gnu::always_inline]] inline T return_principal(const PreparedMohrCoulomb& law, const S& strength, Principal<T>& s)
 {
@@ -96,7 +97,8 @@ template <class T, class S>
   return T{};
 }
 
-/// Returns a trial stress of plane strain to the surface; what opens at the apex is added to the opening.
+/// Returns a trial stress of plane strain to the yield surface; the volumetric plastic strain at the apex is added to the
+/// opening.
 template <class T, class S>
 [[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, const S& strength, SymTensor<2, T>& stress, T& opening)
 {
@@ -124,7 +126,8 @@ template <class T, class S>
   opening = smaller(opening + (outside ? opened : T{}), law.max_opening - T{});
 }
 
-/// Returns trial stresses in space that lie outside the surface, through their principal axes. A function of its own: rarely needed, and long.
+/// Returns trial stresses in space that lie outside the yield surface, through their principal axes. A separate function,
+/// because it is long and rarely needed.
 template <class T, class S>
 [[gnu::noinline]] void return_by_axes(const PreparedMohrCoulomb& law, const S& strength, SymTensor<3, T>& stress, T& opening)
 {
@@ -139,7 +142,8 @@ template <class T, class S>
   for (int k = 0; k < 6; ++k) stress[k] = outside ? returned[k] : stress[k];
 }
 
-/// Returns a trial stress in space to the surface. The check takes the cone inside the pyramid that touches its faces, and needs no principal stress.
+/// Returns a trial stress in space to the yield surface. The check uses the cone inscribed in the pyramid, which needs no
+/// principal stresses.
 template <class T, class S>
 [[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, const S& strength, SymTensor<3, T>& stress, T& opening)
 {

@@ -8,28 +8,29 @@
 
 namespace berm::material {
 
-/// Principal values in descending order; direction[k] is the unit vector of value[k]. T is Real for one tensor, or a vector of numbers for several.
+/// Principal values in descending order; direction[k] is the unit eigenvector of value[k]. T is Real for one tensor, or a
+/// vector of numbers for several.
 template <class T>
 struct PrincipalAxes {
   T value[3];
   T direction[3][3];
 };
 
-/// A symmetric tensor on its way to its principal axes: axes[k] belongs to a[k][k].
+/// A symmetric tensor during diagonalization; axes[k] belongs to a[k][k].
 template <class T>
 struct TurningTensor {
   T a[3][3], axes[3][3];
 
-  /// Turns axes i and j so that a[i][j] vanishes, by the smaller of the two angles that do it.
+  /// Rotates axes i and j so that a[i][j] vanishes, by the smaller of the two possible angles.
   template <int i, int j>
   [[gnu::always_inline]] void turn()
   {
     constexpr int k = 3 - i - j;
     const T one = T{} + 1.;
-    const auto turns = a[i][j] != T{};
-    const T ratio = (a[j][j] - a[i][i]) / (2. * (turns ? a[i][j] : one));
+    const auto rotates = a[i][j] != T{};
+    const T ratio = (a[j][j] - a[i][i]) / (2. * (rotates ? a[i][j] : one));
     const T size = one / (magnitude(ratio) + square_root(ratio * ratio + one));
-    const T tangent = turns ? (ratio < T{} ? -size : size) : T{};
+    const T tangent = rotates ? (ratio < T{} ? -size : size) : T{};
     const T c = one / square_root(tangent * tangent + one), s = tangent * c;
     const T a_ki = a[k][i], a_kj = a[k][j], change = tangent * a[i][j];
     a[k][i] = a[i][k] = c * a_ki - s * a_kj;
@@ -44,7 +45,7 @@ struct TurningTensor {
     }
   }
 
-  /// Puts the larger of the values i and j into place i.
+  /// Moves the larger of the values i and j to position i.
   template <int i, int j>
   [[gnu::always_inline]] void order()
   {
@@ -59,14 +60,15 @@ struct TurningTensor {
   }
 };
 
-/// By Jacobi's rotations (Golub and Van Loan, Matrix Computations, section 8.5): as exact for equal values as for distinct ones, and no memory taken.
+/// By Jacobi rotations (Golub and Van Loan, Matrix Computations, section 8.5): accurate for equal values, too; allocates
+/// nothing.
 template <class T>
 [[gnu::always_inline]] inline PrincipalAxes<T> principal_axes(const SymTensor<3, T>& tensor)
 {
   TurningTensor<T> t;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
-      t.a[i][j] = tensor[tensor_place(i, j)];
+      t.a[i][j] = tensor[tensor_index(i, j)];
       t.axes[i][j] = T{} + (i == j ? 1. : 0.);
     }
   // Convergence is quadratic: rarely more than five sweeps.
@@ -95,7 +97,7 @@ template <class T>
   SymTensor<3, T> a;
   for (int k = 0; k < 3; ++k)
     for (int i = 0; i < 3; ++i)
-      for (int j = i; j < 3; ++j) a[tensor_place(i, j)] += value[k] * direction[k][i] * direction[k][j];
+      for (int j = i; j < 3; ++j) a[tensor_index(i, j)] += value[k] * direction[k][i] * direction[k][j];
   return a;
 }
 

@@ -14,28 +14,26 @@ void describe(Describe& d, RateDependentTresca& law)
   d.value("undrained_strength", law.undrained_strength,
           {.meaning = "undrained shear strength up to the reference rate", .unit = "Pa", .range = not_negative, .required = true});
   d.value("undrained_strength_gradient", law.undrained_strength_gradient,
-          {.meaning = "growth of the undrained strength with depth below the bed's surface; finite elements only",
+          {.meaning = "increase of the undrained strength with depth below the bed's surface; finite elements only",
            .unit = "Pa/m",
            .range = not_negative});
   d.value("rate_parameter", law.rate_parameter,
-          {.meaning = "part of itself by which the strength grows for each tenfold rate of shearing beyond the reference rate",
+          {.meaning = "relative increase of the strength for each tenfold shear strain rate above the reference rate",
            .range = not_negative,
            .required = true});
-  d.value("reference_rate", law.reference_rate,
-          {.meaning = "rate of shear strain up to which the strength is undrained_strength",
-           .unit = "1/s",
-           .range = positive,
-           .required = true});
+  d.value(
+      "reference_rate", law.reference_rate,
+      {.meaning = "shear strain rate up to which the strength is undrained_strength", .unit = "1/s", .range = positive, .required = true});
 }
 
 std::string law_name(const RateDependentTresca&)
 {
-  return "Tresca, strength growing with rate";
+  return "rate-dependent Tresca";
 }
 
 std::vector<FieldInfo> state_fields(const RateDependentTresca&)
 {
-  return {{"rate_strength", "strength that the rate of shearing adds", "Pa"}};
+  return {{"rate_strength", "strength added by the strain rate", "Pa"}};
 }
 
 std::optional<Strength> strength_at_rest(const RateDependentTresca& law)

@@ -2,31 +2,31 @@
 #pragma once
 
 #include "material/increment.hpp"
-#include "material/law_answers.hpp"
+#include "material/law_queries.hpp"
 #include "material/mohr_coulomb_return.hpp"
 
 namespace berm::material {
 
-/// Undrained clay whose strength grows with the rate of shearing, as the user gives it: linear elasticity with Tresca's strength
+/// Undrained clay whose strength increases with strain rate: linear elasticity with Tresca strength, perfectly plastic,
 ///
 ///   (s1 - s3)/2 <= s_u,   s_u = undrained_strength (1 + rate_parameter log10(rate / reference_rate)),   rate = sqrt(2 e:e) / dt,
 ///
-/// e the deviator of the increment's strain; in pure shear sqrt(2 e:e) is the engineering shear strain. Below the reference rate, and where the increment
-/// takes no time, s_u = undrained_strength. The strength is that of the increment in hand, whatever went before. Perfectly plastic, without change of
-/// volume. Einav and Randolph, Int. J. Numer. Meth. Engng 63 (2005), have the same growth by a part for each tenfold rate.
+/// e the deviator of the strain increment; in pure shear sqrt(2 e:e) is the engineering shear strain. Below the reference
+/// rate, and for an increment without duration, s_u = undrained_strength. The strength depends on the current increment
+/// alone. Source of the rate law: Einav and Randolph, Int. J. Numer. Meth. Engng 63 (2005).
 ///
-/// A particle keeps the strength that the last increment's rate has added.
+/// State: the strength that the rate of the last increment added, Pa.
 struct RateDependentTresca {
   static constexpr const char* word = "rate_dependent_tresca";
   static constexpr int state_size = 1;
 
-  Real density = 0;                     ///< kg/m3, of the weight
-  std::optional<Real> inertia_density;  ///< kg/m3; empty: density
+  Real density = 0;                     ///< kg/m3, gives the weight
+  std::optional<Real> inertia_density;  ///< kg/m3, gives the inertia; empty: density
   Real young_modulus = 0;               ///< Pa
   Real poisson_ratio = 0;
   Real undrained_strength = 0;           ///< Pa, up to the reference rate
-  Real undrained_strength_gradient = 0;  ///< Pa/m, growth with the depth below the bed's surface at the start
-  Real rate_parameter = 0;               ///< part by which the strength grows for each tenfold rate
+  Real undrained_strength_gradient = 0;  ///< Pa/m, increase with depth below the bed's surface at the start
+  Real rate_parameter = 0;               ///< relative increase of the strength per tenfold rate
   Real reference_rate = 0;               ///< 1/s
 };
 
@@ -44,20 +44,20 @@ std::optional<Real> shear_strength(const RateDependentTresca& law, Real middle, 
 std::string depth_key(const RateDependentTresca& law);
 RateDependentTresca at_depth(RateDependentTresca law, Real depth);
 
-/// The constants, worked out once.
+/// Precomputed constants.
 struct PreparedRateDependentTresca {
   static constexpr int state_size = 1;
 
   Elasticity elastic;
   PreparedMohrCoulomb tresca;  ///< up to the reference rate
-  Real per_decade = 0;         ///< Pa, strength that each tenfold rate adds
+  Real per_decade = 0;         ///< Pa, strength increase per tenfold rate
   Real reference_rate = 0;     ///< 1/s
 };
 
 PreparedRateDependentTresca prepare(const RateDependentTresca& law);
 
-/// Advances `stress` (Pa, tension positive) by an increment: elastic predictor, then Mohr-Coulomb's return without friction, to the strength of the
-/// increment's rate. state[0] becomes the strength that the rate adds, Pa.
+/// Advances `stress` (Pa, tension positive) by an increment: elastic predictor, then the frictionless Mohr-Coulomb return to
+/// the strength at the increment's rate. state[0] becomes the strength that the rate adds, Pa.
 template <int dim, class T>
 [[gnu::always_inline]] inline void update(const PreparedRateDependentTresca& law, SymTensor<dim, T>& stress,
                                           const Increment<dim, T>& increment, T* state)

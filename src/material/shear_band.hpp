@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "material/law_answers.hpp"
+#include "material/law_queries.hpp"
 
 #include <cmath>
 
@@ -15,7 +15,7 @@ inline Real friction_angle_in_shear_bands(const Strength& strength)
   return std::atan(std::cos(psi) * phi / (1 - std::sin(psi) * phi));
 }
 
-/// The part of tan(phi) that shear bands take from the soil; 0 without friction.
+/// Relative reduction of tan(phi) in shear bands; 0 without friction.
 inline Real friction_lost_in_shear_bands(const Strength& strength)
 {
   return strength.friction_angle > 0 ? 1 - std::tan(friction_angle_in_shear_bands(strength)) / std::tan(strength.friction_angle) : 0;

@@ -8,14 +8,15 @@
 
 namespace berm::material {
 
-/// d(s_xx, s_yy, s_zz, s_xy) / d(e_xx, e_yy, gamma_xy) of plane strain, gamma_xy = 2 e_xy, Pa. Rows 0, 1 and 3 are what the B-matrix of finite
-/// elements meets.
+/// d(s_xx, s_yy, s_zz, s_xy) / d(e_xx, e_yy, gamma_xy) of plane strain, gamma_xy = 2 e_xy, Pa. Rows 0, 1 and 3 multiply the
+/// B-matrix of finite elements.
 using Tangent = Eigen::Matrix<Real, 4, 3, Eigen::DontAlign>;
 
-/// update, and the derivative of the new stress by the strain increment with the old stress and state held: the consistent tangent of the
-/// increment. The law's own code is differentiated, so that stress and tangent cannot disagree. On a kink of the law it is the derivative of the
-/// side that the law takes; at the apex and in open soil it is 0. Not symmetric where flow is not associated. Where the stress across the plane
-/// alone is cut off and those in the plane are equal to the last bit, the plane's deviator is given no stiffness; a hair beside, it has 2G.
+/// Updates the stress and gives the consistent tangent: the derivative of the new stress with respect to the strain
+/// increment at fixed old stress and state, by automatic differentiation of the law. At a corner of the yield surface it is
+/// that of the side which the return takes; at the apex and in open soil it is 0. Non-symmetric where flow is
+/// non-associated. Where only the out-of-plane stress is cut off and the in-plane principal stresses are bitwise equal, the
+/// in-plane deviatoric stiffness is 0 instead of 2G.
 template <class Prepared>
 inline void update_stress_and_tangent(const Prepared& law, SymTensor<2>& stress, const Increment<2, Real>& increment, Real* state,
                                       Tangent& tangent)

@@ -6,7 +6,7 @@
 
 namespace berm::mesh {
 
-/// How the squares of a structured mesh are cut into triangles: along one diagonal, or along both with a node in the centre.
+/// Split of the squares of a structured mesh into triangles: along one diagonal, or along both with a node in the centre.
 enum class BoxPattern { diagonal, criss_cross };
 
 /// A structured mesh of a box: one region "box"; boundaries "left" (x smallest), "right", "bottom" (y smallest), "top" and, in 3D, "back"
@@ -20,8 +20,9 @@ struct BoxMesh {
 
 void describe(Describe& d, BoxMesh& box);
 
-/// Cuts every square into 2 or 4 triangles (by pattern), or every cube into the 6 tetrahedra of Kuhn, one for each order in which a path from
-/// its lower to its upper corner can take the axes. Throws InputError where the entries do not fit dim or are not whole and positive.
+/// Splits every square into 2 or 4 triangles (by pattern), or every cube into Kuhn's 6 tetrahedra, one for each order in
+/// which a path from its lower to its upper corner can take the axes. Throws InputError where the entries do not match dim
+/// or are not whole and positive.
 template <int dim>
 Mesh<dim> make_box(const BoxMesh& box);
 

@@ -23,7 +23,7 @@ struct Group {
   std::string name;
 };
 
-// What the file says, section by section. Sections hand on what later ones need.
+// Contents of the file, section by section. Sections pass on what later ones need.
 template <int dim>
 class Reader {
 public:
@@ -151,7 +151,7 @@ private:
       lines_.fail(fmt::format("{} {} is in the groups \"{}\" and \"{}\"; a cell is in one region only", kinds[dimension], tag,
                               mesh_.region_names[groups[0]], mesh_.region_names[groups[1]]));
     if (!entity_groups_.emplace(std::pair{dimension, tag}, std::move(groups)).second)
-      lines_.fail(fmt::format("{} {} is there twice", kinds[dimension], tag));
+      lines_.fail(fmt::format("{} {} is defined twice", kinds[dimension], tag));
   }
 
   // The head of a block of nodes or elements: the groups of its entity.
@@ -181,7 +181,7 @@ private:
   void read_nodes()
   {
     once(has_nodes_, "$Nodes");
-    constexpr const char* expected_counts = "the numbers of blocks and nodes, the least and the largest node tag";
+    constexpr const char* expected_counts = "the numbers of blocks and nodes, the smallest and the largest node tag";
     lines_.need(expected_counts);
     const BigIndex blocks = lines_.count(expected_counts, 8), total = lines_.count(expected_counts, 8);
     if (total > std::numeric_limits<Index>::max() - 1) lines_.fail(fmt::format("{} nodes are more than can be numbered", total));
@@ -193,7 +193,7 @@ private:
         lines_.need("a node tag");
         const BigIndex tag = lines_.integer("a node tag", 1, any_node_tag);
         lines_.need_end("a node tag");
-        if (!node_index_.emplace(tag, first + static_cast<Index>(n)).second) lines_.fail(fmt::format("node {} is there twice", tag));
+        if (!node_index_.emplace(tag, first + static_cast<Index>(n)).second) lines_.fail(fmt::format("node {} is defined twice", tag));
       }
       for (BigIndex n = 0; n < block.count; ++n) {
         lines_.need("the coordinates x y z of a node");
@@ -213,7 +213,7 @@ private:
     if (!has_entities_) lines_.fail("there is no section $Entities before $Elements: without it no cell has a physical group");
     for (const auto& point : points_) mesh_.position.push_back(point.template head<dim>());
     mesh_.boundary_nodes.resize(mesh_.boundary_names.size());
-    constexpr const char* expected_counts = "the numbers of blocks and elements, the least and the largest element tag";
+    constexpr const char* expected_counts = "the numbers of blocks and elements, the smallest and the largest element tag";
     lines_.need(expected_counts);
     const BigIndex blocks = lines_.count(expected_counts, 8), total = lines_.count(expected_counts, 4);
     BigIndex read = 0;

@@ -31,7 +31,8 @@ std::string last_lines(const fs::path& file, std::size_t count)
   return text;
 }
 
-// Gmsh reads its user's options from the folder that GMSH_HOME names; one without any keeps meshes the same for everyone.
+// Gmsh reads its user's options from the folder that GMSH_HOME names; a folder without any makes meshes the same for
+// everyone.
 std::vector<std::string> environment_with_home(const fs::path& home)
 {
   std::vector<std::string> environment;
@@ -74,7 +75,7 @@ void run_gmsh(const fs::path& geo, const fs::path& msh, int dim)
 {
   const fs::path folder = fs::absolute(msh).parent_path();
   const fs::path log = fs::path(msh).replace_extension(".log");
-  // An old mesh or an output folder that is not there must not be taken for a result or for a missing program.
+  // An old mesh or a missing output folder must not be taken for a result or for a missing program.
   if (!fs::is_directory(folder)) throw RunError(fmt::format("gmsh: there is no folder {} for the mesh", folder.string()));
   if (!fs::is_regular_file(geo)) throw RunError(fmt::format("gmsh: there is no geometry {}", geo.string()));
   fs::remove(msh);

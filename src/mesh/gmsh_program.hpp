@@ -5,8 +5,9 @@
 
 namespace berm::mesh {
 
-/// Lets the gmsh program mesh the geometry `geo` into `msh` (format 4.1), in triangles (dim = 2) or tetrahedra; what it says goes to a .log
-/// beside `msh`. The user's own Gmsh options are not read. Throws RunError where gmsh is not installed or fails.
+/// Runs the gmsh program to mesh the geometry `geo` into `msh` (format 4.1), in triangles (dim = 2) or tetrahedra (dim = 3);
+/// its output goes to a .log beside `msh`. The user's own Gmsh options are ignored. Throws RunError where gmsh is not
+/// installed or fails.
 void run_gmsh(const std::filesystem::path& geo, const std::filesystem::path& msh, int dim);
 
 }  // namespace berm::mesh

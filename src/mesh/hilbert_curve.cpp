@@ -4,7 +4,7 @@
 namespace berm::mesh {
 
 template <int dim>
-std::uint64_t hilbert_place(std::array<std::uint32_t, dim> point)
+std::uint64_t hilbert_index(std::array<std::uint32_t, dim> point)
 {
   // Undo, from the largest cube to the smallest, the mirror (bit set) or the swap of axes (bit clear) of the curve inside each.
   for (int level = curve_bits - 1; level > 0; --level) {
@@ -25,13 +25,13 @@ std::uint64_t hilbert_place(std::array<std::uint32_t, dim> point)
   for (int level = curve_bits - 1; level > 0; --level)
     if (point[dim - 1] & (1u << level)) carry ^= (1u << level) - 1;
 
-  std::uint64_t place = 0;
+  std::uint64_t index = 0;
   for (int level = curve_bits - 1; level >= 0; --level)
-    for (int d = 0; d < dim; ++d) place = place << 1 | (((point[d] ^ carry) >> level) & 1u);
-  return place;
+    for (int d = 0; d < dim; ++d) index = index << 1 | (((point[d] ^ carry) >> level) & 1u);
+  return index;
 }
 
-template std::uint64_t hilbert_place<2>(std::array<std::uint32_t, 2>);
-template std::uint64_t hilbert_place<3>(std::array<std::uint32_t, 3>);
+template std::uint64_t hilbert_index<2>(std::array<std::uint32_t, 2>);
+template std::uint64_t hilbert_index<3>(std::array<std::uint32_t, 3>);
 
 }  // namespace berm::mesh

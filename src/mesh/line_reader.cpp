@@ -19,7 +19,7 @@ std::string_view trimmed(std::string_view text)
   return first == text.npos ? std::string_view() : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-// Without bytes that would spoil a terminal.
+// Without bytes that would corrupt a terminal.
 std::string plain(std::string text)
 {
   for (char& c : text)
@@ -28,7 +28,7 @@ std::string plain(std::string text)
 }
 
 // Enough of a line to recognize it.
-std::string shown(std::string_view text)
+std::string quoted(std::string_view text)
 {
   constexpr std::size_t max = 60;
   std::string result = plain(std::string(text.substr(0, max)));
@@ -88,7 +88,7 @@ BigIndex Lines::integer(const char* expected, BigIndex min, BigIndex max)
   BigIndex value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) fail_expected(expected);
-  if (error != std::errc() || value < min || value > max) fail(fmt::format("expected {}; {} is out of range", expected, shown(digits)));
+  if (error != std::errc() || value < min || value > max) fail(fmt::format("expected {}; {} is out of range", expected, quoted(digits)));
   return value;
 }
 
@@ -98,9 +98,9 @@ Real Lines::real(const char* expected)
   Real value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error == std::errc::invalid_argument || end != digits.data() + digits.size()) fail_expected(expected);
-  if (error == std::errc() && !std::isfinite(value)) fail(fmt::format("expected {}; {} is not finite", expected, shown(digits)));
+  if (error == std::errc() && !std::isfinite(value)) fail(fmt::format("expected {}; {} is not finite", expected, quoted(digits)));
   if (error != std::errc() && digits.find("e-") == digits.npos)
-    fail(fmt::format("expected {}; {} is out of range", expected, shown(digits)));
+    fail(fmt::format("expected {}; {} is out of range", expected, quoted(digits)));
   return value;
 }
 
@@ -108,13 +108,14 @@ BigIndex Lines::count(const char* expected, BigIndex bytes)
 {
   const BigIndex value = integer(expected, 0, std::numeric_limits<BigIndex>::max());
   const auto left = static_cast<BigIndex>(content_.size() - std::min(place_, content_.size()) + 1);
-  if (value > left / bytes) fail(fmt::format("expected {}; {} cannot be: the rest of the file is too short for so many", expected, value));
+  if (value > left / bytes)
+    fail(fmt::format("expected {}; {} is impossible: the rest of the file is too short for so many", expected, value));
   return value;
 }
 
 void Lines::need_end(const char* expected) const
 {
-  if (!rest_.empty()) fail(fmt::format("expected only {}, but {} follows", expected, shown(rest_)));
+  if (!rest_.empty()) fail(fmt::format("expected only {}, but {} follows", expected, quoted(rest_)));
 }
 
 void Lines::fail(const std::string& message) const
@@ -124,7 +125,7 @@ void Lines::fail(const std::string& message) const
 
 void Lines::fail_expected(const char* expected) const
 {
-  fail(fmt::format("expected {}, but the line is {}", expected, shown(line_)));
+  fail(fmt::format("expected {}, but the line is {}", expected, quoted(line_)));
 }
 
 }  // namespace berm::mesh

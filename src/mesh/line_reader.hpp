@@ -9,24 +9,25 @@
 
 namespace berm::mesh {
 
-/// The lines of a text file, read one after the other and word by word. Blank lines are passed over. Everything that is not as expected becomes
-/// an InputError that names file and line.
+/// Reads the lines of a text file, word by word. Blank lines are skipped. Anything unexpected is an InputError with file and
+/// line.
 class Lines {
 public:
-  /// Reads the whole file. Throws InputError where there is none.
+  /// Reads the whole file. Throws InputError where it does not exist.
   explicit Lines(const std::filesystem::path& path);
 
   /// Goes to the next line; false at the end of the file.
   bool next();
-  /// Goes to the next line; `expected` says in words what it should hold.
+  /// Goes to the next line; `expected` describes what it should hold.
   void need(const char* expected);
-  /// The line without blanks at its ends.
+  /// The line without leading and trailing blanks.
   std::string_view text() const { return line_; }
 
-  /// The next word of this line as a whole number from `least` to `most`, or as a finite number.
+  /// The next word of this line as a whole number from `min` to `max`, or as a finite number.
   BigIndex integer(const char* expected, BigIndex min, BigIndex max);
   Real real(const char* expected);
-  /// A number of things that need at least `bytes` of file each: more than could follow is refused before any memory is taken for them.
+  /// A count of items that take at least `bytes` of the file each: more than the rest of the file can hold are refused
+  /// before memory is allocated.
   BigIndex count(const char* expected, BigIndex bytes);
   bool at_end() const { return rest_.empty(); }
   void need_end(const char* expected) const;

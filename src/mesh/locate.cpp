@@ -6,8 +6,8 @@
 namespace berm::mesh {
 namespace {
 
-constexpr Real held = -1e-12;             // a point with no shape function below this is in the cell
-constexpr Real held_by_rounding = -1e-9;  // what rounding may make of a point on a face of a cell far from the origin
+constexpr Real inside_tolerance = -1e-12;     // a point with no shape function below this is in the cell
+constexpr Real inside_tolerance_far = -1e-9;  // tolerance for round-off at a face of a cell far from the origin
 
 template <int dim>
 Real smallest_shape(const Shape<dim>& shape, const Vec<dim>& x)
@@ -17,15 +17,15 @@ Real smallest_shape(const Shape<dim>& shape, const Vec<dim>& x)
   return smallest;
 }
 
-// The cell whose smallest shape function at x is largest, by looking at all.
+// The cell whose smallest shape function at x is largest, by a search of all cells.
 template <int dim>
 Location scan(const Mesh<dim>& mesh, const Vec<dim>& x, Index last)
 {
   Index best = none;
-  Real largest = held_by_rounding;
+  Real largest = inside_tolerance_far;
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     const Real smallest = smallest_shape(mesh.shape(c), x);
-    if (smallest >= held) return {c, true};
+    if (smallest >= inside_tolerance) return {c, true};
     if (smallest > largest) largest = smallest, best = c;
   }
   return best == none ? Location{last, false} : Location{best, true};
@@ -42,7 +42,7 @@ Location locate(const Mesh<dim>& mesh, const Vec<dim>& x, Index start)
   for (Index step = 0; step < mesh.cell_count(); ++step) {
     // The face to cross is the one with the most negative shape function among those that lead to another cell.
     const Shape<dim> shape = mesh.shape(cell);
-    Real smallest = held, max_negative = held;
+    Real smallest = inside_tolerance, max_negative = inside_tolerance;
     Index next = none;
     for (int k = 0; k <= dim; ++k) {
       const Real n = shape.value(k, x);
@@ -51,11 +51,11 @@ Location locate(const Mesh<dim>& mesh, const Vec<dim>& x, Index start)
       const Index beyond = mesh.neighbor(cell, k);
       if (beyond != none) max_negative = n, next = beyond;
     }
-    if (smallest >= held) return {cell, true};
-    // Outside a convex mesh is outside the box around it, or so near the boundary that rounding decides. Beyond a boundary face yet inside the box
-    // the mesh may go on behind a hole or a bay, where no walk leads.
+    if (smallest >= inside_tolerance) return {cell, true};
+    // Outside a convex mesh is outside its bounding box, or so near the boundary that round-off decides. Beyond a boundary
+    // face but inside the box the mesh may continue behind a hole or a re-entrant boundary, which no walk reaches.
     if (next == none) return in_box ? scan(mesh, x, cell) : Location{cell, false};
-    if (next == previous && smallest > held_by_rounding) return {cell, true};
+    if (next == previous && smallest > inside_tolerance_far) return {cell, true};
     previous = cell;
     cell = next;
   }

@@ -41,7 +41,7 @@ void check_numbers(const Mesh<dim>& mesh)
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     for (const Index i : mesh.nodes[c]) {
       if (!node_exists(i)) throw RunError(fmt::format("cell {} has node {}, but the mesh has {} nodes", c, i, mesh.node_count()));
-      if (!mesh.position[i].allFinite()) throw RunError(fmt::format("node {} of cell {} is nowhere: its position is not finite", i, c));
+      if (!mesh.position[i].allFinite()) throw RunError(fmt::format("node {} of cell {} has a position that is not finite", i, c));
     }
     if (mesh.region[c] < 0 || mesh.region[c] >= static_cast<Index>(mesh.region_names.size()))
       throw RunError(fmt::format("cell {} is in region {}, but the mesh has {} regions", c, mesh.region[c], mesh.region_names.size()));
@@ -97,7 +97,7 @@ void number_cells_along_curve(Mesh<dim>& mesh)
     const Vec<dim> centroid = mesh.centroid(c);
     std::array<std::uint32_t, dim> point;
     for (int d = 0; d < dim; ++d) point[d] = static_cast<std::uint32_t>(std::clamp((centroid[d] - lower[d]) * scale, 0., last));
-    order[c] = {hilbert_place<dim>(point), c};
+    order[c] = {hilbert_index<dim>(point), c};
   }
   std::sort(order.begin(), order.end());
 
@@ -105,12 +105,12 @@ void number_cells_along_curve(Mesh<dim>& mesh)
   auto region = CellField<Index>::zeros(mesh.cell_count());
   for (Index c = 0; c < mesh.cell_count(); ++c) {
     mesh.nodes[c] = nodes[order[c].second];
-    if (const Index here = mesh.region[order[c].second]; here != 0) region[c] = here;  // a mesh of one region has no memory for it
+    if (const Index here = mesh.region[order[c].second]; here != 0) region[c] = here;  // a mesh of one region needs no memory for it
   }
   mesh.region = std::move(region);
 }
 
-// By first use. Nodes of no cell are left out.
+// Numbers nodes by first use. Nodes of no cell are left out.
 template <int dim>
 void number_nodes(Mesh<dim>& mesh)
 {
@@ -155,10 +155,10 @@ void collect_entries(Mesh<dim>& mesh)
   for (const auto& corner : mesh.nodes)
     for (const Index i : corner) ++mesh.first_entry[i + 1];
   std::partial_sum(mesh.first_entry.begin(), mesh.first_entry.end(), mesh.first_entry.begin());
-  auto place = mesh.first_entry;
+  auto next = mesh.first_entry;
   mesh.entries.resize(static_cast<std::size_t>(mesh.cell_count()) * corners);
   for (Index c = 0; c < mesh.cell_count(); ++c)
-    for (int k = 0; k < corners; ++k) mesh.entries[place[mesh.nodes[c][k]]++] = corners * c + k;
+    for (int k = 0; k < corners; ++k) mesh.entries[next[mesh.nodes[c][k]]++] = corners * c + k;
 }
 
 /// Calls visit(other) for each other cell that has all nodes of the face of a cell opposite a corner: they are among those of one of its nodes.
@@ -189,7 +189,7 @@ void check_faces(const Mesh<dim>& mesh)
         overlap = overlap || shape.value(k, mesh.centroid(other)) > 0;
       });
       if (others > 1)
-        throw RunError(fmt::format("a face near {} belongs to {} cells; cells may share a face only two by two",
+        throw RunError(fmt::format("a face near {} belongs to {} cells; a face belongs to two cells at most",
                                    words<dim>(mesh.position[mesh.nodes[c][k == 0 ? 1 : 0]]), others + 1));
       if (overlap)
         throw RunError(

@@ -15,7 +15,8 @@ namespace berm::mesh {
 template <int dim>
 using Gradients = std::array<std::array<Real, dim>, dim>;
 
-/// The linear shape functions of one simplex: N_k(x) = gradients[k - 1] . (x - origin) of the corners k = 1 ... dim, and N_0 is what they leave of 1.
+/// The linear shape functions of one simplex: N_k(x) = gradients[k - 1] . (x - origin) of the corners k = 1 ... dim, and N_0
+/// = 1 - their sum.
 template <int dim>
 struct Shape {
   Vec<dim> origin;  ///< corner 0, m
@@ -35,7 +36,7 @@ struct Shape {
     for (int k = 1; k <= dim; ++k) g -= gradient(k);
     return g;
   }
-  /// 1 / the smallest height of the simplex, squared, 1/m2: its corners' heights are 1 / |grad N_k|.
+  /// Inverse square of the smallest height of the simplex, 1/m2: its heights are 1 / |grad N_k|.
   Real steepest_square() const
   {
     Real steepest = 0;
@@ -44,7 +45,7 @@ struct Shape {
   }
 };
 
-/// One place where a node is a corner of a cell: entry = (dim + 1) * cell + corner.
+/// A corner of a cell at a node: entry = (dim + 1) * cell + corner.
 using CornerEntry = Index;
 
 /// The background mesh: triangles (dim = 2) or tetrahedra (dim = 3), fixed during a run. Lengths in metres.
@@ -64,7 +65,7 @@ struct Mesh {
   // What follows is derived by complete().
   NodeField<Index> first_entry;                                 ///< entries of node i: first_entry[i] ... first_entry[i + 1] - 1
   std::vector<CornerEntry> entries;                             ///< of all nodes, ascending for each
-  Vec<dim> lower = Vec<dim>::Zero(), upper = Vec<dim>::Zero();  ///< the box around all nodes
+  Vec<dim> lower = Vec<dim>::Zero(), upper = Vec<dim>::Zero();  ///< bounding box of the nodes
 
   Index node_count() const { return position.size(); }
   Index cell_count() const { return nodes.size(); }
@@ -77,7 +78,7 @@ struct Mesh {
   /// Needs position, nodes, region and boundary_nodes. Throws RunError for a cell without volume or a face with three cells.
   void complete();
 
-  // What is asked of single cells is worked out from their nodes: kept for all cells, it would be half of a large mesh.
+  // Geometry of single cells is computed from their nodes: stored for all cells, it would be half of a large mesh.
   Vec<dim> centroid(Index cell) const;
   Shape<dim> shape(Index cell) const;
   Real volume(Index cell) const;  ///< m2 (per metre run) or m3
@@ -86,15 +87,16 @@ struct Mesh {
   Index neighbor(Index cell, int corner) const;
 };
 
-/// Where a walk through the mesh ended.
+/// Result of the search for a point.
 struct Location {
-  Index cell;   ///< the cell that holds x, or the last one before the boundary was crossed
+  Index cell;   ///< the cell that contains x, or the last one before the boundary was crossed
   bool inside;  ///< false: x lies outside the mesh, beyond a face of `cell` at the boundary
 };
 
-/// Walks from cell `start` to the cell that holds x: each step crosses the face with the most negative shape function that leads to a cell. A point is
-/// held where no shape function is below -1e-12. O(cells crossed); where a hole or a bay of the mesh ends the walk inside the box around the mesh,
-/// or the walk does not end, all cells are looked at. A position that is not finite is outside.
+/// Walks from cell `start` to the cell that contains x: each step crosses the face with the most negative shape function
+/// that leads to a cell. A cell contains x where no shape function is below -1e-12. O(cells crossed); where the walk stops
+/// at a hole or a re-entrant boundary inside the mesh's bounding box, or does not end, all cells are searched. A position
+/// that is not finite is outside.
 template <int dim>
 Location locate(const Mesh<dim>& mesh, const Vec<dim>& x, Index start);
 

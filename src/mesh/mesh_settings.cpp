@@ -24,14 +24,14 @@ Mesh<dim> make(const SeabedMesh& seabed, const fs::path&, const fs::path& work_f
 template <int dim>
 Mesh<dim> make(const GmshFile& mesh, const fs::path& case_folder, const fs::path& work_folder)
 {
-  const fs::path theirs = case_folder / mesh.file, ours = work_folder / "mesh.msh";
-  if (theirs.extension() == ".geo") {
-    if (!fs::is_regular_file(theirs)) throw InputError(fmt::format("mesh.file: there is no geometry {}", theirs.string()));
-    run_gmsh(theirs, ours, dim);
+  const fs::path user_file = case_folder / mesh.file, ours = work_folder / "mesh.msh";
+  if (user_file.extension() == ".geo") {
+    if (!fs::is_regular_file(user_file)) throw InputError(fmt::format("mesh.file: there is no geometry {}", user_file.string()));
+    run_gmsh(user_file, ours, dim);
     return read_msh<dim>(ours);
   }
-  Mesh<dim> read = read_msh<dim>(theirs);
-  if (!fs::exists(ours) || !fs::equivalent(theirs, ours)) fs::copy_file(theirs, ours, fs::copy_options::overwrite_existing);
+  Mesh<dim> read = read_msh<dim>(user_file);
+  if (!fs::exists(ours) || !fs::equivalent(user_file, ours)) fs::copy_file(user_file, ours, fs::copy_options::overwrite_existing);
   return read;
 }
 
@@ -57,7 +57,7 @@ Mesh<dim> make_mesh(const MeshSettings& settings, const fs::path& case_folder, c
     fs::create_directories(work_folder);
     return std::visit([&](const auto& kind) { return make<dim>(kind, case_folder, work_folder); }, settings);
   } catch (const fs::filesystem_error& error) {
-    throw RunError(fmt::format("the mesh cannot be kept in the run folder: {}", error.what()));
+    throw RunError(fmt::format("the mesh cannot be written to the run folder: {}", error.what()));
   }
 }
 

@@ -12,8 +12,9 @@ using MeshSettings = std::variant<SeabedMesh, GmshFile, BoxMesh>;
 
 void describe(Describe& d, MeshSettings& mesh);
 
-/// Makes or reads the mesh. A mesh from or for Gmsh is kept in `work_folder` as mesh.msh (with mesh.log where Gmsh made it, and mesh.geo where berm did). A relative
-/// path of the user's is one from `case_folder`. Throws InputError where the settings or the user's file are wrong, RunError where making fails.
+/// Makes or reads the mesh. A mesh from or for Gmsh is stored in `work_folder` as mesh.msh (with mesh.log where Gmsh made
+/// it, and mesh.geo where berm did). A relative path is relative to `case_folder`. Throws InputError where the settings or
+/// the user's file are wrong, RunError where making the mesh fails.
 template <int dim>
 Mesh<dim> make_mesh(const MeshSettings& settings, const std::filesystem::path& case_folder, const std::filesystem::path& work_folder);
 

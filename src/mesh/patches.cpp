@@ -11,8 +11,9 @@ namespace {
 
 using Groups = std::vector<std::vector<Index>>;
 
-/// True for the triangles around the crossing of two straight lines, where four of them meet: the volume change of the last follows from those of the
-/// others, so they do not lock (Nagtegaal, Parks and Rice 1974), and pairs of them would leave too few conditions.
+/// True for the triangles around the crossing of two straight lines, where four of them meet: the volume change of the last
+/// one follows from those of the others, so they do not lock (Nagtegaal, Parks and Rice 1974), and pairs of them would leave
+/// too few constraints.
 std::vector<bool> crossed_cells(const Mesh<2>& mesh)
 {
   std::vector<bool> crossed(mesh.cell_count(), false);
@@ -76,22 +77,23 @@ Groups joined(const Mesh<dim>& mesh, const Groups& groups)
   const Index count = static_cast<Index>(groups.size());
   const Neighbors neighbors(mesh, groups);
 
-  // Those with few free neighbours choose first, so that few are left alone. A group waits in several places; the one with its present number counts.
+  // Groups with few free neighbours are joined first, so that few stay single. A group is queued several times; only the
+  // entry with its present count is valid.
   std::vector<Index> free_neighbors(count), partner(count, none);
   std::vector<bool> free(count, true);
-  using Turn = std::pair<Index, Index>;  // free neighbours and group
-  std::priority_queue<Turn, std::vector<Turn>, std::greater<>> turns;
-  for (Index g = 0; g < count; ++g) turns.push({free_neighbors[g] = static_cast<Index>(neighbors.of(g).size()), g});
+  using QueueEntry = std::pair<Index, Index>;  // free neighbours and group
+  std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<>> queue;
+  for (Index g = 0; g < count; ++g) queue.push({free_neighbors[g] = static_cast<Index>(neighbors.of(g).size()), g});
   const auto settle = [&](Index g) {
     free[g] = false;
     for (Index other : neighbors.of(g))
-      if (free[other]) turns.push({--free_neighbors[other], other});
+      if (free[other]) queue.push({--free_neighbors[other], other});
   };
   std::vector<Index> alone;
-  while (!turns.empty()) {
-    const auto [waited_with, g] = turns.top();
-    turns.pop();
-    if (!free[g] || waited_with != free_neighbors[g]) continue;
+  while (!queue.empty()) {
+    const auto [queued_count, g] = queue.top();
+    queue.pop();
+    if (!free[g] || queued_count != free_neighbors[g]) continue;
     Index best = none;
     for (Index other : neighbors.of(g))
       if (free[other] && (best == none || free_neighbors[other] < free_neighbors[best])) best = other;
@@ -106,17 +108,17 @@ Groups joined(const Mesh<dim>& mesh, const Groups& groups)
   }
 
   Groups result;
-  std::vector<Index> place(count, none);
+  std::vector<Index> index(count, none);
   for (Index g = 0; g < count; ++g)
     if (partner[g] > g) {
-      place[g] = place[partner[g]] = static_cast<Index>(result.size());
+      index[g] = index[partner[g]] = static_cast<Index>(result.size());
       result.push_back(groups[g]);
       result.back().insert(result.back().end(), groups[partner[g]].begin(), groups[partner[g]].end());
     }
   for (Index g : alone) {
     Index smallest = none;
     for (Index other : neighbors.of(g))
-      if (place[other] != none && (smallest == none || result[place[other]].size() < result[smallest].size())) smallest = place[other];
+      if (index[other] != none && (smallest == none || result[index[other]].size() < result[smallest].size())) smallest = index[other];
     if (smallest == none || result[smallest].size() + groups[g].size() > max_patch_cells) {
       result.push_back(groups[g]);
     } else {

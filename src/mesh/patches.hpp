@@ -5,7 +5,8 @@
 
 namespace berm::mesh {
 
-/// Patches as rings: for each cell the next of its patch, ascending, and after the last the first. A cell alone is followed by itself.
+/// Patches as circular lists: for each cell the next of its patch, ascending, and after the last the first. A single cell is
+/// followed by itself.
 using Patches = CellField<Index>;
 constexpr int max_patch_cells = 16;
 
@@ -20,9 +21,9 @@ template <class Visit>
   } while (cell != first);
 }
 
-/// Groups the cells into patches that do not overlap: `rounds` times each group is joined with a neighbouring one of the same region, those with
-/// the fewest free neighbours first; a group that finds no free neighbour goes to the smallest neighbouring group. So patches have about 2^rounds
-/// cells. Triangles around a node where two straight lines cross stay alone: they do not lock.
+/// Groups the cells into disjoint patches of about 2^rounds cells: in each of the `rounds` every group is joined with a
+/// neighbour in the same region, those with the fewest free neighbours first; a group without a free neighbour joins the
+/// smallest neighbouring group. Triangles around a node where two straight lines cross stay single: they do not lock.
 template <int dim>
 Patches make_patches(const Mesh<dim>& mesh, int rounds);
 

@@ -12,23 +12,25 @@
 namespace berm::mesh {
 namespace {
 
-/// A stretch of one direction, and its distance from the fine zone.
-struct Stretch {
+/// An interval of one coordinate, and its distance from the fine zone.
+struct Interval {
   Real distance, length;
 };
 
-/// Cuts what lies beyond the fine zone, over `reach`, so finely that the size of the cells is nearly the same within a stretch.
-void add_stretches(std::vector<Stretch>& stretches, const SeabedMesh& bed, Real reach)
+/// Divides what lies beyond the fine zone, over `reach`, into intervals of nearly uniform cell size.
+void add_stretches(std::vector<Interval>& intervals, const SeabedMesh& bed, Real reach)
 {
   constexpr int count = 100;
   const Real grows = bed.growth * reach / bed.near_size;
-  const auto place = [&](Real part) {
+  const auto position = [&](Real part) {
     return grows > 1e-6 ? bed.near_size / bed.growth * std::expm1(part * std::log1p(grows)) : part * reach;
   };
-  for (int k = 0; k < count; ++k) stretches.push_back({place((k + 0.5) / count), place((k + 1.) / count) - place(Real(k) / count)});
+  for (int k = 0; k < count; ++k)
+    intervals.push_back({position((k + 0.5) / count), position((k + 1.) / count) - position(Real(k) / count)});
 }
 
-// The points and lines of every bed; lines run to the right or up. The fine zone above the surface is a surface of its own: so its cells come out better.
+// Points and lines of every bed; lines run to the right or up. The fine zone above the surface is a surface of its own,
+// which improves its cells.
 constexpr const char* lines_of_bed = R"(
 Point(1) = {near_left, 0, 0};
 Point(2) = {near_right, 0, 0};
@@ -154,8 +156,8 @@ SeabedLayout layout_of(const SeabedMesh& bed)
 void check(const SeabedMesh& bed)
 {
   const SeabedLayout at = layout_of(bed);
-  const auto fits = [](bool fine, const std::string& message) {
-    if (!fine) throw InputError("seabed mesh: " + message);
+  const auto fits = [](bool valid, const std::string& message) {
+    if (!valid) throw InputError("seabed mesh: " + message);
   };
   for (const auto& [key, value] :
        {std::pair{"length", bed.length}, {"depth", bed.depth}, {"headroom", bed.headroom}, {"near_size", bed.near_size}})
@@ -197,12 +199,12 @@ std::string size_formula(const SeabedMesh& bed)
 Real expected_cells(const SeabedMesh& bed)
 {
   const SeabedLayout at = layout_of(bed);
-  std::vector<Stretch> across = {{0, bed.near_right - bed.near_left}}, down = {{0, bed.near_depth + bed.near_height}};
+  std::vector<Interval> across = {{0, bed.near_right - bed.near_left}}, down = {{0, bed.near_depth + bed.near_height}};
   for (const Real reach : {bed.near_left - at.left, at.right - bed.near_right}) add_stretches(across, bed, reach);
   for (const Real reach : {bed.depth - bed.near_depth, bed.headroom - bed.near_height}) add_stretches(down, bed, reach);
   Real sum = 0;
-  for (const Stretch& x : across)
-    for (const Stretch& y : down) {
+  for (const Interval& x : across)
+    for (const Interval& y : down) {
       const Real size = std::min(at.far_size, bed.near_size + bed.growth * std::hypot(x.distance, y.distance));
       sum += x.length * y.length / (size * size);
     }

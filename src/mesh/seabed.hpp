@@ -34,18 +34,18 @@ struct SeabedMesh {
   Real near_height = 0;
   Real growth = 0.15;
   std::optional<Real> far_size;  ///< empty: not limited
-  Real layer = 0;                ///< thickness, and the largest size of a cell; 0: no layer
+  Real layer = 0;                ///< thickness of the layer along walls and base, and maximum size of a cell; 0: no layer
 };
 
 void describe(Describe& d, SeabedMesh& seabed);
 
-/// The bed with its defaults filled in: x of the walls, and the largest size of a cell, m.
+/// The bed with its defaults: x of the walls, and maximum size of a cell, m.
 struct SeabedLayout {
   Real left, right, far_size;
 };
 SeabedLayout layout_of(const SeabedMesh& seabed);
 
-/// Throws InputError where the lengths do not fit each other.
+/// Throws InputError where the lengths are inconsistent.
 void check(const SeabedMesh& seabed);
 
 /// The size of a cell, m, as a formula of x and y that Gmsh evaluates.
@@ -54,13 +54,14 @@ std::string size_formula(const SeabedMesh& seabed);
 /// Settings of Gmsh for well shaped triangles, the same at every run.
 extern const char* const gmsh_options;
 
-/// About how many cells the mesh will have: the integral of 1 / (area of an equilateral triangle of the size wanted there), and a
-/// tenth, by which Gmsh makes them smaller.
+/// Estimated number of cells: the integral of 1 / (area of an equilateral triangle of the local size), and a tenth, by which
+/// those of Gmsh are smaller.
 Real expected_cells(const SeabedMesh& seabed);
-/// More are refused.
+/// Meshes with more cells are refused.
 constexpr Real max_seabed_cells = 2e7;
 
-/// Writes the geometry for the gmsh program. Throws InputError where the lengths do not fit each other, RunError where it cannot write.
+/// Writes the geometry for the gmsh program. Throws InputError where the lengths are inconsistent, RunError where it cannot
+/// write.
 void write_geo(const SeabedMesh& seabed, const std::filesystem::path& path);
 
 }  // namespace berm::mesh

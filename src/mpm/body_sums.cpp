@@ -55,7 +55,7 @@ template <int dim>
 Real momentum_error(const problem::State<dim>& state)
 {
   Vec<dim> now = Vec<dim>::Zero();
-  Real moving = 0;  // what the bodies would have if all their particles went the same way
+  Real moving = 0;  // the momentum if all particles moved in one direction
   for (const bodies::Particles<dim>& particles : state.particles) {
     const BodySums<dim> sums = sums_over(particles);
     now += sums.momentum;

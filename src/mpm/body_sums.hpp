@@ -11,9 +11,9 @@ struct BodySums {
   Real mass = 0;                               ///< kg/m or kg
   Real kinetic = 0;                            ///< J/m or J
   Vec<dim> momentum = Vec<dim>::Zero();        ///< N s/m or N s
-  Vec<dim> moment = Vec<dim>::Zero();          ///< sum m x; over mass: the centre of mass
+  Vec<dim> moment = Vec<dim>::Zero();          ///< first moment of mass, sum m x; over mass: the centre of mass
   Vec<3> moment_of_momentum = Vec<3>::Zero();  ///< sum x cross m v, angular momentum about the origin, N s or N m s; in 2D about z only
-  Vec<dim> lower = Vec<dim>::Constant(infinity), upper = Vec<dim>::Constant(-infinity);  ///< extents of the particles' centres
+  Vec<dim> lower = Vec<dim>::Constant(infinity), upper = Vec<dim>::Constant(-infinity);  ///< bounding box of the particles' centres
 
   Vec<dim> center() const { return moment / mass; }
   /// Angular momentum about the centre of mass.
@@ -35,8 +35,9 @@ struct BodySums {
 template <int dim>
 BodySums<dim> sums_over(const bodies::Particles<dim>& particles);
 
-/// |momentum now - momentum at the start - impulses of gravity, tractions, contact, supports and damping| over the sum of the sizes of all these and of the
-/// momentum that the bodies would have if all their particles went the same way: round-off.
+/// Momentum error: |momentum now - momentum at the start - impulses of gravity, tractions, contact, supports and damping|
+/// over the sum of the magnitudes of all these and of the momentum if all particles moved in one direction. Round-off where
+/// the step is right.
 template <int dim>
 Real momentum_error(const problem::State<dim>& state);
 

@@ -11,10 +11,10 @@ namespace {
 template <int dim, class Visit>
 void for_each_in_cell(const bodies::Particles<dim>& particles, Index cell, const Visit& visit)
 {
-  for (Index place = 0; place < particles.count_in(cell); ++place) visit(particles.read_at(cell, place));
+  for (Index index = 0; index < particles.count_in(cell); ++index) visit(particles.read_at(cell, index));
 }
 
-/// The part of the cells around a node that particles fill.
+/// Fraction of the cells around a node that particles fill.
 template <int dim>
 Real fill_at(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Index node)
 {

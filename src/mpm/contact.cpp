@@ -10,7 +10,7 @@
 namespace berm::mpm {
 namespace {
 
-/// The surface that a body has around a node: |sum V grad N|, which vanishes inside. m2 (per metre run: m).
+/// Surface of a body around a node: |sum V grad N|, zero inside. m2 (per metre run: m).
 template <int dim>
 Real surface_area(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
 {
@@ -22,7 +22,8 @@ Real surface_area(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index 
   return gradient.norm();
 }
 
-/// The surface in contact, where there is adhesion: that of the rigid body, in the plane; else that of the body around the nodes of the points.
+/// The surface in contact, for adhesion: that of the rigid body, in the plane; else that of the body around the nodes of the
+/// points.
 template <int dim>
 void find_surface(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work,
                   const problem::Contact& contact, contact::ContactPoints<dim>& points)
@@ -50,34 +51,34 @@ void find_surface(const problem::Model<dim>& model, const problem::State<dim>& s
       }
 }
 
-/// Effective masses of the points of one contact. A direction that a support holds at a node has infinite mass there.
+/// Effective masses of the points of one contact. In a direction that a support fixes, a node has infinite mass.
 template <int dim>
 void set_effective_masses(const problem::Model<dim>& model, const Work<dim>& work, const problem::Contact& contact,
                           contact::ContactPoints<dim>& points)
 {
-  constexpr Real immovable = 1e-4;  // of what a point would give way to an impulse without supports
+  constexpr Real immovable = 1e-4;  // of the compliance of a point without supports
   for (contact::ContactPoint<dim>& point : points.list) {
     Real free = 0;
-    Vec<dim> gives_way = Vec<dim>::Zero();
+    Vec<dim> compliance = Vec<dim>::Zero();
     const auto add = [&](Index b, Index node, Real N) {
       const Real m = work.grids[b].mass[node];
       if (!(m > 0)) return;
       free += N * N / m;
-      gives_way += boundary::without_held<dim>(model.fixed[work.grids[b].fixed], node, Vec<dim>::Constant(N * N / m));
+      compliance += boundary::without_fixed<dim>(model.fixed[work.grids[b].fixed], node, Vec<dim>::Constant(N * N / m));
     };
     for (int k = 0; k < point.node_count; ++k) add(contact.body, point.nodes[k], point.weights[k]);
     if (contact.other_body != none) add(contact.other_body, point.nodes[0], 1);
-    const Real along_normal = gives_way.dot(point.normal.cwiseAbs2());
-    const Real along_surface = dim == 2 ? gives_way.sum() - along_normal : gives_way.maxCoeff();
+    const Real along_normal = compliance.dot(point.normal.cwiseAbs2());
+    const Real along_surface = dim == 2 ? compliance.sum() - along_normal : compliance.maxCoeff();
     point.mass = {};
     if (!(along_normal > immovable * free)) continue;
     point.mass.normal = 1 / along_normal;
-    if (along_surface > immovable * free || contact.scheme != contact::Scheme::sticky)
+    if (along_surface > immovable * free || contact.scheme != contact::Scheme::tied)
       point.mass.along = 1 / std::max(along_surface, immovable * free);
   }
 }
 
-/// What one correction works on: the nodal velocity that has to keep to the law, and how a change of it is kept.
+/// The nodal velocity that one correction makes satisfy the contact law, and where its change is stored.
 template <int dim>
 struct Predicted {  ///< step 4: v + dt a
   static constexpr bool is_force = true;
@@ -109,26 +110,28 @@ Vec<dim> relative_velocity(const problem::Model<dim>& model, const problem::Stat
                            const problem::Contact& contact, const contact::ContactPoint<dim>& point, const Field& field)
 {
   Vec<dim> relative = contact.rigid != none
-                          ? Vec<dim>(-velocity_at(model.rigid_bodies[contact.rigid], state.rigid_bodies[contact.rigid], point.place))
+                          ? Vec<dim>(-velocity_at(model.rigid_bodies[contact.rigid], state.rigid_bodies[contact.rigid], point.position))
                           : Vec<dim>(-field.velocity(work.grids[contact.other_body], point.nodes[0]));
   for (int n = 0; n < point.node_count; ++n) relative += point.weights[n] * field.velocity(work.grids[contact.body], point.nodes[n]);
   return relative;
 }
 
-/// Gives the nodes of a point an impulse, and those of the other body the opposite. Supports take what they hold.
+/// Gives the nodes of a point an impulse, and those of the other body the opposite. Supports take the components in fixed
+/// directions.
 template <int dim, class Field>
 void push(const problem::Model<dim>& model, Work<dim>& work, const problem::Contact& contact, const contact::ContactPoint<dim>& point,
           const Vec<dim>& impulse, const Field& field)
 {
   const auto give = [&](Index b, Index node, const Vec<dim>& part) {
     BodyGrid<dim>& grid = work.grids[b];
-    if (grid.mass[node] > 0) field.change(grid, node, boundary::without_held<dim>(model.fixed[grid.fixed], node, part / grid.mass[node]));
+    if (grid.mass[node] > 0) field.change(grid, node, boundary::without_fixed<dim>(model.fixed[grid.fixed], node, part / grid.mass[node]));
   };
   for (int n = 0; n < point.node_count; ++n) give(contact.body, point.nodes[n], point.weights[n] * impulse);
   if (contact.other_body != none) give(contact.other_body, point.nodes[0], -impulse);
 }
 
-/// One sweep over the points of a contact. The sum of the changes of their impulses over the sum of these impulses; 0 where they carry none.
+/// One Gauss-Seidel sweep over the points of a contact. Returns the sum of the changes of their impulses over the sum of
+/// these impulses; 0 where they carry none.
 template <int dim, class Field>
 Real sweep(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work, Index k, const Field& field)
 {
@@ -138,15 +141,16 @@ Real sweep(const problem::Model<dim>& model, const problem::State<dim>& state, W
   Real changed = 0, carried = 0;
   for (contact::ContactPoint<dim>& point : work.contact_points[k].list) {
     if (!(point.mass.normal > 0)) continue;
-    const bool sticky = contact.scheme == contact::Scheme::sticky;
-    if (sticky && point.gap > 0) continue;
+    const bool tied = contact.scheme == contact::Scheme::tied;
+    if (tied && point.gap > 0) continue;
     const Vec<dim> relative = relative_velocity(model, state, work, contact, point, field);
     const Real allowed_approach = std::max(Real(0), point.gap) / period;
-    const contact::Interface interface = {contact.friction, contact.adhesion * point.area * state.dt, allowed_approach, sticky};
-    const bool holds = !Field::is_force && contact.scheme == contact::Scheme::two_sided && point.grip != contact::Grip::open;
-    const Vec<dim> impulse = holds ? holding_impulse<dim>(relative, point.normal, point.mass, interface, point.grip, point.impulse)
-                                   : contact_impulse<dim>(relative, point.normal, point.mass, interface, point.impulse);
-    if (Field::is_force) point.grip = grip_of<dim>(impulse, point.normal, interface);
+    const contact::Interface interface = {contact.friction, contact.adhesion * point.area * state.dt, allowed_approach, tied};
+    const bool bilateral =
+        !Field::is_force && contact.scheme == contact::Scheme::musl_coupled && point.status != contact::ContactStatus::open;
+    const Vec<dim> impulse = bilateral ? bilateral_impulse<dim>(relative, point.normal, point.mass, interface, point.status, point.impulse)
+                                       : contact_impulse<dim>(relative, point.normal, point.mass, interface, point.impulse);
+    if (Field::is_force) point.status = status_of<dim>(impulse, point.normal, interface);
     const Vec<dim> change = impulse - point.impulse;
     point.impulse = impulse;
     push(model, work, contact, point, change, field);
@@ -156,34 +160,34 @@ Real sweep(const problem::Model<dim>& model, const problem::State<dim>& state, W
   return carried > 0 ? changed / carried : 0;
 }
 
-/// Impulses at all points of the contacts that take part, by projected Gauss-Seidel sweeps until they have settled.
+/// Impulses at all points of the contacts that take part, by projected Gauss-Seidel sweeps until convergence.
 template <int dim, class Field, class TakesPart>
 void solve(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work, const Field& field,
            const TakesPart& takes_part)
 {
   constexpr int max_sweeps = 20;
-  constexpr Real settled = 1e-3;  // of the sum of all impulses
+  constexpr Real tolerance = 1e-3;  // relative to the sum of all impulses
   for (int n = 0; n < (work.contacts_share_nodes ? max_sweeps : 1); ++n) {
     Real changed = 0;
     for (Index k = 0; k < static_cast<Index>(model.contacts.size()); ++k)
       if (takes_part(model.contacts[k])) changed = std::max(changed, sweep(model, state, work, k, field));
-    if (changed <= settled) break;
+    if (changed <= tolerance) break;
   }
 }
 
-/// Update stress last at the nodes in contact: the velocity of step 4 moves and strains, too. A node with little mass keeps the re-mapped one:
-/// its acceleration is large and says little of the particles around it.
+/// Update stress last at the nodes in contact: the velocity of step 4 moves and strains the particles, too. A node with
+/// little mass keeps the re-mapped velocity: its acceleration is large and not representative of the particles around it.
 template <int dim>
 void move_with_predicted(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work, Index k)
 {
-  constexpr Real little = 0.05;  // of the mass that the volume around a node gives it where particles fill its cells evenly
+  constexpr Real min_mass_ratio = 0.05;  // of the mass of a node whose cells are evenly filled
   const problem::Contact& contact = model.contacts[k];
   const auto use = [&](Index b, Index node) {
     BodyGrid<dim>& grid = work.grids[b];
     Real volume = 0;
     for (Index e = model.mesh.first_entry[node]; e < model.mesh.first_entry[node + 1]; ++e)
       volume += model.mesh.volume(model.mesh.entries[e] / (dim + 1));
-    if (grid.mass[node] > little * inertia_density(model.bodies[b].material) * volume / (dim + 1))
+    if (grid.mass[node] > min_mass_ratio * inertia_density(model.bodies[b].material) * volume / (dim + 1))
       grid.mapped_velocity[node] = grid.velocity[node] + state.dt * grid.acceleration[node];
   };
   for (const contact::ContactPoint<dim>& point : work.contact_points[k].list) {
@@ -235,17 +239,18 @@ void find_contacts(const problem::Model<dim>& model, problem::State<dim>& state,
 
 namespace {
 
-/// Gives the impulses of all points to the totals, and the opposite to the rigid bodies.
+/// Adds the impulses of all points to the totals, and their opposites to the rigid bodies.
 template <int dim>
 void react(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
 {
   const Real dt = state.dt;
   const Vec<dim> gravity = gravity_now(model, state.time);
   for (bodies::RigidState<dim>& rigid : state.rigid_bodies) rigid.reaction.setZero(), rigid.torque = bodies::no_angular<dim>();
-  // A node's share of an impulse. It also moves the mid velocity with which gravity and tractions were taken to work; supports take what they hold.
+  // A node's share of an impulse. It also changes the mid-step velocity at which the work of gravity and tractions was
+  // taken; supports take the components in fixed directions.
   const auto add = [&](Index b, Index node, const Vec<dim>& impulse, const Vec<dim>& partner_velocity) {
     const BodyGrid<dim>& grid = work.grids[b];
-    const Vec<dim> taken = boundary::without_held<dim>(model.fixed[grid.fixed], node, impulse);
+    const Vec<dim> taken = boundary::without_fixed<dim>(model.fixed[grid.fixed], node, impulse);
     state.totals.contact_impulse += impulse;
     state.totals.support_impulse += taken - impulse;
     state.totals.external += 0.5 * dt * model.bodies[b].weight_over_mass * gravity.dot(taken);
@@ -266,14 +271,14 @@ void react(const problem::Model<dim>& model, problem::State<dim>& state, Work<di
         continue;
       }
       bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
-      const Vec<dim> surface_velocity = velocity_at(model.rigid_bodies[contact.rigid], rigid, point.place);
+      const Vec<dim> surface_velocity = velocity_at(model.rigid_bodies[contact.rigid], rigid, point.position);
       for (int n = 0; n < point.node_count; ++n) add(contact.body, point.nodes[n], point.weights[n] * impulse, surface_velocity);
-      const Vec<dim> arm = point.place - center_now(model.rigid_bodies[contact.rigid], rigid);
-      const bodies::Angular<dim> turning = bodies::moment_of(arm, impulse);
+      const Vec<dim> arm = point.position - center_now(model.rigid_bodies[contact.rigid], rigid);
+      const bodies::Angular<dim> angular_impulse = bodies::moment_of(arm, impulse);
       rigid.reaction -= impulse / dt;
-      rigid.torque -= turning / dt;
+      rigid.torque -= angular_impulse / dt;
       rigid.impulse += impulse;
-      rigid.torque_impulse += turning;
+      rigid.torque_impulse += angular_impulse;
       if (point.distance < infinity) {
         rigid.impulse_sum += impulse.norm();
         rigid.impulse_times_gap += impulse.norm() * point.distance;
@@ -290,8 +295,8 @@ void for_each_point(Work<dim>& work, const Change& change)
     for (contact::ContactPoint<dim>& point : work.contact_points[k].list) change(k, point);
 }
 
-/// Particles whose centres are in a rigid body move out of it, at the speed that their depth asks for but no faster than a thousandth of a pressure
-/// wave. Their velocities do not get it.
+/// Moves particles whose centres are in a rigid body out of it, at a speed proportional to their depth but at most a
+/// thousandth of that of a pressure wave. Their own velocities do not change.
 template <int dim>
 void push_out(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work)
 {
@@ -323,7 +328,7 @@ void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& s
 {
   const Timer timer("contact: step 8");
   for (std::size_t k = 0; k < model.contacts.size(); ++k)
-    if (model.contacts[k].scheme == contact::Scheme::hybrid) move_with_predicted(model, state, work, static_cast<Index>(k));
+    if (model.contacts[k].scheme == contact::Scheme::hybrid_usl) move_with_predicted(model, state, work, static_cast<Index>(k));
 
   const auto note_second = [&](const auto& takes_part, Real sign) {
     for_each_point(work, [&](std::size_t k, const contact::ContactPoint<dim>& point) {
@@ -332,10 +337,10 @@ void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& s
     });
   };
   const auto completes = [](const problem::Contact& contact) {
-    return contact.scheme == contact::Scheme::two_sided && contact.detection == contact::Detection::particle;
+    return contact.scheme == contact::Scheme::musl_coupled && contact.detection == contact::Detection::particle;
   };
   const auto corrects = [&](const problem::Contact& contact) {
-    return !completes(contact) && contact.scheme != contact::Scheme::once && contact.scheme != contact::Scheme::hybrid;
+    return !completes(contact) && contact.scheme != contact::Scheme::musl_single && contact.scheme != contact::Scheme::hybrid_usl;
   };
   if (!model.update_stress_first) {
     note_second(completes, -1);

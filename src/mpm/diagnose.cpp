@@ -12,7 +12,7 @@ namespace berm::mpm {
 namespace {
 
 template <int dim>
-std::string place_words(const Vec<dim>& x)
+std::string position_text(const Vec<dim>& x)
 {
   return fmt::format("({:.6g}) m", fmt::join(x.begin(), x.end(), ", "));
 }
@@ -22,7 +22,7 @@ const char* words_of(Real value)
   return std::isnan(value) ? "is not a number" : "is infinite";
 }
 
-/// What of a particle is not finite, and its place in the list of fields.
+/// The field of a particle that is not finite, and its index in the list of fields.
 struct Trouble {
   int rank = std::numeric_limits<int>::max();
   std::string name = {};
@@ -55,8 +55,7 @@ template <int dim>
 void throw_not_finite(const problem::Model<dim>& model, const problem::State<dim>& state, Index body)
 {
   const std::string when = fmt::format("at t = {:.6g} s (step {})", state.time, state.step),
-                    advice = fmt::format("try a smaller mpm.courant (now {}), and see whether stiffness, strength and loads are meant so",
-                                         model.mpm.courant);
+                    advice = fmt::format("try a smaller mpm.courant (now {}), and check stiffness, strength and loads", model.mpm.courant);
   const bodies::Particles<dim>& particles = state.particles[body];
   Trouble worst;
   bodies::Particle<dim> p;
@@ -67,8 +66,9 @@ void throw_not_finite(const problem::Model<dim>& model, const problem::State<dim
     if (trouble.rank < worst.rank) worst = trouble, p = read, cell = c;
   });
   if (cell != none) {
-    const std::string place = p.x.allFinite() ? "at " + place_words<dim>(p.x) : "around " + place_words<dim>(model.mesh.centroid(cell));
-    throw RunError(fmt::format("particle {} of body \"{}\", {} in cell {}: its {} {} {}; {}", p.id, model.bodies[body].name, place, cell,
+    const std::string position =
+        p.x.allFinite() ? "at " + position_text<dim>(p.x) : "around " + position_text<dim>(model.mesh.centroid(cell));
+    throw RunError(fmt::format("particle {} of body \"{}\", {} in cell {}: its {} {} {}; {}", p.id, model.bodies[body].name, position, cell,
                                worst.name, words_of(worst.value), when, advice));
   }
   throw RunError(fmt::format("velocities or forces of body \"{}\" are not finite {}; {}", model.bodies[body].name, when, advice));
@@ -80,10 +80,10 @@ std::string advice_for_leaving(const problem::Model<dim>& model, const problem::
   for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
     if (surface_at<dim>(placed<dim>(model.rigid_bodies[r], state.rigid_bodies[r]), x).distance < 2 * model.mesh.height(cell))
       return fmt::format(
-          "rigid body \"{}\" is there and has pushed it out: make the mesh larger there, let the stage \"{}\" end earlier, or hold that "
+          "rigid body \"{}\" is there and has displaced it: make the mesh larger there, let the stage \"{}\" end earlier, or hold that "
           "boundary with a [support.NAME]",
           model.rigid_bodies[r].name, model.stages[state.stage.index].name);
-  return fmt::format("make the mesh larger there, hold that boundary with a [support.NAME], or take a smaller mpm.courant");
+  return fmt::format("make the mesh larger there, hold that boundary with a [support.NAME], or use a smaller mpm.courant");
 }
 
 template <int dim>
@@ -95,11 +95,11 @@ void refuse_rigid_outside_mesh(const problem::Model<dim>& model, const problem::
     if (!bodies::is_bounded<dim>(first)) continue;
     const bodies::RigidShape<dim> now = placed<dim>(model.rigid_bodies[r], state.rigid_bodies[r]);
     const Real radius = bodies::has_corners<dim>(first) ? 0 : reach_of<dim>(first);
-    const auto refuse = [&](const char* side, char axis, Real place, Real limit, const char* advice) {
+    const auto refuse = [&](const char* side, char axis, Real reached, Real limit, const char* advice) {
       throw RunError(fmt::format(
           "rigid body \"{}\" has left the mesh through its {}: it reaches {} = {:.6g} m, where the mesh ends at {:.6g} m, at "
           "t = {:.6g} s (step {}); {}, or let the stage \"{}\" end earlier",
-          model.rigid_bodies[r].name, side, axis, place, limit, state.time, state.step, advice, model.stages[state.stage.index].name));
+          model.rigid_bodies[r].name, side, axis, reached, limit, state.time, state.step, advice, model.stages[state.stage.index].name));
     };
     const Vec<dim> up = Vec<dim>::UnitY();  // the mesh's own bottom
     const Real low = lowest_level<dim>(now, up), x = center_of<dim>(now)[0], first_x = center_of<dim>(first)[0];
@@ -110,7 +110,7 @@ void refuse_rigid_outside_mesh(const problem::Model<dim>& model, const problem::
     if (first_x + radius <= mesh.upper[0] && x + radius > mesh.upper[0])
       refuse("right side", 'x', x + radius, mesh.upper[0], "make the mesh longer there");
     if (!std::isfinite(low) || !std::isfinite(x))
-      throw RunError(fmt::format("the place of rigid body \"{}\" is not finite at t = {:.6g} s (step {})", model.rigid_bodies[r].name,
+      throw RunError(fmt::format("the position of rigid body \"{}\" is not finite at t = {:.6g} s (step {})", model.rigid_bodies[r].name,
                                  state.time, state.step));
   }
 }

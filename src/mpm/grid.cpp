@@ -77,12 +77,12 @@ Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& sta
       if (!model.update_stress_first) grids[b].filter_rate = model.mpm.velocity_filter * wave_speed / min_height;
     }
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);
-    grids[b].whole_mass = sums_over(state.particles[b]).mass;
+    grids[b].total_mass = sums_over(state.particles[b]).mass;
     laws.push_back(prepare(material));
     laws_without_dilation.push_back(prepare(without_dilation(material)));
     max = std::max<std::size_t>(max, state.particles[b].size());
   }
-  // A sixteenth of all particles at once is far more than ever change cell in one step of a stable run.
+  // A sixteenth of all particles: far more than change cell in one step of a stable run.
   for (auto& list : cell_changes) list.reserve(max / 16 + 1024);
   in_transit.reserve(max / 16 + 1024);
 }

@@ -13,7 +13,8 @@
 namespace berm::mpm {
 namespace {
 
-/// Soil that swings back may carry a point out of the mesh by this many heights of the cell; there it counts as on the nearest face.
+/// Soil that swings back may carry a point out of the mesh by this many heights of the cell; it then counts as on the
+/// nearest face.
 constexpr Real max_outside = 0.5;
 
 [[noreturn]] void refuse(const std::string& traction, const Real* x, int dim, Real time, BigIndex step, const char* what)
@@ -22,8 +23,9 @@ constexpr Real max_outside = 0.5;
       fmt::format("traction \"{}\": {} at ({:.6g}) m at t = {:.6g} s (step {})", traction, what, fmt::join(x, x + dim, ", "), time, step));
 }
 
-/// The shares that the corners of its cell have of a load point: its shape functions, not less than zero. A corner with less than a twentieth of the
-/// mass of the cell's heaviest gets that much less, and one without mass nothing: as little mass would be thrown about by the load. Their sum is 1.
+/// The shares of a load point that the corners of its cell get: its shape functions, not less than zero. A corner with less
+/// than a twentieth of the mass of the cell's heaviest gets proportionally less, and one without mass nothing: the load
+/// would accelerate so small a mass without bound. Their sum is 1.
 template <int dim>
 std::array<Real, dim + 1> shares_of(const problem::Model<dim>& model, const problem::State<dim>& state, const BodyGrid<dim>& grid,
                                     std::size_t l)
@@ -44,7 +46,7 @@ std::array<Real, dim + 1> shares_of(const problem::Model<dim>& model, const prob
   }
   if (!(total > 0))
     refuse(model.tractions[model.load_points[l].traction].name, point.x.data(), dim, state.time, state.step,
-           "there is no soil any more under the load");
+           "there is no soil left under the load");
   for (Real& share : shares) share /= total;
   return shares;
 }

@@ -24,7 +24,7 @@ struct CellStrain {
   {
     for (int a = 0; a < dim; ++a) {
       dilation += velocity.slope[a][a] * dt;
-      for (int b = a; b < dim; ++b) strain[tensor_place(a, b)] = 0.5 * dt * (velocity.slope[a][b] + velocity.slope[b][a]);
+      for (int b = a; b < dim; ++b) strain[tensor_index(a, b)] = 0.5 * dt * (velocity.slope[a][b] + velocity.slope[b][a]);
       for (int b = 0; b < dim; ++b) rotation[a][b] = 0.5 * dt * (velocity.slope[a][b] - velocity.slope[b][a]);
     }
   }
@@ -53,8 +53,8 @@ template <class V>
   for (int a = 0; a < 3; ++a)
     for (int b = a; b < 3; ++b) {
       V change{};
-      for (int k = 0; k < 3; ++k) change += rotation[a][k] * old[tensor_place(k, b)] - old[tensor_place(a, k)] * rotation[k][b];
-      s[tensor_place(a, b)] += change;
+      for (int k = 0; k < 3; ++k) change += rotation[a][k] * old[tensor_index(k, b)] - old[tensor_index(a, k)] * rotation[k][b];
+      s[tensor_index(a, b)] += change;
     }
 }
 
@@ -205,7 +205,7 @@ template <class V, int dim, class P, class Law>
 /// Finds the new cell of a particle that has left its own, and notes the change. A call here would change what the compiler does to the loop around it, and
 /// the last bits.
 template <int dim>
-[[gnu::always_inline]] inline void note_cell_change(const mesh::Mesh<dim>& mesh, Work<dim>& work, Index cell, Index place,
+[[gnu::always_inline]] inline void note_cell_change(const mesh::Mesh<dim>& mesh, Work<dim>& work, Index cell, Index index,
                                                     bodies::Block<dim>& block, int lane)
 {
   Vec<dim> at;
@@ -213,7 +213,7 @@ template <int dim>
   const mesh::Location found = locate(mesh, at, cell);
   const bool in_mesh = found.inside || clamp_to_cell(mesh, found.cell, at);
   for (int d = 0; d < dim; ++d) block.x[d][lane] = at[d];
-  if (!in_mesh || found.cell != cell) work.cell_changes[omp_get_thread_num()].push_back({cell, place, in_mesh ? found.cell : none});
+  if (!in_mesh || found.cell != cell) work.cell_changes[omp_get_thread_num()].push_back({cell, index, in_mesh ? found.cell : none});
 }
 
 /// law_without_dilation is null where the law does not dilate.
@@ -255,7 +255,7 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
       const typename Part<V>::Mask leaves = part.alive() & (min_shape < V{});
       if (any(leaves)) [[unlikely]]
         for (int l = 0; l < part.size; ++l)
-          if (leaves[l]) note_cell_change(mesh, work, cell, part.place + l, l < lanes ? p : q, (part.first + l) % lanes);
+          if (leaves[l]) note_cell_change(mesh, work, cell, part.index + l, l < lanes ? p : q, (part.first + l) % lanes);
     });
     if (filtered > 0) done.filtered += kinetic_gain(LinearField<dim>(shape, nodes, grid.acceleration), grid.moments[cell], dt);
     if (grid.full_cells) done.internal *= grid.weight[cell];
@@ -319,13 +319,13 @@ void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, 
   if (cell_changes.empty()) return;
   // Threads share a large body's cells in several rounds, so their lists laid end to end are not in the order of the cells yet.
   std::sort(cell_changes.begin(), cell_changes.end(),
-            [](const CellChange& a, const CellChange& b) { return a.from != b.from ? a.from < b.from : a.place < b.place; });
+            [](const CellChange& a, const CellChange& b) { return a.from != b.from ? a.from < b.from : a.index < b.index; });
 
   for (const CellChange& mover : cell_changes)
-    if (mover.to == none) refuse(model, state, particles.read_at(mover.from, mover.place), body, mover.from);
+    if (mover.to == none) refuse(model, state, particles.read_at(mover.from, mover.index), body, mover.from);
   // The last first: taking a particle moves only ones that were behind it.
   work.in_transit.resize(cell_changes.size());
-  for (std::size_t m = cell_changes.size(); m-- > 0;) work.in_transit[m] = particles.take(cell_changes[m].from, cell_changes[m].place);
+  for (std::size_t m = cell_changes.size(); m-- > 0;) work.in_transit[m] = particles.take(cell_changes[m].from, cell_changes[m].index);
   for (std::size_t m = 0; m < cell_changes.size(); ++m) {
     particles.insert(cell_changes[m].to, work.in_transit[m]);
     grid.enter(model.mesh, cell_changes[m].to);

@@ -5,19 +5,21 @@
 
 namespace berm::mpm {
 
-/// Steps 5 and 9 to 11 on the particles of one body: velocity from the corrected acceleration (14), position from the corrected velocity of the
-/// nodes (20), strain increment (21) with its volumetric part projected, Jaumann rotation of the stress, the law (22, 23), volume, accumulated
-/// deviatoric strain; and notes which particles now lie in another cell.
+/// Steps 5 and 9 to 11 on the particles of one body: velocity from the corrected acceleration (14), position from the
+/// corrected velocity of the nodes (20), strain increment (21) with its volumetric part projected, Jaumann rotation of the
+/// stress, constitutive law (22, 23), volume, accumulated deviatoric strain; and records the particles that have changed
+/// cell.
 template <int dim>
 void move_and_strain(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
 
-/// The parts of it that update stress first takes one by one: steps 10 and 11 (strain, stress, volume), and steps 5 and 9 (velocity, position).
+/// Its parts for update stress first: steps 10 and 11 (strain, stress, volume), and steps 5 and 9 (velocity, position).
 template <int dim>
 void strain_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
 template <int dim>
 void move_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
 
-/// Hands the noted particles to their new cells, in the order of their old ones. Throws RunError for a particle that has left the mesh.
+/// Moves the recorded particles to their new cells, in the order of their old ones. Throws RunError for a particle that has
+/// left the mesh.
 template <int dim>
 void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
 

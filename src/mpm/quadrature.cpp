@@ -6,11 +6,11 @@
 namespace berm::mpm {
 namespace {
 
-/// Part of the cells around a node that particles fill at a free surface, at most, and within a body, at least. A level surface of full cells has
-/// 0.5, one that cuts them at half their height 0.75.
+/// Bounds of the filled fraction of the cells around a node: at a free surface at most, within a body at least. A level
+/// surface of full cells has 0.5, one that cuts them at half their height 0.75.
 constexpr Real surface_fill = 0.75, full_fill = 0.9;
 
-/// How far a cell counts as full, 0 to 1.
+/// Degree to which a cell counts as full, 0 to 1.
 template <int dim>
 Real fullness(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell)
 {

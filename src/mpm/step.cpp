@@ -28,7 +28,7 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
     spread_internal_forces(model, state.particles[b], work.grids[b]);  // 1: (2)
   }
   spread_tractions(model, state, work);                                              // 1: forces on boundaries of the soil
-  find_contacts(model, state, work);                                                 // 4: who touches whom
+  find_contacts(model, state, work);                                                 // 4: contact detection
   for (Index b = 0; b < bodies; ++b) solve_momentum_balance(model, state, work, b);  // 1-4: (3), (4), (6), supports
   correct_accelerations(model, state, work);                                         // 4: (8)-(14)
 

@@ -12,7 +12,7 @@ namespace berm::mpm {
 
 namespace {
 
-/// How fast a drive by velocity moves the body's surface, m/s.
+/// Speed at which a drive by velocity moves the body's surface, m/s.
 template <int dim>
 Real speed_of_drive(const problem::Model<dim>& model, const problem::State<dim>& state, int freedom)
 {
@@ -21,7 +21,7 @@ Real speed_of_drive(const problem::Model<dim>& model, const problem::State<dim>&
   return freedom < dim || driven == none ? speed : speed * reach_of<dim>(model.rigid_bodies[driven].shape);
 }
 
-/// Speed and words of what moves fastest: rigid body, drive, node, or particle at the start.
+/// Speed and description of what moves fastest: rigid body, drive, node, or particle at the start.
 template <int dim>
 std::pair<Real, std::string> fastest_of(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work)
 {
@@ -61,7 +61,8 @@ Real stable_courant(const problem::Model<dim>& model)
   return std::sqrt(1 + b * b) - b;
 }
 
-/// A time step this small beside that of a body at rest is no longer a run: soil that moves a thousand times faster than its own waves has blown up.
+/// A run with a time step this small beside that of a body at rest has become unstable: soil moves a thousand times faster
+/// than its own waves.
 constexpr Real min_part = 1e-3;
 
 }  // namespace
@@ -87,7 +88,7 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
     }
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyGrid<dim>& grid = work.grids[b];
-    // A comparison with NaN is false, so NaN is turned into infinity to be seen.
+    // A comparison with NaN is false, so NaN is replaced by infinity to be detected.
     fastest = largest_of("fastest node", static_cast<Index>(grid.nodes.size()), fastest, [&](Index n) {
       const Real speed = grid.mapped_velocity[grid.nodes[n]].norm();
       return std::isfinite(speed) ? speed : infinity;
@@ -115,10 +116,9 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
   const Real dt = std::min(model.mpm.courant, stable_courant(model)) * min;
   if (min < min_part * min_at_rest || state.time + dt == state.time) {
     const auto [speed, what] = fastest_of(model, state, work);
-    throw RunError(fmt::format(
-        "the time step has fallen to {:.3g} s (with everything at rest it is {:.3g} s) at t = {:.6g} s (step {}), because of {}, "
-        "which moves at {:.3g} m/s; try a smaller mpm.courant (now {}), and see whether velocities and loads are meant so",
-        dt, model.mpm.courant * min_at_rest, state.time, state.step, what, speed, model.mpm.courant));
+    throw RunError(fmt::format("the time step has fallen to {:.3g} s (at rest it is {:.3g} s) at t = {:.6g} s (step {}), because of {}, "
+                               "which moves at {:.3g} m/s; try a smaller mpm.courant (now {}), and check velocities and loads",
+                               dt, model.mpm.courant * min_at_rest, state.time, state.step, what, speed, model.mpm.courant));
   }
   return dt;
 }

@@ -5,12 +5,12 @@
 
 namespace berm::mpm {
 
-/// The time step is worked out anew after this many steps.
+/// Number of steps after which the time step is computed again.
 constexpr BigIndex steps_between_time_steps = 16;
 
-/// courant times the least of height / (c + v) over the cells with particles: c = sqrt(M / density) the speed of pressure waves, v the largest
-/// speed of a node or rigid body. Seconds. Throws RunError where speeds are not finite, or so large that the
-/// time step is less than a thousandth of that at rest.
+/// courant times the minimum of height / (c + v) over the cells with particles, s: c = sqrt(M / density) the speed of
+/// pressure waves, v the maximum speed of a node or rigid body. Throws RunError where speeds are not finite, or so large
+/// that the time step is less than a thousandth of that at rest.
 template <int dim>
 Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work);
 

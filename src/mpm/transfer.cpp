@@ -7,8 +7,8 @@
 namespace berm::mpm {
 namespace {
 
-/// What the corners of a cell get of a quantity: the sums over particles of N_k times it, told by give(k, sum). Its own sum is q and that of it times x
-/// is qx.
+/// Shares of the corners of a cell in a quantity: calls give(k, sum) with the sums over particles of N_k times it. Its own
+/// sum is q and that of it times x is qx.
 template <int dim, class Give>
 [[gnu::always_inline]] inline void share_among_corners(const mesh::Shape<dim>& shape, Real q, const Real* qx, const Give& give)
 {
@@ -79,8 +79,8 @@ struct LaneMoments {
     for (int a = 0; a < dim; ++a)
       for (int b = a; b < dim; ++b) {
         of[mxx + Moments<dim>::pair(a, b)] += at[a] * x[b];
-        const int place = tensor_place(a, b);
-        of[stress + Moments<dim>::pair(a, b)] += p_volume * widened(part.get(p.stress[place], q.stress[place]));
+        const int index = tensor_index(a, b);
+        of[stress + Moments<dim>::pair(a, b)] += p_volume * widened(part.get(p.stress[index], q.stress[index]));
       }
     for (int d = 0; d < dim; ++d)
       for (int a = 0; a < dim; ++a) of[mvx + d * dim + a] += at[a] * v[d];
@@ -122,11 +122,12 @@ void sum_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& part
   });
 }
 
-/// A node with less than this part of the mass in its cells has none: the rest is round-off, which must not be divided by.
+/// A node with less than this fraction of the mass in its cells has none: the rest is round-off, which must not be divided
+/// by.
 constexpr Real min_mass_part = 1e-9;
 
-/// The mean velocity of all particles in a node's cells: for a node without mass, which then strains nothing that moves as one. The momentum of a
-/// cell is told by momentum_of(cell).
+/// Mean velocity of all particles in a node's cells: for a node without mass, which then strains nothing in rigid motion.
+/// momentum_of(cell) gives the momentum of a cell.
 template <int dim, class MomentumOf>
 Vec<dim> velocity_of_cells(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node, const MomentumOf& momentum_of)
 {
@@ -163,8 +164,8 @@ void gather_mass_and_momentum(const mesh::Mesh<dim>& mesh, BodyGrid<dim>& grid)
       min_volume = std::min(min_volume, corner.volume);
     }
     if (grid.full_cells) grid.fill[i] = min_volume > 0 ? total.volume / grid.volume_around[i] : 0;
-    // Most nodes have more than that part of the whole body.
-    if (!(total.mass > min_mass_part * grid.whole_mass) && !(total.mass > min_mass_part * mass_of_cells(mesh, grid, i))) total.mass = 0;
+    // Most nodes have more than that fraction of the whole body.
+    if (!(total.mass > min_mass_part * grid.total_mass) && !(total.mass > min_mass_part * mass_of_cells(mesh, grid, i))) total.mass = 0;
     const Real per_mass = total.mass > 0 ? 1 / total.mass : 0;
     grid.mass[i] = total.mass;
     for (int d = 0; d < dim; ++d) grid.velocity[i][d] = total.sum[d] * per_mass;
@@ -295,7 +296,7 @@ void gather_new_velocities(const problem::Model<dim>& model, BodyGrid<dim>& grid
       for (const CornerSums<dim>& corner : grid.corners[cell]) sum += Eigen::Map<const Vec<dim>>(corner.sum);
       return sum;
     };
-    grid.mapped_velocity[i] = boundary::without_held<dim>(
+    grid.mapped_velocity[i] = boundary::without_fixed<dim>(
         model.fixed[grid.fixed], i, grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
   });
 }
@@ -306,9 +307,9 @@ void predict_velocities(const problem::Model<dim>& model, Real ahead, BodyGrid<d
   for_each("predict velocities", static_cast<Index>(grid.nodes.size()), [&](Index n) {
     const Index i = grid.nodes[n];
     const auto momentum_of = [&](Index cell) { return Eigen::Map<const Vec<dim>>(grid.moments[cell].mv); };
-    grid.mapped_velocity[i] = boundary::without_held<dim>(model.fixed[grid.fixed], i,
-                                                          grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
-                                                                           : velocity_of_cells(model.mesh, grid, i, momentum_of));
+    grid.mapped_velocity[i] = boundary::without_fixed<dim>(model.fixed[grid.fixed], i,
+                                                           grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
+                                                                            : velocity_of_cells(model.mesh, grid, i, momentum_of));
   });
 }
 

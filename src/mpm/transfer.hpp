@@ -5,33 +5,35 @@
 
 namespace berm::mpm {
 
-/// Step 1: the moments of each cell, and what they give to its corners: mass sum m N_k and momentum sum m v N_k.
+/// Step 1: the moments of each cell, and its contributions to its corners: mass sum m N_k and momentum sum m v N_k.
 template <int dim>
 void sum_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);
 
-/// Step 1: nodes gather mass and velocity v = momentum / mass from their cells, always in the same order. A node with next to nothing of their mass
-/// has mass 0.
+/// Step 1: nodes gather mass and velocity v = momentum / mass from their cells, always in the same order. A node whose mass
+/// is round-off has mass 0.
 template <int dim>
 void gather_mass_and_momentum(const mesh::Mesh<dim>& mesh, BodyGrid<dim>& grid);
 
-/// The viscous mean stress of the cells of a body that dilates, eta h div(v) with the means of h and div(v), before the step, over the cells of the patch.
-/// Forces and the work on the particles take the same, so it is made once a step.
+/// The viscous mean stress of the cells of a dilating body, eta h div(v) with the means of h and div(v), before the step,
+/// over the cells of the patch. Computed once a step, because forces and the work on the particles use the same.
 template <int dim>
 void find_viscous_stress(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);
 
-/// Step 1, equation 2: the internal force of each cell on its corners, -sum V sigma grad N. With the volumetric projection the cell's mean stress is
-/// first replaced by the volume average over its patch: the same average that the strain gets, so that strain and force stay conjugate.
-/// The viscous mean stress comes on top.
+/// Step 1, equation 2: the internal force of each cell on its corners, -sum V sigma grad N. With the volumetric projection
+/// the cell's mean stress is replaced by the volume average over its patch, the same average that the strain gets, so that
+/// strain and force stay conjugate. The viscous mean stress is added.
 template <int dim>
 void spread_internal_forces(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);
 
-/// The velocities that nodes can tell particles, for the filter of step 5: v_i^(2) = 2 v_i - sum m N_i v(x_p) / M_i, the velocity before the step of
-/// second order in the particles' own (full mass matrix, FMPM(2): Nairn and Hammerquist 2021), from the moments alone. Does nothing without the filter.
+/// Smooth nodal velocities for the filter of step 5: v_i^(2) = 2 v_i - sum m N_i v(x_p) / M_i, the velocity before the step
+/// of second order in the particles' own (full mass matrix, FMPM(2): Nairn and Hammerquist 2021), from the moments alone. No
+/// effect without the filter.
 template <int dim>
 void smooth_velocities(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);
 
-/// Steps 5 and 6: the momentum that the corners get from the particles once these have the corrected acceleration, from the moments alone:
-/// sum m N_k (v + dt a(x)) with a linear in x needs only sums of m, m x, m x x, m v, m v x. The filter's part of it is as linear.
+/// Steps 5 and 6: the momentum that the corners get from the particles with the corrected acceleration, from the moments
+/// alone: sum m N_k (v + dt a(x)) with a linear in x needs only sums of m, m x, m x x, m v, m v x. The filter's part of it
+/// is linear, too.
 template <int dim>
 void spread_new_momentum(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);
 
@@ -39,7 +41,8 @@ void spread_new_momentum(const mesh::Mesh<dim>& mesh, const bodies::Particles<di
 template <int dim>
 void gather_new_velocities(const problem::Model<dim>& model, BodyGrid<dim>& grid);
 
-/// Update stress first: the nodes' velocities at a time `ahead` (s) of the step's begin, v + ahead a, with the supports.
+/// Update stress first: the nodal velocities at a time `ahead` (s) after the beginning of the step, v + ahead a, with the
+/// supports.
 template <int dim>
 void predict_velocities(const problem::Model<dim>& model, Real ahead, BodyGrid<dim>& grid);
 

@@ -29,9 +29,9 @@ NodeField<std::uint8_t> fixed_directions(const mesh::Mesh<dim>& mesh, const Case
   auto fixed = NodeField<std::uint8_t>::zeros(mesh.node_count());
   for (std::size_t k = 0; k < c.support.size(); ++k) {
     const auto& [name, support] = c.support[k];
-    const Index boundary = held_boundary(mesh, name, support);
+    const Index boundary = fixed_boundary(mesh, name, support);
     for (Index node : mesh.boundary_nodes[boundary])
-      if (holds[k]) fixed[node] |= held_directions(support);
+      if (holds[k]) fixed[node] |= fixed_directions(support);
   }
   return fixed;
 }
@@ -53,7 +53,7 @@ void place_loads(const Case& c, Problem<dim>& problem)
   Model<dim>& model = problem.model;
   const std::vector<Index> body_of = bodies_of_regions(model.mesh, c);
   for (Index t = 0; t < static_cast<Index>(c.traction.size()); ++t)
-    for (const boundary::LoadedPlace<dim>& place : loaded_places(model.mesh, c.traction[t].first, c.traction[t].second, body_of)) {
+    for (const boundary::LoadedPoint<dim>& place : loaded_points(model.mesh, c.traction[t].first, c.traction[t].second, body_of)) {
       model.load_points.push_back({t, body_of[model.mesh.region[place.cell]], place.force, place.area});
       problem.state.load_points.push_back({place.x, place.cell});
     }

@@ -57,7 +57,7 @@ public:
     for (const Index body : bodies) add_body(c, body);
     free_.assign(node_.size(), Vec<dim>::Ones());
     for (std::size_t i = 0; i < node_.size(); ++i)
-      free_[i] = boundary::without_held<dim>(model.fixed[model.fixed_in[0]], node_[i], free_[i]);
+      free_[i] = boundary::without_fixed<dim>(model.fixed[model.fixed_in[0]], node_[i], free_[i]);
     list_entries();
     displacement_.assign(node_.size(), Vec<dim>::Zero());
   }
@@ -215,7 +215,7 @@ private:
       for (int n = 0; n <= dim; ++n) gradient += displacement[element.nodes[n]] * element.shape.gradient(n).transpose();
       SymTensor<dim> strain{};
       for (int a = 0; a < dim; ++a)
-        for (int b = a; b < dim; ++b) strain[tensor_place(a, b)] = (gradient(a, b) + gradient(b, a)) / 2;
+        for (int b = a; b < dim; ++b) strain[tensor_index(a, b)] = (gradient(a, b) + gradient(b, a)) / 2;
       volume += element.volume;
       change += element.volume * plane_mean<dim>(strain);
       strains.push_back(strain);
@@ -244,7 +244,7 @@ private:
         const Real change = volume_stress / volume - plane_mean<dim>(stress[k]);
         Matrix<dim> projected;
         for (int a = 0; a < dim; ++a)
-          for (int b = 0; b < dim; ++b) projected(a, b) = stress[k][tensor_place(std::min(a, b), std::max(a, b))] + (a == b ? change : 0);
+          for (int b = 0; b < dim; ++b) projected(a, b) = stress[k][tensor_index(std::min(a, b), std::max(a, b))] + (a == b ? change : 0);
         for (int n = 0; n <= dim; ++n) element.corner_forces[n] = element.volume * (projected * element.shape.gradient(n));
       }
     });

@@ -31,7 +31,7 @@ struct Given {
   Real mass, momentum[2], force[2];
 };
 
-constexpr Real dt = 1e-6, tiny_motion = 1e-9;  // particles move by a part of what they would, so that none leaves its cell
+constexpr Real dt = 1e-6, tiny_motion = 1e-9;  // particles move by a fraction, so that none leaves its cell
 constexpr Real young_modulus = 7e6, poisson_ratio = 0.25, density = 1800, gravity = 9.81, cohesion = 100;
 constexpr Real bulk = young_modulus / 3 / (1 - 2 * poisson_ratio), shear = young_modulus / 2 / (1 + poisson_ratio),
                lame = bulk - 2 * shear / 3;
@@ -79,13 +79,13 @@ private:
 
   Index node(Index i, Index j) const { return j * (side_ + 1) + i; }
   std::size_t node_count() const { return static_cast<std::size_t>(side_ + 1) * (side_ + 1); }
-  Real place(Index n, int d) const { return d == 0 ? n % (side_ + 1) : n / (side_ + 1); }
+  Real coordinate(Index n, int d) const { return d == 0 ? n % (side_ + 1) : n / (side_ + 1); }
 
   void add_cell(const std::array<Index, 3>& corners)
   {
     BareCell cell;
     Real x[3], y[3];
-    for (int k = 0; k < 3; ++k) cell.node[k] = corners[k], x[k] = place(corners[k], 0), y[k] = place(corners[k], 1);
+    for (int k = 0; k < 3; ++k) cell.node[k] = corners[k], x[k] = coordinate(corners[k], 0), y[k] = coordinate(corners[k], 1);
     for (int k = 0; k < 3; ++k) {  // twice the area of each triangle is 1
       const int u = (k + 1) % 3, w = (k + 2) % 3;
       cell.a[k] = x[u] * y[w] - x[w] * y[u];
@@ -107,7 +107,7 @@ private:
       for (int k = 0; k < 3; ++k) entries_[next[cells_[e].node[k]]++] = static_cast<Index>(3 * e) + k;
   }
 
-  /// Particles at places that a fixed sequence gives, at rest but for a little, in a stress within the strength.
+  /// Particles at positions of a fixed pseudo-random sequence, nearly at rest, stressed within the strength.
   void fill(Index e)
   {
     for (int k = 0; k < blocks_a_cell_ * bare_lanes; ++k) {
@@ -116,7 +116,7 @@ private:
       Real r = next_random(), s = next_random();
       if (r + s > 1) r = 1 - r, s = 1 - s;
       for (int d = 0; d < 2; ++d) {
-        const Real corner[3] = {place(cells_[e].node[0], d), place(cells_[e].node[1], d), place(cells_[e].node[2], d)};
+        const Real corner[3] = {coordinate(cells_[e].node[0], d), coordinate(cells_[e].node[1], d), coordinate(cells_[e].node[2], d)};
         p.x[d][l] = corner[0] + r * (corner[1] - corner[0]) + s * (corner[2] - corner[0]);
         p.v[d][l] = 1e-3 * next_random();
       }
@@ -222,7 +222,7 @@ private:
       const BareCell& cell = cells_[e];
       Real f[3][2];
       linear(cell, velocity_, f);
-      const Real xx = f[1][0] * dt, yy = f[2][1] * dt, xy = (f[2][0] + f[1][1]) * dt, spin = 0.5 * (f[2][0] - f[1][1]) * dt,
+      const Real xx = f[1][0] * dt, yy = f[2][1] * dt, xy = (f[2][0] + f[1][1]) * dt, rotation = 0.5 * (f[2][0] - f[1][1]) * dt,
                  volume = xx + yy;
       for (int b = 0; b < blocks_a_cell_; ++b) {
         BareBlock& p = blocks_[e * blocks_a_cell_ + b];
@@ -232,9 +232,9 @@ private:
         if (any(min < -1e-6 - BareLanes{})) [[unlikely]]
           p.plastic = BareLanes{};
         BareLanes* s = p.stress;
-        const BareLanes trial_x = s[0] + (lame * volume + 2 * shear * xx) + 2 * spin * s[3];
-        const BareLanes trial_y = s[1] + (lame * volume + 2 * shear * yy) - 2 * spin * s[3];
-        const BareLanes trial_xy = s[3] + shear * xy + spin * (s[1] - s[0]);
+        const BareLanes trial_x = s[0] + (lame * volume + 2 * shear * xx) + 2 * rotation * s[3];
+        const BareLanes trial_y = s[1] + (lame * volume + 2 * shear * yy) - 2 * rotation * s[3];
+        const BareLanes trial_xy = s[3] + shear * xy + rotation * (s[1] - s[0]);
         s[2] += lame * volume;
         p.volume *= 1 + volume;
         const BareLanes mean = 0.5 * (trial_x + trial_y), half = 0.5 * (trial_x - trial_y);
@@ -278,11 +278,11 @@ std::pair<Real, BigIndex> time_of(Real seconds, const Round& round)
 
 }  // namespace
 
-CeilingRun run_ceiling(BigIndex particles, int per_cell, Real seconds)
+RooflineRun run_roofline_kernel(BigIndex particles, int per_cell, Real seconds)
 {
   const auto side = static_cast<Index>(std::lround(std::sqrt(static_cast<Real>(particles) / 2 / per_cell)));
   Bare bare(std::max(side, 1), per_cell);
-  CeilingRun run;
+  RooflineRun run;
   run.cells = bare.cell_count();
   run.particles = run.cells * per_cell;
   std::tie(run.wall_s, run.steps) = time_of(seconds, [&] { bare.step(); });

@@ -148,7 +148,7 @@ void MpmMethod<d>::warn_of(const mpm::SoilCondition& soil) const
                  recorder_.shaking(), much_shaking);
   if (-state().totals.friction > much_work * recorder_.largest_work())
     spdlog::warn(
-        "contact gave {:.2g} J instead of taking energy: use scheme = \"two_sided\" or a smaller mpm.courant, and let no rigid body "
+        "contact gave {:.2g} J instead of taking energy: use scheme = \"musl_coupled\" or a smaller mpm.courant, and let no rigid body "
         "scrape over a boundary that is held",
         -state().totals.friction);
   const auto warn_of_bound = [&](Real part, const char* which, const char* key, Real ratio) {

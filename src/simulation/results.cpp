@@ -92,7 +92,7 @@ void write_results(const RunRequest& request, const run_folder::RunFolder& folde
   summary.text = {{"title", request.settings.title},
                   {"case", request.case_file.filename().string()},
                   {"version", BERM_VERSION},
-                  {"machine", io::machine_words()},
+                  {"machine", io::host_description()},
                   {"date", io::utc_date(std::chrono::system_clock::now())}};
   summary.checks = {{"finished", outcome.finished}};
   summary.checks.insert(summary.checks.end(), outcome.checks.begin(), outcome.checks.end());

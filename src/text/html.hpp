@@ -12,7 +12,7 @@ struct HtmlCell {
   bool number = false;  ///< aligned to the right
 };
 
-/// A table of a page, in a box that scrolls sideways where it is too wide.
+/// A table of the page, in a box that scrolls sideways where it is too wide.
 class HtmlTable {
 public:
   /// `id` names it for links and for copying, `caption` is text.
@@ -20,11 +20,12 @@ public:
 
   /// The header, before the rows: HTML, by column.
   void columns(std::vector<HtmlCell> cells) { columns_ = std::move(cells); }
-  /// A row; its first cell is its header, and as its only cell goes over all columns. `row_class` as the page's style knows it ("out_of_range", "group"), or "".
+  /// A row; its first cell is its header; a single cell spans all columns. `row_class` as the page's style defines it
+  /// ("out_of_range", "group"), or "".
   void row(std::vector<HtmlCell> cells, std::string row_class = "");
   bool empty() const { return rows_.empty(); }
 
-  /// With a button that copies it.
+  /// With a button to copy it.
   std::string html() const;
 
 private:
@@ -39,10 +40,10 @@ std::string html_section(const std::string& id, const std::string& title, const 
 /// A paragraph of text.
 std::string html_paragraph(const std::string& text, const std::string& css_class = "");
 
-/// How well something stands.
+/// Assessment of a result.
 enum class Standing { good, fair, bad, unknown };
 
-/// A short verdict with a colour (and the word itself for those who do not see it).
+/// A short verdict with a colour, and the word itself for readers who do not see it.
 std::string html_badge(Standing standing, const std::string& word);
 
 }  // namespace berm::text

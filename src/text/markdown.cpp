@@ -15,7 +15,8 @@
 namespace berm::text {
 namespace {
 
-/// Stands for formula k while Markdown is read, which would take its underscores and backslashes for its own: letters that no text uses.
+/// Placeholder of formula k while Markdown is read, whose syntax uses underscores and backslashes, too: letters that no text
+/// uses.
 std::string stand_in(std::size_t k)
 {
   return fmt::format("\uE000{}\uE001", k);
@@ -46,7 +47,7 @@ std::size_t end_of_formula(const std::string& text, std::size_t at)
   return is_space(begin) || is_space(end - 1) || before_digit ? at : behind;
 }
 
-/// Puts stand-ins into the places of formulas, whose HTML goes to `formulas`.
+/// Replaces formulas by placeholders; their HTML goes to `formulas`.
 std::string without_formulas(const std::string& text, std::vector<std::string>& formulas)
 {
   std::string rest;

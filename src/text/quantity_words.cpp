@@ -8,7 +8,7 @@
 namespace berm::text {
 namespace {
 
-/// A unit, and the size from which on it is used.
+/// A unit, and the value from which on it is used.
 struct Unit {
   Real from, size;
   const char* name;

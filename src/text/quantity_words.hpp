@@ -7,7 +7,7 @@
 
 namespace berm::text {
 
-/// Numbers as people read them, with four digits that count. "not known" where one is NaN.
+/// Numbers for display, with four significant digits; "not known" for NaN.
 
 /// A length in mm below a metre, else in m: "20 mm", "1.25 m".
 std::string length_words(Real metres);
@@ -16,8 +16,8 @@ struct NamedUnit {
   Real size;
   const char* name;
 };
-/// The unit in which forces per metre run (in space: forces) of up to a size are told, in tables and in sentences: N/m below 100 N/m, kN/m, and MN/m from
-/// 10 MN/m on (N, kN, MN).
+/// The unit for forces per metre run (in space: forces) of up to `largest`, in tables and in sentences: N/m below 100 N/m,
+/// kN/m, and MN/m from 10 MN/m on (N, kN, MN).
 NamedUnit unit_of_forces(Real largest, int dimension);
 /// A force in the unit of its size.
 std::string force_words(Real newtons, int dimension);
@@ -31,7 +31,7 @@ std::string time_words(Real seconds);
 std::string speed_words(Real metres_per_second);
 /// An angle in degrees.
 std::string angle_words(Real radians);
-/// A part of one in per cent, with two digits that count.
+/// A fraction in per cent, with two significant digits.
 std::string percent_words(Real part);
 /// A bare number.
 std::string number_words(Real value);

@@ -25,7 +25,7 @@ void RunColumns::run(const std::string& name, std::vector<RunEntry> entries)
 
 HtmlTable RunColumns::table(const std::string& id, const std::string& caption) const
 {
-  // A key that earlier runs lack goes behind the one before it.
+  // A key that earlier runs lack is inserted after the one before it.
   std::vector<RunEntry> rows;
   for (const std::vector<RunEntry>& run : runs_) {
     auto after = rows.begin();

@@ -8,9 +8,9 @@
 
 namespace berm::text {
 
-/// What a table says of a run under one heading.
+/// An entry in the column of a run.
 struct RunEntry {
-  std::string key;      ///< tells which row it belongs to
+  std::string key;      ///< identifies the row
   std::string heading;  ///< HTML of the row's header
   std::string content;  ///< HTML
   bool number = true;   ///< aligned to the right
@@ -18,8 +18,8 @@ struct RunEntry {
   std::string note;     ///< HTML of the last cell, of a table that has notes
 };
 
-/// A table of runs side by side: a column for each, a row for each key that any of them has, in the order in which they have them. Rows in which
-/// runs differ have the class "differs".
+/// A table of runs side by side: a column for each run, a row for each key that any of them has, in their order. Rows in
+/// which runs differ have the class "differs".
 class RunColumns {
 public:
   /// `first` heads the first column (HTML). `unit` and `note` head the columns of units and notes; "" leaves these out.
@@ -30,7 +30,7 @@ public:
   {
   }
 
-  /// A run by its name (plain text) with its entries; a key stands once among them.
+  /// A run by its name (plain text) with its entries; keys are unique among them.
   void run(const std::string& name, std::vector<RunEntry> entries);
   HtmlTable table(const std::string& id, const std::string& caption) const;
 

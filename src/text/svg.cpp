@@ -94,7 +94,7 @@ void Svg::arrow(const Vec<2>& from, const Vec<2>& to, Pen pen)
   const Real length = (to - from).norm();
   if (length == 0) return;
   const Vec<2> along = (to - from) / length, across(-along[1], along[0]);
-  const Real head = std::min(9., 0.7 * length);  // a short arrow keeps a bit of its shaft
+  const Real head = std::min(9., 0.7 * length);  // a short arrow keeps part of its shaft
   const Vec<2> neck = to - head * along;
   line(from, neck, pen);
   polygon({to, neck + 0.45 * head * across, neck - 0.45 * head * across}, pen == Pen::nominal ? Pen::path : pen);
@@ -104,7 +104,7 @@ void Svg::text(const Vec<2>& at, const std::string& words, Anchor anchor, bool u
 {
   constexpr std::array anchors{"start", "middle", "end"};
   const std::string x = number_text(at[0]), y = number_text(at[1]);
-  // The halo keeps words apart from the lines that they stand on.
+  // The halo separates text from the lines below it.
   elements_ += fmt::format(
       "<text x=\"{0}\" y=\"{1}\" text-anchor=\"{2}\"{3} "
       "style=\"fill:var(--text,#1d232a);stroke:var(--ground,#fff);stroke-width:3;stroke-linejoin:round;paint-order:stroke\">{4}</text>\n",

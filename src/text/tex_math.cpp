@@ -11,7 +11,7 @@
 namespace berm::text {
 namespace {
 
-/// What is not known.
+/// Thrown for TeX that is not supported.
 struct Unknown : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -54,7 +54,7 @@ bool one_of(const std::string& word, std::initializer_list<const char*> words)
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// Spaces at the ends of MathML's words would be dropped.
+/// MathML drops spaces at the ends of text.
 std::string with_firm_spaces(std::string text)
 {
   for (std::size_t at; (at = text.find(' ')) != std::string::npos;) text.replace(at, 1, "&#xA0;");
@@ -66,7 +66,7 @@ std::string tag(const char* name, const std::string& content)
   return fmt::format("<{0}>{1}</{0}>", name, content);
 }
 
-/// Reads the source once from the left to the right.
+/// Parses the source once, from left to right.
 class Formula {
 public:
   explicit Formula(const std::string& tex) : tex_(tex) {}

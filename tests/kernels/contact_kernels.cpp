@@ -13,11 +13,12 @@ namespace {
 struct Approach {
   const char* name;
   Real along, towards;
-  contact::Grip grip;
+  contact::ContactStatus status;
 };
 
-constexpr Approach approaches[] = {
-    {"open", 0.3, -0.1, contact::Grip::open}, {"sticks", 0.02, 0.1, contact::Grip::sticks}, {"slides", 0.3, 0.1, contact::Grip::slides}};
+constexpr Approach approaches[] = {{"open", 0.3, -0.1, contact::ContactStatus::open},
+                                   {"sticks", 0.02, 0.1, contact::ContactStatus::sticking},
+                                   {"slides", 0.3, 0.1, contact::ContactStatus::slipping}};
 
 template <int dim>
 void correct_points(benchmark::State& state, const Approach& approach)
@@ -42,7 +43,7 @@ void correct_points(benchmark::State& state, const Approach& approach)
   state.SetItemsProcessed(state.iterations() * count);
 
   for (int p = 0; p < count; ++p)
-    if (grip_of<dim>(impulse[p], normal[p], interface) != approach.grip) state.SkipWithError("a point does something else");
+    if (status_of<dim>(impulse[p], normal[p], interface) != approach.status) state.SkipWithError("a point does something else");
 }
 
 }  // namespace

@@ -111,7 +111,7 @@ TEST(GravityLoading, carries_layers_that_a_contact_joins)
   contact::ContactSettings bond;
   bond.body = "upper";
   bond.other_body = "body";
-  bond.scheme = contact::Scheme::sticky;
+  bond.scheme = contact::Scheme::tied;
   c.contact = {{"bond", bond}};
   mesh::Mesh<2> mesh = mesh_of_bed<2>(c, 0);
   mesh.region_names.push_back("upper");

@@ -94,7 +94,7 @@ TEST(Rest, a_bed_under_its_own_stress_stays_at_rest_without_projection)
   EXPECT_GT(run.state().time * 490, 10);
 }
 
-TEST(Spin, a_free_square_keeps_its_angular_momentum_and_makes_little_stress)
+TEST(Rotation, a_free_square_keeps_its_angular_momentum_and_makes_little_stress)
 {
   problem::Case c = free_block<2>({0.5, 0.5});
   std::get<mesh::BoxMesh>(c.mesh).cells = {20, 20};

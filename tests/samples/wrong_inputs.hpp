@@ -48,7 +48,7 @@ mass = "430 kg/m"
 body = "bed"
 rigid = "pipe"
 friction_angle = "20 deg"
-scheme = "twice"
+scheme = "musl_double"
 
 [support.base]
 boundary = "bottom"
@@ -104,6 +104,12 @@ inline const std::vector<WrongInput>& wrong_inputs()
 {
   static const std::vector<WrongInput> all = {
       // Keys.
+      {"former_key",
+       "regions = [\"box\"]",
+       "regions = [\"box\"]\ninitial_spin = 1",
+       27,
+       {"body.bed.initial_spin", "is now called \"initial_angular_velocity\""},
+       {}},
       {"misspelt_key",
        "friction_angle = \"35 deg\"",
        "friction_angel = \"35 deg\"",
@@ -179,12 +185,12 @@ inline const std::vector<WrongInput>& wrong_inputs()
        "poisson_ratio = 0.3",
        "poisson_ratio = \"0.3 deg\"",
        14,
-       {"poisson_ratio", "wrong dimension", "a bare number"},
+       {"poisson_ratio", "wrong dimension", "a dimensionless number"},
        {}},
       {"nan", "surface = 0.0", "surface = nan", 3, {"surface", "finite"}, {}},
       {"infinity", "surface = 0.0", "surface = inf", 3, {"surface", "finite"}, {}},
       {"number_beyond_64_bits", "surface = 0.0", "surface = 99999999999999999999", 3, {"not valid TOML"}, {}},
-      {"number_beyond_what_can_be_computed_with", "surface = 0.0", "surface = \"1e999 m\"", 3, {"surface", "computed with"}, {}},
+      {"number_that_is_not_finite", "surface = 0.0", "surface = \"1e999 m\"", 3, {"surface", "is not a finite number"}, {}},
       {"control_character", "\"a pipe on sand\"", "\"a pipe \\u001b[2J\"", 1, {"title", "control character"}, {}},
       {"control_character_beyond_ascii", "\"a pipe on sand\"", "\"a pipe \\u009b2J\"", 1, {"title", "control character"}, {}},
       {"nul_in_a_text", "\"a pipe on sand\"", "\"a \\u0000 pipe\"", 1, {"title", "control character"}, {}},
@@ -255,11 +261,23 @@ inline const std::vector<WrongInput>& wrong_inputs()
        {}},
       {"number_by_name_out_of_range", "{box = 0.05}", "{box = 5}", 28, {"body.bed.region_damping.box", "from 0 to 1"}, {}},
       {"unknown_word",
-       "scheme = \"twice\"",
-       "scheme = \"twise\"",
+       "scheme = \"musl_double\"",
+       "scheme = \"musl_duoble\"",
        40,
-       {"contact.pipe_on_bed.scheme", "did you mean \"twice\"?", "allowed: two_sided, twice, once"},
+       {"contact.pipe_on_bed.scheme", "did you mean \"musl_double\"?", "allowed: musl_coupled, musl_double, musl_single"},
        {}},
+      {"former_word",
+       "scheme = \"musl_double\"",
+       "scheme = \"twice\"",
+       40,
+       {"contact.pipe_on_bed.scheme", "\"twice\" is now called \"musl_double\""},
+       {}},
+      {"former_word_in_an_override",
+       "",
+       "",
+       0,
+       {"contact.pipe_on_bed.scheme", "\"two_sided\" is now called \"musl_coupled\""},
+       {"contact.pipe_on_bed.scheme=two_sided"}},
       {"unknown_law",
        "\"mohr_coulomb\"",
        "\"mohr_columb\"",
@@ -268,8 +286,8 @@ inline const std::vector<WrongInput>& wrong_inputs()
        {}},
       {"number_for_a_word", "kind = \"push\"", "kind = 1", 48, {"stage.push.kind", "word in quotes", "geostatic, push, drag, free"}, {}},
       {"empty_name", "name = \"push\"", "name = \"\"", 47, {"name", "must not be empty"}, {}},
-      {"empty_name_of_a_table", "[material.rubber]", "[material.\"\"]", 18, {"material.", "is no name"}, {}},
-      {"odd_name_of_a_table", "[material.rubber]", "[material.\"a.b\"]", 18, {"\"a.b\"", "is no name"}, {}},
+      {"empty_name_of_a_table", "[material.rubber]", "[material.\"\"]", 18, {"material.", "is not a valid name"}, {}},
+      {"odd_name_of_a_table", "[material.rubber]", "[material.\"a.b\"]", 18, {"\"a.b\"", "is not a valid name"}, {}},
       {"empty_text", "material = \"sand\"", "material = \"\"", 25, {"body.bed.material", "must not be empty"}, {}},
       // What must fit together.
       {"unknown_material",
@@ -341,7 +359,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
        "shape = \"circle\"\ncenter = [1.0, \"1.4 m\"]\ndiameter = \"0.8 m\"",
        "shape = \"half_plane\"\nrotation = \"free\"\npoint = [0, 1]\nnormal = [0, 1]",
        32,
-       {"rigid.pipe.rotation", "a half-plane cannot turn"},
+       {"rigid.pipe.rotation", "a half-plane cannot rotate"},
        {}},
       {"weightless_body_that_turns",
        "mass = \"430 kg/m\"",
@@ -378,7 +396,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
        "[[stage]]",
        "[traction.load]\nboundary = \"top\"\nstress = [0, 1, 0]\n\n[[stage]]",
        48,
-       {"traction.load.stress", "needs 2 numbers, one a direction, and has 3"},
+       {"traction.load.stress", "needs 2 numbers, one per direction, and has 3"},
        {}},
       {"traction_of_a_force",
        "[[stage]]",
@@ -470,7 +488,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
        {"--set material.*.densty: material.sand.densty: unknown key", "did you mean \"density\"?"},
        {"material.*.densty=1"}},
       {"override_of_every_table_where_there_is_none", "", "", 0, {"--set mesh.*.size: ", "no table in mesh"}, {"mesh.*.size=1"}},
-      {"override_of_every_table_itself", "", "", 0, {"--set material.*: ", "a key behind it"}, {"material.*=1"}},
+      {"override_of_every_table_itself", "", "", 0, {"--set material.*: ", "a key must follow it"}, {"material.*=1"}},
       {"override_with_broken_toml", "", "", 0, {"--set gravity: ", "not valid TOML"}, {"gravity=[0, -1 gravity]"}},
   };
   return all;

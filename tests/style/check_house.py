@@ -274,6 +274,21 @@ def allocation(tree):
     yield from code_matching(tree, paths, r"\bnew\b|\b(?:malloc|calloc|realloc)\s*\(", "takes memory")
 
 
+# Words of earlier names that no field of engineering uses; names take the field's (docs/notation.md). "wished in place" is the field's.
+DIALECT = ("dear", "foretold", "grip", "manieth", "meeting", "spin", "sticky", "stumble", "swallow", "taker", "wants", "weigh", "welded", "wished")
+
+
+def dialect(tree):
+    """Names in C++ have none of a short list of words that mean nothing to an engineer (docs/notation.md has the words to use)."""
+    for path in tree.ending(CPP):
+        for number, line in enumerate(without_words(tree.read(path)).splitlines(), 1):
+            for name in re.findall(r"[A-Za-z_]\w*", line):
+                plain = name.replace("wished_in_place", "")
+                for word in re.split(r"_+|(?<=[a-z0-9])(?=[A-Z])", plain):
+                    if word.lower() in DIALECT:
+                        yield f"{path}:{number}: '{word}' in {name}"
+
+
 def links(tree):
     """Links between the pages of the manual lead somewhere."""
     for path in tree.ending(".md"):
@@ -356,6 +371,16 @@ CHECKS = {
     allocation: (
         [{"src/mpm/a.cpp": "int* a = new int;\n"}, {"src/contact/a.hpp": "void* p = std::malloc(3);\n"}],
         [{"src/mpm/a.cpp": '// a new step\nthrow RunError("no new one");\n', "src/io/a.cpp": "new int;\n"}],
+    ),
+    dialect: (
+        [
+            {"src/a.hpp": "Real initial_spin;\n"},
+            {"src/a.hpp": "enum class Grip { open };\n"},
+            {"src/a.hpp": "struct WishedPipe;\n"},
+            {"tests/a.cpp": "TEST(Memory, is_foretold)\n"},
+            {"src/a.cpp": "int a = stumble_;\n"},
+        ],
+        [{"src/a.hpp": '/// spin\nconst char* former = "sticky";\nbool is_wished_in_place, spins_up, gripping;\n', "web/a.ts": "sticky\n"}],
     ),
     links: ([{"docs/a.md": "[b](b.md)"}], [{"docs/a.md": "[b](../b.md#part) [c](https://berm.example/c.md)", "b.md": ""}]),
 }

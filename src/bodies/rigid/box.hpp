@@ -7,7 +7,7 @@
 
 namespace berm::bodies {
 
-/// A rectangle (2D: may be turned) or box.
+/// A rectangle (2D: may be rotated) or box.
 struct BoxSettings {
   static constexpr const char* word = "box";
 
@@ -26,7 +26,7 @@ inline void check(Describe& d, const std::string& path, const BoxSettings& box, 
 {
   check_entries(d, path + ".center", box.center, dimension);
   check_entries(d, path + ".size", box.size, dimension);
-  d.check(dimension == 2 || box.angle == 0, path + ".angle", "a box can be turned in two dimensions only");
+  d.check(dimension == 2 || box.angle == 0, path + ".angle", "a box can be rotated in two dimensions only");
 }
 
 inline std::string name_of(const BoxSettings&)

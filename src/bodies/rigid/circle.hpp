@@ -6,7 +6,7 @@
 
 namespace berm::bodies {
 
-/// A circle, in space an endless cylinder along z.
+/// A circle; in space an infinite cylinder along z.
 struct CircleSettings {
   static constexpr const char* word = "circle";
 
@@ -45,7 +45,7 @@ struct Circle {
 
   Vec<dim> center;
   Real radius;
-  Real angle = 0;  ///< rad, of a mark on it, for pictures
+  Real angle = 0;  ///< rad, of the radius drawn in pictures
 };
 
 template <int dim>
@@ -58,7 +58,7 @@ template <int dim>
 SurfacePoint<dim> surface_at(const Circle<dim>& circle, const Vec<dim>& x)
 {
   Vec<dim> from = x - circle.center;
-  if constexpr (dim == 3) from[2] = 0;  // an endless cylinder along z
+  if constexpr (dim == 3) from[2] = 0;  // an infinite cylinder along z
   const Real length = from.norm();
   if (length < 1e-12 * circle.radius) return {-circle.radius, Vec<dim>::UnitY()};
   return {length - circle.radius, from / length};
@@ -110,21 +110,21 @@ SurfaceMesh<dim> surface_mesh(const Circle<dim>& circle, const Vec<dim>& lower, 
     outline.push_back(x);
   }
   SurfaceMesh<dim> s = extruded(outline, lower, upper);
-  if (dim == 2 && circle.angle != 0) {  // a spoke shows the rotation
+  if (dim == 2 && circle.angle != 0) {  // a radius shows the rotation
     s.points.push_back(circle.center);
     s.add(SurfaceMesh<dim>::Kind::line, {count, 0});
   }
   return s;
 }
 
-/// One side without ends.
+/// One side of infinite length.
 template <class Visit>
 void visit_sides(const Circle<2>& circle, const Vec<2>& x, const Visit& visit)
 {
   const Vec<2> from = x - circle.center;
   visit(0, OnSide{circle.radius * std::atan2(from[1], from[0]), from.norm() - circle.radius, -infinity, infinity});
 }
-/// After which length the first side begins again; infinite where it does not.
+/// Length after which the first side repeats; infinite where it does not.
 inline Real closes_after(const Circle<2>& circle)
 {
   return 2 * pi * circle.radius;

@@ -5,12 +5,12 @@
 namespace berm::bodies {
 namespace {
 
-/// What a moment adds to the angular velocity in a step.
-Real turned_faster(const RigidBody<2>& body, const RigidState<2>&, Real moment, Real dt)
+/// Increment of the angular velocity by a moment in a step.
+Real angular_velocity_change(const RigidBody<2>& body, const RigidState<2>&, Real moment, Real dt)
 {
   return dt * moment / body.inertia;
 }
-Vec<3> turned_faster(const RigidBody<3>& body, const RigidState<3>& state, const Vec<3>& moment, Real dt)
+Vec<3> angular_velocity_change(const RigidBody<3>& body, const RigidState<3>& state, const Vec<3>& moment, Real dt)
 {
   const Matrix<3> axes = state.orientation.matrix();
   const Vec<3> gyroscopic = cross(state.angular_velocity, times_inertia(body, state, state.angular_velocity));
@@ -34,14 +34,15 @@ void drive_body(const RigidBody<dim>& body, RigidState<dim>& state, const DriveN
 {
   for (int d = 0; d < dim; ++d)
     state.velocity[d] = drive.by_force[d] ? state.velocity[d] + dt * (drive.value[d] + state.reaction[d]) / body.mass : drive.value[d];
-  const Angular<dim> given = angular_of(drive);
+  const Angular<dim> prescribed = angular_of(drive);
   if constexpr (dim == 2) {
-    state.angular_velocity = drive.by_force[2] ? state.angular_velocity + turned_faster(body, state, given + state.torque, dt) : given;
+    state.angular_velocity =
+        drive.by_force[2] ? state.angular_velocity + angular_velocity_change(body, state, prescribed + state.torque, dt) : prescribed;
   } else {
     Vec<3> moment = state.torque;
-    for (int d = 0; d < 3; ++d) moment[d] += drive.by_force[3 + d] ? given[d] : 0;
-    const Vec<3> free = state.angular_velocity + turned_faster(body, state, moment, dt);
-    for (int d = 0; d < 3; ++d) state.angular_velocity[d] = drive.by_force[3 + d] ? free[d] : given[d];
+    for (int d = 0; d < 3; ++d) moment[d] += drive.by_force[3 + d] ? prescribed[d] : 0;
+    const Vec<3> free = state.angular_velocity + angular_velocity_change(body, state, moment, dt);
+    for (int d = 0; d < 3; ++d) state.angular_velocity[d] = drive.by_force[3 + d] ? free[d] : prescribed[d];
   }
 }
 
@@ -50,7 +51,7 @@ void free_body(const RigidBody<dim>& body, RigidState<dim>& state, const Vec<dim
 {
   for (int d = 0; d < dim; ++d) state.velocity[d] = state.velocity[d] + dt * (gravity[d] + state.reaction[d] / body.mass);
   if (body.rotation == Rotation::free)
-    state.angular_velocity += turned_faster(body, state, state.torque, dt);
+    state.angular_velocity += angular_velocity_change(body, state, state.torque, dt);
   else
     state.angular_velocity = no_angular<dim>();
 }

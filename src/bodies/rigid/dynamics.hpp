@@ -9,26 +9,28 @@ namespace berm::bodies {
 template <int dim>
 constexpr int freedoms = dim == 2 ? 3 : 6;
 
-/// What a stage does with one degree of freedom: a velocity or a force (of a rotation: a moment) goes from one value to another.
+/// A stage's drive of one degree of freedom: a velocity or a force (of a rotation: a moment), varying from one value to
+/// another.
 struct Drive {
   bool by_force = false;
   Real from = 0, to = 0;  ///< m/s or N/m (in space: N); of a rotation rad/s or N (in space: N m)
 };
 
-/// The drives of one body at a moment.
+/// The drives of one body at a time.
 template <int dim>
 struct DriveNow {
   bool by_force[freedoms<dim>];
   Real value[freedoms<dim>];
 };
 
-/// The velocity of a driven body in the coming step, by the second law with the reaction of the last step where a force drives it:
+/// Velocity of a driven body in the next step; where a force drives it, by Newton's second law with the reaction of the last
+/// step:
 ///
-///   v = given,  or  v + dt (force + reaction) / m;   omega = given,  or  omega + dt I^-1 (moment + torque - omega x I omega).
+///   v = prescribed,  or  v + dt (force + reaction) / m;   omega = prescribed,  or  omega + dt I^-1 (moment + torque - omega x I omega).
 template <int dim>
 void drive_body(const RigidBody<dim>& body, RigidState<dim>& state, const DriveNow<dim>& drive, Real dt);
 
-/// The same of a body that only gravity (m/s2) and its contacts move.
+/// The same for a body under gravity (m/s2) and contact alone.
 template <int dim>
 void free_body(const RigidBody<dim>& body, RigidState<dim>& state, const Vec<dim>& gravity, Real dt);
 
@@ -43,8 +45,8 @@ void rest(RigidState<dim>& state)
 template <int dim>
 void move_body(RigidState<dim>& state, Real dt);
 
-/// What gravity and a drive did to a free rigid body when they and its contacts changed its motion, less the work that the contacts counted when they
-/// gave their part to the soil: the kinetic energy of a free body is in the balance, so what passes between it and the soil is not from outside.
+/// External work on a free rigid body: that of gravity and drives, less the work that its contacts have already counted. The
+/// kinetic energy of a free body is part of the balance, so its exchange with the soil is internal.
 template <int dim>
 Real work_of_outside(const RigidBody<dim>& body, const RigidState<dim>& before, const RigidState<dim>& after, Real dt);
 

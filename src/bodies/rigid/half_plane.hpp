@@ -9,7 +9,7 @@
 
 namespace berm::bodies {
 
-/// Everything on one side of a plane.
+/// The half-space on one side of a plane.
 struct HalfPlaneSettings {
   static constexpr const char* word = "half_plane";
 

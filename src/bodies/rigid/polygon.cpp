@@ -7,7 +7,7 @@
 namespace berm::bodies {
 namespace {
 
-/// Twice the area of the triangle of the corners a, b and c, positive where they go round counter-clockwise.
+/// Twice the area of the triangle of the corners a, b and c, positive counter-clockwise.
 Real twice_area(const PolygonSettings& p, std::size_t a, std::size_t b, std::size_t c)
 {
   return (p.x[b] - p.x[a]) * (p.y[c] - p.y[a]) - (p.y[b] - p.y[a]) * (p.x[c] - p.x[a]);
@@ -69,7 +69,7 @@ bool is_simple(const PolygonSettings& p)
   for (std::size_t a = 0; a < n; ++a) {
     const std::size_t b = (a + 1) % n, c = (a + 2) % n;
     if (p.x[a] == p.x[b] && p.y[a] == p.y[b]) return false;
-    // A side may go straight on after a corner, but not back.
+    // A side may continue straight after a corner, but not turn back.
     if (twice_area(p, a, b, c) == 0 && (p.x[b] - p.x[a]) * (p.x[c] - p.x[b]) + (p.y[b] - p.y[a]) * (p.y[c] - p.y[b]) <= 0) return false;
     for (std::size_t other = a + 2; other < n; ++other)
       if ((other + 1) % n != a && meet(p, a, b, other, (other + 1) % n)) return false;
@@ -134,7 +134,7 @@ SurfacePoint<dim> surface_at(const Polygon<dim>& polygon, const Vec<dim>& x)
     if ((t > 0 && t < 1) || square == 0) {
       distance = outwards.dot(reach);
       normal = outwards;
-    } else {  // what is nearest to a corner is outside where the corner sticks out, and inside where it is a notch
+    } else {  // a point nearest to a corner is outside where the corner is convex, inside where it is re-entrant
       const Vec<2> before = t == 0 ? Vec<2>(a - corners[(k + n - 1) % n]) : along;
       const Vec<2> behind = t == 0 ? along : Vec<2>(corners[(k + 2) % n] - a - along);
       const Real sign = cross(before, behind) < 0 ? -1 : 1;

@@ -8,7 +8,7 @@
 
 namespace berm::bodies {
 
-/// A polygon, convex or not, in space an endless prism along z. Its corners in order, either way round.
+/// A polygon, convex or not; in space an infinite prism along z. Corners in order, clockwise or counter-clockwise.
 struct PolygonSettings {
   static constexpr const char* word = "polygon";
 
@@ -18,7 +18,7 @@ struct PolygonSettings {
 void describe(Describe& d, PolygonSettings& polygon);
 void check(Describe& d, const std::string& path, const PolygonSettings& polygon, int dimension);
 
-/// Whether at least three corners with different places make a polygon whose sides meet at its corners only.
+/// Whether at least three distinct corners make a polygon whose sides meet at its corners only.
 bool is_simple(const PolygonSettings& polygon);
 
 std::string name_of(const PolygonSettings& polygon);

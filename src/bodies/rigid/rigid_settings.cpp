@@ -11,8 +11,8 @@ void describe(Describe& d, RigidSettings& rigid)
            .unit = "kg/m",
            .range = not_negative});
   d.choice("motion", rigid.motion, {"driven", "free"},
-           {.meaning = "where no stage drives it: rest, or let gravity and its contacts move it (but not in a geostatic stage)"});
-  d.choice("rotation", rigid.rotation, {"fixed", "free"}, {.meaning = "whether the moment of its contacts turns it about its centre"});
+           {.meaning = "motion where no stage drives it: none, or by gravity and its contacts (except in a geostatic stage)"});
+  d.choice("rotation", rigid.rotation, {"fixed", "free"}, {.meaning = "whether the moment of its contacts rotates it about its centre"});
   d.value("moment_of_inertia", rigid.moment_of_inertia,
           {.meaning = "moment of inertia per metre run about its centre (in space: in kg m2, about every axis); absent = that of a solid "
                       "of this shape and mass",
@@ -25,8 +25,8 @@ void check(Describe& d, const std::string& path, const RigidSettings& rigid, int
   std::visit([&](const auto& shape) { check(d, path, shape, dimension); }, rigid.shape);
   d.check(rigid.motion == Motion::driven || rigid.mass > 0, path + ".motion", "a free body needs a mass");
   if (rigid.rotation == Rotation::free) {
-    d.check(is_bounded(make_shape<2>(rigid.shape)), path + ".rotation", "a half-plane cannot turn");
-    d.check(rigid.mass > 0 || rigid.moment_of_inertia, path + ".rotation", "a body that turns needs a mass or a moment_of_inertia");
+    d.check(is_bounded(make_shape<2>(rigid.shape)), path + ".rotation", "a half-plane cannot rotate");
+    d.check(rigid.mass > 0 || rigid.moment_of_inertia, path + ".rotation", "a body that rotates needs a mass or a moment_of_inertia");
   }
 }
 

@@ -5,19 +5,19 @@
 
 namespace berm::bodies {
 
-/// What a rigid body does where no stage drives it.
+/// Motion of a rigid body where no stage drives it.
 enum class Motion {
-  driven,  ///< it rests
-  free     ///< gravity and its contacts move it; in a geostatic stage it rests
+  driven,  ///< at rest
+  free     ///< by gravity and its contacts; at rest in a geostatic stage
 };
 
-/// Whether a rigid body turns.
+/// Whether a rigid body rotates.
 enum class Rotation {
   fixed,
   free  ///< about its centre, by the moment of its contacts
 };
 
-/// A rigid body as the user gives it.
+/// Input of a rigid body.
 struct RigidSettings {
   RigidShapeSettings shape;
   Real mass = 0;  ///< kg per metre run (in space: kg); needed where a force moves it
@@ -29,7 +29,7 @@ struct RigidSettings {
 
 void describe(Describe& d, RigidSettings& rigid);
 
-/// What no range of a single key can say, for the table at `path` ("rigid.pipe") of a case with this dimension.
+/// Checks beyond the range of a single key, for the table at `path` ("rigid.pipe") of a case with this dimension.
 void check(Describe& d, const std::string& path, const RigidSettings& rigid, int dimension);
 
 }  // namespace berm::bodies

@@ -68,7 +68,7 @@ inline Real size_of_angular(const Vec<3>& a)
   return a.norm();
 }
 
-/// How far a rigid body has turned since the start: an angle in the plane, a unit quaternion in space.
+/// Rotation of a rigid body since the start: an angle in the plane, a unit quaternion in space.
 template <int dim>
 struct Orientation;
 
@@ -92,7 +92,7 @@ struct Orientation<3> {
         2 * (y * z - w * x), 2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y);
     return q;
   }
-  /// Turns it further by a rotation vector (rad) in the axes of space: exact for a constant angular velocity.
+  /// Rotates it by a rotation vector (rad) in the axes of space: exact for a constant angular velocity.
   void turn_by(const Vec<3>& rotation)
   {
     const Real angle = rotation.norm();

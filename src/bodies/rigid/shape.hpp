@@ -16,9 +16,9 @@ struct ShapeList {
   using In = std::variant<Shapes<dim>...>;
 };
 
-/// The closed list of shapes. Each has a file of its own: settings and how they are declared, checked, named and drawn; the exact surface with distance
-/// and normal, lowest level, width, reach, moments of inertia, moved copy, surface mesh and, in the plane, its sides. A new shape is such a file and its
-/// word here.
+/// The closed list of shapes, one file each: settings with their declaration, checks, name and drawing; the exact surface
+/// with distance and normal, lowest level, width, reach, moments of inertia, moved copy, surface mesh and, in the plane,
+/// sides. A new shape is such a file and its word here.
 using Shapes = ShapeList<Circle, HalfPlane, Box, Polygon, Sphere>;
 using RigidShapeSettings = Shapes::Settings;
 template <int dim>
@@ -33,7 +33,7 @@ RigidShape<dim> make_shape(const RigidShapeSettings& settings);
 template <int dim>
 SurfacePoint<dim> surface_at(const RigidShape<dim>& shape, const Vec<dim>& x);
 
-/// How high its lowest point lies along the unit vector up, m (of a half-plane: its point).
+/// Level of its lowest point along the unit vector up, m (of a half-plane: of its point).
 template <int dim>
 Real lowest_level(const RigidShape<dim>& shape, const Vec<dim>& up);
 
@@ -41,16 +41,17 @@ Real lowest_level(const RigidShape<dim>& shape, const Vec<dim>& up);
 template <int dim>
 Vec<dim> center_of(const RigidShape<dim>& shape);
 
-/// The length that results are made dimensionless with: diameter of a circle or sphere, width of a box or polygon, 0 for a half-plane.
+/// Reference length of normalised results: diameter of a circle or sphere, width of a box or polygon, 0 for a half-plane.
 template <int dim>
 Real width_of(const RigidShape<dim>& shape);
 
-/// How far from its centre its surface reaches (in space: of what is endless along z, across it); 0 for a half-plane, which never turns.
+/// Largest distance of its surface from its centre, m (in space, of an infinite prism: across it); 0 for a half-plane, which
+/// never rotates.
 template <int dim>
 Real reach_of(const RigidShape<dim>& shape);
 
-/// Moments of inertia of a solid of this shape about its centre and its axes, over its mass: m2; in the plane the last counts. Infinite about axes across
-/// an endless length. 0 for a half-plane.
+/// Moments of inertia per mass of a solid of this shape about its centre and its axes, m2; in the plane the last one
+/// applies. Infinite about axes across an infinite length; 0 for a half-plane.
 template <int dim>
 Vec<3> inertia_over_mass(const RigidShape<dim>& shape);
 
@@ -59,7 +60,7 @@ Vec<3> inertia_over_mass(const RigidShape<dim>& shape);
 template <int dim>
 SurfaceMesh<dim> surface_mesh(const RigidShape<dim>& shape, const Vec<dim>& lower, const Vec<dim>& upper);
 
-/// Whether it ends in all directions of the plane; whether its surface has corners.
+/// Whether it is bounded in the plane; whether its surface has corners.
 template <int dim>
 bool is_bounded(const RigidShape<dim>& shape)
 {

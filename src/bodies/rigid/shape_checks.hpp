@@ -7,11 +7,11 @@
 
 namespace berm::bodies {
 
-/// Says that a list of numbers, one a direction, must have as many as there are dimensions.
+/// Checks that a list has one number per dimension.
 inline void check_entries(Describe& d, const std::string& path, const std::vector<Real>& numbers, int dimension, bool may_be_empty = false)
 {
   d.check((may_be_empty && numbers.empty()) || static_cast<int>(numbers.size()) == dimension, path,
-          fmt::format("needs {} numbers, one a direction, and has {}", dimension, numbers.size()));
+          fmt::format("needs {} numbers, one per direction, and has {}", dimension, numbers.size()));
 }
 
 }  // namespace berm::bodies

@@ -22,7 +22,7 @@ inline void describe(Describe& d, SphereSettings& sphere)
 
 inline void check(Describe& d, const std::string& path, const SphereSettings& sphere, int dimension)
 {
-  d.check(dimension == 3, path + ".shape", "a sphere needs three dimensions; in plane strain take shape = \"circle\"");
+  d.check(dimension == 3, path + ".shape", "a sphere needs three dimensions; in plane strain use shape = \"circle\"");
   check_entries(d, path + ".center", sphere.center, dimension);
 }
 
@@ -95,7 +95,7 @@ Sphere<dim> moved(Sphere<dim> sphere, const Movement<dim>& m)
   return sphere;
 }
 
-/// 32 meridians and 16 bands, of polygons: quads are the sides of what is extruded along z.
+/// 32 meridians and 16 bands, of polygons: quads are reserved for the sides of extrusions along z.
 template <int dim>
 SurfaceMesh<dim> surface_mesh(const Sphere<dim>& sphere, const Vec<dim>&, const Vec<dim>&)
 {
@@ -118,7 +118,7 @@ SurfaceMesh<dim> surface_mesh(const Sphere<dim>& sphere, const Vec<dim>&, const 
   return s;
 }
 
-/// There are no spheres in the plane.
+/// Spheres exist in space only.
 template <class Visit>
 void visit_sides(const Sphere<2>&, const Vec<2>&, const Visit&)
 {

@@ -10,18 +10,18 @@
 
 namespace berm::bodies {
 
-/// Distance and normal of a rigid surface as seen from a point.
+/// Distance and normal of a rigid surface at a point.
 template <int dim>
 struct SurfacePoint {
   Real distance;    ///< m, negative inside the rigid body
   Vec<dim> normal;  ///< unit vector out of the rigid body
 };
 
-/// A point of the plane as seen from a side of a surface.
+/// Coordinates of a point of the plane relative to a side of a surface.
 struct OnSide {
   Real along;       ///< m along the side
   Real away;        ///< m from the side, negative inside the body
-  Real begin, end;  ///< m, where the side has its ends
+  Real begin, end;  ///< m, ends of the side
 };
 
 /// A surface as points and flat cells, for pictures.
@@ -44,7 +44,7 @@ struct SurfaceMesh {
   }
 };
 
-/// The surface with this outline; in space it goes along z from lower to upper.
+/// The surface with this outline; in space extruded along z from lower to upper.
 template <int dim>
 SurfaceMesh<dim> extruded(const std::vector<Vec<dim>>& outline, const Vec<dim>& lower, const Vec<dim>& upper)
 {
@@ -67,7 +67,7 @@ SurfaceMesh<dim> extruded(const std::vector<Vec<dim>>& outline, const Vec<dim>& 
   return s;
 }
 
-/// What a rigid body looks like in the plane x-y, before any mesh.
+/// Outline of a rigid body in the plane x-y, before a mesh exists.
 struct DiskOutline {
   Vec<2> center;
   Real radius;
@@ -81,7 +81,7 @@ struct PlaneOutline {
 };
 using Outline = std::variant<DiskOutline, CornersOutline, PlaneOutline>;
 
-/// A size of a shape as a table names it.
+/// A named dimension of a shape, for tables.
 struct ShapeSize {
   std::string name;
   Real size;  ///< m
@@ -96,7 +96,7 @@ Vec<dim> to_vec(const std::vector<Real>& numbers)
   return v;
 }
 
-/// How far a shape has moved since the start: its centre is displaced, and its axes are turned about that.
+/// Motion of a shape since the start: displacement of its centre and rotation about it.
 template <int dim>
 struct Movement {
   Vec<dim> displacement;

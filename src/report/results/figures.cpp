@@ -60,7 +60,7 @@ std::vector<std::string> draw_frame(const pipe::RunRecord& run, const pipe::Pipe
 }
 
 /// The largest embedment at which a run of finite elements ends; empty without one.
-std::optional<Real> deepest_wished(const std::vector<pipe::RunRecord>& runs)
+std::optional<Real> max_fem_embedment(const std::vector<pipe::RunRecord>& runs)
 {
   std::optional<Real> deepest;
   for (const pipe::RunRecord& run : runs)
@@ -75,7 +75,7 @@ std::vector<std::string> draw_report_figures(const std::vector<pipe::RunRecord>&
                                              const fs::path& folder)
 {
   std::vector<std::string> names = draw_curves(runs, published, folder);
-  const std::optional<Real> wished = deepest_wished(runs);
+  const std::optional<Real> fem_embedment = max_fem_embedment(runs);
   for (const pipe::RunRecord& run : runs) {
     try {
       const pipe::PipeFrames frames(run);
@@ -85,8 +85,8 @@ std::vector<std::string> draw_report_figures(const std::vector<pipe::RunRecord>&
       };
       add(frames.count() - 1, "");
       // The mechanism at the embedment of the finite elements, to be held beside theirs.
-      if (const auto same = frames.nearest(problem::StageKind::drag, &pipe::PipePlace::w, wished.value_or(0));
-          wished && same && run.settings.method == problem::Method::mpm)
+      if (const auto same = frames.nearest(problem::StageKind::drag, &pipe::PipePlace::w, fem_embedment.value_or(0));
+          fem_embedment && same && run.settings.method == problem::Method::mpm)
         add(*same, "_at_w_of_fem");
     } catch (const RunError& error) {
       spdlog::warn("the soil of {} is not drawn: {}", run.name, error.what());

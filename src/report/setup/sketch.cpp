@@ -108,7 +108,7 @@ void add_supports(Sketch& sketch, const problem::Case& c)
   for (const auto& [names, edge] : edges) {
     int held = 0;
     for (const auto& [name, support] : c.support)
-      if (std::find(names.begin(), names.end(), support.boundary) != names.end()) held |= held_directions(support);
+      if (std::find(names.begin(), names.end(), support.boundary) != names.end()) held |= fixed_directions(support);
     if (held == 0) continue;
     std::vector<char> directions;
     for (int d = 0; d < 3; ++d)

@@ -61,7 +61,7 @@ PipeSoil pipe_soil(const problem::Case& c)
   const std::optional<material::Strength> law = material == nullptr ? std::nullopt : strength_at_rest(*material);
   if (!law) return NoFormula{"No formula is known for this soil: its strength is none of cohesion and friction."};
   const contact::ContactSettings& contact = *contact_of_pipe(c);
-  const bool sticks = contact.scheme == contact::Scheme::sticky;
+  const bool sticks = contact.scheme == contact::Scheme::tied;
   const Real unit_weight = pipe_scale(c).unit_weight;
   const bool cohesive = law->cohesion > 0 || law->cohesion_gradient > 0;
   if (law->friction_angle > 0 && !cohesive && unit_weight > 0)

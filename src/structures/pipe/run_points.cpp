@@ -11,7 +11,7 @@ namespace berm::pipe {
 namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-constexpr Real wished_beyond = 0.01;  // of D
+constexpr Real embedded_beyond = 0.01;  // of D
 
 /// The embedment of the main rigid body as the case places it, m; NaN where there is none.
 Real placed_w(const problem::Case& c)
@@ -81,7 +81,7 @@ StageEnd end_of_drag(const RunRecord& run)
 
 bool starts_embedded(const RunRecord& run)
 {
-  return points_of(run).first_w > wished_beyond * run.scale.diameter;
+  return points_of(run).first_w > embedded_beyond * run.scale.diameter;
 }
 
 }  // namespace berm::pipe

@@ -185,13 +185,13 @@ TYPED_TEST(Fill, starts_with_a_uniform_velocity_or_a_standing_wave)
     EXPECT_NEAR((p.v - amplitude * std::sin(wave.dot(p.x))).norm(), 0, 1e-14);
 }
 
-TYPED_TEST(Fill, adds_up_waves_with_their_phases_and_a_spin_about_the_centre_of_mass)
+TYPED_TEST(Fill, adds_up_waves_with_their_phases_and_a_rotation_about_the_centre_of_mass)
 {
   constexpr int dim = TypeParam::value;
   auto body = in_regions({"low"});
   const auto entries = [](std::vector<Real> v) { return v.resize(dim), v; };
   body.initial_velocity = {{entries({1, -2, 3}), {}, 0}, {entries({0.5, 1, 2}), entries({3, 4, 5}), 0.7}};
-  body.initial_spin = 1.5;
+  body.initial_angular_velocity = 1.5;
   const auto all = all_of(fill<dim>(mesh_of_two_regions<dim>(), "sand", body, at_rest<dim>));
   Vec<dim> center = Vec<dim>::Zero();
   Real mass = 0;

@@ -38,7 +38,7 @@ Load<dim> load_of(const TractionSettings& traction)
 {
   Load<dim> load;
   const mesh::Mesh<dim> mesh = half_full<dim>();
-  for (const LoadedPlace<dim>& place : loaded_places(mesh, "load", traction, {0, none})) {
+  for (const LoadedPoint<dim>& place : loaded_points(mesh, "load", traction, {0, none})) {
     EXPECT_EQ(mesh.region[place.cell], 0);
     for (int k = 0; k <= dim; ++k) EXPECT_GT(mesh.shape(place.cell).value(k, place.x), -1e-12);
     load.force += place.force;
@@ -90,7 +90,7 @@ TEST(Traction, acts_within_its_range_to_the_point)
 std::string refusal_of(const TractionSettings& traction)
 {
   try {
-    loaded_places(half_full<2>(), "load", traction, {0, none});
+    loaded_points(half_full<2>(), "load", traction, {0, none});
   } catch (const InputError& error) {
     return error.what();
   }
@@ -104,11 +104,10 @@ TEST(Traction, names_the_boundaries_there_are_and_refuses_those_without_soil)
   traction.boundary = "lid";
   EXPECT_EQ(refusal_of(traction), "traction.load.boundary: the mesh has no boundary \"lid\"; it has left, right, bottom, top, surface");
   traction.boundary = "top";
-  EXPECT_EQ(refusal_of(traction), "traction.load.boundary: no soil of a body that fills regions ends at the boundary \"top\"");
+  EXPECT_EQ(refusal_of(traction), "traction.load.boundary: no body that fills regions has soil at the boundary \"top\"");
   traction.boundary = "surface";
   traction.x_range = {2, 3};
-  EXPECT_EQ(refusal_of(traction),
-            "traction.load.x_range: no soil of a body that fills regions ends at the boundary \"surface\" in this range");
+  EXPECT_EQ(refusal_of(traction), "traction.load.x_range: no body that fills regions has soil at the boundary \"surface\" in this range");
 }
 
 }  // namespace

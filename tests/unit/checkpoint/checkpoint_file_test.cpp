@@ -154,9 +154,9 @@ TEST_F(Checkpoint, that_cannot_be_used_is_refused_with_the_reason)
   EXPECT_EQ(refusal_of("time_s,stage\n"), "it is not a checkpoint of berm");
   EXPECT_EQ(refusal_of(content_.substr(512)), "it is not a checkpoint of berm") << "an HDF5 file of somebody else";
   EXPECT_EQ(refusal_of(""), "it is not a checkpoint of berm");
-  EXPECT_EQ(refusal_of(with_header("format 3\n", "format 9\n")), "it is of format 9, which a newer berm writes; this one reads format 3");
+  EXPECT_EQ(refusal_of(with_header("format 3\n", "format 9\n")), "it has format 9, that of a newer berm; this one reads format 3");
   EXPECT_EQ(refusal_of(with_header("format 3\n", "format 2\n")),
-            "it is of format 2, which an older berm wrote; this one reads format 3: finish the run with that one, or begin it anew");
+            "it has format 2, that of an older berm; this one reads format 3: finish the run with that version, or start it again");
   const std::string other = refusal_of(with_header("berm 0.", "berm 7."));
   EXPECT_EQ(other.find("it was written by berm 7."), 0u) << other;
   for (const char* odd : {"berm \x1b.", "berm \x7f.", "berm \xff."}) EXPECT_EQ(refusal_of(with_header("berm 0.", odd)), "it is damaged");
@@ -177,8 +177,8 @@ TEST_F(Checkpoint, of_other_contents_is_refused)
   Index index = 0;
   Vec<2> vec = Vec<2>::Zero();
   EXPECT_EQ(reading([&](Archive& k) { k("density", real); }), "it has no density");
-  EXPECT_EQ(reading([&](Archive& k) { k("index", real); }), "index is of a wrong kind");
-  EXPECT_EQ(reading([&](Archive& k) { k("real", index); }), "real is of a wrong kind");
+  EXPECT_EQ(reading([&](Archive& k) { k("index", real); }), "index has the wrong type");
+  EXPECT_EQ(reading([&](Archive& k) { k("real", index); }), "real has the wrong type");
   EXPECT_EQ(reading([&](Archive& k) { k("inner", real); }), "it has no inner");
   EXPECT_EQ(reading([&](Archive& k) { k("reals", real); }), "reals has 3 numbers instead of 1");
   EXPECT_EQ(reading([&](Archive& k) { k.table("inner", [&] { k.table("most", [&] { k("vec", vec); }); }); }),
@@ -191,7 +191,7 @@ TEST_F(Checkpoint, with_control_characters_in_a_text_is_refused)
     Thing thing;
     thing.text = std::string("a") + c + "b";
     write_checkpoint(folder_ / "odd.h5", [&](Archive& k) { thing.archive(k); });
-    EXPECT_EQ(refusal(folder_ / "odd.h5"), "text is no text");
+    EXPECT_EQ(refusal(folder_ / "odd.h5"), "text is not text");
   }
 }
 

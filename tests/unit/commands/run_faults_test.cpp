@@ -109,7 +109,7 @@ TEST(Faults, a_time_step_that_falls_to_nothing_ends_the_run_with_what_made_it_sm
   place.folder.write("small.toml", std::string(test::small_case) + "[[body.sand.initial_velocity]]\namplitude = [1e7, 0]\n");
   const Ended ended = place.run({});
   EXPECT_EQ(ended.status, 1);
-  expect_parts(ended.err, {"the time step has fallen to ", "with everything at rest", "at t = 0 s", "body \"sand\"", "1e+07 m/s"});
+  expect_parts(ended.err, {"the time step has fallen to ", "(at rest it is ", "at t = 0 s", "body \"sand\"", "1e+07 m/s"});
   EXPECT_EQ(nlohmann::json::parse(place.text("results/summary.json"))["checks"]["finished"], false);
 }
 

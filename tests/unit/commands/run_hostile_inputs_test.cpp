@@ -83,16 +83,12 @@ TEST_F(Hostile, texts_that_are_no_toml_end_in_one_line)
 
 TEST_F(Hostile, numbers_that_are_none_or_beyond_all_bounds_are_refused)
 {
-  const std::pair<const char*, const char*> bad[] = {{"1e999", "case.toml:3: not valid TOML"},
-                                                     {"-1e999", "case.toml:3: not valid TOML"},
-                                                     {"nan", "surface: must be a finite number"},
-                                                     {"-inf", "surface: must be a finite number"},
-                                                     {"9223372036854775808", "case.toml:3"},
-                                                     {"99999999999999999999999999", "case.toml:3"},
-                                                     {"\"1e999 m\"", "computed with"},
-                                                     {"\"nan m\"", "computed with"},
-                                                     {"\"1 m^2147483647 m^-2147483646\"", "surface"},
-                                                     {"\"1 m^99999999999999999999\"", "surface"}};
+  const std::pair<const char*, const char*> bad[] = {
+      {"1e999", "case.toml:3: not valid TOML"},        {"-1e999", "case.toml:3: not valid TOML"},
+      {"nan", "surface: must be a finite number"},     {"-inf", "surface: must be a finite number"},
+      {"9223372036854775808", "case.toml:3"},          {"99999999999999999999999999", "case.toml:3"},
+      {"\"1e999 m\"", "is not a finite number"},       {"\"nan m\"", "is not a finite number"},
+      {"\"1 m^2147483647 m^-2147483646\"", "surface"}, {"\"1 m^99999999999999999999\"", "surface"}};
   for (const auto& [number, says] : bad) expect_refused(small_case_with("\"40 mm\"", number), says);
   expect_refused(small_case_with("\"40 mm\"", "\"1 " + repeated("(", 300'000) + "m\""), "surface");
   expect_refused(small_case_with("\"40 mm\"", "\"1 " + repeated("m s^-1 ", 100'000) + "\""), "surface");
@@ -140,8 +136,8 @@ TEST_F(Hostile, names_that_would_become_paths_are_refused)
   for (const std::string& name : {std::string("../../x"), std::string("/tmp/x"), std::string("a/b"), std::string(".."), std::string("a b"),
                                   std::string("$(touch x)"), std::string("; touch x"), std::string("`touch x`"), std::string("a\\u0000b"),
                                   std::string("a\\nb"), std::string("\\u001b[2J"), std::string(101, 'a'), std::string(300'000, 'a')}) {
-    expect_refused(small_case_with("[rigid.pipe]", "[rigid.\"" + name + "\"]"), "is no name");
-    expect_refused(test::small_case + ("[watch.\"" + name + "\"]\nbody = \"sand\"\npoint = [0, 0]\n"), "is no name");
+    expect_refused(small_case_with("[rigid.pipe]", "[rigid.\"" + name + "\"]"), "is not a valid name");
+    expect_refused(test::small_case + ("[watch.\"" + name + "\"]\nbody = \"sand\"\npoint = [0, 0]\n"), "is not a valid name");
   }
   expect_refused(small_case_with("name = \"rest\"", "name = \"a\\u0007\\u001b]0;x\\u0007\""), "control character");
   expect_refused(small_case_with("name = \"rest\"", "name = \"" + std::string(101, 'a') + "\""), "100 bytes at most");

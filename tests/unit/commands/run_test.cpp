@@ -96,7 +96,7 @@ TEST(Run, history_has_the_promised_columns_and_a_row_for_each_interval_and_stage
   EXPECT_GT(rows, 90);
 }
 
-TEST(Run, history_tells_extents_and_spin_of_a_body_and_motion_and_stress_of_a_watched_particle)
+TEST(Run, history_has_extents_and_angular_momentum_of_a_body_and_motion_and_stress_of_a_watched_particle)
 {
   const Place place;
   place.folder.write("small.toml", std::string(test::small_case) + "[watch.deep]\nbody = \"sand\"\npoint = [0.0006, 0.0006]\n"

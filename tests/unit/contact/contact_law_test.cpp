@@ -182,25 +182,26 @@ template <int dim>
 void held_points_keep_their_distance_and_stuck_ones_their_place()
 {
   const NodeNeighbourhood<dim> m;
-  for (const Grip grip : {Grip::slides, Grip::sticks}) {
-    const Vec<dim> held = m.relative + holding_impulse<dim>(m.relative, m.normal, {3, 3}, m.interface, grip, Vec<dim>::Zero()) / 3;
+  for (const ContactStatus status : {ContactStatus::slipping, ContactStatus::sticking}) {
+    const Vec<dim> held = m.relative + bilateral_impulse<dim>(m.relative, m.normal, {3, 3}, m.interface, status, Vec<dim>::Zero()) / 3;
     RC_ASSERT(std::abs(held.dot(m.normal) + m.interface.allowed_approach) < 1e-13);
-    RC_ASSERT((m.along(held) - (grip == Grip::sticks ? Vec<dim>(Vec<dim>::Zero()) : m.along(m.relative))).norm() < 1e-13);
+    RC_ASSERT((m.along(held) - (status == ContactStatus::sticking ? Vec<dim>(Vec<dim>::Zero()) : m.along(m.relative))).norm() < 1e-13);
   }
 }
 
-TEST(Grip, is_told_by_the_impulse)
+TEST(ContactStatus, follows_from_the_impulse)
 {
   const Vec<2> up(0, 1);
   const Interface interface {
     0.5, 0, 0
   };
-  EXPECT_EQ(grip_of<2>(Vec<2>(0, 0), up, interface), Grip::open);
-  EXPECT_EQ(grip_of<2>(Vec<2>(0.4, 1), up, interface), Grip::sticks);
-  EXPECT_EQ(grip_of<2>(Vec<2>(-0.5, 1), up, interface), Grip::slides);
-  EXPECT_EQ(grip_of<2>(Vec<2>(0.5, 1), up, {0.5, 0.1, 0}), Grip::sticks);
+  EXPECT_EQ(status_of<2>(Vec<2>(0, 0), up, interface), ContactStatus::open);
+  EXPECT_EQ(status_of<2>(Vec<2>(0.4, 1), up, interface), ContactStatus::sticking);
+  EXPECT_EQ(status_of<2>(Vec<2>(-0.5, 1), up, interface), ContactStatus::slipping);
+  EXPECT_EQ(status_of<2>(Vec<2>(0.5, 1), up, {0.5, 0.1, 0}), ContactStatus::sticking);
   // What the law gives to a point that slides is at the limit, whatever the rounding.
-  EXPECT_EQ(grip_of<2>(contact_impulse<2>(Vec<2>(2.1, -3.3), up, {0.7, 0.7}, interface, Vec<2>(0, 0)), up, interface), Grip::slides);
+  EXPECT_EQ(status_of<2>(contact_impulse<2>(Vec<2>(2.1, -3.3), up, {0.7, 0.7}, interface, Vec<2>(0, 0)), up, interface),
+            ContactStatus::slipping);
 }
 
 TEST(ContactLaw, works_with_a_mass_along_the_surface_of_its_own)

@@ -85,12 +85,12 @@ TYPED_TEST(DetectBodies, share_the_normal_and_the_gap_of_flat_sides_wherever_the
     int compared = 0;
     for (const auto& point : found.list) {
       // At the rim of the upper block a node may see nothing of what lies straight below it.
-      if (dim == 3 && (std::abs(point.place[0] - 0.75) > 0.3 || std::abs(point.place[2] - 1.45) > 0.2)) continue;
+      if (dim == 3 && (std::abs(point.position[0] - 0.75) > 0.3 || std::abs(point.position[2] - 1.45) > 0.2)) continue;
       ++compared;
       EXPECT_NEAR(point.normal[1], 1, 2e-5) << "at "
-                                            << point.place.transpose();  // the search ends within 1e-3 rad: 5e-7, four angles in space
+                                            << point.position.transpose();  // the search ends within 1e-3 rad: 5e-7, four angles in space
       EXPECT_NEAR(point.normal.norm(), 1, 1e-14);
-      EXPECT_NEAR(point.gap, gap, 2e-3 * 0.6) << "at " << point.place.transpose();  // 1e-3 rad over the width of a node's cells
+      EXPECT_NEAR(point.gap, gap, 2e-3 * 0.6) << "at " << point.position.transpose();  // 1e-3 rad over the width of a node's cells
       EXPECT_NEAR(point.distance, gap + spacing, 2e-3 * 0.6);
       EXPECT_EQ(point.touching, point.gap < spacing / 2);
     }
@@ -134,7 +134,7 @@ TEST(DetectTurnedBodies, share_the_normal_of_an_interface_that_lies_at_any_angle
     const auto found = blocks.found(Detection::gap);
     int beside_the_interface = 0;
     for (const auto& point : found.list) {
-      if (std::abs((point.place - middle).dot(along)) > 0.2) continue;
+      if (std::abs((point.position - middle).dot(along)) > 0.2) continue;
       EXPECT_NEAR(point.normal.dot(normal), 1, 2e-5);
       EXPECT_NEAR(point.gap, 0, 2e-3);
       ++beside_the_interface;

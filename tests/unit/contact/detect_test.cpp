@@ -285,8 +285,8 @@ TYPED_TEST(Detect, particle_lists_each_particle_whose_gap_is_less_than_its_width
       Real total = 0;
       for (int n = 0; n <= dim; ++n) x += point.weights[n] * bed.mesh.position[point.nodes[n]], total += point.weights[n];
       EXPECT_NEAR(total, 1, 1e-13);
-      EXPECT_NEAR((x - point.place - point.distance * point.normal).norm(), 0, 1e-13);
-      EXPECT_NEAR(surface_at<dim>(shape, point.place).distance, 0, 1e-13);
+      EXPECT_NEAR((x - point.position - point.distance * point.normal).norm(), 0, 1e-13);
+      EXPECT_NEAR(surface_at<dim>(shape, point.position).distance, 0, 1e-13);
     }
   }
 }

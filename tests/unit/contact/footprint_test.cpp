@@ -38,7 +38,7 @@ struct Bed {
     bodies::RigidBody<2> rigid;
     rigid.shape = shape;
     bodies::RigidState<2> state;
-    found.near_at.setConstant(infinity);
+    found.near_displacement.setConstant(infinity);
     state.near_cells_displacement.setConstant(infinity);
     detect<2>(mesh, particles, rigid, state, detection, NodeField<Real>(mesh.node_count(), 1), found);
     find_footprints(mesh, particles, shape, found);

@@ -33,8 +33,8 @@ TEST(LaneParts, hold_every_particle_once_in_order)
     Chain chain(count);
     std::vector<Real> seen;
     chain.parts(count, [&](const auto& part) {
-      EXPECT_EQ(part.place, static_cast<Index>(seen.size()));
-      EXPECT_EQ(part.left, count - part.place);
+      EXPECT_EQ(part.index, static_cast<Index>(seen.size()));
+      EXPECT_EQ(part.left, count - part.index);
       const auto numbers = part.get(chain.blocks[part.block], chain.blocks[part.other]);
       const auto alive = part.alive();
       for (int l = 0; l < part.size; ++l)

@@ -15,7 +15,7 @@ Matrix<3> full(const SymTensor<dim>& a)
   Matrix<3> m = Matrix<3>::Zero();
   for (int k = 0; k < 3; ++k) m(k, k) = a[k];
   for (int i = 0; i < dim; ++i)
-    for (int j = 0; j < dim; ++j) m(i, j) = a[tensor_place(i, j)];
+    for (int j = 0; j < dim; ++j) m(i, j) = a[tensor_index(i, j)];
   return m;
 }
 
@@ -39,8 +39,8 @@ TYPED_TEST(SymTensors, have_a_place_of_their_own_for_each_component)
   std::vector<int> seen(tensor_size<dim>, 0);
   for (int i = 0; i < dim; ++i)
     for (int j = i; j < dim; ++j) {
-      EXPECT_EQ(tensor_place(i, j), tensor_place(j, i));
-      ++seen.at(tensor_place(i, j));
+      EXPECT_EQ(tensor_index(i, j), tensor_index(j, i));
+      ++seen.at(tensor_index(i, j));
     }
   if (dim == 2) ++seen[2];  // zz
   EXPECT_EQ(seen, std::vector<int>(tensor_size<dim>, 1));

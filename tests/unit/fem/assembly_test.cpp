@@ -74,13 +74,13 @@ TEST_P(MatrixOf, is_the_derivative_of_the_soils_residual_and_the_identity_where_
   for (Index column = 0; column < n; ++column) {
     const auto after = residual_at(column, step), before = residual_at(column, -step);
     for (Index row = 0; row < n; ++row) {
-      const Real slope = assembly.given(row) || assembly.given(column) ? row == column : (after[row] - before[row]) / (2 * step);
+      const Real slope = assembly.prescribed(row) || assembly.prescribed(column) ? row == column : (after[row] - before[row]) / (2 * step);
       EXPECT_NEAR(matrix(row, column), slope, allowed) << row << ", " << column;
       largest = std::max(largest, std::abs(slope));
     }
   }
   EXPECT_EQ(largest > 1e5, GetParam().stiff);  // there is something to compare
-  EXPECT_EQ(assembly.given(model.rigid_unknown()), !GetParam().by_force);
+  EXPECT_EQ(assembly.prescribed(model.rigid_unknown()), !GetParam().by_force);
 }
 
 const SymTensor<2> pressed{{-2e4, -4e4, -2e4, 0}};
@@ -158,7 +158,7 @@ TEST(Assembly, a_bed_with_k0_stresses_is_in_balance_but_for_the_hole)
   int compared = 0;
   for (Index node = 0; node < model.mesh.node_count(); ++node)
     for (int d = 0; d < 2; ++d)
-      if (!near_circle.contains(node) && !assembly.given(2 * node + d)) {
+      if (!near_circle.contains(node) && !assembly.prescribed(2 * node + d)) {
         EXPECT_NEAR(assembly.residual()[2 * node + d], 0, 1e-13 * model.weight) << model.mesh.position[node].transpose();
         ++compared;
       }
@@ -293,12 +293,12 @@ TEST(Assembly, strength_that_follows_the_pressure_of_the_increment_lags_no_more)
     EXPECT_NEAR(lag.part(), 580 / strength - 1, 1e-9);
   };
   expect_strength(500);
-  assembly.follow_strength();
+  assembly.update_strength();
   expect_strength(580);
-  assembly.follow_no_further();
+  assembly.undo_strength_update();
   expect_strength(500);
-  assembly.follow_strength();
-  assembly.forget_strength();
+  assembly.update_strength();
+  assembly.reset_strength();
   expect_strength(500);
 }
 

@@ -58,10 +58,10 @@ TEST(UpdateTraction, slides_both_ways_at_friction_times_pressure)
 
 TEST(UpdateTraction, adhesion_adds_to_the_friction_of_closed_points_alone)
 {
-  FemInterface sticky = rough;
-  sticky.adhesion = 300;
-  EXPECT_NEAR(shear(update_traction(sticky, normal, {}, -2e-3 * normal + 5e-3 * tangent)), -1300, rounding);
-  EXPECT_EQ(update_traction(sticky, normal, {}, 1e-6 * normal + 5e-3 * tangent).state.traction.norm(), 0);
+  FemInterface adhesive = rough;
+  adhesive.adhesion = 300;
+  EXPECT_NEAR(shear(update_traction(adhesive, normal, {}, -2e-3 * normal + 5e-3 * tangent)), -1300, rounding);
+  EXPECT_EQ(update_traction(adhesive, normal, {}, 1e-6 * normal + 5e-3 * tangent).state.traction.norm(), 0);
 }
 
 TEST(UpdateTraction, adhesion_ends_without_a_jump_where_a_point_opens)
@@ -92,7 +92,7 @@ TEST(UpdateTraction, a_gap_must_close_before_it_carries)
 TEST(UpdateTraction, a_sticking_surface_pulls_too)
 {
   FemInterface glue = rough;
-  glue.sticks = true;
+  glue.tied = true;
   const FemTraction now = update_traction(glue, normal, {}, 1e-3 * normal + 5e-3 * tangent);
   EXPECT_NEAR(pressure(now), -1000, rounding);
   EXPECT_NEAR(shear(now), -5000, rounding);
@@ -101,7 +101,7 @@ TEST(UpdateTraction, a_sticking_surface_pulls_too)
 TEST(UpdateTraction, stiffness_is_the_derivative_of_the_traction)
 {
   FemInterface glue = rough, clay = rough;
-  glue.sticks = true;
+  glue.tied = true;
   clay.friction = 0;
   clay.adhesion = 400;
   const FemContactState before{-1e-3, 1000 * normal + 100 * tangent};

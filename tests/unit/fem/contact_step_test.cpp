@@ -35,7 +35,7 @@ struct Block {
   {
     problem::Case c = plate_on_block(elastic_soil(), width);
     c.contact[0].second.friction_angle = std::atan(friction);
-    if (sticks) c.contact[0].second.scheme = contact::Scheme::sticky;
+    if (sticks) c.contact[0].second.scheme = contact::Scheme::tied;
     return fem_problem_of(c);
   }
 
@@ -49,7 +49,7 @@ struct Block {
     step.assign(model.unknowns(), 0.);
     for (Index k = 0; k < model.unknowns(); ++k) {
       const bool rigid = k >= model.rigid_unknown();
-      if (assembly.given(k))
+      if (assembly.prescribed(k))
         step[k] = rigid ? loads.rigid[k - model.rigid_unknown()].value - change[k] : 0;
       else
         step[k] = -assembly.soil_residual()[k];
@@ -81,7 +81,7 @@ struct Block {
     }
     EXPECT_GT(size, 10);
     for (Index k = 0; k < n; ++k) {
-      if (!assembly.given(k)) {
+      if (!assembly.prescribed(k)) {
         EXPECT_NEAR(out[k], 0, 1e-9 * size) << k;
       } else {
         EXPECT_EQ(step[k], k < model.rigid_unknown() ? 0 : loads.rigid[k - model.rigid_unknown()].value - change[k]) << k;

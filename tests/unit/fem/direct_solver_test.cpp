@@ -109,8 +109,8 @@ TEST(DirectSolver, leaves_kept_unknowns_to_the_caller)
 
 TEST(SparsePattern, finds_the_place_of_an_entry)
 {
-  EXPECT_EQ(pattern.place(1, 0), 1);
-  EXPECT_EQ(pattern.place(2, 2), 4);
+  EXPECT_EQ(pattern.index_of(1, 0), 1);
+  EXPECT_EQ(pattern.index_of(2, 2), 4);
 }
 
 }  // namespace

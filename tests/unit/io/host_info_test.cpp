@@ -21,7 +21,7 @@ TEST(machine, processor_without_a_name_is_left_out)
 
 TEST(machine, line_tells_processors_and_system)
 {
-  const std::string words = machine_words();
+  const std::string words = host_description();
   EXPECT_TRUE(std::regex_match(words, std::regex("(.+, )?[1-9][0-9]* processors?, Linux [0-9]+(\\.[0-9]+)? \\w+"))) << words;
 }
 

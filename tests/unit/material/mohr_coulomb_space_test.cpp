@@ -13,7 +13,7 @@ Matrix<3> matrix(const SymTensor<3>& a)
 {
   Matrix<3> m;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) m(i, j) = a[tensor_place(i, j)];
+    for (int j = 0; j < 3; ++j) m(i, j) = a[tensor_index(i, j)];
   return m;
 }
 
@@ -21,7 +21,7 @@ SymTensor<3> tensor(const Matrix<3>& m)
 {
   SymTensor<3> a;
   for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j) a[tensor_place(i, j)] = m(i, j);
+    for (int j = i; j < 3; ++j) a[tensor_index(i, j)] = m(i, j);
   return a;
 }
 

@@ -17,7 +17,7 @@ std::vector<std::array<std::uint32_t, dim>> walk(std::uint32_t side)
   for (std::uint32_t n = 0; n < count; ++n) {
     std::array<std::uint32_t, dim> point;
     for (std::uint32_t d = 0, rest = n; d < dim; ++d, rest /= side) point[d] = rest % side;
-    points.push_back({hilbert_place<dim>(point), point});
+    points.push_back({hilbert_index<dim>(point), point});
   }
   std::sort(points.begin(), points.end());
   std::vector<std::array<std::uint32_t, dim>> order;
@@ -52,9 +52,9 @@ TEST(HilbertCurve, every_step_leads_to_the_next_point_of_the_cube)
 TEST(HilbertCurve, far_corners_have_places_inside_the_range)
 {
   constexpr std::uint32_t last = (1u << curve_bits) - 1;
-  EXPECT_LT(hilbert_place<2>({last, last}), std::uint64_t(1) << (2 * curve_bits));
-  EXPECT_LT(hilbert_place<3>({last, last, last}), std::uint64_t(1) << (3 * curve_bits));
-  EXPECT_NE(hilbert_place<3>({last, last, last}), hilbert_place<3>({last, last, last - 1}));
+  EXPECT_LT(hilbert_index<2>({last, last}), std::uint64_t(1) << (2 * curve_bits));
+  EXPECT_LT(hilbert_index<3>({last, last, last}), std::uint64_t(1) << (3 * curve_bits));
+  EXPECT_NE(hilbert_index<3>({last, last, last}), hilbert_index<3>({last, last, last - 1}));
 }
 
 }  // namespace

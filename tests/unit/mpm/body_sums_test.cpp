@@ -11,7 +11,7 @@ namespace {
 
 /// Gives each particle v = drift + rate cross (x - center of mass).
 template <int dim>
-void spin(bodies::Particles<dim>& particles, const Vec<3>& drift, const Vec<3>& rate)
+void rotate(bodies::Particles<dim>& particles, const Vec<3>& drift, const Vec<3>& rate)
 {
   const Vec<dim> center = sums_over(particles).center();
   for_each_particle(particles, [&](bodies::Block<dim>& p, int l) {
@@ -22,22 +22,22 @@ void spin(bodies::Particles<dim>& particles, const Vec<3>& drift, const Vec<3>& 
   });
 }
 
-TEST(Measure, spin_is_about_the_center_of_mass_and_drift_is_no_part_of_it)
+TEST(Measure, angular_momentum_is_about_the_center_of_mass_and_drift_is_no_part_of_it)
 {
   auto problem = problem_on(criss_cross<2>(), sample_solid(), 4);
   bodies::Particles<2>& particles = problem.state.particles[0];
-  spin<2>(particles, {7, -3, 0}, {0, 0, 0.5});
+  rotate<2>(particles, {7, -3, 0}, {0, 0, 0.5});
   const Vec<2> center = sums_over(particles).center();
   Real inertia = 0;
   for_each_particle(particles, [&](bodies::Block<2>& p, int l) { inertia += p.mass[l] * (position(p, l) - center).squaredNorm(); });
   EXPECT_NEAR(sums_over(particles).angular_momentum()[2] / (0.5 * inertia), 1, 1e-10);
 }
-TEST(Measure, spin_in_space_has_three_components)
+TEST(Measure, angular_momentum_in_space_has_three_components)
 {
   auto problem = problem_on(make_box<3>(sample_box<3>()), sample_solid(), 8);
   bodies::Particles<3>& particles = problem.state.particles[0];
   const Vec<3> rate(0.3, -0.2, 0.5);
-  spin<3>(particles, {7, -3, 2}, rate);
+  rotate<3>(particles, {7, -3, 2}, rate);
   const Vec<3> center = sums_over(particles).center();
   Vec<3> expected = Vec<3>::Zero();
   for_each_particle(particles, [&](bodies::Block<3>& p, int l) {
@@ -65,7 +65,7 @@ TEST(Measure, extents_are_those_of_the_particles_and_not_of_empty_lanes)
 TEST(MomentumError, is_told_against_the_motion_where_all_momenta_cancel)
 {
   auto problem = problem_on(criss_cross<2>(), sample_solid(), 4);
-  spin<2>(problem.state.particles[0], {0, 0, 0}, {0, 0, 0.5});
+  rotate<2>(problem.state.particles[0], {0, 0, 0}, {0, 0, 0.5});
   EXPECT_LT(momentum_error(problem.state), 1e-12);
   const BodySums<2> sums = sums_over(problem.state.particles[0]);
   problem.state.totals.contact_impulse[0] = 1e-3 * std::sqrt(2 * sums.mass * sums.kinetic);

@@ -75,7 +75,7 @@ void expect_uniform_strain(const mesh::Mesh<dim>& mesh)
         EXPECT_NEAR((p.x - was.x - dt * (drift + gradient * was.x)).norm(), 0, 1e-15);
         EXPECT_NEAR(p.volume / was.volume, 1 + strain.trace(), 1e-14);
         for (int a = 0; a < dim; ++a)
-          for (int c = 0; c < dim; ++c) EXPECT_NEAR(p.stress[tensor_place(a, c)], stress(a, c), 1e-12 * stress.norm());
+          for (int c = 0; c < dim; ++c) EXPECT_NEAR(p.stress[tensor_index(a, c)], stress(a, c), 1e-12 * stress.norm());
         EXPECT_NEAR(p.stress[2], stress(2, 2), 1e-12 * stress.norm());
         EXPECT_NEAR(p.deviatoric_strain, std::sqrt(2. / 3) * deviator.norm(), 1e-12 * dt);
         EXPECT_EQ(p.v, was.v);
@@ -335,7 +335,7 @@ TYPED_TEST(Move, stress_turns_with_the_body_and_keeps_its_invariants)
     }
     Matrix<3> was = Matrix<3>::Zero(), turn = Matrix<3>::Identity();
     for (int a = 0; a < 3; ++a)
-      for (int b = 0; b < 3; ++b) was(a, b) = dim == 2 && a != b && a + b != 1 ? 0 : first[tensor_place(a, b)];
+      for (int b = 0; b < 3; ++b) was(a, b) = dim == 2 && a != b && a + b != 1 ? 0 : first[tensor_index(a, b)];
     turn(0, 0) = turn(1, 1) = std::cos(theta);
     turn(1, 0) = std::sin(theta);
     turn(0, 1) = -turn(1, 0);
@@ -344,7 +344,7 @@ TYPED_TEST(Move, stress_turns_with_the_body_and_keeps_its_invariants)
     for_each_particle(body.particles(), [&](bodies::Block<dim>& p, int l) {
       Matrix<3> now = Matrix<3>::Zero();
       for (int a = 0; a < 3; ++a)
-        for (int b = 0; b < 3; ++b) now(a, b) = dim == 2 && a != b && a + b != 1 ? 0 : p.stress[tensor_place(a, b)][l];
+        for (int b = 0; b < 3; ++b) now(a, b) = dim == 2 && a != b && a + b != 1 ? 0 : p.stress[tensor_index(a, b)][l];
       EXPECT_NEAR((now - turned).norm(), 0, error);
       EXPECT_NEAR(now.norm(), was.norm(), error);
       EXPECT_NEAR(now.trace(), was.trace(), 2e6 * 1e-16 * steps);  // round-off of the strain, times the stiffness

@@ -107,7 +107,7 @@ TYPED_TEST(Transfer, internal_forces_are_minus_the_sum_of_volume_stress_and_grad
   Real size = 0;
   random.particle_by_particle([&](Index i, Real, const Vec<dim>& gradient, const bodies::Block<dim>& p, int l) {
     for (int a = 0; a < dim; ++a)
-      for (int b = 0; b < dim; ++b) force[i][a] -= p.volume[l] * p.stress[tensor_place(a, b)][l] * gradient[b];
+      for (int b = 0; b < dim; ++b) force[i][a] -= p.volume[l] * p.stress[tensor_index(a, b)][l] * gradient[b];
     size = std::max(size, force[i].norm());
   });
   for (Index i : random.grid().nodes) EXPECT_NEAR((random.force(i) - force[i]).norm(), 0, 1e-12 * size);

@@ -10,7 +10,7 @@ namespace {
 TEST(Ceiling, has_the_particles_that_were_asked_for_in_blocks_of_eight)
 {
   for (const int per_cell : {1, 4, 8, 9, 16}) {
-    const CeilingRun run = run_ceiling(2000, per_cell, 0);
+    const RooflineRun run = run_roofline_kernel(2000, per_cell, 0);
     EXPECT_EQ(run.particles, run.cells * per_cell) << per_cell;
     EXPECT_NEAR(static_cast<double>(run.particles), 2000, 400) << per_cell;
   }
@@ -18,7 +18,7 @@ TEST(Ceiling, has_the_particles_that_were_asked_for_in_blocks_of_eight)
 
 TEST(Ceiling, steps_as_long_as_it_is_told_and_its_stresses_stay_numbers)
 {
-  const CeilingRun run = run_ceiling(1000, 6, 0.02);
+  const RooflineRun run = run_roofline_kernel(1000, 6, 0.02);
   EXPECT_GE(run.wall_s, 0.02);
   EXPECT_GT(run.steps, 1);
   EXPECT_TRUE(std::isfinite(run.checksum));
@@ -30,7 +30,7 @@ TEST(Ceiling, of_one_state_is_the_same_for_any_number_of_threads)
 {
   const auto stress = [](int threads) {
     omp_set_num_threads(threads);
-    return run_ceiling(1000, 6, 0).checksum;
+    return run_roofline_kernel(1000, 6, 0).checksum;
   };
   const Real one = stress(1);
   EXPECT_EQ(stress(2), one);

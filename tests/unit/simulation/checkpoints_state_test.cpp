@@ -139,7 +139,7 @@ TYPED_TEST(StateCheckpoint, lets_a_run_go_on_as_if_it_had_never_stopped)
 {
   constexpr int dim = TypeParam::value;
   const auto file = this->folder_ / "file.h5";
-  for (const contact::Scheme scheme : {contact::Scheme::two_sided, contact::Scheme::usf}) {
+  for (const contact::Scheme scheme : {contact::Scheme::musl_coupled, contact::Scheme::usf}) {
     test::SampleRun<dim> whole(scheme);
     auto parts = std::make_unique<test::SampleRun<dim>>(scheme);
     for (const int steps : {17, 38, 100, 61, 1, 230, 5}) {
@@ -163,7 +163,7 @@ TYPED_TEST(StateCheckpoint, lets_a_run_go_on_as_if_it_had_never_stopped)
 TYPED_TEST(StateCheckpoint, holds_tractions_and_where_their_points_are)
 {
   constexpr int dim = TypeParam::value;
-  problem::Case c = test::two_bodies<dim>(contact::Scheme::two_sided);
+  problem::Case c = test::two_bodies<dim>(contact::Scheme::musl_coupled);
   c.body.resize(1);
   c.body[0].second.block.reset();
   c.body[0].second.regions = {"box"};

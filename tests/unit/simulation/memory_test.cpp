@@ -42,7 +42,7 @@ problem::Case bed(Real n, bool as_block)
   return c;
 }
 
-TEST(Memory, is_foretold_as_it_is_taken)
+TEST(Memory, is_estimated_as_it_is_taken)
 {
 #ifdef __SANITIZE_ADDRESS__
   GTEST_SKIP() << "the sanitizer keeps what is freed";

@@ -61,7 +61,7 @@ TEST(Expectation, may_be_written_in_any_unit_of_one_dimension)
   read(document, all);
   EXPECT_DOUBLE_EQ(all.expect.at(0).min.value(), 0.005);
   EXPECT_EQ(all.expect.at(0).unit, "m");
-  EXPECT_NE(complaint(begin + "most = \"1 kPa\"\n").find("is in Pa, another number beside it in m"), std::string::npos)
+  EXPECT_NE(complaint(begin + "most = \"1 kPa\"\n").find("is in Pa, another number of this parameter in m"), std::string::npos)
       << complaint(begin + "most = \"1 kPa\"\n");
 }
 TEST(Expectation, may_be_the_ratio_of_the_numbers_of_two_runs)

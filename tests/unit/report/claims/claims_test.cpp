@@ -147,10 +147,10 @@ TEST(Claims, a_larger_resistance_under_a_larger_load_proves_half)
 
 TEST(Claims, of_two_corrections_are_judged_by_runs_that_correct_twice)
 {
-  pipe::RunRecord once = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"once\""}}.record("run");
+  pipe::RunRecord once = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"musl_single\""}}.record("run");
   once.quantities = {{"overlap_max_over_D", 0, "1"}};
   EXPECT_EQ(verdict(claims_section({once}, paper()), "With the two corrections"), "not examined");
-  pipe::RunRecord twice = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"twice\""}}.record("run");
+  pipe::RunRecord twice = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"musl_double\""}}.record("run");
   twice.quantities = {{"overlap_max_over_D", 0, "1"}};
   EXPECT_EQ(verdict(claims_section({twice}, paper()), "With the two corrections"), "reproduced");
   twice.quantities = {{"overlap_max_over_D", 0.01, "1"}};
@@ -160,9 +160,9 @@ TEST(Claims, of_two_corrections_are_judged_by_runs_that_correct_twice)
 TEST(Claims, correcting_twice_is_judged_where_a_run_corrects_once)
 {
   pipe::RunRecord once =
-      PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"once\"", "contact.skin.detection=\"gap\""}}.record("once");
+      PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"musl_single\"", "contact.skin.detection=\"gap\""}}.record("once");
   pipe::RunRecord twice =
-      PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"twice\"", "contact.skin.detection=\"gap\""}}.record("twice");
+      PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"musl_double\"", "contact.skin.detection=\"gap\""}}.record("twice");
   once.quantities = {{"V_noise", 0.03, "1"}};
   twice.quantities = {{"V_noise", 0.02, "1"}};
   EXPECT_EQ(verdict(claims_section({once, twice}, paper()), "Correcting twice"), "reproduced");

@@ -151,10 +151,10 @@ TEST(published, clay_at_07_D_is_out_of_range)
   EXPECT_EQ(by(state_at(values, Kind::end_of_push, 0.014), formulas::murff_source.work), nullptr);
 }
 
-TEST(published, a_sticky_pipe_in_clay_is_rough)
+TEST(published, a_pipe_tied_to_clay_is_rough)
 {
   MadeRun made = clay_run(0.002);
-  made.contact.scheme = contact::Scheme::sticky;
+  made.contact.scheme = contact::Scheme::tied;
   made.gravity_level = 0;
   const PublishedValues values = published_beside(made.record());
   const Comparison* rough = by(state_at(values, Kind::end_of_push, 0.002), merifield);

@@ -10,7 +10,7 @@
 
 namespace berm::material {
 
-/// A law as the user gives it: its word in the input, and how many numbers of its own a particle keeps.
+/// A law with its parameters: its word in the input, and its number of state variables per particle.
 template <class L>
 concept Law = requires(const L& law)
 {
@@ -24,22 +24,23 @@ concept Law = requires(const L& law)
   law.inertia_density;
 };
 
-/// The strength of soil that was never sheared, slowly: shear strength = cohesion cos(friction_angle) - mean stress sin(friction_angle).
+/// Strength of undisturbed soil at a negligible strain rate: shear strength = cohesion cos(friction_angle) - mean stress
+/// sin(friction_angle), tension positive.
 struct Strength {
   Real cohesion = 0;                            ///< Pa, at the bed's surface; the undrained strength where friction_angle is 0
-  Real cohesion_gradient = 0;                   ///< Pa/m, growth with the depth below the surface
+  Real cohesion_gradient = 0;                   ///< Pa/m, increase with depth below the surface
   Real friction_angle = 0, dilation_angle = 0;  ///< rad
 };
 
-/// The moduli as the user knows them.
+/// The elastic constants of the input.
 struct YoungPoisson {
   Real young_modulus = 0;  ///< Pa
   Real poisson_ratio = 0;
 };
 
-// What a law is asked. These are the answers of a law that does not answer itself; one that does has a function of the same name, declared beside it.
+// Queries of a law, with their defaults; a law overrides one by a function of the same name, declared beside it.
 
-/// What people call the law: "Mohr-Coulomb".
+/// Name for display: "Mohr-Coulomb".
 template <Law L>
 std::string law_name(const L&)
 {
@@ -55,57 +56,57 @@ YoungPoisson young_poisson(const L& law)
   return {law.young_modulus, law.poisson_ratio};
 }
 
-/// Of each number that a particle keeps: name, label, unit.
+/// Name, label and unit of each state variable.
 template <Law L>
 std::vector<FieldInfo> state_fields(const L&)
 {
-  static_assert(L::state_size == 0, "a law whose particles keep numbers names them");
+  static_assert(L::state_size == 0, "a law with state variables must name them");
   return {};
 }
 
-/// What no range of a single key can say, for the table at this path ("material.sand").
+/// Checks beyond the range of a single key, for the table at this path ("material.sand").
 template <Law L>
 void check(Describe&, const std::string&, const L&)
 {
 }
 
-/// Whether the law's strength has a limit, as that of soil has.
+/// Whether the law has a yield surface.
 template <Law L>
 bool yields(const L&)
 {
   return true;
 }
 
-/// Empty where the strength is none of cohesion and friction.
+/// Empty where the strength is not of this form.
 template <Law L>
 std::optional<Strength> strength_at_rest(const L&)
 {
   return {};
 }
 
-/// The largest (s1 - s3)/2, Pa, at this (s1 + s3)/2, for what the law keeps; empty where the law cannot say. s1 and s3 are the largest and the smallest
-/// principal stress.
+/// Maximum (s1 - s3)/2, Pa, at this (s1 + s3)/2 and state; empty where the law does not define it. s1 and s3 are the largest
+/// and the smallest principal stress, tension positive.
 template <Law L>
 std::optional<Real> shear_strength(const L&, Real /*middle*/, const Real* /*state*/)
 {
   return {};
 }
 
-/// Whether shearing at yield makes the volume grow.
+/// Whether plastic shearing dilates.
 template <Law L>
 bool dilates(const L&)
 {
   return false;
 }
 
-/// What becomes of the law once the soil cannot grow any further.
+/// The law with a dilation angle of zero, for soil at its maximum volume.
 template <Law L>
 L without_dilation(const L& law)
 {
   return law;
 }
 
-/// The key of the parameter by which the law changes with depth; empty where it is the same at all depths.
+/// Key of the parameter by which the law varies with depth; empty where it is uniform.
 template <Law L>
 std::string depth_key(const L&)
 {
@@ -119,14 +120,14 @@ L at_depth(const L& law, Real /*depth*/)
   return law;
 }
 
-/// Whether plastic flow is not along the gradient of the yield function.
+/// Whether plastic flow is non-associated.
 template <Law L>
 bool non_associated(const L&)
 {
   return false;
 }
 
-/// The law whose flow is associated, which stands for this one in an increment that begins with this stress.
+/// The associated law that replaces this one in an increment that begins with this stress.
 template <Law L>
 L associated(const L& law, const SymTensor<2>& /*stress*/)
 {
