@@ -38,8 +38,8 @@ problem::StageSettings endless(problem::StageKind kind)
   return stage;
 }
 
-/// A pipe of 20 mm that is pushed into the centrifuge's bed, with cells of near_size around it.
-problem::Case pipe_in_sand(Real near_size)
+/// A circle of 20 mm that is pushed into the centrifuge's bed, with cells of near_size around it.
+problem::Case probe_in_sand(Real near_size)
 {
   problem::Case c;
   c.gravity = {0, -50 * standard_gravity};
@@ -61,12 +61,12 @@ problem::Case pipe_in_sand(Real near_size)
   body.damping = 0.02;
   body.k0 = 0.5;
   c.body = {{"sand", body}};
-  bodies::RigidSettings pipe;
-  pipe.shape = bodies::CircleSettings{{0, 0.01}, 0.02};
-  c.rigid = {{"pipe", pipe}};
+  bodies::RigidSettings probe;
+  probe.shape = bodies::CircleSettings{{0, 0.01}, 0.02};
+  c.rigid = {{"probe", probe}};
   contact::ContactSettings contact;
   contact.body = "sand";
-  contact.rigid = "pipe";
+  contact.rigid = "probe";
   contact.friction_angle = 23.33 * pi / 180;
   c.contact = {{"skin", contact}};
   c.support = {{"base", {"base", {"x", "y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}};
@@ -137,10 +137,10 @@ struct BenchProblem {
 };
 
 constexpr BenchProblem problems[] = {
-    {"probe_D10", [] { return pipe_in_sand(0.002); }},  {"probe_D20", [] { return pipe_in_sand(0.001); }},
-    {"probe_D40", [] { return pipe_in_sand(0.0005); }}, {"column_1e5", [] { return column(1e5); }},
-    {"column_1e6", [] { return column(1e6); }},         {"column_1e7", [] { return column(1e7); }},
-    {"space_1e5", [] { return column_in_space(1e5); }}, {"space_1e6", [] { return column_in_space(1e6); }},
+    {"probe_D10", [] { return probe_in_sand(0.002); }},  {"probe_D20", [] { return probe_in_sand(0.001); }},
+    {"probe_D40", [] { return probe_in_sand(0.0005); }}, {"column_1e5", [] { return column(1e5); }},
+    {"column_1e6", [] { return column(1e6); }},          {"column_1e7", [] { return column(1e7); }},
+    {"space_1e5", [] { return column_in_space(1e5); }},  {"space_1e6", [] { return column_in_space(1e6); }},
 };
 
 constexpr Real no_number = std::numeric_limits<Real>::quiet_NaN();

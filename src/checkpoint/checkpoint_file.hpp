@@ -14,7 +14,7 @@ constexpr int checkpoint_format = 3;
 /// Archives the contents of a checkpoint.
 using Contents = std::function<void(Archive&)>;
 
-/// Writes a checkpoint: an HDF5 file behind a header of 512 bytes of text: format, berm's version, length and CRC-32 of the
+/// Writes a checkpoint: an HDF5 file after a header of 512 bytes of text: format, berm's version, length and CRC-32 of the
 /// rest. The file is forced to the disk before it gets its name, so that it is complete or absent. Throws RunError with the
 /// reason; nothing is left then.
 void write_checkpoint(const std::filesystem::path& path, const Contents& contents);

@@ -28,7 +28,7 @@ private:
   Close close_;
 };
 
-/// Writes each value as a dataset of a new HDF5 file, a table as a group, behind a user block of `header_bytes` zeros.
+/// Writes each value as a dataset of a new HDF5 file, a table as a group, after a user block of `header_bytes` zeros.
 /// Throws RunError.
 class Hdf5Writer : public Archive {
 public:

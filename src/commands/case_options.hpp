@@ -7,7 +7,7 @@
 
 namespace berm::commands {
 
-/// What commands that run cases are asked: the cases, changes to them, where results go, and on how many threads.
+/// Options of the commands that run cases: the cases, changes to them, where results go, and on how many threads.
 struct CaseOptions {
   std::vector<std::string> files, overrides;
   std::string output;

@@ -8,7 +8,7 @@ namespace berm::commands {
 Command add_check(CLI::App& program)
 {
   const auto options = std::make_shared<CaseOptions>();
-  CLI::App* app = program.add_subcommand("check", "validate a case and tell what a run would take");
+  CLI::App* app = program.add_subcommand("check", "validate a case and print what a run would take");
   options->take_cases(*app);
   options->take_threads(*app);
   return {app, [options] {

@@ -46,7 +46,7 @@ int run_commands(int argc, char** argv)
     fmt::print(stderr, "berm: {}\n", error.what());
     return 2;
   } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "berm: the machine has no more memory for this; berm check CASE tells how much a run needs\n");
+    fmt::print(stderr, "berm: the machine has no more memory for this; berm check CASE prints how much a run needs\n");
     return 1;
   } catch (const std::exception& error) {
     fmt::print(stderr, "berm: {}\n", error.what());

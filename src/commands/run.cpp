@@ -11,7 +11,7 @@
 namespace berm::commands {
 namespace {
 
-/// One case after the other, each on all threads; cases of finite elements, which hardly gain by threads, side by side behind them.
+/// One case after the other, each on all threads; cases of finite elements, which hardly gain by threads, side by side after them.
 int run_all(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
 {
   catch_interrupts();

@@ -3,6 +3,7 @@
 #include "envelope/envelope_probes.hpp"
 
 #include "core/error.hpp"
+#include "structures/structures.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ bool drives(const problem::StageSettings& stage)
   return stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
 }
 
-/// The first stage that drives the pipe.
+/// The first stage that drives the body.
 std::vector<problem::StageSettings>::const_iterator first_drive(const problem::Case& c)
 {
   return std::find_if(c.stage.begin(), c.stage.end(), drives);
@@ -95,33 +96,14 @@ private:
 
 }  // namespace
 
-EmbeddedPipe embedded_pipe(const problem::Case& c)
+base::EmbeddedBody embedded_body(const problem::Case& c)
 {
-  if (c.dimension != 2) throw InputError("dimension: an envelope is that of a pipe in plane strain; it needs dimension = 2");
-  const auto drive = first_drive(c);
-  const Index main = drive != c.stage.end() && !drive->rigid.empty() ? problem::place_of(c.rigid, drive->rigid)
-                     : c.rigid.empty()                               ? none
-                                                                     : 0;
-  if (main == none) throw InputError("rigid: an envelope needs a pipe: a rigid body with shape = \"circle\"");
-  const auto& [name, rigid] = c.rigid[main];
-  const auto* circle = std::get_if<bodies::CircleSettings>(&rigid.shape);
-  if (circle == nullptr) throw InputError(fmt::format("rigid.{}.shape: an envelope is that of a pipe; it needs \"circle\"", name));
-  const EmbeddedPipe pipe{circle->diameter, c.surface - (circle->center[1] - circle->diameter / 2)};
-  if (!(pipe.embedment > 0))
-    throw InputError(
-        fmt::format("rigid.{}.center: the lowest point of the pipe lies {:g} m above the bed; an envelope needs a pipe that lies in it",
-                    name, -pipe.embedment));
-  if (const auto* seabed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
-    const mesh::SeabedLayout layout = layout_of(*seabed);
-    if (circle->center[0] - pipe.diameter / 2 < layout.left || circle->center[0] + pipe.diameter / 2 > layout.right)
-      throw InputError(fmt::format("rigid.{}.center: the pipe reaches beyond a wall of the mesh; an envelope needs the whole pipe", name));
-  }
-  return pipe;
+  return structures::structure_of(c).embedded(c);
 }
 
 std::vector<Probe> choose_probes(const problem::Case& c, const EnvelopeSettings& settings)
 {
-  const ProbeMaker maker(c, settings.travel * embedded_pipe(c).diameter);
+  const ProbeMaker maker(c, settings.travel * embedded_body(c).width);
   std::vector<Probe> probes;
   for (int k = 0; k < settings.directions; ++k)
     probes.push_back(maker.direction(steepest - (steepest - flattest) * k / (settings.directions - 1)));

@@ -2,23 +2,19 @@
 #pragma once
 
 #include "problem/case.hpp"
+#include "structures/base/published_envelope.hpp"
 
 namespace berm::envelope {
 
-/// How the envelope of a pipe is looked for.
+/// How an envelope is looked for.
 struct EnvelopeSettings {
   int directions = 10;
-  Real travel = 0.1;  ///< of each probe, over the diameter
+  Real travel = 0.1;  ///< of each probe, over the width
 };
 
-/// The pipe of a case, as it lies before the first stage.
-struct EmbeddedPipe {
-  Real diameter = 0;   ///< m
-  Real embedment = 0;  ///< m, depth of the lowest point below the bed's surface
-};
-
-/// The pipe that the case drives. Throws InputError where the case is not plane, drives no circle, or the pipe lies above the bed or beyond the walls.
-EmbeddedPipe embedded_pipe(const problem::Case& c);
+/// The body whose envelope is looked for, as its structure says that it lies before the first stage. Throws InputError where the case has none that has an
+/// envelope.
+base::EmbeddedBody embedded_body(const problem::Case& c);
 
 /// What a probe does: it goes in one direction until the soil yields, or pushes first and then drags at that depth.
 enum class ProbeKind { direction, swipe };
@@ -34,7 +30,7 @@ struct Probe {
 
 /// The probes of an envelope: straight down (the first), in equal steps of angle to 45 degrees above the horizontal, and a swipe. The stages of the
 /// case before its first push or drag stay; those from there on give way to the probe's, which take its speed, ramp, rigid body and damping. Throws
-/// InputError as embedded_pipe, and where that stage has no velocity.
+/// InputError as embedded_body, and where that stage has no velocity.
 std::vector<Probe> choose_probes(const problem::Case& c, const EnvelopeSettings& settings);
 
 }  // namespace berm::envelope

@@ -5,6 +5,7 @@
 #include "io/atomic_file.hpp"
 #include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"
+#include "structures/structures.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -25,12 +26,23 @@ Json number(Real value, const char* unit)
   return {{"value", value}, {"unit", unit}};
 }
 
+/// What is published of the structure, for the ends of the probes.
+base::PublishedEnvelope published_for(const problem::Case& c, const std::vector<EnvelopeRow>& rows)
+{
+  base::EnvelopeEnds ends{{}, {}, extremes_of(rows).V_max};
+  for (const EnvelopeRow& row : rows) {
+    ends.V.push_back(row.result.end.V);
+    ends.H.push_back(row.result.end.H);
+  }
+  return structures::structure_of(c).published_envelope(c, ends);
+}
+
 std::string summary_json(const problem::Case& c, const std::vector<EnvelopeRow>& rows)
 {
   const EnvelopeExtremes extremes = extremes_of(rows);
-  const Published published = published_for(c, rows);
-  const EmbeddedPipe pipe = embedded_pipe(c);
-  Json quantities = {{"w_over_D", number(pipe.embedment / pipe.diameter, "1")},
+  const base::PublishedEnvelope published = published_for(c, rows);
+  const base::EmbeddedBody body = embedded_body(c);
+  Json quantities = {{"w_over_D", number(body.embedment / body.width, "1")},
                      {"V_max", number(extremes.V_max, "N/m")},
                      {"H_max", number(extremes.H_max, "N/m")},
                      {"V_over_V_max_at_H_max", number(extremes.V_at_H_max / extremes.V_max, "1")}};
@@ -40,7 +52,7 @@ std::string summary_json(const problem::Case& c, const std::vector<EnvelopeRow>&
     quantities["unit"] = number(published.unit, "N/m");
   }
   Json all = {{"quantities", quantities}, {"published", Json::object()}};
-  for (const PublishedNumber& known : published.numbers) {
+  for (const base::PublishedNumber& known : published.numbers) {
     const formulas::Source& source = known.formula.source;
     all["published"][known.name] = {{"value", known.formula.value},   {"unit", known.name.starts_with("zhang") ? "1" : "N/m"},
                                     {"label", word_of(source.label)}, {"source", source.work},
@@ -56,13 +68,13 @@ std::string summary_json(const problem::Case& c, const std::vector<EnvelopeRow>&
 
 void draw(const problem::Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder)
 {
-  const Published published = published_for(c, rows);
-  const EmbeddedPipe pipe = embedded_pipe(c);
+  const base::PublishedEnvelope published = published_for(c, rows);
+  const base::EmbeddedBody body = embedded_body(c);
   const EnvelopeExtremes extremes = extremes_of(rows);
   const plot::PlotUnit shown = published.unit > 0 ? plot::PlotUnit{1 / published.unit, ""} : plot::force_unit(extremes.V_max);
   const std::string unit = published.unit > 0 ? " / " + published.unit_name : fmt::format(" ({})", shown.name);
   plot::Figure figure;
-  figure.title = fmt::format("{}: w/D = {:.3g}", c.title.empty() ? "Envelope" : c.title, pipe.embedment / pipe.diameter);
+  figure.title = fmt::format("{}: w/D = {:.3g}", c.title.empty() ? "Envelope" : c.title, body.embedment / body.width);
   figure.x_label = "V" + unit;
   figure.y_label = "H" + unit;
   plot::FigureCurve ends{fmt::format("berm ({}), ends of probes", c.method == problem::Method::fem ? "fem" : "mpm"), of_probes, {}, {}};
@@ -75,7 +87,7 @@ void draw(const problem::Case& c, const std::vector<EnvelopeRow>& rows, const st
       swipe.y.push_back(point.H * shown.per_si);
     }
   }
-  for (const PublishedCurve& curve : published.curves) {
+  for (const base::PublishedCurve& curve : published.curves) {
     plot::FigureCurve drawn{curve.title, curve.V.size() > 2 ? of_curve : of_points, curve.V, curve.H};
     for (Real& V : drawn.x) V *= shown.per_si;
     for (Real& H : drawn.y) H *= shown.per_si;
@@ -106,7 +118,7 @@ void write_envelope_report(const problem::Case& c, const std::vector<EnvelopeRow
 
 std::string envelope_words(const problem::Case& c, const std::vector<EnvelopeRow>& rows)
 {
-  const Published published = published_for(c, rows);
+  const base::PublishedEnvelope published = published_for(c, rows);
   const EnvelopeExtremes extremes = extremes_of(rows);
   std::string text = fmt::format("{:<18} {:>11} {:>11} {:>8} {:>8} {:>8}\n", "probe", "V (N/m)", "H (N/m)", "V/Vmax", "H/Hmax", "growth");
   for (const EnvelopeRow& row : rows) {
@@ -121,7 +133,7 @@ std::string envelope_words(const problem::Case& c, const std::vector<EnvelopeRow
                                                             extremes.H_max / published.unit, published.unit)
                                               : "";
   text += fmt::format("Vmax {:.5g} N/m, Hmax {:.5g} N/m{}\n", extremes.V_max, extremes.H_max, unit);
-  for (const PublishedNumber& known : published.numbers)
+  for (const base::PublishedNumber& known : published.numbers)
     text +=
         fmt::format("published: {} = {:.5g} [{}: {}{}]\n", known.name, known.formula.value, word_of(known.formula.source.label),
                     known.formula.source.work, known.formula.valid ? "" : fmt::format("; out of range: {}", known.formula.source.range));

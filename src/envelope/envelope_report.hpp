@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "envelope/envelope_published.hpp"
+#include "envelope/envelope_table.hpp"
 
 #include <filesystem>
 

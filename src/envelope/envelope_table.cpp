@@ -2,8 +2,8 @@
 // Tests: tests/unit/envelope/envelope_test.cpp
 #include "envelope/envelope_table.hpp"
 
-#include "structures/pipe/pipe_quantities.hpp"
-#include "structures/pipe/travel_curve.hpp"
+#include "record/travel_curve.hpp"
+#include "structures/base/driven_body.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -16,7 +16,7 @@ constexpr Real last_part = 0.25;  // of the travel, over which growth is told
 
 /// V, H and w of a stage over its travel, from where it began: the row before its first.
 struct StagePath {
-  pipe::TravelCurve V, H, w;
+  record::TravelCurve V, H, w;
 };
 
 StagePath path_of(const run_folder::History& history, const std::string& stage)
@@ -29,7 +29,7 @@ StagePath path_of(const run_folder::History& history, const std::string& stage)
   const std::vector<Real> u = part("u"), w = part("w");
   std::vector<Real> travel;
   for (std::size_t k = 0; k < u.size(); ++k) travel.push_back(std::hypot(u[k] - u[0], w[k] - w[0]));
-  return {pipe::TravelCurve(travel, part("V")), pipe::TravelCurve(travel, part("H")), pipe::TravelCurve(travel, w)};
+  return {record::TravelCurve(travel, part("V")), record::TravelCurve(travel, part("H")), record::TravelCurve(travel, w)};
 }
 
 std::string cell(Real value)
@@ -39,12 +39,12 @@ std::string cell(Real value)
 
 }  // namespace
 
-ProbeResult result_of(const Probe& probe, const run_folder::History& history, Real diameter)
+ProbeResult result_of(const Probe& probe, const run_folder::History& history, Real width)
 {
   ProbeResult result;
   const StagePath path = path_of(history, probe.stage);
   if (path.V.empty() || path.H.empty()) return result;
-  const Real half = probe.settings.method == problem::Method::fem ? 0 : pipe::averaging_half_width * diameter;
+  const Real half = probe.settings.method == problem::Method::fem ? 0 : base::averaging_half_width * width;
   const auto at = [&](Real travel) { return EnvelopePoint{path.V.at(travel, half), path.H.at(travel, half), path.w.at(travel, half)}; };
   const Real angle = probe.kind == ProbeKind::swipe ? 0 : probe.angle * pi / 180;
   const auto resistance = [&](const EnvelopePoint& p) { return p.V * std::sin(angle) + p.H * std::cos(angle); };

@@ -6,7 +6,7 @@
 
 namespace berm::envelope {
 
-/// Where a pipe and the forces on it were.
+/// Where the body and the forces on it were.
 struct EnvelopePoint {
   Real V = std::numeric_limits<Real>::quiet_NaN(), H = V;  ///< N/m
   Real w = V;                                              ///< m
@@ -22,7 +22,7 @@ struct ProbeResult {
 };
 
 /// The result of a probe from its run's history. Those of the material point method are freed from noise over +-0.01 D of travel (TravelCurve::at).
-ProbeResult result_of(const Probe& probe, const run_folder::History& history, Real diameter);
+ProbeResult result_of(const Probe& probe, const run_folder::History& history, Real width);
 
 /// One probe in the table.
 struct EnvelopeRow {

@@ -20,7 +20,7 @@ void archive_numbers(Archive& k, const std::string& name, Points& points, const 
 
 }  // namespace
 
-// The sizes tell of a member that is not kept yet.
+// The sizes reveal a member that is not archived yet.
 void archive(Archive& k, const FemModel& model, FemState& state)
 {
   static_assert(sizeof(SoilPoint) == (tensor_size<2> + material::Laws::max_state + 2) * sizeof(Real));

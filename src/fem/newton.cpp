@@ -24,20 +24,20 @@ Newton::Newton(const FemModel& model)
     for (const NodalLoad& load : loads) min_force_ += 1e-3 * load.force.norm();
 }
 
-/// The right-hand side of the equations of the step; whether the given unknowns have moved as given.
+/// The right-hand side of the equations of the step; whether the prescribed unknowns have moved as prescribed.
 bool Newton::set_step(const FemLoads& loads, const std::vector<Real>& change)
 {
-  bool moves_as_given = true;
+  bool moves_as_prescribed = true;
   for (Index k = 0; k < model_.unknowns(); ++k) {
     if (!assembly_.prescribed(k)) {
       step_[k] = -assembly_.soil_residual()[k];
       continue;
     }
-    const Real given = k >= model_.rigid_unknown() ? loads.rigid[k - model_.rigid_unknown()].value : 0;
-    step_[k] = given - change[k];
-    moves_as_given = moves_as_given && std::abs(step_[k]) <= 1e-12 * std::abs(given);
+    const Real prescribed = k >= model_.rigid_unknown() ? loads.rigid[k - model_.rigid_unknown()].value : 0;
+    step_[k] = prescribed - change[k];
+    moves_as_prescribed = moves_as_prescribed && std::abs(step_[k]) <= 1e-12 * std::abs(prescribed);
   }
-  return moves_as_given;
+  return moves_as_prescribed;
 }
 
 /// From the right-hand side to the step.
@@ -86,9 +86,9 @@ IncrementEnd Newton::find_equilibrium(const FemState& begin, const FemLoads& loa
   step_.resize(change.size());
   assembly_.evaluate(begin, change, loads, viscosity);
   for (;; ++end.iterations) {
-    const bool moves_as_given = set_step(loads, change);
+    const bool moves_as_prescribed = set_step(loads, change);
     end.unbalance = assembly_.unbalanced() / std::max(assembly_.contact_force(), min_force_);
-    end.converged = moves_as_given && end.unbalance <= model_.settings.tolerance;
+    end.converged = moves_as_prescribed && end.unbalance <= model_.settings.tolerance;
     if (end.converged || end.iterations == max_iterations || !std::isfinite(end.unbalance)) return end;
     if (!(end.unbalance < fast * last)) {
       assembly_.differentiate(begin, change, viscosity);
@@ -96,7 +96,7 @@ IncrementEnd Newton::find_equilibrium(const FemState& begin, const FemLoads& loa
     }
     last = end.unbalance;
     find_step(begin, change);
-    if (moves_as_given) {
+    if (moves_as_prescribed) {
       search_line(begin, loads, viscosity, change);
     } else {
       for (Index k = 0; k < model_.unknowns(); ++k) change[k] += step_[k];

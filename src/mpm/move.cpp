@@ -13,7 +13,7 @@
 namespace berm::mpm {
 namespace {
 
-/// Strain increment, spin and dilation that a whole cell shares.
+/// Increments of strain, rotation and dilation, uniform in a cell.
 template <int dim>
 struct CellStrain {
   SymTensor<dim> strain{};
@@ -36,7 +36,7 @@ struct CellStrain {
   }
 };
 
-/// stress += spin stress - stress spin (Jaumann).
+/// stress += rotation stress - stress rotation (Jaumann rate).
 template <class V>
 [[gnu::always_inline]] inline void rotate(SymTensor<2, V>& s, const Real (&rotation)[2][2])
 {
@@ -122,11 +122,19 @@ enum class Pass {
   strain,  ///< 10, 11
 };
 
-/// What the strain of particles takes from the step and from their body.
-struct StrainNumbers {
-  Real dt, time;                ///< s
-  Real min_volume, max_volume;  ///< over mass, m3/kg
-};
+/// Finds the new cell of a particle that has left its own, and notes the change. A call here would change what the compiler does to the loop around it, and
+/// the last bits.
+template <int dim>
+[[gnu::always_inline]] inline void note_cell_change(const mesh::Mesh<dim>& mesh, Work<dim>& work, Index cell, Index index,
+                                                    bodies::Block<dim>& block, int lane)
+{
+  Vec<dim> at;
+  for (int d = 0; d < dim; ++d) at[d] = block.x[d][lane];
+  const mesh::Location found = locate(mesh, at, cell);
+  const bool in_mesh = found.inside || clamp_to_cell(mesh, found.cell, at);
+  for (int d = 0; d < dim; ++d) block.x[d][lane] = at[d];
+  if (!in_mesh || found.cell != cell) work.cell_changes[omp_get_thread_num()].push_back({cell, index, in_mesh ? found.cell : none});
+}
 
 /// The dilation that the cells of a patch share, over their volume.
 template <int dim>
@@ -140,35 +148,11 @@ Real patch_dilation(const mesh::Patches& patches, const BodyGrid<dim>& grid, Ind
   return change / volume;
 }
 
-/// Moves a part of a cell's particles and gives their smallest shape function where they are then; adds the kinetic energy that the filter takes. at_zero is
-/// N_k where all coordinates are zero.
-template <class V, int dim, class P>
-[[gnu::always_inline]] inline V move_part(const P& part, bodies::Block<dim>& p, bodies::Block<dim>& q, const mesh::Shape<dim>& shape,
-                                          const Real (&at_zero)[dim], const LinearField<dim>& gain, const LinearField<dim>& velocity,
-                                          Real dt, Real filtered, Real& filtered_energy)
-{
-  const typename Part<V>::Mask alive = part.alive();
-  const Real unfiltered = 1 - filtered;
-  V old_x[dim], x[dim], kinetic_loss{};
-  for (int d = 0; d < dim; ++d) old_x[d] = part.get(p.x[d], q.x[d]);
-  for (int d = 0; d < dim; ++d) {
-    const V v = part.get(p.v[d], q.v[d]);
-    const V new_v = alive ? unfiltered * v + gain.at(d, old_x) : v;
-    part.set(p.v[d], q.v[d], new_v);
-    if (filtered > 0) kinetic_loss += part.get(p.mass, q.mass) * (v * v - new_v * new_v);
-    x[d] = alive ? old_x[d] + dt * velocity.at(d, old_x) : old_x[d];
-    part.set(p.x[d], q.x[d], x[d]);
-  }
-  if (filtered > 0) filtered_energy += 0.5 * sum(kinetic_loss);
-  V min_shape = 1 - V{}, of_corner_0 = 1 - V{};
-  for (int k = 0; k < dim; ++k) {
-    V n = at_zero[k] + shape.gradients[k][0] * x[0];
-    for (int d = 1; d < dim; ++d) n += shape.gradients[k][d] * x[d];
-    of_corner_0 -= n;
-    min_shape = smaller(min_shape, n);
-  }
-  return smaller(min_shape, of_corner_0);
-}
+/// What the strain of particles takes from the step and from their body.
+struct StrainNumbers {
+  Real dt, time;                ///< s
+  Real min_volume, max_volume;  ///< over mass, m3/kg
+};
 
 /// Strains a part of a cell's particles; adds the work of their stresses. law_without_dilation is null where the law does not dilate.
 template <class V, int dim, class P, class Law>
@@ -202,18 +186,36 @@ template <class V, int dim, class P, class Law>
   part.set(p.deviatoric_strain, q.deviatoric_strain, part.get(p.deviatoric_strain, q.deviatoric_strain) + deviatoric);
 }
 
-/// Finds the new cell of a particle that has left its own, and notes the change. A call here would change what the compiler does to the loop around it, and
-/// the last bits.
-template <int dim>
-[[gnu::always_inline]] inline void note_cell_change(const mesh::Mesh<dim>& mesh, Work<dim>& work, Index cell, Index index,
-                                                    bodies::Block<dim>& block, int lane)
+/// What is handed to these parts of a pass by reference stays so: by value the compiler fuses other multiplications with additions, and the last bits are
+/// others.
+
+/// Moves a part of a cell's particles and gives their smallest shape function where they are then; adds the kinetic energy that the filter takes. at_zero is
+/// N_k where all coordinates are zero.
+template <class V, int dim, class P>
+[[gnu::always_inline]] inline V move_part(const P& part, bodies::Block<dim>& p, bodies::Block<dim>& q, const mesh::Shape<dim>& shape,
+                                          const Real (&at_zero)[dim], const LinearField<dim>& gain, const LinearField<dim>& velocity,
+                                          const Real& dt, const Real& filtered, const Real& unfiltered, WorkDone& done)
 {
-  Vec<dim> at;
-  for (int d = 0; d < dim; ++d) at[d] = block.x[d][lane];
-  const mesh::Location found = locate(mesh, at, cell);
-  const bool in_mesh = found.inside || clamp_to_cell(mesh, found.cell, at);
-  for (int d = 0; d < dim; ++d) block.x[d][lane] = at[d];
-  if (!in_mesh || found.cell != cell) work.cell_changes[omp_get_thread_num()].push_back({cell, index, in_mesh ? found.cell : none});
+  const typename Part<V>::Mask alive = part.alive();
+  V old_x[dim], x[dim], kinetic_loss{};
+  for (int d = 0; d < dim; ++d) old_x[d] = part.get(p.x[d], q.x[d]);
+  for (int d = 0; d < dim; ++d) {
+    const V v = part.get(p.v[d], q.v[d]);
+    const V new_v = alive ? unfiltered * v + gain.at(d, old_x) : v;
+    part.set(p.v[d], q.v[d], new_v);
+    if (filtered > 0) kinetic_loss += part.get(p.mass, q.mass) * (v * v - new_v * new_v);
+    x[d] = alive ? old_x[d] + dt * velocity.at(d, old_x) : old_x[d];
+    part.set(p.x[d], q.x[d], x[d]);
+  }
+  if (filtered > 0) done.filtered += 0.5 * sum(kinetic_loss);
+  V min_shape = 1 - V{}, of_corner_0 = 1 - V{};
+  for (int k = 0; k < dim; ++k) {
+    V n = at_zero[k] + shape.gradients[k][0] * x[0];
+    for (int d = 1; d < dim; ++d) n += shape.gradients[k][d] * x[d];
+    of_corner_0 -= n;
+    min_shape = smaller(min_shape, n);
+  }
+  return smaller(min_shape, of_corner_0);
 }
 
 /// law_without_dilation is null where the law does not dilate.
@@ -224,9 +226,9 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
   const mesh::Mesh<dim>& mesh = model.mesh;
   const BodyGrid<dim>& grid = work.grids[body];
   bodies::Particles<dim>& particles = state.particles[body];
-  const Real per_density = 1 / inertia_density(model.bodies[body].material);
-  const Real dt = state.dt, filtered = pass == Pass::both ? grid.filtered_part(dt) : 0;
-  const StrainNumbers numbers{dt, state.time, model.mpm.min_volume_ratio * per_density, model.mpm.max_volume_ratio * per_density};
+  const Real dt = state.dt, time = state.time, per_density = 1 / inertia_density(model.bodies[body].material);
+  const Real min_volume = model.mpm.min_volume_ratio * per_density, max_volume = model.mpm.max_volume_ratio * per_density;
+  const Real filtered = pass == Pass::both ? grid.filtered_part(dt) : 0, unfiltered = 1 - filtered;
   for (auto& list : work.cell_changes) list.clear();
 
   const WorkDone work_done = sum_of<WorkDone>("move and strain particles", static_cast<Index>(particles.occupied().size()), [&](Index c) {
@@ -234,7 +236,7 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
     particles.prefetch_after(c);
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    Real at_zero[dim] = {};
+    Real at_zero[dim] = {};  // N_k where all coordinates are zero
     for (int k = 0; k < dim; ++k)
       for (int d = 0; d < dim; ++d) at_zero[k] -= shape.gradients[k][d] * shape.origin[d];
     const LinearField<dim> gain(shape, nodes, [&](Index i, int d) { return grid.gain(i, d, dt, filtered); }),
@@ -246,13 +248,17 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
     WorkDone done;
     particles.parts(cell, [&](const auto& part) {
       using V = typename std::decay_t<decltype(part)>::Vector;
+      using Mask = typename Part<V>::Mask;
       bodies::Block<dim>&p = particles.block(part.block), &q = particles.block(part.other);
+      const Mask alive = part.alive();
       V min_shape = 1 - V{};
-      if constexpr (pass != Pass::strain) min_shape = move_part<V>(part, p, q, shape, at_zero, gain, velocity, dt, filtered, done.filtered);
+      if constexpr (pass != Pass::strain)
+        min_shape = move_part<V>(part, p, q, shape, at_zero, gain, velocity, dt, filtered, unfiltered, done);
       if constexpr (pass != Pass::move)
-        strain_part<V>(law, law_without_dilation, part, particles, p, q, cell_strain, numbers, deviatoric, done);
+        strain_part<V>(law, law_without_dilation, part, particles, p, q, cell_strain, StrainNumbers{dt, time, min_volume, max_volume},
+                       deviatoric, done);
 
-      const typename Part<V>::Mask leaves = part.alive() & (min_shape < V{});
+      const Mask leaves = alive & (min_shape < V{});
       if (any(leaves)) [[unlikely]]
         for (int l = 0; l < part.size; ++l)
           if (leaves[l]) note_cell_change(mesh, work, cell, part.index + l, l < lanes ? p : q, (part.first + l) % lanes);
@@ -321,8 +327,8 @@ void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, 
   std::sort(cell_changes.begin(), cell_changes.end(),
             [](const CellChange& a, const CellChange& b) { return a.from != b.from ? a.from < b.from : a.index < b.index; });
 
-  for (const CellChange& mover : cell_changes)
-    if (mover.to == none) refuse(model, state, particles.read_at(mover.from, mover.index), body, mover.from);
+  for (const CellChange& change : cell_changes)
+    if (change.to == none) refuse(model, state, particles.read_at(change.from, change.index), body, change.from);
   // The last first: taking a particle moves only ones that were behind it.
   work.in_transit.resize(cell_changes.size());
   for (std::size_t m = cell_changes.size(); m-- > 0;) work.in_transit[m] = particles.take(cell_changes[m].from, cell_changes[m].index);
@@ -330,12 +336,12 @@ void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, 
     particles.insert(cell_changes[m].to, work.in_transit[m]);
     grid.enter(model.mesh, cell_changes[m].to);
   }
-  for (const CellChange& mover : cell_changes)
-    if (particles.count_in(mover.from) == 0) {
-      grid.moments[mover.from] = {};
-      grid.corners[mover.from] = {};
-      grid.volume_change[mover.from] = 0;
-      if (grid.bulk_viscosity > 0) grid.viscous_stress[mover.from] = 0;
+  for (const CellChange& change : cell_changes)
+    if (particles.count_in(change.from) == 0) {
+      grid.moments[change.from] = {};
+      grid.corners[change.from] = {};
+      grid.volume_change[change.from] = 0;
+      if (grid.bulk_viscosity > 0) grid.viscous_stress[change.from] = 0;
     }
   if (particles.sort_occupied()) find_nodes(model.mesh, particles, grid);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/structures/pipe/plots_test.cpp
+// Tests: tests/unit/record/soil_plot_test.cpp
 #include "plot/figure.hpp"
 
 #include "io/atomic_file.hpp"
@@ -53,6 +53,25 @@ bool draw_figure(const std::filesystem::path& folder, const std::string& name, c
                   "set key outside right top samplen 3 spacing 1.2\n{}{}\n",
                   gnuplot_text(figure.title), gnuplot_text(figure.x_label), gnuplot_text(figure.y_label), figure.more, plot);
   return draw(folder, name, figure.width, figure.height, script, format);
+}
+
+bool draw_png_and_svg(const std::filesystem::path& folder, const std::string& name, const Figure& figure)
+{
+  return draw_figure(folder, name, figure, PlotFormat::png) && draw_figure(folder, name, figure, PlotFormat::svg);
+}
+
+std::vector<Real> scaled(std::vector<Real> values, Real factor)
+{
+  for (Real& value : values) value *= factor;
+  return values;
+}
+
+Real largest_size(const std::vector<Real>& values)
+{
+  Real max = 0;
+  for (const Real value : values)
+    if (std::isfinite(value)) max = std::max(max, std::abs(value));
+  return max;
 }
 
 }  // namespace berm::plot

@@ -30,4 +30,14 @@ struct Figure {
 /// (see draw) or where there is nothing to draw.
 bool draw_figure(const std::filesystem::path& folder, const std::string& name, const Figure& figure, PlotFormat format = PlotFormat::png);
 
+/// The same as both.
+bool draw_png_and_svg(const std::filesystem::path& folder, const std::string& name, const Figure& figure);
+
+/// Figure::more of a figure whose key stands below and whose y begins at 0.
+constexpr const char* from_zero = "set key below\nset yrange [0:*]\n";
+
+/// Numbers times a factor; the largest absolute value of those that are finite, 0 without any.
+std::vector<Real> scaled(std::vector<Real> values, Real factor);
+Real largest_size(const std::vector<Real>& values);
+
 }  // namespace berm::plot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/structures/pipe/plots_test.cpp
+// Tests: tests/unit/record/soil_plot_test.cpp
 #include "plot/nice_number.hpp"
 
 namespace berm::plot {

@@ -23,7 +23,7 @@ void archive(Archive& k, const std::string& name, bodies::Orientation<3>& orient
 
 }  // namespace
 
-// The sizes tell of a member that is not kept yet.
+// The sizes reveal a member that is not archived yet.
 template <int dim>
 void archive(Archive& k, bodies::RigidState<dim>& rigid)
 {

@@ -69,7 +69,7 @@ void check_bodies(Describe& d, const Case& c)
     if (body.block) {
       bodies::check_entries(d, path + ".block.center", body.block->center, c.dimension);
       bodies::check_entries(d, path + ".block.size", body.block->size, c.dimension);
-      d.check(c.dimension == 2 || body.block->angle == 0, path + ".block.angle", "a block can be turned in two dimensions only");
+      d.check(c.dimension == 2 || body.block->angle == 0, path + ".block.angle", "a block can be rotated in two dimensions only");
     }
     if (body.disk) {
       d.check(c.dimension == 2, path + ".disk", "there are disks in two dimensions only");
@@ -129,10 +129,10 @@ void check_inertia(Describe& d, const Case& c, const StageSettings& s, const std
     if (name != driven) continue;
     d.check(rigid.mass > 0 || !has_force<dim>(drives), path, fmt::format("a force drives [rigid.{}], which therefore needs a mass", name));
     d.check(rigid.mass > 0 || rigid.moment_of_inertia || !has_moment<dim>(drives), path,
-            fmt::format("a moment turns [rigid.{}], which therefore needs a mass or a moment_of_inertia", name));
+            fmt::format("a moment rotates [rigid.{}], which therefore needs a mass or a moment_of_inertia", name));
     const auto turns = [](const FreedomDrive& drive) { return drive.by == FreedomDrive::By::force || drive.value != 0; };
     d.check(bodies::is_bounded(bodies::make_shape<2>(rigid.shape)) || std::none_of(drives.begin() + dim, drives.end(), turns), path,
-            fmt::format("[rigid.{}] is a half-plane, which cannot turn", name));
+            fmt::format("[rigid.{}] is a half-plane, which cannot rotate", name));
   }
 }
 
@@ -163,7 +163,7 @@ void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::
   turn("rotation_y", s.drive.rotation_y, !plane);
   turn("rotation_z", s.drive.rotation_z, !plane);
   d.check(!drive || any, path + ".drive", "a drive needs at least one freedom: x, y, z or a rotation");
-  d.check(!drive || c.method == Method::mpm, path + ".kind", "finite elements know push and drag");
+  d.check(!drive || c.method == Method::mpm, path + ".kind", "the finite element method supports push and drag");
 }
 
 void check_stages(Describe& d, const Case& c)
@@ -262,7 +262,7 @@ void check_fem(Describe& d, const Case& c)
             fmt::format("makes more than {:.0e} cells around [rigid.{}]: enlarge it or mesh.growth", mesh::max_seabed_cells, name));
 }
 
-/// Rows and frames are written to a disk that ends. Stages whose end cannot be told are not counted.
+/// Rows and frames are written to a disk that ends. Stages of unknown duration are not counted.
 void check_output(Describe& d, const Case& c)
 {
   constexpr Real max_rows = 1e10, max_frames = 1e5;
@@ -345,7 +345,7 @@ void describe(Describe& d, OutputSettings& output)
           {.meaning = "travel of the driven rigid body between frames", .unit = "m", .range = positive});
   d.value("checkpoint_wall_time", output.checkpoint_wall_time,
           {.meaning =
-               "time on the clock between checkpoints, from which berm run --resume goes on; 0 = only at the end of a stage and where the "
+               "time on the clock between checkpoints, from which berm run --resume resumes; 0 = only at the end of a stage and where the "
                "run is stopped",
            .unit = "s",
            .range = not_negative});
@@ -358,7 +358,7 @@ void describe(Describe& d, Case& c)
            {.meaning = "material point method, or small-strain finite elements around a rigid body wished in place"});
   d.value("dimension", c.dimension, {.meaning = "2 = plane strain, per metre run; 3 = space", .range = {2, 3}});
   d.value("gravity", c.gravity,
-          {.meaning = "gravity, one number a direction, such as [0, \"-50 gravity\"]; absent = none", .unit = "m/s^2"});
+          {.meaning = "gravity, one number per direction, such as [0, \"-50 gravity\"]; absent = none", .unit = "m/s^2"});
   d.value("gravity_ramp", c.gravity_ramp,
           {.meaning = "time from no gravity to all of it at the start", .unit = "s", .range = not_negative});
   d.value("surface", c.surface, {.meaning = "level y of the bed's surface at the start", .unit = "m"});

@@ -112,7 +112,7 @@ struct SupportSets {
 };
 SupportSets support_sets(const Case& c);
 
-/// The rigid body whose u, w, H and V the history tells: the first that a stage names, else the first there is; none without rigid bodies.
+/// The rigid body whose u, w, H and V are in the history: the first that a stage names, else the first there is; none without rigid bodies.
 Index main_rigid(const Case& c);
 
 }  // namespace berm::problem

@@ -7,7 +7,7 @@
 
 namespace berm::problem {
 
-/// What a stage wants of one degree of freedom of the body that it drives.
+/// What a stage prescribes to a degree of freedom of the body that it drives.
 struct FreedomDrive {
   enum class By {
     velocity,  ///< a given velocity; 0: it is fixed

@@ -70,7 +70,7 @@ struct Model {
   Real surface;                                ///< m
   std::vector<StageSettings> stages;
   std::vector<Index> driven;  ///< the rigid body that each stage drives, or none
-  Index main_rigid;           ///< whose u, w, H and V are told, or none
+  Index main_rigid;           ///< whose u, w, H and V are in the history, or none
   std::vector<Watch> watches;
   MpmSettings mpm;
   bool update_stress_first = false;  ///< Scheme::usf

@@ -15,7 +15,7 @@ void describe(Describe& d, TurnSettings& turn)
 {
   d.value("velocity", turn.velocity, {.meaning = "angular velocity, counter-clockwise seen from the end of the axis", .unit = "rad/s"});
   d.value("moment", turn.moment, {.meaning = "moment on the body, instead of a velocity", .unit = "N"});
-  d.value("fixed", turn.fixed, {.meaning = "does not turn, whatever [rigid.NAME] says"});
+  d.value("fixed", turn.fixed, {.meaning = "does not rotate, whatever [rigid.NAME] says"});
 }
 
 void describe(Describe& d, DriveSettings& drive)
@@ -44,7 +44,7 @@ void describe(Describe& d, StageSettings& stage)
 {
   d.value("name", stage.name, {.meaning = "name of the stage, for the history and for --set", .required = true});
   d.choice("kind", stage.kind, {"geostatic", "push", "drag", "free", "drive"},
-           {.meaning = "find equilibrium; push down; drag sideways; let time go on; or drive each degree of freedom as [stage.drive] says",
+           {.meaning = "find equilibrium; push down; drag sideways; let time pass; or drive each degree of freedom as [stage.drive] says",
             .required = true});
   d.value("rigid", stage.rigid, {.meaning = "rigid body that is driven; may be left out where there is only one"});
   d.value("velocity", stage.velocity, {.meaning = "speed of the drive: down in a push, along x in a drag", .unit = "m/s"});

@@ -10,7 +10,7 @@ enum class StageKind {
   geostatic,  ///< all rigid bodies rest; the soil finds its equilibrium, which is checked at the end
   push,       ///< down, by velocity or force; no horizontal motion
   drag,       ///< along x, by velocity or force
-  free,       ///< time goes on; rigid bodies rest, but for free ones
+  free,       ///< time passes; rigid bodies rest, but for free ones
   drive       ///< each degree of freedom as [stage.drive] says; what it leaves out is fixed
 };
 

@@ -48,7 +48,7 @@ bool stage_ended(const Model<dim>& model, const State<dim>& state);
 template <int dim>
 void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt);
 
-/// The time that a stage is expected to take, s; 0 where it cannot be told from its input.
+/// The time that a stage is expected to take, s; 0 where its input does not determine it.
 Real expected_time(const StageSettings& stage);
 /// The sum over stages.
 Real expected_time(const std::vector<StageSettings>& stages);

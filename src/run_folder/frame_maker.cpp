@@ -125,7 +125,7 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
   return frame;
 }
 
-// The strain since the start is told from those that were neighbours at the start, whose lattice fits a gradient wherever they have gone; that since the
+// The strain since the start is computed from those that were neighbours at the start, whose lattice fits a gradient wherever they have gone; that since the
 // frame before from those that are neighbours now. The latter's gradient is that of the way back, which has the same deviatoric strain.
 template <int dim>
 void FrameMaker<dim>::add_strains(const bodies::Particles<dim>& particles, std::vector<Known>& known, const std::vector<Index>& point,

@@ -16,7 +16,7 @@ public:
   /// The next frame: its increments count from the frame made before.
   Frame<dim> make(const problem::State<dim>& state);
 
-  /// What the increments of the next frame count from. Where the particles were at the start is not kept: a run that goes on makes its FrameMaker at the
+  /// What the increments of the next frame count from. Where the particles were at the start is not kept: a resumed run makes its FrameMaker at the
   /// same start.
   void archive(Archive& k);
 

@@ -70,7 +70,7 @@ void FrameWriter<dim>::write(Frame<dim> frame)
   const bool written = !times_.empty() && times_.back() == frame.time;
   if (written && last_.time == frame.time) return;
   last_ = std::move(frame);
-  if (written) return;  // by the run that this one goes on with
+  if (written) return;  // by the run that is resumed
   with_rigids_ = !last_.rigid_bodies.empty();
   with_triangles_ = !last_.triangles.empty();
   const Index number = static_cast<Index>(times_.size());

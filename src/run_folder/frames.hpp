@@ -21,9 +21,9 @@ public:
   /// Writes one frame, unless the last one written is of the same time. All frames of a run have triangles or none, rigid bodies or none.
   void write(Frame<dim> frame);
 
-  /// What is needed to go on behind the frames written so far, whose names are forced to the disk. Reading refuses where one of their files is gone.
+  /// What a resumed run needs to continue after the frames written so far, whose names are forced to the disk. Reading refuses where one of their files is gone.
   void archive(Archive& k);
-  /// Removes frames that are not among those written: of a run that came farther than where it goes on from.
+  /// Removes frames that are not among those written: of a run that came farther than where it is resumed.
   void remove_others() const;
 
   /// Of the frames written, s.

@@ -5,7 +5,7 @@
 
 namespace berm::run_folder {
 
-/// What a deformation gradient tells of strain.
+/// Strain from a deformation gradient.
 struct GradientStrain {
   Real deviatoric = 0;  ///< equivalent_deviatoric_strain of the logarithmic strain: 2/sqrt(3) asinh(gamma/2) in a simple shear of gamma
   Real volumetric = 0;  ///< ln det F, expansion positive
@@ -28,7 +28,7 @@ public:
 
   /// A point at x (m) in `cell` that is displaced by u (m).
   void add(Index cell, const Vec<dim>& x, const Vec<dim>& u);
-  /// To be called once, behind the last point.
+  /// To be called once, after the last point.
   void fit();
   /// du/dx at x in `cell`; zero where no node of the cell has a gradient.
   Matrix<dim> at(Index cell, const Vec<dim>& x);

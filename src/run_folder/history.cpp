@@ -24,7 +24,7 @@ std::string csv_number(Real value)
   return std::isnan(value) ? "nan" : fmt::format("{}", value);
 }
 
-/// Takes the next line's fields from `text` and moves `at` behind it; false where no whole line is left.
+/// Takes the next line's fields from `text` and moves `at` past it; false where no whole line is left.
 bool next_line(const std::string& text, std::size_t& at, std::vector<std::string>& fields)
 {
   fields.assign(1, "");
@@ -112,7 +112,7 @@ std::string HistoryFile::header(const std::vector<Column>& columns)
   if (goes_on_) {
     if (read_schema(path_) != columns)
       throw RunError(
-          fmt::format("{}: the run would go on with other columns than {} tells", path_.string(), schema_path(path_).filename().string()));
+          fmt::format("{}: the resumed run has other columns than {} lists", path_.string(), schema_path(path_).filename().string()));
     return "";
   }
   write_schema(path_, columns);

@@ -14,7 +14,7 @@ namespace berm::run_folder {
 /// brings the columns: the header, and history.schema.json beside the file (history_schema.hpp).
 class HistoryFile {
 public:
-  /// A history that goes on keeps its first `kept_bytes` bytes and its schema, and what was written behind them is
+  /// A resumed history keeps its first `kept_bytes` bytes and its schema, and what was written after them is
   /// cut off; with none the file begins anew, and is empty until its first row. Throws RunError.
   explicit HistoryFile(const std::filesystem::path& path, BigIndex kept_bytes = 0);
   ~HistoryFile();

@@ -44,7 +44,7 @@ std::vector<Column> read_schema(const std::filesystem::path& history)
   const std::filesystem::path path = schema_path(history);
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
-    throw RunError(fmt::format("{}: there is no {} beside it, which tells its units", history.string(), path.filename().string()));
+    throw RunError(fmt::format("{}: there is no {} beside it, which has its units", history.string(), path.filename().string()));
   if (std::filesystem::file_size(path, error) > max_bytes) throw RunError(fmt::format("{} is damaged: it is too long", path.string()));
   try {
     std::vector<Column> columns;

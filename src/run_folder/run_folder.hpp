@@ -16,7 +16,7 @@ public:
   /// Throws RunError where the path is not a folder, cannot be written to, is written to by another process, or holds
   /// something and is not one of a run.
   explicit RunFolder(const std::filesystem::path& path);
-  /// The folder of a run that goes on: nothing is removed. Throws RunError where it is not the folder of a run or cannot be written to.
+  /// The folder of a resumed run: nothing is removed. Throws RunError where it is not the folder of a run or cannot be written to.
   static RunFolder of_earlier_run(const std::filesystem::path& path);
 
   const std::filesystem::path& path() const { return path_; }

@@ -16,7 +16,7 @@ class LogFileSink;
 /// On a terminal it also keeps one line that is rewritten in place, below the messages.
 class RunLog {
 public:
-  /// Begins the file, or goes on behind what it holds. Messages go to `instead` of stderr where it is given. Throws RunError where the file cannot be
+  /// Begins the file, or appends to what it holds. Messages go to `instead` of stderr where it is given. Throws RunError where the file cannot be
   /// written.
   explicit RunLog(const std::filesystem::path& file, bool resume = false, const std::shared_ptr<spdlog::sinks::sink>& instead = {});
   ~RunLog();

@@ -15,7 +15,7 @@ struct Quantity {
   std::string name;
   Real value;
   std::string unit;
-  std::string meaning = {};  ///< in some words; "" where none are told
+  std::string meaning = {};  ///< in some words; "" without any
 };
 
 /// What a run of the material point method counts.

@@ -40,7 +40,7 @@ bool Checkpoints::read(const checkpoint::Contents& contents)
   const fs::path used = folder_.read(contents, [](const fs::path& file, const std::string& why) {
     spdlog::warn("the checkpoint {} is not used: {}", file.string(), why);
   });
-  if (!used.empty()) spdlog::info("goes on from the checkpoint {}", used.string());
+  if (!used.empty()) spdlog::info("resumes from the checkpoint {}", used.string());
   return !used.empty();
 }
 

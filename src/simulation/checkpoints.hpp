@@ -14,15 +14,15 @@ std::filesystem::path checkpoints_in(const std::filesystem::path& run_folder);
 /// When a run writes its checkpoints, and what is said of them.
 class Checkpoints {
 public:
-  /// wall_time: s between two of them; 0: only where they are asked for.
+  /// wall_time: s between two of them; 0: only where they are requested.
   Checkpoints(const std::filesystem::path& run_folder, Real wall_time);
 
   /// One is to be written as soon as it can be.
   void ask() { asked_ = true; }
   bool due() const;
-  /// Where it cannot be written the run goes on with a warning: the one before it is still there.
+  /// Where it cannot be written the run continues with a warning: the one before it is still there.
   void write(BigIndex step, const checkpoint::Contents& contents);
-  /// Reads the last one that can be used and says which; those before it are told with what is wrong with them. False where there is none. Throws
+  /// Reads the last one that can be used and says which; the others are reported with what is wrong with them. False where there is none. Throws
   /// RunError where there are some and none can be used.
   bool read(const checkpoint::Contents& contents);
   /// The run has come to its end.

@@ -11,7 +11,7 @@
 namespace berm::simulation {
 
 /// What a run has from the program that calls it: threads, a table of timings, who may stop it, and where its messages go. A process has one at a time,
-/// since it has one set of OpenMP threads and one default logger; behind it the calling thread is as it was.
+/// since it has one set of OpenMP threads and one default logger; after it the calling thread is as it was.
 class Context {
 public:
   /// threads: 0 = one for each processor. `stop` is called after every step: once true it stays true, and the run ends with a checkpoint. Messages go to

@@ -60,7 +60,7 @@ void FemRecorder::add_row(const fem::FemModel& model, fem::FemState& state, cons
     bodies::RigidState<2>& rigid = state.state.rigid_bodies[model.rigid];
     observe_overlap(row_, rigid.max_overlap);
     rigid.max_overlap = 0;
-    observe_turn<2>(row_, rigid.torque, rigid.orientation.angle);
+    observe_rotation<2>(row_, rigid.torque, rigid.orientation.angle);
   }
   if (model.model.driven[now.stage.index] != none && end.iterations > 0) {
     largest_unbalance_ = std::max(largest_unbalance_, end.unbalance);

@@ -98,7 +98,7 @@ RunSize min_size(const problem::Case& c)
     size.cells = squares * (dim == 3 ? 6 : crossed ? 4 : 2);
     size.nodes = points + (crossed ? squares : 0);
   } else if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
-    constexpr Real surely = 0.5;  // what is foretold of a mesh that is not made yet may be wrong
+    constexpr Real surely = 0.5;  // the estimate for a mesh that is not made yet may be wrong
     size.cells = surely * expected_cells(*bed);
     size.nodes = size.cells / 2;
   }

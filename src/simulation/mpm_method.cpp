@@ -36,7 +36,7 @@ Real interval_of(const problem::Case& c)
 template <int dim>
 problem::Problem<dim> build_for(const RunRequest& request, const ScratchFolder& scratch)
 {
-  interval_of(request.settings);  // refuses a case in which it cannot be told
+  interval_of(request.settings);  // refuses a case in which it is not known
   const problem::Case c = to_build(request);
   const Real in_use = memory_in_use();
   refuse_without_memory<dim>(min_size<dim>(c), in_use);
@@ -153,8 +153,8 @@ void MpmMethod<d>::warn_of(const mpm::SoilCondition& soil) const
         -state().totals.friction);
   const auto warn_of_bound = [&](Real part, const char* which, const char* key, Real ratio) {
     if (part > much_mass)
-      spdlog::warn("{:.2g} % of the soil is at its {} volume, {} of the first: change mpm.{} if it should go on", 100 * part, which, ratio,
-                   key);
+      spdlog::warn("{:.2g} % of the soil is at its {} volume, {} of the first: change mpm.{} if it should change further", 100 * part,
+                   which, ratio, key);
   };
   warn_of_bound(soil.at_min_volume, "smallest", "min_volume_ratio", model().mpm.min_volume_ratio);
   warn_of_bound(soil.at_max_volume, "largest", "max_volume_ratio", model().mpm.max_volume_ratio);

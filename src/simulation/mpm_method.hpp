@@ -56,7 +56,7 @@ private:
   Real history_interval_;
   MpmRecorder<d> recorder_;
   run_folder::FrameMaker<d> frame_maker_;
-  std::optional<mpm::Work<d>> work_;  ///< made of the state that the run begins with or goes on from
+  std::optional<mpm::Work<d>> work_;  ///< made of the state that the run begins with or is resumed from
   Real equilibrium_ = std::numeric_limits<Real>::quiet_NaN();
 };
 

@@ -54,18 +54,18 @@ void MpmRecorder<dim>::observe_rigid(const problem::Model<dim>& model, const pro
 }
 
 template <int dim>
-void MpmRecorder<dim>::observe_turn_of(const problem::State<dim>& state, Index rigid)
+void MpmRecorder<dim>::observe_rotation_of(const problem::State<dim>& state, Index rigid)
 {
-  // In space about z.
-  const auto about_z = [](const auto& angular) {
-    if constexpr (dim == 2)
-      return angular;
-    else
-      return angular[2];
-  };
   const bodies::RigidState<dim>&now = state.rigid_bodies[rigid], &last = last_rigids_[rigid];
-  const Real time = state.time - last_time_, impulse = about_z(now.torque_impulse) - about_z(last.torque_impulse);
-  observe_turn<dim>(row_, time > 0 ? -impulse / time + 0. : 0, about_z(rotation_of(now.orientation)));
+  const Real time = state.time - last_time_;
+  const bodies::Angular<dim> impulse = now.torque_impulse - last.torque_impulse;
+  const auto moment_of = [&](Real component) { return time > 0 ? -component / time + 0. : 0; };
+  bodies::Angular<dim> moment;
+  if constexpr (dim == 2)
+    moment = moment_of(impulse);
+  else
+    moment = impulse.unaryExpr(moment_of);
+  observe_rotation<dim>(row_, moment, rotation_of(now.orientation));
 }
 
 template <int dim>
@@ -93,7 +93,7 @@ void MpmRecorder<dim>::observe_contact_of_main(const problem::Model<dim>& model,
   row_("second_impulse", time > 0 ? (now.second_impulse - last.second_impulse).norm() / time : 0, run_folder::newtons<dim>,
        "second contact correction");
   now.max_overlap = 0;
-  observe_turn_of(state, model.main_rigid);
+  observe_rotation_of(state, model.main_rigid);
 }
 
 template <int dim>
@@ -174,7 +174,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, problem::State<
     if (r == model.main_rigid) continue;
     row_.of(model.rigid_bodies[r].name);
     observe_rigid(model, state, r);
-    observe_turn_of(state, r);
+    observe_rotation_of(state, r);
   }
   for (std::size_t b = 0; b < sums.size(); ++b) {
     row_.of(model.bodies[b].name);

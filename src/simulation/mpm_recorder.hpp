@@ -31,7 +31,7 @@ private:
   using Recorder<dim>::row_;
 
   void observe_rigid(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid);
-  void observe_turn_of(const problem::State<dim>& state, Index rigid);
+  void observe_rotation_of(const problem::State<dim>& state, Index rigid);
   void observe_energies(const problem::Model<dim>& model, const problem::State<dim>& state, Real kinetic);
   void observe_contact_of_main(const problem::Model<dim>& model, problem::State<dim>& state);
   void observe_body(const mpm::BodySums<dim>& sums, const Vec<dim>& first_center);

@@ -31,9 +31,10 @@ void observe(run_folder::Row& row, const RigidResponse& response)
   row("V", response.V, run_folder::newtons<dim>, "vertical reaction");
 }
 
-/// How it turns, counter-clockwise: the moment of the soil on it about its centre (N m/m or N m), and its rotation since the start (rad).
+/// Its rotation, counter-clockwise: the moment of the soil on it about its centre (N m/m or N m), and its rotation since the start (rad). In space both are
+/// vectors: Mx_Nm, anglex_rad ...
 template <int dim>
-void observe_turn(run_folder::Row& row, Real moment, Real angle)
+void observe_rotation(run_folder::Row& row, const bodies::Angular<dim>& moment, const bodies::Angular<dim>& angle)
 {
   row("M", moment, run_folder::newton_metres<dim>, "moment");
   row("angle", angle, run_folder::radians, "rotation");

@@ -5,9 +5,9 @@
 #include "io/atomic_file.hpp"
 #include "io/host_info.hpp"
 #include "problem/stages.hpp"
+#include "record/soil_plot.hpp"
 #include "run_folder/progress.hpp"
-#include "structures/pipe/pipe_case.hpp"
-#include "structures/pipe/plots.hpp"
+#include "structures/structures.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
@@ -15,40 +15,25 @@
 namespace berm::simulation {
 namespace {
 
-/// Columns that are worth a curve where there is no pipe: of watched particles, else of the bodies.
-template <int dim>
-std::vector<std::string> curve_columns(const problem::Model<dim>& model, const run_folder::History& history)
+void draw_soil(const problem::Case& settings, const run_folder::RunFolder& folder, const problem::Model<2>& model,
+               const std::vector<bodies::RigidState<2>>& rigid_bodies, const run_folder::Frame<2>& last)
 {
-  std::vector<std::string> chosen;
-  for (const run_folder::Column& column : history.columns)
-    for (const problem::Watch& watch : model.watches)
-      if (column.of == watch.name && column.unit == run_folder::metres.name) chosen.push_back(column.name);
-  if (chosen.empty())
-    for (const run_folder::Column& column : history.columns)
-      for (const problem::Body<dim>& body : model.bodies)
-        if (column.of == body.name) chosen.push_back(column.name);
-  return chosen;
-}
-
-void draw(const RunRequest& request, const run_folder::RunFolder& folder, const problem::Model<2>& model,
-          const std::vector<bodies::RigidState<2>>& rigid_bodies, const run_folder::Frame<2>& last, const pipe::PipeScale& scale)
-{
-  pipe::SoilView view{model.mesh.lower, model.mesh.upper, model.surface};
-  if (scale.diameter > 0) {
-    const bodies::RigidBody<2>& pipe = model.rigid_bodies[model.main_rigid];
+  record::SoilView view{model.mesh.lower, model.mesh.upper, model.surface};
+  if (const Real width = base::body_scale(settings).width; width > 0) {
+    const bodies::RigidBody<2>& body = model.rigid_bodies[model.main_rigid];
     const bodies::RigidState<2>& now = rigid_bodies[model.main_rigid];
-    view = pipe::view_around_pipe(center_now<2>(pipe, now)[0], lowest_level<2>(placed<2>(pipe, now), model.axes.up_vector()),
-                                  scale.diameter, model.surface);
+    view = record::view_around(center_now<2>(body, now)[0], lowest_level<2>(placed<2>(body, now), model.axes.up_vector()), width,
+                               model.surface);
   }
   const auto draw_one = [&](const std::string& name, const std::string& field) {
-    pipe::draw_soil(folder.path(), last, {name, field, view, request.settings.title});
+    record::draw_soil(folder.path(), last, {name, field, view, settings.title});
   };
   draw_one("soil", "deviatoric_strain");
   draw_one("soil_increment", "incremental_deviatoric_strain");
   for (const std::string& field : own_fields(last)) draw_one("soil_" + field, field);
 }
-void draw(const RunRequest&, const run_folder::RunFolder&, const problem::Model<3>&, const std::vector<bodies::RigidState<3>>&,
-          const run_folder::Frame<3>&, const pipe::PipeScale&)
+void draw_soil(const problem::Case&, const run_folder::RunFolder&, const problem::Model<3>&, const std::vector<bodies::RigidState<3>>&,
+               const run_folder::Frame<3>&)
 {
 }
 
@@ -81,15 +66,13 @@ void write_results(const RunRequest& request, const run_folder::RunFolder& folde
 {
   io::sync_file(folder.file("history.csv"));  // a summary that says "finished" must not outlive it
   const run_folder::History history = run_folder::read_history(folder.file("history.csv"));
-  const pipe::PipeScale scale = pipe::pipe_scale(request.settings);
-  pipe::PipeStages stages = pipe::pipe_stages(request.settings);
-  stages.held_force = outcome.held_force;
-  const bool pipe = scale.diameter > 0;
+  const problem::Case& settings = request.settings;
+  const base::Structure& structure = structures::structure_of(settings);
 
   run_folder::Summary summary;
-  if (pipe && history.rows() > 0) summary.quantities = pipe_quantities(history, scale, stages);
+  summary.quantities = structure.quantities(settings, history, outcome.held_force);
   summary.timing = timing;
-  summary.text = {{"title", request.settings.title},
+  summary.text = {{"title", settings.title},
                   {"case", request.case_file.filename().string()},
                   {"version", BERM_VERSION},
                   {"machine", io::host_description()},
@@ -98,13 +81,10 @@ void write_results(const RunRequest& request, const run_folder::RunFolder& folde
   summary.checks.insert(summary.checks.end(), outcome.checks.begin(), outcome.checks.end());
   summary.write(folder.file("summary.json"));
 
-  if (pipe && history.rows() > 0)
-    draw_pipe_curves(folder, history, scale, stages, request.settings.title);
-  else
-    pipe::draw_columns(folder, history, curve_columns(model, history), request.settings.title);
-  draw(request, folder, model, rigid_bodies, last, scale);
+  structure.draw_curves(folder, settings, history);
+  draw_soil(settings, folder, model, rigid_bodies, last);
   print_timings(timing);
-  if (pipe) spdlog::info("key results\n{}", key_results_table(summary.quantities, scale));
+  if (const std::string table = structure.table_of(settings, summary.quantities); !table.empty()) spdlog::info("key results\n{}", table);
   spdlog::info("everything is in {}", folder.path().string());
 }
 

@@ -26,7 +26,7 @@ bool is_finished(const fs::path& folder)
     return summary && summary->finished();
   } catch (const RunError& error) {
     throw RunError(
-        fmt::format("--resume: {}; it cannot be told whether the run is finished: remove that file to begin it again", error.what()));
+        fmt::format("--resume: {}; it is not known whether the run is finished: remove that file to start it again", error.what()));
   }
 }
 

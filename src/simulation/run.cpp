@@ -57,7 +57,7 @@ bool Run<Method>::read_checkpoint()
     return false;
   }
   if (unit_ != own_unit)
-    spdlog::warn("the run was begun on the vector unit {}, and goes on with {}: results are the same but for round-off", unit_, own_unit);
+    spdlog::warn("the run was begun on the vector unit {}, and is resumed on {}: results are the same but for round-off", unit_, own_unit);
   return true;
 }
 
@@ -75,11 +75,11 @@ void Run<Method>::step_to_the_end()
   }
   if (finished_) return;
   if (state().time > last_row_) record();
-  spdlog::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}. To go on: berm run --resume {}",
+  spdlog::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}. To resume: berm run --resume {}",
                state().time, stage().name, folder_.path().string(), folder_.path().string());
 }
 
-/// One step, and what is due behind it.
+/// One step, and the output that is due after it.
 template <class Method>
 void Run<Method>::step()
 {

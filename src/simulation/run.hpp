@@ -23,7 +23,7 @@ public:
   Run(const RunRequest& request, Context& context, Method& method, const run_folder::RunFolder& folder, run_folder::RunLog& log);
 
   /// Begins, steps to the end or to where it is asked to stop, and writes the results. Returns whether it came to its end. A run that fails (RunError)
-  /// leaves the results of what it had before the error goes on.
+  /// leaves the results of what it had before the error is passed on.
   bool to_the_end();
 
 private:

@@ -6,7 +6,7 @@
 
 namespace berm::simulation {
 
-/// The wall time of a run and the time by loop, those of earlier programs included where the run goes on. Begins, with an empty table of timings, when it is made.
+/// The wall time of a run and the time by loop, those of earlier programs included where the run is resumed. Begins, with an empty table of timings, when it is made.
 class RunClock {
 public:
   explicit RunClock(Timings& timings) : timings_(timings) { timings.clear(); }

@@ -34,7 +34,7 @@ void ScratchFolder::move_files_to(const fs::path& folder) const
       fs::remove(entry.path());
     }
   } catch (const fs::filesystem_error& error) {
-    throw RunError(std::string("the mesh cannot be kept: ") + error.what());
+    throw RunError(std::string("the mesh cannot be written to the temporary folder: ") + error.what());
   }
 }
 

@@ -17,7 +17,7 @@ struct RunRequest {
 };
 
 /// Runs a case from its first to its last stage and writes its run folder. Nothing is written before the problem is built. A run that the context
-/// asks to stop ends after the step in hand; what was computed is written all the same, with a checkpoint to go on from. Returns whether the run came
+/// asks to stop ends after the step in hand; what was computed is written all the same, with a checkpoint to resume from. Returns whether the run came
 /// to its end. Throws InputError and RunError.
 bool run_case(const RunRequest& request, Context& context);
 

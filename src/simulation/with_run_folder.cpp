@@ -23,7 +23,7 @@ run_folder::RunFolder new_run_folder(const RunRequest& request, const ScratchFol
   const bool unfinished = !checkpoint::CheckpointFolder(checkpoints_in(request.folder)).files().empty();
   run_folder::RunFolder folder(request.folder);
   if (unfinished)
-    fmt::print(stderr, "the unfinished run in {} is replaced; `berm run --resume` goes on with one instead\n", request.folder.string());
+    fmt::print(stderr, "the unfinished run in {} is replaced; `berm run --resume` resumes one instead\n", request.folder.string());
   io::write_atomically(folder.file("resolved.toml"), input::resolved_toml(request.settings));
   note_case_file(folder, request.case_file);
   scratch.move_files_to(folder.path());

@@ -48,7 +48,8 @@ const StudySkip* skip_of(const Study& study, const std::vector<std::string>& nam
   return nullptr;
 }
 
-Real pipe_diameter(const problem::Case& settings)
+/// Of the main rigid body, where it is a circle; else 0.
+Real diameter_of(const problem::Case& settings)
 {
   const Index main = main_rigid(settings);
   if (main == none) return 0;
@@ -111,7 +112,7 @@ StudyPlan plan_study(const fs::path& file, const fs::path& output)
       plan.skipped.push_back({row.names, skip->why});
       continue;
     }
-    row.diameter = pipe_diameter(read_row(file, row));
+    row.diameter = diameter_of(read_row(file, row));
     plan.rows.push_back(row);
   } while (advance(choice, study));
   if (plan.rows.empty()) throw InputError(fmt::format("{}: nothing is left of the study, all combinations are skipped", file.string()));

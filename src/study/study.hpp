@@ -10,7 +10,7 @@ namespace berm::study {
 struct StudyRow {
   std::vector<std::size_t> choice;  ///< which case, then which value of each axis
   std::vector<std::string> names;   ///< of the same
-  Real diameter = 0;                ///< m, of the pipe; 0 = there is none
+  Real diameter = 0;                ///< m, of the main rigid body; 0 = it is no circle
   jobs::Job job;
   jobs::JobEnd end;
   std::vector<Real> numbers;  ///< by measure, scaled; NaN where there is none

@@ -7,8 +7,8 @@
 #include "io/atomic_file.hpp"
 #include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"
-#include "structures/pipe/pipe_quantities.hpp"
-#include "structures/pipe/travel_curve.hpp"
+#include "record/travel_curve.hpp"
+#include "structures/base/driven_body.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -115,7 +115,7 @@ void smooth(plot::FigureCurve& curve, Real half)
   const Real direction = curve.x.back() < curve.x.front() ? -1 : 1;
   std::vector<Real> travel = curve.x;
   for (Real& x : travel) x *= direction;
-  const pipe::TravelCurve line(travel, curve.y);
+  const record::TravelCurve line(travel, curve.y);
   curve.x.clear();
   curve.y.clear();
   for (const Real s : line.travel()) {
@@ -194,7 +194,7 @@ bool draw_study_figure(const StudyPlan& plan, const StudyFigure& wanted, const f
     plot::FigureCurve curve{curve_name(plan, row, one_case), styles[k], of_stages(history, wanted.x, wanted.stage),
                             of_stages(history, wanted.y, wanted.stage)};
     smooth(curve, wanted.smooth                              ? *wanted.smooth
-                  : x_column.unit == run_folder::metres.name ? pipe::averaging_half_width * row.diameter
+                  : x_column.unit == run_folder::metres.name ? base::averaging_half_width * row.diameter
                                                              : 0);
     figure.curves.push_back(curve);
   }

@@ -112,7 +112,7 @@ void describe(Describe& d, StudyFigure& figure)
   d.value("stage", figure.stage, {.meaning = "rows of these stages only; absent = all"});
   d.value(case_key, figure.case_name, {.meaning = "curves of this case only; absent = all"});
   d.value("smooth", figure.smooth,
-          {.meaning = "y is averaged over x +- this; absent: 0.01 of the pipe's diameter",
+          {.meaning = "y is averaged over x +- this; absent: 0.01 of the diameter of the main rigid body",
            .range = not_negative,
            .any_unit = &figure.smooth_unit});
 }

@@ -44,7 +44,7 @@ struct StudyFigure {
   std::vector<std::string> stage;  ///< rows of these stages only; empty = all
   std::string case_name;           ///< rows of this case only; "" = all
   std::optional<Real>
-      smooth;  ///< half width over which y is averaged, in the unit of x; absent: 0.01 of the pipe's diameter where x is a length
+      smooth;  ///< half width over which y is averaged, in the unit of x; absent: 0.01 of the main rigid body's diameter where x is a length
   std::string smooth_unit;  ///< SI, as it is written; "" where it has none
 };
 

@@ -11,7 +11,7 @@
 #include "report/results/results_section.hpp"
 #include "run_folder/frame_reader.hpp"
 #include "run_folder/history_schema.hpp"
-#include "structures/pipe/run_record.hpp"
+#include "structures/structures.hpp"
 #include "verification/observable.hpp"
 
 #include <fstream>
@@ -113,7 +113,7 @@ void write_sections(const fs::path& folder)
 {
   static const report::ClaimSheets claims = {report::read_claims_text("claims.toml", published)};
   may_be_refused([&] {
-    const std::vector<pipe::RunRecord> runs = {pipe::read_run(folder)};
+    const std::vector<record::RunRecord> runs = {structures::read_run(folder)};
     report::run_data(runs[0]);
     report::results_section(runs);
     report::quality_section(runs);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "structures/pipe/run_record.hpp"
+#include "structures/structures.hpp"
 
 #include "samples/history_columns.hpp"
 #include <functional>
@@ -97,16 +97,14 @@ struct MadeRun {
     return h;
   }
 
-  pipe::RunRecord record() const
+  record::RunRecord record() const
   {
-    pipe::RunRecord run;
+    record::RunRecord run;
     run.name = name;
     run.settings = settings();
-    run.scale = pipe::pipe_scale(run.settings);
-    run.stages = pipe::pipe_stages(run.settings);
     run.history = history();
-    run.quantities = pipe_quantities(run.history, run.scale, run.stages);
-    run.end = pipe::RunEnd::finished;
+    run.quantities = structures::structure_of(run.settings).quantities(run.settings, run.history, {});
+    run.end = record::RunEnd::finished;
     return run;
   }
 };

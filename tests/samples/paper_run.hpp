@@ -3,8 +3,9 @@
 
 #include "input/read_case.hpp"
 #include "samples/history_columns.hpp"
-#include "structures/pipe/run_record.hpp"
+#include "structures/structures.hpp"
 
+#include <algorithm>
 #include <functional>
 
 namespace berm::test {
@@ -19,13 +20,11 @@ struct PaperRun {
   std::function<double(double)> H = [](double travel) { return 1000 * travel; };
   std::function<double(double)> w = [](double travel) { return 0.1 + 0.5 * travel; };
 
-  pipe::RunRecord record(const std::string& name) const
+  record::RunRecord record(const std::string& name) const
   {
-    pipe::RunRecord run;
+    record::RunRecord run;
     run.name = name;
     run.settings = input::read_case(std::string(BERM_SOURCE_DIR) + "/examples/probe_test/" + file, overrides);
-    run.scale = pipe::pipe_scale(run.settings);
-    run.stages = pipe::pipe_stages(run.settings);
     run.history.columns = columns_named({"time_s", "u_m", "w_m", "H_N_m", "V_N_m"});
     run.history.values.resize(5);
     const double D = 0.02;
@@ -36,11 +35,13 @@ struct PaperRun {
       run.history.stage.emplace_back(stage);
     };
     const int rows = 200;
-    for (int k = 0; k <= rows && !run.stages.push.empty(); ++k) add("push", 0, k * w_push / rows, 0, V(k * w_push / rows));
-    const int first = run.stages.push.empty() ? 0 : 1;
+    const bool pushes = std::any_of(run.settings.stage.begin(), run.settings.stage.end(),
+                                    [](const problem::StageSettings& stage) { return stage.kind == problem::StageKind::push; });
+    for (int k = 0; k <= rows && pushes; ++k) add("push", 0, k * w_push / rows, 0, V(k * w_push / rows));
+    const int first = pushes ? 1 : 0;
     for (int k = first; k <= rows; ++k) add("drag", k * u_end / rows, w(k * u_end / rows), H(k * u_end / rows), V(w_push));
-    run.quantities = pipe_quantities(run.history, run.scale, run.stages);
-    run.end = pipe::RunEnd::finished;
+    run.quantities = structures::structure_of(run.settings).quantities(run.settings, run.history, {});
+    run.end = record::RunEnd::finished;
     return run;
   }
 };

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "input/read_case.hpp"
-#include "structures/pipe/run_record.hpp"
+#include "record/run_record.hpp"
 
 #include <string>
 
@@ -69,14 +69,12 @@ until.displacement = "20 mm"
 }
 
 /// A record of a run of a case, with a summary in which all is well, and no history.
-inline pipe::RunRecord sample_record(const problem::Case& settings, const std::string& name = "sample")
+inline record::RunRecord sample_record(const problem::Case& settings, const std::string& name = "sample")
 {
-  pipe::RunRecord run;
+  record::RunRecord run;
   run.name = name;
   run.settings = settings;
-  run.scale = pipe::pipe_scale(settings);
-  run.stages = pipe::pipe_stages(settings);
-  run.end = pipe::RunEnd::finished;
+  run.end = record::RunEnd::finished;
   run.begun = "2026-01-31 12:00:00";
   run.quantities = {{"V_noise", 0.01, "1"},
                     {"H_noise", 0.05, "1"},

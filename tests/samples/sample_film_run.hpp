@@ -2,11 +2,11 @@
 #pragma once
 
 #include "mesh/box.hpp"
+#include "record/run_record.hpp"
 #include "run_folder/frames.hpp"
 #include "samples/frame_particles.hpp"
 #include "samples/history_columns.hpp"
 #include "samples/temporary_folder.hpp"
-#include "structures/pipe/run_record.hpp"
 
 namespace berm {
 
@@ -18,7 +18,7 @@ public:
   static constexpr Index across = 8, up = 4, settle_frames = 3;
   static constexpr Real D = 0.02, cell = 0.05, first_time = 0.5;  // m, m, s
   TemporaryFolder folder;
-  pipe::RunRecord run;
+  record::RunRecord run;
 
   explicit SampleFilmRun(Index frames = 7, bool pipe = true) : pipe_(pipe)
   {
@@ -41,7 +41,6 @@ public:
       drag.rigid = "pipe <1>";
       c.stage = {drag};
     }
-    run.scale = pipe::pipe_scale(c);
     write_history(frames);
     run_folder::FrameWriter<dim> writer(folder / "frames", make_box<dim>(box));
     for (Index f = 0; f < frames; ++f) writer.write(frame(f));

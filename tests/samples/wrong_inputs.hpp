@@ -378,7 +378,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
        "kind = \"drag\"\nvelocity = \"0.1 m/s\"",
        "kind = \"drive\"\ndrive.rotation.moment = 5",
        52,
-       {"stage.drag", "a moment turns [rigid.pipe]", "needs a mass or a moment_of_inertia"},
+       {"stage.drag", "a moment rotates [rigid.pipe]", "needs a mass or a moment_of_inertia"},
        {"rigid.pipe.mass=0"}},
       {"traction_without_a_size",
        "[[stage]]",

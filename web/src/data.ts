@@ -14,9 +14,9 @@ export interface RunData {
   name: string;
   title: string;
   method: "mpm" | "fem";
-  /** null where there is no pipe (no rigid body that a push or drag drives). */
+  /** null where no push or drag drives a rigid body. */
   diameter: number | null;
-  /** What forces are made dimensionless with; null without a pipe, and where the soil has neither weight nor a strength without friction. */
+  /** What forces are made dimensionless with; null without a driven body, in space, and where the soil has neither weight nor a strength without friction. */
   measure: Measure | null;
   /** Lengths and forces per metre are so many times larger in the prototype; null where gravity is the earth's, or none: there is no prototype. */
   prototype: number | null;
@@ -70,7 +70,7 @@ export interface FilmData {
   /** x = lower + step * code. */
   lower: [number, number];
   step: number;
-  /** Region of interest, m: around the pipe's path; all of the soil without a pipe. */
+  /** Region of interest, m: around the path of the driven body; all of the soil without one. */
   view: { lower: [number, number]; upper: [number, number] };
   /** m, original surface; null: not known. */
   surface: number | null;
@@ -91,10 +91,10 @@ export interface FilmData {
 export interface FrameData {
   time: number;
   stage: string;
-  /** m; null without a pipe. */
+  /** m; null without a driven body. */
   u: number | null;
   w: number | null;
-  /** N/m; null without a pipe. */
+  /** N/m; null without a driven body. */
   H: number | null;
   V: number | null;
 }

@@ -76,7 +76,7 @@ export class PanelPage {
       make("div", "film-tools",
         button("film-farther", icon("farther"), "Zoom out", () => wishes.zoom(1 / 1.5)),
         button("film-closer", icon("closer"), "Zoom in", () => wishes.zoom(1.5)),
-        button("film-region", "Region of interest", "Show the region around the pipe's path", () => wishes.region()),
+        button("film-region", "Region of interest", "Show the region around the body's path", () => wishes.region()),
         button("film-whole", "Whole bed", "Show all of the soil", () => wishes.whole_bed()),
         button("film-save", "Save picture", "Save this panel with its colour bar as PNG", () => wishes.save()),
         note),

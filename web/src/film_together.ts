@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which frames of two films belong together: by the part of the run that is over, or by the embedment of the pipe.
+// Which frames of two films belong together: by the part of the run that is over, or by the embedment of the driven body.
 import type { RunData } from "./data";
 
 /** A run that has a film. */
 export type FilmedRun = RunData & { film: NonNullable<RunData["film"]> };
 
-/** w / D by frame (w in m where there is no D); NaN without a pipe. */
+/** w / D by frame (w in m where there is no D); NaN without a driven body. */
 export function embedments(run: FilmedRun): number[] {
   return run.film.frames.map((frame) => (frame.w === null ? NaN : frame.w / (run.diameter ?? 1)));
 }
 
-/** The frame of the drag (of all of the run where nothing is dragged) whose embedment is nearest to w / D; null without a pipe. */
+/** The frame of the drag (of all of the run where nothing is dragged) whose embedment is nearest to w / D; null without a driven body. */
 export function frame_of_drag(run: FilmedRun, embedment: number): number | null {
   const dragged = new Set(run.drag.rows.map((row) => run.stage[row]));
   const w = embedments(run);
@@ -29,7 +29,7 @@ export function embedment_at(run: FilmedRun, at: number): number {
   return w[frame] + (at - frame) * (w[next] - w[frame]);
 }
 
-/** Where in the film the pipe first gets as deep as this, between frames; the first or last frame outside of what the film reaches. */
+/** Where in the film the body first gets as deep as this, between frames; the first or last frame outside of what the film reaches. */
 export function when_embedded(run: FilmedRun, embedment: number): number {
   const w = embedments(run);
   if (w[0] >= embedment) return 0;
@@ -41,7 +41,7 @@ export function when_embedded(run: FilmedRun, embedment: number): number {
   return w.length - 1;
 }
 
-/** Whether embedment tells the frames of both films: the pipe sinks by 0.02 D or more in each, and mostly over the same range. */
+/** Whether embedment tells the frames of both films: the body sinks by 0.02 D or more in each, and mostly over the same range. */
 export function embedment_joins(left: FilmedRun, right: FilmedRun): boolean {
   const ranges = [left, right].map((run) => {
     const w = embedments(run);

@@ -28,7 +28,7 @@ class Films {
   private speed = 10;
   private ranges = new Map<FilmPanel, Map<string, Range>>();
   private together = choice("film-together", "together by", (value) => this.join(value === "embedment"));
-  private same = button("film-same", "Same embedment", "Put the left panel on the frame of its drag where the pipe is as deep as in the right panel", () => this.same_embedment());
+  private same = button("film-same", "Same embedment", "Put the left panel on the frame of its drag where the body is as deep as in the right panel", () => this.same_embedment());
 
   constructor(section: HTMLElement, private runs: FilmedRun[]) {
     this.parts = runs.map((run) => new FilmParts(run.film));

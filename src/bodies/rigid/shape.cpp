@@ -54,12 +54,6 @@ Real reach_of(const RigidShape<dim>& shape)
 }
 
 template <int dim>
-SurfaceMesh<dim> surface_mesh(const RigidShape<dim>& shape, const Vec<dim>& lower, const Vec<dim>& upper)
-{
-  return std::visit([&](const auto& s) { return surface_mesh<dim>(s, lower, upper); }, shape);
-}
-
-template <int dim>
 Vec<3> inertia_over_mass(const RigidShape<dim>& shape)
 {
   return std::visit([](const auto& s) { return inertia_over_mass<dim>(s); }, shape);
@@ -72,8 +66,7 @@ Vec<3> inertia_over_mass(const RigidShape<dim>& shape)
   template Vec<dim> center_of<dim>(const RigidShape<dim>&);                                                                                \
   template Real width_of<dim>(const RigidShape<dim>&);                                                                                     \
   template Real reach_of<dim>(const RigidShape<dim>&);                                                                                     \
-  template Vec<3> inertia_over_mass<dim>(const RigidShape<dim>&);                                                                          \
-  template SurfaceMesh<dim> surface_mesh<dim>(const RigidShape<dim>&, const Vec<dim>&, const Vec<dim>&);
+  template Vec<3> inertia_over_mass<dim>(const RigidShape<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

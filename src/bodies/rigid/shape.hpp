@@ -58,7 +58,10 @@ Vec<3> inertia_over_mass(const RigidShape<dim>& shape);
 /// Its surface for pictures. A circle becomes a polygon of 128 points (in space: 128 quads along z from lower to upper) and, where it has turned, a line
 /// from its centre; a box a quad (hexahedron); a half-plane the part of its line (polygon) in the box from lower to upper: no cell where it misses that.
 template <int dim>
-SurfaceMesh<dim> surface_mesh(const RigidShape<dim>& shape, const Vec<dim>& lower, const Vec<dim>& upper);
+SurfaceMesh<dim> surface_mesh(const RigidShape<dim>& shape, const Vec<dim>& lower, const Vec<dim>& upper)
+{
+  return std::visit([&](const auto& s) { return surface_mesh<dim>(s, lower, upper); }, shape);
+}
 
 /// Whether it is bounded in the plane; whether its surface has corners.
 template <int dim>

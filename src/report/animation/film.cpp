@@ -32,7 +32,7 @@ std::string note_of(const FilmFrames& footage, Index step, std::size_t fields)
 
 }  // namespace
 
-Film make_film(const pipe::RunRecord& run, const std::string& prefix, std::size_t max_bytes)
+Film make_film(const record::RunRecord& run, const std::string& prefix, std::size_t max_bytes)
 {
   const FilmFrames footage = read_footage(run);
   std::vector<std::string> faults;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "structures/pipe/run_record.hpp"
+#include "record/run_record.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -21,6 +21,6 @@ struct Film {
 
 /// Reads the frames of a run; `most_bytes` is how much the blocks may take together: where they would take more, frames are left out evenly
 /// (never the last of a stage). Ids begin with `prefix`. In space the film shows the slice in the middle.
-Film make_film(const pipe::RunRecord& run, const std::string& prefix, std::size_t max_bytes);
+Film make_film(const record::RunRecord& run, const std::string& prefix, std::size_t max_bytes);
 
 }  // namespace berm::report

@@ -6,6 +6,7 @@
 #include "report/animation/film_outline.hpp"
 #include "report/animation/film_quantization.hpp"
 #include "report/animation/film_view.hpp"
+#include "structures/base/driven_body.hpp"
 #include "text/base64_zlib.hpp"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// Of the pipe's diameter: the way that strain increments are told for, and the shortest that counts as a way.
+// Of the body's width: the way that strain increments are told for, and the shortest that counts as a way.
 constexpr Real unit_way = 0.01, min_way = 0.001;
 
 /// Blocks in the making: each is made and packed when all are known, over all threads.
@@ -44,30 +45,31 @@ private:
   std::vector<std::function<std::string()>> bytes_;
 };
 
-/// What strain increments since the frame before are multiplied with, so that they are those of the unit way; 1 where the pipe rests.
-std::vector<Real> increment_factors(const pipe::RunRecord& run, const FilmFrames& footage, const std::vector<Index>& kept)
+/// What strain increments since the frame before are multiplied with, so that they are those of the unit way; 1 where the body rests.
+std::vector<Real> increment_factors(const record::RunRecord& run, const FilmFrames& footage, const std::vector<Index>& kept)
 {
   std::vector<Real> factors(kept.size(), 1);
-  const Real D = run.scale.diameter;
-  for (std::size_t k = 1; k < kept.size() && run.has_pipe(); ++k) {
+  const Real D = base::body_scale(run.settings).width;
+  for (std::size_t k = 1; k < kept.size() && D > 0; ++k) {
     const Real way = way_between(run.history, footage.time[kept[k - 1]], footage.time[kept[k]]);
     if (way >= min_way * D) factors[k] = unit_way * D / way;
   }
   return factors;
 }
 
-Json frames_json(const pipe::RunRecord& run, const FilmFrames& footage, const std::vector<Index>& kept)
+Json frames_json(const record::RunRecord& run, const FilmFrames& footage, const std::vector<Index>& kept)
 {
   Json list = Json::array();
+  const bool driven = base::drives_a_body(run.settings);
   for (const Index k : kept) {
     const FilmMoment& moment = footage.moments[k];
-    const auto of_pipe = [&](Real value) { return run.has_pipe() && std::isfinite(value) ? Json(value) : Json(); };
+    const auto of_body = [&](Real value) { return driven && std::isfinite(value) ? Json(value) : Json(); };
     list.push_back({{"time", footage.time[k]},
                     {"stage", moment.stage},
-                    {"u", of_pipe(moment.u)},
-                    {"w", of_pipe(moment.w)},
-                    {"H", of_pipe(moment.H)},
-                    {"V", of_pipe(moment.V)}});
+                    {"u", of_body(moment.u)},
+                    {"w", of_body(moment.w)},
+                    {"H", of_body(moment.H)},
+                    {"V", of_body(moment.V)}});
   }
   return list;
 }
@@ -113,7 +115,7 @@ std::string name_of(std::int32_t rigid, const problem::Case& settings)
 
 }  // namespace
 
-Film encoded_film(const pipe::RunRecord& run, const FilmFrames& footage, const std::vector<Index>& kept, std::size_t fields,
+Film encoded_film(const record::RunRecord& run, const FilmFrames& footage, const std::vector<Index>& kept, std::size_t fields,
                   const std::string& prefix)
 {
   std::vector<const FilmFrame*> frames;

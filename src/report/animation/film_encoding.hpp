@@ -7,7 +7,7 @@
 namespace berm::report {
 
 /// The film of those frames that are kept, with the first `fields` of the footage's fields, without a note. Ids of blocks begin with `prefix`.
-Film encoded_film(const pipe::RunRecord& run, const FilmFrames& footage, const std::vector<Index>& kept, std::size_t fields,
+Film encoded_film(const record::RunRecord& run, const FilmFrames& footage, const std::vector<Index>& kept, std::size_t fields,
                   const std::string& prefix);
 
 }  // namespace berm::report

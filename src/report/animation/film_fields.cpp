@@ -5,6 +5,7 @@
 #include "run_folder/frame.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 
 namespace berm::report {
 namespace {
@@ -18,7 +19,7 @@ std::ptrdiff_t rank(const std::string& source)
   return place + (place == std::ssize(wanted_most) && run_folder::is_common_field(source) ? 1 : 0);
 }
 
-FilmField film_field(const FieldInfo& info, bool with_pipe)
+FilmField film_field(const FieldInfo& info, const std::string& body)
 {
   FilmField field{info.name,
                   info.name,
@@ -33,19 +34,20 @@ FilmField film_field(const FieldInfo& info, bool with_pipe)
   if (info.name == "mean_stress") field.label = "mean stress (compression positive)", field.factor *= -1;
   if (info.name == "incremental_deviatoric_strain") {
     field.summed = true;
-    if (with_pipe) field.label = "deviatoric strain of displacement per 0.01 D of the pipe's way (at rest: since the frame before)";
+    if (!body.empty())
+      field.label = fmt::format("deviatoric strain of displacement per 0.01 D of the {}'s way (at rest: since the frame before)", body);
   }
   return field;
 }
 
 }  // namespace
 
-std::vector<FilmField> film_fields(const std::vector<run_folder::FieldValues<float>>& fields, bool with_pipe)
+std::vector<FilmField> film_fields(const std::vector<run_folder::FieldValues<float>>& fields, const std::string& body)
 {
   constexpr int number = 1, vector = 3;
   std::vector<FilmField> shown;
   for (const run_folder::FieldValues<float>& field : fields)
-    if (field.info.components == number || field.info.components == vector) shown.push_back(film_field(field.info, with_pipe));
+    if (field.info.components == number || field.info.components == vector) shown.push_back(film_field(field.info, body));
   std::stable_sort(shown.begin(), shown.end(), [](const FilmField& a, const FilmField& b) { return rank(a.source) < rank(b.source); });
   return shown;
 }

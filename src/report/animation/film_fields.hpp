@@ -15,6 +15,7 @@ struct FilmField {
 };
 
 /// The fields of a film, of all that the files hold numbers and vectors of: first those that are wanted most, the last ones go where the page has no room.
-std::vector<FilmField> film_fields(const std::vector<run_folder::FieldValues<float>>& fields, bool with_pipe);
+/// `body` is the word of the rigid body that is driven; "" where none is.
+std::vector<FilmField> film_fields(const std::vector<run_folder::FieldValues<float>>& fields, const std::string& body);
 
 }  // namespace berm::report

@@ -24,9 +24,9 @@ float length(const std::vector<float>& vectors, Index k)
 
 }  // namespace
 
-FilmReader::FilmReader(const run_folder::FrameFiles& first, int dimension, bool with_pipe)
+FilmReader::FilmReader(const run_folder::FrameFiles& first, int dimension, const std::string& body)
     : first_(run_folder::read_soil(first.soil)),
-      fields_(film_fields(first_.fields, with_pipe))
+      fields_(film_fields(first_.fields, body))
 {
   const Index count = static_cast<Index>(first_.x.size());
   if (count == 0) throw RunError(fmt::format("{}: has no particles", first.soil.string()));

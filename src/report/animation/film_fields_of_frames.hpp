@@ -15,8 +15,8 @@ struct FilmFrame {
 /// Reads the frames of a run as its film shows them: all points in plane strain, in space those of the slice in the middle.
 class FilmReader {
 public:
-  /// Reads the first frame, whose points all others must have. Throws RunError where it cannot be read or has no points.
-  FilmReader(const run_folder::FrameFiles& first, int dimension, bool with_pipe);
+  /// `body` is the word of the rigid body that is driven, or "". Reads the first frame, whose points all others must have. Throws RunError where it cannot be read or has no points.
+  FilmReader(const run_folder::FrameFiles& first, int dimension, const std::string& body);
 
   /// What the first frame holds of fields.
   const std::vector<FilmField>& fields() const { return fields_; }

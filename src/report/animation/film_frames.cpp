@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "core/for_each_task.hpp"
 #include "report/animation/film_choice.hpp"
+#include "structures/base/driven_body.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -34,7 +35,7 @@ void leave_out_zeros(FilmFrames& footage)
 }
 
 /// Reads those of the files that are wanted, until one cannot be read.
-void read_frames(FilmFrames& footage, const pipe::RunRecord& run, const std::vector<run_folder::FrameFiles>& files,
+void read_frames(FilmFrames& footage, const record::RunRecord& run, const std::vector<run_folder::FrameFiles>& files,
                  const FilmReader& reader, std::size_t max_memory)
 {
   std::vector<FilmMoment> moments;
@@ -80,7 +81,7 @@ std::vector<std::string> FilmFrames::stages() const
   return stages_of(moments);
 }
 
-FilmFrames read_footage(const pipe::RunRecord& run, std::size_t max_memory)
+FilmFrames read_footage(const record::RunRecord& run, std::size_t max_memory)
 {
   FilmFrames footage;
   std::vector<run_folder::FrameFiles> files;
@@ -90,7 +91,7 @@ FilmFrames read_footage(const pipe::RunRecord& run, std::size_t max_memory)
       if (run.history.rows() > 0) footage.fault = "there is no film of the soil: frames/ lists no frames";
       return footage;
     }
-    const FilmReader reader(files.front(), run.settings.dimension, run.has_pipe());
+    const FilmReader reader(files.front(), run.settings.dimension, base::drives_a_body(run.settings) ? base::body_word(run.settings) : "");
     footage.sizes = reader.sizes();
     footage.triangles = reader.triangles();
     if (run.settings.dimension == 3) footage.slice = reader.middle();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "record/run_record.hpp"
 #include "report/animation/film_fields_of_frames.hpp"
 #include "report/animation/film_moment.hpp"
-#include "structures/pipe/run_record.hpp"
 
 namespace berm::report {
 
@@ -26,6 +26,6 @@ struct FilmFrames {
 
 /// Reads the frames of a run up to the first that is missing or damaged; no frames where there are none. They are held in memory until it is known how
 /// many of them the page can take: where all would take more than `most_memory` bytes, they are left out evenly (never the last of a stage).
-FilmFrames read_footage(const pipe::RunRecord& run, std::size_t max_memory = 1'000'000'000);
+FilmFrames read_footage(const record::RunRecord& run, std::size_t max_memory = 1'000'000'000);
 
 }  // namespace berm::report

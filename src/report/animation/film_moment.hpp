@@ -15,7 +15,7 @@ struct FilmMoment {
 /// The moment of a time, s; before the first row or behind the last one, that row's.
 FilmMoment moment_at(const run_folder::History& history, Real time);
 
-/// The length of the pipe's way (u, w) between two times, m; NaN where the history does not tell it.
+/// The length of the driven body's way (u, w) between two times, m; NaN where the history does not tell it.
 Real way_between(const run_folder::History& history, Real from, Real to);
 
 }  // namespace berm::report

@@ -2,13 +2,14 @@
 #include "report/animation/film_view.hpp"
 
 #include "bodies/rigid/rigid_body.hpp"
+#include "structures/base/driven_body.hpp"
 
 #include <algorithm>
 
 namespace berm::report {
 namespace {
 
-// Around the pipe's path, in diameters: to the sides of its centre, below and above its lowest point.
+// Around the body's path, over its width: to the sides of its centre, below and above its lowest point.
 constexpr Real beside = 2.5, below = 2, above = 1.3;
 
 /// How high soil can rise; infinite where the settings do not tell.
@@ -27,8 +28,8 @@ Vec<2> start_of(const bodies::RigidShapeSettings& settings)
   return {center_of<dim>(shape)[0], lowest_level<dim>(shape, Vec<dim>::UnitY())};
 }
 
-/// The box of the centres (x) and lowest points (y) of the pipe.
-FilmBox path_of(const pipe::RunRecord& run)
+/// The box of the centres (x) and lowest points (y) of the driven body.
+FilmBox path_of(const record::RunRecord& run)
 {
   const bodies::RigidShapeSettings& shape = run.settings.rigid[main_rigid(run.settings)].second.shape;
   const Vec<2> start = run.settings.dimension == 2 ? start_of<2>(shape) : start_of<3>(shape);
@@ -46,12 +47,12 @@ FilmBox path_of(const pipe::RunRecord& run)
 
 }  // namespace
 
-FilmBox film_view(const pipe::RunRecord& run, const FilmBox& soil)
+FilmBox film_view(const record::RunRecord& run, const FilmBox& soil)
 {
-  if (!run.has_pipe()) return soil;
-  const Real D = run.scale.diameter;
+  const Real D = base::body_scale(run.settings).width;
+  if (!(D > 0)) return soil;
   const FilmBox path = path_of(run);
-  const Real highest = std::max(path.lower[1], std::min(path.upper[1], run.settings.surface));  // a pipe may start far above the soil
+  const Real highest = std::max(path.lower[1], std::min(path.upper[1], run.settings.surface));  // it may start far above the soil
   FilmBox view{Vec<2>(path.lower[0] - beside * D, path.lower[1] - below * D), Vec<2>(path.upper[0] + beside * D, highest + above * D)};
   view.lower = view.lower.cwiseMax(soil.lower);
   view.upper[0] = std::min(view.upper[0], soil.upper[0]);

@@ -18,8 +18,9 @@ constexpr Real alike_depth = 0.01;  // of D
 bool is_selected(const TestRun& run, const RunSelection& selection)
 {
   if (run.record.settings.method != selection.method) return false;
-  if (selection.drag_from && !(run.has_drag() && std::abs(run.w_begin() / run.D - *selection.drag_from) < alike_depth)) return false;
-  if (selection.drag_to && !(run.has_drag() && run.end_of_drag() >= *selection.drag_to * run.D)) return false;
+  const std::optional<Real> begin = run.observed->begin_of_drag();
+  if (selection.drag_from && !(begin && std::abs(*begin - *selection.drag_from) < alike_depth)) return false;
+  if (selection.drag_to && !run.observed->drag_reaches(*selection.drag_to)) return false;
   return meets(run.record.settings, selection.conditions);
 }
 
@@ -44,15 +45,16 @@ const ClaimNumber& number_named(const std::vector<ClaimNumber>& numbers, const s
 /// Forces over the unit weight of the soil that they are in.
 Real comparable(const ClaimNumber& number)
 {
-  return number.unit == ClaimUnit::force ? number.value / number.run->record.scale.unit_weight : number.value;
+  return number.unit == base::ObservableUnit::force ? number.value / number.run->scale.unit_weight : number.value;
 }
 
 ClaimNumber number_of(const ClaimValue& v, const TestRun& run, const std::vector<ClaimNumber>& before)
 {
-  ClaimNumber number{v.name, evaluate(v.observable, v.at, v.quantity, run), kind_of(v.observable).unit, &run, {}};
+  const base::Observable& observable = claim_observables()[v.observable];
+  ClaimNumber number{v.name, evaluate(observable, v.at, v.quantity, run), observable.unit, &run, {}};
   if (v.per) number.value /= *v.per;
   if (!v.over.empty()) number.value = comparable(number) / comparable(number_named(before, v.over));
-  if (v.per || !v.over.empty()) number.unit = ClaimUnit::number;
+  if (v.per || !v.over.empty()) number.unit = base::ObservableUnit::number;
   return number;
 }
 
@@ -92,7 +94,7 @@ std::string percent_of(Real part)
 std::string words_of(const ClaimValue& v, const ClaimNumber& number)
 {
   if (std::isnan(number.value)) return v.without;
-  const std::string shown = v.percent ? percent_of(number.value) : words_of(number.unit, number.value);
+  const std::string shown = v.percent ? percent_of(number.value) : report::words_of(number.unit, number.value);
   const std::optional<Placeholder> place = v.words.empty() ? std::nullopt : first_placeholder(v.words);
   return place ? place->before + shown + place->after : v.words.empty() ? shown : v.words;
 }
@@ -132,7 +134,7 @@ std::string range_of(const std::string& placeholder, const std::vector<ClaimEvid
   const std::size_t space = placeholder.find_last_of(' ');
   const std::string name = placeholder.substr(0, space), what = placeholder.substr(space + 1);
   Real min = infinity, max = -infinity;
-  ClaimUnit unit = ClaimUnit::number;
+  base::ObservableUnit unit = base::ObservableUnit::number;
   int count = 0;
   for (const ClaimEvidence& e : evidence)
     for (const ClaimNumber& number : e.numbers)
@@ -142,7 +144,7 @@ std::string range_of(const std::string& placeholder, const std::vector<ClaimEvid
       }
   if (count == 0 || (what == "ratio" && count != 2)) return "";
   const Real value = what == "least" ? min : what == "most" ? max : max / min;
-  return unit == ClaimUnit::force && what != "ratio" ? text::force_words(value, 2) : fmt::format("{:.2g}", value);
+  return unit == base::ObservableUnit::force && what != "ratio" ? text::force_words(value, 2) : fmt::format("{:.2g}", value);
 }
 
 /// A sentence with ranges of numbers in it; "" where one of them is not there.

@@ -10,7 +10,7 @@ namespace berm::report {
 struct ClaimNumber {
   std::string name;
   Real value;
-  ClaimUnit unit;
+  base::ObservableUnit unit;
   const TestRun* run;
   std::optional<text::Standing> standing;  ///< where there is something that it should be
 };

@@ -12,7 +12,6 @@ namespace berm::report {
 namespace {
 
 const std::vector<const char*> method_words = {"mpm", "fem"};
-const std::vector<const char*> chart_words = {"V_w", "H_u", "w_u"};
 const std::vector<const char*> otherwise_words = {"not reproduced", "partly"};
 const std::vector<std::string> selection_keys = {"method", "drag_from", "drag_to"};
 
@@ -32,11 +31,11 @@ bool contains(const std::vector<std::string>& list, const std::string& word)
 void check_value(Describe& d, const std::string& path, const ClaimValue& v, const ClaimFinding& finding,
                  const std::vector<std::string>& before)
 {
-  const ObservableKind& kind = kind_of(v.observable);
+  const base::Observable& kind = claim_observables()[v.observable];
   d.check(!contains(before, v.name), path + ".name", "is the name of a value before it");
   d.check(!kind.needs_at || v.at, path, fmt::format("{} needs at, where it is taken", kind.word));
-  d.check(kind.at != ClaimUnit::none || !v.at, path + ".at", fmt::format("{} is taken at no such place", kind.word));
-  const bool of_quantity = v.observable == ClaimObservable::quantity;
+  d.check(kind.at != base::ObservableUnit::none || !v.at, path + ".at", fmt::format("{} is taken at no such place", kind.word));
+  const bool of_quantity = is_quantity(kind);
   d.check(of_quantity != v.quantity.empty(), path + (of_quantity ? "" : ".quantity"),
           "observable = \"quantity\" and a quantity of summary.json go together");
   d.check(!v.of_beside || finding.beside, path + ".of_beside", "there is no run beside");
@@ -132,8 +131,10 @@ void describe(Describe& d, RunSelection& runs)
 void describe(Describe& d, ClaimValue& value)
 {
   d.value("name", value.name, {.meaning = "name of the value, for {NAME} in words", .required = true});
-  d.choice("observable", value.observable, observable_words(), {.meaning = "what is taken of a run", .required = true});
-  const ObservableKind& kind = kind_of(value.observable);
+  int observable = static_cast<int>(value.observable);
+  d.choice("observable", observable, observable_words(), {.meaning = "what is taken of a run", .required = true});
+  value.observable = static_cast<std::size_t>(observable);
+  const base::Observable& kind = claim_observables()[value.observable];
   d.value("at", value.at, {.meaning = "where it is taken; w and u in D", .unit = unit_of(kind.at)});
   d.value("quantity", value.quantity, {.meaning = "quantity of summary.json, for observable = \"quantity\""});
   d.value("of_beside", value.of_beside, {.meaning = "whether it is that of the run beside"});
@@ -174,14 +175,6 @@ void describe(Describe& d, Claim& claim)
   d.value("why_of_several", claim.why_of_several,
           {.meaning = "said after it where two runs tell of it or more; {NAME ratio} where two do"});
   d.value("missing", claim.missing, {.meaning = "said where no run tells of it"});
-}
-
-void describe(Describe& d, PublishedPoint& point)
-{
-  d.choice("chart", point.chart, chart_words, {.meaning = "chart that it stands in", .required = true});
-  d.value("x", point.x, {.meaning = "w or u; absent: a level over the whole chart", .unit = "m"});
-  d.value("y", point.y, {.meaning = "V, H or w", .unit = point.chart == PublishedPoint::Chart::w_u ? "m" : "N/m", .required = true});
-  d.value("label", point.label, {.meaning = "what is written beside it", .required = true});
 }
 
 void describe(Describe& d, ClaimSheet& sheet)

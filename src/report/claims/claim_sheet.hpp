@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "report/claims/claim_observable.hpp"
 #include "report/claims/test_conditions.hpp"
+#include "report/claims/test_run.hpp"
+#include "structures/base/published_point.hpp"
 
 #include <filesystem>
 
@@ -18,9 +19,9 @@ struct RunSelection {
 /// A number that a run gives, and what it should be.
 struct ClaimValue {
   std::string name;
-  ClaimObservable observable = ClaimObservable::V_at_w;
+  std::size_t observable = 0;  ///< place in claim_observables()
   std::optional<Real> at;
-  std::string quantity;           ///< of summary.json, for ClaimObservable::quantity
+  std::string quantity;           ///< of summary.json, for the observable of this name
   bool of_beside = false;         ///< of the run beside
   std::optional<Real> per;        ///< the number is over this
   std::string over;               ///< value over which it is; forces of two runs each over their unit weight
@@ -50,22 +51,13 @@ struct Claim {
   std::string missing = "No run here came so far as to tell.";
 };
 
-/// A published number in a chart of V over w, H over u or w over u; without x it is a level.
-struct PublishedPoint {
-  enum class Chart { V_w, H_u, w_u };
-  Chart chart = Chart::V_w;
-  std::optional<Real> x;  ///< m
-  Real y = 0;             ///< N/m or m
-  std::string label;
-};
-
-/// claims.toml: what was published of a test with a pipe.
+/// claims.toml: what was published of a test.
 struct ClaimSheet {
   std::string title = "Published claims", source;
   Real near = 0.15, off = 0.4;  ///< largest |number / published - 1| of what is reproduced, and partly
   TestConditions test;
   std::vector<Claim> claims;
-  std::vector<PublishedPoint> points;
+  base::PublishedPoints points;
 };
 
 constexpr const char* claims_file = "claims.toml";
@@ -75,7 +67,6 @@ void describe(Describe& d, RunSelection& runs);
 void describe(Describe& d, ClaimValue& value);
 void describe(Describe& d, ClaimFinding& finding);
 void describe(Describe& d, Claim& claim);
-void describe(Describe& d, PublishedPoint& point);
 void describe(Describe& d, ClaimSheet& sheet);
 
 /// Reads the claims of a test. Throw InputError with file, line and key.

@@ -10,17 +10,18 @@ namespace berm::report {
 namespace {
 
 /// The settings that tests often leave open, and what the mesh is.
-std::string setting_of(const pipe::RunRecord& run)
+std::string setting_of(const record::RunRecord& run)
 {
   const problem::Case& c = run.settings;
-  std::string words = fmt::format("γ′ = {:.3g} kN/m³", run.scale.unit_weight / 1000);
-  if (const auto sand = strength_at_rest(*pipe::touched_material(c)))
+  const base::BodyScale scale = base::body_scale(c);
+  std::string words = fmt::format("γ′ = {:.3g} kN/m³", scale.unit_weight / 1000);
+  if (const auto sand = strength_at_rest(*base::touched_material(c)))
     words += fmt::format(", ψ = {:.3g}°", sand->dilation_angle * 180 / pi);
   for (const auto& [name, body] : c.body)
     if (body.k0) words += fmt::format(", K0 = {:.3g}", *body.k0);
   if (const auto* seabed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
     const Real size = c.method == problem::Method::fem && c.fem.contact_size ? *c.fem.contact_size : seabed->near_size;
-    words += fmt::format(", {} of D/{:.3g}", c.method == problem::Method::fem ? "elements" : "cells", run.scale.diameter / size);
+    words += fmt::format(", {} of D/{:.3g}", c.method == problem::Method::fem ? "elements" : "cells", scale.width / size);
   }
   if (c.method == problem::Method::mpm) words += c.mpm.volumetric_projection ? ", no locking" : ", plain triangles, which lock";
   return words;
@@ -59,11 +60,11 @@ std::string cell_of(const std::vector<ClaimEvidence>& findings)
   return html.empty() ? "no run shows it" : html;
 }
 
-std::string section_of(const std::vector<pipe::RunRecord>& runs, const ClaimSheet& sheet, const std::string& id)
+std::string section_of(const std::vector<record::RunRecord>& runs, const ClaimSheet& sheet, const std::string& id)
 {
   TestRuns of_test;
   std::string settings;
-  for (const pipe::RunRecord& run : runs) {
+  for (const record::RunRecord& run : runs) {
     if (!is_of_test(run, sheet) || run.history.rows() == 0) continue;
     of_test.emplace_back(run);
     settings += fmt::format("<li><strong>{}</strong>: {}</li>\n", text::html_text(run.name), text::html_text(setting_of(run)));
@@ -88,32 +89,26 @@ std::string section_of(const std::vector<pipe::RunRecord>& runs, const ClaimShee
 
 }  // namespace
 
-bool is_of_test(const pipe::RunRecord& run, const ClaimSheet& sheet)
+bool is_of_test(const record::RunRecord& run, const ClaimSheet& sheet)
 {
-  return run.has_pipe() && meets(run.settings, sheet.test);
+  return !structures::structure_of(run.settings).observables().empty() && meets(run.settings, sheet.test);
 }
 
-bool is_of_a_test(const pipe::RunRecord& run, const ClaimSheets& sheets)
+bool is_of_a_test(const record::RunRecord& run, const ClaimSheets& sheets)
 {
   return std::any_of(sheets.begin(), sheets.end(), [&](const ClaimSheet& sheet) { return is_of_test(run, sheet); });
 }
 
-std::vector<PublishedPoint> published_points(const std::vector<pipe::RunRecord>& runs, const ClaimSheets& sheets)
+base::PublishedPoints published_points(const std::vector<record::RunRecord>& runs, const ClaimSheets& sheets)
 {
-  std::vector<PublishedPoint> points;
+  base::PublishedPoints points;
   for (const ClaimSheet& sheet : sheets)
-    if (std::any_of(runs.begin(), runs.end(), [&](const pipe::RunRecord& run) { return is_of_test(run, sheet); }))
+    if (std::any_of(runs.begin(), runs.end(), [&](const record::RunRecord& run) { return is_of_test(run, sheet); }))
       points.insert(points.end(), sheet.points.begin(), sheet.points.end());
   return points;
 }
 
-const char* word_of(PublishedPoint::Chart chart)
-{
-  constexpr const char* words[] = {"V_w", "H_u", "w_u"};
-  return words[static_cast<std::size_t>(chart)];
-}
-
-std::string claims_section(const std::vector<pipe::RunRecord>& runs, const ClaimSheets& sheets)
+std::string claims_section(const std::vector<record::RunRecord>& runs, const ClaimSheets& sheets)
 {
   std::string html;
   int number = 0;

@@ -79,7 +79,7 @@ TestCondition condition_of(const input::Document& document, input::Node& node, c
     if (node.kind != input::Node::Kind::text) refuse(document, node, at, fmt::format("must be a word in quotes, not {}", kind_of(node)));
     if (!parameter.words.empty() && std::find(parameter.words.begin(), parameter.words.end(), node.text) == parameter.words.end())
       refuse(document, node, at,
-             fmt::format("{} is none of its words{}", input::in_quotes(node.text), input::suggestion(node.text, parameter.words)));
+             fmt::format("{} is not one of its words{}", input::in_quotes(node.text), input::suggestion(node.text, parameter.words)));
     condition.word = node.text;
     return condition;
   }

@@ -29,24 +29,24 @@ std::string script_json(const Json& json)
   return text;
 }
 
-Json published_json(const std::vector<pipe::RunRecord>& runs, const ClaimSheets& claims)
+Json published_json(const std::vector<record::RunRecord>& runs, const ClaimSheets& claims)
 {
   Json points = Json::array();
-  for (const PublishedPoint& p : published_points(runs, claims))
+  for (const base::PublishedPoint& p : published_points(runs, claims))
     points.push_back({{"chart", word_of(p.chart)}, {"x", p.x ? Json(*p.x) : Json(nullptr)}, {"y", p.y}, {"label", p.label}});
   return points;
 }
 
-std::string title_of(const std::vector<pipe::RunRecord>& runs)
+std::string title_of(const std::vector<record::RunRecord>& runs)
 {
-  const pipe::RunRecord& first = runs.front();
+  const record::RunRecord& first = runs.front();
   return text::html_text(first.settings.title.empty() ? first.name : first.settings.title);
 }
 
-std::string header_of(const std::vector<pipe::RunRecord>& runs, const std::vector<std::pair<std::string, std::string>>& sections)
+std::string header_of(const std::vector<record::RunRecord>& runs, const std::vector<std::pair<std::string, std::string>>& sections)
 {
   std::vector<std::string> names, links;
-  for (const pipe::RunRecord& run : runs) names.push_back(text::html_text(run.name));
+  for (const record::RunRecord& run : runs) names.push_back(text::html_text(run.name));
   for (const auto& [id, word] : sections) links.push_back(fmt::format("<a href=\"#{}\">{}</a>", id, word));
   return fmt::format(
       "<header>\n<h1>{}</h1>\n<p class=\"quiet\">{}: {}; written by berm {}</p>\n<nav aria-label=\"sections\">{}</nav>\n</header>\n",
@@ -55,15 +55,15 @@ std::string header_of(const std::vector<pipe::RunRecord>& runs, const std::vecto
 }
 
 /// What a reader must know first of runs that did not end well.
-std::string faults_of(const std::vector<pipe::RunRecord>& runs, const std::vector<std::string>& left_out)
+std::string faults_of(const std::vector<record::RunRecord>& runs, const std::vector<std::string>& left_out)
 {
   std::string items;
   for (const std::string& words : left_out) items += fmt::format("<li class=\"warning\">{}</li>\n", text::html_text(words));
-  for (const pipe::RunRecord& run : runs) {
+  for (const record::RunRecord& run : runs) {
     std::vector<std::string> said;
-    if (run.end == pipe::RunEnd::unfinished)
+    if (run.end == record::RunEnd::unfinished)
       said.emplace_back("did not come to its end: it was killed, crashed or still runs. Shown is what it wrote until then.");
-    if (run.end == pipe::RunEnd::stopped)
+    if (run.end == record::RunEnd::stopped)
       said.push_back(fmt::format("was stopped before its end. It said: {}", run.last_log_line.empty() ? "nothing" : run.last_log_line));
     said.insert(said.end(), run.faults.begin(), run.faults.end());
     for (const std::string& words : said)
@@ -74,7 +74,7 @@ std::string faults_of(const std::vector<pipe::RunRecord>& runs, const std::vecto
 
 }  // namespace
 
-std::string report_page(std::vector<pipe::RunRecord> runs, const ClaimSheets& claims, const std::vector<std::string>& left_out)
+std::string report_page(std::vector<record::RunRecord> runs, const ClaimSheets& claims, const std::vector<std::string>& left_out)
 {
   Json data = {{"version", BERM_VERSION}, {"runs", Json::array()}, {"published", published_json(runs, claims)}};
   std::string blocks;

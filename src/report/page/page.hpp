@@ -7,6 +7,6 @@ namespace berm::report {
 
 /// The whole page, one file that needs no other; the runs in the order given, with what is claimed of their tests. `left_out` says which runs are
 /// not there, and why.
-std::string report_page(std::vector<pipe::RunRecord> runs, const ClaimSheets& claims = {}, const std::vector<std::string>& left_out = {});
+std::string report_page(std::vector<record::RunRecord> runs, const ClaimSheets& claims = {}, const std::vector<std::string>& left_out = {});
 
 }  // namespace berm::report

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page/page_data.hpp"
 
-#include "structures/pipe/display_units.hpp"
-#include "structures/pipe/travel_curve.hpp"
+#include "record/travel_curve.hpp"
+#include "structures/structures.hpp"
 
 #include <algorithm>
 
@@ -32,18 +32,18 @@ std::vector<Index> kept_rows(const run_folder::History& history)
 }
 
 /// The rows of a push or a drag (of the history, ascending) among those that the page holds, and its forces freed from noise along its travel (m).
-Json path_json(const pipe::RunRecord& run, const std::vector<Index>& kept, const std::vector<Index>& rows, const std::vector<Real>& travel,
-               Real u_begin)
+Json path_json(const record::RunRecord& run, const std::vector<Index>& kept, const base::StagePath& stage)
 {
-  const Real half = averaging_half(run.scale);
+  const auto& [rows, travel, u_begin] = stage;
+  const Real half = averaging_half(base::body_scale(run.settings));
   if (rows.empty()) return {{"rows", Json::array()}, {"u_begin", u_begin}, {"V_mean", Json::array()}, {"H_mean", Json::array()}};
   const auto curve_of = [&](const char* column) {
     std::vector<Real> force;
-    for (const Index k : rows) force.push_back(run.history.by_label(column)[k]);
-    return pipe::TravelCurve(travel, force).condensed(half);
+    for (const Index k : stage.rows) force.push_back(run.history.by_label(column)[k]);
+    return record::TravelCurve(stage.travel, force).condensed(half);
   };
-  const pipe::TravelCurve V = curve_of("V"), H = curve_of("H");
-  const auto mean = [&](const pipe::TravelCurve& force, Real s) {
+  const record::TravelCurve V = curve_of("V"), H = curve_of("H");
+  const auto mean = [&](const record::TravelCurve& force, Real s) {
     return std::isnan(s) ? Json(nullptr) : number_or_null(force.at(s, half));
   };
   Json path = {{"rows", Json::array()}, {"u_begin", u_begin}, {"V_mean", Json::array()}, {"H_mean", Json::array()}};
@@ -59,11 +59,11 @@ Json path_json(const pipe::RunRecord& run, const std::vector<Index>& kept, const
 }
 
 /// What forces are made dimensionless with (N/m) and its letters; what stresses and energies per metre are made so with follows by D.
-Json measure_of(const pipe::RunRecord& run)
+Json measure_of(const base::BodyScale& scale)
 {
-  const pipe::ForceMeasure measure = run.has_pipe() ? force_measure(run) : pipe::ForceMeasure{};
+  const base::ForceMeasure measure = scale.width > 0 ? force_measure(scale) : base::ForceMeasure{};
   if (!(measure.size > 0)) return nullptr;
-  const bool weight = measure.kind == pipe::ForceMeasure::Kind::weight;
+  const bool weight = measure.kind == base::ForceMeasure::Kind::weight;
   return {{"size", measure.size},
           {"stress", weight ? "γ′ D" : "s_u"},
           {"force", weight ? "γ′ D²" : "D s_u"},
@@ -72,17 +72,18 @@ Json measure_of(const pipe::RunRecord& run)
 
 }  // namespace
 
-Json run_data(const pipe::RunRecord& run)
+Json run_data(const record::RunRecord& run)
 {
   const run_folder::History& history = run.history;
+  const base::BodyScale scale = base::body_scale(run.settings);
   const std::vector<Index> kept = kept_rows(history);
   Json data;
   data["name"] = run.name;
   data["title"] = run.settings.title;
   data["method"] = run.settings.method == problem::Method::mpm ? "mpm" : "fem";
-  data["diameter"] = run.has_pipe() ? Json(run.scale.diameter) : Json(nullptr);
-  data["measure"] = measure_of(run);
-  data["prototype"] = has_prototype(run.scale) ? Json(run.scale.gravity_level) : Json(nullptr);
+  data["diameter"] = scale.width > 0 ? Json(scale.width) : Json(nullptr);
+  data["measure"] = measure_of(scale);
+  data["prototype"] = has_prototype(scale) ? Json(scale.gravity_level) : Json(nullptr);
   data["of_test"] = false;
   data["quantities"] = Json::object();
   for (const run_folder::Column& column : history.columns)
@@ -96,9 +97,9 @@ Json run_data(const pipe::RunRecord& run)
   data["stage"] = Json::array();
   for (const Index k : kept) data["stage"].push_back(history.stage[k]);
   data["row"] = static_cast<Index>(kept.size()) == history.rows() ? Json(nullptr) : Json(kept);
-  const pipe::PipePath path = run.has_pipe() && history.rows() > 0 ? pipe_path(history, run.stages) : pipe::PipePath{};
-  data["push"] = path_json(run, kept, path.push_rows, path.w, 0);
-  data["drag"] = path_json(run, kept, path.drag_rows, path.drag_u, path.u_begin);
+  const base::StagePaths paths = structures::structure_of(run.settings).paths(run);
+  data["push"] = path_json(run, kept, paths.push);
+  data["drag"] = path_json(run, kept, paths.drag);
   data["film"] = nullptr;
   return data;
 }

@@ -6,6 +6,7 @@
 #include "io/atomic_file.hpp"
 #include "report/page/page.hpp"
 #include "report/results/figures.hpp"
+#include "structures/structures.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -36,7 +37,7 @@ std::vector<fs::path> run_folders_in(const fs::path& folder)
   for (const fs::path& place : {folder, folder / "runs"}) {
     std::error_code error;
     for (fs::directory_iterator entry(place, error), end; !error && entry != end; entry.increment(error))
-      if (pipe::is_run_folder(entry->path())) found.push_back(entry->path());
+      if (record::is_run_folder(entry->path())) found.push_back(entry->path());
     if (!found.empty()) break;
   }
   std::sort(found.begin(), found.end());
@@ -56,7 +57,7 @@ std::vector<fs::path> run_folders(const std::vector<std::string>& names)
     if (path.filename() == page_name && !fs::is_directory(found)) continue;
     if (path.filename() == figures_name) continue;
     if (!fs::is_directory(found)) throw InputError(fmt::format("{}: is a file; a run folder is needed, as berm run makes it", name));
-    if (pipe::is_run_folder(path)) {
+    if (record::is_run_folder(path)) {
       folders.push_back(path);
       continue;
     }
@@ -73,14 +74,14 @@ std::vector<fs::path> run_folders(const std::vector<std::string>& names)
   return unique;
 }
 
-Real particles_of(const pipe::RunRecord& run)
+Real particles_of(const record::RunRecord& run)
 {
   const Real count = run.timing("particles");
   return std::isnan(count) ? 0 : count;
 }
 
 /// The order of the page: the material point method first, then by number of particles.
-bool finer(const pipe::RunRecord& a, const pipe::RunRecord& b)
+bool finer(const record::RunRecord& a, const record::RunRecord& b)
 {
   if (a.settings.method != b.settings.method) return a.settings.method == problem::Method::mpm;
   return particles_of(a) > particles_of(b);
@@ -98,20 +99,20 @@ fs::path place_of_page(const std::vector<std::string>& names, const std::vector<
 }
 
 /// Runs of one name get that of the folder above before it.
-void tell_apart(std::vector<pipe::RunRecord>& runs)
+void tell_apart(std::vector<record::RunRecord>& runs)
 {
   std::map<std::string, int> count;
-  for (const pipe::RunRecord& run : runs) ++count[run.name];
-  for (pipe::RunRecord& run : runs)
+  for (const record::RunRecord& run : runs) ++count[run.name];
+  for (record::RunRecord& run : runs)
     if (count[run.name] > 1) run.name = fmt::format("{}/{}", run.folder.parent_path().filename().string(), run.name);
 }
 
 /// Reads what can be read; of several runs one that cannot is left out, with a word in `left_out`. Throws InputError where none is left.
-std::vector<pipe::RunRecord> read_runs(const std::vector<fs::path>& folders, std::vector<std::string>& left_out)
+std::vector<record::RunRecord> read_runs(const std::vector<fs::path>& folders, std::vector<std::string>& left_out)
 {
-  std::vector<pipe::RunRecord> runs;
+  std::vector<record::RunRecord> runs;
   for (const fs::path& folder : folders) try {
-      runs.push_back(pipe::read_run(folder));
+      runs.push_back(structures::read_run(folder));
     } catch (const std::runtime_error& error) {
       if (folders.size() == 1) throw;
       left_out.push_back(fmt::format("{} is left out: {}", folder.filename().string(), error.what()));
@@ -124,12 +125,12 @@ std::vector<pipe::RunRecord> read_runs(const std::vector<fs::path>& folders, std
 }
 
 /// The claims that were asked for, else those that stand in the run folders: each once. A run whose own cannot be read says so.
-ClaimSheets claims_of(const ReportRequest& request, std::vector<pipe::RunRecord>& runs)
+ClaimSheets claims_of(const ReportRequest& request, std::vector<record::RunRecord>& runs)
 {
   if (!request.claims.empty()) return {read_claims(request.claims)};
   ClaimSheets sheets;
   std::set<std::string> known;
-  for (pipe::RunRecord& run : runs) try {
+  for (record::RunRecord& run : runs) try {
       const fs::path file = run.folder / claims_file;
       std::error_code error;
       if (!fs::exists(file, error)) continue;
@@ -148,7 +149,7 @@ std::vector<fs::path> write_report(const ReportRequest& request)
   const std::vector<fs::path> folders = run_folders(request.folders);
   const fs::path page = request.output.empty() ? place_of_page(request.folders, folders) / page_name : fs::path(request.output);
   std::vector<std::string> left_out;
-  std::vector<pipe::RunRecord> runs = read_runs(folders, left_out);
+  std::vector<record::RunRecord> runs = read_runs(folders, left_out);
   const ClaimSheets claims = claims_of(request, runs);
 
   io::write_atomically(page, report_page(runs, claims, left_out));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/quality/quality_section.hpp"
-#include "report/quality/measures.hpp"
+#include "structures/base/general_measures.hpp"
+#include "structures/structures.hpp"
 #include "text/run_columns.hpp"
 #include "text/tex_math.hpp"
 
@@ -15,16 +16,16 @@ namespace {
 constexpr Real max_work_of_contact = 0.01;   // of all work: round-off and the contact's springs give less
 constexpr std::size_t max_log_warnings = 5;  // of a run; a finite element run may warn at every increment
 
-std::string reason_of(const TrustMeasure& measure)
+std::string reason_of(const base::TrustMeasure& measure)
 {
   if (measure.limit == nullptr) return "";
-  const Limit& limit = *measure.limit;
+  const base::Limit& limit = *measure.limit;
   const std::string good = measure.limit_words(limit.good), bad = measure.limit_words(limit.bad);
   return fmt::format("<span class=\"quiet\">good {} {}, bad {} {}: {}</span>", limit.large ? "from" : "up to", good,
                      limit.large ? "below" : "above", bad, text::html_text(limit.reason));
 }
 
-std::string content_of(const TrustMeasure& measure, const pipe::RunRecord& run)
+std::string content_of(const base::TrustMeasure& measure, const record::RunRecord& run)
 {
   constexpr std::array words{"good", "fair", "bad", "not known"};
   const Real value = measure.value(run);
@@ -35,15 +36,15 @@ std::string content_of(const TrustMeasure& measure, const pipe::RunRecord& run)
   return fmt::format("{} {}", text, html_badge(standing, words[static_cast<std::size_t>(standing)]));
 }
 
-std::string table_of(const std::vector<pipe::RunRecord>& runs, problem::Method method, const std::string& id, const std::string& caption)
+std::string table_of(const std::vector<record::RunRecord>& runs, problem::Method method, const std::string& id, const std::string& caption)
 {
   text::RunColumns columns("", "", "judged by");
   bool any = false;
-  for (const pipe::RunRecord& run : runs) {
+  for (const record::RunRecord& run : runs) {
     if (run.settings.method != method) continue;
     any = true;
     std::vector<text::RunEntry> entries;
-    for (const TrustMeasure& measure : trust_measures(method))
+    for (const base::TrustMeasure& measure : structures::structure_of(run.settings).measures(run.settings))
       if (measure.applies(run))
         entries.push_back({measure.what, text::html_text(measure.what), content_of(measure, run), true, "", reason_of(measure)});
     columns.run(run.name, entries);
@@ -52,10 +53,10 @@ std::string table_of(const std::vector<pipe::RunRecord>& runs, problem::Method m
 }
 
 /// What is wrong with a run or not known of it, in words.
-std::vector<std::string> warnings_of(const pipe::RunRecord& run)
+std::vector<std::string> warnings_of(const record::RunRecord& run)
 {
   std::vector<std::string> found, not_known;
-  for (const TrustMeasure& measure : trust_measures(run.settings.method)) {
+  for (const base::TrustMeasure& measure : structures::structure_of(run.settings).measures(run.settings)) {
     if (!measure.applies(run)) continue;
     const Real value = measure.value(run);
     if (std::isnan(value))
@@ -65,7 +66,7 @@ std::vector<std::string> warnings_of(const pipe::RunRecord& run)
   }
   if (run.settings.method == problem::Method::mpm && !run.settings.mpm.volumetric_projection)
     found.emplace_back("plain triangles lock: mpm.volumetric_projection is off, and resistance is too large.");
-  if (const Real given = work_of_contact(run); given > max_work_of_contact)
+  if (const Real given = base::work_of_contact(run); given > max_work_of_contact)
     found.push_back(fmt::format("contact gave {:.2g} % of the work instead of taking energy.", 100 * given));
   if (!run.summary && !not_known.empty())
     found.push_back(fmt::format("there is no summary of the run, so this is not known: {}.", fmt::join(not_known, "; ")));
@@ -75,10 +76,10 @@ std::vector<std::string> warnings_of(const pipe::RunRecord& run)
   return found;
 }
 
-std::string warning_list(const std::vector<pipe::RunRecord>& runs)
+std::string warning_list(const std::vector<record::RunRecord>& runs)
 {
   std::string items;
-  for (const pipe::RunRecord& run : runs)
+  for (const record::RunRecord& run : runs)
     for (const std::string& words : warnings_of(run))
       items += fmt::format("<li class=\"warning\"><strong>{}</strong>: {}</li>\n", text::html_text(run.name), text::html_text(words));
   return items.empty() ? text::html_paragraph("By these measures nothing is wrong.")
@@ -87,17 +88,13 @@ std::string warning_list(const std::vector<pipe::RunRecord>& runs)
 
 }  // namespace
 
-std::string quality_section(const std::vector<pipe::RunRecord>& runs)
+std::string quality_section(const std::vector<record::RunRecord>& runs)
 {
   std::string content = warning_list(runs);
   content += table_of(runs, problem::Method::mpm, "trust-mpm", "Can it be trusted? Material point method");
   content += table_of(runs, problem::Method::fem, "trust-fem", "Can it be trusted? Finite elements");
-  if (std::any_of(runs.begin(), runs.end(),
-                  [](const pipe::RunRecord& run) { return run.settings.method == problem::Method::mpm && run.has_pipe(); }))
-    content += "<p>V depends on the mesh: in the probe test V(0.1 D) is 901, 808 and 706 N/m with cells of D/10, D/20 and D/40 "
-               "(examples/mesh_study), since sand with psi below phi localises in bands as wide as the cells (examples/localisation). "
-               "Run two sizes before believing a number, and phi* for phi to see the lower end; "
-               "<code>berm study examples/mesh_study</code> shows how.</p>\n";
+  for (const base::Structure* structure : structures::all_structures())
+    content += structure->quality_note(structures::runs_of(*structure, runs));
   return text::html_section("trust", "Can it be trusted?", content);
 }
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "structures/pipe/run_record.hpp"
+#include "record/run_record.hpp"
 
 namespace berm::report {
 
 /// Energy balance, quasi-static indicators, contact and mesh of all runs of the page, as HTML, with warnings in words.
-std::string quality_section(const std::vector<pipe::RunRecord>& runs);
+std::string quality_section(const std::vector<record::RunRecord>& runs);
 
 }  // namespace berm::report

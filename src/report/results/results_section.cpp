@@ -1,68 +1,67 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/results/results_section.hpp"
-#include "report/results/generic_results.hpp"
-#include "report/results/key_results.hpp"
-#include "report/results/published_table.hpp"
-#include "report/results/summary_text.hpp"
+
+#include "structures/structures.hpp"
 #include "text/html.hpp"
 #include "text/tex_math.hpp"
 
-#include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace berm::report {
 namespace {
 
-std::string words_of(const std::vector<pipe::RunRecord>& runs, const pipe::DisplayUnits& shown)
+using Runs = std::vector<record::RunRecord>;
+
+/// Which of the measures of trust are bad, in a sentence with a link to them, HTML; "" where none is.
+std::string doubts_in_words(const record::RunRecord& run)
+{
+  std::vector<std::string> bad;
+  for (const base::TrustMeasure& measure : structures::structure_of(run.settings).measures(run.settings)) {
+    if (measure.limit == nullptr || !measure.applies(run)) continue;
+    const Real value = measure.value(run);
+    if (judge(*measure.limit, value) == text::Standing::bad)
+      bad.push_back(text::html_text(fmt::format("{} – {}", measure.what, measure.words(run, value))));
+  }
+  return bad.empty() ? ""
+                     : fmt::format("Take it with care. Bad among its <a href=\"#trust\">measures of trust</a>: {}.", fmt::join(bad, "; "));
+}
+
+std::string words_of(const Runs& runs, const base::DisplayUnits& shown)
 {
   std::string html;
-  for (const pipe::RunRecord& run : runs) {
+  for (const record::RunRecord& run : runs) {
     const std::string name = runs.size() > 1 ? fmt::format("<strong>{}</strong> ", text::html_text(run.name)) : "";
-    const std::string results =
-        run.has_pipe() ? results_in_words(run, shown) : "There is no pipe in this run: no body that a push or drag drives.";
+    const std::string results = structures::structure_of(run.settings).in_words(run, shown);
     const std::string doubts = doubts_in_words(run);
-    html += fmt::format("<p>{}{}{}{}</p>\n", name, run.end == pipe::RunEnd::finished ? "" : "(not finished) ", results,
+    html += fmt::format("<p>{}{}{}{}</p>\n", name, run.end == record::RunEnd::finished ? "" : "(not finished) ", results,
                         doubts.empty() ? "" : " <span class=\"doubts\">" + doubts + "</span>");
   }
   return html;
 }
 
-/// Of several runs each can be folded away; the first stands open.
-std::string formulas_beside(const std::vector<pipe::RunRecord>& runs, const pipe::DisplayUnits& shown)
+base::DisplayUnits units_of(const Runs& runs)
 {
-  std::string html;
-  int place = 0;
-  for (const pipe::RunRecord& run : runs) {
-    if (!run.has_pipe()) continue;
-    const std::string table = published_table(run, shown, fmt::format("published-{}", place));
-    html += runs.size() == 1 ? table
-                             : fmt::format("<details{}>\n<summary>{}</summary>\n{}</details>\n", place == 0 ? " open" : "",
-                                           text::html_text(run.name), table);
-    ++place;
-  }
-  if (html.empty()) return "";
-  const std::string heading = "<h3>Design codes and published formulas</h3>\n";
-  if (html.find("<table") == std::string::npos) return heading + html;
-  return heading +
-         text::html_paragraph(
-             "What they give for the same soil, pipe and state: the embedment and the vertical load are those that the run found. Labels: "
-             "exact is a closed "
-             "form or computed to convergence, fit a published fit, recalled: quoted from memory; check the source.",
-             "quiet") +
-         html;
+  std::vector<base::ScaledRun> scaled;
+  for (const record::RunRecord& run : runs) scaled.push_back({base::body_scale(run.settings), &run.quantities});
+  return base::DisplayUnits(scaled);
 }
 
 }  // namespace
 
-std::string results_section(const std::vector<pipe::RunRecord>& runs)
+std::string results_section(const Runs& runs)
 {
-  const pipe::DisplayUnits shown(runs);
-  std::string html = words_of(runs, shown);
-  const std::string key = key_results(runs, shown);
+  const base::DisplayUnits shown = units_of(runs);
+  std::string html = words_of(runs, shown), key, published;
+  for (const base::Structure* structure : structures::all_structures()) {
+    const base::Runs of_structure = structures::runs_of(*structure, runs);
+    key += structure->key_results(of_structure, shown);
+    published += structure->published_values(of_structure, shown);
+  }
   if (!key.empty()) html += "<h3>Key results</h3>\n" + key;
-  html += formulas_beside(runs, shown);
+  html += published;
   for (std::size_t k = 0; k < runs.size(); ++k)
-    if (!runs[k].has_pipe()) html += other_results(runs[k], fmt::format("results-{}", k));
+    html += structures::structure_of(runs[k].settings).other_results(runs[k], fmt::format("results-{}", k));
   return text::html_section("answer", "Answer", html);
 }
 

@@ -67,10 +67,10 @@ std::vector<ParameterEntry> parameters_of(const problem::Case& settings)
   return entries;
 }
 
-text::HtmlTable parameter_columns(const std::vector<pipe::RunRecord>& runs)
+text::HtmlTable parameter_columns(const std::vector<record::RunRecord>& runs)
 {
   text::RunColumns columns("key", "unit", "meaning");
-  for (const pipe::RunRecord& run : runs) {
+  for (const record::RunRecord& run : runs) {
     std::vector<text::RunEntry> entries;
     for (const ParameterEntry& parameter : parameters_of(run.settings))
       entries.push_back({parameter.path, fmt::format("<code>{}</code>", text::html_text(parameter.path)), text::html_text(parameter.value),

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "input/write_case.hpp"
-#include "structures/pipe/run_record.hpp"
+#include "record/run_record.hpp"
 #include "text/html.hpp"
 
 namespace berm::report {
@@ -16,6 +16,6 @@ struct ParameterEntry {
 std::vector<ParameterEntry> parameters_of(const problem::Case& settings);
 
 /// Every parameter of all runs: its path, a column with its value for each run, unit and meaning. Rows in which runs differ have the class "differs".
-text::HtmlTable parameter_columns(const std::vector<pipe::RunRecord>& runs);
+text::HtmlTable parameter_columns(const std::vector<record::RunRecord>& runs);
 
 }  // namespace berm::report

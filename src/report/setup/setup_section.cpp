@@ -18,14 +18,14 @@ constexpr std::size_t max_open_drawings = 2;  // more than these are folded away
 /// Runs that look the same.
 struct Alike {
   std::string look;  ///< their drawing without a title
-  const pipe::RunRecord* first;
+  const record::RunRecord* first;
   std::vector<std::string> names;
 };
 
-std::vector<Alike> alike(const std::vector<pipe::RunRecord>& runs)
+std::vector<Alike> alike(const std::vector<record::RunRecord>& runs)
 {
   std::vector<Alike> groups;
-  for (const pipe::RunRecord& run : runs) {
+  for (const record::RunRecord& run : runs) {
     const std::string look = draw_case(run.settings, "").svgs;
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const Alike& group) { return group.look == look; });
     if (same == groups.end())
@@ -45,7 +45,7 @@ std::string figure_of(const Alike& group)
   return fmt::format("<figure>\n<div class=\"drawing\">\n{}</div>\n<figcaption>{}</figcaption>\n</figure>\n", drawing.svgs, words);
 }
 
-std::string drawings_of(const std::vector<pipe::RunRecord>& runs)
+std::string drawings_of(const std::vector<record::RunRecord>& runs)
 {
   std::string open, folded;
   const std::vector<Alike> groups = alike(runs);
@@ -58,7 +58,7 @@ std::string drawings_of(const std::vector<pipe::RunRecord>& runs)
 
 }  // namespace
 
-std::string setup_section(const std::vector<pipe::RunRecord>& runs)
+std::string setup_section(const std::vector<record::RunRecord>& runs)
 {
   std::string content = drawings_of(runs);
   content += compact_table(runs).html();

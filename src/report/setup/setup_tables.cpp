@@ -2,10 +2,10 @@
 // Tests: tests/unit/report/setup/setup_section_test.cpp
 #include "report/setup/setup_tables.hpp"
 
-#include "structures/pipe/pipe_soil.hpp"
-
 #include "report/setup/parameter_table.hpp"
 #include "report/setup/stage_words.hpp"
+#include "structures/base/driven_body.hpp"
+#include "structures/base/near_mesh.hpp"
 #include "text/quantity_words.hpp"
 #include "text/run_columns.hpp"
 #include "text/tex_math.hpp"
@@ -16,12 +16,10 @@
 namespace berm::report {
 namespace {
 
-constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
-
 /// The rows of one run.
 class Rows {
 public:
-  explicit Rows(const problem::Case& settings) : case_(settings), scale_(pipe::pipe_scale(settings)) {}
+  explicit Rows(const problem::Case& settings) : case_(settings), scale_(base::body_scale(settings)) {}
 
   void add(const std::string& heading, const std::string& words, const std::string& key = "")
   {
@@ -36,13 +34,13 @@ public:
     return has_prototype(scale_) && model != prototype ? fmt::format("{} ({})", model, prototype) : model;
   }
   Real level() const { return scale_.gravity_level; }
-  const pipe::PipeScale& scale() const { return scale_; }
+  const base::BodyScale& scale() const { return scale_; }
   const problem::Case& settings() const { return case_; }
   std::vector<text::RunEntry> list() && { return std::move(entries_); }
 
 private:
   const problem::Case& case_;
-  pipe::PipeScale scale_;
+  base::BodyScale scale_;
   std::vector<text::RunEntry> entries_;
 };
 
@@ -74,7 +72,7 @@ void add_rigid(Rows& rows, const std::string& prefix, const bodies::RigidSetting
   const std::vector<bodies::ShapeSize> sizes = std::visit([](const auto& shape) { return sizes_of(shape); }, rigid.shape);
   for (const auto& [name, size] : sizes) rows.length(prefix + name, size);
   if (sizes.empty()) rows.add(prefix + "shape", std::visit([](const auto& shape) { return name_of(shape); }, rigid.shape));
-  if (rows.settings().dimension == 2 && pipe::is_circle(rows.settings()))
+  if (rows.settings().dimension == 2 && std::holds_alternative<bodies::CircleSettings>(rigid.shape))
     rows.length(prefix + "embedment at the start",
                 rows.settings().surface - bodies::lowest_level<2>(bodies::make_shape<2>(rigid.shape), Vec<2>::UnitY()));
   if (rigid.mass > 0) rows.add(prefix + "mass", fmt::format("{:.4g} {}", rigid.mass, rows.settings().dimension == 2 ? "kg/m" : "kg"));
@@ -109,11 +107,10 @@ void add_mesh(Rows& rows)
   if (const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh))
     for (std::size_t d = 0; d < box->size.size(); ++d)
       rows.length(fmt::format("mesh: length along {}", static_cast<char>('x' + d)), box->size[d]);
-  const Real h = near_cell_size(c);
-  const bool pipe = rows.scale().diameter > 0;
-  rows.add(pipe ? "cells at the pipe" : "cells", std::isnan(h) ? "not known"
-                                                 : pipe ? fmt::format("{} = D/{:.3g}", text::length_words(h), rows.scale().diameter / h)
-                                                        : text::length_words(h));
+  const Real h = base::near_cell_size(c), D = rows.scale().width;
+  rows.add(D > 0 ? "cells at the " + base::body_word(c) : "cells", std::isnan(h) ? "not known"
+                                                                   : D > 0 ? fmt::format("{} = D/{:.3g}", text::length_words(h), D / h)
+                                                                           : text::length_words(h));
 }
 
 void add_stages(Rows& rows)
@@ -128,6 +125,15 @@ void add_stages(Rows& rows)
   }
 }
 
+/// What the runs are about: the word of their main rigid body where it is one for all, else "body".
+std::string subject_of(const std::vector<record::RunRecord>& runs)
+{
+  const std::string word = base::body_word(runs.front().settings);
+  const bool same =
+      std::all_of(runs.begin(), runs.end(), [&](const record::RunRecord& run) { return base::body_word(run.settings) == word; });
+  return same ? word : "body";
+}
+
 std::string prefix_of(const std::string& what, const std::string& name, std::size_t count)
 {
   return count > 1 ? fmt::format("{} {}: ", what, name) : what + ": ";
@@ -135,62 +141,36 @@ std::string prefix_of(const std::string& what, const std::string& name, std::siz
 
 }  // namespace
 
-Real near_cell_size(const problem::Case& c)
-{
-  if (c.method == problem::Method::fem && c.fem.contact_size) return *c.fem.contact_size;
-  if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) return bed->near_size;
-  const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh);
-  if (box == nullptr) return unknown;
-  Real size = 0;
-  for (std::size_t d = 0; d < box->size.size(); ++d) size = std::max(size, box->size[d] / box->cells[d]);
-  return size;
-}
-
-Real near_particles(const problem::Case& c)
-{
-  if (c.method == problem::Method::fem || c.body.empty()) return unknown;
-  const contact::ContactSettings* contact = pipe::contact_of_pipe(c);
-  const Index body = contact == nullptr ? 0 : problem::place_of(c.body, contact->body);
-  const bodies::BodySettings& settings = c.body[body].second;
-  const Real spacing = settings.block ? settings.block->spacing : settings.disk ? settings.disk->spacing : 0;
-  if (spacing > 0) return std::pow(std::round(near_cell_size(c) / spacing), c.dimension);
-  const auto near = settings.region_particles_per_cell.find("near");
-  if (near != settings.region_particles_per_cell.end()) return near->second;
-  // The default of the bodies' filling.
-  return settings.particles_per_cell > 0 ? settings.particles_per_cell : c.dimension == 2 ? 9 : 8;
-}
-
-text::HtmlTable compact_table(const std::vector<pipe::RunRecord>& runs)
+text::HtmlTable compact_table(const std::vector<record::RunRecord>& runs)
 {
   text::RunColumns columns("");
   bool models = false;
-  for (const pipe::RunRecord& run : runs) {
+  for (const record::RunRecord& run : runs) {
     const problem::Case& c = run.settings;
     Rows rows(c);
     models = models || has_prototype(rows.scale());
     rows.add("method", c.method == problem::Method::mpm ? "material point method" : "finite elements, wished in place");
     rows.add("gravity", rows.level() > 0 ? fmt::format("{:.4g} g", rows.level()) : "none");
     for (const auto& [name, rigid] : c.rigid)
-      add_rigid(rows, prefix_of(std::holds_alternative<bodies::CircleSettings>(rigid.shape) ? "pipe" : "rigid body", name, c.rigid.size()),
-                rigid);
+      add_rigid(rows, c.rigid.size() > 1 ? prefix_of("rigid body", name, c.rigid.size()) : base::body_word(c) + ": ", rigid);
     for (const auto& [name, material] : c.material) add_material(rows, prefix_of("material", name, c.material.size()), material);
     for (const auto& [name, contact] : c.contact) add_contact(rows, prefix_of("interface", name, c.contact.size()), name, contact);
     add_mesh(rows);
-    if (const Real particles = near_particles(c); !std::isnan(particles)) {
+    if (const Real particles = base::near_particles(c); !std::isnan(particles)) {
       const bool lattice = c.body.front().second.regions.empty();
       rows.add("particles per cell", fmt::format("{:.0f}{}", particles, lattice ? " in a square of a cell's size" : ""));
     }
     add_stages(rows);
     columns.run(run.name, std::move(rows).list());
   }
-  return columns.table("asked-table", models ? "Soil, pipe, interface and stages: the model, in brackets the prototype"
-                                             : "Soil, pipe, interface and stages");
+  return columns.table("asked-table", fmt::format("Soil, {}, interface and stages{}", subject_of(runs),
+                                                  models ? ": the model, in brackets the prototype" : ""));
 }
 
-text::HtmlTable computation_table(const std::vector<pipe::RunRecord>& runs)
+text::HtmlTable computation_table(const std::vector<record::RunRecord>& runs)
 {
   text::RunColumns columns("");
-  for (const pipe::RunRecord& run : runs) {
+  for (const record::RunRecord& run : runs) {
     Rows rows(run.settings);
     const auto text = [&](const std::string& name) {
       if (!run.summary) return std::string("not recorded");

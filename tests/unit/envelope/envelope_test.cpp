@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/error.hpp"
-#include "envelope/envelope_published.hpp"
-#include "formulas/pipe_in_sand.hpp"
-#include "input/read_case.hpp"
+#include "envelope/envelope_table.hpp"
+#include "samples/clay_pipe.hpp"
 #include "samples/history_columns.hpp"
 #include "samples/program.hpp"
 
@@ -12,66 +11,6 @@ namespace berm::envelope {
 namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-
-/// A smooth pipe of 1 m, 0.4 D deep in weightless clay with s_u = 10 kPa, in so few elements that a probe takes a quarter of a second.
-constexpr const char* coarse_clay = R"(method = "fem"
-[mesh]
-kind = "seabed"
-length = "4 m"
-depth = "1.6 m"
-headroom = "0.5 m"
-near_size = "0.2 m"
-near_left = "-0.7 m"
-near_right = "0.7 m"
-near_depth = "0.6 m"
-near_height = "0.2 m"
-growth = 0.4
-[fem]
-contact_size = "0.1 m"
-[material.clay]
-law = "mohr_coulomb"
-density = "1800 kg/m^3"
-young_modulus = "20 MPa"
-poisson_ratio = 0.45
-cohesion = "10 kPa"
-friction_angle = "0 deg"
-[body.clay]
-material = "clay"
-regions = ["near", "bed"]
-[rigid.pipe]
-shape = "circle"
-center = [0, "0.1 m"]
-diameter = "1 m"
-[contact.skin]
-body = "clay"
-rigid = "pipe"
-friction_angle = 0
-[support.left]
-boundary = "left"
-fixed = ["x"]
-[support.right]
-boundary = "right"
-fixed = ["x"]
-[support.base]
-boundary = "base"
-fixed = ["x", "y"]
-[[stage]]
-name = "rest"
-kind = "geostatic"
-until.time = "1 s"
-[[stage]]
-name = "drag"
-kind = "drag"
-velocity = "-0.1 m/s"
-ramp = "0.2 s"
-vertical = "fixed"
-until.time = "1 s"
-)";
-
-problem::Case clay(const std::vector<std::string>& set = {})
-{
-  return input::read_case_text("clay.toml", coarse_clay, set);
-}
 
 std::string refusal_of(const problem::Case& c)
 {
@@ -129,6 +68,7 @@ TEST(EnvelopeProbes, are_refused_where_there_is_no_pipe_in_the_bed_or_no_speed)
   EXPECT_NE(refusal_of(square).find("rigid.pipe.shape: an envelope is that of a pipe"), std::string::npos);
   problem::Case space = clay();
   space.dimension = 3;
+  space.rigid[0].second.shape = bodies::CircleSettings{{0, 0.1, 0}, 1};
   EXPECT_NE(refusal_of(space).find("dimension = 2"), std::string::npos);
   problem::Case by_force = clay();
   by_force.stage[1].velocity.reset();
@@ -213,54 +153,6 @@ TEST(EnvelopeTable, takes_the_largest_H_from_the_path_of_a_swipe_too)
   EXPECT_EQ(extremes.V_max, 8);
   EXPECT_EQ(extremes.H_max, 5);
   EXPECT_EQ(extremes.V_at_H_max, 3);
-}
-
-TEST(EnvelopePublished, is_the_fit_for_clay_of_the_roughness_that_the_adhesion_makes)
-{
-  // D s_u = 10 kN/m; rough: 7.40 (w/D)^0.40 and 3.26 (w/D)^0.82.
-  const Published published = published_for(clay({"contact.skin.adhesion=10e3"}), {});
-  EXPECT_EQ(published.unit, 10e3);
-  ASSERT_EQ(published.numbers.size(), 2u);
-  EXPECT_NEAR(published.numbers[0].formula.value, 10e3 * 7.40 * std::pow(0.4, 0.40), 1e-6);
-  EXPECT_NEAR(published.numbers[1].formula.value, 10e3 * 3.26 * std::pow(0.4, 0.82), 1e-6);
-  EXPECT_TRUE(published.numbers[0].formula.valid);
-  EXPECT_EQ(published.curves.size(), 1u);
-}
-
-TEST(EnvelopePublished, says_where_the_pipe_is_out_of_range)
-{
-  const Published published = published_for(clay({"rigid.pipe.center=[0, -0.2]"}), {});
-  EXPECT_NE(published.curves.at(0).title.find("out of range"), std::string::npos);
-}
-
-TEST(EnvelopePublished, lifts_the_clay_curve_by_the_buoyancy_of_what_the_pipe_displaces)
-{
-  // Half the circle lies in the clay: 18 kN/m3 x pi/8 m2.
-  const Published published = published_for(clay({"gravity=[0, -10]", "rigid.pipe.center=[0, 0]"}), {});
-  const PublishedCurve& curve = published.curves.at(0);
-  EXPECT_NEAR(curve.V.front(), 18e3 * pi / 8, 1e-6);
-  EXPECT_NEAR(curve.V.back(), 18e3 * pi / 8 + 10e3 * 5.66 * std::pow(0.5, 0.32), 1e-6);
-  EXPECT_NE(published.curves.back().title.find("Murff"), std::string::npos);
-}
-
-TEST(EnvelopePublished, has_no_curve_for_friction_on_clay)
-{
-  const Published published = published_for(clay({"contact.skin.friction_angle=\"20 deg\""}), {});
-  EXPECT_TRUE(published.curves.empty());
-  EXPECT_NE(published.remark.find("not friction"), std::string::npos);
-}
-
-TEST(EnvelopePublished, is_zhangs_surface_through_the_probes_in_sand)
-{
-  const problem::Case sand = clay({"gravity=[0, -10]", "material.clay.cohesion=0", "material.clay.friction_angle=\"30 deg\""});
-  const formulas::YieldSurface surface{0.4, 0.2};
-  std::vector<EnvelopeRow> rows = {row_of(90, 1e3, 0)};
-  for (const Real V : {200., 400., 700.}) rows.push_back(row_of(0, V, zhang_envelope(surface, V, 1e3).value));
-  const Published published = published_for(sand, rows);
-  EXPECT_EQ(published.unit, 18e3);
-  ASSERT_EQ(published.numbers.size(), 2u) << "Vmax is tabulated for 35 degrees only";
-  EXPECT_NEAR(published.numbers[0].formula.value, 0.4, 1e-9);
-  EXPECT_NEAR(published.numbers[1].formula.value, 0.2, 1e-9);
 }
 
 class EnvelopeCommand : public testing::Test {

@@ -102,7 +102,7 @@ TEST_F(Resume, after_signals_leaves_what_an_uninterrupted_run_leaves)
     ended = run_until(arguments, "parts", history_size("parts") + size / 6, stops % 2 == 0 ? SIGTERM : SIGINT);
     if (ended.status == 0) break;
     ASSERT_EQ(ended.status, 1) << ended.err;
-    EXPECT_NE(ended.err.find("To go on: berm run --resume parts"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("To resume: berm run --resume parts"), std::string::npos) << ended.err;
     EXPECT_FALSE(checkpoints("parts").empty());
     EXPECT_LE(checkpoints("parts").size(), 2u);
     EXPECT_EQ(Json::parse(text("parts/summary.json"))["checks"]["finished"], false);
@@ -113,7 +113,7 @@ TEST_F(Resume, after_signals_leaves_what_an_uninterrupted_run_leaves)
   EXPECT_GE(stops, 2);
   expect_same("whole", "parts");
   EXPECT_FALSE(fs::exists(folder_ / "parts/checkpoint")) << "a finished run needs no checkpoints";
-  EXPECT_NE(text("parts/run.log").find("goes on from the checkpoint"), std::string::npos);
+  EXPECT_NE(text("parts/run.log").find("resumes from the checkpoint"), std::string::npos);
 }
 
 TEST_F(Resume, after_kills_leaves_what_an_uninterrupted_run_leaves)

@@ -51,7 +51,7 @@ function note_on(runs: RunData[], units: UnitSystem): string {
   if (without.length === 0) return "";
   const why = units === "prototype"
     ? "Without a prototype (gravity as on earth, or none), and so left out of charts of lengths, forces and energies"
-    : "Without a pipe, or in soil without weight and strength, and so left out of charts that need them";
+    : "Without a driven body, or in soil without weight and strength, and so left out of charts that need them";
   return `${why}: ${without.join(", ")}.`;
 }
 

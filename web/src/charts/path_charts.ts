@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is seen over the pipe's path: forces and embedment in the push and in the drag.
+// What is seen over the path of the driven body: forces and embedment in the push and in the drag.
 import type { PageData, PathData, RunData } from "../data";
 import { at_rows, combined, published_marks, plan, run_traces } from "./plan";
 import type { Curve, Numbers, Plan } from "./plan";

@@ -61,9 +61,9 @@ export function quiet_plans(runs: RunData[]): Plan[] {
   ];
 }
 
-/** How well the soil lies against the pipe. */
+/** How well the soil lies against the rigid body. */
 export function contact_plans(runs: RunData[]): Plan[] {
-  const titles = { gap: "Gap between pipe and soil", overlap: "Overlap of soil and pipe", "second impulse": "Second contact correction" };
+  const titles = { gap: "Gap between body and soil", overlap: "Overlap of soil and body", "second impulse": "Second contact correction" };
   return Object.entries(titles).map(([label, title]) => {
     const name = runs.map((run) => column_of_label(run, label)).find((each) => each !== undefined) ?? "";
     return plan({

@@ -225,7 +225,7 @@ TEST(film, without_a_first_frame_or_a_sound_list_there_is_none_and_it_says_why)
 TEST(film, of_a_run_without_frames_is_null)
 {
   const TemporaryFolder folder;
-  pipe::RunRecord run;
+  record::RunRecord run;
   run.folder = folder.path();
   const Film film = make_film(run, "f", plenty);
   EXPECT_TRUE(film.json.is_null());

@@ -59,7 +59,7 @@ TEST(ClaimSheet, a_run_is_of_the_test_where_one_table_of_its_case_has_all_that_i
   EXPECT_TRUE(is_of_test(made.record(), sheet));
   made.D = 0.021;
   EXPECT_FALSE(is_of_test(made.record(), sheet));
-  pipe::RunRecord two = MadeRun{}.record();
+  record::RunRecord two = MadeRun{}.record();
   two.settings.material.push_back(two.settings.material[0]);
   two.settings.material[0].second = MadeRun::clay_law();
   two.settings.material[1].first = "sand";

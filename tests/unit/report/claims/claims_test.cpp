@@ -42,7 +42,7 @@ TEST(Claims, are_only_made_of_runs_with_the_pipe_and_the_sand_of_the_paper)
   EXPECT_TRUE(is_of_a_test(PaperRun{.file = "wip_10.toml", .overrides = {}}.record("wip"), paper()));
   for (const char* other : {"material.sand.friction_angle=\"30 deg\"", "material.sand.cohesion=\"1 kPa\"", "rigid.pipe.diameter=\"40 mm\"",
                             "contact.skin.friction_angle=\"10 deg\"", "material.sand.young_modulus=\"20 MPa\""}) {
-    const pipe::RunRecord run = PaperRun{.file = "case.toml", .overrides = {other}}.record("other");
+    const record::RunRecord run = PaperRun{.file = "case.toml", .overrides = {other}}.record("other");
     EXPECT_FALSE(is_of_a_test(run, paper())) << other;
     EXPECT_EQ(claims_section({run}, paper()), "") << other;
     EXPECT_TRUE(published_points({run}, paper()).empty()) << other;
@@ -147,10 +147,10 @@ TEST(Claims, a_larger_resistance_under_a_larger_load_proves_half)
 
 TEST(Claims, of_two_corrections_are_judged_by_runs_that_correct_twice)
 {
-  pipe::RunRecord once = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"musl_single\""}}.record("run");
+  record::RunRecord once = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"musl_single\""}}.record("run");
   once.quantities = {{"overlap_max_over_D", 0, "1"}};
   EXPECT_EQ(verdict(claims_section({once}, paper()), "With the two corrections"), "not examined");
-  pipe::RunRecord twice = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"musl_double\""}}.record("run");
+  record::RunRecord twice = PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"musl_double\""}}.record("run");
   twice.quantities = {{"overlap_max_over_D", 0, "1"}};
   EXPECT_EQ(verdict(claims_section({twice}, paper()), "With the two corrections"), "reproduced");
   twice.quantities = {{"overlap_max_over_D", 0.01, "1"}};
@@ -159,9 +159,9 @@ TEST(Claims, of_two_corrections_are_judged_by_runs_that_correct_twice)
 
 TEST(Claims, correcting_twice_is_judged_where_a_run_corrects_once)
 {
-  pipe::RunRecord once =
+  record::RunRecord once =
       PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"musl_single\"", "contact.skin.detection=\"gap\""}}.record("once");
-  pipe::RunRecord twice =
+  record::RunRecord twice =
       PaperRun{.file = "case.toml", .overrides = {"contact.skin.scheme=\"musl_double\"", "contact.skin.detection=\"gap\""}}.record("twice");
   once.quantities = {{"V_noise", 0.03, "1"}};
   twice.quantities = {{"V_noise", 0.02, "1"}};

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/page/page_data.hpp"
 
+#include "record/travel_curve.hpp"
 #include "samples/history_columns.hpp"
 #include "samples/made_run.hpp"
-#include "structures/pipe/travel_curve.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A pipe that rests for a row, is pushed by 2 mm in `push` rows and dragged by 10 mm in `drag` rows, with forces that jump from row to row.
-pipe::RunRecord long_run(Index push, Index drag)
+record::RunRecord long_run(Index push, Index drag)
 {
-  pipe::RunRecord run = MadeRun{}.record();
+  record::RunRecord run = MadeRun{}.record();
   run_folder::History& h = run.history;
   h = {columns_named({"time_s", "u_m", "w_m", "H_N_m", "V_N_m"}), std::vector<std::vector<Real>>(5), {}};
   const auto add = [&](const char* stage, Real u, Real w, Real H, Real V) {
@@ -41,7 +41,7 @@ Index history_row(const Json& data, Index row)
 
 TEST(PageData, short_history_has_all_its_rows)
 {
-  const pipe::RunRecord run = MadeRun{}.record();
+  const record::RunRecord run = MadeRun{}.record();
   const Json data = report::run_data(run);
   EXPECT_TRUE(data["row"].is_null());
   EXPECT_EQ(data["columns"]["time_s"].size(), std::size_t(run.history.rows()));
@@ -49,7 +49,7 @@ TEST(PageData, short_history_has_all_its_rows)
 
 TEST(PageData, thinned_history_keeps_the_ends_of_each_stage_and_the_row_before_the_drag)
 {
-  const pipe::RunRecord run = long_run(1000, 5000);
+  const record::RunRecord run = long_run(1000, 5000);
   ASSERT_EQ(run.history.rows(), 6001);
   const Json data = report::run_data(run);
   const std::vector<Index> kept = data["row"];
@@ -67,7 +67,7 @@ TEST(PageData, thinned_history_keeps_the_ends_of_each_stage_and_the_row_before_t
 
 TEST(PageData, rows_of_a_thinned_history_are_those_of_history_csv)
 {
-  const pipe::RunRecord run = long_run(1000, 5000);
+  const record::RunRecord run = long_run(1000, 5000);
   const Json data = report::run_data(run);
   const std::size_t kept = data["row"].size();
   EXPECT_EQ(data["stage"].size(), kept);
@@ -81,24 +81,24 @@ TEST(PageData, rows_of_a_thinned_history_are_those_of_history_csv)
 
 TEST(PageData, means_of_a_thinned_history_are_those_of_all_its_rows)
 {
-  const pipe::RunRecord run = long_run(1000, 5000);
+  const record::RunRecord run = long_run(1000, 5000);
   const Json data = report::run_data(run);
   const run_folder::History& h = run.history;
   std::vector<Real> u(h["u_m"].begin() + 1000, h["u_m"].end()), H(h["H_N_m"].begin() + 1000, h["H_N_m"].end());
-  const pipe::TravelCurve curve(u, H);
+  const record::TravelCurve curve(u, H);
   const Json& drag = data["drag"];
   ASSERT_EQ(drag["H_mean"].size(), drag["rows"].size());
   for (std::size_t k = 0; k < drag["rows"].size(); ++k) {
     const Index row = history_row(data, drag["rows"][k]);
-    ASSERT_DOUBLE_EQ(drag["H_mean"][k], curve.at(h["u_m"][row], averaging_half(run.scale)));
+    ASSERT_DOUBLE_EQ(drag["H_mean"][k], curve.at(h["u_m"][row], averaging_half(base::body_scale(run.settings))));
   }
 }
 
 TEST(PageData, means_along_very_many_rows_stay_on_the_force)
 {
-  const pipe::RunRecord run = long_run(20000, 30000);
+  const record::RunRecord run = long_run(20000, 30000);
   const Json data = report::run_data(run);
-  const Real D = run.scale.diameter;
+  const Real D = base::body_scale(run.settings).width;
   std::size_t seen = 0;
   for (std::size_t k = 0; k < data["drag"]["rows"].size(); ++k) {
     const Real u = run.history["u_m"][history_row(data, data["drag"]["rows"][k])];
@@ -128,7 +128,7 @@ TEST(PageData, forces_have_the_measure_of_the_tables)
 {
   MadeRun made;
   const auto measure = [&] { return report::run_data(made.record())["measure"]; };
-  const Real weight = made.record().scale.unit_weight;
+  const Real weight = base::body_scale(made.settings()).unit_weight;
   EXPECT_DOUBLE_EQ(measure()["size"], weight * made.D * made.D);
   EXPECT_EQ(measure()["force"], "γ′ D²");
 

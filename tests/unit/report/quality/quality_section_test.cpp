@@ -1,20 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "report/quality/indicators.hpp"
 #include "report/quality/quality_section.hpp"
+
 #include "samples/history_columns.hpp"
 #include "samples/pipe_case.hpp"
+#include "structures/base/general_measures.hpp"
+#include "structures/structures.hpp"
 
 #include <gtest/gtest.h>
 
 namespace berm::report {
 namespace {
 
-void set_gap(pipe::RunRecord& run, Real metres)
+void set_gap(record::RunRecord& run, Real metres)
 {
   for (run_folder::Quantity& quantity : run.quantities) {
     if (quantity.name == "gap_mean") quantity.value = metres;
-    if (quantity.name == "gap_mean_over_D") quantity.value = metres / run.scale.diameter;
+    if (quantity.name == "gap_mean_over_D") quantity.value = metres / base::body_scale(run.settings).width;
   }
+}
+
+/// What is looked at in a run, by its words.
+base::TrustMeasure measure_of(const record::RunRecord& run, const std::string& what)
+{
+  for (const base::TrustMeasure& measure : structures::structure_of(run.settings).measures(run.settings))
+    if (measure.what == what) return measure;
+  throw std::out_of_range(what);
 }
 
 /// The row of a table of the page.
@@ -33,7 +43,7 @@ TEST(trust, nothing_wrong_is_said)
 
 TEST(trust, large_gap_is_a_warning_and_a_small_one_is_not)
 {
-  pipe::RunRecord run = sample_record(sample_case());
+  record::RunRecord run = sample_record(sample_case());
   set_gap(run, 0.05e-3);
   EXPECT_FALSE(contains(quality_section({run}), "gap is"));
   set_gap(run, 0.4e-3);
@@ -44,26 +54,29 @@ TEST(trust, large_gap_is_a_warning_and_a_small_one_is_not)
 
 TEST(trust, gap_is_counted_in_cells_at_the_pipe)
 {
-  pipe::RunRecord run = sample_record(sample_case({"mesh.near_size=2 mm"}));
+  record::RunRecord run = sample_record(sample_case({"mesh.near_size=2 mm"}));
   set_gap(run, 0.8e-3);
   EXPECT_TRUE(contains(quality_section({run}), "gap is 0.4 h: the pipe acts up to 8 % larger")) << quality_section({run});
 }
 
 TEST(trust, verdicts_change_at_their_limits)
 {
-  EXPECT_EQ(judge(limits::energy, limits::energy.good), text::Standing::good);
-  EXPECT_EQ(judge(limits::energy, 1.001 * limits::energy.good), text::Standing::fair);
-  EXPECT_EQ(judge(limits::energy, limits::energy.bad), text::Standing::fair);
-  EXPECT_EQ(judge(limits::energy, 1.001 * limits::energy.bad), text::Standing::bad);
-  EXPECT_EQ(judge(limits::cells, 20), text::Standing::good);
-  EXPECT_EQ(judge(limits::cells, 19.9), text::Standing::fair);
-  EXPECT_EQ(judge(limits::cells, 9.9), text::Standing::bad);
-  EXPECT_EQ(judge(limits::energy, std::nan("")), text::Standing::unknown);
+  const record::RunRecord run = sample_record(sample_case());
+  const base::Limit energy = *measure_of(run, "energy that does not balance, over the work").limit,
+                    cells = *measure_of(run, "cells at the pipe").limit;
+  EXPECT_EQ(judge(energy, energy.good), text::Standing::good);
+  EXPECT_EQ(judge(energy, 1.001 * energy.good), text::Standing::fair);
+  EXPECT_EQ(judge(energy, energy.bad), text::Standing::fair);
+  EXPECT_EQ(judge(energy, 1.001 * energy.bad), text::Standing::bad);
+  EXPECT_EQ(judge(cells, 20), text::Standing::good);
+  EXPECT_EQ(judge(cells, 19.9), text::Standing::fair);
+  EXPECT_EQ(judge(cells, 9.9), text::Standing::bad);
+  EXPECT_EQ(judge(energy, std::nan("")), text::Standing::unknown);
 }
 
 TEST(trust, verdicts_of_the_page_follow_the_numbers)
 {
-  pipe::RunRecord run = sample_record(sample_case());
+  record::RunRecord run = sample_record(sample_case());
   EXPECT_TRUE(contains(row_of(quality_section({run}), "energy that does not balance"), "0.4 % <span class=\"badge good\">"));
   run.summary->checks["energy_error"] = 0.03;
   EXPECT_TRUE(contains(row_of(quality_section({run}), "energy that does not balance"), "badge fair"));
@@ -74,7 +87,7 @@ TEST(trust, verdicts_of_the_page_follow_the_numbers)
 
 TEST(trust, kinetic_energy_of_a_fast_push_is_a_warning)
 {
-  pipe::RunRecord run = sample_record(sample_case());
+  record::RunRecord run = sample_record(sample_case());
   run.history.columns = columns_named({"kinetic_J_m", "internal_J_m"});
   run.history.values = {{}, {}};
   for (int k = 0; k < 40; ++k) {
@@ -83,22 +96,22 @@ TEST(trust, kinetic_energy_of_a_fast_push_is_a_warning)
     run.history.values[0].push_back(k < 2 ? 5 : k == 12 ? 0.12 : 0.01);
     run.history.values[1].push_back(1);
   }
-  EXPECT_DOUBLE_EQ(kinetic_over_internal(run, {"push"}), 0.12);
-  EXPECT_DOUBLE_EQ(kinetic_over_internal(run, {"drag"}), 0.01);
+  EXPECT_DOUBLE_EQ(measure_of(run, "kinetic over internal energy, push").value(run), 0.12);
+  EXPECT_DOUBLE_EQ(measure_of(run, "kinetic over internal energy, drag").value(run), 0.01);
   EXPECT_TRUE(contains(quality_section({run}), "kinetic energy is 12 % of internal energy in the push: drive slower"))
       << quality_section({run});
 }
 
 TEST(trust, place_of_the_largest_energy_error_is_told)
 {
-  pipe::RunRecord run = sample_record(sample_case());
+  record::RunRecord run = sample_record(sample_case());
   run.history.columns = columns_named({"u_m", "w_m", "internal_J_m", "external_J_m", "energy_error_J_m"});
   run.history.values = {{0, 0, 0.004}, {0, 0.002, 0.003}, {0, 1, 2}, {0, 1, 2}, {0, -0.1, 0.05}};
   run.history.stage = {"push", "push", "drag"};
-  EXPECT_EQ(energy_error(run).where, "push, w = 2 mm");
-  EXPECT_DOUBLE_EQ(energy_error(run).over_work, 0.004);
+  EXPECT_EQ(base::energy_error(run).where, "push, w = 2 mm");
+  EXPECT_DOUBLE_EQ(base::energy_error(run).over_work, 0.004);
   run.summary.reset();
-  EXPECT_DOUBLE_EQ(energy_error(run).over_work, 0.05);
+  EXPECT_DOUBLE_EQ(base::energy_error(run).over_work, 0.05);
 }
 
 TEST(trust, plain_triangles_are_a_warning)
@@ -109,7 +122,7 @@ TEST(trust, plain_triangles_are_a_warning)
 
 TEST(trust, coarse_cells_are_a_warning)
 {
-  pipe::RunRecord run = sample_record(sample_case({"mesh.near_size=4 mm"}));
+  record::RunRecord run = sample_record(sample_case({"mesh.near_size=4 mm"}));
   EXPECT_TRUE(contains(quality_section({run}), "cells at the pipe are D/5: resistance on a coarse mesh is too large"))
       << quality_section({run});
 }
@@ -124,9 +137,9 @@ TEST(trust, friction_that_shear_bands_lose_is_a_warning)
 
 TEST(trust, run_without_a_summary_says_what_is_not_known)
 {
-  pipe::RunRecord run = sample_record(sample_case());
+  record::RunRecord run = sample_record(sample_case());
   run.summary.reset();
-  run.end = pipe::RunEnd::unfinished;
+  run.end = record::RunEnd::unfinished;
   const std::string html = quality_section({run});
   EXPECT_TRUE(contains(html, "there is no summary of the run")) << html;
   EXPECT_TRUE(contains(row_of(html, "momentum that does not balance"), "<span class=\"badge none\">not known</span>"));
@@ -135,7 +148,7 @@ TEST(trust, run_without_a_summary_says_what_is_not_known)
 
 TEST(trust, finite_elements_have_rows_of_their_own_only)
 {
-  pipe::RunRecord run = sample_record(sample_case({"stage.drag.vertical=fixed"}));
+  record::RunRecord run = sample_record(sample_case({"stage.drag.vertical=fixed"}));
   run.settings.method = problem::Method::fem;
   const std::string html = quality_section({run});
   EXPECT_TRUE(contains(html, "part of the stress beyond the strength"));
@@ -149,7 +162,7 @@ TEST(trust, finite_elements_have_rows_of_their_own_only)
 
 TEST(trust, warnings_of_the_log_are_there_and_not_too_many)
 {
-  pipe::RunRecord run = sample_record(sample_case());
+  record::RunRecord run = sample_record(sample_case());
   for (int k = 0; k < 8; ++k) run.warnings.push_back("<careful> " + std::to_string(k));
   const std::string html = quality_section({run});
   EXPECT_TRUE(contains(html, "run.log: &lt;careful&gt; 0"));

@@ -79,14 +79,14 @@ TEST(parameters, those_of_one_run_only_stand_behind_their_neighbour)
 
 TEST(asked, runs_that_look_the_same_share_a_drawing)
 {
-  const auto drawings = [](const std::vector<pipe::RunRecord>& runs) {
+  const auto drawings = [](const std::vector<record::RunRecord>& runs) {
     const std::string html = setup_section(runs);
     int count = 0;
     for (std::size_t at = 0; (at = html.find("<figure", at)) != std::string::npos; ++at) ++count;
     return count;
   };
-  const pipe::RunRecord a = sample_record(sample_case(), "a"), finer = sample_record(sample_case({"mesh.near_size=2 mm"}), "b");
-  const pipe::RunRecord deeper = sample_record(sample_case({"mesh.depth=200 mm"}), "c");
+  const record::RunRecord a = sample_record(sample_case(), "a"), finer = sample_record(sample_case({"mesh.near_size=2 mm"}), "b");
+  const record::RunRecord deeper = sample_record(sample_case({"mesh.depth=200 mm"}), "c");
   EXPECT_EQ(drawings({a, finer}), 1);
   EXPECT_EQ(drawings({a, finer, deeper}), 2);
 }
@@ -108,7 +108,7 @@ TEST(asked, gravity_rounded_to_ten_makes_no_prototype)
 
 TEST(asked, what_older_runs_lack_is_told)
 {
-  pipe::RunRecord run = sample_record(sample_case());
+  record::RunRecord run = sample_record(sample_case());
   EXPECT_TRUE(contains(computation_table({run}).html(), "machine</th><td>not recorded")) << computation_table({run}).html();
   run.summary->text["machine"] = "a machine";
   EXPECT_TRUE(contains(computation_table({run}).html(), "machine</th><td>a machine"));

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/commands/report_test.cpp
+#include "record/run_record.hpp"
+
+#include "core/error.hpp"
+#include "input/read_case.hpp"
+#include "io/atomic_file.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <unistd.h>
+
+namespace berm::record {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
+
+enum class Found { nothing, unreadable, file };
+
+/// What a path is, without throwing where it may not be looked at.
+Found look_for(const fs::path& path)
+{
+  std::error_code error;
+  if (fs::status(path, error).type() == fs::file_type::not_found) return Found::nothing;
+  return !error && fs::is_regular_file(path, error) && ::access(path.c_str(), R_OK) == 0 ? Found::file : Found::unreadable;
+}
+
+void take_summary(RunRecord& run)
+{
+  try {
+    run.summary = run_folder::read_summary(run.folder);
+  } catch (const RunError&) {
+    run.faults.emplace_back("summary.json is damaged or cannot be read: how the run ended is not known");
+    run.end = RunEnd::unknown;
+    return;
+  }
+  if (run.summary) run.end = run.summary->finished() ? RunEnd::finished : RunEnd::stopped;
+}
+
+void take_history(RunRecord& run)
+{
+  const fs::path file = run.folder / "history.csv";
+  try {
+    if (look_for(file) == Found::nothing)
+      run.faults.emplace_back("history.csv is missing: there are no curves");
+    else
+      run.history = run_folder::read_history(file);
+  } catch (const RunError& error) {
+    run.faults.push_back(fmt::format("the history cannot be read: {}", error.what()));
+  }
+  if (run.history.rows() == 0) {
+    if (run.faults.empty()) run.faults.emplace_back("history.csv has no rows: the run ended before its first step");
+    run.history = {};
+  }
+}
+
+/// A finished run whose history does not reach its last stage was cut.
+void compare_history_with_end(RunRecord& run)
+{
+  if (run.end != RunEnd::finished || run.history.rows() == 0 || run.settings.stage.empty()) return;
+  if (run.history.stage.back() != run.settings.stage.back().name)
+    run.faults.push_back(fmt::format("history.csv ends in stage \"{}\", although the run finished: it was cut", run.history.stage.back()));
+}
+
+/// run.log: "2026-01-31 12:00:00 words" a line; messages of several lines go on without a time.
+void take_log(RunRecord& run)
+{
+  constexpr std::size_t time_length = 19;
+  const fs::path file = run.folder / "run.log";
+  std::istringstream lines(look_for(file) == Found::file ? io::read_text_file(file) : "");
+  const std::string warning = "warning: ";
+  for (std::string line; std::getline(lines, line);) {
+    const bool timed = line.size() > time_length + 1 && line[4] == '-' && line[time_length] == ' ';
+    if (!timed) continue;
+    const std::string words = line.substr(time_length + 1);
+    if (run.begun.empty()) run.begun = line.substr(0, time_length);
+    if (words.starts_with(warning)) run.warnings.push_back(words.substr(warning.size()));
+    run.last_log_line = words;
+  }
+  // A run that was stopped says so, and then writes its results.
+  if (run.last_log_line.starts_with("everything is in ") && !run.warnings.empty()) run.last_log_line = run.warnings.back();
+  if (run.begun.empty()) run.faults.emplace_back("run.log is missing, empty or cannot be read");
+}
+
+Real value_in(const std::map<std::string, Real>& table, const std::string& name)
+{
+  const auto found = table.find(name);
+  return found == table.end() ? unknown : found->second;
+}
+
+}  // namespace
+
+Real RunRecord::check(const std::string& check_name) const
+{
+  return summary ? value_in(summary->checks, check_name) : unknown;
+}
+
+Real RunRecord::timing(const std::string& timing_name) const
+{
+  return summary ? value_in(summary->timing, timing_name) : unknown;
+}
+
+const run_folder::Quantity* RunRecord::quantity(const std::string& quantity_name) const
+{
+  const auto found =
+      std::find_if(quantities.begin(), quantities.end(), [&](const run_folder::Quantity& q) { return q.name == quantity_name; });
+  return found == quantities.end() ? nullptr : &*found;
+}
+
+std::string file_name_of(const std::string& name)
+{
+  std::string safe;
+  for (const char c : name) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '_';
+    safe += plain ? c : '_';
+  }
+  return safe;
+}
+
+bool is_run_folder(const fs::path& folder)
+{
+  return look_for(folder / "resolved.toml") == Found::file;
+}
+
+RunRecord read_run(const fs::path& folder)
+{
+  RunRecord run;
+  run.folder = folder;
+  const fs::path whole = fs::absolute(folder).lexically_normal();
+  const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
+  run.name = Json::parse(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
+  run.settings = input::read_case(folder / "resolved.toml");
+  take_history(run);
+  take_summary(run);
+  take_log(run);
+  compare_history_with_end(run);
+  if (run.summary) run.quantities = run.summary->quantities;
+  return run;
+}
+
+}  // namespace berm::record

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/case.hpp"
+#include "run_folder/history.hpp"
+#include "run_folder/summary_file.hpp"
+
+namespace berm::record {
+
+/// How a run ended, as its folder tells.
+enum class RunEnd {
+  finished,    ///< all of its stages
+  stopped,     ///< its results are there, but not all of its stages: stopped by the user or by an error
+  unfinished,  ///< no results: it was killed, crashed or still runs
+  unknown      ///< its summary.json is damaged
+};
+
+/// All that a run folder holds, but the frames.
+struct RunRecord {
+  std::filesystem::path folder;
+  std::string name;                               ///< of the folder, as valid UTF-8; a page tells runs apart by it
+  problem::Case settings;                         ///< of resolved.toml
+  run_folder::History history;                    ///< without rows where there is none
+  std::optional<run_folder::RunSummary> summary;  ///< none in an unfinished run
+  std::vector<run_folder::Quantity> quantities;   ///< of the summary; of an unfinished run, what its structure makes of the history
+  RunEnd end = RunEnd::unfinished;
+  std::string begun;                  ///< date and time of the first line of run.log; "" where that is missing
+  std::vector<std::string> warnings;  ///< of run.log, without their times
+  std::string last_log_line;          ///< why the run ended, as run.log tells: its last line, or the warning before the results
+  std::vector<std::string> faults;    ///< what is missing or damaged in the folder, in words
+
+  /// A number of the summary's checks or timing; NaN where it is not there.
+  Real check(const std::string& name) const;
+  Real timing(const std::string& name) const;
+  /// The quantity of that name, or null.
+  const run_folder::Quantity* quantity(const std::string& name) const;
+};
+
+/// A name that files may have: letters, digits, points, - and _; everything else becomes _.
+std::string file_name_of(const std::string& name);
+
+/// Whether a folder is one of a run: it holds a resolved.toml that may be looked at.
+bool is_run_folder(const std::filesystem::path& folder);
+
+/// Reads a run folder, as far as there is something: what is missing or damaged goes to `faults`; without a summary there are no quantities (structures::read_run
+/// makes them). Throws InputError or RunError where its resolved.toml cannot be read.
+RunRecord read_run(const std::filesystem::path& folder);
+
+}  // namespace berm::record

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/record/soil_plot_test.cpp
+#include "record/soil_plot.hpp"
+#include "io/atomic_file.hpp"
+#include "plot/gnuplot.hpp"
+#include "plot/nice_number.hpp"
+#include "plot/raster.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::record {
+namespace {
+
+constexpr int width = 1200, left = 95, right = 175, bottom = 80, top = 70;  // pixels; the plot's height follows from the view
+constexpr int plot_width = width - left - right;
+// Ten equally spaced colours of viridis, which is even to the eye and in grey.
+constexpr const char* palette =
+    "set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', "
+    "7 '#6ece58', 8 '#b5de2b', 9 '#fde725')\n";
+
+/// A picture in the making: what it shows and in which unit.
+struct Picture {
+  const run_folder::Frame<2>& frame;
+  const std::string& name;
+  const run_folder::FieldValues<Real>& field;
+  const SoilView& view;
+  plot::PlotUnit unit;
+  Vec<2> size() const { return view.upper - view.lower; }
+  int plot_height() const { return std::clamp(static_cast<int>(std::lround(plot_width * size()[1] / size()[0])), 200, 1400); }
+  std::string words() const { return field.info.label + (field.info.unit.empty() ? "" : " (" + field.info.unit + ")"); }
+  Real value(Index point) const { return field.at(point); }
+  Vec<2> x(Index point) const { return frame.points[point]; }
+  /// Of the disk that stands for a particle: larger than its share, so that neighbours close the ground between them.
+  Real radius(Index point) const { return std::sqrt(frame.volume[point]); }
+};
+
+constexpr std::size_t max_disks = 100'000;  // beyond, a picture of a million pixels has hardly any left for each
+
+std::vector<Index> points_in_view(const Picture& picture)
+{
+  std::vector<Index> shown;
+  for (Index k = 0; k < static_cast<Index>(picture.frame.points.size()); ++k) {
+    const auto x = picture.frame.points[k].array();
+    const Real radius = picture.radius(k);
+    if ((x >= picture.view.lower.array() - radius).all() && (x <= picture.view.upper.array() + radius).all()) shown.push_back(k);
+  }
+  return shown;
+}
+
+/// The data of a picture of disks.
+std::string disks(const Picture& picture, const std::vector<Index>& points)
+{
+  const plot::PlotUnit& unit = picture.unit;
+  std::string data = fmt::format("# x, y, radius ({}), {}\n", unit.name, picture.words());
+  for (const Index k : points)
+    data += fmt::format("{:.6g} {:.6g} {:.4g} {:.5g}\n", picture.x(k)[0] * unit.per_si, picture.x(k)[1] * unit.per_si,
+                        picture.radius(k) * unit.per_si, picture.value(k));
+  return data;
+}
+
+std::string pixel_text(const Picture& picture, const plot::Raster& raster)
+{
+  return fmt::format("# {}, of each pixel, a line a row, the lowest first\n", picture.words()) + raster.text();
+}
+
+/// The data of a picture of triangles: each is painted as four, between its corners and the middles of its sides.
+std::string pixels(const Picture& picture)
+{
+  constexpr int parts[4][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+  plot::Raster raster(picture.view.lower, picture.view.upper, plot_width, picture.plot_height());
+  for (const std::array<Index, 6>& nodes : picture.frame.triangles)
+    for (const auto& part : parts) {
+      std::array<Vec<2>, 3> corners;
+      std::array<Real, 3> values;
+      for (int k = 0; k < 3; ++k) {
+        corners[k] = picture.x(nodes[part[k]]);
+        values[k] = picture.value(nodes[part[k]]);
+      }
+      raster.paint(corners, values);
+    }
+  return pixel_text(picture, raster);
+}
+
+/// Particles as pixels, each as the square of its radius: a vector graphic of a disk for every particle would be tens of megabytes, and gnuplot takes more
+/// than a kilobyte of memory for each.
+std::string pixels(const Picture& picture, const std::vector<Index>& points)
+{
+  plot::Raster raster(picture.view.lower, picture.view.upper, plot_width, picture.plot_height());
+  for (const Index k : points) {
+    const Real half = picture.radius(k), value = picture.value(k);
+    const Vec<2> x = picture.x(k), across(half, -half), up(half, half);
+    raster.paint({x - up, Vec<2>(x + across), Vec<2>(x + up)}, {value, value, value});
+    raster.paint({x - up, Vec<2>(x + up), Vec<2>(x - across)}, {value, value, value});
+  }
+  return pixel_text(picture, raster);
+}
+
+std::string outlines(const Picture& picture)
+{
+  const Real per_si = picture.unit.per_si;
+  std::string data = fmt::format("# x, y ({}) of each rigid body\n", picture.unit.name);
+  for (const run_folder::FrameRigid<2>& rigid : picture.frame.rigid_bodies)
+    for (const auto& cell : rigid.surface.cells) {
+      const auto line = [&](Index k) {
+        return fmt::format("{:.6g} {:.6g}\n", rigid.surface.points[k][0] * per_si, rigid.surface.points[k][1] * per_si);
+      };
+      for (const Index k : cell.points) data += line(k);
+      data += line(cell.points[0]) + '\n';
+    }
+  return data;
+}
+
+/// Where the colours begin and end: at zero, and beyond it where one point in a hundred lies farther; at the farthest where all but those are zero.
+std::pair<Real, Real> range_of(const Picture& picture, const std::vector<Index>& points)
+{
+  std::vector<Real> values;
+  for (const Index k : points) values.push_back(picture.value(k));
+  std::sort(values.begin(), values.end());
+  const std::size_t part = values.size() / 100;
+  const auto end = [](Real hundredth, Real farthest) { return hundredth > 0 ? hundredth : std::max(Real(0), farthest); };
+  const Real above = end(values[values.size() - 1 - part], values.back()), below = end(-values[part], -values.front());
+  return {below > 0 ? -plot::round_up(below) : 0, above > 0 || below == 0 ? plot::round_up(above) : 0};
+}
+
+/// Axes, colours and the line of the surface.
+std::string axes(const Picture& picture, const std::pair<Real, Real>& range, const std::string& title)
+{
+  const int height = picture.plot_height() + bottom + top;
+  const SoilView& view = picture.view;
+  const plot::PlotUnit& unit = picture.unit;
+  const auto part = [](int pixels, int of) { return static_cast<Real>(pixels) / of; };
+  std::string script = fmt::format(
+      "set lmargin at screen {:.4f}\nset rmargin at screen {:.4f}\nset bmargin at screen {:.4f}\nset tmargin at screen {:.4f}\n",
+      part(left, width), 1 - part(right, width), part(bottom, height), 1 - part(top, height));
+  script += fmt::format("set title {} font 'DejaVu Sans,17'\nset size ratio -1\n", plot::gnuplot_text(title));
+  script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\n", view.lower[0] * unit.per_si,
+                        view.upper[0] * unit.per_si, view.lower[1] * unit.per_si, view.upper[1] * unit.per_si);
+  script += fmt::format("set xlabel 'x ({0})'\nset ylabel 'y ({0})'\nset tics out nomirror\nset border lc rgb '#444444'\n", unit.name);
+  script += fmt::format("set cblabel {}\nset cbrange [{:g}:{:g}]\n", plot::gnuplot_text(picture.words()), range.first, range.second);
+  script += std::string(palette) + "unset key\nset style fill solid noborder\n";
+  if (view.surface) {
+    const Real level = *view.surface * unit.per_si;
+    script += fmt::format("set arrow 1 from {:.6g},{:.6g} to {:.6g},{:.6g} nohead dt 2 lc rgb '#666666' lw 1 front\n",
+                          view.lower[0] * unit.per_si, level, view.upper[0] * unit.per_si, level);
+  }
+  return script;
+}
+
+/// A file of plots/ between quotes. With ./ before it, since gnuplot runs a name that begins with < as a command.
+std::string data_file(const std::string& name)
+{
+  return plot::gnuplot_text("./" + name + ".dat");
+}
+
+/// The command that draws the data.
+std::string plot(const Picture& picture, bool as_disks)
+{
+  std::string command;
+  if (as_disks) {
+    command = fmt::format("plot {} using 1:2:3:4 with circles lc palette", data_file(picture.name));
+  } else {
+    const Vec<2> lower = picture.view.lower * picture.unit.per_si, size = picture.size() * picture.unit.per_si;
+    command = fmt::format("plot {} matrix using ({:.9g}+($1+0.5)*{:.9g}):({:.9g}+($2+0.5)*{:.9g}):3 with image", data_file(picture.name),
+                          lower[0], size[0] / plot_width, lower[1], size[1] / picture.plot_height());
+  }
+  if (!picture.frame.rigid_bodies.empty())
+    command += fmt::format(", \\\n     {} with filledcurves closed lc rgb '#c9ccd1', '' with lines lc rgb '#33373d' lw 2",
+                           data_file(picture.name + "_rigid"));
+  return command + '\n';
+}
+
+}  // namespace
+
+SoilView view_around(Real x, Real lowest, Real width_of_body, Real surface)
+{
+  return {Vec<2>(x - 2.5 * width_of_body, lowest - 1.2 * width_of_body), Vec<2>(x + 2.5 * width_of_body, lowest + 1.3 * width_of_body),
+          surface};
+}
+
+bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<2>& frame, const SoilPicture& wanted, plot::PlotFormat format)
+{
+  if (frame.points.empty()) return false;
+  const SoilView& view = wanted.view;
+  const Picture picture{frame, wanted.name, frame.field(wanted.field), view, plot::length_unit((view.upper - view.lower).maxCoeff())};
+  const std::vector<Index> points = points_in_view(picture);
+  const std::filesystem::path plots = folder / "plots";
+  io::make_folder(plots);
+  if (points.empty()) return false;
+  const bool as_disks = frame.triangles.empty() && format == plot::PlotFormat::png && points.size() <= max_disks;
+  io::write_atomically(plots / (picture.name + ".dat"), as_disks                  ? disks(picture, points)
+                                                        : frame.triangles.empty() ? pixels(picture, points)
+                                                                                  : pixels(picture));
+  io::write_atomically(plots / (picture.name + "_rigid.dat"), outlines(picture));
+  return draw(folder, picture.name, width, picture.plot_height() + bottom + top,
+              axes(picture, range_of(picture, points), wanted.title) + plot(picture, as_disks), format);
+}
+
+}  // namespace berm::record

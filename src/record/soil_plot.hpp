@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "plot/gnuplot.hpp"
+#include "run_folder/frame.hpp"
+
+#include <optional>
+
+namespace berm::record {
+
+/// The part of the soil that a picture shows.
+struct SoilView {
+  Vec<2> lower, upper;          ///< m
+  std::optional<Real> surface;  ///< m, level of the original surface, drawn as a dashed line
+};
+
+/// The view around a rigid body: its centre at `x`, its lowest point at `lowest`, m.
+SoilView view_around(Real x, Real lowest, Real width, Real surface);
+
+/// A picture of the soil: NAME.png or NAME.svg.
+struct SoilPicture {
+  std::string name;
+  std::string field;  ///< of the frame, one number a point, that colours the soil
+  SoilView view;
+  std::string title;
+};
+
+/// Particles as disks (in SVG as an image within it), or the triangles of the frame filled, coloured by a field; rigid bodies grey, equal
+/// axes. The colours span from zero to the value that one particle or node in a hundred exceeds. Script and data go to FOLDER/plots.
+/// False, with a warning, where it could not be drawn.
+bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<2>& frame, const SoilPicture& picture,
+               plot::PlotFormat format = plot::PlotFormat::png);
+
+}  // namespace berm::record

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/types.hpp"
+
+#include <vector>
+
+namespace berm::record {
+
+/// A noisy quantity along a travel that only grows.
+class TravelCurve {
+public:
+  /// Takes the rows whose travel is beyond that of all earlier rows; rows where either is NaN are left out.
+  TravelCurve(const std::vector<Real>& travel, const std::vector<Real>& value);
+
+  bool empty() const { return travel_.empty(); }
+  const std::vector<Real>& travel() const { return travel_; }
+  const std::vector<Real>& value() const { return value_; }
+  Real begin() const { return travel_.front(); }
+  Real end() const { return travel_.back(); }
+
+  /// The value at s, freed from noise: that of the straight line fitted over s - half ... s + half, each row weighted by the travel that it
+  /// stands for. Away from the ends this is the mean over that travel; near an end the window stays inside the curve and the line is followed
+  /// to s, where a mean would lag by half a window. With fewer than three rows in the window, linear interpolation. NaN where s is outside the
+  /// curve or the curve is empty.
+  Real at(Real s, Real half) const;
+
+  /// A curve for averaging over +-half: itself, but of more than 10000 points those within half/50 of travel are one, their mean; the ends stay. at()
+  /// takes as long as there are points in its window.
+  TravelCurve condensed(Real half) const;
+
+  /// The curve of at(s, half), at its own travels; of more than 2000 travels, at 2000 equally spaced ones from begin to end.
+  TravelCurve smoothed(Real half) const;
+
+private:
+  Real interpolated(Real s) const;
+
+  std::vector<Real> travel_, value_;
+};
+
+}  // namespace berm::record

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/base/driven_body.hpp"
+
+#include "bodies/rigid/rigid_body.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+
+namespace berm::base {
+
+const contact::ContactSettings* contact_of_body(const problem::Case& c)
+{
+  const Index rigid = main_rigid(c);
+  const contact::ContactSettings* found = nullptr;
+  for (const auto& [name, contact] : c.contact)
+    if (rigid != none && contact.rigid == c.rigid[rigid].first) found = &contact;
+  return found;
+}
+
+const material::Material* touched_material(const problem::Case& c)
+{
+  const contact::ContactSettings* contact = contact_of_body(c);
+  const Index body = contact == nullptr ? none : problem::place_of(c.body, contact->body);
+  const Index material = body == none ? none : problem::place_of(c.material, c.body[body].second.material);
+  return material == none ? nullptr : &c.material[material].second;
+}
+
+BodyScale body_scale(const problem::Case& c)
+{
+  const Real gravity = Eigen::Map<const Eigen::VectorXd>(c.gravity.data(), static_cast<Eigen::Index>(c.gravity.size())).norm();
+  BodyScale scale{0, 0, gravity / standard_gravity, c.method == problem::Method::mpm, c.dimension};
+  const Index rigid = main_rigid(c);
+  if (rigid == none) return scale;
+  const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;
+  const bool driven = std::any_of(c.stage.begin(), c.stage.end(), [](const problem::StageSettings& stage) {
+    return stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
+  });
+  if (driven) scale.width = c.dimension == 2 ? width_of<2>(make_shape<2>(shape)) : width_of<3>(make_shape<3>(shape));
+  const material::Material* material = touched_material(c);
+  if (material == nullptr) return scale;
+  scale.unit_weight = density(*material) * gravity;
+  const std::optional<material::Strength> soil = strength_at_rest(*material);
+  if (soil && soil->friction_angle == 0) scale.strength = soil->cohesion;
+  return scale;
+}
+
+bool drives_a_body(const problem::Case& c)
+{
+  return body_scale(c).width > 0;
+}
+
+std::string body_word(const problem::Case& c)
+{
+  const Index rigid = main_rigid(c);
+  std::string word = rigid == none ? "body" : c.rigid[rigid].first;
+  std::replace(word.begin(), word.end(), '_', ' ');
+  return word;
+}
+
+bool has_prototype(const BodyScale& scale)
+{
+  return scale.gravity_level > 0 && std::abs(scale.gravity_level - 1) > 0.05;
+}
+
+Real averaging_half(const BodyScale& scale)
+{
+  return scale.noisy ? averaging_half_width * scale.width : 0;
+}
+
+}  // namespace berm::base

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/case.hpp"
+
+namespace berm::base {
+
+/// What the results of a case's main rigid body are made dimensionless with, and carried to the prototype.
+struct BodyScale {
+  Real width;              ///< D, m, in the model; 0: no push or drag moves the body, or there is none
+  Real unit_weight;        ///< effective unit weight of the soil in the model, N/m3: under all its gravity; 0 = weightless
+  Real gravity_level = 1;  ///< gravity in the model over that of the earth
+  bool noisy = true;       ///< whether forces have the noise of a dynamic method
+  int dimension = 2;
+  Real strength = 0;  ///< undrained strength of soil without friction at its surface, Pa; 0: it has none
+};
+
+/// The scale of a case: the width of its main rigid body, weight and strength of the soil that touches it.
+BodyScale body_scale(const problem::Case& c);
+
+/// Whether a push or a drag moves the main rigid body of a case, and it has a width.
+bool drives_a_body(const problem::Case& c);
+
+/// What to call the main rigid body of a case in a sentence: its name there, with spaces for _; "body" without one.
+std::string body_word(const problem::Case& c);
+
+/// The contact of a deformable body with the main rigid body, the last where there are several; null where there is none.
+const contact::ContactSettings* contact_of_body(const problem::Case& c);
+
+/// The material of that deformable body; null where none touches.
+const material::Material* touched_material(const problem::Case& c);
+
+/// Whether a model stands for a larger prototype: under gravity that differs from the earth's by more than 5 %, which 10 m/s2 does not; without gravity
+/// there is none.
+bool has_prototype(const BodyScale& scale);
+
+/// The half width of the travel over which noisy forces are averaged, as part of the width.
+constexpr Real averaging_half_width = 0.01;
+
+/// The same in metres; 0 where there is no noise.
+Real averaging_half(const BodyScale& scale);
+
+}  // namespace berm::base

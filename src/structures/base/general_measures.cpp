@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/quality/quality_section_test.cpp
+#include "structures/base/general_measures.hpp"
+
+#include "material/shear_band.hpp"
+#include "structures/base/driven_body.hpp"
+#include "text/quantity_words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::base {
+namespace {
+
+using Run = const record::RunRecord&;
+
+constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
+
+namespace limits {
+
+inline constexpr Limit energy{
+    0.01, 0.05,
+    "a smaller mpm.courant lowers it; at D/20 the probe test has 0.1 % (examples/mesh_study), the published contact "
+    "scheme makes 0.4 to 1.5 % (examples/contact_schemes)"};
+inline constexpr Limit energy_of_fem{
+    0.01, 0.05, "stress and contact forces grow in a straight line within an increment: a smaller fem.largest_step lowers it"};
+inline constexpr Limit out_of_balance{
+    0.01, 0.05, "a bed that has not settled at all has 0.09, a settled one 0.001 of its weight (docs/theory.md, section 5)"};
+inline constexpr Limit at_bounds{0.001, 0.01, "soil at a bound of its volume no longer follows its law (docs/theory.md, section 7)"};
+inline constexpr Limit in_the_air{0.001, 0.01, "grains that fly carry nothing"};
+inline constexpr Limit momentum{1e-9, 1e-6, "impulses add up to the change of momentum to round-off, or the program is wrong"};
+inline constexpr Limit shear_bands{
+    0.05, 0.25,
+    "V(0.1 D) of the probe test, which can lose 18 %, falls from 0.92 to 0.56 kN/m with cells of D/10 to D/80 (examples/localisation)"};
+inline constexpr Limit unbalance{1, 10, "over fem.tolerance: at most one is called equilibrium"};
+inline constexpr Limit loose{0, 0.1, "increments that did not converge leave forces that nothing carries"};
+inline constexpr Limit lag{
+    0.01, 0.05,
+    "an increment is solved again until its own lag is 1 %; with the lag of large increments V was 20 to 25 % too small "
+    "(docs/decisions/0013)"};
+inline constexpr Limit overstress{0.01, 0.05,
+                                  "far below 0.01 it is right; above 0.05 the soil cannot carry the force (docs/how_to/run_a_case.md)"};
+
+}  // namespace limits
+
+bool settles(Run run)
+{
+  const std::vector<problem::StageSettings>& stages = run.settings.stage;
+  return std::any_of(stages.begin(), stages.end(),
+                     [](const problem::StageSettings& stage) { return stage.kind == problem::StageKind::geostatic; });
+}
+
+std::string energy_words(Run run, Real value)
+{
+  const std::string where = energy_error(run).where;
+  return text::percent_words(value) + (where.empty() ? "" : fmt::format(" ({})", where));
+}
+
+/// The soil that loses most in shear bands; empty where none has a strength.
+std::optional<material::Strength> weakest_in_shear_bands(Run run)
+{
+  std::optional<material::Strength> weakest;
+  for (const auto& [name, material] : run.settings.material)
+    if (const std::optional<material::Strength> soil = strength_at_rest(material))
+      if (!weakest || friction_lost_in_shear_bands(*soil) > friction_lost_in_shear_bands(*weakest)) weakest = soil;
+  return weakest;
+}
+
+Real lost_in_shear_bands(Run run)
+{
+  const std::optional<material::Strength> soil = weakest_in_shear_bands(run);
+  return soil ? friction_lost_in_shear_bands(*soil) : 0;
+}
+
+TrustMeasure part_of_soil(const char* what, const char* check, const Limit& limit)
+{
+  return {what,
+          &limit,
+          has_soil,
+          [check](Run run) { return run.check(check); },
+          in_percent,
+          [what](Run, Real value) { return fmt::format("{}: {}", what, text::percent_words(value)); },
+          text::percent_words};
+}
+
+}  // namespace
+
+EnergyError energy_error(const record::RunRecord& run)
+{
+  EnergyError found{run.check("energy_error"), ""};
+  const run_folder::History& h = run.history;
+  if (h.rows() == 0 || !h.has_label("energy error") || !h.has_label("external") || !h.has_label("internal")) return found;
+  Real largest = 0, work = 0;
+  Index row = none;
+  for (Index k = 0; k < h.rows(); ++k) {
+    const Real error = std::abs(h.by_label("energy error")[k]);
+    work = std::max({work, std::abs(h.by_label("external")[k]), std::abs(h.by_label("internal")[k])});
+    if (error > largest) largest = error, row = k;
+  }
+  if (std::isnan(found.over_work) && work > 0) found.over_work = largest / work;
+  if (row == none) return found;
+  const std::vector<problem::StageSettings>& stages = run.settings.stage;
+  const bool drag = std::any_of(stages.begin(), stages.end(), [&](const problem::StageSettings& stage) {
+    return stage.kind == problem::StageKind::drag && stage.name == h.stage[row];
+  });
+  const std::string at = drives_a_body(run.settings)
+                             ? fmt::format("{} = {}", drag ? "u" : "w", text::length_words(h[drag ? "u_m" : "w_m"][row]))
+                             : "t = " + text::time_words(h["time_s"][row]);
+  found.where = fmt::format("{}, {}", h.stage[row], at);
+  return found;
+}
+
+Real work_of_contact(const record::RunRecord& run)
+{
+  const run_folder::History& h = run.history;
+  if (h.rows() == 0 || !h.has_label("friction") || !h.has_label("external") || !h.has_label("internal"))
+    return std::numeric_limits<Real>::quiet_NaN();
+  Real work = 0;
+  for (Index k = 0; k < h.rows(); ++k) work = std::max({work, std::abs(h.by_label("external")[k]), std::abs(h.by_label("internal")[k])});
+  return work > 0 ? std::max(Real(0), -h.by_label("friction").back() / work) : 0;
+}
+
+Real quantity_value(const record::RunRecord& run, const std::string& name)
+{
+  const run_folder::Quantity* quantity = run.quantity(name);
+  return quantity == nullptr ? unknown : quantity->value;
+}
+
+bool has_soil(Run run)
+{
+  return std::any_of(run.settings.material.begin(), run.settings.material.end(), [](const auto& entry) { return yields(entry.second); });
+}
+
+TrustMeasure energy_balance(problem::Method method)
+{
+  return {"energy that does not balance, over the work",
+          method == problem::Method::mpm ? &limits::energy : &limits::energy_of_fem,
+          always,
+          [](Run run) { return energy_error(run).over_work; },
+          energy_words,
+          [](Run run, Real value) {
+            return fmt::format("{} of the work is not balanced by energy ({}): halve {}", text::percent_words(value),
+                               energy_error(run).where, run.settings.method == problem::Method::mpm ? "mpm.courant" : "fem.largest_step");
+          },
+          text::percent_words};
+}
+
+TrustMeasure balance_after_geostatic(const std::string& when)
+{
+  return {"out-of-balance force after the geostatic stage, over the weight",
+          &limits::out_of_balance,
+          settles,
+          [](Run run) { return run.check("out_of_balance_after_geostatic"); },
+          as_number,
+          [when](Run, Real value) {
+            return fmt::format("the bed was out of balance by {:.2g} of its weight {}: give the geostatic stage more time", value, when);
+          },
+          bare_limit};
+}
+
+TrustMeasures soil_volumes()
+{
+  return {part_of_soil("soil at its smallest volume", "mass_at_min_volume", limits::at_bounds),
+          part_of_soil("soil at its largest volume", "mass_at_max_volume", limits::at_bounds),
+          part_of_soil("soil in the air", "mass_in_the_air", limits::in_the_air)};
+}
+
+TrustMeasure momentum_balance()
+{
+  return {"momentum that does not balance",
+          &limits::momentum,
+          always,
+          [](Run run) { return run.check("momentum_error"); },
+          as_number,
+          [](Run, Real value) { return fmt::format("{:.2g} of the momentum is not accounted for", value); },
+          bare_limit};
+}
+
+TrustMeasure shear_bands()
+{
+  return {"friction that shear bands can lose, psi < phi",
+          &limits::shear_bands,
+          has_soil,
+          lost_in_shear_bands,
+          in_percent,
+          [](Run run, Real value) {
+            return fmt::format("the soil (psi below phi) can lose {} of its friction in shear bands, which are as wide as the cells make "
+                               "them: resistance falls with finer "
+                               "cells. Take cells of a third to a fifth of the soil's own bands, which are 10 to 20 d50 wide, and estimate "
+                               "the lower end of the answer by the "
+                               "same case with phi* = {:.1f} deg as friction_angle (docs/decisions/0018)",
+                               text::percent_words(value), friction_angle_in_shear_bands(*weakest_in_shear_bands(run)) * 180 / pi);
+          },
+          text::percent_words};
+}
+
+TrustMeasures convergence()
+{
+  return {
+      {"largest unbalanced force, over what is accepted", &limits::unbalance, always,
+       [](Run run) { return run.check("largest_unbalance") / run.settings.fem.tolerance; }, as_number,
+       [](Run, Real value) { return fmt::format("unbalanced forces are {:.2g} times what fem.tolerance accepts", value); }, bare_limit},
+      {"increments that did not converge", &limits::loose, always,
+       [](Run run) { return run.check("loose_increments") / run.timing("steps"); },
+       [](Run run, Real) {
+         return fmt::format("{} of {}", text::count_words(run.check("loose_increments")), text::count_words(run.timing("steps")));
+       },
+       [](Run, Real value) {
+         return fmt::format("{} of the increments did not converge: try a larger fem.relaxation", text::percent_words(value));
+       },
+       text::percent_words},
+      {"part of the stress beyond the strength", &limits::overstress, always, [](Run run) { return run.check("largest_overstress"); },
+       in_percent,
+       [](Run, Real value) { return fmt::format("{} of the stress is beyond the soil's strength", text::percent_words(value)); },
+       text::percent_words},
+      {"strength that lags behind the pressure, psi < phi, over what flow dissipates", &limits::lag,
+       [](Run run) { return lost_in_shear_bands(run) > 0; }, [](Run run) { return run.check("strength_lag"); }, in_percent,
+       [](Run, Real value) {
+         return fmt::format("the strength of the soil lags by {} of what its flow dissipates: take a smaller fem.largest_step",
+                            text::percent_words(value));
+       },
+       text::percent_words},
+  };
+}
+
+TrustMeasure counted(const char* what, const char* timing)
+{
+  return {what, nullptr, always, [timing](Run run) { return run.timing(timing); }, [](Run, Real value) { return text::count_words(value); },
+          {},   nullptr};
+}
+
+}  // namespace berm::base

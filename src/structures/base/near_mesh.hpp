@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/case.hpp"
+
+namespace berm::base {
+
+/// The size of the cells (finite elements: of the elements) at the driven body, m; NaN where it is not known.
+Real near_cell_size(const problem::Case& settings);
+
+/// Particles a cell there, of the body that it touches; NaN where it is not known or there are none. Of a block or disk: particles per square of the cell size.
+Real near_particles(const problem::Case& settings);
+
+}  // namespace berm::base

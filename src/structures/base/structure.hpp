@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "run_folder/run_folder.hpp"
+#include "structures/base/display_units.hpp"
+#include "structures/base/observable.hpp"
+#include "structures/base/published_envelope.hpp"
+#include "structures/base/published_point.hpp"
+#include "structures/base/trust_measure.hpp"
+
+#include <memory>
+
+namespace berm::base {
+
+/// A run of a page, and its place there, which gives its colour.
+struct PlacedRun {
+  const record::RunRecord* record;
+  std::size_t place;
+};
+/// Runs of a page that are of one structure, in the order of the page.
+using Runs = std::vector<PlacedRun>;
+
+/// The rows of a history that a push or a drag made, ascending, with its travel in each.
+struct StagePath {
+  std::vector<Index> rows;
+  std::vector<Real> travel;  ///< m
+  Real u_begin = 0;          ///< m, u where it began
+};
+struct StagePaths {
+  StagePath push, drag;
+};
+
+/// What berm knows of a structure, beyond its being a rigid body: the numbers that matter of it and how they are told. A structure says what it has; the rest
+/// stays empty. structures/structures.hpp lists all.
+class Structure {
+public:
+  virtual ~Structure() = default;
+
+  /// Whether a case is of this structure.
+  virtual bool applies_to(const problem::Case& c) const = 0;
+
+  /// The key results of a history, which may be without rows. `held_force` (N/m) is V that the drag was to hold, where it is known.
+  virtual std::vector<run_folder::Quantity> quantities(const problem::Case&, const run_folder::History&, std::optional<Real>) const
+  {
+    return {};
+  }
+  /// The key results as a table of the log; "" where there is none.
+  virtual std::string table_of(const problem::Case&, const std::vector<run_folder::Quantity>&) const { return ""; }
+  /// Draws curves.png of a run into its folder. False, with a warning, where it could not be drawn.
+  virtual bool draw_curves(const run_folder::RunFolder& folder, const problem::Case& c, const run_folder::History& history) const = 0;
+
+  /// What a run did and met, in a few sentences, HTML without the run's name.
+  virtual std::string in_words(const record::RunRecord& run, const DisplayUnits& shown) const = 0;
+  /// The key results of runs as HTML tables; "" where there is none.
+  virtual std::string key_results(const Runs&, const DisplayUnits&) const { return ""; }
+  /// What design codes and published formulas give beside the runs, as HTML with its heading; "" where there is none.
+  virtual std::string published_values(const Runs&, const DisplayUnits&) const { return ""; }
+  /// Results that stand at the end of the section, a run after the other, as HTML; `id` begins the names of its tables.
+  virtual std::string other_results(const record::RunRecord&, const std::string&) const { return ""; }
+
+  /// What is looked at in a run of a case to know whether it can be trusted, in the order of the page.
+  virtual TrustMeasures measures(const problem::Case& c) const = 0;
+  /// What a reader must know of the quality of these runs beyond their measures, as HTML.
+  virtual std::string quality_note(const Runs&) const { return ""; }
+
+  /// Push and drag of a run, for the charts of the page.
+  virtual StagePaths paths(const record::RunRecord&) const { return {}; }
+  /// Draw the curves of the runs over one another, with what is published, and the soil of each, as SVG and PNG. Give the names of what was drawn.
+  virtual std::vector<std::string> draw_report_curves(const Runs&, const PublishedPoints&, const std::filesystem::path&) const
+  {
+    return {};
+  }
+  virtual std::vector<std::string> draw_report_soil(const Runs&, const std::filesystem::path&) const { return {}; }
+
+  /// What claims may be about, and a run, which must outlive it, as they look at it; null where nothing can be claimed.
+  virtual Observables observables() const { return {}; }
+  virtual std::unique_ptr<ObservedRun> observed(const record::RunRecord&) const { return nullptr; }
+
+  /// How the structure lies before the first stage, for its envelope. Throws InputError where a case has none.
+  virtual EmbeddedBody embedded(const problem::Case& c) const;
+  /// What is published beside an envelope that was found.
+  virtual PublishedEnvelope published_envelope(const problem::Case&, const EnvelopeEnds&) const { return {}; }
+};
+
+}  // namespace berm::base

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/quality/quality_section_test.cpp
+#include "structures/base/trust_measure.hpp"
+
+#include "text/quantity_words.hpp"
+
+#include <fmt/format.h>
+
+namespace berm::base {
+
+text::Standing judge(const Limit& limit, Real value)
+{
+  if (std::isnan(value)) return text::Standing::unknown;
+  if (limit.large ? value >= limit.good : value <= limit.good) return text::Standing::good;
+  return (limit.large ? value < limit.bad : value > limit.bad) ? text::Standing::bad : text::Standing::fair;
+}
+
+TrustMeasures joined(std::initializer_list<TrustMeasures> parts)
+{
+  TrustMeasures all;
+  for (const TrustMeasures& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+bool always(const record::RunRecord&)
+{
+  return true;
+}
+
+std::string in_percent(const record::RunRecord&, Real value)
+{
+  return text::percent_words(value);
+}
+
+std::string as_number(const record::RunRecord&, Real value)
+{
+  return fmt::format("{:.2g}", value);
+}
+
+std::string bare_limit(Real value)
+{
+  return fmt::format("{:.4g}", value);
+}
+
+}  // namespace berm::base

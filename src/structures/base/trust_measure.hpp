@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "record/run_record.hpp"
+#include "text/html.hpp"
+
+#include <functional>
+
+namespace berm::base {
+
+/// Up to which value something is good, beyond which it is bad, and why just there. With `large` it is the other way round: good from `good` on, bad
+/// below `bad`.
+struct Limit {
+  Real good, bad;
+  const char* reason;
+  bool large = false;
+};
+
+/// How a value stands; unknown where it is NaN.
+text::Standing judge(const Limit& limit, Real value);
+
+/// One thing that tells whether a run can be trusted.
+struct TrustMeasure {
+  std::string what;
+  const Limit* limit;  ///< null: it is told, not judged
+  std::function<bool(const record::RunRecord&)> applies;
+  std::function<Real(const record::RunRecord&)> value;
+  std::function<std::string(const record::RunRecord&, Real)> words;    ///< of a value that is known
+  std::function<std::string(const record::RunRecord&, Real)> warning;  ///< where it is not good, as a sentence without its full stop
+  std::string (*limit_words)(Real);                                    ///< a limit in the unit of the value
+};
+using TrustMeasures = std::vector<TrustMeasure>;
+
+/// Measures one after the other.
+TrustMeasures joined(std::initializer_list<TrustMeasures> parts);
+
+/// A measure that applies to every run.
+bool always(const record::RunRecord& run);
+
+/// A value as a part of one in per cent, or bare with two digits that count; a bare limit.
+std::string in_percent(const record::RunRecord& run, Real value);
+std::string as_number(const record::RunRecord& run, Real value);
+std::string bare_limit(Real value);
+
+}  // namespace berm::base

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/structures_test.cpp
+#include "structures/generic/generic.hpp"
+
+#include "record/columns_plot.hpp"
+#include "structures/base/general_measures.hpp"
+#include "text/shown_number.hpp"
+#include "text/tex_math.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::generic {
+namespace {
+
+std::string quantities_table(const record::RunRecord& run, const std::string& id)
+{
+  text::HtmlTable table(id, fmt::format("{}: results", run.name));
+  table.columns({{"quantity"}, {"value", true}, {"unit"}});
+  for (const run_folder::Quantity& q : run.quantities)
+    table.row({{text::html_text(q.name)}, {text::table_number(q.value), true}, {q.unit == "1" ? "" : text::html_text(q.unit)}});
+  return table.empty() ? "" : table.html();
+}
+
+bool is_watched(const problem::Case& c, const run_folder::Column& column)
+{
+  return std::any_of(c.watch.begin(), c.watch.end(), [&](const auto& watch) { return column.of == watch.first; });
+}
+
+std::string watched_table(const record::RunRecord& run, const std::string& id)
+{
+  const run_folder::History& history = run.history;
+  if (history.rows() == 0) return "";
+  const std::string when = history.has("time_s") ? fmt::format(" after {} s", text::short_number(history["time_s"].back())) : "";
+  text::HtmlTable table(id, fmt::format("{}: what it watches, at its end{}", run.name, when));
+  table.columns({{"column of the history"}, {"meaning"}, {"last value", true}, {"unit"}});
+  for (std::size_t c = 0; c < history.columns.size(); ++c)
+    if (is_watched(run.settings, history.columns[c]))
+      table.row({{text::html_text(history.columns[c].name)},
+                 {text::html_text(history.columns[c].meaning)},
+                 {text::table_number(history.values[c].back()), true},
+                 {text::html_text(history.columns[c].unit)}});
+  return table.empty() ? "" : table.html();
+}
+
+std::string checks_table(const record::RunRecord& run, const std::string& id)
+{
+  text::HtmlTable table(id, fmt::format("{}: checks", run.name));
+  table.columns({{"check"}, {"value", true}});
+  if (run.summary)
+    for (const auto& [name, value] : run.summary->checks) table.row({{text::html_text(name)}, {text::table_number(value), true}});
+  return table.empty() ? "" : table.html();
+}
+
+/// Columns that are worth a curve: of watched particles, else of the bodies.
+std::vector<std::string> curve_columns(const problem::Case& c, const run_folder::History& history)
+{
+  std::vector<std::string> chosen;
+  for (const run_folder::Column& column : history.columns)
+    if (is_watched(c, column) && column.unit == run_folder::metres.name) chosen.push_back(column.name);
+  if (chosen.empty())
+    for (const run_folder::Column& column : history.columns)
+      for (const auto& [name, body] : c.body)
+        if (column.of == name) chosen.push_back(column.name);
+  return chosen;
+}
+
+}  // namespace
+
+bool Generic::applies_to(const problem::Case&) const
+{
+  return true;
+}
+
+bool Generic::draw_curves(const run_folder::RunFolder& folder, const problem::Case& c, const run_folder::History& history) const
+{
+  return record::draw_columns(folder, history, curve_columns(c, history), c.title);
+}
+
+std::string Generic::in_words(const record::RunRecord&, const base::DisplayUnits&) const
+{
+  return "This run has no key results: no push or drag drives a body that has a width.";
+}
+
+std::string Generic::other_results(const record::RunRecord& run, const std::string& id) const
+{
+  const std::string results = quantities_table(run, id + "-quantities") + watched_table(run, id + "-watched");
+  return results.empty() ? checks_table(run, id + "-checks") : results;
+}
+
+base::TrustMeasures Generic::measures(const problem::Case& c) const
+{
+  using namespace base;
+  if (c.method == problem::Method::fem)
+    return joined({convergence(), {energy_balance(c.method), shear_bands(), counted("nodes", "nodes"), counted("elements", "cells")}});
+  return joined({{energy_balance(c.method), balance_after_geostatic("after the geostatic stage")},
+                 soil_volumes(),
+                 {momentum_balance(), shear_bands(), counted("particles", "particles"), counted("cells", "cells")}});
+}
+
+}  // namespace berm::generic

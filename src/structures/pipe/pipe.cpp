@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/structures_test.cpp
+#include "structures/pipe/pipe.hpp"
+
+#include "structures/pipe/pipe_curves.hpp"
+#include "structures/pipe/published/pipe_envelope.hpp"
+#include "structures/pipe/report/curve_figures.hpp"
+#include "structures/pipe/report/in_words.hpp"
+#include "structures/pipe/report/key_results.hpp"
+#include "structures/pipe/report/pipe_measures.hpp"
+#include "structures/pipe/report/pipe_observables.hpp"
+#include "structures/pipe/report/published_table.hpp"
+#include "structures/pipe/report/soil_figures.hpp"
+
+#include <algorithm>
+
+namespace berm::pipe {
+namespace {
+
+PipeRuns pipe_runs(const base::Runs& runs)
+{
+  PipeRuns all;
+  for (const auto& [record, place] : runs) all.emplace_back(*record, place);
+  return all;
+}
+
+}  // namespace
+
+bool Pipe::applies_to(const problem::Case& c) const
+{
+  return base::drives_a_body(c);
+}
+
+std::vector<run_folder::Quantity> Pipe::quantities(const problem::Case& c, const run_folder::History& history,
+                                                   std::optional<Real> held_force) const
+{
+  if (history.rows() == 0) return {};
+  PipeStages stages = pipe_stages(c);
+  stages.held_force = held_force;
+  return pipe_quantities(history, base::body_scale(c), stages);
+}
+
+std::string Pipe::table_of(const problem::Case& c, const std::vector<run_folder::Quantity>& quantities) const
+{
+  return key_results_table(quantities, base::body_scale(c));
+}
+
+bool Pipe::draw_curves(const run_folder::RunFolder& folder, const problem::Case& c, const run_folder::History& history) const
+{
+  return history.rows() > 0 && draw_pipe_curves(folder, history, base::body_scale(c), pipe_stages(c), c.title);
+}
+
+std::string Pipe::in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const
+{
+  return results_in_words(PipeRun(run), shown);
+}
+
+std::string Pipe::key_results(const base::Runs& runs, const base::DisplayUnits& shown) const
+{
+  return pipe::key_results(pipe_runs(runs), shown);
+}
+
+std::string Pipe::published_values(const base::Runs& runs, const base::DisplayUnits& shown) const
+{
+  return pipe::published_values(pipe_runs(runs), shown);
+}
+
+base::TrustMeasures Pipe::measures(const problem::Case& c) const
+{
+  return pipe_measures(c);
+}
+
+std::string Pipe::quality_note(const base::Runs& runs) const
+{
+  if (std::none_of(runs.begin(), runs.end(), [](const auto& run) { return run.record->settings.method == problem::Method::mpm; }))
+    return "";
+  return "<p>V depends on the mesh: in the probe test V(0.1 D) is 901, 808 and 706 N/m with cells of D/10, D/20 and D/40 "
+         "(examples/mesh_study), since sand with psi below phi localises in bands as wide as the cells (examples/localisation). "
+         "Run two sizes before believing a number, and phi* for phi to see the lower end; "
+         "<code>berm study examples/mesh_study</code> shows how.</p>\n";
+}
+
+base::StagePaths Pipe::paths(const record::RunRecord& run) const
+{
+  if (run.history.rows() == 0) return {};
+  const PipePath path = pipe_path(run.history, pipe_stages(run.settings));
+  return {{path.push_rows, path.w, 0}, {path.drag_rows, path.drag_u, path.u_begin}};
+}
+
+std::vector<std::string> Pipe::draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
+                                                  const std::filesystem::path& folder) const
+{
+  return pipe::draw_curves(pipe_runs(runs), published, folder);
+}
+
+std::vector<std::string> Pipe::draw_report_soil(const base::Runs& runs, const std::filesystem::path& folder) const
+{
+  return draw_soil_figures(pipe_runs(runs), folder);
+}
+
+base::Observables Pipe::observables() const
+{
+  return pipe_observables();
+}
+
+std::unique_ptr<base::ObservedRun> Pipe::observed(const record::RunRecord& run) const
+{
+  return observed_pipe(run);
+}
+
+base::EmbeddedBody Pipe::embedded(const problem::Case& c) const
+{
+  return embedded_pipe(c);
+}
+
+base::PublishedEnvelope Pipe::published_envelope(const problem::Case& c, const base::EnvelopeEnds& ends) const
+{
+  return pipe_envelope(c, ends);
+}
+
+}  // namespace berm::pipe

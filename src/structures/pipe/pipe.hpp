@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "structures/base/structure.hpp"
+
+namespace berm::pipe {
+
+/// A pipe: a rigid body that a push drives into the bed by w against V, and a drag along it by u against H. Bodies of other shapes that are driven so are told
+/// by the same numbers, without the formulas, which are those of a circle.
+class Pipe : public base::Structure {
+public:
+  bool applies_to(const problem::Case& c) const override;
+  std::vector<run_folder::Quantity> quantities(const problem::Case& c, const run_folder::History& history,
+                                               std::optional<Real> held_force) const override;
+  std::string table_of(const problem::Case& c, const std::vector<run_folder::Quantity>& quantities) const override;
+  bool draw_curves(const run_folder::RunFolder& folder, const problem::Case& c, const run_folder::History& history) const override;
+  std::string in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const override;
+  std::string key_results(const base::Runs& runs, const base::DisplayUnits& shown) const override;
+  std::string published_values(const base::Runs& runs, const base::DisplayUnits& shown) const override;
+  base::TrustMeasures measures(const problem::Case& c) const override;
+  std::string quality_note(const base::Runs& runs) const override;
+  base::StagePaths paths(const record::RunRecord& run) const override;
+  std::vector<std::string> draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
+                                              const std::filesystem::path& folder) const override;
+  std::vector<std::string> draw_report_soil(const base::Runs& runs, const std::filesystem::path& folder) const override;
+  base::Observables observables() const override;
+  std::unique_ptr<base::ObservedRun> observed(const record::RunRecord& run) const override;
+  base::EmbeddedBody embedded(const problem::Case& c) const override;
+  base::PublishedEnvelope published_envelope(const problem::Case& c, const base::EnvelopeEnds& ends) const override;
+};
+
+}  // namespace berm::pipe

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/pipe/pipe_curves.hpp"
+
+#include "io/atomic_file.hpp"
+#include "plot/gnuplot.hpp"
+#include "record/panels.hpp"
+#include "record/travel_curve.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::pipe {
+namespace {
+
+using record::TravelCurve;
+
+/// Columns of the file: travel, value of the row, value freed from noise, and a partner taken along (freed from noise).
+std::string block(const std::vector<Real>& travel, const std::vector<std::vector<Real>>& values, Real half, Real travel_unit,
+                  const std::vector<Real>& units)
+{
+  std::vector<TravelCurve> curves;
+  for (const auto& value : values) curves.emplace_back(travel, value);
+  std::string text;
+  for (std::size_t k = 0; k < travel.size(); ++k) {
+    text += fmt::format("{:.6g}", travel[k] * travel_unit);
+    for (std::size_t c = 0; c < values.size(); ++c) {
+      const Real smooth = curves[c].at(travel[k], half);
+      for (const Real value : {values[c][k], smooth}) text += std::isnan(value) ? " NaN" : fmt::format(" {:.6g}", value * units[c]);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+/// 1, 2 or 5 times a power of ten, so that about five steps make the range.
+Real tic_step(Real range)
+{
+  const Real rough = range / 5, power = std::pow(10, std::floor(std::log10(rough)));
+  return power * (rough < 1.5 * power ? 1 : rough < 3.5 * power ? 2 : rough < 7.5 * power ? 5 : 10);
+}
+
+/// One axis of a panel from 0, or from the least number where that is negative, to the most; in the plot's unit.
+struct Axis {
+  char letter;  ///< x or y
+  std::string label;
+  bool downwards;
+  Real min = 0, max = 0;
+  Real second = 0;  ///< the axis on the other side is this one times this; 0 = there is none
+  std::string second_label;
+
+  void take(const std::vector<Real>& values, Real per_si)
+  {
+    for (const Real value : values)
+      if (!std::isnan(value)) min = std::min(min, value * per_si), max = std::max(max, value * per_si);
+  }
+
+  std::string script() const
+  {
+    const Real margin = max > min ? 0.04 * (max - min) : 1, from = min < 0 ? min - margin : 0, to = max + margin;
+    const auto range = [&](Real factor) {
+      return fmt::format("[{:.6g}:{:.6g}]", factor * (downwards ? to : from), factor * (downwards ? from : to));
+    };
+    std::string words = fmt::format("set {0}label {1}\nset {0}range {2}\nset {0}tics {3:.6g}\n", letter, plot::gnuplot_text(label),
+                                    range(1), tic_step(to - from));
+    if (second > 0)
+      words += fmt::format("set {0}2label {1}\nset {0}2range {2}\nset {0}2tics {3:.6g}\n", letter, plot::gnuplot_text(second_label),
+                           range(second), tic_step(second * (to - from)));
+    return words;
+  }
+};
+
+constexpr const char* next_panel = "unset label 1\nunset x2tics\nunset x2label\nunset y2tics\nunset y2label\n";
+
+/// The curves of a picture and the units that it shows them in.
+struct Curves {
+  PipePath path;
+  const BodyScale& scale;
+  plot::PlotUnit length, force;
+  bool has_push() const { return path.w.size() > 1; }
+  bool has_drag() const { return path.drag_u.size() > 1; }
+};
+
+/// The way down to the surface is of no interest, and its V = 0 would smooth away the first touch.
+void leave_out_the_way_down(PipePath& path)
+{
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < path.w.size(); ++k)
+    if (path.w[k] >= 0) path.w[kept] = path.w[k], path.V[kept++] = path.V[k];
+  path.w.resize(kept);
+  path.V.resize(kept);
+}
+
+Real largest_force(const PipePath& path)
+{
+  Real max = 0;
+  for (const auto* list : {&path.V, &path.drag_V, &path.drag_H})
+    for (const Real force : *list) max = std::isnan(force) ? max : std::max(max, std::abs(force));
+  return max;
+}
+
+/// curves.dat: a block of the push, then one of the drag.
+std::string data_of(const Curves& curves)
+{
+  const auto& [path, scale, length, force] = curves;
+  const Real half = averaging_half(scale);
+  const std::string units = fmt::format("({}, {})", length.name, force.name);
+  std::string data = fmt::format("# push {}: w, V, V freed from noise\n", units);
+  data += curves.has_push() ? block(path.w, {path.V}, half, length.per_si, {force.per_si}) : "NaN NaN NaN\n";
+  data += fmt::format("\n\n# drag {}: u, H, H freed from noise, w, w freed from noise, V, V freed from noise\n", units);
+  data += curves.has_drag() ? block(path.drag_u, {path.drag_H, path.drag_w, path.drag_V}, half, length.per_si,
+                                    {force.per_si, length.per_si, force.per_si})
+                            : "NaN NaN NaN NaN NaN NaN NaN\n";
+  return data;
+}
+
+Axis force_axis(const Curves& curves, char letter, const std::string& words, const char* symbol)
+{
+  const Real unit_force = curves.scale.unit_weight * curves.scale.width * curves.scale.width;
+  return {.letter = letter,
+          .label = fmt::format("{} {} ({})", words, symbol, curves.force.name),
+          .downwards = false,
+          .second = unit_force > 0 ? 1 / (unit_force * curves.force.per_si) : 0,
+          .second_label = fmt::format("{}/(γ'D²)", symbol)};
+}
+
+Axis length_axis(const Curves& curves, char letter, const std::string& words, const char* symbol, bool downwards)
+{
+  return {.letter = letter,
+          .label = fmt::format("{} {} ({})", words, symbol, curves.length.name),
+          .downwards = downwards,
+          .second = 1 / (curves.scale.width * curves.length.per_si),
+          .second_label = fmt::format("{}/D", symbol)};
+}
+
+/// V over w, of the push and of the drag.
+std::string push_panel(const Curves& curves)
+{
+  const bool has_drag = curves.has_drag();
+  Axis V = force_axis(curves, 'x', "vertical reaction", "V"), w = length_axis(curves, 'y', "embedment", "w", true);
+  V.take(curves.path.V, curves.force.per_si);
+  w.take(curves.path.w, curves.length.per_si);
+  if (has_drag) V.take(curves.path.drag_V, curves.force.per_si), w.take(curves.path.drag_w, curves.length.per_si);
+  const record::PanelPlace place = has_drag ? record::PanelPlace{0.075, 0.40, 0.085, 0.84} : record::PanelPlace{0.10, 0.88, 0.085, 0.84};
+  std::string script = record::margins(place) + V.script() + w.script();
+  script += "set key bottom left opaque\n";
+  script += "plot 'curves.dat' index 0 using 2:1 with lines lc rgb '#b8d0ea' lw 1 notitle, \\\n"
+            "     '' index 0 using 3:1 with lines lc rgb push lw 2.5 title 'push'";
+  script += has_drag ? ", \\\n     '' index 1 using 7:5 with lines lc rgb drag lw 2.5 title 'drag'\n" : "\n";
+  return script + next_panel;
+}
+
+/// H over u, and below it w over u.
+std::string drag_panels(const Curves& curves)
+{
+  const Real left = curves.has_push() ? 0.565 : 0.10, right = curves.has_push() ? 0.915 : 0.88;
+  Axis H = force_axis(curves, 'y', "soil resistance", "H"), w = length_axis(curves, 'y', "embedment", "w", true);
+  Axis u = length_axis(curves, 'x', "horizontal displacement", "u", false);
+  H.take(curves.path.drag_H, curves.force.per_si);
+  w.take(curves.path.drag_w, curves.length.per_si);
+  u.take(curves.path.drag_u, curves.length.per_si);
+  std::string script = record::margins({left, right, 0.52, 0.84}) + u.script() + H.script();
+  script += "plot 'curves.dat' index 1 using 1:2 with lines lc rgb '#f0c4bb' lw 1 notitle, '' index 1 using 1:3 with lines lc rgb drag "
+            "lw 2.5 notitle\n";
+  u.second = 0;
+  script += next_panel + record::margins({left, right, 0.085, 0.43}) + u.script() + w.script();
+  return script + "plot 'curves.dat' index 1 using 1:5 with lines lc rgb drag lw 2.5 notitle\n";
+}
+
+}  // namespace
+
+bool draw_pipe_curves(const run_folder::RunFolder& folder, const run_folder::History& history, const BodyScale& scale,
+                      const PipeStages& stages, const std::string& title)
+{
+  PipePath path = pipe_path(history, stages);
+  leave_out_the_way_down(path);
+  const plot::PlotUnit force = plot::force_unit(largest_force(path));
+  const Curves curves{std::move(path), scale, plot::length_unit(scale.width), force};
+  if (!curves.has_push() && !curves.has_drag()) return false;
+  folder.subfolder("plots");
+  io::write_atomically(folder.file("plots/curves.dat"), data_of(curves));
+  std::string script = record::begin_panels(title);
+  if (curves.has_push()) script += push_panel(curves);
+  if (curves.has_drag()) script += drag_panels(curves);
+  return plot::draw(folder.path(), "curves", record::panels_width, record::panels_height, script + "unset multiplot\n");
+}
+
+}  // namespace berm::pipe

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/envelope/envelope_test.cpp
+#include "structures/pipe/published/pipe_envelope.hpp"
+
+#include "core/error.hpp"
+#include "formulas/design_code.hpp"
+#include "formulas/pipe_in_clay.hpp"
+#include "formulas/pipe_in_sand.hpp"
+#include "mesh/seabed.hpp"
+#include "structures/base/driven_body.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::pipe {
+namespace {
+
+using base::PublishedCurve;
+using base::PublishedEnvelope;
+
+constexpr int curve_points = 100;
+
+/// The soil that touches the pipe.
+struct PipeInSoil {
+  base::EmbeddedBody pipe;
+  std::optional<material::Strength> strength;  ///< empty: none of cohesion and friction
+  const contact::ContactSettings* contact = nullptr;
+  Real unit_weight = 0;  ///< N/m3
+};
+
+PipeInSoil pipe_in_soil(const problem::Case& c)
+{
+  const material::Material* material = base::touched_material(c);
+  return {embedded_pipe(c), material == nullptr ? std::nullopt : strength_at_rest(*material), base::contact_of_body(c),
+          base::body_scale(c).unit_weight};
+}
+
+std::string titled(const std::string& title, const formulas::Formula& formula)
+{
+  const std::string where = formula.valid ? "" : fmt::format("; out of range: {}", formula.source.range);
+  return fmt::format("{} [{}{}]", title, word_of(formula.source.label), where);
+}
+
+/// The shear strength of the interface over that of the clay; NaN where it is a friction.
+Real roughness_of(const PipeInSoil& soil)
+{
+  if (soil.contact->scheme == contact::Scheme::tied) return 1;
+  if (soil.contact->friction_angle > 0) return std::numeric_limits<Real>::quiet_NaN();
+  return std::min(Real(1), soil.contact->adhesion / soil.strength->cohesion);
+}
+
+PublishedEnvelope for_clay(const PipeInSoil& soil)
+{
+  PublishedEnvelope published;
+  const formulas::PipeInClay pipe{soil.pipe.width, soil.pipe.embedment, soil.strength->cohesion, roughness_of(soil), 0, soil.unit_weight};
+  published.unit = pipe.diameter * pipe.strength;
+  published.unit_name = "(D s_u)";
+  if (std::isnan(pipe.roughness)) {
+    published.remark = "the formulas for clay know adhesion to the pipe, not friction: there is no curve to compare with";
+    return published;
+  }
+  const Real buoyancy = soil.unit_weight > 0 ? soil.unit_weight * formulas::f114_penetrated_area(pipe.diameter, pipe.embedment) : 0;
+  const auto with_buoyancy = [&](formulas::Formula formula) { return formula.value += buoyancy, formula; };
+  const formulas::Formula V_max = clay_vertical(pipe), H_max = clay_horizontal(pipe), smooth = clay_vertical_smooth(pipe);
+  published.numbers = {{"V_max", with_buoyancy(V_max)}, {"H_max", H_max}};
+  const formulas::Formula any = clay_envelope(pipe, V_max.value / 2, V_max.value, H_max.value);
+  PublishedCurve curve{titled(any.source.work, any), {}, {}};
+  for (int k = 0; k <= curve_points; ++k) {
+    const Real V = V_max.value * k / curve_points;
+    curve.V.push_back(V + buoyancy);
+    curve.H.push_back(clay_envelope(pipe, V, V_max.value, H_max.value).value);
+  }
+  published.curves.push_back(curve);
+  if (smooth.valid) {
+    published.numbers.push_back({"V_max_slip_lines", with_buoyancy(smooth)});
+    published.curves.push_back({titled("Vmax, slip lines", smooth), {smooth.value + buoyancy}, {0}});
+  }
+  const bool ends = pipe.roughness == 0 || pipe.roughness == 1;
+  if (ends && formulas::within(pipe.embedment / pipe.diameter, 0.5, 0.5)) {
+    const formulas::MurffBounds& bounds = pipe.roughness == 0 ? formulas::murff_smooth : formulas::murff_rough;
+    published.curves.push_back({fmt::format("Vmax, {} [{}]", formulas::murff_source.work, formulas::word_of(formulas::murff_source.label)),
+                                {bounds.lower * published.unit + buoyancy, bounds.upper * published.unit + buoyancy},
+                                {0, 0}});
+  }
+  return published;
+}
+
+PublishedEnvelope for_sand(const PipeInSoil& soil, const base::EnvelopeEnds& ends)
+{
+  PublishedEnvelope published;
+  const formulas::PipeInSand pipe{soil.pipe.width, soil.pipe.embedment, soil.unit_weight, soil.strength->friction_angle,
+                                  soil.contact->friction_angle};
+  published.unit = pipe.unit_weight * pipe.diameter * pipe.diameter;
+  published.unit_name = "(γ' D²)";
+  formulas::Formula V_max = sand_vertical(pipe);
+  if (soil.strength->dilation_angle != soil.strength->friction_angle) {
+    V_max.valid = false;
+    V_max.source.range = "dilation angle = phi";
+  }
+  if (std::isfinite(V_max.value)) {
+    published.numbers.push_back({"V_max", V_max});
+    published.curves.push_back({titled("Vmax, characteristics", V_max), {V_max.value}, {0}});
+  }
+  std::vector<Real> V, H;
+  for (std::size_t k = 0; k < ends.V.size(); ++k)
+    if (ends.V[k] >= 0 && ends.V[k] < ends.V_max && ends.H[k] > 0) V.push_back(ends.V[k]), H.push_back(ends.H[k]);
+  const formulas::YieldSurface surface = formulas::fit_zhang(V, H, ends.V_max);
+  if (!std::isfinite(surface.mu) || !std::isfinite(surface.beta)) return published;
+  const formulas::Formula any = zhang_envelope(surface, 0, ends.V_max);
+  published.numbers.push_back({"zhang_mu", formula(surface.mu, any.source, any.valid)});
+  published.numbers.push_back({"zhang_beta", formula(surface.beta, any.source, any.valid)});
+  PublishedCurve curve{titled(fmt::format("Zhang's surface fitted, mu = {:.3f}, beta = {:.3f}", surface.mu, surface.beta), any), {}, {}};
+  for (int k = 0; k <= curve_points; ++k) {
+    const Real at = ends.V_max * k / curve_points;
+    curve.V.push_back(at);
+    curve.H.push_back(zhang_envelope(surface, at, ends.V_max).value);
+  }
+  published.curves.push_back(curve);
+  return published;
+}
+
+}  // namespace
+
+base::EmbeddedBody embedded_pipe(const problem::Case& c)
+{
+  if (c.dimension != 2) throw InputError("dimension: an envelope is that of a pipe in plane strain; it needs dimension = 2");
+  const auto drive = std::find_if(c.stage.begin(), c.stage.end(), [](const problem::StageSettings& stage) {
+    return stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
+  });
+  const Index main = drive != c.stage.end() && !drive->rigid.empty() ? problem::place_of(c.rigid, drive->rigid)
+                     : c.rigid.empty()                               ? none
+                                                                     : 0;
+  if (main == none) throw InputError("rigid: an envelope needs a pipe: a rigid body with shape = \"circle\"");
+  const auto& [name, rigid] = c.rigid[main];
+  const auto* circle = std::get_if<bodies::CircleSettings>(&rigid.shape);
+  if (circle == nullptr) throw InputError(fmt::format("rigid.{}.shape: an envelope is that of a pipe; it needs \"circle\"", name));
+  const base::EmbeddedBody pipe{circle->diameter, c.surface - (circle->center[1] - circle->diameter / 2)};
+  if (!(pipe.embedment > 0))
+    throw InputError(
+        fmt::format("rigid.{}.center: the lowest point of the pipe lies {:g} m above the bed; an envelope needs a pipe that lies in it",
+                    name, -pipe.embedment));
+  if (const auto* seabed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
+    const mesh::SeabedLayout layout = layout_of(*seabed);
+    if (circle->center[0] - pipe.width / 2 < layout.left || circle->center[0] + pipe.width / 2 > layout.right)
+      throw InputError(fmt::format("rigid.{}.center: the pipe reaches beyond a wall of the mesh; an envelope needs the whole pipe", name));
+  }
+  return pipe;
+}
+
+PublishedEnvelope pipe_envelope(const problem::Case& c, const base::EnvelopeEnds& ends)
+{
+  const PipeInSoil soil = pipe_in_soil(c);
+  if (soil.strength && soil.strength->friction_angle == 0 && soil.strength->cohesion > 0) return for_clay(soil);
+  if (soil.strength && soil.strength->friction_angle > 0 && soil.strength->cohesion == 0 && soil.unit_weight > 0)
+    return for_sand(soil, ends);
+  PublishedEnvelope published;
+  published.remark = "no formula is known for this soil: neither clay (phi = 0) nor sand (c = 0)";
+  return published;
+}
+
+}  // namespace berm::pipe

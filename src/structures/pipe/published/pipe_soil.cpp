@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/pipe/published/published_test.cpp
+#include "structures/pipe/published/pipe_soil.hpp"
+
+#include "mesh/seabed.hpp"
+#include "structures/base/driven_body.hpp"
+
+#include <algorithm>
+
+namespace berm::pipe {
+namespace {
+
+const bodies::CircleSettings* circle_of(const problem::Case& c)
+{
+  const Index rigid = main_rigid(c);
+  return rigid == none ? nullptr : std::get_if<bodies::CircleSettings>(&c.rigid[rigid].second.shape);
+}
+
+}  // namespace
+
+formulas::PipeInClay ClayAround::at(Real embedment) const
+{
+  const Real strength = surface_strength + strength_gradient * embedment;
+  const Real roughness = std::isnan(adhesion) ? adhesion : std::min(Real(1), adhesion / strength);
+  return {diameter, embedment, strength, roughness, strength_gradient, unit_weight};
+}
+
+bool is_circle(const problem::Case& c)
+{
+  return circle_of(c) != nullptr;
+}
+
+Real modelled_part(const problem::Case& c)
+{
+  constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+  const bodies::CircleSettings* circle = circle_of(c);
+  if (circle == nullptr) return nan;
+  const auto* seabed = std::get_if<mesh::SeabedMesh>(&c.mesh);
+  if (seabed == nullptr) return 1;
+  const mesh::SeabedLayout layout = layout_of(*seabed);
+  const Real x = circle->center[0], radius = circle->diameter / 2, round_off = 1e-9 * radius;
+  if (x - radius >= layout.left && x + radius <= layout.right) return 1;
+  return std::abs(x - layout.left) < round_off || std::abs(x - layout.right) < round_off ? 0.5 : nan;
+}
+
+PipeSoil pipe_soil(const problem::Case& c)
+{
+  const bodies::CircleSettings* circle = circle_of(c);
+  if (circle == nullptr) return NoFormula{"The published formulas are those of pipes; the rigid body of this run is no circle."};
+  if (c.dimension != 2) return NoFormula{"The published formulas are per metre of pipe in plane strain; this run is in space."};
+  if (std::isnan(modelled_part(c)))
+    return NoFormula{"The published formulas are those of a whole pipe; a wall of the mesh cuts the pipe of this run."};
+  const material::Material* material = base::touched_material(c);
+  const std::optional<material::Strength> law = material == nullptr ? std::nullopt : strength_at_rest(*material);
+  if (!law) return NoFormula{"No formula is known for this soil: its strength is none of cohesion and friction."};
+  const contact::ContactSettings& contact = *base::contact_of_body(c);
+  const bool sticks = contact.scheme == contact::Scheme::tied;
+  const Real unit_weight = base::body_scale(c).unit_weight;
+  const bool cohesive = law->cohesion > 0 || law->cohesion_gradient > 0;
+  if (law->friction_angle > 0 && !cohesive && unit_weight > 0)
+    return SandAround{circle->diameter, unit_weight, law->friction_angle, law->dilation_angle,
+                      sticks ? law->friction_angle : contact.friction_angle};
+  if (law->friction_angle == 0 && cohesive) {
+    const Real adhesion = sticks ? infinity : contact.friction_angle > 0 ? std::numeric_limits<Real>::quiet_NaN() : contact.adhesion;
+    return ClayAround{circle->diameter, unit_weight, law->cohesion, law->cohesion_gradient, adhesion};
+  }
+  return NoFormula{"No formula is known for this soil: it is neither clay (φ = 0) nor sand (c = 0) with weight."};
+}
+
+}  // namespace berm::pipe

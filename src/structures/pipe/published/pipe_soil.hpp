@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "formulas/pipe_in_clay.hpp"
+#include "formulas/pipe_in_sand.hpp"
+#include "problem/case.hpp"
+
+#include <variant>
+
+namespace berm::pipe {
+
+/// Sand without cohesion around a pipe.
+struct SandAround {
+  Real diameter, unit_weight;                            ///< m, N/m3
+  Real friction_angle, dilation_angle, interface_angle;  ///< rad
+
+  formulas::PipeInSand at(Real embedment) const { return {diameter, embedment, unit_weight, friction_angle, interface_angle}; }
+};
+
+/// Clay without friction around a pipe.
+struct ClayAround {
+  Real diameter, unit_weight;                ///< m, N/m3, 0 = weightless
+  Real surface_strength, strength_gradient;  ///< Pa, Pa/m
+  Real adhesion;                             ///< Pa, infinite where the pipe sticks, NaN where the interface has friction
+
+  formulas::PipeInClay at(Real embedment) const;
+};
+
+/// Why no formula applies, in words.
+struct NoFormula {
+  std::string why;
+};
+
+using PipeSoil = std::variant<SandAround, ClayAround, NoFormula>;
+
+/// Whether the main rigid body of a case is a pipe: a circle.
+bool is_circle(const problem::Case& c);
+
+/// The part of the pipe that a case models: 1, or 0.5 where a wall of a seabed goes through its centre, an axis of symmetry; NaN where a wall cuts it
+/// elsewhere, or the body is no circle.
+Real modelled_part(const problem::Case& c);
+
+/// The soil that touches the pipe of a case as published formulas want it. Where the contact sticks, delta of sand is phi and clay has all of s_u.
+PipeSoil pipe_soil(const problem::Case& c);
+
+}  // namespace berm::pipe

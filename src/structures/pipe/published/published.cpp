@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/pipe/published/published.hpp"
+
+#include "structures/pipe/published/published_clay.hpp"
+#include "structures/pipe/published/published_sand.hpp"
+#include "structures/pipe/results/resistance.hpp"
+#include "structures/pipe/results/run_points.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::pipe {
+namespace {
+
+constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+constexpr Real push_parts[] = {0.1, 0.25, 0.5, 0.75, 1}, drag_parts[] = {0.1, 0.3, 0.5, 1};  // of D
+
+template <std::size_t size>
+bool is_one_of(Real part, const Real (&parts)[size])
+{
+  return std::any_of(parts, parts + size, [&](Real p) { return std::abs(p - part) < 1e-6; });
+}
+
+/// The states without their comparisons.
+std::vector<ComparedState> states_of(const PipeRun& run)
+{
+  const RunPoints points = points_of(run);
+  const bool small_strain = run.settings.method == problem::Method::fem;
+  const Real D = run.scale.width;
+  std::vector<ComparedState> states;
+  // Small strains leave the pipe where it began: what it carries on the way is no strength.
+  if (!small_strain)
+    for (const PushPoint& p : points.push)
+      if (is_one_of(p.w / D, push_parts)) states.push_back({ComparedState::Kind::push, nan, p.w, p.V, {}});
+  if (points.push_end) {
+    const Real w = small_strain ? points.first_w : points.push_end->w;
+    states.push_back({ComparedState::Kind::end_of_push, nan, w, points.push_end->V, {}});
+  }
+  for (const DragPoint& p : points.drag)
+    if (is_one_of(p.u / D, drag_parts)) states.push_back({ComparedState::Kind::drag, p.u, small_strain ? points.first_w : p.w, p.V, {}});
+  return states;
+}
+
+std::string remark_on_place(const PipeRun& run)
+{
+  if (run.settings.method == problem::Method::fem)
+    return fmt::format(
+        "This run is wished in place: the pipe lies at w = {:.3g} D from the start, below a flat surface, and strains are small. Formulas "
+        "with heave are for a pipe that was pushed there.",
+        points_of(run).first_w / run.scale.width);
+  if (starts_embedded(run))
+    return fmt::format(
+        "In this run the pipe is wished in place at w = {:.3g} D and moves with large strains from there: the soil heaves beside it. "
+        "Formulas for a pipe wished in place take a flat surface.",
+        points_of(run).first_w / run.scale.width);
+  return "In this run the pipe is pushed in from the surface: the soil heaves beside it. Formulas for a pipe wished in place take a flat "
+         "surface and leave this out.";
+}
+
+Real H_at(const RunPoints& points, Real u)
+{
+  for (const DragPoint& p : points.drag)
+    if (p.u == u) return p.H;
+  return nan;
+}
+
+}  // namespace
+
+PublishedValues published_beside(const PipeRun& run)
+{
+  PublishedValues values;
+  const PipeSoil soil = pipe_soil(run.settings);
+  if (const auto* no_formula = std::get_if<NoFormula>(&soil)) {
+    values.remarks.push_back(no_formula->why);
+    return values;
+  }
+  values.states = states_of(run);
+  if (values.states.empty()) {
+    values.remarks.emplace_back("This run came to no state that a formula can be compared with.");
+    return values;
+  }
+  values.remarks.push_back(remark_on_place(run));
+  if (modelled_part(run.settings) < 1)
+    values.remarks.emplace_back(
+        "This run models half of the pipe beside an axis of symmetry. Here its forces are doubled: those of the whole pipe.");
+
+  const auto* sand = std::get_if<SandAround>(&soil);
+  const auto* clay = std::get_if<ClayAround>(&soil);
+  const RunPoints points = points_of(run);
+  const bool heaves = run.settings.method == problem::Method::mpm && points.push_end.has_value();
+  const Real part = modelled_part(run.settings);
+  for (ComparedState& state : values.states) {
+    state.V /= part;
+    if (state.kind == ComparedState::Kind::drag) {
+      const Real H = H_at(points, state.u) / part;
+      state.comparisons = sand != nullptr ? sand_in_drag(*sand, state.w, state.V, H) : clay_in_drag(*clay, state.w, state.V, H);
+    } else {
+      state.comparisons = sand != nullptr ? sand_in_push(*sand, state.w, state.V) : clay_in_push(*clay, state.w, state.V, heaves);
+    }
+  }
+  std::erase_if(values.states, [](const ComparedState& state) { return state.comparisons.empty(); });
+  if (sand != nullptr && !points.drag.empty()) {
+    const Real w = points.push_end && run.settings.method == problem::Method::mpm ? points.push_end->w : points.first_w;
+    const auto breakout = resistance_of(run).breakout;
+    const Real u = breakout ? breakout->u : nan;
+    values.states.push_back({ComparedState::Kind::breakout, u, w, nan, sand_at_breakout(*sand, w, u)});
+  }
+  if (!points.drag.empty())
+    values.remarks.emplace_back("Formulas for H give what the soil can do at most; early in a drag H is still on its way there.");
+  const std::vector<std::string> of_soil = sand != nullptr ? remarks_on(*sand) : remarks_on(*clay);
+  values.remarks.insert(values.remarks.end(), of_soil.begin(), of_soil.end());
+  return values;
+}
+
+}  // namespace berm::pipe

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "formulas/formula.hpp"
+#include "structures/pipe/results/pipe_run.hpp"
+
+namespace berm::pipe {
+
+/// A value of a run beside what a formula gives.
+struct Comparison {
+  enum class Unit {
+    force,  ///< N/m
+    length  ///< m
+  };
+  std::string quantity;  ///< a symbol or some words
+  Unit unit;
+  Real berm;  ///< NaN: the run has no such value
+  formulas::Formula published;
+  std::string about;  ///< what the source's name leaves out, such as "wished in place"
+
+  /// berm over formula; NaN where one of them is missing.
+  Real ratio() const { return published.value == 0 ? std::numeric_limits<Real>::quiet_NaN() : berm / published.value; }
+};
+
+/// Comparisons for one state of a run.
+struct ComparedState {
+  enum class Kind { push, end_of_push, drag, breakout };
+  Kind kind;
+  Real u, w, V;  ///< m, m, N/m, as the run found them and the formulas take them; NaN where they do not matter
+  std::vector<Comparison> comparisons;
+};
+
+/// What design codes and published formulas give for the soil, the pipe and the states of a run.
+struct PublishedValues {
+  std::vector<ComparedState> states;
+  std::vector<std::string> remarks;  ///< what to know before they are compared, text
+};
+
+/// Which formulas apply to a run, and what they give: at w = 0.1, 0.25, 0.5, 0.75, 1 D and the end of a push, at u = 0.1, 0.3, 0.5, 1 D of a drag. The
+/// embedment is that of the run there; in the finite element method, whose strains are small, that at the start. Forces of half a pipe beside an axis of
+/// symmetry are doubled.
+PublishedValues published_beside(const PipeRun& run);
+
+}  // namespace berm::pipe

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/pipe/published/published_test.cpp
+#include "structures/pipe/published/published_clay.hpp"
+
+#include "formulas/design_code.hpp"
+
+namespace berm::pipe {
+namespace {
+
+/// What the clay that the pipe displaces weighs, N/m: the formulas from strength alone leave it out.
+Real buoyancy_of(const formulas::PipeInClay& pipe)
+{
+  return pipe.unit_weight > 0 ? pipe.unit_weight * formulas::f114_penetrated_area(pipe.diameter, pipe.embedment) : 0;
+}
+
+formulas::Formula with_buoyancy(formulas::Formula strength_alone, const formulas::PipeInClay& pipe)
+{
+  strength_alone.value += buoyancy_of(pipe);
+  return strength_alone;
+}
+
+formulas::Formula bound(Real factor, const formulas::PipeInClay& pipe)
+{
+  return with_buoyancy(formulas::formula(factor * pipe.diameter * pipe.strength, formulas::murff_source, pipe.strength_gradient == 0),
+                       pipe);
+}
+
+}  // namespace
+
+std::vector<Comparison> clay_in_push(const ClayAround& clay, Real w, Real V, bool heaves)
+{
+  const formulas::PipeInClay pipe = clay.at(w);
+  std::vector<Comparison> list;
+  const auto add = [&](const formulas::Formula& published, const char* about) {
+    list.push_back({"V", Comparison::Unit::force, V, published, about});
+  };
+  if (pipe.strength_gradient == 0) add(f114_undrained_model_1(pipe, 1), "model 1, bearing capacity, wished in place");
+  add(f114_undrained_model_2(pipe), "model 2, with heave");
+  if (std::isnan(pipe.roughness)) return list;
+  add(with_buoyancy(clay_vertical(pipe), pipe), "wished in place");
+  if (heaves) add(with_buoyancy(clay_vertical_with_heave(pipe), pipe), "with heave");
+  if (pipe.roughness == 0) add(with_buoyancy(clay_vertical_smooth(pipe), pipe), "wished in place");
+  const bool ends = pipe.roughness == 0 || pipe.roughness == 1;
+  if (ends && std::abs(w / pipe.diameter - 0.5) < 0.005) {
+    const formulas::MurffBounds& bounds = pipe.roughness == 0 ? formulas::murff_smooth : formulas::murff_rough;
+    add(bound(bounds.lower, pipe), "lower, wished in place");
+    add(bound(bounds.upper, pipe), "upper, wished in place");
+  }
+  add(with_buoyancy(clay_deep(pipe), pipe), "deeply buried: the most that a pipe can meet");
+  return list;
+}
+
+std::vector<Comparison> clay_in_drag(const ClayAround& clay, Real w, Real V, Real H)
+{
+  const formulas::PipeInClay pipe = clay.at(w);
+  if (std::isnan(pipe.roughness)) return {};
+  const formulas::Formula V_max = clay_vertical(pipe), H_max = clay_horizontal(pipe);
+  const formulas::Formula at_V = clay_envelope(pipe, V - buoyancy_of(pipe), V_max.value, H_max.value);
+  return {{"H", Comparison::Unit::force, H, at_V, "envelope at the run's V, wished in place"},
+          {"H", Comparison::Unit::force, H, H_max, "apex of the envelope, wished in place"},
+          {"H", Comparison::Unit::force, H, clay_deep(pipe), "deeply buried: the most that a pipe can meet"}};
+}
+
+std::vector<std::string> remarks_on(const ClayAround& clay)
+{
+  std::vector<std::string> remarks;
+  if (std::isnan(clay.adhesion))
+    remarks.emplace_back(
+        "The interface of this run has friction. Most formulas for clay know adhesion to the pipe alone and are left out.");
+  if (clay.strength_gradient > 0)
+    remarks.emplace_back("The clay of this run gets stronger with depth; formulas for uniform clay take its strength at the pipe's lowest "
+                         "point. F114's model 1 "
+                         "needs a factor for such clay that berm has no values of, and is left out.");
+  if (clay.unit_weight > 0)
+    remarks.emplace_back("Vertical resistances hold the weight of the clay that the pipe displaces, γ′ times F114's area.");
+  return remarks;
+}
+
+}  // namespace berm::pipe

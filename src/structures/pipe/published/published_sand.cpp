@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/pipe/published/published_test.cpp
+#include "structures/pipe/published/published_sand.hpp"
+
+#include "formulas/design_code.hpp"
+
+#include <fmt/format.h>
+
+namespace berm::pipe {
+namespace {
+
+constexpr Real degree = pi / 180;
+
+bool is_associated(const SandAround& sand)
+{
+  return std::abs(sand.friction_angle - sand.dilation_angle) < 0.02 * degree;
+}
+
+}  // namespace
+
+std::vector<Comparison> sand_in_push(const SandAround& sand, Real w, Real V)
+{
+  const formulas::PipeInSand pipe = sand.at(w);
+  formulas::Formula characteristics = sand_vertical(pipe);
+  if (!is_associated(sand)) {
+    characteristics.valid = false;
+    characteristics.source.range = "phi = psi = 35 deg, delta = 0 or 2/3 phi, 0.05 <= w/D <= 0.5";
+  }
+  return {{"V", Comparison::Unit::force, V, f114_drained_vertical(pipe), "bearing capacity with Nγ of Brinch Hansen, wished in place"},
+          {"V", Comparison::Unit::force, V, characteristics, "wished in place"},
+          {"w that V makes", Comparison::Unit::length, w, sand_embedment(pipe, V), ""}};
+}
+
+std::vector<Comparison> sand_in_drag(const SandAround& sand, Real w, Real V, Real H)
+{
+  const formulas::PipeInSand pipe = sand.at(w);
+  return {{"H", Comparison::Unit::force, H, f114_drained_lateral(pipe, V), "passive wedge and friction"},
+          {"H", Comparison::Unit::force, H, f109_lateral(pipe, V), ""}};
+}
+
+std::vector<Comparison> sand_at_breakout(const SandAround& sand, Real w, Real u)
+{
+  const formulas::Breakout breakout = formulas::f114_breakout(sand.diameter, w);
+  return {{"u at breakout", Comparison::Unit::length, u, breakout.min, "least"},
+          {"u at breakout", Comparison::Unit::length, u, breakout.mean, "mean"},
+          {"u at breakout", Comparison::Unit::length, u, breakout.max, "most"}};
+}
+
+std::vector<std::string> remarks_on(const SandAround& sand)
+{
+  std::vector<std::string> remarks;
+  if (!is_associated(sand))
+    remarks.push_back(fmt::format("The characteristics are for associated soil, ψ = φ, which carries more. The sand of this run has φ = "
+                                  "{:.3g}° and dilates by ψ = {:.3g}°.",
+                                  sand.friction_angle / degree, sand.dilation_angle / degree));
+  return remarks;
+}
+
+}  // namespace berm::pipe

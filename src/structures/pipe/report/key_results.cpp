@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/results/results_section_test.cpp
+#include "structures/pipe/report/key_results.hpp"
+
+#include "structures/pipe/results/resistance.hpp"
+#include "structures/pipe/results/run_points.hpp"
+#include "text/shown_number.hpp"
+#include "text/tex_math.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+
+namespace berm::pipe {
+namespace {
+
+constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+
+std::vector<text::HtmlCell> joined(std::initializer_list<std::vector<text::HtmlCell>> parts)
+{
+  std::vector<text::HtmlCell> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
+}
+
+/// A table of points of paths: of a single run a row a point, of several a group of rows a point, one row a run.
+class PointTable {
+public:
+  PointTable(std::string id, std::string caption, bool several) : table_(std::move(id), std::move(caption)), several_(several) {}
+
+  void columns(const std::string& first, const std::vector<text::HtmlCell>& cells)
+  {
+    table_.columns(joined({{{several_ ? "run" : first}}, cells}));
+  }
+
+  /// Points stand by their rank, then in the order in which they came.
+  void add(Real rank, const std::string& point, const PipeRun& run, const std::vector<text::HtmlCell>& cells)
+  {
+    Rows& rows = points_[{rank, point}];
+    rows.push_back(joined({{{several_ ? text::html_text(run.name) : point}}, cells}));
+  }
+
+  std::string html()
+  {
+    for (const auto& [key, rows] : points_) {
+      if (several_) table_.row({{key.second}}, "group");
+      for (const auto& row : rows) table_.row(row);
+    }
+    return table_.empty() ? "" : table_.html();
+  }
+
+private:
+  using Rows = std::vector<std::vector<text::HtmlCell>>;
+  text::HtmlTable table_;
+  bool several_;
+  std::map<std::pair<Real, std::string>, Rows> points_;
+};
+
+std::string push_table(const PipeRuns& runs, const base::DisplayUnits& shown, bool several)
+{
+  PointTable table("key-push", "Push: vertical resistance V at embedment w", several);
+  table.columns("point", joined({shown.length_columns("w"), shown.force_columns("V")}));
+  for (const PipeRun& run : runs) {
+    const RunPoints points = points_of(run);
+    const auto add = [&](Real rank, const std::string& name, const PushPoint& p) {
+      table.add(rank, name, run, joined({shown.length_cells(run.scale, p.w), shown.force_cells(run.scale, p.V)}));
+    };
+    for (const PushPoint& p : points.push) {
+      const Real part = p.w / run.scale.width;
+      add(std::round(1000 * part), fmt::format("w = {} D", text::short_number(part)), p);
+    }
+    if (!points.push_end) continue;
+    // An end at a round embedment stands among the points that other runs have there.
+    const StageEnd end = end_of_push(run);
+    const Real part = points.push_end->w / run.scale.width, round = std::round(20 * part) / 20;
+    if (end.reached && round > 0 && std::abs(part - round) < 5e-4)
+      add(std::round(1000 * round), fmt::format("w = {} D", text::short_number(round)), *points.push_end);
+    else
+      add(infinity, end.at, *points.push_end);
+  }
+  return table.html();
+}
+
+std::string drag_table(const PipeRuns& runs, const base::DisplayUnits& shown, bool several)
+{
+  PointTable table("key-drag", "Drag: horizontal resistance H and embedment w at displacement u from where the drag began", several);
+  table.columns("point", joined({shown.length_columns("w"), shown.force_columns("H"), {{"H/V", true}}}));
+  for (const PipeRun& run : runs) {
+    for (const DragPoint& p : points_of(run).drag) {
+      const Real part = p.u / run.scale.width;
+      table.add(std::round(1000 * part), fmt::format("u = {} D", text::short_number(part)), run,
+                joined({shown.length_cells(run.scale, p.w), shown.force_cells(run.scale, p.H), {{text::table_number(p.H / p.V), true}}}));
+    }
+  }
+  return table.html();
+}
+
+std::string residual_words(const Resistance& resistance, const StageEnd& end)
+{
+  const std::string change = fmt::format("{:.2g}", 100 * resistance.last_change);
+  const std::string last = end.reached ? "the end of the drag" : "the last part of the drag, " + end.at;
+  return resistance.residual ? fmt::format("mean over {}; H changes by {} % there", last, change)
+                             : fmt::format("not reached: H changes by {} % over {}", change, last);
+}
+
+std::string resistance_table(const PipeRuns& runs, const base::DisplayUnits& shown, bool several)
+{
+  PointTable table("key-resistance", "Resistance to the drag: largest, at breakout and residual H", several);
+  table.columns("H", joined({shown.length_columns("u"), shown.force_columns("H"), {{"how it was found"}}}));
+  for (const PipeRun& run : runs) {
+    const Resistance resistance = resistance_of(run);
+    const StageEnd end = end_of_drag(run);
+    const auto add = [&](Real rank, const std::string& name, Real u, Real H, const std::string& words) {
+      table.add(rank, name, run, joined({shown.length_cells(run.scale, u), shown.force_cells(run.scale, H), {{words}}}));
+    };
+    if (resistance.largest) add(0, "largest", resistance.largest->u, resistance.largest->H, "");
+    if (std::isnan(resistance.last_change)) continue;
+    if (resistance.breakout)
+      add(1, "breakout", resistance.breakout->u, resistance.breakout->H, "first peak");
+    else
+      add(1, "breakout", nan, nan, no_peak_words(resistance, end.to));
+    add(2, "residual", nan, resistance.residual.value_or(nan), residual_words(resistance, end));
+  }
+  const std::string html = table.html();
+  if (html.empty()) return "";
+  return html +
+         text::html_paragraph(
+             fmt::format(
+                 "Breakout is the first peak of H from which H "
+                 "falls by at least {:g} % before it grows beyond it; where forces are averaged, H must also stay below it for {:g} D. "
+                 "Residual is the mean of H over the end of the drag, its last tenth and at least its last {:g} D, if the straight line "
+                 "fitted to H there changes by less than {:g} % of that mean.",
+                 100 * min_fall, breakout_stays, min_residual_travel, 100 * max_residual_change),
+             "quiet");
+}
+
+std::string averaging_words(const PipeRuns& runs)
+{
+  if (std::none_of(runs.begin(), runs.end(), [](const PipeRun& run) { return run.scale.noisy; })) return "";
+  return text::html_paragraph(
+      fmt::format(
+          "Forces of the material point method are averaged: each is taken from the straight line fitted to H or V within ±{:g} D of "
+          "travel, near the ends of a push or drag to its first or last {:g} D.",
+          base::averaging_half_width, 2 * base::averaging_half_width),
+      "quiet");
+}
+
+}  // namespace
+
+std::string key_results(const PipeRuns& runs, const base::DisplayUnits& shown)
+{
+  const bool several = runs.size() > 1;
+  const std::string tables = push_table(runs, shown, several) + drag_table(runs, shown, several) + resistance_table(runs, shown, several);
+  return tables.empty() ? "" : shown.prototype_words() + averaging_words(runs) + tables;
+}
+
+}  // namespace berm::pipe

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/results/results_section_test.cpp
+#include "structures/pipe/report/published_table.hpp"
+
+#include "structures/pipe/published/published.hpp"
+#include "structures/pipe/results/run_points.hpp"
+#include "text/shown_number.hpp"
+#include "text/tex_math.hpp"
+
+#include <cctype>
+#include <fmt/format.h>
+
+namespace berm::pipe {
+namespace {
+
+/// A range of src/formulas, "0 <= w/D <= 0.5", with the signs of print, HTML.
+std::string printed_range(const char* range)
+{
+  constexpr std::pair<const char*, const char*> signs[] = {{"&lt;=", "≤"},
+                                                           {"&gt;=", "≥"},
+                                                           {"phi", "φ"},
+                                                           {"psi", "ψ"},
+                                                           {"delta", "δ"},
+                                                           {" deg", "°"},
+                                                           {"s_u", "s<sub>u</sub>"},
+                                                           {"V_max", "V<sub>max</sub>"}};
+  std::string text = text::html_text(range);
+  for (const auto& [plain, sign] : signs)
+    for (std::size_t at = text.find(plain); at != std::string::npos; at = text.find(plain, at + 1))
+      text.replace(at, std::string(plain).size(), sign);
+  return text;
+}
+
+std::string with_capital(std::string words)
+{
+  words[0] = static_cast<char>(std::toupper(words[0]));
+  return words;
+}
+
+std::string state_words(const ComparedState& state, const PipeRun& run, const base::DisplayUnits& shown)
+{
+  const Real D = run.scale.width;
+  const std::string w = fmt::format("w = {} D", text::short_number(state.w / D));
+  const std::string V = fmt::format("V = {} {}", text::short_number(shown.in_force_unit(state.V)), shown.force_unit());
+  switch (state.kind) {
+  case ComparedState::Kind::push:
+    return fmt::format("Pushed to {}", w);
+  case ComparedState::Kind::end_of_push:
+    return fmt::format("{}{} {}", with_capital(end_of_push(run).at), run.settings.method == problem::Method::fem ? " from" : ",", w);
+  case ComparedState::Kind::drag:
+    return fmt::format("Dragged {} D: {}, {}", text::short_number(state.u / D), w, V);
+  case ComparedState::Kind::breakout:
+    return fmt::format("Breakout of the drag from {}{}", w, std::isnan(state.u) ? ": no peak in this run" : "");
+  }
+  return "";
+}
+
+std::vector<text::HtmlCell> cells_of(const Comparison& c, const PipeRun& run, const base::DisplayUnits& shown)
+{
+  const bool force = c.unit == Comparison::Unit::force;
+  const auto number = [&](Real value) { return text::table_number(force ? shown.in_force_unit(value) : value / run.scale.width); };
+  const formulas::Source& source = c.published.source;
+  const std::string range = (c.published.valid ? "" : "out of range: ") + printed_range(source.range);
+  return {{c.quantity},
+          {force ? shown.force_unit() : "D"},
+          {number(c.berm), true},
+          {number(c.published.value), true},
+          {text::table_number(c.ratio()), true},
+          {text::html_text(c.about.empty() ? source.work : fmt::format("{}; {}", source.work, c.about))},
+          {word_of(source.label)},
+          {range}};
+}
+
+/// Remarks, then a table with the run's states as groups. `id` names the table.
+std::string published_table(const PipeRun& run, const base::DisplayUnits& shown, const std::string& id)
+{
+  const PublishedValues values = published_beside(run);
+  std::string html;
+  for (const std::string& remark : values.remarks) html += text::html_paragraph(remark, "quiet");
+  text::HtmlTable table(id, fmt::format("{}: design codes and published formulas for its soil, pipe and states", run.name));
+  table.columns(
+      {{"quantity"}, {"unit"}, {"berm", true}, {"formula", true}, {"berm/formula", true}, {"source"}, {"label"}, {"range of validity"}});
+  for (const ComparedState& state : values.states) {
+    table.row({{state_words(state, run, shown)}}, "group");
+    for (const Comparison& comparison : state.comparisons)
+      table.row(cells_of(comparison, run, shown), comparison.published.valid ? "" : "out_of_range");
+  }
+  return table.empty() ? html : html + table.html();
+}
+
+}  // namespace
+
+std::string published_values(const PipeRuns& runs, const base::DisplayUnits& shown)
+{
+  std::string html;
+  int place = 0;
+  for (const PipeRun& run : runs) {
+    const std::string table = published_table(run, shown, fmt::format("published-{}", place));
+    html += runs.size() == 1 ? table
+                             : fmt::format("<details{}>\n<summary>{}</summary>\n{}</details>\n", place == 0 ? " open" : "",
+                                           text::html_text(run.name), table);
+    ++place;
+  }
+  if (html.empty()) return "";
+  const std::string heading = "<h3>Design codes and published formulas</h3>\n";
+  if (html.find("<table") == std::string::npos) return heading + html;
+  return heading +
+         text::html_paragraph(
+             "What they give for the same soil, pipe and state: the embedment and the vertical load are those that the run found. Labels: "
+             "exact is a closed "
+             "form or computed to convergence, fit a published fit, recalled: quoted from memory; check the source.",
+             "quiet") +
+         html;
+}
+
+}  // namespace berm::pipe

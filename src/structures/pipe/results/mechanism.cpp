@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/pipe/results/mechanism.hpp"
+
+#include "bodies/rigid/rigid_body.hpp"
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace berm::pipe {
+namespace {
+
+constexpr Real beside_pipe = 1.5, around_pipe = 4;  // of D
+constexpr Real column_width = 0.1;                  // of D
+constexpr Real a_tenth = 0.1, nine_tenths = 0.9, a_hundredth = 0.01;
+
+/// The volume of a particle's square that lies above a level.
+Real volume_above(const run_folder::SavedSoil& soil, std::size_t k, Real level)
+{
+  const Real side = std::sqrt(Real(soil.volume[k]));
+  return side * std::clamp(soil.y[k] + side / 2 - level, Real(0), side);
+}
+
+/// Height of the soil above the surface by column, counted from the pipe's centre: m.
+std::map<Index, Real> columns_above(const run_folder::SavedSoil& soil, Real surface, Real center, Real width)
+{
+  std::map<Index, Real> columns;
+  for (std::size_t k = 0; k < soil.x.size(); ++k)
+    columns[static_cast<Index>(std::floor((soil.x[k] - center) / width))] += volume_above(soil, k, surface) / width;
+  return columns;
+}
+
+Real start_of_pipe(const problem::Case& c)
+{
+  return center_of<2>(make_shape<2>(c.rigid[main_rigid(c)].second.shape))[0];
+}
+
+}  // namespace
+
+Heave heave_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, Real surface, const PipePlace& pipe, Real diameter)
+{
+  const Real width = column_width * diameter;
+  std::map<Index, Real> columns = columns_above(now, surface, pipe.x, width);
+  for (const auto& [column, height] : columns_above(start, surface, pipe.x, width)) columns[column] -= height;
+  Heave heave{-infinity, -infinity, 0};
+  const auto max = static_cast<Index>(beside_pipe / column_width);
+  for (const auto& [column, rise] : columns) {
+    if (column >= 0) heave.berm += std::max(Real(0), rise) * width;
+    if (column < -max || column >= max) continue;
+    Real& highest = column < 0 ? heave.behind : heave.ahead;
+    highest = std::max(highest, rise);
+  }
+  return heave;
+}
+
+Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::SavedSoil& after, Real surface, const PipePlace& from,
+                       const PipePlace& to, Real diameter)
+{
+  std::vector<std::size_t> close;
+  std::vector<Real> growth;
+  const std::vector<float>& increment = after["incremental_deviatoric_strain"];
+  for (std::size_t k = 0; k < after.x.size(); ++k) {
+    if (std::abs(after.x[k] - to.x) > around_pipe * diameter) continue;
+    close.push_back(k);
+    growth.push_back(increment[k]);
+  }
+  if (close.empty()) return {0, 0, std::numeric_limits<Real>::quiet_NaN()};
+  std::vector<Real> sorted = growth;
+  std::sort(sorted.begin(), sorted.end());
+  const Real min = a_tenth * sorted[static_cast<std::size_t>((1 - a_hundredth) * static_cast<Real>(sorted.size() - 1))];
+
+  Real all = 0, behind = 0, heaped = 0, dragged = 0;
+  std::vector<std::pair<Real, Real>> ahead;  // distance, shearing
+  for (std::size_t n = 0; n < close.size(); ++n) {
+    const std::size_t k = close[n];
+    const Real distance = after.x[k] - to.x, shearing = growth[n] > min ? growth[n] * after.volume[k] : 0;
+    all += shearing;
+    if (distance < 0) {
+      behind += shearing;
+      continue;
+    }
+    ahead.emplace_back(distance, shearing);
+    if (after.y[k] <= surface) continue;
+    heaped += after.volume[k];
+    if (after.x[k] - before.x[k] >= a_tenth * (to.x - from.x)) dragged += after.volume[k];
+  }
+  std::sort(ahead.begin(), ahead.end());
+  Real reach = 0, sum = 0;
+  for (const auto& [distance, shearing] : ahead) {
+    if (sum >= nine_tenths * (all - behind)) break;
+    sum += shearing;
+    reach = distance;
+  }
+  return {all > 0 ? behind / all : 0, reach, dragged / heaped};
+}
+
+PipeFrames::PipeFrames(const PipeRun& run)
+{
+  if (run.history.rows() == 0 || run.settings.dimension != 2) return;
+  try {
+    files_ = run_folder::frame_files(run.record.folder / "frames");
+  } catch (const RunError&) {
+    return;  // the film says what is wrong with them
+  }
+  const Real start = start_of_pipe(run.settings);
+  const std::vector<Real>&time = run.history["time_s"], &u = run.history["u_m"], &w = run.history["w_m"];
+  for (const run_folder::FrameFiles& frame : files_) {
+    // A frame is written where a row is or between two: the row that follows is of the same stage.
+    const auto row = std::min<std::ptrdiff_t>(std::lower_bound(time.begin(), time.end(), frame.time * (1 - 1e-12)) - time.begin(),
+                                              static_cast<std::ptrdiff_t>(time.size()) - 1);
+    places_.push_back({start + u[row], u[row], w[row]});
+    const auto stage = std::find_if(run.settings.stage.begin(), run.settings.stage.end(),
+                                    [&](const problem::StageSettings& s) { return s.name == run.history.stage[row]; });
+    kinds_.push_back(stage == run.settings.stage.end() ? problem::StageKind::free : stage->kind);
+  }
+}
+
+std::optional<std::size_t> PipeFrames::nearest(problem::StageKind kind, Real PipePlace::*quantity, Real value) const
+{
+  std::optional<std::size_t> found;
+  for (std::size_t k = 0; k < count(); ++k)
+    if (kinds_[k] == kind && (!found || std::abs(places_[k].*quantity - value) < std::abs(places_[*found].*quantity - value))) found = k;
+  return found;
+}
+
+std::optional<std::size_t> PipeFrames::last(problem::StageKind kind) const
+{
+  for (std::size_t k = count(); k-- > 0;)
+    if (kinds_[k] == kind) return k;
+  return std::nullopt;
+}
+
+}  // namespace berm::pipe

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/pipe/results/pipe_quantities.hpp"
+
+#include "record/travel_curve.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <numeric>
+
+namespace berm::pipe {
+namespace {
+
+using record::TravelCurve;
+
+constexpr Real in_the_bed = 0.02;  // of D: a pipe that is put on the bed sinks less by its weight
+constexpr Real reached = 1e-3;     // of D: a stage that ends at a displacement may stop this much short of it, by rounding and by a step
+
+bool contains(const std::vector<std::string>& list, const std::string& name)
+{
+  return std::find(list.begin(), list.end(), name) != list.end();
+}
+
+constexpr Real noise_of_V_from = 0.02, noise_of_H_from = 0.1;  // of D: the forces grow from zero before
+constexpr Real widest_spacing = 0.005;                         // of D: rows farther apart tell no noise
+
+/// The standard deviation of a force about its moving mean, over its mean, from a travel on; NaN where there are too few rows for it.
+Real noise_of(const std::vector<Real>& travel, const std::vector<Real>& force, Real from, const BodyScale& scale)
+{
+  if (!scale.noisy) return std::numeric_limits<Real>::quiet_NaN();
+  const Real D = scale.width;
+  const TravelCurve curve(travel, force);
+  if (curve.empty()) return std::numeric_limits<Real>::quiet_NaN();
+  const TravelCurve mean = curve.smoothed(base::averaging_half_width * D);
+  Real squares = 0, sum = 0;
+  int count = 0;
+  for (std::size_t k = 0; k < travel.size(); ++k) {
+    const Real off = travel[k] >= from ? force[k] - mean.at(travel[k], 0) : std::numeric_limits<Real>::quiet_NaN();
+    if (std::isnan(off)) continue;
+    squares += off * off;
+    sum += force[k];
+    ++count;
+  }
+  if (count < 2 || curve.end() - from > (count - 1) * widest_spacing * D) return std::numeric_limits<Real>::quiet_NaN();
+  return std::sqrt(squares / count) / std::abs(sum / count);
+}
+
+std::optional<Real> if_known(Real value)
+{
+  return std::isnan(value) ? std::nullopt : std::optional(value);
+}
+
+void take_push(PipeResults& results, const PipePath& path, const BodyScale& scale)
+{
+  const Real D = scale.width;
+  const TravelCurve V(path.w, path.V);
+  if (V.empty()) return;
+  const Real half = averaging_half(scale);
+  for (int k = 1; k * push_spacing * D <= V.end() + reached * D; ++k)
+    if (k * push_spacing * D >= V.begin())
+      results.push.push_back({k * push_spacing * D, V.at(std::min(k * push_spacing * D, V.end()), half)});
+  results.push_end = PushPoint{V.end(), V.at(V.end(), half)};
+  results.V_noise = if_known(noise_of(path.w, path.V, noise_of_V_from * D, scale));
+}
+
+/// V by the travel from the row before the push, of a pipe that is in the bed there.
+void take_travel(PipeResults& results, const PipePath& path, const run_folder::History& history, const BodyScale& scale)
+{
+  const TravelCurve V(path.w, path.V);
+  if (V.empty()) return;
+  const Real D = scale.width, begin = history["w_m"][std::max(path.push_rows.front() - 1, 0)];
+  if (!(begin >= in_the_bed * D)) return;
+  for (const Real point : travel_points)
+    if (begin + point * D <= V.end() + reached * point * D)
+      results.travel.push_back({point * D, V.at(std::min(begin + point * D, V.end()), std::min(averaging_half(scale), point * D / 4))});
+}
+
+void take_drag(PipeResults& results, const PipePath& path, std::optional<Real> held, const BodyScale& scale)
+{
+  const Real D = scale.width;
+  const TravelCurve H(path.drag_u, path.drag_H), V(path.drag_u, path.drag_V), w(path.drag_u, path.drag_w);
+  if (H.empty() || V.empty() || w.empty()) return;
+  const Real half = averaging_half(scale);
+  for (const Real point : drag_points) {
+    if (point * D > H.end() + reached * D) break;
+    const Real u = std::min(point * D, H.end());
+    results.drag.push_back({point * D, w.at(u, half), H.at(u, half), V.at(u, half)});
+  }
+  results.H_noise = if_known(noise_of(path.drag_u, path.drag_H, noise_of_H_from * D, scale));
+  const TravelCurve smooth = H.smoothed(half);
+  const auto largest = std::max_element(smooth.value().begin(), smooth.value().end());
+  results.drag_peak = DragPeak{smooth.travel()[largest - smooth.value().begin()], *largest};
+
+  // The first row is the push's last.
+  const std::vector<Real> force(path.drag_V.begin() + 1, path.drag_V.end());
+  if (force.empty()) return;
+  const Real target = held ? *held : std::accumulate(force.begin(), force.end(), Real{0}) / static_cast<Real>(force.size());
+  Real squares = 0;
+  for (const Real f : force) squares += (f - target) * (f - target);
+  results.V_rms_error_in_drag = std::sqrt(squares / static_cast<Real>(force.size())) / std::abs(target);
+}
+
+void take_contact(PipeResults& results, const run_folder::History& history, const PipeStages& stages)
+{
+  Real max = -infinity, sum = 0;
+  Index overlaps = 0, gaps = 0;
+  for (Index k = 0; k < history.rows(); ++k) {
+    if (!contains(stages.push, history.stage[k]) && !contains(stages.drag, history.stage[k])) continue;
+    if (history.has("overlap_m") && !std::isnan(history["overlap_m"][k])) max = std::max(max, history["overlap_m"][k]), ++overlaps;
+    if (history.has("gap_m") && std::isfinite(history["gap_m"][k])) sum += history["gap_m"][k], ++gaps;
+  }
+  if (overlaps > 0) results.overlap_max = max;
+  if (gaps > 0) results.gap_mean = sum / gaps;
+}
+
+void take_second_impulse(PipeResults& results, const run_folder::History& history, const PipeStages& stages)
+{
+  constexpr const char* label = "second impulse";
+  if (!history.has_label(label)) return;
+  const std::vector<Real>&second_impulse = history.by_label(label), &reaction = history.by_label("V");
+  Real second = 0, V = 0;
+  for (Index k = 0; k < history.rows(); ++k) {
+    if (!contains(stages.push, history.stage[k]) || !std::isfinite(second_impulse[k]) || !std::isfinite(reaction[k])) continue;
+    second += second_impulse[k];
+    V += reaction[k];
+  }
+  if (V != 0) results.second_impulse_over_V = second / std::abs(V);
+}
+
+/// Four digits that count, without an exponent in the range of engineering numbers.
+std::string four_digits(Real value)
+{
+  const Real size = std::abs(value);
+  if (!std::isfinite(value) || (size > 0 && (size < 1e-5 || size >= 1e7))) return fmt::format("{:.3e}", value);
+  const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
+  return fmt::format("{:.{}f}", value, std::max(0, 4 - before));
+}
+
+}  // namespace
+
+PipePath pipe_path(const run_folder::History& history, const PipeStages& stages)
+{
+  const auto &u = history["u_m"], &w = history["w_m"], &H = history.by_label("H"), &V = history.by_label("V");
+  PipePath path;
+  for (Index k = 0; k < history.rows(); ++k) {
+    if (contains(stages.push, history.stage[k])) path.w.push_back(w[k]), path.V.push_back(V[k]), path.push_rows.push_back(k);
+    if (!contains(stages.drag, history.stage[k])) continue;
+    const Index from = path.drag_u.empty() ? std::max(k - 1, 0) : k;
+    if (path.drag_u.empty()) path.u_begin = u[from];
+    for (Index row = from; row <= k; ++row) {
+      path.drag_u.push_back(std::abs(u[row] - path.u_begin));
+      path.drag_w.push_back(w[row]);
+      path.drag_H.push_back(H[row]);
+      path.drag_V.push_back(V[row]);
+      path.drag_rows.push_back(row);
+    }
+  }
+  return path;
+}
+
+PipeResults pipe_results(const run_folder::History& history, const BodyScale& scale, const PipeStages& stages)
+{
+  const PipePath path = pipe_path(history, stages);
+  PipeResults results;
+  take_push(results, path, scale);
+  take_travel(results, path, history, scale);
+  take_drag(results, path, stages.held_force, scale);
+  take_second_impulse(results, history, stages);
+  take_contact(results, history, stages);
+  return results;
+}
+
+std::vector<run_folder::Quantity> pipe_quantities(const run_folder::History& history, const BodyScale& scale, const PipeStages& stages)
+{
+  return quantities_of(pipe_results(history, scale, stages), scale);
+}
+
+std::string key_results_table(const std::vector<run_folder::Quantity>& quantities, const BodyScale& scale)
+{
+  const auto find = [&](const std::string& name) {
+    return std::find_if(quantities.begin(), quantities.end(), [&](const run_folder::Quantity& q) { return q.name == name; });
+  };
+  const bool prototype = has_prototype(scale);
+  std::string table = fmt::format("{:<24}{:>18}{:>16}", "", "model", "dimensionless");
+  if (prototype) table += fmt::format("{:>20}", fmt::format("prototype ({:.4g} g)", scale.gravity_level));
+  table += '\n';
+  for (const run_folder::Quantity& q : quantities) {
+    if (q.name.ends_with("_over_gammaD2") || q.name.ends_with("_over_D")) continue;
+    const bool force = q.unit == "N/m" || q.unit == "N", length = q.unit == "m";
+    const auto twin = find(q.name + (force ? "_over_gammaD2" : "_over_D"));
+    const std::string model = force    ? four_digits(q.value) + (q.unit == "N" ? " N   " : " N/m ")
+                              : length ? four_digits(1000 * q.value) + " mm  "
+                                       : "";
+    const std::string bare = !force && !length ? four_digits(q.value) : twin != quantities.end() ? four_digits(twin->value) : "";
+    table += fmt::format("{:<24}{:>18}{:>16}", q.name, model, bare);
+    const Real scaled = q.value * scale.gravity_level;
+    if (prototype && q.unit == "N/m") table += fmt::format("{:>20}", four_digits(scaled / 1000) + " kN/m");
+    if (prototype && length) table += fmt::format("{:>20}", four_digits(scaled) + " m   ");
+    table.erase(table.find_last_not_of(' ') + 1);
+    table += '\n';
+  }
+  if (scale.unit_weight > 0) table += "dimensionless: forces over gamma' D^2, lengths over D\n";
+  return table;
+}
+
+}  // namespace berm::pipe

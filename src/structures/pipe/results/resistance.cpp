@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/pipe/results/resistance.hpp"
+
+#include "structures/pipe/results/run_points.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::pipe {
+namespace {
+
+using record::TravelCurve;
+
+constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+
+std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const BodyScale& scale)
+{
+  const Real half = averaging_half(scale), stays = scale.noisy ? breakout_stays * scale.width : 0;
+  Resistance::Point peak{0, 0};
+  bool fallen = false;
+  for (std::size_t k = 0; k < smooth.travel().size(); ++k) {
+    const Real u = smooth.travel()[k], here = smooth.value()[k];
+    if (u < smooth.begin() + half || u > smooth.end() - half) continue;
+    if (here > peak.H) {
+      peak = {u, here};
+      fallen = false;
+      continue;
+    }
+    fallen = fallen || here <= (1 - min_fall) * peak.H;
+    if (fallen && peak.H > 0 && u >= peak.u + stays) return peak;
+  }
+  return std::nullopt;
+}
+
+void take_if_larger(std::optional<Resistance::Point>& largest, Real u, Real H)
+{
+  if (std::isfinite(H) && (!largest || H > largest->H)) largest = Resistance::Point{u, H};
+}
+
+}  // namespace
+
+Resistance resistance_to(const TravelCurve& H, const BodyScale& scale)
+{
+  Resistance resistance;
+  resistance.travel = resistance.V_at_largest = resistance.last_change = nan;
+  if (H.travel().size() < 3) return resistance;
+  resistance.travel = H.end();
+  const TravelCurve smooth = H.smoothed(averaging_half(scale));
+  for (std::size_t k = 0; k < smooth.travel().size(); ++k) take_if_larger(resistance.largest, smooth.travel()[k], smooth.value()[k]);
+  resistance.breakout = breakout_in(smooth, scale);
+  const Real travel = H.end() - H.begin();
+  const Real half = std::min(travel, std::max(residual_part * travel, min_residual_travel * scale.width)) / 2;
+  const Real mean = H.at(H.end() - half, half);
+  resistance.last_change = 2 * (H.at(H.end(), half) - mean) / std::abs(mean);
+  if (std::abs(resistance.last_change) < max_residual_change) resistance.residual = mean;
+  return resistance;
+}
+
+Resistance resistance_of(const PipeRun& run)
+{
+  const PipePath path = run.history.rows() > 0 ? pipe_path(run.history, run.stages) : PipePath{};
+  Resistance resistance = resistance_to({path.drag_u, path.drag_H}, run.scale);
+  const std::optional<DragPeak> peak = results_of(run.quantities, run.scale).drag_peak;
+  if (!resistance.largest && peak) take_if_larger(resistance.largest, peak->u, peak->H);
+  // The points need not be among the travels at which a long curve is looked at.
+  for (const DragPoint& p : points_of(run).drag) take_if_larger(resistance.largest, p.u, p.H);
+  if (resistance.largest)
+    resistance.V_at_largest = TravelCurve(path.drag_u, path.drag_V).at(resistance.largest->u, averaging_half(run.scale));
+  return resistance;
+}
+
+std::string no_peak_words(const Resistance& resistance, const std::string& end)
+{
+  if (resistance.residual) return "no peak: H levels off";
+  return resistance.last_change > 0 ? fmt::format("no peak: H grows {}", end) : "no peak";
+}
+
+}  // namespace berm::pipe

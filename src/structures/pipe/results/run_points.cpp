@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/pipe/results/resistance_test.cpp
+#include "structures/pipe/results/run_points.hpp"
+
+#include "bodies/rigid/rigid_body.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::pipe {
+namespace {
+
+constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+constexpr Real embedded_beyond = 0.01;  // of D
+
+/// The embedment of the main rigid body as the case places it, m; NaN where there is none.
+Real placed_w(const problem::Case& c)
+{
+  const Index rigid = main_rigid(c);
+  if (rigid == none) return nan;
+  const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;
+  return c.surface - (c.dimension == 2 ? bodies::lowest_level<2>(bodies::make_shape<2>(shape), Vec<2>::UnitY())
+                                       : bodies::lowest_level<3>(bodies::make_shape<3>(shape), Vec<3>::UnitY()));
+}
+
+bool contains(const std::vector<std::string>& stages, const std::string& stage)
+{
+  return std::find(stages.begin(), stages.end(), stage) != stages.end();
+}
+
+bool knows_w(const run_folder::History& history)
+{
+  return history.rows() > 0 && history.has("w_m");
+}
+
+/// The embedment at which the push begins: in the row before its first, as far as there is one.
+Real push_begin(const PipeRun& run, Real first_w)
+{
+  const run_folder::History& h = run.history;
+  for (Index k = 0; knows_w(h) && k < h.rows(); ++k)
+    if (contains(run.stages.push, h.stage[k])) return h["w_m"][std::max(k - 1, 0)];
+  return first_w;
+}
+
+StageEnd end_of(const PipeRun& run, const char* stage, bool reached)
+{
+  if (reached) return {true, fmt::format("to the end of the {}", stage), fmt::format("end of the {}", stage)};
+  if (run.end == record::RunEnd::stopped) return {false, "to where it was stopped", "where it was stopped"};
+  return {false, "as far as it came", "as far as it came"};
+}
+
+}  // namespace
+
+RunPoints points_of(const PipeRun& run)
+{
+  RunPoints points;
+  const Real D = run.scale.width;
+  points.first_w = knows_w(run.history) ? run.history["w_m"].front() : placed_w(run.settings);
+  PipeResults results = results_of(run.quantities, run.scale);
+  points.push = std::move(results.push);
+  points.push_end = results.push_end;
+  points.drag = std::move(results.drag);
+  const Real begin = push_begin(run, points.first_w), end = points.push_end ? points.push_end->w : nan;
+  std::erase_if(points.push,
+                [&](const PushPoint& p) { return std::abs(p.w - begin) < same_point * D || std::abs(p.w - end) < same_point * D; });
+  return points;
+}
+
+StageEnd end_of_push(const PipeRun& run)
+{
+  const bool dragged = results_of(run.quantities, run.scale).drag_peak.has_value();
+  const bool last = run.history.rows() > 0 ? contains(run.stages.push, run.history.stage.back()) : !dragged;
+  return end_of(run, "push", run.end == record::RunEnd::finished || !last);
+}
+
+StageEnd end_of_drag(const PipeRun& run)
+{
+  const bool last = run.history.rows() == 0 || contains(run.stages.drag, run.history.stage.back());
+  return end_of(run, "drag", run.end == record::RunEnd::finished || !last);
+}
+
+bool starts_embedded(const PipeRun& run)
+{
+  return points_of(run).first_w > embedded_beyond * run.scale.width;
+}
+
+}  // namespace berm::pipe

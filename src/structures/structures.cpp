@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/structures.hpp"
+
+#include "structures/generic/generic.hpp"
+#include "structures/pipe/pipe.hpp"
+
+#include <algorithm>
+
+namespace berm::structures {
+
+const std::vector<const base::Structure*>& all_structures()
+{
+  static const pipe::Pipe pipe;
+  static const generic::Generic generic;
+  static const std::vector<const base::Structure*> all = {&pipe, &generic};
+  return all;
+}
+
+const base::Structure& structure_of(const problem::Case& c)
+{
+  const std::vector<const base::Structure*>& all = all_structures();
+  return **std::find_if(all.begin(), all.end(), [&](const base::Structure* structure) { return structure->applies_to(c); });
+}
+
+base::Runs runs_of(const base::Structure& structure, const std::vector<record::RunRecord>& runs)
+{
+  base::Runs found;
+  for (std::size_t place = 0; place < runs.size(); ++place)
+    if (&structure_of(runs[place].settings) == &structure) found.push_back({&runs[place], place});
+  return found;
+}
+
+record::RunRecord read_run(const std::filesystem::path& folder)
+{
+  record::RunRecord run = record::read_run(folder);
+  if (!run.summary && run.history.rows() > 0) run.quantities = structure_of(run.settings).quantities(run.settings, run.history, {});
+  return run;
+}
+
+}  // namespace berm::structures

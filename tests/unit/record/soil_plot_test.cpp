@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "record/soil_plot.hpp"
+
+#include "core/error.hpp"
+#include "plot/gnuplot.hpp"
+#include "samples/drawn_run.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::record {
+namespace {
+
+namespace fs = std::filesystem;
+
+using Color = std::array<int, 3>;
+
+/// Red, green and blue of a pixel of a PNG, counted from the upper left corner, as gnuplot reads it.
+Color color_at(const fs::path& picture, int column, int row)
+{
+  const TemporaryFolder folder;
+  const fs::path table = folder.path() / "table";
+  const std::string command =
+      fmt::format("gnuplot -e \"set table '{}'; plot '{}' binary filetype=png every ::{}:{}:{}:{} with rgbimage\" > /dev/null 2>&1",
+                  table.string(), picture.string(), column, row, column + 1, row + 1);
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("gnuplot cannot read " + picture.string());
+  std::istringstream lines(content_of(table));
+  for (std::string line; std::getline(lines, line);) {
+    Color color;
+    int x, y;
+    if (std::istringstream(line) >> x >> y >> color[0] >> color[1] >> color[2]) return color;
+  }
+  throw std::runtime_error("no pixel in " + table.string());
+}
+
+class SoilPlot : public DrawnRun {
+protected:
+  static run_folder::Frame<2> frame()
+  {
+    static const problem::Problem<2> problem = sample_problem<2>();
+    const TemporaryFolder frames_folder;
+    SampleFrames<2> frames(frames_folder.path(), problem);
+    frames.write(problem.state);
+    return frames.last();
+  }
+};
+
+TEST_F(SoilPlot, the_soil_is_drawn_in_both_colourings)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  const SoilView view{Vec<2>(0, 0), Vec<2>(0.2, 0.1), 0.09};
+  ASSERT_TRUE(draw_soil(folder.path(), frame(), {"soil", "deviatoric_strain", view, "soil"}));
+  ASSERT_TRUE(draw_soil(folder.path(), frame(), {"soil_increment", "incremental_deviatoric_strain", view, "increment of nothing"}));
+  EXPECT_EQ(png_size(folder.file("soil.png")).first, 1200);
+  EXPECT_EQ(png_size(folder.file("soil_increment.png")).first, 1200);
+}
+
+TEST_F(SoilPlot, triangles_are_filled_with_the_colour_of_their_strain)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  const SoilView view{Vec<2>(-0.1, -0.1), Vec<2>(0.3, 0.3), {}};
+  ASSERT_TRUE(draw_soil(folder.path(), two_triangles(), {"soil", "deviatoric_strain", view, "two triangles"}));
+  ASSERT_EQ(png_size(folder.file("soil.png")), (std::pair{1200, 1080}));
+  // The view is 930 pixels wide and high, 95 from the left and 70 from the top.
+  const auto color = [&](Real x, Real y) {
+    return color_at(folder.file("soil.png"), 95 + static_cast<int>(930 * (x + 0.1) / 0.4), 70 + static_cast<int>(930 * (0.3 - y) / 0.4));
+  };
+  const Color below = color(0.15, 0.05), above = color(0.05, 0.15), white = {255, 255, 255};
+  EXPECT_GT(below[1], above[1] + 60);  // strain 0.75 is green: 96 200 96; strain 0.25 is blue: 59 81 138
+  EXPECT_GT(above[2], below[2] + 20);
+  EXPECT_EQ(color(-0.05, 0.1), white);
+  EXPECT_EQ(color(0.1, 0.25), white);
+}
+
+TEST_F(SoilPlot, triangles_are_painted_without_gaps_as_far_as_the_middles_of_their_sides_reach)
+{
+  run_folder::Frame<2> frame = two_triangles();
+  const auto strain = [](Real x, Real y) { return 0.5 + (x - y) / 0.4; };
+  frame.points[1][1] = -0.03;  // of the middle of the lower side
+  frame.field("deviatoric_strain").at(1) = strain(0.1, -0.03);
+  draw_soil(folder.path(), frame, {"soil", "deviatoric_strain", {Vec<2>(-0.1, -0.1), Vec<2>(0.31, 0.3), {}}, "two triangles"});
+  std::istringstream words(content_of(folder.file("plots/soil.dat")));
+  std::string word;
+  std::getline(words, word);
+  constexpr int columns = 930, rows = 907;
+  int wrong = 0;
+  for (int k = 0; k < rows * columns; ++k) {
+    const Real x = -0.1 + (k % columns + 0.5) * 0.41 / columns, y = -0.1 + (k / columns + 0.5) * 0.4 / rows;
+    const bool inside = x > 0 && x < 0.2 && y < 0.2 && y > -0.3 * std::min(x, 0.2 - x);
+    words >> word;
+    if (inside ? !(std::abs(std::stod(word) - strain(x, y)) < 1e-3) : word != "nan") ++wrong;  // four digits are written
+  }
+  EXPECT_EQ(wrong, 0);
+  EXPECT_FALSE(words >> word);
+}
+
+TEST_F(SoilPlot, particles_outside_the_view_are_left_out)
+{
+  const SoilView left_half{Vec<2>(0, 0), Vec<2>(0.1, 0.1), {}};
+  run_folder::Frame<2> one = frame();
+  one.volume.assign(one.volume.size(), 1e-8);
+  draw_soil(folder.path(), one, {"soil", "deviatoric_strain", left_half, "left"});
+  std::istringstream lines(content_of(folder.file("plots/soil.dat")));
+  std::vector<Real> shown;  // x, mm
+  for (std::string line; std::getline(lines, line);)
+    if (line[0] != '#') shown.push_back(std::stod(line));
+  ASSERT_FALSE(shown.empty());
+  EXPECT_LT(*std::max_element(shown.begin(), shown.end()), 100);
+}
+
+TEST_F(SoilPlot, of_nothing_there_is_no_picture)
+{
+  const SoilView elsewhere{Vec<2>(50, 50), Vec<2>(51, 51), {}};
+  EXPECT_FALSE(draw_soil(folder.path(), frame(), {"soil", "deviatoric_strain", elsewhere, "nothing"}));
+}
+
+TEST_F(SoilPlot, a_missing_gnuplot_is_no_failure_and_the_script_stays)
+{
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", base.path().c_str(), 1);
+  bool drawn = true;
+  EXPECT_NO_THROW(drawn = plot::draw(folder.path(), "curves", 100, 100, "plot x\n"));
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_FALSE(drawn);
+  EXPECT_TRUE(fs::exists(folder.file("plots/curves.gp")));
+}
+
+TEST_F(SoilPlot, a_script_that_fails_is_no_failure_and_leaves_no_broken_picture)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  EXPECT_FALSE(plot::draw(folder.path(), "curves", 100, 100, "plot 'not there'\n"));
+  EXPECT_FALSE(fs::exists(folder.file("curves.png")));
+}
+
+TEST_F(SoilPlot, a_picture_that_the_disk_took_a_part_of_is_an_error_and_the_one_before_stays)
+{
+  const fs::path picture = folder.file("curves.png");
+  put(picture, "the one before");
+  put(base.path() / "gnuplot", "#!/bin/sh\nprintf 'PNG' > ../curves.png.part\n");
+  fs::permissions(base.path() / "gnuplot", fs::perms::owner_all);
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", base.path().c_str(), 1);
+  std::string message;
+  try {
+    plot::draw(folder.path(), "curves", 100, 100, "plot x\n");
+  } catch (const RunError& error) {
+    message = error.what();
+  }
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_NE(message.find("cannot write " + picture.string()), std::string::npos) << message;
+  EXPECT_EQ(content_of(picture), "the one before");
+  EXPECT_FALSE(fs::exists(picture.string() + ".part"));
+}
+
+TEST(GnuplotText, cannot_leave_its_quotes)
+{
+  EXPECT_EQ(plot::gnuplot_text("it's\n`x`"), "'it''s `x`'");
+}
+
+}  // namespace
+}  // namespace berm::record

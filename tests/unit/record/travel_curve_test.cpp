@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "record/travel_curve.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+namespace berm::record {
+namespace {
+
+RC_GTEST_PROP(TravelCurve, follows_a_straight_line_exactly_for_any_spacing_of_rows, ())
+{
+  std::vector<Real> s{0}, y{3};
+  const int rows = *rc::gen::inRange(3, 60);
+  for (int k = 1; k < rows; ++k) {
+    s.push_back(s.back() + 0.001 * *rc::gen::inRange(1, 100));
+    y.push_back(3 - 2 * s.back());
+  }
+  const TravelCurve curve(s, y);
+  const Real at = s.back() * *rc::gen::inRange(0, 101) / 100;
+  RC_ASSERT(std::abs(curve.at(at, 0.001 * *rc::gen::inRange(0, 500)) - (3 - 2 * at)) < 1e-9);
+}
+
+TEST(TravelCurve, is_smoothed_at_its_travels_and_of_long_curves_at_2000_of_them)
+{
+  const auto wave = [](int rows) {
+    std::vector<Real> s, y;
+    for (int k = 0; k < rows; ++k) s.push_back(Real(k) / (rows - 1)), y.push_back(std::sin(10 * s.back()) + (k % 2 == 0 ? 0.1 : -0.1));
+    return TravelCurve(s, y);
+  };
+  const TravelCurve short_one = wave(500), long_one = wave(200001);
+  EXPECT_EQ(short_one.smoothed(0.01).travel(), short_one.travel());
+  EXPECT_EQ(short_one.smoothed(0.01).value()[77], short_one.at(short_one.travel()[77], 0.01));
+  const TravelCurve smooth = long_one.smoothed(0.01);
+  EXPECT_EQ(smooth.travel().size(), 2000U);
+  EXPECT_EQ(smooth.end(), long_one.end());
+  for (const Real s : {0.2, 0.31234, 0.9999})
+    EXPECT_NEAR(smooth.at(s, 0), std::sin(10 * s), 2e-3);  // the window lowers it by 100 x 0.01^2 / 6
+}
+
+TEST(TravelCurve, leaves_out_rows_that_go_back_and_does_not_reach_beyond_its_ends)
+{
+  const TravelCurve curve({0, 1, 0.5, 1, 2}, {0, 10, 99, 99, 20});
+  EXPECT_EQ(curve.travel(), (std::vector<Real>{0, 1, 2}));
+  EXPECT_DOUBLE_EQ(curve.at(0.5, 0), 5);
+  EXPECT_TRUE(std::isnan(curve.at(2.1, 1)));
+  EXPECT_TRUE(std::isnan(curve.at(-0.1, 1)));
+  EXPECT_TRUE(std::isnan(TravelCurve({}, {}).at(0, 1)));
+}
+
+}  // namespace
+}  // namespace berm::record

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/pipe/pipe_curves.hpp"
+
+#include "samples/drawn_run.hpp"
+
+namespace berm::pipe {
+namespace {
+
+namespace fs = std::filesystem;
+
+using PipeCurves = DrawnRun;
+
+const BodyScale scale{.width = 0.02, .unit_weight = 430e3, .gravity_level = 50};
+const PipeStages stages{.push = {"push"}, .drag = {"drag"}, .held_force = {}};
+
+TEST_F(PipeCurves, the_curves_of_a_pipe_are_drawn_with_and_without_a_drag)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  for (const Real drag : {0.01, 0.}) {
+    fs::remove(folder.file("curves.png"));
+    ASSERT_TRUE(draw_pipe_curves(folder, pipe_history(drag), scale, stages, "it's a pipe"));
+    EXPECT_EQ(png_size(folder.file("curves.png")), (std::pair{1200, 900}));
+  }
+  EXPECT_TRUE(fs::exists(folder.file("plots/curves.dat")));
+  EXPECT_TRUE(fs::exists(folder.file("plots/curves.gp")));
+  EXPECT_FALSE(fs::exists(folder.file("plots/curves.messages")));
+}
+
+TEST_F(PipeCurves, of_nothing_there_is_no_picture)
+{
+  EXPECT_FALSE(draw_pipe_curves(folder, empty_history(), scale, stages, "nothing"));
+}
+
+}  // namespace
+}  // namespace berm::pipe

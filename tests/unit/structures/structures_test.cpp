@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/structures.hpp"
+
+#include "core/error.hpp"
+#include "samples/made_run.hpp"
+#include "samples/temporary_folder.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace berm::structures {
+namespace {
+
+/// Cases of a pipe, of a footing, and of one whose bodies nothing drives.
+problem::Case footing()
+{
+  problem::Case c = MadeRun{}.settings();
+  c.rigid[0].first = c.contact[0].second.rigid = "strip_footing";
+  c.rigid[0].second.shape = bodies::BoxSettings{{0, 0.01}, {0.04, 0.02}, 0};
+  for (problem::StageSettings& stage : c.stage) stage.rigid = "strip_footing";
+  return c;
+}
+problem::Case free_bodies()
+{
+  problem::Case c = MadeRun{}.settings();
+  c.stage = {MadeRun::stage_of("fall", problem::StageKind::free)};
+  return c;
+}
+
+TEST(Structures, one_applies_to_each_case_and_the_last_to_every_case)
+{
+  const std::vector<const base::Structure*>& all = all_structures();
+  EXPECT_EQ(&structure_of(MadeRun{}.settings()), all.front());
+  EXPECT_EQ(&structure_of(footing()), all.front());
+  EXPECT_EQ(&structure_of(free_bodies()), all.back());
+  for (const problem::Case& c : {MadeRun{}.settings(), footing(), free_bodies(), problem::Case{}}) EXPECT_TRUE(all.back()->applies_to(c));
+}
+
+TEST(Structures, tell_what_they_have_of_a_run_and_nothing_of_one_without_rows)
+{
+  const MadeRun made;
+  const base::Structure& pipe = structure_of(made.settings());
+  EXPECT_FALSE(pipe.quantities(made.settings(), made.history(), {}).empty());
+  EXPECT_TRUE(pipe.quantities(made.settings(), {}, {}).empty());
+  EXPECT_TRUE(structure_of(free_bodies()).quantities(free_bodies(), made.history(), {}).empty());
+  EXPECT_EQ(structure_of(free_bodies()).table_of(free_bodies(), {}), "");
+}
+
+TEST(Structures, measure_a_driven_body_by_its_own_name)
+{
+  const problem::Case c = footing();
+  bool named = false;
+  for (const base::TrustMeasure& measure : structure_of(c).measures(c)) {
+    named = named || measure.what == "cells at the strip footing";
+    EXPECT_EQ(measure.what.find("pipe"), std::string::npos) << measure.what;
+  }
+  EXPECT_TRUE(named);
+  EXPECT_EQ(base::body_scale(c).width, 0.04);
+}
+
+TEST(Structures, without_a_driven_body_have_the_measures_of_any_run)
+{
+  const problem::Case c = free_bodies();
+  std::vector<std::string> what;
+  for (const base::TrustMeasure& measure : structure_of(c).measures(c)) what.push_back(measure.what);
+  EXPECT_EQ(what.size(), 9u);
+  EXPECT_EQ(std::count(what.begin(), what.end(), "momentum that does not balance"), 1);
+  EXPECT_TRUE(structure_of(c).observables().empty());
+  EXPECT_EQ(structure_of(c).observed(MadeRun{}.record()), nullptr);
+}
+
+TEST(Structures, have_no_envelope_where_they_know_none)
+{
+  EXPECT_THROW(structure_of(free_bodies()).embedded(free_bodies()), InputError);
+  EXPECT_THROW(structure_of(footing()).embedded(footing()), InputError);
+}
+
+}  // namespace
+}  // namespace berm::structures
