@@ -15,15 +15,15 @@ namespace {
 int run_all(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
 {
   catch_interrupts();
-  // A case that does not fit its mesh is refused before the first one runs.
-  if (all.size() > 1)
-    for (const simulation::RunRequest& request : all) try_to_build(request);
   const auto is_fem = [](const simulation::RunRequest& r) { return r.settings.method == problem::Method::fem; };
   std::vector<simulation::RunRequest> fem;
   std::copy_if(all.begin(), all.end(), std::back_inserter(fem), is_fem);
   const bool side_by_side = fem.size() > 1 && options.jobs() > 1;
   {
     simulation::Context context(options.threads, interrupted);
+    // A case that does not fit its mesh is refused before the first one runs.
+    if (all.size() > 1)
+      for (const simulation::RunRequest& request : all) try_to_build(request);
     for (const simulation::RunRequest& request : all)
       if (!(side_by_side && is_fem(request)) && !run_case(request, context)) return 1;
   }

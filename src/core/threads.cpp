@@ -68,6 +68,8 @@ Threads::Threads(int count)
       arithmetic_before_(arithmetic())
 {
   const std::vector<int>& processors = allowed_processors();
+  CPU_ZERO(&processors_before_);
+  sched_getaffinity(0, sizeof processors_before_, &processors_before_);
   bound_ = count_ > 1 && count_ <= static_cast<int>(processors.size()) && std::getenv("OMP_PROC_BIND") == nullptr;
   omp_set_num_threads(count_);
 #pragma omp parallel
@@ -88,7 +90,7 @@ Threads::~Threads()
 #pragma omp parallel
   {
     set_arithmetic(arithmetic_before_);
-    if (bound_) sched_setaffinity(0, sizeof all, &all);
+    if (bound_) sched_setaffinity(0, sizeof all, omp_get_thread_num() == 0 ? &processors_before_ : &all);
   }
   omp_set_num_threads(count_before_);
 }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <sched.h>
+
 namespace berm {
 
 /// The number of processors that this process may use.
 int processor_count();
 
 /// The threads of the loops of for_each, while it lives: more than one are bound to a processor each, unless OMP_PROC_BIND says otherwise (threads that
-/// wander can be slower together than one alone), and numbers below 2e-308 count as zero in them. Behind it the calling thread has its processors, its
+/// wander can be slower together than one alone), and numbers below 2e-308 count as zero in them. After it the calling thread has its processors, its
 /// number of threads and its arithmetic back. One at a time in a process.
 class Threads {
 public:
@@ -21,7 +23,8 @@ public:
 
 private:
   int count_, count_before_;
-  unsigned arithmetic_before_;  ///< of floating-point numbers: the processor's control word
+  unsigned arithmetic_before_;   ///< of floating-point numbers: the processor's control word
+  cpu_set_t processors_before_;  ///< of the calling thread
   bool bound_;
 };
 

@@ -246,6 +246,7 @@ void LoadSteps::archive(Archive& k)
   k("last_iterations", last_iterations_);
   k("accepted_above_tolerance", accepted_above_tolerance_);
   k("last_change", last_change_);
+  if (!(relaxation_ > 0 && first_dt_ > 0 && dt_ > 0 && last_dt_ >= 0)) k.refuse("its increments have no length");
   if (last_dt_ > 0 && static_cast<Index>(last_change_.size()) != model_.unknowns()) k.refuse("its last increment is of another mesh");
 }
 

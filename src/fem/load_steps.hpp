@@ -29,6 +29,9 @@ public:
   /// Throws RunError where the soil finds no equilibrium without them.
   bool next_stage();
 
+  /// The iteration that finds the equilibria.
+  Newton& newton() { return newton_; }
+
   /// What the next increment takes from those before it, beside the state.
   void archive(Archive& k);
 

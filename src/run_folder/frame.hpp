@@ -47,7 +47,7 @@ std::vector<std::string> own_fields(const Frame<2>& frame);
 template <int dim>
 std::size_t bytes_of_point(int more_numbers);
 
-/// The model's rigid bodies where `rigids` says that they are; a half-plane as far as the mesh reaches.
+/// The model's rigid bodies where `rigid_bodies` says that they are; a half-plane as far as the mesh reaches.
 template <int dim>
 std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>& model, const std::vector<bodies::RigidState<dim>>& rigid_bodies);
 

@@ -26,28 +26,28 @@ Real min_elements(problem::Case c)
   return min_size<2>(c).cells;
 }
 
-std::unique_ptr<fem::FemProblem> build_for(const RunRequest& request, const ScratchFolder& scratch)
+fem::FemProblem build_for(const RunRequest& request, const ScratchFolder& scratch)
 {
   const problem::Case c = to_build(request);
   const Real elements = min_elements(c);
   refuse_without_memory(elements * fem::Assembly::bytes_of_element(), memory_in_use(), fmt::format("{:.4g} elements", elements),
                         larger_elements);
-  return std::make_unique<fem::FemProblem>(fem::build_fem(c, request.case_file.parent_path().string(), scratch.path().string()));
+  return fem::build_fem(c, request.case_file.parent_path().string(), scratch.path().string());
 }
 
 }  // namespace
 
 FemMethod::FemMethod(const RunRequest& request, const ScratchFolder& scratch)
     : problem_(build_for(request, scratch)),
-      steps_(problem_->model, problem_->state),
-      frame_maker_(problem_->model)
+      steps_(problem_.model, problem_.state),
+      frame_maker_(problem_.model)
 {
   refuse_without_memory(steps_.memory_to_come(), memory_in_use(), size_words(), larger_elements);
 }
 
 std::string FemMethod::size_words() const
 {
-  return fmt::format("{} elements, {} nodes", problem_->model.mesh.cell_count(), problem_->model.mesh.node_count());
+  return fmt::format("{} elements, {} nodes", problem_.model.mesh.cell_count(), problem_.model.mesh.node_count());
 }
 
 void FemMethod::begin(bool at_start)
@@ -72,7 +72,7 @@ void FemMethod::archive(Archive& k)
   k.table("steps", [&] { steps_.archive(k); });
   k("iterations", iterations_);
   k("accepted_above_tolerance", accepted_above_tolerance_);
-  k.table("state", [&] { fem::archive(k, problem_->model, problem_->state); });
+  k.table("state", [&] { fem::archive(k, problem_.model, problem_.state); });
 }
 
 run_folder::Summary::Checks FemMethod::checks() const
@@ -93,17 +93,17 @@ run_folder::Summary::Checks FemMethod::checks() const
 void FemMethod::print_check(const Context& context)
 {
   using Clock = std::chrono::steady_clock;
-  const fem::FemModel& model = problem_->model;
+  const fem::FemModel& model = problem_.model;
   fmt::print("  elements     {}\n  nodes        {}\n  contact      {} points\n", model.mesh.cell_count(), model.mesh.node_count(),
              model.contact.size());
   fmt::print("  memory       about {:.0f} MiB at most\n", (memory_in_use() + steps_.memory_to_come()) / (1 << 20));
   const Clock::time_point start = Clock::now();
-  fem::Newton newton(model);
+  fem::Newton& newton = steps_.newton();
   std::vector<Real> change(model.unknowns(), 0.);
   fem::FemLoads loads;
   loads.gravity = gravity_now(model.model, state().time);
-  newton.assembly().store_initial_imbalance(problem_->state, loads);
-  const fem::IncrementEnd end = newton.find_equilibrium(problem_->state, loads, 1, change);
+  newton.assembly().store_initial_imbalance(problem_.state, loads);
+  const fem::IncrementEnd end = newton.find_equilibrium(problem_.state, loads, 1, change);
   fmt::print("  time         about {:.2g} s an iteration with {} threads; a push or a drag takes some hundred iterations\n",
              std::chrono::duration<Real>(Clock::now() - start).count() / (end.iterations + 1), context.threads());
 }

@@ -17,14 +17,16 @@ public:
 
   /// Builds the problem; mesh files go to the scratch folder. Throws InputError and RunError.
   FemMethod(const RunRequest& request, const ScratchFolder& scratch);
+  FemMethod(const FemMethod&) = delete;
+  FemMethod& operator=(const FemMethod&) = delete;
 
   /// "3052 elements, 6287 nodes".
   std::string size_words() const;
   /// Prints size, memory and the time of an iteration.
   void print_check(const Context& context);
 
-  const problem::Model<2>& model() const { return problem_->model.model; }
-  const problem::State<2>& state() const { return problem_->state.state; }
+  const problem::Model<2>& model() const { return problem_.model.model; }
+  const problem::State<2>& state() const { return problem_.state.state; }
   const FemRecorder& recorder() const { return recorder_; }
 
   /// Before the first increment; the start finds its equilibrium. Throws RunError where it finds none.
@@ -32,8 +34,8 @@ public:
   void step();
   /// A row for each increment.
   Real history_interval() const { return 0; }
-  void add_row(run_folder::HistoryFile& file) { recorder_.add_row(problem_->model, problem_->state, last_, file); }
-  run_folder::Frame<2> make_frame() { return frame_maker_.make(problem_->state); }
+  void add_row(run_folder::HistoryFile& file) { recorder_.add_row(problem_.model, problem_.state, last_, file); }
+  run_folder::Frame<2> make_frame() { return frame_maker_.make(problem_.state); }
   /// False after the last one.
   bool next_stage() { return steps_.next_stage(); }
   bool at_checkpoint_boundary() const { return true; }
@@ -41,12 +43,12 @@ public:
 
   /// What shows whether the run can be trusted; what does not is a warning in the log, too.
   run_folder::Summary::Checks checks() const;
-  run_folder::FemCounts counts() const { return {problem_->model.mesh.node_count(), iterations_}; }
+  run_folder::FemCounts counts() const { return {problem_.model.mesh.node_count(), iterations_}; }
   /// There are no particles.
   Real particle_steps() const { return 0; }
 
 private:
-  std::unique_ptr<fem::FemProblem> problem_;  ///< stays where it is: the increments keep its address
+  fem::FemProblem problem_;
   fem::LoadSteps steps_;
   FemRecorder recorder_;
   run_folder::FemFrameMaker frame_maker_;

@@ -80,6 +80,7 @@ void FemRecorder::archive(Archive& k)
   Recorder<2>::archive(k);
   k("largest_unbalance", largest_unbalance_);
   k("largest_overstress", largest_overstress_);
+  static_assert(sizeof(lag_) == 2 * sizeof(Real));
   k("lag_missing", lag_.missing);
   k("lag_dissipated", lag_.dissipated);
 }

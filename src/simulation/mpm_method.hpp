@@ -19,6 +19,8 @@ public:
   /// Builds the problem; mesh files go to the scratch folder. A run that there is no memory for is refused as early as its size is known. Throws InputError
   /// and RunError.
   MpmMethod(const RunRequest& request, const ScratchFolder& scratch);
+  MpmMethod(const MpmMethod&) = delete;
+  MpmMethod& operator=(const MpmMethod&) = delete;
 
   /// "3052 cells, 18000 particles".
   std::string size_words() const;

@@ -16,7 +16,7 @@ struct RunOutcome {
 };
 
 /// Reads the history back and writes what follows from it and from the last frame: summary.json, curves, pictures; prints the key results and the
-/// time by loop. `rigids` says where the rigid bodies are at the end.
+/// time by loop. `rigid_bodies` says where the rigid bodies are at the end.
 template <int dim>
 void write_results(const RunRequest& request, const run_folder::RunFolder& folder, const problem::Model<dim>& model,
                    const std::vector<bodies::RigidState<dim>>& rigid_bodies, const run_folder::Frame<dim>& last, const RunOutcome& outcome,

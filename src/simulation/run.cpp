@@ -139,7 +139,7 @@ bool Run<Method>::frame_is_due() const
 template <class Method>
 void Run<Method>::frame()
 {
-  if (!frames_.times().empty() && state().time == frame_time_) return;
+  if (!frames_.last().points.empty() && frames_.last().time == state().time) return;
   const Timer timer("write frames");
   frames_.write(method_.make_frame());
   ::malloc_trim(0);  // gives back what writing took on the way: a tenth of what the run has

@@ -21,7 +21,7 @@ struct RunRequest {
 /// to its end. Throws InputError and RunError.
 bool run_case(const RunRequest& request, Context& context);
 
-/// Builds the problem and drops it. Throws InputError where the case does not fit its mesh.
+/// Builds the problem and drops it. Throws InputError where the case does not fit its mesh, RunError where there is no memory for it.
 void try_to_build(const RunRequest& request);
 
 /// Builds the problem and prints what it is and what a run would take.

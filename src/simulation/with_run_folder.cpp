@@ -20,10 +20,7 @@ namespace fs = std::filesystem;
 /// A folder for a run from its start: what an earlier one left is removed.
 run_folder::RunFolder new_run_folder(const RunRequest& request, const ScratchFolder& scratch)
 {
-  const bool unfinished = !checkpoint::CheckpointFolder(checkpoints_in(request.folder)).files().empty();
   run_folder::RunFolder folder(request.folder);
-  if (unfinished)
-    fmt::print(stderr, "the unfinished run in {} is replaced; `berm run --resume` resumes one instead\n", request.folder.string());
   io::write_atomically(folder.file("resolved.toml"), input::resolved_toml(request.settings));
   note_case_file(folder, request.case_file);
   scratch.move_files_to(folder.path());
@@ -50,9 +47,11 @@ problem::Case to_build(const RunRequest& request)
 bool with_run_folder(const RunRequest& request, const Context& context, const ScratchFolder& scratch, const std::string& size,
                      const std::function<bool(const run_folder::RunFolder&, run_folder::RunLog&)>& run)
 {
+  const bool replaces = !request.resume && !checkpoint::CheckpointFolder(checkpoints_in(request.folder)).files().empty();
   const run_folder::RunFolder folder =
       request.resume ? run_folder::RunFolder::of_earlier_run(request.folder) : new_run_folder(request, scratch);
   run_folder::RunLog log(folder.file("run.log"), request.resume, context.messages());
+  if (replaces) spdlog::info("the unfinished run in {} is replaced; `berm run --resume` resumes one instead", request.folder.string());
   spdlog::info("{} -> {}: {}", request.case_file.string(), folder.path().string(), size);
   try {
     const bool finished = run(folder, log);

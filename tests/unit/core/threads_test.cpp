@@ -31,6 +31,26 @@ TEST(Threads, are_bound_while_they_are_needed_and_let_go_behind_that)
   EXPECT_EQ(omp_get_max_threads(), before);
 }
 
+TEST(Threads, give_the_caller_back_the_processors_that_it_had)
+{
+  const int all = processors_of_this_thread();
+  if (all < 2) GTEST_SKIP() << "one processor binds nothing";
+  cpu_set_t before, one;
+  ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
+  {
+    const Threads threads(2);
+  }  // what the process may use is known from now on
+  CPU_ZERO(&one);
+  for (int p = 0; CPU_COUNT(&one) == 0; ++p)
+    if (CPU_ISSET(p, &before)) CPU_SET(p, &one);
+  ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+  {
+    const Threads threads(2);
+  }
+  EXPECT_EQ(processors_of_this_thread(), 1);
+  sched_setaffinity(0, sizeof before, &before);
+}
+
 TEST(Threads, take_the_smallest_numbers_for_zero_while_they_live)
 {
   volatile double tiny = 1e-310;

@@ -26,7 +26,12 @@ protected:
   {
     folder_.write("mpm.toml", test::small_case);
     folder_.write("fem.toml", test::small_fem_case);
+    std::string sand = test::small_fem_case;  // whose flow is not associated
+    sand.replace(sand.find("friction_angle = 0"), 18, "friction_angle = 0.5");
+    folder_.write("fem_sand.toml", sand);
   }
+
+  bool is_fem() const { return std::string(GetParam()) != "mpm"; }
 
   RunRequest request(const std::string& name, bool resume = false) const
   {
@@ -37,10 +42,9 @@ protected:
   /// Runs at most so many steps, silently.
   bool run(const std::string& name, int max_steps, bool resume = false)
   {
-    std::ostringstream ignored;
     int steps = 0;
     Context context(
-        1, [&] { return ++steps >= max_steps; }, std::make_shared<spdlog::sinks::ostream_sink_mt>(ignored));
+        1, [&] { return ++steps >= max_steps; }, std::make_shared<spdlog::sinks::ostream_sink_mt>(messages_));
     return run_case(request(name, resume), context);
   }
 
@@ -50,13 +54,13 @@ protected:
 
 constexpr int all = 1 << 30;
 
-INSTANTIATE_TEST_SUITE_P(Methods, RunOf, testing::Values("mpm", "fem"), [](const auto& of) { return std::string(of.param); });
+INSTANTIATE_TEST_SUITE_P(Methods, RunOf, testing::Values("mpm", "fem", "fem_sand"), [](const auto& of) { return std::string(of.param); });
 
 TEST_P(RunOf, a_case_that_is_stopped_again_and_again_ends_with_the_same_bytes)
 {
   ASSERT_TRUE(run("whole", all));
   int parts = 1;
-  const int steps = std::string(GetParam()) == "fem" ? 4 : 83;
+  const int steps = is_fem() ? 4 : 83;
   bool finished = run("parts", steps);
   while (!finished) {
     const auto summary = run_folder::read_summary(folder_ / "parts");
@@ -96,9 +100,8 @@ TEST_P(RunOf, a_case_takes_threads_messages_and_times_of_its_context_and_leaves_
 TEST_P(RunOf, a_case_refuses_a_checkpoint_of_another_case)
 {
   ASSERT_FALSE(run("parts", 5));
-  folder_.write(std::string(GetParam()) + ".toml", std::string(std::string(GetParam()) == "fem" ? test::small_fem_case : test::small_case) +
-                                                       "[watch.more]\nbody = \"" + (std::string(GetParam()) == "fem" ? "clay" : "sand") +
-                                                       "\"\npoint = [0.01, 0]\n");
+  folder_.write(std::string(GetParam()) + ".toml", folder_.read(std::string(GetParam()) + ".toml") + "[watch.more]\nbody = \"" +
+                                                       (is_fem() ? "clay" : "sand") + "\"\npoint = [0.01, 0]\n");
   EXPECT_THROW(run("parts", all, true), RunError);
 }
 
