@@ -9,7 +9,6 @@
 #include "simulation/resume.hpp"
 
 #include <exception>
-#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 namespace berm::simulation {
