@@ -25,6 +25,7 @@ void archive(Archive& k, const FemModel& model, FemState& state)
 {
   static_assert(sizeof(SoilPoint) == (tensor_size<2> + material::Laws::max_state + 2) * sizeof(Real));
   static_assert(sizeof(FemContactState) == 3 * sizeof(Real));
+  static_assert(sizeof(FemState) == sizeof(problem::State<2>) + 4 * sizeof(std::vector<Real>) + sizeof(Vec<2>) + 3 * sizeof(Real));
   k.table("state", [&] { problem::archive(k, model.model, state.state); });
   k.fixed("displacement", state.displacement);
   archive_numbers(k, "points", state.points, [](std::array<SoilPoint, triangle_points>& of_cell, const auto& number) {

@@ -164,7 +164,7 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
   if (model.rigid != none) model.width = width_of<2>(model.model.rigid_bodies[model.rigid].shape);
   number_unknowns(model);
   if (c.initial_state == problem::InitialState::gravity_loading) load_by_gravity(c, model, state);
-  for (const auto& [name, watch] : c.watch) model.watches.push_back(make_watch(model, name, watch, problem::place_of(c.body, watch.body)));
+  for (const auto& [name, watch] : c.watch) model.watches.push_back(make_watch(model, name, watch, problem::index_of(c.body, watch.body)));
   state.displacement.assign(model.unknowns(), 0.);
   state.contact.resize(model.contact.size());
   state.state.tractions.resize(model.model.tractions.size());

@@ -10,16 +10,16 @@
 namespace berm::fem {
 namespace {
 
-constexpr Real settling_viscosity = 0.1;
+constexpr Real release_viscosity = 0.1;
 constexpr Real first_travel = 2e-4;     // of the width, in the first increment of a stage
 constexpr Real loose = 10;              // times the tolerance: taken where even the smallest increment comes no nearer, once in a row
 constexpr Real min_growth = 5e-3;       // of the width: an increment of this travel is never too long for the pressure that it brings
 constexpr Real pressure_change = 0.02;  // of the contact force, in one increment
 constexpr Real max_lag = 0.01;          // of what plastic flow dissipates: strength that is less behind its pressure follows no further
 constexpr int max_passes = 4;           // in which the equilibrium of an increment is found, each with the strength of the one before
-constexpr Real worth_it = 0.7;          // a pass that leaves more of the lag is the last
+constexpr Real max_lag_left = 0.7;      // a pass that leaves more of the lag is the last
 constexpr Real max_overstress = 0.05;   // of the stress of soil at yield
-constexpr int quick = 8, quick_enough = 12;  // iterations
+constexpr int few_iterations = 8, few_enough_iterations = 12;  // iterations
 
 }  // namespace
 
@@ -33,14 +33,14 @@ LoadSteps::LoadSteps(const FemModel& model, FemState& state)
   begin();
 }
 
-void LoadSteps::settle()
+void LoadSteps::find_first_equilibrium()
 {
-  if (!let_go(dead_loads(0)))
+  if (!release_imbalance(dead_loads(0)))
     throw RunError("the soil as it is at the start finds no equilibrium: it cannot carry its weight with these stresses (k0, strength)");
 }
 
-/// Holds back by fictitious forces what is out of balance under these loads, and lets these forces go; false where no equilibrium is found.
-bool LoadSteps::let_go(FemLoads loads)
+/// Holds back by fictitious forces what is out of balance under these loads, and takes these forces away; false where no equilibrium is found.
+bool LoadSteps::release_imbalance(FemLoads loads)
 {
   newton_.assembly().store_initial_imbalance(state_, loads);
   state_.gravity = loads.gravity;
@@ -50,7 +50,7 @@ bool LoadSteps::let_go(FemLoads loads)
   while (state_.initial_imbalance_factor > 0) {
     loads.initial_imbalance_factor = std::max(Real(0), state_.initial_imbalance_factor - part);
     std::vector<Real> change(model_.unknowns(), 0.);
-    const IncrementEnd end = newton_.find_equilibrium(state_, loads, settling_viscosity, change);
+    const IncrementEnd end = newton_.find_equilibrium(state_, loads, release_viscosity, change);
     if (end.converged) {
       newton_.assembly().accept(state_, change, loads);
       part *= 1.5;
@@ -163,7 +163,7 @@ IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::ve
       end = next;
     }
     end.iterations = iterations;
-    if (!next.converged || left > worth_it) break;
+    if (!next.converged || left > max_lag_left) break;
   }
   assembly.reset_strength();
   return end;
@@ -210,8 +210,8 @@ void LoadSteps::accept(const std::vector<Real>& change, Real dt, const Increment
   ++state_.state.step;
   last_change_ = change;
   last_dt_ = dt;
-  if (last_iterations_ <= quick) relaxation_ = std::max(relaxation_ / 4, min_relaxation_);
-  if (last_iterations_ <= quick_enough) dt_ = std::max(dt_, dt * 1.5);
+  if (last_iterations_ <= few_iterations) relaxation_ = std::max(relaxation_ / 4, min_relaxation_);
+  if (last_iterations_ <= few_enough_iterations) dt_ = std::max(dt_, dt * 1.5);
   if (model_.non_associated) dt_ = std::min(dt_, std::max(dt * pressure_change / force_change, first_dt_ * min_growth / first_travel));
   accepted_above_tolerance_ = !end.converged;
   if (accepted_above_tolerance_) dt_ = first_dt_;
@@ -230,7 +230,7 @@ bool LoadSteps::next_stage()
   if (state_.state.stage.index + 1 == static_cast<Index>(model_.model.stages.size())) return false;
   const Index held = model_.model.fixed_in[state_.state.stage.index];
   ++state_.state.stage.index;
-  if (model_.model.fixed_in[state_.state.stage.index] != held && !let_go(dead_loads(state_.state.time)))
+  if (model_.model.fixed_in[state_.state.stage.index] != held && !release_imbalance(dead_loads(state_.state.time)))
     throw RunError(fmt::format("stage \"{}\": the soil finds no equilibrium without the supports that are released", stage().name));
   begin_stage(model_.model, state_.state);
   begin();

@@ -19,13 +19,13 @@ public:
   /// Bytes that the increments take beside what they have had since this was made.
   Real memory_to_come() const { return newton_.memory_to_come(); }
 
-  /// Lets the first state find its equilibrium, the rigid body at rest. Throws RunError where it finds none.
-  void settle();
+  /// Finds the equilibrium of the first state, the rigid body at rest. Throws RunError where it finds none.
+  void find_first_equilibrium();
 
   /// One increment of the present stage, to its end at most. Throws RunError where even the smallest increment finds no equilibrium.
   IncrementEnd advance();
 
-  /// Goes to the next stage; false after the last one. Where supports are released their reactions are let go first, at one moment, the rigid body at rest.
+  /// Goes to the next stage; false after the last one. Where supports are released their reactions are taken away first, at one moment, the rigid body at rest.
   /// Throws RunError where the soil finds no equilibrium without them.
   bool next_stage();
 
@@ -39,7 +39,7 @@ private:
   const problem::StageSettings& stage() const { return model_.model.stages[state_.state.stage.index]; }
   Index driven() const { return model_.model.driven[state_.state.stage.index]; }
   void begin();
-  bool let_go(FemLoads loads);
+  bool release_imbalance(FemLoads loads);
   Real travel(int direction, Real from, Real to) const;
   Real up_to_the_end(Real dt) const;
   FemLoads dead_loads(Real time) const;

@@ -23,7 +23,7 @@ std::string words(const Vec<dim>& x)
   return text + ") m";
 }
 
-Index place_of(const std::vector<std::string>& names, const std::string& name)
+Index index_of(const std::vector<std::string>& names, const std::string& name)
 {
   const auto found = std::find(names.begin(), names.end(), name);
   return found == names.end() ? none : static_cast<Index>(found - names.begin());
@@ -203,13 +203,13 @@ void check_faces(const Mesh<dim>& mesh)
 template <int dim>
 Index Mesh<dim>::find_region(const std::string& name) const
 {
-  return place_of(region_names, name);
+  return index_of(region_names, name);
 }
 
 template <int dim>
 Index Mesh<dim>::find_boundary(const std::string& name) const
 {
-  return place_of(boundary_names, name);
+  return index_of(boundary_names, name);
 }
 
 template <int dim>

@@ -100,12 +100,12 @@ Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh)
     model.rigid_bodies.push_back({name, shape, settings.mass, settings.motion, settings.rotation, inertia});
   }
   for (const auto& [name, settings] : c.body) {
-    const material::Material& material = c.material[place_of(c.material, settings.material)].second;
+    const material::Material& material = c.material[index_of(c.material, settings.material)].second;
     model.bodies.push_back({name, material, nodal_damping(model.mesh, settings), density(material) / inertia_density(material)});
   }
   for (const auto& [name, s] : c.contact) {
     const contact::Detection best = s.rigid.empty() ? contact::Detection::gap : contact::Detection::particle;
-    model.contacts.push_back({name, place_of(c.body, s.body), place_of(c.rigid, s.rigid), place_of(c.body, s.other_body),
+    model.contacts.push_back({name, index_of(c.body, s.body), index_of(c.rigid, s.rigid), index_of(c.body, s.other_body),
                               std::tan(s.friction_angle), s.adhesion, s.scheme,
                               s.detection == contact::Detection::automatic ? best : s.detection, s.gap_closing_steps});
   }
@@ -118,7 +118,7 @@ Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh)
   model.stages = c.stage;
   model.main_rigid = main_rigid(c);
   for (const StageSettings& stage : c.stage) {
-    model.driven.push_back(!drives(stage.kind) ? none : stage.rigid.empty() ? 0 : place_of(c.rigid, stage.rigid));
+    model.driven.push_back(!drives(stage.kind) ? none : stage.rigid.empty() ? 0 : index_of(c.rigid, stage.rigid));
   }
   return model;
 }
@@ -140,13 +140,13 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   state.rigid_bodies.resize(model.rigid_bodies.size());
   if (c.initial_state == InitialState::level_ground) refuse_k0_below_uneven_ground(c, model);
   for (const auto& [name, settings] : c.body) {
-    const material::Material& material = c.material[place_of(c.material, settings.material)].second;
+    const material::Material& material = c.material[index_of(c.material, settings.material)].second;
     const Real inertia = inertia_density(material);
     bodies::StartState<dim> start{inertia, -model.axes.sign * model.gravity[model.axes.up] * density(material) / inertia, c.surface,
                                   state_fields(material)};
     for (const auto& entry : c.contact)
       if (entry.second.body == name && !entry.second.rigid.empty())
-        start.holes.push_back(model.rigid_bodies[place_of(c.rigid, entry.second.rigid)].shape);
+        start.holes.push_back(model.rigid_bodies[index_of(c.rigid, entry.second.rigid)].shape);
     state.particles.push_back(fill(model.mesh, name, settings, start));
     if (state.particles.back().size() == 0)
       throw InputError(fmt::format("body.{}: its regions have no cells outside the rigid bodies, so it has no particles", name));
@@ -160,7 +160,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   state.tractions.resize(model.tractions.size());
   place_loads(c, problem);
   for (const auto& [name, watch] : c.watch) {
-    const Index body = place_of(c.body, watch.body);
+    const Index body = index_of(c.body, watch.body);
     model.watches.push_back({name, body, nearest_particle(state.particles[body], watch.point)});
   }
   begin_stage(model, state);

@@ -224,7 +224,7 @@ void check_tractions(Describe& d, const Case& c)
 {
   for (const auto& [name, traction] : c.traction) {
     const std::string path = "traction." + name;
-    d.check(place_of(c.body, name) == none && place_of(c.watch, name) == none, path,
+    d.check(index_of(c.body, name) == none && index_of(c.watch, name) == none, path,
             "a [body.NAME] or [watch.NAME] has this name, which columns of the history begin with");
     d.check(traction.stress.empty() == traction.pressure.has_value(), path, "needs either stress or pressure, and not both");
     if (!traction.pressure) bodies::check_entries(d, path + ".stress", traction.stress, c.dimension);

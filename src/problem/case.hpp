@@ -98,7 +98,7 @@ void describe(Describe& d, Case& c);
 
 /// The place of the table of that name, or none.
 template <class T>
-Index place_of(const std::vector<std::pair<std::string, T>>& tables, const std::string& name)
+Index index_of(const std::vector<std::pair<std::string, T>>& tables, const std::string& name)
 {
   for (Index k = 0; k < static_cast<Index>(tables.size()); ++k)
     if (tables[k].first == name) return k;

@@ -272,7 +272,7 @@ std::vector<std::vector<Index>> joined_bodies(const Case& c)
   };
   const auto has_k0 = [&](Index b) { return b != none && c.body[b].second.k0.has_value(); };
   for (const auto& [name, contact] : c.contact) {
-    const Index a = place_of(c.body, contact.body), b = place_of(c.body, contact.other_body);
+    const Index a = index_of(c.body, contact.body), b = index_of(c.body, contact.other_body);
     if (has_k0(a) && has_k0(b)) join(a, b);
   }
   std::vector<std::vector<Index>> groups(c.body.size());

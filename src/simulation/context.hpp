@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "core/error.hpp"
 #include "core/threads.hpp"
 #include "core/timer.hpp"
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <spdlog/sinks/sink.h>
@@ -11,7 +13,7 @@
 namespace berm::simulation {
 
 /// What a run has from the program that calls it: threads, a table of timings, who may stop it, and where its messages go. A process has one at a time,
-/// since it has one set of OpenMP threads and one default logger; after it the calling thread is as it was.
+/// since it has one set of OpenMP threads and one default logger: a second throws RunError. After it the calling thread is as it was.
 class Context {
 public:
   /// threads: 0 = one for each processor. `stop` is called after every step: once true it stays true, and the run ends with a checkpoint. Messages go to
@@ -29,6 +31,18 @@ public:
   const std::shared_ptr<spdlog::sinks::sink>& messages() const { return messages_; }
 
 private:
+  struct OnlyOne {
+    static inline std::atomic<bool> exists{false};
+    OnlyOne()
+    {
+      if (exists.exchange(true)) throw RunError("a process has one run at a time: end the other Context first");
+    }
+    ~OnlyOne() { exists = false; }
+    OnlyOne(const OnlyOne&) = delete;
+    OnlyOne& operator=(const OnlyOne&) = delete;
+  };
+
+  OnlyOne only_one_;
   Threads threads_;
   Timings timings_;
   Timings::Use use_{timings_};

@@ -15,7 +15,7 @@ namespace berm::simulation {
 namespace {
 
 /// Of what plastic flow dissipates: twice what the passes of an increment leave (LoadSteps).
-constexpr Real much_lag = 0.02;
+constexpr Real max_lag = 0.02;
 
 constexpr const char* larger_elements = "take larger elements";
 
@@ -52,7 +52,7 @@ std::string FemMethod::size_words() const
 
 void FemMethod::begin(bool at_start)
 {
-  if (at_start) steps_.settle();
+  if (at_start) steps_.find_first_equilibrium();
 }
 
 void FemMethod::step()
@@ -77,7 +77,7 @@ void FemMethod::archive(Archive& k)
 
 run_folder::Summary::Checks FemMethod::checks() const
 {
-  if (recorder_.strength_lag() > much_lag)
+  if (recorder_.strength_lag() > max_lag)
     spdlog::warn(
         "the strength of the soil lags behind its pressure by {:.2g} of what its flow dissipates, and forces may be off by as much; "
         "compare a run with a tenth of fem.largest_step",

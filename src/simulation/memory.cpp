@@ -24,7 +24,7 @@ std::vector<RunSize::OfBody> min_bodies(const problem::Case& c, const CellsOf& c
   std::vector<RunSize::OfBody> bodies;
   for (const auto& [name, settings] : c.body) {
     RunSize::OfBody body;
-    const Index material = problem::place_of(c.material, settings.material);
+    const Index material = problem::index_of(c.material, settings.material);
     if (material != none)
       for (const FieldInfo& field : state_fields(c.material[material].second)) body.extra_size += field.components;
     if (settings.block || settings.disk) {

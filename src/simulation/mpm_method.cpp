@@ -20,7 +20,7 @@
 namespace berm::simulation {
 namespace {
 
-constexpr Real much_shaking = 0.15, much_mass = 0.01, much_work = 0.01;
+constexpr Real max_shaking = 0.15, max_mass = 0.01, max_contact_work = 0.01;  // above them a warning
 
 /// A thousandth of the time that the stages take, unless the user says.
 Real interval_of(const problem::Case& c)
@@ -141,24 +141,24 @@ run_folder::Summary::Checks MpmMethod<d>::checks() const
 template <int d>
 void MpmMethod<d>::warn_of(const mpm::SoilCondition& soil) const
 {
-  if (recorder_.shaking() > much_shaking)
+  if (recorder_.shaking() > max_shaking)
     spdlog::warn("the soil at the rigid body shakes: unresolved motion makes {:.2g} of its pressure (above {:g} soil without cohesion "
                  "loses strength); "
                  "keep mpm.bulk_viscosity and mpm.velocity_filter at their defaults, or drive slower",
-                 recorder_.shaking(), much_shaking);
-  if (-state().totals.friction > much_work * recorder_.largest_work())
+                 recorder_.shaking(), max_shaking);
+  if (-state().totals.friction > max_contact_work * recorder_.largest_work())
     spdlog::warn(
         "contact gave {:.2g} J instead of taking energy: use scheme = \"musl_coupled\" or a smaller mpm.courant, and let no rigid body "
         "scrape over a boundary that is held",
         -state().totals.friction);
   const auto warn_of_bound = [&](Real part, const char* which, const char* key, Real ratio) {
-    if (part > much_mass)
+    if (part > max_mass)
       spdlog::warn("{:.2g} % of the soil is at its {} volume, {} of the first: change mpm.{} if it should change further", 100 * part,
                    which, ratio, key);
   };
   warn_of_bound(soil.at_min_volume, "smallest", "min_volume_ratio", model().mpm.min_volume_ratio);
   warn_of_bound(soil.at_max_volume, "largest", "max_volume_ratio", model().mpm.max_volume_ratio);
-  if (soil.in_the_air > much_mass) spdlog::warn("{:.2g} % of the soil is in the air", 100 * soil.in_the_air);
+  if (soil.in_the_air > max_mass) spdlog::warn("{:.2g} % of the soil is in the air", 100 * soil.in_the_air);
 }
 
 template <int d>

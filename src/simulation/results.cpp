@@ -80,6 +80,7 @@ void write_results(const RunRequest& request, const run_folder::RunFolder& folde
   summary.checks = {{"finished", outcome.finished}};
   summary.checks.insert(summary.checks.end(), outcome.checks.begin(), outcome.checks.end());
   summary.write(folder.file("summary.json"));
+  io::sync_file(folder.path());  // the names of both, before the checkpoints go
 
   structure.draw_curves(folder, settings, history);
   draw_soil(settings, folder, model, rigid_bodies, last);

@@ -25,8 +25,8 @@ const base::Structure& structure_of(const problem::Case& c)
 base::Runs runs_of(const base::Structure& structure, const std::vector<record::RunRecord>& runs)
 {
   base::Runs found;
-  for (std::size_t place = 0; place < runs.size(); ++place)
-    if (&structure_of(runs[place].settings) == &structure) found.push_back({&runs[place], place});
+  for (std::size_t number = 0; number < runs.size(); ++number)
+    if (&structure_of(runs[number].settings) == &structure) found.push_back({&runs[number], number});
   return found;
 }
 

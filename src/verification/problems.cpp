@@ -38,7 +38,7 @@ std::vector<std::string> names_in(const fs::path& examples)
 }
 
 /// The folder and, where one problem is meant, its run.
-std::pair<fs::path, std::string> place_of(const std::string& name, const fs::path& examples)
+std::pair<fs::path, std::string> example_and_run(const std::string& name, const fs::path& examples)
 {
   const fs::path clean = (fs::path(name) / "").lexically_normal(), path = clean.has_parent_path() ? clean.parent_path() : clean;
   for (const fs::path& folder : {path, examples / path})
@@ -94,7 +94,8 @@ std::vector<Example> find_problems(const ProblemChoice& choice)
   std::vector<Example> chosen;
   const std::vector<std::string> names = choice.names.empty() ? names_in(choice.examples) : choice.names;
   for (const std::string& name : names) {
-    const auto [folder, run] = choice.names.empty() ? std::pair(choice.examples / name, std::string()) : place_of(name, choice.examples);
+    const auto [folder, run] =
+        choice.names.empty() ? std::pair(choice.examples / name, std::string()) : example_and_run(name, choice.examples);
     add(chosen, read_example(folder), run, choice.fast);
   }
   std::erase_if(chosen, [](const Example& example) { return example.runs.empty(); });

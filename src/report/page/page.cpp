@@ -94,7 +94,7 @@ std::string report_page(std::vector<record::RunRecord> runs, const ClaimSheets& 
 
   const std::string what_is_claimed = claims_section(runs, claims);
   std::vector<std::pair<std::string, std::string>> sections = {
-      {"answer", "Answer"}, {"asked", "What was asked"}, {"curves", "Curves"}, {"soil", "Soil"}, {"trust", "Trust"}};
+      {"answer", "Answer"}, {"model", "Model"}, {"curves", "Curves"}, {"soil", "Soil"}, {"trust", "Trust"}};
   if (!what_is_claimed.empty()) sections.emplace_back("claims", "Claims");
 
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";

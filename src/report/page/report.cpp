@@ -88,7 +88,7 @@ bool finer(const record::RunRecord& a, const record::RunRecord& b)
 }
 
 /// The folder of a single run that was named, or the deepest folder that holds all.
-fs::path place_of_page(const std::vector<std::string>& names, const std::vector<fs::path>& folders)
+fs::path folder_of_page(const std::vector<std::string>& names, const std::vector<fs::path>& folders)
 {
   fs::path common = folders.front();
   if (folders.size() > 1) common = common.parent_path();
@@ -147,7 +147,7 @@ ClaimSheets claims_of(const ReportRequest& request, std::vector<record::RunRecor
 std::vector<fs::path> write_report(const ReportRequest& request)
 {
   const std::vector<fs::path> folders = run_folders(request.folders);
-  const fs::path page = request.output.empty() ? place_of_page(request.folders, folders) / page_name : fs::path(request.output);
+  const fs::path page = request.output.empty() ? folder_of_page(request.folders, folders) / page_name : fs::path(request.output);
   std::vector<std::string> left_out;
   std::vector<record::RunRecord> runs = read_runs(folders, left_out);
   const ClaimSheets claims = claims_of(request, runs);

@@ -380,7 +380,7 @@ std::string draw_whole(const problem::Case& c, const Sketch& sketch, const std::
   if (with_path) drawer.body_dimensions();
   const Vec<2> corner = view.lower_right();
   drawer.gravity(Vec<2>(corner[0] + 58, top + 24));
-  drawer.svg().text(Vec<2>(left, 14), "the whole");
+  drawer.svg().text(Vec<2>(left, 14), "whole model");
   drawer.scale_bar(Vec<2>(left, corner[1] + 66));
   Real height = corner[1] + 84;
   if (with_path) height += 6 + drawer.stages(Vec<2>(left, height + 6), std::max(view.size()[0], min_width));

@@ -64,7 +64,7 @@ std::string setup_section(const std::vector<record::RunRecord>& runs)
   content += compact_table(runs).html();
   content += fmt::format("<details><summary>All parameters</summary>\n{}</details>\n", parameter_columns(runs).html());
   content += computation_table(runs).html();
-  return text::html_section("asked", "What was asked", content);
+  return text::html_section("model", "Model", content);
 }
 
 }  // namespace berm::report

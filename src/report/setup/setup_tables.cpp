@@ -63,7 +63,7 @@ void add_material(Rows& rows, const std::string& prefix, const material::Materia
   rows.add(prefix + "cohesion", text::stress_words(soil->cohesion));
   if (soil->cohesion_gradient > 0) rows.add(prefix + "cohesion per metre of depth", text::stress_words(soil->cohesion_gradient));
   for (const auto& [name, body] : c.body)
-    if (body.k0 && &c.material[problem::place_of(c.material, body.material)].second == &material)
+    if (body.k0 && &c.material[problem::index_of(c.material, body.material)].second == &material)
       rows.add(prefix + "K0", text::number_words(*body.k0));
 }
 
@@ -163,7 +163,7 @@ text::HtmlTable compact_table(const std::vector<record::RunRecord>& runs)
     add_stages(rows);
     columns.run(run.name, std::move(rows).list());
   }
-  return columns.table("asked-table", fmt::format("Soil, {}, interface and stages{}", subject_of(runs),
+  return columns.table("model-table", fmt::format("Soil, {}, interface and stages{}", subject_of(runs),
                                                   models ? ": the model, in brackets the prototype" : ""));
 }
 

@@ -115,7 +115,7 @@ void add_supports(Sketch& sketch, const problem::Case& c)
       if ((held >> d & 1) != 0) directions.push_back(static_cast<char>('x' + d));
     HeldEdge copy = edge;
     copy.wholly = (held & 3) == 3;
-    copy.words = fmt::format("{} held", fmt::join(directions, ", "));
+    copy.words = fmt::format("{} fixed", fmt::join(directions, ", "));
     sketch.held.push_back(copy);
   }
   for (const auto& [name, support] : c.support)
@@ -139,7 +139,7 @@ void add_path(Sketch& sketch, const problem::Case& c)
     const problem::StageSettings& stage = c.stage[k];
     const bool push = stage.kind == problem::StageKind::push, drag = stage.kind == problem::StageKind::drag;
     if ((!push && !drag) || c.rigid.empty()) continue;
-    const int rigid = static_cast<int>(stage.rigid.empty() ? 0 : problem::place_of(c.rigid, stage.rigid));
+    const int rigid = static_cast<int>(stage.rigid.empty() ? 0 : problem::index_of(c.rigid, stage.rigid));
     const Extent extent = extent_of(sketch.rigid_bodies[rigid].outline);
     const Vec<2> from = centers[rigid];
     const Real reverse = stage.velocity.value_or(stage.force.value_or(1)) < 0 ? -1 : 1;

@@ -37,7 +37,7 @@ struct FilledPart {
 struct HeldEdge {
   Vec<2> from, to, outward;
   bool wholly;        ///< in all directions of the plane
-  std::string words;  ///< "x, y held"
+  std::string words;  ///< "x, y fixed"
 };
 
 /// A straight part of the way of a driven rigid body.

@@ -20,8 +20,8 @@ const contact::ContactSettings* contact_of_body(const problem::Case& c)
 const material::Material* touched_material(const problem::Case& c)
 {
   const contact::ContactSettings* contact = contact_of_body(c);
-  const Index body = contact == nullptr ? none : problem::place_of(c.body, contact->body);
-  const Index material = body == none ? none : problem::place_of(c.material, c.body[body].second.material);
+  const Index body = contact == nullptr ? none : problem::index_of(c.body, contact->body);
+  const Index material = body == none ? none : problem::index_of(c.material, c.body[body].second.material);
   return material == none ? nullptr : &c.material[material].second;
 }
 

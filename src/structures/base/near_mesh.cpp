@@ -26,7 +26,7 @@ Real near_particles(const problem::Case& c)
 {
   if (c.method == problem::Method::fem || c.body.empty()) return unknown;
   const contact::ContactSettings* contact = contact_of_body(c);
-  const Index body = contact == nullptr ? 0 : problem::place_of(c.body, contact->body);
+  const Index body = contact == nullptr ? 0 : problem::index_of(c.body, contact->body);
   const bodies::BodySettings& settings = c.body[body].second;
   const Real spacing = settings.block ? settings.block->spacing : settings.disk ? settings.disk->spacing : 0;
   if (spacing > 0) return std::pow(std::round(near_cell_size(c) / spacing), c.dimension);

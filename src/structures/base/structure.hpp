@@ -12,13 +12,13 @@
 
 namespace berm::base {
 
-/// A run of a page, and its place there, which gives its colour.
-struct PlacedRun {
+/// A run of a page, and its number there, which gives its colour.
+struct PageRun {
   const record::RunRecord* record;
-  std::size_t place;
+  std::size_t number;
 };
 /// Runs of a page that are of one structure, in the order of the page.
-using Runs = std::vector<PlacedRun>;
+using Runs = std::vector<PageRun>;
 
 /// The rows of a history that a push or a drag made, ascending, with its travel in each.
 struct StagePath {

@@ -22,7 +22,7 @@ TEST(DragOfFiniteElements, with_a_vertical_velocity_goes_straight_in_that_direct
   const TemporaryFolder folder;
   FemProblem problem = build_fem(c, ".", folder.path());
   LoadSteps steps(problem.model, problem.state);
-  steps.settle();
+  steps.find_first_equilibrium();
   const bodies::RigidState<2>& pipe = problem.state.state.rigid_bodies[0];
   do {
     ASSERT_TRUE(steps.advance().converged);

@@ -22,7 +22,7 @@ AtSixNodes<Vec<2>> bent()
   return x;
 }
 
-Vec<2> place_of(const AtSixNodes<Vec<2>>& nodes, const ShapeAtPoint& shape)
+Vec<2> index_of(const AtSixNodes<Vec<2>>& nodes, const ShapeAtPoint& shape)
 {
   Vec<2> x = Vec<2>::Zero();
   for (int k = 0; k < 6; ++k) x += shape.value[k] * nodes[k];
@@ -76,7 +76,7 @@ TEST(Element, values_and_gradients_reproduce_quadratic_fields_with_straight_side
   const auto field = [](const Vec<2>& x) { return x[0] * x[0] - 3 * x[0] * x[1] + 0.5 * x[1] * x[1] + x[1]; };
   for (int q = 0; q < triangle_points; ++q) {
     const ShapeAtPoint shape = shape_at(sample, q);
-    const Vec<2> x = place_of(sample, shape);
+    const Vec<2> x = index_of(sample, shape);
     Real value = 0;
     for (int k = 0; k < 6; ++k) value += shape.value[k] * field(sample[k]);
     EXPECT_NEAR(value, field(x), rounding);
@@ -91,7 +91,7 @@ TEST(Element, points_integrate_quadratic_functions_exactly)
   Real rr = 0, rs = 0;
   for (int q = 0; q < triangle_points; ++q) {
     const ShapeAtPoint shape = shape_at(reference, q);
-    const Vec<2> x = place_of(reference, shape);
+    const Vec<2> x = index_of(reference, shape);
     rr += shape.area * x[0] * x[0];
     rs += shape.area * x[0] * x[1];
   }

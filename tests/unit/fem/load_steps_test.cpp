@@ -15,7 +15,7 @@ struct Way {
   LoadSteps steps;
   int increments = 0;
 
-  explicit Way(const problem::Case& c) : problem(fem_problem_of(c)), steps(problem.model, problem.state) { steps.settle(); }
+  explicit Way(const problem::Case& c) : problem(fem_problem_of(c)), steps(problem.model, problem.state) { steps.find_first_equilibrium(); }
 
   template <class Look>
   void to_end_of_stage(const Look& look)

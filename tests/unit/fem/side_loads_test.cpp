@@ -11,7 +11,10 @@ struct Loaded {
   FemProblem problem;
   LoadSteps steps;
 
-  explicit Loaded(const problem::Case& c) : problem(fem_problem_of(c)), steps(problem.model, problem.state) { steps.settle(); }
+  explicit Loaded(const problem::Case& c) : problem(fem_problem_of(c)), steps(problem.model, problem.state)
+  {
+    steps.find_first_equilibrium();
+  }
   void to_end_of_stage()
   {
     do steps.advance();

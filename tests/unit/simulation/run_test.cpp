@@ -89,6 +89,7 @@ TEST_P(RunOf, a_case_takes_threads_messages_and_times_of_its_context_and_leaves_
     Context context(2, {}, std::make_shared<spdlog::sinks::ostream_sink_mt>(messages));
     EXPECT_TRUE(run_case(request("results"), context));
     EXPECT_FALSE(context.timings().table().empty());
+    EXPECT_THROW(Context(1), RunError) << "a process has one at a time";
   }
   EXPECT_NE(messages.str().find("2 threads"), std::string::npos) << messages.str();
   EXPECT_NE(messages.str().find("everything is in "), std::string::npos) << messages.str();

@@ -127,7 +127,7 @@ base::EmbeddedBody embedded_pipe(const problem::Case& c)
   const auto drive = std::find_if(c.stage.begin(), c.stage.end(), [](const problem::StageSettings& stage) {
     return stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
   });
-  const Index main = drive != c.stage.end() && !drive->rigid.empty() ? problem::place_of(c.rigid, drive->rigid)
+  const Index main = drive != c.stage.end() && !drive->rigid.empty() ? problem::index_of(c.rigid, drive->rigid)
                      : c.rigid.empty()                               ? none
                                                                      : 0;
   if (main == none) throw InputError("rigid: an envelope needs a pipe: a rigid body with shape = \"circle\"");

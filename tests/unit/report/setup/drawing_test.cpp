@@ -80,7 +80,7 @@ TEST(drawing, small_pipe_is_drawn_once_more_with_its_way)
 TEST(drawing, gravity_supports_and_dimensions_are_told)
 {
   const std::string svg = draw_case(sample_case(), "x").svgs;
-  for (const char* words : {">50 g<", ">x held<", ">x, y held<", ">650 mm<", ">140 mm<", ">30 mm<", ">surface<", ">fine zone<"})
+  for (const char* words : {">50 g<", ">x fixed<", ">x, y fixed<", ">650 mm<", ">140 mm<", ">30 mm<", ">surface<", ">fine zone<"})
     EXPECT_TRUE(contains(svg, words)) << words;
 }
 
