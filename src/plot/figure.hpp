@@ -33,8 +33,8 @@ bool draw_figure(const std::filesystem::path& folder, const std::string& name, c
 /// The same as both.
 bool draw_png_and_svg(const std::filesystem::path& folder, const std::string& name, const Figure& figure);
 
-/// Figure::more of a figure whose key stands below and whose y begins at 0.
-constexpr const char* from_zero = "set key below\nset yrange [0:*]\n";
+/// Figure::more of a figure whose key stands below and whose y begins at 0, or at the least number where that is negative.
+constexpr const char* from_zero = "set key below\nset yrange [*<0:*]\n";
 
 /// Numbers times a factor; the largest absolute value of those that are finite, 0 without any.
 std::vector<Real> scaled(std::vector<Real> values, Real factor);

@@ -166,6 +166,32 @@ void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::
   d.check(!drive || c.method == Method::mpm, path + ".kind", "the finite element method supports push and drag");
 }
 
+void check_sweep(Describe& d, const StageSettings& s, const std::string& path)
+{
+  const bool sweep = s.kind == StageKind::sweep;
+  d.check(!sweep || s.amplitude, path, "a sweep needs an amplitude, the travel of each drag");
+  d.check(!sweep || s.sweeps > 0, path, "a sweep needs the number of drags: sweeps = 2 goes out and back");
+  d.check(!sweep || (s.velocity && *s.velocity != 0), path,
+          "a sweep needs a velocity: along x for the first drag, less than 0 = against x");
+  d.check(sweep || !s.amplitude, path + ".amplitude", "only a sweep has an amplitude");
+  d.check(sweep || s.sweeps == 0, path + ".sweeps", "only a sweep has several drags");
+  d.check(sweep || s.pause == 0, path + ".pause", "only a sweep has pauses");
+  const Until& u = s.until;
+  d.check(!sweep || (!u.time && !u.displacement && !u.embedment && !u.force), path + ".until", "a sweep ends after its drags");
+}
+
+void check_load_history(Describe& d, const StageSettings& s, const std::string& path)
+{
+  const bool given = !s.load_times.empty() || !s.load_factors.empty();
+  if (!given && s.load_history.empty()) return;
+  d.check(s.kind == StageKind::push || s.kind == StageKind::drag, path, "only a push or a drag has a load history");
+  d.check(!given || s.load_history.empty(), path + ".load_times", "does not go with load_history, which is a file of both");
+  if (!given) return;
+  d.check(s.load_times.size() == s.load_factors.size(), path + ".load_times", "needs as many times as load_factors has factors");
+  d.check(std::adjacent_find(s.load_times.begin(), s.load_times.end(), std::greater_equal<>()) == s.load_times.end(), path + ".load_times",
+          "must ascend");
+}
+
 void check_stages(Describe& d, const Case& c)
 {
   d.check(!c.stage.empty(), "stage", "a case needs at least one [[stage]]");
@@ -173,7 +199,8 @@ void check_stages(Describe& d, const Case& c)
   for (int k = 0; k < static_cast<int>(c.stage.size()); ++k) {
     const StageSettings& s = c.stage[k];
     const std::string path = fmt::format("stage[{}]", k);
-    const bool drag = s.kind == StageKind::drag, drive = s.kind == StageKind::drive, driven = drives(s.kind), short_form = driven && !drive;
+    const bool drag = s.kind == StageKind::drag || s.kind == StageKind::sweep, drive = s.kind == StageKind::drive,
+               sweep = s.kind == StageKind::sweep, driven = drives(s.kind), short_form = driven && !drive;
     constexpr std::size_t max = 100;
     d.check(!s.name.empty() && s.name.size() <= max && s.name.find_first_of(",\".") == std::string::npos, path + ".name",
             fmt::format("must be a word without comma, dot or quotes, {} bytes at most", max));
@@ -193,10 +220,15 @@ void check_stages(Describe& d, const Case& c)
     d.check(!s.vertical_velocity || s.vertical == Vertical::hold, path + ".vertical_velocity", "does not go with vertical = \"fixed\"");
     d.check(!s.vertical_velocity || !s.vertical_force, path + ".vertical_velocity", "does not go with vertical_force");
     check_drive(d, c, s, path);
+    check_sweep(d, s, path);
+    check_load_history(d, s, path);
+    d.check(c.method == Method::mpm || s.pause == 0, path + ".pause", "the finite element method knows no time: leave the pause out");
+    d.check(c.method == Method::mpm || (s.load_history.empty() && s.load_times.empty()), path,
+            "the finite element method knows no time: a load history needs method = \"mpm\"");
     const Until& u = s.until;
     d.check(!drive || !u.force, path + ".until.force", "is V of a push or H of a drag");
-    d.check(u.time || u.displacement || u.embedment || u.force, path + ".until",
-            "needs at least one of time, displacement, embedment, force");
+    d.check(sweep || !s.load_history.empty() || !s.load_times.empty() || u.time || u.displacement || u.embedment || u.force,
+            path + ".until", "needs at least one of time, displacement, embedment, force");
     d.check(driven || (!u.displacement && !u.embedment && !u.force), path + ".until", "a stage that drives nothing ends at a time");
     if (driven) c.dimension == 2 ? check_inertia<2>(d, c, s, path) : check_inertia<3>(d, c, s, path);
   }

@@ -55,6 +55,7 @@ StageDrives<dim> drives_of(const StageSettings& stage, const Axes<dim>& axes, bo
     along_axis(vertical, stage.velocity, stage.force, down);
     break;
   case StageKind::drag:
+  case StageKind::sweep:
     along_axis(drives[axes.along], stage.velocity, stage.force, 1);
     if (stage.vertical_velocity)
       vertical = {By::velocity, down * *stage.vertical_velocity};

@@ -2,6 +2,9 @@
 // Tests: tests/unit/problem/stages_test.cpp
 #include "problem/stage.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace berm::problem {
 
 void describe(Describe& d, FreedomSettings& freedom)
@@ -43,26 +46,51 @@ void describe(Describe& d, Until& until)
 void describe(Describe& d, StageSettings& stage)
 {
   d.value("name", stage.name, {.meaning = "name of the stage, for the history and for --set", .required = true});
-  d.choice("kind", stage.kind, {"geostatic", "push", "drag", "free", "drive"},
-           {.meaning = "find equilibrium; push down; drag sideways; let time pass; or drive each degree of freedom as [stage.drive] says",
-            .required = true});
+  d.choice(
+      "kind", stage.kind, {"geostatic", "push", "drag", "free", "drive", "sweep"},
+      {.meaning =
+           "find equilibrium; push down; drag sideways; let time pass; drive each degree of freedom as [stage.drive] says; or drag out "
+           "and back, several times",
+       .required = true});
   d.value("rigid", stage.rigid, {.meaning = "rigid body that is driven; may be left out where there is only one"});
   d.value("velocity", stage.velocity, {.meaning = "speed of the drive: down in a push, along x in a drag", .unit = "m/s"});
   d.value("force", stage.force, {.meaning = "force of the drive, instead of a velocity", .unit = "N/m"});
   d.choice("vertical", stage.vertical, {"hold", "fixed"},
-           {.meaning = "in a drag: hold the vertical force of the stage's begin, or do not move vertically"});
+           {.meaning = "in a drag: hold the vertical force that drives the body when the stage begins (after a push by velocity the soil's "
+                       "reaction), or do not move vertically"});
   d.value("vertical_force", stage.vertical_force, {.meaning = "in a drag: downward force, instead of the one held", .unit = "N/m"});
   d.value("vertical_velocity", stage.vertical_velocity,
           {.meaning = "in a drag: downward speed, instead of holding a force; less than 0 = upwards", .unit = "m/s"});
   d.value("ramp", stage.ramp,
           {.meaning = "time in which the drive goes from what it was to its value", .unit = "s", .range = not_negative});
   d.table("drive", stage.drive, {.meaning = "degrees of freedom of the driven body, in a stage of kind drive; what is left out is fixed"});
+  d.value("amplitude", stage.amplitude, {.meaning = "in a sweep: travel of each drag, out and back", .unit = "m", .range = positive});
+  d.value("sweeps", stage.sweeps, {.meaning = "in a sweep: number of drags; two make a cycle", .range = {0, 10000}});
+  d.value("pause", stage.pause,
+          {.meaning = "in a sweep: time between two drags, with the vertical force held", .unit = "s", .range = not_negative});
+  d.value(
+      "load_history", stage.load_history,
+      {.meaning =
+           "in a push or a drag: CSV file, beside the case file, of time (s since the stage began) and the factor of velocity or force"});
+  d.value("load_times", stage.load_times, {.meaning = "instead of a file: the times, ascending", .unit = "s"});
+  d.value("load_factors", stage.load_factors, {.meaning = "the factors at these times"});
   d.value("damping", stage.damping,
           {.meaning = "local damping of all bodies in this stage, instead of their own; 0.7 is recommended for a geostatic stage",
            .range = {0, 1}});
   d.table("until", stage.until, {.meaning = "the stage ends at the first of these that is reached"});
   d.value("equilibrium", stage.equilibrium,
           {.meaning = "geostatic: largest out-of-balance force, over the weight, that is called equilibrium", .range = positive});
+}
+
+Real load_factor(const StageSettings& stage, Real since)
+{
+  const std::vector<Real>&t = stage.load_times, &f = stage.load_factors;
+  if (t.empty()) return 1;
+  const auto after = std::upper_bound(t.begin(), t.end(), since);
+  if (after == t.begin()) return f.front();
+  if (after == t.end()) return f.back();
+  const std::size_t k = after - t.begin();
+  return std::lerp(f[k - 1], f[k], (since - t[k - 1]) / (t[k] - t[k - 1]));
 }
 
 }  // namespace berm::problem

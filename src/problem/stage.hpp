@@ -11,12 +11,13 @@ enum class StageKind {
   push,       ///< down, by velocity or force; no horizontal motion
   drag,       ///< along x, by velocity or force
   free,       ///< time passes; rigid bodies rest, but for free ones
-  drive       ///< each degree of freedom as [stage.drive] says; what it leaves out is fixed
+  drive,      ///< each degree of freedom as [stage.drive] says; what it leaves out is fixed
+  sweep       ///< drags out and back: short for that many drags (problem/sweeps.hpp), and none of them once a case is read
 };
 
 /// What the vertical direction does while the body is dragged.
 enum class Vertical {
-  hold,  ///< the vertical force that was there when the stage began stays
+  hold,  ///< the vertical force that drove the body when the stage began stays; after a drive by velocity the soil's reaction at that moment
   fixed  ///< no vertical motion
 };
 
@@ -60,7 +61,14 @@ struct StageSettings {
   std::optional<Real> vertical_velocity;  ///< m/s downwards in a drag, instead of holding a force
   Real ramp = 0;                          ///< s, time in which the drive goes from what it was to its value; 0 = at once
   DriveSettings drive;                    ///< of a stage of kind drive
-  std::optional<Real> damping;            ///< local damping of all bodies in this stage, instead of their own
+  std::optional<Real> amplitude;          ///< m, of a sweep: the travel of each drag
+  int sweeps = 0;                         ///< of a sweep: how many drags, out and back in turn
+  Real pause = 0;                         ///< s, of a sweep: how long the body rests between two of them, its vertical force held
+  std::string load_history;               ///< a file of times and factors, as below
+  std::vector<Real>
+      load_times;  ///< s since the stage began, ascending; the drive's value goes with the factors, linear between them, constant after
+  std::vector<Real> load_factors;
+  std::optional<Real> damping;  ///< local damping of all bodies in this stage, instead of their own
   Until until;
   Real equilibrium = 0.01;  ///< geostatic: largest out-of-balance force over the weight that is accepted
 };
@@ -68,8 +76,11 @@ struct StageSettings {
 /// Whether the stage drives a rigid body.
 inline bool drives(StageKind kind)
 {
-  return kind == StageKind::push || kind == StageKind::drag || kind == StageKind::drive;
+  return kind == StageKind::push || kind == StageKind::drag || kind == StageKind::drive || kind == StageKind::sweep;
 }
+
+/// The factor of the load history at a time since the stage began, s; 1 without one.
+Real load_factor(const StageSettings& stage, Real since);
 
 void describe(Describe& d, FreedomSettings& freedom);
 void describe(Describe& d, TurnSettings& turn);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problem/stages.hpp"
 
+#include <array>
+
 namespace berm::problem {
 template <int dim>
 RigidTravel travel_of(const Model<dim>& model, const State<dim>& state, Index rigid)
@@ -24,6 +26,8 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
   StageState<dim>& now = state.stage;
   const StageSettings& stage = model.stages[now.index];
   const Index driven = model.driven[now.index];
+  const auto before = std::to_array(now.drive);
+  const Real since = state.time - now.begin_time;
   now.begin_time = state.time;
   for (bodies::Drive& drive : now.drive) drive = {};
   for (std::size_t k = 0; k < state.tractions.size(); ++k) {
@@ -59,9 +63,12 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
     case FreedomDrive::By::force:
       now.drive[f] = {true, balance(f), drive.value};
       break;
-    case FreedomDrive::By::hold:
-      now.drive[f] = {true, balance(f), balance(f)};
+    case FreedomDrive::By::hold: {
+      const bool held_before = now.index > 0 && model.driven[now.index - 1] == driven && before[f].by_force;
+      const Real force = held_before ? ramped(model.stages[now.index - 1], before[f], since) : balance(f);
+      now.drive[f] = {true, force, force};
       break;
+    }
     case FreedomDrive::By::free:
       now.drive[f] = {true, 0, 0};
       break;
@@ -98,10 +105,11 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
     bodies::RigidState<dim>& rigid = state.rigid_bodies[r];
     const bodies::RigidState<dim> before = rigid;
     if (r == model.driven[state.stage.index]) {
+      const int main = stage.kind == StageKind::push ? model.axes.up : model.axes.along;
       bodies::DriveNow<dim> now;
       for (int f = 0; f < bodies::freedoms<dim>; ++f) {
         now.by_force[f] = state.stage.drive[f].by_force;
-        now.value[f] = ramped(stage, state.stage.drive[f], since);
+        now.value[f] = ramped(stage, state.stage.drive[f], since, f == main ? load_factor(stage, since) : 1);
       }
       drive_body(body, rigid, now, dt);
     } else if (body.motion == bodies::Motion::free && stage.kind != StageKind::geostatic) {
@@ -115,7 +123,10 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
 
 Real expected_time(const StageSettings& stage)
 {
+  if (stage.kind == StageKind::sweep && stage.velocity && *stage.velocity != 0 && stage.amplitude)
+    return stage.sweeps * (*stage.amplitude / std::abs(*stage.velocity) + stage.ramp / 2 + stage.pause);
   Real min = stage.until.time.value_or(infinity);
+  if (!stage.load_times.empty()) return min < infinity ? min : 0;
   if (stage.velocity && *stage.velocity != 0) {
     const Real speed = std::abs(*stage.velocity);
     if (stage.kind == StageKind::drag && stage.until.displacement) min = std::min(min, *stage.until.displacement / speed + stage.ramp / 2);

@@ -27,11 +27,11 @@ Real resistance(const Model<dim>& model, const State<dim>& state, const Vec<dim>
                                                                  : -drag_direction(model, state) * reaction[model.axes.along];
 }
 
-/// The value of a drive at a time since the stage's begin, s: it goes from what it was to its own over the stage's ramp.
-inline Real ramped(const StageSettings& stage, const bodies::Drive& drive, Real since)
+/// The value of a drive at a time since the stage's begin, s: it goes from what it was to its own, times a factor, over the stage's ramp.
+inline Real ramped(const StageSettings& stage, const bodies::Drive& drive, Real since, Real factor = 1)
 {
   const Real part = stage.ramp > since ? since / stage.ramp : 1;
-  return drive.from + part * (drive.to - drive.from);
+  return drive.from + part * (factor * drive.to - drive.from);
 }
 
 /// Sets the drives of the stage that state.stage.index names, and where its tractions go. A velocity starts from the present velocity and a force from the one that balances

@@ -172,10 +172,18 @@ std::string plot(const Picture& picture, bool as_disks)
 
 }  // namespace
 
-SoilView view_around(Real x, Real lowest, Real width_of_body, Real surface)
+SoilView view_around(Real x, Real lowest, Real width_of_body, Real surface, const std::vector<Vec<2>>& soil)
 {
-  return {Vec<2>(x - 2.5 * width_of_body, lowest - 1.2 * width_of_body), Vec<2>(x + 2.5 * width_of_body, lowest + 1.3 * width_of_body),
-          surface};
+  SoilView view{Vec<2>(x - 2.5 * width_of_body, lowest - 1.2 * width_of_body),
+                Vec<2>(x + 2.5 * width_of_body, lowest + 1.3 * width_of_body), surface};
+  std::vector<Real> levels;
+  for (const Vec<2>& point : soil)
+    if (point[0] >= view.lower[0] && point[0] <= view.upper[0]) levels.push_back(point[1]);
+  if (levels.empty()) return view;
+  const auto highest = levels.end() - 1 - static_cast<std::ptrdiff_t>(levels.size() / 1000);
+  std::nth_element(levels.begin(), highest, levels.end());
+  view.upper[1] = std::max(view.upper[1], *highest + 0.2 * width_of_body);
+  return view;
 }
 
 bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<2>& frame, const SoilPicture& wanted, plot::PlotFormat format)

@@ -14,8 +14,9 @@ struct SoilView {
   std::optional<Real> surface;  ///< m, level of the original surface, drawn as a dashed line
 };
 
-/// The view around a rigid body: its centre at `x`, its lowest point at `lowest`, m.
-SoilView view_around(Real x, Real lowest, Real width, Real surface);
+/// The view around a rigid body: its centre at `x`, its lowest point at `lowest`, m. It reaches up to a berm of these points that stands in it, but for the highest
+/// one in a thousand of them, which may be thrown up.
+SoilView view_around(Real x, Real lowest, Real width, Real surface, const std::vector<Vec<2>>& soil);
 
 /// A picture of the soil: NAME.png or NAME.svg.
 struct SoilPicture {

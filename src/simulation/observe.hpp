@@ -11,7 +11,7 @@ namespace berm::simulation {
 
 /// A rigid body: how far it went since the start, and the force of the soil on it.
 struct RigidResponse {
-  Real u, w, H, V;  ///< m, m; H against the drag and V upwards, N/m or N
+  Real u, w, H, V;  ///< m, m; the forces that hold the soil's reaction: H along x and V downwards, N/m or N
 };
 
 /// That of a rigid body with this force of the soil on it. A zero has no sign.
@@ -19,8 +19,7 @@ template <int dim>
 RigidResponse response_of(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid, const Vec<dim>& reaction)
 {
   const problem::RigidTravel travel = travel_of(model, state, rigid);
-  return {travel.u, travel.w, -drag_direction(model, state) * reaction[model.axes.along] + 0.,
-          model.axes.sign * reaction[model.axes.up] + 0.};
+  return {travel.u, travel.w, -reaction[model.axes.along] + 0., model.axes.sign * reaction[model.axes.up] + 0.};
 }
 template <int dim>
 void observe(run_folder::Row& row, const RigidResponse& response)

@@ -23,7 +23,7 @@ void draw_soil(const problem::Case& settings, const run_folder::RunFolder& folde
     const bodies::RigidBody<2>& body = model.rigid_bodies[model.main_rigid];
     const bodies::RigidState<2>& now = rigid_bodies[model.main_rigid];
     view = record::view_around(center_now<2>(body, now)[0], lowest_level<2>(placed<2>(body, now), model.axes.up_vector()), width,
-                               model.surface);
+                               model.surface, last.points);
   }
   const auto draw_one = [&](const std::string& name, const std::string& field) {
     record::draw_soil(folder.path(), last, {name, field, view, settings.title});
@@ -65,12 +65,15 @@ void write_results(const RunRequest& request, const run_folder::RunFolder& folde
                    const run_folder::RunTiming& timing)
 {
   io::sync_file(folder.file("history.csv"));  // a summary that says "finished" must not outlive it
-  const run_folder::History history = run_folder::read_history(folder.file("history.csv"));
   const problem::Case& settings = request.settings;
+  record::RunRecord run;
+  run.folder = folder.path();
+  run.settings = settings;
+  run.history = run_folder::read_history(folder.file("history.csv"));
   const base::Structure& structure = structures::structure_of(settings);
 
   run_folder::Summary summary;
-  summary.quantities = structure.quantities(settings, history, outcome.held_force);
+  summary.quantities = structure.quantities(run, outcome.held_forces);
   summary.timing = timing;
   summary.text = {{"title", settings.title},
                   {"case", request.case_file.filename().string()},
@@ -82,7 +85,7 @@ void write_results(const RunRequest& request, const run_folder::RunFolder& folde
   summary.write(folder.file("summary.json"));
   io::sync_file(folder.path());  // the names of both, before the checkpoints go
 
-  structure.draw_curves(folder, settings, history);
+  structure.draw_curves(folder, settings, run.history);
   draw_soil(settings, folder, model, rigid_bodies, last);
   print_timings(timing);
   if (const std::string table = structure.table_of(settings, summary.quantities); !table.empty()) spdlog::info("key results\n{}", table);

@@ -11,7 +11,7 @@ namespace berm::simulation {
 /// What a run found out about itself.
 struct RunOutcome {
   bool finished;
-  std::optional<Real> held_force;      ///< N/m, V that the first drag holds
+  std::vector<Real> held_forces;       ///< N/m, V that each stage holds; NaN where none
   run_folder::Summary::Checks checks;  ///< others than "finished"
 };
 

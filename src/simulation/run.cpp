@@ -25,6 +25,7 @@ Run<Method>::Run(const RunRequest& request, Context& context, Method& method, co
       checkpoints_(folder.path(), request.settings.output.checkpoint_wall_time),
       frames_(folder.subfolder("frames"), method.model().mesh),
       progress_(log),
+      held_forces_(method.model().stages.size(), std::numeric_limits<Real>::quiet_NaN()),
       unit_(vector_unit())
 {
 }
@@ -115,7 +116,7 @@ void Run<Method>::archive(Archive& k)
   k("next_row", next_row_);
   k("frame_time", frame_time_);
   k("frame_displacement", frame_displacement_);
-  k("held_force", held_force_);
+  k.fixed("held_forces", held_forces_);
   method_.archive(k);
 }
 
@@ -153,7 +154,8 @@ void Run<Method>::next_stage()
   finished_ = !method_.next_stage();
   if (finished_) return;
   const bodies::Drive& vertical = state().stage.drive[model().axes.up];
-  if (stage().kind == problem::StageKind::drag && vertical.by_force && !held_force_) held_force_ = -model().axes.sign * vertical.to;
+  if (stage().kind == problem::StageKind::drag && vertical.by_force)
+    held_forces_[static_cast<std::size_t>(state().stage.index)] = -model().axes.sign * vertical.to;
 }
 
 /// The part of the run that is done, by the limits that the stages name; NaN where the present one names none.
@@ -192,7 +194,7 @@ void Run<Method>::leave_results()
   frame();
   const run_folder::RunTiming timing{clock_.wall(), context_.threads(), model().mesh.cell_count(),
                                      state().step,  method_.counts(),   clock_.loops()};
-  write_results(request_, folder_, model(), state().rigid_bodies, frames_.last(), {finished_, held_force_, method_.checks()}, timing);
+  write_results(request_, folder_, model(), state().rigid_bodies, frames_.last(), {finished_, held_forces_, method_.checks()}, timing);
 }
 
 template class Run<MpmMethod<2>>;

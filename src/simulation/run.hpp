@@ -59,8 +59,8 @@ private:
   bool finished_ = false;
   Real last_row_ = -1, next_row_ = 0, frame_time_ = 0;  ///< s
   Vec<dim> frame_displacement_ = Vec<dim>::Zero();
-  std::optional<Real> held_force_;
-  std::string unit_;  ///< vector unit that the run was begun on
+  std::vector<Real> held_forces_;  ///< N/m, V that each stage holds; NaN where none
+  std::string unit_;               ///< vector unit that the run was begun on
 };
 
 }  // namespace berm::simulation

@@ -33,7 +33,7 @@ base::Runs runs_of(const base::Structure& structure, const std::vector<record::R
 record::RunRecord read_run(const std::filesystem::path& folder)
 {
   record::RunRecord run = record::read_run(folder);
-  if (!run.summary && run.history.rows() > 0) run.quantities = structure_of(run.settings).quantities(run.settings, run.history, {});
+  if (!run.summary && run.history.rows() > 0) run.quantities = structure_of(run.settings).quantities(run, {});
   return run;
 }
 

@@ -103,7 +103,7 @@ struct MadeRun {
     run.name = name;
     run.settings = settings();
     run.history = history();
-    run.quantities = structures::structure_of(run.settings).quantities(run.settings, run.history, {});
+    run.quantities = structures::structure_of(run.settings).quantities(run, {});
     run.end = record::RunEnd::finished;
     return run;
   }

@@ -40,7 +40,7 @@ struct PaperRun {
     for (int k = 0; k <= rows && pushes; ++k) add("push", 0, k * w_push / rows, 0, V(k * w_push / rows));
     const int first = pushes ? 1 : 0;
     for (int k = first; k <= rows; ++k) add("drag", k * u_end / rows, w(k * u_end / rows), H(k * u_end / rows), V(w_push));
-    run.quantities = structures::structure_of(run.settings).quantities(run.settings, run.history, {});
+    run.quantities = structures::structure_of(run.settings).quantities(run, {});
     run.end = record::RunEnd::finished;
     return run;
   }

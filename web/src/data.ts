@@ -43,12 +43,12 @@ export interface Measure {
   energy: string;
 }
 
-/** Rows (of `columns`) that pushes or drags consist of. The drag begins with the row before its first. */
+/** Rows (of `columns`) that pushes or drags consist of. Each drag begins with the row before its first. */
 export interface PathData {
   rows: number[];
-  /** u where the drag began; travel in the drag is |u - u_begin|. */
+  /** u where the first drag began. */
   u_begin: number;
-  /** Forces freed from noise over +-0.01 D of travel, by row of the path. */
+  /** Forces freed from noise over +-0.01 D of the travel of each push or drag, by row of the path. */
   V_mean: (number | null)[];
   H_mean: (number | null)[];
 }

@@ -31,12 +31,11 @@ std::vector<Index> kept_rows(const run_folder::History& history)
   return kept;
 }
 
-/// The rows of a push or a drag (of the history, ascending) among those that the page holds, and its forces freed from noise along its travel (m).
-Json path_json(const record::RunRecord& run, const std::vector<Index>& kept, const base::StagePath& stage)
+/// Adds the rows of a push or a drag (of the history, ascending) among those that the page holds, and its forces freed from noise along its travel (m).
+void add_path(Json& path, const record::RunRecord& run, const std::vector<Index>& kept, const base::StagePath& stage)
 {
-  const auto& [rows, travel, u_begin] = stage;
+  const auto& [rows, travel] = stage;
   const Real half = averaging_half(base::body_scale(run.settings));
-  if (rows.empty()) return {{"rows", Json::array()}, {"u_begin", u_begin}, {"V_mean", Json::array()}, {"H_mean", Json::array()}};
   const auto curve_of = [&](const char* column) {
     std::vector<Real> force;
     for (const Index k : stage.rows) force.push_back(run.history.by_label(column)[k]);
@@ -46,7 +45,6 @@ Json path_json(const record::RunRecord& run, const std::vector<Index>& kept, con
   const auto mean = [&](const record::TravelCurve& force, Real s) {
     return std::isnan(s) ? Json(nullptr) : number_or_null(force.at(s, half));
   };
-  Json path = {{"rows", Json::array()}, {"u_begin", u_begin}, {"V_mean", Json::array()}, {"H_mean", Json::array()}};
   auto on_page = kept.begin();
   for (std::size_t k = 0; k < rows.size(); ++k) {
     on_page = std::lower_bound(on_page, kept.end(), rows[k]);
@@ -55,6 +53,15 @@ Json path_json(const record::RunRecord& run, const std::vector<Index>& kept, con
     path["V_mean"].push_back(mean(V, travel[k]));
     path["H_mean"].push_back(mean(H, travel[k]));
   }
+}
+
+/// Of pushes or drags, one after the other.
+Json path_json(const record::RunRecord& run, const std::vector<Index>& kept, const std::vector<base::StagePath>& stages)
+{
+  Json path = {{"rows", Json::array()}, {"u_begin", 0}, {"V_mean", Json::array()}, {"H_mean", Json::array()}};
+  for (const base::StagePath& stage : stages)
+    if (!stage.rows.empty()) add_path(path, run, kept, stage);
+  if (!stages.empty() && !stages.front().rows.empty()) path["u_begin"] = run.history["u_m"][stages.front().rows.front()];
   return path;
 }
 
@@ -98,8 +105,8 @@ Json run_data(const record::RunRecord& run)
   for (const Index k : kept) data["stage"].push_back(history.stage[k]);
   data["row"] = static_cast<Index>(kept.size()) == history.rows() ? Json(nullptr) : Json(kept);
   const base::StagePaths paths = structures::structure_of(run.settings).paths(run);
-  data["push"] = path_json(run, kept, paths.push);
-  data["drag"] = path_json(run, kept, paths.drag);
+  data["push"] = path_json(run, kept, {paths.push});
+  data["drag"] = path_json(run, kept, paths.drags);
   data["film"] = nullptr;
   return data;
 }

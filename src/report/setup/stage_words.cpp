@@ -76,6 +76,7 @@ std::string drive_words(const problem::StageSettings& stage, int dimension)
   case problem::StageKind::drive:
     return freedom_words(stage.drive, dimension);
   case problem::StageKind::drag:
+  case problem::StageKind::sweep:
     return rate_words(stage, dimension) + " along x" + vertical_words(stage, dimension);
   }
   return "";
@@ -83,7 +84,7 @@ std::string drive_words(const problem::StageSettings& stage, int dimension)
 
 std::string stage_words(const problem::StageSettings& stage, int dimension)
 {
-  constexpr std::array kinds{"geostatic", "push", "drag", "free", "drive"};
+  constexpr std::array kinds{"geostatic", "push", "drag", "free", "drive", "sweep"};
   const std::string kind = kinds[static_cast<std::size_t>(stage.kind)];
   // The user's own name says more than the kind only where it is another word.
   const std::string called = stage.name == kind ? kind : fmt::format("{} ({})", kind, stage.name);

@@ -24,10 +24,10 @@ using Runs = std::vector<PageRun>;
 struct StagePath {
   std::vector<Index> rows;
   std::vector<Real> travel;  ///< m
-  Real u_begin = 0;          ///< m, u where it began
 };
 struct StagePaths {
-  StagePath push, drag;
+  StagePath push;
+  std::vector<StagePath> drags;
 };
 
 /// What berm knows of a structure, beyond its being a rigid body: the numbers that matter of it and how they are told. A structure says what it has; the rest
@@ -39,11 +39,9 @@ public:
   /// Whether a case is of this structure.
   virtual bool applies_to(const problem::Case& c) const = 0;
 
-  /// The key results of a history, which may be without rows. `held_force` (N/m) is V that the drag was to hold, where it is known.
-  virtual std::vector<run_folder::Quantity> quantities(const problem::Case&, const run_folder::History&, std::optional<Real>) const
-  {
-    return {};
-  }
+  /// The key results of a run (its folder with the frames, case and history, which may be without rows). `held_forces`: V that each stage of the case was to
+  /// hold, N/m, NaN where none; empty where they are not known.
+  virtual std::vector<run_folder::Quantity> quantities(const record::RunRecord&, const std::vector<Real>&) const { return {}; }
   /// The key results as a table of the log; "" where there is none.
   virtual std::string table_of(const problem::Case&, const std::vector<run_folder::Quantity>&) const { return ""; }
   /// Draws curves.png of a run into its folder. False, with a warning, where it could not be drawn.

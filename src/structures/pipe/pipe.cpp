@@ -11,6 +11,7 @@
 #include "structures/pipe/report/pipe_observables.hpp"
 #include "structures/pipe/report/published_table.hpp"
 #include "structures/pipe/report/soil_figures.hpp"
+#include "structures/pipe/results/mechanism.hpp"
 
 #include <algorithm>
 
@@ -20,7 +21,7 @@ namespace {
 PipeRuns pipe_runs(const base::Runs& runs)
 {
   PipeRuns all;
-  for (const auto& [record, place] : runs) all.emplace_back(*record, place);
+  for (const auto& [record, number] : runs) all.emplace_back(*record, number);
   return all;
 }
 
@@ -31,13 +32,13 @@ bool Pipe::applies_to(const problem::Case& c) const
   return base::drives_a_body(c);
 }
 
-std::vector<run_folder::Quantity> Pipe::quantities(const problem::Case& c, const run_folder::History& history,
-                                                   std::optional<Real> held_force) const
+std::vector<run_folder::Quantity> Pipe::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
 {
-  if (history.rows() == 0) return {};
-  PipeStages stages = pipe_stages(c);
-  stages.held_force = held_force;
-  return pipe_quantities(history, base::body_scale(c), stages);
+  if (run.history.rows() == 0) return {};
+  const base::BodyScale scale = base::body_scale(run.settings);
+  PipeResults results = pipe_results(run.history, scale, pipe_stages(run.settings, held_forces));
+  take_berms(results, PipeRun(run));
+  return quantities_of(results, scale);
 }
 
 std::string Pipe::table_of(const problem::Case& c, const std::vector<run_folder::Quantity>& quantities) const
@@ -84,7 +85,9 @@ base::StagePaths Pipe::paths(const record::RunRecord& run) const
 {
   if (run.history.rows() == 0) return {};
   const PipePath path = pipe_path(run.history, pipe_stages(run.settings));
-  return {{path.push_rows, path.w, 0}, {path.drag_rows, path.drag_u, path.u_begin}};
+  base::StagePaths paths{{path.push.rows, path.push.w}, {}};
+  for (const DragPath& drag : path.drags) paths.drags.push_back({drag.rows, drag.travel});
+  return paths;
 }
 
 std::vector<std::string> Pipe::draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,

@@ -10,8 +10,7 @@ namespace berm::pipe {
 class Pipe : public base::Structure {
 public:
   bool applies_to(const problem::Case& c) const override;
-  std::vector<run_folder::Quantity> quantities(const problem::Case& c, const run_folder::History& history,
-                                               std::optional<Real> held_force) const override;
+  std::vector<run_folder::Quantity> quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const override;
   std::string table_of(const problem::Case& c, const std::vector<run_folder::Quantity>& quantities) const override;
   bool draw_curves(const run_folder::RunFolder& folder, const problem::Case& c, const run_folder::History& history) const override;
   std::string in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const override;

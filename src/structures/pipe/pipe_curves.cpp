@@ -2,6 +2,7 @@
 #include "structures/pipe/pipe_curves.hpp"
 
 #include "io/atomic_file.hpp"
+#include "plot/figure.hpp"
 #include "plot/gnuplot.hpp"
 #include "record/panels.hpp"
 #include "record/travel_curve.hpp"
@@ -14,15 +15,15 @@ namespace {
 
 using record::TravelCurve;
 
-/// Columns of the file: travel, value of the row, value freed from noise, and a partner taken along (freed from noise).
-std::string block(const std::vector<Real>& travel, const std::vector<std::vector<Real>>& values, Real half, Real travel_unit,
-                  const std::vector<Real>& units)
+/// Lines of the file: x, and each value of the row and freed from noise along the travel.
+std::string block(const std::vector<Real>& x, const std::vector<Real>& travel, const std::vector<std::vector<Real>>& values, Real half,
+                  Real x_unit, const std::vector<Real>& units)
 {
   std::vector<TravelCurve> curves;
   for (const auto& value : values) curves.emplace_back(travel, value);
   std::string text;
   for (std::size_t k = 0; k < travel.size(); ++k) {
-    text += fmt::format("{:.6g}", travel[k] * travel_unit);
+    text += fmt::format("{:.6g}", x[k] * x_unit);
     for (std::size_t c = 0; c < values.size(); ++c) {
       const Real smooth = curves[c].at(travel[k], half);
       for (const Real value : {values[c][k], smooth}) text += std::isnan(value) ? " NaN" : fmt::format(" {:.6g}", value * units[c]);
@@ -76,40 +77,50 @@ struct Curves {
   PipePath path;
   const BodyScale& scale;
   plot::PlotUnit length, force;
-  bool has_push() const { return path.w.size() > 1; }
-  bool has_drag() const { return path.drag_u.size() > 1; }
+  bool has_push() const { return path.push.w.size() > 1; }
+  bool has_drag() const { return path.drag().travel.size() > 1; }
 };
 
 /// The way down to the surface is of no interest, and its V = 0 would smooth away the first touch.
-void leave_out_the_way_down(PipePath& path)
+void leave_out_the_way_down(PushPath& push)
 {
   std::size_t kept = 0;
-  for (std::size_t k = 0; k < path.w.size(); ++k)
-    if (path.w[k] >= 0) path.w[kept] = path.w[k], path.V[kept++] = path.V[k];
-  path.w.resize(kept);
-  path.V.resize(kept);
+  for (std::size_t k = 0; k < push.w.size(); ++k)
+    if (push.w[k] >= 0) push.w[kept] = push.w[k], push.V[kept++] = push.V[k];
+  push.w.resize(kept);
+  push.V.resize(kept);
 }
 
 Real largest_force(const PipePath& path)
 {
-  Real max = 0;
-  for (const auto* list : {&path.V, &path.drag_V, &path.drag_H})
-    for (const Real force : *list) max = std::isnan(force) ? max : std::max(max, std::abs(force));
+  Real max = plot::largest_size(path.push.V);
+  for (const DragPath& drag : path.drags) max = std::max({max, plot::largest_size(drag.H), plot::largest_size(drag.V)});
   return max;
 }
 
-/// curves.dat: a block of the push, then one of the drag.
+/// u of a drag's rows, from where the first drag began.
+std::vector<Real> u_of(const DragPath& drag, const PipePath& path)
+{
+  std::vector<Real> u;
+  for (const Real travel : drag.travel) u.push_back(drag.u_begin - path.drag().u_begin + drag.stage.direction * travel);
+  return u;
+}
+
+/// curves.dat: a block of the push, then one of the drags, with an empty line between two of them. H is along x.
 std::string data_of(const Curves& curves)
 {
   const auto& [path, scale, length, force] = curves;
   const Real half = averaging_half(scale);
   const std::string units = fmt::format("({}, {})", length.name, force.name);
   std::string data = fmt::format("# push {}: w, V, V freed from noise\n", units);
-  data += curves.has_push() ? block(path.w, {path.V}, half, length.per_si, {force.per_si}) : "NaN NaN NaN\n";
-  data += fmt::format("\n\n# drag {}: u, H, H freed from noise, w, w freed from noise, V, V freed from noise\n", units);
-  data += curves.has_drag() ? block(path.drag_u, {path.drag_H, path.drag_w, path.drag_V}, half, length.per_si,
-                                    {force.per_si, length.per_si, force.per_si})
-                            : "NaN NaN NaN NaN NaN NaN NaN\n";
+  data += curves.has_push() ? block(path.push.w, path.push.w, {path.push.V}, half, length.per_si, {force.per_si}) : "NaN NaN NaN\n";
+  data += fmt::format("\n\n# drags {}: u, H, H freed from noise, w, w freed from noise, V, V freed from noise\n", units);
+  if (!curves.has_drag()) data += "NaN NaN NaN NaN NaN NaN NaN\n";
+  for (const DragPath& drag : path.drags) {
+    if (&drag != &path.drags.front()) data += '\n';
+    data += block(u_of(drag, path), drag.travel, {plot::scaled(drag.H, drag.stage.direction), drag.w, drag.V}, half, length.per_si,
+                  {force.per_si, length.per_si, force.per_si});
+  }
   return data;
 }
 
@@ -132,32 +143,31 @@ Axis length_axis(const Curves& curves, char letter, const std::string& words, co
           .second_label = fmt::format("{}/D", symbol)};
 }
 
-/// V over w, of the push and of the drag.
+/// V over w of the push.
 std::string push_panel(const Curves& curves)
 {
-  const bool has_drag = curves.has_drag();
   Axis V = force_axis(curves, 'x', "vertical reaction", "V"), w = length_axis(curves, 'y', "embedment", "w", true);
-  V.take(curves.path.V, curves.force.per_si);
-  w.take(curves.path.w, curves.length.per_si);
-  if (has_drag) V.take(curves.path.drag_V, curves.force.per_si), w.take(curves.path.drag_w, curves.length.per_si);
-  const record::PanelPlace place = has_drag ? record::PanelPlace{0.075, 0.40, 0.085, 0.84} : record::PanelPlace{0.10, 0.88, 0.085, 0.84};
+  V.take(curves.path.push.V, curves.force.per_si);
+  w.take(curves.path.push.w, curves.length.per_si);
+  const record::PanelPlace place =
+      curves.has_drag() ? record::PanelPlace{0.075, 0.40, 0.085, 0.84} : record::PanelPlace{0.10, 0.88, 0.085, 0.84};
   std::string script = record::margins(place) + V.script() + w.script();
-  script += "set key bottom left opaque\n";
   script += "plot 'curves.dat' index 0 using 2:1 with lines lc rgb '#b8d0ea' lw 1 notitle, \\\n"
-            "     '' index 0 using 3:1 with lines lc rgb push lw 2.5 title 'push'";
-  script += has_drag ? ", \\\n     '' index 1 using 7:5 with lines lc rgb drag lw 2.5 title 'drag'\n" : "\n";
+            "     '' index 0 using 3:1 with lines lc rgb push lw 2.5 notitle\n";
   return script + next_panel;
 }
 
-/// H over u, and below it w over u.
+/// H over u, and below it w over u, of all drags.
 std::string drag_panels(const Curves& curves)
 {
   const Real left = curves.has_push() ? 0.565 : 0.10, right = curves.has_push() ? 0.915 : 0.88;
-  Axis H = force_axis(curves, 'y', "soil resistance", "H"), w = length_axis(curves, 'y', "embedment", "w", true);
+  Axis H = force_axis(curves, 'y', "horizontal resistance", "H"), w = length_axis(curves, 'y', "embedment", "w", true);
   Axis u = length_axis(curves, 'x', "horizontal displacement", "u", false);
-  H.take(curves.path.drag_H, curves.force.per_si);
-  w.take(curves.path.drag_w, curves.length.per_si);
-  u.take(curves.path.drag_u, curves.length.per_si);
+  for (const DragPath& drag : curves.path.drags) {
+    H.take(plot::scaled(drag.H, drag.stage.direction), curves.force.per_si);
+    w.take(drag.w, curves.length.per_si);
+    u.take(u_of(drag, curves.path), curves.length.per_si);
+  }
   std::string script = record::margins({left, right, 0.52, 0.84}) + u.script() + H.script();
   script += "plot 'curves.dat' index 1 using 1:2 with lines lc rgb '#f0c4bb' lw 1 notitle, '' index 1 using 1:3 with lines lc rgb drag "
             "lw 2.5 notitle\n";
@@ -172,7 +182,7 @@ bool draw_pipe_curves(const run_folder::RunFolder& folder, const run_folder::His
                       const PipeStages& stages, const std::string& title)
 {
   PipePath path = pipe_path(history, stages);
-  leave_out_the_way_down(path);
+  leave_out_the_way_down(path.push);
   const plot::PlotUnit force = plot::force_unit(largest_force(path));
   const Curves curves{std::move(path), scale, plot::length_unit(scale.width), force};
   if (!curves.has_push() && !curves.has_drag()) return false;

@@ -154,9 +154,10 @@ TEST_F(Checkpoint, that_cannot_be_used_is_refused_with_the_reason)
   EXPECT_EQ(refusal_of("time_s,stage\n"), "it is not a checkpoint of berm");
   EXPECT_EQ(refusal_of(content_.substr(512)), "it is not a checkpoint of berm") << "an HDF5 file of somebody else";
   EXPECT_EQ(refusal_of(""), "it is not a checkpoint of berm");
-  EXPECT_EQ(refusal_of(with_header("format 4\n", "format 9\n")), "it has format 9, that of a newer berm; this one reads format 4");
-  EXPECT_EQ(refusal_of(with_header("format 4\n", "format 3\n")),
-            "it has format 3, that of an older berm; this one reads format 4: finish the run with that version, or start it again");
+  const std::string own = fmt::format("format {}\n", checkpoint_format), reads = fmt::format("this one reads format {}", checkpoint_format);
+  EXPECT_EQ(refusal_of(with_header(own, "format 9\n")), "it has format 9, that of a newer berm; " + reads);
+  EXPECT_EQ(refusal_of(with_header(own, "format 3\n")),
+            "it has format 3, that of an older berm; " + reads + ": finish the run with that version, or start it again");
   const std::string other = refusal_of(with_header("berm 0.", "berm 7."));
   EXPECT_EQ(other.find("it was written by berm 7."), 0u) << other;
   for (const char* odd : {"berm \x1b.", "berm \x7f.", "berm \xff."}) EXPECT_EQ(refusal_of(with_header("berm 0.", odd)), "it is damaged");

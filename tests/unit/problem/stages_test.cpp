@@ -119,6 +119,34 @@ TEST(Drag, holds_the_vertical_force_of_the_moment_when_it_begins)
   EXPECT_NEAR(run.pipe.velocity[1], 0, 1e-15);
 }
 
+TEST(Drag, holds_the_force_that_drove_the_body_before)
+{
+  StageSettings first = drag(0.2);
+  first.vertical_force = 50;
+  Driver run({first, drag(-0.2)});
+  run.step();
+  run.soil_pushes({0, 47});
+  run.next_stage();
+  EXPECT_TRUE(run.problem.state.stage.drive[1].by_force);
+  EXPECT_EQ(run.problem.state.stage.drive[1].to, -50) << "and not the soil's reaction of that moment";
+  EXPECT_EQ(run.problem.state.stage.drive[1].from, -50);
+}
+
+TEST(Drag, follows_its_load_history_along_x_alone)
+{
+  StageSettings storm = drag(0.2);
+  storm.vertical_force = 50;
+  storm.load_times = {0, 10 * dt};
+  storm.load_factors = {0, 1};
+  Driver run({storm});
+  for (int n = 1; n <= 20; ++n) {
+    run.soil_pushes({0, 50});
+    run.step();
+    EXPECT_NEAR(run.pipe.velocity[0], 0.2 * std::min(n, 10) / 10, 1e-12);
+    EXPECT_EQ(run.pipe.velocity[1], 0) << "the force that is held does not follow it";
+  }
+}
+
 TEST(Drag, goes_to_another_vertical_force_over_the_ramp)
 {
   StageSettings lighter = drag(0.2, 0.1);

@@ -33,6 +33,17 @@ Color color_at(const fs::path& picture, int column, int row)
   throw std::runtime_error("no pixel in " + table.string());
 }
 
+TEST(SoilView, reaches_up_to_a_berm_but_not_to_a_grain_that_is_thrown_up)
+{
+  std::vector<Vec<2>> soil(5000, Vec<2>(0.01, -0.02));
+  EXPECT_DOUBLE_EQ(view_around(0, -0.01, 0.02, 0, soil).upper[1], -0.01 + 1.3 * 0.02);
+  for (int k = 0; k < 100; ++k) soil[k] = Vec<2>(0.03, 0.04);
+  soil.back() = Vec<2>(0.03, 0.2);
+  EXPECT_DOUBLE_EQ(view_around(0, -0.01, 0.02, 0, soil).upper[1], 0.04 + 0.2 * 0.02);
+  for (int k = 0; k < 100; ++k) soil[k] = Vec<2>(0.06, 0.04);
+  EXPECT_DOUBLE_EQ(view_around(0, -0.01, 0.02, 0, soil).upper[1], -0.01 + 1.3 * 0.02) << "beside the view";
+}
+
 class SoilPlot : public DrawnRun {
 protected:
   static run_folder::Frame<2> frame()

@@ -40,9 +40,12 @@ TEST(Structures, tell_what_they_have_of_a_run_and_nothing_of_one_without_rows)
 {
   const MadeRun made;
   const base::Structure& pipe = structure_of(made.settings());
-  EXPECT_FALSE(pipe.quantities(made.settings(), made.history(), {}).empty());
-  EXPECT_TRUE(pipe.quantities(made.settings(), {}, {}).empty());
-  EXPECT_TRUE(structure_of(free_bodies()).quantities(free_bodies(), made.history(), {}).empty());
+  EXPECT_FALSE(pipe.quantities(made.record(), {}).empty());
+  record::RunRecord without_rows = made.record(), of_free_bodies = made.record();
+  without_rows.history = {};
+  of_free_bodies.settings = free_bodies();
+  EXPECT_TRUE(pipe.quantities(without_rows, {}).empty());
+  EXPECT_TRUE(structure_of(free_bodies()).quantities(of_free_bodies, {}).empty());
   EXPECT_EQ(structure_of(free_bodies()).table_of(free_bodies(), {}), "");
 }
 

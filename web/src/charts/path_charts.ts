@@ -7,7 +7,7 @@ import { quantity_of_column, ratio } from "./quantity";
 import type { Quantity } from "./quantity";
 
 const travel: Quantity = { words: "horizontal travel", symbol: "u", kind: "length", unit: "m" };
-const travel_column = "|u_m - u_begin|";
+const travel_column = "u_m - u_begin";
 
 type CurveOf = (run: RunData) => Curve | null;
 
@@ -81,7 +81,7 @@ function V_varies(path: PathData): boolean {
 
 function travelled(run: RunData): Numbers | null {
   const u = at_rows(run, "u_m", run.drag.rows);
-  return u === null ? null : u.map((each) => (each === null ? null : Math.abs(each - run.drag.u_begin)));
+  return u === null ? null : u.map((each) => (each === null ? null : each - run.drag.u_begin));
 }
 
 function noise(values: Numbers | null, mean: Numbers): Numbers | null {

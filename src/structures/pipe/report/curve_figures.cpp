@@ -16,12 +16,11 @@ using record::TravelCurve;
 
 constexpr int width = 1000, height = 660;  // pixels
 
-/// What a figure shows over what: columns of the path of a push or a drag.
+/// What a figure shows: V over w of the push, or a column of all drags over u from where the first began.
 struct Chart {
   const char *name, *title, *x_label, *y_label;
-  std::vector<Real> PipePath::*x;
-  std::vector<Real> (*y)(const PipePath&);
-  plot::PlotUnit (*unit)(Real max);  ///< of y
+  std::vector<Real> (*of_drag)(const DragPath&);  ///< null: of the push
+  plot::PlotUnit (*unit)(Real max);               ///< of y
 };
 
 plot::PlotUnit no_unit(Real)
@@ -29,21 +28,51 @@ plot::PlotUnit no_unit(Real)
   return {1, "1"};
 }
 
-std::vector<Real> H_over_V(const PipePath& path)
+/// H along x, so that sweeps make a loop.
+std::vector<Real> H_along_x(const DragPath& drag)
+{
+  return plot::scaled(drag.H, drag.stage.direction);
+}
+
+std::vector<Real> H_over_V(const DragPath& drag)
 {
   std::vector<Real> ratio;
-  for (std::size_t k = 0; k < path.drag_H.size(); ++k) ratio.push_back(path.drag_H[k] / path.drag_V[k]);
+  for (std::size_t k = 0; k < drag.H.size(); ++k) ratio.push_back(drag.stage.direction * drag.H[k] / drag.V[k]);
   return ratio;
 }
 
 const Chart charts[] = {
-    {"V_w", "Vertical resistance in the push", "embedment w", "vertical resistance V", &PipePath::w, [](const PipePath& p) { return p.V; },
-     plot::force_unit},
-    {"H_u", "Horizontal resistance in the drag", "horizontal displacement u", "horizontal resistance H", &PipePath::drag_u,
-     [](const PipePath& p) { return p.drag_H; }, plot::force_unit},
-    {"w_u", "Embedment in the drag", "horizontal displacement u", "embedment w", &PipePath::drag_u,
-     [](const PipePath& p) { return p.drag_w; }, plot::length_unit},
-    {"H_over_V_u", "Ratio of forces in the drag", "horizontal displacement u", "H/V", &PipePath::drag_u, H_over_V, no_unit}};
+    {"V_w", "Vertical resistance in the push", "embedment w", "vertical resistance V", nullptr, plot::force_unit},
+    {"H_u", "Horizontal resistance in the drag", "horizontal displacement u", "horizontal resistance H", H_along_x, plot::force_unit},
+    {"w_u", "Embedment in the drag", "horizontal displacement u", "embedment w", [](const DragPath& drag) { return drag.w; },
+     plot::length_unit},
+    {"H_over_V_u", "Ratio of forces in the drag", "horizontal displacement u", "H/V", H_over_V, no_unit}};
+
+/// A line of a chart: by row, and freed from noise.
+struct Line {
+  std::vector<Real> x, y, smooth_x, smooth_y;  ///< m, and the unit of the chart
+};
+
+std::vector<Line> lines_of(const Chart& chart, const PipeRun& run)
+{
+  std::vector<Line> lines;
+  const auto add = [&](const std::vector<Real>& travel, const std::vector<Real>& y, Real begin, Real direction) {
+    const TravelCurve curve(travel, y);
+    if (curve.empty()) return;
+    const TravelCurve smooth = curve.smoothed(averaging_half(run.scale));
+    const auto along_x = [&](std::vector<Real> x) {
+      for (Real& each : x) each = begin + direction * each;
+      return x;
+    };
+    lines.push_back({along_x(travel), y, along_x(smooth.travel()), smooth.value()});
+  };
+  if (run.history.rows() == 0) return lines;
+  const PipePath path = pipe_path(run.history, run.stages);
+  if (chart.of_drag == nullptr) add(path.push.w, path.push.V, 0, 1);
+  if (chart.of_drag != nullptr)
+    for (const DragPath& drag : path.drags) add(drag.travel, chart.of_drag(drag), drag.u_begin - path.drag().u_begin, drag.stage.direction);
+  return lines;
+}
 
 std::string label_with(const std::string& words, const plot::PlotUnit& unit)
 {
@@ -51,36 +80,35 @@ std::string label_with(const std::string& words, const plot::PlotUnit& unit)
 }
 
 /// The rows of a run, pale, and the same freed from noise.
-void add_run(plot::Figure& figure, const Chart& chart, const PipeRun& run, const plot::PlotUnit& x_unit, const plot::PlotUnit& y_unit)
+void add_run(plot::Figure& figure, const std::vector<Line>& lines, const PipeRun& run, const plot::PlotUnit& x_unit,
+             const plot::PlotUnit& y_unit)
 {
-  const PipePath path = pipe_path(run.history, run.stages);
-  const std::vector<Real>&x = path.*chart.x, y = chart.y(path);
-  const TravelCurve curve(x, y);
-  if (curve.empty()) return;
-  const TravelCurve smooth = curve.smoothed(averaging_half(run.scale));
-  if (run.scale.noisy)
-    figure.curves.push_back({"", plot::curve_style(run.place, 0, 0.4), plot::scaled(x, x_unit.per_si), plot::scaled(y, y_unit.per_si)});
-  figure.curves.push_back({run.name, plot::curve_style(run.place, run.place), plot::scaled(smooth.travel(), x_unit.per_si),
-                           plot::scaled(smooth.value(), y_unit.per_si)});
+  for (const Line& line : lines) {
+    if (run.scale.noisy)
+      figure.curves.push_back(
+          {"", plot::curve_style(run.number, 0, 0.4), plot::scaled(line.x, x_unit.per_si), plot::scaled(line.y, y_unit.per_si)});
+    figure.curves.push_back({&line == &lines.front() ? run.name : "", plot::curve_style(run.number, run.number),
+                             plot::scaled(line.smooth_x, x_unit.per_si), plot::scaled(line.smooth_y, y_unit.per_si)});
+  }
 }
 
 /// A figure of all runs over one another, with what is published; false where no run has the curve.
 bool draw_chart(const PipeRuns& runs, const base::PublishedPoints& published, const Chart& chart, const fs::path& folder)
 {
-  const auto has_path = [](const PipeRun& run) { return run.history.rows() > 0; };
+  std::vector<std::vector<Line>> lines;
   Real max = 0, longest = 0;
   for (const PipeRun& run : runs) {
-    if (!has_path(run)) continue;
-    const PipePath path = pipe_path(run.history, run.stages);
-    max = std::max(max, plot::largest_size(chart.y(path)));
-    longest = std::max(longest, plot::largest_size(path.*chart.x));
+    lines.push_back(lines_of(chart, run));
+    for (const Line& line : lines.back()) {
+      max = std::max(max, plot::largest_size(line.y));
+      longest = std::max(longest, plot::largest_size(line.x));
+    }
   }
   if (max == 0) return false;
   const plot::PlotUnit x_unit = plot::length_unit(longest), y_unit = chart.unit(max);
   plot::Figure figure{chart.title, label_with(chart.x_label, x_unit), label_with(chart.y_label, y_unit), {}, plot::from_zero, width,
                       height};
-  for (const PipeRun& run : runs)
-    if (has_path(run)) add_run(figure, chart, run, x_unit, y_unit);
+  for (std::size_t k = 0; k < runs.size(); ++k) add_run(figure, lines[k], runs[k], x_unit, y_unit);
   for (const base::PublishedPoint& point : published) {
     if (std::string(word_of(point.chart)) != chart.name) continue;
     const std::vector<Real> x = point.x ? std::vector<Real>{*point.x} : std::vector<Real>{0, longest};

@@ -8,6 +8,7 @@
 #include "text/shown_number.hpp"
 #include "text/tex_math.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace berm::pipe {
@@ -20,15 +21,17 @@ std::string subject_of(const problem::Case& c)
   return fmt::format("{}{}", modelled_part(c) < 1 ? "the half that is modelled of the " : "the ", text::html_text(base::body_word(c)));
 }
 
-/// What the vertical direction does in the first drag.
-std::string vertical_words(const problem::Case& c)
+/// What the vertical direction does in a drag: " with V held at 0.9 kN/m".
+std::string vertical_words(const PipeRun& run, const DragResults& drag, const base::DisplayUnits& shown)
 {
-  for (const problem::StageSettings& stage : c.stage) {
-    if (stage.kind != problem::StageKind::drag) continue;
-    if (stage.vertical_velocity) return " while it is driven vertically, too";
-    return stage.vertical == problem::Vertical::fixed ? " with w fixed" : " with V held";
-  }
-  return "";
+  const auto stage = std::find_if(run.settings.stage.begin(), run.settings.stage.end(),
+                                  [&](const problem::StageSettings& s) { return s.name == drag.stage; });
+  if (stage == run.settings.stage.end()) return "";
+  const std::string V = drag.V ? shown.force_text(run.scale, *drag.V) : "";
+  if (stage->vertical_velocity) return " while it is driven vertically, too";
+  if (stage->vertical == problem::Vertical::fixed)
+    return V.empty() ? " with w fixed" : fmt::format(" with w fixed, under V = {} on average", V);
+  return V.empty() ? " with V held" : fmt::format(" with V held at {}", V);
 }
 
 std::string push_words(const PipeRun& run, const RunPoints& points, const base::DisplayUnits& shown)
@@ -43,25 +46,51 @@ std::string push_words(const PipeRun& run, const RunPoints& points, const base::
                      shown.force_text(run.scale, end.V));
 }
 
-/// "Dragged 1 D with V held, the pipe meets", after a push "it".
+/// What happens to V and w between the push and the first drag.
+std::string other_push_words(const PipeRun& run, const PipeResults& results, const base::DisplayUnits& shown)
+{
+  std::string words;
+  for (const OtherPushResults& push : results.other_pushes)
+    words += fmt::format("After \"{}\" V = {} at w = {}. ", text::html_text(push.stage), shown.force_text(run.scale, push.V),
+                         shown.length_text(run.scale, push.w));
+  return words;
+}
+
+/// "Dragged 1 D with V held at 0.8 kN/m, the pipe meets", after a push "it".
 std::string drag_begin(const PipeRun& run, const RunPoints& points, const std::string& travel, const base::DisplayUnits& shown)
 {
-  const std::string vertical = vertical_words(run.settings), subject = points.push_end ? "it" : subject_of(run.settings);
+  const std::string vertical = vertical_words(run, run.results().drag(), shown),
+                    subject = points.push_end ? "it" : subject_of(run.settings);
   const std::string begin = !points.push_end && starts_embedded(run)
                                 ? fmt::format("Wished in place at w = {} and dragged", shown.length_text(run.scale, points.first_w))
                                 : std::string("Dragged");
   return fmt::format("{} {}{}, {} meets", begin, travel, vertical, subject);
 }
 
-std::string drag_words(const PipeRun& run, const RunPoints& points, const base::DisplayUnits& shown)
+/// Of the first drag, to its very end.
+std::string drag_words(const PipeRun& run, const RunPoints& points, const DragPoint& end, const base::DisplayUnits& shown)
 {
-  const DragPoint& last = points.drag.back();
   const Real D = run.scale.width, began = points.push_end ? points.push_end->w : points.first_w;
-  std::string words = fmt::format("{} H = {}, {} V", drag_begin(run, points, text::short_number(last.u / D) + " D", shown),
-                                  shown.force_text(run.scale, last.H), text::short_number(last.H / last.V));
-  if (std::abs(last.w - began) > same_depth * D)
-    words += fmt::format(", and {} to w = {}", last.w > began ? "sinks" : "rises", shown.length_text(run.scale, last.w));
+  std::string words = fmt::format("{} H = {}, {} V, over the last {} D",
+                                  drag_begin(run, points, text::short_number(end.u / D) + " D", shown), shown.force_text(run.scale, end.H),
+                                  text::short_number(end.H / end.V), text::short_number(residual_travel(end.u, run.scale) / D));
+  if (std::abs(end.w - began) > same_depth * D)
+    words += fmt::format(", and {} to w = {}", end.w > began ? "sinks" : "rises", shown.length_text(run.scale, end.w));
   return words + ". ";
+}
+
+/// Of the drags after the first.
+std::string later_drags_words(const PipeRun& run, const PipeResults& results, const base::DisplayUnits& shown)
+{
+  Real min = infinity, max = 0;
+  for (std::size_t k = 1; k < results.drags.size(); ++k)
+    if (const auto& end = results.drags[k].end) min = std::min(min, end->H), max = std::max(max, end->H);
+  if (!(min <= max)) return "";
+  const std::size_t later = results.drags.size() - 1;
+  const std::string range = min == max ? shown.force_text(run.scale, min)
+                                       : fmt::format("{} to {}", shown.force_text(run.scale, min), shown.force_text(run.scale, max));
+  return fmt::format(" {} {} at {} end H = {}.", later == 1 ? "One more drag follows:" : fmt::format("{} more drags follow:", later),
+                     later == 1 ? "it meets" : "they meet", later == 1 ? "its" : "their", range);
 }
 
 /// Of a drag that came to none of its points.
@@ -69,10 +98,8 @@ std::string short_drag_words(const PipeRun& run, const RunPoints& points, const 
 {
   const Real D = run.scale.width;
   const std::string travel = std::isnan(resistance.travel) ? "less than 0.1 D" : text::short_number(resistance.travel / D) + " D";
-  const std::string V =
-      std::isnan(resistance.V_at_largest) ? "" : fmt::format(", under V = {}", shown.force_text(run.scale, resistance.V_at_largest));
-  return fmt::format("{} at most H = {}, at u = {}{}. ", drag_begin(run, points, travel, shown),
-                     shown.force_text(run.scale, resistance.largest->H), shown.length_text(run.scale, resistance.largest->u), V);
+  return fmt::format("{} at most H = {}, at u = {}. ", drag_begin(run, points, travel, shown),
+                     shown.force_text(run.scale, resistance.largest->H), shown.length_text(run.scale, resistance.largest->u));
 }
 
 std::string resistance_words(const PipeRun& run, const Resistance& resistance, const base::DisplayUnits& shown)
@@ -80,10 +107,13 @@ std::string resistance_words(const PipeRun& run, const Resistance& resistance, c
   if (std::isnan(resistance.last_change)) return "";
   const StageEnd end = end_of_drag(run);
   if (!resistance.breakout) return fmt::format("There is {}.", no_peak_words(resistance, end.to));
-  const std::string peak = fmt::format("H peaks at u = {} with {}", shown.length_text(run.scale, resistance.breakout->u),
-                                       shown.force_text(run.scale, resistance.breakout->H));
-  return resistance.residual ? fmt::format("{}, then comes to {}.", peak, shown.force_text(run.scale, *resistance.residual))
-                             : fmt::format("{}, and still changes {}.", peak, end.reached ? "at the " + end.at : end.at);
+  std::string words = fmt::format("H peaks first at u = {} with {}", shown.length_text(run.scale, resistance.breakout->u),
+                                  shown.force_text(run.scale, resistance.breakout->H));
+  if (resistance.largest && resistance.largest->H > (1 + min_fall) * resistance.breakout->H)
+    words += fmt::format(", grows to {} at u = {}", shown.force_text(run.scale, resistance.largest->H),
+                         shown.length_text(run.scale, resistance.largest->u));
+  return resistance.residual ? fmt::format("{}, then comes to {}.", words, shown.force_text(run.scale, *resistance.residual))
+                             : fmt::format("{}, and still changes {}.", words, end.reached ? "at the " + end.at : end.at);
 }
 
 }  // namespace
@@ -94,10 +124,13 @@ std::string results_in_words(const PipeRun& run, const base::DisplayUnits& shown
   const Resistance resistance = resistance_of(run);
   if (!points.push_end && !resistance.largest) return "Nothing is known of its forces: it did not come as far as a push or a drag.";
   std::string words;
+  const PipeResults results = run.results();
   if (points.push_end) words += push_words(run, points, shown);
+  words += other_push_words(run, results, shown);
   if (resistance.largest) {
-    words += points.drag.empty() ? short_drag_words(run, points, resistance, shown) : drag_words(run, points, shown);
-    words += resistance_words(run, resistance, shown);
+    const std::optional<DragPoint>& end = results.drag().end;
+    words += points.drag.empty() || !end ? short_drag_words(run, points, resistance, shown) : drag_words(run, points, *end, shown);
+    words += resistance_words(run, resistance, shown) + later_drags_words(run, results, shown);
   }
   words.erase(words.find_last_not_of(' ') + 1);
   if (!is_circle(run.settings)) words += fmt::format(" D is the width of the {}.", text::html_text(base::body_word(run.settings)));

@@ -95,6 +95,67 @@ std::string drag_table(const PipeRuns& runs, const base::DisplayUnits& shown, bo
   return table.html();
 }
 
+/// A row for each drag and other push of the runs that have more than one push and one drag.
+std::string stages_table(const PipeRuns& runs, const base::DisplayUnits& shown)
+{
+  text::HtmlTable table("key-stages", "Drags (sweeps) and unloading, one by one");
+  const auto force = [&](const char* symbol) { return text::HtmlCell{fmt::format("{}, {}", symbol, shown.force_unit()), true}; };
+  table.columns({{"stage"},
+                 {"travel/D", true},
+                 force("V"),
+                 force("H<sub>breakout</sub>"),
+                 {"at u/D", true},
+                 force("H<sub>max</sub>"),
+                 force("H<sub>end</sub>"),
+                 {"H<sub>end</sub>/V", true},
+                 {"w<sub>end</sub>/D", true},
+                 {"berm height/D", true},
+                 {"berm ahead by/D", true}});
+  const auto number = [](std::optional<Real> value) { return text::HtmlCell{value ? text::table_number(*value) : "", true}; };
+  for (const PipeRun& run : runs) {
+    const PipeResults results = run.results();
+    if (results.drags.size() < 2 && results.other_pushes.empty()) continue;
+    const Real D = run.scale.width;
+    const auto force_of = [&](std::optional<Real> value) { return number(value ? std::optional(shown.in_force_unit(*value)) : value); };
+    const auto over_D = [&](std::optional<Real> value) { return number(value ? std::optional(*value / D) : value); };
+    if (runs.size() > 1) table.row({{text::html_text(run.name)}}, "group");
+    for (const OtherPushResults& push : results.other_pushes)
+      table.row({{text::html_text(push.stage)},
+                 {"", true},
+                 force_of(push.V),
+                 {"", true},
+                 {"", true},
+                 {"", true},
+                 {"", true},
+                 {"", true},
+                 over_D(push.w),
+                 {"", true},
+                 {"", true}});
+    for (const DragResults& drag : results.drags) {
+      const auto& end = drag.end;
+      const auto of_end = [&](Real DragPoint::*member) { return end ? std::optional((*end).*member) : std::nullopt; };
+      table.row({{text::html_text(drag.stage)},
+                 over_D(of_end(&DragPoint::u)),
+                 force_of(drag.V),
+                 force_of(drag.breakout ? std::optional(drag.breakout->H) : std::nullopt),
+                 over_D(drag.breakout ? std::optional(drag.breakout->u) : std::nullopt),
+                 force_of(drag.largest ? std::optional(drag.largest->H) : std::nullopt),
+                 force_of(of_end(&DragPoint::H)),
+                 number(end ? std::optional(end->H / end->V) : std::nullopt),
+                 over_D(of_end(&DragPoint::w)),
+                 over_D(drag.berm_height),
+                 over_D(drag.berm_distance)});
+    }
+  }
+  if (table.empty()) return "";
+  return table.html() +
+         text::html_paragraph(
+             "H of a drag is positive where the soil resists it. H at its end is the mean over its last tenth, at least over 0.1 D. The "
+             "berm is the highest soil ahead of the pipe at the end of the drag, above the surface as it was, and its distance from "
+             "the axis of the pipe.",
+             "quiet");
+}
+
 std::string residual_words(const Resistance& resistance, const StageEnd& end)
 {
   const std::string change = fmt::format("{:.2g}", 100 * resistance.last_change);
@@ -150,7 +211,8 @@ std::string averaging_words(const PipeRuns& runs)
 std::string key_results(const PipeRuns& runs, const base::DisplayUnits& shown)
 {
   const bool several = runs.size() > 1;
-  const std::string tables = push_table(runs, shown, several) + drag_table(runs, shown, several) + resistance_table(runs, shown, several);
+  const std::string tables = push_table(runs, shown, several) + drag_table(runs, shown, several) + resistance_table(runs, shown, several) +
+                             stages_table(runs, shown);
   return tables.empty() ? "" : shown.prototype_words() + averaging_words(runs) + tables;
 }
 

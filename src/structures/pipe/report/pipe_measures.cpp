@@ -81,23 +81,33 @@ std::string diameter_limit(Real value)
   return fmt::format("{:g} D", value);
 }
 
-/// The largest kinetic over internal energy in the stages of a list, beyond the first tenth of the rows of each (internal energy begins at nothing); NaN
+/// The largest kinetic over internal energy in the pushes or drags, beyond the first tenth of the rows of each (internal energy begins at nothing); NaN
 /// where there are no such rows.
-Real kinetic_over_internal(const record::RunRecord& run, const std::vector<std::string>& stages)
+Real kinetic_over_internal(const record::RunRecord& run, problem::StageKind kind)
 {
   const run_folder::History& h = run.history;
   if (h.rows() == 0 || !h.has_label("kinetic") || !h.has_label("internal")) return unknown;
   Real largest = unknown;
-  for (const std::string& stage : stages) {
-    const auto rows = std::count(h.stage.begin(), h.stage.end(), stage);
+  for (const PipeStage& stage : pipe_stages(run.settings)) {
+    if (stage.kind != kind) continue;
+    const auto rows = std::count(h.stage.begin(), h.stage.end(), stage.name);
     std::ptrdiff_t before = 0;
     for (Index k = 0; k < h.rows(); ++k) {
-      if (h.stage[k] != stage || 10 * before++ < rows) continue;
+      if (h.stage[k] != stage.name || 10 * before++ < rows) continue;
       const Real ratio = h.by_label("kinetic")[k] / std::abs(h.by_label("internal")[k]);
       if (std::isfinite(ratio)) largest = std::isnan(largest) ? ratio : std::max(largest, ratio);
     }
   }
   return largest;
+}
+
+/// The largest of a measure over the drags of a run; NaN where none has it.
+Real worst_of_drags(Run run, std::optional<Real> DragResults::*measure)
+{
+  Real worst = unknown;
+  for (const DragResults& drag : PipeRun(run).results().drags)
+    if (const std::optional<Real>& value = drag.*measure) worst = std::isnan(worst) ? *value : std::max(worst, *value);
+  return worst;
 }
 
 /// How much larger the body acts than it is, at most, with soil held off by the mean gap: 2 gap / D.
@@ -106,12 +116,12 @@ Real acts_larger(Run run)
   return 2 * quantity_value(run, "gap_mean_over_D");
 }
 
-TrustMeasure kinetic(const char* stage, bool (*applies)(Run), std::vector<std::string> PipeStages::*stages)
+TrustMeasure kinetic(const char* stage, bool (*applies)(Run), problem::StageKind kind)
 {
   return {fmt::format("kinetic over internal energy, {}", stage),
           &limits::kinetic,
           applies,
-          [stages](Run run) { return kinetic_over_internal(run, pipe_stages(run.settings).*stages); },
+          [kind](Run run) { return kinetic_over_internal(run, kind); },
           in_percent,
           [stage](Run, Real value) {
             return fmt::format("kinetic energy is {} of internal energy in the {}: drive slower", text::percent_words(value), stage);
@@ -119,12 +129,12 @@ TrustMeasure kinetic(const char* stage, bool (*applies)(Run), std::vector<std::s
           text::percent_words};
 }
 
-TrustMeasure noise(const char* force, const char* stage, const Limit& limit, bool (*applies)(Run))
+TrustMeasure noise(const char* force, const char* stage, const Limit& limit, bool (*applies)(Run), std::function<Real(Run)> value_of)
 {
   return {fmt::format("noise of {} in the {}", force, stage),
           &limit,
           applies,
-          [force](Run run) { return quantity_value(run, fmt::format("{}_noise", force)); },
+          std::move(value_of),
           in_percent,
           [force](Run, Real value) {
             return fmt::format("{} wavers by {} about its mean: a single value says little, take means", force, text::percent_words(value));
@@ -137,7 +147,7 @@ TrustMeasure held(const std::string& body)
   return {"error of the V that the drag holds (root mean square)",
           &limits::held,
           holds,
-          [](Run run) { return quantity_value(run, "V_rms_error_in_drag"); },
+          [](Run run) { return worst_of_drags(run, &DragResults::V_rms_error); },
           in_percent,
           [body](Run, Real value) {
             return fmt::format("V is held within {} only: give the drag a longer ramp, or the {} less mass", text::percent_words(value),
@@ -227,12 +237,14 @@ TrustMeasure particles_of_cells(const std::string& body)
 
 TrustMeasures mpm_measures(const std::string& body)
 {
-  return joined({{energy_balance(problem::Method::mpm), kinetic("push", pushes, &PipeStages::push),
-                  kinetic("drag", drags, &PipeStages::drag), balance_after_geostatic("when the push began"), held(body),
-                  noise("V", "push", limits::noise_of_V, pushes), noise("H", "drag", limits::noise_of_H, drags), shaking(body)},
-                 soil_volumes(),
-                 {contact_gap(body), overlap(body), second_impulse(), momentum_balance(), size_of("cells at the " + body, limits::cells),
-                  shear_bands(), particles_of_cells(body), counted("particles", "particles"), counted("cells", "cells")}});
+  return joined(
+      {{energy_balance(problem::Method::mpm), kinetic("push", pushes, problem::StageKind::push),
+        kinetic("drag", drags, problem::StageKind::drag), balance_after_geostatic("when the push began"), held(body),
+        noise("V", "push", limits::noise_of_V, pushes, [](Run run) { return quantity_value(run, "V_noise"); }),
+        noise("H", "drag", limits::noise_of_H, drags, [](Run run) { return worst_of_drags(run, &DragResults::H_noise); }), shaking(body)},
+       soil_volumes(),
+       {contact_gap(body), overlap(body), second_impulse(), momentum_balance(), size_of("cells at the " + body, limits::cells),
+        shear_bands(), particles_of_cells(body), counted("particles", "particles"), counted("cells", "cells")}});
 }
 
 TrustMeasures fem_measures(const std::string& body)

@@ -76,7 +76,7 @@ enum class Word {
   w_of_frame       ///< embedment in that frame
 };
 
-/// A run of a test with its curves and frames.
+/// A run of a test with its curves, those of its first drag, and frames.
 class MeasuredRun {
 public:
   explicit MeasuredRun(const record::RunRecord& record)
@@ -84,10 +84,10 @@ public:
         D(run.scale.width),
         half_(averaging_half(run.scale)),
         path_(pipe_path(run.history, run.stages)),
-        V_(path_.w, path_.V),
-        H_(path_.drag_u, path_.drag_H),
-        V_drag_(path_.drag_u, path_.drag_V),
-        w_(path_.drag_u, path_.drag_w),
+        V_(path_.push.w, path_.push.V),
+        H_(path_.drag().travel, path_.drag().H),
+        V_drag_(path_.drag().travel, path_.drag().V),
+        w_(path_.drag().travel, path_.drag().w),
         frames_(run)
   {
   }
@@ -103,7 +103,7 @@ public:
   bool has_drag() const { return !H_.empty() && !w_.empty() && H_.end() > 0; }
   Real end_of_drag() const { return H_.end(); }
   /// The embedment with which the drag begins.
-  Real w_begin() const { return path_.drag_w.front(); }
+  Real w_begin() const { return path_.drag().w.front(); }
 
   /// Where in the push V first reaches a force, or in the drag w an embedment; empty where it does not.
   std::optional<Real> w_where_V_is(Real force) const { return first_travel(V_, force); }

@@ -53,6 +53,22 @@ Heave heave_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& 
   return heave;
 }
 
+Berm berm_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, Real surface, const PipePlace& pipe, Real direction,
+             Real diameter)
+{
+  const Real width = column_width * diameter;
+  std::map<Index, Real> columns = columns_above(now, surface, pipe.x, width);
+  for (const auto& [column, height] : columns_above(start, surface, pipe.x, width)) columns[column] -= height;
+  Berm berm{0, 0, 0};
+  for (const auto& [column, rise] : columns) {
+    const Real ahead = direction * (static_cast<Real>(column) + 0.5) * width;
+    if (ahead < 0 || rise <= 0) continue;
+    berm.area += rise * width;
+    if (ahead <= around_pipe * diameter && rise > berm.height) berm.height = rise, berm.distance = ahead;
+  }
+  return berm;
+}
+
 Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::SavedSoil& after, Real surface, const PipePlace& from,
                        const PipePlace& to, Real diameter)
 {
@@ -112,6 +128,7 @@ PipeFrames::PipeFrames(const PipeRun& run)
     const auto stage = std::find_if(run.settings.stage.begin(), run.settings.stage.end(),
                                     [&](const problem::StageSettings& s) { return s.name == run.history.stage[row]; });
     kinds_.push_back(stage == run.settings.stage.end() ? problem::StageKind::free : stage->kind);
+    stages_.push_back(run.history.stage[row]);
   }
 }
 
@@ -128,6 +145,32 @@ std::optional<std::size_t> PipeFrames::last(problem::StageKind kind) const
   for (std::size_t k = count(); k-- > 0;)
     if (kinds_[k] == kind) return k;
   return std::nullopt;
+}
+
+std::optional<std::size_t> PipeFrames::last(const std::string& stage) const
+{
+  for (std::size_t k = count(); k-- > 0;)
+    if (stages_[k] == stage) return k;
+  return std::nullopt;
+}
+
+void take_berms(PipeResults& results, const PipeRun& run)
+{
+  if (results.drags.empty()) return;
+  const PipeFrames frames(run);
+  if (frames.count() == 0 || run.settings.method != problem::Method::mpm) return;
+  try {
+    const run_folder::SavedSoil start = frames.soil(0);
+    for (DragResults& drag : results.drags) {
+      const auto stage = std::find_if(run.stages.begin(), run.stages.end(), [&](const PipeStage& s) { return s.name == drag.stage; });
+      const std::optional<std::size_t> frame = frames.last(drag.stage);
+      if (stage == run.stages.end() || !frame || *frame == 0) continue;
+      const Berm berm = berm_of(start, frames.soil(*frame), run.settings.surface, frames.place(*frame), stage->direction, run.scale.width);
+      drag.berm_height = berm.height;
+      if (berm.height > 0) drag.berm_distance = berm.distance;
+    }
+  } catch (const RunError&) {  // the film says which frame is damaged
+  }
 }
 
 }  // namespace berm::pipe

@@ -25,6 +25,14 @@ struct Heave {
 /// counts for the soil that it is.
 Heave heave_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, Real surface, const PipePlace& pipe, Real diameter);
 
+/// The berm ahead of a pipe that is dragged along `direction` (+1 or -1): the highest rise of a column of soil within 4 D of the pipe's axis, the distance
+/// of that column's middle from the axis, m, and the area (m2) of all soil that has risen ahead.
+struct Berm {
+  Real height, distance, area;
+};
+Berm berm_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, Real surface, const PipePlace& pipe, Real direction,
+             Real diameter);
+
 /// What moves between two frames with the same points, the one right before the other.
 struct Mechanism {
   Real behind;  ///< part of the shearing (deviatoric strain times volume) on the side x < the pipe's centre
@@ -47,8 +55,9 @@ public:
   const PipePlace& place(std::size_t frame) const { return places_[frame]; }
   /// The frame of the pushes or drags of this kind in which the quantity is nearest to `value`; empty where there is none.
   std::optional<std::size_t> nearest(problem::StageKind kind, Real PipePlace::*quantity, Real value) const;
-  /// The last frame of the stages of this kind.
+  /// The last frame of the stages of this kind, and of the stage of this name.
   std::optional<std::size_t> last(problem::StageKind kind) const;
+  std::optional<std::size_t> last(const std::string& stage) const;
   /// Throw RunError where the frame's file is missing or damaged.
   run_folder::SavedSoil soil(std::size_t frame) const { return run_folder::read_soil(files_[frame].soil); }
   run_folder::SavedRigids rigid_bodies(std::size_t frame) const { return run_folder::read_rigids(files_[frame].rigid); }
@@ -57,6 +66,10 @@ private:
   std::vector<run_folder::FrameFiles> files_;
   std::vector<PipePlace> places_;
   std::vector<problem::StageKind> kinds_;
+  std::vector<std::string> stages_;
 };
+
+/// Adds to each drag the berm at its end, as far as there are frames that can be read.
+void take_berms(PipeResults& results, const PipeRun& run);
 
 }  // namespace berm::pipe

@@ -2,6 +2,7 @@
 #include "structures/pipe/results/pipe_quantities.hpp"
 
 #include "record/travel_curve.hpp"
+#include "structures/pipe/results/resistance.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -14,11 +15,6 @@ using record::TravelCurve;
 
 constexpr Real in_the_bed = 0.02;  // of D: a pipe that is put on the bed sinks less by its weight
 constexpr Real reached = 1e-3;     // of D: a stage that ends at a displacement may stop this much short of it, by rounding and by a step
-
-bool contains(const std::vector<std::string>& list, const std::string& name)
-{
-  return std::find(list.begin(), list.end(), name) != list.end();
-}
 
 constexpr Real noise_of_V_from = 0.02, noise_of_H_from = 0.1;  // of D: the forces grow from zero before
 constexpr Real widest_spacing = 0.005;                         // of D: rows farther apart tell no noise
@@ -49,7 +45,7 @@ std::optional<Real> if_known(Real value)
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
-void take_push(PipeResults& results, const PipePath& path, const BodyScale& scale)
+void take_push(PipeResults& results, const PushPath& path, const BodyScale& scale)
 {
   const Real D = scale.width;
   const TravelCurve V(path.w, path.V);
@@ -63,48 +59,105 @@ void take_push(PipeResults& results, const PipePath& path, const BodyScale& scal
 }
 
 /// V by the travel from the row before the push, of a pipe that is in the bed there.
-void take_travel(PipeResults& results, const PipePath& path, const run_folder::History& history, const BodyScale& scale)
+void take_travel(PipeResults& results, const PushPath& path, const run_folder::History& history, const BodyScale& scale)
 {
   const TravelCurve V(path.w, path.V);
   if (V.empty()) return;
-  const Real D = scale.width, begin = history["w_m"][std::max(path.push_rows.front() - 1, 0)];
+  const Real D = scale.width, begin = history["w_m"][std::max(path.rows.front() - 1, 0)];
   if (!(begin >= in_the_bed * D)) return;
   for (const Real point : travel_points)
     if (begin + point * D <= V.end() + reached * point * D)
       results.travel.push_back({point * D, V.at(std::min(begin + point * D, V.end()), std::min(averaging_half(scale), point * D / 4))});
 }
 
-void take_drag(PipeResults& results, const PipePath& path, std::optional<Real> held, const BodyScale& scale)
+/// V of a drag from the row on in which it is what it shall be: mean, and error of what is held.
+void take_vertical(DragResults& drag, const DragPath& path, const run_folder::History& history)
 {
+  const std::vector<Real>& time = history["time_s"];
+  const Real from = time[path.rows.front()] + path.stage.V_ramp;
+  std::vector<Real> force;
+  for (std::size_t k = 1; k < path.rows.size(); ++k)  // the first row is the last of the stage before
+    if (time[path.rows[k]] >= from && !std::isnan(path.V[k])) force.push_back(path.V[k]);
+  if (force.empty()) return;
+  const Real mean = std::accumulate(force.begin(), force.end(), Real{0}) / static_cast<Real>(force.size());
+  drag.V = mean;
+  if (!path.stage.holds_V) return;
+  const Real target = path.stage.held_force.value_or(mean);
+  if (target == 0) return;
+  Real squares = 0;
+  for (const Real f : force) squares += (f - target) * (f - target);
+  drag.V_rms_error = std::sqrt(squares / static_cast<Real>(force.size())) / std::abs(target);
+}
+
+/// H and V at the end: means over the last tenth of the travel, at least over 0.1 D.
+DragPoint end_of(const TravelCurve& H, const TravelCurve& V, const TravelCurve& w, const BodyScale& scale)
+{
+  const Real travel = H.end() - H.begin(), half = residual_travel(travel, scale) / 2;
+  return {H.end(), w.at(w.end(), averaging_half(scale)), H.at(H.end() - half, half), V.at(V.end() - half, half)};
+}
+
+DragResults drag_results(const DragPath& path, const run_folder::History& history, std::optional<Real> V_max, const BodyScale& scale)
+{
+  DragResults drag{.stage = path.stage.name};
   const Real D = scale.width;
-  const TravelCurve H(path.drag_u, path.drag_H), V(path.drag_u, path.drag_V), w(path.drag_u, path.drag_w);
-  if (H.empty() || V.empty() || w.empty()) return;
+  const TravelCurve H(path.travel, path.H), V(path.travel, path.V), w(path.travel, path.w);
+  if (H.empty() || V.empty() || w.empty()) return drag;
   const Real half = averaging_half(scale);
   for (const Real point : drag_points) {
     if (point * D > H.end() + reached * D) break;
     const Real u = std::min(point * D, H.end());
-    results.drag.push_back({point * D, w.at(u, half), H.at(u, half), V.at(u, half)});
+    drag.points.push_back({point * D, w.at(u, half), H.at(u, half), V.at(u, half)});
   }
-  results.H_noise = if_known(noise_of(path.drag_u, path.drag_H, noise_of_H_from * D, scale));
+  drag.H_noise = if_known(noise_of(path.travel, path.H, noise_of_H_from * D, scale));
   const TravelCurve smooth = H.smoothed(half);
   const auto largest = std::max_element(smooth.value().begin(), smooth.value().end());
-  results.drag_peak = DragPeak{smooth.travel()[largest - smooth.value().begin()], *largest};
-
-  // The first row is the push's last.
-  const std::vector<Real> force(path.drag_V.begin() + 1, path.drag_V.end());
-  if (force.empty()) return;
-  const Real target = held ? *held : std::accumulate(force.begin(), force.end(), Real{0}) / static_cast<Real>(force.size());
-  Real squares = 0;
-  for (const Real f : force) squares += (f - target) * (f - target);
-  results.V_rms_error_in_drag = std::sqrt(squares / static_cast<Real>(force.size())) / std::abs(target);
+  drag.largest = DragPeak{smooth.travel()[largest - smooth.value().begin()], *largest};
+  take_vertical(drag, path, history);
+  if (V_max && drag.V.value_or(0) > 0) drag.over_penetration = *V_max / *drag.V;
+  const Resistance resistance = resistance_to(H, scale);
+  if (std::isnan(resistance.last_change)) return drag;
+  drag.end = end_of(H, V, w, scale);
+  if (resistance.breakout) drag.breakout = DragPeak{resistance.breakout->u, resistance.breakout->H};
+  drag.residual = resistance.residual;
+  return drag;
 }
 
-void take_contact(PipeResults& results, const run_folder::History& history, const PipeStages& stages)
+void take_drags(PipeResults& results, const PipePath& path, const run_folder::History& history, const BodyScale& scale)
+{
+  std::optional<Real> V_max;
+  if (const TravelCurve V(path.push.w, path.push.V); !V.empty()) {
+    const TravelCurve smooth = V.smoothed(averaging_half(scale));
+    V_max = *std::max_element(smooth.value().begin(), smooth.value().end());
+  }
+  for (const DragPath& drag : path.drags) {
+    DragResults found = drag_results(drag, history, V_max, scale);
+    if (found.largest) results.drags.push_back(std::move(found));
+  }
+}
+
+void take_other_pushes(PipeResults& results, const PipePath& path, const run_folder::History& history)
+{
+  for (const OtherPush& push : path.other_pushes) {
+    const Index last = push.rows.back();
+    const Real V = history.by_label("V")[last], w = history["w_m"][last];
+    if (std::isfinite(V) && std::isfinite(w)) results.other_pushes.push_back({push.stage, w, V});
+  }
+}
+
+/// The rows of all pushes and drags.
+std::vector<Index> driven_rows(const PipePath& path)
+{
+  std::vector<Index> rows = path.push.rows;
+  for (const OtherPush& push : path.other_pushes) rows.insert(rows.end(), push.rows.begin(), push.rows.end());
+  for (const DragPath& drag : path.drags) rows.insert(rows.end(), drag.rows.begin() + (drag.rows.size() > 1 ? 1 : 0), drag.rows.end());
+  return rows;
+}
+
+void take_contact(PipeResults& results, const PipePath& path, const run_folder::History& history)
 {
   Real max = -infinity, sum = 0;
   Index overlaps = 0, gaps = 0;
-  for (Index k = 0; k < history.rows(); ++k) {
-    if (!contains(stages.push, history.stage[k]) && !contains(stages.drag, history.stage[k])) continue;
+  for (const Index k : driven_rows(path)) {
     if (history.has("overlap_m") && !std::isnan(history["overlap_m"][k])) max = std::max(max, history["overlap_m"][k]), ++overlaps;
     if (history.has("gap_m") && std::isfinite(history["gap_m"][k])) sum += history["gap_m"][k], ++gaps;
   }
@@ -112,14 +165,14 @@ void take_contact(PipeResults& results, const run_folder::History& history, cons
   if (gaps > 0) results.gap_mean = sum / gaps;
 }
 
-void take_second_impulse(PipeResults& results, const run_folder::History& history, const PipeStages& stages)
+void take_second_impulse(PipeResults& results, const PushPath& path, const run_folder::History& history)
 {
   constexpr const char* label = "second impulse";
   if (!history.has_label(label)) return;
   const std::vector<Real>&second_impulse = history.by_label(label), &reaction = history.by_label("V");
   Real second = 0, V = 0;
-  for (Index k = 0; k < history.rows(); ++k) {
-    if (!contains(stages.push, history.stage[k]) || !std::isfinite(second_impulse[k]) || !std::isfinite(reaction[k])) continue;
+  for (const Index k : path.rows) {
+    if (!std::isfinite(second_impulse[k]) || !std::isfinite(reaction[k])) continue;
     second += second_impulse[k];
     V += reaction[k];
   }
@@ -137,35 +190,16 @@ std::string four_digits(Real value)
 
 }  // namespace
 
-PipePath pipe_path(const run_folder::History& history, const PipeStages& stages)
-{
-  const auto &u = history["u_m"], &w = history["w_m"], &H = history.by_label("H"), &V = history.by_label("V");
-  PipePath path;
-  for (Index k = 0; k < history.rows(); ++k) {
-    if (contains(stages.push, history.stage[k])) path.w.push_back(w[k]), path.V.push_back(V[k]), path.push_rows.push_back(k);
-    if (!contains(stages.drag, history.stage[k])) continue;
-    const Index from = path.drag_u.empty() ? std::max(k - 1, 0) : k;
-    if (path.drag_u.empty()) path.u_begin = u[from];
-    for (Index row = from; row <= k; ++row) {
-      path.drag_u.push_back(std::abs(u[row] - path.u_begin));
-      path.drag_w.push_back(w[row]);
-      path.drag_H.push_back(H[row]);
-      path.drag_V.push_back(V[row]);
-      path.drag_rows.push_back(row);
-    }
-  }
-  return path;
-}
-
 PipeResults pipe_results(const run_folder::History& history, const BodyScale& scale, const PipeStages& stages)
 {
   const PipePath path = pipe_path(history, stages);
   PipeResults results;
-  take_push(results, path, scale);
-  take_travel(results, path, history, scale);
-  take_drag(results, path, stages.held_force, scale);
-  take_second_impulse(results, history, stages);
-  take_contact(results, history, stages);
+  take_push(results, path.push, scale);
+  take_travel(results, path.push, history, scale);
+  take_drags(results, path, history, scale);
+  take_other_pushes(results, path, history);
+  take_second_impulse(results, path.push, history);
+  take_contact(results, path, history);
   return results;
 }
 

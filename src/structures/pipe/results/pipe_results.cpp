@@ -20,23 +20,27 @@ class Writer {
 public:
   explicit Writer(const BodyScale& scale) : scale_(scale) {}
 
-  bool force(const std::string& name, Real value, const char* meaning)
+  /// What follows is of a stage; "" = of the run.
+  void of_stage(const std::string& stage) { prefix_ = stage.empty() ? "" : stage + "."; }
+  bool force(const std::string& number, Real value, const char* meaning)
   {
+    const std::string name = prefix_ + number;
     const bool plane = scale_.dimension == 2;
     list_.push_back({name, value, plane ? "N/m" : "N", meaning});
     const Real unit = scale_.unit_weight * scale_.width * scale_.width;
     if (plane && unit > 0) list_.push_back({name + "_over_gammaD2", value / unit, "1", meaning});
     return true;
   }
-  bool length(const std::string& name, Real value, const char* meaning)
+  bool length(const std::string& number, Real value, const char* meaning)
   {
+    const std::string name = prefix_ + number;
     list_.push_back({name, value, "m", meaning});
     list_.push_back({name + "_over_D", value / scale_.width, "1", meaning});
     return true;
   }
   bool ratio(const std::string& name, Real value, const char* meaning)
   {
-    list_.push_back({name, value, "1", meaning});
+    list_.push_back({prefix_ + name, value, "1", meaning});
     return true;
   }
   template <class T, class Members>
@@ -55,6 +59,7 @@ public:
 
 private:
   const BodyScale& scale_;
+  std::string prefix_;
   std::vector<Quantity> list_;
 };
 
@@ -66,6 +71,7 @@ public:
     for (const Quantity& q : quantities) values_.emplace(q.name, q.value);
   }
 
+  void of_stage(const std::string& stage) { prefix_ = stage.empty() ? "" : stage + "."; }
   bool force(const std::string& name, Real& value, const char*) { return take(name, value); }
   bool length(const std::string& name, Real& value, const char*) { return take(name, value); }
   bool ratio(const std::string& name, Real& value, const char*) { return take(name, value); }
@@ -86,26 +92,28 @@ public:
   }
   Real known(const char* name) const
   {
-    const auto found = values_.find(name);
+    const auto found = values_.find(prefix_ + name);
     return found == values_.end() ? 0 : found->second;
   }
 
 private:
   bool take(const std::string& name, Real& value)
   {
-    const auto found = values_.find(name);
+    const auto found = values_.find(prefix_ + name);
     if (found == values_.end()) return false;
     value = found->second;
     return true;
   }
 
   Real diameter_;
+  std::string prefix_;
   std::map<std::string, Real> values_;
 };
 
-/// The one description of the results: names and meanings, both ways.
+// The one description of the results: names and meanings, both ways.
+
 template <class Visitor>
-void describe(Visitor& v, PipeResults& r, Real D)
+void describe_push(Visitor& v, PipeResults& r, Real D)
 {
   const auto spaced = [&] {
     std::vector<Real> parts;
@@ -124,8 +132,13 @@ void describe(Visitor& v, PipeResults& r, Real D)
       [&](TravelPoint& p) {
         return v.force(at("V_at_travel", p.travel / D), p.V, "vertical reaction after a travel of a push in the bed");
       });
+}
+
+template <class Visitor>
+void describe_drag(Visitor& v, DragResults& r, Real D)
+{
   v.each(
-      r.drag, &DragPoint::u, [] { return std::vector<Real>(std::begin(drag_points), std::end(drag_points)); },
+      r.points, &DragPoint::u, [] { return std::vector<Real>(std::begin(drag_points), std::end(drag_points)); },
       [&](DragPoint& p) {
         Real ratio = p.H / p.V;
         const bool there = v.force(at("H_at_u", p.u / D), p.H, "horizontal resistance in the drag at a displacement") &&
@@ -135,12 +148,45 @@ void describe(Visitor& v, PipeResults& r, Real D)
         return there;
       });
   v.optional(r.H_noise, [&](Real& value) { return v.ratio("H_noise", value, "noise of H in the drag over its mean"); });
-  v.optional(r.drag_peak, [&](DragPeak& p) {
+  v.optional(r.largest, [&](DragPeak& p) {
     return v.force("H_max", p.H, "largest horizontal resistance of the drag") && v.length("u_at_H_max", p.u, "displacement at which it is");
   });
-  v.optional(r.V_rms_error_in_drag, [&](Real& value) {
+  v.optional(r.breakout, [&](DragPeak& p) {
+    return v.force("H_breakout", p.H, "horizontal resistance at breakout, its first peak") &&
+           v.length("u_at_breakout", p.u, "displacement at breakout");
+  });
+  v.optional(r.end, [&](DragPoint& p) {
+    return v.force("H_end_of_drag", p.H, "mean horizontal resistance over the end of the drag") &&
+           v.force("V_end_of_drag", p.V, "mean vertical reaction over the end of the drag") &&
+           v.length("u_end_of_drag", p.u, "travel of the drag") && v.length("w_end_of_drag", p.w, "embedment at the end of the drag");
+  });
+  v.optional(r.berm_height, [&](Real& value) { return v.length("berm_height", value, "height of the berm ahead at the end of the drag"); });
+  v.optional(r.berm_distance,
+             [&](Real& value) { return v.length("berm_distance", value, "distance of the top of that berm from the axis of the pipe"); });
+  v.optional(r.residual,
+             [&](Real& value) { return v.force("H_residual", value, "horizontal resistance that stays at the end of the drag"); });
+  v.optional(r.V, [&](Real& value) { return v.force("V_in_drag", value, "mean vertical reaction in the drag"); });
+  v.optional(r.over_penetration,
+             [&](Real& value) { return v.ratio("over_penetration", value, "largest V of the push over the mean V of the drag"); });
+  v.optional(r.V_rms_error, [&](Real& value) {
     return v.ratio("V_rms_error_in_drag", value, "root mean square of V in the drag less what is held, over that");
   });
+}
+
+template <class Visitor>
+void describe(Visitor& v, PipeResults& r, Real D)
+{
+  describe_push(v, r, D);
+  for (std::size_t k = 0; k < r.drags.size(); ++k) {
+    v.of_stage(k == 0 ? "" : r.drags[k].stage);
+    describe_drag(v, r.drags[k], D);
+  }
+  for (OtherPushResults& push : r.other_pushes) {
+    v.of_stage(push.stage);
+    v.force("V_end", push.V, "vertical reaction at the end of the stage");
+    v.length("w_end", push.w, "embedment at the end of the stage");
+  }
+  v.of_stage("");
   v.optional(r.second_impulse_over_V,
              [&](Real& value) { return v.ratio("second_impulse_over_V", value, "second contact correction in the push over V"); });
   v.optional(r.overlap_max, [&](Real& value) { return v.length("overlap_max", value, "deepest overlap of soil and body"); });
@@ -157,13 +203,26 @@ std::vector<Quantity> quantities_of(const PipeResults& results, const BodyScale&
   return std::move(writer).list();
 }
 
-PipeResults results_of(const std::vector<Quantity>& quantities, const BodyScale& scale)
+PipeResults results_of(const std::vector<Quantity>& quantities, const BodyScale& scale, const PipeStages& stages)
 {
   PipeResults results;
   if (!(scale.width > 0)) return results;
+  const Real absent = std::numeric_limits<Real>::quiet_NaN();
+  for (const PipeStage& stage : stages) {
+    if (stage.kind == problem::StageKind::drag) results.drags.push_back({.stage = stage.name});
+    if (stage.kind == problem::StageKind::push) results.other_pushes.push_back({stage.name, absent, absent});
+  }
   Reader reader(quantities, scale.width);
   describe(reader, results, scale.width);
+  std::erase_if(results.drags, [](const DragResults& drag) { return !drag.largest; });
+  std::erase_if(results.other_pushes, [](const OtherPushResults& push) { return std::isnan(push.V); });
   return results;
+}
+
+const DragResults& PipeResults::drag() const
+{
+  static const DragResults none_yet{};
+  return drags.empty() ? none_yet : drags.front();
 }
 
 }  // namespace berm::pipe

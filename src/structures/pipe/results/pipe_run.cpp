@@ -4,17 +4,7 @@
 
 namespace berm::pipe {
 
-PipeStages pipe_stages(const problem::Case& c)
-{
-  PipeStages stages;
-  for (const problem::StageSettings& stage : c.stage) {
-    if (stage.kind == problem::StageKind::push) stages.push.push_back(stage.name);
-    if (stage.kind == problem::StageKind::drag) stages.drag.push_back(stage.name);
-  }
-  return stages;
-}
-
-PipeRun::PipeRun(const record::RunRecord& run, std::size_t place_on_page)
+PipeRun::PipeRun(const record::RunRecord& run, std::size_t number_on_page)
     : record(run),
       name(run.name),
       settings(run.settings),
@@ -23,7 +13,7 @@ PipeRun::PipeRun(const record::RunRecord& run, std::size_t place_on_page)
       end(run.end),
       scale(base::body_scale(run.settings)),
       stages(pipe_stages(run.settings)),
-      place(place_on_page)
+      number(number_on_page)
 {
 }
 

@@ -6,12 +6,9 @@
 
 namespace berm::pipe {
 
-/// The pushes and the drags of a case; held_force is left empty.
-PipeStages pipe_stages(const problem::Case& c);
-
 /// A run as that of a pipe: the record, which must outlive it, with what its results are measured by.
 struct PipeRun {
-  explicit PipeRun(const record::RunRecord& run, std::size_t place = 0);
+  explicit PipeRun(const record::RunRecord& run, std::size_t number_on_page = 0);
 
   const record::RunRecord& record;
   const std::string& name;
@@ -21,7 +18,10 @@ struct PipeRun {
   record::RunEnd end;
   BodyScale scale;
   PipeStages stages;
-  std::size_t place;  ///< on the page, which gives its colour
+  std::size_t number;  ///< on the page, which gives its colour
+
+  /// What its quantities tell.
+  PipeResults results() const { return results_of(quantities, scale, stages); }
 };
 
 using PipeRuns = std::vector<PipeRun>;

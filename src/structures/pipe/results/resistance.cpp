@@ -39,6 +39,11 @@ void take_if_larger(std::optional<Resistance::Point>& largest, Real u, Real H)
 
 }  // namespace
 
+Real residual_travel(Real travel, const BodyScale& scale)
+{
+  return std::min(travel, std::max(residual_part * travel, min_residual_travel * scale.width));
+}
+
 Resistance resistance_to(const TravelCurve& H, const BodyScale& scale)
 {
   Resistance resistance;
@@ -49,7 +54,7 @@ Resistance resistance_to(const TravelCurve& H, const BodyScale& scale)
   for (std::size_t k = 0; k < smooth.travel().size(); ++k) take_if_larger(resistance.largest, smooth.travel()[k], smooth.value()[k]);
   resistance.breakout = breakout_in(smooth, scale);
   const Real travel = H.end() - H.begin();
-  const Real half = std::min(travel, std::max(residual_part * travel, min_residual_travel * scale.width)) / 2;
+  const Real half = residual_travel(travel, scale) / 2;
   const Real mean = H.at(H.end() - half, half);
   resistance.last_change = 2 * (H.at(H.end(), half) - mean) / std::abs(mean);
   if (std::abs(resistance.last_change) < max_residual_change) resistance.residual = mean;
@@ -59,13 +64,13 @@ Resistance resistance_to(const TravelCurve& H, const BodyScale& scale)
 Resistance resistance_of(const PipeRun& run)
 {
   const PipePath path = run.history.rows() > 0 ? pipe_path(run.history, run.stages) : PipePath{};
-  Resistance resistance = resistance_to({path.drag_u, path.drag_H}, run.scale);
-  const std::optional<DragPeak> peak = results_of(run.quantities, run.scale).drag_peak;
+  const DragPath& drag = path.drag();
+  Resistance resistance = resistance_to({drag.travel, drag.H}, run.scale);
+  const std::optional<DragPeak> peak = run.results().drag().largest;
   if (!resistance.largest && peak) take_if_larger(resistance.largest, peak->u, peak->H);
   // The points need not be among the travels at which a long curve is looked at.
   for (const DragPoint& p : points_of(run).drag) take_if_larger(resistance.largest, p.u, p.H);
-  if (resistance.largest)
-    resistance.V_at_largest = TravelCurve(path.drag_u, path.drag_V).at(resistance.largest->u, averaging_half(run.scale));
+  if (resistance.largest) resistance.V_at_largest = TravelCurve(drag.travel, drag.V).at(resistance.largest->u, averaging_half(run.scale));
   return resistance;
 }
 

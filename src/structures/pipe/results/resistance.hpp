@@ -32,10 +32,13 @@ constexpr Real breakout_stays = 0.1;
 /// The end of the drag over which H must not change to be residual: over the travel of the drag, and at least over D.
 constexpr Real residual_part = 0.1, min_residual_travel = 0.1;
 
+/// The travel (m) of that end, of a drag of this travel.
+Real residual_travel(Real travel, const BodyScale& scale);
+
 /// Of H (N/m) over u (m), without V.
 Resistance resistance_to(const record::TravelCurve& H, const BodyScale& scale);
 
-/// Of a run's drag; where its history is lost, of what its quantities tell.
+/// Of a run's first drag; where its history is lost, of what its quantities tell.
 Resistance resistance_of(const PipeRun& run);
 
 /// What to say of a drag whose H has no peak: "no peak: H grows to the end of the drag", whose `end` may be another.

@@ -23,9 +23,12 @@ Real placed_w(const problem::Case& c)
                                        : bodies::lowest_level<3>(bodies::make_shape<3>(shape), Vec<3>::UnitY()));
 }
 
-bool contains(const std::vector<std::string>& stages, const std::string& stage)
+/// Whether the run's history ends in a stage of this kind.
+bool ends_in(const PipeRun& run, problem::StageKind kind)
 {
-  return std::find(stages.begin(), stages.end(), stage) != stages.end();
+  return run.history.rows() > 0 && std::any_of(run.stages.begin(), run.stages.end(), [&](const PipeStage& stage) {
+           return stage.kind == kind && stage.name == run.history.stage.back();
+         });
 }
 
 bool knows_w(const run_folder::History& history)
@@ -36,10 +39,9 @@ bool knows_w(const run_folder::History& history)
 /// The embedment at which the push begins: in the row before its first, as far as there is one.
 Real push_begin(const PipeRun& run, Real first_w)
 {
-  const run_folder::History& h = run.history;
-  for (Index k = 0; knows_w(h) && k < h.rows(); ++k)
-    if (contains(run.stages.push, h.stage[k])) return h["w_m"][std::max(k - 1, 0)];
-  return first_w;
+  if (!knows_w(run.history)) return first_w;
+  const PushPath push = pipe_path(run.history, run.stages).push;
+  return push.rows.empty() ? first_w : run.history["w_m"][std::max(push.rows.front() - 1, 0)];
 }
 
 StageEnd end_of(const PipeRun& run, const char* stage, bool reached)
@@ -56,10 +58,10 @@ RunPoints points_of(const PipeRun& run)
   RunPoints points;
   const Real D = run.scale.width;
   points.first_w = knows_w(run.history) ? run.history["w_m"].front() : placed_w(run.settings);
-  PipeResults results = results_of(run.quantities, run.scale);
+  PipeResults results = run.results();
   points.push = std::move(results.push);
   points.push_end = results.push_end;
-  points.drag = std::move(results.drag);
+  points.drag = results.drag().points;
   const Real begin = push_begin(run, points.first_w), end = points.push_end ? points.push_end->w : nan;
   std::erase_if(points.push,
                 [&](const PushPoint& p) { return std::abs(p.w - begin) < same_point * D || std::abs(p.w - end) < same_point * D; });
@@ -68,14 +70,13 @@ RunPoints points_of(const PipeRun& run)
 
 StageEnd end_of_push(const PipeRun& run)
 {
-  const bool dragged = results_of(run.quantities, run.scale).drag_peak.has_value();
-  const bool last = run.history.rows() > 0 ? contains(run.stages.push, run.history.stage.back()) : !dragged;
+  const bool last = run.history.rows() > 0 ? ends_in(run, problem::StageKind::push) : run.results().drags.empty();
   return end_of(run, "push", run.end == record::RunEnd::finished || !last);
 }
 
 StageEnd end_of_drag(const PipeRun& run)
 {
-  const bool last = run.history.rows() == 0 || contains(run.stages.drag, run.history.stage.back());
+  const bool last = run.history.rows() == 0 || ends_in(run, problem::StageKind::drag);
   return end_of(run, "drag", run.end == record::RunEnd::finished || !last);
 }
 

@@ -11,7 +11,8 @@ namespace fs = std::filesystem;
 using PipeCurves = DrawnRun;
 
 const BodyScale scale{.width = 0.02, .unit_weight = 430e3, .gravity_level = 50};
-const PipeStages stages{.push = {"push"}, .drag = {"drag"}, .held_force = {}};
+const PipeStages stages{PipeStage{.name = "push", .kind = problem::StageKind::push},
+                        PipeStage{.name = "drag", .kind = problem::StageKind::drag}};
 
 TEST_F(PipeCurves, the_curves_of_a_pipe_are_drawn_with_and_without_a_drag)
 {

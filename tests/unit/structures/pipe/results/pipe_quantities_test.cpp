@@ -12,7 +12,8 @@ namespace berm::pipe {
 namespace {
 
 const BodyScale scale{.width = 0.02, .unit_weight = 430e3, .gravity_level = 50};
-const PipeStages stages{.push = {"push"}, .drag = {"drag"}, .held_force = {}};
+const PipeStages stages{PipeStage{.name = "push", .kind = problem::StageKind::push},
+                        PipeStage{.name = "drag", .kind = problem::StageKind::drag}};
 
 std::vector<run_folder::Quantity> quantities_of(const SamplePipe& pipe, const PipeStages& by = stages)
 {
@@ -83,23 +84,42 @@ TEST(PipeResults, come_back_from_their_quantities)
   results.push = {{0.003, 300}, {0.004, 400}};
   results.push_end = PushPoint{0.0045, 450};
   results.travel = {{0.0002, 7}};
-  results.drag = {{0.002, 0.005, 300, 600}, {0.015, 0.006, 310, 620}};
-  results.drag_peak = DragPeak{0.016, 320};
-  results.H_noise = 0.01;
+  DragResults drag{.stage = "drag"}, back{.stage = "back"};
+  drag.points = {{0.002, 0.005, 300, 600}, {0.015, 0.006, 310, 620}};
+  drag.largest = DragPeak{0.016, 320};
+  drag.H_noise = 0.01;
+  back.largest = DragPeak{0.004, 250};
+  back.end = DragPoint{0.02, 0.007, 240, 610};
+  back.berm_height = 0.003;
+  results.drags = {drag, back};
+  results.other_pushes = {{"unload", 0.0044, 200}};
   results.gap_mean = 1e-5;
   const std::vector<run_folder::Quantity> quantities = pipe::quantities_of(results, by);
   EXPECT_EQ(value(quantities, "V_at_w_0.15D"), 300);
   EXPECT_EQ(value(quantities, "H_over_V_at_u_0.75D"), 0.5);
-  const PipeResults read = results_of(quantities, by);
+  EXPECT_EQ(value(quantities, "H_max"), 320);
+  EXPECT_EQ(value(quantities, "back.H_max"), 250);
+  EXPECT_EQ(value(quantities, "unload.V_end"), 200);
+  PipeStages three = stages;
+  three.push_back({.name = "unload", .kind = problem::StageKind::push});
+  three.push_back({.name = "back", .kind = problem::StageKind::drag});
+  three.push_back({.name = "never", .kind = problem::StageKind::drag});
+  const PipeResults read = results_of(quantities, by, three);
   ASSERT_EQ(read.push.size(), 2u);
   EXPECT_DOUBLE_EQ(read.push[1].w, 0.004);
   EXPECT_EQ(read.push[1].V, 400);
   EXPECT_EQ(read.push_end->w, 0.0045);
   ASSERT_EQ(read.travel.size(), 1u);
-  ASSERT_EQ(read.drag.size(), 2u);
-  EXPECT_DOUBLE_EQ(read.drag[1].V, 620);
-  EXPECT_EQ(read.drag_peak->H, 320);
-  EXPECT_EQ(read.H_noise, 0.01);
+  ASSERT_EQ(read.drags.size(), 2u) << "the drag that was never begun has no results";
+  ASSERT_EQ(read.drag().points.size(), 2u);
+  EXPECT_DOUBLE_EQ(read.drag().points[1].V, 620);
+  EXPECT_EQ(read.drag().largest->H, 320);
+  EXPECT_EQ(read.drag().H_noise, 0.01);
+  EXPECT_EQ(read.drags[1].stage, "back");
+  EXPECT_EQ(read.drags[1].end->H, 240);
+  EXPECT_EQ(read.drags[1].berm_height, 0.003);
+  ASSERT_EQ(read.other_pushes.size(), 1u);
+  EXPECT_EQ(read.other_pushes[0].V, 200);
   EXPECT_EQ(read.gap_mean, 1e-5);
   EXPECT_FALSE(read.V_noise || read.overlap_max || read.second_impulse_over_V);
   const std::vector<run_folder::Quantity> again = pipe::quantities_of(read, by);
@@ -204,14 +224,14 @@ TEST(PipeQuantities, the_second_impulse_is_told_over_V_of_the_push)
 TEST(PipeQuantities, the_error_in_V_counts_from_the_held_force_where_it_is_given)
 {
   PipeStages held = stages;
-  held.held_force = 1600;
+  held[1].held_force = 1600;
   EXPECT_NEAR(value(quantities_of({}, held), "V_rms_error_in_drag"), 0.25, 1e-12);  // V is 2000 N/m
 }
 
 TEST(PipeQuantities, a_push_alone_has_no_numbers_of_a_drag)
 {
   PipeStages push_only = stages;
-  push_only.drag.clear();
+  push_only.pop_back();
   const auto list = quantities_of({}, push_only);
   EXPECT_NE(find(list, "V_end_of_push"), nullptr);
   for (const run_folder::Quantity& q : list) EXPECT_EQ(q.name.find("_at_u_"), std::string::npos) << q.name;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problem/sweeps.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::problem {
+namespace {
+
+std::vector<StageSettings> drags_of(const StageSettings& sweep)
+{
+  std::vector<StageSettings> drags;
+  StageSettings drag = sweep;
+  drag.kind = StageKind::drag;
+  drag.amplitude.reset();
+  drag.sweeps = 0;
+  drag.pause = 0;
+  for (int k = 1; k <= sweep.sweeps; ++k) {
+    drag.name = fmt::format("{}_{}", sweep.name, k);
+    drag.velocity = k % 2 == 1 ? *sweep.velocity : -*sweep.velocity;
+    drag.until = {};
+    drag.until.displacement = sweep.amplitude;
+    drags.push_back(drag);
+    if (sweep.pause == 0 || k == sweep.sweeps) continue;
+    drag.name += "_pause";
+    drag.velocity = 0;
+    drag.until = {};
+    drag.until.time = sweep.pause;
+    drags.push_back(drag);
+  }
+  return drags;
+}
+
+void rename(std::vector<std::string>& names, const std::string& sweep, const std::vector<StageSettings>& drags)
+{
+  const auto found = std::find(names.begin(), names.end(), sweep);
+  if (found == names.end()) return;
+  const auto at = names.erase(found);
+  std::vector<std::string> of_drags;
+  for (const StageSettings& drag : drags) of_drags.push_back(drag.name);
+  names.insert(at, of_drags.begin(), of_drags.end());
+}
+
+}  // namespace
+
+void expand_sweeps(Case& c)
+{
+  std::vector<StageSettings> all;
+  for (const StageSettings& stage : c.stage) {
+    if (stage.kind != StageKind::sweep) {
+      all.push_back(stage);
+      continue;
+    }
+    const std::vector<StageSettings> drags = drags_of(stage);
+    for (const StageSettings& drag : drags)
+      for (const StageSettings& other : c.stage)
+        if (other.name == drag.name)
+          throw InputError(
+              fmt::format("stage \"{}\": its drags are called {}, as another stage is: give one another name", stage.name, drag.name));
+    for (auto& [name, support] : c.support) rename(support.stages, stage.name, drags);
+    for (auto& [name, traction] : c.traction) rename(traction.stages, stage.name, drags);
+    all.insert(all.end(), drags.begin(), drags.end());
+  }
+  c.stage = std::move(all);
+}
+
+}  // namespace berm::problem

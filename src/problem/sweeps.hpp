@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/case.hpp"
+
+namespace berm::problem {
+
+/// Puts drags in the place of the sweeps of a case. A sweep "s" of n drags becomes s_1 ... s_n, along its velocity and back in turn, each over its amplitude;
+/// where it pauses, s_1_pause ... between them stand still with the vertical force held. Supports and tractions that name s name all of them. Throws InputError
+/// where another stage has one of these names.
+void expand_sweeps(Case& c);
+
+}  // namespace berm::problem
