@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import { ChartView } from "./charts/chart_view";
 import { chart_controls, labelled_select } from "./charts/controls";
+import { follow_size } from "./charts/follow_size";
 import { drag_plans, push_plans } from "./charts/path_charts";
 import type { Plan } from "./charts/plan";
 import type { Settings } from "./charts/scene";
@@ -79,17 +80,4 @@ function free_views(data: PageData, view: View): ChartView[] {
 function group(title: string, views: ChartView[]): HTMLElement[] {
   if (views.length === 0) return [];
   return [element("h3", {}, title), element("div", { class: "chart_group" }, ...views.map((each) => each.figure))];
-}
-
-/** Charts are as wide as their place, whenever that changes. */
-function follow_size(views: ChartView[]): void {
-  const widths = new Map<Element, number>();
-  const observer = new ResizeObserver((entries) => {
-    for (const { target, contentRect } of entries) {
-      if (widths.get(target) === Math.floor(contentRect.width)) continue;
-      widths.set(target, Math.floor(contentRect.width));
-      views.find((each) => each.figure === target)?.draw();
-    }
-  });
-  for (const each of views) observer.observe(each.figure);
 }

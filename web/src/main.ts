@@ -3,6 +3,7 @@ import { page_data } from "./data";
 import { show_charts } from "./charts";
 import { serve_copy_buttons } from "./copy";
 import { show_films } from "./films";
+import { show_first_look } from "./first_look";
 import { open_details_in_print } from "./print";
 import { follow_theme } from "./theme";
 
@@ -10,5 +11,6 @@ const data = page_data();
 follow_theme();
 serve_copy_buttons();
 open_details_in_print();
+show_first_look(document.getElementById("first-look"), data);
 show_charts(document.getElementById("curves")!, data);
 show_films(document.getElementById("soil")!, data);

@@ -70,7 +70,7 @@ function hard_places(data: PageData): void {
   const chart = main_chart as "H_u" | "V_w";
   const run = data.runs.find((each) => each.name === (chart === "H_u" ? dragged : pushed)[0].name)!;
   const path = chart === "H_u" ? run.drag : run.push;
-  const along = path.rows.map((row) => (chart === "H_u" ? Math.abs(run.columns.u_m[row]! - run.drag.u_begin) : run.columns.w_m[row]!));
+  const along = path.rows.map((row) => (chart === "H_u" ? run.columns.u_m[row]! - run.drag.u_begin : run.columns.w_m[row]!));
   const values = path.rows.map((row) => run.columns[chart === "H_u" ? "H_N_m" : "V_N_m"][row] ?? 0);
   const [x, y] = [Math.max(...along), Math.max(...values)];
   const middle = Math.floor(along.length / 2);

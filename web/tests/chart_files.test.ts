@@ -16,7 +16,7 @@ const { main_chart } = charts_of_report();
 test("csv_holds_the_rows_of_history", async () => {
   const { page, context } = await open_report(browser);
   let compared = 0;
-  for (const chart of await page.locator(".chart").all()) {
+  for (const chart of await page.locator("#curves .chart").all()) {
     const [time, ...cells] = await cells_of(chart);
     const column = cells.find((cell) => read_history(time.run).has(cell.column) && cell.column !== "time_s" && cell.row === time.row);
     if (column === undefined) continue;
@@ -46,7 +46,7 @@ test("svg_stands_alone_with_titles_units_and_legend", async () => {
   const label = `<b onload="x">"quoted" & 'odd'`;
   const file = changed_report((changed) => (changed.runs[0].name = label));
   const { page, context, errors } = await open_report(browser, { file });
-  for (const chart of await page.locator(".chart").all()) {
+  for (const chart of await page.locator("#curves .chart").all()) {
     const id = (await chart.getAttribute("data-chart"))!;
     const svg = await downloaded(page, chart, ".chart_svg");
     assert.match(svg.name, /^[A-Za-z0-9_]+\.svg$/);

@@ -14,7 +14,7 @@ const { data, pushed, dragged, main_chart, main_column } = charts_of_report();
 
 test("hover_reads_rows_of_history_in_every_chart", async () => {
   const { page, context, errors } = await open_report(browser);
-  const charts = await page.locator(".chart").all();
+  const charts = await page.locator("#curves .chart").all();
   assert.ok(charts.length > 0);
   for (const chart of charts) {
     const id = await chart.getAttribute("data-chart");
@@ -53,12 +53,12 @@ test("hover_reads_the_row_nearest_the_cursor", async (t) => {
     for (const part of [0.15, 0.45, 0.7]) {
       const place = await point_at(page, chart, part, part);
       const cells = await cells_of(chart);
-      const head = cells.find((cell) => (path === "push" ? cell.column === "w_m" : cell.column.startsWith("|u_m")))!.head;
+      const head = cells.find((cell) => (path === "push" ? cell.column === "w_m" : cell.column.startsWith("u_m -")))!.head;
       const wanted = (low + (high - low) * place[axis === "x" ? 0 : 1]) * unit_in(head);
       const pixel = ((high - low) / 300) * unit_in(head);
       for (const run of runs) {
         const arguments_ = history_numbers(run.name, path === "push" ? "w_m" : "u_m").map((value) =>
-          value === null ? null : path === "push" ? value : Math.abs(value - run.drag.u_begin));
+          value === null ? null : path === "push" ? value : value - run.drag.u_begin);
         const rows = history_rows(run, path);
         const { row } = cells.find((cell) => cell.run === run.name)!;
         assert.ok(rows.includes(row), `${id} of ${run.name}: row ${row} is not of the ${path}`);
@@ -91,7 +91,7 @@ test("run_checkbox_turns_the_run_off_in_all_charts", async () => {
   await box.click();
   assert.ok(Number(await chart.getAttribute("data-lines")) < lines);
   assert.ok((await pixels(chart)) !== drawn, "the picture has not changed");
-  for (const each of await page.locator(".chart:not(.chart_own_key)").all())
+  for (const each of await page.locator("#curves .chart:not(.chart_own_key)").all())
     assert.ok(!(await cells_of(each)).some((cell) => cell.run === run), `${await each.getAttribute("data-chart")} still shows ${run}`);
   await box.press("Space");
   assert.ok((await pixels(chart)) === drawn, "the picture is not what it was");

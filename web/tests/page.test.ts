@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { changed_report, launch_browser, open_report, take_screenshot } from "./browser";
+import { changed_report, launch_browser, open_report, report_data, take_screenshot } from "./browser";
 
 let browser: Browser;
 before(async () => void (browser = await launch_browser()));
@@ -35,6 +35,19 @@ for (const colour of ["light", "dark"] as const)
       assert.deepEqual(requests, []);
       await context.close();
     });
+
+test("curves_and_soil_of_the_first_run_are_seen_without_scrolling", async () => {
+  const { page, context } = await open_report(browser, { viewport: { width: 1400, height: 900 } });
+  const run = report_data().runs[0];
+  const charts = page.locator("#first-look .chart");
+  const paths = [run.drag, run.push].filter((path) => run.diameter !== null && path.rows.length > 1).length;
+  assert.equal(await charts.count(), paths);
+  for (const each of [...(await charts.all()), page.locator("#first-look img")]) {
+    const box = (await each.boundingBox())!;
+    assert.ok(box.width > 200 && box.height > 100 && box.y + box.height <= 900, `${box.y} + ${box.height} px`);
+  }
+  await context.close();
+});
 
 test("theme_button_changes_colours", async () => {
   const { page, context, errors } = await open_report(browser);

@@ -2,6 +2,7 @@
 #include "report/page/page.hpp"
 
 #include "report/animation/film.hpp"
+#include "report/page/first_look.hpp"
 #include "report/page/page_data.hpp"
 #include "report/page/page_files.hpp"
 #include "report/quality/quality_section.hpp"
@@ -100,7 +101,7 @@ std::string report_page(std::vector<record::RunRecord> runs, const ClaimSheets& 
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   page += fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n", title_of(runs), page_style);
-  page += header_of(runs, sections) + faults_of(runs, left_out) + results_section(runs) + setup_section(runs);
+  page += header_of(runs, sections) + faults_of(runs, left_out) + results_section(runs, first_look(runs.front())) + setup_section(runs);
   page += text::html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
   page += text::html_section("soil", "The soil, moving",
                              "<noscript><p>The moving soil needs scripts, which this browser does not run.</p></noscript>\n");

@@ -27,17 +27,28 @@ std::string doubts_in_words(const record::RunRecord& run)
                      : fmt::format("Take it with care. Bad among its <a href=\"#trust\">measures of trust</a>: {}.", fmt::join(bad, "; "));
 }
 
-std::string words_of(const Runs& runs, const base::DisplayUnits& shown)
+std::string words_of(const record::RunRecord& run, const base::DisplayUnits& shown, bool several)
 {
-  std::string html;
-  for (const record::RunRecord& run : runs) {
-    const std::string name = runs.size() > 1 ? fmt::format("<strong>{}</strong> ", text::html_text(run.name)) : "";
-    const std::string results = structures::structure_of(run.settings).in_words(run, shown);
-    const std::string doubts = doubts_in_words(run);
-    html += fmt::format("<p>{}{}{}{}</p>\n", name, run.end == record::RunEnd::finished ? "" : "(not finished) ", results,
-                        doubts.empty() ? "" : " <span class=\"doubts\">" + doubts + "</span>");
+  const std::string name = several ? fmt::format("<strong>{}</strong> ", text::html_text(run.name)) : "";
+  const std::string results = structures::structure_of(run.settings).in_words(run, shown);
+  const std::string doubts = doubts_in_words(run);
+  return fmt::format("<p>{}{}{}{}</p>\n", name, run.end == record::RunEnd::finished ? "" : "(not finished) ", results,
+                     doubts.empty() ? "" : " <span class=\"doubts\">" + doubts + "</span>");
+}
+
+/// The sentences of the first run, and folded those of the others.
+std::string words_of(const Runs& runs, const base::DisplayUnits& shown, const std::string& first_look)
+{
+  std::string html = words_of(runs.front(), shown, runs.size() > 1) + first_look;
+  if (runs.size() == 1) return html;
+  std::vector<std::string> names;
+  std::string others;
+  for (std::size_t k = 1; k < runs.size(); ++k) {
+    names.push_back(text::html_text(runs[k].name));
+    others += words_of(runs[k], shown, true);
   }
-  return html;
+  return html + fmt::format("<details id=\"other-runs\"><summary>What the other {} met: {}</summary>\n{}</details>\n",
+                            runs.size() == 2 ? "run" : "runs", fmt::join(names, ", "), others);
 }
 
 base::DisplayUnits units_of(const Runs& runs)
@@ -49,10 +60,10 @@ base::DisplayUnits units_of(const Runs& runs)
 
 }  // namespace
 
-std::string results_section(const Runs& runs)
+std::string results_section(const Runs& runs, const std::string& first_look)
 {
   const base::DisplayUnits shown = units_of(runs);
-  std::string html = words_of(runs, shown), key, published;
+  std::string html = words_of(runs, shown, first_look), key, published;
   for (const base::Structure* structure : structures::all_structures()) {
     const base::Runs of_structure = structures::runs_of(*structure, runs);
     key += structure->key_results(of_structure, shown);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/page/first_look.hpp"
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+#include "report/setup/stage_words.hpp"
+#include "text/base64_zlib.hpp"
+#include "text/tex_math.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm::report {
+namespace {
+
+constexpr std::size_t max_stages = 5;  // in a line
+
+std::string stages_in_a_line(const problem::Case& c)
+{
+  std::vector<std::string> stages;
+  for (const problem::StageSettings& stage : c.stage) {
+    if (stages.size() == max_stages) break;
+    stages.push_back(text::html_text(stage_words(stage, c.dimension)));
+  }
+  const std::size_t more = c.stage.size() - stages.size();
+  return fmt::format("{}{}", fmt::join(stages, "; "), more == 0 ? "" : fmt::format("; {} more", more));
+}
+
+/// The picture as a part of the page; "" where there is none.
+std::string picture_of(const std::filesystem::path& file)
+{
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) return "";
+  try {
+    return text::base64(io::read_text_file(file));
+  } catch (const RunError&) {
+    return "";
+  }
+}
+
+}  // namespace
+
+std::string first_look(const record::RunRecord& run)
+{
+  std::string html = fmt::format("<p class=\"quiet\">Stages: {}.</p>\n<div id=\"first-look\">", stages_in_a_line(run.settings));
+  if (const std::string picture = picture_of(run.folder / "soil.png"); !picture.empty())
+    html +=
+        fmt::format("<figure><img src=\"data:image/png;base64,{}\" alt=\"The soil around the driven body at the end, coloured by strain\">"
+                    "<figcaption class=\"quiet\">The soil at the end of {}</figcaption></figure>",
+                    picture, text::html_text(run.name));
+  return html + "</div>\n";
+}
+
+}  // namespace berm::report
