@@ -23,6 +23,13 @@ void describe(Describe& d, DiskSettings& disk)
            .required = true});
 }
 
+void describe(Describe& d, SoilLayerSettings& layer)
+{
+  d.value("top", layer.top,
+          {.meaning = "depth of its upper edge below the bed's surface at the start", .unit = "m", .range = positive, .required = true});
+  d.value("material", layer.material, {.meaning = "name of its [material.NAME]", .required = true});
+}
+
 void describe(Describe& d, InitialVelocity& velocity)
 {
   d.value("amplitude", velocity.amplitude, {.meaning = "velocity of the particles at the start", .unit = "m/s", .required = true});
@@ -34,6 +41,8 @@ void describe(Describe& d, InitialVelocity& velocity)
 void describe(Describe& d, BodySettings& body)
 {
   d.value("material", body.material, {.meaning = "name of its [material.NAME]", .required = true});
+  d.value("region_material", body.region_material,
+          {.meaning = "names of other materials with the same law in some regions, by the region's name"});
   d.value("regions", body.regions, {.meaning = "regions of the mesh that it fills at the start"});
   d.value("particles_per_cell", body.particles_per_cell,
           {.meaning = "particles per cell at the start: 1, 4, 9, 16 ... in triangles, 1, 8, 27 ... in tetrahedra; 0 = 9 or 8",
@@ -56,6 +65,8 @@ void describe(Describe& d, BodySettings& body)
                "angular velocity about its centre of mass (in space: about z) at the start, counter-clockwise; added to initial_velocity",
            .unit = "rad/s",
            .formerly = "initial_spin"});
+  d.array("soil_layer", body.soil_layer,
+          {.meaning = "layers of other materials with the same law, downwards: each from its upper edge to the next one"});
   d.array("initial_velocity", body.initial_velocity, {.meaning = "velocity at the start; several terms are summed"});
 }
 

@@ -28,11 +28,19 @@ struct InitialVelocity {
   Real phase = 0;                 ///< rad
 };
 
+/// A layer of another material at the start, down to the next one.
+struct SoilLayerSettings {
+  Real top = 0;  ///< m below the bed's surface
+  std::string material;
+};
+
 /// Input of a deformable body: its material and the part of the mesh that it fills at the start.
 struct BodySettings {
   std::string material;
-  std::vector<std::string> regions;  ///< of the mesh, filled cell by cell
-  int particles_per_cell = 0;        ///< n^dim; 0 = 9 in triangles, 8 in tetrahedra
+  std::vector<SoilLayerSettings> soil_layer;           ///< downwards, below `material`
+  std::map<std::string, std::string> region_material;  ///< other materials in some regions, instead of layers
+  std::vector<std::string> regions;                    ///< of the mesh, filled cell by cell
+  int particles_per_cell = 0;                          ///< n^dim; 0 = 9 in triangles, 8 in tetrahedra
   std::map<std::string, int> region_particles_per_cell;
   std::optional<BlockSettings> block;  ///< instead of regions
   std::optional<DiskSettings> disk;    ///< instead of regions
@@ -46,6 +54,7 @@ struct BodySettings {
 
 void describe(Describe& d, BlockSettings& block);
 void describe(Describe& d, DiskSettings& disk);
+void describe(Describe& d, SoilLayerSettings& layer);
 void describe(Describe& d, InitialVelocity& velocity);
 void describe(Describe& d, BodySettings& body);
 

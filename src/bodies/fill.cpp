@@ -256,6 +256,12 @@ Particles<dim> fill(const mesh::Mesh<dim>& mesh, const std::string& name, const 
     p.mass = start.density * seed.volume;
     p.v = first_velocity<dim>(body, seed.x - center, seed.x);
     p.stress = initial_stress<dim>(body, start.density * start.vertical_gravity, start.surface - seed.x[1]);
+    if (start.soil_at) {
+      const SoilAtPoint soil = start.soil_at(seed.cell, seed.x);
+      p.mass = soil.density * seed.volume;
+      p.stress = stress_at_rest<dim>(body, soil.vertical_stress);
+      std::copy(soil.own.begin(), soil.own.end(), p.extra + particles.extra_size() - static_cast<int>(soil.own.size()));
+    }
     p.id = id++;
     particles.insert(seed.cell, p);
   }

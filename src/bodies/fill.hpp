@@ -5,6 +5,8 @@
 #include "bodies/particles.hpp"
 #include "bodies/rigid/rigid_body.hpp"
 
+#include <functional>
+
 namespace berm::bodies {
 
 /// Barycentric coordinates of n^dim points that share a simplex equally: the centroids of the n^dim equal parts that a regular subdivision makes.
@@ -22,6 +24,13 @@ Real particles_per_cell(const BodySettings& body, const std::string& region);
 template <int dim>
 Index filled_region(const mesh::Mesh<dim>& mesh, const std::string& name, const std::string& region);
 
+/// What a particle takes where the soil of its body varies.
+struct SoilAtPoint {
+  Real density;           ///< kg/m3, that gives the inertia
+  Real vertical_stress;   ///< Pa, of the level bed above, compression positive
+  std::vector<Real> own;  ///< the extra numbers that follow the law's state variables
+};
+
 /// Initial state of a body.
 template <int dim>
 struct StartState {
@@ -30,6 +39,8 @@ struct StartState {
   Real surface;                             ///< m, level of the bed's surface
   std::vector<FieldInfo> extra = {};        ///< extra fields of its particles; the law's state variables come first
   std::vector<RigidShape<dim>> holes = {};  ///< rigid bodies in contact with it, which displace its particles
+  /// Of soil that varies, at a point in a cell; replaces density and stress.
+  std::function<SoilAtPoint(Index cell, const Vec<dim>& x)> soil_at = {};
 };
 
 /// Fills the body's regions, block or disk, except for the holes, with particles at their initial velocity and stress.

@@ -52,12 +52,12 @@ struct Parameter {
 class Describe {
 public:
   using Leaf = std::variant<Real*, std::optional<Real>*, int*, bool*, std::string*, std::vector<std::string>*, std::vector<Real>*,
-                            std::map<std::string, Real>*, std::map<std::string, int>*>;
+                            std::map<std::string, Real>*, std::map<std::string, int>*, std::map<std::string, std::string>*>;
 
   virtual ~Describe() = default;
 
   /// One parameter. A std::vector<Real> is an array of numbers with one unit; a std::map is a table from a user's name to a
-  /// number. An empty optional, string, vector or map that is not required may be left out and stays empty.
+  /// number or a text. An empty optional, string, vector or map that is not required may be left out and stays empty.
   template <class T>
   void value(const char* key, T& variable, const Parameter& parameter)
   {
@@ -105,6 +105,13 @@ public:
       if (!variable) variable.emplace();
       table(key, *variable, parameter);
     }
+  }
+
+  /// A table that may be left out, and then stays empty().
+  template <class T>
+  requires(requires(T table) { table.empty(); }) void optional_table(const char* key, T& variable, const Parameter& parameter)
+  {
+    if (lists_all() || has_table(key, !variable.empty())) table(key, variable, parameter);
   }
 
   /// Tables under names that the user chooses: [material.sand], [material.clay], ... in the order of the file.

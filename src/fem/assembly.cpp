@@ -107,7 +107,7 @@ Real Assembly::bytes_of_element()
 /// The law at this point for increments that begin with a stress.
 material::PreparedMaterial Assembly::law_from(const SymTensor<2>& stress, Index cell, int q) const
 {
-  return prepare(associated(at_depth(model_.model.bodies[model_.mesh.body[cell]].material, model_.depth[cell][q]), stress));
+  return prepare(associated(model_.soil_at(cell, q), stress));
 }
 
 const Assembly::PointLaw& Assembly::law_of_point(const SymTensor<2>& begin, Index cell, int q)
@@ -137,14 +137,13 @@ StrengthLag Assembly::strength_lag(const FemState& begin, const std::vector<Real
 {
   StrengthLag lag;
   for (Index cell = 0; cell < cells_.size(); ++cell) {
-    const material::Material& material = model_.model.bodies[model_.mesh.body[cell]].material;
-    const material::Elasticity elastic = elasticity(material);
     for (int q = 0; q < triangle_points; ++q) {
+      const material::Material material = model_.soil_at(cell, q);
+      const material::Elasticity elastic = elasticity(material);
       const ShapeAtPoint& shape = model_.shape[cell][q];
       const SymTensor<2>& end = points_[cell][q].stress;
       const auto [s1, s3] = extreme_stresses(end);
-      const std::optional<Real> strength =
-          shear_strength(at_depth(material, model_.depth[cell][q]), (s1 + s3) / 2, points_[cell][q].law_state.data());
+      const std::optional<Real> strength = shear_strength(material, (s1 + s3) / 2, points_[cell][q].law_state.data());
       if (!strength) continue;
       SymTensor<2> returned = begin.points[cell][q].stress;
       add_elastic_stress(elastic, returned, strain_of(strain_matrix(shape), model_.mesh.nodes[cell], change));
@@ -163,9 +162,9 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
   CellWork& work = cells_[cell];
   Eigen::Map<Eigen::Matrix<Real, 12, 1>, Eigen::Unaligned> force(work.force.data());
   force.setZero();
-  const Vec<2> weight = density(model_.model.bodies[model_.mesh.body[cell]].material) * gravity;
   work.work = 0;
   for (int q = 0; q < triangle_points; ++q) {
+    const Vec<2> weight = model_.density_at(cell, q) * gravity;
     const ShapeAtPoint& shape = model_.shape[cell][q];
     const StrainMatrix b = strain_matrix(shape);
     const SymTensor<2> strain = strain_of(b, model_.mesh.nodes[cell], change);
@@ -299,11 +298,13 @@ void Assembly::count_work(FemState& state, const std::vector<Real>& change, cons
   const Real initial_imbalance_factor = (state.initial_imbalance_factor + loads.initial_imbalance_factor) / 2;
   for (const CellWork& cell : cells_) totals.internal += cell.work;
   for (Index cell = 0; cell < cells_.size(); ++cell)
-    for (const ShapeAtPoint& shape : model_.shape[cell])
+    for (int q = 0; q < triangle_points; ++q) {
+      const ShapeAtPoint& shape = model_.shape[cell][q];
+      const Real density = model_.density_at(cell, q);
       for (int k = 0; k < 6; ++k)
         for (int d = 0; d < 2; ++d)
-          totals.external += shape.area * shape.value[k] * density(model_.model.bodies[model_.mesh.body[cell]].material) * gravity[d] *
-                             change[2 * model_.mesh.nodes[cell][k] + d];
+          totals.external += shape.area * shape.value[k] * density * gravity[d] * change[2 * model_.mesh.nodes[cell][k] + d];
+    }
   for (std::size_t t = 0; t < loads.tractions.size(); ++t)
     for (const NodalLoad& load : model_.loads[t])
       for (int d = 0; d < 2; ++d)

@@ -90,7 +90,23 @@ FemWatch make_watch(const FemModel& model, const std::string& name, const proble
 
 bool flows_non_associated(const problem::Model<2>& model)
 {
-  return std::any_of(model.bodies.begin(), model.bodies.end(), [](const problem::Body<2>& body) { return non_associated(body.material); });
+  return std::any_of(model.bodies.begin(), model.bodies.end(), [](const problem::Body<2>& body) {
+    return std::any_of(body.soil.materials.begin(), body.soil.materials.end(),
+                       [](const auto& material) { return non_associated(material); });
+  });
+}
+
+/// P-wave modulus of the stiffest soil that the surface of the rigid body meets, Pa; where regions have their own materials, the stiffest of all at these depths.
+Real stiffest_at_contact(const FemModel& model, Index body)
+{
+  const problem::BodySoil& soil = model.model.bodies[body].soil;
+  Real stiffest = 0;
+  for (const FemContactPoint& point : model.contact) {
+    const Real depth = model.model.surface - model.mesh.position[point.node][1];
+    stiffest = std::max(stiffest, p_wave_modulus(soil.at("", depth)));
+    for (const auto& [region, number] : soil.of_region) stiffest = std::max(stiffest, p_wave_modulus(soil.at(region, depth)));
+  }
+  return stiffest;
 }
 
 void make_contact(FemModel& model)
@@ -109,8 +125,7 @@ void make_contact(FemModel& model)
     Real length = 0;
     for (const FemContactPoint& point : model.contact) length += point.area;
     model.interface = {contact.friction, contact.adhesion, contact.scheme == contact::Scheme::tied,
-                       contact_stiffness * p_wave_modulus(model.model.bodies[contact.body].material) * static_cast<Real>(sides.size()) /
-                           length};
+                       contact_stiffness * stiffest_at_contact(model, contact.body) * static_cast<Real>(sides.size()) / length};
   }
 }
 
@@ -154,13 +169,17 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
       Real y = 0;
       for (int k = 0; k < 6; ++k) y += shape.value[k] * nodes[k][1];
       model.depth[cell][q] = model.model.surface - y;
+      const problem::BodySoil& soil = model.soil_of(cell);
+      refuse_no_strength(soil, model.region_of(cell), model.depth[cell][q], model.model.bodies[body].name);
       state.points[cell][q].stress =
-          bodies::initial_stress<2>(c.body[body].second, density(model.model.bodies[body].material) * gravity, model.depth[cell][q]);
+          soil.layers.empty()
+              ? bodies::initial_stress<2>(c.body[body].second, model.density_at(cell, q) * gravity, model.depth[cell][q])
+              : bodies::stress_at_rest<2>(c.body[body].second, soil.mass_above("", std::max(Real(0), model.depth[cell][q])) * gravity);
     }
   }
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
-    for (const ShapeAtPoint& shape : model.shape[cell])
-      model.weight += shape.area * density(model.model.bodies[model.mesh.body[cell]].material) * model.model.gravity.norm();
+    for (int q = 0; q < triangle_points; ++q)
+      model.weight += model.shape[cell][q].area * model.density_at(cell, q) * model.model.gravity.norm();
   if (model.rigid != none) model.width = width_of<2>(model.model.rigid_bodies[model.rigid].shape);
   number_unknowns(model);
   if (c.initial_state == problem::InitialState::gravity_loading) load_by_gravity(c, model, state);

@@ -37,6 +37,17 @@ struct FemModel {
   // last three (x, y, angle).
   SparsePattern pattern;                          ///< of the soil alone
   CellField<std::array<Index, 78>> cell_entries;  ///< in the pattern, of the lower triangle of each element's 12 x 12 entries, row by row
+  /// The material at an integration point of a cell, with its strength and stiffness there.
+  material::Material soil_at(Index cell, int q) const { return soil_of(cell).at(region_of(cell), depth[cell][q]); }
+  /// The density there that gives the weight, kg/m3.
+  Real density_at(Index cell, int q) const
+  {
+    const problem::BodySoil& soil = soil_of(cell);
+    return density(soil.materials[soil.number_at(region_of(cell), depth[cell][q])]);
+  }
+  const problem::BodySoil& soil_of(Index cell) const { return model.bodies[mesh.body[cell]].soil; }
+  const std::string& region_of(Index cell) const { return model.mesh.region_names[mesh.region[cell]]; }
+
   Index unknowns() const { return 2 * mesh.position.size() + (rigid == none ? 0 : 3); }
   Index rigid_unknown() const { return 2 * mesh.position.size(); }
 };

@@ -22,9 +22,9 @@ SymTensor<2> strain_of_unknown(const ShapeAtPoint& shape, int k)
 
 void load_by_gravity(const problem::Case& c, const FemModel& model, FemState& state)
 {
-  std::vector<problem::GroundElasticity> grounds;
-  for (std::size_t b = 0; b < c.body.size(); ++b)
-    grounds.push_back(problem::ground_elasticity(model.model.bodies[b].material, c.body[b].second.k0.value()));
+  const auto ground_at = [&](Index cell, int q) {
+    return problem::ground_elasticity(model.soil_at(cell, q), c.body[model.mesh.body[cell]].second.k0.value());
+  };
   std::vector<char> prescribed(model.unknowns(), 0);
   const NodeField<std::uint8_t>& fixed = model.mesh.fixed[model.model.fixed_in[0]];
   for (Index k = 0; k < model.unknowns(); ++k) prescribed[k] = k >= model.rigid_unknown() || (fixed[k / 2] >> k % 2 & 1) != 0;
@@ -32,13 +32,14 @@ void load_by_gravity(const problem::Case& c, const FemModel& model, FemState& st
   std::vector<Real> matrix(model.pattern.entry_count(), 0.), unknowns(model.unknowns(), 0.);
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
     const auto& nodes = model.mesh.nodes[cell];
-    const Index body = model.mesh.body[cell];
-    for (const ShapeAtPoint& shape : model.shape[cell]) {
+    for (int q = 0; q < triangle_points; ++q) {
+      const ShapeAtPoint& shape = model.shape[cell][q];
+      const problem::GroundElasticity ground = ground_at(cell, q);
+      const Real density = model.density_at(cell, q);
       int entry = 0;
       for (int i = 0; i < 12; ++i) {
-        unknowns[2 * nodes[i / 2] + i % 2] +=
-            shape.area * shape.value[i / 2] * density(model.model.bodies[body].material) * model.model.gravity[i % 2];
-        const SymTensor<2> stress = stress_of<2>(grounds[body], strain_of_unknown(shape, i));
+        unknowns[2 * nodes[i / 2] + i % 2] += shape.area * shape.value[i / 2] * density * model.model.gravity[i % 2];
+        const SymTensor<2> stress = stress_of<2>(ground, strain_of_unknown(shape, i));
         for (int j = 0; j <= i; ++j)
           matrix[model.cell_entries[cell][entry++]] += shape.area * double_dot(stress, strain_of_unknown(shape, j));
       }
@@ -61,7 +62,7 @@ void load_by_gravity(const problem::Case& c, const FemModel& model, FemState& st
         const SymTensor<2> of_unknown = strain_of_unknown(model.shape[cell][q], k);
         for (int s = 0; s < 4; ++s) strain[s] += unknowns[2 * model.mesh.nodes[cell][k / 2] + k % 2] * of_unknown[s];
       }
-      state.points[cell][q].stress = stress_of<2>(grounds[model.mesh.body[cell]], strain);
+      state.points[cell][q].stress = stress_of<2>(ground_at(cell, q), strain);
     }
 }
 

@@ -77,6 +77,7 @@ private:
     cell_number_[cell] = made.cell_count();
     made.nodes.push_back(nodes);
     made.body.push_back(body_of(cell));
+    made.region.push_back(mesh_.region[cell]);
   }
 
   Index add_node(const Vec<2>& x)

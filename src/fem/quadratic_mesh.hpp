@@ -17,6 +17,7 @@ struct QuadraticMesh {
   NodeField<Vec<2>> position;                  ///< m
   CellField<AtSixNodes<Index>> nodes;          ///< corners counter-clockwise, then the mid-side nodes of 01, 12 and 20
   CellField<Index> body;                       ///< of each cell, an index into Case::body
+  CellField<Index> region;                     ///< of each cell, an index into Mesh::region_names
   std::vector<NodeField<std::uint8_t>> fixed;  ///< by set of supports, as in Model; bit d: fixed in direction d
   std::vector<BoundarySide> boundary_sides;
   std::vector<std::vector<BoundarySide>> loaded_sides;  ///< by traction: those at its boundary

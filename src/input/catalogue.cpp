@@ -32,6 +32,7 @@ struct TypeAndDefault {
   }
   Pair operator()(const std::map<std::string, Real>*) const { return {"number by name", ""}; }
   Pair operator()(const std::map<std::string, int>*) const { return {"whole number by name", ""}; }
+  Pair operator()(const std::map<std::string, std::string>*) const { return {"text by name", ""}; }
 };
 
 }  // namespace

@@ -123,26 +123,33 @@ void ValueReader::operator()(std::vector<Real>* values) const
   for (std::size_t k = 0; k < node_.items.size(); ++k) values->push_back(number(node_.items[k], fmt::format("{}[{}]", path_, k)));
 }
 
-void ValueReader::check_names(const char* example) const
+void ValueReader::check_names(const char* to_what, const char* example) const
 {
   if (node_.kind != Node::Kind::table)
-    refuse(document_, node_, path_, fmt::format("must be a table from names to numbers, such as {}, not {}", example, kind_of(node_)));
+    refuse(document_, node_, path_, fmt::format("must be a table from names to {}, such as {}, not {}", to_what, example, kind_of(node_)));
   for (const Node& item : node_.items)
     if (item.key.empty()) refuse(document_, item, path_, "a name must not be empty");
 }
 
 void ValueReader::operator()(std::map<std::string, Real>* values) const
 {
-  check_names("{top = 0.5}");
+  check_names("numbers", "{top = 0.5}");
   values->clear();
   for (const Node& item : node_.items) (*values)[item.key] = number(item, path_ + "." + item.key);
 }
 
 void ValueReader::operator()(std::map<std::string, int>* values) const
 {
-  check_names("{top = 4}");
+  check_names("numbers", "{top = 4}");
   values->clear();
   for (const Node& item : node_.items) (*values)[item.key] = whole_number(item, path_ + "." + item.key);
+}
+
+void ValueReader::operator()(std::map<std::string, std::string>* values) const
+{
+  check_names("texts", "{top = \"sand\"}");
+  values->clear();
+  for (const Node& item : node_.items) (*values)[item.key] = text(item, path_ + "." + item.key);
 }
 
 }  // namespace berm::input

@@ -27,6 +27,7 @@ public:
   void operator()(std::vector<Real>* values) const;
   void operator()(std::map<std::string, Real>* values) const;
   void operator()(std::map<std::string, int>* values) const;
+  void operator()(std::map<std::string, std::string>* values) const;
 
 private:
   Real number(const Node& node, const std::string& path) const;
@@ -35,7 +36,7 @@ private:
   Real number_in_any_unit(const Node& node, const std::string& path) const;
   void check_range(const Node& node, const std::string& path, Real value) const;
   void check_array(const char* what, const char* example, const std::string& entries) const;
-  void check_names(const char* example) const;
+  void check_names(const char* to_what, const char* example) const;
 
   const Document& document_;
   const Node& node_;

@@ -62,6 +62,10 @@ struct ToToml {
   {
     return enclosed("{", v, "}", [](const auto& e) { return toml_key(e.first) + " = " + std::to_string(e.second); });
   }
+  std::string operator()(const std::map<std::string, std::string>& v) const
+  {
+    return enclosed("{", v, "}", [](const auto& e) { return toml_key(e.first) + " = " + toml_text(e.second); });
+  }
 };
 
 /// The value of a variable; nothing where it is not set.

@@ -7,7 +7,7 @@ namespace berm::input {
 
 /// Value of a parameter; std::monostate where it is not set.
 using SettingValue = std::variant<std::monostate, Real, int, bool, std::string, std::vector<std::string>, std::vector<Real>,
-                                  std::map<std::string, Real>, std::map<std::string, int>>;
+                                  std::map<std::string, Real>, std::map<std::string, int>, std::map<std::string, std::string>>;
 
 /// A parameter with its value.
 struct Setting {

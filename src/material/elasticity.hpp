@@ -6,11 +6,20 @@
 
 namespace berm::material {
 
-/// The moduli of an isotropic linear elastic solid, Pa.
-struct Elasticity {
-  Real bulk = 0, shear = 0;
-  Real lame = 0;  ///< K - 2G/3
+/// The moduli of an isotropic linear elastic solid, Pa; N is a vector where particles have moduli of their own.
+template <class N>
+struct ElasticityOf {
+  N bulk{}, shear{};
+  N lame{};  ///< K - 2G/3
 };
+using Elasticity = ElasticityOf<Real>;
+
+/// The same solid with Young's modulus times a factor.
+template <class N>
+[[gnu::always_inline]] inline ElasticityOf<N> scaled(const Elasticity& elastic, const N& factor)
+{
+  return {elastic.bulk * factor, elastic.shear * factor, elastic.lame * factor};
+}
 
 /// K = E / (3 (1 - 2 nu)), G = E / (2 (1 + nu)); E in Pa, nu in [0, 0.5).
 inline Elasticity elasticity(Real young_modulus, Real poisson_ratio)
@@ -26,11 +35,12 @@ inline Real p_wave_modulus(const Elasticity& elastic)
 }
 
 /// Hooke's law: stress += lame tr(strain) I + 2G strain. Stress in Pa, tension positive.
-template <int dim, class T>
-[[gnu::always_inline]] inline void add_elastic_stress(const Elasticity& elastic, SymTensor<dim, T>& stress, const SymTensor<dim, T>& strain)
+template <int dim, class N, class T>
+[[gnu::always_inline]] inline void add_elastic_stress(const ElasticityOf<N>& elastic, SymTensor<dim, T>& stress,
+                                                      const SymTensor<dim, T>& strain)
 {
   const T pressure = elastic.lame * trace(strain);
-  const Real two_shear = 2 * elastic.shear;
+  const N two_shear = 2 * elastic.shear;
   for (int k = 0; k < 3; ++k) stress[k] += pressure + two_shear * strain[k];
   for (int k = 3; k < tensor_size<dim>; ++k) stress[k] += two_shear * strain[k];
 }

@@ -106,20 +106,6 @@ L without_dilation(const L& law)
   return law;
 }
 
-/// Key of the parameter by which the law varies with depth; empty where it is uniform.
-template <Law L>
-std::string depth_key(const L&)
-{
-  return "";
-}
-
-/// The law at a depth (m) below the bed's surface.
-template <Law L>
-L at_depth(const L& law, Real /*depth*/)
-{
-  return law;
-}
-
 /// Whether plastic flow is non-associated.
 template <Law L>
 bool non_associated(const L&)

@@ -10,7 +10,12 @@ void describe(Describe& d, Material& material)
 
 void check(Describe& d, const std::string& path, const Material& material)
 {
-  std::visit([&](const auto& law) { check(d, path, law); }, material);
+  std::visit(
+      [&](const auto& law) {
+        check(d, path, law);
+        check_depths(d, path, law);
+      },
+      material);
   d.check(inertia_density(material) >= density(material), path + ".inertia_density", "cannot be less than density, which gives the weight");
 }
 
@@ -49,6 +54,11 @@ int state_size(const Material& material)
   return std::visit([](const auto& law) { return law.state_size; }, material);
 }
 
+const char* law_word(const Material& material)
+{
+  return std::visit([](const auto& law) { return law.word; }, material);
+}
+
 std::string law_name(const Material& material)
 {
   return std::visit([](const auto& law) { return law_name(law); }, material);
@@ -84,9 +94,19 @@ Material without_dilation(const Material& material)
   return std::visit([](const auto& law) { return Material(without_dilation(law)); }, material);
 }
 
-std::string depth_key(const Material& material)
+bool varies(const Material& material)
 {
-  return std::visit([](const auto& law) { return depth_key(law); }, material);
+  return std::visit([](const auto& law) { return varies(law); }, material);
+}
+
+std::vector<Real> own_values(const Material& material)
+{
+  return std::visit([](const auto& law) { return own_values(law); }, material);
+}
+
+std::vector<FieldInfo> own_fields(const Material& material)
+{
+  return std::visit([](const auto& law) { return own_fields(law); }, material);
 }
 
 Material at_depth(const Material& material, Real depth)

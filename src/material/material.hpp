@@ -12,7 +12,8 @@ namespace berm::material {
 ///
 ///   update(prepared, stress, increment, state)
 ///
-/// for T = Real, T = Lanes and, in plane strain, T = Dual; it overrides the queries of law_queries.hpp whose default does
+/// for T = Real, T = Lanes and, in plane strain, T = Dual, and with_own(prepared, own), the law of particles that keep
+/// strength and stiffness for themselves; it overrides the queries of law_queries.hpp whose default does
 /// not apply. Choose once per body with std::visit, outside the loop over particles.
 using Laws = LawList<LinearElastic, MohrCoulomb, RateDependentTresca>;
 
@@ -44,6 +45,9 @@ Real p_wave_modulus(const Material& material);
 /// Number of state variables per particle.
 int state_size(const Material& material);
 
+/// The law's word in the input.
+const char* law_word(const Material& material);
+
 // The queries of law_queries.hpp.
 std::string law_name(const Material& material);
 std::vector<FieldInfo> state_fields(const Material& material);
@@ -52,8 +56,13 @@ std::optional<Strength> strength_at_rest(const Material& material);
 std::optional<Real> shear_strength(const Material& material, Real middle, const Real* state);
 bool dilates(const Material& material);
 Material without_dilation(const Material& material);
-std::string depth_key(const Material& material);
+
+// Variation with depth (material/depth_profile.hpp).
+bool varies(const Material& material);
 Material at_depth(const Material& material, Real depth);
+std::vector<Real> own_values(const Material& material);
+std::vector<FieldInfo> own_fields(const Material& material);
+
 bool non_associated(const Material& material);
 Material associated(const Material& material, const SymTensor<2>& stress);
 

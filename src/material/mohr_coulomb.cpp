@@ -15,9 +15,9 @@ void describe(Describe& d, MohrCoulomb& law)
   d.value("cohesion", law.cohesion,
           {.meaning = "cohesion; the undrained strength where friction_angle is 0", .unit = "Pa", .range = not_negative});
   d.value("cohesion_gradient", law.cohesion_gradient,
-          {.meaning = "increase of the cohesion with depth below the bed's surface; finite elements only",
-           .unit = "Pa/m",
-           .range = not_negative});
+          {.meaning =
+               "increase of the cohesion with depth below the bed's surface at the start; a particle keeps the cohesion of where it began",
+           .unit = "Pa/m"});
   d.value("friction_angle", law.friction_angle,
           {.meaning = "angle of internal friction; 0 is Tresca", .unit = "rad", .range = {0, steepest}, .required = true});
   d.value("dilation_angle", law.dilation_angle,
@@ -30,6 +30,7 @@ void describe(Describe& d, MohrCoulomb& law)
                       "0.2 where dilation_angle is above 0, else 0",
            .range = {0, 1},
            .formerly = "most_opening"});
+  take_surface_strength(law);
 }
 
 void check(Describe& d, const std::string& path, const MohrCoulomb& law)
@@ -53,14 +54,15 @@ PreparedMohrCoulomb prepare(const MohrCoulomb& law)
 {
   PreparedMohrCoulomb p;
   p.elastic = elasticity(law);
+  p.per_young_modulus = 1 / law.young_modulus;
   const Real lame = p.elastic.lame, shear = p.elastic.shear;
   const Real friction = std::sin(law.friction_angle), dilation = std::sin(law.dilation_angle);
-  p.strength = law.cohesion * std::cos(law.friction_angle);
+  p.sin_friction = friction;
+  p.cos_friction = std::cos(law.friction_angle);
   p.weight_1 = (1 + friction) / 2;
   p.weight_3 = (1 - friction) / 2;
-  p.cone_apex = friction > 0 ? p.strength / friction : infinity;
-  p.tension = law.tension_cutoff && *law.tension_cutoff < p.cone_apex ? *law.tension_cutoff : infinity;
-  p.apex = std::min(p.tension, p.cone_apex);
+  p.cutoff = law.tension_cutoff.value_or(infinity);
+  p.set_cohesion(law.cohesion);
   constexpr Real of_dilating_soil = 0.2;
   p.max_opening = p.apex < infinity ? law.max_opening.value_or(dilation > 0 ? of_dilating_soil : 0) : 0;
 
@@ -73,9 +75,8 @@ PreparedMohrCoulomb prepare(const MohrCoulomb& law)
   p.per_high = 1 / (p.weight_1 * p.drop_high - p.weight_3 * p.drop_3);
   p.per_low = 1 / (p.weight_1 * p.drop_1 - p.weight_3 * p.drop_low);
 
-  if (p.tension < infinity) {
+  if (p.cutoff < infinity) {
     const Real stiffness = p_wave_modulus(p.elastic);
-    p.cut_3 = (p.weight_1 * p.tension - p.strength) / p.weight_3;
     p.pull_one = lame / stiffness;
     p.pull_two = lame / (2 * (lame + shear));
     const Real determinant = p.drop_1 * lame - p.drop_3 * stiffness;
@@ -97,13 +98,6 @@ MohrCoulomb without_dilation(MohrCoulomb law)
 std::optional<Real> shear_strength(const MohrCoulomb& law, Real middle, const Real* /*state*/)
 {
   return law.cohesion * std::cos(law.friction_angle) - middle * std::sin(law.friction_angle);
-}
-
-MohrCoulomb at_depth(MohrCoulomb law, Real depth)
-{
-  law.cohesion += law.cohesion_gradient * std::max(Real(0), depth);
-  law.cohesion_gradient = 0;
-  return law;
 }
 
 MohrCoulomb associated(const MohrCoulomb& law, const SymTensor<2>& stress)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "material/depth_profile.hpp"
 #include "material/increment.hpp"
 #include "material/law_queries.hpp"
 #include "material/mohr_coulomb_return.hpp"
@@ -19,6 +20,7 @@ namespace berm::material {
 /// load again (docs/theory.md, section 7).
 struct MohrCoulomb {
   static constexpr const char* word = "mohr_coulomb";
+  static constexpr const char* strength_key = "cohesion";
   static constexpr int state_size = 1;
 
   Real density = 0;                     ///< kg/m3, gives the weight
@@ -31,7 +33,16 @@ struct MohrCoulomb {
   Real dilation_angle = 0;             ///< rad
   std::optional<Real> tension_cutoff;  ///< Pa; empty or above the apex c cot(phi): the cone alone
   std::optional<Real> max_opening;     ///< upper bound of the opening; empty: 0.2 where the soil dilates, else 0
+  Real young_modulus_gradient = 0;     ///< Pa/m, increase with depth
+  ProfileOf<MohrCoulomb> profile = {};
+
+  bool operator==(const MohrCoulomb&) const = default;
 };
+
+inline StrengthAtDepth strength_at_depth(MohrCoulomb& law)
+{
+  return {&law.cohesion, &law.cohesion_gradient};
+}
 
 void describe(Describe& d, MohrCoulomb& law);
 
@@ -71,11 +82,6 @@ inline bool non_associated(const MohrCoulomb& law)
 {
   return law.dilation_angle < law.friction_angle;
 }
-inline std::string depth_key(const MohrCoulomb& law)
-{
-  return law.cohesion_gradient > 0 ? "cohesion_gradient" : "";
-}
-
 /// With a dilation angle of zero; the opening stays as it is.
 MohrCoulomb without_dilation(MohrCoulomb law);
 
@@ -83,8 +89,14 @@ MohrCoulomb without_dilation(MohrCoulomb law);
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<2>& stress);
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<3>& stress);
 
-/// The law at a depth (m) below the bed's surface, with the cohesion there.
-MohrCoulomb at_depth(MohrCoulomb law, Real depth);
+/// The law with the cohesion own[0] and Young's modulus own[1], Pa, of each lane.
+template <class T>
+[[gnu::always_inline]] inline PreparedMohrCoulombOf<T> with_own(const PreparedMohrCoulomb& law, const T* own)
+{
+  PreparedMohrCoulombOf<T> made{static_cast<const MohrCoulombConstants&>(law), scaled(law.elastic, own[1] * law.per_young_modulus)};
+  made.set_cohesion(own[0]);
+  return made;
+}
 
 /// The associated law that replaces this one in an increment from a stress on (Krabbenhoft, Karim, Lyamin and Sloan, Int. J.
 /// Numer. Meth. Engng 90, 2012): its friction angle is the dilation angle, its cohesion gives the same shear strength at the
@@ -95,9 +107,9 @@ MohrCoulomb associated(const MohrCoulomb& law, const SymTensor<2>& stress);
 /// Advances `stress` (Pa, tension positive) by an increment of any duration: elastic predictor, then the exact implicit
 /// return to the yield surface. state[0] is the opening. Lanes without a particle may hold any numbers. T should fit a
 /// register: Real or LanePart.
-template <int dim, class T>
-[[gnu::always_inline]] inline void update(const PreparedMohrCoulomb& law, SymTensor<dim, T>& stress, const Increment<dim, T>& increment,
-                                          T* state)
+template <int dim, class N, class T>
+[[gnu::always_inline]] inline void update(const PreparedMohrCoulombOf<N>& law, SymTensor<dim, T>& stress,
+                                          const Increment<dim, T>& increment, T* state)
 {
   using Mask = decltype(T{} < T{});
   T& opening = state[0];

@@ -9,25 +9,49 @@ namespace berm::material {
 /// Precomputed constants of MohrCoulomb. With m = ((1 + sin psi)/2, 0, -(1 - sin psi)/2) the flow direction on the face f =
 /// weight_1 s1 - weight_3 s3 - strength, a plastic multiplier g lowers the principal stresses by g (drop_1, drop_2, drop_3)
 /// = g C m.
-struct PreparedMohrCoulomb {
-  static constexpr int state_size = 1;
-
-  Elasticity elastic;
+///
+/// What does not change with cohesion and Young's modulus: drop_... and per_... are those of the law's own modulus, since only their products matter.
+struct MohrCoulombConstants {
+  Real sin_friction = 0, cos_friction = 1;
   Real weight_1 = 0, weight_3 = 0;  ///< (1 + sin phi)/2, (1 - sin phi)/2
-  Real strength = 0;                ///< c cos phi, Pa
-  Real tension = infinity;          ///< cut-off, Pa; infinity where the cone ends below it
-  Real cone_apex = infinity;        ///< c cot phi, Pa
-  Real apex = infinity;             ///< maximum mean stress, Pa
+  Real cutoff = infinity;           ///< tension cut-off, Pa
   Real max_opening = 0;             ///< 0 also where there is no apex
+  Real per_young_modulus = 0;       ///< 1/Pa
 
   Real drop_1 = 0, drop_2 = 0, drop_3 = 0;       ///< C m, Pa
   Real drop_high = 0, drop_low = 0;              ///< means of drop_1 and drop_2, of drop_2 and drop_3
   Real per_face = 0, per_high = 0, per_low = 0;  ///< plastic multiplier per Pa of f: on the face, on the edges s1 = s2 and s2 = s3
-  Real cut_3 = 0;                                ///< s3 where the face meets the cut-off s1 = tension, Pa
   Real pull_one = 0, pull_two = 0;               ///< reduction of the other principal stresses per Pa of the one or two that are cut
   Real line_1 = 0, line_3 = 0;                   ///< reduction of s2 per Pa of s1 and of s3 on the line where face and cut-off meet
   Real inner_cone = 1;                           ///< sqrt(1 + sin2 phi / 3): f <= inner_cone sqrt(J2) + p sin phi - strength
 };
+
+/// All of them; N is a vector where particles have a cohesion and a Young's modulus of their own.
+template <class N>
+struct PreparedMohrCoulombOf : MohrCoulombConstants {
+  static constexpr int state_size = 1, own_size = 2;
+
+  ElasticityOf<N> elastic;
+  N strength{};                  ///< c cos phi, Pa
+  N tension = infinity - N{};    ///< cut-off, Pa; infinity where the cone ends below it
+  N cone_apex = infinity - N{};  ///< c cot phi, Pa
+  N apex = infinity - N{};       ///< maximum mean stress, Pa
+  N cut_3{};                     ///< s3 where the face meets the cut-off s1 = tension, Pa
+
+  /// Sets what follows from the cohesion.
+  [[gnu::always_inline]] void set_cohesion(const N& cohesion)
+  {
+    strength = cohesion * cos_friction;
+    if (sin_friction > 0) cone_apex = strength / sin_friction;
+    if (cutoff < infinity) {
+      const auto cuts = cone_apex > cutoff;
+      tension = cuts ? cutoff - N{} : tension;
+      cut_3 = (weight_1 * cutoff - strength) / weight_3;
+    }
+    apex = smaller(tension, cone_apex);
+  }
+};
+using PreparedMohrCoulomb = PreparedMohrCoulombOf<Real>;
 
 /// Principal stresses, s1 >= s2 >= s3, Pa.
 template <class T>
@@ -39,8 +63,8 @@ struct Principal {
 /// elsewhere. Stresses on or inside the surface are unchanged. Without branches over the lanes: face, two edges and apex of
 /// the cone; then, where the tension exceeds the cut-off, its planes and their intersection with the cone. `strength`, Pa,
 /// replaces law.strength; it may differ between lanes where the law has neither apex nor cut-off.
-template <class T, class S>
-[[gnu::always_inline]] inline T return_principal(const PreparedMohrCoulomb& law, const S& strength, Principal<T>& s)
+template <class N, class T, class S>
+[[gnu::always_inline]] inline T return_principal(const PreparedMohrCoulombOf<N>& law, const S& strength, Principal<T>& s)
 {
   using Mask = decltype(T{} < T{});
   const T s1 = s.s1, s2 = s.s2, s3 = s.s3;
@@ -66,7 +90,7 @@ template <class T, class S>
   r3 = outside ? r3 : s3;
 
   const T tension = law.tension - T{};
-  if (law.tension < infinity) {
+  if (any(law.tension < infinity)) {
     const Mask cut = r1 > tension;
     if (any(cut)) {
       const T over_1 = s1 - tension, over_2 = s2 - tension;
@@ -99,8 +123,9 @@ template <class T, class S>
 
 /// Returns a trial stress of plane strain to the yield surface; the volumetric plastic strain at the apex is added to the
 /// opening.
-template <class T, class S>
-[[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, const S& strength, SymTensor<2, T>& stress, T& opening)
+template <class N, class T, class S>
+[[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulombOf<N>& law, const S& strength, SymTensor<2, T>& stress,
+                                                     T& opening)
 {
   using Mask = decltype(T{} < T{});
   const T mean = (stress[0] + stress[1]) * 0.5, half = (stress[0] - stress[1]) * 0.5, z = stress[2];
@@ -128,8 +153,8 @@ template <class T, class S>
 
 /// Returns trial stresses in space that lie outside the yield surface, through their principal axes. A separate function,
 /// because it is long and rarely needed.
-template <class T, class S>
-[[gnu::noinline]] void return_by_axes(const PreparedMohrCoulomb& law, const S& strength, SymTensor<3, T>& stress, T& opening)
+template <class N, class T, class S>
+[[gnu::noinline]] void return_by_axes(const PreparedMohrCoulombOf<N>& law, const S& strength, SymTensor<3, T>& stress, T& opening)
 {
   using Mask = decltype(T{} < T{});
   const PrincipalAxes<T> axes = principal_axes(stress);
@@ -144,8 +169,9 @@ template <class T, class S>
 
 /// Returns a trial stress in space to the yield surface. The check uses the cone inscribed in the pyramid, which needs no
 /// principal stresses.
-template <class T, class S>
-[[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, const S& strength, SymTensor<3, T>& stress, T& opening)
+template <class N, class T, class S>
+[[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulombOf<N>& law, const S& strength, SymTensor<3, T>& stress,
+                                                     T& opening)
 {
   const T mean = trace(stress) * (1. / 3);
   SymTensor<3, T> deviator = stress;
@@ -158,8 +184,8 @@ template <class T, class S>
 }
 
 /// With the law's own strength.
-template <int dim, class T>
-[[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulomb& law, SymTensor<dim, T>& stress, T& opening)
+template <int dim, class N, class T>
+[[gnu::always_inline]] inline void return_to_surface(const PreparedMohrCoulombOf<N>& law, SymTensor<dim, T>& stress, T& opening)
 {
   return_to_surface(law, law.strength, stress, opening);
 }

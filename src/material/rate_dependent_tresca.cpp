@@ -12,11 +12,15 @@ void describe(Describe& d, RateDependentTresca& law)
 {
   describe_elasticity(d, law);
   d.value("undrained_strength", law.undrained_strength,
-          {.meaning = "undrained shear strength up to the reference rate", .unit = "Pa", .range = not_negative, .required = true});
+          {.meaning = "undrained shear strength up to the reference rate",
+           .unit = "Pa",
+           .range = not_negative,
+           .required = law.profile.strength.empty()});
   d.value("undrained_strength_gradient", law.undrained_strength_gradient,
-          {.meaning = "increase of the undrained strength with depth below the bed's surface; finite elements only",
-           .unit = "Pa/m",
-           .range = not_negative});
+          {.meaning =
+               "increase of the undrained strength with depth below the bed's surface at the start; a particle keeps that of where it "
+               "began",
+           .unit = "Pa/m"});
   d.value("rate_parameter", law.rate_parameter,
           {.meaning = "relative increase of the strength for each tenfold shear strain rate above the reference rate",
            .range = not_negative,
@@ -24,6 +28,7 @@ void describe(Describe& d, RateDependentTresca& law)
   d.value(
       "reference_rate", law.reference_rate,
       {.meaning = "shear strain rate up to which the strength is undrained_strength", .unit = "1/s", .range = positive, .required = true});
+  take_surface_strength(law);
 }
 
 std::string law_name(const RateDependentTresca&)
@@ -46,25 +51,13 @@ std::optional<Real> shear_strength(const RateDependentTresca& law, Real /*middle
   return law.undrained_strength + state[0];
 }
 
-std::string depth_key(const RateDependentTresca& law)
-{
-  return law.undrained_strength_gradient > 0 ? "undrained_strength_gradient" : "";
-}
-
-RateDependentTresca at_depth(RateDependentTresca law, Real depth)
-{
-  law.undrained_strength += law.undrained_strength_gradient * std::max(Real(0), depth);
-  law.undrained_strength_gradient = 0;
-  return law;
-}
-
 PreparedRateDependentTresca prepare(const RateDependentTresca& law)
 {
   MohrCoulomb tresca;
   tresca.young_modulus = law.young_modulus;
   tresca.poisson_ratio = law.poisson_ratio;
   tresca.cohesion = law.undrained_strength;
-  return {elasticity(law), prepare(tresca), law.rate_parameter * law.undrained_strength, law.reference_rate};
+  return {elasticity(law), prepare(tresca), law.rate_parameter * law.undrained_strength, law.reference_rate, law.rate_parameter};
 }
 
 }  // namespace berm::material

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "material/depth_profile.hpp"
 #include "material/increment.hpp"
 #include "material/law_queries.hpp"
 #include "material/mohr_coulomb_return.hpp"
@@ -18,6 +19,7 @@ namespace berm::material {
 /// State: the strength that the rate of the last increment added, Pa.
 struct RateDependentTresca {
   static constexpr const char* word = "rate_dependent_tresca";
+  static constexpr const char* strength_key = "undrained_strength";
   static constexpr int state_size = 1;
 
   Real density = 0;                     ///< kg/m3, gives the weight
@@ -28,7 +30,16 @@ struct RateDependentTresca {
   Real undrained_strength_gradient = 0;  ///< Pa/m, increase with depth below the bed's surface at the start
   Real rate_parameter = 0;               ///< relative increase of the strength per tenfold rate
   Real reference_rate = 0;               ///< 1/s
+  Real young_modulus_gradient = 0;       ///< Pa/m, increase with depth
+  ProfileOf<RateDependentTresca> profile = {};
+
+  bool operator==(const RateDependentTresca&) const = default;
 };
+
+inline StrengthAtDepth strength_at_depth(RateDependentTresca& law)
+{
+  return {&law.undrained_strength, &law.undrained_strength_gradient};
+}
 
 void describe(Describe& d, RateDependentTresca& law);
 
@@ -41,25 +52,34 @@ std::string law_name(const RateDependentTresca& law);
 std::vector<FieldInfo> state_fields(const RateDependentTresca& law);
 std::optional<Strength> strength_at_rest(const RateDependentTresca& law);
 std::optional<Real> shear_strength(const RateDependentTresca& law, Real middle, const Real* state);
-std::string depth_key(const RateDependentTresca& law);
-RateDependentTresca at_depth(RateDependentTresca law, Real depth);
 
-/// Precomputed constants.
-struct PreparedRateDependentTresca {
-  static constexpr int state_size = 1;
+/// Precomputed constants; N is a vector where particles have a strength and a Young's modulus of their own.
+template <class N>
+struct PreparedRateDependentTrescaOf {
+  static constexpr int state_size = 1, own_size = 2;
 
-  Elasticity elastic;
-  PreparedMohrCoulomb tresca;  ///< up to the reference rate
-  Real per_decade = 0;         ///< Pa, strength increase per tenfold rate
-  Real reference_rate = 0;     ///< 1/s
+  ElasticityOf<N> elastic;
+  PreparedMohrCoulombOf<N> tresca;  ///< up to the reference rate
+  N per_decade{};                   ///< Pa, strength increase per tenfold rate
+  Real reference_rate = 0;          ///< 1/s
+  Real rate_parameter = 0;
 };
+using PreparedRateDependentTresca = PreparedRateDependentTrescaOf<Real>;
 
 PreparedRateDependentTresca prepare(const RateDependentTresca& law);
 
+/// The law with the strength own[0] and Young's modulus own[1], Pa, of each lane.
+template <class T>
+[[gnu::always_inline]] inline PreparedRateDependentTrescaOf<T> with_own(const PreparedRateDependentTresca& law, const T* own)
+{
+  const PreparedMohrCoulombOf<T> tresca = with_own(law.tresca, own);
+  return {tresca.elastic, tresca, law.rate_parameter * own[0], law.reference_rate, law.rate_parameter};
+}
+
 /// Advances `stress` (Pa, tension positive) by an increment: elastic predictor, then the frictionless Mohr-Coulomb return to
 /// the strength at the increment's rate. state[0] becomes the strength that the rate adds, Pa.
-template <int dim, class T>
-[[gnu::always_inline]] inline void update(const PreparedRateDependentTresca& law, SymTensor<dim, T>& stress,
+template <int dim, class N, class T>
+[[gnu::always_inline]] inline void update(const PreparedRateDependentTrescaOf<N>& law, SymTensor<dim, T>& stress,
                                           const Increment<dim, T>& increment, T* state)
 {
   T& added = state[0];

@@ -52,13 +52,13 @@ SoilCondition soil_condition(const problem::Model<dim>& model, const problem::St
   SoilCondition found;
   Real mass = 0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const material::Material& material = model.bodies[b].material;
-    if (!yields(material)) continue;
+    const problem::BodySoil& soil = model.bodies[b].soil;
+    if (!yields(soil.materials.front())) continue;
     const bodies::Particles<dim>& particles = state.particles[b];
     for (Index cell : particles.occupied()) {
       Real of_cell = 0;
       for_each_in_cell(particles, cell, [&](const bodies::Particle<dim>& p) {
-        const Real ratio = p.volume * inertia_density(material) / p.mass;
+        const Real ratio = p.volume * inertia_density(material_of(soil, p.extra)) / p.mass;
         of_cell += p.mass;
         if (ratio <= model.mpm.min_volume_ratio * (1 + round_off)) found.at_min_volume += p.mass;
         if (ratio >= model.mpm.max_volume_ratio * (1 - round_off)) found.at_max_volume += p.mass;
@@ -82,11 +82,10 @@ Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state,
   const Real reach = 0.5 * width_of<dim>(shape);
   ShakenSoil all;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const material::Material& material = model.bodies[b].material;
-    if (!yields(material)) continue;
+    if (!yields(model.bodies[b].soil.materials.front())) continue;
     const bodies::Particles<dim>& particles = state.particles[b];
     const BodyGrid<dim>& grid = work.grids[b];
-    const Real impedance = std::sqrt(p_wave_modulus(material) * inertia_density(material));
+    const Real impedance = model.bodies[b].waves.mean_impedance;
     all += sum_of<ShakenSoil>("shaking", static_cast<Index>(particles.occupied().size()), [&](Index c) {
       const Index cell = particles.occupied()[c];
       ShakenSoil sums;

@@ -187,7 +187,7 @@ void move_with_predicted(const problem::Model<dim>& model, const problem::State<
     Real volume = 0;
     for (Index e = model.mesh.first_entry[node]; e < model.mesh.first_entry[node + 1]; ++e)
       volume += model.mesh.volume(model.mesh.entries[e] / (dim + 1));
-    if (grid.mass[node] > min_mass_ratio * inertia_density(model.bodies[b].material) * volume / (dim + 1))
+    if (grid.mass[node] > min_mass_ratio * model.bodies[b].waves.min_density * volume / (dim + 1))
       grid.mapped_velocity[node] = grid.velocity[node] + state.dt * grid.acceleration[node];
   };
   for (const contact::ContactPoint<dim>& point : work.contact_points[k].list) {
@@ -304,8 +304,7 @@ void push_out(const problem::Model<dim>& model, const problem::State<dim>& state
   for_each_point(work, [&](std::size_t k, const contact::ContactPoint<dim>& point) {
     const problem::Contact& contact = model.contacts[k];
     if (contact.rigid == none || !(point.distance < 0) || !(point.mass.normal > 0)) return;
-    const material::Material& material = model.bodies[contact.body].material;
-    const Real max = of_wave * std::sqrt(p_wave_modulus(material) / inertia_density(material));
+    const Real max = of_wave * model.bodies[contact.body].waves.slowest;
     const Real wanted = std::min(-point.distance / (contact.gap_closing_steps * state.dt), max);
     const Real lacking = wanted - relative_velocity(model, state, work, contact, point, Moved<dim>{}).dot(point.normal);
     if (lacking > 0) push(model, work, contact, point, Vec<dim>(point.mass.normal * lacking * point.normal), Moved<dim>{});

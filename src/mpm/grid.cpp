@@ -69,17 +69,21 @@ Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& sta
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     grids.emplace_back(model.mesh);
     find_nodes(model.mesh, state.particles[b], grids[b]);
-    const material::Material& material = model.bodies[b].material;
+    const problem::Body<dim>& body = model.bodies[b];
     grids[b].full_cells = model.mpm.quadrature == problem::Quadrature::full_cells;
-    if (yields(material)) {
-      const Real wave_speed = std::sqrt(p_wave_modulus(material) / inertia_density(material));
-      grids[b].bulk_viscosity = model.mpm.bulk_viscosity * inertia_density(material) * wave_speed;
+    if (yields(body.soil.materials.front())) {
+      const Real wave_speed = body.waves.mean_speed;
+      grids[b].bulk_viscosity = model.mpm.bulk_viscosity * body.waves.mean_density * wave_speed;
       if (!model.update_stress_first) grids[b].filter_rate = model.mpm.velocity_filter * wave_speed / min_height;
     }
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);
     grids[b].total_mass = sums_over(state.particles[b]).mass;
-    laws.push_back(prepare(material));
-    laws_without_dilation.push_back(prepare(without_dilation(material)));
+    laws.emplace_back();
+    laws_without_dilation.emplace_back();
+    for (const material::Material& material : body.soil.materials) {
+      laws.back().push_back(prepare(material));
+      laws_without_dilation.back().push_back(prepare(without_dilation(material)));
+    }
     max = std::max<std::size_t>(max, state.particles[b].size());
   }
   // A sixteenth of all particles: far more than change cell in one step of a stable run.

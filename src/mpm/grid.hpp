@@ -107,9 +107,9 @@ struct Work {
   bool contacts_share_nodes = false;                        ///< some node is moved by more than one contact point
   std::vector<std::vector<CellChange>> cell_changes;        ///< by thread
   std::vector<bodies::Particle<dim>> in_transit;
-  std::vector<material::PreparedMaterial> laws;  ///< by body
-  std::vector<material::PreparedMaterial>
-      laws_without_dilation;  ///< by body: the same without dilation, for particles at their maximum volume
+  std::vector<std::vector<material::PreparedMaterial>> laws;  ///< by body and material
+  std::vector<std::vector<material::PreparedMaterial>>
+      laws_without_dilation;  ///< the same without dilation, for particles at their maximum volume
   Real unbalanced = 0,
        weight = 0;  ///< N, sums over the nodes of |unbalanced force| (away from contacts); of m g and of tractions, last step
 

@@ -93,6 +93,68 @@ template <int dim, class Law, class V>
   for (int k = 0; k < Law::state_size; ++k) state[k] = fully_dilated ? dilated_state[k] : state[k];
 }
 
+/// The soil of a body whose particles keep strength, stiffness or material for themselves.
+template <class Law>
+struct OwnSoil {
+  const std::vector<material::PreparedMaterial>&laws, &laws_without_dilation;  ///< by material
+  const problem::BodySoil& soil;
+  const problem::MpmSettings& mpm;
+  static constexpr int own_size = material::own_size<Law>(), first_own = Law::state_size;  ///< among a particle's extra numbers
+  int number_offset;
+
+  const Law& law(std::size_t number) const { return std::get<Law>(laws[number]); }
+};
+
+/// Bounds of the particles' volume over their mass.
+template <class V>
+struct VolumeBounds {
+  V min{}, max{};
+};
+
+/// The law of each particle: its material's, with its own strength and stiffness. One pass for each material in the part, which is one but at the edges of
+/// layers.
+template <int dim, class Law, class P, class V>
+[[gnu::always_inline]] inline VolumeBounds<V>
+update_by_own_soil(const OwnSoil<Law>& soils, const P& part, const Lanes* low, const Lanes* high, const V& mass, const V& volume,
+                   SymTensor<dim, V>& stress, const material::Increment<dim, V>& increment, V* state)
+{
+  using Mask = typename Part<V>::Mask;
+  constexpr int own_size = OwnSoil<Law>::own_size, first_own = OwnSoil<Law>::first_own;
+  V own[own_size + 1], number{};
+  for (int k = 0; k < own_size; ++k) own[k] = part.get(low[first_own + k], high[first_own + k]);
+  if (soils.number_offset != none) number = part.get(low[soils.number_offset], high[soils.number_offset]);
+  const SymTensor<dim, V> begin = stress;
+  V begin_state[Law::state_size + 1];
+  std::copy_n(state, Law::state_size, begin_state);
+  VolumeBounds<V> bounds;
+  for (Mask left = part.alive(); any(left);) {
+    int first = 0;
+    while (!left[first]) ++first;
+    const auto n = static_cast<std::size_t>(number[first]);
+    const Mask these = left & (number == number[first]);
+    left &= ~these;
+    const Real per_density = 1 / inertia_density(soils.soil.materials[n]);
+    const Real min_volume = soils.mpm.min_volume_ratio * per_density, max_volume = soils.mpm.max_volume_ratio * per_density;
+    SymTensor<dim, V> s = begin;
+    V of_law[Law::state_size + 1];
+    std::copy_n(begin_state, Law::state_size, of_law);
+    const auto& here = with_own(soils.law(n), own);
+    const bool dilates = material::dilates(soils.soil.materials[n]);
+    const Mask fully_dilated = these & (volume >= mass * max_volume);
+    if (dilates && any(fully_dilated)) {
+      const auto& without_dilation = with_own(std::get<Law>(soils.laws_without_dilation[n]), own);
+      update_stress_of<dim>(here, &without_dilation, fully_dilated, s, increment, of_law);
+    } else {
+      update(here, s, increment, of_law);
+    }
+    for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = these ? s[k] : stress[k];
+    for (int k = 0; k < Law::state_size; ++k) state[k] = these ? of_law[k] : state[k];
+    bounds.min = these ? mass * min_volume : bounds.min;
+    bounds.max = these ? mass * max_volume : bounds.max;
+  }
+  return bounds;
+}
+
 /// What a pass over the particles takes to the totals, J.
 struct WorkDone {
   Real internal = 0;
@@ -180,18 +242,20 @@ template <class V, int dim, class P>
   return smaller(min_shape, of_corner_0);
 }
 
-/// law_without_dilation is null where the law does not dilate.
-template <Pass pass, int dim, class Law>
+/// law_without_dilation is null where the law does not dilate. Where particles keep their own soil, both are not used.
+template <Pass pass, bool own_soil, int dim, class Law>
 void move_and_strain_with(const Law& law, const Law* law_without_dilation, const problem::Model<dim>& model, problem::State<dim>& state,
                           Work<dim>& work, Index body)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
   const BodyGrid<dim>& grid = work.grids[body];
   bodies::Particles<dim>& particles = state.particles[body];
-  const Real dt = state.dt, time = state.time, per_density = 1 / inertia_density(model.bodies[body].material);
+  const Real dt = state.dt, time = state.time, per_density = 1 / model.bodies[body].waves.mean_density;
   const Real min_volume = model.mpm.min_volume_ratio * per_density, max_volume = model.mpm.max_volume_ratio * per_density;
   const Real filtered = pass == Pass::both ? grid.filtered_part(dt) : 0, unfiltered = 1 - filtered;
   for (auto& list : work.cell_changes) list.clear();
+  [[maybe_unused]] const OwnSoil<Law> soils{work.laws[body], work.laws_without_dilation[body], model.bodies[body].soil, model.mpm,
+                                            number_offset(model.bodies[body].soil)};
 
   const WorkDone work_done = sum_of<WorkDone>("move and strain particles", static_cast<Index>(particles.occupied().size()), [&](Index c) {
     const Index cell = particles.occupied()[c];
@@ -226,17 +290,28 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
           stress[k] = both_stresses[k] = part.get(p.stress[k], q.stress[k]);
         }
         rotate(stress, cell_strain.rotation);
-        const Mask fully_dilated = alive & (volume >= mass * max_volume);
-        part.template change<Law::state_size>(particles.state(part.block), particles.state(part.other), [&](V* law_state) {
-          update_stress_of<dim>(law, law_without_dilation, fully_dilated, stress, increment, law_state);
-        });
+        [[maybe_unused]] VolumeBounds<V> bounds;
+        if constexpr (own_soil) {
+          const Lanes *low = particles.extra(part.block), *high = particles.extra(part.other);
+          part.template change<Law::state_size>(particles.state(part.block), particles.state(part.other), [&](V* law_state) {
+            bounds = update_by_own_soil<dim>(soils, part, low, high, mass, volume, stress, increment, law_state);
+          });
+        } else {
+          const Mask fully_dilated = alive & (volume >= mass * max_volume);
+          part.template change<Law::state_size>(particles.state(part.block), particles.state(part.other), [&](V* law_state) {
+            update_stress_of<dim>(law, law_without_dilation, fully_dilated, stress, increment, law_state);
+          });
+        }
         for (int k = 0; k < tensor_size<dim>; ++k) {
           const V kept = alive ? stress[k] : V{};
           both_stresses[k] += kept;
           part.set(p.stress[k], q.stress[k], kept);
         }
         done.internal += sum(0.5 * volume * double_dot(both_stresses, strain));
-        part.set(p.volume, q.volume, smaller(larger(volume * stretch, mass * min_volume), mass * max_volume));
+        if constexpr (own_soil)
+          part.set(p.volume, q.volume, smaller(larger(volume * stretch, bounds.min), bounds.max));
+        else
+          part.set(p.volume, q.volume, smaller(larger(volume * stretch, mass * min_volume), mass * max_volume));
         part.set(p.deviatoric_strain, q.deviatoric_strain, part.get(p.deviatoric_strain, q.deviatoric_strain) + deviatoric);
       }
 
@@ -257,13 +332,18 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
 template <Pass pass, int dim>
 void pass_over_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
 {
-  const bool dilates = material::dilates(model.bodies[body].material);
+  const problem::BodySoil& soil = model.bodies[body].soil;
+  const bool own_soil = varies(soil), dilates = material::dilates(soil.materials.front());
   std::visit(
       [&](const auto& law) {
-        const auto& law_without_dilation = std::get<std::decay_t<decltype(law)>>(work.laws_without_dilation[body]);
-        move_and_strain_with<pass, dim>(law, dilates ? &law_without_dilation : nullptr, model, state, work, body);
+        const auto& law_without_dilation = std::get<std::decay_t<decltype(law)>>(work.laws_without_dilation[body].front());
+        const auto* without_dilation = dilates ? &law_without_dilation : nullptr;
+        if (own_soil)
+          move_and_strain_with<pass, true, dim>(law, without_dilation, model, state, work, body);
+        else
+          move_and_strain_with<pass, false, dim>(law, without_dilation, model, state, work, body);
       },
-      work.laws[body]);
+      work.laws[body].front());
 }
 
 template <int dim>

@@ -55,8 +55,8 @@ std::pair<Real, std::string> fastest_of(const problem::Model<dim>& model, const 
 template <int dim>
 Real stable_courant(const problem::Model<dim>& model)
 {
-  const bool viscous =
-      std::any_of(model.bodies.begin(), model.bodies.end(), [](const problem::Body<dim>& body) { return yields(body.material); });
+  const bool viscous = std::any_of(model.bodies.begin(), model.bodies.end(),
+                                   [](const problem::Body<dim>& body) { return yields(body.soil.materials.front()); });
   const Real b = viscous ? model.mpm.bulk_viscosity : 0;
   return std::sqrt(1 + b * b) - b;
 }
@@ -104,8 +104,7 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
 
   Real min = infinity, min_at_rest = infinity;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const material::Material& material = model.bodies[b].material;
-    const Real wave_speed = std::sqrt(p_wave_modulus(material) / inertia_density(material));
+    const Real wave_speed = model.bodies[b].waves.fastest;
     const auto& occupied = state.particles[b].occupied();
     const Real steepest = largest_of("smallest height", static_cast<Index>(occupied.size()), 0,
                                      [&](Index c) { return work.grids[b].shape(model.mesh, occupied[c]).steepest_square(); });

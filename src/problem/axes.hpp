@@ -20,6 +20,8 @@ struct Axes {
   }
   /// How high a point lies, m.
   Real height(const Vec<dim>& x) const { return sign * x[up]; }
+  /// How deep a point lies below a surface at that level of the vertical axis, m.
+  Real depth(const Vec<dim>& x, Real surface) const { return sign * (surface - x[up]); }
 };
 
 template <int dim>

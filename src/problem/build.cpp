@@ -59,6 +59,38 @@ void place_loads(const Case& c, Problem<dim>& problem)
     }
 }
 
+/// What a particle at x gets of a soil that varies.
+template <int dim>
+bodies::SoilAtPoint soil_at(const Model<dim>& model, const Body<dim>& body, Index cell, const Vec<dim>& x)
+{
+  const std::string& region = model.mesh.region_names[model.mesh.region[cell]];
+  const Real depth = model.axes.depth(x, model.surface), gravity = -model.axes.sign * model.gravity[model.axes.up];
+  refuse_no_strength(body.soil, region, depth, body.name);
+  return {inertia_density(body.soil.at(region, depth)), gravity * body.soil.mass_above(region, std::max(Real(0), depth)),
+          own_values(body.soil, region, depth)};
+}
+
+/// Over the particles where they are at the start, means by their volume.
+template <int dim>
+SoilWaves waves_in(const Model<dim>& model, const Body<dim>& body, const bodies::Particles<dim>& particles)
+{
+  SoilWaves all;
+  Real volume = 0;
+  particles.visit([&](Index cell, Index b, int l) {
+    const bodies::Particle<dim> p = particles.read(b, l);
+    const SoilWaves here = waves_of(body.soil.at(model.mesh.region_names[model.mesh.region[cell]], model.axes.depth(p.x, model.surface)));
+    all.fastest = std::max(all.fastest, here.fastest);
+    all.slowest = std::min(all.slowest, here.slowest);
+    all.min_density = std::min(all.min_density, here.min_density);
+    all.mean_speed += p.volume * here.mean_speed;
+    all.mean_density += p.volume * here.mean_density;
+    all.mean_impedance += p.volume * here.mean_impedance;
+    volume += p.volume;
+  });
+  for (Real* mean : {&all.mean_speed, &all.mean_density, &all.mean_impedance}) *mean /= volume;
+  return all;
+}
+
 template <int dim>
 std::int32_t nearest_particle(const bodies::Particles<dim>& particles, const std::vector<Real>& point)
 {
@@ -100,8 +132,9 @@ Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh)
     model.rigid_bodies.push_back({name, shape, settings.mass, settings.motion, settings.rotation, inertia});
   }
   for (const auto& [name, settings] : c.body) {
-    const material::Material& material = c.material[index_of(c.material, settings.material)].second;
-    model.bodies.push_back({name, material, nodal_damping(model.mesh, settings), density(material) / inertia_density(material)});
+    const BodySoil soil = soil_of(c, settings);
+    const material::Material& first = soil.materials.front();
+    model.bodies.push_back({name, soil, nodal_damping(model.mesh, settings), density(first) / inertia_density(first)});
   }
   for (const auto& [name, s] : c.contact) {
     const contact::Detection best = s.rigid.empty() ? contact::Detection::gap : contact::Detection::particle;
@@ -140,14 +173,17 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   state.rigid_bodies.resize(model.rigid_bodies.size());
   if (c.initial_state == InitialState::level_ground) refuse_k0_below_uneven_ground(c, model);
   for (const auto& [name, settings] : c.body) {
-    const material::Material& material = c.material[index_of(c.material, settings.material)].second;
+    Body<dim>& body = model.bodies[state.particles.size()];
+    const material::Material& material = body.soil.materials.front();
     const Real inertia = inertia_density(material);
     bodies::StartState<dim> start{inertia, -model.axes.sign * model.gravity[model.axes.up] * density(material) / inertia, c.surface,
-                                  state_fields(material)};
+                                  particle_extra(body.soil)};
+    if (varies(body.soil)) start.soil_at = [&](Index cell, const Vec<dim>& x) { return soil_at(model, body, cell, x); };
     for (const auto& entry : c.contact)
       if (entry.second.body == name && !entry.second.rigid.empty())
         start.holes.push_back(model.rigid_bodies[index_of(c.rigid, entry.second.rigid)].shape);
     state.particles.push_back(fill(model.mesh, name, settings, start));
+    if (varies(body.soil)) body.waves = waves_in(model, body, state.particles.back());
     if (state.particles.back().size() == 0)
       throw InputError(fmt::format("body.{}: its regions have no cells outside the rigid bodies, so it has no particles", name));
     state.particles.back().visit([&](Index, Index b, int l) {

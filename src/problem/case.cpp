@@ -2,6 +2,7 @@
 // Tests: tests/unit/input/read_case_wrong_inputs_test.cpp
 #include "problem/case.hpp"
 
+#include "problem/body_soil.hpp"
 #include "problem/drives.hpp"
 #include "problem/stages.hpp"
 
@@ -49,6 +50,7 @@ void check_bodies(Describe& d, const Case& c)
   for (const auto& [name, body] : c.body) {
     const std::string path = "body." + name;
     check_name(d, path + ".material", body.material, "material", names_of(c.material));
+    check_soil(d, c, path, body);
     d.check(!body.k0 || c.gravity_ramp == 0, path + ".k0", "the stress of a bed under full gravity does not go with gravity_ramp");
     d.check(!body.k0 || c.gravity.size() < 2 || upwards(c), path + ".k0", "the bed's stress at rest is for gravity along -y");
     d.check(!body.regions.empty() + body.block.has_value() + body.disk.has_value() == 1, path,
@@ -412,12 +414,7 @@ void describe(Describe& d, Case& c)
 
   d.check(c.method == Method::mpm || c.dimension == 2, "method", "finite elements are plane: they need dimension = 2");
   bodies::check_entries(d, "gravity", c.gravity, c.dimension, true);
-  for (const auto& [name, material] : c.material) {
-    check(d, "material." + name, material);
-    if (const std::string key = depth_key(material); !key.empty())
-      d.check(c.method == Method::fem, "material." + name + "." + key,
-              "needs method = \"fem\": a particle does not keep a strength of its own");
-  }
+  for (const auto& [name, material] : c.material) check(d, "material." + name, material);
   check_bodies(d, c);
   check_initial_state(d, c);
   check_rigids(d, c);

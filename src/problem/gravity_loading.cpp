@@ -115,12 +115,13 @@ private:
 
   void add_body(const Case& c, Index body)
   {
-    const GroundElasticity ground = ground_elasticity(model_.bodies[body].material, *c.body[body].second.k0);
+    const BodySoil& soil = model_.bodies[body].soil;
+    const GroundElasticity ground = ground_elasticity(soil.materials.front(), *c.body[body].second.k0);
     CellField<Index> element_in(model_.mesh.cell_count(), none);
     const Index first = static_cast<Index>(elements_.size());
     for (const Index cell : particles_[body].occupied()) {
       Element<dim> element{cell, body};
-      element.ground = ground;
+      element.ground = varies(soil) ? ground_elasticity(soil_in(soil, cell), *c.body[body].second.k0) : ground;
       element.shape = model_.mesh.shape(cell);
       for_each_particle(element, [&](const bodies::Block<dim>& block, int lane) { element.volume += block.volume[lane]; });
       for (int k = 0; k <= dim; ++k) {
@@ -144,6 +145,12 @@ private:
         placed[element_in[cell]] = 1;
       });
     }
+  }
+
+  /// The soil in the middle of a cell.
+  material::Material soil_in(const BodySoil& soil, Index cell) const
+  {
+    return soil.at(model_.mesh.region_names[model_.mesh.region[cell]], model_.axes.depth(model_.mesh.centroid(cell), model_.surface));
   }
 
   void list_entries()

@@ -18,7 +18,7 @@ constexpr int lines_along = dim == 2 ? 200 : 20;
 /// Soil on a vertical line.
 struct Piece {
   Real bottom, top;  ///< m
-  Index body;
+  Index body, region = none;
 };
 
 /// Where a vertical line through x is in a cell; bottom >= top where it is not.
@@ -74,6 +74,7 @@ struct Lines {
       for (int i = first[0]; i <= last[0]; ++i) {
         Piece piece = chord<dim>(mesh, cell, place(j * along + i));
         piece.body = body;
+        piece.region = mesh.region[cell];
         if (piece.bottom < piece.top) pieces[j * along + i].push_back(piece);
       }
   }
@@ -123,9 +124,12 @@ void refuse_k0_below_uneven_ground(const Case& c, const Model<dim>& model)
     std::sort(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.top > b.top; });
     Real above = 0;
     for (const Piece& piece : pieces) {
-      const Real unit_weight = gravity * density(model.bodies[piece.body].material), half = unit_weight * (piece.top - piece.bottom) / 2;
+      const auto weight_above = [&](Real y) {
+        return gravity * model.bodies[piece.body].soil.mass_above(model.mesh.region_names[piece.region], c.surface - y);
+      };
+      const Real half = (weight_above(piece.bottom) - weight_above(piece.top)) / 2;
       x[1] = (piece.top + piece.bottom) / 2;
-      const Real taken = unit_weight * std::max(Real(0), c.surface - x[1]), weight = above + half;
+      const Real taken = std::max(Real(0), weight_above(x[1])), weight = above + half;
       above += 2 * half;
       largest = std::max({largest, std::abs(taken), std::abs(weight)});
       if (by_level(piece.body) && std::abs(weight - taken) > worst.difference)

@@ -6,6 +6,7 @@
 #include "boundary/support.hpp"
 #include "mesh/patches.hpp"
 #include "problem/axes.hpp"
+#include "problem/body_soil.hpp"
 #include "problem/case.hpp"
 
 namespace berm::problem {
@@ -14,9 +15,10 @@ namespace berm::problem {
 template <int dim>
 struct Body {
   std::string name;
-  material::Material material;
+  BodySoil soil;
   NodeField<Real> damping;    ///< local damping factor of each node for this body
   Real weight_over_mass = 1;  ///< density over inertia density: the part of gravity that acts on its particles
+  SoilWaves waves = waves_of(soil.materials.front());
 };
 
 /// A contact with its names looked up.

@@ -61,6 +61,26 @@ struct DrawnField {
   std::function<Real(const fem::SoilPoint&, int number)> of;
 };
 
+/// What the soil has of its own at the integration points, where it varies: by body, the field's place among the own values.
+struct OwnField {
+  FieldInfo info;
+  std::vector<int> place;
+};
+
+std::vector<OwnField> own_fields_of(const problem::Model<2>& model)
+{
+  std::vector<OwnField> fields;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const std::vector<FieldInfo> own = own_fields(model.bodies[b].soil);
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      auto found = std::find_if(fields.begin(), fields.end(), [&](const OwnField& field) { return field.info.name == own[k].name; });
+      if (found == fields.end()) found = fields.insert(found, {own[k], std::vector<int>(model.bodies.size(), none)});
+      found->place[b] = static_cast<int>(k);
+    }
+  }
+  return fields;
+}
+
 std::vector<DrawnField> drawn_fields(const problem::Model<2>& model)
 {
   std::vector<DrawnField> fields;
@@ -74,7 +94,7 @@ std::vector<DrawnField> drawn_fields(const problem::Model<2>& model)
       point_fields);
   for (std::size_t b = 0; b < bodies; ++b) {
     int offset = 0;
-    for (const FieldInfo& info : state_fields(model.bodies[b].material)) {
+    for (const FieldInfo& info : state_fields(model.bodies[b].soil.materials.front())) {
       const int first = offset;
       offset += info.components;
       if (!info.goes(to_frame)) continue;
@@ -89,11 +109,12 @@ std::vector<DrawnField> drawn_fields(const problem::Model<2>& model)
 }
 
 /// A frame with room for what nodes carry.
-Frame<2> empty_frame(const fem::QuadraticMesh& mesh, const std::vector<DrawnField>& drawn)
+Frame<2> empty_frame(const fem::QuadraticMesh& mesh, const std::vector<DrawnField>& drawn, const std::vector<OwnField>& own)
 {
   std::vector<FieldInfo> infos = common_fields<2>();
   for (const DrawnField& field : drawn)
     if (!is_common_field(field.info.name)) infos.push_back(field.info);
+  for (const OwnField& field : own) infos.push_back(field.info);
   Frame<2> frame;
   frame.allocate(static_cast<std::size_t>(mesh.node_count()), infos);
   frame.triangles.assign(mesh.nodes.begin(), mesh.nodes.end());
@@ -140,6 +161,23 @@ NodeField<NodalSums> draw_out(const fem::FemModel& model, const fem::FemState& s
   return sums;
 }
 
+/// Gives each node the mean of what the soil of its elements has there at the start.
+void set_own(const fem::FemModel& model, const std::vector<OwnField>& own, Frame<2>& frame)
+{
+  NodeField<Real> cells(model.mesh.node_count(), 0);
+  for (Index cell = 0; cell < model.mesh.cell_count() && !own.empty(); ++cell)
+    for (const Index node : model.mesh.nodes[cell]) {
+      const problem::BodySoil& soil = model.soil_of(cell);
+      const std::vector<Real> values = own_values(soil, model.region_of(cell), model.model.surface - model.mesh.position[node][1]);
+      ++cells[node];
+      for (const OwnField& field : own)
+        if (const int place = field.place[model.mesh.body[cell]]; place != none && !values.empty()) {
+          Real& mean = frame.field(field.info.name).at(node);
+          mean += (values[place] - mean) / cells[node];
+        }
+    }
+}
+
 /// What the nodes' own motion and the gradients of their elements say.
 void set_motion(const fem::QuadraticMesh& mesh, const fem::FemState& state, const NodeField<NodalSums>& sums, Frame<2>& frame)
 {
@@ -169,10 +207,12 @@ FemFrameMaker::FemFrameMaker(const fem::FemModel& model) : model_(model), last_d
 Frame<2> FemFrameMaker::make(const fem::FemState& state)
 {
   const std::vector<DrawnField> drawn = drawn_fields(model_.model);
-  Frame<2> frame = empty_frame(model_.mesh, drawn);
+  const std::vector<OwnField> own = own_fields_of(model_.model);
+  Frame<2> frame = empty_frame(model_.mesh, drawn, own);
   frame.time = state.state.time;
   set_motion(model_.mesh, state, draw_out(model_, state, last_displacement_, drawn, frame), frame);
   last_displacement_ = state.displacement;
+  set_own(model_, own, frame);
   frame.rigid_bodies = frame_rigids(model_.model, state.state.rigid_bodies);
   return frame;
 }

@@ -24,9 +24,8 @@ std::vector<RunSize::OfBody> min_bodies(const problem::Case& c, const CellsOf& c
   std::vector<RunSize::OfBody> bodies;
   for (const auto& [name, settings] : c.body) {
     RunSize::OfBody body;
-    const Index material = problem::index_of(c.material, settings.material);
-    if (material != none)
-      for (const FieldInfo& field : state_fields(c.material[material].second)) body.extra_size += field.components;
+    if (problem::index_of(c.material, settings.material) != none)
+      for (const FieldInfo& field : particle_extra(soil_of(c, settings))) body.extra_size += field.components;
     if (settings.block || settings.disk) {
       body.particles = settings.block ? particles_in<dim>(*settings.block) : particles_in(*settings.disk);
       body.blocks = body.particles / lanes;

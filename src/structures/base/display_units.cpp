@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/base/display_units.hpp"
 
+#include "text/quantity_words.hpp"
 #include "text/shown_number.hpp"
 
 #include <algorithm>
@@ -48,6 +49,9 @@ DisplayUnits::DisplayUnits(const std::vector<ScaledRun>& runs) : length_{1e-3, "
     (scale.dimension == 2 ? in_plane_ : in_space_) = true;
     const Real level = std::round(10 * scale.gravity_level) / 10;
     if (has_prototype(scale) && std::find(levels_.begin(), levels_.end(), level) == levels_.end()) levels_.push_back(level);
+    const std::pair strength(scale.strength, scale.strength_depth);
+    if (scale.strength_depth > 0 && std::find(strengths_.begin(), strengths_.end(), strength) == strengths_.end())
+      strengths_.push_back(strength);
     by_weight_ = by_weight_ || force_measure(scale).kind == ForceMeasure::Kind::weight;
     by_strength_ = by_strength_ || force_measure(scale).kind == ForceMeasure::Kind::strength;
     for (const run_folder::Quantity& q : *quantities) {
@@ -100,15 +104,25 @@ std::vector<text::HtmlCell> DisplayUnits::length_cells(const BodyScale& scale, R
   return cells;
 }
 
-std::string DisplayUnits::prototype_words() const
+std::string DisplayUnits::scale_words() const
 {
-  if (levels_.empty()) return "";
+  std::vector<std::string> strengths;
+  for (const auto& [strength, depth] : strengths_)
+    strengths.push_back(fmt::format("{} at a depth of {}", text::stress_words(strength), text::length_words(depth)));
+  std::string words;
+  if (!strengths.empty())
+    words =
+        text::html_paragraph(fmt::format("Strength varies with depth: s<sub>u</sub> is that at the lowest point of the body at the end of "
+                                         "its push, below the surface at the start ({}).",
+                                         fmt::join(strengths, "; ")),
+                             "quiet");
+  if (levels_.empty()) return words;
   std::vector<std::string> levels;
   for (const Real level : levels_) levels.push_back(text::short_number(level));
-  return text::html_paragraph(
-      fmt::format("In the prototype, lengths and forces per metre are those of the model times the gravity level ({}){}.",
-                  fmt::join(levels, ", "), in_space_ ? ", forces in space those times its square" : ""),
-      "quiet");
+  return words + text::html_paragraph(
+                     fmt::format("In the prototype, lengths and forces per metre are those of the model times the gravity level ({}){}.",
+                                 fmt::join(levels, ", "), in_space_ ? ", forces in space those times its square" : ""),
+                     "quiet");
 }
 
 std::string DisplayUnits::force_text(const BodyScale& scale, Real force) const

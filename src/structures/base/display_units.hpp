@@ -13,7 +13,7 @@ struct ForceMeasure {
   enum class Kind {
     unknown,  ///< weightless soil with friction or without strength
     weight,   ///< gamma' D^2
-    strength  ///< D s_u, of soil without friction; s_u that at the surface
+    strength  ///< D s_u, of soil without friction; s_u that at BodyScale::strength_depth
   };
   Kind kind = Kind::unknown;
   Real size = 0;  ///< N/m
@@ -48,8 +48,8 @@ public:
   /// "0.1 D (2 mm, 0.1 m in the prototype)".
   std::string length_text(const BodyScale& scale, Real length) const;
 
-  /// What the prototype is, as a paragraph; "" without one.
-  std::string prototype_words() const;
+  /// What the prototype is, and at which depth s_u is taken where it varies, as paragraphs; "" without either.
+  std::string scale_words() const;
 
   /// The unit of forces per metre.
   const char* force_unit() const { return force_.plane.name; }
@@ -66,7 +66,8 @@ private:
 
   ForceUnit force_, prototype_force_;
   text::NamedUnit length_;
-  std::vector<Real> levels_;  ///< gravity levels of the runs that have a prototype, each once
+  std::vector<std::pair<Real, Real>> strengths_;  ///< Pa, and the depth where the soil has it, m: of the runs whose soil varies, each once
+  std::vector<Real> levels_;                      ///< gravity levels of the runs that have a prototype, each once
   bool by_weight_ = false, by_strength_ = false, in_plane_ = false, in_space_ = false;
 };
 

@@ -2,6 +2,7 @@
 #include "structures/base/driven_body.hpp"
 
 #include "bodies/rigid/rigid_body.hpp"
+#include "problem/axes.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -17,12 +18,35 @@ const contact::ContactSettings* contact_of_body(const problem::Case& c)
   return found;
 }
 
-const material::Material* touched_material(const problem::Case& c)
+std::optional<problem::BodySoil> touched_soil(const problem::Case& c)
 {
   const contact::ContactSettings* contact = contact_of_body(c);
   const Index body = contact == nullptr ? none : problem::index_of(c.body, contact->body);
-  const Index material = body == none ? none : problem::index_of(c.material, c.body[body].second.material);
-  return material == none ? nullptr : &c.material[material].second;
+  if (body == none || problem::index_of(c.material, c.body[body].second.material) == none) return {};
+  return soil_of(c, c.body[body].second);
+}
+
+Real reference_depth(const problem::Case& c)
+{
+  const Index rigid = main_rigid(c);
+  if (rigid == none) return 0;
+  const auto lowest = [&](auto gravity) {
+    constexpr int dim = decltype(gravity)::RowsAtCompileTime;
+    const problem::Axes<dim> axes = problem::axes_of<dim>(gravity);
+    return axes.sign * c.surface - bodies::lowest_level<dim>(make_shape<dim>(c.rigid[rigid].second.shape), axes.up_vector());
+  };
+  Real depth = c.dimension == 2 ? lowest(bodies::to_vec<2>(c.gravity)) : lowest(bodies::to_vec<3>(c.gravity));
+  if (!std::isfinite(depth)) depth = 0;
+  if (c.method == problem::Method::mpm)
+    for (const problem::StageSettings& stage : c.stage)
+      if (stage.kind == problem::StageKind::push) depth = std::max(depth, stage.until.embedment.value_or(0));
+  return std::max(Real(0), depth);
+}
+
+std::optional<material::Material> touched_material(const problem::Case& c)
+{
+  const std::optional<problem::BodySoil> soil = touched_soil(c);
+  return soil ? std::optional(soil->at("", reference_depth(c))) : std::nullopt;
 }
 
 BodyScale body_scale(const problem::Case& c)
@@ -36,11 +60,14 @@ BodyScale body_scale(const problem::Case& c)
     return stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
   });
   if (driven) scale.width = c.dimension == 2 ? width_of<2>(make_shape<2>(shape)) : width_of<3>(make_shape<3>(shape));
-  const material::Material* material = touched_material(c);
-  if (material == nullptr) return scale;
+  const std::optional<material::Material> material = touched_material(c);
+  if (!material) return scale;
   scale.unit_weight = density(*material) * gravity;
   const std::optional<material::Strength> soil = strength_at_rest(*material);
-  if (soil && soil->friction_angle == 0) scale.strength = soil->cohesion;
+  if (soil && soil->friction_angle == 0) {
+    scale.strength = soil->cohesion;
+    if (varies(*touched_soil(c))) scale.strength_depth = reference_depth(c);
+  }
   return scale;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "problem/body_soil.hpp"
 #include "problem/case.hpp"
 
 namespace berm::base {
@@ -12,7 +13,8 @@ struct BodyScale {
   Real gravity_level = 1;  ///< gravity in the model over that of the earth
   bool noisy = true;       ///< whether forces have the noise of a dynamic method
   int dimension = 2;
-  Real strength = 0;  ///< undrained strength of soil without friction at its surface, Pa; 0: it has none
+  Real strength = 0;        ///< undrained strength of soil without friction, Pa; 0: it has none
+  Real strength_depth = 0;  ///< m below the bed's surface: where it has that strength; 0: it is the same at all depths
 };
 
 /// The scale of a case: the width of its main rigid body, weight and strength of the soil that touches it.
@@ -27,8 +29,15 @@ std::string body_word(const problem::Case& c);
 /// The contact of a deformable body with the main rigid body, the last where there are several; null where there is none.
 const contact::ContactSettings* contact_of_body(const problem::Case& c);
 
-/// The material of that deformable body; null where none touches.
-const material::Material* touched_material(const problem::Case& c);
+/// The soil of that deformable body; empty where none touches.
+std::optional<problem::BodySoil> touched_soil(const problem::Case& c);
+
+/// The depth whose soil stands for all that the main rigid body meets, m: that of its lowest point at the start, or where a push by embedment ends if that is
+/// deeper.
+Real reference_depth(const problem::Case& c);
+
+/// The material at that depth, with its strength there; where regions have their own materials, the body's own material; empty where none touches.
+std::optional<material::Material> touched_material(const problem::Case& c);
 
 /// Whether a model stands for a larger prototype: under gravity that differs from the earth's by more than 5 %, which 10 m/s2 does not; without gravity
 /// there is none.

@@ -124,7 +124,7 @@ TEST(Assembly, linear_displacement_makes_constant_stress_and_balance_inside)
   }
 
   assembly.accept(problem.state, change, {});
-  const material::Elasticity elastic = elasticity(model.model.bodies[0].material);
+  const material::Elasticity elastic = elasticity(model.model.bodies[0].soil.materials.front());
   const Real volume = e[0][0] + e[1][1];
   const SymTensor<2> stress{{elastic.lame * volume + 2 * elastic.shear * e[0][0], elastic.lame * volume + 2 * elastic.shear * e[1][1],
                              elastic.lame * volume, elastic.shear * (e[0][1] + e[1][0])}};

@@ -8,6 +8,7 @@
 #include "formulas/pipe_in_sand.hpp"
 #include "mesh/seabed.hpp"
 #include "structures/base/driven_body.hpp"
+#include "structures/pipe/published/pipe_soil.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -26,13 +27,14 @@ struct PipeInSoil {
   std::optional<material::Strength> strength;  ///< empty: none of cohesion and friction
   const contact::ContactSettings* contact = nullptr;
   Real unit_weight = 0;  ///< N/m3
+  std::optional<problem::BodySoil> soil;
 };
 
 PipeInSoil pipe_in_soil(const problem::Case& c)
 {
-  const material::Material* material = base::touched_material(c);
-  return {embedded_pipe(c), material == nullptr ? std::nullopt : strength_at_rest(*material), base::contact_of_body(c),
-          base::body_scale(c).unit_weight};
+  const std::optional<material::Material> material = base::touched_material(c);
+  return {embedded_pipe(c), material ? strength_at_rest(*material) : std::nullopt, base::contact_of_body(c),
+          base::body_scale(c).unit_weight, base::touched_soil(c)};
 }
 
 std::string titled(const std::string& title, const formulas::Formula& formula)
@@ -52,7 +54,9 @@ Real roughness_of(const PipeInSoil& soil)
 PublishedEnvelope for_clay(const PipeInSoil& soil)
 {
   PublishedEnvelope published;
-  const formulas::PipeInClay pipe{soil.pipe.width, soil.pipe.embedment, soil.strength->cohesion, roughness_of(soil), 0, soil.unit_weight};
+  const formulas::PipeInClay around = ClayAround{soil.pipe.width, soil.unit_weight, *soil.soil, 0}.at(soil.pipe.embedment);
+  const formulas::PipeInClay pipe{soil.pipe.width,    soil.pipe.embedment,      around.strength,
+                                  roughness_of(soil), around.strength_gradient, soil.unit_weight};
   published.unit = pipe.diameter * pipe.strength;
   published.unit_name = "(D s_u)";
   if (std::isnan(pipe.roughness)) {

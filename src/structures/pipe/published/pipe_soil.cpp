@@ -20,7 +20,12 @@ const bodies::CircleSettings* circle_of(const problem::Case& c)
 
 formulas::PipeInClay ClayAround::at(Real embedment) const
 {
-  const Real strength = surface_strength + strength_gradient * embedment;
+  const auto strength_at = [&](Real depth) { return strength_at_rest(soil.at("", depth))->cohesion; };
+  const Real strength = strength_at(embedment);
+  Real strength_gradient = 0;
+  for (const Real part : {0.25, 0.5, 0.75, 1.})
+    if (const Real below = strength_at(embedment + part * diameter); below != strength)
+      strength_gradient = (below - strength) / (part * diameter);
   const Real roughness = std::isnan(adhesion) ? adhesion : std::min(Real(1), adhesion / strength);
   return {diameter, embedment, strength, roughness, strength_gradient, unit_weight};
 }
@@ -50,19 +55,24 @@ PipeSoil pipe_soil(const problem::Case& c)
   if (c.dimension != 2) return NoFormula{"The published formulas are per metre of pipe in plane strain; this run is in space."};
   if (std::isnan(modelled_part(c)))
     return NoFormula{"The published formulas are those of a whole pipe; a wall of the mesh cuts the pipe of this run."};
-  const material::Material* material = base::touched_material(c);
-  const std::optional<material::Strength> law = material == nullptr ? std::nullopt : strength_at_rest(*material);
+  const std::optional<material::Material> material = base::touched_material(c);
+  const std::optional<material::Strength> law = material ? strength_at_rest(*material) : std::nullopt;
   if (!law) return NoFormula{"No formula is known for this soil: its strength is none of cohesion and friction."};
   const contact::ContactSettings& contact = *base::contact_of_body(c);
   const bool sticks = contact.scheme == contact::Scheme::tied;
   const Real unit_weight = base::body_scale(c).unit_weight;
-  const bool cohesive = law->cohesion > 0 || law->cohesion_gradient > 0;
+  const problem::BodySoil soil = *base::touched_soil(c);
+  const bool cohesive = law->cohesion > 0;
+  if (soil.materials.size() > 1)
+    for (const material::Material& one : soil.materials)
+      if (law->friction_angle > 0 || strength_at_rest(one)->friction_angle > 0)
+        return NoFormula{"The published formulas are those of clay or of one sand; this soil has layers of others."};
   if (law->friction_angle > 0 && !cohesive && unit_weight > 0)
     return SandAround{circle->diameter, unit_weight, law->friction_angle, law->dilation_angle,
                       sticks ? law->friction_angle : contact.friction_angle};
   if (law->friction_angle == 0 && cohesive) {
     const Real adhesion = sticks ? infinity : contact.friction_angle > 0 ? std::numeric_limits<Real>::quiet_NaN() : contact.adhesion;
-    return ClayAround{circle->diameter, unit_weight, law->cohesion, law->cohesion_gradient, adhesion};
+    return ClayAround{circle->diameter, unit_weight, soil, adhesion};
   }
   return NoFormula{"No formula is known for this soil: it is neither clay (φ = 0) nor sand (c = 0) with weight."};
 }

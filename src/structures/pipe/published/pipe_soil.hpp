@@ -3,6 +3,7 @@
 
 #include "formulas/pipe_in_clay.hpp"
 #include "formulas/pipe_in_sand.hpp"
+#include "problem/body_soil.hpp"
 #include "problem/case.hpp"
 
 #include <variant>
@@ -19,10 +20,11 @@ struct SandAround {
 
 /// Clay without friction around a pipe.
 struct ClayAround {
-  Real diameter, unit_weight;                ///< m, N/m3, 0 = weightless
-  Real surface_strength, strength_gradient;  ///< Pa, Pa/m
-  Real adhesion;                             ///< Pa, infinite where the pipe sticks, NaN where the interface has friction
+  Real diameter, unit_weight;  ///< m, N/m3, 0 = weightless
+  problem::BodySoil soil;
+  Real adhesion;  ///< Pa, infinite where the pipe sticks, NaN where the interface has friction
 
+  /// With the strength at the invert. Its growth is that of the law, or where layers or a profile differ that over a diameter below the invert.
   formulas::PipeInClay at(Real embedment) const;
 };
 

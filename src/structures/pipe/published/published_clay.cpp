@@ -67,10 +67,11 @@ std::vector<std::string> remarks_on(const ClayAround& clay)
   if (std::isnan(clay.adhesion))
     remarks.emplace_back(
         "The interface of this run has friction. Most formulas for clay know adhesion to the pipe alone and are left out.");
-  if (clay.strength_gradient > 0)
-    remarks.emplace_back("The clay of this run gets stronger with depth; formulas for uniform clay take its strength at the pipe's lowest "
-                         "point. F114's model 1 "
-                         "needs a factor for such clay that berm has no values of, and is left out.");
+  if (varies(clay.soil))
+    remarks.emplace_back(
+        "The strength of this run's clay varies with depth; formulas for uniform clay take its strength at the pipe's lowest "
+        "point. F114's model 1 "
+        "needs a factor for such clay that berm has no values of, and is left out.");
   if (clay.unit_weight > 0)
     remarks.emplace_back("Vertical resistances hold the weight of the clay that the pipe displaces, γ′ times F114's area.");
   return remarks;

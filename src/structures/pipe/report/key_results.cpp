@@ -213,7 +213,7 @@ std::string key_results(const PipeRuns& runs, const base::DisplayUnits& shown)
   const bool several = runs.size() > 1;
   const std::string tables = push_table(runs, shown, several) + drag_table(runs, shown, several) + resistance_table(runs, shown, several) +
                              stages_table(runs, shown);
-  return tables.empty() ? "" : shown.prototype_words() + averaging_words(runs) + tables;
+  return tables.empty() ? "" : shown.scale_words() + averaging_words(runs) + tables;
 }
 
 }  // namespace berm::pipe

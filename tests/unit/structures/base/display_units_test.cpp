@@ -24,7 +24,7 @@ TEST(DisplayUnits, tell_forces_in_space_in_newtons_and_in_the_prototype_by_the_s
   const DisplayUnits shown({{space, &pushed_in_space}});
   EXPECT_EQ(shown.force_text(space, 800), "0.8 kN (2000 kN in the prototype)");
   EXPECT_EQ(shown.force_columns("V")[0].content, "V, kN");
-  EXPECT_NE(shown.prototype_words().find("times its square"), std::string::npos);
+  EXPECT_NE(shown.scale_words().find("times its square"), std::string::npos);
   EXPECT_EQ(force_measure(space).kind, ForceMeasure::Kind::unknown);
 }
 

@@ -30,7 +30,21 @@ TEST(DrivenBody, is_none_where_no_push_or_drag_moves_it)
   c.contact.clear();
   EXPECT_FALSE(drives_a_body(c));
   EXPECT_EQ(body_word(c), "body");
-  EXPECT_EQ(touched_material(c), nullptr);
+  EXPECT_FALSE(touched_material(c));
+}
+
+TEST(DrivenBody, has_the_strength_of_its_lowest_point_at_the_end_of_the_push)
+{
+  MadeRun run;
+  run.law = MadeRun::clay_law();
+  problem::Case c = run.settings();
+  std::get_if<material::MohrCoulomb>(&c.material[0].second)->cohesion_gradient = 5e4;
+  for (problem::StageSettings& stage : c.stage)
+    if (stage.kind == problem::StageKind::push) stage.until.embedment = 0.01;
+  EXPECT_DOUBLE_EQ(reference_depth(c), 0.01);
+  EXPECT_DOUBLE_EQ(body_scale(c).strength, 1500);
+  EXPECT_DOUBLE_EQ(body_scale(c).strength_depth, 0.01);
+  EXPECT_EQ(body_scale(run.settings()).strength_depth, 0);
 }
 
 TEST(DrivenBody, has_a_prototype_under_another_gravity_than_the_earths)

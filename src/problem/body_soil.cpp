@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problem/body_soil.hpp"
+
+#include "core/error.hpp"
+#include "problem/case.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::problem {
+namespace {
+
+/// The number of a material in the list, which it is added to where no equal one is there.
+Index add(BodySoil& soil, const Case& c, const std::string& name)
+{
+  const material::Material& material = c.material[index_of(c.material, name)].second;
+  const auto found = std::find(soil.materials.begin(), soil.materials.end(), material);
+  if (found != soil.materials.end()) return static_cast<Index>(found - soil.materials.begin());
+  soil.materials.push_back(material);
+  soil.names.push_back(name);
+  return static_cast<Index>(soil.materials.size()) - 1;
+}
+
+}  // namespace
+
+Index BodySoil::number_at(const std::string& region, Real depth) const
+{
+  if (const auto found = of_region.find(region); found != of_region.end()) return found->second;
+  Index number = 0;
+  for (const SoilLayer& layer : layers)
+    if (depth >= layer.top) number = layer.material;
+  return number;
+}
+
+material::Material BodySoil::at(const std::string& region, Real depth) const
+{
+  return at_depth(materials[number_at(region, depth)], depth);
+}
+
+Real BodySoil::mass_above(const std::string& region, Real depth) const
+{
+  if (layers.empty()) return density(materials[number_at(region, depth)]) * depth;
+  Real sum = 0, top = 0, of_layer = density(materials.front());
+  for (const SoilLayer& layer : layers) {
+    if (layer.top >= depth) break;
+    sum += of_layer * (layer.top - top);
+    top = layer.top;
+    of_layer = density(materials[layer.material]);
+  }
+  return sum + of_layer * (depth - top);
+}
+
+BodySoil soil_of_one(const material::Material& material, const std::string& name)
+{
+  return {{material}, {name}};
+}
+
+BodySoil soil_of(const Case& c, const bodies::BodySettings& body)
+{
+  BodySoil soil;
+  add(soil, c, body.material);
+  for (const bodies::SoilLayerSettings& layer : body.soil_layer) soil.layers.push_back({layer.top, add(soil, c, layer.material)});
+  for (const auto& [region, name] : body.region_material) soil.of_region[region] = add(soil, c, name);
+  if (soil.materials.size() > 1) return soil;
+  soil.layers.clear();
+  soil.of_region.clear();
+  return soil;
+}
+
+bool varies(const BodySoil& soil)
+{
+  return soil.materials.size() > 1 || varies(soil.materials.front());
+}
+
+std::vector<FieldInfo> own_fields(const BodySoil& soil)
+{
+  if (!varies(soil)) return {};
+  std::vector<FieldInfo> fields = own_fields(soil.materials.front());
+  if (soil.materials.size() > 1) fields.push_back({"material", "number of the material in its body, from 0", ""});
+  return fields;
+}
+
+std::vector<Real> own_values(const BodySoil& soil, const std::string& region, Real depth)
+{
+  if (!varies(soil)) return {};
+  const Index number = soil.number_at(region, depth);
+  std::vector<Real> values = own_values(at_depth(soil.materials[number], depth));
+  if (soil.materials.size() > 1) values.push_back(static_cast<Real>(number));
+  return values;
+}
+
+int number_offset(const BodySoil& soil)
+{
+  if (soil.materials.size() < 2) return none;
+  return state_size(soil.materials.front()) + static_cast<int>(own_fields(soil.materials.front()).size());
+}
+
+const material::Material& material_of(const BodySoil& soil, const Real* extra)
+{
+  const int offset = number_offset(soil);
+  return offset == none ? soil.materials.front() : soil.materials[static_cast<std::size_t>(extra[offset])];
+}
+
+std::vector<FieldInfo> particle_extra(const BodySoil& soil)
+{
+  std::vector<FieldInfo> fields = state_fields(soil.materials.front());
+  // A state variable is shown where one of the materials shows it.
+  for (const material::Material& material : soil.materials) {
+    const std::vector<FieldInfo> own = state_fields(material);
+    for (std::size_t k = 0; k < fields.size(); ++k) fields[k].travel |= own[k].travel;
+  }
+  const std::vector<FieldInfo> own = own_fields(soil);
+  fields.insert(fields.end(), own.begin(), own.end());
+  return fields;
+}
+
+void check_soil(Describe& d, const Case& c, const std::string& path, const bodies::BodySettings& body)
+{
+  std::vector<std::string> known;
+  for (const auto& entry : c.material) known.push_back(entry.first);
+  const auto check_material = [&](const std::string& key, const std::string& name) {
+    const Index own = index_of(c.material, body.material), other = index_of(c.material, name);
+    d.check(other != none, key, fmt::format("there is no [material.{}]", name), known);
+    if (own == none || other == none) return;
+    const material::Material &first = c.material[own].second, &second = c.material[other].second;
+    d.check(first.index() == second.index(), key,
+            fmt::format("[material.{}] has the law \"{}\", [material.{}] of the same body \"{}\": all materials of a body need one law; "
+                        "make another body of it, with a [contact] between them",
+                        name, law_word(second), body.material, law_word(first)));
+    const Real ratio = density(first) / inertia_density(first), here = density(second) / inertia_density(second);
+    constexpr Real same = 1e-6;
+    d.check(c.method == Method::fem || std::abs(here / ratio - 1) < same, key,
+            fmt::format("the materials of a body need the same density over inertia_density: inertia_density = \"{:.9g} kg/m^3\" in "
+                        "[material.{}] gives that of [material.{}]",
+                        density(second) / ratio, name, body.material));
+  };
+  d.check(body.soil_layer.empty() || body.region_material.empty(), path + ".region_material", "does not go with soil_layer");
+  for (std::size_t k = 0; k < body.soil_layer.size(); ++k) {
+    const std::string item = fmt::format("{}.soil_layer[{}]", path, k);
+    check_material(item + ".material", body.soil_layer[k].material);
+    d.check(k == 0 || body.soil_layer[k].top > body.soil_layer[k - 1].top, item + ".top", "must be deeper than that of the layer above");
+  }
+  for (const auto& [region, name] : body.region_material) {
+    const std::string key = path + ".region_material." + region;
+    d.check(std::find(body.regions.begin(), body.regions.end(), region) != body.regions.end(), key, "the body does not fill this region",
+            body.regions);
+    check_material(key, name);
+  }
+}
+
+void refuse_no_strength(const BodySoil& soil, const std::string& region, Real depth, const std::string& body)
+{
+  const Index number = soil.number_at(region, depth);
+  const material::Material there = at_depth(soil.materials[number], depth);
+  const std::vector<FieldInfo> fields = own_fields(there);
+  const std::vector<Real> values = own_values(there);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const bool stiffness = fields[k].name == "young_modulus";
+    if (stiffness ? values[k] > 0 : values[k] >= 0) continue;
+    throw InputError(
+        fmt::format("material.{0}.{1}_gradient: {2:.4g} m below the surface {1} is {3:.4g} Pa, and [body.{4}] reaches that deep: {5}",
+                    soil.names[number], fields[k].name, depth, values[k], body, "take a smaller decrease, or a profile"));
+  }
+}
+
+SoilWaves waves_of(const material::Material& material)
+{
+  const Real density = inertia_density(material), speed = std::sqrt(p_wave_modulus(material) / density);
+  return {speed, speed, speed, density, std::sqrt(p_wave_modulus(material) * density), density};
+}
+
+}  // namespace berm::problem

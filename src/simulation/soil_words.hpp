@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/case.hpp"
+
+namespace berm::simulation {
+
+/// What `berm check` says of bodies whose soil varies, line by line: their layers or regions, and strength and stiffness at the surface and at the lowest
+/// point that the main rigid body reaches in a push.
+std::vector<std::string> soil_words(const problem::Case& c);
+
+}  // namespace berm::simulation

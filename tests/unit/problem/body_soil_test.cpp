@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problem/body_soil.hpp"
+
+#include "core/error.hpp"
+#include "sample_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::problem {
+namespace {
+
+material::MohrCoulomb clay_of(Real strength, Real density = 1500)
+{
+  material::MohrCoulomb law;
+  law.density = density;
+  law.young_modulus = 500 * strength;
+  law.poisson_ratio = 0.45;
+  law.cohesion = strength;
+  return law;
+}
+
+/// A box of 2 m with the surface at y = 2 m: soft clay, from 0.5 m down stiff clay, from 1.25 m down soft clay again under another name.
+Case layered()
+{
+  Case c = pipe_over_box({stage_of(StageKind::geostatic)});
+  c.surface = 2;
+  c.material = {{"soft", clay_of(1e3)}, {"stiff", clay_of(5e3, 2000)}, {"also_soft", clay_of(1e3)}};
+  c.rigid.clear();
+  bodies::BodySettings& body = c.body[0].second;
+  body.material = "soft";
+  body.soil_layer = {{0.5, "stiff"}, {1.25, "also_soft"}};
+  return c;
+}
+
+TEST(BodySoil, has_each_material_once_and_knows_it_by_depth)
+{
+  const BodySoil soil = soil_of(layered(), layered().body[0].second);
+  ASSERT_EQ(soil.materials.size(), 2u);
+  EXPECT_TRUE(varies(soil));
+  const std::pair<Real, Index> expected[] = {{-1, 0}, {0.49, 0}, {0.5, 1}, {1.24, 1}, {1.25, 0}, {9, 0}};
+  for (const auto& [depth, number] : expected) EXPECT_EQ(soil.number_at("box", depth), number) << depth;
+  EXPECT_NEAR(soil.mass_above("box", 1.5), 0.5 * 1500 + 0.75 * 2000 + 0.25 * 1500, 1e-9);
+}
+
+TEST(BodySoil, of_equal_layers_is_that_of_one_material)
+{
+  Case c = layered();
+  c.material[1].second = clay_of(1e3);
+  const BodySoil soil = soil_of(c, c.body[0].second);
+  EXPECT_EQ(soil.materials.size(), 1u);
+  EXPECT_FALSE(varies(soil));
+  EXPECT_TRUE(own_fields(soil).empty());
+}
+
+TEST(BodySoil, takes_materials_of_regions)
+{
+  Case c = layered();
+  bodies::BodySettings& body = c.body[0].second;
+  body.soil_layer.clear();
+  body.regions = {"box", "pit"};
+  body.region_material = {{"pit", "stiff"}};
+  const BodySoil soil = soil_of(c, body);
+  EXPECT_EQ(soil.number_at("box", 3), 0);
+  EXPECT_EQ(soil.number_at("pit", 3), 1);
+  EXPECT_EQ(soil.mass_above("pit", 3), 3 * 2000);
+}
+
+TEST(Build, gives_each_particle_mass_strength_stiffness_and_stress_of_its_layer)
+{
+  Case c = layered();
+  c.gravity = {0, -10};
+  c.body[0].second.k0 = 0.5;
+  auto* stiff = std::get_if<material::MohrCoulomb>(&c.material[1].second);
+  stiff->cohesion_gradient = 2e3;
+  const Problem<2> problem = build<2>(c, mesh::make_mesh<2>(c.mesh, "", ""));
+  const bodies::Particles<2>& particles = problem.state.particles[0];
+  ASSERT_EQ(particles.extra_size(), 4);  // opening; cohesion, Young's modulus, number
+  int in_stiff = 0;
+  particles.visit([&](Index, Index b, int l) {
+    const bodies::Particle<2> p = particles.read(b, l);
+    const Real depth = 2 - p.x[1];
+    const bool stiffer = depth >= 0.5 && depth < 1.25;
+    in_stiff += stiffer;
+    EXPECT_DOUBLE_EQ(p.mass, p.volume * (stiffer ? 2000 : 1500));
+    EXPECT_DOUBLE_EQ(p.extra[1], stiffer ? 5e3 + 2e3 * depth : 1e3);
+    EXPECT_DOUBLE_EQ(p.extra[2], stiffer ? 2.5e6 : 5e5);
+    EXPECT_EQ(p.extra[3], stiffer ? 1 : 0);
+    const Real above = depth < 0.5 ? 1500 * depth : stiffer ? 750 + 2000 * (depth - 0.5) : 2250 + 1500 * (depth - 1.25);
+    EXPECT_NEAR(p.stress[1], -10 * above, 1e-9 * 1e5);
+    EXPECT_NEAR(p.stress[0], -5 * above, 1e-9 * 1e5);
+  });
+  EXPECT_GT(in_stiff, 50);
+  const SoilWaves& waves = problem.model.bodies[0].waves;
+  EXPECT_DOUBLE_EQ(waves.fastest, waves_of(c.material[1].second).fastest);
+  EXPECT_DOUBLE_EQ(waves.slowest, waves_of(c.material[0].second).slowest);
+  EXPECT_EQ(waves.min_density, 1500);
+}
+
+TEST(Build, refuses_soil_whose_strength_is_negative_where_the_body_reaches)
+{
+  Case c = layered();
+  c.body[0].second.soil_layer.clear();
+  std::get_if<material::MohrCoulomb>(&c.material[0].second)->cohesion_gradient = -800;  // nothing is left at 1.25 m
+  try {
+    build<2>(c, mesh::make_mesh<2>(c.mesh, "", ""));
+    FAIL() << "it was accepted";
+  } catch (const InputError& error) {
+    for (const char* part : {"material.soft.cohesion_gradient: ", "below the surface", "[body.bed]"})
+      EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+  c.body[0].second.soil_layer = {{1, "stiff"}};
+  EXPECT_NO_THROW(build<2>(c, mesh::make_mesh<2>(c.mesh, "", "")));
+}
+
+}  // namespace
+}  // namespace berm::problem
