@@ -80,9 +80,13 @@ Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& sta
     grids[b].total_mass = sums_over(state.particles[b]).mass;
     laws.emplace_back();
     laws_without_dilation.emplace_back();
+    volume_rules.emplace_back();
     for (const material::Material& material : body.soil.materials) {
       laws.back().push_back(prepare(material));
       laws_without_dilation.back().push_back(prepare(without_dilation(material)));
+      const Real per_density = 1 / inertia_density(material);
+      volume_rules.back().push_back(
+          {model.mpm.min_volume_ratio * per_density, model.mpm.max_volume_ratio * per_density, material::dilates(material)});
     }
     max = std::max<std::size_t>(max, state.particles[b].size());
   }

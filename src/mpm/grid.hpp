@@ -99,6 +99,12 @@ struct CellChange {
   Index from, index, to;
 };
 
+/// What a material of a body whose particles keep their own soil sets for them.
+struct VolumeRule {
+  Real min_volume, max_volume;  ///< over mass, m3/kg
+  bool dilates;
+};
+
 /// Work arrays of a step beside Model and State; allocated once.
 template <int dim>
 struct Work {
@@ -107,6 +113,7 @@ struct Work {
   bool contacts_share_nodes = false;                        ///< some node is moved by more than one contact point
   std::vector<std::vector<CellChange>> cell_changes;        ///< by thread
   std::vector<bodies::Particle<dim>> in_transit;
+  std::vector<std::vector<VolumeRule>> volume_rules;          ///< by body and material
   std::vector<std::vector<material::PreparedMaterial>> laws;  ///< by body and material
   std::vector<std::vector<material::PreparedMaterial>>
       laws_without_dilation;  ///< the same without dilation, for particles at their maximum volume

@@ -97,12 +97,9 @@ template <int dim, class Law, class V>
 template <class Law>
 struct OwnSoil {
   const std::vector<material::PreparedMaterial>&laws, &laws_without_dilation;  ///< by material
-  const problem::BodySoil& soil;
-  const problem::MpmSettings& mpm;
-  static constexpr int own_size = material::own_size<Law>(), first_own = Law::state_size;  ///< among a particle's extra numbers
-  int number_offset;
-
-  const Law& law(std::size_t number) const { return std::get<Law>(laws[number]); }
+  const std::vector<VolumeRule>& rules;
+  int number_offset;  ///< of the material's number among a particle's extra numbers, or none
+  static constexpr int own_size = material::own_size<Law>(), first_own = Law::state_size;  ///< its strength and stiffness there
 };
 
 /// Bounds of the particles' volume over their mass.
@@ -133,15 +130,13 @@ update_by_own_soil(const OwnSoil<Law>& soils, const P& part, const Lanes* low, c
     const auto n = static_cast<std::size_t>(number[first]);
     const Mask these = left & (number == number[first]);
     left &= ~these;
-    const Real per_density = 1 / inertia_density(soils.soil.materials[n]);
-    const Real min_volume = soils.mpm.min_volume_ratio * per_density, max_volume = soils.mpm.max_volume_ratio * per_density;
+    const VolumeRule& rule = soils.rules[n];
     SymTensor<dim, V> s = begin;
     V of_law[Law::state_size + 1];
     std::copy_n(begin_state, Law::state_size, of_law);
-    const auto& here = with_own(soils.law(n), own);
-    const bool dilates = material::dilates(soils.soil.materials[n]);
-    const Mask fully_dilated = these & (volume >= mass * max_volume);
-    if (dilates && any(fully_dilated)) {
+    const auto& here = with_own(std::get<Law>(soils.laws[n]), own);
+    const Mask fully_dilated = these & (volume >= mass * rule.max_volume);
+    if (rule.dilates && any(fully_dilated)) {
       const auto& without_dilation = with_own(std::get<Law>(soils.laws_without_dilation[n]), own);
       update_stress_of<dim>(here, &without_dilation, fully_dilated, s, increment, of_law);
     } else {
@@ -149,8 +144,8 @@ update_by_own_soil(const OwnSoil<Law>& soils, const P& part, const Lanes* low, c
     }
     for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = these ? s[k] : stress[k];
     for (int k = 0; k < Law::state_size; ++k) state[k] = these ? of_law[k] : state[k];
-    bounds.min = these ? mass * min_volume : bounds.min;
-    bounds.max = these ? mass * max_volume : bounds.max;
+    bounds.min = these ? mass * rule.min_volume : bounds.min;
+    bounds.max = these ? mass * rule.max_volume : bounds.max;
   }
   return bounds;
 }
@@ -254,7 +249,7 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
   const Real min_volume = model.mpm.min_volume_ratio * per_density, max_volume = model.mpm.max_volume_ratio * per_density;
   const Real filtered = pass == Pass::both ? grid.filtered_part(dt) : 0, unfiltered = 1 - filtered;
   for (auto& list : work.cell_changes) list.clear();
-  [[maybe_unused]] const OwnSoil<Law> soils{work.laws[body], work.laws_without_dilation[body], model.bodies[body].soil, model.mpm,
+  [[maybe_unused]] const OwnSoil<Law> soils{work.laws[body], work.laws_without_dilation[body], work.volume_rules[body],
                                             number_offset(model.bodies[body].soil)};
 
   const WorkDone work_done = sum_of<WorkDone>("move and strain particles", static_cast<Index>(particles.occupied().size()), [&](Index c) {

@@ -462,7 +462,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
        "{box = 0.05}",
        "{box = 0.05}\nregion_material = {bx = \"sand\"}",
        29,
-       {"body.bed.region_material.bx", "the body does not fill this region", "did you mean \"box\"?"},
+       {"body.bed.region_material.bx", "the body does not fill this region", "allowed: box"},
        {}},
       {"unknown_material_of_a_region",
        "{box = 0.05}",

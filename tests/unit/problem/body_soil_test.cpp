@@ -72,7 +72,7 @@ TEST(Build, gives_each_particle_mass_strength_stiffness_and_stress_of_its_layer)
   c.body[0].second.k0 = 0.5;
   auto* stiff = std::get_if<material::MohrCoulomb>(&c.material[1].second);
   stiff->cohesion_gradient = 2e3;
-  const Problem<2> problem = build<2>(c, mesh::make_mesh<2>(c.mesh, "", ""));
+  const Problem<2> problem = build<2>(c, mesh::make_box<2>(std::get<mesh::BoxMesh>(c.mesh)));
   const bodies::Particles<2>& particles = problem.state.particles[0];
   ASSERT_EQ(particles.extra_size(), 4);  // opening; cohesion, Young's modulus, number
   int in_stiff = 0;
@@ -102,14 +102,14 @@ TEST(Build, refuses_soil_whose_strength_is_negative_where_the_body_reaches)
   c.body[0].second.soil_layer.clear();
   std::get_if<material::MohrCoulomb>(&c.material[0].second)->cohesion_gradient = -800;  // nothing is left at 1.25 m
   try {
-    build<2>(c, mesh::make_mesh<2>(c.mesh, "", ""));
+    build<2>(c, mesh::make_box<2>(std::get<mesh::BoxMesh>(c.mesh)));
     FAIL() << "it was accepted";
   } catch (const InputError& error) {
     for (const char* part : {"material.soft.cohesion_gradient: ", "below the surface", "[body.bed]"})
       EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
   }
   c.body[0].second.soil_layer = {{1, "stiff"}};
-  EXPECT_NO_THROW(build<2>(c, mesh::make_mesh<2>(c.mesh, "", "")));
+  EXPECT_NO_THROW(build<2>(c, mesh::make_box<2>(std::get<mesh::BoxMesh>(c.mesh))));
 }
 
 }  // namespace
