@@ -5,8 +5,8 @@
 #include "simulation/fem_method.hpp"
 #include "simulation/mpm_method.hpp"
 #include "simulation/run.hpp"
-#include "simulation/soil_words.hpp"
 #include "simulation/with_run_folder.hpp"
+#include "structures/base/soil_words.hpp"
 
 #include <fmt/format.h>
 
@@ -44,7 +44,7 @@ void check_case(const RunRequest& request, Context& context)
 {
   with_method(request, [&](auto& method, const ScratchFolder&) {
     fmt::print("{}\n", request.case_file.string());
-    for (const std::string& line : soil_words(request.settings)) fmt::print("  {}\n", line);
+    for (const std::string& line : base::soil_words(request.settings)) fmt::print("  {}\n", line);
     method.print_check(context);
   });
 }

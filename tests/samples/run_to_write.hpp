@@ -43,7 +43,10 @@ problem::Problem<dim> sample_problem()
   problem::State<dim>& state = problem.state;
   model.mesh = make_box<dim>(box);
   for (int body = 0; body < 2; ++body) state.particles.emplace_back(model.mesh, model.mesh.cell_count(), std::vector<FieldInfo>{});
-  model.bodies.resize(2);
+  material::LinearElastic solid;
+  solid.density = 1000;
+  solid.young_modulus = 1e6;
+  model.bodies.assign(2, {"body", problem::soil_of_one(solid), {}});
   for (Index cell = model.mesh.cell_count() - 1; cell >= 0; --cell) {  // backwards: storage is by cell, ids run against it
     bodies::Particle<dim> p;
     p.x = model.mesh.centroid(cell);

@@ -6,6 +6,7 @@
 #include "report/setup/stage_words.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/near_mesh.hpp"
+#include "structures/base/soil_words.hpp"
 #include "text/quantity_words.hpp"
 #include "text/run_columns.hpp"
 #include "text/tex_math.hpp"
@@ -65,6 +66,18 @@ void add_material(Rows& rows, const std::string& prefix, const material::Materia
   for (const auto& [name, body] : c.body)
     if (body.k0 && &c.material[problem::index_of(c.material, body.material)].second == &material)
       rows.add(prefix + "K0", text::number_words(*body.k0));
+}
+
+/// Layers and regions of other materials, and the strength that forces are divided by where it varies.
+void add_soils(Rows& rows)
+{
+  for (const auto& [name, body] : rows.settings().body)
+    if (const problem::BodySoil soil = soil_of(rows.settings(), body); soil.materials.size() > 1)
+      rows.add(fmt::format("body {}: materials", name), base::layers_in_words(soil));
+  if (const base::BodyScale& scale = rows.scale(); scale.strength_depth > 0)
+    rows.add(fmt::format("undrained strength at a depth of {}, that of the lowest point after the push",
+                         text::length_words(scale.strength_depth)),
+             text::stress_words(scale.strength));
 }
 
 void add_rigid(Rows& rows, const std::string& prefix, const bodies::RigidSettings& rigid)
@@ -154,6 +167,7 @@ text::HtmlTable compact_table(const std::vector<record::RunRecord>& runs)
     for (const auto& [name, rigid] : c.rigid)
       add_rigid(rows, c.rigid.size() > 1 ? prefix_of("rigid body", name, c.rigid.size()) : base::body_word(c) + ": ", rigid);
     for (const auto& [name, material] : c.material) add_material(rows, prefix_of("material", name, c.material.size()), material);
+    add_soils(rows);
     for (const auto& [name, contact] : c.contact) add_contact(rows, prefix_of("interface", name, c.contact.size()), name, contact);
     add_mesh(rows);
     if (const Real particles = base::near_particles(c); !std::isnan(particles)) {

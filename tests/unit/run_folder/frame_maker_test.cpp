@@ -16,7 +16,10 @@ problem::Problem<2> block_in_box(int bodies = 1)
 {
   problem::Problem<2> problem{};
   problem.model.mesh = make_box<2>(mesh::BoxMesh{.lower = {-0.2, -0.2}, .size = {0.4, 0.4}, .cells = {16, 16}});
-  problem.model.bodies.resize(bodies);
+  material::LinearElastic solid;
+  solid.density = 1000;
+  solid.young_modulus = 1e6;
+  problem.model.bodies.assign(bodies, {"body", problem::soil_of_one(solid), {}});
   for (int b = 0; b < bodies; ++b) {
     bodies::BlockSettings block;
     block.center = {bodies == 1 ? 0 : -0.05 + 0.1 * b, 0};

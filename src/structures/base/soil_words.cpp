@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "simulation/soil_words.hpp"
+#include "structures/base/soil_words.hpp"
 
 #include "structures/base/driven_body.hpp"
 #include "text/quantity_words.hpp"
@@ -7,17 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm::simulation {
+namespace berm::base {
 namespace {
-
-std::string layers_in_words(const problem::BodySoil& soil)
-{
-  std::string words = fmt::format("\"{}\"", soil.names.front());
-  for (const problem::SoilLayer& layer : soil.layers)
-    words += fmt::format(", from {} down \"{}\"", text::length_words(layer.top), soil.names[layer.material]);
-  for (const auto& [region, number] : soil.of_region) words += fmt::format(", in region \"{}\" \"{}\"", region, soil.names[number]);
-  return words;
-}
 
 /// "cohesion 2 kPa, Young's modulus 1 MPa".
 std::string values_in_words(const material::Material& material)
@@ -31,6 +22,15 @@ std::string values_in_words(const material::Material& material)
 
 }  // namespace
 
+std::string layers_in_words(const problem::BodySoil& soil)
+{
+  std::string words = fmt::format("\"{}\"", soil.names.front());
+  for (const problem::SoilLayer& layer : soil.layers)
+    words += fmt::format(", from {} down \"{}\"", text::length_words(layer.top), soil.names[layer.material]);
+  for (const auto& [region, number] : soil.of_region) words += fmt::format(", in region \"{}\" \"{}\"", region, soil.names[number]);
+  return words;
+}
+
 std::vector<std::string> soil_words(const problem::Case& c)
 {
   std::vector<std::string> lines;
@@ -39,11 +39,11 @@ std::vector<std::string> soil_words(const problem::Case& c)
     if (!varies(soil)) continue;
     lines.push_back(fmt::format("soil         body \"{}\": {}", name, layers_in_words(soil)));
     lines.push_back(fmt::format("             at the surface: {}", values_in_words(soil.at("", 0))));
-    if (const Real depth = base::reference_depth(c); depth > 0)
-      lines.push_back(fmt::format("             {} deep, the lowest point of the {}: {}", text::length_words(depth), base::body_word(c),
+    if (const Real depth = reference_depth(c); depth > 0)
+      lines.push_back(fmt::format("             {} deep, the lowest point of the {}: {}", text::length_words(depth), body_word(c),
                                   values_in_words(soil.at("", depth))));
   }
   return lines;
 }
 
-}  // namespace berm::simulation
+}  // namespace berm::base
