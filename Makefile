@@ -30,7 +30,7 @@ probe_cases = $(filter-out %/claims.toml %/expected.toml %/study.toml,$(wildcard
 probe_runs = $(patsubst examples/%.toml,out/%,$(probe_cases))
 probe: build ## run every case of examples/probe_test; results go to out/probe_test, and the page of them all is report.html there
 	@test -n '$(probe_cases)' || { echo 'make probe: examples/probe_test holds no case' >&2; exit 1; }
-	@$(release)/berm run $(probe_cases) -o out/probe_test
+	@$(release)/berm run $(probe_cases) -o out/probe_test --force
 	@$(release)/berm report $(probe_runs)
 
 # What reads files that may be damaged is tested with sanitizers at every change.
@@ -58,8 +58,8 @@ short = --set 'stage.drag.until.displacement="0.5 mm"'
 debug: setup ## the program without optimization, its types compared at the link, and a short probe test with its report made by it
 	@cmake --preset debug >/dev/null
 	@ninja -C build/debug berm | $(only_news)
-	@build/debug/berm run examples/probe_test/case.toml -o build/debug/probe/case $(coarse) >build/debug/probe.log 2>&1 || { cat build/debug/probe.log; exit 1; }
-	@build/debug/berm run examples/probe_test/wip_10.toml -o build/debug/probe/wip_10 $(short) >build/debug/probe.log 2>&1 || { cat build/debug/probe.log; exit 1; }
+	@build/debug/berm run examples/probe_test/case.toml -o build/debug/probe/case --force $(coarse) >build/debug/probe.log 2>&1 || { cat build/debug/probe.log; exit 1; }
+	@build/debug/berm run examples/probe_test/wip_10.toml -o build/debug/probe/wip_10 --force $(short) >build/debug/probe.log 2>&1 || { cat build/debug/probe.log; exit 1; }
 	@build/debug/berm report build/debug/probe >/dev/null && echo 'make debug: the program, a short probe test and its report'
 
 fuzz: ## look for inputs that break berm, with clang: ten million for each target of tests/fuzz, hours

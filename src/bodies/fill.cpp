@@ -48,7 +48,7 @@ std::array<Real, 3> counts_in(const BlockSettings& block)
 void check_count(const std::string& key, Real count)
 {
   constexpr Index max = std::numeric_limits<Index>::max() / 2;
-  if (!(count <= max)) throw InputError(fmt::format("{}: {:.3g} particles are too many; at most {} can be numbered", key, count, max));
+  if (!(count <= max)) throw KeyError(fmt::format("{}: {:.3g} particles are too many; at most {} can be numbered", key, count, max));
 }
 
 template <int dim>
@@ -89,7 +89,7 @@ struct Finder {
   {
     const mesh::Location location = locate(mesh, x, cell);
     if (!location.inside)
-      throw InputError(fmt::format("body.{0}.{1}: the {1} leaves the mesh at ({2})", body, part, fmt::join(x.begin(), x.end(), ", ")));
+      throw KeyError(fmt::format("body.{0}.{1}: the {1} leaves the mesh at ({2})", body, part, fmt::join(x.begin(), x.end(), ", ")));
     return cell = location.cell;
   }
 };
@@ -234,7 +234,7 @@ Index filled_region(const mesh::Mesh<dim>& mesh, const std::string& name, const 
 {
   const Index found = mesh.find_region(region);
   if (found == none)
-    throw InputError(
+    throw KeyError(
         fmt::format("body.{}.regions: the mesh has no region \"{}\"; it has {}", name, region, fmt::join(mesh.region_names, ", ")));
   return found;
 }

@@ -21,8 +21,8 @@ Index fixed_boundary(const mesh::Mesh<dim>& mesh, const std::string& name, const
 {
   const Index boundary = mesh.find_boundary(support.boundary);
   if (boundary == none)
-    throw InputError(fmt::format("support.{}.boundary: the mesh has no boundary \"{}\"; it has {}", name, support.boundary,
-                                 fmt::join(mesh.boundary_names, ", ")));
+    throw KeyError(fmt::format("support.{}.boundary: the mesh has no boundary \"{}\"; it has {}", name, support.boundary,
+                               fmt::join(mesh.boundary_names, ", ")));
   return boundary;
 }
 

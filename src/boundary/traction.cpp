@@ -71,8 +71,8 @@ Index loaded_boundary(const mesh::Mesh<dim>& mesh, const std::string& name, cons
 {
   const Index boundary = mesh.find_boundary(traction.boundary);
   if (boundary == none)
-    throw InputError(fmt::format("traction.{}.boundary: the mesh has no boundary \"{}\"; it has {}", name, traction.boundary,
-                                 fmt::join(mesh.boundary_names, ", ")));
+    throw KeyError(fmt::format("traction.{}.boundary: the mesh has no boundary \"{}\"; it has {}", name, traction.boundary,
+                               fmt::join(mesh.boundary_names, ", ")));
   return boundary;
 }
 
@@ -118,9 +118,9 @@ std::vector<LoadedPoint<dim>> loaded_points(const mesh::Mesh<dim>& mesh, const s
 
 void refuse_without_soil(const std::string& name, const TractionSettings& traction)
 {
-  throw InputError(fmt::format("traction.{}.{}: no body that fills regions has soil at the boundary \"{}\"{}", name,
-                               traction.x_range.empty() ? "boundary" : "x_range", traction.boundary,
-                               traction.x_range.empty() ? "" : " in this range"));
+  throw KeyError(fmt::format("traction.{}.{}: no body that fills regions has soil at the boundary \"{}\"{}", name,
+                             traction.x_range.empty() ? "boundary" : "x_range", traction.boundary,
+                             traction.x_range.empty() ? "" : " in this range"));
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \

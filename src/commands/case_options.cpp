@@ -38,18 +38,31 @@ int CaseOptions::jobs() const
   return threads > 0 ? threads : processor_count();
 }
 
+namespace {
+
+/// out/FOLDER/NAME of FOLDER/NAME.toml, so that examples/bar/case.toml and examples/column/case.toml do not meet; out/NAME of a file that lies here.
+fs::path default_folder(const fs::path& file)
+{
+  const fs::path folder = file.lexically_normal().parent_path().filename();
+  const bool named = !folder.empty() && folder != "." && folder != "..";
+  return named ? fs::path("out") / folder / file.stem() : fs::path("out") / file.stem();
+}
+
+}  // namespace
+
 std::vector<simulation::RunRequest> requests(const CaseOptions& options)
 {
   std::vector<simulation::RunRequest> all;
   for (const std::string& file : options.files) {
     const fs::path name = fs::path(file).stem();
-    const fs::path folder = options.output.empty()      ? fs::path("out") / name
+    const fs::path folder = options.output.empty()      ? default_folder(file)
                             : options.files.size() == 1 ? fs::path(options.output)
                                                         : fs::path(options.output) / name;
     for (const simulation::RunRequest& other : all)
       if (other.folder == folder)
         throw InputError(fmt::format("{} and {} would both be written to {}", other.case_file.string(), file, folder.string()));
-    all.push_back({input::read_case(file, options.overrides), file, folder});
+    auto [settings, places] = input::read_case_in_file(file, options.overrides);
+    all.push_back({std::move(settings), file, folder, false, std::move(places)});
   }
   return all;
 }

@@ -11,7 +11,8 @@ namespace berm::commands {
 struct CaseOptions {
   std::vector<std::string> files, overrides;
   std::string output;
-  int threads = 0;  ///< 0: all processors
+  int threads = 0;     ///< 0: all processors
+  bool force = false;  ///< replace the results of earlier runs
 
   /// CASE... and --set.
   CLI::Option* take_cases(CLI::App& command);

@@ -4,10 +4,13 @@
 
 #include "commands/command.hpp"
 #include "core/error.hpp"
+#include "input/message_text.hpp"
 #include "io/atomic_file.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <new>
 
 namespace berm::commands {
@@ -17,9 +20,33 @@ namespace {
 constexpr Command (*all_commands[])(CLI::App&) = {add_run,    add_check, add_params,   add_bench,
                                                   add_verify, add_study, add_envelope, add_report};
 
+/// What is wrong with the command line, in one line and with the nearest word that exists.
+std::string words_of(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv)
+{
+  std::vector<std::string> commands;
+  const CLI::App* command = nullptr;
+  for (const CLI::App* of : app.get_subcommands([](const CLI::App*) { return true; })) commands.push_back(of->get_name());
+  const std::string first = argc > 1 ? argv[1] : "";
+  for (const CLI::App* of : app.get_subcommands([](const CLI::App*) { return true; }))
+    if (of->get_name() == first) command = of;
+  if (first.empty()) return fmt::format("a command is needed ({}); berm --help explains them", fmt::join(commands, ", "));
+  if (command == nullptr && first[0] != '-')
+    return fmt::format("unknown command {}{}", input::in_quotes(first), input::suggestion(first, commands));
+  std::vector<std::string> options;
+  for (const CLI::Option* option : (command == nullptr ? &app : command)->get_options())
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  for (int k = 1; k < argc; ++k) {
+    const std::string word = std::string(argv[k]).substr(0, std::string(argv[k]).find('='));
+    if (word.starts_with("--") && word.size() > 2 && std::find(options.begin(), options.end(), word) == options.end())
+      return fmt::format("unknown option {}{}", input::in_quotes(word), input::suggestion(word, options));
+  }
+  return error.what();
+}
+
 int dispatch(int argc, char** argv)
 {
-  CLI::App app("berm pushes a pipe or cable into the seabed, drags it sideways, and says how the soil answers.", "berm");
+  CLI::App app("berm pushes a pipe or cable into the seabed, drags it sideways, and computes how the soil responds.", "berm");
+  app.footer("A command explains itself: berm run --help. A first run: berm run examples/bar/case.toml");
   app.set_version_flag("--version", "berm " BERM_VERSION);
   app.require_subcommand(1);
   std::vector<Command> commands;
@@ -27,7 +54,9 @@ int dispatch(int argc, char** argv)
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    if (error.get_exit_code() == 0) return app.exit(error);
+    if (argc > 1 && std::string(argv[1]) == "help") return fmt::print("{}", app.help()), 0;
+    throw InputError(words_of(app, error, argc, argv));
   }
   for (const Command& command : commands)
     if (command.app->parsed()) return command.act();

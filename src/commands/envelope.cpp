@@ -25,17 +25,21 @@ Command add_envelope(CLI::App& program)
   app->add_option("--points", options->how.directions, "directions between straight down and 45 degrees upwards (default: 10)")
       ->check(CLI::Range(2, 50));
   app->add_option("--travel", options->how.travel, "travel of each probe over the diameter (default: 0.1)")->check(CLI::Range(1e-3, 1.));
-  return {
-      app, [options] {
-        catch_interrupts();
-        messages_to_stderr();
-        if (options->files.size() > 1)
-          throw InputError(fmt::format("an envelope is that of one case, and here are {}", options->files.size()));
-        const std::filesystem::path file = options->files[0], folder = options->output.empty()
-                                                                           ? std::filesystem::path("out/envelope") / file.stem()
-                                                                           : std::filesystem::path(options->output);
-        return envelope::find_envelope({input::read_case(file, options->overrides), file, folder, options->how, options->jobs()}) ? 0 : 1;
-      }};
+  return {app, [options] {
+            catch_interrupts();
+            messages_to_stderr();
+            if (options->files.size() > 1)
+              throw InputError(fmt::format("an envelope is that of one case, and here are {}", options->files.size()));
+            const std::filesystem::path file = options->files[0], folder = options->output.empty()
+                                                                               ? std::filesystem::path("out/envelope") / file.stem()
+                                                                               : std::filesystem::path(options->output);
+            auto [settings, places] = input::read_case_in_file(file, options->overrides);
+            try {
+              return envelope::find_envelope({std::move(settings), file, folder, options->how, options->jobs()}) ? 0 : 1;
+            } catch (const KeyError& error) {
+              throw InputError(places.located(error.what()));
+            }
+          }};
 }
 
 }  // namespace berm::commands

@@ -2,6 +2,7 @@
 #include "commands/case_options.hpp"
 #include "commands/command.hpp"
 #include "commands/side_by_side.hpp"
+#include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "simulation/resume.hpp"
 
@@ -30,6 +31,21 @@ int run_all(const std::vector<simulation::RunRequest>& all, const CaseOptions& o
   return !side_by_side || run_side_by_side(fem, options.overrides, options.jobs()) ? 0 : 1;
 }
 
+/// A run is never lost by a second one into its folder: it is replaced where the user says so.
+void refuse_to_overwrite(const std::vector<simulation::RunRequest>& all)
+{
+  for (const simulation::RunRequest& request : all) {
+    std::error_code error;
+    if (!std::filesystem::exists(request.folder / "resolved.toml", error)) continue;
+    const std::string folder = request.folder.string();
+    if (simulation::can_be_resumed(request.folder))
+      throw InputError(fmt::format(
+          "{0} holds an unfinished run: continue it with berm run --resume {0}, replace it with --force, or name another folder with -o",
+          folder));
+    throw InputError(fmt::format("{0} holds the results of a run: replace them with --force, or name another folder with -o", folder));
+  }
+}
+
 int resume(const std::filesystem::path& folder, int threads)
 {
   const std::optional<simulation::RunRequest> request = simulation::run_to_resume(folder);
@@ -50,17 +66,22 @@ Command add_run(CLI::App& program)
   CLI::App* app = program.add_subcommand("run", "run cases");
   CLI::Option* cases = options->take_cases(*app)->required(false);
   options->take_threads(*app);
-  app->add_option("-o,--output", options->output, "run folder; of several cases: the folder that theirs go into (default: out/)");
+  app->add_option("-o,--output", options->output,
+                  "run folder; of several cases: the folder that theirs go into (default: out/FOLDER/NAME of FOLDER/NAME.toml)");
+  CLI::Option* force = app->add_flag("--force", options->force, "replace what earlier runs left in the folder");
   app->add_option("--resume", options->unfinished, "continue the run in this folder from its last checkpoint, instead of running a CASE")
       ->excludes(cases)
       ->excludes("--set")
-      ->excludes("--output");
+      ->excludes("--output")
+      ->excludes(force);
   app->callback([options] {
     if (options->files.empty() && options->unfinished.empty()) throw CLI::RequiredError("CASE or --resume");
   });
   return {app, [options] {
             if (!options->unfinished.empty()) return resume(options->unfinished, options->threads);
-            return run_all(requests(*options), *options);
+            const std::vector<simulation::RunRequest> all = requests(*options);
+            if (!options->force) refuse_to_overwrite(all);
+            return run_all(all, *options);
           }};
 }
 

@@ -4,6 +4,7 @@
 
 #include "io/atomic_file.hpp"
 #include "jobs/jobs.hpp"
+#include "simulation/resume.hpp"
 
 #include <fmt/format.h>
 
@@ -17,7 +18,10 @@ bool run_side_by_side(const std::vector<simulation::RunRequest>& requests, const
   run_jobs(jobs, at_once, [&](std::size_t job, const jobs::JobEnd& end) {
     const simulation::RunRequest& request = requests[job];
     fmt::print(stderr, "{}", io::read_text_file(request.folder / "run.log"));
-    if (end.kind == jobs::JobEnd::Kind::finished) return;
+    if (end.kind == jobs::JobEnd::Kind::finished) {
+      if (const std::string table = simulation::key_results_in(request); !table.empty()) fmt::print("{}\n", table);
+      return;
+    }
     all_fine = false;
     fmt::print(stderr, "berm: {}: {}\n", request.case_file.string(),
                end.kind == jobs::JobEnd::Kind::interrupted ? "stopped, or not begun" : end.reason);

@@ -38,7 +38,7 @@ public:
   {
     const auto first = first_drive(c);
     if (first == c.stage.end() || !first->velocity || *first->velocity == 0)
-      throw InputError("stage: an envelope needs a push or a drag by velocity in the case, whose speed its probes take");
+      throw KeyError("stage: an envelope needs a push or a drag by velocity in the case, whose speed its probes take");
     drive_.rigid = first->rigid;
     drive_.damping = first->damping;
     drive_.ramp = first->ramp;

@@ -113,14 +113,12 @@ void make_contact(FemModel& model)
 {
   for (const problem::Contact& contact : model.model.contacts) {
     if (contact.rigid == none)
-      throw InputError(
-          fmt::format("contact.{}.other_body: the finite element method supports contact with a rigid body only", contact.name));
-    if (model.rigid != none) throw InputError(fmt::format("contact.{}: the finite element method supports one contact only", contact.name));
+      throw KeyError(fmt::format("contact.{}.other_body: the finite element method supports contact with a rigid body only", contact.name));
+    if (model.rigid != none) throw KeyError(fmt::format("contact.{}: the finite element method supports one contact only", contact.name));
     model.rigid = contact.rigid;
     const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[contact.rigid];
     const auto sides = contact_sides(model.mesh, rigid.shape);
-    if (sides.empty())
-      throw InputError(fmt::format("contact.{}: the mesh has no side on the surface of rigid.{}", contact.name, rigid.name));
+    if (sides.empty()) throw KeyError(fmt::format("contact.{}: the mesh has no side on the surface of rigid.{}", contact.name, rigid.name));
     model.contact = make_contact_points(sides, model.mesh.position, rigid.shape);
     Real length = 0;
     for (const FemContactPoint& point : model.contact) length += point.area;
@@ -138,7 +136,7 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
   FemState& state = problem.state;
   for (const auto& [name, rigid] : c.rigid)
     if (rigid.motion == bodies::Motion::free)
-      throw InputError(fmt::format("rigid.{}.motion: in the finite element method stages move a rigid body; it cannot be \"free\"", name));
+      throw KeyError(fmt::format("rigid.{}.motion: in the finite element method stages move a rigid body; it cannot be \"free\"", name));
   model.model = make_model(c, make_cut_mesh(c, case_folder, work_folder));
   if (c.initial_state == problem::InitialState::level_ground) refuse_k0_below_uneven_ground(c, model.model);
   model.settings = c.fem;
@@ -152,9 +150,9 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
     model.loads.push_back(side_loads(model.mesh, model.mesh.loaded_sides[t], c.traction[t].first, c.traction[t].second));
   for (std::size_t k = 0; k < model.model.stages.size(); ++k)
     if (model.model.driven[k] != none && model.model.driven[k] != model.rigid)
-      throw InputError(
-          fmt::format("stage \"{}\": finite elements move the rigid body that a contact joins with the soil; rigid.{} has none",
-                      model.model.stages[k].name, model.model.rigid_bodies[model.model.driven[k]].name));
+      throw KeyError(
+          fmt::format("stage[{}].rigid: finite elements move the rigid body that a contact joins with the soil; rigid.{} has none", k,
+                      model.model.rigid_bodies[model.model.driven[k]].name));
 
   const Real gravity = -model.model.gravity[1];
   model.shape.assign(model.mesh.nodes.size());

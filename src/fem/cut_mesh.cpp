@@ -87,10 +87,9 @@ void add_cut(Cuts& cuts, const mesh::SeabedMesh& bed, const std::string& name, c
   const bool beside = lower[0] >= at.right || upper[0] <= at.left || upper[1] <= -bed.depth;
   const bool on_surface = lower[1] >= -rounding && ends.size() == 2;
   if (beside || (lower[1] >= -rounding && !on_surface))
-    throw InputError(
-        fmt::format("rigid.{}.center: the body reaches from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m; for finite elements it must "
-                    "lie in the soil, {:.6g} < x < {:.6g} m and {:.6g} < y < 0 m, at least partly, or be a box that lies on it",
-                    name, lower[0], lower[1], upper[0], upper[1], at.left, at.right, -bed.depth));
+    throw KeyError(fmt::format("rigid.{}.center: the body reaches from ({:.6g}, {:.6g}) to ({:.6g}, {:.6g}) m; for finite elements it must "
+                               "lie in the soil, {:.6g} < x < {:.6g} m and {:.6g} < y < 0 m, at least partly, or be a box that lies on it",
+                               name, lower[0], lower[1], upper[0], upper[1], at.left, at.right, -bed.depth));
   if (on_surface)
     std::copy_if(ends.begin(), ends.end(), std::back_inserter(cuts.points), [&](Real x) { return at.left < x && x < at.right; });
   else
@@ -107,16 +106,16 @@ Cuts cuts_of(const problem::Case& c, const mesh::SeabedMesh& bed)
     const bodies::RigidShape<2> shape = make_shape<2>(rigid.shape);
     const Real width = width_of<2>(shape);
     if (c.fem.contact_size && *c.fem.contact_size < 1e-3 * width)
-      throw InputError(fmt::format("fem.contact_size: {} m is less than a thousandth of the width of [rigid.{}], {} m", *c.fem.contact_size,
-                                   name, width));
+      throw KeyError(fmt::format("fem.contact_size: {:.6g} m is less than a thousandth of the width of [rigid.{}], {:.6g} m",
+                                 *c.fem.contact_size, name, width));
     if (const auto* circle = std::get_if<bodies::Circle<2>>(&shape))
       add_cut(cuts, bed, name, *circle);
     else if (const auto* box = std::get_if<bodies::Box<2>>(&shape))
       add_cut(cuts, bed, name, *box);
     else
-      throw InputError(fmt::format("rigid.{}.shape: of a mesh of kind \"seabed\" only a \"circle\" or a \"box\" can be cut out; a mesh of "
-                                   "kind \"gmsh\" may have any hole",
-                                   name));
+      throw KeyError(fmt::format("rigid.{}.shape: of a mesh of kind \"seabed\" only a \"circle\" or a \"box\" can be cut out; a mesh of "
+                                 "kind \"gmsh\" may have any hole",
+                                 name));
   }
   return cuts;
 }

@@ -52,7 +52,7 @@ void load_by_gravity(const problem::Case& c, const FemModel& model, FemState& st
   }
   DirectSolver solver(model.pattern);
   if (!solver.factorize(matrix))
-    throw InputError("initial_state: there is no equilibrium under gravity: supports of the first stage must hold the soil");
+    throw KeyError("initial_state: there is no equilibrium under gravity: supports of the first stage must hold the soil");
   solver.solve(unknowns);
 
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)

@@ -17,14 +17,14 @@ std::vector<Index> bodies_of_regions(const mesh::Mesh<2>& mesh, const problem::C
   for (Index b = 0; b < static_cast<Index>(c.body.size()); ++b) {
     const auto& [name, body] = c.body[b];
     if (body.block || body.disk)
-      throw InputError(fmt::format("body.{}.{}: for finite elements a body must fill regions of the mesh: regions = [...]", name,
-                                   body.block ? "block" : "disk"));
+      throw KeyError(fmt::format("body.{}.{}: for finite elements a body must fill regions of the mesh: regions = [...]", name,
+                                 body.block ? "block" : "disk"));
     for (const std::string& region : body.regions) {
       Index& holder = body_of[bodies::filled_region(mesh, name, region)];
       if (holder != none && holder != b)
-        throw InputError(fmt::format("body.{}.regions: the region \"{}\" is filled by [body.{}] already; for finite elements a region has "
-                                     "one body",
-                                     name, region, c.body[holder].first));
+        throw KeyError(fmt::format("body.{}.regions: the region \"{}\" is filled by [body.{}] already; for finite elements a region has "
+                                   "one body",
+                                   name, region, c.body[holder].first));
       holder = b;
     }
   }
@@ -135,9 +135,9 @@ void check_unfolded(const QuadraticMesh& mesh)
   for (Index cell = 0; cell < mesh.cell_count(); ++cell)
     for (const Vec<2>& at : six_nodes)
       if (const AtSixNodes<Vec<2>> x = mesh.positions_of(cell); jacobian(x, at).determinant() <= 0)
-        throw InputError(fmt::format("fem.contact_size: an element near ({:.6g}, {:.6g}) m is folded, because its side is too long for the "
-                                     "rigid body's curve: the mesh must be finer there",
-                                     x[0][0], x[0][1]));
+        throw KeyError(fmt::format("fem.contact_size: an element near ({:.6g}, {:.6g}) m is folded, because its side is too long for the "
+                                   "rigid body's curve: the mesh must be finer there",
+                                   x[0][0], x[0][1]));
 }
 
 }  // namespace

@@ -249,14 +249,19 @@ std::string kind_of(const Node& node)
   return "";
 }
 
-void refuse(const Document& document, const Node& node, const std::string& path, const std::string& message)
+std::string located(const Document& document, const Node& node, const std::string& path, const std::string& message)
 {
   const bool by_override = !node.override_key.empty();
   const std::string location = by_override ? "--set " + node.override_key : fmt::format("{}:{}", document.file, node.line);
   const bool repeats = by_override && node.override_key == path;
   constexpr std::size_t max_of_path = 300, max_of_message = 3000;
-  throw InputError(one_line(location + ": " + (path.empty() || repeats ? "" : shortened(path, max_of_path) + ": ") +
-                            shortened(message, max_of_message)));
+  return one_line(location + ": " + (path.empty() || repeats ? "" : shortened(path, max_of_path) + ": ") +
+                  shortened(message, max_of_message));
+}
+
+void refuse(const Document& document, const Node& node, const std::string& path, const std::string& message)
+{
+  throw InputError(located(document, node, path, message));
 }
 
 }  // namespace berm::input

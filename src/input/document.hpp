@@ -52,6 +52,9 @@ std::string name_of(const Node& item);
 /// Kind of a node, for messages: "a number", "text in quotes".
 std::string kind_of(const Node& node);
 
+/// "FILE:LINE: PATH: MESSAGE", with "--set KEY" instead of FILE:LINE where an override made the node.
+std::string located(const Document& document, const Node& node, const std::string& path, const std::string& message);
+
 /// Throws InputError "FILE:LINE: PATH: MESSAGE", with "--set KEY" instead of FILE:LINE where an override made the node.
 [[noreturn]] void refuse(const Document& document, const Node& node, const std::string& path, const std::string& message);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "input/places.hpp"
 #include "problem/case.hpp"
 
 #include <filesystem>
@@ -11,7 +12,14 @@ namespace berm::input {
 /// and line (or the override), key and what is allowed, where anything in it is invalid or unknown.
 problem::Case read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
 
-/// As above, of a text; `file` is for the messages.
+/// A case, and where its keys were written.
+struct CaseInFile {
+  problem::Case settings;
+  Places places;
+};
+CaseInFile read_case_in_file(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// As read_case, of a text; `file` is for the messages.
 problem::Case read_case_text(const std::string& file, const std::string& text, const std::vector<std::string>& overrides = {});
 
 }  // namespace berm::input

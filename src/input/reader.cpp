@@ -2,13 +2,13 @@
 // Tests: tests/unit/input/read_case_wrong_inputs_test.cpp
 #include "input/reader.hpp"
 
+#include "input/follow.hpp"
 #include "input/message_text.hpp"
 #include "input/units.hpp"
 #include "input/value_reader.hpp"
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <fmt/format.h>
 
 namespace berm::input {
@@ -29,12 +29,6 @@ bool is_name(const std::string& name)
   return !name.empty() && name.size() <= max_in_name && std::all_of(name.begin(), name.end(), fits);
 }
 
-std::string item_path(const std::string& path, const Node& item, int k)
-{
-  const std::string name = name_of(item);
-  return name.empty() ? fmt::format("{}[{}]", path, k) : path + "." + name;
-}
-
 /// The expected value, after its meaning.
 std::string hint(const Describe::Leaf& variable, const Parameter& parameter)
 {
@@ -42,45 +36,6 @@ std::string hint(const Describe::Leaf& variable, const Parameter& parameter)
   const bool numbers = std::holds_alternative<std::vector<Real>*>(variable);
   if (!number && !numbers) return parameter.meaning;
   return fmt::format("{}: {}{}", parameter.meaning, numbers ? "a list of numbers, each " : "", wanted(parameter.unit));
-}
-
-/// Result of following a path of Describe::check.
-struct Found {
-  const Node* node;  ///< the last node on the path that exists
-  bool whole;        ///< whether that is the end of the path
-  std::string path;  ///< with names for items of arrays
-  std::string last;  ///< the last key of the path
-};
-
-Found follow(const Node& root, std::string rest)
-{
-  Found at{&root, true, "", rest.substr(rest.find_last_of('.') + 1)};
-  while (!rest.empty()) {
-    if (rest[0] == '[') {
-      int k = -1;
-      std::from_chars(rest.data() + 1, rest.data() + rest.size(), k);
-      if (at.node->kind != Node::Kind::array || k < 0 || k >= static_cast<int>(at.node->items.size())) break;
-      at.node = &at.node->items[k];
-      at.path = item_path(at.path, *at.node, k);
-      rest.erase(0, std::min(rest.size(), rest.find(']') + 1));
-    } else {
-      const std::string key_and_more = rest.substr(rest[0] == '.' ? 1 : 0);
-      const Node* next = nullptr;  // the longest key that fits, since a key may hold dots
-      if (at.node->kind == Node::Kind::table)
-        for (const Node& item : at.node->items)
-          if (key_and_more.starts_with(item.key) && (next == nullptr || item.key.size() > next->key.size()) &&
-              (key_and_more.size() == item.key.size() || key_and_more[item.key.size()] == '.' || key_and_more[item.key.size()] == '['))
-            next = &item;
-      if (next == nullptr) break;
-      at.node = next;
-      at.path += (at.path.empty() ? "" : ".") + next->key;
-      at.last = next->key;
-      rest = key_and_more.substr(next->key.size());
-    }
-  }
-  at.whole = rest.empty();
-  if (!at.whole) at.path += (at.path.empty() || rest[0] == '.' || rest[0] == '[' ? "" : ".") + rest;
-  return at;
 }
 
 /// The word in a value, or in its list, that is not allowed; else the last key of the path.

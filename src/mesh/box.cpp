@@ -34,7 +34,7 @@ template <int dim>
 Grid<dim> grid_of(const BoxMesh& box)
 {
   const auto check_count = [](const char* key, std::size_t count) {
-    if (count != dim) throw InputError(fmt::format("box mesh: {} has {} entries; a mesh in {}D needs {}", key, count, dim, dim));
+    if (count != dim) throw KeyError(fmt::format("mesh.{}: has {} entries; a mesh in {}D needs {}", key, count, dim, dim));
   };
   if (!box.lower.empty()) check_count("lower", box.lower.size());
   check_count("size", box.size.size());
@@ -44,17 +44,17 @@ Grid<dim> grid_of(const BoxMesh& box)
   for (int d = 0; d < dim; ++d) {
     grid.lower[d] = box.lower.empty() ? 0 : box.lower[d];
     grid.size[d] = box.size[d];
-    if (!std::isfinite(grid.lower[d])) throw InputError(fmt::format("box mesh: lower[{}] is {}; it must be finite", d, grid.lower[d]));
+    if (!std::isfinite(grid.lower[d])) throw KeyError(fmt::format("mesh.lower[{}]: is {}; it must be finite", d, grid.lower[d]));
     if (!(grid.size[d] > 0 && std::isfinite(grid.size[d])))
-      throw InputError(fmt::format("box mesh: size[{}] is {}; it must be positive", d, grid.size[d]));
+      throw KeyError(fmt::format("mesh.size[{}]: is {:.6g} m; it must be positive", d, grid.size[d]));
     if (!(box.cells[d] >= 1 && box.cells[d] <= 1e6 && box.cells[d] == std::floor(box.cells[d])))
-      throw InputError(fmt::format("box mesh: cells[{}] is {}; it must be a whole number from 1 to 1000000", d, box.cells[d]));
+      throw KeyError(fmt::format("mesh.cells[{}]: is {:.6g}; it must be a whole number from 1 to 1000000", d, box.cells[d]));
     grid.cells[d] = static_cast<Index>(box.cells[d]);
     total *= box.cells[d];
   }
   constexpr Real max = 5e7;
   if (total > max)
-    throw InputError(fmt::format("box mesh: {:.3g} {} are too many; at most {:.0e}", total, dim == 2 ? "squares" : "cubes", max));
+    throw KeyError(fmt::format("mesh.cells: {:.3g} {} are too many; at most {:.0e}", total, dim == 2 ? "squares" : "cubes", max));
   return grid;
 }
 
@@ -113,7 +113,7 @@ template <int dim>
 Mesh<dim> make_box(const BoxMesh& box)
 {
   const Grid<dim> grid = grid_of<dim>(box);
-  if (dim == 3 && box.pattern != BoxPattern::diagonal) throw InputError("box mesh: in 3D the pattern must be \"diagonal\"");
+  if (dim == 3 && box.pattern != BoxPattern::diagonal) throw KeyError("mesh.pattern: in 3D the pattern must be \"diagonal\"");
 
   Mesh<dim> mesh;
   mesh.region_names = {"box"};
@@ -140,7 +140,7 @@ Mesh<dim> make_box(const BoxMesh& box)
   try {
     mesh.complete();
   } catch (const RunError& error) {
-    throw InputError(fmt::format("box mesh: {}", error.what()));
+    throw KeyError(fmt::format("mesh.size: {}", error.what()));
   }
   return mesh;
 }

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 template <int dim>
 Mesh<dim> make(const SeabedMesh& seabed, const fs::path&, const fs::path& work_folder)
 {
-  if (dim != 2) throw InputError("a mesh of kind \"seabed\" is plane; the case is 3D: use kind \"gmsh\" or \"box\"");
+  if (dim != 2) throw KeyError("mesh.kind: a mesh of kind \"seabed\" is plane; the case is 3D: use kind \"gmsh\" or \"box\"");
   const fs::path geo = work_folder / "mesh.geo", msh = work_folder / "mesh.msh";
   write_geo(seabed, geo);
   run_gmsh(geo, msh, dim);
@@ -26,7 +26,7 @@ Mesh<dim> make(const GmshFile& mesh, const fs::path& case_folder, const fs::path
 {
   const fs::path user_file = case_folder / mesh.file, ours = work_folder / "mesh.msh";
   if (user_file.extension() == ".geo") {
-    if (!fs::is_regular_file(user_file)) throw InputError(fmt::format("mesh.file: there is no geometry {}", user_file.string()));
+    if (!fs::is_regular_file(user_file)) throw KeyError(fmt::format("mesh.file: there is no geometry {}", user_file.string()));
     run_gmsh(user_file, ours, dim);
     return read_msh<dim>(ours);
   }

@@ -156,34 +156,36 @@ SeabedLayout layout_of(const SeabedMesh& bed)
 void check(const SeabedMesh& bed)
 {
   const SeabedLayout at = layout_of(bed);
-  const auto fits = [](bool valid, const std::string& message) {
-    if (!valid) throw InputError("seabed mesh: " + message);
+  const auto fits = [](bool valid, const std::string& key, const std::string& message) {
+    if (!valid) throw KeyError(fmt::format("mesh.{}: {}", key, message));
   };
   for (const auto& [key, value] :
        {std::pair{"length", bed.length}, {"depth", bed.depth}, {"headroom", bed.headroom}, {"near_size", bed.near_size}})
-    fits(std::isfinite(value) && value > 0, fmt::format("{} is {}; it must be positive", key, value));
+    fits(std::isfinite(value) && value > 0, key, fmt::format("is {:.6g} m; it must be positive", value));
   for (const auto& [key, value] : {std::pair{"growth", bed.growth}, {"layer", bed.layer}})
-    fits(std::isfinite(value) && value >= 0, fmt::format("{} is {}; it must not be negative", key, value));
+    fits(std::isfinite(value) && value >= 0, key, fmt::format("is {:.6g}; it must not be negative", value));
   const Real h = bed.near_size;
-  fits(!bed.far_size || *bed.far_size >= h, fmt::format("far_size {} m is smaller than near_size {} m", bed.far_size.value_or(0), h));
-  fits(bed.layer == 0 || bed.layer >= h, fmt::format("layer {} m is thinner than near_size {} m", bed.layer, h));
-  fits(bed.near_height >= h, fmt::format("near_height {} m is lower than near_size {} m", bed.near_height, h));
-  fits(bed.headroom >= bed.near_height + h,
-       fmt::format("headroom {} m must be higher than near_height by near_size: at least {} m", bed.headroom, bed.near_height + h));
-  fits(bed.near_depth >= h, fmt::format("near_depth {} m is smaller than near_size {} m", bed.near_depth, h));
-  fits(bed.near_right - bed.near_left >= h,
-       fmt::format("the fine zone from near_left {} m to near_right {} m is narrower than near_size {} m", bed.near_left, bed.near_right,
-                   h));
-  fits(bed.near_left >= at.left + bed.layer + h,
-       fmt::format("near_left {} m must be right of the left wall and its layer by near_size: at least {} m", bed.near_left,
+  fits(!bed.far_size || *bed.far_size >= h, "far_size",
+       fmt::format("{:.6g} m is smaller than near_size {:.6g} m; make it larger, or near_size smaller", bed.far_size.value_or(0), h));
+  fits(bed.layer == 0 || bed.layer >= h, "layer",
+       fmt::format("{:.6g} m is thinner than near_size {:.6g} m; make it thicker, or leave it out", bed.layer, h));
+  fits(bed.near_height >= h, "near_height", fmt::format("{:.6g} m is lower than near_size {:.6g} m", bed.near_height, h));
+  fits(bed.headroom >= bed.near_height + h, "headroom",
+       fmt::format("{:.6g} m must be higher than near_height by near_size: at least {:.6g} m", bed.headroom, bed.near_height + h));
+  fits(bed.near_depth >= h, "near_depth", fmt::format("{:.6g} m is smaller than near_size {:.6g} m", bed.near_depth, h));
+  fits(bed.near_right - bed.near_left >= h, "near_right",
+       fmt::format("the fine zone from near_left {:.6g} m to near_right {:.6g} m is narrower than near_size {:.6g} m", bed.near_left,
+                   bed.near_right, h));
+  fits(bed.near_left >= at.left + bed.layer + h, "near_left",
+       fmt::format("{:.6g} m must be right of the left wall and its layer by near_size: at least {:.6g} m", bed.near_left,
                    at.left + bed.layer + h));
-  fits(bed.near_right <= at.right - bed.layer - h,
-       fmt::format("near_right {} m must be left of the right wall and its layer by near_size: at most {} m", bed.near_right,
+  fits(bed.near_right <= at.right - bed.layer - h, "near_right",
+       fmt::format("{:.6g} m must be left of the right wall and its layer by near_size: at most {:.6g} m", bed.near_right,
                    at.right - bed.layer - h));
-  fits(bed.near_depth <= bed.depth - bed.layer - h,
-       fmt::format("near_depth {} m must stay above the base and its layer by near_size: at most {} m", bed.near_depth,
+  fits(bed.near_depth <= bed.depth - bed.layer - h, "near_depth",
+       fmt::format("{:.6g} m must stay above the base and its layer by near_size: at most {:.6g} m", bed.near_depth,
                    bed.depth - bed.layer - h));
-  fits(expected_cells(bed) <= max_seabed_cells,
+  fits(expected_cells(bed) <= max_seabed_cells, "near_size",
        fmt::format("about {:.2g} cells would be made; at most {:.0e}: enlarge near_size, growth or far_size", expected_cells(bed),
                    max_seabed_cells));
 }

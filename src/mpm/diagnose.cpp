@@ -105,6 +105,8 @@ void refuse_rigid_outside_mesh(const problem::Model<dim>& model, const problem::
     const Real low = lowest_level<dim>(now, up), x = center_of<dim>(now)[0], first_x = center_of<dim>(first)[0];
     if (lowest_level<dim>(first, up) >= mesh.lower[1] && low < mesh.lower[1])
       refuse("bottom", 'y', low, mesh.lower[1], "make the mesh deeper");
+    if (lowest_level<dim>(first, up) <= mesh.upper[1] && low > mesh.upper[1])
+      refuse("top", 'y', low, mesh.upper[1], "make the mesh higher, or drive it downwards");
     if (first_x - radius >= mesh.lower[0] && x - radius < mesh.lower[0])
       refuse("left side", 'x', x - radius, mesh.lower[0], "make the mesh longer there");
     if (first_x + radius <= mesh.upper[0] && x + radius > mesh.upper[0])

@@ -185,7 +185,10 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
     state.particles.push_back(fill(model.mesh, name, settings, start));
     if (varies(body.soil)) body.waves = waves_in(model, body, state.particles.back());
     if (state.particles.back().size() == 0)
-      throw InputError(fmt::format("body.{}: its regions have no cells outside the rigid bodies, so it has no particles", name));
+      throw KeyError(
+          fmt::format("body.{}: has no particles: all cells of its regions lie within the rigid bodies; check their place and size, "
+                      "or fill other regions",
+                      name));
     state.particles.back().visit([&](Index, Index b, int l) {
       const bodies::Block<dim>& p = state.particles.back().block(b);
       for (int d = 0; d < dim; ++d) state.totals.first_momentum[d] += p.mass[l] * p.v[d][l];

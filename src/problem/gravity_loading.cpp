@@ -319,7 +319,7 @@ void load_by_gravity(const Case& c, const Model<dim>& model, std::vector<bodies:
   for (const std::vector<Index>& bodies : joined_bodies(c)) {
     Ground<dim> ground(c, model, particles, bodies);
     if (!ground.solve())
-      throw InputError(
+      throw KeyError(
           fmt::format("initial_state: body.{} finds no equilibrium under gravity: supports of the first stage must hold it, or a "
                       "body with k0 that it has a contact with",
                       c.body[bodies.front()].first));

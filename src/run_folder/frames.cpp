@@ -58,6 +58,15 @@ io::VtkCell vtk_cell(typename bodies::SurfaceMesh<dim>::Kind kind)
 }  // namespace
 
 template <int dim>
+std::size_t bytes_of_point_in_file(int more_numbers)
+{
+  const std::size_t place = 3 * sizeof(Real), cell = 2 * sizeof(std::int64_t) + 1, body_and_id = 2 * sizeof(std::int32_t);
+  int numbers = 1 + more_numbers;  // the volume
+  for (const FieldInfo& info : common_fields<dim>()) numbers += components_in_file<dim>(info.components);
+  return place + cell + body_and_id + static_cast<std::size_t>(numbers) * sizeof(float);
+}
+
+template <int dim>
 FrameWriter<dim>::FrameWriter(const std::filesystem::path& folder, const mesh::Mesh<dim>& mesh) : folder_(folder)
 {
   io::make_folder(folder);
@@ -201,6 +210,8 @@ void FrameWriter<dim>::write_collection() const
   io::write_atomically(folder_ / collection, xml + "</Collection>\n</VTKFile>\n");
 }
 
+template std::size_t bytes_of_point_in_file<2>(int);
+template std::size_t bytes_of_point_in_file<3>(int);
 template class FrameWriter<2>;
 template class FrameWriter<3>;
 

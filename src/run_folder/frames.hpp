@@ -8,6 +8,10 @@
 
 namespace berm::run_folder {
 
+/// Bytes of a point of the soil in the file of a frame of particles whose fields, beside the common ones, have so many numbers; those of its cell are counted.
+template <int dim>
+std::size_t bytes_of_point_in_file(int more_numbers);
+
 /// Writes the frames of a run for ParaView: mesh.vtu once; at each frame particles_NNNN.vtu, or soil_NNNN.vtu where there are triangles,
 /// rigid_NNNN.vtu where there are rigid bodies, and frames.pvd, which lists all frames so far. Every file is written whole. Errors are RunErrors.
 /// Particles or nodes have all fields of the Frame, each with its label and unit, and volume, body and id. Vectors have three components there,

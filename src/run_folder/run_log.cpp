@@ -20,24 +20,29 @@
 namespace berm::run_folder {
 namespace {
 
-/// "warning: " before what is not plain information.
+/// "warning: " before what is not plain information, behind the name of whoever says it where there is one.
 class LevelWord : public spdlog::custom_flag_formatter {
 public:
+  explicit LevelWord(std::string_view speaker) : speaker_(speaker) {}
   void format(const spdlog::details::log_msg& message, const std::tm&, spdlog::memory_buf_t& out) override
   {
     if (message.level == spdlog::level::info) return;
+    out.append(speaker_.data(), speaker_.data() + speaker_.size());
     const auto word = spdlog::level::to_string_view(message.level);
     out.append(word.data(), word.data() + word.size());
     out.push_back(':');
     out.push_back(' ');
   }
-  std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<LevelWord>(); }
+  std::unique_ptr<custom_flag_formatter> clone() const override { return std::make_unique<LevelWord>(speaker_); }
+
+private:
+  std::string_view speaker_;
 };
 
-std::unique_ptr<spdlog::formatter> formatter(const char* pattern)
+std::unique_ptr<spdlog::formatter> formatter(const char* pattern, std::string_view speaker = "")
 {
   auto result = std::make_unique<spdlog::pattern_formatter>();
-  result->add_flag<LevelWord>('*').set_pattern(pattern);
+  result->add_flag<LevelWord>('*', speaker).set_pattern(pattern);
   return result;
 }
 
@@ -112,8 +117,9 @@ RunLog::RunLog(const std::filesystem::path& file, bool resume, const std::shared
       before_(spdlog::default_logger())
 {
   file_->set_formatter(formatter("%Y-%m-%d %H:%M:%S %*%v"));
-  terminal_->set_formatter(formatter("%^%*%$%v"));
+  terminal_->set_formatter(formatter("%^%*%$%v", "berm: "));
   file_only_ = std::make_shared<spdlog::logger>("file", file_);
+  if (instead) instead_ = std::make_shared<spdlog::logger>("results", instead);
   auto both = std::make_shared<spdlog::logger>("berm", spdlog::sinks_init_list{instead ? instead : terminal_, file_});
   both->flush_on(spdlog::level::info);
   spdlog::set_default_logger(both);
@@ -133,6 +139,15 @@ void RunLog::rewrite_line(std::string_view line)
 void RunLog::check() const
 {
   file_->check();
+}
+
+void RunLog::result(std::string_view message)
+{
+  file_only_->info("{}", message);
+  if (instead_) return instead_->info("{}", message);
+  rewrite_line("");
+  fmt::print("{}\n", message);
+  std::fflush(stdout);
 }
 
 void RunLog::info_to_file(std::string_view message)

@@ -27,6 +27,8 @@ public:
   bool has_terminal() const { return has_terminal_; }
   /// Shows the line in place of the one before, cut to the terminal's width; an empty one clears it. Never goes to the file.
   void rewrite_line(std::string_view line);
+  /// What a run found: to the standard output (or to `instead`) and to the file.
+  void result(std::string_view message);
   /// A message to the file alone.
   void info_to_file(std::string_view message);
   /// Throws RunError where a message could not be written to the file, or the disk does not take it.
@@ -36,7 +38,7 @@ private:
   bool has_terminal_;
   std::shared_ptr<StderrSink> terminal_;
   std::shared_ptr<LogFileSink> file_;
-  std::shared_ptr<spdlog::logger> file_only_, before_;
+  std::shared_ptr<spdlog::logger> file_only_, before_, instead_;
 };
 
 }  // namespace berm::run_folder

@@ -56,6 +56,7 @@ std::string Summary::json() const
   for (const auto& [name, check] : checks) std::visit([&, &key = name](auto value) { root["checks"][key] = value; }, check);
   root["text"] = Json::object();
   for (const auto& [name, words] : text) root["text"][name] = words;
+  root["warnings"] = warnings;
   return root.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 

@@ -63,6 +63,10 @@ RunSummary summary_of(const Json& json)
     if (name != "loops") summary.timing[name] = number(entry, "timing");
   for (const auto& [name, entry] : table(json, "checks").items()) summary.checks[name] = number(entry, "checks");
   for (const auto& [name, entry] : table(json, "text").items()) summary.text[name] = words(entry, "text");
+  if (const auto warnings = json.find("warnings"); warnings != json.end()) {
+    if (!warnings->is_array()) refuse("\"warnings\" is no list");
+    for (const Json& entry : *warnings) summary.warnings.push_back(words(entry, "warnings"));
+  }
   return summary;
 }
 

@@ -14,6 +14,7 @@ struct RunSummary {
   std::map<std::string, Real> timing;  ///< wall_s, threads, cells, steps, particles, particle_steps_per_s, nodes, iterations ...
   std::map<std::string, Real> checks;  ///< true is 1, false 0
   std::map<std::string, std::string> text;
+  std::vector<std::string> warnings;  ///< what was doubtful of the case before it ran
 
   /// All of its stages were run.
   bool finished() const;

@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "fem/archive_state.hpp"
 #include "problem/stages.hpp"
+#include "simulation/good_sense.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/with_run_folder.hpp"
 
@@ -48,6 +49,15 @@ FemMethod::FemMethod(const RunRequest& request, const ScratchFolder& scratch)
 std::string FemMethod::size_words() const
 {
   return fmt::format("{} elements, {} nodes", problem_.model.mesh.cell_count(), problem_.model.mesh.node_count());
+}
+
+sanity::Scene FemMethod::scene(const RunRequest& request, int) const
+{
+  sanity::Cost cost;
+  constexpr Real bytes_of_node = 200;  // with its part of the elements
+  cost.frame_bytes = bytes_of_node * static_cast<Real>(problem_.model.mesh.node_count());
+  cost.free_bytes = free_disk(request.folder);
+  return sanity::scene_of<2>(request.settings, request.places, model(), {}, cost);
 }
 
 void FemMethod::begin(bool at_start)
@@ -104,8 +114,9 @@ void FemMethod::print_check(const Context& context)
   loads.gravity = gravity_now(model.model, state().time);
   newton.assembly().store_initial_imbalance(problem_.state, loads);
   const fem::IncrementEnd end = newton.find_equilibrium(problem_.state, loads, 1, change);
-  fmt::print("  time         about {:.2g} s an iteration with {} threads; a push or a drag takes some hundred iterations\n",
-             std::chrono::duration<Real>(Clock::now() - start).count() / (end.iterations + 1), context.threads());
+  fmt::print("  time         about {:.2g} s an iteration with {} thread{}; a push or a drag takes some hundred iterations\n",
+             std::chrono::duration<Real>(Clock::now() - start).count() / (end.iterations + 1), context.threads(),
+             context.threads() == 1 ? "" : "s");
 }
 
 }  // namespace berm::simulation

@@ -4,6 +4,7 @@
 #include "fem/load_steps.hpp"
 #include "run_folder/fem_frame.hpp"
 #include "run_folder/summary.hpp"
+#include "sanity/scene.hpp"
 #include "simulation/fem_recorder.hpp"
 #include "simulation/scratch_folder.hpp"
 #include "simulation/simulate.hpp"
@@ -22,6 +23,8 @@ public:
 
   /// "3052 elements, 6287 nodes".
   std::string size_words() const;
+  /// What the questions of good sense look at.
+  sanity::Scene scene(const RunRequest& request, int threads) const;
   /// Prints size, memory and the time of an iteration.
   void print_check(const Context& context);
 

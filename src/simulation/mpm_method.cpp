@@ -9,7 +9,9 @@
 #include "mpm/time_step.hpp"
 #include "problem/archive_state.hpp"
 #include "problem/stages.hpp"
+#include "run_folder/frames.hpp"
 #include "run_folder/progress.hpp"
+#include "simulation/good_sense.hpp"
 #include "simulation/memory.hpp"
 #include "simulation/with_run_folder.hpp"
 
@@ -22,14 +24,32 @@ namespace {
 
 constexpr Real max_shaking = 0.15, max_mass = 0.01, max_contact_work = 0.01;  // above them a warning
 
+/// What a stage of unknown duration is taken to last, s: as long as its body needs to go its width, or a wave to cross that a hundred times.
+Real typical_time(const problem::Case& c, const problem::StageSettings& stage)
+{
+  const Index rigid = stage.rigid.empty() ? main_rigid(c) : problem::place_of(c.rigid, stage.rigid);
+  Real width = 0;
+  if (rigid != none) {
+    const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;
+    width = c.dimension == 2 ? width_of<2>(bodies::make_shape<2>(shape)) : width_of<3>(bodies::make_shape<3>(shape));
+  }
+  if (width > 0 && stage.velocity && *stage.velocity != 0) return width / std::abs(*stage.velocity);
+  constexpr Real crossings = 100;
+  const material::Material& material = c.material.front().second;
+  return crossings * (width > 0 ? width : 1) / std::sqrt(p_wave_modulus(material) / inertia_density(material));
+}
+
 /// A thousandth of the time that the stages take, unless the user says.
 Real interval_of(const problem::Case& c)
 {
   if (c.output.history_time) return *c.output.history_time;
-  for (const problem::StageSettings& stage : c.stage)
-    if (expected_time(stage) <= 0)
-      throw InputError(fmt::format("output.history_time: is needed, since it is not known how long stage \"{}\" takes", stage.name));
-  return expected_time(c.stage) / 1000;
+  Real time = 0;
+  for (const problem::StageSettings& stage : c.stage) {
+    const Real expected = expected_time(stage);
+    time += expected > 0 ? expected : drives(stage.kind) ? typical_time(c, stage) : 0;
+  }
+  if (time <= 0) throw KeyError("output.history_time: is needed: no stage says how long it takes");
+  return time / 1000;
 }
 
 /// Mesh files go to the scratch folder. A run that there is no memory for is refused as early as its size is known.
@@ -91,6 +111,29 @@ void MpmMethod<d>::step()
 }
 
 template <int d>
+void MpmMethod<d>::add_row(run_folder::HistoryFile& file)
+{
+  recorder_.add_row(model(), problem_.state, *work_, file);
+  cells_.observe(model(), state());
+}
+
+template <int d>
+sanity::Scene MpmMethod<d>::scene(const RunRequest& request, int threads)
+{
+  constexpr Real of_a_thread = d == 2 ? 15e6 : 4e6;  // particle-steps/s, of a usual machine
+  sanity::Cost cost;
+  const mpm::Work<d> work(model(), state());
+  cost.time_step = stable_time_step(model(), state(), work);
+  cost.particles = static_cast<Real>(counts().particles);
+  for (const bodies::Particles<d>& particles : state().particles)
+    cost.frame_bytes +=
+        static_cast<Real>(particles.size()) * static_cast<Real>(run_folder::bytes_of_point_in_file<d>(particles.extra_size()));
+  cost.free_bytes = free_disk(request.folder);
+  cost.particle_steps_per_s = of_a_thread * threads;
+  return sanity::scene_of(request.settings, request.places, model(), state().particles, cost);
+}
+
+template <int d>
 bool MpmMethod<d>::next_stage()
 {
   const problem::StageSettings& stage = model().stages[state().stage.index];
@@ -118,6 +161,7 @@ void MpmMethod<d>::archive(Archive& k)
 {
   k.table("increments", [&] { frame_maker_.archive(k); });
   k.table("recorder", [&] { recorder_.archive(k); });
+  k.table("cells", [&] { cells_.archive(k); });
   k("equilibrium", equilibrium_);
   k.table("state", [&] { problem::archive(k, model(), problem_.state); });
 }
@@ -134,6 +178,10 @@ run_folder::Summary::Checks MpmMethod<d>::checks() const
   checks.emplace_back("mass_at_min_volume", soil.at_min_volume);
   checks.emplace_back("mass_at_max_volume", soil.at_max_volume);
   checks.emplace_back("mass_in_the_air", soil.in_the_air);
+  const run_folder::Summary::Checks of_cells = cells_.checks();
+  checks.insert(checks.end(), of_cells.begin(), of_cells.end());
+  if (const Index main = model().main_rigid; main != none)
+    cells_.warn(model().rigid_bodies[main].name, width_of<d>(model().rigid_bodies[main].shape));
   warn_of(soil);
   return checks;
 }
@@ -173,21 +221,21 @@ void MpmMethod<d>::print_check(const Context& context)
              (memory_before_ + memory_of<d>(size_of(problem_))) / (1 << 20));
   fmt::print("  time step    {:.4g} s\n", dt);
 
-  // The speed is measured on the first steps, for a quarter of a second.
+  // The speed is measured on the first steps, for a quarter of a second at most.
+  const Real total = expected_time(model().stages);
   const std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   Real wall = 0;
-  while (wall < 0.25) {
+  while (wall < 0.25 && (total <= 0 || state().time < total)) {
     step();
     wall = std::chrono::duration<Real>(std::chrono::steady_clock::now() - start).count();
   }
   const Real seconds_a_step = wall / static_cast<Real>(state().step);
-  const Real total = expected_time(model().stages);
   for (const problem::StageSettings& stage : model().stages)
     if (!(expected_time(stage) > 0))
       fmt::print("  stage \"{}\": its duration is not known in advance and is not counted below\n", stage.name);
   fmt::print("  steps        about {:.0f}, {} rows of history\n", total / dt, static_cast<BigIndex>(total / history_interval()));
-  fmt::print("  time         about {} with {} threads ({:.3g} million particle-steps/s)\n",
-             run_folder::words_of_duration(total / dt * seconds_a_step), context.threads(),
+  fmt::print("  time         about {} with {} thread{} ({:.3g} million particle-steps/s)\n",
+             run_folder::words_of_duration(total / dt * seconds_a_step), context.threads(), context.threads() == 1 ? "" : "s",
              static_cast<Real>(counts().particles) / seconds_a_step / 1e6);
 }
 

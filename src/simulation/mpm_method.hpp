@@ -4,6 +4,8 @@
 #include "mpm/condition.hpp"
 #include "run_folder/frame_maker.hpp"
 #include "run_folder/summary.hpp"
+#include "sanity/scene.hpp"
+#include "simulation/cell_watch.hpp"
 #include "simulation/mpm_recorder.hpp"
 #include "simulation/scratch_folder.hpp"
 #include "simulation/simulate.hpp"
@@ -24,6 +26,8 @@ public:
 
   /// "3052 cells, 18000 particles".
   std::string size_words() const;
+  /// What the questions of good sense look at, before the first step.
+  sanity::Scene scene(const RunRequest& request, int threads);
   /// Prints size, memory, time step and the time that a run would take, which is measured on the first steps.
   void print_check(const Context& context);
 
@@ -36,7 +40,7 @@ public:
   void step();
   /// s between rows of the history.
   Real history_interval() const { return history_interval_; }
-  void add_row(run_folder::HistoryFile& file) { recorder_.add_row(model(), problem_.state, *work_, file); }
+  void add_row(run_folder::HistoryFile& file);
   run_folder::Frame<d> make_frame() { return frame_maker_.make(state()); }
   /// False after the last one.
   bool next_stage();
@@ -59,6 +63,7 @@ private:
   MpmRecorder<d> recorder_;
   run_folder::FrameMaker<d> frame_maker_;
   std::optional<mpm::Work<d>> work_;  ///< made of the state that the run begins with or is resumed from
+  CellWatch<d> cells_;
   Real equilibrium_ = std::numeric_limits<Real>::quiet_NaN();
 };
 

@@ -53,16 +53,17 @@ void print_timings(const run_folder::RunTiming& timing)
   for (const Timing& loop : timing.loops)
     table += fmt::format("{:<32} {:>10.3f} {:>7.1f}%\n", loop.label, loop.seconds, 100 * loop.seconds / timing.wall_s);
   const std::string all = std::visit([&](const auto& counts) { return words_of(timing, counts); }, timing.counts);
-  table += fmt::format("{:<32} {:>10.3f}          {} on {} threads", "all", timing.wall_s, all, timing.threads);
+  table +=
+      fmt::format("{:<32} {:>10.3f}          {} on {} thread{}", "all", timing.wall_s, all, timing.threads, timing.threads == 1 ? "" : "s");
   spdlog::info("{}", table);
 }
 
 }  // namespace
 
 template <int dim>
-void write_results(const RunRequest& request, const run_folder::RunFolder& folder, const problem::Model<dim>& model,
-                   const std::vector<bodies::RigidState<dim>>& rigid_bodies, const run_folder::Frame<dim>& last, const RunOutcome& outcome,
-                   const run_folder::RunTiming& timing)
+std::string write_results(const RunRequest& request, const run_folder::RunFolder& folder, const problem::Model<dim>& model,
+                          const std::vector<bodies::RigidState<dim>>& rigid_bodies, const run_folder::Frame<dim>& last,
+                          const RunOutcome& outcome, const run_folder::RunTiming& timing)
 {
   io::sync_file(folder.file("history.csv"));  // a summary that says "finished" must not outlive it
   const problem::Case& settings = request.settings;
@@ -82,21 +83,22 @@ void write_results(const RunRequest& request, const run_folder::RunFolder& folde
                   {"date", io::utc_date(std::chrono::system_clock::now())}};
   summary.checks = {{"finished", outcome.finished}};
   summary.checks.insert(summary.checks.end(), outcome.checks.begin(), outcome.checks.end());
+  summary.warnings = outcome.warnings;
   summary.write(folder.file("summary.json"));
   io::sync_file(folder.path());  // the names of both, before the checkpoints go
 
   structure.draw_curves(folder, settings, run.history);
   draw_soil(settings, folder, model, rigid_bodies, last);
   print_timings(timing);
-  if (const std::string table = structure.table_of(settings, summary.quantities); !table.empty()) spdlog::info("key results\n{}", table);
-  spdlog::info("everything is in {}", folder.path().string());
+  const std::string table = structure.table_of(settings, summary.quantities);
+  return table.empty() ? "" : "key results\n" + table;
 }
 
-template void write_results(const RunRequest&, const run_folder::RunFolder&, const problem::Model<2>&,
-                            const std::vector<bodies::RigidState<2>>&, const run_folder::Frame<2>&, const RunOutcome&,
-                            const run_folder::RunTiming&);
-template void write_results(const RunRequest&, const run_folder::RunFolder&, const problem::Model<3>&,
-                            const std::vector<bodies::RigidState<3>>&, const run_folder::Frame<3>&, const RunOutcome&,
-                            const run_folder::RunTiming&);
+template std::string write_results(const RunRequest&, const run_folder::RunFolder&, const problem::Model<2>&,
+                                   const std::vector<bodies::RigidState<2>>&, const run_folder::Frame<2>&, const RunOutcome&,
+                                   const run_folder::RunTiming&);
+template std::string write_results(const RunRequest&, const run_folder::RunFolder&, const problem::Model<3>&,
+                                   const std::vector<bodies::RigidState<3>>&, const run_folder::Frame<3>&, const RunOutcome&,
+                                   const run_folder::RunTiming&);
 
 }  // namespace berm::simulation

@@ -13,13 +13,14 @@ struct RunOutcome {
   bool finished;
   std::vector<Real> held_forces;       ///< N/m, V that each stage holds; NaN where none
   run_folder::Summary::Checks checks;  ///< others than "finished"
+  std::vector<std::string> warnings;   ///< what was doubtful of the case before it ran
 };
 
-/// Reads the history back and writes what follows from it and from the last frame: summary.json, curves, pictures; prints the key results and the
-/// time by loop. `rigid_bodies` says where the rigid bodies are at the end.
+/// Reads the history back and writes what follows from it and from the last frame: summary.json, curves, pictures; logs the time by loop and gives the
+/// key results in words, "" where there is none. `rigid_bodies` says where the rigid bodies are at the end.
 template <int dim>
-void write_results(const RunRequest& request, const run_folder::RunFolder& folder, const problem::Model<dim>& model,
-                   const std::vector<bodies::RigidState<dim>>& rigid_bodies, const run_folder::Frame<dim>& last, const RunOutcome& outcome,
-                   const run_folder::RunTiming& timing);
+std::string write_results(const RunRequest& request, const run_folder::RunFolder& folder, const problem::Model<dim>& model,
+                          const std::vector<bodies::RigidState<dim>>& rigid_bodies, const run_folder::Frame<dim>& last,
+                          const RunOutcome& outcome, const run_folder::RunTiming& timing);
 
 }  // namespace berm::simulation

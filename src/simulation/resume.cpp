@@ -6,6 +6,7 @@
 #include "io/atomic_file.hpp"
 #include "run_folder/summary_file.hpp"
 #include "simulation/checkpoints.hpp"
+#include "structures/structures.hpp"
 
 #include <fmt/format.h>
 
@@ -46,7 +47,21 @@ std::optional<RunRequest> run_to_resume(const fs::path& folder)
   // A finished run removes its checkpoints last of all.
   if (!fs::exists(checkpoints_in(folder)) && is_finished(folder)) return std::nullopt;
   const std::string noted = io::read_text_file(note_in(folder));
-  return RunRequest{input::read_case(folder / "resolved.toml"), noted.empty() ? folder / "case.toml" : fs::path(noted), folder, true};
+  auto [settings, places] = input::read_case_in_file(folder / "resolved.toml");
+  return RunRequest{std::move(settings), noted.empty() ? folder / "case.toml" : fs::path(noted), folder, true, std::move(places)};
+}
+
+bool can_be_resumed(const fs::path& folder)
+{
+  std::error_code error;
+  return fs::exists(checkpoints_in(folder), error);
+}
+
+std::string key_results_in(const RunRequest& request)
+{
+  const std::optional<run_folder::RunSummary> summary = run_folder::read_summary(request.folder);
+  const std::string table = summary ? structures::structure_of(request.settings).table_of(request.settings, summary->quantities) : "";
+  return table.empty() ? "" : fmt::format("{}: key results\n{}", request.folder.string(), table);
 }
 
 }  // namespace berm::simulation

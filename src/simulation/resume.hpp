@@ -13,4 +13,10 @@ void note_case_file(const run_folder::RunFolder& folder, const std::filesystem::
 /// RunError where it has no checkpoints and its summary.json is damaged.
 std::optional<RunRequest> run_to_resume(const std::filesystem::path& folder);
 
+/// Whether the folder holds a run that did not come to its end and has a checkpoint folder.
+bool can_be_resumed(const std::filesystem::path& folder);
+
+/// The key results of a finished run in its folder, in words; "" where there are none.
+std::string key_results_in(const RunRequest& request);
+
 }  // namespace berm::simulation

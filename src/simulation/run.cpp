@@ -16,10 +16,13 @@
 namespace berm::simulation {
 
 template <class Method>
-Run<Method>::Run(const RunRequest& request, Context& context, Method& method, const run_folder::RunFolder& folder, run_folder::RunLog& log)
+Run<Method>::Run(const RunRequest& request, Context& context, Method& method, const run_folder::RunFolder& folder, run_folder::RunLog& log,
+                 const std::vector<std::string>& warnings)
     : request_(request),
       context_(context),
       method_(method),
+      log_(log),
+      warnings_(warnings),
       folder_(folder),
       clock_(context.timings()),
       checkpoints_(folder.path(), request.settings.output.checkpoint_wall_time),
@@ -194,7 +197,10 @@ void Run<Method>::leave_results()
   frame();
   const run_folder::RunTiming timing{clock_.wall(), context_.threads(), model().mesh.cell_count(),
                                      state().step,  method_.counts(),   clock_.loops()};
-  write_results(request_, folder_, model(), state().rigid_bodies, frames_.last(), {finished_, held_forces_, method_.checks()}, timing);
+  const RunOutcome outcome{finished_, held_forces_, method_.checks(), warnings_};
+  const std::string results = write_results(request_, folder_, model(), state().rigid_bodies, frames_.last(), outcome, timing);
+  if (!results.empty()) log_.result(results);
+  spdlog::info("everything is in {}", folder_.path().string());
 }
 
 template class Run<MpmMethod<2>>;

@@ -20,7 +20,8 @@ public:
   static constexpr int dim = Method::dim;
 
   /// Keeps all that it is given, which must outlive it.
-  Run(const RunRequest& request, Context& context, Method& method, const run_folder::RunFolder& folder, run_folder::RunLog& log);
+  Run(const RunRequest& request, Context& context, Method& method, const run_folder::RunFolder& folder, run_folder::RunLog& log,
+      const std::vector<std::string>& warnings);
 
   /// Begins, steps to the end or to where it is asked to stop, and writes the results. Returns whether it came to its end. A run that fails (RunError)
   /// leaves the results of what it had before the error is passed on.
@@ -49,6 +50,8 @@ private:
   const RunRequest& request_;
   Context& context_;
   Method& method_;
+  run_folder::RunLog& log_;
+  const std::vector<std::string>& warnings_;
   const run_folder::RunFolder& folder_;
   RunClock clock_;
   Checkpoints checkpoints_;

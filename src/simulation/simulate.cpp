@@ -2,7 +2,9 @@
 // Tests: tests/unit/commands/run_test.cpp
 #include "simulation/simulate.hpp"
 
+#include "core/error.hpp"
 #include "simulation/fem_method.hpp"
+#include "simulation/good_sense.hpp"
 #include "simulation/mpm_method.hpp"
 #include "simulation/run.hpp"
 #include "simulation/with_run_folder.hpp"
@@ -13,14 +15,18 @@
 namespace berm::simulation {
 namespace {
 
-/// Builds the problem by the method that the case names, and does something with it.
+/// Builds the problem by the method that the case names, and does something with it. An error that names a key gets the line where that was written.
 template <class Act>
 auto with_method(const RunRequest& request, const Act& act)
 {
   const ScratchFolder scratch;
   const auto with = [&](auto method) { return act(method, scratch); };
-  if (request.settings.method == problem::Method::fem) return with(FemMethod(request, scratch));
-  return request.settings.dimension == 2 ? with(MpmMethod<2>(request, scratch)) : with(MpmMethod<3>(request, scratch));
+  try {
+    if (request.settings.method == problem::Method::fem) return with(FemMethod(request, scratch));
+    return request.settings.dimension == 2 ? with(MpmMethod<2>(request, scratch)) : with(MpmMethod<3>(request, scratch));
+  } catch (const KeyError& error) {
+    throw InputError(request.places.located(error.what()));
+  }
 }
 
 }  // namespace
@@ -28,24 +34,30 @@ auto with_method(const RunRequest& request, const Act& act)
 bool run_case(const RunRequest& request, Context& context)
 {
   return with_method(request, [&](auto& method, const ScratchFolder& scratch) {
-    const std::string what = fmt::format("{}, {} threads", method.size_words(), context.threads());
-    return with_run_folder(request, context, scratch, what, [&](const run_folder::RunFolder& folder, run_folder::RunLog& log) {
-      return Run(request, context, method, folder, log).to_the_end();
+    const std::vector<std::string> warnings =
+        request.resume ? noted_warnings(request.folder) : warnings_of(method.scene(request, context.threads()));
+    const std::string what = fmt::format("{}, {} thread{}", method.size_words(), context.threads(), context.threads() == 1 ? "" : "s");
+    return with_run_folder(request, context, scratch, what, warnings, [&](const run_folder::RunFolder& folder, run_folder::RunLog& log) {
+      return Run(request, context, method, folder, log, warnings).to_the_end();
     });
   });
 }
 
 void try_to_build(const RunRequest& request)
 {
-  with_method(request, [](auto&, const ScratchFolder&) {});
+  with_method(request, [&](auto& method, const ScratchFolder&) { warnings_of(method.scene(request, 1)); });
 }
 
 void check_case(const RunRequest& request, Context& context)
 {
   with_method(request, [&](auto& method, const ScratchFolder&) {
+    const sanity::Scene scene = method.scene(request, context.threads());
+    const std::vector<std::string> warnings = warnings_of(scene);
+    for (const std::string& warning : warnings) fmt::print(stderr, "berm: warning: {}\n", warning);
     fmt::print("{}\n", request.case_file.string());
     for (const std::string& line : base::soil_words(request.settings)) fmt::print("  {}\n", line);
     method.print_check(context);
+    fmt::print("  disk         about {} in {}\n", sanity::words_of_bytes(disk_of(scene)), request.folder.string());
   });
 }
 

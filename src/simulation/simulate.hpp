@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "input/places.hpp"
 #include "problem/case.hpp"
 #include "simulation/context.hpp"
 
@@ -14,14 +15,17 @@ struct RunRequest {
   std::filesystem::path case_file;
   std::filesystem::path folder;  ///< the run folder
   bool resume = false;           ///< from the last checkpoint in the run folder, or from the start where there is none yet
+  input::Places places = {};     ///< where the keys of the case were written, for messages
 };
+
+// All of them refuse a case that makes no sense (sanity/questions.hpp), with InputError; what is doubtful is a warning.
 
 /// Runs a case from its first to its last stage and writes its run folder. Nothing is written before the problem is built. A run that the context
 /// asks to stop ends after the step in hand; what was computed is written all the same, with a checkpoint to resume from. Returns whether the run came
 /// to its end. Throws InputError and RunError.
 bool run_case(const RunRequest& request, Context& context);
 
-/// Builds the problem and drops it. Throws InputError where the case does not fit its mesh, RunError where there is no memory for it.
+/// Builds the problem and drops it. Throws InputError where the case does not fit its mesh or makes no sense, RunError where there is no memory for it.
 void try_to_build(const RunRequest& request);
 
 /// Builds the problem and prints what it is and what a run would take.

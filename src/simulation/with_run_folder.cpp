@@ -6,6 +6,7 @@
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
 #include "simulation/checkpoints.hpp"
+#include "simulation/good_sense.hpp"
 #include "simulation/resume.hpp"
 
 #include <exception>
@@ -44,6 +45,7 @@ problem::Case to_build(const RunRequest& request)
 }
 
 bool with_run_folder(const RunRequest& request, const Context& context, const ScratchFolder& scratch, const std::string& size,
+                     const std::vector<std::string>& warnings,
                      const std::function<bool(const run_folder::RunFolder&, run_folder::RunLog&)>& run)
 {
   const bool replaces = !request.resume && !checkpoint::CheckpointFolder(checkpoints_in(request.folder)).files().empty();
@@ -52,6 +54,10 @@ bool with_run_folder(const RunRequest& request, const Context& context, const Sc
   run_folder::RunLog log(folder.file("run.log"), request.resume, context.messages());
   if (replaces) spdlog::info("the unfinished run in {} is replaced; `berm run --resume` resumes one instead", request.folder.string());
   spdlog::info("{} -> {}: {}", request.case_file.string(), folder.path().string(), size);
+  if (!request.resume) {
+    note_warnings(folder, warnings);
+    for (const std::string& warning : warnings) spdlog::warn("{}", warning);
+  }
   try {
     const bool finished = run(folder, log);
     log.check();

@@ -79,7 +79,8 @@ std::string angle_words(Real radians)
 
 std::string percent_words(Real part)
 {
-  return std::isnan(part) ? "not known" : fmt::format("{:.2g} %", 100 * part);
+  if (std::isnan(part)) return "not known";
+  return std::abs(part) < 0.995 ? fmt::format("{:.2g} %", 100 * part) : fmt::format("{:.0f} %", 100 * part);
 }
 
 std::string number_words(Real value)

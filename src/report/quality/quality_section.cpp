@@ -70,9 +70,13 @@ std::vector<std::string> warnings_of(const record::RunRecord& run)
     found.push_back(fmt::format("contact gave {:.2g} % of the work instead of taking energy.", 100 * given));
   if (!run.summary && !not_known.empty())
     found.push_back(fmt::format("there is no summary of the run, so this is not known: {}.", fmt::join(not_known, "; ")));
-  for (std::size_t k = 0; k < std::min(run.warnings.size(), max_log_warnings); ++k) found.push_back("run.log: " + run.warnings[k]);
-  if (run.warnings.size() > max_log_warnings)
-    found.push_back(fmt::format("run.log has {} more warnings.", run.warnings.size() - max_log_warnings));
+  const std::vector<std::string> of_the_case = run.summary ? run.summary->warnings : std::vector<std::string>();
+  for (const std::string& warning : of_the_case) found.push_back("the case is doubtful: " + warning);
+  std::size_t in_log = 0;
+  for (const std::string& warning : run.warnings)
+    if (std::find(of_the_case.begin(), of_the_case.end(), warning) == of_the_case.end() && ++in_log <= max_log_warnings)
+      found.push_back("run.log: " + warning);
+  if (in_log > max_log_warnings) found.push_back(fmt::format("run.log has {} more warnings.", in_log - max_log_warnings));
   return found;
 }
 

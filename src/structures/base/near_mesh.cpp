@@ -22,6 +22,14 @@ Real near_cell_size(const problem::Case& c)
   return size;
 }
 
+NearCells near_cells(const record::RunRecord& run)
+{
+  const Real named = near_cell_size(run.settings), found = run.check("cells_at_body_first_m"),
+             largest = run.check("cells_at_body_largest_m");
+  const Real first = std::isnan(named) ? found : named;
+  return {first, first * largest / found};
+}
+
 Real near_particles(const problem::Case& c)
 {
   if (c.method == problem::Method::fem || c.body.empty()) return unknown;

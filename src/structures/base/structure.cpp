@@ -8,7 +8,7 @@ namespace berm::base {
 
 EmbeddedBody Structure::embedded(const problem::Case&) const
 {
-  throw InputError("stage: an envelope needs a push or a drag by velocity, of a rigid body whose envelope is known");
+  throw KeyError("stage: an envelope needs a push or a drag by velocity, of a rigid body whose envelope is known");
 }
 
 }  // namespace berm::base

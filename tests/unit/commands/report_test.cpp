@@ -247,7 +247,7 @@ TEST_F(Report, a_new_run_removes_the_old_page)
 {
   ASSERT_EQ(berm({"report", "out/a"}).status, 0);
   std::ofstream(file("a.toml")) << test::small_case;
-  ASSERT_EQ(berm({"run", "a.toml", "-o", "out/a", "--threads", "1"}).status, 0);
+  ASSERT_EQ(berm({"run", "a.toml", "-o", "out/a", "--threads", "1", "--force"}).status, 0);
   EXPECT_FALSE(fs::exists(file("out/a/report.html")));
 }
 

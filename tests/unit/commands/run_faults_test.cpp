@@ -50,7 +50,7 @@ TEST(Faults, a_second_run_into_the_same_folder_is_refused_and_the_first_goes_on)
   const Words endless = {"--set", "stage.rest.until.time=100 s"};
   Program first(place.folder.path(), {"run", "small.toml", "--threads", "1", "-o", "results", endless[0], endless[1]});
   ASSERT_TRUE(wait_until([&] { return place.text("results/history.csv").size() > 2000; }));
-  const Ended second = place.run({});
+  const Ended second = place.run({"--force"});
   EXPECT_EQ(second.status, 1);
   expect_parts(second.err, {"cannot use results as the run folder", "another run is writing into it (process ", " on "});
   EXPECT_GT(place.text("results/history.csv").size(), 2000u);
@@ -67,7 +67,7 @@ TEST(Faults, the_folder_of_a_run_that_was_killed_can_be_used_again)
     ASSERT_TRUE(wait_until([&] { return place.text("results/history.csv").size() > 2000; }));
   }
   EXPECT_TRUE(place.has("results/lock"));
-  EXPECT_EQ(place.run({}).status, 0);
+  EXPECT_EQ(place.run({"--force"}).status, 0);
   EXPECT_FALSE(place.has("results/lock"));
 }
 
@@ -116,7 +116,8 @@ TEST(Faults, a_time_step_that_falls_to_nothing_ends_the_run_with_what_made_it_sm
 TEST(Faults, a_pipe_that_drives_the_soil_out_of_the_mesh_ends_the_run_with_place_time_and_advice)
 {
   const Place place;
-  const Ended down = place.run({"--set", "stage.push.until.embedment=60 mm", "--set", "stage.push.velocity=20 m/s"});
+  const Ended down = place.run(
+      {"--set", "stage.push.until.embedment=60 mm", "--set", "stage.push.until.force=1e12", "--set", "stage.push.velocity=20 m/s"});
   EXPECT_EQ(down.status, 1);
   expect_parts(down.err, {"left the mesh", "at t = ", "rigid body \"pipe\"", "make the mesh", "stage \"push\" end earlier"});
   place.expect_results_of_a_failure();
@@ -125,8 +126,9 @@ TEST(Faults, a_pipe_that_drives_the_soil_out_of_the_mesh_ends_the_run_with_place
 TEST(Faults, a_pipe_driven_beyond_a_side_of_the_mesh_ends_the_run_and_leaves_a_frame_of_its_last_state)
 {
   const Place place;
-  const Ended out = place.run({"--set", "rigid.pipe.center=[\"108 mm\", \"50 mm\"]", "--set", "stage.drag.until.displacement=20 mm",
-                               "--set", "stage.drag.velocity=5 m/s", "--set", "output.frame_travel=1 m"});
+  const Ended out =
+      place.run({"--set", "rigid.pipe.center=[\"108 mm\", \"50 mm\"]", "--set", "stage.drag.until.displacement=20 mm", "--set",
+                 "stage.drag.until.force=1e12", "--set", "stage.drag.velocity=5 m/s", "--set", "output.frame_travel=1 m"});
   EXPECT_EQ(out.status, 1);
   expect_parts(out.err,
                {"\"pipe\" has left the mesh through its right side", "at t = ", "make the mesh longer", "stage \"drag\" end earlier"});

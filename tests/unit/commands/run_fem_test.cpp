@@ -27,7 +27,7 @@ TEST(FemCheck, tells_elements_nodes_and_time_and_writes_nothing)
   const Ended ended = place.berm({"check", "small.toml", "--threads", "1"});
   EXPECT_EQ(ended.status, 0) << ended.err;
   for (const char* part :
-       {"elements ", "nodes ", "contact ", "points", "  memory       about ", " MiB at most", "s an iteration with 1 threads"})
+       {"elements ", "nodes ", "contact ", "points", "  memory       about ", " MiB at most", "s an iteration with 1 thread;"})
     EXPECT_NE(ended.out.find(part), std::string::npos) << part << " is not in\n" << ended.out;
   EXPECT_EQ(names_in(place.folder.path()), Words{"small.toml"});
 }
@@ -128,7 +128,7 @@ TEST(FemRun, of_several_cases_runs_them_side_by_side_with_the_results_of_single_
   EXPECT_EQ(names_in(place.folder / "both"), (Words{"other/", "small/"}));
   for (const char* name : {"both/small", "both/other"}) {
     EXPECT_NE(both.err.find(std::string("everything is in ") + name), std::string::npos) << both.err;
-    EXPECT_NE(text_of_file(place.folder / name / "run.log").find(", 1 threads"), std::string::npos) << "one after the other";
+    EXPECT_NE(text_of_file(place.folder / name / "run.log").find(", 1 thread"), std::string::npos) << "one after the other";
   }
 }
 

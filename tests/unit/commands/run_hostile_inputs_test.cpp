@@ -101,7 +101,7 @@ TEST_F(Hostile, sizes_that_no_machine_holds_are_refused_at_once)
   expect_refused(small_case_with("[30, 15]", "[1e9, 15]"), "mesh.cells");
   expect_refused(small_case_with("[30, 15]", "[1000000, 1000000]"), "MiB of memory at least", "check", 1);
   expect_refused("method = \"fem\"\n" + small_case_with("[30, 15]", "[1000000, 1000000]"), "elements need", "check", 1);
-  expect_refused(small_case_with("[\"120 mm\", \"60 mm\"]", "[1e-200, 1e-200]"), "box mesh");
+  expect_refused(small_case_with("[\"120 mm\", \"60 mm\"]", "[1e-200, 1e-200]"), "mesh.size");
   expect_refused(small_case_with("\"0.05 ms\"", "1e-30"), "output.history_time");
   expect_refused(small_case_with("frame_travel = \"1 mm\"", "frame_time = 1e-30"), "output.frame_time");
   expect_refused(small_case_with("\"1 mm\"", "1e-30"), "output.frame_travel");

@@ -46,7 +46,7 @@ TEST(Check, tells_what_a_run_would_take_and_writes_nothing)
   const Place place;
   const Ended ended = place.berm({"check", "small.toml", "--threads", "1"});
   EXPECT_EQ(ended.status, 0) << ended.err;
-  for (const char* part : {"cells        900", "2700 in body \"sand\"", "time step", "steps        about", "with 1 threads"})
+  for (const char* part : {"cells        900", "2700 in body \"sand\"", "time step", "steps        about", "with 1 thread "})
     EXPECT_NE(ended.out.find(part), std::string::npos) << part << " is not in\n" << ended.out;
   EXPECT_EQ(names_in(place.folder.path()), Words{"small.toml"});
 }
@@ -66,6 +66,46 @@ TEST(Run, fills_its_folder_with_all_that_the_manual_names)
   for (const char* name : {"frames.pvd", "mesh.vtu", "particles_0000.vtu", "rigid_0000.vtu"})
     EXPECT_EQ(std::count(frames.begin(), frames.end(), name), 1) << name;
   for (const std::string& name : files) EXPECT_EQ(name.find(".part"), std::string::npos) << "a file was left half written: " << name;
+}
+
+TEST(Run, prints_its_key_results_and_keeps_progress_apart)
+{
+  const Place place;
+  const Ended ended = place.berm({"run", "small.toml", "--threads", "1"});
+  EXPECT_EQ(ended.out.find("key results\n"), 0u) << ended.out;
+  EXPECT_NE(ended.out.find("V_end_of_push"), std::string::npos) << ended.out;
+  EXPECT_EQ(ended.err.find("V_end_of_push"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("everything is in out/small"), std::string::npos) << ended.err;
+  EXPECT_NE(place.text("out/small/run.log").find("V_end_of_push"), std::string::npos);
+}
+
+TEST(Run, of_cases_that_have_one_name_in_two_folders_goes_to_two_folders)
+{
+  const Place place;
+  for (const char* folder : {"one", "two"}) {
+    std::filesystem::create_directory(place.folder / folder);
+    place.folder.write(std::string(folder) + "/small.toml", test::small_case);
+    ASSERT_EQ(place.berm({"run", std::string(folder) + "/small.toml", "--threads", "1"}).status, 0);
+    EXPECT_TRUE(std::filesystem::exists(place.folder / "out" / folder / "small/summary.json"));
+  }
+}
+
+TEST(Program, names_the_nearest_command_and_option)
+{
+  const Place place;
+  const std::pair<Words, const char*> wrong[] = {
+      {{"runn", "small.toml"}, "berm: unknown command \"runn\"; did you mean \"run\"?"},
+      {{"run", "small.toml", "--thread", "2"}, "berm: unknown option \"--thread\"; did you mean \"--threads\"?"},
+      {{"run", "small.toml", "--threads", "two"}, "berm: --threads: "},
+      {{}, "berm: a command is needed"}};
+  for (const auto& [words, says] : wrong) {
+    const Ended ended = place.berm(words);
+    EXPECT_EQ(ended.status, 2);
+    EXPECT_EQ(ended.err.find(says), 0u) << ended.err;
+  }
+  const Ended help = place.berm({"help"});
+  EXPECT_EQ(help.status, 0);
+  EXPECT_EQ(help.out, place.berm({"--help"}).out);
 }
 
 TEST(Run, history_has_the_promised_columns_and_a_row_for_each_interval_and_stage)
@@ -183,13 +223,18 @@ TEST(Run, of_several_cases_fills_folders_named_like_their_files)
   EXPECT_TRUE(place.text("results/other/history.csv") == place.text("results/small/history.csv"));
 }
 
-TEST(Run, into_the_folder_of_an_earlier_run_replaces_it)
+TEST(Run, into_the_folder_of_an_earlier_run_is_refused_and_replaces_it_by_force)
 {
   const Place place;
-  const Words arguments = {"run", "small.toml", "--threads", "1", "-o", "results"};
+  Words arguments = {"run", "small.toml", "--threads", "1", "-o", "results"};
   ASSERT_EQ(place.berm(arguments).status, 0);
-  const std::string first = place.text("results/history.csv");
+  const std::string first = place.text("results/history.csv"), log = place.text("results/run.log");
   const auto files = names_in(place.folder / "results");
+  const Ended refused = place.berm(arguments);
+  EXPECT_EQ(refused.status, 2);
+  EXPECT_EQ(refused.err, "berm: results holds the results of a run: replace them with --force, or name another folder with -o\n");
+  EXPECT_EQ(place.text("results/run.log"), log);
+  arguments.emplace_back("--force");
   ASSERT_EQ(place.berm(arguments).status, 0);
   EXPECT_TRUE(place.text("results/history.csv") == first);
   EXPECT_EQ(names_in(place.folder / "results"), files);

@@ -242,7 +242,7 @@ TEST(CutMesh, refuses_sizes_that_do_not_fit)
             "fem.contact_size: 0.0003 m is less than a thousandth of the width of [rigid.pipe], 0.4 m");
   c = bed_around(pipe_at(0.1));
   bed_of(c).near_depth = 0.95;
-  EXPECT_EQ(refusal_of([&] { cut_mesh_of(c); }).find("seabed mesh: near_depth"), 0u);
+  EXPECT_EQ(refusal_of([&] { cut_mesh_of(c); }).find("mesh.near_depth"), 0u);
 }
 
 }  // namespace

@@ -127,26 +127,26 @@ PublishedEnvelope for_sand(const PipeInSoil& soil, const base::EnvelopeEnds& end
 
 base::EmbeddedBody embedded_pipe(const problem::Case& c)
 {
-  if (c.dimension != 2) throw InputError("dimension: an envelope is that of a pipe in plane strain; it needs dimension = 2");
+  if (c.dimension != 2) throw KeyError("dimension: an envelope is that of a pipe in plane strain; it needs dimension = 2");
   const auto drive = std::find_if(c.stage.begin(), c.stage.end(), [](const problem::StageSettings& stage) {
     return stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
   });
   const Index main = drive != c.stage.end() && !drive->rigid.empty() ? problem::index_of(c.rigid, drive->rigid)
                      : c.rigid.empty()                               ? none
                                                                      : 0;
-  if (main == none) throw InputError("rigid: an envelope needs a pipe: a rigid body with shape = \"circle\"");
+  if (main == none) throw KeyError("rigid: an envelope needs a pipe: a rigid body with shape = \"circle\"");
   const auto& [name, rigid] = c.rigid[main];
   const auto* circle = std::get_if<bodies::CircleSettings>(&rigid.shape);
-  if (circle == nullptr) throw InputError(fmt::format("rigid.{}.shape: an envelope is that of a pipe; it needs \"circle\"", name));
+  if (circle == nullptr) throw KeyError(fmt::format("rigid.{}.shape: an envelope is that of a pipe; it needs \"circle\"", name));
   const base::EmbeddedBody pipe{circle->diameter, c.surface - (circle->center[1] - circle->diameter / 2)};
   if (!(pipe.embedment > 0))
-    throw InputError(
+    throw KeyError(
         fmt::format("rigid.{}.center: the lowest point of the pipe lies {:g} m above the bed; an envelope needs a pipe that lies in it",
                     name, -pipe.embedment));
   if (const auto* seabed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
     const mesh::SeabedLayout layout = layout_of(*seabed);
     if (circle->center[0] - pipe.width / 2 < layout.left || circle->center[0] + pipe.width / 2 > layout.right)
-      throw InputError(fmt::format("rigid.{}.center: the pipe reaches beyond a wall of the mesh; an envelope needs the whole pipe", name));
+      throw KeyError(fmt::format("rigid.{}.center: the pipe reaches beyond a wall of the mesh; an envelope needs the whole pipe", name));
   }
   return pipe;
 }

@@ -175,7 +175,7 @@ TrustMeasure contact_gap(const std::string& body)
   return {fmt::format("mean contact gap, in cells h at the {}", body),
           &limits::gap,
           always,
-          [](Run run) { return quantity_value(run, "gap_mean") / near_cell_size(run.settings); },
+          [](Run run) { return quantity_value(run, "gap_mean") / near_cells(run).first; },
           [body](Run run, Real value) {
             return fmt::format("{:.2g} h: the {} acts up to {} larger", value, body, text::percent_words(acts_larger(run)));
           },
@@ -213,14 +213,36 @@ TrustMeasure second_impulse()
           text::percent_words};
 }
 
+/// Whether the cells at the body grew on its way, by more than cells of one size differ.
+bool grew(Run run)
+{
+  const base::NearCells cells = near_cells(run);
+  return cells.largest > 1.6 * cells.first;
+}
+
+Real largest_met(Run run)
+{
+  const base::NearCells cells = near_cells(run);
+  return grew(run) ? cells.largest : cells.first;
+}
+
 TrustMeasure size_of(const std::string& what, const Limit& limit)
 {
   return {what,
           &limit,
           always,
-          [](Run run) { return body_scale(run.settings).width / near_cell_size(run.settings); },
-          [](Run run, Real value) { return fmt::format("D/{:.3g} ({})", value, text::length_words(near_cell_size(run.settings))); },
-          [what](Run, Real value) { return fmt::format("{} are D/{:.3g}: resistance on a coarse mesh is too large", what, value); },
+          [](Run run) { return body_scale(run.settings).width / largest_met(run); },
+          [](Run run, Real value) {
+            const Real first = near_cells(run).first, over = body_scale(run.settings).width / first;
+            if (grew(run)) return fmt::format("D/{:.3g} at the start, D/{:.3g} where they are largest", over, value);
+            return fmt::format("D/{:.3g} ({})", value, text::length_words(first));
+          },
+          [what](Run run, Real value) {
+            return fmt::format("{} are D/{:.3g}{}: resistance on a coarse mesh is too large", what, value,
+                               grew(run) ? fmt::format(" on a part of its way, D/{:.3g} at the start",
+                                                       body_scale(run.settings).width / near_cells(run).first)
+                                         : "");
+          },
           over_limit};
 }
 

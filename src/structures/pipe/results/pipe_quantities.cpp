@@ -183,6 +183,7 @@ void take_second_impulse(PipeResults& results, const PushPath& path, const run_f
 std::string four_digits(Real value)
 {
   const Real size = std::abs(value);
+  if (std::isnan(value)) return "not known";
   if (!std::isfinite(value) || (size > 0 && (size < 1e-5 || size >= 1e7))) return fmt::format("{:.3e}", value);
   const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
   return fmt::format("{:.{}f}", value, std::max(0, 4 - before));

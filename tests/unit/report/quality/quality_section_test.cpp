@@ -170,5 +170,37 @@ TEST(trust, warnings_of_the_log_are_there_and_not_too_many)
   EXPECT_FALSE(contains(html, "<careful>"));
 }
 
+TEST(trust, what_was_doubtful_of_a_case_is_there_once_and_all_of_it)
+{
+  record::RunRecord run = sample_record(sample_case());
+  for (int k = 0; k < 8; ++k) run.summary->warnings.push_back("case.toml:3: k0: doubt " + std::to_string(k));
+  run.warnings = run.summary->warnings;
+  const std::string html = quality_section({run});
+  EXPECT_TRUE(contains(html, "the case is doubtful: case.toml:3: k0: doubt 7")) << html;
+  EXPECT_FALSE(contains(html, "run.log")) << html;
+}
+
+TEST(trust, cells_that_grow_along_the_path_are_a_warning_with_both_sizes)
+{
+  record::RunRecord run = sample_record(sample_case());
+  run.summary->checks["cells_at_body_first_m"] = 0.95e-3;
+  run.summary->checks["cells_at_body_largest_m"] = 1e-3;
+  EXPECT_TRUE(contains(row_of(quality_section({run}), "cells at the pipe"), "D/20 (1 mm)")) << "cells of one size differ a little";
+  run.summary->checks["cells_at_body_largest_m"] = 6e-3;
+  const std::string html = quality_section({run}), row = row_of(html, "cells at the pipe");
+  EXPECT_TRUE(contains(row, "D/20 at the start, D/3.17 where they are largest")) << row;
+  EXPECT_TRUE(contains(row, "badge bad")) << row;
+  EXPECT_TRUE(contains(html, "cells at the pipe are D/3.17 on a part of its way, D/20 at the start")) << html;
+}
+
+TEST(trust, cells_of_a_mesh_of_the_user_are_those_that_the_run_found)
+{
+  record::RunRecord run = sample_record(sample_case());
+  run.settings.mesh = mesh::GmshFile{"mine.msh"};
+  EXPECT_TRUE(contains(row_of(quality_section({run}), "cells at the pipe"), "not known"));
+  run.summary->checks["cells_at_body_first_m"] = run.summary->checks["cells_at_body_largest_m"] = 2e-3;
+  EXPECT_TRUE(contains(row_of(quality_section({run}), "cells at the pipe"), "D/10 (2 mm)"));
+}
+
 }  // namespace
 }  // namespace berm::report

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/problem/cells_at_body_test.cpp
+#include "problem/cells_at_body.hpp"
+
+#include <numbers>
+
+namespace berm::problem {
+namespace {
+
+constexpr int points = 24;  // along the lower half of the surface
+
+template <int dim>
+Real size_of_cell(Real volume)
+{
+  return dim == 2 ? std::sqrt(2 * volume) : std::cbrt(6 * volume);
+}
+
+/// The nearest point of the surface to one of a circle around the body, in the plane of the travel; in space in the middle of the mesh where the body has no end.
+template <int dim>
+Vec<dim> point_at(const Model<dim>& model, const bodies::RigidShape<dim>& shape, Real angle)
+{
+  const Axes<dim>& axes = model.axes;
+  Vec<dim> x = center_of<dim>(shape);
+  for (int d = 0; d < dim; ++d)
+    if (d != axes.up && d != axes.along && (x[d] <= model.mesh.lower[d] || x[d] >= model.mesh.upper[d]))
+      x[d] = (model.mesh.lower[d] + model.mesh.upper[d]) / 2;
+  const Real radius = reach_of<dim>(shape);
+  x[axes.along] += radius * std::cos(angle);
+  x[axes.up] -= axes.sign * radius * std::sin(angle);
+  const bodies::SurfacePoint<dim> nearest = surface_at<dim>(shape, x);
+  constexpr Real outside = 0.02;  // of its size: within the body finite elements have no cells
+  return x - (nearest.distance - outside * radius) * nearest.normal;
+}
+
+}  // namespace
+
+template <int dim>
+Real cell_size_at(const Model<dim>& model, const bodies::RigidShape<dim>& shape, Index& start)
+{
+  Real largest = std::numeric_limits<Real>::quiet_NaN();
+  if (!bodies::is_bounded<dim>(shape)) return largest;
+  for (int k = 0; k <= points; ++k) {
+    const Vec<dim> x = point_at(model, shape, std::numbers::pi * k / points);
+    if ((x.array() < model.mesh.lower.array()).any() || (x.array() > model.mesh.upper.array()).any()) continue;
+    const mesh::Location place = locate(model.mesh, x, start);
+    if (!place.inside) continue;
+    start = place.cell;
+    const Real size = size_of_cell<dim>(model.mesh.volume(place.cell));
+    if (!(size <= largest)) largest = size;
+  }
+  return largest;
+}
+
+template Real cell_size_at(const Model<2>&, const bodies::RigidShape<2>&, Index&);
+template Real cell_size_at(const Model<3>&, const bodies::RigidShape<3>&, Index&);
+
+}  // namespace berm::problem

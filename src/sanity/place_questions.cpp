@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/sanity/sanity_test.cpp
+#include "sanity/questions.hpp"
+#include "sanity/words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::sanity {
+namespace {
+
+constexpr const char* axis_names[] = {"x", "y", "z"};
+
+/// What a body takes along an axis during a stage.
+Span swept(const Scene& s, const Way& way, int d)
+{
+  const Span& space = s.rigids[way.rigid].space[d];
+  const Move& move = way.axis[d];
+  return {space.from + std::min(move.begin, move.end), space.to + std::max(move.begin, move.end)};
+}
+
+std::string stage_name(const Scene& s, std::size_t k)
+{
+  return s.c.stage[k].name;
+}
+
+/// Whether the way meets the soil along an axis, as far as it is known.
+bool may_meet(const Scene& s, const Way& way, const BodyScene& soil, int d)
+{
+  if (!way.axis[d].known) return true;
+  const Span path = swept(s, way, d);
+  const Real slack = 1e-6 * s.rigids[way.rigid].width;
+  return path.from <= soil.space[d].to + slack && path.to >= soil.space[d].from - slack;
+}
+
+}  // namespace
+
+void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
+{
+  std::vector<char> asked(s.rigids.size(), 0);
+  for (std::size_t k = 0; k < s.ways.size(); ++k) {
+    const Index rigid = s.ways[k].rigid;
+    if (rigid == none || std::exchange(asked[rigid], 1) != 0) continue;
+    const std::string& name = s.c.rigid[rigid].first;
+    const std::string key = stage_key(k, s.c.stage[k].rigid.empty() ? "kind" : "rigid");
+    const auto touches_rigid = [&](const auto& contact) { return contact.second.rigid == name; };
+    if (std::none_of(s.c.contact.begin(), s.c.contact.end(), touches_rigid)) {
+      found.refuse(key, fmt::format("drives \"{0}\", which nothing touches: there is no contact of a body with it; add [contact.NAME] with "
+                                    "body = \"{1}\" and rigid = \"{0}\"",
+                                    name, s.c.body.front().first));
+      continue;
+    }
+    if (!s.rigids[rigid].bounded) continue;
+    bool meets = false;
+    std::string where;
+    for (const auto& [contact_name, contact] : s.c.contact) {
+      if (contact.rigid != name) continue;
+      const BodyScene& soil = s.bodies[problem::place_of(s.c.body, contact.body)];
+      for (const Way& way : s.ways)
+        meets = meets || (way.rigid == rigid && may_meet(s, way, soil, s.up) && may_meet(s, way, soil, s.along));
+      const Span &x = soil.space[s.along], &own = s.rigids[rigid].space[s.along];
+      where =
+          fmt::format("it begins at {:.4g} m < {} < {:.4g} m with its lowest point {:.4g} m above the surface, and [body.{}] lies at "
+                      "{:.4g} m < {} < {:.4g} m",
+                      own.from, axis_names[s.along], own.to, -s.ways[k].begin_embedment, contact.body, x.from, axis_names[s.along], x.to);
+    }
+    if (!meets)
+      found.refuse(fmt::format("rigid.{}", name),
+                   fmt::format("touches no soil on all its way: {}; move its centre, or let it travel further", where));
+    else if (s.c.stage[k].kind == problem::StageKind::push && -s.ways[k].begin_embedment > 0.5 * s.rigids[rigid].width && s.is_mpm())
+      found.warn(fmt::format("rigid.{}", name),
+                 fmt::format("begins {} above the bed's surface, more than half its width of {}: it travels through nothing at first; put "
+                             "its lowest point at the surface",
+                             words_of(-s.ways[k].begin_embedment, "m"), words_of(s.rigids[rigid].width, "m")));
+  }
+}
+
+void do_bodies_at_each_other_touch(const Scene& s, Findings& found)
+{
+  if (!s.is_mpm()) return;
+  for (const auto& [a, b] : s.neighbors) {
+    const std::string &one = s.c.body[a].first, &other = s.c.body[b].first;
+    const auto joins = [&](const auto& contact) {
+      const contact::ContactSettings& c = contact.second;
+      return (c.body == one && c.other_body == other) || (c.body == other && c.other_body == one);
+    };
+    if (std::any_of(s.c.contact.begin(), s.c.contact.end(), joins)) continue;
+    found.refuse("body." + other,
+                 fmt::format("lies at [body.{0}], and there is no contact between them: bodies without one pass through each other; add "
+                             "[contact.NAME] with body = \"{0}\" and other_body = \"{1}\" (scheme = \"tied\" for layers of one bed)",
+                             one, other));
+  }
+}
+
+void does_the_path_stay_in_the_mesh(const Scene& s, Findings& found)
+{
+  for (std::size_t k = 0; k < s.ways.size(); ++k) {
+    const Way& way = s.ways[k];
+    if (way.rigid == none || !s.rigids[way.rigid].bounded) continue;
+    for (const int d : {s.along, s.up}) {
+      const Move& move = way.axis[d];
+      const Span &first = s.rigids[way.rigid].space[d], &mesh = s.mesh[d];
+      const Span path = swept(s, way, d);
+      if (!move.known || move.begin == move.end) continue;
+      const bool vertical = d == s.up, below = first.from >= mesh.from && path.from < mesh.from && move.end < move.begin,
+                 above = vertical ? first.from <= mesh.to && first.from + move.end > mesh.to
+                                  : first.to <= mesh.to && path.to > mesh.to && move.end > move.begin;
+      if (!below && !above) continue;
+      const std::string& name = s.c.rigid[way.rigid].first;
+      const std::string message = fmt::format("takes \"{}\" out of the mesh: it reaches {} = {:.4g} m, where the mesh ends at {:.4g} m; "
+                                              "let the stage end earlier, or make the mesh {}",
+                                              name, axis_names[d], below ? path.from : path.to, below ? mesh.from : mesh.to,
+                                              vertical ? (below == (s.up_sign > 0) ? "deeper" : "higher") : "longer there");
+      const std::string key = stage_key(k, "until");
+      if (move.at_most)
+        found.warn(key, "may leave the mesh: it " + message);
+      else
+        found.refuse(key, message);
+      return;
+    }
+  }
+}
+
+void does_the_path_stay_on_fine_cells(const Scene& s, Findings& found)
+{
+  constexpr Real accepted = 1.6, parts = 20;  // of the size at the start; along the way
+  for (std::size_t k = 0; k < s.ways.size(); ++k) {
+    const Way& way = s.ways[k];
+    if (way.rigid == none || !s.rigids[way.rigid].bounded || !s.is_mpm()) continue;
+    const Real first = s.cell_size(way.rigid, {});
+    for (Real part = 0; part <= 1; part += 1 / parts) {
+      Place at = way.begin();
+      for (int d = 0; d < 3; ++d) at[d] += part * (way.axis[d].end - way.axis[d].begin);
+      const Real size = s.cell_size(way.rigid, at), width = s.rigids[way.rigid].width;
+      if (!(size > accepted * first)) continue;
+      Real travel = 0;
+      for (int d = 0; d < 3; ++d) travel += std::pow(at[d] - way.axis[d].begin, 2);
+      const bool seabed = std::holds_alternative<mesh::SeabedMesh>(s.c.mesh);
+      found.warn(stage_key(k, "until"),
+                 fmt::format("takes \"{}\" out of the fine zone: after {} of this stage cells at it are {} (D/{:.0f}), and {} (D/{:.0f}) "
+                             "at the start; resistance grows with the cells: {}",
+                             s.c.rigid[way.rigid].first, words_of(std::sqrt(travel), "m"), words_of(size, "m"), width / size,
+                             words_of(first, "m"), width / first,
+                             seabed ? "enlarge mesh.near_left, near_right or near_depth, or let the stage end earlier"
+                                    : "refine the mesh there, or let the stage end earlier"));
+      return;
+    }
+  }
+}
+
+void are_cells_small_enough(const Scene& s, Findings& found)
+{
+  constexpr Real wanted = 5;
+  std::vector<char> asked(s.rigids.size(), 0);
+  for (const Way& way : s.ways) {
+    if (way.rigid == none || std::exchange(asked[way.rigid], 1) != 0 || !s.rigids[way.rigid].bounded) continue;
+    const Real size = s.cell_size(way.rigid, {}), width = s.rigids[way.rigid].width;
+    if (!(width < 0.85 * wanted * size)) continue;
+    const std::string key = s.places.has("mesh.near_size") ? "mesh.near_size" : s.places.has("mesh.cells") ? "mesh.cells" : "mesh";
+    found.warn(key, fmt::format("cells at \"{}\" are {}, and it is {} wide: {:.2g} cells; at least {:g} are needed, and 20 for a good "
+                                "answer: make them {} or smaller",
+                                s.c.rigid[way.rigid].first, words_of(size, "m"), words_of(width, "m"), width / size, wanted,
+                                words_of(rounded_down(width / 10), "m")));
+  }
+}
+
+void are_walls_far_enough(const Scene& s, Findings& found)
+{
+  constexpr Real clear = 0.75;  // widths
+  for (std::size_t k = 0; k < s.ways.size(); ++k) {
+    const Way& way = s.ways[k];
+    if (way.rigid == none || !s.rigids[way.rigid].bounded || !s.is_mpm() || !std::holds_alternative<mesh::SeabedMesh>(s.c.mesh)) continue;
+    const Real width = s.rigids[way.rigid].width;
+    const Span along = swept(s, way, s.along), high = swept(s, way, s.up);
+    const Real side = std::min(along.from - s.mesh[s.along].from, s.mesh[s.along].to - along.to), base = high.from - s.mesh[s.up].from;
+    const auto tell = [&](const char* key, const char* what, Real distance) {
+      found.warn(
+          key, fmt::format("the {} is {} from \"{}\" in stage \"{}\", and that is {} wide: it carries a part of the force; keep {} or more",
+                           what, words_of(distance, "m"), s.c.rigid[way.rigid].first, stage_name(s, k), words_of(width, "m"),
+                           words_of(rounded_up(3 * width), "m")));
+    };
+    if (way.axis[s.along].known && side > 0 && side < clear * width) return tell("mesh.length", "wall", side);
+    if (way.axis[s.up].known && base > 0 && base < clear * width) return tell("mesh.depth", "base", base);
+  }
+}
+
+void is_the_bed_held(const Scene& s, Findings& found)
+{
+  if (!std::holds_alternative<mesh::SeabedMesh>(s.c.mesh) || s.gravity == 0) return;
+  const auto holds = [&](const char* boundary, const char* direction) {
+    return std::any_of(s.c.support.begin(), s.c.support.end(), [&](const auto& support) {
+      const std::vector<std::string>& fixed = support.second.fixed;
+      return support.second.boundary == boundary && std::find(fixed.begin(), fixed.end(), direction) != fixed.end();
+    });
+  };
+  if (!holds("base", "y"))
+    found.refuse("support", "nothing holds the base of the bed, which falls out of the mesh; add [support.base] with boundary = \"base\" "
+                            "and fixed = [\"x\", \"y\"]");
+  for (const char* wall : {"left", "right"}) {
+    if (holds(wall, "x")) continue;
+    const std::string words = fmt::format(
+        "nothing holds the {0} wall of the bed, which flows out there; add [support.{0}] with boundary = \"{0}\" and fixed = [\"x\"]",
+        wall);
+    s.is_mpm() ? found.refuse("support", words) : found.warn("support", words);
+  }
+}
+
+void is_the_surface_where_the_bed_ends(const Scene& s, Findings& found)
+{
+  for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
+    const Span& height = s.bodies[b].space[s.up];
+    const bool level = s.c.body[b].second.k0 && s.c.initial_state == problem::InitialState::level_ground && s.up_sign > 0;
+    if (!level || height.to - s.c.surface < 0.3 * height.length()) continue;
+    found.refuse("surface", fmt::format("is {}, and [body.{}] reaches up to {:.3g} m: embedment counts from `surface`, and soil above it "
+                                        "has no stress at the start; set it to the level of the "
+                                        "bed's surface",
+                                        words_of(s.c.surface, "m"), s.c.body[b].first, height.to));
+    return;
+  }
+  if (!std::holds_alternative<mesh::SeabedMesh>(s.c.mesh) || s.c.surface == 0) return;
+  found.refuse("surface", fmt::format("is {}, and the surface of a mesh of kind \"seabed\" is y = 0: leave `surface` out",
+                                      words_of(s.c.surface, "m")));
+}
+
+void is_there_soil_at_a_watch(const Scene& s, Findings& found)
+{
+  for (const auto& [name, watch] : s.c.watch) {
+    const BodyScene& body = s.bodies[problem::place_of(s.c.body, watch.body)];
+    for (std::size_t d = 0; d < watch.point.size(); ++d) {
+      const Span& space = body.space[d];
+      const Real slack = 0.05 * space.length();
+      if (watch.point[d] > space.from - slack && watch.point[d] < space.to + slack) continue;
+      found.warn(
+          "watch." + name + ".point",
+          fmt::format("{} = {:.4g} m is not in [body.{}], which lies at {:.4g} m < {} < {:.4g} m: the nearest particle there is watched",
+                      axis_names[d], watch.point[d], watch.body, space.from, axis_names[d], space.to));
+      break;
+    }
+  }
+}
+
+}  // namespace berm::sanity

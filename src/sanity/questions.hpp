@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sanity/finding.hpp"
+#include "sanity/scene.hpp"
+
+namespace berm::sanity {
+
+// One question each. A question looks at a scene and adds what it finds; it says nothing where it does not apply.
+
+// Where things are.
+void does_the_driven_body_touch_soil(const Scene& s, Findings& found);
+void do_bodies_at_each_other_touch(const Scene& s, Findings& found);
+void does_the_path_stay_in_the_mesh(const Scene& s, Findings& found);
+void does_the_path_stay_on_fine_cells(const Scene& s, Findings& found);
+void are_cells_small_enough(const Scene& s, Findings& found);
+void are_walls_far_enough(const Scene& s, Findings& found);
+void is_the_bed_held(const Scene& s, Findings& found);
+void is_the_surface_where_the_bed_ends(const Scene& s, Findings& found);
+void is_there_soil_at_a_watch(const Scene& s, Findings& found);
+
+// The soil.
+void does_gravity_point_down(const Scene& s, Findings& found);
+void is_the_soil_a_soil(const Scene& s, Findings& found);
+void is_the_stiffness_that_of_soil(const Scene& s, Findings& found);
+void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found);
+void is_the_interface_weaker_than_the_soil(const Scene& s, Findings& found);
+void do_tractions_press(const Scene& s, Findings& found);
+
+// The stages.
+void can_the_limits_be_reached(const Scene& s, Findings& found);
+void is_the_drive_slow(const Scene& s, Findings& found);
+void does_the_drive_begin_gently(const Scene& s, Findings& found);
+void is_there_time_for_equilibrium(const Scene& s, Findings& found);
+void is_the_mass_that_of_a_pipe(const Scene& s, Findings& found);
+void is_damping_small(const Scene& s, Findings& found);
+void do_forces_press_down(const Scene& s, Findings& found);
+
+// The run.
+void does_it_take_days(const Scene& s, Findings& found);
+void does_it_fit_on_the_disk(const Scene& s, Findings& found);
+void is_the_history_fine_enough(const Scene& s, Findings& found);
+void is_every_key_used(const Scene& s, Findings& found);
+
+}  // namespace berm::sanity

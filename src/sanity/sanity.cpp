@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/sanity/sanity_test.cpp
+#include "sanity/sanity.hpp"
+
+#include "problem/stages.hpp"
+#include "sanity/questions.hpp"
+#include "sanity/words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::sanity {
+namespace {
+
+/// All questions, in the order in which their answers are shown.
+constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_down,
+                                                          does_the_driven_body_touch_soil,
+                                                          do_bodies_at_each_other_touch,
+                                                          can_the_limits_be_reached,
+                                                          does_the_path_stay_in_the_mesh,
+                                                          is_the_surface_where_the_bed_ends,
+                                                          is_the_bed_held,
+                                                          does_the_path_stay_on_fine_cells,
+                                                          are_cells_small_enough,
+                                                          are_walls_far_enough,
+                                                          is_there_soil_at_a_watch,
+                                                          is_the_soil_a_soil,
+                                                          is_the_stiffness_that_of_soil,
+                                                          does_the_soil_bear_its_initial_stress,
+                                                          is_the_interface_weaker_than_the_soil,
+                                                          do_tractions_press,
+                                                          is_the_drive_slow,
+                                                          does_the_drive_begin_gently,
+                                                          is_there_time_for_equilibrium,
+                                                          is_the_mass_that_of_a_pipe,
+                                                          is_damping_small,
+                                                          do_forces_press_down,
+                                                          does_it_take_days,
+                                                          does_it_fit_on_the_disk,
+                                                          is_the_history_fine_enough,
+                                                          is_every_key_used};
+
+}  // namespace
+
+std::vector<Finding> ask(const Scene& scene)
+{
+  Findings found;
+  for (const auto question : questions) question(scene, found);
+  std::vector<Finding> all = found.all();
+  std::stable_partition(all.begin(), all.end(), [](const Finding& f) { return f.severity == Severity::refuse; });
+  return all;
+}
+
+Real disk_of(const Scene& s)
+{
+  constexpr Real bytes_of_row = 400;
+  Real frames = 1;
+  for (std::size_t k = 0; k < s.c.stage.size(); ++k) {
+    const problem::StageSettings& stage = s.c.stage[k];
+    const Real time = expected_time(stage);
+    frames += 1;
+    if (s.c.output.frame_time) frames += std::floor(time / *s.c.output.frame_time);
+    Real travel = 0;
+    for (const Move& move : s.ways[k].axis) travel += (move.end - move.begin) * (move.end - move.begin);
+    if (s.c.output.frame_travel) frames += std::floor(std::sqrt(travel) / *s.c.output.frame_travel);
+  }
+  const Real rows = s.c.output.history_time ? expected_time(s.c.stage) / *s.c.output.history_time : 1000;
+  return frames * s.cost.frame_bytes + rows * bytes_of_row;
+}
+
+std::string words_of_bytes(Real bytes)
+{
+  return bytes >= 1e9 ? fmt::format("{:.1f} GB", bytes / 1e9) : fmt::format("{:.0f} MB", std::ceil(bytes / 1e6));
+}
+
+std::string words_of(const Finding& finding, const input::Places& places)
+{
+  return places.located(finding.key, finding.message);
+}
+
+}  // namespace berm::sanity

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/sanity/sanity_test.cpp
+#include "sanity/scene.hpp"
+
+#include "problem/cells_at_body.hpp"
+#include "sanity/ways.hpp"
+
+#include <algorithm>
+#include <memory>
+
+namespace berm::sanity {
+namespace {
+
+template <int dim>
+RigidScene rigid_scene(const bodies::RigidBody<dim>& rigid)
+{
+  RigidScene scene{bodies::is_bounded<dim>(rigid.shape), width_of<dim>(rigid.shape), {}};
+  for (int d = 0; d < dim && scene.bounded; ++d) {
+    const Vec<dim> axis = Vec<dim>::Unit(d);
+    scene.space[d] = {lowest_level<dim>(rigid.shape, axis), -lowest_level<dim>(rigid.shape, -axis)};
+  }
+  return scene;
+}
+
+/// The cells that each body takes at the start: those of its particles, or of its regions.
+template <int dim>
+std::vector<std::vector<Index>> cells_of_bodies(const problem::Case& c, const problem::Model<dim>& model,
+                                                const std::vector<bodies::Particles<dim>>& particles)
+{
+  std::vector<std::vector<Index>> cells(c.body.size());
+  for (std::size_t b = 0; b < c.body.size(); ++b) {
+    if (!particles.empty()) {
+      cells[b] = particles[b].occupied();
+      continue;
+    }
+    std::vector<char> fills(model.mesh.region_names.size(), 0);
+    for (const std::string& region : c.body[b].second.regions)
+      if (const Index r = model.mesh.find_region(region); r != none) fills[r] = 1;
+    for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
+      if (fills[model.mesh.region[cell]]) cells[b].push_back(cell);
+  }
+  return cells;
+}
+
+/// Pairs of bodies whose cells have nodes in common.
+template <int dim>
+std::vector<std::pair<Index, Index>> neighbors_in(const mesh::Mesh<dim>& mesh, const std::vector<std::vector<Index>>& cells)
+{
+  std::vector<std::pair<Index, Index>> found;
+  auto last = NodeField<Index>::zeros(mesh.node_count());  // 1 + the last body that was there
+  for (Index b = 0; b < static_cast<Index>(cells.size()); ++b)
+    for (const Index cell : cells[b])
+      for (const Index node : mesh.nodes[cell]) {
+        const Index other = last[node] - 1;
+        last[node] = b + 1;
+        if (other < 0 || other == b) continue;
+        if (std::find(found.begin(), found.end(), std::pair(other, b)) == found.end()) found.emplace_back(other, b);
+      }
+  return found;
+}
+
+}  // namespace
+
+Index Scene::touched_by(Index rigid) const
+{
+  for (const auto& [name, contact] : c.contact)
+    if (!contact.rigid.empty() && problem::place_of(c.rigid, contact.rigid) == rigid) return problem::place_of(c.body, contact.body);
+  return none;
+}
+
+Real Scene::depth_of(Index body) const
+{
+  const Span& height = bodies[body].space[up];
+  return up_sign > 0 ? std::max(Real(0), c.surface - height.from) : std::max(Real(0), height.to - c.surface);
+}
+
+template <int dim>
+Scene scene_of(const problem::Case& c, const input::Places& places, const problem::Model<dim>& model,
+               const std::vector<bodies::Particles<dim>>& particles, const Cost& cost)
+{
+  Scene scene{c, places};
+  scene.up = model.axes.up;
+  scene.along = model.axes.along;
+  scene.up_sign = model.axes.sign;
+  scene.gravity = model.gravity.norm();
+  for (int d = 0; d < dim; ++d) scene.mesh[d] = {model.mesh.lower[d], model.mesh.upper[d]};
+  for (const bodies::RigidBody<dim>& rigid : model.rigid_bodies) scene.rigids.push_back(rigid_scene(rigid));
+  const std::vector<std::vector<Index>> cells = cells_of_bodies(c, model, particles);
+  for (std::size_t b = 0; b < c.body.size(); ++b) {
+    BodyScene& body = scene.bodies.emplace_back();
+    const material::Material& material = model.bodies[b].material;
+    body.wave_speed = std::sqrt(p_wave_modulus(material) / inertia_density(material));
+    for (const Index cell : cells[b])
+      for (const Index node : model.mesh.nodes[cell])
+        for (int d = 0; d < dim; ++d) body.space[d].add(model.mesh.position[node][d]);
+  }
+  scene.neighbors = neighbors_in(model.mesh, cells);
+  scene.ways = ways_of(model);
+  scene.cell_size = [&model, start = std::make_shared<Index>(0)](Index rigid, const Place& moved) {
+    bodies::RigidState<dim> state;
+    for (int d = 0; d < dim; ++d) state.displacement[d] = moved[d];
+    return problem::cell_size_at<dim>(model, placed<dim>(model.rigid_bodies[rigid], state), *start);
+  };
+  scene.cost = cost;
+  return scene;
+}
+
+template Scene scene_of(const problem::Case&, const input::Places&, const problem::Model<2>&, const std::vector<bodies::Particles<2>>&,
+                        const Cost&);
+template Scene scene_of(const problem::Case&, const input::Places&, const problem::Model<3>&, const std::vector<bodies::Particles<3>>&,
+                        const Cost&);
+
+}  // namespace berm::sanity

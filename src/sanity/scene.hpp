@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "input/places.hpp"
+#include "problem/model.hpp"
+
+#include <functional>
+
+namespace berm::sanity {
+
+/// From ... to, m along one axis.
+struct Span {
+  Real from = infinity, to = -infinity;
+
+  void add(Real x) { from = std::min(from, x), to = std::max(to, x); }
+  Real length() const { return to - from; }
+};
+using Spans = std::array<Span, 3>;
+using Place = std::array<Real, 3>;
+
+/// The displacement of a driven body along an axis in a stage, as far as the input says it, m since the start.
+struct Move {
+  Real begin = 0, end = 0;
+  bool known = true;     ///< false: nothing in the input says where it ends; `end` is then `begin`
+  bool at_most = false;  ///< the stage may end earlier
+};
+
+/// What a stage does with the body that it drives.
+struct Way {
+  Index rigid = none;
+  std::array<Move, 3> axis;
+  Real begin_embedment = 0;  ///< m, w where the stage begins
+  bool begin_known = true;   ///< whether that is known
+
+  Place begin() const { return {axis[0].begin, axis[1].begin, axis[2].begin}; }
+  Place end() const { return {axis[0].end, axis[1].end, axis[2].end}; }
+};
+
+/// What a rigid body is at the start.
+struct RigidScene {
+  bool bounded = false;
+  Real width = 0;  ///< m
+  Spans space;     ///< what it takes, along each axis
+};
+
+/// What a deformable body is at the start.
+struct BodyScene {
+  Spans space;          ///< of its particles or elements
+  Real wave_speed = 0;  ///< m/s, of pressure waves
+};
+
+/// What a run will cost, as far as it is known before it begins.
+struct Cost {
+  Real time_step = 0;             ///< s; 0: there is none, or it is not known
+  Real particles = 0;             ///< or nodes
+  Real frame_bytes = 0;           ///< of one frame
+  Real free_bytes = infinity;     ///< on the disk
+  Real particle_steps_per_s = 0;  ///< expected
+};
+
+/// A case with what follows from it in its mesh, whatever its dimension: what the questions look at.
+struct Scene {
+  const problem::Case& c;
+  const input::Places& places;
+  int up = 1, along = 0;
+  Real up_sign = 1;
+  Real gravity = 0;  ///< m/s2, size
+  Spans mesh = {};
+  std::vector<RigidScene> rigids = {};
+  std::vector<BodyScene> bodies = {};
+  std::vector<std::pair<Index, Index>> neighbors = {};  ///< pairs of bodies that lie at each other at the start
+  std::vector<Way> ways = {};                           ///< by stage
+  std::function<Real(Index, const Place&)> cell_size =
+      {};  ///< at a rigid body with a displacement since the start, m; NaN where it is not in the mesh
+  Cost cost = {};
+
+  bool is_mpm() const { return c.method == problem::Method::mpm; }
+  const material::Material& material_of(Index body) const
+  {
+    return c.material[problem::place_of(c.material, c.body[body].second.material)].second;
+  }
+  /// The body that touches a rigid one, the first of its contacts; none where nothing does.
+  Index touched_by(Index rigid) const;
+  /// Depth of soil of a body below the surface, m.
+  Real depth_of(Index body) const;
+};
+
+/// The scene of a problem by either method; particles: of the material point method, else empty.
+template <int dim>
+Scene scene_of(const problem::Case& c, const input::Places& places, const problem::Model<dim>& model,
+               const std::vector<bodies::Particles<dim>>& particles, const Cost& cost);
+
+}  // namespace berm::sanity

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/sanity/sanity_test.cpp
+#include "sanity/questions.hpp"
+#include "sanity/words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::sanity {
+namespace {
+
+constexpr Real pi = 3.14159265358979323846, earth = 9.80665;  // m/s2
+constexpr Real rounding = 0.01;
+/// An interface with so large a friction angle is meant to be rough: none that was measured has it.
+constexpr Real rough = 75 * pi / 180;
+
+Real degrees(Real radians)
+{
+  return radians * 180 / pi;
+}
+
+std::string material_key(const Scene& s, Index body, const char* key)
+{
+  return fmt::format("material.{}.{}", s.c.body[body].second.material, key);
+}
+
+/// Bodies whose soil can yield, each material once.
+std::vector<Index> yielding(const Scene& s)
+{
+  std::vector<Index> bodies;
+  for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
+    const auto same = [&](Index other) { return s.c.body[other].second.material == s.c.body[b].second.material; };
+    if (yields(s.material_of(b)) && std::none_of(bodies.begin(), bodies.end(), same)) bodies.push_back(b);
+  }
+  return bodies;
+}
+
+/// Ka and Kp of soil without cohesion, in words.
+std::string bounds_of_k0(const material::Material& material)
+{
+  const std::optional<material::Strength> soil = strength_at_rest(material);
+  if (!soil || soil->cohesion != 0 || soil->cohesion_gradient != 0) return "";
+  const Real sine = std::sin(soil->friction_angle), active = (1 - sine) / (1 + sine);
+  return fmt::format(" (Ka = {:.2f} to Kp = {:.2f} for {:.3g} deg without cohesion; 1 - sin phi = {:.2f} is usual)", active, 1 / active,
+                     degrees(soil->friction_angle), 1 - sine);
+}
+
+}  // namespace
+
+void does_gravity_point_down(const Scene& s, Findings& found)
+{
+  const bool any_k0 = std::any_of(s.c.body.begin(), s.c.body.end(), [](const auto& body) { return body.second.k0.has_value(); });
+  if (s.gravity == 0) {
+    for (const auto& [name, body] : s.c.body)
+      if (body.k0)
+        found.refuse(
+            fmt::format("body.{}.k0", name),
+            "without gravity there is no stress at rest, and k0 does nothing; add gravity = [0, \"-9.81 m/s^2\"], or leave k0 out");
+    for (const Index b : yielding(s))
+      if (const auto at_rest = strength_of(s.material_of(b), 0, 0);
+          !any_k0 && at_rest && *at_rest == 0 && s.c.body[b].second.initial_stress.empty() && s.c.traction.empty())
+        found.warn(
+            "gravity",
+            fmt::format(
+                "is missing: the soil of [body.{}] has friction only, and no strength without weight; add gravity = [0, \"-9.81 m/s^2\"]",
+                s.c.body[b].first));
+    return;
+  }
+  const bool seabed = std::holds_alternative<mesh::SeabedMesh>(s.c.mesh);
+  if (seabed && (s.up != 1 || s.up_sign < 0)) {
+    found.refuse("gravity",
+                 "does not point down: the bed of a mesh of kind \"seabed\" lies below y = 0; write gravity = [0, \"-9.81 m/s^2\"]");
+    return;
+  }
+  if (s.gravity > 300 * earth)
+    found.warn("gravity",
+               fmt::format(
+                   "is {:.3g} times that of the earth; a centrifuge has up to some hundred; is the unit right? \"-50 gravity\" is 490 m/s2",
+                   s.gravity / earth));
+  else if (s.gravity < 0.15 * earth)
+    found.warn("gravity",
+               fmt::format("is {:.2g} of that of the earth; is the unit right? A plain number is in m/s2: \"-1 gravity\" is -9.81 m/s2",
+                           s.gravity / earth));
+}
+
+void is_the_soil_a_soil(const Scene& s, Findings& found)
+{
+  for (const Index b : yielding(s)) {
+    const material::Material& material = s.material_of(b);
+    if (s.gravity > 0 && (density(material) < 100 || density(material) > 4000))
+      found.warn(
+          material_key(s, b, "density"),
+          fmt::format("is {:.3g} kg/m3; soil has 1400 to 2200 saturated, 400 to 1200 submerged: write \"877 kg/m^3\"", density(material)));
+    const std::optional<material::Strength> soil = strength_at_rest(material);
+    if (!soil) continue;
+    if (soil->cohesion == 0 && soil->cohesion_gradient == 0 && soil->friction_angle == 0)
+      found.refuse(material_key(s, b, "friction_angle"),
+                   "and cohesion are both 0: the soil has no strength and flows like water; give one of them");
+    else if (soil->friction_angle > 50 * pi / 180)
+      found.warn(material_key(s, b, "friction_angle"), fmt::format("is {:.3g} deg; sand has 28 to 45 deg", degrees(soil->friction_angle)));
+    const Real weight = unit_weight_of(s, b) * s.depth_of(b), base = soil->cohesion + soil->cohesion_gradient * s.depth_of(b);
+    if (soil->friction_angle == 0 && weight > 0 && base > 0 && base < 1e-3 * weight)
+      found.warn(material_key(s, b, "cohesion"), fmt::format("is {:.3g} Pa, a thousandth of the weight above the base ({:.3g} Pa) or less: "
+                                                             "such soil flows; soft clay has 1 to 10 kPa: is the unit right?",
+                                                             soil->cohesion, weight));
+    if (soil->cohesion > 1e7)
+      found.warn(material_key(s, b, "cohesion"),
+                 fmt::format("is {:.3g} kPa, that of rock; soil has up to some hundred kPa: is the unit right?", soil->cohesion / 1e3));
+  }
+}
+
+void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
+{
+  for (const Index b : yielding(s)) {
+    const material::Material& material = s.material_of(b);
+    const Real modulus = p_wave_modulus(material), weight = unit_weight_of(s, b) * s.depth_of(b),
+               young = young_poisson(material).young_modulus;
+    if (weight > 0 && modulus < 3 * weight) {
+      const std::string
+          key = material_key(s, b, "young_modulus"),
+          words =
+              fmt::format("is {:.3g} Pa, too soft to carry the weight of the bed, {:.3g} Pa at its base: it would be squeezed to a part of "
+                          "its height; sand has 5 to 50 MPa, soft clay 0.3 to 5 MPa: is the unit right (\"MPa\", not \"mPa\")?",
+                          young, weight);
+      modulus < weight / 2 ? found.refuse(key, words) : found.warn(key, words);
+    }
+    if (young > 1e11)
+      found.warn(
+          material_key(s, b, "young_modulus"),
+          fmt::format("is {:.3g} Pa, stiffer than rock: time steps become as small; sand has 5 to 50 MPa: is the unit right?", young));
+  }
+}
+
+void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found)
+{
+  constexpr int parts = 10;
+  for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
+    const bodies::BodySettings& body = s.c.body[b].second;
+    const material::Material& material = s.material_of(b);
+    const std::string path = "body." + s.c.body[b].first;
+    const auto beyond = [&](Real depth, Real largest, Real smallest) -> std::optional<std::pair<Real, Real>> {
+      const std::optional<Real> strength = strength_of(material, depth, -(largest + smallest) / 2);
+      const Real shear = (largest - smallest) / 2;
+      if (!strength || (*strength >= 0 && shear <= *strength * (1 + rounding) + 1e-9)) return {};
+      return std::pair(shear, std::max(Real(0), *strength));
+    };
+    if (body.initial_stress.size() == 3) {
+      const auto [least, most] = std::minmax_element(body.initial_stress.begin(), body.initial_stress.end());
+      if (const auto over = beyond(0, *most, *least))
+        found.warn(
+            path + ".initial_stress",
+            fmt::format(
+                "is beyond the strength of the soil: it shears it by {:.3g} Pa, and it bears {:.3g} Pa; stress is negative in compression",
+                over->first, over->second));
+    }
+    for (int k = 1; k <= parts && body.k0 && s.gravity > 0; ++k) {
+      const Real depth = s.depth_of(b) * k / parts, vertical = -unit_weight_of(s, b) * depth, across = *body.k0 * vertical;
+      const auto over = beyond(depth, std::max(vertical, across), std::min(vertical, across));
+      if (!over) continue;
+      found.warn(path + ".k0", fmt::format("= {:.3g} is beyond what the soil can bear{}: at a depth of {} it shears it by {:.3g} Pa, and "
+                                           "it bears {:.3g} Pa; the bed moves before anything pushes it",
+                                           *body.k0, bounds_of_k0(material), words_of(depth, "m"), over->first, over->second));
+      break;
+    }
+  }
+}
+
+void is_the_interface_weaker_than_the_soil(const Scene& s, Findings& found)
+{
+  for (const auto& [name, contact] : s.c.contact) {
+    if (contact.scheme == contact::Scheme::tied) continue;
+    const std::optional<material::Strength> soil = strength_at_rest(s.material_of(problem::place_of(s.c.body, contact.body)));
+    if (!soil || !yields(s.material_of(problem::place_of(s.c.body, contact.body)))) continue;
+    const Real depth = s.depth_of(problem::place_of(s.c.body, contact.body));
+    if (contact.friction_angle < rough && std::tan(contact.friction_angle) > std::tan(soil->friction_angle) * (1 + rounding))
+      found.warn(fmt::format("contact.{}.friction_angle", name),
+                 fmt::format("is {:.3g} deg, more than that of the soil, {:.3g} deg: the soil beside it shears first; take at most that of "
+                             "the soil, two thirds of it for a smooth coating",
+                             degrees(contact.friction_angle), degrees(soil->friction_angle)));
+    if (contact.adhesion > (soil->cohesion + soil->cohesion_gradient * depth) * (1 + rounding))
+      found.warn(
+          fmt::format("contact.{}.adhesion", name),
+          fmt::format("is {:.3g} Pa, more than the cohesion of the soil, {:.3g} Pa: the soil beside it shears first; take at most that",
+                      contact.adhesion, soil->cohesion + soil->cohesion_gradient * depth));
+  }
+}
+
+void do_tractions_press(const Scene& s, Findings& found)
+{
+  for (const auto& [name, traction] : s.c.traction) {
+    const bool up = !traction.pressure && s.gravity > 0 && traction.stress.size() > static_cast<std::size_t>(s.up) &&
+                    s.up_sign * traction.stress[s.up] > 0;
+    const bool pulls = traction.pressure && *traction.pressure < 0;
+    if (pulls)
+      found.warn(fmt::format("traction.{}.pressure", name),
+                 fmt::format("is {:.3g} Pa: it pulls at the soil; a pressure that presses is positive", *traction.pressure));
+    if (up)
+      found.warn(fmt::format("traction.{}.stress", name),
+                 fmt::format("points up, {:.3g} Pa: it pulls at the soil; a surcharge is [0, \"-20 kPa\"]", traction.stress[s.up]));
+  }
+}
+
+}  // namespace berm::sanity

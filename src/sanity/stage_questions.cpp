@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/sanity/sanity_test.cpp
+#include "sanity/questions.hpp"
+#include "sanity/words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::sanity {
+namespace {
+
+using problem::StageKind;
+using problem::StageSettings;
+
+/// What stops a stage is listed here, for one limit after the other: why it is never reached, or reached at once; "" where it can be.
+std::string fault_of_embedment(const StageSettings& s, const Way& way)
+{
+  if (!s.until.embedment) return "";
+  const Real wanted = *s.until.embedment, w = way.begin_embedment;
+  const bool by_velocity = (s.kind == StageKind::push && s.velocity) ||
+                           (s.kind == StageKind::drag && (s.vertical_velocity || s.vertical == problem::Vertical::fixed));
+  const Real down = s.kind == StageKind::push ? s.velocity.value_or(0) : s.vertical_velocity.value_or(0);
+  if (way.begin_known && wanted <= w)
+    return fmt::format("embedment {} is reached before the stage begins, with w = {}: name a larger one", words_of(wanted, "m"),
+                       words_of(w, "m"));
+  if (by_velocity && down <= 0)
+    return fmt::format(
+        "embedment {} is never reached: the body moves {} (velocity {}); make the velocity positive, or end the stage by a time",
+        words_of(wanted, "m"), down < 0 ? "up" : "not vertically", words_of(down, "m/s"));
+  return "";
+}
+
+std::string fault_of_displacement(const StageSettings& s)
+{
+  if (!s.until.displacement) return "";
+  if (s.kind == StageKind::push) return "displacement is horizontal, and a push moves down only: end it by embedment, force or time";
+  if (s.kind == StageKind::drag && s.velocity && *s.velocity == 0) return "displacement is never reached: velocity is 0";
+  if (s.kind == StageKind::drive && !is_by_force(s) && speed_of(s) == 0)
+    return "displacement is never reached: nothing in [stage.drive] moves the body";
+  return "";
+}
+
+std::string fault_of_force(const StageSettings& s)
+{
+  if (!s.until.force) return "";
+  if (s.kind == StageKind::push && s.velocity && *s.velocity <= 0)
+    return fmt::format("force {:.3g} N/m is never reached: the body moves {} (velocity {}), and the soil's reaction falls; make the "
+                       "velocity positive, or end the stage by a time",
+                       *s.until.force, *s.velocity < 0 ? "up" : "not at all", words_of(*s.velocity, "m/s"));
+  if (s.kind == StageKind::push && s.force && *s.force < *s.until.force)
+    return fmt::format("force {:.3g} N/m is never reached: the drive gives {:.3g} N/m", *s.until.force, *s.force);
+  if (s.kind == StageKind::drag && s.velocity && *s.velocity == 0) return "force is never reached: velocity is 0";
+  return "";
+}
+
+/// The mass of the soil that the body displaces, kg/m or kg.
+Real displaced(const Scene& s, Index rigid, Index body)
+{
+  const Real width = s.rigids[rigid].width, density = inertia_density(s.material_of(body));
+  return density * (s.c.dimension == 2 ? 0.785 * width * width : 0.5 * width * width * width);
+}
+
+}  // namespace
+
+void can_the_limits_be_reached(const Scene& s, Findings& found)
+{
+  for (std::size_t k = 0; k < s.ways.size(); ++k) {
+    const StageSettings& stage = s.c.stage[k];
+    if (s.ways[k].rigid == none) continue;
+    const std::string w = fault_of_embedment(stage, s.ways[k]), u = fault_of_displacement(stage), force = fault_of_force(stage);
+    const bool at_once = stage.until.embedment && w.find("before the stage begins") != std::string::npos;
+    const bool ends = stage.until.time || (stage.until.embedment && w.empty()) || (stage.until.displacement && u.empty()) ||
+                      (stage.until.force && force.empty());
+    for (const auto& [key, fault] : {std::pair("embedment", w), {"displacement", u}, {"force", force}}) {
+      if (fault.empty()) continue;
+      const std::string message = fault.substr(fault.find(' ') + 1);
+      if (ends && !at_once)
+        found.warn(stage_key(k, std::string("until.") + key), message);
+      else
+        found.refuse(stage_key(k, std::string("until.") + key), message);
+    }
+    const bool by_force_alone = s.is_mpm() && stage.force && !stage.until.time && !(stage.until.force);
+    if (by_force_alone)
+      found.warn(stage_key(k, "until"),
+                 fmt::format("may never be reached: a force of {:.3g} N/m drives, and the soil may bear it before; add until.time as well",
+                             *stage.force));
+  }
+}
+
+void is_the_drive_slow(const Scene& s, Findings& found)
+{
+  constexpr Real doubtful = 0.03, wanted = 0.003;  // rho v^2 over the strength at a depth of D
+  if (!s.is_mpm()) return;
+  for (std::size_t k = 0; k < s.ways.size(); ++k) {
+    const Index rigid = s.ways[k].rigid, body = rigid == none ? none : s.touched_by(rigid);
+    const Real speed = speed_of(s.c.stage[k]);
+    if (body == none || speed == 0) continue;
+    const Real density = inertia_density(s.material_of(body)), width = s.rigids[rigid].width;
+    const std::optional<Real> strength = strength_at_depth_of(s, body, width);
+    const Real limit = strength && *strength > 0 && width > 0 ? std::sqrt(doubtful * *strength / density) : 0.1 * s.bodies[body].wave_speed;
+    if (speed <= limit) continue;
+    const Real proposed = rounded_down(limit * std::sqrt(wanted / doubtful));
+    const char* key = s.c.stage[k].kind == StageKind::drive ? "drive" : "velocity";
+    found.warn(stage_key(k, key),
+               fmt::format("is {}: so fast that the inertia of the soil carries a part of the force (density v^2 = {:.3g} Pa{}; waves in "
+                           "the soil run at {:.3g} m/s); {} or less is slow enough",
+                           words_of(speed, "m/s"), density * speed * speed,
+                           strength && *strength > 0 && width > 0
+                               ? fmt::format(", {:.2g} of the strength at a depth of D", density * speed * speed / *strength)
+                               : "",
+                           s.bodies[body].wave_speed, words_of(proposed, "m/s")));
+  }
+}
+
+void does_the_drive_begin_gently(const Scene& s, Findings& found)
+{
+  if (!s.is_mpm()) return;
+  for (std::size_t k = 0; k < s.ways.size(); ++k) {
+    const Index rigid = s.ways[k].rigid, body = rigid == none ? none : s.touched_by(rigid);
+    const StageSettings& stage = s.c.stage[k];
+    const Real speed = speed_of(stage), width = body == none ? 0 : s.rigids[rigid].width;
+    if (speed == 0 || width == 0) continue;
+    const Real wave = s.bodies[body].wave_speed, blow = inertia_density(s.material_of(body)) * wave * speed, cross = width / wave;
+    const std::optional<Real> strength = strength_at_depth_of(s, body, width);
+    if (!strength || *strength <= 0 || blow < 3 * *strength || stage.ramp >= cross) continue;
+    found.warn(stage_key(k, "ramp"),
+               fmt::format("is {}: a drive that begins within the time that a wave takes across the body ({}) strikes the soil with {:.3g} "
+                           "times its strength; {} or more begins gently",
+                           words_of(stage.ramp, "s"), words_of(cross, "s"), blow / *strength, words_of(rounded_up(5 * cross), "s")));
+  }
+}
+
+void is_there_time_for_equilibrium(const Scene& s, Findings& found)
+{
+  if (!s.is_mpm() || s.gravity == 0) return;
+  for (std::size_t k = 0; k < s.c.stage.size(); ++k) {
+    const StageSettings& stage = s.c.stage[k];
+    if (stage.kind != StageKind::geostatic) continue;
+    Real longest = 0;
+    bool stressed = true;
+    for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
+      longest = std::max(longest, s.depth_of(b) / s.bodies[b].wave_speed);
+      stressed = stressed && (s.c.body[b].second.k0 || !s.c.body[b].second.initial_stress.empty());
+    }
+    const Real time = stage.until.time.value_or(0), least = stressed ? 0.9 * longest : 4 * longest,
+               proposed = stressed ? 4 * longest : 40 * longest;
+    if (time < least)
+      found.warn(
+          stage_key(k, "until.time"),
+          fmt::format(
+              "is {}, and a wave takes {} from the base of the bed to its surface{}: too short to find an equilibrium; take {} or more",
+              words_of(time, "s"), words_of(longest, "s"), stressed ? "" : ", where the weight comes at once",
+              words_of(rounded_up(proposed), "s")));
+    const bool damped =
+        stage.damping.value_or(0) > 0 ||
+        (!stage.damping && std::any_of(s.c.body.begin(), s.c.body.end(), [](const auto& b) { return b.second.damping > 0; }));
+    if (!damped)
+      found.warn(stage_key(k, "damping"), "there is none: the soil swings and finds no equilibrium; take damping = 0.7 in this stage");
+  }
+}
+
+void is_the_mass_that_of_a_pipe(const Scene& s, Findings& found)
+{
+  constexpr Real light = 0.02, no_mass = 1e-4, heavy = 1000;
+  std::vector<char> asked(s.rigids.size(), 0);
+  for (std::size_t k = 0; k < s.ways.size(); ++k) {
+    const Index rigid = s.ways[k].rigid, body = rigid == none ? none : s.touched_by(rigid);
+    if (body == none || !s.is_mpm() || !is_by_force(s.c.stage[k]) || s.rigids[rigid].width == 0 || !yields(s.material_of(body)) ||
+        std::exchange(asked[rigid], 1) != 0)
+      continue;
+    const Real mass = s.c.rigid[rigid].second.mass, soil = displaced(s, rigid, body);
+    const std::string key = fmt::format("rigid.{}.mass", s.c.rigid[rigid].first);
+    const char* unit = s.c.dimension == 2 ? "kg/m" : "kg";
+    const std::string rest = fmt::format("the soil that it can displace has {}; stage \"{}\" holds a force with it: take {} or so",
+                                         words_of(soil, unit), s.c.stage[k].name, words_of(rounded_up(soil), unit));
+    if (mass < no_mass * soil)
+      found.refuse(key, fmt::format("is {}, too small for a force to be held: the body would be thrown out of the mesh; {}",
+                                    words_of(mass, unit), rest));
+    else if (mass < light * soil)
+      found.warn(key, fmt::format("is {}, so small that the body shakes; {}", words_of(mass, unit), rest));
+    else if (mass > heavy * soil)
+      found.warn(key,
+                 fmt::format("is {}, so large that the force is not held: it moves on by its own inertia; {}", words_of(mass, unit), rest));
+  }
+}
+
+void is_damping_small(const Scene& s, Findings& found)
+{
+  constexpr Real much = 0.5;
+  if (!s.is_mpm()) return;
+  const bool driven = std::any_of(s.ways.begin(), s.ways.end(), [](const Way& way) { return way.rigid != none; });
+  const auto advice = [](Real damping) {
+    return fmt::format(
+        "is {:.3g} while a body is driven: it carries a part of the force; take 0.02 to 0.05, and 0.7 in a geostatic stage alone", damping);
+  };
+  for (const auto& [name, body] : s.c.body)
+    if (driven && body.damping > much) found.warn(fmt::format("body.{}.damping", name), advice(body.damping));
+  for (std::size_t k = 0; k < s.ways.size(); ++k)
+    if (s.ways[k].rigid != none && s.c.stage[k].damping.value_or(0) > much)
+      found.warn(stage_key(k, "damping"), advice(*s.c.stage[k].damping));
+}
+
+void do_forces_press_down(const Scene& s, Findings& found)
+{
+  bool pressed = false;
+  for (std::size_t k = 0; k < s.ways.size(); ++k) {
+    const StageSettings& stage = s.c.stage[k];
+    if (s.ways[k].rigid == none) continue;
+    const bool drag = stage.kind == StageKind::drag;
+    if (drag && stage.vertical_force && *stage.vertical_force < 0)
+      found.warn(stage_key(k, "vertical_force"),
+                 fmt::format("is {:.3g} N/m: it lifts the body out of the soil; a force that presses is positive", *stage.vertical_force));
+    if (stage.kind == StageKind::push && stage.force && *stage.force < 0)
+      found.warn(stage_key(k, "force"), fmt::format("is {:.3g} N/m: it lifts the body; a push down is positive", *stage.force));
+    const bool holds = drag && stage.vertical == problem::Vertical::hold && !stage.vertical_force && !stage.vertical_velocity;
+    if (holds && !pressed && s.is_mpm() && s.ways[k].begin_known && s.ways[k].begin_embedment <= 0)
+      found.warn(stage_key(k, "vertical"), "holds the vertical force of the stage's begin, which is 0: nothing pressed the body down "
+                                           "before; push it first, or give vertical_force");
+    pressed = true;
+  }
+}
+
+}  // namespace berm::sanity

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/sanity/sanity_test.cpp
+#include "sanity/ways.hpp"
+
+#include "problem/drives.hpp"
+
+#include <algorithm>
+
+namespace berm::sanity {
+namespace {
+
+using By = problem::FreedomDrive::By;
+
+/// Travel at a speed after a time, when it grows to that speed in the ramp.
+Real travel_in(Real speed, Real time, Real ramp)
+{
+  return time < ramp ? speed * time * time / (2 * ramp) : speed * (time - ramp / 2);
+}
+
+/// The time that a stage takes to the first of its limits that the input says when it is reached; infinity where it says none.
+template <int dim>
+Real time_of(const problem::Model<dim>& model, const problem::StageSettings& s, const problem::StageDrives<dim>& drives, Real begin_w)
+{
+  Real time = s.until.time.value_or(infinity), speed = 0;
+  for (int d = 0; d < dim; ++d)
+    if (drives[d].by == By::velocity && (s.kind == problem::StageKind::drive || d == model.axes.along))
+      speed += drives[d].value * drives[d].value;
+  speed = std::sqrt(speed);
+  if (s.until.displacement && speed > 0) time = std::min(time, *s.until.displacement / speed + s.ramp / 2);
+  const problem::FreedomDrive& vertical = drives[model.axes.up];
+  const Real down = vertical.by == By::velocity ? -model.axes.sign * vertical.value : 0;
+  if (s.until.embedment && *s.until.embedment <= begin_w) return 0;
+  if (s.until.embedment && down > 0) time = std::min(time, (*s.until.embedment - begin_w) / down + s.ramp / 2);
+  return time;
+}
+
+}  // namespace
+
+template <int dim>
+std::vector<Way> ways_of(const problem::Model<dim>& model)
+{
+  std::vector<Way> ways(model.stages.size());
+  std::vector<std::array<Move, 3>> now(model.rigid_bodies.size());
+  for (std::size_t k = 0; k < model.stages.size(); ++k) {
+    Way& way = ways[k];
+    way.rigid = model.driven[k];
+    if (way.rigid == none) continue;
+    const problem::StageSettings& s = model.stages[k];
+    const bodies::RigidBody<dim>& rigid = model.rigid_bodies[way.rigid];
+    const auto drives = problem::drives_of<dim>(s, model.axes, rigid.rotation == bodies::Rotation::free);
+    way.axis = now[way.rigid];
+    for (Move& move : way.axis) move.begin = move.end;
+    way.begin_known = way.axis[model.axes.up].known && !way.axis[model.axes.up].at_most;
+    way.begin_embedment =
+        model.axes.sign * (model.surface - way.axis[model.axes.up].begin) - lowest_level<dim>(rigid.shape, model.axes.up_vector());
+    const Real time = time_of(model, s, drives, way.begin_embedment);
+    for (int d = 0; d < dim; ++d) {
+      Move& move = way.axis[d];
+      const bool moves = drives[d].by != By::velocity || drives[d].value != 0;
+      if (!moves) continue;
+      const bool by_velocity = drives[d].by == By::velocity && time < infinity;
+      if (by_velocity) move.end += travel_in(drives[d].value, time, s.ramp);
+      move.known = move.known && by_velocity;
+      move.at_most = move.at_most || s.until.force.has_value() ||
+                     (s.until.embedment && !(*s.until.embedment <= way.begin_embedment) && d != model.axes.up);
+    }
+    now[way.rigid] = way.axis;
+  }
+  return ways;
+}
+
+template std::vector<Way> ways_of(const problem::Model<2>&);
+template std::vector<Way> ways_of(const problem::Model<3>&);
+
+}  // namespace berm::sanity

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sanity/scene.hpp"
+
+namespace berm::sanity {
+
+/// How the stages move the bodies that they drive, as far as the input says it.
+template <int dim>
+std::vector<Way> ways_of(const problem::Model<dim>& model);
+
+}  // namespace berm::sanity

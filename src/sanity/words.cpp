@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/sanity/sanity_test.cpp
+#include "sanity/words.hpp"
+
+#include <fmt/format.h>
+
+namespace berm::sanity {
+
+std::string words_of(Real value, const char* unit)
+{
+  const bool small = std::abs(value) < 0.1 && value != 0;
+  if (small && (std::string(unit) == "m" || std::string(unit) == "s" || std::string(unit) == "m/s"))
+    return fmt::format("{:.3g} m{}", 1000 * value, unit);
+  return fmt::format("{:.3g} {}", value, unit);
+}
+
+std::string stage_key(std::size_t stage, const std::string& key)
+{
+  return fmt::format("stage[{}]{}{}", stage, key.empty() ? "" : ".", key);
+}
+
+Real rounded_down(Real value)
+{
+  const Real ten = std::pow(10, std::floor(std::log10(value) + 1e-12));
+  return std::floor(value / ten + 1e-9) * ten;
+}
+
+Real rounded_up(Real value)
+{
+  const Real ten = std::pow(10, std::floor(std::log10(value) + 1e-12));
+  return std::ceil(value / ten - 1e-9) * ten;
+}
+
+std::optional<Real> strength_of(const material::Material& material, Real depth, Real pressure)
+{
+  if (!yields(material)) return {};
+  const material::Material there = at_depth(material, depth);
+  if (const std::optional<material::Strength> soil = strength_at_rest(there))
+    return soil->cohesion * std::cos(soil->friction_angle) + pressure * std::sin(soil->friction_angle);
+  const std::vector<Real> undisturbed(static_cast<std::size_t>(state_size(material)), 0);
+  return shear_strength(there, -pressure, undisturbed.data());
+}
+
+Real unit_weight_of(const Scene& s, Index body)
+{
+  return density(s.material_of(body)) * s.gravity;
+}
+
+std::optional<Real> strength_at_depth_of(const Scene& s, Index body, Real width)
+{
+  return strength_of(s.material_of(body), width, unit_weight_of(s, body) * width);
+}
+
+Real speed_of(const problem::StageSettings& stage)
+{
+  if (stage.kind != problem::StageKind::drive) return std::hypot(stage.velocity.value_or(0), stage.vertical_velocity.value_or(0));
+  return std::hypot(stage.drive.x.velocity.value_or(0), stage.drive.y.velocity.value_or(0), stage.drive.z.velocity.value_or(0));
+}
+
+bool is_by_force(const problem::StageSettings& stage)
+{
+  using problem::StageKind;
+  const problem::DriveSettings& d = stage.drive;
+  if (stage.kind == StageKind::drive) return d.x.force || d.y.force || d.z.force || d.x.hold || d.y.hold || d.z.hold;
+  const bool holds = stage.kind == StageKind::drag && stage.vertical == problem::Vertical::hold && !stage.vertical_velocity;
+  return drives(stage.kind) && (stage.force || holds);
+}
+
+}  // namespace berm::sanity

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "sanity/scene.hpp"
+
+#include <optional>
+#include <string>
+
+namespace berm::sanity {
+
+/// "18 mm", "1.25 m", "3 kg/m": three digits and the unit, of lengths, times and speeds a thousandth of it where that reads better.
+std::string words_of(Real value, const char* unit);
+
+/// "stage[2].until", the key of a stage.
+std::string stage_key(std::size_t stage, const std::string& key);
+
+/// The value rounded down (up) to one digit, for a proposal: 0.0437 gives 0.04 (0.05).
+Real rounded_down(Real value);
+Real rounded_up(Real value);
+
+/// The shear strength of undisturbed soil of a body at a depth below the surface where both principal stresses in the plane are minus `pressure`, Pa; empty where its
+/// law has none.
+std::optional<Real> strength_of(const material::Material& material, Real depth, Real pressure);
+
+/// Weight of the soil of a body, N/m3.
+Real unit_weight_of(const Scene& s, Index body);
+
+/// The strength that decides how quickly a body may be driven: at a depth of its width, under the weight above, Pa; empty where nothing is known of it.
+std::optional<Real> strength_at_depth_of(const Scene& s, Index body, Real width);
+
+/// The speed of the drive of a stage, m/s; 0 where a force drives.
+Real speed_of(const problem::StageSettings& stage);
+
+/// Whether a force moves the body of a stage along some axis.
+bool is_by_force(const problem::StageSettings& stage);
+
+}  // namespace berm::sanity

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/sanity/sanity_test.cpp
+#include "simulation/good_sense.hpp"
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+#include "simulation/checkpoints.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sstream>
+
+namespace berm::simulation {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path note_in(const fs::path& run_folder)
+{
+  return checkpoints_in(run_folder) / "warnings.txt";
+}
+
+}  // namespace
+
+std::vector<std::string> warnings_of(const sanity::Scene& scene)
+{
+  std::vector<std::string> warnings, refusals;
+  for (const sanity::Finding& finding : sanity::ask(scene))
+    (finding.severity == sanity::Severity::refuse ? refusals : warnings).push_back(words_of(finding, scene.places));
+  for (std::size_t k = 1; k < refusals.size(); ++k) fmt::print(stderr, "berm: {}\n", refusals[k]);
+  if (!refusals.empty()) throw InputError(refusals.front());
+  return warnings;
+}
+
+Real free_disk(const fs::path& folder)
+{
+  std::error_code error;
+  fs::path there = fs::absolute(folder, error).lexically_normal();
+  while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
+  const fs::space_info space = fs::space(there, error);
+  return error ? infinity : static_cast<Real>(space.available);
+}
+
+void note_warnings(const run_folder::RunFolder& folder, const std::vector<std::string>& warnings)
+{
+  if (!warnings.empty()) io::write_atomically(note_in(folder.path()), fmt::format("{}\n", fmt::join(warnings, "\n")));
+}
+
+std::vector<std::string> noted_warnings(const fs::path& run_folder)
+{
+  std::vector<std::string> warnings;
+  std::error_code error;
+  std::istringstream lines(fs::exists(note_in(run_folder), error) ? io::read_text_file(note_in(run_folder)) : "");
+  for (std::string line; std::getline(lines, line);) warnings.push_back(line);
+  return warnings;
+}
+
+}  // namespace berm::simulation

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "input/places.hpp"
+
+#include "input/override.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::input {
+namespace {
+
+constexpr const char* text = R"(title = "a"
+[support.base]
+boundary = "bottom"
+[[stage]]
+name = "push"
+until = {time = 1}
+)";
+
+TEST(Places, name_file_line_and_key_of_what_was_written)
+{
+  const Places places(parse_text("case.toml", text));
+  EXPECT_EQ(places.located("support.base.boundary", "is wrong"), "case.toml:3: support.base.boundary: is wrong");
+  EXPECT_EQ(places.located("stage[0].until.time: is wrong: 3"), "case.toml:6: stage.push.until.time: is wrong: 3");
+}
+
+TEST(Places, of_a_key_that_is_absent_are_those_of_the_nearest_table)
+{
+  const Places places(parse_text("case.toml", text));
+  EXPECT_EQ(places.located("support.base.fixed", "is missing"), "case.toml:2: support.base.fixed: is missing");
+  EXPECT_EQ(places.located("output.frame_time", "is missing"), "case.toml:1: output.frame_time: is missing");
+  EXPECT_FALSE(places.has("output.frame_time"));
+  EXPECT_TRUE(places.has("stage[0].until.time"));
+  EXPECT_FALSE(places.has("stage[1]"));
+}
+
+TEST(Places, name_the_override_that_wrote_a_key)
+{
+  Document document = parse_text("case.toml", text);
+  apply_override(document, "stage.push.until.time=2");
+  EXPECT_EQ(Places(document).located("stage[0].until.time", "is wrong"), "--set stage.push.until.time: is wrong");
+}
+
+TEST(Places, of_a_case_without_a_file_are_keys_alone)
+{
+  EXPECT_EQ(Places().located("surface: is wrong"), "surface: is wrong");
+  EXPECT_EQ(Places().located("a message without a key"), "a message without a key");
+  EXPECT_FALSE(Places().has("surface"));
+}
+
+}  // namespace
+}  // namespace berm::input

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problem/cells_at_body.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::problem {
+namespace {
+
+/// A box of 2 m with squares of 0.1 m.
+Model<2> model_of_squares()
+{
+  Model<2> model;
+  mesh::BoxMesh box;
+  box.size = {2, 2};
+  box.cells = {20, 20};
+  model.mesh = mesh::make_box<2>(box);
+  return model;
+}
+
+bodies::RigidShape<2> circle(Real x, Real y, Real radius)
+{
+  bodies::CircleSettings settings;
+  settings.center = {x, y};
+  settings.diameter = 2 * radius;
+  return bodies::make_shape<2>(bodies::RigidShapeSettings(settings));
+}
+
+TEST(CellsAtBody, have_the_side_of_the_squares_of_a_box)
+{
+  const Model<2> model = model_of_squares();
+  Index start = 0;
+  EXPECT_NEAR(cell_size_at<2>(model, circle(1, 1, 0.3), start), 0.1, 1e-12);
+}
+
+TEST(CellsAtBody, are_the_largest_that_the_lower_half_meets_as_it_moves)
+{
+  Model<2> model = model_of_squares();
+  // Right of x = 1.5 m columns are four times as wide.
+  for (Vec<2>& x : model.mesh.position)
+    if (x[0] > 1.5) x[0] = 1.5 + 4 * (x[0] - 1.5);
+  model.mesh.complete();
+  Index start = 0;
+  EXPECT_NEAR(cell_size_at<2>(model, circle(1, 1, 0.3), start), 0.1, 1e-12);
+  EXPECT_NEAR(cell_size_at<2>(model, circle(2, 1, 0.3), start), 0.2, 1e-12) << "the square of the same area";
+  EXPECT_NEAR(cell_size_at<2>(model, circle(1, 1, 0.3), start), 0.1, 1e-12) << "and back";
+}
+
+TEST(CellsAtBody, are_not_known_beyond_the_mesh)
+{
+  const Model<2> model = model_of_squares();
+  Index start = 0;
+  EXPECT_TRUE(std::isnan(cell_size_at<2>(model, circle(5, 1, 0.3), start)));
+}
+
+}  // namespace
+}  // namespace berm::problem

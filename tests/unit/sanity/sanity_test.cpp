@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Whether a case makes sense: what is asked of check and run, in lines that name the key; and that no example is doubted.
+#include "samples/program.hpp"
+#include "samples/senseless_inputs.hpp"
+#include "samples/small_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::sanity {
+namespace {
+
+namespace fs = std::filesystem;
+using test::SenselessInput;
+
+std::string base_of(const std::string& name)
+{
+  const fs::path probe_test = fs::path(BERM_SOURCE_DIR) / "examples/probe_test";
+  return name == "box" ? test::small_case : text_of_file(probe_test / (name == "bed" ? "case.toml" : "wip_10.toml"));
+}
+
+std::vector<std::string> arguments_for(const char* command, const SenselessInput& input)
+{
+  std::vector<std::string> arguments = {command, "case.toml", "--threads", "1"};
+  if (input.base == std::string("bed")) arguments.insert(arguments.end(), {"--set", "mesh.near_size=4 mm"});
+  for (const std::string& override : input.overrides) arguments.insert(arguments.end(), {"--set", override});
+  return arguments;
+}
+
+/// The lines of a text that have all of these parts and begin so.
+int lines_with(const std::string& text, const std::string& begin, const std::vector<std::string>& parts)
+{
+  int count = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    count += line.starts_with(begin) &&
+             std::all_of(parts.begin(), parts.end(), [&](const std::string& part) { return line.find(part) != std::string::npos; });
+  return count;
+}
+
+class SenselessInputs : public testing::TestWithParam<SenselessInput> {
+protected:
+  SenselessInputs()
+  {
+    std::string text = base_of(GetParam().base);
+    if (!GetParam().replaced.empty()) text.replace(text.find(GetParam().replaced), GetParam().replaced.size(), GetParam().by);
+    folder_.write("case.toml", text);
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_P(SenselessInputs, are_warned_of_or_refused_with_place_and_advice_before_anything_is_computed)
+{
+  const SenselessInput& input = GetParam();
+  const Ended ended = run_program(folder_.path(), arguments_for("check", input));
+  const bool refused = ended.status == 2;
+  if (input.answer != SenselessInput::Answer::either) {
+    EXPECT_EQ(refused, input.answer == SenselessInput::Answer::refused) << ended.err;
+  }
+  EXPECT_TRUE(refused || ended.status == 0) << ended.err;
+  EXPECT_GE(lines_with(ended.err, refused ? "berm: " : "berm: warning: ", input.says), 1) << ended.err;
+  const int placed = lines_with(ended.err, "berm: ", {"case.toml:"}) + lines_with(ended.err, "berm: ", {"--set "});
+  EXPECT_EQ(placed, static_cast<int>(std::count(ended.err.begin(), ended.err.end(), '\n')))
+      << "a line without file and line: " << ended.err;
+  if (!refused) return;
+  const Ended run = run_program(folder_.path(), arguments_for("run", input));
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err, ended.err);
+  EXPECT_EQ(names_in(folder_.path()), std::vector<std::string>{"case.toml"}) << "something was written";
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, SenselessInputs, testing::ValuesIn(test::senseless_inputs()),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+class Examples : public testing::TestWithParam<fs::path> {};
+
+TEST_P(Examples, are_not_doubted)
+{
+  const fs::path examples = fs::path(BERM_SOURCE_DIR) / "examples";
+  const Ended ended = run_program(examples, {"check", GetParam().string(), "--threads", "1"});
+  EXPECT_EQ(ended.status, 0);
+  EXPECT_EQ(ended.err, "");
+}
+
+/// Every case of the examples, by its path there.
+std::vector<fs::path> all_examples()
+{
+  std::vector<fs::path> cases;
+  const fs::path examples = fs::path(BERM_SOURCE_DIR) / "examples";
+  for (const auto& entry : fs::recursive_directory_iterator(examples)) {
+    const std::string name = entry.path().filename().string();
+    const bool other = name == "claims.toml" || name == "expected.toml" || name == "study.toml";
+    if (entry.path().extension() == ".toml" && !other) cases.push_back(fs::relative(entry.path(), examples));
+  }
+  std::sort(cases.begin(), cases.end());
+  return cases;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Examples, testing::ValuesIn(all_examples()), [](const auto& of) {
+  std::string name = of.param.string();
+  for (char& c : name)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+  return name;
+});
+
+TEST(Doubts, stand_in_the_log_and_in_the_summary_and_a_resumed_run_keeps_them)
+{
+  TemporaryFolder folder;
+  folder.write("case.toml", test::small_case);
+  const std::vector<std::string> says = {"case.toml:", "stage.push.velocity", "inertia"};
+  const Ended ended = run_program(folder.path(), {"run", "case.toml", "-o", "results", "--threads", "1"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(lines_with(ended.err, "berm: warning: ", says), 1) << ended.err;
+  EXPECT_EQ(lines_with(text_of_file(folder / "results/run.log"), "", says), 1);
+  EXPECT_EQ(lines_with(text_of_file(folder / "results/summary.json"), "", says), 1);
+}
+
+}  // namespace
+}  // namespace berm::sanity
