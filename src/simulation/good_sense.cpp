@@ -38,7 +38,7 @@ Real free_disk(const fs::path& folder)
   fs::path there = fs::absolute(folder, error).lexically_normal();
   while (!fs::exists(there, error) && there.has_relative_path()) there = there.parent_path();
   const fs::space_info space = fs::space(there, error);
-  return error ? infinity : static_cast<Real>(space.available);
+  return error || space.capacity == 0 ? infinity : static_cast<Real>(space.available);  // /proc has no size
 }
 
 void note_warnings(const run_folder::RunFolder& folder, const std::vector<std::string>& warnings)

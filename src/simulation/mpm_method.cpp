@@ -122,8 +122,11 @@ sanity::Scene MpmMethod<d>::scene(const RunRequest& request, int threads)
 {
   constexpr Real of_a_thread = d == 2 ? 15e6 : 4e6;  // particle-steps/s, of a usual machine
   sanity::Cost cost;
-  const mpm::Work<d> work(model(), state());
-  cost.time_step = stable_time_step(model(), state(), work);
+  try {
+    cost.time_step = stable_time_step(model(), state(), mpm::Work<d>(model(), state()));
+  } catch (const RunError&) {
+    cost.time_step = 0;  // the run says why there is none
+  }
   cost.particles = static_cast<Real>(counts().particles);
   for (const bodies::Particles<d>& particles : state().particles)
     cost.frame_bytes +=

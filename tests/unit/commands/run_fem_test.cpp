@@ -198,7 +198,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Wrong{"drive_without_contact",
                           "[contact.skin]\nbody = \"clay\"\nrigid = \"pipe\"\nfriction_angle = 0\nadhesion = \"500 Pa\"\n",
                           "",
-                          {"stage \"push\"", "a contact joins with the soil", "rigid.pipe"}},
+                          {"stage.push", "a contact joins with the soil", "rigid.pipe"}},
                     Wrong{"no_tolerance", "[fem]\n", "[fem]\ntolerance = 0\n", {"fem.tolerance"}}),
     [](const auto& row) { return row.param.name; });
 

@@ -278,7 +278,7 @@ TEST(answer, a_run_without_a_driven_body_tells_its_quantities_and_what_it_watche
   EXPECT_FALSE(holds(html, "Key results"));
   run.settings.watch.clear();
   run.quantities.clear();
-  run.summary = run_folder::RunSummary{{}, {}, {{"momentum_error", 1e-3}}, {}};
+  run.summary = run_folder::RunSummary{{}, {}, {{"momentum_error", 1e-3}}, {}, {}};
   EXPECT_TRUE(holds(results_section({run}), "<th scope=\"row\">momentum_error</th><td class=\"number\">0.001000</td>"));
 }
 
