@@ -35,8 +35,7 @@ int run_all(const std::vector<simulation::RunRequest>& all, const CaseOptions& o
 void refuse_to_overwrite(const std::vector<simulation::RunRequest>& all)
 {
   for (const simulation::RunRequest& request : all) {
-    std::error_code error;
-    if (!std::filesystem::exists(request.folder / "resolved.toml", error)) continue;
+    if (!simulation::has_begun(request.folder)) continue;
     const std::string folder = request.folder.string();
     if (simulation::can_be_resumed(request.folder))
       throw InputError(fmt::format(

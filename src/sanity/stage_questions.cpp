@@ -91,24 +91,32 @@ void is_the_drive_slow(const Scene& s, Findings& found)
 {
   constexpr Real doubtful = 0.03, wanted = 0.003;  // rho v^2 over the strength at a depth of D
   if (!s.is_mpm()) return;
-  for (std::size_t k = 0; k < s.ways.size(); ++k) {
-    const Index rigid = s.ways[k].rigid, body = rigid == none ? none : s.touched_by(rigid);
-    const Real speed = speed_of(s.c.stage[k]);
-    if (body == none || speed == 0) continue;
+  for (Index rigid = 0; rigid < static_cast<Index>(s.rigids.size()); ++rigid) {
+    const Index body = s.touched_by(rigid);
+    if (body == none) continue;
     const Real density = inertia_density(s.material_of(body)), width = s.rigids[rigid].width;
-    const std::optional<Real> strength = strength_at_depth_of(s, body, width);
-    const Real limit = strength && *strength > 0 && width > 0 ? std::sqrt(doubtful * *strength / density) : 0.1 * s.bodies[body].wave_speed;
-    if (speed <= limit) continue;
-    const Real proposed = rounded_down(limit * std::sqrt(wanted / doubtful));
-    const char* key = s.c.stage[k].kind == StageKind::drive ? "drive" : "velocity";
-    found.warn(stage_key(k, key),
+    const Real strength = width > 0 ? strength_at_depth_of(s, body, width).value_or(0) : 0;
+    const Real limit = strength > 0 ? std::sqrt(doubtful * strength / density) : 0.1 * s.bodies[body].wave_speed;
+    // One warning, at the fastest stage.
+    std::size_t fastest = 0;
+    std::vector<std::size_t> fast;
+    for (std::size_t k = 0; k < s.ways.size(); ++k) {
+      const Real speed = s.ways[k].rigid == rigid ? speed_of(s.c.stage[k]) : 0;
+      if (speed <= limit) continue;
+      if (fast.empty() || speed > speed_of(s.c.stage[fastest])) fastest = k;
+      fast.push_back(k);
+    }
+    if (fast.empty()) continue;
+    std::string others;
+    for (const std::size_t k : fast)
+      if (k != fastest) others += (others.empty() ? "; also in stages " : ", ") + s.c.stage[k].name;
+    const Real speed = speed_of(s.c.stage[fastest]), inertia = density * speed * speed;
+    const std::string part = strength > 0 ? fmt::format(", {:.2g} of the strength at a depth of D", inertia / strength) : "";
+    found.warn(stage_key(fastest, s.c.stage[fastest].kind == StageKind::drive ? "drive" : "velocity"),
                fmt::format("is {}: so fast that the inertia of the soil carries a part of the force (density v^2 = {:.3g} Pa{}; waves in "
-                           "the soil run at {:.3g} m/s); {} or less is slow enough",
-                           words_of(speed, "m/s"), density * speed * speed,
-                           strength && *strength > 0 && width > 0
-                               ? fmt::format(", {:.2g} of the strength at a depth of D", density * speed * speed / *strength)
-                               : "",
-                           s.bodies[body].wave_speed, words_of(proposed, "m/s")));
+                           "the soil run at {:.3g} m/s); {} or less is slow enough{}",
+                           words_of(speed, "m/s"), inertia, part, s.bodies[body].wave_speed,
+                           words_of(rounded_down(limit * std::sqrt(wanted / doubtful)), "m/s"), others));
   }
 }
 

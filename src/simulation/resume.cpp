@@ -51,6 +51,12 @@ std::optional<RunRequest> run_to_resume(const fs::path& folder)
   return RunRequest{std::move(settings), noted.empty() ? folder / "case.toml" : fs::path(noted), folder, true, std::move(places)};
 }
 
+bool has_begun(const fs::path& folder)
+{
+  std::error_code error;
+  return fs::exists(folder / "resolved.toml", error) && fs::exists(folder / "case.toml", error);
+}
+
 bool can_be_resumed(const fs::path& folder)
 {
   std::error_code error;

@@ -13,6 +13,9 @@ void note_case_file(const run_folder::RunFolder& folder, const std::filesystem::
 /// RunError where it has no checkpoints and its summary.json is damaged.
 std::optional<RunRequest> run_to_resume(const std::filesystem::path& folder);
 
+/// Whether the folder holds a run that has begun: before that there is nothing to lose.
+bool has_begun(const std::filesystem::path& folder);
+
 /// Whether the folder holds a run that did not come to its end and has a checkpoint folder.
 bool can_be_resumed(const std::filesystem::path& folder);
 

@@ -65,7 +65,9 @@ TEST_P(SenselessInputs, are_warned_of_or_refused_with_place_and_advice_before_an
   if (!refused) return;
   const Ended run = run_program(folder_.path(), arguments_for("run", input));
   EXPECT_EQ(run.status, 2);
-  EXPECT_EQ(run.err, ended.err);
+  if (input.answer == SenselessInput::Answer::refused) {
+    EXPECT_EQ(run.err, ended.err);
+  }
   EXPECT_EQ(names_in(folder_.path()), std::vector<std::string>{"case.toml"}) << "something was written";
 }
 

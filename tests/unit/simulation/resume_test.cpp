@@ -262,7 +262,11 @@ TEST_F(Resume, is_refused_where_there_is_no_run_and_beside_a_case)
 TEST_F(Resume, a_new_run_over_an_unfinished_one_says_what_it_replaces)
 {
   ASSERT_EQ(run_until(first("parts"), "parts", 30000, SIGTERM).status, 1);
-  const Ended ended = berm(first("parts"));
+  EXPECT_EQ(
+      berm(first("parts")).err,
+      "berm: parts holds an unfinished run: continue it with berm run --resume parts, replace it with --force, or name another folder "
+      "with -o\n");
+  const Ended ended = berm(first("parts", {"--force"}));
   EXPECT_NE(ended.err.find("the unfinished run in parts is replaced"), std::string::npos) << ended.err;
   EXPECT_NE(ended.err.find("--resume"), std::string::npos);
 }

@@ -122,7 +122,7 @@ TEST_F(StudyCommand, leaves_a_number_empty_that_a_run_does_not_have_and_says_so)
 TEST_F(StudyCommand, that_is_interrupted_goes_on_from_there)
 {
   std::string text = four_falls;
-  text.replace(text.find("gravity=[0, -1.6]"), 17, "stage.fall.until.time=1e6 s\", \"gravity=[0, 0]");
+  text.replace(text.find("gravity=[0, -1.6]"), 17, "stage.fall.until.time=1e6 s\", \"output.history_time=1 s\", \"gravity=[0, 0]");
   write(text);
   Program program(folder_.path(), {"study", ".", "-o", "results", "--threads", "2"});
   const auto is_there = [&](const std::string& name) { return std::filesystem::exists(folder_ / ("results/runs/" + name)); };

@@ -175,7 +175,7 @@ TEST_F(Verify, writes_a_book_that_needs_no_network)
 }
 TEST_F(Verify, that_is_interrupted_ends_its_runs_and_tells_what_is_done)
 {
-  const std::string endless = "[run.endless]\nset = ['stage.fall.until.time=1e6', 'gravity=[0, 0]']\n";
+  const std::string endless = "[run.endless]\nset = ['stage.fall.until.time=1e6', 'gravity=[0, 0]', 'output.history_time=1']\n";
   const std::string ends = "[[expect]]\nrun = \"endless\"\nquantity = \"finished\"\nleast = 1\nsource = \"s\"\nwhy = \"w\"\nrequirement = "
                            "\"r\"\nderived = \"d\"\n";
   example("fall", endless + two_runs + ends + claim("earth", "-10") + claim("light", "-5"));
