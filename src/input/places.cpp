@@ -4,12 +4,26 @@
 
 #include "input/follow.hpp"
 
+#include <charconv>
+#include <fmt/format.h>
+
 namespace berm::input {
+
+/// The key of the document that a key of the case comes from.
+std::string Places::written(const std::string& key) const
+{
+  constexpr std::string_view stage = "stage[";
+  if (!key.starts_with(stage)) return key;
+  std::size_t number = 0;
+  const auto [end, error] = std::from_chars(key.data() + stage.size(), key.data() + key.size(), number);
+  if (error != std::errc() || number >= stages_.size()) return key;
+  return fmt::format("{}{}{}", stage, stages_[number], key.substr(static_cast<std::size_t>(end - key.data())));
+}
 
 std::string Places::located(const std::string& key, const std::string& message) const
 {
   if (!document_) return key + ": " + message;
-  const Found found = follow(document_->root, key);
+  const Found found = follow(document_->root, written(key));
   return input::located(*document_, *found.node, found.path, message);
 }
 
@@ -22,7 +36,7 @@ std::string Places::located(const std::string& key_and_message) const
 
 bool Places::has(const std::string& key) const
 {
-  return document_ && follow(document_->root, key).whole;
+  return document_ && follow(document_->root, written(key)).whole;
 }
 
 }  // namespace berm::input

@@ -11,7 +11,12 @@ namespace berm::input {
 class Places {
 public:
   Places() = default;
-  explicit Places(Document document) : document_(std::make_shared<const Document>(std::move(document))) {}
+  /// `stages`: for each stage of the case the number of the one in the document, where that has others (problem::expand_sweeps).
+  explicit Places(Document document, std::vector<std::size_t> stages = {})
+      : document_(std::make_shared<const Document>(std::move(document))),
+        stages_(std::move(stages))
+  {
+  }
 
   /// "FILE:LINE: KEY: MESSAGE" of a key, "stage[2].until"; "--set KEY" instead of FILE:LINE where an override wrote it; the line of the nearest table where
   /// nothing did.
@@ -23,7 +28,10 @@ public:
   bool has(const std::string& key) const;
 
 private:
+  std::string written(const std::string& key) const;
+
   std::shared_ptr<const Document> document_;
+  std::vector<std::size_t> stages_;
 };
 
 }  // namespace berm::input

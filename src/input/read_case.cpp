@@ -15,8 +15,7 @@ CaseInFile case_of(Document document, const std::vector<std::string>& overrides,
   CaseInFile found;
   read(document, found.settings);
   for (problem::StageSettings& stage : found.settings.stage) read_load_history(stage, folder);
-  problem::expand_sweeps(found.settings);
-  found.places = Places(std::move(document));
+  found.places = Places(std::move(document), problem::expand_sweeps(found.settings));
   return found;
 }
 

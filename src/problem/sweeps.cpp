@@ -45,12 +45,15 @@ void rename(std::vector<std::string>& names, const std::string& sweep, const std
 
 }  // namespace
 
-void expand_sweeps(Case& c)
+std::vector<std::size_t> expand_sweeps(Case& c)
 {
   std::vector<StageSettings> all;
-  for (const StageSettings& stage : c.stage) {
+  std::vector<std::size_t> origins;
+  for (std::size_t k = 0; k < c.stage.size(); ++k) {
+    const StageSettings& stage = c.stage[k];
     if (stage.kind != StageKind::sweep) {
       all.push_back(stage);
+      origins.push_back(k);
       continue;
     }
     const std::vector<StageSettings> drags = drags_of(stage);
@@ -62,8 +65,10 @@ void expand_sweeps(Case& c)
     for (auto& [name, support] : c.support) rename(support.stages, stage.name, drags);
     for (auto& [name, traction] : c.traction) rename(traction.stages, stage.name, drags);
     all.insert(all.end(), drags.begin(), drags.end());
+    origins.insert(origins.end(), drags.size(), k);
   }
   c.stage = std::move(all);
+  return origins;
 }
 
 }  // namespace berm::problem
