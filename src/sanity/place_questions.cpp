@@ -55,7 +55,7 @@ void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
     std::string where;
     for (const auto& [contact_name, contact] : s.c.contact) {
       if (contact.rigid != name) continue;
-      const BodyScene& soil = s.bodies[problem::place_of(s.c.body, contact.body)];
+      const BodyScene& soil = s.bodies[problem::index_of(s.c.body, contact.body)];
       for (const Way& way : s.ways)
         meets = meets || (way.rigid == rigid && may_meet(s, way, soil, s.up) && may_meet(s, way, soil, s.along));
       const Span &x = soil.space[s.along], &own = s.rigids[rigid].space[s.along];
@@ -225,7 +225,7 @@ void is_the_surface_where_the_bed_ends(const Scene& s, Findings& found)
 void is_there_soil_at_a_watch(const Scene& s, Findings& found)
 {
   for (const auto& [name, watch] : s.c.watch) {
-    const BodyScene& body = s.bodies[problem::place_of(s.c.body, watch.body)];
+    const BodyScene& body = s.bodies[problem::index_of(s.c.body, watch.body)];
     for (std::size_t d = 0; d < watch.point.size(); ++d) {
       const Span& space = body.space[d];
       const Real slack = 0.05 * space.length();

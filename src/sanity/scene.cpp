@@ -64,7 +64,7 @@ std::vector<std::pair<Index, Index>> neighbors_in(const mesh::Mesh<dim>& mesh, c
 Index Scene::touched_by(Index rigid) const
 {
   for (const auto& [name, contact] : c.contact)
-    if (!contact.rigid.empty() && problem::place_of(c.rigid, contact.rigid) == rigid) return problem::place_of(c.body, contact.body);
+    if (!contact.rigid.empty() && problem::index_of(c.rigid, contact.rigid) == rigid) return problem::index_of(c.body, contact.body);
   return none;
 }
 

@@ -77,7 +77,7 @@ struct Scene {
   bool is_mpm() const { return c.method == problem::Method::mpm; }
   const material::Material& material_of(Index body) const
   {
-    return c.material[problem::place_of(c.material, c.body[body].second.material)].second;
+    return c.material[problem::index_of(c.material, c.body[body].second.material)].second;
   }
   /// The body that touches a rigid one, the first of its contacts; none where nothing does.
   Index touched_by(Index rigid) const;

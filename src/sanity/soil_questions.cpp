@@ -169,9 +169,9 @@ void is_the_interface_weaker_than_the_soil(const Scene& s, Findings& found)
 {
   for (const auto& [name, contact] : s.c.contact) {
     if (contact.scheme == contact::Scheme::tied) continue;
-    const std::optional<material::Strength> soil = strength_at_rest(s.material_of(problem::place_of(s.c.body, contact.body)));
-    if (!soil || !yields(s.material_of(problem::place_of(s.c.body, contact.body)))) continue;
-    const Real depth = s.depth_of(problem::place_of(s.c.body, contact.body));
+    const std::optional<material::Strength> soil = strength_at_rest(s.material_of(problem::index_of(s.c.body, contact.body)));
+    if (!soil || !yields(s.material_of(problem::index_of(s.c.body, contact.body)))) continue;
+    const Real depth = s.depth_of(problem::index_of(s.c.body, contact.body));
     if (contact.friction_angle < rough && std::tan(contact.friction_angle) > std::tan(soil->friction_angle) * (1 + rounding))
       found.warn(fmt::format("contact.{}.friction_angle", name),
                  fmt::format("is {:.3g} deg, more than that of the soil, {:.3g} deg: the soil beside it shears first; take at most that of "

@@ -27,7 +27,7 @@ constexpr Real max_shaking = 0.15, max_mass = 0.01, max_contact_work = 0.01;  //
 /// What a stage of unknown duration is taken to last, s: as long as its body needs to go its width, or a wave to cross that a hundred times.
 Real typical_time(const problem::Case& c, const problem::StageSettings& stage)
 {
-  const Index rigid = stage.rigid.empty() ? main_rigid(c) : problem::place_of(c.rigid, stage.rigid);
+  const Index rigid = stage.rigid.empty() ? main_rigid(c) : problem::index_of(c.rigid, stage.rigid);
   Real width = 0;
   if (rigid != none) {
     const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;

@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# The cases that `berm new` writes: examples/start/*.toml as text in the program.
+file(GLOB start_cases CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/examples/start/*.toml)
+list(FILTER start_cases EXCLUDE REGEX "/expected\\.toml$")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${start_cases})
+set(code "// Made from examples/start by cmake/Templates.cmake.\n#include \"commands/templates.hpp\"\n\nnamespace berm::commands {\n\n")
+string(APPEND code "const std::vector<CaseTemplate>& case_templates()\n{\n  static const std::vector<CaseTemplate> all = {\n")
+foreach(case IN LISTS start_cases)
+  get_filename_component(name ${case} NAME_WE)
+  string(REPLACE "_" "-" name ${name})
+  file(READ ${case} text)
+  string(APPEND code "      {\"${name}\", R\"case(${text})case\"},\n")
+endforeach()
+string(APPEND code "  };\n  return all;\n}\n\n}  // namespace berm::commands\n")
+set(BERM_TEMPLATES ${CMAKE_BINARY_DIR}/case_templates.cpp)
+file(CONFIGURE OUTPUT ${BERM_TEMPLATES} CONTENT "${code}" @ONLY)
