@@ -88,8 +88,7 @@ Scene scene_of(const problem::Case& c, const input::Places& places, const proble
   const std::vector<std::vector<Index>> cells = cells_of_bodies(c, model, particles);
   for (std::size_t b = 0; b < c.body.size(); ++b) {
     BodyScene& body = scene.bodies.emplace_back();
-    const material::Material& material = model.bodies[b].material;
-    body.wave_speed = std::sqrt(p_wave_modulus(material) / inertia_density(material));
+    body.wave_speed = model.bodies[b].waves.mean_speed;
     for (const Index cell : cells[b])
       for (const Index node : model.mesh.nodes[cell])
         for (int d = 0; d < dim; ++d) body.space[d].add(model.mesh.position[node][d]);
