@@ -85,7 +85,7 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
   summary.checks.insert(summary.checks.end(), outcome.checks.begin(), outcome.checks.end());
   summary.warnings = outcome.warnings;
   summary.write(folder.file("summary.json"));
-  io::sync_file(folder.path());  // the names of both, before the checkpoints go
+  for (const std::filesystem::path& names : {folder.path(), folder.file("frames")}) io::sync_file(names);  // before the checkpoints go
 
   structure.draw_curves(folder, settings, run.history);
   draw_soil(settings, folder, model, rigid_bodies, last);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/commands/report_test.cpp
 #include "report/page/first_look.hpp"
 
 #include "core/error.hpp"

@@ -44,7 +44,7 @@ TEST(Places, of_the_drags_of_a_sweep_are_those_of_the_sweep)
 {
   const std::string two = "[[stage]]\nname = \"push\"\n[[stage]]\nname = \"sweep\"\nvelocity = 1\n";
   const Places places(parse_text("case.toml", two), {0, 1, 1});
-  EXPECT_EQ(places.located("stage[2].velocity", "is wrong"), "case.toml:5: stage[1].velocity: is wrong");
+  EXPECT_EQ(places.located("stage[2].velocity", "is wrong"), "case.toml:5: stage.sweep.velocity: is wrong");
 }
 
 TEST(Places, of_a_case_without_a_file_are_keys_alone)
