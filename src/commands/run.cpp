@@ -4,6 +4,7 @@
 #include "commands/side_by_side.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "io/folder_lock.hpp"
 #include "simulation/resume.hpp"
 
 #include <algorithm>
@@ -36,6 +37,7 @@ void refuse_to_overwrite(const std::vector<simulation::RunRequest>& all)
 {
   for (const simulation::RunRequest& request : all) {
     if (!simulation::has_begun(request.folder)) continue;
+    const io::FolderLock not_in_use(request.folder);  // names another run that writes there
     const std::string folder = request.folder.string();
     if (simulation::can_be_resumed(request.folder))
       throw InputError(fmt::format(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/read_case.hpp"
 
+#include "core/error.hpp"
 #include "input/load_history.hpp"
 #include "input/override.hpp"
 #include "input/reader.hpp"
@@ -14,8 +15,13 @@ CaseInFile case_of(Document document, const std::vector<std::string>& overrides,
   for (const std::string& override : overrides) apply_override(document, override);
   CaseInFile found;
   read(document, found.settings);
-  for (problem::StageSettings& stage : found.settings.stage) read_load_history(stage, folder);
-  found.places = Places(std::move(document), problem::expand_sweeps(found.settings));
+  const Places written(document);
+  try {
+    for (std::size_t k = 0; k < found.settings.stage.size(); ++k) read_load_history(found.settings.stage[k], k, folder);
+    found.places = Places(std::move(document), problem::expand_sweeps(found.settings));
+  } catch (const KeyError& error) {
+    throw InputError(written.located(error.what()));
+  }
   return found;
 }
 

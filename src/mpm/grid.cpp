@@ -80,6 +80,8 @@ Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& sta
     grids[b].total_mass = sums_over(state.particles[b]).mass;
     laws.emplace_back();
     laws_without_dilation.emplace_back();
+    own_soil.push_back(varies(body.soil));
+    number_offset.push_back(problem::number_offset(body.soil));
     volume_rules.emplace_back();
     for (const material::Material& material : body.soil.materials) {
       laws.back().push_back(prepare(material));

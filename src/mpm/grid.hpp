@@ -116,7 +116,9 @@ struct Work {
   std::vector<std::vector<VolumeRule>> volume_rules;          ///< by body and material
   std::vector<std::vector<material::PreparedMaterial>> laws;  ///< by body and material
   std::vector<std::vector<material::PreparedMaterial>>
-      laws_without_dilation;  ///< the same without dilation, for particles at their maximum volume
+      laws_without_dilation;       ///< the same without dilation, for particles at their maximum volume
+  std::vector<char> own_soil;      ///< by body: whether its particles differ in strength, stiffness or material
+  std::vector<int> number_offset;  ///< by body: of the material's number among the extra numbers of a particle, or none
   Real unbalanced = 0,
        weight = 0;  ///< N, sums over the nodes of |unbalanced force| (away from contacts); of m g and of tractions, last step
 

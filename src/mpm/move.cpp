@@ -250,7 +250,7 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
   const Real filtered = pass == Pass::both ? grid.filtered_part(dt) : 0, unfiltered = 1 - filtered;
   for (auto& list : work.cell_changes) list.clear();
   [[maybe_unused]] const OwnSoil<Law> soils{work.laws[body], work.laws_without_dilation[body], work.volume_rules[body],
-                                            number_offset(model.bodies[body].soil)};
+                                            work.number_offset[body]};
 
   const WorkDone work_done = sum_of<WorkDone>("move and strain particles", static_cast<Index>(particles.occupied().size()), [&](Index c) {
     const Index cell = particles.occupied()[c];
@@ -327,8 +327,7 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
 template <Pass pass, int dim>
 void pass_over_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
 {
-  const problem::BodySoil& soil = model.bodies[body].soil;
-  const bool own_soil = varies(soil), dilates = material::dilates(soil.materials.front());
+  const bool own_soil = work.own_soil[body] != 0, dilates = material::dilates(model.bodies[body].soil.materials.front());
   std::visit(
       [&](const auto& law) {
         const auto& law_without_dilation = std::get<std::decay_t<decltype(law)>>(work.laws_without_dilation[body].front());

@@ -157,7 +157,7 @@ void refuse_no_strength(const BodySoil& soil, const std::string& region, Real de
   for (std::size_t k = 0; k < values.size(); ++k) {
     const bool stiffness = fields[k].name == "young_modulus";
     if (stiffness ? values[k] > 0 : values[k] >= 0) continue;
-    throw InputError(
+    throw KeyError(
         fmt::format("material.{0}.{1}_gradient: {2:.4g} m below the surface {1} is {3:.4g} Pa, and [body.{4}] reaches that deep: {5}",
                     soil.names[number], fields[k].name, depth, values[k], body, "take a smaller decrease, or a profile"));
   }

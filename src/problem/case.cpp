@@ -5,6 +5,7 @@
 #include "problem/body_soil.hpp"
 #include "problem/drives.hpp"
 #include "problem/stages.hpp"
+#include "problem/sweeps.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -190,6 +191,8 @@ void check_load_history(Describe& d, const StageSettings& s, const std::string& 
   d.check(!given || s.load_history.empty(), path + ".load_times", "does not go with load_history, which is a file of both");
   if (!given) return;
   d.check(s.load_times.size() == s.load_factors.size(), path + ".load_times", "needs as many times as load_factors has factors");
+  d.check(s.load_times.empty() || (s.load_times.front() >= 0 && s.load_times.back() > 0), path + ".load_times",
+          "are counted from the begin of the stage: the first must be 0 or more, the last more than 0");
   d.check(std::adjacent_find(s.load_times.begin(), s.load_times.end(), std::greater_equal<>()) == s.load_times.end(), path + ".load_times",
           "must ascend");
 }
@@ -203,9 +206,8 @@ void check_stages(Describe& d, const Case& c)
     const std::string path = fmt::format("stage[{}]", k);
     const bool drag = s.kind == StageKind::drag || s.kind == StageKind::sweep, drive = s.kind == StageKind::drive,
                sweep = s.kind == StageKind::sweep, driven = drives(s.kind), short_form = driven && !drive;
-    constexpr std::size_t max = 100;
-    d.check(!s.name.empty() && s.name.size() <= max && s.name.find_first_of(",\".") == std::string::npos, path + ".name",
-            fmt::format("must be a word without comma, dot or quotes, {} bytes at most", max));
+    d.check(!s.name.empty() && s.name.size() <= max_stage_name && s.name.find_first_of(",\".") == std::string::npos, path + ".name",
+            fmt::format("must be a word without comma, dot or quotes, {} bytes at most", max_stage_name));
     d.check(!among(s.name, seen), path + ".name", "another stage has this name");
     seen.push_back(s.name);
     if (!s.rigid.empty()) check_name(d, path + ".rigid", s.rigid, "rigid", names_of(c.rigid));

@@ -54,6 +54,10 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
     else
       return -rigid.torque[f - dim];
   };
+  const bool same_body = now.index > 0 && model.driven[now.index - 1] == driven;
+  const auto present_force = [&](int f) {
+    return same_body && f < dim && before[f].by_force ? drive_now(model, model.stages[now.index - 1], before[f], f, since) : balance(f);
+  };
   for (int f = 0; f < bodies::freedoms<dim>; ++f) {
     const FreedomDrive& drive = drives[f];
     switch (drive.by) {
@@ -61,14 +65,11 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
       now.drive[f] = {false, velocity(f), drive.value};
       break;
     case FreedomDrive::By::force:
-      now.drive[f] = {true, balance(f), drive.value};
+      now.drive[f] = {true, present_force(f), drive.value};
       break;
-    case FreedomDrive::By::hold: {
-      const bool held_before = now.index > 0 && model.driven[now.index - 1] == driven && before[f].by_force;
-      const Real force = held_before ? ramped(model.stages[now.index - 1], before[f], since) : balance(f);
-      now.drive[f] = {true, force, force};
+    case FreedomDrive::By::hold:
+      now.drive[f] = {true, present_force(f), present_force(f)};
       break;
-    }
     case FreedomDrive::By::free:
       now.drive[f] = {true, 0, 0};
       break;
@@ -105,11 +106,10 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
     bodies::RigidState<dim>& rigid = state.rigid_bodies[r];
     const bodies::RigidState<dim> before = rigid;
     if (r == model.driven[state.stage.index]) {
-      const int main = stage.kind == StageKind::push ? model.axes.up : model.axes.along;
       bodies::DriveNow<dim> now;
       for (int f = 0; f < bodies::freedoms<dim>; ++f) {
         now.by_force[f] = state.stage.drive[f].by_force;
-        now.value[f] = ramped(stage, state.stage.drive[f], since, f == main ? load_factor(stage, since) : 1);
+        now.value[f] = drive_now(model, stage, state.stage.drive[f], f, since);
       }
       drive_body(body, rigid, now, dt);
     } else if (body.motion == bodies::Motion::free && stage.kind != StageKind::geostatic) {
@@ -124,7 +124,7 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
 Real expected_time(const StageSettings& stage)
 {
   if (stage.kind == StageKind::sweep && stage.velocity && *stage.velocity != 0 && stage.amplitude)
-    return stage.sweeps * (*stage.amplitude / std::abs(*stage.velocity) + stage.ramp / 2 + stage.pause);
+    return stage.sweeps * (*stage.amplitude / std::abs(*stage.velocity) + stage.ramp / 2) + (stage.sweeps - 1) * stage.pause;
   Real min = stage.until.time.value_or(infinity);
   if (!stage.load_times.empty()) return min < infinity ? min : 0;
   if (stage.velocity && *stage.velocity != 0) {

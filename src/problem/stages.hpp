@@ -34,8 +34,16 @@ inline Real ramped(const StageSettings& stage, const bodies::Drive& drive, Real 
   return drive.from + part * (factor * drive.to - drive.from);
 }
 
-/// Sets the drives of the stage that state.stage.index names, and where its tractions go. A velocity starts from the present velocity and a force from the one that balances
-/// the present (averaged) reaction, so that nothing jumps when the drive changes.
+/// The same of a freedom of the driven body: the load history multiplies what a push drives down and a drag along x, and nothing else.
+template <int dim>
+Real drive_now(const Model<dim>& model, const StageSettings& stage, const bodies::Drive& drive, int freedom, Real since)
+{
+  const int main = stage.kind == StageKind::push ? model.axes.up : model.axes.along;
+  return ramped(stage, drive, since, freedom == main ? load_factor(stage, since) : 1);
+}
+
+/// Sets the drives of the stage that state.stage.index names, and where its tractions go. A velocity starts from the present velocity and a force from the one that drove the body before, or else
+/// the one that balances the present (averaged) reaction, so that nothing jumps when the drive changes.
 template <int dim>
 void begin_stage(const Model<dim>& model, State<dim>& state);
 

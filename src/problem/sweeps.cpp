@@ -57,11 +57,14 @@ std::vector<std::size_t> expand_sweeps(Case& c)
       continue;
     }
     const std::vector<StageSettings> drags = drags_of(stage);
-    for (const StageSettings& drag : drags)
+    for (const StageSettings& drag : drags) {
+      if (drag.name.size() > max_stage_name)
+        throw KeyError(fmt::format("stage[{}].name: its drags would be called {}, of more than {} bytes", k, drag.name, max_stage_name));
       for (const StageSettings& other : c.stage)
         if (other.name == drag.name)
-          throw InputError(
-              fmt::format("stage \"{}\": its drags are called {}, as another stage is: give one another name", stage.name, drag.name));
+          throw KeyError(fmt::format("stage[{}].name: the drags of \"{}\" are called {}, as another stage is: give one another name", k,
+                                     stage.name, drag.name));
+    }
     for (auto& [name, support] : c.support) rename(support.stages, stage.name, drags);
     for (auto& [name, traction] : c.traction) rename(traction.stages, stage.name, drags);
     all.insert(all.end(), drags.begin(), drags.end());

@@ -79,6 +79,10 @@ struct Scene {
   {
     return c.material[problem::index_of(c.material, c.body[body].second.material)].second;
   }
+  /// The soil of a body at a depth below the surface, m; of bodies with materials by region that of the first.
+  material::Material material_at(Index body, Real depth) const { return soil_of(c, c.body[body].second).at("", depth); }
+  /// The weight of the soil of a body above a depth over area, Pa.
+  Real weight_above(Index body, Real depth) const { return gravity * soil_of(c, c.body[body].second).mass_above("", depth); }
   /// The body that touches a rigid one, the first of its contacts; none where nothing does.
   Index touched_by(Index rigid) const;
   /// Depth of soil of a body below the surface, m.

@@ -93,12 +93,13 @@ void is_the_soil_a_soil(const Scene& s, Findings& found)
           fmt::format("is {:.3g} kg/m3; soil has 1400 to 2200 saturated, 400 to 1200 submerged: write \"877 kg/m^3\"", density(material)));
     const std::optional<material::Strength> soil = strength_at_rest(material);
     if (!soil) continue;
-    if (soil->cohesion == 0 && soil->cohesion_gradient == 0 && soil->friction_angle == 0)
+    const std::optional<material::Strength> at_base = strength_at_rest(s.material_at(b, s.depth_of(b)));
+    if (soil->cohesion == 0 && soil->friction_angle == 0 && !(at_base && at_base->cohesion > 0))
       found.refuse(material_key(s, b, "friction_angle"),
                    "and cohesion are both 0: the soil has no strength and flows like water; give one of them");
     else if (soil->friction_angle > 50 * pi / 180)
       found.warn(material_key(s, b, "friction_angle"), fmt::format("is {:.3g} deg; sand has 28 to 45 deg", degrees(soil->friction_angle)));
-    const Real weight = unit_weight_of(s, b) * s.depth_of(b), base = soil->cohesion + soil->cohesion_gradient * s.depth_of(b);
+    const Real weight = unit_weight_of(s, b) * s.depth_of(b), base = at_base ? at_base->cohesion : 0;
     if (soil->friction_angle == 0 && weight > 0 && base > 0 && base < 1e-3 * weight)
       found.warn(material_key(s, b, "cohesion"), fmt::format("is {:.3g} Pa, a thousandth of the weight above the base ({:.3g} Pa) or less: "
                                                              "such soil flows; soft clay has 1 to 10 kPa: is the unit right?",
@@ -113,15 +114,20 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
 {
   for (const Index b : yielding(s)) {
     const material::Material& material = s.material_of(b);
-    const Real modulus = p_wave_modulus(material), weight = unit_weight_of(s, b) * s.depth_of(b),
-               young = young_poisson(material).young_modulus;
+    const Real young = young_poisson(material).young_modulus;
+    // Where the soil is softest for the weight above it; of one that is the same at all depths that is at the base.
+    constexpr int parts = 10;
+    Real weight = 0, modulus = 0, least = infinity;
+    for (int k = 1; k <= parts; ++k) {
+      const Real depth = s.depth_of(b) * k / parts, here = p_wave_modulus(s.material_at(b, depth)), above = s.weight_above(b, depth);
+      if (above > 0 && here / above < least) least = here / above, weight = above, modulus = here;
+    }
     if (weight > 0 && modulus < 3 * weight) {
-      const std::string
-          key = material_key(s, b, "young_modulus"),
-          words =
-              fmt::format("is {:.3g} Pa, too soft to carry the weight of the bed, {:.3g} Pa at its base: it would be squeezed to a part of "
-                          "its height; sand has 5 to 50 MPa, soft clay 0.3 to 5 MPa: is the unit right (\"MPa\", not \"mPa\")?",
-                          young, weight);
+      const std::string key = material_key(s, b, "young_modulus"),
+                        words = fmt::format(
+                            "is {:.3g} Pa, too soft to carry the weight of the soil above it, {:.3g} Pa: it would be squeezed to a part of "
+                            "its height; sand has 5 to 50 MPa, soft clay 0.3 to 5 MPa: is the unit right (\"MPa\", not \"mPa\")?",
+                            young, weight);
       modulus < weight / 2 ? found.refuse(key, words) : found.warn(key, words);
     }
     if (young > 1e11)
@@ -139,7 +145,7 @@ void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found)
     const material::Material& material = s.material_of(b);
     const std::string path = "body." + s.c.body[b].first;
     const auto beyond = [&](Real depth, Real largest, Real smallest) -> std::optional<std::pair<Real, Real>> {
-      const std::optional<Real> strength = strength_of(material, depth, -(largest + smallest) / 2);
+      const std::optional<Real> strength = strength_of(s.material_at(b, depth), depth, -(largest + smallest) / 2);
       const Real shear = (largest - smallest) / 2;
       if (!strength || (*strength >= 0 && shear <= *strength * (1 + rounding) + 1e-9)) return {};
       return std::pair(shear, std::max(Real(0), *strength));
@@ -154,7 +160,7 @@ void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found)
                 over->first, over->second));
     }
     for (int k = 1; k <= parts && body.k0 && s.gravity > 0; ++k) {
-      const Real depth = s.depth_of(b) * k / parts, vertical = -unit_weight_of(s, b) * depth, across = *body.k0 * vertical;
+      const Real depth = s.depth_of(b) * k / parts, vertical = -s.weight_above(b, depth), across = *body.k0 * vertical;
       const auto over = beyond(depth, std::max(vertical, across), std::min(vertical, across));
       if (!over) continue;
       found.warn(path + ".k0", fmt::format("= {:.3g} is beyond what the soil can bear{}: at a depth of {} it shears it by {:.3g} Pa, and "
@@ -171,17 +177,22 @@ void is_the_interface_weaker_than_the_soil(const Scene& s, Findings& found)
     if (contact.scheme == contact::Scheme::tied) continue;
     const std::optional<material::Strength> soil = strength_at_rest(s.material_of(problem::index_of(s.c.body, contact.body)));
     if (!soil || !yields(s.material_of(problem::index_of(s.c.body, contact.body)))) continue;
-    const Real depth = s.depth_of(problem::index_of(s.c.body, contact.body));
+    const Index body = problem::index_of(s.c.body, contact.body);
+    // Of the soil that the body meets: between the surface and its width, or of a bed that has no driven body to the base.
+    const Index rigid = contact.rigid.empty() ? none : problem::index_of(s.c.rigid, contact.rigid);
+    const Real depth = rigid != none && s.rigids[rigid].width > 0 ? std::min(s.rigids[rigid].width, s.depth_of(body)) : s.depth_of(body);
+    const std::optional<material::Strength> below = strength_at_rest(s.material_at(body, depth));
+    const Real cohesion = std::max(soil->cohesion, below ? below->cohesion : 0);
     if (contact.friction_angle < rough && std::tan(contact.friction_angle) > std::tan(soil->friction_angle) * (1 + rounding))
       found.warn(fmt::format("contact.{}.friction_angle", name),
                  fmt::format("is {:.3g} deg, more than that of the soil, {:.3g} deg: the soil beside it shears first; take at most that of "
                              "the soil, two thirds of it for a smooth coating",
                              degrees(contact.friction_angle), degrees(soil->friction_angle)));
-    if (contact.adhesion > (soil->cohesion + soil->cohesion_gradient * depth) * (1 + rounding))
+    if (contact.adhesion > cohesion * (1 + rounding))
       found.warn(
           fmt::format("contact.{}.adhesion", name),
           fmt::format("is {:.3g} Pa, more than the cohesion of the soil, {:.3g} Pa: the soil beside it shears first; take at most that",
-                      contact.adhesion, soil->cohesion + soil->cohesion_gradient * depth));
+                      contact.adhesion, cohesion));
   }
 }
 

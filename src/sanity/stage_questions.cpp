@@ -47,8 +47,9 @@ std::string fault_of_force(const StageSettings& s)
     return fmt::format("force {:.3g} N/m is never reached: the body moves {} (velocity {}), and the soil's reaction falls; make the "
                        "velocity positive, or end the stage by a time",
                        *s.until.force, *s.velocity < 0 ? "up" : "not at all", words_of(*s.velocity, "m/s"));
-  if (s.kind == StageKind::push && s.force && *s.force < *s.until.force)
-    return fmt::format("force {:.3g} N/m is never reached: the drive gives {:.3g} N/m", *s.until.force, *s.force);
+  const Real largest = s.force.value_or(0) * max_load_factor(s);
+  if (s.kind == StageKind::push && s.force && largest < *s.until.force)
+    return fmt::format("force {:.3g} N/m is never reached: the drive gives {:.3g} N/m", *s.until.force, largest);
   if (s.kind == StageKind::drag && s.velocity && *s.velocity == 0) return "force is never reached: velocity is 0";
   return "";
 }
@@ -130,7 +131,7 @@ void does_the_drive_begin_gently(const Scene& s, Findings& found)
     if (speed == 0 || width == 0) continue;
     const Real wave = s.bodies[body].wave_speed, blow = inertia_density(s.material_of(body)) * wave * speed, cross = width / wave;
     const std::optional<Real> strength = strength_at_depth_of(s, body, width);
-    if (!strength || *strength <= 0 || blow < 3 * *strength || stage.ramp >= cross) continue;
+    if (!strength || *strength <= 0 || blow < 3 * *strength || stage.ramp >= cross || !stage.load_times.empty()) continue;
     found.warn(stage_key(k, "ramp"),
                fmt::format("is {}: a drive that begins within the time that a wave takes across the body ({}) strikes the soil with {:.3g} "
                            "times its strength; {} or more begins gently",
@@ -196,7 +197,8 @@ void is_damping_small(const Scene& s, Findings& found)
 {
   constexpr Real much = 0.5;
   if (!s.is_mpm()) return;
-  const bool driven = std::any_of(s.ways.begin(), s.ways.end(), [](const Way& way) { return way.rigid != none; });
+  bool driven = false;  // in a stage that has no damping of its own
+  for (std::size_t k = 0; k < s.ways.size(); ++k) driven = driven || (s.ways[k].rigid != none && !s.c.stage[k].damping);
   const auto advice = [](Real damping) {
     return fmt::format(
         "is {:.3g} while a body is driven: it carries a part of the force; take 0.02 to 0.05, and 0.7 in a geostatic stage alone", damping);

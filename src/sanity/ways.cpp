@@ -22,6 +22,7 @@ template <int dim>
 Real time_of(const problem::Model<dim>& model, const problem::StageSettings& s, const problem::StageDrives<dim>& drives, Real begin_w)
 {
   Real time = s.until.time.value_or(infinity), speed = 0;
+  if (!s.load_times.empty()) return time;  // when it is where, its load history says
   for (int d = 0; d < dim; ++d)
     if (drives[d].by == By::velocity && (s.kind == problem::StageKind::drive || d == model.axes.along))
       speed += drives[d].value * drives[d].value;
@@ -58,7 +59,7 @@ std::vector<Way> ways_of(const problem::Model<dim>& model)
       Move& move = way.axis[d];
       const bool moves = drives[d].by != By::velocity || drives[d].value != 0;
       if (!moves) continue;
-      const bool by_velocity = drives[d].by == By::velocity && time < infinity;
+      const bool by_velocity = drives[d].by == By::velocity && time < infinity && s.load_times.empty();
       if (by_velocity) move.end += travel_in(drives[d].value, time, s.ramp);
       move.known = move.known && by_velocity;
       move.at_most = move.at_most || s.until.force.has_value() ||

@@ -31,6 +31,9 @@ std::optional<Real> strength_at_depth_of(const Scene& s, Index body, Real width)
 /// The speed of the drive of a stage, m/s; 0 where a force drives.
 Real speed_of(const problem::StageSettings& stage);
 
+/// The largest factor of its load history, by size; 1 without one.
+Real max_load_factor(const problem::StageSettings& stage);
+
 /// Whether a force moves the body of a stage along some axis.
 bool is_by_force(const problem::StageSettings& stage);
 

@@ -10,7 +10,7 @@ namespace berm::report {
 
 TestRun::TestRun(const record::RunRecord& run)
     : record(run),
-      scale(base::body_scale(run.settings)),
+      scale(base::body_scale(run)),
       observed(structures::structure_of(run.settings).observed(run))
 {
 }

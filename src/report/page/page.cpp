@@ -11,6 +11,7 @@
 #include "text/html.hpp"
 #include "text/tex_math.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -41,7 +42,10 @@ Json published_json(const std::vector<record::RunRecord>& runs, const ClaimSheet
 std::string title_of(const std::vector<record::RunRecord>& runs)
 {
   const record::RunRecord& first = runs.front();
-  return text::html_text(first.settings.title.empty() ? first.name : first.settings.title);
+  const auto other =
+      std::count_if(runs.begin(), runs.end(), [&](const record::RunRecord& run) { return run.settings.title != first.settings.title; });
+  const std::string title = text::html_text(first.settings.title.empty() ? first.name : first.settings.title);
+  return other == 0 ? title : fmt::format("{}, and {} of other titles", title, other == 1 ? "a run" : fmt::format("{} runs", other));
 }
 
 std::string header_of(const std::vector<record::RunRecord>& runs, const std::vector<std::pair<std::string, std::string>>& sections)

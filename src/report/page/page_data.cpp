@@ -35,7 +35,7 @@ std::vector<Index> kept_rows(const run_folder::History& history)
 void add_path(Json& path, const record::RunRecord& run, const std::vector<Index>& kept, const base::StagePath& stage)
 {
   const auto& [rows, travel] = stage;
-  const Real half = averaging_half(base::body_scale(run.settings));
+  const Real half = averaging_half(base::body_scale(run));
   const auto curve_of = [&](const char* column) {
     std::vector<Real> force;
     for (const Index k : stage.rows) force.push_back(run.history.by_label(column)[k]);
@@ -82,7 +82,7 @@ Json measure_of(const base::BodyScale& scale)
 Json run_data(const record::RunRecord& run)
 {
   const run_folder::History& history = run.history;
-  const base::BodyScale scale = base::body_scale(run.settings);
+  const base::BodyScale scale = base::body_scale(run);
   const std::vector<Index> kept = kept_rows(history);
   Json data;
   data["name"] = run.name;

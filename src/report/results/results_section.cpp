@@ -54,7 +54,7 @@ std::string words_of(const Runs& runs, const base::DisplayUnits& shown, const st
 base::DisplayUnits units_of(const Runs& runs)
 {
   std::vector<base::ScaledRun> scaled;
-  for (const record::RunRecord& run : runs) scaled.push_back({base::body_scale(run.settings), &run.quantities});
+  for (const record::RunRecord& run : runs) scaled.push_back({base::body_scale(run), &run.quantities});
   return base::DisplayUnits(scaled);
 }
 

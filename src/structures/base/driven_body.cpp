@@ -71,6 +71,16 @@ BodyScale body_scale(const problem::Case& c)
   return scale;
 }
 
+BodyScale body_scale(const record::RunRecord& run)
+{
+  BodyScale scale = body_scale(run.settings);
+  const run_folder::Quantity* reached = run.quantity("w_end_of_push");
+  if (!(scale.strength_depth > 0) || reached == nullptr || !(reached->value > 0)) return scale;
+  scale.strength_depth = reached->value;
+  scale.strength = strength_at_rest(touched_soil(run.settings)->at("", scale.strength_depth))->cohesion;
+  return scale;
+}
+
 bool drives_a_body(const problem::Case& c)
 {
   return body_scale(c).width > 0;

@@ -3,6 +3,7 @@
 
 #include "problem/body_soil.hpp"
 #include "problem/case.hpp"
+#include "record/run_record.hpp"
 
 namespace berm::base {
 
@@ -19,6 +20,9 @@ struct BodyScale {
 
 /// The scale of a case: the width of its main rigid body, weight and strength of the soil that touches it.
 BodyScale body_scale(const problem::Case& c);
+
+/// The same of a run: strength that varies with depth is that at the embedment at which its push ended, where that is known.
+BodyScale body_scale(const record::RunRecord& run);
 
 /// Whether a push or a drag moves the main rigid body of a case, and it has a width.
 bool drives_a_body(const problem::Case& c);

@@ -19,7 +19,7 @@ protected:
     problem::StageSettings stage;
     stage.name = "storm";
     stage.load_history = "storm.csv";
-    read_load_history(stage, folder_.path());
+    read_load_history(stage, 0, folder_.path());
     return stage;
   }
   std::string refusal(const std::string& text)
@@ -40,7 +40,7 @@ TEST_F(LoadHistory, is_read_beside_the_case)
   EXPECT_EQ(stage.load_times, (std::vector<Real>{0, 0.5, 2}));
   EXPECT_EQ(stage.load_factors, (std::vector<Real>{0, 1.5, -1}));
   EXPECT_TRUE(stage.load_history.empty()) << "a resolved case needs no file";
-  EXPECT_EQ(stage.until.time, 2) << "the stage ends with it where nothing else ends it";
+  EXPECT_EQ(stage.until.time, 2) << "the stage ends with it at the latest";
 }
 
 TEST_F(LoadHistory, is_linear_between_its_times_and_constant_after)
@@ -60,11 +60,13 @@ TEST_F(LoadHistory, that_is_wrong_is_refused_with_its_line)
   EXPECT_NE(refusal("0,1\n0,2\n").find("storm.csv:2: times must ascend"), std::string::npos);
   EXPECT_NE(refusal("0\n").find("storm.csv:1: "), std::string::npos);
   EXPECT_NE(refusal("0,nan\n").find("storm.csv:1: "), std::string::npos);
+  EXPECT_NE(refusal("-1,1\n").find("storm.csv:1: times count from the begin"), std::string::npos);
+  EXPECT_NE(refusal("0,1\n").find("storm.csv: has no line"), std::string::npos);
   EXPECT_NE(refusal("time,factor\n").find("storm.csv: has no line"), std::string::npos);
   problem::StageSettings stage;
   stage.name = "storm";
   stage.load_history = "none.csv";
-  EXPECT_THROW(read_load_history(stage, folder_.path()), InputError);
+  EXPECT_THROW(read_load_history(stage, 0, folder_.path()), InputError);
 }
 
 }  // namespace

@@ -132,6 +132,20 @@ TEST(Drag, holds_the_force_that_drove_the_body_before)
   EXPECT_EQ(run.problem.state.stage.drive[1].from, -50);
 }
 
+TEST(Drag, holds_the_end_of_the_load_history_that_pushed_the_body)
+{
+  StageSettings falling = push(0);
+  falling.velocity.reset();
+  falling.force = 100;
+  falling.load_times = {0, 10 * dt};
+  falling.load_factors = {1, 0.5};
+  Driver run({falling, drag(0.2)});
+  run.soil_pushes({0, 40});
+  for (int n = 0; n < 20; ++n) run.step();
+  run.next_stage();
+  EXPECT_NEAR(run.problem.state.stage.drive[1].to, -50, 1e-12);
+}
+
 TEST(Drag, follows_its_load_history_along_x_alone)
 {
   StageSettings storm = drag(0.2);

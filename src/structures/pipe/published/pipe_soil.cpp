@@ -62,7 +62,10 @@ PipeSoil pipe_soil(const problem::Case& c)
   const bool sticks = contact.scheme == contact::Scheme::tied;
   const Real unit_weight = base::body_scale(c).unit_weight;
   const problem::BodySoil soil = *base::touched_soil(c);
-  const bool cohesive = law->cohesion > 0;
+  const bool cohesive = law->cohesion > 0 || std::any_of(soil.materials.begin(), soil.materials.end(), [](const material::Material& one) {
+                          const std::optional<material::Strength> strength = strength_at_rest(one);
+                          return strength && (strength->cohesion > 0 || strength->cohesion_gradient > 0);
+                        });
   if (soil.materials.size() > 1)
     for (const material::Material& one : soil.materials)
       if (law->friction_angle > 0 || strength_at_rest(one)->friction_angle > 0)

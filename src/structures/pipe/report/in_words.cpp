@@ -21,7 +21,7 @@ std::string subject_of(const problem::Case& c)
   return fmt::format("{}{}", modelled_part(c) < 1 ? "the half that is modelled of the " : "the ", text::html_text(base::body_word(c)));
 }
 
-/// What the vertical direction does in a drag: " with V held at 0.9 kN/m".
+/// What the vertical direction does in a drag: " with V held, 0.9 kN/m on average".
 std::string vertical_words(const PipeRun& run, const DragResults& drag, const base::DisplayUnits& shown)
 {
   const auto stage = std::find_if(run.settings.stage.begin(), run.settings.stage.end(),
@@ -31,7 +31,7 @@ std::string vertical_words(const PipeRun& run, const DragResults& drag, const ba
   if (stage->vertical_velocity) return " while it is driven vertically, too";
   if (stage->vertical == problem::Vertical::fixed)
     return V.empty() ? " with w fixed" : fmt::format(" with w fixed, under V = {} on average", V);
-  return V.empty() ? " with V held" : fmt::format(" with V held at {}", V);
+  return V.empty() ? " with V held" : fmt::format(" with V held, {} on average", V);
 }
 
 std::string push_words(const PipeRun& run, const RunPoints& points, const base::DisplayUnits& shown)
@@ -46,17 +46,22 @@ std::string push_words(const PipeRun& run, const RunPoints& points, const base::
                      shown.force_text(run.scale, end.V));
 }
 
-/// What happens to V and w between the push and the first drag.
-std::string other_push_words(const PipeRun& run, const PipeResults& results, const base::DisplayUnits& shown)
+/// What happens to V and w between the push and the first drag, or after that.
+std::string other_push_words(const PipeRun& run, const PipeResults& results, bool before_drag, const base::DisplayUnits& shown)
 {
+  const auto is_drag = [](const PipeStage& stage) { return stage.kind == problem::StageKind::drag; };
+  const auto first_drag = std::find_if(run.stages.begin(), run.stages.end(), is_drag);
   std::string words;
-  for (const OtherPushResults& push : results.other_pushes)
-    words += fmt::format("After \"{}\" V = {} at w = {}. ", text::html_text(push.stage), shown.force_text(run.scale, push.V),
-                         shown.length_text(run.scale, push.w));
+  for (const OtherPushResults& push : results.other_pushes) {
+    const bool before = std::any_of(run.stages.begin(), first_drag, [&](const PipeStage& stage) { return stage.name == push.stage; });
+    if (before == before_drag)
+      words += fmt::format("After \"{}\" V = {} at w = {}. ", text::html_text(push.stage), shown.force_text(run.scale, push.V),
+                           shown.length_text(run.scale, push.w));
+  }
   return words;
 }
 
-/// "Dragged 1 D with V held at 0.8 kN/m, the pipe meets", after a push "it".
+/// "Dragged 1 D with V held, 0.8 kN/m on average, the pipe meets", after a push "it".
 std::string drag_begin(const PipeRun& run, const RunPoints& points, const std::string& travel, const base::DisplayUnits& shown)
 {
   const std::string vertical = vertical_words(run, run.results().drag(), shown),
@@ -82,11 +87,11 @@ std::string drag_words(const PipeRun& run, const RunPoints& points, const DragPo
 /// Of the drags after the first.
 std::string later_drags_words(const PipeRun& run, const PipeResults& results, const base::DisplayUnits& shown)
 {
-  Real min = infinity, max = 0;
+  Real min = infinity, max = -infinity;
+  int later = 0;
   for (std::size_t k = 1; k < results.drags.size(); ++k)
-    if (const auto& end = results.drags[k].end) min = std::min(min, end->H), max = std::max(max, end->H);
-  if (!(min <= max)) return "";
-  const std::size_t later = results.drags.size() - 1;
+    if (const auto& end = results.drags[k].end) min = std::min(min, end->H), max = std::max(max, end->H), ++later;
+  if (later == 0) return "";
   const std::string range = min == max ? shown.force_text(run.scale, min)
                                        : fmt::format("{} to {}", shown.force_text(run.scale, min), shown.force_text(run.scale, max));
   return fmt::format(" {} {} at {} end H = {}.", later == 1 ? "One more drag follows:" : fmt::format("{} more drags follow:", later),
@@ -126,12 +131,13 @@ std::string results_in_words(const PipeRun& run, const base::DisplayUnits& shown
   std::string words;
   const PipeResults results = run.results();
   if (points.push_end) words += push_words(run, points, shown);
-  words += other_push_words(run, results, shown);
+  words += other_push_words(run, results, true, shown);
   if (resistance.largest) {
     const std::optional<DragPoint>& end = results.drag().end;
     words += points.drag.empty() || !end ? short_drag_words(run, points, resistance, shown) : drag_words(run, points, *end, shown);
-    words += resistance_words(run, resistance, shown) + later_drags_words(run, results, shown);
+    words += resistance_words(run, resistance, shown) + later_drags_words(run, results, shown) + " ";
   }
+  words += other_push_words(run, results, false, shown);
   words.erase(words.find_last_not_of(' ') + 1);
   if (!is_circle(run.settings)) words += fmt::format(" D is the width of the {}.", text::html_text(base::body_word(run.settings)));
   return words;

@@ -150,7 +150,8 @@ std::string stages_table(const PipeRuns& runs, const base::DisplayUnits& shown)
   if (table.empty()) return "";
   return table.html() +
          text::html_paragraph(
-             "H of a drag is positive where the soil resists it. H at its end is the mean over its last tenth, at least over 0.1 D. The "
+             "H of a drag is positive where the soil resists it. H at its end is the mean over its last tenth, at least over 0.1 D but "
+             "over a third of it at most. The "
              "berm is the highest soil ahead of the pipe at the end of the drag, above the surface as it was, and its distance from "
              "the axis of the pipe.",
              "quiet");
@@ -189,7 +190,8 @@ std::string resistance_table(const PipeRuns& runs, const base::DisplayUnits& sho
              fmt::format(
                  "Breakout is the first peak of H from which H "
                  "falls by at least {:g} % before it grows beyond it; where forces are averaged, H must also stay below it for {:g} D. "
-                 "Residual is the mean of H over the end of the drag, its last tenth and at least its last {:g} D, if the straight line "
+                 "Residual is the mean of H over the end of the drag, its last tenth and at least its last {:g} D (a third of it at most), "
+                 "if the straight line "
                  "fitted to H there changes by less than {:g} % of that mean.",
                  100 * min_fall, breakout_stays, min_residual_travel, 100 * max_residual_change),
              "quiet");

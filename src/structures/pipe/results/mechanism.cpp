@@ -59,11 +59,10 @@ Berm berm_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& no
   const Real width = column_width * diameter;
   std::map<Index, Real> columns = columns_above(now, surface, pipe.x, width);
   for (const auto& [column, height] : columns_above(start, surface, pipe.x, width)) columns[column] -= height;
-  Berm berm{0, 0, 0};
+  Berm berm{0, 0};
   for (const auto& [column, rise] : columns) {
     const Real ahead = direction * (static_cast<Real>(column) + 0.5) * width;
     if (ahead < 0 || rise <= 0) continue;
-    berm.area += rise * width;
     if (ahead <= around_pipe * diameter && rise > berm.height) berm.height = rise, berm.distance = ahead;
   }
   return berm;

@@ -26,9 +26,9 @@ struct Heave {
 Heave heave_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, Real surface, const PipePlace& pipe, Real diameter);
 
 /// The berm ahead of a pipe that is dragged along `direction` (+1 or -1): the highest rise of a column of soil within 4 D of the pipe's axis, the distance
-/// of that column's middle from the axis, m, and the area (m2) of all soil that has risen ahead.
+/// of that column's middle from the axis, m.
 struct Berm {
-  Real height, distance, area;
+  Real height, distance;
 };
 Berm berm_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, Real surface, const PipePlace& pipe, Real direction,
              Real diameter);

@@ -15,8 +15,9 @@ PipeStage pipe_stage(const StageSettings& s, Real held_force)
   stage.name = s.name;
   stage.kind = s.kind;
   if (s.kind == StageKind::push) {
-    stage.upwards = s.velocity.value_or(0) < 0;
-    stage.force = s.force;
+    const Real last = s.load_factors.empty() ? 1 : s.load_factors.back();
+    stage.upwards = s.velocity.value_or(0) * last < 0;
+    if (s.force) stage.force = *s.force * last;
     return stage;
   }
   stage.direction = s.velocity.value_or(0) < 0 || s.force.value_or(0) < 0 ? -1 : 1;

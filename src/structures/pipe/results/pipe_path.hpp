@@ -11,7 +11,7 @@ struct PipeStage {
   std::string name;
   problem::StageKind kind = problem::StageKind::push;
   bool upwards = false;              ///< a push by a velocity upwards
-  std::optional<Real> force{};       ///< N/m, downwards, of a push by force
+  std::optional<Real> force{};       ///< N/m, downwards, of a push by force: the last of its load history
   Real direction = 1;                ///< of a drag: +1 along x, -1 against it
   bool holds_V = true;               ///< of a drag: whether it holds a vertical force
   Real V_ramp = 0;                   ///< s, time that the drag takes to come to that force

@@ -45,6 +45,12 @@ std::optional<Real> if_known(Real value)
   return std::isnan(value) ? std::nullopt : std::optional(value);
 }
 
+/// Half of the travel over which V of the push is averaged: in a short one a quarter of its way in the soil at most.
+Real half_of_push(const TravelCurve& V, const BodyScale& scale)
+{
+  return std::min(averaging_half(scale), std::max(Real(0), V.end() - std::max(V.begin(), Real(0))) / 4);
+}
+
 void take_push(PipeResults& results, const PushPath& path, const BodyScale& scale)
 {
   const Real D = scale.width;
@@ -54,7 +60,7 @@ void take_push(PipeResults& results, const PushPath& path, const BodyScale& scal
   for (int k = 1; k * push_spacing * D <= V.end() + reached * D; ++k)
     if (k * push_spacing * D >= V.begin())
       results.push.push_back({k * push_spacing * D, V.at(std::min(k * push_spacing * D, V.end()), half)});
-  results.push_end = PushPoint{V.end(), V.at(V.end(), half)};
+  results.push_end = PushPoint{V.end(), V.at(V.end(), half_of_push(V, scale))};
   results.V_noise = if_known(noise_of(path.w, path.V, noise_of_V_from * D, scale));
 }
 
@@ -126,13 +132,11 @@ void take_drags(PipeResults& results, const PipePath& path, const run_folder::Hi
 {
   std::optional<Real> V_max;
   if (const TravelCurve V(path.push.w, path.push.V); !V.empty()) {
-    const TravelCurve smooth = V.smoothed(averaging_half(scale));
+    const TravelCurve smooth = V.smoothed(half_of_push(V, scale));
     V_max = *std::max_element(smooth.value().begin(), smooth.value().end());
   }
-  for (const DragPath& drag : path.drags) {
-    DragResults found = drag_results(drag, history, V_max, scale);
-    if (found.largest) results.drags.push_back(std::move(found));
-  }
+  // One without a number keeps its place: the names of the first stand alone.
+  for (const DragPath& drag : path.drags) results.drags.push_back(drag_results(drag, history, V_max, scale));
 }
 
 void take_other_pushes(PipeResults& results, const PipePath& path, const run_folder::History& history)

@@ -11,7 +11,7 @@ PipeRun::PipeRun(const record::RunRecord& run, std::size_t number_on_page)
       history(run.history),
       quantities(run.quantities),
       end(run.end),
-      scale(base::body_scale(run.settings)),
+      scale(base::body_scale(run)),
       stages(pipe_stages(run.settings)),
       number(number_on_page)
 {

@@ -41,7 +41,7 @@ void take_if_larger(std::optional<Resistance::Point>& largest, Real u, Real H)
 
 Real residual_travel(Real travel, const BodyScale& scale)
 {
-  return std::min(travel, std::max(residual_part * travel, min_residual_travel * scale.width));
+  return std::min(max_residual_part * travel, std::max(residual_part * travel, min_residual_travel * scale.width));
 }
 
 Resistance resistance_to(const TravelCurve& H, const BodyScale& scale)

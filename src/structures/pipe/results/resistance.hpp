@@ -20,7 +20,7 @@ struct Resistance {
   /// The first peak of H that H falls from by at least 5 % before it grows beyond it. H is averaged as all forces are (averaging_half), the ends of the drag
   /// are left out by half of that window; with noise H must also stay below the peak over the next 0.1 D, which shorter waves of a dynamic method do not.
   std::optional<Point> breakout;
-  /// N/m: the mean of H over the last tenth of the drag, at least its last 0.1 D, where the straight line fitted to H there changes by less than 5 % of it.
+  /// N/m: the mean of H over the last tenth of the drag, at least its last 0.1 D but a third of it at most, where the straight line fitted to H there changes by less than 5 % of it.
   std::optional<Real> residual;
   Real last_change = 0;  ///< how much that line changes, over the mean; NaN without a drag
 };
@@ -29,8 +29,9 @@ struct Resistance {
 constexpr Real min_fall = 0.05, max_residual_change = 0.05;
 /// The travel (over D) over which noisy H must stay below the breakout.
 constexpr Real breakout_stays = 0.1;
-/// The end of the drag over which H must not change to be residual: over the travel of the drag, and at least over D.
-constexpr Real residual_part = 0.1, min_residual_travel = 0.1;
+/// The end of the drag over which H must not change to be residual: over the travel of the drag, at least over D, but no more than a
+/// third of the travel.
+constexpr Real residual_part = 0.1, min_residual_travel = 0.1, max_residual_part = 1. / 3;
 
 /// The travel (m) of that end, of a drag of this travel.
 Real residual_travel(Real travel, const BodyScale& scale);

@@ -47,6 +47,22 @@ TEST(Mechanism, a_flat_bed_has_no_heave_whatever_its_lattice)
   EXPECT_EQ(heave.berm, 0);
 }
 
+TEST(Mechanism, the_berm_is_the_highest_soil_ahead_whichever_way_the_pipe_goes)
+{
+  const run_folder::SavedSoil start = soil(nothing, flat);
+  const run_folder::SavedSoil now = soil(nothing, [](Real x) {
+    return x > 1.2 * D && x < 1.6 * D ? 0.4 * D : x < -0.5 * D && x > -D ? 0.3 * D : 0;
+  });
+  const Berm ahead = berm_of(start, now, 0, {0, 0, 0}, 1, D), back = berm_of(start, now, 0, {0, 0, 0}, -1, D);
+  EXPECT_NEAR(ahead.height, 0.4 * D, 1e-3 * D);
+  EXPECT_GT(ahead.distance, 1.2 * D);
+  EXPECT_LT(ahead.distance, 1.6 * D);
+  EXPECT_NEAR(back.height, 0.3 * D, 1e-3 * D);
+  EXPECT_GT(back.distance, 0.5 * D);
+  EXPECT_LT(back.distance, D);
+  EXPECT_EQ(berm_of(start, start, 0, {0, 0, 0}, 1, D).height, 0);
+}
+
 TEST(Mechanism, shearing_is_shared_out_by_the_side_of_the_pipes_centre)
 {
   const run_folder::SavedSoil before = soil(nothing, flat);

@@ -123,6 +123,25 @@ TEST(PipeResults, of_a_long_drag_go_to_its_end)
   EXPECT_NEAR(drag.end->H, 3100 - 150, 1) << "mean over the last 0.6 D";
 }
 
+TEST(PipeResults, of_a_short_push_stay_within_what_was_measured)
+{
+  // V grows to 700 N/m in the first 0.005 D of a push of 0.01 D, and stays.
+  Rows rows;
+  rows.add("rest", 0, 0, 0, 0);
+  for (int k = 1; k <= 100; ++k) rows.add("push", 0, 1e-4 * k * D, 0, std::min(700., 14. * k));
+  const PipeResults results = pipe_results(rows.history, scale, {push_by_velocity("push")});
+  EXPECT_NEAR(results.push_end->V, 700, 1e-6);
+}
+
+TEST(PipeResults, of_a_short_drag_tell_its_end_and_not_its_turn)
+{
+  // 0.1 D, over the first half of which H turns from -100 to 100 N/m.
+  Rows rows;
+  rows.add("rest", 0, 0.1 * D, 0, 300);
+  for (int k = 1; k <= 100; ++k) rows.add("out", 0.001 * k * D, 0.1 * D, std::min(100., -100 + 4. * k), 300);
+  EXPECT_NEAR(pipe_results(rows.history, scale, {drag_along("out", 1)}).drag().end->H, 100, 1e-6);
+}
+
 TEST(PipeResults, have_no_error_of_V_that_is_not_held_nor_of_its_ramp)
 {
   PipeStages fixed = sweep_stages;
