@@ -191,10 +191,11 @@ TEST(answer, a_drag_of_less_than_a_tenth_of_D_tells_its_largest_H)
   made.H = [](Real u) { return u < 0.0008 ? 1e6 * u : 800 - 1e5 * (u - 0.0008); };
   const std::string html = results_section({made.record()});
   EXPECT_FALSE(holds(html, "Nothing is known"));
-  EXPECT_TRUE(holds(
-      html, "Wished in place at w = 0.3 D (6 mm, 0.3 m in the prototype) and dragged 0.08 D with V held, 0.8 kN/m (40 kN/m in the "
-            "prototype, 4.65 γ′ D²) on average, the pipe meets at most H = 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²), at u = 0.04 D (0.8 mm, "
-            "0.04 m in the prototype)"))
+  EXPECT_TRUE(holds(html,
+                    "Wished in place at w = 0.3 D (6 mm, 0.3 m in the prototype) and dragged 0.08 D with V held, 0.8 kN/m (40 kN/m in the "
+                    "prototype, 4.65 γ′ D²) on average, the pipe meets at most H = 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²), at u = "
+                    "0.04 D (0.8 mm, "
+                    "0.04 m in the prototype)"))
       << html;
 }
 
