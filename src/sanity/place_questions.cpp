@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
+#include "problem/cells_at_body.hpp"
 #include "sanity/questions.hpp"
 #include "sanity/words.hpp"
 
@@ -123,7 +124,7 @@ void does_the_path_stay_in_the_mesh(const Scene& s, Findings& found)
 
 void does_the_path_stay_on_fine_cells(const Scene& s, Findings& found)
 {
-  constexpr Real accepted = 1.6, parts = 20;  // of the size at the start; along the way
+  constexpr Real parts = 20;  // along the way
   for (std::size_t k = 0; k < s.ways.size(); ++k) {
     const Way& way = s.ways[k];
     if (way.rigid == none || !s.rigids[way.rigid].bounded || !s.is_mpm()) continue;
@@ -132,7 +133,7 @@ void does_the_path_stay_on_fine_cells(const Scene& s, Findings& found)
       Place at = way.begin();
       for (int d = 0; d < 3; ++d) at[d] += part * (way.axis[d].end - way.axis[d].begin);
       const Real size = s.cell_size(way.rigid, at), width = s.rigids[way.rigid].width;
-      if (!(size > accepted * first)) continue;
+      if (!(size > problem::coarser_cells * first)) continue;
       Real travel = 0;
       for (int d = 0; d < 3; ++d) travel += std::pow(at[d] - way.axis[d].begin, 2);
       const bool seabed = std::holds_alternative<mesh::SeabedMesh>(s.c.mesh);

@@ -12,6 +12,12 @@ namespace {
 using problem::StageKind;
 using problem::StageSettings;
 
+/// Whether the body is as deep as the limit when the stage begins.
+bool is_deep_already(const StageSettings& s, const Way& way)
+{
+  return s.until.embedment && way.begin_known && *s.until.embedment <= way.begin_embedment;
+}
+
 /// What stops a stage is listed here, for one limit after the other: why it is never reached, or reached at once; "" where it can be.
 std::string fault_of_embedment(const StageSettings& s, const Way& way)
 {
@@ -20,23 +26,20 @@ std::string fault_of_embedment(const StageSettings& s, const Way& way)
   const bool by_velocity = (s.kind == StageKind::push && s.velocity) ||
                            (s.kind == StageKind::drag && (s.vertical_velocity || s.vertical == problem::Vertical::fixed));
   const Real down = s.kind == StageKind::push ? s.velocity.value_or(0) : s.vertical_velocity.value_or(0);
-  if (way.begin_known && wanted <= w)
-    return fmt::format("embedment {} is reached before the stage begins, with w = {}: name a larger one", words_of(wanted, "m"),
-                       words_of(w, "m"));
+  if (is_deep_already(s, way))
+    return fmt::format("{} is reached before the stage begins, with w = {}: name a larger one", words_of(wanted, "m"), words_of(w, "m"));
   if (by_velocity && down <= 0)
-    return fmt::format(
-        "embedment {} is never reached: the body moves {} (velocity {}); make the velocity positive, or end the stage by a time",
-        words_of(wanted, "m"), down < 0 ? "up" : "not vertically", words_of(down, "m/s"));
+    return fmt::format("{} is never reached: the body moves {} (velocity {}); make the velocity positive, or end the stage by a time",
+                       words_of(wanted, "m"), down < 0 ? "up" : "not vertically", words_of(down, "m/s"));
   return "";
 }
 
 std::string fault_of_displacement(const StageSettings& s)
 {
   if (!s.until.displacement) return "";
-  if (s.kind == StageKind::push) return "displacement is horizontal, and a push moves down only: end it by embedment, force or time";
-  if (s.kind == StageKind::drag && s.velocity && *s.velocity == 0) return "displacement is never reached: velocity is 0";
-  if (s.kind == StageKind::drive && !is_by_force(s) && speed_of(s) == 0)
-    return "displacement is never reached: nothing in [stage.drive] moves the body";
+  if (s.kind == StageKind::push) return "is horizontal, and a push moves down only: end it by embedment, force or time";
+  if (s.kind == StageKind::drag && s.velocity && *s.velocity == 0) return "is never reached: velocity is 0";
+  if (s.kind == StageKind::drive && !is_by_force(s) && speed_of(s) == 0) return "is never reached: nothing in [stage.drive] moves the body";
   return "";
 }
 
@@ -44,13 +47,13 @@ std::string fault_of_force(const StageSettings& s)
 {
   if (!s.until.force) return "";
   if (s.kind == StageKind::push && s.velocity && *s.velocity <= 0)
-    return fmt::format("force {:.3g} N/m is never reached: the body moves {} (velocity {}), and the soil's reaction falls; make the "
+    return fmt::format("{:.3g} N/m is never reached: the body moves {} (velocity {}), and the soil's reaction falls; make the "
                        "velocity positive, or end the stage by a time",
                        *s.until.force, *s.velocity < 0 ? "up" : "not at all", words_of(*s.velocity, "m/s"));
   const Real largest = s.force.value_or(0) * max_load_factor(s);
   if (s.kind == StageKind::push && s.force && largest < *s.until.force)
-    return fmt::format("force {:.3g} N/m is never reached: the drive gives {:.3g} N/m", *s.until.force, largest);
-  if (s.kind == StageKind::drag && s.velocity && *s.velocity == 0) return "force is never reached: velocity is 0";
+    return fmt::format("{:.3g} N/m is never reached: the drive gives {:.3g} N/m", *s.until.force, largest);
+  if (s.kind == StageKind::drag && s.velocity && *s.velocity == 0) return "is never reached: velocity is 0";
   return "";
 }
 
@@ -69,16 +72,15 @@ void can_the_limits_be_reached(const Scene& s, Findings& found)
     const StageSettings& stage = s.c.stage[k];
     if (s.ways[k].rigid == none) continue;
     const std::string w = fault_of_embedment(stage, s.ways[k]), u = fault_of_displacement(stage), force = fault_of_force(stage);
-    const bool at_once = stage.until.embedment && w.find("before the stage begins") != std::string::npos;
+    const bool at_once = is_deep_already(stage, s.ways[k]);
     const bool ends = stage.until.time || (stage.until.embedment && w.empty()) || (stage.until.displacement && u.empty()) ||
                       (stage.until.force && force.empty());
     for (const auto& [key, fault] : {std::pair("embedment", w), {"displacement", u}, {"force", force}}) {
       if (fault.empty()) continue;
-      const std::string message = fault.substr(fault.find(' ') + 1);
       if (ends && !at_once)
-        found.warn(stage_key(k, std::string("until.") + key), message);
+        found.warn(stage_key(k, std::string("until.") + key), fault);
       else
-        found.refuse(stage_key(k, std::string("until.") + key), message);
+        found.refuse(stage_key(k, std::string("until.") + key), fault);
     }
     const bool by_force_alone = s.is_mpm() && stage.force && !stage.until.time && !(stage.until.force);
     if (by_force_alone)

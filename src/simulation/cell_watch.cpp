@@ -9,7 +9,6 @@
 namespace berm::simulation {
 namespace {
 
-constexpr Real much_larger = 1.6;  // over the size at the start: as sanity::does_the_path_stay_on_fine_cells
 constexpr Real much_travel = 0.01;
 
 }  // namespace
@@ -26,7 +25,7 @@ void CellWatch<dim>::observe(const problem::Model<dim>& model, const problem::St
   place_ = now.displacement;
   travel_ += moved_by;
   if (std::isnan(first_)) first_ = largest_ = size;
-  if (size > much_larger * first_) coarse_travel_ += moved_by;
+  if (size > problem::coarser_cells * first_) coarse_travel_ += moved_by;
   last_ = size;
   largest_ = std::max(largest_, size);
 }

@@ -110,11 +110,22 @@ TEST(Doubts, stand_in_the_log_and_in_the_summary_and_a_resumed_run_keeps_them)
   TemporaryFolder folder;
   folder.write("case.toml", test::small_case);
   const std::vector<std::string> says = {"case.toml:", "stage.push.velocity", "inertia"};
-  const Ended ended = run_program(folder.path(), {"run", "case.toml", "-o", "results", "--threads", "1"});
-  ASSERT_EQ(ended.status, 0) << ended.err;
+  const fs::path summary = folder / "results/summary.json", history = folder / "results/history.csv";
+  const auto stop = [&](const std::vector<std::string>& arguments) {
+    const std::uintmax_t before = fs::exists(history) ? fs::file_size(history) : 0;
+    Program program(folder.path(), arguments);
+    EXPECT_TRUE(wait_until([&] { return fs::exists(history) && fs::file_size(history) > before + 2000; }));
+    program.signal(SIGINT);
+    return program.wait();
+  };
+  const Ended ended = stop({"run", "case.toml", "-o", "results", "--threads", "1", "--set", "stage.rest.until.time=100 s"});
+  ASSERT_EQ(ended.status, 1) << ended.err;
   EXPECT_EQ(lines_with(ended.err, "berm: warning: ", says), 1) << ended.err;
   EXPECT_EQ(lines_with(text_of_file(folder / "results/run.log"), "", says), 1);
-  EXPECT_EQ(lines_with(text_of_file(folder / "results/summary.json"), "", says), 1);
+  EXPECT_EQ(lines_with(text_of_file(summary), "", says), 1);
+  fs::remove(summary);
+  ASSERT_EQ(stop({"run", "--resume", "results", "--threads", "1"}).status, 1);
+  EXPECT_EQ(lines_with(text_of_file(summary), "", says), 1);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // Tests: tests/unit/report/quality/quality_section_test.cpp
 #include "structures/pipe/report/pipe_measures.hpp"
 
+#include "problem/cells_at_body.hpp"
 #include "structures/base/general_measures.hpp"
 #include "structures/base/near_mesh.hpp"
 #include "structures/pipe/results/pipe_run.hpp"
@@ -213,11 +214,11 @@ TrustMeasure second_impulse()
           text::percent_words};
 }
 
-/// Whether the cells at the body grew on its way, by more than cells of one size differ.
+/// Whether the cells at the body grew on its way.
 bool grew(Run run)
 {
   const base::NearCells cells = near_cells(run);
-  return cells.largest > 1.6 * cells.first;
+  return cells.largest > problem::coarser_cells * cells.first;
 }
 
 Real largest_met(Run run)
