@@ -14,6 +14,7 @@ struct Command {
 
 /// Each adds its name, its options and their meaning to the program.
 Command add_new(CLI::App& program);
+Command add_draw(CLI::App& program);
 Command add_run(CLI::App& program);
 Command add_check(CLI::App& program);
 Command add_report(CLI::App& program);

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "plot/gnuplot.hpp"
 #include "samples/drawn_run.hpp"
+#include "samples/pixel_color.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -12,26 +13,6 @@ namespace berm::record {
 namespace {
 
 namespace fs = std::filesystem;
-
-using Color = std::array<int, 3>;
-
-/// Red, green and blue of a pixel of a PNG, counted from the upper left corner, as gnuplot reads it.
-Color color_at(const fs::path& picture, int column, int row)
-{
-  const TemporaryFolder folder;
-  const fs::path table = folder.path() / "table";
-  const std::string command =
-      fmt::format("gnuplot -e \"set table '{}'; plot '{}' binary filetype=png every ::{}:{}:{}:{} with rgbimage\" > /dev/null 2>&1",
-                  table.string(), picture.string(), column, row, column + 1, row + 1);
-  if (std::system(command.c_str()) != 0) throw std::runtime_error("gnuplot cannot read " + picture.string());
-  std::istringstream lines(content_of(table));
-  for (std::string line; std::getline(lines, line);) {
-    Color color;
-    int x, y;
-    if (std::istringstream(line) >> x >> y >> color[0] >> color[1] >> color[2]) return color;
-  }
-  throw std::runtime_error("no pixel in " + table.string());
-}
 
 TEST(SoilView, reaches_up_to_a_berm_but_not_to_a_grain_that_is_thrown_up)
 {

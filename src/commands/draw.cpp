@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands/case_options.hpp"
+#include "commands/command.hpp"
+#include "core/error.hpp"
+#include "fem/cut_mesh.hpp"
+#include "io/atomic_file.hpp"
+#include "picture/model_picture.hpp"
+#include "simulation/scratch_folder.hpp"
+
+#include <fmt/format.h>
+
+namespace berm::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Picture {
+  simulation::RunRequest request;
+  fs::path file;
+  plot::PlotFormat format;
+};
+
+/// Where each picture goes: beside its run folder, of one case to the file that -o names, of several to files of their names in the folder that it names.
+std::vector<Picture> pictures(const CaseOptions& options)
+{
+  std::vector<Picture> all;
+  for (simulation::RunRequest& request : requests(options)) {
+    const bool named = !options.output.empty() && options.files.size() == 1;
+    const fs::path file = named ? request.folder : fs::path(request.folder.string() + ".png");
+    if (file.extension() != ".png" && file.extension() != ".svg")
+      throw InputError(fmt::format("-o {}: the picture of a case is a .png or an .svg; name it so", options.output));
+    if (request.settings.dimension != 2)
+      throw InputError(fmt::format("{}: dimension = {}: berm draw shows cases in the plane; berm check tells the size of this one",
+                                   request.case_file.string(), request.settings.dimension));
+    all.push_back({std::move(request), file, file.extension() == ".svg" ? plot::PlotFormat::svg : plot::PlotFormat::png});
+  }
+  return all;
+}
+
+mesh::Mesh<2> mesh_of(const simulation::RunRequest& request, const fs::path& work_folder)
+{
+  const fs::path folder = request.case_file.parent_path();
+  return request.settings.method == problem::Method::fem ? fem::make_cut_mesh(request.settings, folder, work_folder)
+                                                         : mesh::make_mesh<2>(request.settings.mesh, folder, work_folder);
+}
+
+void draw(const Picture& picture)
+{
+  const simulation::ScratchFolder scratch;
+  const std::string name = "model";
+  try {
+    if (!picture::draw_model(picture.request.settings, mesh_of(picture.request, scratch.path()), scratch.path(), name, picture.format))
+      throw RunError(fmt::format("{} is not drawn", picture.file.string()));
+  } catch (const KeyError& error) {
+    throw InputError(picture.request.places.located(error.what()));
+  }
+  if (picture.file.has_parent_path()) io::make_folder(picture.file.parent_path());
+  io::copy_atomically(scratch.path() / (name + picture.file.extension().string()), picture.file);
+  fmt::print("{}\n", picture.file.string());
+}
+
+}  // namespace
+
+Command add_draw(CLI::App& program)
+{
+  const auto options = std::make_shared<CaseOptions>();
+  CLI::App* app = program.add_subcommand("draw", "draw the model of a case before it is run");
+  options->take_cases(*app);
+  app->add_option("-o,--output", options->output,
+                  "picture to write (.png or .svg); of several cases: the folder that theirs go into (default: out/FOLDER/NAME.png of "
+                  "FOLDER/NAME.toml)");
+  return {app, [options] {
+            messages_to_stderr();
+            for (const Picture& picture : pictures(*options)) draw(picture);
+            return 0;
+          }};
+}
+
+}  // namespace berm::commands

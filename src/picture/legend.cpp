@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/picture/model_picture_test.cpp
+#include "picture/legend.hpp"
+
+#include "picture/path_marks.hpp"
+#include "report/setup/stage_words.hpp"
+#include "structures/base/near_mesh.hpp"
+#include "text/quantity_words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <functional>
+#include <set>
+
+namespace berm::picture {
+namespace {
+
+constexpr Real line_height = 19, indent = 34, letters = 11;
+constexpr std::size_t max_stages = 14;
+
+/// The lines that words take within a width.
+std::vector<std::string> wrapped(const std::string& words, Real width)
+{
+  std::vector<std::string> lines(1);
+  std::size_t begin = 0;
+  while (begin < words.size()) {
+    const std::size_t end = std::min(words.find(' ', begin), words.size());
+    const std::string word = words.substr(begin, end - begin);
+    if (!lines.back().empty() && Canvas::width_of(lines.back() + " " + word, letters) > width) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+    begin = end + 1;
+  }
+  return lines;
+}
+
+/// Entries below one another: a sign, then words beside it.
+class Column {
+public:
+  Column(Canvas& canvas, const Vec<2>& at, Real width) : canvas_(canvas), at_(at), width_(width) {}
+
+  void heading(const std::string& words)
+  {
+    at_[1] += 6;
+    canvas_.text(at_ + Vec<2>(0, 6), words, {.size = 12, .bold = true});
+    at_[1] += line_height + 3;
+  }
+
+  /// The sign is drawn around the point that it gets.
+  void entry(const std::string& words, const std::function<void(const Vec<2>&)>& sign)
+  {
+    sign(at_ + Vec<2>(12, 6));
+    for (const std::string& line : wrapped(words, width_ - indent)) {
+      canvas_.text(at_ + Vec<2>(indent, 6), line, {.size = letters});
+      at_[1] += line_height;
+    }
+    at_[1] += 3;
+  }
+
+  void swatch(const std::string& words, const std::string& color, const LineStyle& rim)
+  {
+    entry(words, [&](const Vec<2>& c) {
+      canvas_.polygon(box(c, 8), color);
+      canvas_.outline(box(c, 8), rim);
+    });
+  }
+  void bar(const std::string& words, const std::string& color)
+  {
+    entry(words, [&](const Vec<2>& c) { canvas_.polygon(box(c, 2), color); });
+  }
+  Real level() const { return at_[1]; }
+
+private:
+  static Points box(const Vec<2>& c, Real half)
+  {
+    return {Vec<2>(c + Vec<2>(-12, -half)), Vec<2>(c + Vec<2>(12, -half)), Vec<2>(c + Vec<2>(12, half)), Vec<2>(c + Vec<2>(-12, half))};
+  }
+
+  Canvas& canvas_;
+  Vec<2> at_;
+  Real width_;
+};
+
+/// "2 kPa + 1.5 kPa/m z".
+std::string with_depth(Real at_surface, Real gradient)
+{
+  std::string words = text::stress_words(at_surface);
+  if (gradient != 0) words += fmt::format(" + {}/m z", text::stress_words(gradient));
+  return words;
+}
+
+/// Parts between ", " that lines are broken after, not within.
+std::string together(const std::string& words)
+{
+  std::string kept;
+  for (std::size_t k = 0; k < words.size(); ++k)
+    kept += words[k] == ' ' && k > 0 && words[k - 1] != ',' && words[k - 1] != ':' ? std::string("\u00a0") : std::string(1, words[k]);
+  return kept;
+}
+
+std::string soil_words(const problem::Case& c, const SoilKind& kind)
+{
+  const material::Material& material = c.material[problem::index_of(c.material, kind.material)].second;
+  std::string words = kind.material == kind.body ? kind.material : fmt::format("{} (body {})", kind.material, kind.body);
+  words += ": " + law_name(material);
+  if (const std::optional<material::Strength> strength = strength_at_rest(material)) {
+    const std::string c_words = with_depth(strength->cohesion, strength->cohesion_gradient);
+    if (strength->friction_angle > 0)
+      words += fmt::format(", φ = {}, ψ = {}, c = {}", text::angle_words(strength->friction_angle),
+                           text::angle_words(strength->dilation_angle), c_words);
+    else
+      words += ", sᵤ = " + c_words;
+  }
+  const auto [E, nu] = young_poisson(material);
+  words += fmt::format(", E = {}, ν = {}, ρ = {:.0f} kg/m³", text::stress_words(E), text::number_words(nu), density(material));
+  const bodies::BodySettings& body = c.body[problem::index_of(c.body, kind.body)].second;
+  if (body.k0) words += fmt::format(", K₀ = {}", text::number_words(*body.k0));
+  return together(words);
+}
+
+void soils(Column& column, const Model& model)
+{
+  std::set<Index> seen;
+  for (const Piece& piece : model.ground.pieces) seen.insert(piece.kind);
+  for (const report::NamedOutline& body : model.sketch.bodies) seen.insert(kind_of(model.ground, body.name));
+  column.heading("Soil");
+  for (Index kind = 0; kind < static_cast<Index>(model.ground.kinds.size()); ++kind)
+    if (seen.contains(kind)) column.swatch(soil_words(model.settings, model.ground.kinds[kind]), soil_color(kind), {surface_color, 1});
+}
+
+std::string rigid_words(const std::string& name, const bodies::RigidSettings& rigid, const report::Outline& outline)
+{
+  const report::Extent extent = report::extent_of(outline);
+  std::string words = name + ": ";
+  if (std::holds_alternative<report::DiskOutline>(outline))
+    words += "circle, D = " + text::length_words(extent.size()[0]);
+  else if (std::holds_alternative<report::PlaneOutline>(outline))
+    words += "half-plane";
+  else
+    words += fmt::format("{} × {}", text::length_words(extent.size()[0]), text::length_words(extent.size()[1]));
+  if (rigid.mass > 0) words += fmt::format(", {:.4g} kg/m", rigid.mass);
+  if (rigid.motion == bodies::Motion::free) words += ", free";
+  if (rigid.rotation == bodies::Rotation::free) words += ", may turn";
+  return words;
+}
+
+std::string contact_words(const std::string& name, const contact::ContactSettings& contact)
+{
+  std::string words = fmt::format("{}: {} on {}", name, contact.body, contact.rigid.empty() ? contact.other_body : contact.rigid);
+  if (contact.scheme == contact::Scheme::tied) return words + ", tied";
+  words += ", δ = " + text::angle_words(contact.friction_angle);
+  if (contact.adhesion > 0) words += ", adhesion " + text::stress_words(contact.adhesion);
+  return words;
+}
+
+void rigid_bodies(Column& column, const Model& model)
+{
+  const problem::Case& c = model.settings;
+  if (!c.rigid.empty()) column.heading("Rigid bodies");
+  for (std::size_t k = 0; k < c.rigid.size(); ++k)
+    column.swatch(rigid_words(c.rigid[k].first, c.rigid[k].second, model.sketch.rigid_bodies[k].outline), rigid_color, {rim_color, 1});
+  if (!c.contact.empty()) column.heading("Contact");
+  for (const auto& [name, contact] : c.contact) column.bar(contact_words(name, contact), contact_color);
+}
+
+void mesh(Column& column, Canvas& canvas, const Model& model)
+{
+  column.heading("Mesh and boundaries");
+  const Real size = base::near_cell_size(model.settings);
+  const std::string cells = std::isnan(size) ? "" : "cells of " + text::length_words(size);
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&model.settings.mesh);
+  if (bed != nullptr && model.sketch.fine) {
+    const Vec<2> zone = model.sketch.fine->size();
+    std::string words =
+        fmt::format("fine zone, {} × {}{}", text::length_words(zone[0]), text::length_words(zone[1]), cells.empty() ? "" : ", " + cells);
+    if (const Real far = layout_of(*bed).far_size; std::isfinite(far))
+      words += fmt::format("; up to {} far from it", text::length_words(far));
+    column.swatch(words, "#ffffff", {fine_color, 1.4, 2});
+  } else if (!cells.empty()) {
+    column.swatch(cells, "#ffffff", {"#b0b4ba", 0.8});
+  }
+  bool hatched = false, wheels = false, along = false;
+  for (const HeldSides& held : model.ground.held)
+    for (const Side& side : held.sides) {
+      const int directions = held.directions & 3;
+      const bool across = is_held_across(side.outward, directions);
+      hatched |= directions == 3, wheels |= across, along |= directions != 0 && directions != 3 && !across;
+    }
+  const auto sign = [&](int directions) {
+    return [&canvas, directions](const Vec<2>& c) { support_sign(canvas, c - Vec<2>(0, 4), Vec<2>(0, 1), directions); };
+  };
+  if (hatched) column.entry("held in x and y", sign(3));
+  if (wheels) column.entry("held across the boundary", sign(2));
+  if (along) column.entry("held along the boundary", sign(1));
+  for (const auto& [name, traction] : model.settings.traction)
+    column.entry(fmt::format("traction {} on boundary {}{}", name, traction.boundary,
+                             traction.pressure ? ", " + text::stress_words(*traction.pressure) : ""),
+                 [&](const Vec<2>& c) {
+                   canvas.arrow(c - Vec<2>(12, 0), c + Vec<2>(12, 0), {load_color, 1.5});
+                 });
+}
+
+}  // namespace
+
+Real draw_legend(Canvas& canvas, const Model& model, const Vec<2>& at, Real width)
+{
+  Column column(canvas, at, width);
+  soils(column, model);
+  rigid_bodies(column, model);
+  mesh(column, canvas, model);
+  return column.level();
+}
+
+Real draw_stages(Canvas& canvas, const Model& model, const Vec<2>& at, Real width)
+{
+  Column column(canvas, at, width);
+  const std::vector<problem::StageSettings>& stages = model.settings.stage;
+  if (stages.empty()) return at[1];
+  column.heading("Stages");
+  for (std::size_t k = 0; k < stages.size() && k < max_stages; ++k)
+    column.entry(report::stage_words(stages[k], 2),
+                 [&](const Vec<2>& c) { number_mark(canvas, c, fmt::format("{}", k + 1), stage_color(stages[k].kind)); });
+  if (std::any_of(model.sketch.path.begin(), model.sketch.path.end(), [](const report::PathStep& step) { return !step.known; }))
+    column.entry("dashed arrow: how far it goes is found by the run", [](const Vec<2>&) {});
+  if (stages.size() > max_stages) column.entry(fmt::format("and {} more", stages.size() - max_stages), [](const Vec<2>&) {});
+  return column.level();
+}
+
+std::string method_words(const Model& model)
+{
+  const problem::Case& c = model.settings;
+  std::string words =
+      fmt::format("Plane strain, {}. {} cells.",
+                  c.method == problem::Method::mpm ? "material point method" : "small-strain finite elements around the body in place",
+                  text::count_words(model.ground.cells));
+  if (const Real g = model.sketch.gravity.norm(); g > 0) words += fmt::format(" Gravity {:.3g} g.", g / standard_gravity);
+  return words + " To scale.";
+}
+
+}  // namespace berm::picture

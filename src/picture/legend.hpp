@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "picture/panel.hpp"
+
+namespace berm::picture {
+
+/// What the colours and signs of a picture mean: soils, rigid bodies, contacts, supports, loads and mesh. Drawn from an upper left corner downwards within a width;
+/// gives the level where it ends, pixels.
+Real draw_legend(Canvas& canvas, const Model& model, const Vec<2>& at, Real width);
+
+/// The stages in words, each with its number; the same.
+Real draw_stages(Canvas& canvas, const Model& model, const Vec<2>& at, Real width);
+
+/// "plane strain, material point method, 7664 cells, gravity 1 g".
+std::string method_words(const Model& model);
+
+}  // namespace berm::picture

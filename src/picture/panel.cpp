@@ -1,0 +1,360 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/picture/model_picture_test.cpp
+#include "picture/panel.hpp"
+
+#include "picture/path_marks.hpp"
+#include "text/quantity_words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::picture {
+namespace {
+
+using report::Extent;
+using report::extent_of;
+
+constexpr Real small_part = 0.3;       // of the whole: a driven body below this is drawn once more, enlarged
+constexpr Real beyond = 0.5;           // of the mesh's size: so much of rigid bodies outside of it is drawn
+constexpr Real smallest_cell = 3.5;    // pixels: of smaller cells no sides are drawn
+constexpr Real support_distance = 22;  // pixels between two signs of a support
+constexpr Real load_distance = 26;
+
+Vec<2> in_pixels(const Vec<2>& metres)
+{
+  return {metres[0], -metres[1]};
+}
+
+Points in_pixels(const Scale& scale, const Points& points)
+{
+  Points moved;
+  for (const Vec<2>& x : points) moved.push_back(scale(x));
+  return moved;
+}
+
+void surface(Canvas& canvas, const Model& model, const Scale& scale)
+{
+  for (const Side& side : model.ground.surface) canvas.line({scale(side.from), scale(side.to)}, {surface_color, 1.8});
+}
+
+Points outline_points(const report::Outline& outline, const Scale& scale, const Vec<2>& moved)
+{
+  if (const auto* disk = std::get_if<report::DiskOutline>(&outline))
+    return Canvas::circle(scale(disk->center + moved), scale.length(disk->radius));
+  if (const auto* plane = std::get_if<report::PlaneOutline>(&outline))
+    return in_pixels(scale, report::part_inside({plane->point + moved, plane->normal}, scale.extent()));
+  Points points;
+  for (const Vec<2>& corner : std::get<report::CornersOutline>(outline).corners) points.push_back(scale(corner + moved));
+  return points;
+}
+
+bool touches_soil(const Model& model, const std::string& rigid)
+{
+  const auto& contacts = model.settings.contact;
+  return std::any_of(contacts.begin(), contacts.end(), [&](const auto& contact) { return contact.second.rigid == rigid; });
+}
+
+void blocks_and_disks(Canvas& canvas, const Model& model, const Scale& scale)
+{
+  for (const report::NamedOutline& body : model.sketch.bodies) {
+    const Points points = outline_points(body.outline, scale, Vec<2>::Zero());
+    canvas.polygon(points, soil_color(kind_of(model.ground, body.name)));
+    canvas.outline(points, {surface_color, 1.8});
+  }
+}
+
+/// The sides of cells that are long enough to be seen, each once; `soil`: of those with soil, else of those without.
+void sides(Canvas& canvas, const Model& model, const Scale& scale, bool soil, const LineStyle& style)
+{
+  const auto before = [](const Vec<2>& a, const Vec<2>& b) { return a[0] != b[0] ? a[0] < b[0] : a[1] < b[1]; };
+  const auto side_before = [&](const auto& a, const auto& b) {
+    return a.first != b.first ? before(a.first, b.first) : before(a.second, b.second);
+  };
+  std::vector<std::pair<Vec<2>, Vec<2>>> all;
+  for (const Piece& piece : model.ground.pieces)
+    for (std::size_t k = 0; k < piece.corners.size() && (piece.kind != none) == soil; ++k) {
+      const Vec<2>&from = piece.corners[k], &to = piece.corners[(k + 1) % piece.corners.size()];
+      if (scale.length((to - from).norm()) >= smallest_cell) all.emplace_back(std::minmax(from, to, before));
+    }
+  std::sort(all.begin(), all.end(), side_before);
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  for (const auto& [from, to] : all) canvas.line({scale(from), scale(to)}, style);
+}
+
+void cells(Canvas& canvas, const Model& model, const Scale& scale)
+{
+  for (Index kind = 0; kind < static_cast<Index>(model.ground.kinds.size()); ++kind) {
+    const auto each = [&](const auto& draw) {
+      for (const Piece& piece : model.ground.pieces)
+        if (piece.kind == kind) draw(in_pixels(scale, piece.corners));
+    };
+    each([&](const Points& points) { canvas.polygon(points, soil_color(kind)); });
+    // A seam between two cells would be lighter than both.
+    each([&](const Points& points) { canvas.outline(points, {soil_color(kind), 1}); });
+  }
+  blocks_and_disks(canvas, model, scale);
+  sides(canvas, model, scale, false, {"#a0a0a8b0", 0.35});
+  sides(canvas, model, scale, true, {mesh_color, 0.35});
+}
+
+/// Their rim has the colour of contacts where there is one. The outline of a polygon may be concave: the canvas cuts convex ones only, at its window.
+void rigid_bodies(Canvas& canvas, const Model& model, const Scale& scale)
+{
+  for (const report::NamedOutline& rigid : model.sketch.rigid_bodies) {
+    const Points points = outline_points(rigid.outline, scale, Vec<2>::Zero());
+    canvas.polygon(points, rigid_color);
+    canvas.outline(points, {touches_soil(model, rigid.name) ? contact_color : rim_color, 2.4});
+  }
+}
+
+void frame(Canvas& canvas, const Extent& extent, const Scale& scale, const LineStyle& style)
+{
+  const Vec<2>&a = extent.lower, &b = extent.upper;
+  canvas.outline({scale(a), scale({b[0], a[1]}), scale(b), scale({a[0], b[1]})}, style);
+}
+
+void fine_zone(Canvas& canvas, const Model& model, const Scale& scale)
+{
+  if (model.sketch.fine) frame(canvas, *model.sketch.fine, scale, {fine_color, 1.6, 2});
+}
+
+/// Whether a place is far enough from all earlier ones, which it joins then.
+bool takes_place(std::vector<Vec<2>>& places, const Vec<2>& at, Real distance)
+{
+  const bool free = std::none_of(places.begin(), places.end(), [&](const Vec<2>& other) { return (other - at).norm() < distance; });
+  if (free) places.push_back(at);
+  return free;
+}
+
+/// What a support fixes, beside its boundary; a closed or bent boundary has no one place for it.
+void support_words(Canvas& canvas, const HeldSides& held, const Scale& scale)
+{
+  Vec<2> middle = Vec<2>::Zero(), outward = Vec<2>::Zero();
+  Real length = 0;
+  for (const Side& side : held.sides) {
+    const Vec<2> from = scale(side.from), to = scale(side.to);
+    const Real part = (to - from).norm();
+    middle += 0.5 * part * (from + to);
+    outward += part * in_pixels(side.outward);
+    length += part;
+  }
+  if (outward.norm() < 0.98 * length) return;
+  outward.normalize();
+  const bool upright = std::abs(outward[0]) > 0.7;
+  canvas.text(middle / length + 21 * outward, held.words, {.size = 10, .anchor = Anchor::center, .upright = upright});
+}
+
+void supports(Canvas& canvas, const Model& model, const Scale& scale)
+{
+  for (const HeldSides& held : model.ground.held) {
+    if ((held.directions & 3) == 0 || held.sides.empty()) continue;
+    std::vector<Side> in_turn = held.sides;  // so that signs are evenly apart
+    std::sort(in_turn.begin(), in_turn.end(),
+              [](const Side& a, const Side& b) { return (a.from + a.to).dot(Vec<2>(1, 1e-3)) < (b.from + b.to).dot(Vec<2>(1, 1e-3)); });
+    std::vector<Vec<2>> places;
+    for (const Side& side : in_turn) {
+      Vec<2> from = scale(side.from), to = scale(side.to);
+      if ((to - from).dot(Vec<2>(1, -1e-3)) < 0) std::swap(from, to);
+      canvas.line({from, to}, {support_color, 2});
+      const int parts = std::max(1, static_cast<int>((to - from).norm() / 2));
+      for (int k = 0; k <= parts; ++k)
+        if (const Vec<2> at = from + (to - from) * k / parts; takes_place(places, at, support_distance))
+          support_sign(canvas, at, in_pixels(side.outward), held.directions & 3);
+    }
+    support_words(canvas, held, scale);
+  }
+}
+
+void loads(Canvas& canvas, const Model& model, const Scale& scale)
+{
+  std::vector<Vec<2>> places;
+  for (const LoadedSpot& spot : model.ground.loaded)
+    if (const Vec<2> at = scale(spot.at); takes_place(places, at, load_distance)) {
+      const Vec<2> along = in_pixels(spot.along);
+      canvas.arrow(at - 26 * along, at, {load_color, 1.5});
+    }
+}
+
+/// Velocities at the start.
+void flights(Canvas& canvas, const Model& model, const Scale& scale)
+{
+  for (const report::Flight& flight : model.sketch.flights) {
+    const Vec<2> at = scale(flight.at), along = in_pixels(flight.velocity).normalized();
+    canvas.arrow(at - 24 * along, at + 24 * along, {rim_color, 2});
+    canvas.text(at + Vec<2>(0, along[1] > 0 ? -36 : 36), text::speed_words(flight.velocity.norm()), {.anchor = Anchor::center});
+  }
+}
+
+/// Points that are watched; of those that lie close together one has its name.
+void watches(Canvas& canvas, const Model& model, const Scale& scale)
+{
+  std::vector<Vec<2>> places;
+  for (const auto& [name, watch] : model.settings.watch) {
+    if (watch.point.size() < 2) continue;
+    const Vec<2> at = scale(Vec<2>(watch.point[0], watch.point[1]));
+    for (const Real way : {-1., 1.}) canvas.line({Vec<2>(at - Vec<2>(5, way * 5)), Vec<2>(at + Vec<2>(5, way * 5))}, {watch_color, 2});
+    if (takes_place(places, at, 60)) canvas.text(at + Vec<2>(8, -6), name, {.size = 10, .color = watch_color});
+  }
+}
+
+/// 1, 2 or 5 times a power of ten, not above a quarter of a width, m.
+Real bar_length(Real width)
+{
+  const Real max = width / 4, power = std::pow(10., std::floor(std::log10(max)));
+  for (const Real step : {5., 2.})
+    if (step * power <= max) return step * power;
+  return power;
+}
+
+void scale_bar(Canvas& canvas, const Scale& scale, const Vec<2>& at)
+{
+  const Real metres = bar_length(scale.extent().size()[0]);
+  const Vec<2> end = at + Vec<2>(scale.length(metres), 0);
+  canvas.line({at, end}, {"#222222", 2});
+  for (const Vec<2>& x : {at, end}) canvas.line({Vec<2>(x - Vec<2>(0, 4)), Vec<2>(x + Vec<2>(0, 4))}, {"#222222", 2});
+  canvas.text(end + Vec<2>(8, 0), text::length_words(metres), {.size = 10});
+}
+
+/// Length of the mesh below it; depth of the bed and headroom left of it, or its whole height.
+void mesh_dimensions(Canvas& canvas, const Model& model, const Scale& scale)
+{
+  const Vec<2>&low = model.ground.lower, &high = model.ground.upper;
+  const Vec<2> below(0, 48), aside(std::min(Real(0), scale.window().upper_left[0] - scale(low)[0]) - 42, 0);
+  canvas.dimension(scale(low) + below, scale({high[0], low[1]}) + below, text::length_words(high[0] - low[0]));
+  const auto height = [&](Real from, Real to) {
+    canvas.dimension(scale({low[0], from}) + aside, scale({low[0], to}) + aside, text::length_words(to - from));
+  };
+  const std::optional<Real>& level = model.sketch.surface;
+  if (level && scale.length(high[1] - *level) > 30 && scale.length(*level - low[1]) > 30) {
+    height(low[1], *level);
+    height(*level, high[1]);
+  } else {
+    height(low[1], high[1]);
+  }
+}
+
+/// The width of each rigid body above it, and its embedment where it begins below the surface.
+void rigid_dimensions(Canvas& canvas, const Model& model, const Scale& scale)
+{
+  for (const report::NamedOutline& rigid : model.sketch.rigid_bodies) {
+    const Extent extent = extent_of(rigid.outline);
+    if (extent.size()[0] <= 0) continue;
+    const bool round = std::holds_alternative<report::DiskOutline>(rigid.outline);
+    const Vec<2> above(0, -14);
+    canvas.dimension(scale({extent.lower[0], extent.upper[1]}) + above, scale(extent.upper) + above,
+                     fmt::format("{} = {}", round ? "D" : "B", text::length_words(extent.size()[0])));
+    if (!model.sketch.surface) continue;
+    const Real w = *model.sketch.surface - extent.lower[1];
+    if (w <= 1e-3 * extent.size()[1] || extent.lower[1] < model.ground.lower[1]) continue;
+    const Vec<2> beside(-16, 0), lowest = scale(extent.lower) + beside, level = scale({extent.lower[0], *model.sketch.surface}) + beside;
+    canvas.line({lowest, scale({0.5 * (extent.lower[0] + extent.upper[0]), extent.lower[1]})}, {"#555555", 0.8, 3});
+    canvas.dimension(lowest, level, "w = " + text::length_words(w));
+  }
+}
+
+void ground(Canvas& canvas, const Model& model, const Scale& scale)
+{
+  cells(canvas, model, scale);
+  surface(canvas, model, scale);
+  rigid_bodies(canvas, model, scale);
+  fine_zone(canvas, model, scale);
+  watches(canvas, model, scale);
+  flights(canvas, model, scale);
+}
+
+}  // namespace
+
+std::string soil_color(Index kind)
+{
+  constexpr const char* colors[] = {"#e6d3a3", "#c9b59b", "#b7c9a8", "#a9c1cf", "#d9b3a0", "#c8bcd8", "#9fc5b8", "#d8c6c0"};
+  return colors[static_cast<std::size_t>(kind < 0 ? 0 : kind) % std::size(colors)];
+}
+
+bool is_held_across(const Vec<2>& outward, int directions)
+{
+  return directions == (std::abs(outward[0]) > std::abs(outward[1]) ? 1 : 2);
+}
+
+void support_sign(Canvas& canvas, const Vec<2>& at, const Vec<2>& outward, int directions)
+{
+  const Vec<2> along(-outward[1], outward[0]);
+  if (directions == 3) {
+    for (const Real shift : {-7., 0., 7.}) {
+      const Vec<2> foot = at + shift * along;
+      canvas.line({foot, Vec<2>(foot + 8 * outward + 5 * along)}, {support_color, 1});
+    }
+  } else if (is_held_across(outward, directions)) {
+    canvas.outline(Canvas::circle(at + 5 * outward, 4), {support_color, 1.2});
+  } else {
+    canvas.line({Vec<2>(at + 4 * outward - 7 * along), Vec<2>(at + 4 * outward + 7 * along)}, {support_color, 1.6});
+  }
+}
+
+Scale::Scale(const Extent& extent, const Window& box)
+    : extent_(extent),
+      upper_left_(box.upper_left),
+      scale_((box.size().array() / extent.size().array()).minCoeff())
+{
+}
+
+void draw_whole(Canvas& canvas, const Model& model, const Scale& scale, bool with_path)
+{
+  canvas.open(scale.window());
+  ground(canvas, model, scale);
+  if (with_path) path_marks(canvas, model, scale);
+  canvas.close();
+  supports(canvas, model, scale);
+  loads(canvas, model, scale);
+  mesh_dimensions(canvas, model, scale);
+  if (with_path) rigid_dimensions(canvas, model, scale);
+  scale_bar(canvas, scale, Vec<2>(scale.window().upper_left[0], scale.window().lower_right[1] + 78));
+  if (const std::optional<Extent> detail = detail_extent(model); detail && !with_path) {
+    frame(canvas, *detail, scale, {"#222222", 1.4});
+    canvas.text(scale({detail->upper[0], detail->upper[1]}) + Vec<2>(5, 8), "enlarged", {.size = 10});
+  }
+}
+
+void draw_detail(Canvas& canvas, const Model& model, const Scale& scale)
+{
+  canvas.open(scale.window());
+  ground(canvas, model, scale);
+  path_marks(canvas, model, scale);
+  rigid_dimensions(canvas, model, scale);
+  canvas.close();
+  frame(canvas, scale.extent(), scale, {"#222222", 1.4});
+  scale_bar(canvas, scale, Vec<2>(scale.window().upper_left[0], scale.window().lower_right[1] + 18));
+}
+
+Extent whole_extent(const Model& model)
+{
+  Extent extent{model.ground.lower, model.ground.upper};
+  const Vec<2> max = beyond * extent.size();
+  const Extent limit{extent.lower - max, extent.upper + max};
+  for (const report::NamedOutline& rigid : model.sketch.rigid_bodies) {
+    const Extent body = extent_of(rigid.outline);
+    extent = around(extent, {body.lower.cwiseMax(limit.lower), body.upper.cwiseMin(limit.upper)});
+  }
+  return extent;
+}
+
+std::optional<Extent> detail_extent(const Model& model)
+{
+  std::optional<Extent> way;
+  Real size = 0;
+  for (const report::PathStep& step : model.sketch.path) {
+    const Extent start = extent_of(model.sketch.rigid_bodies[step.rigid].outline);
+    const Vec<2> half = 0.5 * start.size();
+    size = std::max(size, start.size().maxCoeff());
+    for (const Vec<2>& center : {Vec<2>(0.5 * (start.lower + start.upper)), step.from, step.to}) {
+      const Extent there{center - half, center + half};
+      way = way ? around(*way, there) : there;
+    }
+  }
+  const Extent mesh{model.ground.lower, model.ground.upper};
+  if (!way || size <= 0 || size > small_part * mesh.size().maxCoeff()) return {};
+  way->lower -= size * Vec<2>(0.8, 0.5);
+  way->upper += size * Vec<2>(0.8, 0.35);
+  return way;
+}
+
+}  // namespace berm::picture

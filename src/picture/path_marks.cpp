@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/picture/model_picture_test.cpp
+#include "picture/path_marks.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::picture {
+namespace {
+
+/// A way and the stages that go it.
+struct Way {
+  report::PathStep step;
+  std::string numbers;
+  int count = 0;
+};
+
+std::vector<Way> ways_of(const report::Sketch& sketch)
+{
+  constexpr int max_numbers = 3;
+  std::vector<Way> ways;
+  for (const report::PathStep& step : sketch.path) {
+    auto same = std::find_if(ways.begin(), ways.end(), [&](const Way& way) {
+      return way.step.rigid == step.rigid && (way.step.from - step.from).norm() + (way.step.to - step.to).norm() < 1e-9;
+    });
+    if (same == ways.end()) same = ways.insert(ways.end(), {step, "", 0});
+    if (same->count < max_numbers) same->numbers += fmt::format("{}{}", same->count > 0 ? ", " : "", step.stage + 1);
+    if (same->count++ == max_numbers) same->numbers += ", ...";
+  }
+  return ways;
+}
+
+Points there(const report::Outline& outline, const Vec<2>& center, const Scale& scale)
+{
+  if (const auto* disk = std::get_if<report::DiskOutline>(&outline)) return Canvas::circle(scale(center), scale.length(disk->radius));
+  Points points;
+  if (const auto* corners = std::get_if<report::CornersOutline>(&outline)) {
+    const report::Extent extent = report::extent_of(outline);
+    for (const Vec<2>& corner : corners->corners) points.push_back(scale(corner + center - 0.5 * (extent.lower + extent.upper)));
+  }
+  return points;
+}
+
+}  // namespace
+
+std::string stage_color(problem::StageKind kind)
+{
+  switch (kind) {
+  case problem::StageKind::push:
+    return push_color;
+  case problem::StageKind::drag:
+  case problem::StageKind::sweep:
+    return drag_color;
+  case problem::StageKind::drive:
+    return "#2e7d32";
+  case problem::StageKind::geostatic:
+  case problem::StageKind::free:
+    break;
+  }
+  return "#5f6b76";
+}
+
+void number_mark(Canvas& canvas, const Vec<2>& center, const std::string& number, const std::string& color)
+{
+  const Real half = std::max<Real>(10, 0.5 * Canvas::width_of(number, 10) + 5);
+  const Vec<2> side(half - 10, 0);
+  canvas.disk(center - side, 10, color);
+  canvas.disk(center + side, 10, color);
+  canvas.polygon({Vec<2>(center - side - Vec<2>(0, 10)), Vec<2>(center + side - Vec<2>(0, 10)), Vec<2>(center + side + Vec<2>(0, 10)),
+                  Vec<2>(center - side + Vec<2>(0, 10))},
+                 color);
+  canvas.text(center, number, {.size = 10, .anchor = Anchor::center, .color = "#ffffff", .bold = true});
+}
+
+void path_marks(Canvas& canvas, const Model& model, const Scale& scale)
+{
+  const std::vector<Way> ways = ways_of(model.sketch);
+  for (const Way& way : ways)
+    if (way.step.known) canvas.outline(there(model.sketch.rigid_bodies[way.step.rigid].outline, way.step.to, scale), {rim_color, 1.3, 2});
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    const report::PathStep& step = ways[k].step;
+    const std::string color = stage_color(model.settings.stage[step.stage].kind);
+    // The middle of a half-plane may lie at the rim, or anywhere: the arrow is moved to where it is seen.
+    const Vec<2> rim(30, 30), way = scale(step.to) - scale(step.from), along = way.normalized();
+    const Vec<2> from = scale(step.from).cwiseMax(scale.window().upper_left + rim).cwiseMin(scale.window().lower_right - rim),
+                 to = from + way;
+    // The way back lies beside the way out.
+    const auto back = std::any_of(ways.begin(), ways.begin() + static_cast<std::ptrdiff_t>(k), [&](const Way& other) {
+      return (other.step.from - step.to).norm() + (other.step.to - step.from).norm() < 1e-9;
+    });
+    const Vec<2> beside = back ? Vec<2>(18 * Vec<2>(-along[1], along[0])) : Vec<2>(Vec<2>::Zero());
+    canvas.arrow(from + beside, to + beside, {color, 2.6, step.known ? 1 : 2});
+    const Vec<2> middle = 0.5 * (from + to) + beside;
+    const bool upright = std::abs(along[1]) > std::abs(along[0]);
+    const bool room = (to - from).norm() > 50;
+    number_mark(canvas, room ? middle : Vec<2>(middle + (upright ? Vec<2>(18, 0) : Vec<2>(0, -18))), ways[k].numbers, color);
+  }
+}
+
+}  // namespace berm::picture

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "picture/model_picture.hpp"
+
+#include "picture/panel.hpp"
+#include "samples/drawn_run.hpp"
+#include "samples/layered_box.hpp"
+#include "samples/pixel_color.hpp"
+
+#include <fmt/format.h>
+#include <regex>
+
+namespace berm::picture {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ModelPicture : public testing::Test {
+protected:
+  /// The picture of the layered box.
+  fs::path draw(const std::vector<std::string>& changes = {}, plot::PlotFormat format = plot::PlotFormat::png)
+  {
+    const problem::Case c = test::layered_box(changes);
+    EXPECT_TRUE(draw_model(c, mesh::make_mesh<2>(c.mesh, ".", "."), folder.path(), "model", format));
+    return folder / (format == plot::PlotFormat::png ? "model.png" : "model.svg");
+  }
+  void SetUp() override
+  {
+    if (std::system("gnuplot --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
+  }
+  TemporaryFolder folder;
+};
+
+Color color_of(const std::string& hex)
+{
+  Color color;
+  for (std::size_t k = 0; k < 3; ++k) color[k] = std::stoi(hex.substr(1 + 2 * k, 2), nullptr, 16);
+  return color;
+}
+
+/// Where the whole model lies in the picture: the box and the pipe on it, 2 m by 1.5 m (the pipe is cut at half the height of the box above it), from (114, 112), 640 pixels high at most and 626 wide.
+Color color_in(const fs::path& picture, Real x, Real y)
+{
+  const Real scale = std::min(626. / 2, 640. / 1.5);
+  return color_at(picture, static_cast<int>(114 + scale * x), static_cast<int>(112 + scale * (1.5 - y)));
+}
+
+TEST_F(ModelPicture, each_soil_and_the_pipe_have_their_colour_where_they_are)
+{
+  const fs::path picture = draw();
+  EXPECT_EQ(png_size(picture).first, picture_width);
+  const Color sand = color_of(soil_color(0)), clay = color_of(soil_color(1)), pipe = color_of(rigid_color), white{255, 255, 255};
+  EXPECT_EQ(color_in(picture, 1.57, 0.86), sand);
+  EXPECT_EQ(color_in(picture, 1.57, 0.72), sand) << "2 cm above the border";
+  EXPECT_EQ(color_in(picture, 1.57, 0.68), clay) << "2 cm below the border, in the same cell";
+  EXPECT_EQ(color_in(picture, 1.57, 0.11), clay);
+  EXPECT_EQ(color_in(picture, 0.42, 1.35), pipe);
+  EXPECT_EQ(color_in(picture, 0.7, 1.45), pipe);
+  EXPECT_EQ(color_in(picture, 1.57, 1.1), white) << "above the bed";
+  EXPECT_EQ(color_in(picture, 0.3, 1.35), white) << "beside the pipe, which ends at 0.35 m";
+}
+
+TEST_F(ModelPicture, the_arrow_of_a_stage_lies_on_its_way)
+{
+  const fs::path picture = draw();
+  // The pipe's centre goes down from 1.35 m to 1.25 m and then along x to 1.2 m.
+  const Color drag = color_of(drag_color);
+  EXPECT_EQ(color_in(picture, 0.84, 1.25), drag);
+  EXPECT_EQ(color_in(picture, 1.1, 1.25), drag);
+  EXPECT_NE(color_in(picture, 1.25, 1.25), drag) << "beyond its end";
+  EXPECT_NE(color_in(draw({"stage.drag.velocity=\"-1 m/s\""}), 1.1, 1.25), drag) << "the other way";
+}
+
+TEST_F(ModelPicture, words_say_what_is_drawn)
+{
+  const std::string words = std::regex_replace(content_of(draw({}, plot::PlotFormat::svg)), std::regex("\u00a0"), " ");
+  for (const char* expected : {"sand on clay", "64 cells", "sand (body bed)", "clay (body bed)", "φ = 35°", "sᵤ = 2 kPa",
+                               "circle, D = 700 mm", "skin: bed on pipe", "δ = 20°", "x, y fixed", "x fixed in rest", "D = 700 mm",
+                               "push 1 m/s to w = 100 mm", "drag 1 m/s, V held, 500 mm", "2 m", "1 m"})
+    EXPECT_NE(words.find(expected), std::string::npos) << expected;
+  EXPECT_EQ(words.find("inf"), std::string::npos);
+  EXPECT_EQ(words.find("nan"), std::string::npos);
+}
+
+TEST_F(ModelPicture, a_small_body_is_drawn_once_more_enlarged)
+{
+  EXPECT_EQ(content_of(draw({}, plot::PlotFormat::svg)).find("enlarged"), std::string::npos);
+  EXPECT_NE(content_of(draw({"rigid.pipe.diameter=\"0.1 m\"", "rigid.pipe.center=[\"0.7 m\", \"1.05 m\"]",
+                             "stage.push.until.embedment=\"0.02 m\""},
+                            plot::PlotFormat::svg))
+                .find("enlarged"),
+            std::string::npos);
+}
+
+TEST_F(ModelPicture, a_title_with_quotes_is_no_command)
+{
+  EXPECT_NE(content_of(draw({"title=\"it's a 'pipe'; exit\""}, plot::PlotFormat::svg)).find("it's a 'pipe'; exit"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace berm::picture
