@@ -102,7 +102,7 @@ Real stiffest_at_contact(const FemModel& model, Index body)
   const problem::BodySoil& soil = model.model.bodies[body].soil;
   Real stiffest = 0;
   for (const FemContactPoint& point : model.contact) {
-    const Real depth = model.model.surface - model.mesh.position[point.node][1];
+    const Real depth = model.model.soil_depth(model.mesh.position[point.node]);
     stiffest = std::max(stiffest, p_wave_modulus(soil.at("", depth)));
     for (const auto& [region, number] : soil.of_region) stiffest = std::max(stiffest, p_wave_modulus(soil.at(region, depth)));
   }
@@ -138,7 +138,12 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
     if (rigid.motion == bodies::Motion::free)
       throw KeyError(fmt::format("rigid.{}.motion: in the finite element method stages move a rigid body; it cannot be \"free\"", name));
   model.model = make_model(c, make_cut_mesh(c, case_folder, work_folder));
-  if (c.initial_state == problem::InitialState::level_ground) refuse_k0_below_uneven_ground(c, model.model);
+  const bool by_gravity = loads_by_gravity(c, model.model.ground);
+  if (!by_gravity) refuse_k0_below_uneven_ground(c, model.model);
+  if (by_gravity)
+    for (const auto& [name, body] : c.body)
+      if (!body.k0)
+        throw KeyError(fmt::format("body.{}.k0: is missing: below ground that is not level finite elements need k0 of all bodies", name));
   model.settings = c.fem;
   model.non_associated = flows_non_associated(model.model);
   std::vector<bodies::RigidShape<2>> shapes;
@@ -164,9 +169,9 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
     for (int q = 0; q < triangle_points; ++q) {
       const ShapeAtPoint& shape = model.shape[cell][q] = shape_at(nodes, q);
       if (!(shape.area > 0)) throw RunError(fmt::format("the curved element at ({}, {}) is inverted", nodes[0][0], nodes[0][1]));
-      Real y = 0;
-      for (int k = 0; k < 6; ++k) y += shape.value[k] * nodes[k][1];
-      model.depth[cell][q] = model.model.surface - y;
+      Vec<2> x = Vec<2>::Zero();
+      for (int k = 0; k < 6; ++k) x += shape.value[k] * nodes[k];
+      model.depth[cell][q] = model.model.soil_depth(x);
       const problem::BodySoil& soil = model.soil_of(cell);
       refuse_no_strength(soil, model.region_of(cell), model.depth[cell][q], model.model.bodies[body].name);
       state.points[cell][q].stress =
@@ -180,12 +185,16 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
       model.weight += model.shape[cell][q].area * model.density_at(cell, q) * model.model.gravity.norm();
   if (model.rigid != none) model.width = width_of<2>(model.model.rigid_bodies[model.rigid].shape);
   number_unknowns(model);
-  if (c.initial_state == problem::InitialState::gravity_loading) load_by_gravity(c, model, state);
+  if (by_gravity) load_by_gravity(c, model, state);
   for (const auto& [name, watch] : c.watch) model.watches.push_back(make_watch(model, name, watch, problem::index_of(c.body, watch.body)));
   state.displacement.assign(model.unknowns(), 0.);
   state.contact.resize(model.contact.size());
   state.state.tractions.resize(model.model.tractions.size());
   state.state.rigid_bodies.resize(model.model.rigid_bodies.size());
+  // Finite elements are in equilibrium from their start: a stage that waits for it is one increment.
+  constexpr Real one_increment = 1e-3;
+  for (problem::StageSettings& stage : model.model.stages)
+    if (ends_at_equilibrium(stage) && !stage.until.time) stage.until.time = one_increment;
   begin_stage(model.model, state.state);
   return problem;
 }

@@ -4,6 +4,7 @@
 #include "bodies/rigid/rigid_body.hpp"
 #include "core/error.hpp"
 #include "mesh/gmsh_program.hpp"
+#include "problem/ground.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -77,6 +78,30 @@ std::vector<Real> ends_on_surface(const bodies::Box<2>& box)
   return ends;
 }
 
+/// Whether part of a shape lies in soil whose surface is not level.
+bool reaches_into(const mesh::GroundLine& ground, const bodies::Circle<2>& circle)
+{
+  return circle.center[1] < ground.height(circle.center[0]) || ground.distance(circle.center) < circle.radius * (1 - 1e-9);
+}
+
+void add_uneven_cut(Cuts& cuts, const mesh::SeabedMesh& bed, const mesh::GroundLine& ground, const std::string& name,
+                    const bodies::RigidShape<2>& shape)
+{
+  const auto* circle = std::get_if<bodies::Circle<2>>(&shape);
+  if (circle == nullptr)
+    throw KeyError(fmt::format(
+        "rigid.{}.shape: of a bed that is not level only a \"circle\" can be cut out; a mesh of kind \"gmsh\" may have any hole", name));
+  const mesh::SeabedLayout at = layout_of(bed);
+  const Real x = circle->center[0], base = -bed.depth + std::tan(bed.slope) * x, r = circle->radius;
+  if (x + r <= at.left || x - r >= at.right || circle->center[1] + r <= base || !reaches_into(ground, *circle))
+    throw KeyError(fmt::format(
+        "rigid.{}.center: the body at ({:.6g}, {:.6g}) m with its radius of {:.6g} m does not reach into the soil, whose surface is "
+        "at y = {:.6g} m there; for finite elements it must lie in the soil at least partly",
+        name, x, circle->center[1], r, ground.height(x)));
+  cuts.surfaces.push_back(draw(*circle, cuts.surfaces.size() + 2));
+  cuts.distances.push_back(distance_from(*circle));
+}
+
 template <class Shape>
 void add_cut(Cuts& cuts, const mesh::SeabedMesh& bed, const std::string& name, const Shape& shape)
 {
@@ -99,6 +124,7 @@ void add_cut(Cuts& cuts, const mesh::SeabedMesh& bed, const std::string& name, c
 
 Cuts cuts_of(const problem::Case& c, const mesh::SeabedMesh& bed)
 {
+  const mesh::GroundLine ground = ground_of(bed);
   Cuts cuts;
   for (const auto& [name, rigid] : c.rigid) {
     const auto touches = [&, &own = name](const auto& contact) { return contact.second.rigid == own; };
@@ -108,7 +134,9 @@ Cuts cuts_of(const problem::Case& c, const mesh::SeabedMesh& bed)
     if (c.fem.contact_size && *c.fem.contact_size < 1e-3 * width)
       throw KeyError(fmt::format("fem.contact_size: {:.6g} m is less than a thousandth of the width of [rigid.{}], {:.6g} m",
                                  *c.fem.contact_size, name, width));
-    if (const auto* circle = std::get_if<bodies::Circle<2>>(&shape))
+    if (!ground.level())
+      add_uneven_cut(cuts, bed, ground, name, shape);
+    else if (const auto* circle = std::get_if<bodies::Circle<2>>(&shape))
       add_cut(cuts, bed, name, *circle);
     else if (const auto* box = std::get_if<bodies::Box<2>>(&shape))
       add_cut(cuts, bed, name, *box);
@@ -120,21 +148,22 @@ Cuts cuts_of(const problem::Case& c, const mesh::SeabedMesh& bed)
   return cuts;
 }
 
-// A part of the bed: left < x < right, bottom < y < 0.
+// A part of the bed: left < x < right, and above the bottom, which goes along the slope.
 struct Part {
-  Real left, right, bottom;
+  Real left, right, bottom, incline;
 
-  bool contains(const Vec<2>& x) const { return left < x[0] && x[0] < right && bottom < x[1]; }
+  bool contains(const Vec<2>& x) const { return left < x[0] && x[0] < right && bottom < x[1] - incline * x[0]; }
 };
 
 Part fine_zone(const mesh::SeabedMesh& bed)
 {
-  return {bed.near_left, bed.near_right, -bed.near_depth};
+  const mesh::FineZone fine = fine_zone_of(bed);
+  return {fine.left, fine.right, fine.lower, std::tan(bed.slope)};
 }
 Part inside_of_layer(const mesh::SeabedMesh& bed)
 {
   const mesh::SeabedLayout at = layout_of(bed);
-  return {at.left + bed.layer, at.right - bed.layer, -bed.depth + bed.layer};
+  return {at.left + bed.layer, at.right - bed.layer, -bed.depth + bed.layer, std::tan(bed.slope)};
 }
 
 // Whether the same bodies fill both regions.
@@ -153,6 +182,11 @@ std::vector<Part> parts_to_draw(const problem::Case& c, const mesh::SeabedMesh& 
   std::vector<Part> parts;
   if (!alike(c, "near", "bed")) parts.push_back(fine_zone(bed));
   if (bed.layer > 0 && !alike(c, "layer", "bed")) parts.push_back(inside_of_layer(bed));
+  if (!parts.empty() && !ground_of(bed).level())
+    throw KeyError(fmt::format(
+        "body.{}.regions: of a bed that is not level finite elements take \"near\", \"bed\" and \"layer\" as one: fill all of them "
+        "with the same body",
+        c.body.front().first));
   return parts;
 }
 
@@ -172,13 +206,49 @@ std::string curves_on(Real left, Real right, Real bottom, Real top, Real margin)
                      top + margin, margin);
 }
 
+// The outline of a bed that is not level, as Surface(1).
+std::string draw(const mesh::SeabedMesh& bed, const mesh::GroundLine& ground)
+{
+  const mesh::SeabedLayout at = layout_of(bed);
+  std::vector<Vec<2>> corners = ground.corners;
+  for (const Real x : {at.right, at.left}) corners.emplace_back(x, -bed.depth + std::tan(bed.slope) * x);
+  std::string text, loop;
+  const std::size_t n = corners.size();
+  for (std::size_t k = 0; k < n; ++k) text += fmt::format("Point({}) = {{{}, {}, 0}};\n", k + 1, corners[k][0], corners[k][1]);
+  for (std::size_t k = 0; k < n; ++k) {
+    text += fmt::format("Line({}) = {{{}, {}}};\n", k + 1, k + 1, (k + 1) % n + 1);
+    loop += fmt::format("{}{}", k == 0 ? "" : ", ", k + 1);
+  }
+  return text + fmt::format("Curve Loop(1) = {{{}}};\nPlane Surface(1) = {{1}};\n", loop);
+}
+
+// By the nodes' positions: in Gmsh a curve is found by a box around it, which of an inclined one may hold others.
+void name_boundaries(mesh::Mesh<2>& mesh, const mesh::SeabedMesh& bed, const mesh::GroundLine& ground)
+{
+  const mesh::SeabedLayout at = layout_of(bed);
+  const Real margin = 1e-6 * bed.near_size;
+  mesh.boundary_names = {"left", "right", "base", "surface"};
+  mesh.boundary_nodes.assign(4, {});
+  for (Index i = 0; i < mesh.node_count(); ++i) {
+    const Vec<2>& x = mesh.position[i];
+    const bool on[] = {std::abs(x[0] - at.left) < margin, std::abs(x[0] - at.right) < margin,
+                       std::abs(x[1] - std::tan(bed.slope) * x[0] + bed.depth) < margin, ground.distance(x) < margin};
+    for (int k = 0; k < 4; ++k)
+      if (on[k]) mesh.boundary_nodes[k].push_back(i);
+  }
+}
+
 void write_cut_geo(const mesh::SeabedMesh& bed, const Cuts& cuts, const std::vector<Part>& parts, Real contact_size, const fs::path& path)
 {
   const mesh::SeabedLayout at = layout_of(bed);
   std::ofstream out(path);
-  out << "// A level bed without the rigid bodies, made by berm. Lengths in metres; the bed's surface is y = 0.\n"
-      << "SetFactory(\"OpenCASCADE\");\n"
-      << fmt::format("Rectangle(1) = {{{}, {}, 0, {}, {}}};\n", at.left, -bed.depth, bed.length, bed.depth);
+  out << "// A bed without the rigid bodies, made by berm. Lengths in metres.\n"
+      << "SetFactory(\"OpenCASCADE\");\n";
+  const mesh::GroundLine ground = ground_of(bed);
+  if (!ground.level())
+    out << draw(bed, ground);
+  else
+    out << fmt::format("Rectangle(1) = {{{}, {}, 0, {}, {}}};\n", at.left, -bed.depth, bed.length, bed.depth);
   for (const std::string& surface : cuts.surfaces) out << surface;
   if (!cuts.surfaces.empty())
     out << fmt::format("BooleanDifference{{ Surface{{1}}; Delete; }}{{ Surface{{2:{}}}; Delete; }}\n", cuts.surfaces.size() + 1);
@@ -190,11 +260,12 @@ void write_cut_geo(const mesh::SeabedMesh& bed, const Cuts& cuts, const std::vec
   if (!cuts.points.empty()) out << "BooleanFragments{ Surface{:}; Delete; }{ Point{ends()}; Delete; }\n";
 
   const Real margin = 0.01 * bed.near_size;
-  out << "Physical Surface(\"soil\") = Surface{:};\n"
-      << "Physical Curve(\"left\") = " << curves_on(at.left, at.left, -bed.depth, 0, margin)
-      << "Physical Curve(\"right\") = " << curves_on(at.right, at.right, -bed.depth, 0, margin)
-      << "Physical Curve(\"base\") = " << curves_on(at.left, at.right, -bed.depth, -bed.depth, margin)
-      << "Physical Curve(\"surface\") = " << curves_on(at.left, at.right, 0, 0, margin);
+  out << "Physical Surface(\"soil\") = Surface{:};\n";
+  if (ground.level())
+    out << "Physical Curve(\"left\") = " << curves_on(at.left, at.left, -bed.depth, 0, margin)
+        << "Physical Curve(\"right\") = " << curves_on(at.right, at.right, -bed.depth, 0, margin)
+        << "Physical Curve(\"base\") = " << curves_on(at.left, at.right, -bed.depth, -bed.depth, margin)
+        << "Physical Curve(\"surface\") = " << curves_on(at.left, at.right, 0, 0, margin);
 
   std::string size = size_formula(bed);
   for (const std::string& distance : cuts.distances) size = fmt::format("Min({}, {} + {} * {})", size, contact_size, bed.growth, distance);
@@ -232,6 +303,7 @@ mesh::Mesh<2> make_cut_mesh(const problem::Case& c, const fs::path& case_folder,
   mesh::run_gmsh(geo, msh, 2);
   mesh::Mesh<2> mesh = mesh::read_msh<2>(msh);
   name_regions(mesh, *bed);
+  if (const mesh::GroundLine ground = ground_of(*bed); !ground.level()) name_boundaries(mesh, *bed, ground);
   // The space above the bed is not in this mesh, so a support of its top fixes nothing.
   mesh.boundary_names.emplace_back("top");
   mesh.boundary_nodes.emplace_back();

@@ -3,6 +3,7 @@
 
 #include "core/describe.hpp"
 #include "mesh/mesh.hpp"
+#include "mesh/seabed.hpp"
 
 #include <filesystem>
 
@@ -10,7 +11,8 @@ namespace berm::mesh {
 
 /// A mesh made with Gmsh, or a geometry that Gmsh is to mesh.
 struct GmshFile {
-  std::string file;  ///< .msh, format 4.1, ASCII; or .geo
+  std::string file;                          ///< .msh, format 4.1, ASCII; or .geo
+  std::optional<SeabedMesh> made_from = {};  ///< of a file that berm made: from what
 };
 
 void describe(Describe& d, GmshFile& mesh);

@@ -46,7 +46,8 @@ Mesh<dim> make(const BoxMesh& box, const fs::path&, const fs::path&)
 void describe(Describe& d, MeshSettings& mesh)
 {
   d.one_of("kind", mesh, {"seabed", "gmsh", "box"},
-           {.meaning = "where the mesh comes from: made for a pipe on a flat bed, read from a file of Gmsh, or a structured box",
+           {.meaning = "where the mesh comes from: made for a pipe on a bed, level or with a slope, a trench or a step, read from a file "
+                       "of Gmsh, or a structured box",
             .required = true});
 }
 

@@ -2,6 +2,7 @@
 #include "mesh/seabed.hpp"
 
 #include "core/error.hpp"
+#include "mesh/uneven_seabed.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -143,6 +144,13 @@ void describe(Describe& d, SeabedMesh& bed)
           {.meaning = "thickness of the outer layer along walls and base, and then the largest size of any cell; 0: none",
            .unit = "m",
            .range = not_negative});
+  d.value("slope", bed.slope,
+          {.meaning =
+               "angle of the surface from the horizontal; positive ascends along x, so that a drag along x goes uphill. The surface passes "
+               "through y = 0 at x = 0, and base and top go with it",
+           .unit = "rad"});
+  d.optional_table("trench", bed.trench, {.meaning = "a trench in the bed"});
+  d.optional_table("step", bed.step, {.meaning = "a step of the bed"});
 }
 
 SeabedLayout layout_of(const SeabedMesh& bed)
@@ -185,6 +193,7 @@ void check(const SeabedMesh& bed)
   fits(bed.near_depth <= bed.depth - bed.layer - h, "near_depth",
        fmt::format("{:.6g} m must stay above the base and its layer by near_size: at most {:.6g} m", bed.near_depth,
                    bed.depth - bed.layer - h));
+  check_ground(bed);
   fits(expected_cells(bed) <= max_seabed_cells, "near_size",
        fmt::format("about {:.2g} cells would be made; at most {:.0e}: enlarge near_size, growth or far_size", expected_cells(bed),
                    max_seabed_cells));
@@ -194,6 +203,12 @@ std::string size_formula(const SeabedMesh& bed)
 {
   const Real far_size = layout_of(bed).far_size;
   const std::string limit = std::isfinite(far_size) ? fmt::format("Min({}, ", far_size) : "(";
+  if (!ground_of(bed).level()) {
+    const FineZone fine = fine_zone_of(bed);
+    const std::string y = fmt::format("(y - ({}) * x)", std::tan(bed.slope));
+    return fmt::format("{}{} + {} * Sqrt(Max(0, Max({} - x, x - ({})))^2 + Max(0, Max({} - {}, {} - ({})))^2))", limit, bed.near_size,
+                       bed.growth, fine.left, fine.right, fine.lower, y, y, fine.upper);
+  }
   return fmt::format("{}{} + {} * Sqrt(Max(0, Max({} - x, x - ({})))^2 + Max(0, Max({} - y, y - {}))^2))", limit, bed.near_size, bed.growth,
                      bed.near_left, bed.near_right, -bed.near_depth, bed.near_height);
 }
@@ -201,9 +216,10 @@ std::string size_formula(const SeabedMesh& bed)
 Real expected_cells(const SeabedMesh& bed)
 {
   const SeabedLayout at = layout_of(bed);
-  std::vector<Interval> across = {{0, bed.near_right - bed.near_left}}, down = {{0, bed.near_depth + bed.near_height}};
-  for (const Real reach : {bed.near_left - at.left, at.right - bed.near_right}) add_stretches(across, bed, reach);
-  for (const Real reach : {bed.depth - bed.near_depth, bed.headroom - bed.near_height}) add_stretches(down, bed, reach);
+  const FineZone fine = fine_zone_of(bed);
+  std::vector<Interval> across = {{0, fine.right - fine.left}}, down = {{0, fine.upper - fine.lower}};
+  for (const Real reach : {fine.left - at.left, at.right - fine.right}) add_stretches(across, bed, reach);
+  for (const Real reach : {bed.depth + fine.lower, bed.headroom - fine.upper}) add_stretches(down, bed, reach);
   Real sum = 0;
   for (const Interval& x : across)
     for (const Interval& y : down) {
@@ -218,6 +234,7 @@ void write_geo(const SeabedMesh& bed, const std::filesystem::path& path)
 {
   check(bed);
   const SeabedLayout at = layout_of(bed);
+  if (!ground_of(bed).level()) return write_uneven_geo(bed, path);
   std::ofstream out(path);
   out << "// A flat bed for a pipe, made by berm. Lengths in metres; the bed's surface is y = 0.\n";
   for (const auto& [name, value] : {std::pair{"left", at.left},

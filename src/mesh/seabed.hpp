@@ -2,13 +2,29 @@
 #pragma once
 
 #include "core/describe.hpp"
+#include "mesh/ground_line.hpp"
 
 #include <filesystem>
 #include <string>
 
 namespace berm::mesh {
 
-/// The mesh of a flat bed with free space above it, fine around the path of a pipe that starts at x = 0. The bed's surface is y = 0. In metres:
+/// A trench across the plane, cut into the bed: a level bottom (or one along the slope of the bed) and two straight sides.
+struct Trench {
+  Real depth = 0;       ///< m below the bed beside it
+  Real width = 0;       ///< m, of its bottom
+  Real side_slope = 0;  ///< rad from the bed beside it
+  Real center = 0;      ///< x, m
+};
+
+/// A step of the bed: at its foot begins a straight face, and beyond it the bed is higher or lower.
+struct Step {
+  Real height = 0;      ///< m; less than 0: the bed is lower beyond the face
+  Real position = 0;    ///< x where the face begins, m
+  Real face_slope = 0;  ///< rad
+};
+
+/// The mesh of a bed with free space above it, fine around the path of a pipe that starts at x = 0. The bed's surface is y = 0. In metres:
 ///
 ///     top     +-----------------------------------+  y = headroom
 ///             |           +------+                |  y = near_height
@@ -22,6 +38,10 @@ namespace berm::mesh {
 ///
 /// Regions "near", "bed", "layer" (where there is one), "headroom"; boundaries "left", "right", "base", "top" and "surface", which lies within the mesh. The size of the cells is near_size
 /// in the fine zone (up to near_height above the surface) and min(near_size + growth * distance, far_size) at a distance from it.
+///
+/// With a slope all lines that are level above ascend along x with it, so that y = 0 is the surface at x = 0 and the bed has its depth everywhere. With a trench
+/// or a step the surface follows it (y = 0 is the bed beside the trench, or before the step), the fine zone reaches from near_depth below the lowest to near_height above the highest
+/// surface in it, and depth and headroom count from y = 0.
 struct SeabedMesh {
   Real length = 0;
   Real depth = 0;
@@ -35,9 +55,26 @@ struct SeabedMesh {
   Real growth = 0.15;
   std::optional<Real> far_size;  ///< empty: not limited
   Real layer = 0;                ///< thickness of the layer along walls and base, and maximum size of a cell; 0: no layer
+  Real slope = 0;                ///< rad, of the surface: positive ascends along x
+  std::optional<Trench> trench = {};
+  std::optional<Step> step = {};
 };
 
+void describe(Describe& d, Trench& trench);
+void describe(Describe& d, Step& step);
 void describe(Describe& d, SeabedMesh& seabed);
+
+/// The surface of the bed, from wall to wall; without corners where it is level.
+GroundLine ground_of(const SeabedMesh& seabed);
+
+/// The surface without the trench: that from which the soil was laid down.
+GroundLine ground_before_trench(const SeabedMesh& seabed);
+
+/// The fine zone: its lower and upper end are those at x = 0 of lines along the slope.
+struct FineZone {
+  Real left, right, lower, upper;
+};
+FineZone fine_zone_of(const SeabedMesh& seabed);
 
 /// The bed with its defaults: x of the walls, and maximum size of a cell, m.
 struct SeabedLayout {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/fill.hpp"
 #include "core/error.hpp"
+#include "problem/equilibrium.hpp"
 #include "problem/initial_state.hpp"
 #include "problem/stages.hpp"
 
@@ -64,7 +65,7 @@ template <int dim>
 bodies::SoilAtPoint soil_at(const Model<dim>& model, const Body<dim>& body, Index cell, const Vec<dim>& x)
 {
   const std::string& region = model.mesh.region_names[model.mesh.region[cell]];
-  const Real depth = model.axes.depth(x, model.surface), gravity = -model.axes.sign * model.gravity[model.axes.up];
+  const Real depth = model.soil_depth(x), gravity = -model.axes.sign * model.gravity[model.axes.up];
   refuse_no_strength(body.soil, region, depth, body.name);
   return {inertia_density(body.soil.at(region, depth)), gravity * body.soil.mass_above(region, std::max(Real(0), depth)),
           own_values(body.soil, region, depth)};
@@ -78,7 +79,7 @@ SoilWaves waves_in(const Model<dim>& model, const Body<dim>& body, const bodies:
   Real volume = 0;
   particles.visit([&](Index cell, Index b, int l) {
     const bodies::Particle<dim> p = particles.read(b, l);
-    const SoilWaves here = waves_of(body.soil.at(model.mesh.region_names[model.mesh.region[cell]], model.axes.depth(p.x, model.surface)));
+    const SoilWaves here = waves_of(body.soil.at(model.mesh.region_names[model.mesh.region[cell]], model.soil_depth(p.x)));
     all.fastest = std::max(all.fastest, here.fastest);
     all.slowest = std::min(all.slowest, here.slowest);
     all.min_density = std::min(all.min_density, here.min_density);
@@ -116,6 +117,7 @@ Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh)
   model.axes = axes_of<dim>(model.gravity);
   model.gravity_ramp = c.gravity_ramp;
   model.surface = c.surface;
+  model.ground = ground_of(c);
   model.mpm = c.mpm;
   const SupportSets sets = support_sets(c);
   for (const std::vector<char>& holds : sets.holds) model.fixed.push_back(fixed_directions(model.mesh, c, holds));
@@ -130,6 +132,11 @@ Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh)
     else
       inertia = settings.moment_of_inertia ? Vec<3>(Vec<3>::Constant(*settings.moment_of_inertia)) : own;
     model.rigid_bodies.push_back({name, shape, settings.mass, settings.motion, settings.rotation, inertia});
+  }
+  if constexpr (dim == 2) {
+    std::vector<bodies::RigidShape<2>> shapes;
+    for (const bodies::RigidBody<2>& rigid : model.rigid_bodies) shapes.push_back(rigid.shape);
+    model.ground = ground_in(c, model.mesh, shapes);
   }
   for (const auto& [name, settings] : c.body) {
     const BodySoil soil = soil_of(c, settings);
@@ -171,7 +178,8 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   model = make_model(c, std::move(mesh));
   model.patches = make_patches(model.mesh, !model.mpm.volumetric_projection ? 0 : dim == 2 ? 1 : 2);
   state.rigid_bodies.resize(model.rigid_bodies.size());
-  if (c.initial_state == InitialState::level_ground) refuse_k0_below_uneven_ground(c, model);
+  const bool by_gravity = loads_by_gravity(c, model.ground);
+  if (!by_gravity) refuse_k0_below_uneven_ground(c, model);
   for (const auto& [name, settings] : c.body) {
     Body<dim>& body = model.bodies[state.particles.size()];
     const material::Material& material = body.soil.materials.front();
@@ -194,7 +202,8 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
       for (int d = 0; d < dim; ++d) state.totals.first_momentum[d] += p.mass[l] * p.v[d][l];
     });
   }
-  if (c.initial_state == InitialState::gravity_loading) load_by_gravity(c, model, state.particles);
+  if (by_gravity) load_by_gravity(c, model, state.particles);
+  limit_equilibrium(c, model, state.particles);
   state.pair_impulses.assign(c.contact.size(), Vec<dim>::Zero());
   state.tractions.resize(model.tractions.size());
   place_loads(c, problem);

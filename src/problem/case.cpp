@@ -91,7 +91,7 @@ void check_bodies(Describe& d, const Case& c)
 
 void check_initial_state(Describe& d, const Case& c)
 {
-  if (c.initial_state == InitialState::level_ground) return;
+  if (c.initial_state != InitialState::gravity_loading) return;
   const auto has_k0 = [](const auto& body) { return body.second.k0.has_value(); };
   d.check(std::any_of(c.body.begin(), c.body.end(), has_k0), "initial_state",
           "\"gravity_loading\" is for bodies with k0, and there is none");
@@ -197,6 +197,16 @@ void check_load_history(Describe& d, const StageSettings& s, const std::string& 
           "must ascend");
 }
 
+void check_equilibrium(Describe& d, const Case& c, const StageSettings& s, const std::string& path)
+{
+  d.check(s.kind == StageKind::geostatic || !s.until.equilibrium, path + ".until.equilibrium",
+          "is for kind = \"geostatic\", in which nothing drives the soil");
+  const auto damped = [](const auto& body) { return body.second.damping > 0; };
+  d.check(!ends_at_equilibrium(s) || c.method != Method::mpm || s.damping.value_or(0) > 0 ||
+              (!s.damping && std::all_of(c.body.begin(), c.body.end(), damped)),
+          path + ".damping", "is needed for equilibrium: without it the soil swings for ever; take damping = 0.7 in this stage");
+}
+
 void check_stages(Describe& d, const Case& c)
 {
   d.check(!c.stage.empty(), "stage", "a case needs at least one [[stage]]");
@@ -231,9 +241,12 @@ void check_stages(Describe& d, const Case& c)
             "the finite element method knows no time: a load history needs method = \"mpm\"");
     const Until& u = s.until;
     d.check(!drive || !u.force, path + ".until.force", "is V of a push or H of a drag");
-    d.check(sweep || !s.load_history.empty() || !s.load_times.empty() || u.time || u.displacement || u.embedment || u.force,
+    d.check(sweep || ends_at_equilibrium(s) || !s.load_history.empty() || !s.load_times.empty() || u.time || u.displacement ||
+                u.embedment || u.force,
             path + ".until", "needs at least one of time, displacement, embedment, force");
-    d.check(driven || (!u.displacement && !u.embedment && !u.force), path + ".until", "a stage that drives nothing ends at a time");
+    check_equilibrium(d, c, s, path);
+    d.check(driven || (!u.displacement && !u.embedment && !u.force), path + ".until",
+            "a stage that drives nothing ends at a time, or at equilibrium if it is geostatic");
     if (driven) c.dimension == 2 ? check_inertia<2>(d, c, s, path) : check_inertia<3>(d, c, s, path);
   }
 }
@@ -281,8 +294,13 @@ Real cells_around(const bodies::RigidShapeSettings& shape, mesh::SeabedMesh bed,
   const mesh::SeabedLayout at = layout_of(bed);
   bed.near_left = std::clamp(center[0] - reach, at.left, at.right);
   bed.near_right = std::clamp(center[0] + reach, at.left, at.right);
-  bed.near_depth = std::clamp(reach - center[1], Real(0), bed.depth);
-  bed.near_height = std::clamp(center[1] + reach, Real(0), bed.headroom);
+  const mesh::GroundLine ground = ground_of(bed);
+  const Real level = ground.level() ? 0 : ground.height(center[0]);
+  bed.slope = 0;
+  bed.trench.reset();
+  bed.step.reset();
+  bed.near_depth = std::clamp(level + reach - center[1], Real(0), bed.depth);
+  bed.near_height = std::clamp(center[1] - level + reach, Real(0), bed.headroom);
   bed.near_size = size;
   bed.far_size.reset();
   bed.layer = 0;
@@ -397,10 +415,19 @@ void describe(Describe& d, Case& c)
           {.meaning = "gravity, one number per direction, such as [0, \"-50 gravity\"]; absent = none", .unit = "m/s^2"});
   d.value("gravity_ramp", c.gravity_ramp,
           {.meaning = "time from no gravity to all of it at the start", .unit = "s", .range = not_negative});
-  d.value("surface", c.surface, {.meaning = "level y of the bed's surface at the start", .unit = "m"});
-  d.choice("initial_state", c.initial_state, {"level_ground", "gravity_loading"},
-           {.meaning = "what k0 makes of the weight at the start: stress below a level surface in soil of one density; or the elastic "
-                       "equilibrium under it, for slopes, trenches and layers"});
+  std::optional<Real> level = c.surface_given || c.surface != 0 ? std::optional(c.surface) : std::nullopt;
+  d.value("surface", level,
+          {.meaning =
+               "level y of the bed's surface at the start, from which embedment counts; absent = 0 for a level bed, and on a slope, in a "
+               "trench or on a step the ground below the rigid body",
+           .unit = "m"});
+  c.surface_given = level.has_value();
+  c.surface = level.value_or(0);
+  d.choice("initial_state", c.initial_state, {"automatic", "level_ground", "gravity_loading"},
+           {.meaning =
+                "what k0 makes of the weight at the start: stress below a level surface in soil of one density; or the elastic "
+                "equilibrium under it, for slopes, trenches and layers; automatic = the second where the ground is not level (in the "
+                "plane), else the first"});
   d.table("mesh", c.mesh, {.meaning = "the background mesh", .required = true});
   d.named_tables("material", c.material, {.meaning = "materials", .required = true});
   d.named_tables("body", c.body, {.meaning = "deformable bodies", .required = true});

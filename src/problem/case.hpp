@@ -39,6 +39,7 @@ enum class Method {
 
 /// Where k0 takes the stress at the start from.
 enum class InitialState {
+  automatic,       ///< level_ground where the ground is level in the plane of the drag, else gravity_loading
   level_ground,    ///< sigma_yy = -density gravity (surface - y), which is right below a level surface in soil of one density
   gravity_loading  ///< equilibrium of the bodies with k0 under their own weight, on supports and each other, any surface and layers
 };
@@ -70,10 +71,11 @@ struct Case {
   std::string title;
   Method method = Method::mpm;
   int dimension = 2;
-  std::vector<Real> gravity;  ///< m/s2, one entry a direction; empty = none
-  Real gravity_ramp = 0;      ///< s from no gravity to all of it, at the start
-  Real surface = 0;           ///< m, level y of the bed's surface at the start
-  InitialState initial_state = InitialState::level_ground;
+  std::vector<Real> gravity;   ///< m/s2, one entry a direction; empty = none
+  Real gravity_ramp = 0;       ///< s from no gravity to all of it, at the start
+  Real surface = 0;            ///< m, level y of the bed's surface at the start
+  bool surface_given = false;  ///< whether the input names that level: then embedment counts from it, whatever the ground
+  InitialState initial_state = InitialState::automatic;
   mesh::MeshSettings mesh;
   std::vector<std::pair<std::string, material::Material>> material;
   std::vector<std::pair<std::string, bodies::BodySettings>> body;

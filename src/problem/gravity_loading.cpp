@@ -47,9 +47,9 @@ Real plane_mean(const SymTensor<dim>& t)
 /// Bodies that move as one, and their equilibrium K u = weight with K = B^T P V D P B: P is the volumetric projection, which forces and strains of a step
 /// have, too. K is never made; conjugate gradients need its products only.
 template <int dim>
-class Ground {
+class JoinedBodies {
 public:
-  Ground(const Case& c, const Model<dim>& model, std::vector<bodies::Particles<dim>>& particles, const std::vector<Index>& bodies)
+  JoinedBodies(const Case& c, const Model<dim>& model, std::vector<bodies::Particles<dim>>& particles, const std::vector<Index>& bodies)
       : model_(model),
         particles_(particles)
   {
@@ -150,7 +150,7 @@ private:
   /// The soil in the middle of a cell.
   material::Material soil_in(const BodySoil& soil, Index cell) const
   {
-    return soil.at(model_.mesh.region_names[model_.mesh.region[cell]], model_.axes.depth(model_.mesh.centroid(cell), model_.surface));
+    return soil.at(model_.mesh.region_names[model_.mesh.region[cell]], model_.soil_depth(model_.mesh.centroid(cell)));
   }
 
   void list_entries()
@@ -317,7 +317,7 @@ template <int dim>
 void load_by_gravity(const Case& c, const Model<dim>& model, std::vector<bodies::Particles<dim>>& particles)
 {
   for (const std::vector<Index>& bodies : joined_bodies(c)) {
-    Ground<dim> ground(c, model, particles, bodies);
+    JoinedBodies<dim> ground(c, model, particles, bodies);
     if (!ground.solve())
       throw KeyError(
           fmt::format("initial_state: body.{} finds no equilibrium under gravity: supports of the first stage must hold it, or a "

@@ -8,6 +8,7 @@
 #include "problem/axes.hpp"
 #include "problem/body_soil.hpp"
 #include "problem/case.hpp"
+#include "problem/ground.hpp"
 
 namespace berm::problem {
 
@@ -69,13 +70,23 @@ struct Model {
   Vec<dim> gravity;                            ///< m/s2
   Axes<dim> axes;                              ///< which way is up
   Real gravity_ramp;                           ///< s
-  Real surface;                                ///< m
+  Real surface;                                ///< m, level of the bed
+  Ground ground;                               ///< where the bed is not level
   std::vector<StageSettings> stages;
   std::vector<Index> driven;  ///< the rigid body that each stage drives, or none
   Index main_rigid;           ///< whose u, w, H and V are in the history, or none
   std::vector<Watch> watches;
   MpmSettings mpm;
   bool update_stress_first = false;  ///< Scheme::usf
+  Real longest_period = 0;           ///< s, of the soil's swings; where a stage ends at equilibrium
+
+  /// The level from which the embedment of a rigid body counts whose axis is there, m along the vertical axis.
+  Real surface_at(const Vec<dim>& x) const { return ground.level_at(x[axes.along], surface); }
+  /// Depth of a point of the soil, for strength and stiffness that vary with it, m.
+  Real soil_depth(const Vec<dim>& x) const
+  {
+    return axes.depth(x, ground.laid_down.level() ? surface : ground.laid_down.height(x[axes.along]));
+  }
 };
 
 /// What has been given and taken since the start, per metre run (in space: in all).

@@ -41,6 +41,10 @@ void describe(Describe& d, Until& until)
            .range = positive});
   d.value("embedment", until.embedment, {.meaning = "depth of the rigid body's lowest point below the surface", .unit = "m"});
   d.value("force", until.force, {.meaning = "soil reaction: V in a push, H in a drag", .unit = "N/m", .range = positive});
+  d.value("equilibrium", until.equilibrium,
+          {.meaning =
+               "geostatic: the soil is in equilibrium and at rest, as `equilibrium` of the stage says; of a geostatic stage that names no "
+               "end it is true. `time` is then the most that it may take; left out: what waves and damping need"});
 }
 
 void describe(Describe& d, StageSettings& stage)
@@ -79,7 +83,9 @@ void describe(Describe& d, StageSettings& stage)
            .range = {0, 1}});
   d.table("until", stage.until, {.meaning = "the stage ends at the first of these that is reached"});
   d.value("equilibrium", stage.equilibrium,
-          {.meaning = "geostatic: largest out-of-balance force, over the weight, that is called equilibrium", .range = positive});
+          {.meaning = "geostatic: largest out-of-balance force, over the weight, that is called equilibrium, and to end there the soil "
+                      "must be as near to rest",
+           .range = positive});
 }
 
 Real load_factor(const StageSettings& stage, Real since)

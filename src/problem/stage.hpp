@@ -27,6 +27,7 @@ struct Until {
   std::optional<Real> displacement;  ///< m, |u - u at the stage's begin|; of a drive the distance from there
   std::optional<Real> embedment;     ///< m, w
   std::optional<Real> force;         ///< N per metre: V in a push, H in a drag
+  bool equilibrium = false;          ///< geostatic: as soon as the soil is at rest and in balance
 };
 
 /// How a displacement of the driven body goes; nothing: it is fixed.
@@ -77,6 +78,12 @@ struct StageSettings {
 inline bool drives(StageKind kind)
 {
   return kind == StageKind::push || kind == StageKind::drag || kind == StageKind::drive || kind == StageKind::sweep;
+}
+
+/// Whether the stage ends at equilibrium: a geostatic one that says so, or names no end.
+inline bool ends_at_equilibrium(const StageSettings& stage)
+{
+  return stage.kind == StageKind::geostatic && (stage.until.equilibrium || !stage.until.time);
 }
 
 /// The factor of the load history at a time since the stage began, s; 1 without one.

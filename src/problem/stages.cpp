@@ -9,8 +9,9 @@ RigidTravel travel_of(const Model<dim>& model, const State<dim>& state, Index ri
 {
   const Axes<dim>& axes = model.axes;
   const bodies::RigidState<dim>& body = state.rigid_bodies[rigid];
-  return {body.displacement[axes.along],
-          axes.sign * model.surface - lowest_level<dim>(placed<dim>(model.rigid_bodies[rigid], body), axes.up_vector())};
+  const bodies::RigidBody<dim>& shape = model.rigid_bodies[rigid];
+  const Real surface = model.surface_at(center_now<dim>(shape, body));
+  return {body.displacement[axes.along], axes.sign * surface - lowest_level<dim>(placed<dim>(shape, body), axes.up_vector())};
 }
 
 template <int dim>

@@ -87,6 +87,24 @@ void take_log(RunRecord& run)
   if (run.begun.empty()) run.faults.emplace_back("run.log is missing, empty or cannot be read");
 }
 
+/// The surface that a mesh of the user has.
+void take_ground(RunRecord& run)
+{
+  run.ground = problem::ground_of(run.settings);
+  const fs::path file = run.folder / "ground.csv";
+  if (!run.ground.line.level() || look_for(file) != Found::file) return;
+  std::istringstream lines(io::read_text_file(file));
+  std::string line;
+  std::getline(lines, line);
+  Vec<2> corner;
+  char comma = 0;
+  while (lines >> corner[0] >> comma >> corner[1]) run.ground.line.corners.push_back(corner);
+  if (!lines.eof() || comma != ',') {
+    run.ground.line = {};
+    run.faults.emplace_back("ground.csv is damaged: the ground is taken to be level");
+  }
+}
+
 Real value_in(const std::map<std::string, Real>& table, const std::string& name)
 {
   const auto found = table.find(name);
@@ -122,6 +140,13 @@ std::string file_name_of(const std::string& name)
   return safe;
 }
 
+void write_ground(const fs::path& folder, const mesh::GroundLine& line)
+{
+  std::string text = "x_m,y_m\n";
+  for (const Vec<2>& corner : line.corners) text += fmt::format("{},{}\n", corner[0], corner[1]);
+  io::write_atomically(folder / "ground.csv", text);
+}
+
 bool is_run_folder(const fs::path& folder)
 {
   return look_for(folder / "resolved.toml") == Found::file;
@@ -135,6 +160,7 @@ RunRecord read_run(const fs::path& folder)
   const std::string name = (whole.has_filename() ? whole : whole.parent_path()).filename().string();
   run.name = Json::parse(Json(name).dump(-1, ' ', false, Json::error_handler_t::replace)).get<std::string>();
   run.settings = input::read_case(folder / "resolved.toml");
+  take_ground(run);
   take_history(run);
   take_summary(run);
   take_log(run);

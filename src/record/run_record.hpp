@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/case.hpp"
+#include "problem/ground.hpp"
 #include "run_folder/history.hpp"
 #include "run_folder/summary_file.hpp"
 
@@ -20,6 +20,7 @@ struct RunRecord {
   std::filesystem::path folder;
   std::string name;                               ///< of the folder, as valid UTF-8; a page tells runs apart by it
   problem::Case settings;                         ///< of resolved.toml
+  problem::Ground ground;                         ///< where the bed is not level: of a mesh that berm made, or of ground.csv
   run_folder::History history;                    ///< without rows where there is none
   std::optional<run_folder::RunSummary> summary;  ///< none in an unfinished run
   std::vector<run_folder::Quantity> quantities;   ///< of the summary; of an unfinished run, what its structure makes of the history
@@ -32,6 +33,10 @@ struct RunRecord {
   /// A number of the summary's checks or timing; NaN where it is not there.
   Real check(const std::string& name) const;
   Real timing(const std::string& name) const;
+  /// The level from which embedment counts of a body with its axis at x, m.
+  Real surface_at(Real x) const { return ground.level_at(x, settings.surface); }
+  /// The soil's surface at the start.
+  problem::BedSurface bed_surface() const { return {settings.surface, ground.line}; }
   /// The quantity of that name, or null.
   const run_folder::Quantity* quantity(const std::string& name) const;
 };
@@ -41,6 +46,9 @@ std::string file_name_of(const std::string& name);
 
 /// Whether a folder is one of a run: it holds a resolved.toml that may be looked at.
 bool is_run_folder(const std::filesystem::path& folder);
+
+/// Writes ground.csv, the surface of a bed that is not level. Throws RunError where it cannot.
+void write_ground(const std::filesystem::path& folder, const mesh::GroundLine& line);
 
 /// Reads a run folder, as far as there is something: what is missing or damaged goes to `faults`; without a summary there are no quantities (structures::read_run
 /// makes them). Throws InputError or RunError where its resolved.toml cannot be read.

@@ -139,10 +139,12 @@ std::string axes(const Picture& picture, const std::pair<Real, Real>& range, con
   script += fmt::format("set xlabel 'x ({0})'\nset ylabel 'y ({0})'\nset tics out nomirror\nset border lc rgb '#444444'\n", unit.name);
   script += fmt::format("set cblabel {}\nset cbrange [{:g}:{:g}]\n", plot::gnuplot_text(picture.words()), range.first, range.second);
   script += std::string(palette) + "unset key\nset style fill solid noborder\n";
-  if (view.surface) {
-    const Real level = *view.surface * unit.per_si;
-    script += fmt::format("set arrow 1 from {:.6g},{:.6g} to {:.6g},{:.6g} nohead dt 2 lc rgb '#666666' lw 1 front\n",
-                          view.lower[0] * unit.per_si, level, view.upper[0] * unit.per_si, level);
+  mesh::GroundLine line = view.ground;
+  if (line.level() && view.surface) line.corners = {Vec<2>(view.lower[0], *view.surface), Vec<2>(view.upper[0], *view.surface)};
+  for (std::size_t k = 1; k < line.corners.size(); ++k) {
+    const Vec<2> from = line.corners[k - 1] * unit.per_si, to = line.corners[k] * unit.per_si;
+    script += fmt::format("set arrow {} from {:.6g},{:.6g} to {:.6g},{:.6g} nohead dt 2 lc rgb '#666666' lw 1 front\n", k, from[0], from[1],
+                          to[0], to[1]);
   }
   return script;
 }

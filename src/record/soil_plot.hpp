@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "mesh/ground_line.hpp"
 #include "plot/gnuplot.hpp"
 #include "run_folder/frame.hpp"
 
@@ -10,8 +11,9 @@ namespace berm::record {
 
 /// The part of the soil that a picture shows.
 struct SoilView {
-  Vec<2> lower, upper;          ///< m
-  std::optional<Real> surface;  ///< m, level of the original surface, drawn as a dashed line
+  Vec<2> lower, upper;           ///< m
+  std::optional<Real> surface;   ///< m, level of the original surface, drawn as a dashed line
+  mesh::GroundLine ground = {};  ///< instead, where that is not level
 };
 
 /// The view around a rigid body: its centre at `x`, its lowest point at `lowest`, m. It reaches up to a berm of these points that stands in it, but for the highest

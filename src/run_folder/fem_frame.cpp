@@ -168,7 +168,7 @@ void set_own(const fem::FemModel& model, const std::vector<OwnField>& own, Frame
   for (Index cell = 0; cell < model.mesh.cell_count() && !own.empty(); ++cell)
     for (const Index node : model.mesh.nodes[cell]) {
       const problem::BodySoil& soil = model.soil_of(cell);
-      const std::vector<Real> values = own_values(soil, model.region_of(cell), model.model.surface - model.mesh.position[node][1]);
+      const std::vector<Real> values = own_values(soil, model.region_of(cell), model.model.soil_depth(model.mesh.position[node]));
       ++cells[node];
       for (const OwnField& field : own)
         if (const int place = field.place[model.mesh.body[cell]]; place != none && !values.empty()) {

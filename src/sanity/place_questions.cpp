@@ -20,6 +20,13 @@ Span swept(const Scene& s, const Way& way, int d)
   return {space.from + std::min(move.begin, move.end), space.to + std::max(move.begin, move.end)};
 }
 
+/// Level of the base of the mesh, m; below a slope that at x.
+Real base_below(const Scene& s, Real x)
+{
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&s.c.mesh);
+  return bed == nullptr || bed->slope == 0 ? s.mesh[s.up].from : -bed->depth + std::tan(bed->slope) * x;
+}
+
 std::string stage_name(const Scene& s, std::size_t k)
 {
   return s.c.stage[k].name;
@@ -31,7 +38,12 @@ bool may_meet(const Scene& s, const Way& way, const BodyScene& soil, int d)
   if (!way.axis[d].known) return true;
   const Span path = swept(s, way, d);
   const Real slack = 1e-6 * s.rigids[way.rigid].width;
-  return path.from <= soil.space[d].to + slack && path.to >= soil.space[d].from - slack;
+  Real top = soil.space[d].to;
+  if (d == s.up && way.axis[s.along].known && !s.ground.line.level()) {
+    const Span along = swept(s, way, s.along);
+    top = std::min(top, s.ground.line.heights(along.from, along.to).second);
+  }
+  return path.from <= top + slack && path.to >= soil.space[d].from - slack;
 }
 
 }  // namespace
@@ -132,6 +144,7 @@ void does_the_path_stay_on_fine_cells(const Scene& s, Findings& found)
     for (Real part = 0; part <= 1; part += 1 / parts) {
       Place at = way.begin();
       for (int d = 0; d < 3; ++d) at[d] += part * (way.axis[d].end - way.axis[d].begin);
+      if (!way.axis[s.up].known) at[s.up] += s.ground_rise(way.rigid, way.begin()[s.along], at[s.along]);
       const Real size = s.cell_size(way.rigid, at), width = s.rigids[way.rigid].width;
       if (!(size > problem::coarser_cells * first)) continue;
       Real travel = 0;
@@ -173,7 +186,8 @@ void are_walls_far_enough(const Scene& s, Findings& found)
     if (way.rigid == none || !s.rigids[way.rigid].bounded || !s.is_mpm() || !std::holds_alternative<mesh::SeabedMesh>(s.c.mesh)) continue;
     const Real width = s.rigids[way.rigid].width;
     const Span along = swept(s, way, s.along), high = swept(s, way, s.up);
-    const Real side = std::min(along.from - s.mesh[s.along].from, s.mesh[s.along].to - along.to), base = high.from - s.mesh[s.up].from;
+    const Real side = std::min(along.from - s.mesh[s.along].from, s.mesh[s.along].to - along.to),
+               base = high.from - base_below(s, (along.from + along.to) / 2);
     const auto tell = [&](const char* key, const char* what, Real distance) {
       found.warn(
           key, fmt::format("the {} is {} from \"{}\" in stage \"{}\", and that is {} wide: it carries a part of the force; keep {} or more",
@@ -210,7 +224,7 @@ void is_the_surface_where_the_bed_ends(const Scene& s, Findings& found)
 {
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
     const Span& height = s.bodies[b].space[s.up];
-    const bool level = s.c.body[b].second.k0 && s.c.initial_state == problem::InitialState::level_ground && s.up_sign > 0;
+    const bool level = s.c.body[b].second.k0 && !loads_by_gravity(s.c, s.ground) && s.up_sign > 0;
     if (!level || height.to - s.c.surface < 0.3 * height.length()) continue;
     found.refuse("surface", fmt::format("is {}, and [body.{}] reaches up to {:.3g} m: embedment counts from `surface`, and soil above it "
                                         "has no stress at the start; set it to the level of the "
@@ -218,7 +232,12 @@ void is_the_surface_where_the_bed_ends(const Scene& s, Findings& found)
                                         words_of(s.c.surface, "m"), s.c.body[b].first, height.to));
     return;
   }
-  if (!std::holds_alternative<mesh::SeabedMesh>(s.c.mesh) || s.c.surface == 0) return;
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&s.c.mesh);
+  if (bed != nullptr && bed->slope != 0 && s.c.surface_given && s.c.surface == 0)
+    found.warn("surface",
+               "is the level from which embedment counts, and the bed has a slope (mesh.slope): leave `surface` out to count it from the "
+               "ground below the body");
+  if (bed == nullptr || s.c.surface == 0) return;
   found.refuse("surface", fmt::format("is {}, and the surface of a mesh of kind \"seabed\" is y = 0: leave `surface` out",
                                       words_of(s.c.surface, "m")));
 }

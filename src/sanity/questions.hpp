@@ -19,6 +19,10 @@ void is_the_bed_held(const Scene& s, Findings& found);
 void is_the_surface_where_the_bed_ends(const Scene& s, Findings& found);
 void is_there_soil_at_a_watch(const Scene& s, Findings& found);
 
+// Ground that is not level.
+void does_the_ground_stand(const Scene& s, Findings& found);
+void does_the_body_fit_the_ground(const Scene& s, Findings& found);
+
 // The soil.
 void does_gravity_point_down(const Scene& s, Findings& found);
 void is_the_soil_a_soil(const Scene& s, Findings& found);

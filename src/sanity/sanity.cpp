@@ -24,6 +24,8 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           are_cells_small_enough,
                                                           are_walls_far_enough,
                                                           is_there_soil_at_a_watch,
+                                                          does_the_ground_stand,
+                                                          does_the_body_fit_the_ground,
                                                           is_the_soil_a_soil,
                                                           is_the_stiffness_that_of_soil,
                                                           does_the_soil_bear_its_initial_stress,

@@ -42,6 +42,22 @@ std::vector<std::vector<Index>> cells_of_bodies(const problem::Case& c, const pr
   return cells;
 }
 
+/// Depth of soil of a body, m: below the level of the bed, or below the ground where that is not level.
+template <int dim>
+Real depth_below_surface(const problem::Case& c, const problem::Model<dim>& model, const Spans& space, const std::vector<Index>& cells)
+{
+  const Span& height = space[model.axes.up];
+  if (model.ground.line.level())
+    return model.axes.sign > 0 ? std::max(Real(0), c.surface - height.from) : std::max(Real(0), height.to - c.surface);
+  Real depth = 0;
+  for (const Index cell : cells)
+    for (const Index node : model.mesh.nodes[cell]) {
+      const Vec<dim>& x = model.mesh.position[node];
+      depth = std::max(depth, model.ground.line.height(x[model.axes.along]) - x[model.axes.up]);
+    }
+  return depth;
+}
+
 /// Pairs of bodies whose cells have nodes in common.
 template <int dim>
 std::vector<std::pair<Index, Index>> neighbors_in(const mesh::Mesh<dim>& mesh, const std::vector<std::vector<Index>>& cells)
@@ -68,10 +84,12 @@ Index Scene::touched_by(Index rigid) const
   return none;
 }
 
-Real Scene::depth_of(Index body) const
+Real Scene::ground_rise(Index rigid, Real from, Real to) const
 {
-  const Span& height = bodies[body].space[up];
-  return up_sign > 0 ? std::max(Real(0), c.surface - height.from) : std::max(Real(0), height.to - c.surface);
+  if (ground.line.level()) return 0;
+  const Span& space = rigids[rigid].space[along];
+  const Real start = (space.from + space.to) / 2;
+  return ground.line.height(start + to) - ground.line.height(start + from);
 }
 
 template <int dim>
@@ -93,6 +111,8 @@ Scene scene_of(const problem::Case& c, const input::Places& places, const proble
       for (const Index node : model.mesh.nodes[cell])
         for (int d = 0; d < dim; ++d) body.space[d].add(model.mesh.position[node][d]);
   }
+  for (std::size_t b = 0; b < c.body.size(); ++b) scene.bodies[b].depth = depth_below_surface(c, model, scene.bodies[b].space, cells[b]);
+  scene.ground = model.ground;
   scene.neighbors = neighbors_in(model.mesh, cells);
   scene.ways = ways_of(model);
   scene.cell_size = [&model, start = std::make_shared<Index>(0)](Index rigid, const Place& moved) {

@@ -47,6 +47,7 @@ struct RigidScene {
 struct BodyScene {
   Spans space;          ///< of its particles or elements
   Real wave_speed = 0;  ///< m/s, of pressure waves
+  Real depth = 0;       ///< m, of soil below the surface
 };
 
 /// What a run will cost, as far as it is known before it begins.
@@ -66,6 +67,7 @@ struct Scene {
   Real up_sign = 1;
   Real gravity = 0;  ///< m/s2, size
   Spans mesh = {};
+  problem::Ground ground = {};
   std::vector<RigidScene> rigids = {};
   std::vector<BodyScene> bodies = {};
   std::vector<std::pair<Index, Index>> neighbors = {};  ///< pairs of bodies that lie at each other at the start
@@ -86,7 +88,9 @@ struct Scene {
   /// The body that touches a rigid one, the first of its contacts; none where nothing does.
   Index touched_by(Index rigid) const;
   /// Depth of soil of a body below the surface, m.
-  Real depth_of(Index body) const;
+  Real depth_of(Index body) const { return bodies[body].depth; }
+  /// Height of the ground below a body that is displaced along the drag, over that at another displacement, m; 0 on a level bed.
+  Real ground_rise(Index rigid, Real from, Real to) const;
 };
 
 /// The scene of a problem by either method; particles: of the material point method, else empty.

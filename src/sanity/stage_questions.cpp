@@ -155,7 +155,7 @@ void is_there_time_for_equilibrium(const Scene& s, Findings& found)
     }
     const Real time = stage.until.time.value_or(0), least = stressed ? 0.9 * longest : 4 * longest,
                proposed = stressed ? 4 * longest : 40 * longest;
-    if (time < least)
+    if (time < least && !(ends_at_equilibrium(stage) && !stage.until.time))
       found.warn(
           stage_key(k, "until.time"),
           fmt::format(

@@ -52,8 +52,10 @@ std::vector<Way> ways_of(const problem::Model<dim>& model)
     way.axis = now[way.rigid];
     for (Move& move : way.axis) move.begin = move.end;
     way.begin_known = way.axis[model.axes.up].known && !way.axis[model.axes.up].at_most;
-    way.begin_embedment =
-        model.axes.sign * (model.surface - way.axis[model.axes.up].begin) - lowest_level<dim>(rigid.shape, model.axes.up_vector());
+    Vec<dim> center = center_of<dim>(rigid.shape);
+    for (int d = 0; d < dim; ++d) center[d] += way.axis[d].begin;
+    way.begin_embedment = model.axes.sign * (model.surface_at(center) - way.axis[model.axes.up].begin) -
+                          lowest_level<dim>(rigid.shape, model.axes.up_vector());
     const Real time = time_of(model, s, drives, way.begin_embedment);
     for (int d = 0; d < dim; ++d) {
       Move& move = way.axis[d];

@@ -40,6 +40,7 @@ public:
   void add_row(run_folder::HistoryFile& file) { recorder_.add_row(problem_.model, problem_.state, last_, file); }
   run_folder::Frame<2> make_frame() { return frame_maker_.make(problem_.state); }
   /// False after the last one.
+  bool stage_ended() const { return problem::stage_ended(model(), state()); }
   bool next_stage() { return steps_.next_stage(); }
   bool at_checkpoint_boundary() const { return true; }
   void archive(Archive& k);

@@ -8,6 +8,7 @@
 #include "mpm/step.hpp"
 #include "mpm/time_step.hpp"
 #include "problem/archive_state.hpp"
+#include "problem/equilibrium.hpp"
 #include "problem/stages.hpp"
 #include "run_folder/frames.hpp"
 #include "run_folder/progress.hpp"
@@ -46,7 +47,7 @@ Real interval_of(const problem::Case& c)
   Real time = 0;
   for (const problem::StageSettings& stage : c.stage) {
     const Real expected = expected_time(stage);
-    time += expected > 0 ? expected : drives(stage.kind) ? typical_time(c, stage) : 0;
+    time += expected > 0 ? expected : drives(stage.kind) || ends_at_equilibrium(stage) ? typical_time(c, stage) : 0;
   }
   if (time <= 0) throw KeyError("output.history_time: is needed: no stage says how long it takes");
   return time / 1000;
@@ -137,15 +138,49 @@ sanity::Scene MpmMethod<d>::scene(const RunRequest& request, int threads)
 }
 
 template <int d>
+bool MpmMethod<d>::is_at_rest() const
+{
+  Real kinetic = 0, mass = 0;
+  for (const bodies::Particles<d>& particles : state().particles) {
+    const mpm::BodySums<d> sums = mpm::sums_over(particles);
+    kinetic += sums.kinetic;
+    mass += sums.mass;
+  }
+  return std::sqrt(2 * kinetic / mass) <= velocity_at_rest(model(), model().stages[state().stage.index]);
+}
+
+template <int d>
+bool MpmMethod<d>::stage_ended() const
+{
+  constexpr BigIndex steps = 16;  // between two looks at all particles
+  if (problem::stage_ended(model(), state())) return true;
+  return state().step % steps == 0 && work_->weight > 0 && in_balance(model(), state(), work_->unbalanced / work_->weight) && is_at_rest();
+}
+
+template <int d>
+void MpmMethod<d>::tell_equilibrium(const problem::StageSettings& stage) const
+{
+  const bool at_rest = !ends_at_equilibrium(stage) || is_at_rest();
+  const char* verdict = equilibrium_ <= stage.equilibrium && at_rest ? "in equilibrium" : "NOT in equilibrium";
+  spdlog::info("stage \"{}\": after {:.3g} s the soil is {}: out-of-balance force over weight {:.3g}, accepted {:.3g}", stage.name,
+               state().time - state().stage.begin_time, verdict, equilibrium_, stage.equilibrium);
+  if (ends_at_equilibrium(stage) && !(equilibrium_ <= stage.equilibrium && at_rest))
+    spdlog::warn(
+        "stage \"{}\" found no equilibrium in {:.3g} s, in which waves and damping could have found it: {}; where soil slides, it is too "
+        "steep "
+        "for its strength: flatten the ground or strengthen the soil; else give the stage damping = 0.7, or more time by until.time",
+        stage.name, state().time - state().stage.begin_time, at_rest ? "forces are out of balance" : "the soil moves");
+  else if (equilibrium_ > stage.equilibrium)
+    spdlog::warn("give stage \"{}\" more time or damping", stage.name);
+}
+
+template <int d>
 bool MpmMethod<d>::next_stage()
 {
   const problem::StageSettings& stage = model().stages[state().stage.index];
   if (stage.kind == problem::StageKind::geostatic) {
     equilibrium_ = recorder_.out_of_balance();
-    const char* verdict = equilibrium_ <= stage.equilibrium ? "in equilibrium" : "NOT in equilibrium";
-    spdlog::info("stage \"{}\": the soil is {}: out-of-balance force over weight {:.3g}, accepted {:.3g}", stage.name, verdict,
-                 equilibrium_, stage.equilibrium);
-    if (equilibrium_ > stage.equilibrium) spdlog::warn("give stage \"{}\" more time or damping", stage.name);
+    tell_equilibrium(stage);
   }
   if (state().stage.index + 1 == static_cast<Index>(model().stages.size())) return false;
   ++problem_.state.stage.index;

@@ -42,6 +42,8 @@ public:
   Real history_interval() const { return history_interval_; }
   void add_row(run_folder::HistoryFile& file);
   run_folder::Frame<d> make_frame() { return frame_maker_.make(state()); }
+  /// Whether a limit of the stage is reached, or the equilibrium that ends it.
+  bool stage_ended() const;
   /// False after the last one.
   bool next_stage();
   /// The time step is chosen by the velocities of the nodes in the step before, which are no part of the state: not where it is due.
@@ -55,6 +57,8 @@ public:
   Real particle_steps() const { return static_cast<Real>(counts().particles * state().step); }
 
 private:
+  bool is_at_rest() const;
+  void tell_equilibrium(const problem::StageSettings& stage) const;
   void warn_of(const mpm::SoilCondition& soil) const;
 
   Real memory_before_;  ///< bytes in use before the problem was built

@@ -25,6 +25,7 @@ void draw_soil(const problem::Case& settings, const run_folder::RunFolder& folde
     view = record::view_around(center_now<2>(body, now)[0], lowest_level<2>(placed<2>(body, now), model.axes.up_vector()), width,
                                model.surface, last.points);
   }
+  view.ground = within(model.ground.line, view.lower, view.upper);
   const auto draw_one = [&](const std::string& name, const std::string& field) {
     record::draw_soil(folder.path(), last, {name, field, view, settings.title});
   };
@@ -70,6 +71,7 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
   record::RunRecord run;
   run.folder = folder.path();
   run.settings = settings;
+  run.ground = model.ground;
   run.history = run_folder::read_history(folder.file("history.csv"));
   const base::Structure& structure = structures::structure_of(settings);
 

@@ -5,6 +5,7 @@
 #include "core/vector_unit.hpp"
 #include "input/write_case.hpp"
 #include "problem/stages.hpp"
+#include "record/run_record.hpp"
 #include "simulation/fem_method.hpp"
 #include "simulation/mpm_method.hpp"
 #include "simulation/results.hpp"
@@ -39,6 +40,7 @@ bool Run<Method>::to_the_end()
   const bool from_checkpoint = request_.resume && read_checkpoint();
   history_.emplace(history_path(), history_bytes_);
   if (request_.resume) frames_.remove_others();
+  if (const mesh::GroundLine& line = model().ground.line; !line.level() && !request_.resume) record::write_ground(folder_.path(), line);
   progress_.count_from(clock_.earlier());
   run_then_write_results(
       [&] {
@@ -88,7 +90,7 @@ template <class Method>
 void Run<Method>::step()
 {
   method_.step();
-  const bool ended = stage_ended(model(), state());
+  const bool ended = method_.stage_ended();
   if (ended || state().time >= next_row_) record();
   if (ended || frame_is_due()) frame();
   if (ended || progress_.due()) report_progress();

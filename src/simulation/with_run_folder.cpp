@@ -40,7 +40,11 @@ problem::Case to_build(const RunRequest& request)
   const bool from_file = std::holds_alternative<mesh::GmshFile>(settings.mesh);
   const bool made = std::holds_alternative<mesh::SeabedMesh>(settings.mesh) && settings.method == problem::Method::mpm;
   std::error_code error;
-  if (request.resume && (from_file || made) && fs::exists(mesh, error)) settings.mesh = mesh::GmshFile{mesh.string()};
+  if (request.resume && (from_file || made) && fs::exists(mesh, error)) {
+    mesh::GmshFile file{mesh.string()};
+    if (made) file.made_from = std::get<mesh::SeabedMesh>(settings.mesh);
+    settings.mesh = file;
+  }
   return settings;
 }
 

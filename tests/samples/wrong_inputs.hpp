@@ -516,7 +516,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
        "surface = 0.0",
        "initial_state = \"gravity\"",
        3,
-       {"initial_state", "did you mean \"gravity_loading\"?", "allowed: level_ground, gravity_loading"},
+       {"initial_state", "did you mean \"gravity_loading\"?", "allowed: automatic, level_ground, gravity_loading"},
        {}},
       // No TOML.
       {"bracket_without_its_pair", "[mesh]", "[mesh", 5, {"not valid TOML", "']'"}, {}},

@@ -74,6 +74,8 @@ export interface FilmData {
   view: { lower: [number, number]; upper: [number, number] };
   /** m, original surface; null: not known. */
   surface: number | null;
+  /** m, corners of the original surface from left to right, where that is not level. */
+  ground?: [number, number][];
   /** What of the run the film leaves out, for a caption: "every 2nd frame"; null: nothing. */
   note: string | null;
   /** Codes (16 bits) of all positions. Bytes in planes: [x low][x high][y low][y high], each by frame, then point. Frame 0 holds codes, each later

@@ -36,6 +36,8 @@ export interface Scene {
   window: Window;
   /** m */
   surface: number | null;
+  /** Corners x, y in m; instead of the surface where that is not level. */
+  ground?: [number, number][];
   /** Corners x, y in m. */
   outlines: Float32Array[];
 }
@@ -53,7 +55,9 @@ export function draw_axes(context: CanvasRenderingContext2D, scene: Scene, ink: 
   context.rect(plot.x, plot.y, plot.width, plot.height);
   context.clip();
   for (const outline of scene.outlines) draw_body(context, outline, at_x, at_y);
-  if (scene.surface !== null) draw_surface(context, plot.x, plot.x + plot.width, at_y(scene.surface));
+  const level = scene.surface;
+  if (scene.ground !== undefined) draw_surface(context, scene.ground.map(([x, y]) => [at_x(x), at_y(y)]));
+  else if (level !== null) draw_surface(context, [plot.x, plot.x + plot.width].map((x) => [x, at_y(level)]));
   context.restore();
 
   context.font = FONT;
@@ -104,14 +108,13 @@ function draw_body(context: CanvasRenderingContext2D, outline: Float32Array, at_
 }
 
 /** A dashed line that shows on dark soil and on the ground of the page alike. */
-function draw_surface(context: CanvasRenderingContext2D, left: number, right: number, y: number): void {
+function draw_surface(context: CanvasRenderingContext2D, corners: number[][]): void {
   context.save();
   context.lineWidth = 1.5;
   context.strokeStyle = SURFACE;
   context.setLineDash([7, 5]);
   context.beginPath();
-  context.moveTo(left, y);
-  context.lineTo(right, y);
+  for (const [x, y] of corners) context.lineTo(x, y);
   context.stroke();
   context.restore();
 }

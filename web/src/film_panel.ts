@@ -227,7 +227,7 @@ export class FilmPanel {
   private draw(): void {
     this.page.show_moment(this.run, this.at);
     if (this.soil === null) return;
-    this.stage.draw(this.make_look(), { window: this.window, surface: this.film.surface, outlines: this.outlines_now() });
+    this.stage.draw(this.make_look(), { window: this.window, surface: this.film.surface, ground: this.film.ground, outlines: this.outlines_now() });
     const label = sentence(this.run, this.field, this.at);
     this.stage.over.setAttribute("aria-label", label);
     const bar = this.colour_bar();
@@ -270,7 +270,7 @@ export class FilmPanel {
     const { element } = this.stage;
     const ratio = 3;
     const bar = this.colour_bar();
-    const scene = { window: this.window, surface: this.film.surface, outlines: this.outlines_now(), width: element.clientWidth, height: element.clientHeight };
+    const scene = { window: this.window, surface: this.film.surface, ground: this.film.ground, outlines: this.outlines_now(), width: element.clientWidth, height: element.clientHeight };
     this.stage.draw_at(ratio, this.make_look(), (soil) => {
       const bar_title = bar === null ? "" : `${this.field!.label} (${bar.unit.name})`;
       const caption = `${this.run.title}. ${sentence(this.run, this.field, this.at)}.`;

@@ -122,7 +122,7 @@ Film encoded_film(const record::RunRecord& run, const FilmFrames& footage, const
   for (const Index k : kept) frames.push_back(&footage.frames[k]);
   const FilmBox soil = box_of(frames), view = film_view(run, covered(soil, footage));
   const FilmGrid grid(soil);
-  const std::optional<Real> surface = film_surface(run.settings);
+  const std::optional<Real> surface = film_surface(run);
   const bool particles = footage.triangles.empty();
   Blocks blocks(prefix);
 
@@ -134,6 +134,7 @@ Film encoded_film(const record::RunRecord& run, const FilmFrames& footage, const
                {"view", {{"lower", pair_of(view.lower)}, {"upper", pair_of(view.upper)}}},
                {"surface", surface ? Json(*surface) : Json()},
                {"note", nullptr}};
+  for (const Vec<2>& corner : run.ground.line.corners) film["ground"].push_back(pair_of(corner));
   film["position"] = blocks.add("position", [&] { return position_bytes(frames, grid); });
   film["size"] = particles ? Json(blocks.add("size", [&] { return size_bytes(footage.sizes, grid); })) : Json();
   film["triangles"] = particles ? Json() : Json(blocks.add("triangles", [&] { return triangle_bytes(footage.triangles); }));

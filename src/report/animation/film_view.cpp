@@ -37,7 +37,7 @@ FilmBox path_of(const record::RunRecord& run)
   if (!run.history.has("u_m") || !run.history.has("w_m")) return path;
   const std::vector<Real>&u = run.history["u_m"], &w = run.history["w_m"];
   for (std::size_t row = 0; row < u.size(); ++row) {
-    const Vec<2> now(start[0] + u[row], run.settings.surface - w[row]);
+    const Vec<2> now(start[0] + u[row], run.surface_at(start[0] + u[row]) - w[row]);
     if (!now.allFinite()) continue;
     path.lower = path.lower.cwiseMin(now);
     path.upper = path.upper.cwiseMax(now);
@@ -52,7 +52,8 @@ FilmBox film_view(const record::RunRecord& run, const FilmBox& soil)
   const Real D = base::body_scale(run.settings).width;
   if (!(D > 0)) return soil;
   const FilmBox path = path_of(run);
-  const Real highest = std::max(path.lower[1], std::min(path.upper[1], run.settings.surface));  // it may start far above the soil
+  const Real level = run.ground.line.level() ? run.settings.surface : run.ground.line.heights(path.lower[0], path.upper[0]).second;
+  const Real highest = std::max(path.lower[1], std::min(path.upper[1], level));  // it may start far above the soil
   FilmBox view{Vec<2>(path.lower[0] - beside * D, path.lower[1] - below * D), Vec<2>(path.upper[0] + beside * D, highest + above * D)};
   view.lower = view.lower.cwiseMax(soil.lower);
   view.upper[0] = std::min(view.upper[0], soil.upper[0]);
@@ -61,8 +62,10 @@ FilmBox film_view(const record::RunRecord& run, const FilmBox& soil)
   return seen ? view : soil;
 }
 
-std::optional<Real> film_surface(const problem::Case& settings)
+std::optional<Real> film_surface(const record::RunRecord& run)
 {
+  const problem::Case& settings = run.settings;
+  if (!run.ground.line.level()) return {};
   const bool flat = std::any_of(settings.body.begin(), settings.body.end(), [](const auto& body) { return body.second.k0.has_value(); });
   if (flat || std::holds_alternative<mesh::SeabedMesh>(settings.mesh)) return settings.surface;
   return {};

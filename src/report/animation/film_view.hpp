@@ -11,6 +11,6 @@ namespace berm::report {
 FilmBox film_view(const record::RunRecord& run, const FilmBox& soil);
 
 /// The level of the soil's original surface, m; none where it is not flat or not known.
-std::optional<Real> film_surface(const problem::Case& settings);
+std::optional<Real> film_surface(const record::RunRecord& run);
 
 }  // namespace berm::report

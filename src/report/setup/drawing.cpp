@@ -89,12 +89,19 @@ public:
       else
         svg_.rectangle(place(part.part), size(part.part), text::Pen::soil);
     }
-    if (sketch_.domain_known) box(sketch_.domain, text::Pen::domain);
-    if (sketch_.fine) box(*sketch_.fine, text::Pen::fine);
+    if (sketch_.uneven.empty()) {
+      if (sketch_.domain_known) box(sketch_.domain, text::Pen::domain);
+      if (sketch_.fine) box(*sketch_.fine, text::Pen::fine);
+    } else {
+      constexpr text::Pen pens[] = {text::Pen::soil, text::Pen::domain, text::Pen::fine};
+      for (std::size_t k = 0; k < sketch_.uneven.size(); ++k) polygon(sketch_.uneven[k], pens[k]);
+    }
     for (const NamedOutline& body : sketch_.bodies) outline(body.outline, Vec<2>::Zero(), text::Pen::material);
     const Real left = std::max(sketch_.domain.lower[0], view_.extent().lower[0]);
     const Real right = std::min(sketch_.domain.upper[0], view_.extent().upper[0]);
     if (sketch_.surface) svg_.line(view_(Vec<2>(left, *sketch_.surface)), view_(Vec<2>(right, *sketch_.surface)), text::Pen::surface);
+    const std::vector<Vec<2>>& ground = sketch_.ground.line.corners;
+    for (std::size_t k = 1; k < ground.size(); ++k) svg_.line(view_(ground[k - 1]), view_(ground[k]), text::Pen::surface);
     for (const NamedOutline& rigid : sketch_.rigid_bodies) outline(rigid.outline, Vec<2>::Zero(), text::Pen::rigid);
   }
 
@@ -139,6 +146,8 @@ public:
         for (const Vec<2>& corner : corners) middle += view_(corner) / static_cast<Real>(corners.size());
         if (!corners.empty()) svg_.text(middle + Vec<2>(0, 4), rigid.name, text::Anchor::middle);
       }
+    if (!sketch_.filled_by.empty() && !sketch_.uneven.empty())
+      svg_.text(view_(sketch_.uneven[0].back()) + Vec<2>(10, -14), sketch_.filled_by);
     if (!sketch_.filled_by.empty() && !sketch_.filled.empty()) {
       const Extent& part = sketch_.filled.front().part;
       if (view_.length(part.size()[0]) > letter * static_cast<Real>(sketch_.filled_by.size()) + 20)
@@ -161,7 +170,8 @@ public:
 
   void surface_name()
   {
-    if (!sketch_.surface) return;
+    const bool uneven = !sketch_.ground.line.level();
+    if (!sketch_.surface && !uneven) return;
     const auto covered = [&](Real x) {
       return std::any_of(sketch_.rigid_bodies.begin(), sketch_.rigid_bodies.end(), [&](const NamedOutline& rigid) {
         const Extent extent = extent_of(rigid.outline);
@@ -171,7 +181,9 @@ public:
     const Real left = std::max(sketch_.domain.lower[0], view_.extent().lower[0]);
     const Real right = std::min(sketch_.domain.upper[0], view_.extent().upper[0]);
     const bool at_left = covered(right);
-    const Vec<2> mark = view_(Vec<2>(at_left ? left : right, *sketch_.surface)) + Vec<2>(at_left ? 14 : -14, 0);
+    const Vec<2> aside(at_left ? 14 : -14, 0);
+    const Real x = (at_left ? left : right) + aside[0] / view_.length(1);
+    const Vec<2> mark = view_(Vec<2>(x, uneven ? sketch_.ground.line.height(x) : *sketch_.surface));
     svg_.polygon({mark, mark + Vec<2>(-5, -8), mark + Vec<2>(5, -8)}, text::Pen::dimension);
     svg_.text(mark + Vec<2>(at_left ? 10 : -10, -4), "surface", at_left ? text::Anchor::start : text::Anchor::end);
   }
@@ -274,6 +286,13 @@ public:
   text::Svg& svg() { return svg_; }
 
 private:
+  void polygon(const std::vector<Vec<2>>& corners, text::Pen pen)
+  {
+    std::vector<Vec<2>> there;
+    for (const Vec<2>& corner : corners) there.push_back(view_(corner));
+    svg_.polygon(there, pen);
+  }
+
   void box(const Extent& e, text::Pen pen)
   {
     svg_.rectangle(view_(Vec<2>(e.lower[0], e.upper[1])), Vec<2>(view_.length(e.size()[0]), view_.length(e.size()[1])), pen);
@@ -301,10 +320,11 @@ private:
 
   void embedment(const Extent& body)
   {
-    if (!sketch_.surface) return;
-    const Real w = *sketch_.surface - body.lower[1];
+    if (!sketch_.surface && sketch_.ground.line.level()) return;
+    const Real surface = sketch_.ground.level_at(0.5 * (body.lower[0] + body.upper[0]), sketch_.surface.value_or(case_.surface));
+    const Real w = surface - body.lower[1];
     if (w <= 1e-3 * body.size()[1] || body.lower[1] < sketch_.domain.lower[1]) return;
-    const Vec<2> level = view_(Vec<2>(body.upper[0], *sketch_.surface)) + Vec<2>(16, 0);
+    const Vec<2> level = view_(Vec<2>(body.upper[0], surface)) + Vec<2>(16, 0);
     const Vec<2> lowest = view_(Vec<2>(body.upper[0], body.lower[1])) + Vec<2>(16, 0);
     svg_.line(view_(Vec<2>(0.5 * (body.lower[0] + body.upper[0]), body.lower[1])), lowest, text::Pen::dimension);
     svg_.dimension(lowest, level, "");
@@ -409,7 +429,12 @@ std::string draw_detail(const problem::Case& c, const Sketch& sketch, const Exte
 
 Drawing draw_case(const problem::Case& settings, const std::string& title)
 {
-  const Sketch sketch = sketch_of(settings);
+  return draw_case(settings, title, problem::ground_of(settings));
+}
+
+Drawing draw_case(const problem::Case& settings, const std::string& title, const problem::Ground& ground)
+{
+  const Sketch sketch = sketch_of(settings, ground);
   const std::optional<Extent> detail = detail_extent(sketch);
   Drawing drawing{draw_whole(settings, sketch, title, !detail), sketch.notes};
   if (detail) drawing.svgs += draw_detail(settings, sketch, *detail, title);

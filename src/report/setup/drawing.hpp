@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/case.hpp"
+#include "problem/ground.hpp"
 
 #include <string>
 #include <vector>
@@ -17,5 +17,7 @@ struct Drawing {
 /// The bed with its supports and its zones, all bodies at the start, the way of the driven body stage by stage, gravity, dimensions and a scale
 /// bar. `title` (plain text) is for those who cannot see it. Cases that look the same are drawn the same.
 Drawing draw_case(const problem::Case& settings, const std::string& title);
+/// The same with the ground of a run, where more is known of it than the case says.
+Drawing draw_case(const problem::Case& settings, const std::string& title, const problem::Ground& ground);
 
 }  // namespace berm::report

@@ -26,7 +26,7 @@ std::vector<Alike> alike(const std::vector<record::RunRecord>& runs)
 {
   std::vector<Alike> groups;
   for (const record::RunRecord& run : runs) {
-    const std::string look = draw_case(run.settings, "").svgs;
+    const std::string look = draw_case(run.settings, "", run.ground).svgs;
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const Alike& group) { return group.look == look; });
     if (same == groups.end())
       groups.push_back({look, &run, {run.name}});
@@ -39,7 +39,7 @@ std::vector<Alike> alike(const std::vector<record::RunRecord>& runs)
 std::string figure_of(const Alike& group)
 {
   const std::string names = fmt::format("{}", fmt::join(group.names, ", "));
-  const Drawing drawing = draw_case(group.first->settings, "Drawing to scale: " + names);
+  const Drawing drawing = draw_case(group.first->settings, "Drawing to scale: " + names, group.first->ground);
   std::string words = fmt::format("<strong>{}</strong>, to scale.", text::html_text(names));
   for (const std::string& note : drawing.notes) words += fmt::format(" {}", text::html_text(note));
   return fmt::format("<figure>\n<div class=\"drawing\">\n{}</div>\n<figcaption>{}</figcaption>\n</figure>\n", drawing.svgs, words);

@@ -87,7 +87,8 @@ void add_rigid(Rows& rows, const std::string& prefix, const bodies::RigidSetting
   if (sizes.empty()) rows.add(prefix + "shape", std::visit([](const auto& shape) { return name_of(shape); }, rigid.shape));
   if (rows.settings().dimension == 2 && std::holds_alternative<bodies::CircleSettings>(rigid.shape))
     rows.length(prefix + "embedment at the start",
-                rows.settings().surface - bodies::lowest_level<2>(bodies::make_shape<2>(rigid.shape), Vec<2>::UnitY()));
+                problem::ground_of(rows.settings()).level_at(center_of<2>(bodies::make_shape<2>(rigid.shape))[0], rows.settings().surface) -
+                    bodies::lowest_level<2>(bodies::make_shape<2>(rigid.shape), Vec<2>::UnitY()));
   if (rigid.mass > 0) rows.add(prefix + "mass", fmt::format("{:.4g} {}", rigid.mass, rows.settings().dimension == 2 ? "kg/m" : "kg"));
 }
 
@@ -114,6 +115,11 @@ void add_mesh(Rows& rows)
   if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
     rows.length("bed: length", bed->length);
     rows.length("bed: depth", bed->depth);
+    if (bed->slope != 0) rows.add("bed: slope along x (positive: uphill)", text::angle_words(bed->slope));
+    if (bed->trench) rows.length("trench: depth", bed->trench->depth), rows.length("trench: width of its bottom", bed->trench->width);
+    if (bed->trench) rows.add("trench: angle of its sides", text::angle_words(bed->trench->side_slope));
+    if (bed->step)
+      rows.length("step: height", bed->step->height), rows.add("step: angle of its face", text::angle_words(bed->step->face_slope));
     if (bed->layer > 0) rows.length("bed: outer layer", bed->layer);
   }
   if (const auto* file = std::get_if<mesh::GmshFile>(&c.mesh)) rows.add("mesh", "from " + file->file);

@@ -5,6 +5,7 @@
 #include "bodies/rigid/rigid_body.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -30,6 +31,25 @@ bool fills(const problem::Case& c, const std::string& region)
   });
 }
 
+/// Of a bed that is not level.
+void add_uneven(Sketch& sketch, const mesh::SeabedMesh& bed)
+{
+  const mesh::SeabedLayout at = layout_of(bed);
+  const mesh::FineZone fine = fine_zone_of(bed);
+  const auto point = [&](Real x, Real level) { return Vec<2>(x, level + std::tan(bed.slope) * x); };
+  const auto part = [&](Real left, Real right, Real lower, Real upper) {
+    return std::vector<Vec<2>>{point(left, lower), point(right, lower), point(right, upper), point(left, upper)};
+  };
+  const std::vector<Vec<2>> whole = part(at.left, at.right, -bed.depth, bed.headroom);
+  std::vector<Vec<2>> soil = sketch.ground.line.corners;
+  soil.insert(soil.end(), {whole[1], whole[0]});
+  sketch.uneven = {soil, whole, part(fine.left, fine.right, fine.lower, fine.upper)};
+  sketch.domain = extent_of(CornersOutline{whole});
+  sketch.fine = extent_of(CornersOutline{sketch.uneven.back()});
+  sketch.surface.reset();
+  sketch.filled.clear();
+}
+
 void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::SeabedMesh& bed)
 {
   const mesh::SeabedLayout at = layout_of(bed);
@@ -43,6 +63,7 @@ void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::SeabedMesh& be
   if (bed.layer > 0 && fills(c, "layer")) sketch.filled.push_back({{sketch.domain.lower, Vec<2>(at.right, 0)}, soil});
   if (fills(c, "bed")) sketch.filled.push_back({soil, near});
   if (fills(c, "near")) sketch.filled.push_back({near, {}});
+  if (!sketch.ground.line.level()) add_uneven(sketch, bed);
 }
 
 void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::BoxMesh& box)
@@ -67,7 +88,7 @@ void add_bodies(Sketch& sketch, const problem::Case& c)
       sketch.bodies.push_back({name, outline_of(bodies::BoxSettings{body.block->center, body.block->size, body.block->angle})});
     if (body.disk) sketch.bodies.push_back({name, DiskOutline{in_plane(body.disk->center), body.disk->diameter / 2}});
     if (!body.regions.empty()) sketch.filled_by += (sketch.filled_by.empty() ? "" : ", ") + name;
-    if (body.k0) sketch.surface = c.surface;
+    if (body.k0 && sketch.ground.line.level()) sketch.surface = c.surface;
     if (body.regions.empty()) {
       Vec<2> velocity = Vec<2>::Zero();
       for (const bodies::InitialVelocity& part : body.initial_velocity)
@@ -100,11 +121,13 @@ void add_supports(Sketch& sketch, const problem::Case& c)
 {
   if (!sketch.domain_known) return;
   const Vec<2>&low = sketch.domain.lower, &high = sketch.domain.upper;
+  std::array<Vec<2>, 4> corners = {low, Vec<2>(high[0], low[1]), high, Vec<2>(low[0], high[1])};
+  if (!sketch.uneven.empty()) std::copy_n(sketch.uneven[1].begin(), 4, corners.begin());
   const std::vector<std::pair<std::vector<std::string>, HeldEdge>> edges = {
-      {{"left"}, {low, Vec<2>(low[0], high[1]), Vec<2>(-1, 0), false, ""}},
-      {{"right"}, {Vec<2>(high[0], low[1]), high, Vec<2>(1, 0), false, ""}},
-      {{"base", "bottom"}, {low, Vec<2>(high[0], low[1]), Vec<2>(0, -1), false, ""}},
-      {{"top"}, {Vec<2>(low[0], high[1]), high, Vec<2>(0, 1), false, ""}}};
+      {{"left"}, {corners[0], corners[3], Vec<2>(-1, 0), false, ""}},
+      {{"right"}, {corners[1], corners[2], Vec<2>(1, 0), false, ""}},
+      {{"base", "bottom"}, {corners[0], corners[1], Vec<2>(0, -1), false, ""}},
+      {{"top"}, {corners[3], corners[2], Vec<2>(0, 1), false, ""}}};
   for (const auto& [names, edge] : edges) {
     int held = 0;
     for (const auto& [name, support] : c.support)
@@ -149,13 +172,15 @@ void add_path(Sketch& sketch, const problem::Case& c)
     bool known = true;
     if (push && stage.until.embedment) {
       const Real lowest = from[1] - 0.5 * extent.size()[1];
-      to[1] += c.surface - *stage.until.embedment - lowest;
+      to[1] += sketch.ground.level_at(from[0], c.surface) - *stage.until.embedment - lowest;
     } else {
       const std::optional<Real> far = drag && stage.until.displacement ? stage.until.displacement : travel_in_time(stage);
       known = far.has_value();
       to[push ? 1 : 0] += (push ? -1 : 1) * reverse * far.value_or(nominal);
       if (drag && stage.vertical_velocity && stage.velocity && *stage.velocity != 0)
         to[1] -= *stage.vertical_velocity * std::abs((to[0] - from[0]) / *stage.velocity);
+      else if (drag && stage.vertical == problem::Vertical::hold && !sketch.ground.line.level())
+        to[1] += sketch.ground.line.height(to[0]) - sketch.ground.line.height(from[0]);
     }
     if ((to - from).norm() > 0) sketch.path.push_back({k, rigid, from, to, known});
     if (known) centers[rigid] = to;
@@ -197,9 +222,10 @@ std::vector<Vec<2>> part_inside(const PlaneOutline& plane, const Extent& extent)
   return part;
 }
 
-Sketch sketch_of(const problem::Case& settings)
+Sketch sketch_of(const problem::Case& settings, const problem::Ground& ground)
 {
   Sketch sketch;
+  sketch.ground = ground;
   std::visit([&](const auto& mesh) { add_mesh(sketch, settings, mesh); }, settings.mesh);
   add_bodies(sketch, settings);
   if (!sketch.domain_known) take_domain_from_bodies(sketch);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "problem/case.hpp"
+#include "problem/ground.hpp"
 
 namespace berm::report {
 
@@ -62,7 +62,9 @@ struct Sketch {
   std::vector<FilledPart> filled;
   std::string filled_by;  ///< name of the body that fills the bed
   std::vector<NamedOutline> bodies, rigid_bodies;
-  std::optional<Real> surface;  ///< level of the bed's surface
+  std::optional<Real> surface;              ///< level of the bed's surface
+  problem::Ground ground;                   ///< instead, where that is not level
+  std::vector<std::vector<Vec<2>>> uneven;  ///< of such a bed that berm makes: outlines of its soil, of all of the mesh, of the fine zone
   std::vector<HeldEdge> held;
   std::vector<PathStep> path;
   std::vector<Flight> flights;
@@ -70,6 +72,11 @@ struct Sketch {
   std::vector<std::string> notes;   ///< what cannot be drawn, in words
 };
 
-Sketch sketch_of(const problem::Case& settings);
+/// `ground`: that of the run, where more is known of it than the case says.
+Sketch sketch_of(const problem::Case& settings, const problem::Ground& ground);
+inline Sketch sketch_of(const problem::Case& settings)
+{
+  return sketch_of(settings, problem::ground_of(settings));
+}
 
 }  // namespace berm::report

@@ -3,6 +3,7 @@
 
 #include "bodies/rigid/rigid_body.hpp"
 #include "problem/axes.hpp"
+#include "problem/ground.hpp"
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -33,7 +34,9 @@ Real reference_depth(const problem::Case& c)
   const auto lowest = [&](auto gravity) {
     constexpr int dim = decltype(gravity)::RowsAtCompileTime;
     const problem::Axes<dim> axes = problem::axes_of<dim>(gravity);
-    return axes.sign * c.surface - bodies::lowest_level<dim>(make_shape<dim>(c.rigid[rigid].second.shape), axes.up_vector());
+    const bodies::RigidShape<dim> shape = make_shape<dim>(c.rigid[rigid].second.shape);
+    const Real surface = problem::ground_of(c).level_at(center_of<dim>(shape)[axes.along], c.surface);
+    return axes.sign * surface - bodies::lowest_level<dim>(shape, axes.up_vector());
   };
   Real depth = c.dimension == 2 ? lowest(bodies::to_vec<2>(c.gravity)) : lowest(bodies::to_vec<3>(c.gravity));
   if (!std::isfinite(depth)) depth = 0;

@@ -220,6 +220,55 @@ TEST(CutMesh, leaves_meshes_of_other_kinds_as_they_are)
   EXPECT_EQ(mesh.region_names, std::vector<std::string>{"box"});
 }
 
+TEST(CutMesh, cuts_a_pipe_out_of_a_slope_and_a_trench)
+{
+  for (const bool trench : {false, true}) {
+    SCOPED_TRACE(trench ? "trench" : "slope");
+    const Vec<2> center(0.05, 0.1);
+    problem::Case c = bed_around(bodies::CircleSettings{{center[0], center[1] - (trench ? 0.25 : 0)}, 0.4});
+    if (trench)
+      bed_of(c).trench = mesh::Trench{.depth = 0.25, .width = 0.6, .side_slope = 60 * pi / 180};
+    else
+      bed_of(c).slope = 15 * pi / 180;
+    const mesh::GroundLine ground = ground_of(bed_of(c));
+    const mesh::Mesh<2> mesh = cut_mesh_of(c);
+    const auto circle = std::get<bodies::Circle<2>>(shapes_of(c)[0]);
+    Real soil = 0, segment = 0;  // area; what the circle takes, by strips
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) soil += mesh.volume(cell);
+    constexpr int strips = 4000;
+    for (int k = 0; k < strips; ++k) {
+      const Real x = circle.radius * (2 * (k + 0.5) / strips - 1), half = std::sqrt(circle.radius * circle.radius - x * x),
+                 y = circle.center[1];
+      segment += std::clamp(ground.height(circle.center[0] + x) - (y - half), Real(0), 2 * half) * 2 * circle.radius / strips;
+    }
+    EXPECT_GT(segment, 0.02);
+    const Real whole = trench ? 3 - 0.25 * (0.6 + 0.25 / std::tan(pi / 3)) : 3;  // the slope is 0 at x = 0, and the bed as deep everywhere
+    EXPECT_NEAR(soil, whole - segment, 2e-3) << "straight sides of R/10 along the arc";
+    for (const Vec<2>& x : mesh.position) EXPECT_LE(x[1], ground.height(x[0]) + 1e-9);
+    EXPECT_GT(worst_quality(mesh), 0.2);
+    for (const char* name : {"left", "right", "base", "surface"}) {
+      ASSERT_NE(mesh.find_boundary(name), none) << name;
+      EXPECT_GT(mesh.boundary_nodes[mesh.find_boundary(name)].size(), 3u) << name;
+    }
+    for (const Index i : mesh.boundary_nodes[mesh.find_boundary("base")])
+      EXPECT_NEAR(mesh.position[i][1], -1 + std::tan(bed_of(c).slope) * mesh.position[i][0], 1e-9);
+  }
+}
+
+TEST(CutMesh, refuses_what_it_cannot_cut_out_of_a_slope)
+{
+  problem::Case c = bed_around(bodies::CircleSettings{{0.5, 0.2}, 0.4});
+  bed_of(c).slope = -15 * pi / 180;
+  EXPECT_EQ(refusal_of([&] { cut_mesh_of(c); }).find("rigid.pipe.center: the body at (0.5, 0.2) m"), 0u);
+  c = bed_around(bodies::BoxSettings{{0, -0.1}, {0.4, 0.2}});
+  bed_of(c).slope = -15 * pi / 180;
+  EXPECT_EQ(refusal_of([&] { cut_mesh_of(c); }).find("rigid.pipe.shape: of a bed that is not level only a \"circle\""), 0u);
+  c = bed_around(pipe_at(0.1));
+  bed_of(c).slope = -15 * pi / 180;
+  fill_regions_apart(c);
+  EXPECT_EQ(refusal_of([&] { cut_mesh_of(c); }).find("body.soil.regions: "), 0u);
+}
+
 TEST(CutMesh, refuses_rigid_bodies_that_it_cannot_cut_out)
 {
   const auto refusal = [](const bodies::RigidShapeSettings& shape) { return refusal_of([&] { cut_mesh_of(bed_around(shape)); }); };

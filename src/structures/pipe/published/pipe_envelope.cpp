@@ -138,7 +138,8 @@ base::EmbeddedBody embedded_pipe(const problem::Case& c)
   const auto& [name, rigid] = c.rigid[main];
   const auto* circle = std::get_if<bodies::CircleSettings>(&rigid.shape);
   if (circle == nullptr) throw KeyError(fmt::format("rigid.{}.shape: an envelope is that of a pipe; it needs \"circle\"", name));
-  const base::EmbeddedBody pipe{circle->diameter, c.surface - (circle->center[1] - circle->diameter / 2)};
+  const base::EmbeddedBody pipe{circle->diameter,
+                                problem::ground_of(c).level_at(circle->center[0], c.surface) - (circle->center[1] - circle->diameter / 2)};
   if (!(pipe.embedment > 0))
     throw KeyError(
         fmt::format("rigid.{}.center: the lowest point of the pipe lies {:g} m above the bed; an envelope needs a pipe that lies in it",

@@ -57,6 +57,18 @@ std::string remark_on_place(const PipeRun& run)
          "surface and leave this out.";
 }
 
+std::string remark_on_ground(const PipeRun& run)
+{
+  const bodies::CircleSettings& circle = std::get<bodies::CircleSettings>(run.settings.rigid[main_rigid(run.settings)].second.shape);
+  const Real x = circle.center[0], reach = 2 * run.scale.width;
+  const auto [low, high] = run.record.ground.line.heights(x - reach, x + reach);
+  return fmt::format("All formulas here are for a level bed. The ground of this run is not: within 2 D of the pipe's start it rises and "
+                     "falls by {:.2g} D. They "
+                     "are out of range, and show the order of magnitude only; forces are horizontal and vertical, and w counts from the "
+                     "ground below the pipe's axis.",
+                     (high - low) / run.scale.width);
+}
+
 Real H_at(const RunPoints& points, Real u)
 {
   for (const DragPoint& p : points.drag)
@@ -99,11 +111,20 @@ PublishedValues published_beside(const PipeRun& run)
     }
   }
   std::erase_if(values.states, [](const ComparedState& state) { return state.comparisons.empty(); });
+  const bool level = run.record.ground.line.level();
   if (sand != nullptr && !points.drag.empty()) {
     const Real w = points.push_end && run.settings.method == problem::Method::mpm ? points.push_end->w : points.first_w;
     const auto breakout = resistance_of(run).breakout;
     const Real u = breakout ? breakout->u : nan;
     values.states.push_back({ComparedState::Kind::breakout, u, w, nan, sand_at_breakout(*sand, w, u)});
+  }
+  if (!level) {
+    values.remarks.insert(values.remarks.begin(), remark_on_ground(run));
+    for (ComparedState& state : values.states)
+      for (Comparison& comparison : state.comparisons) {
+        comparison.published.valid = false;
+        comparison.published.source.range = "a level bed";
+      }
   }
   if (!points.drag.empty())
     values.remarks.emplace_back("Formulas for H give what the soil can do at most; early in a drag H is still on its way there.");

@@ -115,14 +115,14 @@ public:
   {
     const auto known = heaves_.find(frame);
     if (known != heaves_.end()) return known->second;
-    return heaves_[frame] = heave_of(frames_.soil(0), frames_.soil(frame), run.settings.surface, frames_.place(frame), D);
+    return heaves_[frame] = heave_of(frames_.soil(0), frames_.soil(frame), run.record.bed_surface(), frames_.place(frame), D);
   }
   const Mechanism& mechanism(std::size_t frame) const
   {
     const auto known = mechanisms_.find(frame);
     if (known != mechanisms_.end()) return known->second;
-    return mechanisms_[frame] = mechanism_of(frames_.soil(frame - 1), frames_.soil(frame), run.settings.surface, frames_.place(frame - 1),
-                                             frames_.place(frame), D);
+    return mechanisms_[frame] = mechanism_of(frames_.soil(frame - 1), frames_.soil(frame), run.record.bed_surface(),
+                                             frames_.place(frame - 1), frames_.place(frame), D);
   }
 
 private:

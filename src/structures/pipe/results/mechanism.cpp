@@ -22,11 +22,11 @@ Real volume_above(const run_folder::SavedSoil& soil, std::size_t k, Real level)
 }
 
 /// Height of the soil above the surface by column, counted from the pipe's centre: m.
-std::map<Index, Real> columns_above(const run_folder::SavedSoil& soil, Real surface, Real center, Real width)
+std::map<Index, Real> columns_above(const run_folder::SavedSoil& soil, const problem::BedSurface& surface, Real center, Real width)
 {
   std::map<Index, Real> columns;
   for (std::size_t k = 0; k < soil.x.size(); ++k)
-    columns[static_cast<Index>(std::floor((soil.x[k] - center) / width))] += volume_above(soil, k, surface) / width;
+    columns[static_cast<Index>(std::floor((soil.x[k] - center) / width))] += volume_above(soil, k, surface.at(soil.x[k])) / width;
   return columns;
 }
 
@@ -37,7 +37,8 @@ Real start_of_pipe(const problem::Case& c)
 
 }  // namespace
 
-Heave heave_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, Real surface, const PipePlace& pipe, Real diameter)
+Heave heave_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, const problem::BedSurface& surface,
+               const PipePlace& pipe, Real diameter)
 {
   const Real width = column_width * diameter;
   std::map<Index, Real> columns = columns_above(now, surface, pipe.x, width);
@@ -53,8 +54,8 @@ Heave heave_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& 
   return heave;
 }
 
-Berm berm_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, Real surface, const PipePlace& pipe, Real direction,
-             Real diameter)
+Berm berm_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, const problem::BedSurface& surface,
+             const PipePlace& pipe, Real direction, Real diameter)
 {
   const Real width = column_width * diameter;
   std::map<Index, Real> columns = columns_above(now, surface, pipe.x, width);
@@ -68,8 +69,8 @@ Berm berm_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& no
   return berm;
 }
 
-Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::SavedSoil& after, Real surface, const PipePlace& from,
-                       const PipePlace& to, Real diameter)
+Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::SavedSoil& after, const problem::BedSurface& surface,
+                       const PipePlace& from, const PipePlace& to, Real diameter)
 {
   std::vector<std::size_t> close;
   std::vector<Real> growth;
@@ -95,7 +96,7 @@ Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::Sa
       continue;
     }
     ahead.emplace_back(distance, shearing);
-    if (after.y[k] <= surface) continue;
+    if (after.y[k] <= surface.at(after.x[k])) continue;
     heaped += after.volume[k];
     if (after.x[k] - before.x[k] >= a_tenth * (to.x - from.x)) dragged += after.volume[k];
   }
@@ -164,7 +165,8 @@ void take_berms(PipeResults& results, const PipeRun& run)
       const auto stage = std::find_if(run.stages.begin(), run.stages.end(), [&](const PipeStage& s) { return s.name == drag.stage; });
       const std::optional<std::size_t> frame = frames.last(drag.stage);
       if (stage == run.stages.end() || !frame || *frame == 0) continue;
-      const Berm berm = berm_of(start, frames.soil(*frame), run.settings.surface, frames.place(*frame), stage->direction, run.scale.width);
+      const Berm berm =
+          berm_of(start, frames.soil(*frame), run.record.bed_surface(), frames.place(*frame), stage->direction, run.scale.width);
       drag.berm_height = berm.height;
       if (berm.height > 0) drag.berm_distance = berm.distance;
     }

@@ -23,15 +23,16 @@ struct Heave {
 
 /// Soil above the `surface` (m) now, less that at the `start`: columns are D/10 wide, each particle a square, so that a grain that was thrown up
 /// counts for the soil that it is.
-Heave heave_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, Real surface, const PipePlace& pipe, Real diameter);
+Heave heave_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, const problem::BedSurface& surface,
+               const PipePlace& pipe, Real diameter);
 
 /// The berm ahead of a pipe that is dragged along `direction` (+1 or -1): the highest rise of a column of soil within 4 D of the pipe's axis, the distance
 /// of that column's middle from the axis, m.
 struct Berm {
   Real height, distance;
 };
-Berm berm_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, Real surface, const PipePlace& pipe, Real direction,
-             Real diameter);
+Berm berm_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, const problem::BedSurface& surface,
+             const PipePlace& pipe, Real direction, Real diameter);
 
 /// What moves between two frames with the same points, the one right before the other.
 struct Mechanism {
@@ -43,8 +44,8 @@ struct Mechanism {
 
 /// Of the soil within 4 D of the pipe's axis. Strain of less than a tenth of what one point in a hundred exceeds there does not count: everywhere
 /// else the soil shakes a little.
-Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::SavedSoil& after, Real surface, const PipePlace& from,
-                       const PipePlace& to, Real diameter);
+Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::SavedSoil& after, const problem::BedSurface& surface,
+                       const PipePlace& from, const PipePlace& to, Real diameter);
 
 /// A run's frames with the place of the pipe in each; none without a pipe, without frames that can be told or in space.
 class PipeFrames {

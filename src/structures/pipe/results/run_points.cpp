@@ -14,11 +14,16 @@ constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real embedded_beyond = 0.01;  // of D
 
 /// The embedment of the main rigid body as the case places it, m; NaN where there is none.
-Real placed_w(const problem::Case& c)
+Real placed_w(const record::RunRecord& run)
 {
+  const problem::Case& c = run.settings;
   const Index rigid = main_rigid(c);
   if (rigid == none) return nan;
   const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;
+  if (!run.ground.line.level()) {
+    const bodies::RigidShape<2> plane = bodies::make_shape<2>(shape);
+    return run.surface_at(center_of<2>(plane)[0]) - bodies::lowest_level<2>(plane, Vec<2>::UnitY());
+  }
   return c.surface - (c.dimension == 2 ? bodies::lowest_level<2>(bodies::make_shape<2>(shape), Vec<2>::UnitY())
                                        : bodies::lowest_level<3>(bodies::make_shape<3>(shape), Vec<3>::UnitY()));
 }
@@ -57,7 +62,7 @@ RunPoints points_of(const PipeRun& run)
 {
   RunPoints points;
   const Real D = run.scale.width;
-  points.first_w = knows_w(run.history) ? run.history["w_m"].front() : placed_w(run.settings);
+  points.first_w = knows_w(run.history) ? run.history["w_m"].front() : placed_w(run.record);
   PipeResults results = run.results();
   points.push = std::move(results.push);
   points.push_end = results.push_end;

@@ -64,16 +64,17 @@ TEST(film_view, without_a_pipe_is_the_soil)
 
 TEST(film_view, surface_is_known_of_a_flat_bed)
 {
-  problem::Case c;
+  record::RunRecord run;
+  problem::Case& c = run.settings;
   c.mesh = mesh::BoxMesh{};
   c.surface = 0.5;
   c.body = {{"sand", bodies::BodySettings{}}};
-  EXPECT_FALSE(film_surface(c));
+  EXPECT_FALSE(film_surface(run));
   c.body[0].second.k0 = 1;
-  EXPECT_EQ(film_surface(c), 0.5);
+  EXPECT_EQ(film_surface(run), 0.5);
   c.body[0].second.k0.reset();
   c.mesh = mesh::SeabedMesh{};
-  EXPECT_EQ(film_surface(c), 0.5);
+  EXPECT_EQ(film_surface(run), 0.5);
 }
 
 }  // namespace

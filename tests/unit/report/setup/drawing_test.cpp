@@ -55,6 +55,28 @@ TEST(drawing, fine_zone_and_surface_lie_where_the_case_says)
   EXPECT_EQ(surface[1], surface[3]);
 }
 
+TEST(drawing, shows_the_surface_of_a_slope)
+{
+  const std::string svg = draw_case(sample_case({"mesh.slope=0.1763", "rigid.pipe.center=[0, 0.0102]"}), "x").svgs;
+  const auto surface = numbers_of(svg, "line", "surface", {"x1", "y1", "x2", "y2"});
+  ASSERT_EQ(surface.size(), 4u);
+  EXPECT_NEAR((surface[1] - surface[3]) / (surface[2] - surface[0]), std::tan(0.1763), 1e-3) << "it ascends along x";
+  EXPECT_NE(svg.find("class=\"soil\""), std::string::npos);
+  EXPECT_NE(svg.find(">surface<"), std::string::npos);
+  EXPECT_EQ(svg.find("<rect class=\"domain\""), std::string::npos) << "the mesh is no upright rectangle";
+}
+
+TEST(drawing, shows_the_surface_of_a_trench_and_the_embedment_below_it)
+{
+  const std::string svg =
+      draw_case(sample_case({"mesh.trench={depth=0.01, width=0.06, side_slope=0.5}", "rigid.pipe.center=[0, -0.005]"}), "x").svgs;
+  std::size_t lines = 0;
+  for (std::size_t at = svg.find("<line class=\"surface\""); at != std::string::npos; at = svg.find("<line class=\"surface\"", at + 1))
+    ++lines;
+  EXPECT_GE(lines, 5u);
+  EXPECT_NE(svg.find("w = 5 mm"), std::string::npos);
+}
+
 TEST(drawing, small_pipe_is_drawn_once_more_with_its_way)
 {
   const std::string svgs = draw_case(sample_case(), "x").svgs;

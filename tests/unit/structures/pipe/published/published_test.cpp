@@ -39,6 +39,27 @@ bool says(const PublishedValues& values, const std::string& words)
 constexpr const char* characteristics = "characteristics, associated flow, table";
 constexpr const char* merifield = "Merifield, White and Randolph 2008";
 
+TEST(published, formulas_are_out_of_their_range_on_ground_that_is_not_level)
+{
+  record::RunRecord run = MadeRun{}.record();
+  const PublishedValues level = published_beside(PipeRun(run));
+  run.ground.line.corners = {Vec<2>(-0.3, -0.03), Vec<2>(0.3, 0.03)};
+  const PublishedValues sloping = published_beside(PipeRun(run));
+  EXPECT_FALSE(says(level, "level bed"));
+  EXPECT_TRUE(says(sloping, "All formulas here are for a level bed."));
+  EXPECT_TRUE(says(sloping, "rises and falls by 0.4 D")) << "4 D times the slope of a tenth";
+  ASSERT_FALSE(sloping.states.empty());
+  ASSERT_EQ(sloping.states.size(), level.states.size());
+  int valid = 0;
+  for (std::size_t k = 0; k < level.states.size(); ++k)
+    for (std::size_t n = 0; n < level.states[k].comparisons.size(); ++n) {
+      valid += level.states[k].comparisons[n].published.valid;
+      EXPECT_FALSE(sloping.states[k].comparisons[n].published.valid);
+      EXPECT_EQ(sloping.states[k].comparisons[n].published.source.range, std::string("a level bed"));
+    }
+  EXPECT_GT(valid, 0);
+}
+
 TEST(published, a_push_into_sand_stands_beside_what_carries_it)
 {
   const PublishedValues values = published_beside(PipeRun(MadeRun{}.record()));

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/model.hpp"
+
+namespace berm::problem {
+
+/// The longest period with which the soil of a case swings under its own weight, s: T = 4 H / c_S of a shear layer as high as all its bodies, with their slowest shear waves.
+template <int dim>
+Real longest_period(const Model<dim>& model, const std::vector<bodies::Particles<dim>>& particles);
+
+/// The time in which local damping alpha takes an out-of-balance force as large as the weight down to the accepted part of it, s. A period T leaves
+/// (1 - alpha) / (1 + alpha) < exp(-2 alpha) of a swing, since the force speeds it up with its part 1 - alpha and slows it down with 1 + alpha, so that
+///
+///   t = margin T ln(1 / accepted) / (2 alpha),
+///
+/// with a margin of 4 for soil that yields on its way.
+Real time_to_equilibrium(Real period, Real damping, Real accepted);
+
+/// Gives each stage that ends at equilibrium its limit of time, where the input names none, and the model its period.
+template <int dim>
+void limit_equilibrium(const Case& c, Model<dim>& model, const std::vector<bodies::Particles<dim>>& particles);
+
+/// The root mean square velocity of the soil below which it is at rest, m/s: that of a swing with the model's period whose force out of balance is the accepted part of the weight,
+///
+///   v = accepted g T / (2 pi).
+template <int dim>
+Real velocity_at_rest(const Model<dim>& model, const StageSettings& stage);
+
+/// Whether a wave had the time to cross the soil since the stage began, and the force out of balance over the weight is accepted.
+template <int dim>
+bool in_balance(const Model<dim>& model, const State<dim>& state, Real out_of_balance);
+
+}  // namespace berm::problem
