@@ -11,8 +11,9 @@ namespace berm::commands {
 struct CaseOptions {
   std::vector<std::string> files, overrides;
   std::string output;
-  int threads = 0;     ///< 0: all processors
-  bool force = false;  ///< replace the results of earlier runs
+  int threads = 0;           ///< 0: all processors
+  bool force = false;        ///< replace the results of earlier runs
+  bool uncertainty = false;  ///< find the bands of the results, too
 
   /// CASE... and --set.
   CLI::Option* take_cases(CLI::App& command);

@@ -6,6 +6,7 @@
 #include "core/interrupt.hpp"
 #include "io/folder_lock.hpp"
 #include "simulation/resume.hpp"
+#include "uncertainty/find_bands.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -14,7 +15,7 @@ namespace berm::commands {
 namespace {
 
 /// One case after the other, each on all threads; cases of finite elements, which hardly gain by threads, side by side after them.
-int run_all(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
+int run_cases(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
 {
   catch_interrupts();
   const auto is_fem = [](const simulation::RunRequest& r) { return r.settings.method == problem::Method::fem; };
@@ -32,6 +33,17 @@ int run_all(const std::vector<simulation::RunRequest>& all, const CaseOptions& o
   return !side_by_side || run_side_by_side(fem, options.overrides, options.jobs()) ? 0 : 1;
 }
 
+/// The same with the bands of the results, where they are asked for, once all have run.
+int run_all(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
+{
+  if (options.uncertainty)
+    for (const simulation::RunRequest& request : all) uncertainty::try_to_plan(request);
+  if (const int status = run_cases(all, options); status != 0 || !options.uncertainty) return status;
+  bool found = true;
+  for (const simulation::RunRequest& request : all) found = uncertainty::find_bands(request, options.jobs()) && found;
+  return found ? 0 : 1;
+}
+
 /// A run is never lost by a second one into its folder: it is replaced where the user says so.
 void refuse_to_overwrite(const std::vector<simulation::RunRequest>& all)
 {
@@ -47,13 +59,20 @@ void refuse_to_overwrite(const std::vector<simulation::RunRequest>& all)
   }
 }
 
-int resume(const std::filesystem::path& folder, int threads)
+int resume(const std::filesystem::path& folder, const CaseOptions& options)
 {
-  const std::optional<simulation::RunRequest> request = simulation::run_to_resume(folder);
-  if (!request) return fmt::print("the run in {} is finished\n", folder.string()), 0;
+  std::optional<simulation::RunRequest> request = simulation::run_to_resume(folder);
+  const bool finished = !request;
+  if (finished) fmt::print("the run in {} is finished\n", folder.string());
+  if (finished && !options.uncertainty) return 0;
+  if (finished) request = simulation::finished_run(folder);
   catch_interrupts();
-  simulation::Context context(threads, interrupted);
-  return run_case(*request, context) ? 0 : 1;
+  if (options.uncertainty) uncertainty::try_to_plan(*request);
+  if (!finished) {
+    simulation::Context context(options.threads, interrupted);
+    if (!run_case(*request, context)) return 1;
+  }
+  return !options.uncertainty || uncertainty::find_bands(*request, options.jobs()) ? 0 : 1;
 }
 
 }  // namespace
@@ -75,11 +94,13 @@ Command add_run(CLI::App& program)
       ->excludes("--set")
       ->excludes("--output")
       ->excludes(force);
+  app->add_flag("--uncertainty", options->uncertainty,
+                "run each case on coarser cells and at another speed, too, and tell how sure its results are: about as long again");
   app->callback([options] {
     if (options->files.empty() && options->unfinished.empty()) throw CLI::RequiredError("CASE or --resume");
   });
   return {app, [options] {
-            if (!options->unfinished.empty()) return resume(options->unfinished, options->threads);
+            if (!options->unfinished.empty()) return resume(options->unfinished, *options);
             const std::vector<simulation::RunRequest> all = requests(*options);
             if (!options->force) refuse_to_overwrite(all);
             return run_all(all, *options);

@@ -40,6 +40,7 @@ fs::path messages_of(const Job& job)
 std::vector<std::string> words_of(const Job& job)
 {
   std::vector<std::string> words = {"berm", "run", job.case_file.string(), "-o", job.folder.string(), "--threads", "1", "--force"};
+  if (job.uncertainty) words.emplace_back("--uncertainty");
   for (const std::string& set : job.set) words.insert(words.end(), {"--set", set});
   return words;
 }

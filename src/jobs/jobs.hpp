@@ -16,6 +16,7 @@ struct Job {
   std::vector<std::string> set;  ///< overrides KEY=VALUE
   std::filesystem::path folder;  ///< the run folder
   bool fast = false;             ///< expected to take a few seconds, where no earlier run tells its time
+  bool uncertainty = false;      ///< with the bands of its results (berm run --uncertainty)
 };
 
 /// How a job ended.

@@ -67,6 +67,7 @@ RunSummary summary_of(const Json& json)
     if (!warnings->is_array()) refuse("\"warnings\" is no list");
     for (const Json& entry : *warnings) summary.warnings.push_back(words(entry, "warnings"));
   }
+  if (const auto uncertainty = json.find("uncertainty"); uncertainty != json.end()) summary.uncertainty = uncertainty_of(*uncertainty);
   return summary;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "run_folder/summary.hpp"
+#include "run_folder/uncertainty.hpp"
 
 #include <map>
 #include <optional>
@@ -14,7 +15,8 @@ struct RunSummary {
   std::map<std::string, Real> timing;  ///< wall_s, threads, cells, steps, particles, particle_steps_per_s, nodes, iterations ...
   std::map<std::string, Real> checks;  ///< true is 1, false 0
   std::map<std::string, std::string> text;
-  std::vector<std::string> warnings;  ///< what was doubtful of the case before it ran
+  std::vector<std::string> warnings;         ///< what was doubtful of the case before it ran
+  std::optional<Uncertainty> uncertainty{};  ///< where it was asked for
 
   /// All of its stages were run.
   bool finished() const;

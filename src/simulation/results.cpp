@@ -89,7 +89,7 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
   summary.write(folder.file("summary.json"));
   for (const std::filesystem::path& names : {folder.path(), folder.file("frames")}) io::sync_file(names);  // before the checkpoints go
 
-  structure.draw_curves(folder, settings, run.history);
+  structure.draw_curves(folder, settings, run.history, {});
   draw_soil(settings, folder, model, rigid_bodies, last);
   print_timings(timing);
   const std::string table = structure.table_of(settings, summary.quantities);

@@ -51,6 +51,12 @@ std::optional<RunRequest> run_to_resume(const fs::path& folder)
   return RunRequest{std::move(settings), noted.empty() ? folder / "case.toml" : fs::path(noted), folder, true, std::move(places)};
 }
 
+RunRequest finished_run(const fs::path& folder)
+{
+  auto [settings, places] = input::read_case_in_file(folder / "resolved.toml");
+  return {std::move(settings), folder / "case.toml", folder, false, std::move(places)};
+}
+
 bool has_begun(const fs::path& folder)
 {
   std::error_code error;

@@ -13,6 +13,9 @@ void note_case_file(const run_folder::RunFolder& folder, const std::filesystem::
 /// RunError where it has no checkpoints and its summary.json is damaged.
 std::optional<RunRequest> run_to_resume(const std::filesystem::path& folder);
 
+/// The request that the finished run in this folder came from, as its resolved.toml says.
+RunRequest finished_run(const std::filesystem::path& folder);
+
 /// Whether the folder holds a run that has begun: before that there is nothing to lose.
 bool has_begun(const std::filesystem::path& folder);
 

@@ -34,4 +34,17 @@ std::string short_number(Real value)
   return text;
 }
 
+std::string with_half_width(Real value, Real half_width, const char* sign)
+{
+  if (!std::isfinite(value) || !std::isfinite(half_width)) return no_number;
+  if (half_width == 0) return fmt::format("{} {} 0", short_number(value), sign);
+  const Real power = std::floor(std::log10(half_width));
+  const bool two = half_width < 2.95 * std::pow(10, power);
+  const int decimals = static_cast<int>(two ? 1 - power : -power);
+  if (decimals > 9 || decimals < -6) return fmt::format("{:.3e} {} {:.1e}", value, sign, half_width);
+  const Real unit = std::pow(10, std::max(0, -decimals));
+  const auto rounded = [&](Real number) { return fmt::format("{:.{}f}", std::round(number / unit) * unit, std::max(0, decimals)); };
+  return fmt::format("{} {} {}", rounded(value), sign, rounded(half_width));
+}
+
 }  // namespace berm::text

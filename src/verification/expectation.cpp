@@ -37,8 +37,19 @@ void check(Describe& d, const std::string& path, const Expectation& e)
   d.check(e.exact.has_value() != bounded, path, "needs either exact, or least and most or one of them");
   d.check(!e.min || !e.max || *e.min <= *e.max, path + ".most", "must not be less than least");
   const int tolerances = e.tolerance.has_value() + e.absolute_tolerance.has_value();
-  d.check(tolerances == (bounded ? 0 : 1), path, "exact needs a tolerance or an absolute_tolerance, and bounds need none");
+  d.check(tolerances == (bounded || e.held != Held::not_asked ? 0 : 1), path,
+          "exact needs a tolerance, an absolute_tolerance or held, and one of them; bounds need none, or held");
+  d.check(e.held == Held::not_asked || (!e.observable.quantity.empty() && e.over.empty() && e.runs.empty()), path + ".held",
+          "only a quantity of one run has a band");
   d.check(!e.tolerance || e.exact != 0., path + ".tolerance", "zero needs an absolute_tolerance");
+}
+
+/// A band is there where the run was asked for it.
+void check_band(Describe& d, const std::string& path, const Expectation& e, const Expectations& all)
+{
+  const bool asked =
+      std::any_of(all.run.begin(), all.run.end(), [&](const auto& run) { return run.first == e.run && run.second.uncertainty; });
+  d.check(e.held == Held::not_asked || asked, path + ".held", "the run needs uncertainty = true");
 }
 
 /// A number of which nobody says what it is for proves nothing.
@@ -57,6 +68,7 @@ void describe(Describe& d, VerificationRun& run)
   d.value("title", run.title, {.meaning = "what the run is, in one line"});
   d.value("case", run.case_file, {.meaning = "case file in the example's folder"});
   d.value("set", run.set, {.meaning = "parameters changed for this run, each KEY=VALUE as for --set"});
+  d.value("uncertainty", run.uncertainty, {.meaning = "whether the bands of its results are found, too (berm run --uncertainty)"});
   d.value("fast", run.fast, {.meaning = "whether the run takes a few seconds and belongs to the tests"});
 }
 
@@ -72,6 +84,9 @@ void describe(Describe& d, Expectation& e)
   d.value("exact", e.exact, {.meaning = "value to expect", .any_unit = unit});
   d.value("tolerance", e.tolerance, {.meaning = "largest |value / exact - 1|", .range = positive});
   d.value("absolute_tolerance", e.absolute_tolerance, {.meaning = "largest |value - exact|", .range = positive, .any_unit = unit});
+  d.choice("held", e.held, held_words,
+           {.meaning =
+                "instead of a tolerance, of a quantity of a run with uncertainty: whether its band holds exact, or meets least and most"});
   d.value("least", e.min, {.meaning = "least value to expect, instead of exact", .any_unit = unit});
   d.value("most", e.max, {.meaning = "largest value to expect, instead of exact", .any_unit = unit});
   d.value("source", e.source, {.meaning = "where the expected value comes from", .required = true});
@@ -92,6 +107,7 @@ void describe(Describe& d, Expectations& all)
     const std::string path = fmt::format("expect[{}]", k);
     check_runs(d, path, all.expect[k], names);
     check(d, path, all.expect[k]);
+    check_band(d, path, all.expect[k], all);
     take_promise(d, path, all.expect[k], all);
     for (const std::string& run : runs_of(all.expect[k])) needed.push_back(run);
   }

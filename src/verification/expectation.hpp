@@ -11,7 +11,12 @@ struct VerificationRun {
   std::string case_file = "case.toml";  ///< in the example's folder
   std::vector<std::string> set;         ///< overrides KEY=VALUE
   bool fast = false;                    ///< a few seconds: part of the tests
+  bool uncertainty = false;             ///< run with the bands of its results
 };
+
+/// Instead of a tolerance: whether the band of a quantity holds exact, or meets the bounds.
+enum class Held { not_asked, yes, no };
+inline const std::vector<const char*> held_words = {"not asked", "yes", "no"};
 
 /// One number that a run is expected to give; or the order of convergence of runs whose cells are half as large each time.
 struct Expectation {
@@ -22,7 +27,8 @@ struct Expectation {
   Observable observable;
   std::optional<Real> exact, min, max;                ///< of the number in SI units, or of the order; either exact or bounds
   std::optional<Real> tolerance, absolute_tolerance;  ///< of exact: relative, or in its unit
-  std::string unit;                                   ///< SI, of these and of limit as they are written; "" where they have none
+  Held held = Held::not_asked;
+  std::string unit;  ///< SI, of these and of limit as they are written; "" where they have none
   std::string source, why;
   std::string requirement, derived;  ///< what the user may rely on, and where that is derived
 };

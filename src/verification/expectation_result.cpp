@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "input/units.hpp"
+#include "run_folder/summary_file.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +52,16 @@ const ProblemResult& result_of(const std::string& run, const Example& example, c
   return results.at(std::find_if(example.runs.begin(), example.runs.end(), named) - example.runs.begin());
 }
 
+/// The band of a quantity. Throws InputError where it has none.
+run_folder::QuantityBand band_of(const Expectation& e, const std::filesystem::path& folder)
+{
+  const std::optional<run_folder::RunSummary> summary = run_folder::read_summary(folder);
+  if (!summary || !summary->uncertainty) throw InputError("the run has no bands");
+  for (const run_folder::QuantityBand& q : summary->uncertainty->quantities)
+    if (q.name == e.observable.quantity) return q;
+  throw InputError(fmt::format("{} has no band", e.observable.quantity));
+}
+
 /// Takes the values of the runs; false, and the verdict and reason say why, where one has none.
 bool take_values(ExpectationResult& finding, const Example& example, const Expectation& e, const std::vector<ProblemResult>& results)
 {
@@ -61,7 +72,11 @@ bool take_values(ExpectationResult& finding, const Example& example, const Expec
     finding.reason = e.runs.empty() && e.over.empty() ? result.end.reason : fmt::format("{}: {}", run, result.end.reason);
     if (result.end.kind == jobs::JobEnd::Kind::failed) return false;
     try {
-      const Reading reading = evaluate(e.observable, result.folder);
+      Reading reading = evaluate(e.observable, result.folder);
+      if (e.held != Held::not_asked) {
+        finding.band = band_of(e, result.folder).band;
+        reading.value = finding.band->converged;
+      }
       finding.values.push_back(reading.value);
       finding.unit = reading.unit;
       finding.label = reading.label;
@@ -74,6 +89,17 @@ bool take_values(ExpectationResult& finding, const Example& example, const Expec
     }
   }
   return true;
+}
+
+/// Whether the band of a quantity holds what is expected, as it is said to.
+ExpectationResult compare_with_band(ExpectationResult finding, const Expectation& e, const ShownUnit& unit)
+{
+  finding.berm = fmt::format("{} (run {})", unit.value(finding.number), unit.number(finding.band->value));
+  finding.tolerance = fmt::format("{}{}", e.held == Held::yes ? "" : "beyond ", unit.value(finding.band->half_width, 3));
+  const Real error = error_of(e, finding.number);
+  finding.error = unit.value(error, 3);
+  finding.verdict = (std::abs(error) <= finding.band->half_width) == (e.held == Held::yes) ? Verdict::met : Verdict::missed;
+  return finding;
 }
 
 }  // namespace
@@ -100,6 +126,7 @@ ExpectationResult compare_with_expectation(const Example& example, const Expecta
   }
   finding.number = number_of(e, finding.values);
   finding.reason.clear();
+  if (finding.band) return compare_with_band(finding, e, unit);
   finding.berm = unit.value(finding.number);
   const Real error = error_of(e, finding.number);
   const bool within_bounds = !e.exact && error == 0;

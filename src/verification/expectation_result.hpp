@@ -2,6 +2,7 @@
 #pragma once
 
 #include "jobs/jobs.hpp"
+#include "run_folder/uncertainty.hpp"
 #include "verification/problems.hpp"
 
 namespace berm::verification {
@@ -23,6 +24,7 @@ struct ExpectationResult {
   std::vector<Real> values;  ///< of its runs; empty where one has none
   std::string unit, label;   ///< of the values: SI, "" = a bare number; and what they are
   Real number = std::numeric_limits<Real>::quiet_NaN();
+  std::optional<run_folder::Band> band;  ///< where one is expected; then the number is the converged one, and berm "16.9 kN/m (run 17.6)"
 };
 
 /// "met", "MISSED", "FAILED", "not run".

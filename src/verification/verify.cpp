@@ -36,7 +36,7 @@ void add_jobs(std::vector<jobs::Job>& jobs, const Example& example, const fs::pa
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: run.{}: {}", (example.folder / "expected.toml").string(), name, error.what()));
     }
-    jobs.push_back({file, run.set, output / example.name / name, run.fast});
+    jobs.push_back({file, run.set, output / example.name / name, run.fast, run.uncertainty});
   }
 }
 

@@ -261,7 +261,7 @@ def examples(tree):
 
 def silence(tree):
     """Only what runs cases, main.cpp, the progress line and the run log write to the terminal."""
-    allowed = ("src/commands/", "src/benchmark/", "src/envelope/", "src/jobs/", "src/simulation/", "src/study/", "src/verification/", "src/main.cpp", "src/run_folder/progress", "src/run_folder/run_log")
+    allowed = ("src/commands/", "src/benchmark/", "src/envelope/", "src/jobs/", "src/simulation/", "src/study/", "src/uncertainty/", "src/verification/", "src/main.cpp", "src/run_folder/progress", "src/run_folder/run_log")
     paths = [path for path in tree.ending(CPP, "src/") if not path.startswith(allowed)]
     pattern = r"\bstd::(?:cout|cerr|clog)\b|\b(?:v?printf|puts|putchar)\s*\(|\b(?:fprintf|fputs|print)\s*\([^;]*\bstd(?:out|err)\b"
     yield from code_matching(tree, paths, pattern, "writes to the terminal")

@@ -31,6 +31,8 @@ export interface RunData {
   row: number[] | null;
   push: PathData;
   drag: PathData;
+  /** How sure the curves of charts are, where the run was asked. */
+  bands: BandData[];
   film: FilmData | null;
 }
 
@@ -51,6 +53,14 @@ export interface PathData {
   /** Forces freed from noise over +-0.01 D of the travel of each push or drag, by row of the path. */
   V_mean: (number | null)[];
   H_mean: (number | null)[];
+}
+
+/** The band of a curve, over w of the push or over u from where the first drag began, in the units of the columns; null where it is not known. */
+export interface BandData {
+  chart: "V_w" | "H_u" | "w_u";
+  x: (number | null)[];
+  low: (number | null)[];
+  high: (number | null)[];
 }
 
 /** A number or a level that is published, in model units. */

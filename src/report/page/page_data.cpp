@@ -65,6 +65,21 @@ Json path_json(const record::RunRecord& run, const std::vector<Index>& kept, con
   return path;
 }
 
+/// How sure the curves of charts are.
+Json bands_json(const record::RunRecord& run)
+{
+  Json bands = Json::array();
+  if (!run.summary || !run.summary->uncertainty) return bands;
+  const auto side = [](const std::vector<Real>& values) {
+    Json numbers = Json::array();
+    for (const Real value : values) numbers.push_back(number_or_null(value));
+    return numbers;
+  };
+  for (const run_folder::CurveBand& band : run.summary->uncertainty->curves)
+    bands.push_back({{"chart", band.chart}, {"x", side(band.x)}, {"low", side(band.low)}, {"high", side(band.high)}});
+  return bands;
+}
+
 /// What forces are made dimensionless with (N/m) and its letters; what stresses and energies per metre are made so with follows by D.
 Json measure_of(const base::BodyScale& scale)
 {
@@ -107,6 +122,7 @@ Json run_data(const record::RunRecord& run)
   const base::StagePaths paths = structures::structure_of(run.settings).paths(run);
   data["push"] = path_json(run, kept, {paths.push});
   data["drag"] = path_json(run, kept, paths.drags);
+  data["bands"] = bands_json(run);
   data["film"] = nullptr;
   return data;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "record/travel_curve.hpp"
 #include "run_folder/run_folder.hpp"
 #include "structures/base/display_units.hpp"
 #include "structures/base/observable.hpp"
@@ -30,6 +31,15 @@ struct StagePaths {
   std::vector<StagePath> drags;
 };
 
+/// A curve of a chart: at travel s it stands at x = begin + direction s.
+struct ChartCurve {
+  std::string chart;  ///< V_w, H_u, w_u
+  Real begin, direction;
+  record::TravelCurve values;
+};
+using ChartCurves = std::vector<ChartCurve>;
+using CurveBands = std::vector<run_folder::CurveBand>;
+
 /// What berm knows of a structure, beyond its being a rigid body: the numbers that matter of it and how they are told. A structure says what it has; the rest
 /// stays empty. structures/structures.hpp lists all.
 class Structure {
@@ -42,10 +52,15 @@ public:
   /// The key results of a run (its folder with the frames, case and history, which may be without rows). `held_forces`: V that each stage of the case was to
   /// hold, N/m, NaN where none; empty where they are not known.
   virtual std::vector<run_folder::Quantity> quantities(const record::RunRecord&, const std::vector<Real>&) const { return {}; }
+  /// Whether a quantity is an answer, with a band of its own, and neither a measure of the run's quality nor another's dimensionless twin.
+  virtual bool is_answer(const std::string& /*quantity*/) const { return true; }
   /// The key results as a table of the log; "" where there is none.
   virtual std::string table_of(const problem::Case&, const std::vector<run_folder::Quantity>&) const { return ""; }
-  /// Draws curves.png of a run into its folder. False, with a warning, where it could not be drawn.
-  virtual bool draw_curves(const run_folder::RunFolder& folder, const problem::Case& c, const run_folder::History& history) const = 0;
+  /// Draws curves.png of a run into its folder, with the bands of its curves. False, with a warning, where it could not be drawn.
+  virtual bool draw_curves(const run_folder::RunFolder& folder, const problem::Case& c, const run_folder::History& history,
+                           const CurveBands& bands) const = 0;
+  /// The curves that have bands.
+  virtual ChartCurves chart_curves(const record::RunRecord&) const { return {}; }
 
   /// What a run did and met, in a few sentences, HTML without the run's name.
   virtual std::string in_words(const record::RunRecord& run, const DisplayUnits& shown) const = 0;

@@ -72,7 +72,8 @@ bool Generic::applies_to(const problem::Case&) const
   return true;
 }
 
-bool Generic::draw_curves(const run_folder::RunFolder& folder, const problem::Case& c, const run_folder::History& history) const
+bool Generic::draw_curves(const run_folder::RunFolder& folder, const problem::Case& c, const run_folder::History& history,
+                          const base::CurveBands&) const
 {
   return record::draw_columns(folder, history, curve_columns(c, history), c.title);
 }

@@ -2,6 +2,7 @@
 // Tests: tests/unit/structures/structures_test.cpp
 #include "structures/pipe/pipe.hpp"
 
+#include "plot/figure.hpp"
 #include "structures/pipe/pipe_curves.hpp"
 #include "structures/pipe/published/pipe_envelope.hpp"
 #include "structures/pipe/report/curve_figures.hpp"
@@ -46,9 +47,34 @@ std::string Pipe::table_of(const problem::Case& c, const std::vector<run_folder:
   return key_results_table(quantities, base::body_scale(c));
 }
 
-bool Pipe::draw_curves(const run_folder::RunFolder& folder, const problem::Case& c, const run_folder::History& history) const
+bool Pipe::is_answer(const std::string& quantity) const
 {
-  return history.rows() > 0 && draw_pipe_curves(folder, history, base::body_scale(c), pipe_stages(c), c.title);
+  const auto ends_with_any = [&](std::initializer_list<const char*> ends) {
+    return std::any_of(ends.begin(), ends.end(), [&](const char* end) { return quantity.ends_with(end); });
+  };
+  return !ends_with_any({"_over_gammaD2", "_over_D", "_noise", "V_rms_error_in_drag", "second_impulse_over_V", "overlap_max", "gap_mean"});
+}
+
+bool Pipe::draw_curves(const run_folder::RunFolder& folder, const problem::Case& c, const run_folder::History& history,
+                       const base::CurveBands& bands) const
+{
+  return history.rows() > 0 && draw_pipe_curves(folder, history, base::body_scale(c), pipe_stages(c), c.title, bands);
+}
+
+base::ChartCurves Pipe::chart_curves(const record::RunRecord& run) const
+{
+  if (run.history.rows() == 0) return {};
+  const PipePath path = pipe_path(run.history, pipe_stages(run.settings));
+  std::vector<Real> w, V;
+  for (std::size_t k = 0; k < path.push.w.size(); ++k)
+    if (path.push.w[k] >= 0) w.push_back(path.push.w[k]), V.push_back(path.push.V[k]);
+  base::ChartCurves curves{{"V_w", 0, 1, {w, V}}};
+  for (const DragPath& drag : path.drags) {
+    const Real begin = drag.u_begin - path.drag().u_begin, direction = drag.stage.direction;
+    curves.push_back({"H_u", begin, direction, {drag.travel, plot::scaled(drag.H, direction)}});
+    curves.push_back({"w_u", begin, direction, {drag.travel, drag.w}});
+  }
+  return curves;
 }
 
 std::string Pipe::in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const

@@ -77,6 +77,7 @@ struct Curves {
   PipePath path;
   const BodyScale& scale;
   plot::PlotUnit length, force;
+  const std::vector<run_folder::CurveBand>& bands;
   bool has_push() const { return path.push.w.size() > 1; }
   bool has_drag() const { return path.drag().travel.size() > 1; }
 };
@@ -109,7 +110,7 @@ std::vector<Real> u_of(const DragPath& drag, const PipePath& path)
 /// curves.dat: a block of the push, then one of the drags, with an empty line between two of them. H is along x.
 std::string data_of(const Curves& curves)
 {
-  const auto& [path, scale, length, force] = curves;
+  const auto& [path, scale, length, force, bands] = curves;
   const Real half = averaging_half(scale);
   const std::string units = fmt::format("({}, {})", length.name, force.name);
   std::string data = fmt::format("# push {}: w, V, V freed from noise\n", units);
@@ -123,6 +124,35 @@ std::string data_of(const Curves& curves)
   }
   return data;
 }
+
+/// A band as an outline that gnuplot fills: along its low side and back along the high one. "" where the chart has none.
+std::string band_blocks(const Curves& curves, const std::string& chart)
+{
+  std::string data;
+  const Real y_unit = chart == "w_u" ? curves.length.per_si : curves.force.per_si;
+  for (const run_folder::CurveBand& band : curves.bands) {
+    if (band.chart != chart) continue;
+    std::string there, back;
+    for (std::size_t k = 0; k < band.x.size(); ++k) {
+      if (std::isnan(band.low[k]) || std::isnan(band.high[k])) continue;
+      const Real x = band.x[k] * curves.length.per_si;
+      there += fmt::format("{:.6g} {:.6g}\n", x, band.low[k] * y_unit);
+      back.insert(0, fmt::format("{:.6g} {:.6g}\n", x, band.high[k] * y_unit));
+    }
+    if (!there.empty()) data += (data.empty() ? "" : "\n") + there + back;
+  }
+  return data;
+}
+
+/// The name of a band's file in plots/, and what draws it under the curves; "" without a band.
+std::string band_script(const Curves& curves, const std::string& chart, const char* columns, const char* color)
+{
+  if (band_blocks(curves, chart).empty()) return "";
+  return fmt::format("'band_{}.dat' using {} with filledcurves closed fs solid noborder lc rgb '{}' notitle, ", chart, columns, color);
+}
+
+constexpr const char* charts_with_bands[] = {"V_w", "H_u", "w_u"};
+constexpr const char *push_band = "#dfe9f4", *drag_band = "#f8e3df";
 
 Axis force_axis(const Curves& curves, char letter, const std::string& words, const char* symbol)
 {
@@ -148,11 +178,14 @@ std::string push_panel(const Curves& curves)
 {
   Axis V = force_axis(curves, 'x', "vertical reaction", "V"), w = length_axis(curves, 'y', "embedment", "w", true);
   V.take(curves.path.push.V, curves.force.per_si);
+  for (const run_folder::CurveBand& band : curves.bands)
+    if (band.chart == "V_w") V.take(band.low, curves.force.per_si), V.take(band.high, curves.force.per_si);
   w.take(curves.path.push.w, curves.length.per_si);
   const record::PanelPlace place =
       curves.has_drag() ? record::PanelPlace{0.075, 0.40, 0.085, 0.84} : record::PanelPlace{0.10, 0.88, 0.085, 0.84};
   std::string script = record::margins(place) + V.script() + w.script();
-  script += "plot 'curves.dat' index 0 using 2:1 with lines lc rgb '#b8d0ea' lw 1 notitle, \\\n"
+  script += "plot " + band_script(curves, "V_w", "2:1", push_band);
+  script += "'curves.dat' index 0 using 2:1 with lines lc rgb '#b8d0ea' lw 1 notitle, \\\n"
             "     '' index 0 using 3:1 with lines lc rgb push lw 2.5 notitle\n";
   return script + next_panel;
 }
@@ -168,26 +201,37 @@ std::string drag_panels(const Curves& curves)
     w.take(drag.w, curves.length.per_si);
     u.take(u_of(drag, curves.path), curves.length.per_si);
   }
+  for (const run_folder::CurveBand& band : curves.bands) {
+    if (band.chart == "V_w") continue;
+    Axis& axis = band.chart == "H_u" ? H : w;
+    for (const std::vector<Real>* side : {&band.low, &band.high})
+      axis.take(*side, band.chart == "H_u" ? curves.force.per_si : curves.length.per_si);
+  }
   std::string script = record::margins({left, right, 0.52, 0.84}) + u.script() + H.script();
-  script += "plot 'curves.dat' index 1 using 1:2 with lines lc rgb '#f0c4bb' lw 1 notitle, '' index 1 using 1:3 with lines lc rgb drag "
+  script += "plot " + band_script(curves, "H_u", "1:2", drag_band);
+  script += "'curves.dat' index 1 using 1:2 with lines lc rgb '#f0c4bb' lw 1 notitle, '' index 1 using 1:3 with lines lc rgb drag "
             "lw 2.5 notitle\n";
   u.second = 0;
   script += next_panel + record::margins({left, right, 0.085, 0.43}) + u.script() + w.script();
-  return script + "plot 'curves.dat' index 1 using 1:5 with lines lc rgb drag lw 2.5 notitle\n";
+  script += "plot " + band_script(curves, "w_u", "1:2", drag_band);
+  return script + "'curves.dat' index 1 using 1:5 with lines lc rgb drag lw 2.5 notitle\n";
 }
 
 }  // namespace
 
 bool draw_pipe_curves(const run_folder::RunFolder& folder, const run_folder::History& history, const BodyScale& scale,
-                      const PipeStages& stages, const std::string& title)
+                      const PipeStages& stages, const std::string& title, const std::vector<run_folder::CurveBand>& bands)
 {
   PipePath path = pipe_path(history, stages);
   leave_out_the_way_down(path.push);
   const plot::PlotUnit force = plot::force_unit(largest_force(path));
-  const Curves curves{std::move(path), scale, plot::length_unit(scale.width), force};
+  const Curves curves{std::move(path), scale, plot::length_unit(scale.width), force, bands};
   if (!curves.has_push() && !curves.has_drag()) return false;
   folder.subfolder("plots");
   io::write_atomically(folder.file("plots/curves.dat"), data_of(curves));
+  for (const std::string chart : charts_with_bands)
+    if (const std::string band = band_blocks(curves, chart); !band.empty())
+      io::write_atomically(folder.file("plots/band_" + chart + ".dat"), band);
   std::string script = record::begin_panels(title);
   if (curves.has_push()) script += push_panel(curves);
   if (curves.has_drag()) script += drag_panels(curves);

@@ -53,6 +53,17 @@ TEST(Expectation, is_never_met_by_what_is_not_a_number)
   EXPECT_FALSE(is_met(bounds, std::nan("")));
 }
 
+TEST(Expectation, of_a_band_needs_a_quantity_of_a_run_with_uncertainty_and_no_tolerance)
+{
+  const std::string asked = "[run.a]\nuncertainty = true\n",
+                    exact = "[[expect]]\nrun = \"a\"\nquantity = \"H_max\"\nexact = 1\nheld = \"yes\"\n" + words;
+  EXPECT_EQ(complaint(asked + exact), "");
+  EXPECT_NE(complaint(one_run + exact).find("needs uncertainty = true"), std::string::npos);
+  EXPECT_NE(complaint(asked + exact + "tolerance = 0.1\n").find("one of them"), std::string::npos);
+  const std::string column = "[[expect]]\nrun = \"a\"\ncolumn = \"H_N_m\"\nexact = 1\nheld = \"yes\"\n" + words;
+  EXPECT_NE(complaint(asked + column).find("only a quantity of one run has a band"), std::string::npos);
+}
+
 TEST(Expectation, may_be_written_in_any_unit_of_one_dimension)
 {
   const std::string begin = one_run + "[[expect]]\nrun = \"a\"\nquantity = \"w_at_u_0.3D\"\nleast = \"5 mm\"\n" + words;

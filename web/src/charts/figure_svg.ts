@@ -2,6 +2,7 @@
 import { svg_element } from "../element";
 import { candidates, LabelPlaces, levels_first } from "./label_places";
 import type { Box } from "./label_places";
+import { band_opacity } from "./plot";
 import type { View } from "./plot";
 import type { Line, Scene, SceneAxis } from "./scene";
 import { ticks_of } from "./ticks";
@@ -11,7 +12,7 @@ import type { Range } from "./ticks";
 const area = { left: 74, top: 16, width: 520, height: 340 };
 const legend_step = 18;
 const ink = "#1a1a1a", faint = "#dddddd", published_ink = "#7a1f5c";
-const weights = { raw: 0.7, plain: 1.6, mean: 1.9 };
+const weights = { raw: 0.7, plain: 1.6, mean: 1.9, band: 0 };
 
 type To = (value: number) => number;
 
@@ -61,6 +62,7 @@ function line_path(line: Line, x: To, y: To): SVGPathElement {
     if (at !== null && value !== null) path += `${pen_down ? "L" : "M"}${x(at)} ${y(value)}`;
     pen_down = at !== null && value !== null;
   });
+  if (line.weight === "band") return svg_element("path", { class: "band", d: path, fill: line.style.colour.light, "fill-opacity": band_opacity });
   return svg_element("path", {
     d: path, stroke: line.style.colour.light, "stroke-width": weights[line.weight], "stroke-linejoin": "round",
     "stroke-dasharray": line.weight === "raw" ? null : line.style.dash.join(" ") || null, "stroke-opacity": line.weight === "raw" ? 0.5 : null,
@@ -97,7 +99,7 @@ function marks_group(scene: Scene, to_x: To, to_y: To): SVGGElement {
     .filter(({ x, y }) => is_within(x, area.left, area.width) && is_within(y, area.top, area.height));
   if (marks.length === 0) return group;
   const places = new LabelPlaces(area, 3);
-  for (const line of scene.lines)
+  for (const line of scene.lines.filter((each) => each.weight !== "band"))
     places.avoid_line(line.x.map((at, i) => (at === null || line.y[i] === null ? null : [to_x(at), to_y(line.y[i]!)])));
   for (const { mark, x, y } of marks) {
     const colour = mark_ink(mark.published);

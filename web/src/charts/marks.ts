@@ -19,7 +19,7 @@ export function draw_marks(u: uPlot, scene: Scene): void {
   ctx.font = `${11 * unit}px system-ui, "DejaVu Sans", sans-serif`;
   ctx.lineWidth = 1.25 * unit;
   const places = new LabelPlaces(bbox, 3 * unit);
-  for (const line of scene.lines)
+  for (const line of scene.lines.filter((each) => each.weight !== "band"))
     places.avoid_line(line.x.map((x, i) => {
       const y = line.y[i];
       return x === null || y === null ? null : [u.valToPos(x, "x", true), u.valToPos(y, "y", true)];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What is seen over the path of the driven body: forces and embedment in the push and in the drag.
-import type { PageData, PathData, RunData } from "../data";
+import type { BandData, PageData, PathData, RunData } from "../data";
 import { at_rows, combined, published_marks, plan, run_traces } from "./plan";
 import type { Curve, Numbers, Plan } from "./plan";
 import { quantity_of_column, ratio } from "./quantity";
@@ -20,7 +20,7 @@ export function push_plans(data: PageData): Plan[] {
   return [
     plan({
       id: "V_w", title: "Push: V(w)", argument: embedment, value: vertical, upright: true, zero: true,
-      traces: traces((run) => over_depth(run, at_rows(run, "V_N_m", run.push.rows), "V_N_m", run.push.V_mean)),
+      traces: traces((run) => with_band(over_depth(run, at_rows(run, "V_N_m", run.push.rows), "V_N_m", run.push.V_mean), run, "V_w")),
       marks: published_marks(data.published, "V_w"),
     }),
     plan({
@@ -42,12 +42,12 @@ export function drag_plans(data: PageData): Plan[] {
   return [
     plan({
       ...common, id: "H_u", title: "Drag: H(u)", value: horizontal,
-      traces: traces((run) => over_travel(run, column(run, "H_N_m"), "H_N_m", run.drag.H_mean)),
+      traces: traces((run) => with_band(over_travel(run, column(run, "H_N_m"), "H_N_m", run.drag.H_mean), run, "H_u")),
       marks: published_marks(data.published, "H_u"),
     }),
     plan({
       ...common, id: "w_u", title: "Drag: w(u)", value: embedment, value_downwards: true,
-      traces: traces((run) => over_travel(run, column(run, "w_m"), "w_m", null)),
+      traces: traces((run) => with_band(over_travel(run, column(run, "w_m"), "w_m", null), run, "w_u")),
       marks: published_marks(data.published, "w_u"),
     }),
     plan({
@@ -71,6 +71,20 @@ function curve_of(
 ): Curve | null {
   if (run.diameter === null || argument === null || value === null) return null;
   return { rows: path.rows, argument, value, mean, argument_column, value_column };
+}
+
+/** The curve with the run's bands of a chart: each along its low side and back along the high one. */
+function with_band(curve: Curve | null, run: RunData, chart: BandData["chart"]): Curve | null {
+  const bands = run.bands.filter((band) => band.chart === chart);
+  if (curve === null || bands.length === 0) return curve;
+  const argument: Numbers = [], value: Numbers = [];
+  for (const band of bands) {
+    const known = band.x.flatMap((x, i) => (x === null || band.low[i] === null || band.high[i] === null ? [] : [{ x, low: band.low[i], high: band.high[i] }]));
+    const back = [...known].reverse();
+    argument.push(...known.map((each) => each.x), ...back.map((each) => each.x), null);
+    value.push(...known.map((each) => each.low), ...back.map((each) => each.high), null);
+  }
+  return { ...curve, band: { argument, value } };
 }
 
 /** Where V is held in all drags the path of forces is an upright line, which says nothing. */

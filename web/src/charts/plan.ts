@@ -17,6 +17,8 @@ export interface Curve {
   /** Columns of history.csv, or how they are made of them. */
   argument_column: string;
   value_column: string;
+  /** The outlines of bands in which the curve is sure to lie, a gap between two of them. */
+  band?: { argument: Numbers; value: Numbers };
 }
 
 /** A curve with its name and look. */

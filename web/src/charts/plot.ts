@@ -29,7 +29,8 @@ export interface PlotEvents {
 }
 
 const font = '12px system-ui, "DejaVu Sans", sans-serif';
-const widths = { raw: 1, plain: 1.75, mean: 2.25 };
+const widths = { raw: 1, plain: 1.75, mean: 2.25, band: 0 };
+export const band_opacity = 0.16;
 
 /** A scene drawn on a canvas of uPlot's. The points of a line may go anywhere, so each series has its own x and y (uPlot's mode 2). */
 export class Plot {
@@ -76,10 +77,12 @@ export class Plot {
     const dark = is_dark();
     const colour = (line: Line) => (dark ? line.style.colour.dark : line.style.colour.light);
     const facets = [{ scale: "x", auto: false }, { scale: "y", auto: false }];
-    const series = scene.lines.map((line): uPlot.Series => ({
+    const series = scene.lines.map((line): uPlot.Series => line.weight === "band" ? {
+      facets, auto: false, fill: colour(line), alpha: band_opacity, width: 0, paths: area_of, points: { show: false },
+    } : {
       facets, auto: false, stroke: colour(line), width: widths[line.weight], alpha: line.weight === "raw" ? 0.45 : 1,
       dash: line.weight === "raw" ? [] : line.style.dash, paths: path_of, points: { show: false },
-    }));
+    });
     return {
       mode: 2, width, height, legend: { show: false }, padding: [10, 14, 0, 0],
       series: [{}, ...series, { facets, auto: false, paths: path_of, points: { show: false } }] as uPlot.Series[],
@@ -159,6 +162,11 @@ function path_of(u: uPlot, index: number): uPlot.Series.Paths {
     pen_down = true;
   });
   return { stroke, fill: null, clip: null, flags: 1 };
+}
+
+/** The same closed and filled. */
+function area_of(u: uPlot, index: number): uPlot.Series.Paths {
+  return { stroke: null, fill: path_of(u, index).stroke as Path2D, clip: null, flags: 1 };
 }
 
 // px that a tick with its label takes.

@@ -32,7 +32,7 @@ export interface Line {
   trace: number;
   x: Numbers;
   y: Numbers;
-  weight: "raw" | "plain" | "mean";
+  weight: "raw" | "plain" | "mean" | "band";
   style: RunStyle;
 }
 
@@ -108,12 +108,13 @@ export function make_scene(plan: Plan, settings: Settings, runs: RunData[]): Sce
 
 function trace_lines(trace: Trace, index: number, raw: boolean, upright: boolean, argument: Unit, value: Unit): Line[] {
   const along = scaled(trace.argument, argument.factor(trace.run)!);
-  const line = (values: Numbers, weight: Line["weight"]): Line => {
+  const line = (values: Numbers, weight: Line["weight"], at = along): Line => {
     const of = scaled(values, value.factor(trace.run)!);
-    return { trace: index, x: upright ? of : along, y: upright ? along : of, weight, style: trace.style };
+    return { trace: index, x: upright ? of : at, y: upright ? at : of, weight, style: trace.style };
   };
-  if (trace.mean === null) return [line(trace.value, "plain")];
-  return raw ? [line(trace.value, "raw"), line(trace.mean, "mean")] : [line(trace.mean, "mean")];
+  const band = trace.band === undefined ? [] : [line(trace.band.value, "band", scaled(trace.band.argument, argument.factor(trace.run)!))];
+  if (trace.mean === null) return [...band, line(trace.value, "plain")];
+  return raw ? [...band, line(trace.value, "raw"), line(trace.mean, "mean")] : [...band, line(trace.mean, "mean")];
 }
 
 function differs(unit: Unit, runs: RunData[]): boolean {

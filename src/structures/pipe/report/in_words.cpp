@@ -3,6 +3,7 @@
 #include "structures/pipe/report/in_words.hpp"
 
 #include "structures/pipe/published/pipe_soil.hpp"
+#include "structures/pipe/report/converged.hpp"
 #include "structures/pipe/results/resistance.hpp"
 #include "structures/pipe/results/run_points.hpp"
 #include "text/shown_number.hpp"
@@ -42,8 +43,8 @@ std::string push_words(const PipeRun& run, const RunPoints& points, const base::
                                 ? fmt::format("Wished in place at w = {} and pushed to w = {} D",
                                               shown.length_text(run.scale, points.first_w), text::short_number(end.w / run.scale.width))
                                 : fmt::format("Pushed to w = {}", shown.length_text(run.scale, end.w));
-  return fmt::format("{}{}, {} carries V = {}. ", begin, stage.reached ? "" : ", " + stage.at, subject_of(run.settings),
-                     shown.force_text(run.scale, end.V));
+  return fmt::format("{}{}, {} carries V = {}{}. ", begin, stage.reached ? "" : ", " + stage.at, subject_of(run.settings),
+                     shown.force_text(run.scale, end.V), converged_words(run, "V_end_of_push", shown));
 }
 
 /// What happens to V and w between the push and the first drag, or after that.
@@ -76,9 +77,10 @@ std::string drag_begin(const PipeRun& run, const RunPoints& points, const std::s
 std::string drag_words(const PipeRun& run, const RunPoints& points, const DragPoint& end, const base::DisplayUnits& shown)
 {
   const Real D = run.scale.width, began = points.push_end ? points.push_end->w : points.first_w;
-  std::string words = fmt::format("{} H = {}, {} V, over the last {} D",
-                                  drag_begin(run, points, text::short_number(end.u / D) + " D", shown), shown.force_text(run.scale, end.H),
-                                  text::short_number(end.H / end.V), text::short_number(residual_travel(end.u, run.scale) / D));
+  std::string words =
+      fmt::format("{} H = {}{}, {} V, over the last {} D", drag_begin(run, points, text::short_number(end.u / D) + " D", shown),
+                  shown.force_text(run.scale, end.H), converged_words(run, "H_end_of_drag", shown), text::short_number(end.H / end.V),
+                  text::short_number(residual_travel(end.u, run.scale) / D));
   if (std::abs(end.w - began) > same_depth * D)
     words += fmt::format(", and {} to w = {}", end.w > began ? "sinks" : "rises", shown.length_text(run.scale, end.w));
   return words + ". ";
@@ -112,8 +114,8 @@ std::string resistance_words(const PipeRun& run, const Resistance& resistance, c
   if (std::isnan(resistance.last_change)) return "";
   const StageEnd end = end_of_drag(run);
   if (!resistance.breakout) return fmt::format("There is {}.", no_peak_words(resistance, end.to));
-  std::string words = fmt::format("H peaks first at u = {} with {}", shown.length_text(run.scale, resistance.breakout->u),
-                                  shown.force_text(run.scale, resistance.breakout->H));
+  std::string words = fmt::format("H peaks first at u = {} with {}{}", shown.length_text(run.scale, resistance.breakout->u),
+                                  shown.force_text(run.scale, resistance.breakout->H), converged_words(run, "H_breakout", shown));
   if (resistance.largest && resistance.largest->H > (1 + min_fall) * resistance.breakout->H)
     words += fmt::format(", grows to {} at u = {}", shown.force_text(run.scale, resistance.largest->H),
                          shown.length_text(run.scale, resistance.largest->u));

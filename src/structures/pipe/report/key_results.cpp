@@ -2,6 +2,7 @@
 // Tests: tests/unit/report/results/results_section_test.cpp
 #include "structures/pipe/report/key_results.hpp"
 
+#include "structures/pipe/report/converged.hpp"
 #include "structures/pipe/results/resistance.hpp"
 #include "structures/pipe/results/run_points.hpp"
 #include "text/shown_number.hpp"
@@ -59,24 +60,26 @@ private:
 std::string push_table(const PipeRuns& runs, const base::DisplayUnits& shown, bool several)
 {
   PointTable table("key-push", "Push: vertical resistance V at embedment w", several);
-  table.columns("point", joined({shown.length_columns("w"), shown.force_columns("V")}));
+  table.columns("point", joined({shown.length_columns("w"), shown.force_columns("V"), converged_column(runs, "V", shown)}));
   for (const PipeRun& run : runs) {
     const RunPoints points = points_of(run);
-    const auto add = [&](Real rank, const std::string& name, const PushPoint& p) {
-      table.add(rank, name, run, joined({shown.length_cells(run.scale, p.w), shown.force_cells(run.scale, p.V)}));
+    const auto add = [&](Real rank, const std::string& name, const PushPoint& p, const std::string& quantity) {
+      table.add(
+          rank, name, run,
+          joined({shown.length_cells(run.scale, p.w), shown.force_cells(run.scale, p.V), converged_cell(runs, run, quantity, shown)}));
     };
     for (const PushPoint& p : points.push) {
       const Real part = p.w / run.scale.width;
-      add(std::round(1000 * part), fmt::format("w = {} D", text::short_number(part)), p);
+      add(std::round(1000 * part), fmt::format("w = {} D", text::short_number(part)), p, name_at("V_at_w", part));
     }
     if (!points.push_end) continue;
     // An end at a round embedment stands among the points that other runs have there.
     const StageEnd end = end_of_push(run);
     const Real part = points.push_end->w / run.scale.width, round = std::round(20 * part) / 20;
     if (end.reached && round > 0 && std::abs(part - round) < 5e-4)
-      add(std::round(1000 * round), fmt::format("w = {} D", text::short_number(round)), *points.push_end);
+      add(std::round(1000 * round), fmt::format("w = {} D", text::short_number(round)), *points.push_end, "V_end_of_push");
     else
-      add(infinity, end.at, *points.push_end);
+      add(infinity, end.at, *points.push_end, "V_end_of_push");
   }
   return table.html();
 }
@@ -84,12 +87,16 @@ std::string push_table(const PipeRuns& runs, const base::DisplayUnits& shown, bo
 std::string drag_table(const PipeRuns& runs, const base::DisplayUnits& shown, bool several)
 {
   PointTable table("key-drag", "Drag: horizontal resistance H and embedment w at displacement u from where the drag began", several);
-  table.columns("point", joined({shown.length_columns("w"), shown.force_columns("H"), {{"H/V", true}}}));
+  table.columns("point",
+                joined({shown.length_columns("w"), shown.force_columns("H"), converged_column(runs, "H", shown), {{"H/V", true}}}));
   for (const PipeRun& run : runs) {
     for (const DragPoint& p : points_of(run).drag) {
       const Real part = p.u / run.scale.width;
       table.add(std::round(1000 * part), fmt::format("u = {} D", text::short_number(part)), run,
-                joined({shown.length_cells(run.scale, p.w), shown.force_cells(run.scale, p.H), {{text::table_number(p.H / p.V), true}}}));
+                joined({shown.length_cells(run.scale, p.w),
+                        shown.force_cells(run.scale, p.H),
+                        converged_cell(runs, run, name_at("H_at_u", part), shown),
+                        {{text::table_number(p.H / p.V), true}}}));
     }
   }
   return table.html();
@@ -168,12 +175,17 @@ std::string residual_words(const Resistance& resistance, const StageEnd& end)
 std::string resistance_table(const PipeRuns& runs, const base::DisplayUnits& shown, bool several)
 {
   PointTable table("key-resistance", "Resistance to the drag: largest, at breakout and residual H", several);
-  table.columns("H", joined({shown.length_columns("u"), shown.force_columns("H"), {{"how it was found"}}}));
+  table.columns("H",
+                joined({shown.length_columns("u"), shown.force_columns("H"), converged_column(runs, "H", shown), {{"how it was found"}}}));
   for (const PipeRun& run : runs) {
     const Resistance resistance = resistance_of(run);
     const StageEnd end = end_of_drag(run);
     const auto add = [&](Real rank, const std::string& name, Real u, Real H, const std::string& words) {
-      table.add(rank, name, run, joined({shown.length_cells(run.scale, u), shown.force_cells(run.scale, H), {{words}}}));
+      const std::string quantity = rank == 0 ? "H_max" : "H_" + name;
+      table.add(
+          rank, name, run,
+          joined(
+              {shown.length_cells(run.scale, u), shown.force_cells(run.scale, H), converged_cell(runs, run, quantity, shown), {{words}}}));
     };
     if (resistance.largest) add(0, "largest", resistance.largest->u, resistance.largest->H, "");
     if (std::isnan(resistance.last_change)) continue;
@@ -215,7 +227,7 @@ std::string key_results(const PipeRuns& runs, const base::DisplayUnits& shown)
   const bool several = runs.size() > 1;
   const std::string tables = push_table(runs, shown, several) + drag_table(runs, shown, several) + resistance_table(runs, shown, several) +
                              stages_table(runs, shown);
-  return tables.empty() ? "" : shown.scale_words() + averaging_words(runs) + tables;
+  return tables.empty() ? "" : shown.scale_words() + averaging_words(runs) + converged_notes(runs) + tables;
 }
 
 }  // namespace berm::pipe

@@ -2,6 +2,7 @@
 #include "report/results/results_section.hpp"
 #include "samples/made_run.hpp"
 #include "text/quantity_words.hpp"
+#include "text/shown_number.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -44,6 +45,35 @@ TEST(answer, key_results_stand_at_model_scale_dimensionless_and_at_prototype_sca
                           "<td class=\"number\">0.2500</td><td class=\"number\">0.1800</td><td class=\"number\">1.047</td>"
                           "<td class=\"number\">9.000</td><td class=\"number\">0.2250</td>"))
       << html;
+}
+
+TEST(answer, tells_how_sure_it_is_where_that_is_known)
+{
+  record::RunRecord run = MadeRun{}.record();
+  EXPECT_FALSE(holds(results_section({run}), "converged"));
+  run.summary.emplace();
+  run_folder::Uncertainty& u = run.summary->uncertainty.emplace();
+  u.quantities = {
+      {"V_end_of_push", "N/m", {800, 715, 53}}, {"V_at_w_0.05D", "N/m", {400, 360, 28}}, {"H_at_u_0.3D", "N/m", {180, 170, 12}}};
+  const std::string html = results_section({run});
+  EXPECT_TRUE(holds(html, "carries V = 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²), converged 0.72 ± 0.05 kN/m.")) << html;
+  EXPECT_TRUE(holds(html, "<th scope=\"col\" class=\"number\">V converged, kN/m</th>")) << html;
+  EXPECT_TRUE(holds(html, "<td class=\"number\">20.00</td><td class=\"number\">0.360 ± 0.028</td>")) << html;
+  EXPECT_TRUE(holds(html, "0.170 ± 0.012")) << html;
+  EXPECT_TRUE(holds(html, "not what the soil law or its parameters do")) << html;
+  u = {};
+  u.missing = "the run cells_2 failed: <no memory>";
+  EXPECT_TRUE(holds(results_section({run}), "has no bands: the run cells_2 failed: &lt;no memory&gt;."));
+}
+
+TEST(answer, a_number_with_its_half_width_has_as_many_decimals_as_this)
+{
+  EXPECT_EQ(text::with_half_width(0.6789, 0.0512), "0.68 ± 0.05");
+  EXPECT_EQ(text::with_half_width(0.7149, 0.1182), "0.71 ± 0.12");
+  EXPECT_EQ(text::with_half_width(25650.3, 291.7), "25650 ± 290");
+  EXPECT_EQ(text::with_half_width(25650.3, 412.0, "+-"), "25700 +- 400");
+  EXPECT_EQ(text::with_half_width(20, 0), "20 ± 0");
+  EXPECT_EQ(text::with_half_width(std::nan(""), 1), "–");
 }
 
 TEST(answer, a_model_under_one_gravity_has_no_prototype)

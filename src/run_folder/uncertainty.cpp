@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_folder/uncertainty.hpp"
+
+#include "core/error.hpp"
+#include "io/atomic_file.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace berm::run_folder {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::pair<const char*, Real Band::*> numbers_of_band[] = {
+    {"value", &Band::value}, {"converged", &Band::converged}, {"half_width", &Band::half_width}};
+constexpr std::pair<const char*, Real Band::*> parts_of_band[] = {
+    {"extrapolation", &Band::extrapolation}, {"mesh", &Band::mesh}, {"noise", &Band::noise}, {"speed", &Band::speed}};
+
+[[noreturn]] void refuse(const std::string& why)
+{
+  throw RunError(fmt::format("is damaged: in \"uncertainty\", {}", why));
+}
+
+const Json& member(const Json& json, const char* name)
+{
+  const auto found = json.find(name);
+  if (!json.is_object() || found == json.end()) refuse(fmt::format("there is no \"{}\"", name));
+  return *found;
+}
+
+Real number(const Json& json)
+{
+  if (json.is_null()) return std::numeric_limits<Real>::quiet_NaN();
+  if (!json.is_number()) refuse("a number is none");
+  return json.get<Real>();
+}
+
+std::string words(const Json& json)
+{
+  if (!json.is_string()) refuse("a text is none");
+  return json.get<std::string>();
+}
+
+const Json& list(const Json& json, const char* name)
+{
+  const Json& found = member(json, name);
+  if (!found.is_array()) refuse(fmt::format("\"{}\" is no list", name));
+  return found;
+}
+
+const Json& table(const Json& json, const char* name)
+{
+  const Json& found = member(json, name);
+  if (!found.is_object()) refuse(fmt::format("\"{}\" is no table", name));
+  return found;
+}
+
+std::vector<Real> numbers(const Json& json, const char* name)
+{
+  std::vector<Real> all;
+  for (const Json& each : list(json, name)) all.push_back(number(each));
+  return all;
+}
+
+CurveBand curve_of(const Json& json)
+{
+  CurveBand curve{words(member(json, "chart")), numbers(json, "x"), numbers(json, "low"), numbers(json, "high")};
+  if (curve.low.size() != curve.x.size() || curve.high.size() != curve.x.size())
+    refuse("x, low and high of a curve are not as long as each other");
+  return curve;
+}
+
+}  // namespace
+
+const Band* Uncertainty::find(const std::string& quantity) const
+{
+  const auto found = std::find_if(quantities.begin(), quantities.end(), [&](const QuantityBand& q) { return q.name == quantity; });
+  return found == quantities.end() ? nullptr : &found->band;
+}
+
+Json json_of(const Uncertainty& uncertainty)
+{
+  Json json;
+  if (!uncertainty.missing.empty()) json["missing"] = uncertainty.missing;
+  json["quantities"] = Json::object();
+  for (const auto& [name, unit, band] : uncertainty.quantities) {
+    Json& entry = json["quantities"][name];
+    for (const auto& [key, part] : numbers_of_band) entry[key] = band.*part;
+    entry["unit"] = unit;
+    for (const auto& [key, part] : parts_of_band) entry["parts"][key] = band.*part;
+  }
+  json["without"] = Json::object();
+  for (const auto& [name, why] : uncertainty.without) json["without"][name] = why;
+  json["left_out"] = uncertainty.left_out;
+  json["runs"] = Json::array();
+  for (const BandRun& run : uncertainty.runs)
+    json["runs"].push_back({{"name", run.name}, {"size", run.size}, {"speed", run.speed}, {"wall_s", run.wall_s}});
+  json["curves"] = Json::array();
+  for (const CurveBand& curve : uncertainty.curves)
+    json["curves"].push_back({{"chart", curve.chart}, {"x", curve.x}, {"low", curve.low}, {"high", curve.high}});
+  return json;
+}
+
+Uncertainty uncertainty_of(const Json& json)
+{
+  if (!json.is_object()) refuse("it is no table");
+  Uncertainty uncertainty;
+  if (json.contains("missing")) uncertainty.missing = words(json["missing"]);
+  for (const auto& [name, entry] : table(json, "quantities").items()) {
+    QuantityBand& q = uncertainty.quantities.emplace_back(QuantityBand{name, words(member(entry, "unit")), {}});
+    for (const auto& [key, part] : numbers_of_band) q.band.*part = number(member(entry, key));
+    for (const auto& [key, part] : parts_of_band) q.band.*part = number(member(member(entry, "parts"), key));
+  }
+  for (const auto& [name, why] : table(json, "without").items()) uncertainty.without.emplace_back(name, words(why));
+  for (const Json& why : list(json, "left_out")) uncertainty.left_out.push_back(words(why));
+  for (const Json& run : list(json, "runs"))
+    uncertainty.runs.push_back(
+        {words(member(run, "name")), number(member(run, "size")), number(member(run, "speed")), number(member(run, "wall_s"))});
+  for (const Json& curve : list(json, "curves")) uncertainty.curves.push_back(curve_of(curve));
+  return uncertainty;
+}
+
+void add_to_summary(const std::filesystem::path& run_folder, const Uncertainty& uncertainty)
+{
+  const std::filesystem::path file = run_folder / "summary.json";
+  try {
+    Json root = Json::parse(io::read_text_file(file));
+    if (!root.is_object()) throw RunError(fmt::format("{} is damaged: it is no table", file.string()));
+    root["uncertainty"] = json_of(uncertainty);
+    io::write_atomically(file, root.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+  } catch (const Json::exception&) {
+    throw RunError(fmt::format("{} is damaged: it is not JSON", file.string()));
+  }
+}
+
+}  // namespace berm::run_folder

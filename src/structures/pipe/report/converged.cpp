@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/report/results/results_section_test.cpp
+#include "structures/pipe/report/converged.hpp"
+
+#include "text/shown_number.hpp"
+#include "text/tex_math.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::pipe {
+namespace {
+
+const run_folder::Uncertainty* uncertainty_of(const PipeRun& run)
+{
+  return run.record.summary && run.record.summary->uncertainty ? &*run.record.summary->uncertainty : nullptr;
+}
+
+/// "0.68 ± 0.05", or "" without a band.
+std::string with_half_width(const PipeRun& run, const std::string& quantity, const base::DisplayUnits& shown)
+{
+  const run_folder::Uncertainty* uncertainty = uncertainty_of(run);
+  const run_folder::Band* band = uncertainty == nullptr ? nullptr : uncertainty->find(quantity);
+  return band == nullptr ? "" : text::with_half_width(shown.in_force_unit(band->converged), shown.in_force_unit(band->half_width));
+}
+
+bool some_have_bands(const PipeRuns& runs)
+{
+  return std::any_of(runs.begin(), runs.end(), [](const PipeRun& run) {
+    const run_folder::Uncertainty* uncertainty = uncertainty_of(run);
+    return uncertainty != nullptr && !uncertainty->quantities.empty();
+  });
+}
+
+}  // namespace
+
+std::string converged_words(const PipeRun& run, const std::string& quantity, const base::DisplayUnits& shown)
+{
+  const std::string words = with_half_width(run, quantity, shown);
+  return words.empty() ? "" : fmt::format(", converged {} {}", words, shown.force_unit());
+}
+
+std::vector<text::HtmlCell> converged_column(const PipeRuns& runs, const std::string& symbol, const base::DisplayUnits& shown)
+{
+  return some_have_bands(runs) ? std::vector<text::HtmlCell>{shown.force_columns(symbol + " converged").front()}
+                               : std::vector<text::HtmlCell>{};
+}
+
+std::vector<text::HtmlCell> converged_cell(const PipeRuns& runs, const PipeRun& run, const std::string& quantity,
+                                           const base::DisplayUnits& shown)
+{
+  return some_have_bands(runs) ? std::vector<text::HtmlCell>{{with_half_width(run, quantity, shown), true}} : std::vector<text::HtmlCell>{};
+}
+
+std::string converged_notes(const PipeRuns& runs)
+{
+  std::string notes;
+  if (some_have_bands(runs))
+    notes += text::html_paragraph("Converged: for cells without size, from the run and coarser ones, with the half width of a band that is "
+                                  "meant to hold the answer of this soil law and this "
+                                  "case nineteen times in twenty. It holds what cells, meshes, noise and speed do to the numbers, not what "
+                                  "the soil law or its parameters do.",
+                                  "quiet");
+  for (const PipeRun& run : runs)
+    if (const run_folder::Uncertainty* uncertainty = uncertainty_of(run); uncertainty != nullptr && !uncertainty->missing.empty())
+      notes += text::html_paragraph(fmt::format("{} was asked how sure its results are, and has no bands: {}.", text::html_text(run.name),
+                                                text::html_text(uncertainty->missing)),
+                                    "quiet");
+  return notes;
+}
+
+std::string name_at(const char* what, Real part)
+{
+  return fmt::format("{}_{:g}D", what, std::round(1000 * part) / 1000);
+}
+
+}  // namespace berm::pipe

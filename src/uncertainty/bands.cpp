@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "uncertainty/bands.hpp"
+
+#include "structures/structures.hpp"
+#include "uncertainty/estimate.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::uncertainty {
+namespace {
+
+constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+constexpr int sets_of_rows = 5;
+constexpr int curve_points = 40;  // intervals of a curve's band
+
+/// The history without every fifth row, beginning with row `first`; the ends of stages stay, which tell where they end.
+run_folder::History thinned(const run_folder::History& history, int first)
+{
+  run_folder::History kept;
+  kept.columns = history.columns;
+  kept.values.resize(history.values.size());
+  const Index rows = history.rows();
+  for (Index k = 0; k < rows; ++k) {
+    const bool end = k == 0 || k + 1 == rows || history.stage[k] != history.stage[k - 1] || history.stage[k] != history.stage[k + 1];
+    if (!end && k % sets_of_rows == first) continue;
+    kept.stage.push_back(history.stage[k]);
+    for (std::size_t c = 0; c < history.values.size(); ++c) kept.values[c].push_back(history.values[c][k]);
+  }
+  return kept;
+}
+
+Real value_in(const std::vector<run_folder::Quantity>& quantities, const std::string& name)
+{
+  const auto found = std::find_if(quantities.begin(), quantities.end(), [&](const run_folder::Quantity& q) { return q.name == name; });
+  return found == quantities.end() ? nan : found->value;
+}
+
+/// Numbers of the run and of its variants, one each; NaN where one has none.
+struct Numbers {
+  std::vector<SizedNumber> by_size;             ///< the run's first, at the run's speed
+  std::optional<std::pair<Real, Real>> speeds;  ///< of the coarsest cells: at the run's speed, and at the other
+};
+
+Numbers numbers_of(Real of_run, const std::vector<VariantRecord>& variants, const std::vector<Real>& of_variants)
+{
+  Numbers numbers{{{1, of_run}}, {}};
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    if (variants[k].speed == 1)
+      numbers.by_size.push_back({variants[k].size, of_variants[k]});
+    else
+      numbers.speeds = {numbers.by_size.back().number, of_variants[k]};
+  }
+  return numbers;
+}
+
+run_folder::Band band_of(const Numbers& numbers, Real noise)
+{
+  const Estimate estimate = extrapolate(numbers.by_size);
+  run_folder::Band band;
+  band.value = numbers.by_size.front().number;
+  band.converged = estimate.converged;
+  band.extrapolation = estimate.extrapolation;
+  band.mesh = estimate.mesh;
+  band.noise = noise;
+  band.speed = numbers.speeds ? std::abs(numbers.speeds->second - numbers.speeds->first) : 0;
+  band.half_width = half_width(band.extrapolation, band.mesh, band.noise, band.speed);
+  return band;
+}
+
+/// The band of a curve of the run, which each variant has at the same place; it ends where one of them does.
+run_folder::CurveBand band_of(const base::ChartCurve& curve, const std::vector<VariantRecord>& variants,
+                              const std::vector<const base::ChartCurve*>& of_variants, Real averaging)
+{
+  run_folder::CurveBand band{curve.chart, {}, {}, {}};
+  const Real begin = curve.values.begin(), end = curve.values.end(), step = (end - begin) / curve_points;
+  const Real half = std::max(averaging, step);
+  for (int k = 0; k <= curve_points; ++k) {
+    const Real s = k == curve_points ? end : begin + k * step;
+    std::vector<Real> numbers;
+    for (const base::ChartCurve* variant : of_variants) numbers.push_back(variant->values.at(s, half));
+    // The rows' noise is in the scatter from mesh to mesh.
+    const run_folder::Band at = band_of(numbers_of(curve.values.at(s, half), variants, numbers), 0);
+    band.x.push_back(curve.begin + curve.direction * s);
+    band.low.push_back(at.converged - at.half_width);
+    band.high.push_back(at.converged + at.half_width);
+  }
+  return band;
+}
+
+std::vector<run_folder::CurveBand> curve_bands(const record::RunRecord& run, const std::vector<VariantRecord>& variants,
+                                               const base::Structure& structure)
+{
+  std::vector<base::ChartCurves> of_variants;
+  for (const VariantRecord& variant : variants) of_variants.push_back(structure.chart_curves(variant.run));
+  const base::ChartCurves of_run = structure.chart_curves(run);
+  std::vector<run_folder::CurveBand> bands;
+  for (std::size_t k = 0; k < of_run.size(); ++k) {
+    std::vector<const base::ChartCurve*> same;
+    for (const base::ChartCurves& curves : of_variants)
+      if (k < curves.size() && curves[k].chart == of_run[k].chart && !curves[k].values.empty()) same.push_back(&curves[k]);
+    if (same.size() == variants.size() && !of_run[k].values.empty())
+      bands.push_back(band_of(of_run[k], variants, same, averaging_half(base::body_scale(run))));
+  }
+  return bands;
+}
+
+}  // namespace
+
+std::vector<Real> noise_of(const record::RunRecord& run)
+{
+  std::vector<Real> noise(run.quantities.size(), 0);
+  if (!base::body_scale(run).noisy) return noise;
+  const base::Structure& structure = structures::structure_of(run.settings);
+  std::vector<std::vector<run_folder::Quantity>> without;
+  for (int set = 0; set < sets_of_rows; ++set) {
+    record::RunRecord part = run;
+    part.history = thinned(run.history, set);
+    part.folder.clear();  // what is seen in frames has no noise of rows
+    without.push_back(structure.quantities(part, {}));
+  }
+  for (std::size_t k = 0; k < noise.size(); ++k) {
+    Real sum = 0, squares = 0;
+    for (const auto& quantities : without) {
+      const Real value = value_in(quantities, run.quantities[k].name);
+      sum += value;
+      squares += value * value;
+    }
+    const Real spread = squares - sum * sum / sets_of_rows;
+    if (!std::isnan(spread)) noise[k] = 2 * std::sqrt(std::max(Real(0), spread) * (sets_of_rows - 1) / sets_of_rows);
+  }
+  return noise;
+}
+
+run_folder::Uncertainty bands_of(const record::RunRecord& run, const std::vector<VariantRecord>& variants)
+{
+  const base::Structure& structure = structures::structure_of(run.settings);
+  run_folder::Uncertainty found;
+  const std::vector<Real> noise = noise_of(run);
+  for (std::size_t k = 0; k < run.quantities.size(); ++k) {
+    const run_folder::Quantity& q = run.quantities[k];
+    if (!structure.is_answer(q.name) || !std::isfinite(q.value)) continue;
+    std::vector<Real> numbers;
+    for (const VariantRecord& variant : variants) numbers.push_back(value_in(variant.run.quantities, q.name));
+    const run_folder::Band band = band_of(numbers_of(q.value, variants, numbers), noise[k]);
+    if (std::isfinite(band.half_width)) {
+      found.quantities.push_back({q.name, q.unit, band});
+      continue;
+    }
+    const auto lacks = std::find_if(numbers.begin(), numbers.end(), [](Real number) { return std::isnan(number); }) - numbers.begin();
+    found.without.emplace_back(q.name, fmt::format("{} has no such number", variants[static_cast<std::size_t>(lacks)].run.name));
+  }
+  found.curves = curve_bands(run, variants, structure);
+  return found;
+}
+
+}  // namespace berm::uncertainty

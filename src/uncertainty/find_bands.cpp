@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/commands/run_uncertainty_test.cpp
+#include "uncertainty/find_bands.hpp"
+
+#include "input/write_case.hpp"
+#include "io/atomic_file.hpp"
+#include "jobs/jobs.hpp"
+#include "run_folder/progress.hpp"
+#include "structures/structures.hpp"
+#include "uncertainty/bands.hpp"
+#include "uncertainty/variants.hpp"
+#include "uncertainty/words.hpp"
+
+#include <fmt/format.h>
+#include <fstream>
+
+namespace berm::uncertainty {
+namespace {
+
+namespace fs = std::filesystem;
+
+VariantPlan plan_of(const simulation::RunRequest& request)
+{
+  try {
+    return choose_variants(request.settings);
+  } catch (const KeyError& error) {
+    throw InputError(request.places.located(error.what()));
+  }
+}
+
+/// How the variants ended.
+struct Ends {
+  std::string failure;  ///< of the first that failed, "" without
+  bool interrupted = false;
+};
+
+/// Runs the variants that have no result of this case yet.
+Ends run_variants(const VariantPlan& plan, const fs::path& folder, int at_once)
+{
+  io::make_folder(folder);
+  std::vector<jobs::Job> jobs;
+  for (const Variant& variant : plan.variants) {
+    const jobs::Job job{folder / (variant.name + ".toml"), {}, folder / variant.name};
+    io::write_atomically(job.case_file, input::resolved_toml(variant.settings));
+    if (!has_result(job)) jobs.push_back(job);
+  }
+  fmt::print(stderr, "uncertainty: {} runs with coarser cells{}\n", plan.variants.size(),
+             jobs.size() == plan.variants.size()
+                 ? ""
+                 : fmt::format(", of which {} have their result already", plan.variants.size() - jobs.size()));
+  Ends ends;
+  std::size_t done = 0;
+  run_jobs(jobs, at_once, [&](std::size_t job, const jobs::JobEnd& end) {
+    const std::string name = jobs[job].folder.filename().string();
+    if (end.kind == jobs::JobEnd::Kind::interrupted) {
+      ends.interrupted = true;
+      return;
+    }
+    const bool failed = end.kind == jobs::JobEnd::Kind::failed;
+    if (failed && ends.failure.empty()) ends.failure = fmt::format("the run {} failed: {}", name, end.reason);
+    fmt::print(stderr, "{}/{} {}: {}\n", ++done, jobs.size(), name,
+               failed ? "FAILED: " + end.reason : run_folder::words_of_duration(jobs::wall_time_of(jobs[job].folder)));
+  });
+  return ends;
+}
+
+run_folder::Uncertainty bands_from(const VariantPlan& plan, const fs::path& folder, const record::RunRecord& run)
+{
+  std::vector<VariantRecord> variants;
+  for (const Variant& variant : plan.variants)
+    variants.push_back({variant.size, variant.speed, structures::read_run(folder / variant.name)});
+  run_folder::Uncertainty found = bands_of(run, variants);
+  for (const VariantRecord& variant : variants)
+    found.runs.push_back({variant.run.name, variant.size, variant.speed, variant.run.timing("wall_s")});
+  found.left_out = plan.left_out;
+  return found;
+}
+
+void append_to_log(const fs::path& run_folder, const std::string& words)
+{
+  std::ofstream log(run_folder / "run.log", std::ios::app);
+  log << words << '\n';
+}
+
+}  // namespace
+
+void try_to_plan(const simulation::RunRequest& request)
+{
+  for (const Variant& variant : plan_of(request).variants) {
+    try {
+      simulation::try_to_build({.settings = variant.settings, .case_file = request.case_file, .folder = request.folder});
+    } catch (const InputError& error) {
+      throw InputError(
+          fmt::format("{}: --uncertainty: with cells {:.3g} times as large: {}", request.case_file.string(), variant.size, error.what()));
+    }
+  }
+}
+
+bool find_bands(const simulation::RunRequest& request, int at_once)
+{
+  const VariantPlan plan = plan_of(request);
+  const fs::path folder = request.folder / variants_folder;
+  const Ends ends = run_variants(plan, folder, at_once);
+  const run_folder::RunFolder run_folder = run_folder::RunFolder::of_earlier_run(request.folder);
+  const record::RunRecord run = structures::read_run(request.folder);
+  run_folder::Uncertainty found;
+  if (ends.interrupted) {
+    fmt::print(stderr, "berm: stopped: there is no band yet; berm run --resume {} --uncertainty goes on from there\n",
+               request.folder.string());
+    found.missing = "stopped before all runs that it is made of were done";
+  } else if (!ends.failure.empty()) {
+    fmt::print(stderr, "berm: there is no band: {}\n", ends.failure);
+    found.missing = ends.failure;
+  } else {
+    found = bands_from(plan, folder, run);
+  }
+  add_to_summary(request.folder, found);
+  if (!found.missing.empty()) return false;
+  structures::structure_of(run.settings).draw_curves(run_folder, run.settings, run.history, found.curves);
+  const std::string words = words_of(found, run.settings.method);
+  fmt::print("{}\n", words);
+  append_to_log(request.folder, words);
+  return true;
+}
+
+}  // namespace berm::uncertainty

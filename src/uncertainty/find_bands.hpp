@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "simulation/simulate.hpp"
+
+namespace berm::uncertainty {
+
+/// Where the variants of a run lie: a folder in its own, with NAME.toml and the run folder NAME for each.
+constexpr const char* variants_folder = "uncertainty";
+
+/// Builds every variant of a case and drops it, so that a band that cannot be found is refused before anything runs. Throws InputError.
+void try_to_plan(const simulation::RunRequest& request);
+
+/// Finds the bands of the finished run in request.folder: runs the variants that have no result yet, at_once at a time, each on one thread, and puts what they tell into
+/// summary.json, curves.png, run.log and the standard output. Where one fails or Ctrl-C stops it there is no band, and summary.json and stderr say why. Returns
+/// whether there are bands. Throws InputError and RunError.
+bool find_bands(const simulation::RunRequest& request, int at_once);
+
+}  // namespace berm::uncertainty

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "uncertainty/variants.hpp"
+
+#include "core/error.hpp"
+#include "structures/base/driven_body.hpp"
+#include "structures/base/near_mesh.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::uncertainty {
+namespace {
+
+constexpr int count = 5;                        // coarser runs
+constexpr Real least_ratio = 1.4, ratio = 2.2;  // of the cells of the least coarse, and of the coarsest
+constexpr Real cells_across = 5;                // the driven body at least: fewer tell nothing (examples/mesh_study)
+constexpr Real least_coarsest = 1.6;            // ratio, below which the runs differ by less than meshes do
+
+void make_coarser(mesh::SeabedMesh& bed, Real times)
+{
+  bed.near_size *= times;
+  bed.growth *= times;
+  if (bed.far_size) *bed.far_size *= times;
+  const mesh::SeabedLayout at = layout_of(bed);
+  const Real clear = bed.layer + bed.near_size;
+  bed.near_left = std::max(bed.near_left, at.left + clear);
+  bed.near_right = std::min(bed.near_right, at.right - clear);
+  bed.near_depth = std::max(bed.near_size, std::min(bed.near_depth, bed.depth - clear));
+  bed.near_height = std::max(bed.near_height, bed.near_size);
+  bed.headroom = std::max(bed.headroom, bed.near_height + bed.near_size);
+}
+
+/// Gives the ratio that whole cells came to.
+Real make_coarser(mesh::BoxMesh& box, Real times)
+{
+  Real product = 1;
+  for (Real& cells : box.cells) {
+    const Real before = cells;
+    cells = std::max(Real(1), std::round(cells / times));
+    product *= before / cells;
+  }
+  return std::pow(product, 1 / static_cast<Real>(box.cells.size()));
+}
+
+void make_faster(problem::StageSettings& stage)
+{
+  const auto twice = [](std::optional<Real>& velocity) {
+    if (velocity) *velocity *= 2;
+  };
+  for (std::optional<Real>* velocity : {&stage.velocity, &stage.vertical_velocity, &stage.drive.x.velocity, &stage.drive.y.velocity,
+                                        &stage.drive.z.velocity, &stage.drive.rotation.velocity, &stage.drive.rotation_x.velocity,
+                                        &stage.drive.rotation_y.velocity, &stage.drive.rotation_z.velocity})
+    twice(*velocity);
+  stage.ramp /= 2;
+  if (stage.until.time) *stage.until.time /= 2;
+  for (Real& time : stage.load_times) time /= 2;
+}
+
+bool knows_speed(const problem::Case& c)
+{
+  return std::any_of(c.material.begin(), c.material.end(),
+                     [](const auto& entry) { return std::holds_alternative<material::RateDependentTresca>(entry.second); });
+}
+
+/// How much coarser the coarsest cells may be. Throws KeyError.
+Real coarsest_of(const problem::Case& c)
+{
+  if (!base::drives_a_body(c))
+    throw KeyError("stage: --uncertainty needs a push or a drag of a body that has a width: there are no key results without");
+  if (std::holds_alternative<mesh::GmshFile>(c.mesh))
+    throw KeyError(
+        "mesh.file: --uncertainty makes all cells coarser, which it cannot do with a mesh from a file; let berm make the mesh (mesh.kind = "
+        "\"seabed\" or \"box\"), or compare meshes of your own with berm study");
+  const Real width = base::body_scale(c).width, size = base::near_cell_size(c), coarsest = std::min(ratio, width / (cells_across * size));
+  if (!(coarsest >= least_coarsest))
+    throw KeyError(fmt::format(
+        "{}: --uncertainty makes cells {:g} times as large at least, and the driven body is only {:.2g} cells wide: make them {:.3g} m or "
+        "smaller, so that {:g} coarse ones are left",
+        std::holds_alternative<mesh::BoxMesh>(c.mesh) ? "mesh.cells" : "mesh.near_size", least_coarsest, width / size,
+        width / (cells_across * least_coarsest), cells_across));
+  return coarsest;
+}
+
+}  // namespace
+
+std::pair<problem::Case, Real> with_coarser_cells(problem::Case c, Real times)
+{
+  Real size = times;
+  if (auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) make_coarser(*bed, times);
+  if (auto* box = std::get_if<mesh::BoxMesh>(&c.mesh)) size = make_coarser(*box, times);
+  if (c.fem.contact_size) *c.fem.contact_size *= size;
+  for (auto& [name, body] : c.body) {
+    if (body.block) body.block->spacing *= size;
+    if (body.disk) body.disk->spacing *= size;
+  }
+  c.output.frame_time.reset();
+  c.output.frame_travel.reset();
+  return {std::move(c), size};
+}
+
+problem::Case at_twice_the_speed(problem::Case c)
+{
+  for (problem::StageSettings& stage : c.stage)
+    if (drives(stage.kind)) make_faster(stage);
+  if (c.output.history_time) *c.output.history_time /= 2;
+  return c;
+}
+
+VariantPlan choose_variants(const problem::Case& c)
+{
+  const Real coarsest = coarsest_of(c), finest = 1 + (coarsest - 1) * (least_ratio - 1) / (ratio - 1);
+  VariantPlan plan;
+  for (int k = 0; k < count; ++k) {
+    auto [settings, size] = with_coarser_cells(c, finest + (coarsest - finest) * k / (count - 1));
+    const bool same = !plan.variants.empty() && std::abs(plan.variants.back().size - size) < 1e-9;
+    if (same || !(size > 1))
+      throw KeyError(fmt::format(
+          "mesh.cells: --uncertainty cuts the box into fewer cells, {} times, and here are too few to be different: make more", count));
+    plan.variants.push_back({fmt::format("cells_{:.3g}", size), size, 1, std::move(settings)});
+  }
+  const Variant& last = plan.variants.back();
+  if (c.method == problem::Method::fem) {
+    problem::Case longer = last.settings;
+    longer.fem.largest_step *= 2;
+    longer.fem.relaxation *= 4;  // its error grows with the root (examples/wip_pipe): this doubles it
+    plan.variants.push_back({last.name + "_long_steps", last.size, 2, std::move(longer)});
+  } else if (knows_speed(c)) {
+    plan.left_out.emplace_back("speed: the strength of the soil depends on it");
+  } else {
+    plan.variants.push_back({last.name + "_fast", last.size, 2, at_twice_the_speed(last.settings)});
+  }
+  return plan;
+}
+
+}  // namespace berm::uncertainty

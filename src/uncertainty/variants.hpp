@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/case.hpp"
+
+namespace berm::uncertainty {
+
+/// A run that a band is made of.
+struct Variant {
+  std::string name;  ///< of its folder: cells_1.4, cells_2.2_fast
+  Real size;         ///< of its cells over those of the case
+  Real speed;        ///< of its drives over that of the case; of finite elements the length of its increments
+  problem::Case settings;
+};
+
+/// What the band of a case is made of, and what it cannot hold.
+struct VariantPlan {
+  std::vector<Variant> variants;      ///< by growing cells, then the fast one
+  std::vector<std::string> left_out;  ///< parts that the band will not hold, and why
+};
+
+/// Five runs with cells of 1.4 to 2.2 times the size everywhere, less where they would be larger than a fifth of the driven body's width; and one more of the
+/// largest cells at twice the speed (finite elements: with increments twice and relaxation four times as long) where the soil does not know speed. Throws KeyError where no band can be
+/// made of the case: no body is driven, the mesh is a file, or cells are too large already.
+VariantPlan choose_variants(const problem::Case& c);
+
+/// The case with all cells `ratio` times as large, and the particles of blocks and disks as far apart; without frames on the way. The fine zone of a bed stays clear of
+/// the walls. The size that it came to, which differs where a box is cut into whole cells.
+std::pair<problem::Case, Real> with_coarser_cells(problem::Case c, Real ratio);
+
+/// The case with every drive at twice the speed over the same travel.
+problem::Case at_twice_the_speed(problem::Case c);
+
+}  // namespace berm::uncertainty

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The built program from outside: berm run --uncertainty.
+#include "run_folder/summary_file.hpp"
+#include "samples/program.hpp"
+#include "samples/small_case.hpp"
+#include "samples/small_fem_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::commands {
+namespace {
+
+using Words = std::vector<std::string>;
+namespace fs = std::filesystem;
+
+/// A folder with the small case on finite elements of a tenth of the pipe.
+struct Place {
+  TemporaryFolder folder;
+
+  Place() { folder.write("fem.toml", test::small_fem_case); }
+  Ended berm(const Words& arguments) const { return run_program(folder.path(), arguments); }
+  /// Runs the case on elements small enough for a band.
+  Ended run(const Words& more) const
+  {
+    Words words = {
+        "run", "fem.toml", "-o", "run", "--threads", "2", "--set", "fem.contact_size=\"2 mm\"", "--set", "mesh.near_size=\"4 mm\""};
+    words.insert(words.end(), more.begin(), more.end());
+    return berm(words);
+  }
+  run_folder::Uncertainty uncertainty() const
+  {
+    return run_folder::read_summary(folder / "run")->uncertainty.value_or(run_folder::Uncertainty{.missing = "nothing there"});
+  }
+};
+
+const Words all_variants = {"cells_1.33", "cells_1.5", "cells_1.67", "cells_1.83", "cells_2", "cells_2_long_steps"};
+
+TEST(Uncertainty, puts_bands_beside_the_results_and_changes_no_byte_of_the_run)
+{
+  const Place with, without;
+  const Ended ended = with.run({"--uncertainty"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  ASSERT_EQ(without.run({}).status, 0);
+  EXPECT_EQ(text_of_file(with.folder / "run/history.csv"), text_of_file(without.folder / "run/history.csv"));
+  const run_folder::Uncertainty u = with.uncertainty();
+  EXPECT_EQ(u.missing, "");
+  Words names;
+  for (const run_folder::BandRun& run : u.runs) names.push_back(run.name);
+  EXPECT_EQ(names, all_variants);
+  for (const char* name : {"V_end_of_push", "H_max", "H_end_of_drag"}) {
+    const run_folder::Band* band = u.find(name);
+    ASSERT_NE(band, nullptr) << name;
+    EXPECT_GT(band->half_width, 0) << name;
+    EXPECT_EQ(band->noise, 0) << "finite elements have none";
+    EXPECT_NEAR(band->half_width, band->extrapolation + std::hypot(band->mesh, band->speed), 1e-9 * std::abs(band->half_width)) << name;
+  }
+  EXPECT_EQ(u.find("H_max_over_gammaD2"), nullptr);
+  EXPECT_EQ(u.find("overlap_max"), nullptr) << "a measure of quality";
+  ASSERT_FALSE(u.curves.empty());
+  EXPECT_NE(ended.out.find("H_max"), std::string::npos);
+  EXPECT_NE(ended.out.find("converged"), std::string::npos);
+  EXPECT_NE(text_of_file(with.folder / "run/run.log").find("converged"), std::string::npos);
+  EXPECT_FALSE(without.uncertainty().missing.empty()) << "who did not ask has none";
+}
+
+TEST(Uncertainty, of_a_finished_run_is_found_by_resuming_it_without_what_is_there_already)
+{
+  const Place place;
+  ASSERT_EQ(place.run({}).status, 0);
+  const std::string history = text_of_file(place.folder / "run/history.csv");
+  ASSERT_EQ(place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "2"}).status, 0);
+  const auto first = json_of(place.uncertainty());
+  fs::remove_all(place.folder / "run/uncertainty/cells_2");
+  const Ended again = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "2"});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_NE(again.err.find("of which 5 have their result already"), std::string::npos) << again.err;
+  EXPECT_EQ(json_of(place.uncertainty())["quantities"], first["quantities"]);
+  EXPECT_EQ(text_of_file(place.folder / "run/history.csv"), history);
+}
+
+TEST(Uncertainty, goes_with_the_run_that_is_replaced)
+{
+  const Place place;
+  ASSERT_EQ(place.run({"--uncertainty"}).status, 0);
+  ASSERT_EQ(place.run({"--force"}).status, 0);
+  EXPECT_FALSE(fs::exists(place.folder / "run/uncertainty"));
+  EXPECT_EQ(place.uncertainty().missing, "nothing there");
+}
+
+// A force that the coarsest elements cannot find equilibrium for would be luck; a folder in the place of a variant that is no run's is not.
+TEST(Uncertainty, is_left_out_with_the_reason_where_one_of_its_runs_fails)
+{
+  const Place place;
+  ASSERT_EQ(place.run({}).status, 0);
+  fs::create_directories(place.folder / "run/uncertainty/cells_1.5");
+  place.folder.write("run/uncertainty/cells_1.5/notes.txt", "not of a run");
+  const Ended ended = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "2"});
+  EXPECT_EQ(ended.status, 1);
+  EXPECT_NE(ended.err.find("there is no band: the run cells_1.5 failed"), std::string::npos) << ended.err;
+  EXPECT_EQ(place.uncertainty().missing.find("the run cells_1.5 failed"), 0u) << place.uncertainty().missing;
+  EXPECT_TRUE(place.uncertainty().quantities.empty());
+}
+
+TEST(Uncertainty, that_cannot_be_found_is_refused_before_anything_runs)
+{
+  const Place place;
+  const Ended coarse = place.berm({"run", "fem.toml", "-o", "run", "--uncertainty"});
+  EXPECT_EQ(coarse.status, 2);
+  EXPECT_NE(coarse.err.find("fem.toml"), std::string::npos) << coarse.err;
+  EXPECT_NE(coarse.err.find("mesh.near_size"), std::string::npos) << coarse.err;
+  EXPECT_FALSE(fs::exists(place.folder / "run"));
+}
+
+TEST(Uncertainty, of_material_points_holds_noise_and_speed)
+{
+  const Place place;
+  place.folder.write("small.toml", test::small_case);
+  const Ended ended = place.berm({"run", "small.toml", "-o", "run", "--threads", "2", "--uncertainty", "--set", "mesh.cells=[60, 30]",
+                                  "--set", "body.sand.block.spacing=0.6666e-3"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const run_folder::Uncertainty u = place.uncertainty();
+  const run_folder::Band* band = u.find("V_end_of_push");
+  ASSERT_NE(band, nullptr);
+  EXPECT_GT(band->noise, 0);
+  EXPECT_GT(band->speed, 0);
+  EXPECT_EQ(u.runs.back().speed, 2);
+}
+
+}  // namespace
+}  // namespace berm::commands

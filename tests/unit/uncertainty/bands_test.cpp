@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "uncertainty/bands.hpp"
+
+#include "samples/made_run.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::uncertainty {
+namespace {
+
+constexpr Real sizes[] = {1.4, 1.6, 1.8, 2, 2.2};
+
+/// A run whose V and H are so much larger than 4e5 w and 3e4 u.
+record::RunRecord made(Real factor, const std::string& name = "made")
+{
+  MadeRun run;
+  run.name = name;
+  run.V = [=](Real w) { return factor * 4e5 * w; };
+  run.H = [=](Real u) { return factor * 3e4 * u; };
+  return run.record();
+}
+
+/// Variants of first order: 1 + 0.1 size; and the coarsest at twice the speed, 1 % more.
+std::vector<VariantRecord> first_order()
+{
+  std::vector<VariantRecord> variants;
+  for (const Real size : sizes) variants.push_back({size, 1, made(1 + 0.1 * size)});
+  variants.push_back({2.2, 2, made((1 + 0.1 * 2.2) * 1.01)});
+  return variants;
+}
+
+TEST(Bands, of_answers_of_first_order_are_those_of_the_line)
+{
+  const run_folder::Uncertainty u = bands_of(made(1.1), first_order());
+  const run_folder::Band* V = u.find("V_at_w_0.1D");
+  ASSERT_NE(V, nullptr);
+  EXPECT_NEAR(V->value, 1.1 * 800, 0.1);
+  EXPECT_NEAR(V->converged, 800, 0.1);
+  EXPECT_NEAR(V->extrapolation, 40, 0.1);
+  EXPECT_NEAR(V->mesh, 0, 0.1);
+  EXPECT_NEAR(V->speed, 0.01 * 1.22 * 800, 0.1);
+  EXPECT_NEAR(V->noise, 0, 0.1) << "straight curves have none";
+  EXPECT_NEAR(V->half_width, V->extrapolation + V->speed, 0.2);
+}
+
+TEST(Bands, are_there_for_answers_alone)
+{
+  const run_folder::Uncertainty u = bands_of(made(1.1), first_order());
+  EXPECT_NE(u.find("H_end_of_drag"), nullptr);
+  for (const char* name : {"V_at_w_0.1D_over_gammaD2", "w_end_of_push_over_D", "V_noise", "gap_mean"})
+    EXPECT_EQ(u.find(name), nullptr) << name;
+}
+
+TEST(Bands, leave_out_what_a_coarser_run_has_not_and_say_which)
+{
+  std::vector<VariantRecord> variants = first_order();
+  MadeRun run;
+  run.name = "short";
+  run.dragged = 0.005;
+  variants[2].run = run.record();
+  const run_folder::Uncertainty u = bands_of(made(1.1), variants);
+  EXPECT_EQ(u.find("H_at_u_0.4D"), nullptr);
+  EXPECT_NE(u.find("H_at_u_0.2D"), nullptr);
+  const auto found = std::find_if(u.without.begin(), u.without.end(), [](const auto& each) { return each.first == "H_at_u_0.4D"; });
+  ASSERT_NE(found, u.without.end());
+  EXPECT_EQ(found->second, "short has no such number");
+}
+
+TEST(Bands, of_curves_lie_along_them)
+{
+  const run_folder::Uncertainty u = bands_of(made(1.1), first_order());
+  ASSERT_EQ(u.curves.size(), 3u);
+  const run_folder::CurveBand& V = u.curves[0];
+  EXPECT_EQ(V.chart, "V_w");
+  EXPECT_NEAR(V.x.back(), 0.002, 1e-9);
+  const std::size_t middle = V.x.size() / 2;
+  EXPECT_NEAR((V.low[middle] + V.high[middle]) / 2, 4e5 * V.x[middle], 1);
+  EXPECT_GT(V.high[middle] - V.low[middle], 2 * 0.05 * 4e5 * V.x[middle] - 1);
+  EXPECT_EQ(u.curves[1].chart, "H_u");
+  EXPECT_EQ(u.curves[2].chart, "w_u");
+}
+
+// Rows that go up and down by 5 % of V in turn: a mean over some ten of them is uncertain by a few per cent, and none of smooth rows is.
+TEST(Noise, of_rows_that_waver_is_seen)
+{
+  MadeRun run;
+  run.V = [](Real w) { return 4e5 * w * (1 + 0.05 * std::sin(1e6 * w)); };
+  const record::RunRecord record = run.record();
+  const std::vector<Real> noise = noise_of(record);
+  for (std::size_t k = 0; k < noise.size(); ++k) {
+    if (record.quantities[k].name == "V_at_w_0.1D") {
+      EXPECT_GT(noise[k], 1);
+      EXPECT_LT(noise[k], 0.1 * 800);
+    }
+  }
+  run.method = problem::Method::fem;
+  for (const Real each : noise_of(run.record())) EXPECT_EQ(each, 0);
+}
+
+}  // namespace
+}  // namespace berm::uncertainty

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "uncertainty/variants.hpp"
+
+#include "core/error.hpp"
+#include "samples/clay_pipe.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::uncertainty {
+namespace {
+
+std::string refusal_of(const problem::Case& c)
+{
+  try {
+    choose_variants(c);
+  } catch (const KeyError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+mesh::SeabedMesh& bed_of(problem::Case& c)
+{
+  return std::get<mesh::SeabedMesh>(c.mesh);
+}
+
+/// The clay's pipe of 1 m on cells of D/20.
+problem::Case fine()
+{
+  problem::Case c = clay();
+  bed_of(c).near_size = 0.05;
+  c.fem.contact_size = 0.05;
+  return c;
+}
+
+TEST(Variants, have_cells_of_five_sizes_and_the_coarsest_once_more_at_twice_the_pace)
+{
+  const VariantPlan plan = choose_variants(fine());
+  ASSERT_EQ(plan.variants.size(), 6u);
+  const std::vector<Real> sizes = {1.4, 1.6, 1.8, 2, 2.2, 2.2};
+  for (std::size_t k = 0; k < sizes.size(); ++k) {
+    problem::Case c = plan.variants[k].settings;
+    EXPECT_NEAR(plan.variants[k].size, sizes[k], 1e-12);
+    EXPECT_EQ(plan.variants[k].speed, k == 5 ? 2 : 1);
+    EXPECT_NEAR(bed_of(c).near_size, 0.05 * sizes[k], 1e-12);
+    EXPECT_NEAR(bed_of(c).growth, 0.4 * sizes[k], 1e-12) << "all cells of the bed grow, not those of the fine zone alone";
+    EXPECT_NEAR(*c.fem.contact_size, 0.05 * sizes[k], 1e-12);
+  }
+  EXPECT_EQ(plan.variants[0].name, "cells_1.4");
+  EXPECT_EQ(plan.variants[5].name, "cells_2.2_long_steps");
+  EXPECT_EQ(plan.variants[5].settings.fem.largest_step, 2 * plan.variants[4].settings.fem.largest_step);
+  EXPECT_EQ(plan.variants[5].settings.fem.relaxation, 4 * plan.variants[4].settings.fem.relaxation);
+  EXPECT_TRUE(plan.left_out.empty());
+}
+
+TEST(Variants, have_five_cells_across_the_body_at_least)
+{
+  problem::Case c = fine();
+  bed_of(c).near_size = *c.fem.contact_size = 0.1;  // D/10: twice as large is the end
+  EXPECT_NEAR(choose_variants(c).variants[4].size, 2, 1e-12);
+  EXPECT_NEAR(choose_variants(c).variants[0].size, 1 + 0.4 / 1.2, 1e-12);
+  bed_of(c).near_size = *c.fem.contact_size = 0.15;
+  EXPECT_EQ(refusal_of(c).find("mesh.near_size: "), 0u) << refusal_of(c);
+  EXPECT_NE(refusal_of(c).find("make them 0.125 m or smaller"), std::string::npos) << refusal_of(c);
+}
+
+TEST(Variants, of_a_mesh_from_a_file_are_refused)
+{
+  problem::Case c = fine();
+  c.mesh = mesh::GmshFile{"my.msh"};
+  EXPECT_EQ(refusal_of(c).find("mesh.file: "), 0u) << refusal_of(c);
+}
+
+TEST(Variants, of_a_case_without_a_push_or_a_drag_are_refused)
+{
+  problem::Case c = fine();
+  c.stage.resize(1);
+  EXPECT_EQ(refusal_of(c).find("stage: "), 0u) << refusal_of(c);
+}
+
+TEST(Variants, keep_the_fine_zone_clear_of_the_walls)
+{
+  problem::Case c = fine();
+  bed_of(c).left = 0.76;
+  bed_of(c).near_left = -0.7;  // 0.06 m from the wall: less than a coarse cell
+  problem::Case coarse = with_coarser_cells(c, 2).first;
+  EXPECT_NEAR(bed_of(coarse).near_left, -0.66, 1e-12);
+  EXPECT_NO_THROW(mesh::check(bed_of(coarse)));
+}
+
+TEST(Variants, of_a_box_have_whole_cells_and_the_size_that_these_have)
+{
+  problem::Case c = fine();
+  mesh::BoxMesh box;
+  box.size = {2, 1};
+  box.cells = {41, 20};
+  c.mesh = box;
+  bodies::BlockSettings block;
+  block.spacing = 0.01;
+  c.body[0].second.block = block;
+  const auto [coarse, size] = with_coarser_cells(c, 2);
+  const mesh::BoxMesh& made = std::get<mesh::BoxMesh>(coarse.mesh);
+  EXPECT_EQ(made.cells, (std::vector<Real>{21, 10}));
+  EXPECT_NEAR(size, std::sqrt(41. / 21 * 2), 1e-12);
+  EXPECT_NEAR(coarse.body[0].second.block->spacing, 0.01 * size, 1e-12) << "as many particles a cell";
+}
+
+TEST(Variants, write_no_frames_on_the_way)
+{
+  problem::Case c = fine();
+  c.output.frame_time = c.output.frame_travel = 0.1;
+  const problem::Case coarse = with_coarser_cells(c, 2).first;
+  EXPECT_FALSE(coarse.output.frame_time || coarse.output.frame_travel);
+}
+
+TEST(TwiceTheSpeed, goes_the_same_way_in_half_the_time)
+{
+  problem::Case c = fine();
+  problem::StageSettings drag;
+  drag.kind = problem::StageKind::drag;
+  drag.velocity = -0.2;
+  drag.vertical_velocity = 0.1;
+  drag.ramp = 1;
+  drag.until = {3, 0.5, {}, {}};
+  drag.load_times = {0, 2};
+  c.stage.push_back(drag);
+  c.output.history_time = 0.1;
+  const problem::Case fast = at_twice_the_speed(c);
+  const problem::StageSettings& s = fast.stage.back();
+  EXPECT_EQ(*s.velocity, -0.4);
+  EXPECT_EQ(*s.vertical_velocity, 0.2);
+  EXPECT_EQ(s.ramp, 0.5);
+  EXPECT_EQ(*s.until.time, 1.5);
+  EXPECT_EQ(*s.until.displacement, 0.5);
+  EXPECT_EQ(s.load_times, (std::vector<Real>{0, 1}));
+  EXPECT_EQ(*fast.output.history_time, 0.05);
+  EXPECT_EQ(fast.stage[0].until.time, c.stage[0].until.time) << "soil that comes to rest takes as long as before";
+}
+
+TEST(Variants, of_soil_that_knows_speed_leave_it_out_and_say_so)
+{
+  problem::Case c = fine();
+  c.method = problem::Method::mpm;
+  c.material[0].second = material::RateDependentTresca{};
+  const VariantPlan plan = choose_variants(c);
+  EXPECT_EQ(plan.variants.size(), 5u);
+  ASSERT_EQ(plan.left_out.size(), 1u);
+  EXPECT_EQ(plan.left_out[0].find("speed: "), 0u);
+}
+
+}  // namespace
+}  // namespace berm::uncertainty
