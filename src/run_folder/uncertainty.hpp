@@ -18,7 +18,8 @@ struct Band {
   Real extrapolation = 0;  ///< what the converged number is uncertain by because the order of convergence is
   Real mesh = 0;           ///< and because numbers scatter from mesh to mesh
   Real noise = 0;          ///< what the run's number is uncertain by as a mean over noisy rows
-  Real speed = 0;  ///< change of the number where the body is driven at twice the speed (finite elements: with longer increments and relaxation)
+  Real speed =
+      0;  ///< change of the number where the body is driven at twice the speed (finite elements: with longer increments and relaxation)
 };
 
 /// The band of a quantity of summary.json.
