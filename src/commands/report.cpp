@@ -15,6 +15,7 @@ Command add_report(CLI::App& program)
   app->add_option("DIR", request->folders, "run folders, or folders that hold run folders")->required();
   app->add_option("-o,--output", request->output, "the page's file (default: report.html in the folder that holds the runs)");
   app->add_option("--claims", request->claims, "claims of a test to compare with (default: claims.toml in each run folder)");
+  app->add_flag("--pdf", request->pdf, "also print the page to report.pdf beside it, by an installed Chromium or Google Chrome");
   app->add_flag("--figures", request->figures, "also draw the curves and mechanisms as SVG and PNG, in report_figures beside the page");
   return {app, [request] {
             messages_to_stderr();

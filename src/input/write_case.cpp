@@ -158,4 +158,9 @@ std::string resolved_toml(const problem::Case& settings)
   return "# The whole case: every default filled in, numbers in SI units, angles in radians.\n" + toml_of(all_settings(settings));
 }
 
+std::string_view without_report(std::string_view resolved)
+{
+  return resolved.substr(0, resolved.find("\n[report]\n"));
+}
+
 }  // namespace berm::input

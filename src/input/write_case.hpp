@@ -60,4 +60,7 @@ SettingTable all_settings(const problem::Case& settings);
 /// The whole case as TOML, with every default filled in, in SI units: resolved.toml.
 std::string resolved_toml(const problem::Case& settings);
 
+/// A resolved.toml without its last table, [report], which changes no result: cases are the same where these are.
+std::string_view without_report(std::string_view resolved);
+
 }  // namespace berm::input

@@ -172,7 +172,8 @@ bool has_result(const Job& job)
   std::error_code error;
   if (fs::last_write_time(job.folder / "summary.json", error) < fs::last_write_time(engine_file(settings.method), error) || error)
     return false;
-  return io::read_text_file(job.folder / "resolved.toml") == input::resolved_toml(settings);
+  const std::string found = io::read_text_file(job.folder / "resolved.toml"), asked = input::resolved_toml(settings);
+  return input::without_report(found) == input::without_report(asked);
 }
 
 Real wall_time_of(const fs::path& folder)

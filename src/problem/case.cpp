@@ -405,6 +405,18 @@ void describe(Describe& d, OutputSettings& output)
            .range = not_negative});
 }
 
+void describe(Describe& d, ReportSettings& report)
+{
+  d.value("project", report.project, {.meaning = "name or number of the project"});
+  d.value("client", report.client, {.meaning = "whom the work is for"});
+  d.value("document", report.document, {.meaning = "number of the document"});
+  d.value("revision", report.revision, {.meaning = "its revision"});
+  d.value("date", report.date, {.meaning = "its date, as it is to be written"});
+  d.value("author", report.author, {.meaning = "who set the case up"});
+  d.value("checker", report.checker, {.meaning = "who checked it"});
+  d.value("note", report.note, {.meaning = "a remark for the reader"});
+}
+
 void describe(Describe& d, Case& c)
 {
   d.value("title", c.title, {.meaning = "one line that says what this is"});
@@ -440,6 +452,7 @@ void describe(Describe& d, Case& c)
   d.table("fem", c.fem, {.meaning = "the finite element method"});
   d.named_tables("watch", c.watch, {.meaning = "particles whose motion is written to the history"});
   d.table("output", c.output, {.meaning = "what is written"});
+  d.table("report", c.report, {.meaning = "what berm report says of the work that the run is part of; changes no result"});
 
   d.check(c.method == Method::mpm || c.dimension == 2, "method", "finite elements are plane: they need dimension = 2");
   bodies::check_entries(d, "gravity", c.gravity, c.dimension, true);

@@ -66,6 +66,11 @@ struct OutputSettings {
   Real checkpoint_wall_time = 300;   ///< s of wall time between checkpoints; 0: at the ends of stages only, and where the run is stopped
 };
 
+/// What a report says of the work that the run is part of. Nothing of it enters the computation.
+struct ReportSettings {
+  std::string project, client, document, revision, date, author, checker, note;
+};
+
 /// One input file, in SI units: everything that the user can choose.
 struct Case {
   std::string title;
@@ -88,12 +93,14 @@ struct Case {
   FemSettings fem;
   std::vector<std::pair<std::string, WatchSettings>> watch;
   OutputSettings output;
+  ReportSettings report;
 };
 
 void describe(Describe& d, MpmSettings& mpm);
 void describe(Describe& d, FemSettings& fem);
 void describe(Describe& d, WatchSettings& watch);
 void describe(Describe& d, OutputSettings& output);
+void describe(Describe& d, ReportSettings& report);
 
 /// All parameters of a case, then what must fit together: names that refer to something, numbers of directions, stages that can end.
 void describe(Describe& d, Case& c);

@@ -105,6 +105,17 @@ void take_ground(RunRecord& run)
   }
 }
 
+void take_origin(RunRecord& run)
+{
+  try {
+    run.origin = run_folder::read_origin(run.folder);
+  } catch (const RunError&) {
+    run.faults.emplace_back("origin.json is damaged: what the run was made from is not known");
+  }
+  if (run.origin && !run.origin->sessions.empty() && !run.origin->sessions.front().begun.empty())
+    run.begun = run.origin->sessions.front().begun;
+}
+
 Real value_in(const std::map<std::string, Real>& table, const std::string& name)
 {
   const auto found = table.find(name);
@@ -164,6 +175,7 @@ RunRecord read_run(const fs::path& folder)
   take_history(run);
   take_summary(run);
   take_log(run);
+  take_origin(run);
   compare_history_with_end(run);
   if (run.summary) run.quantities = run.summary->quantities;
   return run;

@@ -3,6 +3,7 @@
 
 #include "problem/ground.hpp"
 #include "run_folder/history.hpp"
+#include "run_folder/origin.hpp"
 #include "run_folder/summary_file.hpp"
 
 namespace berm::record {
@@ -25,7 +26,9 @@ struct RunRecord {
   std::optional<run_folder::RunSummary> summary;  ///< none in an unfinished run
   std::vector<run_folder::Quantity> quantities;   ///< of the summary; of an unfinished run, what its structure makes of the history
   RunEnd end = RunEnd::unfinished;
-  std::string begun;                  ///< date and time of the first line of run.log; "" where that is missing
+  std::optional<run_folder::Origin> origin;  ///< none in a run of an earlier version, or where it is damaged
+  std::string
+      begun;  ///< date and time (UTC) of its origin; else those of the first line of run.log, in local time; "" where neither is there
   std::vector<std::string> warnings;  ///< of run.log, without their times
   std::string last_log_line;          ///< why the run ended, as run.log tells: its last line, or the warning before the results
   std::vector<std::string> faults;    ///< what is missing or damaged in the folder, in words

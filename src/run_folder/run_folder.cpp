@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 constexpr const char* own_files[] = {"history.csv",
                                      "history.schema.json",
                                      "summary.json",
+                                     "origin.json",
                                      "run.log",
                                      "case.toml",
                                      "claims.toml",

@@ -111,7 +111,8 @@ void Run<Method>::write_checkpoint()
 template <class Method>
 void Run<Method>::archive(Archive& k)
 {
-  archive_same(k, "case", input::resolved_toml(request_.settings), "it is of another case than resolved.toml");
+  const std::string resolved = input::resolved_toml(request_.settings);
+  archive_same(k, "case", std::string(input::without_report(resolved)), "it is of another case than resolved.toml");
   archive_same_mesh(k, model().mesh);
   k("vector_unit", unit_);
   k.table("history", [&] { archive_history(k, history_path(), history_bytes_); });

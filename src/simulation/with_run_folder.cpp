@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
+#include "run_folder/origin.hpp"
 #include "simulation/checkpoints.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/resume.hpp"
@@ -28,6 +29,7 @@ run_folder::RunFolder new_run_folder(const RunRequest& request, const ScratchFol
   std::error_code error;
   if (const fs::path claims = request.case_file.parent_path() / "claims.toml"; fs::exists(claims, error))
     io::copy_atomically(claims, folder.file("claims.toml"));
+  run_folder::note_origin(folder.path());
   return folder;
 }
 
@@ -58,7 +60,9 @@ bool with_run_folder(const RunRequest& request, const Context& context, const Sc
   run_folder::RunLog log(folder.file("run.log"), request.resume, context.messages());
   if (replaces) spdlog::info("the unfinished run in {} is replaced; `berm run --resume` resumes one instead", request.folder.string());
   spdlog::info("{} -> {}: {}", request.case_file.string(), folder.path().string(), size);
-  if (!request.resume) {
+  if (request.resume)
+    run_folder::note_resumption(folder.path());
+  else {
     note_warnings(folder, warnings);
     for (const std::string& warning : warnings) spdlog::warn("{}", warning);
   }

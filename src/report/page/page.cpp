@@ -2,6 +2,7 @@
 #include "report/page/page.hpp"
 
 #include "report/animation/film.hpp"
+#include "report/origin/origin_section.hpp"
 #include "report/page/first_look.hpp"
 #include "report/page/page_data.hpp"
 #include "report/page/page_files.hpp"
@@ -12,6 +13,7 @@
 #include "text/tex_math.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -48,15 +50,28 @@ std::string title_of(const std::vector<record::RunRecord>& runs)
   return other == 0 ? title : fmt::format("{}, and {} of other titles", title, other == 1 ? "a run" : fmt::format("{} runs", other));
 }
 
+/// The rule that puts a text at the foot of each printed page. Of other letters than plain ones the numbers, so that none ends the text or the style.
+std::string style_of_foot(const std::string& text)
+{
+  if (text.empty()) return "";
+  std::string safe;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = std::isalnum(byte) != 0 || byte >= 0x80;
+    safe += plain ? std::string(1, c) : fmt::format("\\{:06x}", byte);
+  }
+  return fmt::format("@page{{@bottom-left{{content:\"{}\";font:8pt sans-serif;color:#56606b}}}}", safe);
+}
+
 std::string header_of(const std::vector<record::RunRecord>& runs, const std::vector<std::pair<std::string, std::string>>& sections)
 {
   std::vector<std::string> names, links;
   for (const record::RunRecord& run : runs) names.push_back(text::html_text(run.name));
   for (const auto& [id, word] : sections) links.push_back(fmt::format("<a href=\"#{}\">{}</a>", id, word));
   return fmt::format(
-      "<header>\n<h1>{}</h1>\n<p class=\"quiet\">{}: {}; written by berm {}</p>\n<nav aria-label=\"sections\">{}</nav>\n</header>\n",
-      title_of(runs), runs.size() == 1 ? "run" : fmt::format("{} runs", runs.size()), fmt::join(names, ", "), BERM_VERSION,
-      fmt::join(links, " "));
+      "<header>\n<h1>{}</h1>\n{}<p class=\"quiet\">{}: {}; written by berm {}</p>\n<nav aria-label=\"sections\">{}</nav>\n</header>\n",
+      title_of(runs), document_lines(runs.front()), runs.size() == 1 ? "run" : fmt::format("{} runs", runs.size()), fmt::join(names, ", "),
+      BERM_VERSION, fmt::join(links, " "));
 }
 
 /// What a reader must know first of runs that did not end well.
@@ -101,15 +116,17 @@ std::string report_page(std::vector<record::RunRecord> runs, const ClaimSheets& 
   std::vector<std::pair<std::string, std::string>> sections = {
       {"answer", "Answer"}, {"model", "Model"}, {"curves", "Curves"}, {"soil", "Soil"}, {"trust", "Trust"}};
   if (!what_is_claimed.empty()) sections.emplace_back("claims", "Claims");
+  sections.emplace_back("record", "Record");
 
   std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   page += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
-  page += fmt::format("<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<main>\n", title_of(runs), page_style);
+  page += fmt::format("<title>{}</title>\n<style>{}{}</style>\n</head>\n<body>\n<main>\n", title_of(runs), page_style,
+                      style_of_foot(document_foot(runs.front())));
   page += header_of(runs, sections) + faults_of(runs, left_out) + results_section(runs, first_look(runs.front())) + setup_section(runs);
   page += text::html_section("curves", "Curves", "<noscript><p>The curves need scripts, which this browser does not run.</p></noscript>\n");
   page += text::html_section("soil", "The soil, moving",
                              "<noscript><p>The moving soil needs scripts, which this browser does not run.</p></noscript>\n");
-  page += quality_section(runs) + what_is_claimed + "</main>\n";
+  page += quality_section(runs) + what_is_claimed + origin_section(runs) + "</main>\n";
   page += blocks;
   page += fmt::format("<script type=\"application/json\" id=\"berm-data\">{}</script>\n<script>", script_json(data));
   page += page_script;

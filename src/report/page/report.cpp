@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
 #include "report/page/page.hpp"
+#include "report/page/print_pdf.hpp"
 #include "report/results/figures.hpp"
 #include "structures/structures.hpp"
 
@@ -21,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* page_name = "report.html";
+constexpr const char *page_name = "report.html", *pdf_name = "report.pdf";
 constexpr const char* figures_name = "report_figures";
 
 fs::path whole(const fs::path& path)
@@ -54,7 +55,7 @@ std::vector<fs::path> run_folders(const std::vector<std::string>& names)
     const fs::file_status found = fs::status(path, error);
     if (!fs::exists(found))
       throw InputError(fmt::format("{}: {}", name, error && error.value() != ENOENT ? error.message() : "there is no such folder"));
-    if (path.filename() == page_name && !fs::is_directory(found)) continue;
+    if ((path.filename() == page_name || path.filename() == pdf_name) && !fs::is_directory(found)) continue;
     if (path.filename() == figures_name) continue;
     if (!fs::is_directory(found)) throw InputError(fmt::format("{}: is a file; a run folder is needed, as berm run makes it", name));
     if (record::is_run_folder(path)) {
@@ -148,12 +149,14 @@ std::vector<fs::path> write_report(const ReportRequest& request)
 {
   const std::vector<fs::path> folders = run_folders(request.folders);
   const fs::path page = request.output.empty() ? folder_of_page(request.folders, folders) / page_name : fs::path(request.output);
+  const fs::path browser = request.pdf ? printing_browser() : fs::path();  // or an error before there is work
   std::vector<std::string> left_out;
   std::vector<record::RunRecord> runs = read_runs(folders, left_out);
   const ClaimSheets claims = claims_of(request, runs);
 
   io::write_atomically(page, report_page(runs, claims, left_out));
   std::vector<fs::path> written = {page};
+  if (request.pdf) print_pdf(browser, page, written.emplace_back(fs::path(page).replace_extension("pdf")));
   if (request.figures) {
     const fs::path figures = page.parent_path() / figures_name;
     for (const std::string& name : draw_report_figures(runs, published_points(runs, claims), figures)) written.push_back(figures / name);

@@ -204,6 +204,22 @@ TEST(Run, of_resolved_toml_writes_the_same_history_byte_for_byte)
   EXPECT_EQ(place.text("one/resolved.toml"), place.text("two/resolved.toml"));
 }
 
+TEST(Run, with_a_report_table_writes_the_same_history_and_notes_where_it_comes_from)
+{
+  const Place place;
+  ASSERT_EQ(place.berm({"run", "small.toml", "--threads", "1", "-o", "one"}).status, 0);
+  place.folder.write("signed.toml", test::small_case + std::string("\n[report]\nproject = \"P\"\nchecker = \"C\"\nnote = \"checked\"\n"));
+  const Ended ended = place.berm({"run", "signed.toml", "--threads", "1", "-o", "two"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  EXPECT_GT(place.text("one/history.csv").size(), 1000u);
+  EXPECT_TRUE(place.text("one/history.csv") == place.text("two/history.csv"));
+  EXPECT_TRUE(place.text("one/frames/particles_0001.vtu") == place.text("two/frames/particles_0001.vtu"));
+  const Json one = place.json("one/origin.json"), two = place.json("two/origin.json");
+  EXPECT_EQ(one["input_sha256"]["mesh.msh"], two["input_sha256"]["mesh.msh"]);
+  EXPECT_EQ(one["sessions"][0]["program_sha256"], two["sessions"][0]["program_sha256"]);
+  EXPECT_NE(one["input_sha256"]["case.toml"], two["input_sha256"]["case.toml"]);
+}
+
 TEST(Run, takes_an_override)
 {
   const Place place;

@@ -225,6 +225,21 @@ TEST_F(Resume, uses_the_older_checkpoint_where_the_last_is_damaged_and_none_wher
   EXPECT_EQ(text("lost/history.csv"), history) << "what was computed is still there";
 }
 
+TEST_F(Resume, takes_another_report_table_which_changes_no_result)
+{
+  ASSERT_EQ(berm(first("whole")).status, 0);
+  ASSERT_EQ(run_until(first("parts"), "parts", 30000, SIGTERM).status, 1);
+  std::string resolved = text("parts/resolved.toml");
+  const std::string unset = "# revision is not set";
+  ASSERT_NE(resolved.find(unset), std::string::npos);
+  resolved.replace(resolved.find(unset), unset.size(), "revision = \"B\"");
+  folder_.write("parts/resolved.toml", resolved);
+  const Ended ended = berm(on("parts"));
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_TRUE(text("whole/history.csv") == text("parts/history.csv"));
+  EXPECT_EQ(Json::parse(text("parts/origin.json"))["sessions"].size(), 2u);
+}
+
 TEST_F(Resume, refuses_another_case_a_changed_history_and_a_missing_frame)
 {
   ASSERT_EQ(run_until(first("parts"), "parts", 30000, SIGTERM).status, 1);

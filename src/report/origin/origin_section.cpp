@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/origin/origin_section.hpp"
+
+#include "structures/base/driven_body.hpp"
+#include "text/run_columns.hpp"
+#include "text/tex_math.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm::report {
+namespace {
+
+using Runs = std::vector<record::RunRecord>;
+
+/// The entries of [report] that are given, by their names on the page.
+std::vector<std::pair<std::string, std::string>> document_of(const problem::ReportSettings& report)
+{
+  std::vector<std::pair<std::string, std::string>> entries = {
+      {"Project", report.project}, {"Client", report.client}, {"Document", report.document},  {"Revision", report.revision},
+      {"Date", report.date},       {"Author", report.author}, {"Checked by", report.checker}, {"Note", report.note}};
+  std::erase_if(entries, [](const auto& entry) { return entry.second.empty(); });
+  return entries;
+}
+
+text::RunEntry entry(const std::string& heading, const std::string& html)
+{
+  return {heading, text::html_text(heading), html, false, "", ""};
+}
+
+std::string code(const std::string& hash)
+{
+  return fmt::format("<code class=\"hash\">{}</code>", text::html_text(hash));
+}
+
+std::string not_recorded(const std::string& words)
+{
+  return words.empty() ? "not recorded" : text::html_text(words);
+}
+
+std::string documents_table(const Runs& runs)
+{
+  text::RunColumns columns("");
+  bool any = false;
+  for (const record::RunRecord& run : runs) {
+    std::vector<text::RunEntry> entries;
+    for (const auto& [name, words] : document_of(run.settings.report)) entries.push_back(entry(name, text::html_text(words)));
+    any = any || !entries.empty();
+    columns.run(run.name, entries);
+  }
+  return any ? columns.table("documents", "Documents: [report] of each case").html() : "";
+}
+
+std::vector<text::RunEntry> entries_of(const record::RunRecord& run)
+{
+  const auto summary = [&](const std::string& name) {
+    const auto found = run.summary ? run.summary->text.find(name) : std::map<std::string, std::string>::const_iterator();
+    return run.summary && found != run.summary->text.end() ? found->second : std::string();
+  };
+  std::vector<text::RunEntry> entries;
+  entries.push_back(entry("begun (UTC)", run.origin          ? not_recorded(run.begun)
+                                         : run.begun.empty() ? "not recorded"
+                                                             : text::html_text(run.begun + " (local time)")));
+  entries.push_back(entry("ended (UTC)", not_recorded(summary("date"))));
+  if (!run.origin) {
+    entries.push_back(entry("program", "berm " + not_recorded(summary("version"))));
+    entries.push_back(entry("SHA-256", "not recorded: made by a berm that did not note it"));
+    return entries;
+  }
+  for (std::size_t k = 1; k < run.origin->sessions.size(); ++k)
+    entries.push_back(
+        entry(fmt::format("resumed (UTC){}", k == 1 ? "" : fmt::format(", {}", k)), text::html_text(run.origin->sessions[k].begun)));
+  for (const auto& [name, hash] : run.origin->input) entries.push_back(entry("SHA-256 of " + name, code(hash)));
+  for (std::size_t k = 0; k < run.origin->sessions.size(); ++k) {
+    const run_folder::RunSession& session = run.origin->sessions[k];
+    const run_folder::RunSession& first = run.origin->sessions.front();
+    if (k > 0 && session.program == first.program) continue;
+    const std::string when = k == 0 ? "" : fmt::format(", resumed {}", session.begun);
+    entries.push_back(entry("program" + when, text::html_text(fmt::format("berm {}, {}", session.version, session.build))));
+    for (const auto& [name, hash] : session.program) entries.push_back(entry("SHA-256 of " + name + when, code(hash)));
+  }
+  return entries;
+}
+
+std::string units_words(const Runs& runs)
+{
+  const bool space = std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return run.settings.dimension == 3; });
+  const bool plane = std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return run.settings.dimension == 2; });
+  const bool models =
+      std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return has_prototype(base::body_scale(run.settings)); });
+  std::string words = "SI units. ";
+  if (plane) words += "Plane strain: forces are per metre run of the pipe or body. ";
+  if (space) words += "In space forces are those of the whole body. ";
+  words += "u is along x, w the depth of the lowest point below the surface at the start, H and V are the forces of the soil on the body, "
+           "V upwards. ";
+  if (models)
+    words += "Values \"in the prototype\" are lengths and forces per metre times the gravity level; all others are of the model. ";
+  return words;
+}
+
+}  // namespace
+
+std::string document_lines(const record::RunRecord& run)
+{
+  std::string html;
+  for (const auto& [name, words] : document_of(run.settings.report))
+    html += fmt::format("<div><dt>{}</dt><dd>{}</dd></div>", name, text::html_text(words));
+  return html.empty() ? "" : fmt::format("<dl id=\"document\">{}</dl>\n", html);
+}
+
+std::string document_foot(const record::RunRecord& run)
+{
+  const problem::ReportSettings& report = run.settings.report;
+  std::vector<std::string> parts;
+  for (const std::string& part : {report.project, report.document, report.revision.empty() ? "" : "revision " + report.revision})
+    if (!part.empty()) parts.push_back(part);
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string origin_section(const Runs& runs)
+{
+  text::RunColumns columns("");
+  for (const record::RunRecord& run : runs) columns.run(run.name, entries_of(run));
+  std::string html = documents_table(runs);
+  html += columns.table("origin", "What each run is made from, and by which program").html();
+  html += text::html_paragraph(
+      "The hashes were noted in origin.json of each run folder when the run began; sha256sum of the file named gives the same digits "
+      "if it is unchanged. case.toml is the input as it was given, resolved.toml the whole of it with overrides and defaults.",
+      "quiet");
+  html += "<h3>Units and signs</h3>\n" + text::html_paragraph(units_words(runs));
+  if (std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return base::drives_a_body(run.settings); }))
+    html += "<h3>Codes and papers</h3>\n" +
+            text::html_paragraph(
+                "The source of each formula stands beside its value. berm has the formulas of design codes as public programs implement "
+                "them: they were not compared with the text of the code, and its edition is not recorded. They do not replace a check "
+                "against the edition that governs the project.");
+  return text::html_section("record", "Record", html);
+}
+
+}  // namespace berm::report

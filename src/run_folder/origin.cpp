@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_folder/origin.hpp"
+
+#include "core/error.hpp"
+#include "core/vector_unit.hpp"
+#include "io/atomic_file.hpp"
+#include "io/host_info.hpp"
+#include "io/sha256.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace berm::run_folder {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* origin_name = "origin.json";
+constexpr const char* input_names[] = {"case.toml", "resolved.toml", "mesh.msh", "claims.toml"};
+
+#ifdef __OPTIMIZE__
+constexpr const char* optimized = "optimized";
+#else
+constexpr const char* optimized = "not optimized";
+#endif
+
+FileHashes hashes_of(const std::vector<fs::path>& files)
+{
+  FileHashes hashes;
+  for (const fs::path& file : files) hashes.emplace_back(file.filename().string(), io::sha256_of_file(file));
+  return hashes;
+}
+
+Json json_of(const FileHashes& hashes)
+{
+  Json json = Json::object();
+  for (const auto& [name, hash] : hashes) json[name] = hash;
+  return json;
+}
+
+FileHashes hashes_in(const Json& json)
+{
+  FileHashes hashes;
+  for (const auto& [name, hash] : json.items()) hashes.emplace_back(name, hash.get<std::string>());
+  return hashes;
+}
+
+void write(const fs::path& run_folder, const Origin& origin)
+{
+  Json json = {{"input_sha256", json_of(origin.input)}, {"sessions", Json::array()}};
+  for (const RunSession& session : origin.sessions)
+    json["sessions"].push_back(
+        {{"begun", session.begun}, {"version", session.version}, {"build", session.build}, {"program_sha256", json_of(session.program)}});
+  io::write_atomically(run_folder / origin_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
+}
+
+}  // namespace
+
+RunSession this_session()
+{
+  return {io::utc_date(std::chrono::system_clock::now()), BERM_VERSION,
+          fmt::format("{}, compiler {}, vector unit {}", optimized, __VERSION__, vector_unit()), hashes_of(io::program_files("libberm"))};
+}
+
+void note_origin(const fs::path& run_folder)
+{
+  std::vector<fs::path> inputs;
+  std::error_code error;
+  for (const char* name : input_names)
+    if (const fs::path file = run_folder / name; fs::exists(file, error)) inputs.push_back(file);
+  write(run_folder, {hashes_of(inputs), {this_session()}});
+}
+
+void note_resumption(const fs::path& run_folder)
+{
+  Origin origin = read_origin(run_folder).value_or(Origin());
+  origin.sessions.push_back(this_session());
+  write(run_folder, origin);
+}
+
+std::optional<Origin> read_origin(const fs::path& run_folder)
+{
+  std::error_code error;
+  const fs::path file = run_folder / origin_name;
+  if (!fs::exists(file, error)) return std::nullopt;
+  try {
+    const Json json = Json::parse(io::read_text_file(file));
+    Origin origin{hashes_in(json.at("input_sha256")), {}};
+    for (const Json& session : json.at("sessions"))
+      origin.sessions.push_back({session.at("begun").get<std::string>(), session.at("version").get<std::string>(),
+                                 session.at("build").get<std::string>(), hashes_in(session.at("program_sha256"))});
+    return origin;
+  } catch (const Json::exception&) {
+    throw RunError(fmt::format("{} is damaged", file.string()));
+  }
+}
+
+}  // namespace berm::run_folder

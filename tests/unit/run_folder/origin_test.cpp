@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "run_folder/origin.hpp"
+
+#include "core/error.hpp"
+#include "io/sha256.hpp"
+#include "samples/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+#include <regex>
+
+namespace berm::run_folder {
+namespace {
+
+TEST(origin, holds_the_digests_of_the_input_that_is_there_and_the_program)
+{
+  const TemporaryFolder run;
+  run.write("case.toml", "abc");
+  run.write("resolved.toml", "title = \"x\"\n");
+  run.write("history.csv", "no input");
+  note_origin(run.path());
+  const std::optional<Origin> origin = read_origin(run.path());
+  ASSERT_TRUE(origin);
+  ASSERT_EQ(origin->input.size(), 2u);
+  EXPECT_EQ(origin->input[0], (std::pair<std::string, std::string>("case.toml", io::sha256_of_file(run / "case.toml"))));
+  EXPECT_EQ(origin->input[1].first, "resolved.toml");
+  ASSERT_EQ(origin->sessions.size(), 1u);
+  const RunSession& session = origin->sessions.front();
+  EXPECT_TRUE(std::regex_match(session.begun, std::regex(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ)"))) << session.begun;
+  EXPECT_EQ(session.version, BERM_VERSION);
+  EXPECT_NE(session.build.find("vector unit"), std::string::npos);
+  ASSERT_GE(session.program.size(), 2u) << "the program and its engine";
+  EXPECT_EQ(session.program[0], (std::pair<std::string, std::string>("test_run_folder", io::sha256_of_file("/proc/self/exe"))));
+  EXPECT_TRUE(session.program[1].first.starts_with("libberm_engine")) << session.program[1].first;
+}
+
+TEST(origin, of_a_resumed_run_has_a_session_more_and_the_same_input)
+{
+  const TemporaryFolder run;
+  run.write("case.toml", "abc");
+  note_origin(run.path());
+  const FileHashes input = read_origin(run.path())->input;
+  run.write("case.toml", "changed since");
+  note_resumption(run.path());
+  const std::optional<Origin> origin = read_origin(run.path());
+  EXPECT_EQ(origin->sessions.size(), 2u);
+  EXPECT_EQ(origin->input, input);
+}
+
+TEST(origin, of_an_earlier_version_is_unknown_and_a_damaged_one_is_refused)
+{
+  const TemporaryFolder run;
+  EXPECT_FALSE(read_origin(run.path()));
+  for (const char* damaged : {"", "{", "{\"input_sha256\": {}}", "{\"input_sha256\": {\"case.toml\": 3}, \"sessions\": []}", "[]"}) {
+    run.write("origin.json", damaged);
+    EXPECT_THROW(read_origin(run.path()), RunError) << damaged;
+  }
+}
+
+}  // namespace
+}  // namespace berm::run_folder
