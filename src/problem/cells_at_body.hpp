@@ -13,4 +13,9 @@ constexpr Real coarser_cells = 1.6;
 template <int dim>
 Real cell_size_at(const Model<dim>& model, const bodies::RigidShape<dim>& shape, Index& start);
 
+/// The name of the region of the mesh just below the lowest point of a rigid body that is `depth` (m) below the surface, at its place along the bed at the start;
+/// "" where the body has no end or there is no soil's mesh.
+template <int dim>
+std::string region_below(const Model<dim>& model, const bodies::RigidShape<dim>& shape, Real depth);
+
 }  // namespace berm::problem

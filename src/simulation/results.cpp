@@ -4,6 +4,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/host_info.hpp"
+#include "problem/cells_at_body.hpp"
 #include "problem/stages.hpp"
 #include "record/soil_plot.hpp"
 #include "run_folder/progress.hpp"
@@ -83,6 +84,10 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
                   {"version", BERM_VERSION},
                   {"machine", io::host_description()},
                   {"date", io::utc_date(std::chrono::system_clock::now())}};
+  if (const Index main = model.main_rigid; main != none)
+    if (const std::string region = region_below<dim>(model, model.rigid_bodies[main].shape, base::reference_depth(settings));
+        !region.empty())
+      summary.text.emplace_back(base::region_entry, region);
   summary.checks = {{"finished", outcome.finished}};
   summary.checks.insert(summary.checks.end(), outcome.checks.begin(), outcome.checks.end());
   summary.warnings = outcome.warnings;

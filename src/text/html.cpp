@@ -22,17 +22,18 @@ void HtmlTable::row(std::vector<HtmlCell> cells, std::string row_class)
   std::string html;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const std::string attributes = class_attribute(cells[k].number ? "number" : "") + span;
-    html += k == 0 ? fmt::format("<th scope=\"row\"{}>{}</th>", attributes, cells[k].content)
-                   : fmt::format("<td{}>{}</td>", attributes, cells[k].content);
+    const std::string& content = cells[k].content;
+    html += k > 0 ? fmt::format("<td{}>{}</td>", attributes, content)
+                  : fmt::format("<th scope=\"row\"{}>{}</th>", attributes, span.empty() ? content : "<span>" + content + "</span>");
   }
   rows_.emplace_back(std::move(row_class), std::move(html));
 }
 
 std::string HtmlTable::html() const
 {
-  std::string html =
-      fmt::format("<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"{1}\"><table id=\"{0}\">\n<caption>{1}</caption>\n",
-                  html_text(id_), html_text(caption_));
+  std::string html = fmt::format(
+      "<div class=\"wide\" tabindex=\"0\" role=\"region\" aria-label=\"{1}\"><table id=\"{0}\">\n<caption><span>{1}</span></caption>\n",
+      html_text(id_), html_text(caption_));
   if (!columns_.empty()) {
     html += "<thead><tr>";
     for (const HtmlCell& cell : columns_)

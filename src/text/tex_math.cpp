@@ -190,7 +190,9 @@ private:
       const std::string above = argument();
       return tag("mfrac", above + argument());
     }
-    if (name == "sqrt") return tag("msqrt", argument());
+    // Not msqrt: without a font for formulas its sign is as high as a letter, and covers no fraction. The page's style draws it.
+    if (name == "sqrt")
+      return fmt::format("<mrow class=\"root\" intent=\"square-root($of)\"><mrow arg=\"of\">{}</mrow></mrow>", argument());
     if (one_of(name, {"text", "mathrm", "textrm"})) return tag("mtext", with_firm_spaces(html_text(words())));
     if (name == "operatorname") return tag("mi", html_text(words()));
     if (one_of(name, {"mathbf", "boldsymbol", "bm"})) return fmt::format("<mrow style=\"font-weight:bold\">{}</mrow>", argument());

@@ -27,6 +27,9 @@ tr.chapter td { padding-top: 1.3em; font-weight: 600; font-size: 1.05em; }
 code, pre { font: .9em/1.45 'DejaVu Sans Mono', monospace; } pre { background: #f5f7f9; padding: 12px 14px; overflow-x: auto; }
 pre, .tex { border-radius: 4px; } .tex { background: #f5f7f9; padding: 1px 5px; }
 math[display=block] { margin: 1em 0; font-size: 1.1em; }
+/* A root as high as what is below it, in any font. */
+math .root { padding: .18em .1em 0 .68em; margin: 0 .12em;
+  background: linear-gradient(#1d232a, #1d232a) .66em 0 / 100% .07em no-repeat, url("data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 10 20' preserveAspectRatio='none'%3E%3Cpath d='M.3 12 2.4 10.6 5.2 19.2 9.8 .5' fill='none' stroke='%231d232a' stroke-width='1.1' vector-effect='non-scaling-stroke'/%3E%3C/svg%3E") left top / .68em 100% no-repeat; }
 img { max-width: 100%; height: auto; display: block; margin: .6em 0; }
 .pictures { display: flex; flex-wrap: wrap; align-items: flex-start; gap: 12px; } .pictures img { width: 49%; min-width: 320px; border: 1px solid var(--line); }
 .verdict { padding: 1px 9px; border-radius: 9px; font-size: .9em; white-space: nowrap; color: #fff; }

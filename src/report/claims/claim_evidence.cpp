@@ -48,10 +48,11 @@ Real comparable(const ClaimNumber& number)
   return number.unit == base::ObservableUnit::force ? number.value / number.run->scale.unit_weight : number.value;
 }
 
-ClaimNumber number_of(const ClaimValue& v, const TestRun& run, const std::vector<ClaimNumber>& before)
+ClaimNumber number_of(const ClaimValue& v, const TestRun& run, ClaimScale scale, const std::vector<ClaimNumber>& before)
 {
   const base::Observable& observable = claim_observables()[v.observable];
   ClaimNumber number{v.name, evaluate(observable, v.at, v.quantity, run), observable.unit, &run, {}};
+  if (v.published && number.unit == base::ObservableUnit::force && scale == ClaimScale::prototype) number.value *= run.scale.gravity_level;
   if (v.per) number.value /= *v.per;
   if (!v.over.empty()) number.value = comparable(number) / comparable(number_named(before, v.over));
   if (v.per || !v.over.empty()) number.unit = base::ObservableUnit::number;
@@ -111,13 +112,14 @@ std::string filled(std::string text, const Fill& fill)
   return all + text;
 }
 
-std::optional<ClaimEvidence> tell(const ClaimFinding& finding, const ClaimSheet& sheet, const TestRun& run, const TestRun* beside)
+std::optional<ClaimEvidence> tell(const ClaimFinding& finding, ClaimScale scale, const ClaimSheet& sheet, const TestRun& run,
+                                  const TestRun* beside)
 {
   ClaimEvidence evidence{run.record.name, "", Standing::unknown, {}};
   std::map<std::string, std::string> words;
   if (beside != nullptr) words["beside"] = beside->record.name;
   for (const ClaimValue& v : finding.values) {
-    ClaimNumber number = number_of(v, v.of_beside ? *beside : run, evidence.numbers);
+    ClaimNumber number = number_of(v, v.of_beside ? *beside : run, scale, evidence.numbers);
     if (std::isnan(number.value) && v.without.empty()) return {};
     number.standing = standing_of(v, number.value, sheet, evidence.numbers);
     words[v.name] = words_of(v, number);
@@ -179,7 +181,7 @@ std::vector<ClaimEvidence> evidence_of(const Claim& claim, const ClaimSheet& she
         if (!is_selected(run, finding.runs)) continue;
         const TestRun* beside = finding.beside ? beside_of(run, finding, runs) : nullptr;
         if (finding.beside && beside == nullptr) continue;
-        if (const auto evidence = tell(finding, sheet, run, beside)) all.push_back(*evidence);
+        if (const auto evidence = tell(finding, claim.scale, sheet, run, beside)) all.push_back(*evidence);
       } catch (const RunError&) {
         continue;  // the film of the run says which frame
       }

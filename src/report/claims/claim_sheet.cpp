@@ -169,6 +169,8 @@ void describe(Describe& d, Claim& claim)
 {
   d.value("statement", claim.statement, {.meaning = "what is claimed", .required = true});
   d.value("where", claim.where, {.meaning = "section or figure where it is", .required = true});
+  d.choice("scale", claim.scale, {"model", "prototype"},
+           {.meaning = "what published forces are read as: per metre run of the model or of the prototype; runs are judged alike"});
   d.array("finding", claim.findings, {.meaning = "what runs say of it", .required = true});
   d.value("why", claim.why,
           {.meaning = "how it is judged, with {NAME least} and {NAME most} for the range over the runs", .required = true});
@@ -188,6 +190,15 @@ void describe(Describe& d, ClaimSheet& sheet)
   d.array("point", sheet.points, {.meaning = "published numbers in the charts"});
   d.check(sheet.near <= sheet.off, "off", "must not be less than near");
   for (std::size_t k = 0; k < sheet.claims.size(); ++k) check_claim(d, fmt::format("claim[{}]", k), sheet.claims[k]);
+}
+
+bool judges_a_force(const Claim& claim)
+{
+  return std::any_of(claim.findings.begin(), claim.findings.end(), [](const ClaimFinding& finding) {
+    return std::any_of(finding.values.begin(), finding.values.end(), [](const ClaimValue& v) {
+      return v.published && claim_observables()[v.observable].unit == base::ObservableUnit::force && !v.per && v.over.empty();
+    });
+  });
 }
 
 ClaimSheet read_claims(const std::filesystem::path& file)

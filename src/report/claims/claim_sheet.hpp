@@ -43,9 +43,13 @@ struct ClaimFinding {
   std::vector<ClaimValue> values;
 };
 
+/// What published forces are read as: per metre run of the model, or of the prototype that it stands for.
+enum class ClaimScale { model, prototype };
+
 /// A published claim.
 struct Claim {
   std::string statement, where;
+  ClaimScale scale = ClaimScale::model;
   std::vector<ClaimFinding> findings;
   std::string why, why_of_several;  ///< with {NAME least}, {NAME most} and, of two, {NAME ratio} over the runs
   std::string missing = "No run here came so far as to tell.";
@@ -68,6 +72,9 @@ void describe(Describe& d, ClaimValue& value);
 void describe(Describe& d, ClaimFinding& finding);
 void describe(Describe& d, Claim& claim);
 void describe(Describe& d, ClaimSheet& sheet);
+
+/// Whether a claim is judged by a published force, which has a scale.
+bool judges_a_force(const Claim& claim);
 
 /// Reads the claims of a test. Throw InputError with file, line and key.
 ClaimSheet read_claims(const std::filesystem::path& file);

@@ -51,6 +51,13 @@ std::string word_of(text::Standing standing)
   return "not examined";
 }
 
+/// The scale at which a claim of forces is judged, below its verdict.
+std::string scale_of(const Claim& claim)
+{
+  if (!judges_a_force(claim)) return "";
+  return fmt::format("<div class=\"quiet\">per metre of the {}</div>", claim.scale == ClaimScale::model ? "model" : "prototype");
+}
+
 std::string cell_of(const std::vector<ClaimEvidence>& findings)
 {
   std::string html;
@@ -76,7 +83,7 @@ std::string section_of(const std::vector<record::RunRecord>& runs, const ClaimSh
     const std::vector<ClaimEvidence> evidence = evidence_of(claim, sheet, of_test);
     const text::Standing verdict = verdict_of(evidence);
     table.row({{fmt::format("{} <span class=\"quiet\">({})</span>", text::html_text(claim.statement), text::html_text(claim.where))},
-               {html_badge(verdict, word_of(verdict))},
+               {html_badge(verdict, word_of(verdict)) + scale_of(claim)},
                {cell_of(evidence)},
                {text::html_text(evidence.empty() ? claim.missing : reasons_of(claim, evidence))}});
   }

@@ -3,6 +3,7 @@
 #include "report/setup/drawing.hpp"
 #include "report/setup/parameter_table.hpp"
 #include "report/setup/setup_tables.hpp"
+#include "report/setup/soil_table.hpp"
 #include "text/html.hpp"
 #include "text/tex_math.hpp"
 
@@ -62,7 +63,9 @@ std::string setup_section(const std::vector<record::RunRecord>& runs)
 {
   std::string content = drawings_of(runs);
   content += compact_table(runs).html();
-  content += fmt::format("<details><summary>All parameters</summary>\n{}</details>\n", parameter_columns(runs).html());
+  content += soil_over_depth(runs);
+  content += fmt::format("<details class=\"for_screen everything\"><summary>All parameters</summary>\n{}</details>\n",
+                         parameter_columns(runs).html());
   content += computation_table(runs).html();
   return text::html_section("model", "Model", content);
 }

@@ -20,7 +20,7 @@ namespace {
 /// The rows of one run.
 class Rows {
 public:
-  explicit Rows(const problem::Case& settings) : case_(settings), scale_(base::body_scale(settings)) {}
+  explicit Rows(const record::RunRecord& run) : case_(run.settings), scale_(base::body_scale(run)) {}
 
   void add(const std::string& heading, const std::string& words, const std::string& key = "")
   {
@@ -166,7 +166,7 @@ text::HtmlTable compact_table(const std::vector<record::RunRecord>& runs)
   bool models = false;
   for (const record::RunRecord& run : runs) {
     const problem::Case& c = run.settings;
-    Rows rows(c);
+    Rows rows(run);
     models = models || has_prototype(rows.scale());
     rows.add("method", c.method == problem::Method::mpm ? "material point method" : "finite elements, wished in place");
     rows.add("gravity", rows.level() > 0 ? fmt::format("{:.4g} g", rows.level()) : "none");
@@ -191,16 +191,13 @@ text::HtmlTable computation_table(const std::vector<record::RunRecord>& runs)
 {
   text::RunColumns columns("");
   for (const record::RunRecord& run : runs) {
-    Rows rows(run.settings);
+    Rows rows(run);
     const auto text = [&](const std::string& name) {
       if (!run.summary) return std::string("not recorded");
       const auto found = run.summary->text.find(name);
       return found == run.summary->text.end() || found->second.empty() ? std::string("not recorded") : found->second;
     };
     const bool mpm = run.settings.method == problem::Method::mpm;
-    rows.add("version of berm", text("version"));
-    rows.add("begun", run.begun.empty() ? "not recorded" : run.begun);
-    rows.add("ended (UTC)", text("date"));
     rows.add("machine", text("machine"));
     rows.add("threads", text::count_words(run.timing("threads")));
     rows.add("time taken", text::time_words(run.timing("wall_s")));

@@ -27,6 +27,16 @@ std::optional<problem::BodySoil> touched_soil(const problem::Case& c)
   return soil_of(c, c.body[body].second);
 }
 
+std::optional<problem::BodySoil> touched_soil(const record::RunRecord& run)
+{
+  std::optional<problem::BodySoil> soil = touched_soil(run.settings);
+  if (!soil || !run.summary) return soil;
+  const auto noted = run.summary->text.find(region_entry);
+  if (noted == run.summary->text.end()) return soil;
+  const auto found = soil->of_region.find(noted->second);
+  return found == soil->of_region.end() ? soil : problem::soil_of_one(soil->materials[found->second], soil->names[found->second]);
+}
+
 Real reference_depth(const problem::Case& c)
 {
   const Index rigid = main_rigid(c);
@@ -52,7 +62,10 @@ std::optional<material::Material> touched_material(const problem::Case& c)
   return soil ? std::optional(soil->at("", reference_depth(c))) : std::nullopt;
 }
 
-BodyScale body_scale(const problem::Case& c)
+namespace {
+
+/// The scale of a case whose main rigid body touches this soil.
+BodyScale scale_in(const problem::Case& c, const std::optional<problem::BodySoil>& touched)
 {
   const Real gravity = Eigen::Map<const Eigen::VectorXd>(c.gravity.data(), static_cast<Eigen::Index>(c.gravity.size())).norm();
   BodyScale scale{0, 0, gravity / standard_gravity, c.method == problem::Method::mpm, c.dimension};
@@ -63,24 +76,32 @@ BodyScale body_scale(const problem::Case& c)
     return stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
   });
   if (driven) scale.width = c.dimension == 2 ? width_of<2>(make_shape<2>(shape)) : width_of<3>(make_shape<3>(shape));
-  const std::optional<material::Material> material = touched_material(c);
-  if (!material) return scale;
-  scale.unit_weight = density(*material) * gravity;
-  const std::optional<material::Strength> soil = strength_at_rest(*material);
+  if (!touched) return scale;
+  const material::Material material = touched->at("", reference_depth(c));
+  scale.unit_weight = density(material) * gravity;
+  const std::optional<material::Strength> soil = strength_at_rest(material);
   if (soil && soil->friction_angle == 0) {
     scale.strength = soil->cohesion;
-    if (varies(*touched_soil(c))) scale.strength_depth = reference_depth(c);
+    if (varies(*touched)) scale.strength_depth = reference_depth(c);
   }
   return scale;
 }
 
+}  // namespace
+
+BodyScale body_scale(const problem::Case& c)
+{
+  return scale_in(c, touched_soil(c));
+}
+
 BodyScale body_scale(const record::RunRecord& run)
 {
-  BodyScale scale = body_scale(run.settings);
+  const std::optional<problem::BodySoil> soil = touched_soil(run);
+  BodyScale scale = scale_in(run.settings, soil);
   const run_folder::Quantity* reached = run.quantity("w_end_of_push");
   if (!(scale.strength_depth > 0) || reached == nullptr || !(reached->value > 0)) return scale;
   scale.strength_depth = reached->value;
-  scale.strength = strength_at_rest(touched_soil(run.settings)->at("", scale.strength_depth))->cohesion;
+  scale.strength = strength_at_rest(soil->at("", scale.strength_depth))->cohesion;
   return scale;
 }
 

@@ -21,7 +21,8 @@ struct BodyScale {
 /// The scale of a case: the width of its main rigid body, weight and strength of the soil that touches it.
 BodyScale body_scale(const problem::Case& c);
 
-/// The same of a run: strength that varies with depth is that at the embedment at which its push ended, where that is known.
+/// The same of a run: of the region below the body where regions have their own materials, and strength that varies with depth is that at the embedment at
+/// which its push ended, where these are known.
 BodyScale body_scale(const record::RunRecord& run);
 
 /// Whether a push or a drag moves the main rigid body of a case, and it has a width.
@@ -35,6 +36,12 @@ const contact::ContactSettings* contact_of_body(const problem::Case& c);
 
 /// The soil of that deformable body; empty where none touches.
 std::optional<problem::BodySoil> touched_soil(const problem::Case& c);
+
+/// The same of a run: where regions have their own materials that of the region below the body at the end of its push, if the run has noted it.
+std::optional<problem::BodySoil> touched_soil(const record::RunRecord& run);
+
+/// The entry of a summary's text that names this region.
+constexpr const char* region_entry = "region_below_body";
 
 /// The depth whose soil stands for all that the main rigid body meets, m: that of its lowest point at the start, or where a push by embedment ends if that is
 /// deeper.

@@ -52,5 +52,22 @@ TEST(CellsAtBody, are_not_known_beyond_the_mesh)
   EXPECT_TRUE(std::isnan(cell_size_at<2>(model, circle(5, 1, 0.3), start)));
 }
 
+TEST(CellsAtBody, are_of_the_region_below_its_lowest_point)
+{
+  Model<2> model = model_of_squares();
+  model.surface = 1.5;
+  model.mesh.region_names = {"upper", "trench"};
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
+    Vec<2> middle = Vec<2>::Zero();
+    for (const Index node : model.mesh.nodes[cell]) middle += model.mesh.position[node] / 3;
+    model.mesh.region[cell] = middle[1] < 1 && middle[0] > 0.5 ? 1 : 0;
+  }
+  const bodies::RigidShape<2> pipe = circle(1, 1.8, 0.3);
+  EXPECT_EQ(region_below<2>(model, pipe, 0.4), "upper");
+  EXPECT_EQ(region_below<2>(model, pipe, 0.6), "trench");
+  EXPECT_EQ(region_below<2>(model, circle(0.35, 1.8, 0.3), 0.6), "upper") << "beside it";
+  EXPECT_EQ(region_below<2>(model, pipe, 3), "") << "below the mesh";
+}
+
 }  // namespace
 }  // namespace berm::problem

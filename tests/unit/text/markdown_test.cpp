@@ -55,7 +55,9 @@ TEST(Math, has_fractions_roots_scripts_and_accents)
   EXPECT_TRUE(holds(html_math("\\frac{a}{2b}", true),
                     "<mfrac><mrow><mrow><mi>a</mi></mrow></mrow><mrow><mrow><mn>2</mn><mi>b</mi></mrow></mrow></mfrac>"));
   EXPECT_TRUE(holds(html_math("\\tfrac12", true), "<mfrac><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></mfrac>"));
-  EXPECT_TRUE(holds(html_math("\\sqrt{\\rho}", true), "<msqrt><mrow><mrow><mi>ρ</mi></mrow></mrow></msqrt>"));
+  EXPECT_TRUE(
+      holds(html_math("\\sqrt{\\rho}", true),
+            "<mrow class=\"root\" intent=\"square-root($of)\"><mrow arg=\"of\"><mrow><mrow><mi>ρ</mi></mrow></mrow></mrow></mrow>"));
   EXPECT_TRUE(holds(html_math("v_0^2", true),
                     "<msubsup><mi>v</mi><mrow><mrow><mn>0</mn></mrow></mrow><mrow><mrow><mn>2</mn></mrow></mrow></msubsup>"));
   EXPECT_TRUE(holds(html_math("\\ddot u", true), "<mover accent=\"true\"><mrow><mi>u</mi></mrow><mo>¨</mo></mover>"));

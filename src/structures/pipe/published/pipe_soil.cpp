@@ -48,20 +48,21 @@ Real modelled_part(const problem::Case& c)
   return std::abs(x - layout.left) < round_off || std::abs(x - layout.right) < round_off ? 0.5 : nan;
 }
 
-PipeSoil pipe_soil(const problem::Case& c)
+PipeSoil pipe_soil(const record::RunRecord& run)
 {
+  const problem::Case& c = run.settings;
   const bodies::CircleSettings* circle = circle_of(c);
   if (circle == nullptr) return NoFormula{"The published formulas are those of pipes; the rigid body of this run is no circle."};
   if (c.dimension != 2) return NoFormula{"The published formulas are per metre of pipe in plane strain; this run is in space."};
   if (std::isnan(modelled_part(c)))
     return NoFormula{"The published formulas are those of a whole pipe; a wall of the mesh cuts the pipe of this run."};
-  const std::optional<material::Material> material = base::touched_material(c);
-  const std::optional<material::Strength> law = material ? strength_at_rest(*material) : std::nullopt;
+  const std::optional<problem::BodySoil> touched = base::touched_soil(run);
+  const std::optional<material::Strength> law = touched ? strength_at_rest(touched->at("", base::reference_depth(c))) : std::nullopt;
   if (!law) return NoFormula{"No formula is known for this soil: its strength is none of cohesion and friction."};
   const contact::ContactSettings& contact = *base::contact_of_body(c);
   const bool sticks = contact.scheme == contact::Scheme::tied;
-  const Real unit_weight = base::body_scale(c).unit_weight;
-  const problem::BodySoil soil = *base::touched_soil(c);
+  const Real unit_weight = base::body_scale(run).unit_weight;
+  const problem::BodySoil& soil = *touched;
   const bool cohesive = law->cohesion > 0 || std::any_of(soil.materials.begin(), soil.materials.end(), [](const material::Material& one) {
                           const std::optional<material::Strength> strength = strength_at_rest(one);
                           return strength && (strength->cohesion > 0 || strength->cohesion_gradient > 0);

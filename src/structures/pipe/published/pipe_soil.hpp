@@ -5,6 +5,7 @@
 #include "formulas/pipe_in_sand.hpp"
 #include "problem/body_soil.hpp"
 #include "problem/case.hpp"
+#include "record/run_record.hpp"
 
 #include <variant>
 
@@ -42,7 +43,7 @@ bool is_circle(const problem::Case& c);
 /// elsewhere, or the body is no circle.
 Real modelled_part(const problem::Case& c);
 
-/// The soil that touches the pipe of a case as published formulas want it. Where the contact sticks, delta of sand is phi and clay has all of s_u.
-PipeSoil pipe_soil(const problem::Case& c);
+/// The soil that touches the pipe of a run as published formulas want it. Where the contact sticks, delta of sand is phi and clay has all of s_u.
+PipeSoil pipe_soil(const record::RunRecord& run);
 
 }  // namespace berm::pipe

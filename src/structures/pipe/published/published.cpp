@@ -69,6 +69,40 @@ std::string remark_on_ground(const PipeRun& run)
                      (high - low) / run.scale.width);
 }
 
+/// The first drag where H breaks out, or is largest; empty where it has no such point.
+std::optional<ComparedState> peak_of(const PipeRun& run, const RunPoints& points, Real& H)
+{
+  const Resistance resistance = resistance_of(run);
+  const std::optional<Resistance::Point>& peak = resistance.breakout ? resistance.breakout : resistance.largest;
+  if (!peak || run.history.rows() == 0) return {};
+  const PipePath path = pipe_path(run.history, run.stages);
+  const DragPath& drag = path.drag();
+  const Real half = averaging_half(run.scale);
+  const bool small_strain = run.settings.method == problem::Method::fem;
+  H = peak->H;
+  return ComparedState{ComparedState::Kind::peak,
+                       peak->u,
+                       small_strain ? points.first_w : record::TravelCurve(drag.travel, drag.w).at(peak->u, half),
+                       record::TravelCurve(drag.travel, drag.V).at(peak->u, half),
+                       {},
+                       resistance.breakout.has_value()};
+}
+
+/// Comparisons of a drag in sand, whose formulas are those of breakout.
+void add_breakout(PublishedValues& values, const PipeRun& run, const SandAround& sand, const RunPoints& points, Real part)
+{
+  Real H = nan;
+  if (std::optional<ComparedState> peak = peak_of(run, points, H)) {
+    peak->V /= part;
+    peak->comparisons = sand_in_drag(sand, peak->w, peak->V, H / part);
+    values.states.push_back(*peak);
+  }
+  const Real w = points.push_end && run.settings.method == problem::Method::mpm ? points.push_end->w : points.first_w;
+  const auto breakout = resistance_of(run).breakout;
+  const Real u = breakout ? breakout->u : nan;
+  values.states.push_back({ComparedState::Kind::breakout, u, w, nan, sand_at_breakout(sand, w, u)});
+}
+
 Real H_at(const RunPoints& points, Real u)
 {
   for (const DragPoint& p : points.drag)
@@ -81,7 +115,7 @@ Real H_at(const RunPoints& points, Real u)
 PublishedValues published_beside(const PipeRun& run)
 {
   PublishedValues values;
-  const PipeSoil soil = pipe_soil(run.settings);
+  const PipeSoil soil = pipe_soil(run.record);
   if (const auto* no_formula = std::get_if<NoFormula>(&soil)) {
     values.remarks.push_back(no_formula->why);
     return values;
@@ -104,20 +138,14 @@ PublishedValues published_beside(const PipeRun& run)
   for (ComparedState& state : values.states) {
     state.V /= part;
     if (state.kind == ComparedState::Kind::drag) {
-      const Real H = H_at(points, state.u) / part;
-      state.comparisons = sand != nullptr ? sand_in_drag(*sand, state.w, state.V, H) : clay_in_drag(*clay, state.w, state.V, H);
+      if (clay != nullptr) state.comparisons = clay_in_drag(*clay, state.w, state.V, H_at(points, state.u) / part);
     } else {
       state.comparisons = sand != nullptr ? sand_in_push(*sand, state.w, state.V) : clay_in_push(*clay, state.w, state.V, heaves);
     }
   }
   std::erase_if(values.states, [](const ComparedState& state) { return state.comparisons.empty(); });
   const bool level = run.record.ground.line.level();
-  if (sand != nullptr && !points.drag.empty()) {
-    const Real w = points.push_end && run.settings.method == problem::Method::mpm ? points.push_end->w : points.first_w;
-    const auto breakout = resistance_of(run).breakout;
-    const Real u = breakout ? breakout->u : nan;
-    values.states.push_back({ComparedState::Kind::breakout, u, w, nan, sand_at_breakout(*sand, w, u)});
-  }
+  if (sand != nullptr && !points.drag.empty()) add_breakout(values, run, *sand, points, part);
   if (!level) {
     values.remarks.insert(values.remarks.begin(), remark_on_ground(run));
     for (ComparedState& state : values.states)
@@ -126,7 +154,7 @@ PublishedValues published_beside(const PipeRun& run)
         comparison.published.source.range = "a level bed";
       }
   }
-  if (!points.drag.empty())
+  if (clay != nullptr && !points.drag.empty())
     values.remarks.emplace_back("Formulas for H give what the soil can do at most; early in a drag H is still on its way there.");
   const std::vector<std::string> of_soil = sand != nullptr ? remarks_on(*sand) : remarks_on(*clay);
   values.remarks.insert(values.remarks.end(), of_soil.begin(), of_soil.end());

@@ -24,10 +24,12 @@ struct Comparison {
 
 /// Comparisons for one state of a run.
 struct ComparedState {
-  enum class Kind { push, end_of_push, drag, breakout };
+  /// peak: H at breakout, or the largest of a drag without one; breakout: how far the pipe goes until then, from where the drag begins.
+  enum class Kind { push, end_of_push, drag, peak, breakout };
   Kind kind;
   Real u, w, V;  ///< m, m, N/m, as the run found them and the formulas take them; NaN where they do not matter
   std::vector<Comparison> comparisons;
+  bool is_breakout = true;  ///< of a peak: not only the largest H
 };
 
 /// What design codes and published formulas give for the soil, the pipe and the states of a run.
@@ -36,7 +38,8 @@ struct PublishedValues {
   std::vector<std::string> remarks;  ///< what to know before they are compared, text
 };
 
-/// Which formulas apply to a run, and what they give: at w = 0.1, 0.25, 0.5, 0.75, 1 D and the end of a push, at u = 0.1, 0.3, 0.5, 1 D of a drag. The
+/// Which formulas apply to a run, and what they give: at w = 0.1, 0.25, 0.5, 0.75, 1 D and the end of a push; of a drag in sand at breakout, which is what
+/// its formulas are for, or where H is largest; of a drag in clay at u = 0.1, 0.3, 0.5, 1 D. The
 /// embedment is that of the run there; in the finite element method, whose strains are small, that at the start. Forces of half a pipe beside an axis of
 /// symmetry are doubled.
 PublishedValues published_beside(const PipeRun& run);

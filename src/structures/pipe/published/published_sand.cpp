@@ -28,7 +28,7 @@ std::vector<Comparison> sand_in_push(const SandAround& sand, Real w, Real V)
   }
   return {{"V", Comparison::Unit::force, V, f114_drained_vertical(pipe), "bearing capacity with Nγ of Brinch Hansen, wished in place"},
           {"V", Comparison::Unit::force, V, characteristics, "wished in place"},
-          {"w that V makes", Comparison::Unit::length, w, sand_embedment(pipe, V), ""}};
+          {"w under this V", Comparison::Unit::length, w, sand_embedment(pipe, V), ""}};
 }
 
 std::vector<Comparison> sand_in_drag(const SandAround& sand, Real w, Real V, Real H)
@@ -41,9 +41,9 @@ std::vector<Comparison> sand_in_drag(const SandAround& sand, Real w, Real V, Rea
 std::vector<Comparison> sand_at_breakout(const SandAround& sand, Real w, Real u)
 {
   const formulas::Breakout breakout = formulas::f114_breakout(sand.diameter, w);
-  return {{"u at breakout", Comparison::Unit::length, u, breakout.min, "least"},
-          {"u at breakout", Comparison::Unit::length, u, breakout.mean, "mean"},
-          {"u at breakout", Comparison::Unit::length, u, breakout.max, "most"}};
+  return {{"u at breakout", Comparison::Unit::length, u, breakout.min, "LE, low estimate"},
+          {"u at breakout", Comparison::Unit::length, u, breakout.mean, "BE, best estimate"},
+          {"u at breakout", Comparison::Unit::length, u, breakout.max, "HE, high estimate"}};
 }
 
 std::vector<std::string> remarks_on(const SandAround& sand)

@@ -60,13 +60,13 @@ private:
 std::string push_table(const PipeRuns& runs, const base::DisplayUnits& shown, bool several)
 {
   PointTable table("key-push", "Push: vertical resistance V at embedment w", several);
-  table.columns("point", joined({shown.length_columns("w"), shown.force_columns("V"), converged_column(runs, "V", shown)}));
+  table.columns("point", joined({shown.force_columns("V"), converged_column(runs, "V", shown), shown.length_columns("w")}));
   for (const PipeRun& run : runs) {
     const RunPoints points = points_of(run);
     const auto add = [&](Real rank, const std::string& name, const PushPoint& p, const std::string& quantity) {
       table.add(
           rank, name, run,
-          joined({shown.length_cells(run.scale, p.w), shown.force_cells(run.scale, p.V), converged_cell(runs, run, quantity, shown)}));
+          joined({shown.force_cells(run.scale, p.V), converged_cell(runs, run, quantity, shown), shown.length_cells(run.scale, p.w)}));
     };
     for (const PushPoint& p : points.push) {
       const Real part = p.w / run.scale.width;
@@ -88,15 +88,15 @@ std::string drag_table(const PipeRuns& runs, const base::DisplayUnits& shown, bo
 {
   PointTable table("key-drag", "Drag: horizontal resistance H and embedment w at displacement u from where the drag began", several);
   table.columns("point",
-                joined({shown.length_columns("w"), shown.force_columns("H"), converged_column(runs, "H", shown), {{"H/V", true}}}));
+                joined({shown.force_columns("H"), converged_column(runs, "H", shown), {{"H/V", true}}, shown.length_columns("w")}));
   for (const PipeRun& run : runs) {
     for (const DragPoint& p : points_of(run).drag) {
       const Real part = p.u / run.scale.width;
       table.add(std::round(1000 * part), fmt::format("u = {} D", text::short_number(part)), run,
-                joined({shown.length_cells(run.scale, p.w),
-                        shown.force_cells(run.scale, p.H),
+                joined({shown.force_cells(run.scale, p.H),
                         converged_cell(runs, run, name_at("H_at_u", part), shown),
-                        {{text::table_number(p.H / p.V), true}}}));
+                        {{text::table_number(p.H / p.V), true}},
+                        shown.length_cells(run.scale, p.w)}));
     }
   }
   return table.html();
@@ -176,7 +176,7 @@ std::string resistance_table(const PipeRuns& runs, const base::DisplayUnits& sho
 {
   PointTable table("key-resistance", "Resistance to the drag: largest, at breakout and residual H", several);
   table.columns("H",
-                joined({shown.length_columns("u"), shown.force_columns("H"), converged_column(runs, "H", shown), {{"how it was found"}}}));
+                joined({shown.force_columns("H"), converged_column(runs, "H", shown), shown.length_columns("u"), {{"how it was found"}}}));
   for (const PipeRun& run : runs) {
     const Resistance resistance = resistance_of(run);
     const StageEnd end = end_of_drag(run);
@@ -185,7 +185,7 @@ std::string resistance_table(const PipeRuns& runs, const base::DisplayUnits& sho
       table.add(
           rank, name, run,
           joined(
-              {shown.length_cells(run.scale, u), shown.force_cells(run.scale, H), converged_cell(runs, run, quantity, shown), {{words}}}));
+              {shown.force_cells(run.scale, H), converged_cell(runs, run, quantity, shown), shown.length_cells(run.scale, u), {{words}}}));
     };
     if (resistance.largest) add(0, "largest", resistance.largest->u, resistance.largest->H, "");
     if (std::isnan(resistance.last_change)) continue;

@@ -7,6 +7,7 @@
 #include "text/shown_number.hpp"
 #include "text/tex_math.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
 
@@ -49,8 +50,11 @@ std::string state_words(const ComparedState& state, const PipeRun& run, const ba
     return fmt::format("{}{} {}", with_capital(end_of_push(run).at), run.settings.method == problem::Method::fem ? " from" : ",", w);
   case ComparedState::Kind::drag:
     return fmt::format("Dragged {} D: {}, {}", text::short_number(state.u / D), w, V);
+  case ComparedState::Kind::peak:
+    return fmt::format("{} at u = {} D: {}, {}", state.is_breakout ? "Breakout of the drag" : "No peak in this drag: largest H,",
+                       text::short_number(state.u / D), w, V);
   case ComparedState::Kind::breakout:
-    return fmt::format("Breakout of the drag from {}{}", w, std::isnan(state.u) ? ": no peak in this run" : "");
+    return fmt::format("Displacement at breakout of the drag from {}{}", w, std::isnan(state.u) ? ": no peak in this run" : "");
   }
   return "";
 }
@@ -71,21 +75,43 @@ std::vector<text::HtmlCell> cells_of(const Comparison& c, const PipeRun& run, co
           {range}};
 }
 
-/// Remarks, then a table with the run's states as groups. `id` names the table.
+bool is_checked(const Comparison& comparison)
+{
+  return comparison.published.source.label != formulas::Label::recalled;
+}
+
+/// A table with the run's states as groups, of the formulas that `shows` chooses; "" where there is none.
+template <class Shows>
+std::string table_of(const PublishedValues& values, const PipeRun& run, const base::DisplayUnits& shown, text::HtmlTable table,
+                     const Shows& shows)
+{
+  table.columns(
+      {{"quantity"}, {"unit"}, {"berm", true}, {"formula", true}, {"berm/formula", true}, {"source"}, {"kind"}, {"range of validity"}});
+  for (const ComparedState& state : values.states) {
+    if (std::none_of(state.comparisons.begin(), state.comparisons.end(), shows)) continue;
+    table.row({{state_words(state, run, shown)}}, "group");
+    for (const Comparison& comparison : state.comparisons)
+      if (shows(comparison)) table.row(cells_of(comparison, run, shown), comparison.published.valid ? "" : "out_of_range");
+  }
+  return table.empty() ? "" : table.html();
+}
+
+/// Remarks, then a table with the run's states as groups. `id` names the table. Formulas that nobody compared with their sources are folded away, and not
+/// printed: nobody is to take them for quotations.
 std::string published_table(const PipeRun& run, const base::DisplayUnits& shown, const std::string& id)
 {
   const PublishedValues values = published_beside(run);
   std::string html;
   for (const std::string& remark : values.remarks) html += text::html_paragraph(remark, "quiet");
-  text::HtmlTable table(id, fmt::format("{}: design codes and published formulas for its soil, pipe and states", run.name));
-  table.columns(
-      {{"quantity"}, {"unit"}, {"berm", true}, {"formula", true}, {"berm/formula", true}, {"source"}, {"label"}, {"range of validity"}});
-  for (const ComparedState& state : values.states) {
-    table.row({{state_words(state, run, shown)}}, "group");
-    for (const Comparison& comparison : state.comparisons)
-      table.row(cells_of(comparison, run, shown), comparison.published.valid ? "" : "out_of_range");
-  }
-  return table.empty() ? html : html + table.html();
+  html += table_of(values, run, shown, {id, fmt::format("{}: design codes and published formulas for its soil, pipe and states", run.name)},
+                   is_checked);
+  const std::string unchecked =
+      table_of(values, run, shown, {id + "-unchecked", fmt::format("{}: not checked against their sources; do not quote", run.name)},
+               [](const Comparison& comparison) { return !is_checked(comparison); });
+  if (unchecked.empty()) return html;
+  return html + fmt::format("<details class=\"for_screen\"><summary>Formulas written from memory, not checked against their "
+                            "sources</summary>\n{}</details>\n",
+                            unchecked);
 }
 
 }  // namespace
@@ -106,9 +132,9 @@ std::string published_values(const PipeRuns& runs, const base::DisplayUnits& sho
   if (html.find("<table") == std::string::npos) return heading + html;
   return heading +
          text::html_paragraph(
-             "What they give for the same soil, pipe and state: the embedment and the vertical load are those that the run found. Labels: "
-             "exact is a closed "
-             "form or computed to convergence, fit a published fit, recalled: quoted from memory; check the source.",
+             "What they give for the same soil, pipe and state: the embedment and the vertical load are those that the run found. Kinds: "
+             "exact is a closed form or computed to convergence; fit is a fit as public programs have it, not compared with the printed "
+             "source, whose edition is not recorded.",
              "quiet") +
          html;
 }

@@ -126,7 +126,7 @@ TEST(answer, several_runs_stand_one_below_the_other_at_each_point)
   other.name = "other <run>";
   other.V = [](Real w) { return 2e5 * w; };
   const std::string html = results_section({MadeRun{}.record(), other.record()});
-  const auto group = html.find("<tr class=\"group\"><th scope=\"row\" colspan=\"7\">w = 0.05 D</th></tr>");
+  const auto group = html.find("<tr class=\"group\"><th scope=\"row\" colspan=\"7\"><span>w = 0.05 D</span></th></tr>");
   ASSERT_NE(group, std::string::npos) << html;
   const auto first = html.find("<tr><th scope=\"row\">made</th>", group),
              second = html.find("<tr><th scope=\"row\">other &lt;run&gt;</th>", group);
@@ -160,7 +160,7 @@ TEST(answer, an_end_at_a_round_embedment_stands_among_the_points_of_other_runs)
   MadeRun deeper;
   deeper.pushed_to = 0.004;
   const std::string html = results_section({MadeRun{}.record(), deeper.record()});
-  const auto group = html.find("<tr class=\"group\"><th scope=\"row\" colspan=\"7\">w = 0.1 D</th></tr>");
+  const auto group = html.find("<tr class=\"group\"><th scope=\"row\" colspan=\"7\"><span>w = 0.1 D</span></th></tr>");
   ASSERT_NE(group, std::string::npos) << html;
   const std::string rows = html.substr(group, html.find("<tr class=\"group\">", group + 1) - group);
   EXPECT_TRUE(std::count(rows.begin(), rows.end(), '\n') >= 3) << rows;  // the heading and two runs

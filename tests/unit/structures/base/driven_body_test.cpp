@@ -47,6 +47,27 @@ TEST(DrivenBody, has_the_strength_of_its_lowest_point_at_the_end_of_the_push)
   EXPECT_EQ(body_scale(run.settings()).strength_depth, 0);
 }
 
+TEST(DrivenBody, in_regions_of_other_materials_meets_that_below_it_where_the_run_has_noted_it)
+{
+  MadeRun made;
+  made.law = MadeRun::clay_law();  // s_u = 1 kPa
+  record::RunRecord run = made.record();
+  material::MohrCoulomb trench = made.law;
+  trench.cohesion = 3000;
+  trench.density *= 2;
+  run.settings.material.emplace_back("trench", trench);
+  run.settings.body[0].second.regions = {"bed", "filled"};
+  run.settings.body[0].second.region_material = {{"filled", "trench"}};
+  EXPECT_DOUBLE_EQ(body_scale(run).strength, 1000);
+  run.summary.emplace();
+  run.summary->text[region_entry] = "bed";
+  EXPECT_DOUBLE_EQ(body_scale(run).strength, 1000);
+  run.summary->text[region_entry] = "filled";
+  EXPECT_DOUBLE_EQ(body_scale(run).strength, 3000);
+  EXPECT_NEAR(body_scale(run).unit_weight, 2 * 430e3, 1e-6 * 430e3);
+  EXPECT_EQ(touched_soil(run)->names, std::vector<std::string>{"trench"});
+}
+
 TEST(DrivenBody, has_a_prototype_under_another_gravity_than_the_earths)
 {
   EXPECT_TRUE(has_prototype({.width = 1, .unit_weight = 1, .gravity_level = 50}));
