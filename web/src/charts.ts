@@ -9,8 +9,8 @@ import { column_names, contact_plans, energy_plan, free_plan, quiet_plans, runs_
 import type { PageData } from "./data";
 import { element } from "./element";
 
-/** Fills the section with the charts of all runs. */
-export function show_charts(section: HTMLElement, data: PageData): void {
+/** Fills the section with the charts of all runs; gives those of the push and the drag. */
+export function show_charts(section: HTMLElement, data: PageData): ChartView[] {
   const settings: Settings = { units: "model", raw: true, published: true, hidden: new Set() };
   const views: ChartView[] = [];
   const view = (plan: Plan, choices: HTMLElement | null = null) => {
@@ -23,8 +23,9 @@ export function show_charts(section: HTMLElement, data: PageData): void {
   section.append(element("p", { class: "quiet chart_hint" }, hint(forces)));
   const thinned = data.runs.flatMap((run) => (run.row === null ? [] : `${run.name} (${run.row.length} of ${run.row.at(-1)! + 1})`));
   if (thinned.length > 0) section.append(element("p", { class: "quiet" }, `Not all rows of history.csv are in this page: ${thinned.join(", ")}.`));
+  const paths = with_data(forces).map((plan) => view(plan));
   section.append(
-    ...group("Push and drag", with_data(forces).map((plan) => view(plan))),
+    ...group("Push and drag", paths),
     ...group(data.runs.some((run) => run.diameter !== null) ? "Energy, equilibrium, contact and noise" : "Energy and equilibrium", [
       ...energy_views(data, view),
       ...with_data([...quiet_plans(data.runs), ...contact_plans(data.runs), ...noise]).map((plan) => view(plan)),
@@ -34,12 +35,13 @@ export function show_charts(section: HTMLElement, data: PageData): void {
   for (const each of views) each.show(settings);
   follow_size(views);
   document.addEventListener("theme", () => views.forEach((each) => each.draw()));
+  return paths;
 }
 
 function hint(forces: Plan[]): string {
   const means = forces.some((plan) => plan.traces.some((trace) => trace.mean !== null));
   return "Point at a chart, or move through it with the arrow keys, to read rows of history.csv. Drag over it to zoom, double-click to see all again." +
-    (means ? " Thick lines and \u201cmean\u201d are freed from noise, over 0.01 D of travel to either side." : "");
+    (means ? " Thick lines and \u201cmean\u201d are smoothed over 0.01 D of travel to either side." : "");
 }
 
 function parted<T>(all: T[], is_second: (each: T) => boolean): [T[], T[]] {

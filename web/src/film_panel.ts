@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One panel: a run, a field, a moment, a camera. It loads what it needs and draws when one of them has changed.
 import type { FieldData } from "./data";
-import { type Camera, camera_of, panned, REGION, type Window, window_of, zoomed } from "./film_camera";
+import { type Box, type Camera, camera_of, panned, REGION, type Window, window_of, zoomed } from "./film_camera";
 import type { ColourBar } from "./film_colour_bar";
 import { colour_table, type Range } from "./film_colours";
 import { listen } from "./film_gestures";
@@ -26,6 +26,7 @@ export class FilmPanel {
   at = 0;
   camera: Camera = REGION;
   field_name: FieldData["name"] = "deviatoric_strain";
+  region: Box;
   readonly page: PanelPage;
   readonly stage: FilmStage;
   private soil: Soil | null = null;
@@ -46,6 +47,7 @@ export class FilmPanel {
     private parts: FilmParts,
     private wishes: PanelWishes,
   ) {
+    this.region = run.film.view;
     this.stage = new FilmStage((another_painter) => {
       if (another_painter) this.arm_painter();
       this.bar_of = "";
@@ -57,10 +59,13 @@ export class FilmPanel {
       region: () => wishes.look(REGION),
       save: () => this.save(),
     });
+    // A canvas of WebGL is blank on paper; a picture of the panel is not, and has twice the pixels.
+    addEventListener("beforeprint", () => this.page.show_print(this.picture_at(this.at, 2)));
+    addEventListener("afterprint", () => this.page.show_print(null));
     listen(this.stage.element, {
       drag: (right, down) => {
         const { width, height } = this.stage.plot;
-        wishes.look(this.bounded(panned(this.camera, this.window, this.film.view, -right / width, down / height)));
+        wishes.look(this.bounded(panned(this.camera, this.window, this.region, -right / width, down / height)));
       },
       zoom: (factor, about) => this.zoom(factor, about),
       play: () => wishes.play(),
@@ -88,9 +93,15 @@ export class FilmPanel {
     this.run = run;
     this.parts = parts;
     this.soil = null;
-    this.stage.fit((this.film.view.upper[1] - this.film.view.lower[1]) / (this.film.view.upper[0] - this.film.view.lower[0]));
-    this.camera = this.bounded(this.camera);
     void this.load();
+  }
+
+  /** What the camera looks at where it is not moved. */
+  set_region(region: Box): void {
+    this.region = region;
+    this.stage.fit((region.upper[1] - region.lower[1]) / (region.upper[0] - region.lower[0]));
+    this.camera = this.bounded(this.camera);
+    this.request_draw();
   }
 
   show_field(name: FieldData["name"]): void {
@@ -110,7 +121,7 @@ export class FilmPanel {
 
   /** The camera that sees all soil; null before it is loaded. */
   whole_bed(): Camera | null {
-    return this.soil === null ? null : camera_of(this.soil.bounds, this.film.view, this.aspect);
+    return this.soil === null ? null : camera_of(this.soil.bounds, this.region, this.aspect);
   }
 
   set_range(range: Range, default_range: Range): void {
@@ -153,7 +164,7 @@ export class FilmPanel {
   }
 
   private get window(): Window {
-    return window_of(this.camera, this.film.view, this.aspect);
+    return window_of(this.camera, this.region, this.aspect);
   }
 
   private zoom(factor: number, about: { x: number; y: number } | null): void {
@@ -161,12 +172,13 @@ export class FilmPanel {
     const right = about === null ? 0 : (about.x - MARGIN.left) / width - 0.5;
     const up = about === null ? 0 : 0.5 - (about.y - MARGIN.top) / height;
     const allowed = this.bounded({ ...this.camera, zoom: this.camera.zoom * factor }).zoom / this.camera.zoom;
-    this.wishes.look(zoomed(this.camera, this.window, this.film.view, allowed, right, up));
+    this.wishes.look(zoomed(this.camera, this.window, this.region, allowed, right, up));
   }
 
   /** Neither farther than the whole bed, nor so near that particles become tiles; the middle stays over the bed. */
   private bounded(camera: Camera): Camera {
-    const { view, lower, step } = this.film;
+    const { lower, step } = this.film;
+    const view = this.region;
     const region = window_of(REGION, view, this.aspect);
     const bed = { lower, upper: [lower[0] + 65535 * step, lower[1] + 65535 * step] as [number, number] };
     const farthest = region.width / (1.5 * (bed.upper[0] - bed.lower[0]));
@@ -266,16 +278,23 @@ export class FilmPanel {
   }
 
   private save(): void {
-    if (this.soil === null) return;
+    const picture = this.picture_at(this.at, 3);
+    if (picture !== null) save_picture(picture, `${this.run.name} ${this.field?.name ?? "soil"} frame ${Number(this.at.toFixed(1))}`);
+  }
+
+  /** The panel with its colour bar and a caption as it is at a moment, black on white, `ratio` pixels for one px of the page; null before it is loaded. */
+  picture_at(at: number, ratio: number): HTMLCanvasElement | null {
+    if (this.soil === null) return null;
+    const before = this.at;
+    this.at = at;
     const { element } = this.stage;
-    const ratio = 3;
     const bar = this.colour_bar();
     const scene = { window: this.window, surface: this.film.surface, ground: this.film.ground, outlines: this.outlines_now(), width: element.clientWidth, height: element.clientHeight };
-    this.stage.draw_at(ratio, this.make_look(), (soil) => {
-      const bar_title = bar === null ? "" : `${this.field!.label} (${bar.unit.name})`;
-      const caption = `${this.run.title}. ${sentence(this.run, this.field, this.at)}.`;
-      const picture = { scene, bar, bar_title, caption, ratio };
-      save_picture(compose(picture, soil), `${this.run.name} ${this.field?.name ?? "soil"} frame ${Number(this.at.toFixed(1))}`);
-    });
+    const bar_title = bar === null ? "" : `${this.field!.label} (${bar.unit.name})`;
+    const caption = `${this.run.title}. ${sentence(this.run, this.field, at)}.`;
+    let picture: HTMLCanvasElement | null = null;
+    this.stage.draw_at(ratio, this.make_look(), (soil) => (picture = compose({ scene, bar, bar_title, caption, ratio }, soil)));
+    this.at = before;
+    return picture;
   }
 }

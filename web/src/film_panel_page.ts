@@ -95,6 +95,15 @@ export class PanelPage {
     this.readings.replaceChildren(...rows.map((row) => make("div", "", row.name, row.value)));
   }
 
+  /** Puts a picture in the place of all else, for paper; null takes it away. */
+  show_print(picture: HTMLCanvasElement | null): void {
+    this.element.querySelector(".film-print")?.remove();
+    this.element.classList.toggle("film-printed", picture !== null);
+    if (picture === null) return;
+    picture.classList.add("film-print");
+    this.element.append(picture);
+  }
+
   set_fields(fields: FieldData[], chosen: string): void {
     set_options(this.field.select, fields.map((field) => [field.name, field.label]), chosen);
   }

@@ -21,8 +21,8 @@ export function compose(picture: Picture, soil: HTMLCanvasElement): HTMLCanvasEl
   const canvas = document.createElement("canvas");
   const context = canvas.getContext("2d")!;
   context.font = FONT;
-  const lines = wrap(context, picture.caption, scene.width - 2 * 12);
-  const height = scene.height + (picture.bar === null ? 0 : LINE + BAR_HEIGHT + 10) + LINE * lines.length + 14;
+  const lines = wrap(context, picture.caption, scene.width - 2 * 12), titles = wrap(context, picture.bar_title, scene.width - 2 * 12);
+  const height = scene.height + (picture.bar === null ? 0 : LINE * titles.length + BAR_HEIGHT + 10) + LINE * lines.length + 14;
   canvas.width = Math.round(scene.width * ratio);
   canvas.height = Math.round(height * ratio);
   context.scale(ratio, ratio);
@@ -40,7 +40,7 @@ export function compose(picture: Picture, soil: HTMLCanvasElement): HTMLCanvasEl
     y += LINE;
   };
   if (picture.bar !== null) {
-    write(picture.bar_title);
+    for (const line of titles) write(line);
     draw_colour_bar(context, picture.bar, 12, y, scene.width - 2 * 12, PAPER);
     y += BAR_HEIGHT + 10;
   }

@@ -37,9 +37,10 @@ export function readings(run: FilmedRun, at: number): [name: string, value: stri
   return shown;
 }
 
-/** The frame's number, with a decimal between two frames. */
+/** The frame's number, or those of the two that the moment lies between. */
 export function frame_text(run: FilmedRun, at: number): string {
-  return `frame ${Number.isInteger(at) ? at : at.toFixed(1)} of ${run.film.frames.length - 1}`;
+  const near = Math.abs(at - Math.round(at)) < 1e-3;
+  return `frame ${near ? Math.round(at) : `${Math.floor(at)}\u2013${Math.ceil(at)}`} of ${run.film.frames.length - 1}`;
 }
 
 /** All in one sentence, for those who hear the page and for the caption of a saved picture. */

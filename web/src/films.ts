@@ -8,15 +8,24 @@ import { button, choice, make, set_options, tick_box } from "./film_elements";
 import { KEYS_HELP } from "./film_gestures";
 import { FilmPanel } from "./film_panel";
 import { FilmParts } from "./film_soil";
-import { embedment_at, embedment_joins, type FilmedRun, first_pair, frame_of_drag, when_embedded } from "./film_together";
+import { FilmCurves, type FilmMoment } from "./film_curves";
+import { save_film } from "./film_gif";
+import { common_region, embedment_at, type FilmedRun, first_pair, frame_of_drag, type Join, joins_of, JOINS, partner } from "./film_together";
 
 const SPEEDS = [1, 2, 5, 10, 20, 40];
 
-/** Fills the section with the moving soil. */
-export function show_films(section: HTMLElement, data: PageData): void {
+/** Fills the section with the moving soil; `moved` hears what the panels show. */
+export function show_films(section: HTMLElement, data: PageData, moved: (moments: FilmMoment[]) => void = () => {}): void {
   const runs = data.runs.filter((run): run is FilmedRun => run.film !== null && run.film.frames.length > 0);
   if (runs.length === 0) section.append(make("p", "film-none quiet", "These runs hold no film of the soil."));
-  else new Films(section, runs);
+  else new Films(section, runs, new FilmCurves(data), moved);
+}
+
+/** s, between two frames. */
+function time_at(run: FilmedRun, at: number): number {
+  const { frames } = run.film;
+  const frame = Math.min(Math.floor(at), frames.length - 1), next = Math.min(frame + 1, frames.length - 1);
+  return frames[frame].time + (at - frame) * (frames[next].time - frames[frame].time);
 }
 
 class Films {
@@ -24,18 +33,24 @@ class Films {
   private panels: FilmPanel[];
   private clocks: Clock[];
   private linked = true;
-  private by_embedment = false;
+  private join: Join = "part";
   private speed = 10;
   private ranges = new Map<FilmPanel, Map<string, Range>>();
-  private together = choice("film-together", "together by", (value) => this.join(value === "embedment"));
+  private together = choice("film-together", "synchronised by", (value) => this.join_by(value as Join));
   private same = button("film-same", "Same embedment", "Put the left panel on the frame of its drag where the body is as deep as in the right panel", () => this.same_embedment());
+  private save = button("film-gif", "Save film (GIF)", "Save all frames of the left panel, with the other beside it, as an animated picture", () => void this.save_gif());
+  private moved: (moments: FilmMoment[]) => void;
 
-  constructor(section: HTMLElement, private runs: FilmedRun[]) {
+  constructor(section: HTMLElement, private runs: FilmedRun[], curves: FilmCurves, moved: (moments: FilmMoment[]) => void) {
+    this.moved = (moments) => {
+      curves.show(moments);
+      moved(moments);
+    };
     this.parts = runs.map((run) => new FilmParts(run.film));
     const chosen = first_pair(runs);
     this.panels = chosen.map((run, i) => this.make_panel(run, i));
     this.clocks = this.panels.map((panel) => new Clock((seconds) => this.advance(panel, seconds), () => this.show_playing()));
-    section.append(this.make_bar(), make("div", "film-panels", ...this.panels.map((panel) => panel.page.element)), make("p", "film-help quiet", KEYS_HELP));
+    section.append(this.make_bar(), make("div", "film-panels", ...this.panels.map((panel) => panel.page.element)), curves.element, make("p", "film-help quiet", KEYS_HELP));
     section.classList.add("film");
 
     const names = this.fields_of(this.panels).map((field) => field.name);
@@ -46,7 +61,9 @@ class Films {
       panel.at = panel.last;
     }
     this.describe();
+    if (this.right !== undefined) this.join = joins_of(this.panels[0].run, this.right.run)[0];
     this.same_embedment();
+    this.describe();
     this.show_playing();
     this.wake(section);
   }
@@ -72,8 +89,10 @@ class Films {
     set_options(speed.select, SPEEDS.map((frames) => [String(frames), `${frames} frame${frames === 1 ? "" : "s"}/s`]), String(this.speed));
     const bar = make("div", "film-bar-of-all", speed.label);
     if (this.panels.length === 2) {
+      set_options(this.together.select, Object.entries(JOINS), this.join);
       bar.append(tick_box("film-linked", "Linked", true, (on) => this.link(on)), this.together.label, this.same);
     }
+    bar.append(this.save);
     return bar;
   }
 
@@ -111,6 +130,7 @@ class Films {
     this.describe();
     const other = this.panels.find((one) => one !== panel);
     panel.go_to(this.linked && other !== undefined ? this.partner(other, panel) : panel.last);
+    this.tell();
   }
 
   private show_field(panel: FilmPanel, name: FieldData["name"]): void {
@@ -126,12 +146,16 @@ class Films {
   private go(panel: FilmPanel, at: number): void {
     panel.go_to(at);
     for (const one of this.with(panel)) if (one !== panel) one.go_to(this.partner(panel, one));
+    this.tell();
   }
 
   /** Where `follower` is when `leader` is where it is. */
   private partner(leader: FilmPanel, follower: FilmPanel): number {
-    if (this.by_embedment) return when_embedded(follower.run, embedment_at(leader.run, leader.at));
-    return leader.last === 0 ? follower.last : (leader.at / leader.last) * follower.last;
+    return partner(this.join, leader.run, leader.at, follower.run);
+  }
+
+  private tell(): void {
+    this.moved(this.panels.map((panel) => ({ run: panel.run, time: time_at(panel.run, panel.at) })));
   }
 
   private look(panel: FilmPanel, camera: Camera | null): void {
@@ -155,7 +179,7 @@ class Films {
   /** Goes on by so many seconds; false at the end. Films that go together by the part of the run are as fast as the longer one. */
   private advance(panel: FilmPanel, seconds: number): boolean {
     const longest = Math.max(...this.with(panel).map((one) => one.last));
-    const pace = this.linked && !this.by_embedment && longest > 0 ? panel.last / longest : 1;
+    const pace = this.linked && this.join === "part" && longest > 0 ? panel.last / longest : 1;
     this.go(panel, panel.at + seconds * this.speed * pace);
     return panel.at < panel.last;
   }
@@ -179,17 +203,34 @@ class Films {
     this.show_playing();
   }
 
-  private join(by_embedment: boolean): void {
-    this.by_embedment = by_embedment;
+  private join_by(join: Join): void {
+    this.join = join;
     this.go(this.panels[0], this.panels[0].at);
   }
 
+  /** The left panel goes to where it is as deep as the right one, which stays where that is as deep by what joins them; else embedment joins them from now on. */
   private same_embedment(): void {
     const [left, right] = this.panels;
     if (right === undefined) return;
     this.pause();
-    const frame = frame_of_drag(left.run, embedment_at(right.run, right.at));
-    if (frame !== null) left.go_to(frame);
+    const embedment = embedment_at(right.run, right.at), frame = frame_of_drag(left.run, embedment);
+    if (frame === null) return this.tell();
+    if (this.linked && joins_of(left.run, right.run).includes("embedment")) this.join = "embedment";
+    this.go(left, frame);
+    this.describe();
+  }
+
+  private async save_gif(): Promise<void> {
+    this.pause();
+    const [left] = this.panels, face = this.save.textContent;
+    const shown = this.with(left);
+    const moment = (frame: number) => shown.map((panel) => panel.picture_at(panel === left ? frame : partner(this.join, left.run, frame, panel.run), 1));
+    this.save.disabled = true;
+    const names = shown.map((panel) => panel.run.name).join(" ");
+    await save_film(left.last + 1, this.speed, moment, names, (done) => (this.save.textContent = `frame ${done} of ${left.last + 1}`));
+    this.save.textContent = face;
+    this.save.disabled = false;
+    for (const panel of this.panels) panel.request_draw();
   }
 
   private set_range(panel: FilmPanel, range: Range | null): void {
@@ -204,7 +245,9 @@ class Films {
 
   /** Brings all controls to what the panels show. */
   private describe(): void {
+    const shown_runs = this.panels.map((panel) => panel.run);
     for (const panel of this.panels) {
+      panel.set_region(common_region(panel.run, shown_runs));
       const shown = this.with(panel);
       panel.page.set_runs(this.runs, this.runs.indexOf(panel.run));
       panel.page.set_fields(this.fields_of(shown), panel.field_name);
@@ -213,9 +256,9 @@ class Films {
       panel.set_range(this.ranges.get(panel)?.get(panel.field_name) ?? usual, usual);
     }
     if (this.right === undefined) return;
-    const joins = embedment_joins(this.panels[0].run, this.right.run);
-    if (!joins) this.by_embedment = false;
-    set_options(this.together.select, [["part", "part of the run"], ...(joins ? [["embedment", "embedment w/D"] as [string, string]] : [])], this.by_embedment ? "embedment" : "part");
+    const joins = joins_of(this.panels[0].run, this.right.run);
+    if (!joins.includes(this.join)) this.join = joins[0];
+    set_options(this.together.select, joins.map((join) => [join, JOINS[join]]), this.join);
     this.same.disabled = frame_of_drag(this.panels[0].run, embedment_at(this.right.run, this.right.at)) === null;
   }
 

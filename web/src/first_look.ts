@@ -6,9 +6,9 @@ import type { Settings } from "./charts/scene";
 import { follow_size } from "./charts/follow_size";
 import type { PageData } from "./data";
 
-/** Puts the two charts before what the place holds; nothing where the page has no such place or the run no such curve. */
-export function show_first_look(place: HTMLElement | null, data: PageData): void {
-  if (place === null) return;
+/** Puts the two charts before what the place holds and gives them; none where the page has no such place or the run no such curve. */
+export function show_first_look(place: HTMLElement | null, data: PageData): ChartView[] {
+  if (place === null) return [];
   const lead = { ...data, runs: data.runs.slice(0, 1) };
   const settings: Settings = { units: "model", raw: true, published: false, hidden: new Set() };
   const plans = [...drag_plans(lead).filter((plan) => plan.id === "H_u"), ...push_plans(lead).filter((plan) => plan.id === "V_w")];
@@ -19,4 +19,5 @@ export function show_first_look(place: HTMLElement | null, data: PageData): void
   for (const view of views) view.show(settings);
   follow_size(views);
   document.addEventListener("theme", () => views.forEach((view) => view.draw()));
+  return views;
 }

@@ -5,12 +5,13 @@ import { serve_copy_buttons } from "./copy";
 import { show_films } from "./films";
 import { show_first_look } from "./first_look";
 import { open_details_in_print } from "./print";
+import { sign_scrolling_tables } from "./tables";
 import { follow_theme } from "./theme";
 
 const data = page_data();
 follow_theme();
 serve_copy_buttons();
 open_details_in_print();
-show_first_look(document.getElementById("first-look"), data);
-show_charts(document.getElementById("curves")!, data);
-show_films(document.getElementById("soil")!, data);
+const curves = [...show_first_look(document.getElementById("first-look"), data), ...show_charts(document.getElementById("curves")!, data)];
+show_films(document.getElementById("soil")!, data, (moments) => curves.forEach((each) => each.mark(moments)));
+sign_scrolling_tables();

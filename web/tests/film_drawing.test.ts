@@ -9,7 +9,7 @@ import { RIGID_FILL } from "../src/film_axes";
 import { decode_outline, decode_places, decode_sizes } from "../src/film_decode";
 import { launch_browser } from "./browser";
 import { after_drawing, block, difference, panel, pixel, type Pixels, pixels, set_frame, with_film_page } from "./film_page";
-import { run_of, runs, view_of } from "./film_runs";
+import { region_of, run_of, runs, view_of } from "./film_runs";
 
 let browser: Browser;
 before(async () => (browser = await launch_browser()));
@@ -25,7 +25,7 @@ for (const painter of ["2d", "webgl"] as const) {
       const frame = film.frames.length - 1;
       await set_frame(left, frame);
       const picture = await pixels(left);
-      const view = view_of(film, picture);
+      const view = view_of(await region_of(page, 0), picture);
       const codes = decode_places(block(film.position), film.frames.length, film.count)[frame];
       const sizes = decode_sizes(block(film.size!), film.count);
       const may_be_soil = new Uint8Array(picture.width * picture.height);
@@ -87,7 +87,7 @@ test("bodies_are_drawn_where_the_data_says", () =>
       for (const frame of [0, film.frames.length - 1]) {
         await set_frame(one, frame);
         const picture = await pixels(one);
-        const { at, inside } = view_of(film, picture);
+        const { at, inside } = view_of(await region_of(page, place), picture);
         for (const rigid of film.rigids) {
           const outline = decode_outline(block(rigid.block), film.frames.length, rigid.points)[frame];
           const xs = outline.filter((_, i) => i % 2 === 0);

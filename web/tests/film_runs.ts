@@ -4,6 +4,7 @@ import type { Page } from "playwright-core";
 import type { FilmData, RunData } from "../src/data";
 import { MARGIN } from "../src/film_axes";
 import { REGION, window_of } from "../src/film_camera";
+import { common_region, type FilmedRun } from "../src/film_together";
 import { report_data } from "./browser";
 import { panel, type Pixels } from "./film_page";
 
@@ -28,10 +29,17 @@ export function frame_of_drag(run: RunData, w: number): number {
   return (drag.length > 0 ? drag : frames).sort((a, b) => a.away - b.away || a.i - b.i)[0].i;
 }
 
-/** Where the picture that shows the region of interest has a point of the model. */
-export function view_of(film: FilmData, picture: Pixels) {
+/** What the panels show where they are not moved: of the run in one of them, beside those in the others. */
+export async function region_of(page: Page, place: number): Promise<FilmData["view"]> {
+  const shown = [];
+  for (let i = 0; i < (await page.locator(".film-panel").count()); i++) shown.push((await run_of(page, i)) as FilmedRun);
+  return common_region(shown[place], shown);
+}
+
+/** Where the picture that shows a region has a point of the model. */
+export function view_of(region: FilmData["view"], picture: Pixels) {
   const plot = { width: picture.width - MARGIN.left - MARGIN.right, height: picture.height - MARGIN.top - MARGIN.bottom };
-  const window = window_of(REGION, film.view, plot.width / plot.height);
+  const window = window_of(REGION, region, plot.width / plot.height);
   const scale = plot.width / window.width;
   type Place = readonly [number, number];
   const at = (x: number, y: number): Place => [

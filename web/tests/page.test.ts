@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import type { Browser, Page } from "playwright-core";
-import { changed_report, launch_browser, open_report, report_data, take_screenshot } from "./browser";
+import { changed_report, launch_browser, open_report, report_data, report_file, take_screenshot } from "./browser";
 
 let browser: Browser;
 before(async () => void (browser = await launch_browser()));
@@ -222,24 +223,87 @@ test("print_is_light_with_all_details_open", async () => {
     document.addEventListener("theme", () => (document.body.dataset.drawn = "anew"));
     dispatchEvent(new Event("beforeprint"));
   });
-  assert.equal(await closed(), 0);
+  assert.equal(await closed(), await page.locator("details.for_screen").count(), "all but what is for the screen");
   await page.emulateMedia({ media: "print", colorScheme: "dark" });
   assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), "rgb(255, 255, 255)");
   await page.waitForFunction(() => document.body.dataset.drawn === "anew");
-  assert.equal(await pixels_of(page, dark_letters), 0, "charts are drawn anew for paper");
-  assert.ok((await pixels_of(page, await letters(page))) > 0);
   for (const hidden of ["nav", "button.copy", "button.theme", ".chart_buttons button", ".chart_options"])
     if ((await page.locator(hidden).count()) > 0) assert.equal(await page.locator(hidden).first().isVisible(), false, hidden);
-  assert.ok(await page.locator("#curves canvas").first().isVisible());
-  await page.setViewportSize({ width: 700, height: 990 });
+  assert.equal(await page.locator("#curves canvas").first().isVisible(), false, "on paper charts are lines and letters");
+  assert.equal(await page.locator("#curves .chart_print svg path").first().isVisible(), true);
+  await page.setViewportSize({ width: 688, height: 990 });  // A4 less its margins
   const beyond = await page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
   assert.equal(beyond, 0, `the print is ${beyond} px wider than the paper`);
+  const broken = await page.evaluate(() =>
+    [...document.querySelectorAll("td.number")].filter((cell) => {
+      const text = document.createRange();
+      text.selectNodeContents(cell);
+      return !cell.textContent!.trim().includes(" ") && new Set([...text.getClientRects()].filter((box) => box.width > 0).map((box) => Math.round(box.top))).size > 1;
+    }).map((cell) => cell.textContent));
+  assert.deepEqual(broken, [], "no number goes on in another line");
+  const cut = await page.evaluate(() => [...document.querySelectorAll(".wide")].filter((box) => box.scrollWidth > box.clientWidth + 1).map((box) => box.getAttribute("aria-label")));
+  assert.deepEqual(cut, [], "no table is wider than the paper");
   await take_screenshot(page, "print", true);
   await page.emulateMedia({ media: "screen", colorScheme: "dark" });
   await page.evaluate(() => void dispatchEvent(new Event("afterprint")));
   assert.equal(await closed(), before_print);
   assert.ok((await page.pdf({ format: "A4" })).length > 1000);
   assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("the_program_prints_the_page_with_its_soil", () => {
+  const pdf = readFileSync(report_file().replace(/\.html$/, ".pdf")).toString("latin1");
+  assert.ok(pdf.startsWith("%PDF"));
+  const pages = pdf.match(/\/Type \/Page\b/g)!.length;
+  assert.ok(pages > 3 && pages < 60, `${pages} pages`);
+  for (const box of pdf.match(/\/MediaBox \[[^\]]*\]/g)!) {
+    const [, , width, height] = box.match(/[\d.]+/g)!.map(Number);
+    assert.ok(Math.abs(width - 595) < 2 && Math.abs(height - 842) < 2, `${box} is not A4`);
+  }
+  // The panels of the film are pictures of twice their size on the page.
+  const widths = [...pdf.matchAll(/\/Subtype \/Image\b[^>]*?\/Width (\d+)|\/Width (\d+)[^>]*?\/Subtype \/Image\b/g)].map((found) => Number(found[1] ?? found[2]));
+  const films = report_data().runs.filter((run) => run.film !== null).length;
+  assert.ok(widths.filter((width) => width > 600).length >= Math.min(2, films), `pictures of ${widths} pixels`);
+});
+
+test("the_document_stands_below_the_title_and_in_the_record", async () => {
+  const { page, context, errors } = await open_report(browser);
+  const made = report_data().runs[0].name === "pipe";
+  if (made) {
+    const lines = (await page.locator("#document").textContent())!;
+    for (const words of ['Flowline <2>, "north"', "B", "C. Checker"]) assert.ok(lines.includes(words), lines);
+    assert.equal(await page.evaluate(() => [...document.styleSheets[0].cssRules].some((rule) => rule.cssText.includes("@bottom-left"))), true, "the foot of a printed page");
+  }
+  const digests = await page.locator("#record code.hash").allTextContents();
+  assert.ok(digests.length >= 4 && digests.every((digest) => /^[0-9a-f]{64}$/.test(digest)), `${digests}`);
+  assert.deepEqual(errors, []);
+  await context.close();
+});
+
+test("on_a_phone_all_sections_are_in_sight_and_wide_tables_say_so", async () => {
+  const { page, context } = await open_report(browser, { viewport: { width: 400, height: 800 } });
+  for (const link of await page.locator("nav a").all()) {
+    const box = (await link.boundingBox())!;
+    assert.ok(box.x >= 0 && box.x + box.width <= 400, `${await link.textContent()} from ${box.x} to ${box.x + box.width}`);
+    const seen = await link.evaluate((each) => {
+      const { left, top, width, height } = each.getBoundingClientRect();
+      return document.elementFromPoint(left + width / 2, top + height / 2) === each;
+    });
+    assert.ok(seen, `something lies over ${await link.textContent()}`);
+  }
+  await page.evaluate(() => document.querySelectorAll("details").forEach((each) => (each.open = true)));
+  await page.waitForFunction(() => document.querySelectorAll(".wide.scrolls").length > 0);
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  const tables = await page.evaluate(() =>
+    [...document.querySelectorAll<HTMLElement>(".wide")].filter((box) => box.offsetParent !== null).map((box) => ({
+      name: box.getAttribute("aria-label"), wider: box.scrollWidth > box.clientWidth + 1, says: box.classList.contains("scrolls"),
+      caption: Math.round(box.querySelector("caption > span")?.getBoundingClientRect().right ?? 0),
+    })));
+  for (const table of tables) {
+    assert.equal(table.says, table.wider, table.name ?? "");
+    assert.ok(table.caption <= 400, `the caption of ${table.name} ends at ${table.caption} px`);
+  }
   await context.close();
 });
 

@@ -2,8 +2,8 @@
 import type { RunData } from "../data";
 import { element } from "../element";
 import { download, file_name } from "./download";
-import { figure_svg } from "./figure_svg";
-import { nearest_points, point_of, stepped } from "./nearest";
+import { figure_element, figure_svg } from "./figure_svg";
+import { nearest_in_time, nearest_points, point_of, stepped } from "./nearest";
 import type { Plan } from "./plan";
 import { Plot } from "./plot";
 import type { View } from "./plot";
@@ -24,6 +24,7 @@ export class ChartView {
   private readonly reset_button = element("button", { type: "button", class: "chart_reset" }, "Reset zoom");
   private readonly holder = element("div", { class: "chart_plot", tabindex: 0, role: "group" });
   private readonly numbers = element("div", { class: "wide" });
+  private readonly printed = element("div", { class: "chart_print", "aria-hidden": "true" });
   private readonly told = element("p", { class: "chart_told", "aria-live": "polite" });
   private readonly plot: Plot;
   private scene!: Scene;
@@ -40,13 +41,27 @@ export class ChartView {
     this.reset_button.addEventListener("click", () => this.set_zoom(null));
     const buttons = element("div", { class: "chart_buttons" }, this.reset_button, csv, svg);
     this.figure = element(
-      "div", { class: "chart" }, element("div", { class: "chart_head" }, this.heading, buttons), choices, this.holder, this.numbers, this.told);
+      "div", { class: "chart" }, element("div", { class: "chart_head" }, this.heading, buttons), choices, this.holder, this.printed, this.numbers, this.told);
     this.plot = new Plot(this.holder, {
       zoomed: (view) => this.set_zoom(view),
       reset: () => this.set_zoom(null),
       pointed: (left, top) => this.point_at(nearest_points(this.scene, left, top, (x, y) => this.plot.place(x, y))),
     });
     this.holder.addEventListener("keydown", (event) => this.key(event));
+    // On paper lines and letters, not pixels.
+    addEventListener("beforeprint", () => this.scene && this.printed.replaceChildren(figure_element(this.scene, this.view(), "print", `_${++figures}`)));
+    addEventListener("afterprint", () => this.printed.replaceChildren());
+  }
+
+  /** Marks where runs are at moments (s), on the lines that have these moments. */
+  mark(moments: { run: RunData; time: number }[]): void {
+    if (this.scene === undefined) return;
+    this.plot.set_marks(moments.flatMap(({ run, time }) => {
+      const trace = this.scene.traces.find((each) => each.run === run);
+      const at = trace === undefined ? null : nearest_in_time(trace, time);
+      const point = trace === undefined || at === null ? null : point_of(this.scene, trace, at, true);
+      return point === null ? [] : [{ x: point[0], y: point[1], style: trace!.style }];
+    }));
   }
 
   /** Shows another plan; where it is of other quantities the zoom is gone. */
@@ -78,7 +93,7 @@ export class ChartView {
   }
 
   private file_name(ending: string): string {
-    return file_name(this.plan.id, (this.scene.traces[0]?.run ?? this.runs[0]).name, ending);
+    return file_name(this.plan.id, what_of(this.scene.traces.map((trace) => trace.run), this.runs), ending);
   }
 
   private view(): View {
@@ -128,6 +143,15 @@ export class ChartView {
     this.point_at(picked);
     this.told.textContent = [...this.numbers.querySelectorAll("tbody tr:first-child > *")].map((cell) => cell.textContent!.trim()).join(", ");
   }
+}
+
+/** Tells the parts of one figure from those of another. */
+let figures = 0;
+
+/** The run that is shown, or how many. */
+function what_of(shown: RunData[], all: RunData[]): string {
+  const names = [...new Set(shown.map((run) => run.name))];
+  return names.length > 1 ? `${names.length} runs` : names[0] ?? all[0].name;
 }
 
 /** What the canvas shows, to be read aloud. */

@@ -8,8 +8,14 @@ import type { Line, Scene, SceneAxis } from "./scene";
 import { ticks_of } from "./ticks";
 import type { Range } from "./ticks";
 
-// The figure's plotting area, px.
-const area = { left: 74, top: 16, width: 520, height: 340 };
+/** The plotting area of a figure, px, and its letters. */
+interface Size extends Box {
+  letters: number;
+}
+const sizes: Record<"file" | "print", Size> = {
+  file: { left: 74, top: 16, width: 520, height: 340, letters: 13 },
+  print: { left: 62, top: 12, width: 320, height: 200, letters: 11 },
+};
 const legend_step = 18;
 const ink = "#1a1a1a", faint = "#dddddd", published_ink = "#7a1f5c";
 const weights = { raw: 0.7, plain: 1.6, mean: 1.9, band: 0 };
@@ -18,27 +24,32 @@ type To = (value: number) => number;
 
 /** A drawing of the scene that stands alone: axes, lines, marks and legend, black on white, as a file of SVG. */
 export function figure_svg(scene: Scene, view: View): string {
+  return `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(figure_element(scene, view, "file"))}\n`;
+}
+
+/** The same as an element, in the size of a file's figure or smaller for print, where `name` tells its parts from those of others. */
+export function figure_element(scene: Scene, view: View, size: keyof typeof sizes, name = ""): SVGSVGElement {
+  const area = sizes[size];
   const height = area.top + area.height + 62 + legend_step * scene.traces.length;
   const width = area.left + area.width + 22;
   const x = place(view.x, scene.x, area.left, area.width, false);
   const y = place(view.y, scene.y, area.top, area.height, true);
-  const clip = svg_element("clipPath", { id: "area" }, svg_element("rect", { x: area.left, y: area.top, width: area.width, height: area.height }));
-  const drawn = svg_element("g", { "clip-path": "url(#area)", fill: "none" });
+  const clip = svg_element("clipPath", { id: `area${name}` }, svg_element("rect", { x: area.left, y: area.top, width: area.width, height: area.height }));
+  const drawn = svg_element("g", { "clip-path": `url(#area${name})`, fill: "none" });
   for (const line of scene.lines) drawn.append(line_path(line, x, y));
-  const figure = svg_element(
+  return svg_element(
     "svg",
-    { xmlns: "http://www.w3.org/2000/svg", width, height, viewBox: `0 0 ${width} ${height}`, "font-family": "Helvetica, Arial, 'DejaVu Sans', sans-serif", "font-size": 13, fill: ink },
+    { xmlns: "http://www.w3.org/2000/svg", width, height, viewBox: `0 0 ${width} ${height}`, "font-family": "Helvetica, Arial, 'DejaVu Sans', sans-serif", "font-size": area.letters, fill: ink },
     svg_element("title", {}, scene.plan.title),
     svg_element("defs", {}, clip),
     svg_element("rect", { width, height, fill: "#ffffff" }),
-    axis_group(scene.x, view.x, x, true),
-    axis_group(scene.y, view.y, y, false),
+    axis_group(area, scene.x, view.x, x, true),
+    axis_group(area, scene.y, view.y, y, false),
     drawn,
     svg_element("rect", { x: area.left, y: area.top, width: area.width, height: area.height, fill: "none", stroke: ink }),
-    marks_group(scene, x, y),
-    legend(scene),
+    marks_group(area, scene, x, y),
+    legend(area, scene),
   );
-  return `<?xml version="1.0" encoding="UTF-8"?>\n${new XMLSerializer().serializeToString(figure)}\n`;
 }
 
 /** Where a value lies on an axis, px. */
@@ -69,9 +80,9 @@ function line_path(line: Line, x: To, y: To): SVGPathElement {
   });
 }
 
-function axis_group(axis: SceneAxis, range: Range, to: To, horizontal: boolean): SVGGElement {
+function axis_group(area: Size, axis: SceneAxis, range: Range, to: To, horizontal: boolean): SVGGElement {
   const group = svg_element("g", { class: "axis" });
-  const { at, labels } = ticks_of(range, axis.logarithmic, horizontal ? 6 : 7);
+  const { at, labels } = ticks_of(range, axis.logarithmic, Math.round(horizontal ? area.width / 80 : area.height / 48));
   const bottom = area.top + area.height, right = area.left + area.width;
   at.forEach((value, i) => {
     const p = to(value);
@@ -88,12 +99,12 @@ function axis_group(axis: SceneAxis, range: Range, to: To, horizontal: boolean):
   group.append(
     horizontal
       ? svg_element("text", { class: "title", x: area.left + area.width / 2, y: bottom + 40, "text-anchor": "middle" }, axis.title)
-      : svg_element("text", { class: "title", x: 16, y: middle, "text-anchor": "middle", transform: `rotate(-90 16 ${middle})` }, axis.title),
+      : svg_element("text", { class: "title", x: 1.2 * area.letters, y: middle, "text-anchor": "middle", transform: `rotate(-90 ${1.2 * area.letters} ${middle})` }, axis.title),
   );
   return group;
 }
 
-function marks_group(scene: Scene, to_x: To, to_y: To): SVGGElement {
+function marks_group(area: Size, scene: Scene, to_x: To, to_y: To): SVGGElement {
   const group = svg_element("g", { class: "marks" });
   const marks = scene.marks.map((mark) => ({ mark, x: mark.x === null ? null : to_x(mark.x), y: mark.y === null ? null : to_y(mark.y) }))
     .filter(({ x, y }) => is_within(x, area.left, area.width) && is_within(y, area.top, area.height));
@@ -131,7 +142,7 @@ function is_within(at: number | null, from: number, length: number): boolean {
   return at === null || (at >= from && at <= from + length);
 }
 
-function legend(scene: Scene): SVGGElement {
+function legend(area: Size, scene: Scene): SVGGElement {
   const group = svg_element("g", { class: "legend" });
   scene.traces.forEach((trace, i) => {
     const y = area.top + area.height + 62 + legend_step * i;

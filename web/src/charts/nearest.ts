@@ -20,6 +20,22 @@ export function nearest_points(scene: Scene, left: number, top: number, place: P
   });
 }
 
+/** The point of a trace nearest to a time (s); null where the trace ended before it or has not begun. */
+export function nearest_in_time(trace: Trace, time: number): number | null {
+  const times = trace.run.columns.time_s;
+  if (times === undefined || trace.rows.length === 0) return null;
+  const of = (i: number) => times[trace.rows[i]] ?? Infinity;
+  let low = 0, high = trace.rows.length - 1;
+  const room = 1e-6 * Math.abs(of(high));
+  if (time < of(low) - room || time > of(high) + room) return null;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (of(middle) <= time) low = middle;
+    else high = middle;
+  }
+  return time - of(low) < of(high) - time ? low : high;
+}
+
 /** A point of a trace in the units of the axes; null where it has none. */
 export function point_of(scene: Scene, trace: Trace, i: number, freed_from_noise = false): [x: number, y: number] | null {
   const argument = trace.argument[i];

@@ -21,7 +21,7 @@ export function push_plans(data: PageData): Plan[] {
     plan({
       id: "V_w", title: "Push: V(w)", argument: embedment, value: vertical, upright: true, zero: true,
       traces: traces((run) => with_band(over_depth(run, at_rows(run, "V_N_m", run.push.rows), "V_N_m", run.push.V_mean), run, "V_w")),
-      marks: published_marks(data.published, "V_w"),
+      marks: published_marks(data, "V_w"),
     }),
     plan({
       id: "V_noise", title: "Noise of V in the push", argument: embedment, value: { ...vertical, words: "vertical reaction less its mean", symbol: "\u0394V" },
@@ -43,12 +43,12 @@ export function drag_plans(data: PageData): Plan[] {
     plan({
       ...common, id: "H_u", title: "Drag: H(u)", value: horizontal,
       traces: traces((run) => with_band(over_travel(run, column(run, "H_N_m"), "H_N_m", run.drag.H_mean), run, "H_u")),
-      marks: published_marks(data.published, "H_u"),
+      marks: published_marks(data, "H_u"),
     }),
     plan({
       ...common, id: "w_u", title: "Drag: w(u)", value: embedment, value_downwards: true,
       traces: traces((run) => with_band(over_travel(run, column(run, "w_m"), "w_m", null), run, "w_u")),
-      marks: published_marks(data.published, "w_u"),
+      marks: published_marks(data, "w_u"),
     }),
     plan({
       ...common, id: "H_over_V", title: "Drag: H/V", value: ratio("ratio of forces", "H/V"),
@@ -57,7 +57,7 @@ export function drag_plans(data: PageData): Plan[] {
     }),
     plan({
       id: "H_V", title: "Drag: path of H against V", argument: vertical, value: horizontal, zero: true, in_plane: true,
-      traces: data.runs.some((run) => V_varies(run.drag)) ? traces((run) => curve_of(run, run.drag, run.drag.V_mean, "V_mean", run.drag.H_mean, "H_mean", null)) : [],
+      traces: traces((run) => (V_varies(run.drag) ? curve_of(run, run.drag, run.drag.V_mean, "V_mean", run.drag.H_mean, "H_mean", null) : null)),
     }),
     plan({
       ...common, id: "H_noise", title: "Noise of H in the drag", zero: false, value: { ...horizontal, words: "horizontal resistance less its mean", symbol: "\u0394H" },
@@ -87,7 +87,7 @@ function with_band(curve: Curve | null, run: RunData, chart: BandData["chart"]):
   return { ...curve, band: { argument, value } };
 }
 
-/** Where V is held in all drags the path of forces is an upright line, which says nothing. */
+/** Where V is held the path of forces is an upright line, which says nothing. */
 function V_varies(path: PathData): boolean {
   const V = path.V_mean.filter((each) => each !== null);
   return V.length > 0 && Math.min(...V) < 0.75 * Math.max(...V);

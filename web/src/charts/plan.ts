@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-import type { PublishedPoint, RunData } from "../data";
+import type { PageData, PublishedPoint, RunData } from "../data";
 import type { Quantity } from "./quantity";
 import { run_style } from "./run_style";
 import type { RunStyle } from "./run_style";
@@ -70,8 +70,20 @@ export function run_traces(runs: RunData[], curve: (run: RunData) => Curve | nul
   });
 }
 
-export function published_marks(points: PublishedPoint[], chart: PublishedPoint["chart"]): PlanMark[] {
-  return points.filter((point) => point.chart === chart).map((point) => ({ argument: point.x, value: point.y, label: point.label, published: true }));
+/** Published numbers of a chart; those of a drag are for one along x, and mirrored where the runs go the other way. */
+export function published_marks(data: PageData, chart: PublishedPoint["chart"]): PlanMark[] {
+  const run = data.runs.find((each) => each.of_test && each.drag.rows.length > 0) ?? data.runs.find((each) => each.drag.rows.length > 0);
+  const along = chart === "V_w" || run === undefined ? 1 : direction(run);
+  return data.published.filter((point) => point.chart === chart).map((point) => ({
+    argument: point.x === null ? null : along * point.x, value: chart === "H_u" ? along * point.y : point.y, label: point.label, published: true,
+  }));
+}
+
+/** 1 where the first drag of a run goes along x, -1 where it goes against x. */
+function direction(run: RunData): number {
+  const u = at_rows(run, "u_m", run.drag.rows) ?? [];
+  const first = u.find((each) => each !== null && Math.abs(each - run.drag.u_begin) > 1e-3 * (run.diameter ?? 1));
+  return first !== undefined && first !== null && first < run.drag.u_begin ? -1 : 1;
 }
 
 /** A column at some rows; null where the run has no such column. */

@@ -37,6 +37,7 @@ export class Plot {
   private drawn: uPlot | null = null;
   private view: View | null = null;
   private dots: Dot[] = [];
+  private marks: Dot[] = [];
 
   constructor(private readonly holder: HTMLElement, private readonly events: PlotEvents) {}
 
@@ -59,6 +60,13 @@ export class Plot {
   /** Sets dots at points of the scene. */
   set_dots(dots: Dot[]): void {
     this.dots = dots;
+    this.place_dots();
+  }
+
+  /** Sets larger dots that stay until they are set anew, also when the scene is drawn again. */
+  set_marks(marks: Dot[]): void {
+    if (marks.length === 0 && this.marks.length === 0) return;
+    this.marks = marks;
     this.place_dots();
   }
 
@@ -123,10 +131,11 @@ export class Plot {
     const over = this.drawn?.over;
     if (over === undefined) return;
     for (const old of over.querySelectorAll(".chart_dot")) old.remove();
-    for (const { x, y, style } of this.dots) {
+    const { width, height } = this.drawn!.bbox;
+    for (const [{ x, y, style }, name] of [...this.marks.map((each) => [each, "chart_dot chart_moment"] as const), ...this.dots.map((each) => [each, "chart_dot"] as const)]) {
       const [left, top] = this.place(x, y);
-      if (!(left >= 0 && top >= 0 && left <= over.clientWidth && top <= over.clientHeight)) continue;
-      const dot = element("div", { class: "chart_dot" });
+      if (!(left >= -1 && top >= -1 && left <= width / uPlot.pxRatio + 1 && top <= height / uPlot.pxRatio + 1)) continue;
+      const dot = element("div", { class: name });
       dot.style.left = `${left}px`;
       dot.style.top = `${top}px`;
       dot.style.background = is_dark() ? style.colour.dark : style.colour.light;

@@ -100,7 +100,7 @@ export function make_scene(plan: Plan, settings: Settings, runs: RunData[]): Sce
       unit,
       logarithmic,
       downwards: is_argument ? plan.upright : plan.value_downwards,
-      full: logarithmic ? decades(numbers) : full_range(numbers, plan.zero),
+      full: logarithmic ? decades(numbers) : full_range(numbers, plan.zero, is_argument),
     };
   };
   return { plan, x: axis("x"), y: axis("y"), traces, lines, marks };
@@ -129,14 +129,15 @@ function extremes(lists: Numbers[]): [number, number] {
   return [low, high];
 }
 
-/** With a margin, but none beyond zero where the range ends there. */
-function full_range(lists: Numbers[], zero: boolean): Range {
+/** With a margin at the ends, but where an argument begins, and where the range ends at zero or at what noise makes of it. */
+function full_range(lists: Numbers[], zero: boolean, is_argument: boolean): Range {
   let [low, high] = extremes(lists);
   if (low > high) return [0, 1];
   if (zero) [low, high] = [Math.min(low, 0), Math.max(high, 0)];
   if (high === low) return high === 0 ? [0, 1] : [low - 0.1 * Math.abs(low), high + 0.1 * Math.abs(high)];
   const margin = 0.04 * (high - low);
-  return [low === 0 ? 0 : low - margin, high === 0 ? 0 : high + margin];
+  const end = (value: number, side: number) => ((zero && Math.abs(value) < margin) || (is_argument && side < 0) ? value : value + side * margin);
+  return [end(low, -1), end(high, 1)];
 }
 
 // As many powers of ten as are shown below the largest number; the rest is seen where one zooms.

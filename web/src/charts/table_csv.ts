@@ -10,7 +10,7 @@ export function table_csv(scene: Scene): string {
   const has_mean = scene.traces.some((trace) => trace.mean !== null);
   const over_time = scene.plan.argument.kind === "time";
   const lines: (string | number | null)[][] = [
-    [...(scene.plan.by_run ? ["run"] : ["run", "of"]), "row", "stage", "time (s)", ...(over_time ? [] : [argument.title]), value.title, ...(has_mean ? [`${value.title}, freed from noise`] : [])],
+    [...(scene.plan.by_run ? ["run"] : ["run", "of"]), "row", "stage", "time (s)", ...(over_time ? [] : [argument.title]), value.title, ...(has_mean ? [`${value.title}, smoothed`] : [])],
   ];
   for (const trace of scene.traces) {
     const along = argument.unit.factor(trace.run)!, of = value.unit.factor(trace.run)!;

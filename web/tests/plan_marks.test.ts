@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where published numbers and axes are, by the data alone.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { drag_plans } from "../src/charts/path_charts";
+import { published_marks } from "../src/charts/plan";
+import { make_scene } from "../src/charts/scene";
+import type { PageData, RunData } from "../src/data";
+
+/** A run that is dragged from u = 2 mm to `to` (m), with H from `H[0]` to `H[1]`. */
+function run_to(to: number, H: [number, number] = [-3, 100], V: [number, number] = [50, 50]): RunData {
+  const quantity = (label: string, unit: string) => ({ label, words: label, unit });
+  const path = (rows: number[]) => ({ rows, u_begin: 0.002, V_mean: rows.map((row) => V[row]), H_mean: rows.map((row) => H[row]) });
+  return {
+    name: "made", title: "", method: "mpm", diameter: 0.02, measure: null, prototype: null, of_test: true,
+    quantities: { time_s: quantity("time", "s"), u_m: quantity("u", "m"), w_m: quantity("w", "m"), V_N_m: quantity("V", "N/m"), H_N_m: quantity("H", "N/m") },
+    columns: { time_s: [0, 1], u_m: [0.002, to], w_m: [0.01, 0.02], V_N_m: V, H_N_m: H },
+    stage: ["drag", "drag"], row: null, push: path([]), drag: path([0, 1]), film: null,
+  };
+}
+
+function page_of(...runs: RunData[]): PageData {
+  const point = (chart: "V_w" | "H_u" | "w_u", x: number | null, y: number) => ({ chart, x, y, label: "" });
+  return { version: "", runs, published: [point("V_w", 0.002, 4000), point("H_u", null, 1000), point("H_u", 0.006, 500), point("w_u", 0.006, 0.005)] };
+}
+
+test("published_numbers_of_a_drag_lie_on_the_side_to_which_the_run_goes", () => {
+  const places = (to: number, chart: "V_w" | "H_u" | "w_u") => published_marks(page_of(run_to(to)), chart).map((mark) => [mark.argument, mark.value]);
+  assert.deepEqual(places(0.022, "H_u"), [[null, 1000], [0.006, 500]]);
+  assert.deepEqual(places(-0.018, "H_u"), [[null, -1000], [-0.006, -500]]);
+  assert.deepEqual(places(-0.018, "w_u"), [[-0.006, 0.005]], "w is a depth on either side");
+  assert.deepEqual(places(-0.018, "V_w"), [[0.002, 4000]]);
+});
+
+test("axes_begin_where_the_data_begins", () => {
+  const data = page_of(run_to(0.022));
+  const plan = drag_plans(data).find((each) => each.id === "H_u")!;
+  const scene = make_scene({ ...plan, marks: [] }, { units: "model", raw: true, published: true, hidden: new Set() }, data.runs);
+  assert.equal(scene.x.full[0], 0);
+  assert.equal(scene.y.full[0], -3, "noise about zero takes no margin");
+  assert.ok(scene.y.full[1] > 100);
+});
+
+test("only_runs_whose_V_changes_have_a_path_of_H_against_V", () => {
+  const falls = run_to(0.022, [0, 100], [100, 20]);
+  const plan = drag_plans(page_of(run_to(0.022), falls)).find((each) => each.id === "H_V")!;
+  assert.deepEqual(plan.traces.map((trace) => trace.run), [falls]);
+});
