@@ -75,6 +75,19 @@ std::vector<std::pair<Index, Index>> neighbors_in(const mesh::Mesh<dim>& mesh, c
   return found;
 }
 
+/// The regions of cells, in the order of the mesh, and the space that they take.
+template <int dim>
+std::vector<RegionScene> regions_of(const mesh::Mesh<dim>& mesh, const std::vector<Index>& cells)
+{
+  std::vector<RegionScene> regions(mesh.region_names.size());
+  for (std::size_t r = 0; r < regions.size(); ++r) regions[r].name = mesh.region_names[r];
+  for (const Index cell : cells)
+    for (const Index node : mesh.nodes[cell])
+      for (int d = 0; d < dim; ++d) regions[mesh.region[cell]].space[d].add(mesh.position[node][d]);
+  std::erase_if(regions, [](const RegionScene& r) { return r.space[0].length() < 0; });
+  return regions;
+}
+
 }  // namespace
 
 Index Scene::touched_by(Index rigid) const
@@ -82,6 +95,16 @@ Index Scene::touched_by(Index rigid) const
   for (const auto& [name, contact] : c.contact)
     if (!contact.rigid.empty() && problem::index_of(c.rigid, contact.rigid) == rigid) return problem::index_of(c.body, contact.body);
   return none;
+}
+
+std::string Scene::region_at(Index body, Real depth) const
+{
+  const Span& width = rigids.empty() || !rigids.front().bounded ? bodies[body].space[along] : rigids.front().space[along];
+  const Real x = (width.from + width.to) / 2, top = ground.line.level() ? c.surface : ground.line.height(x), level = top - up_sign * depth;
+  for (const RegionScene& region : bodies[body].regions)
+    if (region.space[along].from <= x && x <= region.space[along].to && region.space[up].from <= level && level <= region.space[up].to)
+      return region.name;
+  return "";
 }
 
 Real Scene::ground_rise(Index rigid, Real from, Real to) const
@@ -110,6 +133,7 @@ Scene scene_of(const problem::Case& c, const input::Places& places, const proble
     for (const Index cell : cells[b])
       for (const Index node : model.mesh.nodes[cell])
         for (int d = 0; d < dim; ++d) body.space[d].add(model.mesh.position[node][d]);
+    body.regions = regions_of(model.mesh, cells[b]);
   }
   for (std::size_t b = 0; b < c.body.size(); ++b) scene.bodies[b].depth = depth_below_surface(c, model, scene.bodies[b].space, cells[b]);
   scene.ground = model.ground;

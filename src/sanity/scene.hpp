@@ -43,11 +43,18 @@ struct RigidScene {
   Spans space;     ///< what it takes, along each axis
 };
 
+/// A region of the mesh that a deformable body fills.
+struct RegionScene {
+  std::string name;
+  Spans space;
+};
+
 /// What a deformable body is at the start.
 struct BodyScene {
   Spans space;          ///< of its particles or elements
   Real wave_speed = 0;  ///< m/s, of pressure waves
   Real depth = 0;       ///< m, of soil below the surface
+  std::vector<RegionScene> regions = {};
 };
 
 /// What a run will cost, as far as it is known before it begins.
@@ -81,10 +88,15 @@ struct Scene {
   {
     return c.material[problem::index_of(c.material, c.body[body].second.material)].second;
   }
-  /// The soil of a body at a depth below the surface, m; of bodies with materials by region that of the first.
-  material::Material material_at(Index body, Real depth) const { return soil_of(c, c.body[body].second).at("", depth); }
-  /// The weight of the soil of a body above a depth over area, Pa.
-  Real weight_above(Index body, Real depth) const { return gravity * soil_of(c, c.body[body].second).mass_above("", depth); }
+  /// The region of a body's soil at a depth below the surface, m, under the first rigid body; "" where none is there.
+  std::string region_at(Index body, Real depth) const;
+  /// The soil there.
+  material::Material material_at(Index body, Real depth) const { return soil_of(c, c.body[body].second).at(region_at(body, depth), depth); }
+  /// The weight of the soil above it over area, Pa.
+  Real weight_above(Index body, Real depth) const
+  {
+    return gravity * soil_of(c, c.body[body].second).mass_above(region_at(body, depth), depth);
+  }
   /// The body that touches a rigid one, the first of its contacts; none where nothing does.
   Index touched_by(Index rigid) const;
   /// Depth of soil of a body below the surface, m.

@@ -19,20 +19,39 @@ Real degrees(Real radians)
   return radians * 180 / pi;
 }
 
-std::string material_key(const Scene& s, Index body, const char* key)
+/// A material that can yield, and the first body that has it.
+struct Soil {
+  Index body;
+  std::string name;
+  material::Material material;
+
+  std::string key(const char* key) const { return fmt::format("material.{}.{}", name, key); }
+};
+
+/// The soils of all bodies, each once.
+std::vector<Soil> yielding(const Scene& s)
 {
-  return fmt::format("material.{}.{}", s.c.body[body].second.material, key);
+  std::vector<Soil> soils;
+  for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
+    const problem::BodySoil soil = soil_of(s.c, s.c.body[b].second);
+    for (std::size_t k = 0; k < soil.materials.size(); ++k) {
+      const auto same = [&](const Soil& other) { return other.name == soil.names[k]; };
+      if (yields(soil.materials[k]) && std::none_of(soils.begin(), soils.end(), same))
+        soils.push_back({b, soil.names[k], soil.materials[k]});
+    }
+  }
+  return soils;
 }
 
-/// Bodies whose soil can yield, each material once.
-std::vector<Index> yielding(const Scene& s)
+/// Whether a body, or a layer or a region of it, names the material.
+bool is_named(const problem::Case& c, const std::string& material)
 {
-  std::vector<Index> bodies;
-  for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
-    const auto same = [&](Index other) { return s.c.body[other].second.material == s.c.body[b].second.material; };
-    if (yields(s.material_of(b)) && std::none_of(bodies.begin(), bodies.end(), same)) bodies.push_back(b);
-  }
-  return bodies;
+  return std::any_of(c.body.begin(), c.body.end(), [&](const auto& named) {
+    const bodies::BodySettings& body = named.second;
+    return body.material == material ||
+           std::any_of(body.soil_layer.begin(), body.soil_layer.end(), [&](const auto& layer) { return layer.material == material; }) ||
+           std::any_of(body.region_material.begin(), body.region_material.end(), [&](const auto& of) { return of.second == material; });
+  });
 }
 
 /// Ka and Kp of soil without cohesion, in words.
@@ -56,8 +75,8 @@ void does_gravity_point_down(const Scene& s, Findings& found)
         found.refuse(
             fmt::format("body.{}.k0", name),
             "without gravity there is no stress at rest, and k0 does nothing; add gravity = [0, \"-9.81 m/s^2\"], or leave k0 out");
-    for (const Index b : yielding(s))
-      if (const auto at_rest = strength_of(s.material_of(b), 0, 0);
+    for (const auto& [b, name, material] : yielding(s))
+      if (const auto at_rest = strength_of(material, 0, 0);
           !any_k0 && at_rest && *at_rest == 0 && s.c.body[b].second.initial_stress.empty() && s.c.traction.empty())
         found.warn(
             "gravity",
@@ -85,55 +104,70 @@ void does_gravity_point_down(const Scene& s, Findings& found)
 
 void is_the_soil_a_soil(const Scene& s, Findings& found)
 {
-  for (const Index b : yielding(s)) {
-    const material::Material& material = s.material_of(b);
+  for (const Soil& soil : yielding(s)) {
+    const material::Material& material = soil.material;
     if (s.gravity > 0 && (density(material) < 100 || density(material) > 4000))
       found.warn(
-          material_key(s, b, "density"),
+          soil.key("density"),
           fmt::format("is {:.3g} kg/m3; soil has 1400 to 2200 saturated, 400 to 1200 submerged: write \"877 kg/m^3\"", density(material)));
-    const std::optional<material::Strength> soil = strength_at_rest(material);
-    if (!soil) continue;
-    const std::optional<material::Strength> at_base = strength_at_rest(s.material_at(b, s.depth_of(b)));
-    if (soil->cohesion == 0 && soil->friction_angle == 0 && !(at_base && at_base->cohesion > 0))
-      found.refuse(material_key(s, b, "friction_angle"),
-                   "and cohesion are both 0: the soil has no strength and flows like water; give one of them");
-    else if (soil->friction_angle > 50 * pi / 180)
-      found.warn(material_key(s, b, "friction_angle"), fmt::format("is {:.3g} deg; sand has 28 to 45 deg", degrees(soil->friction_angle)));
-    const Real weight = unit_weight_of(s, b) * s.depth_of(b), base = at_base ? at_base->cohesion : 0;
-    if (soil->friction_angle == 0 && weight > 0 && base > 0 && base < 1e-3 * weight)
-      found.warn(material_key(s, b, "cohesion"), fmt::format("is {:.3g} Pa, a thousandth of the weight above the base ({:.3g} Pa) or less: "
-                                                             "such soil flows; soft clay has 1 to 10 kPa: is the unit right?",
-                                                             soil->cohesion, weight));
-    if (soil->cohesion > 1e7)
-      found.warn(material_key(s, b, "cohesion"),
-                 fmt::format("is {:.3g} kPa, that of rock; soil has up to some hundred kPa: is the unit right?", soil->cohesion / 1e3));
+    const std::optional<material::Strength> strength = strength_at_rest(material);
+    if (!strength) continue;
+    const std::optional<material::Strength> at_base = strength_at_rest(at_depth(material, s.depth_of(soil.body)));
+    if (strength->cohesion == 0 && strength->friction_angle == 0 && !(at_base && at_base->cohesion > 0))
+      found.refuse(soil.key("friction_angle"), "and cohesion are both 0: the soil has no strength and flows like water; give one of them");
+    else if (strength->friction_angle > 50 * pi / 180)
+      found.warn(soil.key("friction_angle"), fmt::format("is {:.3g} deg; sand has 28 to 45 deg", degrees(strength->friction_angle)));
+    const Real weight = density(material) * s.gravity * s.depth_of(soil.body), base = at_base ? at_base->cohesion : 0;
+    if (strength->friction_angle == 0 && weight > 0 && base > 0 && base < 1e-3 * weight)
+      found.warn(soil.key("cohesion"), fmt::format("is {:.3g} Pa, a thousandth of the weight above the base ({:.3g} Pa) or less: "
+                                                   "such soil flows; soft clay has 1 to 10 kPa: is the unit right?",
+                                                   strength->cohesion, weight));
+    if (strength->cohesion > 1e7)
+      found.warn(soil.key("cohesion"),
+                 fmt::format("is {:.3g} kPa, that of rock; soil has up to some hundred kPa: is the unit right?", strength->cohesion / 1e3));
   }
 }
 
 void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
 {
-  for (const Index b : yielding(s)) {
-    const material::Material& material = s.material_of(b);
-    const Real young = young_poisson(material).young_modulus;
+  const auto key = [](const std::string& name) { return fmt::format("material.{}.young_modulus", name); };
+  for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
+    const problem::BodySoil soil = soil_of(s.c, s.c.body[b].second);
     // Where the soil is softest for the weight above it; of one that is the same at all depths that is at the base.
     constexpr int parts = 10;
     Real weight = 0, modulus = 0, least = infinity;
+    Index softest = 0;
     for (int k = 1; k <= parts; ++k) {
       const Real depth = s.depth_of(b) * k / parts, here = p_wave_modulus(s.material_at(b, depth)), above = s.weight_above(b, depth);
-      if (above > 0 && here / above < least) least = here / above, weight = above, modulus = here;
+      if (!yields(s.material_at(b, depth)) || !(above > 0) || here / above >= least) continue;
+      least = here / above, weight = above, modulus = here, softest = soil.number_at(s.region_at(b, depth), depth);
     }
-    if (weight > 0 && modulus < 3 * weight) {
-      const std::string key = material_key(s, b, "young_modulus"),
-                        words = fmt::format(
-                            "is {:.3g} Pa, too soft to carry the weight of the soil above it, {:.3g} Pa: it would be squeezed to a part of "
-                            "its height; sand has 5 to 50 MPa, soft clay 0.3 to 5 MPa: is the unit right (\"MPa\", not \"mPa\")?",
-                            young, weight);
-      modulus < weight / 2 ? found.refuse(key, words) : found.warn(key, words);
-    }
-    if (young > 1e11)
+    if (weight == 0 || modulus >= 3 * weight) continue;
+    const std::string words =
+        fmt::format("is {:.3g} Pa, too soft to carry the weight of the soil above it, {:.3g} Pa: it would be squeezed to a part of "
+                    "its height; sand has 5 to 50 MPa, soft clay 0.3 to 5 MPa: is the unit right (\"MPa\", not \"mPa\")?",
+                    young_poisson(soil.materials[softest]).young_modulus, weight);
+    modulus < weight / 2 ? found.refuse(key(soil.names[softest]), words) : found.warn(key(soil.names[softest]), words);
+  }
+  for (const Soil& soil : yielding(s))
+    if (const Real young = young_poisson(soil.material).young_modulus; young > 1e11)
       found.warn(
-          material_key(s, b, "young_modulus"),
+          key(soil.name),
           fmt::format("is {:.3g} Pa, stiffer than rock: time steps become as small; sand has 5 to 50 MPa: is the unit right?", young));
+}
+
+void is_all_soil_used(const Scene& s, Findings& found)
+{
+  for (const auto& [name, material] : s.c.material)
+    if (!is_named(s.c, name))
+      found.warn("material." + name, "is not used: no body, layer or region names it; name it, or leave the table out");
+  for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
+    const bodies::BodySettings& body = s.c.body[b].second;
+    for (std::size_t k = 0; k < body.soil_layer.size(); ++k)
+      if (body.soil_layer[k].top >= s.depth_of(b))
+        found.warn(fmt::format("body.{}.soil_layer[{}].top", s.c.body[b].first, k),
+                   fmt::format("is {}, and the body ends at a depth of {}: the layer is nowhere; leave it out, or make the mesh deeper",
+                               words_of(body.soil_layer[k].top, "m"), words_of(s.depth_of(b), "m")));
   }
 }
 

@@ -476,6 +476,31 @@ inline const std::vector<SenselessInput>& senseless_inputs()
       {"steps_of_finite_elements", "elements", warned, {"mpm", "is not used", "method is \"fem\""}, {"mpm.courant=0.3"}, "", ""},
       {"history_of_finite_elements", "elements", warned, {"output.history_time", "is not used"}, {"output.history_time=1 ms"}, "", ""},
       {"ramp_of_nothing", "bed", warned, {"stage.geostatic.ramp", "is not used"}, {"stage.geostatic.ramp=1 ms"}, "", ""},
+      {"material_of_nobody",
+       "bed",
+       warned,
+       {"material.rock", "no body, layer or region names it"},
+       {"material.rock={law=\"linear_elastic\", density=2500, young_modulus=1e9, poisson_ratio=0.3}"},
+       "",
+       ""},
+      {"layer_below_the_base",
+       "bed",
+       warned,
+       {"body.sand.soil_layer[0].top", "the layer is nowhere"},
+       {},
+       "[body.sand]\n",
+       "[[body.sand.soil_layer]]\ntop = \"3 m\"\nmaterial = \"dense\"\n[material.dense]\nlaw = \"mohr_coulomb\"\ndensity = "
+       "900\nyoung_modulus = "
+       "\"9 MPa\"\npoisson_ratio = 0.25\nfriction_angle = \"38 deg\"\n\n[body.sand]\n"},
+      {"layer_that_flows",
+       "bed",
+       refused,
+       {"material.water.friction_angle", "flows like water"},
+       {},
+       "[body.sand]\n",
+       "[[body.sand.soil_layer]]\ntop = \"10 mm\"\nmaterial = \"water\"\n[material.water]\nlaw = \"mohr_coulomb\"\ndensity = "
+       "900\nyoung_modulus = "
+       "\"9 MPa\"\npoisson_ratio = 0.25\nfriction_angle = 0\n\n[body.sand]\n"},
   };
   return all;
 }
