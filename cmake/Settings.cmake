@@ -22,7 +22,6 @@ target_compile_options(berm_flags INTERFACE -Wall -Wextra -Wshadow -Wconversion 
 target_compile_options(berm_flags INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 # Square roots need no errno and no comparison may trap: with this the compiler can vectorize them. NaN keeps its meaning.
 target_compile_options(berm_flags INTERFACE -fno-math-errno -fno-trapping-math)
-target_compile_options(berm_flags INTERFACE $<$<CONFIG:Release>:-O3>)
 target_compile_definitions(berm_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
 target_compile_definitions(berm_flags INTERFACE BERM_VERSION="${PROJECT_VERSION}")
 # Eigen's alignment follows the vector unit by default; fixed here, so that all versions of the engine share one layout.
