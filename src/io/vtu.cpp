@@ -5,6 +5,7 @@
 #include "io/atomic_file.hpp"
 #include "io/vtk_name.hpp"
 #include "io/xml_tag.hpp"
+#include "io/zlib_blocks.hpp"
 
 #include <deque>
 #include <fmt/format.h>
@@ -48,31 +49,30 @@ void Vtu::point_field(const FieldInfo& info, const std::vector<T>& values, const
   for (const char* component : component_names) words += fmt::format(" ComponentName{}=\"{}\"", k++, component);
   for (const auto& [name, text] : {std::pair("Label", info.label), std::pair("Unit", info.unit)})
     if (!text.empty()) words += fmt::format(" {}=\"{}\"", name, xml_attribute(text));
-  point_fields_.push_back({words, bytes_of(values)});
+  point_fields_.push_back({words, zlib_blocks(bytes_of(values))});
 }
 
 template <class T>
 void Vtu::cell_field(const std::string& name, int components, const std::vector<T>& values)
 {
-  cell_fields_.push_back({attributes<T>(name, components), bytes_of(values)});
+  cell_fields_.push_back({attributes<T>(name, components), zlib_blocks(bytes_of(values))});
 }
 
 void Vtu::write(const std::filesystem::path& path) const
 {
   std::string xml;
-  std::deque<std::uint64_t> sizes;  // a deque, because its elements do not move
+  std::deque<std::string> grid;  // a deque, because its elements do not move
   std::vector<std::string_view> parts = {""};
   std::uint64_t offset = 0;
-  const auto add = [&](const std::string& words, std::string_view bytes) {
+  const auto add_packed = [&](const std::string& words, std::string_view packed) {
     xml += fmt::format("<DataArray {} format=\"appended\" offset=\"{}\"/>\n", words, offset);
-    const std::uint64_t& size = sizes.emplace_back(bytes.size());
-    parts.emplace_back(reinterpret_cast<const char*>(&size), sizeof size);
-    parts.push_back(bytes);
-    offset += sizeof size + size;
+    parts.push_back(packed);
+    offset += packed.size();
   };
+  const auto add = [&](const std::string& words, std::string_view bytes) { add_packed(words, grid.emplace_back(zlib_blocks(bytes))); };
   const std::vector<Real> time = {time_};
   xml += "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" "
-         "header_type=\"UInt64\">\n<UnstructuredGrid>\n";
+         "header_type=\"UInt64\" compressor=\"vtkZLibDataCompressor\">\n<UnstructuredGrid>\n";
   if (!std::isnan(time_)) {
     xml += "<FieldData>\n";
     add("type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\"", bytes_of(time));
@@ -85,9 +85,9 @@ void Vtu::write(const std::filesystem::path& path) const
   add("type=\"Int64\" Name=\"offsets\"", bytes_of(offsets_));
   add("type=\"UInt8\" Name=\"types\"", bytes_of(types_));
   xml += "</Cells>\n<PointData>\n";
-  for (const Array& field : point_fields_) add(field.attributes, field.bytes);
+  for (const Array& field : point_fields_) add_packed(field.attributes, field.packed);
   xml += "</PointData>\n<CellData>\n";
-  for (const Array& field : cell_fields_) add(field.attributes, field.bytes);
+  for (const Array& field : cell_fields_) add_packed(field.attributes, field.packed);
   xml += "</CellData>\n</Piece>\n</UnstructuredGrid>\n<AppendedData encoding=\"raw\">\n_";
   parts.front() = xml;
   parts.emplace_back("\n</AppendedData>\n</VTKFile>\n");

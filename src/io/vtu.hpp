@@ -24,9 +24,8 @@ enum class VtkCell : std::uint8_t {
   quadratic_triangle = 22
 };
 
-/// An unstructured grid, to be written to a .vtu file: VTK's XML format, version 1.0, with raw appended little-endian data
-/// and UInt64 headers. Fields are not copied, because frames of many particles are large: they must live until the file is
-/// written.
+/// An unstructured grid, to be written to a .vtu file: VTK's XML format, version 1.0, with appended little-endian data, each array
+/// compressed by zlib (zlib_blocks.hpp), and UInt64 headers. Fields are compressed when they are given: frames of many particles are large.
 class Vtu {
 public:
   /// The grid's points: x y z of each, m.
@@ -44,8 +43,6 @@ public:
   void point_field(const FieldInfo& info, const std::vector<T>& values, const std::vector<const char*>& component_names = {});
   template <class T>
   void cell_field(const std::string& name, int components, const std::vector<T>& values);
-  template <class T>
-  void cell_field(const std::string& name, int components, std::vector<T>&& values) = delete;
   /// The time of the grid, s, as VTK programs look for it (TimeValue).
   void set_time(Real time) { time_ = time; }
 
@@ -54,8 +51,7 @@ public:
 
 private:
   struct Array {
-    std::string attributes;
-    std::string_view bytes;
+    std::string attributes, packed;
   };
   std::vector<Real> points_;
   std::vector<std::int64_t> connectivity_, offsets_;

@@ -6,6 +6,7 @@
 #include "io/atomic_file.hpp"
 #include "io/vtk_name.hpp"
 #include "io/xml_tag.hpp"
+#include "io/zlib_blocks.hpp"
 
 #include <cerrno>
 #include <fcntl.h>
@@ -18,7 +19,8 @@ namespace {
 
 constexpr std::uint64_t max_header = 1 << 16;  // bytes; Vtu's headers have some 3000
 constexpr std::string_view data_mark = "<AppendedData encoding=\"raw\">\n_", end_mark = "\n</AppendedData>\n</VTKFile>\n",
-                           kind = "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">";
+                           kind = "<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"",
+                           compressor = " compressor=\"vtkZLibDataCompressor\"";
 
 }  // namespace
 
@@ -65,7 +67,10 @@ void VtuFile::read_header()
   std::string header(std::min(size_, max_header), '\0'), end(std::min<std::uint64_t>(size_, end_mark.size()), '\0');
   read(header.data(), header.size(), 0);
   const std::size_t mark = header.find(data_mark);
-  if (mark == std::string::npos || header.find(kind) == std::string::npos) refuse("is not a .vtu file of a frame, or was cut off");
+  const std::size_t file = header.find(kind);
+  if (mark == std::string::npos || file == std::string::npos) refuse("is not a .vtu file of a frame, or was cut off");
+  compressed_ = header.compare(file + kind.size(), compressor.size(), compressor) == 0;
+  if (header[file + kind.size() + (compressed_ ? compressor.size() : 0)] != '>') refuse("is not a .vtu file of a frame");
   read(end.data(), end.size(), size_ - end.size());
   if (end != end_mark) refuse("has no end; it was cut off");
   header.resize(mark);
@@ -76,7 +81,9 @@ void VtuFile::read_header()
   for (const XmlTag& tag : xml_tags(header, "Piece")) {
     const std::optional<std::uint64_t> points = tag.whole_number("NumberOfPoints"), cells = tag.whole_number("NumberOfCells");
     // A point takes 24 bytes and a cell 9.
-    if (!points || !cells || *points > size_ / 24 || *cells > size_ / 9) refuse("is damaged: it is too short for the points in its header");
+    const std::uint64_t max_bytes = size_ * (compressed_ ? max_zlib_ratio : 1);
+    if (!points || !cells || *points > max_bytes / 24 || *cells > max_bytes / 9)
+      refuse("is damaged: it is too short for the points in its header");
     points_ = *points;
     cells_ = *cells;
   }
@@ -106,6 +113,7 @@ std::vector<T> VtuFile::numbers(const std::string& name) const
   if (found == arrays_.end()) refuse(fmt::format("has no array {}", name));
   const Array& array = found->second;
   if (array.type != vtk_name<T>) refuse(fmt::format("is damaged: the array {} is not of {}", name, vtk_name<T>));
+  if (compressed_) return unpacked<T>(name, array.offset);
   std::uint64_t bytes = 0;
   const std::uint64_t room = data_end_ - data_;
   if (array.offset > room || room - array.offset < sizeof bytes) refuse(fmt::format("is damaged: the array {} lies outside of it", name));
@@ -114,6 +122,32 @@ std::vector<T> VtuFile::numbers(const std::string& name) const
     refuse(fmt::format("is damaged: the array {} has a wrong length", name));
   std::vector<T> list(bytes / sizeof(T));
   read(list.data(), bytes, data_ + array.offset + sizeof bytes);
+  return list;
+}
+
+/// Of a compressed array.
+template <class T>
+std::vector<T> VtuFile::unpacked(const std::string& name, std::uint64_t offset) const
+{
+  const auto wrong = [&] { refuse(fmt::format("is damaged: the array {} has a wrong length", name)); };
+  const std::uint64_t room = data_end_ - data_;
+  if (offset > room || room - offset < ZlibHeader::first_bytes) refuse(fmt::format("is damaged: the array {} lies outside of it", name));
+  char first[ZlibHeader::first_bytes];
+  read(first, sizeof first, data_ + offset);
+  const ZlibHeader header(first);
+  const std::uint64_t size = header.size(room - offset), bytes = header.unpacked(room - offset);
+  if (size == 0 || (bytes == 0 && header.blocks > 0) || bytes % sizeof(T) != 0) wrong();
+  std::vector<std::uint64_t> packed(header.blocks);
+  read(packed.data(), packed.size() * sizeof(std::uint64_t), data_ + offset + sizeof first);
+  std::vector<T> list(bytes / sizeof(T));
+  std::uint64_t from = offset + size;
+  std::string block;
+  for (std::uint64_t k = 0; k < header.blocks; from += packed[k++]) {
+    if (packed[k] > room - from) wrong();
+    block.resize(packed[k]);
+    read(block.data(), block.size(), data_ + from);
+    if (!unpack_zlib(block, reinterpret_cast<char*>(list.data()) + k * header.block_bytes, header.bytes_of(k))) wrong();
+  }
   return list;
 }
 

@@ -11,7 +11,7 @@
 
 namespace berm::io {
 
-/// Reads single arrays of a .vtu file that Vtu wrote. Sizes in its header are checked against the size of the file before
+/// Reads single arrays of a .vtu file that Vtu wrote, or an earlier version of it that did not compress. Sizes in its header are checked against the size of the file before
 /// memory is allocated.
 /// All functions throw RunError, with the file's name, where the file is missing, cut off or not one of Vtu's.
 class VtuFile {
@@ -44,11 +44,14 @@ private:
     std::uint64_t offset;
   };
   void read_header();
+  template <class T>
+  std::vector<T> unpacked(const std::string& name, std::uint64_t offset) const;
   void read(void* to, std::uint64_t count, std::uint64_t from) const;
 
   std::filesystem::path path_;
   int file_;
   std::uint64_t size_ = 0, data_ = 0, data_end_ = 0;  ///< bytes: the file's, where the appended data begins and ends
+  bool compressed_ = false;
   std::size_t points_ = 0, cells_ = 0;
   std::map<std::string, Array> arrays_;
   std::vector<FieldInfo> point_fields_;

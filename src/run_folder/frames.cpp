@@ -6,13 +6,13 @@
 #include "io/vtu.hpp"
 
 #include <algorithm>
-#include <deque>
 #include <fmt/format.h>
 
 namespace berm::run_folder {
 namespace {
 
 constexpr const char* collection = "frames.pvd";
+constexpr Real compressed_part = 0.6;  // of the bytes before: 0.27 at rest to 0.57 at the end of the probe test
 
 template <int dim, class T>
 void append(std::vector<T>& list, const Vec<dim>& v)
@@ -63,7 +63,8 @@ std::size_t bytes_of_point_in_file(int more_numbers)
   const std::size_t place = 3 * sizeof(Real), cell = 2 * sizeof(std::int64_t) + 1, body_and_id = 2 * sizeof(std::int32_t);
   int numbers = 1 + more_numbers;  // the volume
   for (const FieldInfo& info : common_fields<dim>()) numbers += components_in_file<dim>(info.components);
-  return place + cell + body_and_id + static_cast<std::size_t>(numbers) * sizeof(float);
+  const std::size_t bytes = place + cell + body_and_id + static_cast<std::size_t>(numbers) * sizeof(float);
+  return static_cast<std::size_t>(std::ceil(compressed_part * static_cast<Real>(bytes)));
 }
 
 template <int dim>
@@ -155,11 +156,10 @@ void FrameWriter<dim>::write_soil(const std::string& name) const
   if (!with_triangles_)
     for (Index k = 0; k < static_cast<Index>(count); ++k) vtu.add_cell(io::VtkCell::vertex, {k});
   vtu.set_time(last_.time);
-  std::deque<std::vector<float>> lists;  // that stay where they are
   for (const FieldValues<Real>& field : last_.fields) {
     FieldInfo info = field.info;
     info.components = components_in_file<dim>(info.components);
-    vtu.point_field(info, lists.emplace_back(in_file<dim>(field, count)),
+    vtu.point_field(info, in_file<dim>(field, count),
                     info.components == 6 ? std::vector<const char*>{"XX", "YY", "ZZ", "XY", "YZ", "XZ"} : std::vector<const char*>{});
   }
   const std::vector<float> volume(last_.volume.begin(), last_.volume.end());

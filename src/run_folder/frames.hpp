@@ -8,7 +8,8 @@
 
 namespace berm::run_folder {
 
-/// Bytes of a point of the soil in the file of a frame of particles whose fields, beside the common ones, have so many numbers; those of its cell are counted.
+/// Bytes of a point of the soil in the file of a frame of particles whose fields, beside the common ones, have so many numbers; those of its cell are counted. About:
+/// how far they are compressed follows from how far the soil has moved.
 template <int dim>
 std::size_t bytes_of_point_in_file(int more_numbers);
 

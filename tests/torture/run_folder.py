@@ -45,8 +45,11 @@ def check_vtu(path):
     end = 0
     for array in grid.iter("DataArray"):
         offset = int(array.get("offset"))
-        expect(offset + 8 <= len(data), f"{path}: an array begins behind the end")
-        end = max(end, offset + 8 + struct.unpack("<Q", data[offset : offset + 8])[0])
+        expect(offset + 24 <= len(data), f"{path}: an array begins behind the end")
+        blocks = struct.unpack("<Q", data[offset : offset + 8])[0]
+        first = offset + 24 + 8 * blocks
+        expect(first <= len(data), f"{path}: an array has more blocks than fit")
+        end = max(end, first + sum(struct.unpack(f"<{blocks}Q", data[offset + 24 : first])))
     expect(end == len(data), f"{path}: {len(data)} bytes of data, its arrays say {end}")
 
 

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "samples/run_to_write.hpp"
+#include "samples/unpacked_vtu.hpp"
 
 #include <gtest/gtest.h>
 #include <map>
@@ -118,6 +119,24 @@ TEST(FrameReader, triangles_read_back)
   }
 }
 
+TEST(FrameReader, frames_that_were_not_compressed_read_the_same)
+{
+  const WrittenFrames<2> written;
+  const FrameFiles frame = frame_files(written.folder.path())[1];
+  const SavedSoil soil = read_soil(frame.soil);
+  const SavedRigids rigids = read_rigids(frame.rigid);
+  for (const std::filesystem::path& file : {frame.soil, frame.rigid}) put(file, unpacked_vtu(content_of(file)));
+  const SavedSoil same = read_soil(frame.soil);
+  EXPECT_EQ(same.x, soil.x);
+  EXPECT_EQ(same.y, soil.y);
+  EXPECT_EQ(same.volume, soil.volume);
+  EXPECT_EQ(same.id, soil.id);
+  ASSERT_EQ(same.fields.size(), soil.fields.size());
+  for (std::size_t f = 0; f < soil.fields.size(); ++f) EXPECT_EQ(same.fields[f].values, soil.fields[f].values);
+  EXPECT_EQ(read_rigids(frame.rigid).cells, rigids.cells);
+  EXPECT_EQ(read_rigids(frame.rigid).x, rigids.x);
+}
+
 TEST(FrameReader, every_field_reads_back_with_its_label_and_unit)
 {
   const TemporaryFolder folder;
@@ -184,7 +203,7 @@ TEST(FrameReader, offsets_and_sizes_beyond_the_file_are_refused)
 {
   const WrittenFrames<2> written;
   const std::filesystem::path file = written.folder.path() / "particles_0001.vtu";
-  const std::string whole = content_of(file);
+  const std::string packed = content_of(file), whole = unpacked_vtu(packed);
   const auto with = [&](const std::string& what, const std::string& instead) {
     const std::size_t at = whole.find(what);
     EXPECT_NE(at, std::string::npos) << what;
@@ -208,6 +227,19 @@ TEST(FrameReader, offsets_and_sizes_beyond_the_file_are_refused)
   huge.replace(huge.find(mark) + mark.size() + 16, 8, std::string(8, '\xff'));  // the length of Points
   put(file, huge);
   EXPECT_NE(refusal_of(file).find("particles_0001.vtu"), std::string::npos);
+
+  // The same of a compressed file, of Points: how many blocks, size of the last (there is only that one), size of the first block packed.
+  const std::size_t offset = packed.find("offset=\"", packed.find("Name=\"Points\"")) + 8;
+  const std::size_t points = packed.find(mark) + mark.size() + std::stoul(packed.substr(offset));
+  for (const std::size_t place : {0, 16, 24})
+    for (const std::string& number : {std::string(8, '\xff'), std::string("\x40\0\0\0\0\0\0\0", 8), std::string(8, '\0')}) {
+      std::string broken = packed;
+      if (broken.compare(points + place, 8, number) == 0) continue;
+      put(file, broken.replace(points + place, 8, number));
+      EXPECT_NE(refusal_of(file).find("particles_0001.vtu"), std::string::npos) << place;
+    }
+  put(file, packed);
+  EXPECT_EQ(refusal_of(file), "");
 }
 
 TEST(FrameReader, cell_with_points_that_are_not_there_is_refused)
@@ -215,7 +247,7 @@ TEST(FrameReader, cell_with_points_that_are_not_there_is_refused)
   const TemporaryFolder folder;
   FrameWriter<2>(folder.path(), sample_problem<2>().model.mesh).write(two_triangles());
   const std::filesystem::path file = folder.path() / "soil_0000.vtu";
-  const std::string whole = content_of(file), mark = "<AppendedData encoding=\"raw\">\n_";
+  const std::string whole = unpacked_vtu(content_of(file)), mark = "<AppendedData encoding=\"raw\">\n_";
   const std::size_t connectivity = whole.find(mark) + mark.size() + 16 + 8 + 9 * 24 + 8, offsets = connectivity + 12 * 8 + 8;
   for (const auto& [place, value] : std::vector<std::pair<std::size_t, std::int64_t>>{
            {connectivity, 9}, {connectivity + 8, -1}, {connectivity, std::int64_t{1} << 40}, {offsets, 13}, {offsets, -1}, {offsets, 5}}) {

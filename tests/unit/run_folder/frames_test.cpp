@@ -2,6 +2,7 @@
 #include "run_folder/frames.hpp"
 
 #include "samples/run_to_write.hpp"
+#include "samples/unpacked_vtu.hpp"
 
 #include <cstring>
 #include <gtest/gtest.h>
@@ -24,7 +25,7 @@ struct ReadVtu {
 
   explicit ReadVtu(const std::filesystem::path& path)
   {
-    const std::string text = content_of(path), mark = "<AppendedData encoding=\"raw\">\n_";
+    const std::string text = unpacked_vtu(content_of(path)), mark = "<AppendedData encoding=\"raw\">\n_";
     const std::size_t data = text.find(mark);
     if (data == std::string::npos) throw std::runtime_error("no appended data in " + path.string());
     const std::string header = text.substr(0, data);
