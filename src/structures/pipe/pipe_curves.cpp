@@ -6,14 +6,23 @@
 #include "plot/gnuplot.hpp"
 #include "record/panels.hpp"
 #include "record/travel_curve.hpp"
+#include "structures/base/display_units.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fmt/format.h>
 
 namespace berm::pipe {
 namespace {
 
 using record::TravelCurve;
+
+/// Freed from noise over +-half, and over less where that would reach beyond the curve: it begins and ends where the rows do.
+Real smooth_at(const TravelCurve& curve, Real travel, Real half)
+{
+  return curve.empty() ? std::numeric_limits<Real>::quiet_NaN()
+                       : curve.at(travel, std::max(Real(0), std::min({half, travel - curve.begin(), curve.end() - travel})));
+}
 
 /// Lines of the file: x, and each value of the row and freed from noise along the travel.
 std::string block(const std::vector<Real>& x, const std::vector<Real>& travel, const std::vector<std::vector<Real>>& values, Real half,
@@ -25,7 +34,7 @@ std::string block(const std::vector<Real>& x, const std::vector<Real>& travel, c
   for (std::size_t k = 0; k < travel.size(); ++k) {
     text += fmt::format("{:.6g}", x[k] * x_unit);
     for (std::size_t c = 0; c < values.size(); ++c) {
-      const Real smooth = curves[c].at(travel[k], half);
+      const Real smooth = smooth_at(curves[c], travel[k], half);
       for (const Real value : {values[c][k], smooth}) text += std::isnan(value) ? " NaN" : fmt::format(" {:.6g}", value * units[c]);
     }
     text += '\n';
@@ -40,7 +49,7 @@ Real tic_step(Real range)
   return power * (rough < 1.5 * power ? 1 : rough < 3.5 * power ? 2 : rough < 7.5 * power ? 5 : 10);
 }
 
-/// One axis of a panel from 0, or from the least number where that is negative, to the most; in the plot's unit.
+/// One axis of a panel from 0, or from the least number where that is negative by more than noise, to the most; in the plot's unit.
 struct Axis {
   char letter;  ///< x or y
   std::string label;
@@ -57,7 +66,8 @@ struct Axis {
 
   std::string script() const
   {
-    const Real margin = max > min ? 0.04 * (max - min) : 1, from = min < 0 ? min - margin : 0, to = max + margin;
+    constexpr Real noise = 0.05;  // of the range
+    const Real margin = max > min ? 0.04 * (max - min) : 1, from = -min > noise * (max - min) ? min - margin : 0, to = max + margin;
     const auto range = [&](Real factor) {
       return fmt::format("[{:.6g}:{:.6g}]", factor * (downwards ? to : from), factor * (downwards ? from : to));
     };
@@ -70,7 +80,7 @@ struct Axis {
   }
 };
 
-constexpr const char* next_panel = "unset label 1\nunset x2tics\nunset x2label\nunset y2tics\nunset y2label\n";
+constexpr const char* next_panel = "unset label\nunset x2tics\nunset x2label\nunset y2tics\nunset y2label\n";
 
 /// The curves of a picture and the units that it shows them in.
 struct Curves {
@@ -154,14 +164,15 @@ std::string band_script(const Curves& curves, const std::string& chart, const ch
 constexpr const char* charts_with_bands[] = {"V_w", "H_u", "w_u"};
 constexpr const char *push_band = "#dfe9f4", *drag_band = "#f8e3df";
 
+/// Beside it the force over D s_u of clay, over gamma' D^2 of other soil.
 Axis force_axis(const Curves& curves, char letter, const std::string& words, const char* symbol)
 {
-  const Real unit_force = curves.scale.unit_weight * curves.scale.width * curves.scale.width;
+  const base::ForceMeasure measure = base::force_measure(curves.scale);
   return {.letter = letter,
           .label = fmt::format("{} {} ({})", words, symbol, curves.force.name),
           .downwards = false,
-          .second = unit_force > 0 ? 1 / (unit_force * curves.force.per_si) : 0,
-          .second_label = fmt::format("{}/(γ'D²)", symbol)};
+          .second = measure.size > 0 ? 1 / (measure.size * curves.force.per_si) : 0,
+          .second_label = fmt::format("{}/({})", symbol, measure.kind == base::ForceMeasure::Kind::strength ? "D sᵤ" : "γ'D²")};
 }
 
 Axis length_axis(const Curves& curves, char letter, const std::string& words, const char* symbol, bool downwards)
@@ -190,13 +201,59 @@ std::string push_panel(const Curves& curves)
   return script + next_panel;
 }
 
+/// From light to dark in the order of the drags; of one alone the colour `drag`.
+std::string drag_color(std::size_t k, std::size_t count)
+{
+  constexpr std::array<int, 3> light{0xf2, 0x9c, 0x6b}, dark{0x7a, 0x12, 0x2b};
+  if (count == 1) return "#c8452f";
+  const Real part = static_cast<Real>(k) / static_cast<Real>(count - 1);
+  std::string color = "#";
+  for (std::size_t c = 0; c < 3; ++c) color += fmt::format("{:02x}", light[c] + static_cast<int>(part * (dark[c] - light[c])));
+  return color;
+}
+
+/// One line for each drag, of two columns of the file; thin ones are its rows.
+std::string drag_lines(std::size_t count, int column, bool thin)
+{
+  std::string lines;
+  for (std::size_t k = 0; k < count; ++k)
+    lines += fmt::format("{}'curves.dat' index 1 every :::{}::{} using 1:{} with lines lc rgb '{}' lw {} notitle", k == 0 ? "" : ", ", k, k,
+                         column, thin ? "#f0c4bb" : drag_color(k, count), thin ? 1. : 2.5);
+  return lines;
+}
+
+/// What the colours and the two kinds of lines mean, above the panels.
+std::string legend(const Curves& curves)
+{
+  std::string words;
+  int label = 10;
+  const auto put = [&](Real x, const std::string& text, const std::string& color, const char* anchor) {
+    words += fmt::format("set label {} {} at screen {:.3f},0.925 {} font 'DejaVu Sans,12' tc rgb '{}'\n", label++, plot::gnuplot_text(text),
+                         x, anchor, color);
+  };
+  const std::size_t drags = curves.path.drags.size();
+  constexpr std::size_t max_names = 6;
+  if (curves.has_push()) put(0.075, "━ push", "#1764ab", "left");
+  if (drags > max_names) {
+    put(0.30, "━ first drag", drag_color(0, drags), "left");
+    put(0.46, fmt::format("━ last of {} drags", drags), drag_color(drags - 1, drags), "left");
+  }
+  for (std::size_t k = 0; k < drags && drags <= max_names; ++k)
+    put(0.17 + 0.075 * static_cast<Real>(k), drags == 1 ? "━ drag" : fmt::format("━ drag {}", k + 1), drag_color(k, drags), "left");
+  if (curves.scale.noisy) put(0.985, fmt::format("thin: rows; thick: mean over ±{:g} D", base::averaging_half_width), "#555555", "right");
+  return words;
+}
+
 /// H over u, and below it w over u, of all drags.
 std::string drag_panels(const Curves& curves)
 {
   const Real left = curves.has_push() ? 0.565 : 0.10, right = curves.has_push() ? 0.915 : 0.88;
-  Axis H = force_axis(curves, 'y', "horizontal resistance", "H"), w = length_axis(curves, 'y', "embedment", "w", true);
+  const std::vector<DragPath>& drags = curves.path.drags;
+  const bool both_ways = std::any_of(drags.begin(), drags.end(), [](const DragPath& drag) { return drag.stage.direction < 0; });
+  Axis H = force_axis(curves, 'y', both_ways ? "reaction along x" : "horizontal resistance", "H"),
+       w = length_axis(curves, 'y', "embedment", "w", true);
   Axis u = length_axis(curves, 'x', "horizontal displacement", "u", false);
-  for (const DragPath& drag : curves.path.drags) {
+  for (const DragPath& drag : drags) {
     H.take(plot::scaled(drag.H, drag.stage.direction), curves.force.per_si);
     w.take(drag.w, curves.length.per_si);
     u.take(u_of(drag, curves.path), curves.length.per_si);
@@ -209,12 +266,11 @@ std::string drag_panels(const Curves& curves)
   }
   std::string script = record::margins({left, right, 0.52, 0.84}) + u.script() + H.script();
   script += "plot " + band_script(curves, "H_u", "1:2", drag_band);
-  script += "'curves.dat' index 1 using 1:2 with lines lc rgb '#f0c4bb' lw 1 notitle, '' index 1 using 1:3 with lines lc rgb drag "
-            "lw 2.5 notitle\n";
+  if (curves.scale.noisy) script += drag_lines(drags.size(), 2, true) + ", \\\n     ";
+  script += drag_lines(drags.size(), 3, false) + '\n';
   u.second = 0;
   script += next_panel + record::margins({left, right, 0.085, 0.43}) + u.script() + w.script();
-  script += "plot " + band_script(curves, "w_u", "1:2", drag_band);
-  return script + "'curves.dat' index 1 using 1:5 with lines lc rgb drag lw 2.5 notitle\n";
+  return script + "plot " + band_script(curves, "w_u", "1:2", drag_band) + drag_lines(drags.size(), 5, false) + '\n';
 }
 
 }  // namespace
@@ -232,7 +288,7 @@ bool draw_pipe_curves(const run_folder::RunFolder& folder, const run_folder::His
   for (const std::string chart : charts_with_bands)
     if (const std::string band = band_blocks(curves, chart); !band.empty())
       io::write_atomically(folder.file("plots/band_" + chart + ".dat"), band);
-  std::string script = record::begin_panels(title);
+  std::string script = record::begin_panels(title) + legend(curves);
   if (curves.has_push()) script += push_panel(curves);
   if (curves.has_drag()) script += drag_panels(curves);
   return plot::draw(folder.path(), "curves", record::panels_width, record::panels_height, script + "unset multiplot\n");

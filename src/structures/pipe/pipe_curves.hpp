@@ -8,7 +8,8 @@
 namespace berm::pipe {
 
 /// curves.png: V(w) of the push, H(u) and w(u) of the drag (as far as there are both), with dimensionless axes beside. Thin: every row; thick:
-/// freed from noise over +-0.01 D; filled: `bands` (run_folder::CurveBand). False, with a warning, where it could not be drawn.
+/// freed from noise over +-0.01 D, of several drags from light to dark; filled: `bands` (run_folder::CurveBand). False, with a warning, where
+/// it could not be drawn.
 bool draw_pipe_curves(const run_folder::RunFolder& folder, const run_folder::History& history, const BodyScale& scale,
                       const PipeStages& stages, const std::string& title, const std::vector<run_folder::CurveBand>& bands);
 
