@@ -124,31 +124,70 @@ void smooth(plot::FigureCurve& curve, Real half)
   }
 }
 
-/// Styles of the curves of these rows: colours tell the values of what varies most, dashes all others; with too many for that each gets its own.
-std::vector<std::string> styles_of(const std::vector<const StudyRow*>& rows)
+/// How the curve of a row is drawn, and what the key says of it.
+struct RowLook {
+  std::string style, title;
+  bool thin = false;  ///< below the others
+};
+
+/// The values of an axis that occur, in their order; axis 0 is that of the cases.
+std::vector<std::size_t> values_of(const std::vector<const StudyRow*>& rows, std::size_t axis)
 {
-  std::vector<std::vector<std::size_t>> values(rows.empty() ? 0 : rows[0]->choice.size());  // that occur, by axis
+  std::vector<std::size_t> values;
   for (const StudyRow* row : rows)
-    for (std::size_t k = 0; k < values.size(); ++k)
-      if (std::find(values[k].begin(), values[k].end(), row->choice[k]) == values[k].end()) values[k].push_back(row->choice[k]);
+    if (std::find(values.begin(), values.end(), row->choice[axis]) == values.end()) values.push_back(row->choice[axis]);
+  return values;
+}
+
+std::size_t place_of(std::size_t value, const std::vector<std::size_t>& values)
+{
+  return static_cast<std::size_t>(std::find(values.begin(), values.end(), value) - values.begin());
+}
+
+/// Of few curves: colours tell the values of what varies most, dashes all others; with too many for that each gets its own.
+std::vector<RowLook> looks_of_few(const std::vector<const StudyRow*>& rows)
+{
+  std::vector<std::vector<std::size_t>> values;
+  for (std::size_t k = 0; k < rows[0]->choice.size(); ++k) values.push_back(values_of(rows, k));
   std::size_t colored = 0, dashes = 1;
   for (std::size_t k = 0; k < values.size(); ++k)
     if (values[k].size() > values[colored].size()) colored = k;
   for (std::size_t k = 0; k < values.size(); ++k) dashes *= k == colored ? 1 : values[k].size();
-  std::vector<std::string> styles;
+  const bool fits = dashes <= plot::curve_dashes && values[colored].size() <= plot::curve_colors;
+  std::vector<RowLook> looks;
   for (const StudyRow* row : rows) {
-    const auto place = [&](std::size_t k) {
-      return static_cast<std::size_t>(std::find(values[k].begin(), values[k].end(), row->choice[k]) - values[k].begin());
-    };
     std::size_t dash = 0;
     for (std::size_t k = 0; k < values.size(); ++k)
-      if (k != colored) dash = dash * values[k].size() + place(k);
-    const bool fits = dashes <= plot::curve_dashes && values[colored].size() <= plot::curve_colors;
-    const std::size_t own = styles.size();
-    styles.push_back(fits ? plot::curve_style(place(colored), dash)
-                          : plot::curve_style(own % plot::curve_colors, own / plot::curve_colors));
+      if (k != colored) dash = dash * values[k].size() + place_of(row->choice[k], values[k]);
+    const std::size_t own = looks.size();
+    looks.push_back({fits ? plot::curve_style(place_of(row->choice[colored], values[colored]), dash)
+                          : plot::curve_style(own % plot::curve_colors, own / plot::curve_colors),
+                     ""});
   }
-  return styles;
+  return looks;
+}
+
+/// Of many: one colour for each value of the first that varies, its first row thick and all others of it thin.
+std::vector<RowLook> looks_of_many(const std::vector<const StudyRow*>& rows)
+{
+  std::size_t grouped = 0;
+  while (grouped + 1 < rows[0]->choice.size() && values_of(rows, grouped).size() < 2) ++grouped;
+  const std::vector<std::size_t> values = values_of(rows, grouped);
+  std::vector<RowLook> looks;
+  for (std::size_t r = 0; r < rows.size(); ++r) {
+    const auto same = [&](const StudyRow* other) { return other->choice[grouped] == rows[r]->choice[grouped]; };
+    const std::size_t color = place_of(rows[r]->choice[grouped], values);
+    const bool thin = std::any_of(rows.begin(), rows.begin() + static_cast<std::ptrdiff_t>(r), same);
+    const auto others = std::count_if(rows.begin(), rows.end(), same) - 1;
+    Words rest;
+    for (std::size_t k = 0; k < rows[r]->names.size(); ++k)
+      if (k != grouped && values_of(rows, k).size() > 1) rest.push_back(rows[r]->names[k]);
+    std::string title = rows[r]->names[grouped];
+    if (!rest.empty()) title += fmt::format(": {}", fmt::join(rest, ", "));
+    if (others > 0) title += fmt::format(" (thin: {} more)", others);
+    looks.push_back({plot::curve_style(color % plot::curve_colors, color / plot::curve_colors, thin ? 0.7 : 2.8), thin ? "" : title, thin});
+  }
+  return looks;
 }
 
 std::string curve_name(const StudyPlan& plan, const StudyRow& row, bool one_case)
@@ -178,7 +217,10 @@ bool draw_study_figure(const StudyPlan& plan, const StudyFigure& wanted, const f
   std::vector<const StudyRow*> rows;
   for (const StudyRow& row : plan.rows)
     if (row.end.kind == jobs::JobEnd::Kind::finished && (!one_case || row.names[0] == wanted.case_name)) rows.push_back(&row);
-  const std::vector<std::string> styles = styles_of(rows);
+  if (rows.empty()) return false;
+  constexpr std::size_t few = 8;
+  std::vector<RowLook> looks = rows.size() <= few ? looks_of_few(rows) : looks_of_many(rows);
+  std::vector<plot::FigureCurve> thin;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const StudyRow& row = *rows[k];
     const run_folder::History history = run_folder::read_history(row.job.folder / "history.csv");
@@ -191,13 +233,14 @@ bool draw_study_figure(const StudyPlan& plan, const StudyFigure& wanted, const f
     if (!wanted.smooth_unit.empty() && !input::same_dimension(wanted.smooth_unit, x_column.unit))
       throw InputError(
           fmt::format("figure \"{}\": smooth is in {}, but {} in {}", wanted.name, wanted.smooth_unit, wanted.x, x_column.unit));
-    plot::FigureCurve curve{curve_name(plan, row, one_case), styles[k], of_stages(history, wanted.x, wanted.stage),
-                            of_stages(history, wanted.y, wanted.stage)};
+    plot::FigureCurve curve{rows.size() <= few ? curve_name(plan, row, one_case) : looks[k].title, looks[k].style,
+                            of_stages(history, wanted.x, wanted.stage), of_stages(history, wanted.y, wanted.stage)};
     smooth(curve, wanted.smooth                              ? *wanted.smooth
                   : x_column.unit == run_folder::metres.name ? base::averaging_half_width * row.diameter
                                                              : 0);
-    figure.curves.push_back(curve);
+    (looks[k].thin ? thin : figure.curves).push_back(curve);
   }
+  figure.curves.insert(figure.curves.begin(), thin.begin(), thin.end());
   const plot::PlotUnit x = unit_for(x_column.unit, figure.curves, &plot::FigureCurve::x),
                        y = unit_for(y_column.unit, figure.curves, &plot::FigureCurve::y);
   for (plot::FigureCurve& curve : figure.curves) {
@@ -210,7 +253,7 @@ bool draw_study_figure(const StudyPlan& plan, const StudyFigure& wanted, const f
   };
   figure.x_label = label(x_column, x);
   figure.y_label = label(y_column, y);
-  figure.height = std::clamp(static_cast<int>(figure.curves.size()) * 26 + 120, 560, 1400);
+  figure.height = std::clamp(static_cast<int>(figure.curves.size() - thin.size()) * 26 + 120, 560, 1400);
   figure.width = 1150;
   return draw_figure(output, file_of(wanted), figure);
 }

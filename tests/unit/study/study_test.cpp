@@ -164,6 +164,32 @@ stage = ["push"]
   const std::string csv = result("results.csv");
   EXPECT_NEAR(V, std::stod(csv.substr(csv.find("pipe,") + 5)) / 1000, 0.01 * V);
 }
+TEST_F(StudyCommand, of_many_curves_each_value_of_what_varies_first_has_a_colour_and_one_thick_line)
+{
+  folder_.write("stone.toml", test::falling_stone);
+  std::string text = "[[case]]\nname = \"stone\"\nfile = \"stone.toml\"\n";
+  for (const auto& [axis, key] : {std::pair("damping", "body.stone.damping"), std::pair("courant", "mpm.courant")}) {
+    text += std::string("[[axis]]\nname = \"") + axis + "\"\n";
+    for (const char* value : {"0.1", "0.2", "0.3"})
+      text += std::string("[[axis.value]]\nname = \"") + axis[0] + value + "\"\nset = ['" + key + "=" + value + "']\n";
+  }
+  write(text +
+        "[[measure]]\nname = \"v\"\nquantity = \"finished\"\n[[figure]]\nname = \"v over t\"\nx = \"time_s\"\ny = \"stone_vy_m_s\"\n");
+  const Ended ended = study({".", "-o", "results"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const std::string script = result("plots/v_over_t.gp");
+  for (const char* title : {"'d0.1: c0.1 (thin: 2 more)'", "'d0.2: c0.1 (thin: 2 more)'", "'d0.3: c0.1 (thin: 2 more)'"})
+    EXPECT_NE(script.find(title), std::string::npos) << title << " is not in\n" << script;
+  const auto count = [&](const std::string& words) {
+    int n = 0;
+    for (std::size_t at = script.find(words); at != std::string::npos; at = script.find(words, at + 1)) ++n;
+    return n;
+  };
+  EXPECT_EQ(count("notitle"), 6);
+  EXPECT_EQ(count("lw 0.7"), 6);
+  EXPECT_EQ(count("lw 2.8"), 3);
+  EXPECT_GT(script.find("lw 2.8"), script.rfind("lw 0.7")) << "thick ones lie above";
+}
 TEST_F(StudyCommand, refuses_wrong_input_at_its_line_and_runs_nothing)
 {
   struct Wrong {

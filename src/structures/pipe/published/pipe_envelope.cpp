@@ -58,7 +58,7 @@ PublishedEnvelope for_clay(const PipeInSoil& soil)
   const formulas::PipeInClay pipe{soil.pipe.width,    soil.pipe.embedment,      around.strength,
                                   roughness_of(soil), around.strength_gradient, soil.unit_weight};
   published.unit = pipe.diameter * pipe.strength;
-  published.unit_name = "(D s_u)";
+  published.unit_name = "(D sᵤ)";
   if (std::isnan(pipe.roughness)) {
     published.remark = "the formulas for clay know adhesion to the pipe, not friction: there is no curve to compare with";
     return published;
