@@ -16,8 +16,12 @@ std::string Places::written(const std::string& key) const
   if (!key.starts_with(stage)) return key;
   std::size_t number = 0;
   const auto [end, error] = std::from_chars(key.data() + stage.size(), key.data() + key.size(), number);
-  if (error != std::errc() || number >= stages_.size()) return key;
-  return fmt::format("{}{}{}", stage, stages_[number], key.substr(static_cast<std::size_t>(end - key.data())));
+  if (error != std::errc() || number >= stages_.size() || *end != ']') return key;
+  const std::string of_stage = fmt::format("{}{}]", stage, stages_[number]);
+  std::string rest = key.substr(static_cast<std::size_t>(end - key.data()) + 1);
+  // What ends a drag of a sweep is written as the sweep's amplitude.
+  if (rest.starts_with(".until") && follow(document_->root, of_stage + ".amplitude").whole) rest = ".amplitude";
+  return of_stage + rest;
 }
 
 std::string Places::located(const std::string& key, const std::string& message) const

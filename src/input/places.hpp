@@ -19,7 +19,7 @@ public:
   }
 
   /// "FILE:LINE: KEY: MESSAGE" of a key, "stage[2].until"; "--set KEY" instead of FILE:LINE where an override wrote it; the line of the nearest table where
-  /// nothing did.
+  /// nothing did. Of a drag of a sweep they are the sweep's own keys: what ends it is `amplitude`.
   std::string located(const std::string& key, const std::string& message) const;
   /// The same of "KEY: MESSAGE", as KeyError has it.
   std::string located(const std::string& key_and_message) const;

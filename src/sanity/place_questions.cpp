@@ -121,7 +121,7 @@ void does_the_path_stay_in_the_mesh(const Scene& s, Findings& found)
       if (!below && !above) continue;
       const std::string& name = s.c.rigid[way.rigid].first;
       const std::string message = fmt::format("takes \"{}\" out of the mesh: it reaches {} = {:.4g} m, where the mesh ends at {:.4g} m; "
-                                              "let the stage end earlier, or make the mesh {}",
+                                              "let it go less far, or make the mesh {}",
                                               name, axis_names[d], below ? path.from : path.to, below ? mesh.from : mesh.to,
                                               vertical ? (below == (s.up_sign > 0) ? "deeper" : "higher") : "longer there");
       const std::string key = stage_key(k, "until");
@@ -155,8 +155,8 @@ void does_the_path_stay_on_fine_cells(const Scene& s, Findings& found)
                              "at the start; resistance grows with the cells: {}",
                              s.c.rigid[way.rigid].first, words_of(std::sqrt(travel), "m"), words_of(size, "m"), width / size,
                              words_of(first, "m"), width / first,
-                             seabed ? "enlarge mesh.near_left, near_right or near_depth, or let the stage end earlier"
-                                    : "refine the mesh there, or let the stage end earlier"));
+                             seabed ? "enlarge mesh.near_left, near_right or near_depth, or let it go less far"
+                                    : "refine the mesh there, or let it go less far"));
       return;
     }
   }

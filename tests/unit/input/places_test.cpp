@@ -46,6 +46,14 @@ TEST(Places, of_the_drags_of_a_sweep_are_those_of_the_sweep)
   const Places places(parse_text("case.toml", two), {0, 1, 1});
   EXPECT_EQ(places.located("stage[2].velocity", "is wrong"), "case.toml:5: stage.sweep.velocity: is wrong");
 }
+TEST(Places, of_what_ends_the_drags_of_a_sweep_are_its_amplitude)
+{
+  const std::string two = "[[stage]]\nname = \"push\"\nuntil.time = 1\n[[stage]]\nname = \"sweep\"\namplitude = 1\n";
+  const Places places(parse_text("case.toml", two), {0, 1, 1});
+  EXPECT_EQ(places.located("stage[2].until", "is far"), "case.toml:6: stage.sweep.amplitude: is far");
+  EXPECT_EQ(places.located("stage[1].until.displacement", "is far"), "case.toml:6: stage.sweep.amplitude: is far");
+  EXPECT_EQ(places.located("stage[0].until.time", "is long"), "case.toml:3: stage.push.until.time: is long");
+}
 
 TEST(Places, of_a_case_without_a_file_are_keys_alone)
 {

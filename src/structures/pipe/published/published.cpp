@@ -97,7 +97,7 @@ void add_breakout(PublishedValues& values, const PipeRun& run, const SandAround&
     peak->comparisons = sand_in_drag(sand, peak->w, peak->V, H / part);
     values.states.push_back(*peak);
   }
-  const Real w = points.push_end && run.settings.method == problem::Method::mpm ? points.push_end->w : points.first_w;
+  const Real w = w_where_the_drag_begins(run, points);
   const auto breakout = resistance_of(run).breakout;
   const Real u = breakout ? breakout->u : nan;
   values.states.push_back({ComparedState::Kind::breakout, u, w, nan, sand_at_breakout(sand, w, u)});
@@ -108,6 +108,15 @@ Real H_at(const RunPoints& points, Real u)
   for (const DragPoint& p : points.drag)
     if (p.u == u) return p.H;
   return nan;
+}
+
+/// Unloading and other stages may lie between the push and the drag.
+Real w_where_the_drag_begins(const PipeRun& run, const RunPoints& points)
+{
+  if (run.settings.method == problem::Method::fem) return points.first_w;  // small strains leave it there
+  const PipePath path = run.history.rows() > 0 ? pipe_path(run.history, run.stages) : PipePath{};
+  if (!path.drag().w.empty() && std::isfinite(path.drag().w.front())) return path.drag().w.front();
+  return points.push_end ? points.push_end->w : points.first_w;
 }
 
 }  // namespace

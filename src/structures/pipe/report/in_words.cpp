@@ -86,14 +86,48 @@ std::string drag_words(const PipeRun& run, const RunPoints& points, const DragPo
   return words + ". ";
 }
 
+/// Whether the mean vertical forces of two drags differ by more than noise.
+bool is_under_another_V(const DragResults& one, const DragResults& other)
+{
+  constexpr Real same_V = 0.03;
+  return one.V && other.V && std::abs(*one.V - *other.V) > same_V * std::max(std::abs(*one.V), std::abs(*other.V));
+}
+
+/// Of drags under different vertical forces: " H = 1 kN/m under V = 2 kN/m, H = ...".
+std::string each_in_words(const PipeRun& run, const PipeResults& results, const base::DisplayUnits& shown)
+{
+  constexpr std::size_t max = 4;
+  std::string words;
+  std::size_t count = 0;
+  for (std::size_t k = 1; k < results.drags.size(); ++k) {
+    const DragResults& drag = results.drags[k];
+    if (!drag.end) continue;
+    if (count == max) return words + ", and so on (summary.json has them all)";
+    words += fmt::format("{} H = {} at the end", count++ == 0 ? "" : ",", shown.force_text(run.scale, drag.end->H));
+    if (drag.V) words += fmt::format(" under V = {}", shown.force_text(run.scale, *drag.V));
+  }
+  return words;
+}
+
 /// Of the drags after the first.
 std::string later_drags_words(const PipeRun& run, const PipeResults& results, const base::DisplayUnits& shown)
 {
   Real min = infinity, max = -infinity;
   int later = 0;
-  for (std::size_t k = 1; k < results.drags.size(); ++k)
-    if (const auto& end = results.drags[k].end) min = std::min(min, end->H), max = std::max(max, end->H), ++later;
+  bool other_V = false;
+  const DragResults* last = nullptr;
+  for (std::size_t k = 1; k < results.drags.size(); ++k) {
+    const DragResults& drag = results.drags[k];
+    if (!drag.end) continue;
+    min = std::min(min, drag.end->H), max = std::max(max, drag.end->H), ++later;
+    other_V = other_V || is_under_another_V(results.drag(), drag);
+    last = &drag;
+  }
   if (later == 0) return "";
+  if (later == 1 && other_V)
+    return fmt::format(" One more drag follows{}: it meets at its end H = {}.", vertical_words(run, *last, shown),
+                       shown.force_text(run.scale, min));
+  if (other_V) return fmt::format(" {} more drags follow:{}.", later, each_in_words(run, results, shown));
   const std::string range = min == max ? shown.force_text(run.scale, min)
                                        : fmt::format("{} to {}", shown.force_text(run.scale, min), shown.force_text(run.scale, max));
   return fmt::format(" {} {} at {} end H = {}.", later == 1 ? "One more drag follows:" : fmt::format("{} more drags follow:", later),

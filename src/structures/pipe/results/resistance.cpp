@@ -15,7 +15,9 @@ constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 
 std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const BodyScale& scale)
 {
-  const Real half = averaging_half(scale), stays = scale.noisy ? breakout_stays * scale.width : 0;
+  if (smooth.empty()) return std::nullopt;
+  const Real half = averaging_half(scale), over_D = breakout_stays * scale.width,
+             stays = scale.noisy ? over_D : std::min(over_D, max_residual_part * (smooth.end() - smooth.begin()));
   Resistance::Point peak{0, 0};
   bool fallen = false;
   for (std::size_t k = 0; k < smooth.travel().size(); ++k) {
@@ -27,7 +29,9 @@ std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const Bo
       continue;
     }
     fallen = fallen || here <= (1 - min_fall) * peak.H;
-    if (fallen && peak.H > 0 && u >= peak.u + stays) return peak;
+    if (!fallen || !(peak.H > 0) || u < peak.u + stays) continue;
+    // A single increment that relaxes falls, too: without noise H must stay below by as much on the mean.
+    if (scale.noisy || smooth.at(peak.u + stays / 2, stays / 2) <= (1 - min_fall) * peak.H) return peak;
   }
   return std::nullopt;
 }

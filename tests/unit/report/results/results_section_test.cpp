@@ -30,6 +30,30 @@ TEST(answer, says_in_words_what_the_pipe_met)
   EXPECT_TRUE(holds(html, "There is no peak: H grows to the end of the drag.")) << html;
 }
 
+/// A second drag of D under a vertical force.
+record::RunRecord with_a_second_drag(Real V)
+{
+  MadeRun made;
+  made.dragged = 0.02;
+  record::RunRecord run = made.record();
+  run.settings.stage.push_back(MadeRun::stage_of("second", problem::StageKind::drag));
+  for (int k = 1; k <= 500; ++k) {
+    const Real row[] = {static_cast<Real>(run.history.rows()), 0.02 + k * 4e-5, 0.012, 300, V};
+    for (int c = 0; c < 5; ++c) run.history.values[c].push_back(row[c]);
+    run.history.stage.push_back("second");
+  }
+  run.quantities = structures::structure_of(run.settings).quantities(run, {});
+  return run;
+}
+
+TEST(answer, a_drag_under_another_vertical_force_says_so)
+{
+  const std::string other = results_section({with_a_second_drag(400)}), same = results_section({with_a_second_drag(800)});
+  EXPECT_TRUE(holds(other, "One more drag follows with V held, 0.4 kN/m")) << other;
+  EXPECT_TRUE(holds(other, "it meets at its end H = 0.3 kN/m")) << other;
+  EXPECT_TRUE(holds(same, "One more drag follows: it meets at its end H = 0.3 kN/m")) << same;
+}
+
 TEST(answer, key_results_stand_at_model_scale_dimensionless_and_at_prototype_scale)
 {
   const std::string html = results_section({MadeRun{}.record()});

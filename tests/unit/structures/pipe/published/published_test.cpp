@@ -135,6 +135,17 @@ TEST(published, breakout_of_the_code_is_for_the_embedment_at_which_the_drag_begi
   EXPECT_NEAR(mean->published.value, 0.02 * (0.02 + 0.25 * 0.1), 1e-9);
 }
 
+TEST(published, breakout_of_the_code_is_not_for_the_embedment_of_the_push_where_the_pipe_rose_before_the_drag)
+{
+  record::RunRecord run = MadeRun{}.record();
+  const auto last = std::find(run.history.stage.begin(), run.history.stage.end(), "drag") - run.history.stage.begin() - 1;
+  run.history.stage[last] = "unload";
+  run.history.values[2][last] = 0.0015;  // w
+  const PublishedValues values = published_beside(PipeRun(run));
+  EXPECT_NE(state_at(values, Kind::breakout, 0.0015), nullptr);
+  EXPECT_EQ(state_at(values, Kind::breakout, 0.002), nullptr);
+}
+
 MadeRun clay_run(Real pushed_to)
 {
   MadeRun made;

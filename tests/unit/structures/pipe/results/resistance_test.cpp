@@ -65,7 +65,21 @@ TEST(resistance, waves_of_a_dynamic_method_are_no_breakout)
   // Waves of 0.06 D that fall by 8 %, on H that grows.
   const auto waves = [](Real x) { return 100 + 600 * x + 30 * std::sin(2 * pi * x / 0.06); };
   EXPECT_FALSE(of(waves).breakout);
-  EXPECT_TRUE(of(waves, D, problem::Method::fem).breakout);  // where nothing is noise, the same is a peak
+  EXPECT_FALSE(of(waves, D, problem::Method::fem).breakout);
+}
+
+TEST(resistance, of_finite_elements_an_increment_that_relaxes_is_no_breakout)
+{
+  const auto H = [](Real x) { return 300 * std::min(1., x / 0.05); };
+  const auto relaxed = [&](Real x) { return H(x) * (x > 0.099 && x < 0.111 ? 0.93 : 1) - 0.1 * x; };
+  EXPECT_FALSE(of(relaxed, 0.5 * D, problem::Method::fem).breakout);
+  // The same fall that stays is one; also in a drag that is shorter than 0.3 D.
+  const auto fallen = [&](Real x) { return H(x) * (x > 0.099 ? 0.93 : 1) - 0.1 * x; };
+  for (const Real travel : {0.5 * D, 0.2 * D}) {
+    const Resistance found = of(fallen, travel, problem::Method::fem);
+    ASSERT_TRUE(found.breakout) << travel / D;
+    EXPECT_NEAR(found.breakout->H, 300, 0.01 * 300);
+  }
 }
 
 TEST(resistance, a_short_drag_is_residual_only_if_its_last_tenth_of_D_is_level)
