@@ -93,9 +93,9 @@ void Canvas::dimension(const Vec<2>& from, const Vec<2>& to, const std::string& 
   arrow(middle, to, style);
   const bool upright = std::abs(to[1] - from[1]) > std::abs(to[0] - from[0]);
   if (upright && (to - from).norm() < width_of(words, TextStyle{}.size) + 6)  // words that are longer than the line lie
-    text(middle + Vec<2>(-9, 0), words, {.anchor = Anchor::right});
+    text(middle + Vec<2>(-10, 0), words, {.anchor = Anchor::right});
   else
-    text(middle + (upright ? Vec<2>(-9, 0) : Vec<2>(0, -9)), words, {.anchor = Anchor::center, .upright = upright});
+    text(middle + (upright ? Vec<2>(-11, 0) : Vec<2>(0, -9)), words, {.anchor = Anchor::center, .upright = upright});
 }
 
 void Canvas::text(const Vec<2>& at, const std::string& words, const TextStyle& style)

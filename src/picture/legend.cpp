@@ -233,7 +233,11 @@ std::string method_words(const Model& model)
       fmt::format("Plane strain, {}. {} cells.",
                   c.method == problem::Method::mpm ? "material point method" : "small-strain finite elements around the body in place",
                   text::count_words(model.ground.cells));
-  if (const Real g = model.sketch.gravity.norm(); g > 0) words += fmt::format(" Gravity {:.3g} g.", g / standard_gravity);
+  const Vec<2>& gravity = model.sketch.gravity;
+  if (gravity.norm() > 0) words += fmt::format(" Gravity {:.3g} g", gravity.norm() / standard_gravity);
+  if (gravity[0] != 0 && gravity[1] != 0)
+    words += fmt::format(", {} from the vertical axis", text::angle_words(std::atan(std::abs(gravity[0] / gravity[1]))));
+  if (gravity.norm() > 0) words += ".";
   return words + " To scale.";
 }
 

@@ -233,6 +233,19 @@ void mesh_dimensions(Canvas& canvas, const Model& model, const Scale& scale)
   }
 }
 
+/// w beside a body: left of it where there is room for the words, else right of it.
+void embedment(Canvas& canvas, const Model& model, const Scale& scale, const Extent& body, Real w)
+{
+  constexpr Real room = 150;  // pixels
+  const bool at_left = scale(body.lower)[0] > room;
+  const Real x = at_left ? body.lower[0] : body.upper[0];
+  const Vec<2> beside(at_left ? -16 : 16, 0), lowest = scale({x, body.lower[1]}) + beside,
+                                              level = scale({x, *model.sketch.surface}) + beside;
+  canvas.line({lowest, scale({0.5 * (body.lower[0] + body.upper[0]), body.lower[1]})}, {"#555555", 0.8, 3});
+  canvas.dimension(lowest, level, "");
+  canvas.text(0.5 * (lowest + level) + 0.6 * beside, "w = " + text::length_words(w), {.anchor = at_left ? Anchor::right : Anchor::left});
+}
+
 /// The width of each rigid body above it, and its embedment where it begins below the surface.
 void rigid_dimensions(Canvas& canvas, const Model& model, const Scale& scale)
 {
@@ -246,9 +259,7 @@ void rigid_dimensions(Canvas& canvas, const Model& model, const Scale& scale)
     if (!model.sketch.surface) continue;
     const Real w = *model.sketch.surface - extent.lower[1];
     if (w <= 1e-3 * extent.size()[1] || extent.lower[1] < model.ground.lower[1]) continue;
-    const Vec<2> beside(-16, 0), lowest = scale(extent.lower) + beside, level = scale({extent.lower[0], *model.sketch.surface}) + beside;
-    canvas.line({lowest, scale({0.5 * (extent.lower[0] + extent.upper[0]), extent.lower[1]})}, {"#555555", 0.8, 3});
-    canvas.dimension(lowest, level, "w = " + text::length_words(w));
+    embedment(canvas, model, scale, extent, w);
   }
 }
 
