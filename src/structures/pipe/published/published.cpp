@@ -88,6 +88,15 @@ std::optional<ComparedState> peak_of(const PipeRun& run, const RunPoints& points
                        resistance.breakout.has_value()};
 }
 
+/// Unloading and other stages may lie between the push and the drag.
+Real w_where_the_drag_begins(const PipeRun& run, const RunPoints& points)
+{
+  if (run.settings.method == problem::Method::fem) return points.first_w;  // small strains leave it there
+  const PipePath path = run.history.rows() > 0 ? pipe_path(run.history, run.stages) : PipePath{};
+  if (!path.drag().w.empty() && std::isfinite(path.drag().w.front())) return path.drag().w.front();
+  return points.push_end ? points.push_end->w : points.first_w;
+}
+
 /// Comparisons of a drag in sand, whose formulas are those of breakout.
 void add_breakout(PublishedValues& values, const PipeRun& run, const SandAround& sand, const RunPoints& points, Real part)
 {
@@ -108,15 +117,6 @@ Real H_at(const RunPoints& points, Real u)
   for (const DragPoint& p : points.drag)
     if (p.u == u) return p.H;
   return nan;
-}
-
-/// Unloading and other stages may lie between the push and the drag.
-Real w_where_the_drag_begins(const PipeRun& run, const RunPoints& points)
-{
-  if (run.settings.method == problem::Method::fem) return points.first_w;  // small strains leave it there
-  const PipePath path = run.history.rows() > 0 ? pipe_path(run.history, run.stages) : PipePath{};
-  if (!path.drag().w.empty() && std::isfinite(path.drag().w.front())) return path.drag().w.front();
-  return points.push_end ? points.push_end->w : points.first_w;
 }
 
 }  // namespace
