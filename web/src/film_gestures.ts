@@ -14,7 +14,7 @@ export interface Gestures {
 }
 
 export const KEYS_HELP =
-  "Keys, after a click on the picture: space plays, ← → go frame by frame, Home and End to the first and last; + and − or the wheel zoom, " +
+  "Dashed is the surface at the start. Keys, after a click on the picture: space plays, ← → go frame by frame, Home and End to the first and last; + and − or the wheel zoom, " +
   "a drag or Shift with arrows moves the picture, 0 shows the region of interest. Ctrl with the wheel zooms without the click; two fingers zoom.";
 
 const ZOOM_STEP = 1.25;

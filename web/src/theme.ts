@@ -23,7 +23,7 @@ export function follow_theme(): void {
   const apply = () => {
     if (choice === "auto") delete document.documentElement.dataset.theme;
     else document.documentElement.dataset.theme = choice;
-    button.replaceChildren(element("span", { class: "theme_word" }, "theme: "), choice);
+    button.textContent = `theme: ${choice}`;
     document.dispatchEvent(new Event("theme"));
   };
   button.addEventListener("click", () => {

@@ -65,7 +65,7 @@ std::vector<text::RunEntry> entries_of(const record::RunRecord& run)
   entries.push_back(entry("ended (UTC)", not_recorded(summary("date"))));
   if (!run.origin) {
     entries.push_back(entry("program", "berm " + not_recorded(summary("version"))));
-    entries.push_back(entry("SHA-256", "not recorded: made by a berm that did not note it"));
+    entries.push_back(entry("SHA-256", "not recorded: the run was made by an earlier version"));
     return entries;
   }
   for (std::size_t k = 1; k < run.origin->sessions.size(); ++k)
@@ -124,10 +124,11 @@ std::string origin_section(const Runs& runs)
   for (const record::RunRecord& run : runs) columns.run(run.name, entries_of(run));
   std::string html = documents_table(runs);
   html += columns.table("origin", "What each run is made from, and by which program").html();
-  html += text::html_paragraph(
-      "The hashes were noted in origin.json of each run folder when the run began; sha256sum of the file named gives the same digits "
-      "if it is unchanged. case.toml is the input as it was given, resolved.toml the whole of it with overrides and defaults.",
-      "quiet");
+  if (std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return run.origin.has_value(); }))
+    html += text::html_paragraph(
+        "The hashes were noted in origin.json of each run folder when the run began; sha256sum of the file named gives the same digits "
+        "if it is unchanged. case.toml is the input as it was given, resolved.toml the whole of it with overrides and defaults.",
+        "quiet");
   html += "<h3>Units and signs</h3>\n" + text::html_paragraph(units_words(runs));
   if (std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return base::drives_a_body(run.settings); }))
     html += "<h3>Codes and papers</h3>\n" +

@@ -61,7 +61,7 @@ void add_material(Rows& rows, const std::string& prefix, const material::Materia
   if (!soil) return;
   rows.add(prefix + "friction angle", text::angle_words(soil->friction_angle));
   rows.add(prefix + "dilation angle", text::angle_words(soil->dilation_angle));
-  rows.add(prefix + "cohesion", text::stress_words(soil->cohesion));
+  rows.add(prefix + "cohesion", text::stress_words(soil->cohesion) + (varies(material) ? " at the surface" : ""));
   if (soil->cohesion_gradient != 0) rows.add(prefix + "cohesion per metre of depth", text::stress_words(soil->cohesion_gradient));
   for (const auto& [name, body] : c.body)
     if (body.k0 && &c.material[problem::index_of(c.material, body.material)].second == &material)

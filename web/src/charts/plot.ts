@@ -92,7 +92,7 @@ export class Plot {
       dash: line.weight === "raw" ? [] : line.style.dash, paths: path_of, points: { show: false },
     });
     return {
-      mode: 2, width, height, legend: { show: false }, padding: [10, 14, 0, 0],
+      mode: 2, width, height, legend: { show: false }, padding: [10, 20, 0, 0],
       series: [{}, ...series, { facets, auto: false, paths: path_of, points: { show: false } }] as uPlot.Series[],
       scales: { x: this.scale("x", scene.x), y: this.scale("y", scene.y) },
       axes: [axis_options("x", scene.x), axis_options("y", scene.y)],

@@ -51,7 +51,8 @@ TEST(origin_section, of_a_run_without_a_note_says_so_and_tells_local_time)
   run.begun = "2026-01-31 12:00:00";
   const std::string html = origin_section({run});
   EXPECT_NE(html.find("2026-01-31 12:00:00 (local time)"), std::string::npos) << html;
-  EXPECT_NE(html.find("made by a berm that did not note it"), std::string::npos);
+  EXPECT_NE(html.find("made by an earlier version"), std::string::npos);
+  EXPECT_EQ(html.find("sha256sum"), std::string::npos);
 }
 
 }  // namespace

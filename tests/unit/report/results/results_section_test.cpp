@@ -60,14 +60,16 @@ TEST(answer, key_results_stand_at_model_scale_dimensionless_and_at_prototype_sca
   EXPECT_TRUE(holds(html, "<th scope=\"col\" class=\"number\">V, kN/m</th><th scope=\"col\" class=\"number\">V/(γ′ D²)</th>"
                           "<th scope=\"col\" class=\"number\">V in the prototype, kN/m</th>"));
   EXPECT_TRUE(holds(html, "times the gravity level (50)"));
-  EXPECT_TRUE(holds(html, "<th scope=\"row\">w = 0.05 D</th><td class=\"number\">0.05000</td><td class=\"number\">1.000</td>"
-                          "<td class=\"number\">0.05000</td><td class=\"number\">0.4000</td><td class=\"number\">2.326</td>"
-                          "<td class=\"number\">20.00</td>"))
+  EXPECT_TRUE(holds(
+      html,
+      "<th scope=\"row\">w = 0.05 D</th><td class=\"number\">0.4000</td><td class=\"number\">2.326</td><td class=\"number\">20.00</td>"
+      "<td class=\"number\">0.05000</td><td class=\"number\">1.000</td><td class=\"number\">0.05000</td>"))
       << html;
   // At u = 0.3 D: w = 5 mm, H = 180 N/m, V = 800 N/m.
-  EXPECT_TRUE(holds(html, "<th scope=\"row\">u = 0.3 D</th><td class=\"number\">0.2500</td><td class=\"number\">5.000</td>"
-                          "<td class=\"number\">0.2500</td><td class=\"number\">0.1800</td><td class=\"number\">1.047</td>"
-                          "<td class=\"number\">9.000</td><td class=\"number\">0.2250</td>"))
+  EXPECT_TRUE(holds(
+      html,
+      "<th scope=\"row\">u = 0.3 D</th><td class=\"number\">0.1800</td><td class=\"number\">1.047</td><td class=\"number\">9.000</td>"
+      "<td class=\"number\">0.2250</td><td class=\"number\">0.2500</td><td class=\"number\">5.000</td><td class=\"number\">0.2500</td>"))
       << html;
 }
 
@@ -140,8 +142,21 @@ TEST(answer, breakout_is_told_where_there_is_one)
   const std::string html = results_section({made.record()});
   EXPECT_TRUE(holds(html, "H peaks first at u = 0.304 D (6.08 mm, 0.304 m in the prototype) with 0.298 kN/m")) << html;
   EXPECT_TRUE(holds(html, "then comes to 0.2 kN/m")) << html;
-  EXPECT_TRUE(holds(html, "Breakout of the drag from w = 0.1 D<")) << html;
+  EXPECT_TRUE(holds(html, "Displacement at breakout of the drag from w = 0.1 D<")) << html;
+  EXPECT_TRUE(holds(html, "Breakout of the drag at u = 0.304 D: ")) << html;
   EXPECT_FALSE(holds(html, "no peak"));
+}
+
+TEST(answer, formulas_written_from_memory_are_folded_away_from_those_that_may_be_quoted)
+{
+  const std::string html = results_section({MadeRun{}.record()});
+  const auto quoted = html.find("id=\"published-0\""), folded = html.find("<details class=\"for_screen\">"),
+             f109 = html.find("DNV-RP-F109");
+  ASSERT_NE(quoted, std::string::npos) << html;
+  EXPECT_LT(quoted, folded);
+  EXPECT_LT(folded, f109);
+  EXPECT_LT(html.rfind("DNV-RP-F114"), folded) << "a fit is shown";
+  EXPECT_TRUE(holds(html, "DNV-RP-F114; BE, best estimate"));
 }
 
 TEST(answer, several_runs_stand_one_below_the_other_at_each_point)
@@ -173,8 +188,9 @@ TEST(answer, a_push_has_no_point_where_it_begins_but_one_where_it_ends)
     made.V = [](Real w) { return 17000 * (w - 0.004) / 0.0004; };
     const std::string html = results_section({made.record()});
     EXPECT_FALSE(holds(html, "<th scope=\"row\">w = 0.2 D</th>")) << html;
-    EXPECT_TRUE(holds(html, "<th scope=\"row\">end of the push</th><td class=\"number\">0.2200</td><td class=\"number\">4.400</td>"
-                            "<td class=\"number\">0.2200</td><td class=\"number\">17.00</td>"))
+    EXPECT_TRUE(holds(html, "<th scope=\"row\">end of the push</th><td class=\"number\">17.00</td><td class=\"number\">98.84</td><td "
+                            "class=\"number\">850.0</td>"
+                            "<td class=\"number\">0.2200</td><td class=\"number\">4.400</td><td class=\"number\">0.2200</td>"))
         << html;
   }
 }
@@ -222,8 +238,9 @@ TEST(answer, no_H_is_larger_than_the_largest)
 {
   // H grows to the end of the drag at 0.5 D, where the table has a point: 300 N/m.
   const std::string html = results_section({MadeRun{}.record()});
-  EXPECT_TRUE(holds(html, "<th scope=\"row\">largest</th><td class=\"number\">0.5000</td><td class=\"number\">10.00</td>"
-                          "<td class=\"number\">0.5000</td><td class=\"number\">0.3000</td>"))
+  EXPECT_TRUE(holds(
+      html, "<th scope=\"row\">largest</th><td class=\"number\">0.3000</td><td class=\"number\">1.744</td><td class=\"number\">15.00</td>"
+            "<td class=\"number\">0.5000</td><td class=\"number\">10.00</td><td class=\"number\">0.5000</td>"))
       << html;
   EXPECT_TRUE(holds(html, "straight line fitted to H or V within ±0.01 D of travel"));
   // An older folder has a largest H without the ends; a folder without a history has nothing else.
