@@ -198,7 +198,7 @@ inline const std::vector<SenselessInput>& senseless_inputs()
        "bed",
        warned,
        {"rigid.pipe.center", "ground beside it reaches", "touches the ground"},
-       {"mesh.trench={depth=\"8 mm\", width=\"8 mm\", side_slope=\"30 deg\"}", "rigid.pipe.center=[0, \"2 mm\"]"},
+       {"mesh.trench={depth=\"8 mm\", width=\"8 mm\", side_slope=\"60 deg\"}", "rigid.pipe.center=[0, \"2 mm\"]"},
        "",
        ""},
       {"pipe_in_a_slope", "bed", warned, {"rigid.pipe.center", "touches the ground with its centre"}, {"mesh.slope=25 deg"}, "", ""},
