@@ -42,8 +42,10 @@ std::string with_half_width(Real value, Real half_width, const char* sign)
   const bool two = half_width < 2.95 * std::pow(10, power);
   const int decimals = static_cast<int>(two ? 1 - power : -power);
   if (decimals > 9 || decimals < -6) return fmt::format("{:.3e} {} {:.1e}", value, sign, half_width);
-  const Real unit = std::pow(10, std::max(0, -decimals));
-  const auto rounded = [&](Real number) { return fmt::format("{:.{}f}", std::round(number / unit) * unit, std::max(0, decimals)); };
+  const Real unit = std::pow(10, -decimals);
+  const auto rounded = [&](Real number) {
+    return fmt::format("{:.{}f}", decimals < 0 ? std::round(number / unit) * unit : number, std::max(0, decimals));
+  };
   return fmt::format("{} {} {}", rounded(value), sign, rounded(half_width));
 }
 
