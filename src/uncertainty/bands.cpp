@@ -78,7 +78,11 @@ run_folder::CurveBand band_of(const base::ChartCurve& curve, const std::vector<V
   for (int k = 0; k <= curve_points; ++k) {
     const Real s = k == curve_points ? end : begin + k * step;
     std::vector<Real> numbers;
-    for (const base::ChartCurve* variant : of_variants) numbers.push_back(variant->values.at(s, half));
+    // A run ends at the limit of its stage but for a step of its own.
+    for (const base::ChartCurve* variant : of_variants) {
+      const record::TravelCurve& values = variant->values;
+      numbers.push_back(values.at(s > values.end() && s < values.end() + 0.1 * step ? values.end() : s, half));
+    }
     // The rows' noise is in the scatter from mesh to mesh.
     const run_folder::Band at = band_of(numbers_of(curve.values.at(s, half), variants, numbers), 0);
     band.x.push_back(curve.begin + curve.direction * s);

@@ -29,7 +29,9 @@ struct Place {
   }
   run_folder::Uncertainty uncertainty() const
   {
-    return run_folder::read_summary(folder / "run")->uncertainty.value_or(run_folder::Uncertainty{.missing = "nothing there"});
+    run_folder::Uncertainty nothing;
+    nothing.missing = "nothing there";
+    return run_folder::read_summary(folder / "run")->uncertainty.value_or(nothing);
   }
 };
 

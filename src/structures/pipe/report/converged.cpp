@@ -3,7 +3,6 @@
 #include "structures/pipe/report/converged.hpp"
 
 #include "text/shown_number.hpp"
-#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -63,9 +62,8 @@ std::string converged_notes(const PipeRuns& runs)
                                   "quiet");
   for (const PipeRun& run : runs)
     if (const run_folder::Uncertainty* uncertainty = uncertainty_of(run); uncertainty != nullptr && !uncertainty->missing.empty())
-      notes += text::html_paragraph(fmt::format("{} was asked how sure its results are, and has no bands: {}.", text::html_text(run.name),
-                                                text::html_text(uncertainty->missing)),
-                                    "quiet");
+      notes += text::html_paragraph(
+          fmt::format("{} was asked how sure its results are, and has no bands: {}.", run.name, uncertainty->missing), "quiet");
   return notes;
 }
 

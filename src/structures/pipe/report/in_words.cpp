@@ -139,8 +139,9 @@ std::string short_drag_words(const PipeRun& run, const RunPoints& points, const 
 {
   const Real D = run.scale.width;
   const std::string travel = std::isnan(resistance.travel) ? "less than 0.1 D" : text::short_number(resistance.travel / D) + " D";
-  return fmt::format("{} at most H = {}, at u = {}. ", drag_begin(run, points, travel, shown),
-                     shown.force_text(run.scale, resistance.largest->H), shown.length_text(run.scale, resistance.largest->u));
+  return fmt::format("{} at most H = {}{}, at u = {}. ", drag_begin(run, points, travel, shown),
+                     shown.force_text(run.scale, resistance.largest->H), converged_words(run, "H_max", shown),
+                     shown.length_text(run.scale, resistance.largest->u));
 }
 
 std::string resistance_words(const PipeRun& run, const Resistance& resistance, const base::DisplayUnits& shown)

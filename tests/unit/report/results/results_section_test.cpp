@@ -80,7 +80,7 @@ TEST(answer, tells_how_sure_it_is_where_that_is_known)
   run.summary.emplace();
   run_folder::Uncertainty& u = run.summary->uncertainty.emplace();
   u.quantities = {
-      {"V_end_of_push", "N/m", {800, 715, 53}}, {"V_at_w_0.05D", "N/m", {400, 360, 28}}, {"H_at_u_0.3D", "N/m", {180, 170, 12}}};
+      {"V_end_of_push", "N/m", {800, 718, 53}}, {"V_at_w_0.05D", "N/m", {400, 360, 28}}, {"H_at_u_0.3D", "N/m", {180, 170, 12}}};
   const std::string html = results_section({run});
   EXPECT_TRUE(holds(html, "carries V = 0.8 kN/m (40 kN/m in the prototype, 4.65 γ′ D²), converged 0.72 ± 0.05 kN/m.")) << html;
   EXPECT_TRUE(holds(html, "<th scope=\"col\" class=\"number\">V converged, kN/m</th>")) << html;
