@@ -30,8 +30,8 @@ std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const Bo
     }
     fallen = fallen || here <= (1 - min_fall) * peak.H;
     if (!fallen || !(peak.H > 0) || u < peak.u + stays) continue;
-    // A single increment that relaxes falls, too: without noise H must stay below by as much on the mean.
-    if (scale.noisy || smooth.at(peak.u + stays / 2, stays / 2) <= (1 - min_fall) * peak.H) return peak;
+    // A single increment that relaxes falls, too: without noise the mean of so long a way must be lower by as much.
+    if (scale.noisy || smooth.at(u - stays / 2, stays / 2) <= (1 - min_fall) * peak.H) return peak;
   }
   return std::nullopt;
 }

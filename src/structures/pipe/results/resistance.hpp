@@ -19,7 +19,7 @@ struct Resistance {
   Real V_at_largest = 0;  ///< N/m, averaged as well; NaN where it is not known
   /// The first peak of H that H falls from by at least 5 % before it grows beyond it. H is averaged as all forces are (averaging_half), the ends of the drag
   /// are left out by half of that window; H must also stay below the peak over the next 0.1 D, which shorter waves of a dynamic method do not. Without noise
-  /// that is a third of the drag where it is shorter, and the mean of H there must be lower by 5 % as well, which an increment that relaxes does not make.
+  /// that is a third of the drag where it is shorter, and the mean of H over as long a way must be lower by 5 % as well, which an increment that relaxes does not make.
   std::optional<Point> breakout;
   /// N/m: the mean of H over the last tenth of the drag, at least its last 0.1 D but a third of it at most, where the straight line fitted to H there changes by less than 5 % of it.
   std::optional<Real> residual;
