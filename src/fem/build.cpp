@@ -127,6 +127,22 @@ void make_contact(FemModel& model)
   }
 }
 
+/// Below ground that is not level all soil gets its stress from gravity loading.
+void refuse_without_k0(const problem::Case& c)
+{
+  for (const auto& [name, body] : c.body)
+    if (!body.k0)
+      throw KeyError(fmt::format("body.{}.k0: is missing: below ground that is not level finite elements need k0 of all bodies", name));
+}
+
+/// Finite elements are in equilibrium from their start: a stage that waits for it is one increment.
+void end_at_once(std::vector<problem::StageSettings>& stages)
+{
+  constexpr Real one_increment = 1e-3;
+  for (problem::StageSettings& stage : stages)
+    if (ends_at_equilibrium(stage) && !stage.until.time) stage.until.time = one_increment;
+}
+
 }  // namespace
 
 FemProblem build_fem(const problem::Case& c, const std::string& case_folder, const std::string& work_folder)
@@ -140,10 +156,7 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
   model.model = make_model(c, make_cut_mesh(c, case_folder, work_folder));
   const bool by_gravity = loads_by_gravity(c, model.model.ground);
   if (!by_gravity) refuse_k0_below_uneven_ground(c, model.model);
-  if (by_gravity)
-    for (const auto& [name, body] : c.body)
-      if (!body.k0)
-        throw KeyError(fmt::format("body.{}.k0: is missing: below ground that is not level finite elements need k0 of all bodies", name));
+  if (by_gravity) refuse_without_k0(c);
   model.settings = c.fem;
   model.non_associated = flows_non_associated(model.model);
   std::vector<bodies::RigidShape<2>> shapes;
@@ -191,10 +204,7 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
   state.contact.resize(model.contact.size());
   state.state.tractions.resize(model.model.tractions.size());
   state.state.rigid_bodies.resize(model.model.rigid_bodies.size());
-  // Finite elements are in equilibrium from their start: a stage that waits for it is one increment.
-  constexpr Real one_increment = 1e-3;
-  for (problem::StageSettings& stage : model.model.stages)
-    if (ends_at_equilibrium(stage) && !stage.until.time) stage.until.time = one_increment;
+  end_at_once(model.model.stages);
   begin_stage(model.model, state.state);
   return problem;
 }

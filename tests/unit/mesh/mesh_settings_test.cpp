@@ -154,16 +154,22 @@ TEST(MeshSettings, keys_of_a_seabed_stand_for_their_members)
   SeabedMesh bed;
   Keys keys;
   describe(keys, bed);
-  const std::map<std::string, Real*> members = {{"length", &bed.length},         {"depth", &bed.depth},
-                                                {"headroom", &bed.headroom},     {"near_size", &bed.near_size},
-                                                {"near_left", &bed.near_left},   {"near_right", &bed.near_right},
-                                                {"near_depth", &bed.near_depth}, {"near_height", &bed.near_height},
-                                                {"growth", &bed.growth},         {"layer", &bed.layer}};
+  const std::map<std::string, Real*> members = {{"length", &bed.length},
+                                                {"depth", &bed.depth},
+                                                {"headroom", &bed.headroom},
+                                                {"near_size", &bed.near_size},
+                                                {"near_left", &bed.near_left},
+                                                {"near_right", &bed.near_right},
+                                                {"near_depth", &bed.near_depth},
+                                                {"near_height", &bed.near_height},
+                                                {"growth", &bed.growth},
+                                                {"layer", &bed.layer},
+                                                {"slope", &bed.slope}};
   EXPECT_EQ(keys.leaves.size(), members.size() + 2);
   for (const auto& [key, member] : members) {
     EXPECT_EQ(std::get<Real*>(keys.leaves.at(key)), member) << key;
-    EXPECT_STREQ(keys.parameters.at(key).unit, key == "growth" ? "" : "m");
-    EXPECT_EQ(keys.parameters.at(key).required, key != "growth" && key != "layer") << key;
+    EXPECT_STREQ(keys.parameters.at(key).unit, key == "growth" ? "" : key == "slope" ? "rad" : "m");
+    EXPECT_EQ(keys.parameters.at(key).required, key != "growth" && key != "layer" && key != "slope") << key;
   }
   EXPECT_EQ(std::get<std::optional<Real>*>(keys.leaves.at("left")), &bed.left);
   EXPECT_EQ(std::get<std::optional<Real>*>(keys.leaves.at("far_size")), &bed.far_size);
