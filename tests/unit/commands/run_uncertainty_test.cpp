@@ -6,6 +6,7 @@
 #include "samples/small_fem_case.hpp"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace berm::commands {
 namespace {
