@@ -89,14 +89,12 @@ std::string units_words(const Runs& runs)
   const bool plane = std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return run.settings.dimension == 2; });
   const bool models =
       std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return has_prototype(base::body_scale(run.settings)); });
-  std::string words = "SI units. ";
-  if (plane) words += "Plane strain: forces are per metre run of the pipe or body. ";
-  if (space) words += "In space forces are those of the whole body. ";
-  words += "u is along x, w the depth of the lowest point below the surface at the start, H and V are the forces of the soil on the body, "
-           "V upwards. ";
-  if (models)
-    words += "Values \"in the prototype\" are lengths and forces per metre times the gravity level; all others are of the model. ";
-  return words;
+  return fmt::format(
+      "SI units. {}{}u is along x, w the depth of the lowest point below the surface at the start, H the force of the body on the soil "
+      "along x, V the reaction of the soil upwards. {}",
+      plane ? "Plane strain: forces are per metre run of the pipe or body. " : "",
+      space ? "In space forces are those of the whole body. " : "",
+      models ? "Values \"in the prototype\" are lengths and forces per metre times the gravity level; all others are of the model. " : "");
 }
 
 }  // namespace
