@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 namespace berm::commands {
 namespace {
@@ -33,12 +34,20 @@ int run_cases(const std::vector<simulation::RunRequest>& all, const CaseOptions&
   return !side_by_side || run_side_by_side(fem, options.overrides, options.jobs()) ? 0 : 1;
 }
 
+/// Of a run that the user stopped before its bands were made.
+int stopped_before_bands()
+{
+  if (interrupted()) spdlog::warn("the bands of the results are not made: resume with berm run --resume FOLDER --uncertainty");
+  return 1;
+}
+
 /// The same with the bands of the results, where they are asked for, once all have run.
 int run_all(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
 {
   if (options.uncertainty)
     for (const simulation::RunRequest& request : all) uncertainty::try_to_plan(request);
-  if (const int status = run_cases(all, options); status != 0 || !options.uncertainty) return status;
+  if (const int status = run_cases(all, options); status != 0 || !options.uncertainty)
+    return status != 0 && options.uncertainty ? stopped_before_bands() : status;
   bool found = true;
   for (const simulation::RunRequest& request : all) found = uncertainty::find_bands(request, options.jobs()) && found;
   return found ? 0 : 1;
@@ -70,7 +79,7 @@ int resume(const std::filesystem::path& folder, const CaseOptions& options)
   if (options.uncertainty) uncertainty::try_to_plan(*request);
   if (!finished) {
     simulation::Context context(options.threads, interrupted);
-    if (!run_case(*request, context)) return 1;
+    if (!run_case(*request, context)) return options.uncertainty ? stopped_before_bands() : 1;
   }
   return !options.uncertainty || uncertainty::find_bands(*request, options.jobs()) ? 0 : 1;
 }

@@ -47,6 +47,7 @@ BodySums<dim> sums_over(const bodies::Particles<dim>& particles)
       sums.mass += sum(p.mass);
       sums.kinetic += 0.5 * sum(p.mass * square);
     }
+    sums.fastest = std::sqrt(2 * sums.kinetic / sums.mass);
     return sums;
   });
 }

@@ -10,6 +10,7 @@ template <int dim>
 struct BodySums {
   Real mass = 0;                               ///< kg/m or kg
   Real kinetic = 0;                            ///< J/m or J
+  Real fastest = 0;                            ///< m/s, root mean square velocity in the cell where that is largest
   Vec<dim> momentum = Vec<dim>::Zero();        ///< N s/m or N s
   Vec<dim> moment = Vec<dim>::Zero();          ///< first moment of mass, sum m x; over mass: the centre of mass
   Vec<3> moment_of_momentum = Vec<3>::Zero();  ///< sum x cross m v, angular momentum about the origin, N s or N m s; in 2D about z only
@@ -23,6 +24,7 @@ struct BodySums {
   {
     mass += other.mass;
     kinetic += other.kinetic;
+    fastest = std::max(fastest, other.fastest);
     momentum += other.momentum;
     moment += other.moment;
     moment_of_momentum += other.moment_of_momentum;

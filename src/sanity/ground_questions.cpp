@@ -83,18 +83,17 @@ void ask_slope(const Scene& s, Findings& found, Index body, const Face& face, Re
   const std::string key = key_of(s, true), angle = fmt::format("{:.3g} deg", face.angle / degree);
   if (soil.cohesion == 0)
     found.refuse(
-        key, fmt::format(
-                 "the ground descends by {}, more than the friction angle of [body.{}], {:.3g} deg: soil without cohesion slides down it "
-                 "before anything pushes it; make it flatter, or the soil stronger",
-                 angle, s.c.body[body].first, soil.friction_angle / degree));
+        key,
+        fmt::format("the ground slopes by {}, more than the friction angle of [body.{}], {:.3g} deg: soil without cohesion slides down it "
+                    "before anything pushes it; make it flatter, or the soil stronger",
+                    angle, s.c.body[body].first, soil.friction_angle / degree));
   else
     found.warn(
-        key,
-        fmt::format(
-            "the ground descends by {}, and [body.{}] slides down it at a depth of {}: its weight shears it by {:.3g} Pa there, and its "
-            "cohesion is {:.3g} Pa; make it flatter or shallower, or the soil stronger",
-            angle, s.c.body[body].first, words_of(depth, "m"), unit_weight * depth * std::sin(face.angle) * std::cos(face.angle),
-            soil.cohesion));
+        key, fmt::format(
+                 "the ground slopes by {}, and [body.{}] slides down it at a depth of {}: its weight shears it by {:.3g} Pa there, and its "
+                 "cohesion is {:.3g} Pa; make it flatter or shallower, or the soil stronger",
+                 angle, s.c.body[body].first, words_of(depth, "m"), unit_weight * depth * std::sin(face.angle) * std::cos(face.angle),
+                 soil.cohesion));
 }
 
 void ask_face(const Scene& s, Findings& found, Index body, const Face& face, Real unit_weight)
@@ -161,7 +160,7 @@ void does_the_body_fit_the_ground(const Scene& s, Findings& found)
         fmt::format(
             "its lowest point is {} {} the ground below its axis, and ground beside it reaches {} into it, where soil is left out: it "
             "touches the ground with its centre at y = {:.4g} m",
-            words_of(std::abs(w), "m"), w < 0 ? "above" : "below", words_of(overlap, "m"), high));
+            words_of(std::abs(w) < 1e-9 * radius ? 0 : std::abs(w), "m"), w < 0 ? "above" : "below", words_of(overlap, "m"), high));
   }
 }
 

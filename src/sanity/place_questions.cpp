@@ -242,6 +242,25 @@ void is_the_surface_where_the_bed_ends(const Scene& s, Findings& found)
                                       words_of(s.c.surface, "m")));
 }
 
+void does_soil_fill_the_bed(const Scene& s, Findings& found)
+{
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&s.c.mesh);
+  if (bed == nullptr) return;
+  const auto fills = [&](const char* region) {
+    return std::any_of(s.c.body.begin(), s.c.body.end(), [&](const auto& body) {
+      const std::vector<std::string>& regions = body.second.regions;
+      return std::find(regions.begin(), regions.end(), region) != regions.end();
+    });
+  };
+  for (const char* region : {"near", "bed", "layer"})
+    if ((region != std::string("layer") || bed->layer > 0) && !fills(region))
+      found.warn(
+          region == std::string("layer") ? "mesh.layer" : "mesh",
+          fmt::format("has a region \"{0}\" that no body fills: the soil beside it hangs over nothing; add \"{0}\" to the regions of a "
+                      "body",
+                      region));
+}
+
 void is_there_soil_at_a_watch(const Scene& s, Findings& found)
 {
   for (const auto& [name, watch] : s.c.watch) {

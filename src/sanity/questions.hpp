@@ -17,6 +17,7 @@ void are_cells_small_enough(const Scene& s, Findings& found);
 void are_walls_far_enough(const Scene& s, Findings& found);
 void is_the_bed_held(const Scene& s, Findings& found);
 void is_the_surface_where_the_bed_ends(const Scene& s, Findings& found);
+void does_soil_fill_the_bed(const Scene& s, Findings& found);
 void is_there_soil_at_a_watch(const Scene& s, Findings& found);
 
 // Ground that is not level.

@@ -23,6 +23,7 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           does_the_path_stay_on_fine_cells,
                                                           are_cells_small_enough,
                                                           are_walls_far_enough,
+                                                          does_soil_fill_the_bed,
                                                           is_there_soil_at_a_watch,
                                                           does_the_ground_stand,
                                                           does_the_body_fit_the_ground,

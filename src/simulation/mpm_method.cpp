@@ -140,13 +140,9 @@ sanity::Scene MpmMethod<d>::scene(const RunRequest& request, int threads)
 template <int d>
 bool MpmMethod<d>::is_at_rest() const
 {
-  Real kinetic = 0, mass = 0;
-  for (const bodies::Particles<d>& particles : state().particles) {
-    const mpm::BodySums<d> sums = mpm::sums_over(particles);
-    kinetic += sums.kinetic;
-    mass += sums.mass;
-  }
-  return std::sqrt(2 * kinetic / mass) <= velocity_at_rest(model(), model().stages[state().stage.index]);
+  Real fastest = 0;
+  for (const bodies::Particles<d>& particles : state().particles) fastest = std::max(fastest, mpm::sums_over(particles).fastest);
+  return fastest <= velocity_at_rest(model(), model().stages[state().stage.index]);
 }
 
 template <int d>

@@ -72,13 +72,16 @@ Real coarsest_of(const problem::Case& c)
         "mesh.file: --uncertainty makes all cells coarser, which it cannot do with a mesh from a file; let berm make the mesh (mesh.kind = "
         "\"seabed\" or \"box\"), or compare meshes of your own with berm study");
   const Real width = base::body_scale(c).width, size = base::near_cell_size(c), coarsest = std::min(ratio, width / (cells_across * size));
-  if (!(coarsest >= least_coarsest))
+  constexpr Real rounding = 1e-9;
+  if (!(coarsest >= least_coarsest * (1 - rounding)))
     throw KeyError(fmt::format(
         "{}: --uncertainty makes cells {:g} times as large at least, and the driven body is only {:.2g} cells wide: make them {:.3g} m or "
         "smaller, so that {:g} coarse ones are left",
-        std::holds_alternative<mesh::BoxMesh>(c.mesh) ? "mesh.cells" : "mesh.near_size", least_coarsest, width / size,
-        width / (cells_across * least_coarsest), cells_across));
-  return coarsest;
+        c.method == problem::Method::fem && c.fem.contact_size ? "fem.contact_size"
+        : std::holds_alternative<mesh::BoxMesh>(c.mesh)        ? "mesh.cells"
+                                                               : "mesh.near_size",
+        least_coarsest, width / size, width / (cells_across * least_coarsest), cells_across));
+  return std::max(coarsest, least_coarsest);
 }
 
 }  // namespace

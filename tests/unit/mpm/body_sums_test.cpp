@@ -62,6 +62,19 @@ TEST(Measure, extents_are_those_of_the_particles_and_not_of_empty_lanes)
   EXPECT_EQ(sums.upper, upper);
 }
 
+TEST(Measure, the_fastest_cell_is_found_however_small_a_part_of_the_body_it_is)
+{
+  auto problem = problem_on(criss_cross<2>(), sample_solid(), 4);
+  bodies::Particles<2>& particles = problem.state.particles[0];
+  rotate<2>(particles, {0, 0, 0}, {0, 0, 0});
+  EXPECT_EQ(sums_over(particles).fastest, 0);
+  const Index cell = particles.occupied().back();
+  particles.visit([&](Index c, Index b, int l) {
+    if (c == cell) set_velocity<2>(particles.block(b), l, {0.03, -0.04});
+  });
+  EXPECT_NEAR(sums_over(particles).fastest, 0.05, 1e-15);
+}
+
 TEST(MomentumError, is_told_against_the_motion_where_all_momenta_cancel)
 {
   auto problem = problem_on(criss_cross<2>(), sample_solid(), 4);
