@@ -174,6 +174,13 @@ std::string plot(const Picture& picture, bool as_disks)
 
 }  // namespace
 
+void SoilView::show(const mesh::GroundLine& line)
+{
+  if (line.level()) return;
+  ground = within(line, lower, upper);
+  surface.reset();
+}
+
 SoilView view_around(Real x, Real lowest, Real width_of_body, Real surface, const std::vector<Vec<2>>& soil)
 {
   SoilView view{Vec<2>(x - 2.5 * width_of_body, lowest - 1.2 * width_of_body),

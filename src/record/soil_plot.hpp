@@ -14,6 +14,9 @@ struct SoilView {
   Vec<2> lower, upper;           ///< m
   std::optional<Real> surface;   ///< m, level of the original surface, drawn as a dashed line
   mesh::GroundLine ground = {};  ///< instead, where that is not level
+
+  /// Shows a ground that is not level as far as it lies in the view; nothing changes where it is level.
+  void show(const mesh::GroundLine& line);
 };
 
 /// The view around a rigid body: its centre at `x`, its lowest point at `lowest`, m. It reaches up to a berm of these points that stands in it, but for the highest

@@ -25,6 +25,21 @@ TEST(SoilView, reaches_up_to_a_berm_but_not_to_a_grain_that_is_thrown_up)
   EXPECT_DOUBLE_EQ(view_around(0, -0.01, 0.02, 0, soil).upper[1], -0.01 + 1.3 * 0.02) << "beside the view";
 }
 
+TEST(SoilView, shows_no_level_surface_where_the_ground_is_another_line)
+{
+  SoilView view{Vec<2>(0, 0), Vec<2>(1, 1), 0.5};
+  view.show({});
+  EXPECT_EQ(view.surface, 0.5);
+  view.show({{Vec<2>(-1, -1), Vec<2>(3, 3)}});
+  EXPECT_FALSE(view.surface);
+  ASSERT_EQ(view.ground.corners.size(), 2U);
+  EXPECT_NEAR((view.ground.corners[1] - Vec<2>(1, 1)).norm(), 0, 1e-15);
+  SoilView below{Vec<2>(0, -9), Vec<2>(1, -8), 0.5};
+  below.show({{Vec<2>(-1, -1), Vec<2>(3, 3)}});
+  EXPECT_FALSE(below.surface) << "the ground lies outside the view";
+  EXPECT_TRUE(below.ground.level());
+}
+
 class SoilPlot : public DrawnRun {
 protected:
   static run_folder::Frame<2> frame()

@@ -43,7 +43,7 @@ std::vector<std::string> draw_frame(const PipeRun& run, const PipeFrames& frames
   const Real D = run.scale.width, surface = run.record.surface_at(pipe.x);
   const run_folder::Frame<2> frame = frame_of(frames.soil(number), frames.rigid_bodies(number));
   record::SoilView view = record::view_around(pipe.x, surface - pipe.w, D, surface, frame.points);
-  view.ground = within(run.record.ground.line, view.lower, view.upper);
+  view.show(run.record.ground.line);
   const std::string place = fmt::format("{}: u = {:.3g} D, w = {:.3g} D", run.name, std::abs(pipe.u - frames.place(0).u) / D, pipe.w / D);
   std::vector<std::string> drawn;
   const auto draw_one = [&](const std::string& what, const std::string& field) {
