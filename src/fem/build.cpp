@@ -127,12 +127,52 @@ void make_contact(FemModel& model)
   }
 }
 
-/// Below ground that is not level all soil gets its stress from gravity loading.
+/// With gravity loading all soil gets its stress from it.
 void refuse_without_k0(const problem::Case& c)
 {
+  const char* why = c.initial_state == problem::InitialState::gravity_loading ? "with initial_state = \"gravity_loading\""
+                                                                              : "below ground that is not level";
   for (const auto& [name, body] : c.body)
-    if (!body.k0)
-      throw KeyError(fmt::format("body.{}.k0: is missing: below ground that is not level finite elements need k0 of all bodies", name));
+    if (!body.k0) throw KeyError(fmt::format("body.{}.k0: is missing: {} finite elements need k0 of all bodies", name, why));
+}
+
+/// Throws KeyError where a stage moves another body than the one that meets the soil.
+void refuse_other_drives(const FemModel& model)
+{
+  for (std::size_t k = 0; k < model.model.stages.size(); ++k)
+    if (model.model.driven[k] != none && model.model.driven[k] != model.rigid)
+      throw KeyError(
+          fmt::format("stage[{}].rigid: finite elements move the rigid body that a contact joins with the soil; rigid.{} has none", k,
+                      model.model.rigid_bodies[model.model.driven[k]].name));
+}
+
+/// Shape functions, depths and first stresses at the points of all elements, and the weight of the soil.
+void fill_points(const problem::Case& c, FemModel& model, FemState& state)
+{
+  const Real gravity = -model.model.gravity[1];
+  model.shape.assign(model.mesh.nodes.size());
+  model.depth.assign(model.mesh.nodes.size());
+  state.points.assign(model.mesh.nodes.size());
+  for (Index cell = 0; cell < model.mesh.nodes.size(); ++cell) {
+    const AtSixNodes<Vec<2>> nodes = model.mesh.positions_of(cell);
+    const Index body = model.mesh.body[cell];
+    for (int q = 0; q < triangle_points; ++q) {
+      const ShapeAtPoint& shape = model.shape[cell][q] = shape_at(nodes, q);
+      if (!(shape.area > 0)) throw RunError(fmt::format("the curved element at ({}, {}) is inverted", nodes[0][0], nodes[0][1]));
+      Vec<2> x = Vec<2>::Zero();
+      for (int k = 0; k < 6; ++k) x += shape.value[k] * nodes[k];
+      model.depth[cell][q] = model.model.soil_depth(x);
+      const problem::BodySoil& soil = model.soil_of(cell);
+      refuse_no_strength(soil, model.region_of(cell), model.depth[cell][q], model.model.bodies[body].name);
+      state.points[cell][q].stress =
+          soil.layers.empty()
+              ? bodies::initial_stress<2>(c.body[body].second, model.density_at(cell, q) * gravity, model.depth[cell][q])
+              : bodies::stress_at_rest<2>(c.body[body].second, soil.mass_above("", std::max(Real(0), model.depth[cell][q])) * gravity);
+    }
+  }
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
+    for (int q = 0; q < triangle_points; ++q)
+      model.weight += model.shape[cell][q].area * model.density_at(cell, q) * model.model.gravity.norm();
 }
 
 /// Finite elements are in equilibrium from their start: a stage that waits for it is one increment.
@@ -166,36 +206,8 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
   model.model.main_rigid = model.rigid;
   for (std::size_t t = 0; t < c.traction.size(); ++t)
     model.loads.push_back(side_loads(model.mesh, model.mesh.loaded_sides[t], c.traction[t].first, c.traction[t].second));
-  for (std::size_t k = 0; k < model.model.stages.size(); ++k)
-    if (model.model.driven[k] != none && model.model.driven[k] != model.rigid)
-      throw KeyError(
-          fmt::format("stage[{}].rigid: finite elements move the rigid body that a contact joins with the soil; rigid.{} has none", k,
-                      model.model.rigid_bodies[model.model.driven[k]].name));
-
-  const Real gravity = -model.model.gravity[1];
-  model.shape.assign(model.mesh.nodes.size());
-  model.depth.assign(model.mesh.nodes.size());
-  state.points.assign(model.mesh.nodes.size());
-  for (Index cell = 0; cell < model.mesh.nodes.size(); ++cell) {
-    const AtSixNodes<Vec<2>> nodes = model.mesh.positions_of(cell);
-    const Index body = model.mesh.body[cell];
-    for (int q = 0; q < triangle_points; ++q) {
-      const ShapeAtPoint& shape = model.shape[cell][q] = shape_at(nodes, q);
-      if (!(shape.area > 0)) throw RunError(fmt::format("the curved element at ({}, {}) is inverted", nodes[0][0], nodes[0][1]));
-      Vec<2> x = Vec<2>::Zero();
-      for (int k = 0; k < 6; ++k) x += shape.value[k] * nodes[k];
-      model.depth[cell][q] = model.model.soil_depth(x);
-      const problem::BodySoil& soil = model.soil_of(cell);
-      refuse_no_strength(soil, model.region_of(cell), model.depth[cell][q], model.model.bodies[body].name);
-      state.points[cell][q].stress =
-          soil.layers.empty()
-              ? bodies::initial_stress<2>(c.body[body].second, model.density_at(cell, q) * gravity, model.depth[cell][q])
-              : bodies::stress_at_rest<2>(c.body[body].second, soil.mass_above("", std::max(Real(0), model.depth[cell][q])) * gravity);
-    }
-  }
-  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
-    for (int q = 0; q < triangle_points; ++q)
-      model.weight += model.shape[cell][q].area * model.density_at(cell, q) * model.model.gravity.norm();
+  refuse_other_drives(model);
+  fill_points(c, model, state);
   if (model.rigid != none) model.width = width_of<2>(model.model.rigid_bodies[model.rigid].shape);
   number_unknowns(model);
   if (by_gravity) load_by_gravity(c, model, state);
