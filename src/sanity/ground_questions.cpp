@@ -39,12 +39,14 @@ std::vector<Face> faces_of(const mesh::GroundLine& line)
   return faces;
 }
 
-/// The key that says the angle of a face.
-std::string key_of(const Scene& s, bool slope)
+/// The key that says the angle of a face: that of the slope where the face is as steep as it.
+std::string key_of(const Scene& s, const Face& face)
 {
+  constexpr Real same = 0.1 * degree;
   const auto* bed = std::get_if<mesh::SeabedMesh>(&s.c.mesh);
   if (bed == nullptr) return "mesh";
-  return slope || (!bed->trench && !bed->step) ? "mesh.slope" : bed->trench ? "mesh.trench.side_slope" : "mesh.step.face_slope";
+  const bool slope = (!bed->trench && !bed->step) || std::abs(face.angle - std::abs(bed->slope)) < same;
+  return slope ? "mesh.slope" : bed->trench ? "mesh.trench.side_slope" : "mesh.step.face_slope";
 }
 
 /// The largest height at which a face of homogeneous soil stands, m: that of a plane of sliding through its foot (Culmann 1866),
@@ -75,12 +77,13 @@ Real sliding_depth(const Scene& s, Index body, Real unit_weight, Real angle)
   return infinity;
 }
 
-void ask_slope(const Scene& s, Findings& found, Index body, const Face& face, Real unit_weight)
+/// Whether it has something to say.
+bool ask_slope(const Scene& s, Findings& found, Index body, const Face& face, Real unit_weight)
 {
   const Real depth = sliding_depth(s, body, unit_weight, face.angle);
-  if (!(depth < infinity)) return;
+  if (!(depth < infinity)) return false;
   const material::Strength soil = *strength_at_rest(s.material_at(body, depth));
-  const std::string key = key_of(s, true), angle = fmt::format("{:.3g} deg", face.angle / degree);
+  const std::string key = key_of(s, face), angle = fmt::format("{:.3g} deg", face.angle / degree);
   if (soil.cohesion == 0)
     found.refuse(
         key,
@@ -94,15 +97,17 @@ void ask_slope(const Scene& s, Findings& found, Index body, const Face& face, Re
                  "cohesion is {:.3g} Pa; make it flatter or shallower, or the soil stronger",
                  angle, s.c.body[body].first, words_of(depth, "m"), unit_weight * depth * std::sin(face.angle) * std::cos(face.angle),
                  soil.cohesion));
+  return true;
 }
 
-void ask_face(const Scene& s, Findings& found, Index body, const Face& face, Real unit_weight)
+/// Whether it has something to say.
+bool ask_face(const Scene& s, Findings& found, Index body, const Face& face, Real unit_weight)
 {
   const std::optional<material::Strength> soil = strength_at_rest(s.material_at(body, face.rise / 2));
-  if (!soil) return;
+  if (!soil) return false;
   const Real stands = standing_height(*soil, unit_weight, face.angle);
-  if (face.rise <= stands * 1.001) return;
-  const std::string key = key_of(s, false), angle = fmt::format("{:.3g} deg", face.angle / degree);
+  if (face.rise <= stands * 1.001) return false;
+  const std::string key = key_of(s, face), angle = fmt::format("{:.3g} deg", face.angle / degree);
   if (soil->cohesion == 0)
     found.warn(
         key, fmt::format(
@@ -115,6 +120,7 @@ void ask_face(const Scene& s, Findings& found, Index body, const Face& face, Rea
         fmt::format("a face of {} that is {} high does not stand: [body.{}] with a cohesion of {:.3g} Pa in its middle carries {} at most "
                     "(plane of sliding through the foot; 4 su / unit weight of a vertical cut in clay); make it flatter or lower",
                     angle, words_of(face.rise, "m"), s.c.body[body].first, soil->cohesion, words_of(stands, "m")));
+  return true;
 }
 
 }  // namespace
@@ -126,13 +132,14 @@ void does_the_ground_stand(const Scene& s, Findings& found)
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
     if (!yields(s.material_of(b)) || !s.c.body[b].second.k0 || s.c.body[b].second.regions.empty()) continue;
     const Real unit_weight = unit_weight_of(s, b);
-    bool slope_asked = false, face_asked = false;
+    bool slope_slides = false, face_falls = false;  // the first of each that fails is enough
     for (const Face& face : faces_of(s.ground.line)) {
+      if (face.rise < 1e-3 * s.depth_of(b)) continue;
       const bool slope = face.run > endless * s.depth_of(b);
-      if (face.rise < 1e-3 * s.depth_of(b) || std::exchange(slope ? slope_asked : face_asked, true)) continue;
-      slope ? ask_slope(s, found, b, face, unit_weight) : ask_face(s, found, b, face, unit_weight);
+      if (slope && !slope_slides) slope_slides = ask_slope(s, found, b, face, unit_weight);
+      if (!slope && !face_falls) face_falls = ask_face(s, found, b, face, unit_weight);
     }
-    if (slope_asked || face_asked) return;
+    if (slope_slides || face_falls) return;
   }
 }
 
