@@ -40,7 +40,7 @@ bool Run<Method>::to_the_end()
   const bool from_checkpoint = request_.resume && read_checkpoint();
   history_.emplace(history_path(), history_bytes_);
   if (request_.resume) frames_.remove_others();
-  if (const mesh::GroundLine& line = model().ground.line; !line.level() && !request_.resume) record::write_ground(folder_.path(), line);
+  if (const mesh::GroundLine& line = model().ground.line; !line.level() && !from_checkpoint) record::write_ground(folder_.path(), line);
   progress_.count_from(clock_.earlier());
   run_then_write_results(
       [&] {
