@@ -32,14 +32,6 @@ Real GroundLine::height(Real x) const
   return a[1] + (x - a[0]) / (b[0] - a[0]) * (b[1] - a[1]);
 }
 
-Real GroundLine::incline(Real x) const
-{
-  const auto right = right_of(corners, x);
-  if (right == corners.begin() || right == corners.end()) return 0;
-  const Vec<2>&a = *(right - 1), &b = *right;
-  return (b[1] - a[1]) / (b[0] - a[0]);
-}
-
 std::pair<Real, Real> GroundLine::heights(Real from, Real to) const
 {
   std::pair<Real, Real> range = std::minmax({height(from), height(to)});

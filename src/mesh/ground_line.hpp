@@ -13,9 +13,8 @@ struct GroundLine {
   std::vector<Vec<2>> corners;
 
   bool level() const { return corners.empty(); }
-  /// y of the surface at x, and dy/dx there (of the part right of a corner); beyond the ends it goes on level. The line must have corners.
+  /// y of the surface at x (of the part right of a corner); beyond the ends it goes on level. The line must have corners.
   Real height(Real x) const;
-  Real incline(Real x) const;
   /// The lowest and the highest y from x to x.
   std::pair<Real, Real> heights(Real from, Real to) const;
   /// Distance of a point from the line, m.

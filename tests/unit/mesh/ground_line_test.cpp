@@ -14,7 +14,7 @@ GroundLine trench()
   return {{Vec<2>(-3, 0), Vec<2>(-1, 0), Vec<2>(-1, -1), Vec<2>(1, -1), Vec<2>(2, 0), Vec<2>(3, 0)}};
 }
 
-TEST(GroundLine, has_a_height_and_an_incline_everywhere)
+TEST(GroundLine, has_a_height_everywhere)
 {
   const GroundLine line = trench();
   EXPECT_EQ(line.height(-5), 0);
@@ -23,9 +23,6 @@ TEST(GroundLine, has_a_height_and_an_incline_everywhere)
   EXPECT_EQ(line.height(0), -1);
   EXPECT_NEAR(line.height(1.25), -0.75, round_off);
   EXPECT_EQ(line.height(7), 0);
-  EXPECT_EQ(line.incline(-5), 0);
-  EXPECT_EQ(line.incline(0), 0);
-  EXPECT_NEAR(line.incline(1.5), 1, round_off);
   EXPECT_EQ(line.heights(-2, -1.5), (std::pair<Real, Real>(0, 0)));
   EXPECT_EQ(line.heights(-2, 1.5).first, -1);
   EXPECT_EQ(line.heights(-2, 1.5).second, 0);
