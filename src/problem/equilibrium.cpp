@@ -11,7 +11,6 @@ namespace {
 constexpr Real margin = 4;
 
 /// The slowest shear wave of a body's soil, down to a depth, m/s.
-template <int dim>
 Real slowest_shear_wave(const BodySoil& soil, Real depth)
 {
   constexpr int parts = 10;
@@ -46,23 +45,30 @@ Real depth_of(const Model<dim>& model, const std::vector<bodies::Particles<dim>>
   const auto [low, high] = levels_of(model, particles);
   if (dim != 2 || model.ground.line.level()) return high - low;
   Real depth = 0;
-  for (const bodies::Particles<dim>& body : particles)
-    for (const Index cell : body.occupied())
-      for (const Index node : model.mesh.nodes[cell]) {
-        const Vec<dim>& x = model.mesh.position[node];
-        depth = std::max(depth, model.ground.line.height(x[model.axes.along]) - x[model.axes.up]);
-      }
+  for (const bodies::Particles<dim>& body : particles) depth = std::max(depth, depth_below_ground(model, body.occupied()));
   return depth;
 }
 
 }  // namespace
 
 template <int dim>
+Real depth_below_ground(const Model<dim>& model, const std::vector<Index>& cells)
+{
+  Real depth = 0;
+  for (const Index cell : cells)
+    for (const Index node : model.mesh.nodes[cell]) {
+      const Vec<dim>& x = model.mesh.position[node];
+      depth = std::max(depth, model.ground.line.height(x[model.axes.along]) - x[model.axes.up]);
+    }
+  return depth;
+}
+
+template <int dim>
 Real longest_period(const Model<dim>& model, const std::vector<bodies::Particles<dim>>& particles)
 {
   const Real depth = depth_of(model, particles);
   Real slowest = infinity;
-  for (const Body<dim>& body : model.bodies) slowest = std::min(slowest, slowest_shear_wave<dim>(body.soil, depth));
+  for (const Body<dim>& body : model.bodies) slowest = std::min(slowest, slowest_shear_wave(body.soil, depth));
   return 4 * depth / slowest;
 }
 
@@ -81,7 +87,7 @@ void limit_equilibrium(const Case& c, Model<dim>& model, const std::vector<bodie
   for (StageSettings& stage : model.stages)
     if (ends_at_equilibrium(stage) && !stage.until.time) {
       stage.until.equilibrium = true;
-      stage.until.time = time_to_equilibrium(model.longest_period, stage.damping.value_or(damping), stage.equilibrium);
+      stage.until.time = model.gravity_ramp + time_to_equilibrium(model.longest_period, stage.damping.value_or(damping), stage.equilibrium);
     }
 }
 
@@ -95,11 +101,12 @@ template <int dim>
 bool in_balance(const Model<dim>& model, const State<dim>& state, Real out_of_balance)
 {
   const StageSettings& stage = model.stages[state.stage.index];
-  return ends_at_equilibrium(stage) && state.time - state.stage.begin_time >= model.longest_period / 4 &&
-         out_of_balance <= stage.equilibrium;
+  return ends_at_equilibrium(stage) && state.time >= model.gravity_ramp &&
+         state.time - state.stage.begin_time >= model.longest_period / 4 && out_of_balance <= stage.equilibrium;
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
+  template Real depth_below_ground(const Model<dim>&, const std::vector<Index>&);                                                          \
   template Real longest_period(const Model<dim>&, const std::vector<bodies::Particles<dim>>&);                                             \
   template void limit_equilibrium(const Case&, Model<dim>&, const std::vector<bodies::Particles<dim>>&);                                   \
   template Real velocity_at_rest(const Model<dim>&, const StageSettings&);                                                                 \

@@ -5,6 +5,10 @@
 
 namespace berm::problem {
 
+/// The greatest depth of these cells below ground that is not level, m.
+template <int dim>
+Real depth_below_ground(const Model<dim>& model, const std::vector<Index>& cells);
+
 /// The longest period with which the soil of a case swings under its own weight, s: T = 4 H / c_S of a shear layer as high as all its bodies, with their slowest shear waves.
 template <int dim>
 Real longest_period(const Model<dim>& model, const std::vector<bodies::Particles<dim>>& particles);
@@ -17,7 +21,7 @@ Real longest_period(const Model<dim>& model, const std::vector<bodies::Particles
 /// with a margin of 4 for soil that yields on its way.
 Real time_to_equilibrium(Real period, Real damping, Real accepted);
 
-/// Gives each stage that ends at equilibrium its limit of time, where the input names none, and the model its period.
+/// Gives each stage that ends at equilibrium its limit of time, where the input names none (that of gravity's ramp and time_to_equilibrium), and the model its period.
 template <int dim>
 void limit_equilibrium(const Case& c, Model<dim>& model, const std::vector<bodies::Particles<dim>>& particles);
 
@@ -27,7 +31,7 @@ void limit_equilibrium(const Case& c, Model<dim>& model, const std::vector<bodie
 template <int dim>
 Real velocity_at_rest(const Model<dim>& model, const StageSettings& stage);
 
-/// Whether a wave had the time to cross the soil since the stage began, and the force out of balance over the weight is accepted.
+/// Whether all of gravity acts, a wave had the time to cross the soil since the stage began, and the force out of balance over the weight is accepted.
 template <int dim>
 bool in_balance(const Model<dim>& model, const State<dim>& state, Real out_of_balance);
 

@@ -82,5 +82,18 @@ TEST(Equilibrium, is_no_sooner_than_a_wave_has_crossed_the_soil)
   EXPECT_FALSE(in_balance(problem.model, problem.state, 0.011));
 }
 
+TEST(Equilibrium, is_no_sooner_than_all_of_gravity_acts)
+{
+  Case c = resting_box(0.7);
+  const Real without = *build<2>(c, ".", ".").model.stages[0].until.time;
+  c.gravity_ramp = 3 * period_of(c);
+  Problem<2> problem = build<2>(c, ".", ".");
+  EXPECT_NEAR(*problem.model.stages[0].until.time, c.gravity_ramp + without, 1e-12);
+  problem.state.time = 0.99 * c.gravity_ramp;
+  EXPECT_FALSE(in_balance(problem.model, problem.state, 0.)) << "it follows a ramp so slow all the way";
+  problem.state.time = 1.01 * c.gravity_ramp;
+  EXPECT_TRUE(in_balance(problem.model, problem.state, 0.));
+}
+
 }  // namespace
 }  // namespace berm::problem
