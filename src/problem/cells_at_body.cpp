@@ -58,12 +58,20 @@ std::string region_below(const Model<dim>& model, const bodies::RigidShape<dim>&
   const Axes<dim>& axes = model.axes;
   constexpr Real below = 0.02;  // of its size
   Vec<dim> x = point_at(model, shape, std::numbers::pi / 2);
-  x[axes.up] = model.surface - axes.sign * (depth + below * reach_of<dim>(shape));
+  x[axes.up] = model.surface_at(center_of<dim>(shape)) - axes.sign * (depth + below * reach_of<dim>(shape));
+  return region_at(model, x);
+}
+
+template <int dim>
+std::string region_at(const Model<dim>& model, const Vec<dim>& x)
+{
   if ((x.array() < model.mesh.lower.array()).any() || (x.array() > model.mesh.upper.array()).any()) return "";
   const mesh::Location place = locate(model.mesh, x, 0);
   return place.inside ? model.mesh.region_names[static_cast<std::size_t>(model.mesh.region[place.cell])] : "";
 }
 
+template std::string region_at(const Model<2>&, const Vec<2>&);
+template std::string region_at(const Model<3>&, const Vec<3>&);
 template std::string region_below(const Model<2>&, const bodies::RigidShape<2>&, Real);
 template std::string region_below(const Model<3>&, const bodies::RigidShape<3>&, Real);
 template Real cell_size_at(const Model<2>&, const bodies::RigidShape<2>&, Index&);

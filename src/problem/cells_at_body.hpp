@@ -13,7 +13,11 @@ constexpr Real coarser_cells = 1.6;
 template <int dim>
 Real cell_size_at(const Model<dim>& model, const bodies::RigidShape<dim>& shape, Index& start);
 
-/// The name of the region of the mesh just below the lowest point of a rigid body that is `depth` (m) below the surface, at its place along the bed at the start;
+/// The name of the region of the mesh at a point; "" where there is none.
+template <int dim>
+std::string region_at(const Model<dim>& model, const Vec<dim>& x);
+
+/// The name of the region of the mesh just below the lowest point of a rigid body with an embedment of `depth` (m), at its place along the bed at the start;
 /// "" where the body has no end or there is no soil's mesh.
 template <int dim>
 std::string region_below(const Model<dim>& model, const bodies::RigidShape<dim>& shape, Real depth);

@@ -69,5 +69,27 @@ TEST(CellsAtBody, are_of_the_region_below_its_lowest_point)
   EXPECT_EQ(region_below<2>(model, pipe, 3), "") << "below the mesh";
 }
 
+TEST(CellsAtBody, are_below_the_ground_where_the_body_is)
+{
+  Model<2> model = model_of_squares();
+  model.surface = 0;
+  model.mesh.region_names = {"lower", "upper"};
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
+    Real middle = 0;
+    for (const Index node : model.mesh.nodes[cell]) middle += model.mesh.position[node][1] / 3;
+    model.mesh.region[cell] = middle > 0.9 ? 1 : 0;
+  }
+  model.ground.line.corners = {{0, 1}, {2, 2}};
+  EXPECT_EQ(region_below<2>(model, circle(0.5, 1.8, 0.3), 0.2), "upper") << "on a slope, where it is 1.25 m high";
+  EXPECT_EQ(region_below<2>(model, circle(0.5, 1.8, 0.3), 0.5), "lower");
+  EXPECT_EQ(region_below<2>(model, circle(1.5, 1.8, 0.3), 0.5), "upper") << "where it is 1.75 m high";
+  model.ground.line.corners = {{0, 1.8}, {0.7, 1.8}, {0.7, 1.2}, {1.3, 1.2}, {1.3, 1.8}, {2, 1.8}};
+  EXPECT_EQ(region_below<2>(model, circle(1, 1.8, 0.25), 0.5), "lower") << "in a trench";
+  EXPECT_EQ(region_below<2>(model, circle(0.35, 1.8, 0.25), 0.5), "upper") << "beside it";
+  model.surface = 1.8;
+  model.ground.embedment_counts_from_it = false;
+  EXPECT_EQ(region_below<2>(model, circle(1, 1.8, 0.25), 0.5), "upper") << "from the level that the input names";
+}
+
 }  // namespace
 }  // namespace berm::problem
