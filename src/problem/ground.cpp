@@ -75,6 +75,12 @@ bool up_is_y(const Case& c)
 
 }  // namespace
 
+void Ground::take_found(mesh::GroundLine found)
+{
+  line = std::move(found);
+  laid_down = embedment_counts_from_it ? line : mesh::GroundLine{};
+}
+
 Ground ground_of(const Case& c)
 {
   Ground ground;
@@ -101,13 +107,13 @@ Ground ground_in(const Case& c, const mesh::Mesh<2>& mesh, const std::vector<bod
   Ground ground = ground_of(c);
   const auto* file = std::get_if<mesh::GmshFile>(&c.mesh);
   if (file == nullptr || file->made_from || !up_is_y(c) || c.gravity.empty()) return ground;
-  ground.line = envelope_of(upper_sides(mesh, filled_cells(c, mesh)));
+  mesh::GroundLine line = envelope_of(upper_sides(mesh, filled_cells(c, mesh)));
   for (const bodies::RigidShape<2>& shape : rigid_bodies) {
     if (!bodies::is_bounded<2>(shape)) continue;
     const Real rounding = 1e-6 * bodies::reach_of<2>(shape);
-    std::erase_if(ground.line.corners, [&](const Vec<2>& x) { return surface_at<2>(shape, x).distance < rounding; });
+    std::erase_if(line.corners, [&](const Vec<2>& x) { return surface_at<2>(shape, x).distance < rounding; });
   }
-  ground.line = simplified(ground.line);
+  ground.take_found(simplified(line));
   return ground;
 }
 

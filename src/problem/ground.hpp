@@ -16,6 +16,13 @@ struct Ground {
 
   /// The level from which the embedment of a body with its axis at x counts, m; `surface`: that of a level bed.
   Real level_at(Real x, Real surface) const { return line.level() || !embedment_counts_from_it ? surface : line.height(x); }
+  /// Depth in the soil of a point at x that lies w below that level, m: in a trench w and the depth of the trench.
+  Real soil_depth_at(Real x, Real w, Real surface) const
+  {
+    return (laid_down.level() ? surface : laid_down.height(x)) - level_at(x, surface) + w;
+  }
+  /// Takes the surface of a mesh that does not say how its soil was laid down: depth in the soil counts from where embedment does.
+  void take_found(mesh::GroundLine found);
 };
 
 /// The first surface of a bed, level or not.

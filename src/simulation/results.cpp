@@ -26,7 +26,7 @@ void draw_soil(const problem::Case& settings, const run_folder::RunFolder& folde
     view = record::view_around(center_now<2>(body, now)[0], lowest_level<2>(placed<2>(body, now), model.axes.up_vector()), width,
                                model.surface, last.points);
   }
-  view.ground = within(model.ground.line, view.lower, view.upper);
+  view.show(model.ground.line);
   const auto draw_one = [&](const std::string& name, const std::string& field) {
     record::draw_soil(folder.path(), last, {name, field, view, settings.title});
   };
@@ -85,7 +85,7 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
                   {"machine", io::host_description()},
                   {"date", io::utc_date(std::chrono::system_clock::now())}};
   if (const Index main = model.main_rigid; main != none)
-    if (const std::string region = region_below<dim>(model, model.rigid_bodies[main].shape, base::reference_depth(settings));
+    if (const std::string region = region_below<dim>(model, model.rigid_bodies[main].shape, base::reference_depth(settings, model.ground));
         !region.empty())
       summary.text.emplace_back(base::region_entry, region);
   summary.checks = {{"finished", outcome.finished}};

@@ -37,7 +37,20 @@ std::optional<problem::BodySoil> touched_soil(const record::RunRecord& run)
   return found == soil->of_region.end() ? soil : problem::soil_of_one(soil->materials[found->second], soil->names[found->second]);
 }
 
+Real soil_depth(const problem::Case& c, const problem::Ground& ground, Real w)
+{
+  const Index rigid = main_rigid(c);
+  if (rigid == none || c.dimension != 2) return w;
+  const problem::Axes<2> axes = problem::axes_of<2>(bodies::to_vec<2>(c.gravity));
+  return ground.soil_depth_at(center_of<2>(make_shape<2>(c.rigid[rigid].second.shape))[axes.along], w, c.surface);
+}
+
 Real reference_depth(const problem::Case& c)
+{
+  return reference_depth(c, problem::ground_of(c));
+}
+
+Real reference_depth(const problem::Case& c, const problem::Ground& ground)
 {
   const Index rigid = main_rigid(c);
   if (rigid == none) return 0;
@@ -45,7 +58,7 @@ Real reference_depth(const problem::Case& c)
     constexpr int dim = decltype(gravity)::RowsAtCompileTime;
     const problem::Axes<dim> axes = problem::axes_of<dim>(gravity);
     const bodies::RigidShape<dim> shape = make_shape<dim>(c.rigid[rigid].second.shape);
-    const Real surface = problem::ground_of(c).level_at(center_of<dim>(shape)[axes.along], c.surface);
+    const Real surface = ground.level_at(center_of<dim>(shape)[axes.along], c.surface);
     return axes.sign * surface - bodies::lowest_level<dim>(shape, axes.up_vector());
   };
   Real depth = c.dimension == 2 ? lowest(bodies::to_vec<2>(c.gravity)) : lowest(bodies::to_vec<3>(c.gravity));
@@ -59,13 +72,13 @@ Real reference_depth(const problem::Case& c)
 std::optional<material::Material> touched_material(const problem::Case& c)
 {
   const std::optional<problem::BodySoil> soil = touched_soil(c);
-  return soil ? std::optional(soil->at("", reference_depth(c))) : std::nullopt;
+  return soil ? std::optional(soil->at("", soil_depth(c, problem::ground_of(c), reference_depth(c)))) : std::nullopt;
 }
 
 namespace {
 
-/// The scale of a case whose main rigid body touches this soil.
-BodyScale scale_in(const problem::Case& c, const std::optional<problem::BodySoil>& touched)
+/// The scale of a case on this ground whose main rigid body touches this soil.
+BodyScale scale_in(const problem::Case& c, const problem::Ground& ground, const std::optional<problem::BodySoil>& touched)
 {
   const Real gravity = Eigen::Map<const Eigen::VectorXd>(c.gravity.data(), static_cast<Eigen::Index>(c.gravity.size())).norm();
   BodyScale scale{0, 0, gravity / standard_gravity, c.method == problem::Method::mpm, c.dimension};
@@ -77,12 +90,13 @@ BodyScale scale_in(const problem::Case& c, const std::optional<problem::BodySoil
   });
   if (driven) scale.width = c.dimension == 2 ? width_of<2>(make_shape<2>(shape)) : width_of<3>(make_shape<3>(shape));
   if (!touched) return scale;
-  const material::Material material = touched->at("", reference_depth(c));
+  const Real depth = soil_depth(c, ground, reference_depth(c, ground));
+  const material::Material material = touched->at("", depth);
   scale.unit_weight = density(material) * gravity;
   const std::optional<material::Strength> soil = strength_at_rest(material);
   if (soil && soil->friction_angle == 0) {
     scale.strength = soil->cohesion;
-    if (varies(*touched)) scale.strength_depth = reference_depth(c);
+    if (varies(*touched)) scale.strength_depth = depth;
   }
   return scale;
 }
@@ -91,16 +105,16 @@ BodyScale scale_in(const problem::Case& c, const std::optional<problem::BodySoil
 
 BodyScale body_scale(const problem::Case& c)
 {
-  return scale_in(c, touched_soil(c));
+  return scale_in(c, problem::ground_of(c), touched_soil(c));
 }
 
 BodyScale body_scale(const record::RunRecord& run)
 {
   const std::optional<problem::BodySoil> soil = touched_soil(run);
-  BodyScale scale = scale_in(run.settings, soil);
+  BodyScale scale = scale_in(run.settings, run.ground, soil);
   const run_folder::Quantity* reached = run.quantity("w_end_of_push");
   if (!(scale.strength_depth > 0) || reached == nullptr || !(reached->value > 0)) return scale;
-  scale.strength_depth = reached->value;
+  scale.strength_depth = soil_depth(run.settings, run.ground, reached->value);
   scale.strength = strength_at_rest(soil->at("", scale.strength_depth))->cohesion;
   return scale;
 }

@@ -15,7 +15,7 @@ struct BodyScale {
   bool noisy = true;       ///< whether forces have the noise of a dynamic method
   int dimension = 2;
   Real strength = 0;        ///< undrained strength of soil without friction, Pa; 0: it has none
-  Real strength_depth = 0;  ///< m below the bed's surface: where it has that strength; 0: it is the same at all depths
+  Real strength_depth = 0;  ///< m, depth in the soil: where it has that strength; 0: it is the same at all depths
 };
 
 /// The scale of a case: the width of its main rigid body, weight and strength of the soil that touches it.
@@ -44,8 +44,12 @@ std::optional<problem::BodySoil> touched_soil(const record::RunRecord& run);
 constexpr const char* region_entry = "region_below_body";
 
 /// The depth whose soil stands for all that the main rigid body meets, m: that of its lowest point at the start, or where a push by embedment ends if that is
-/// deeper.
+/// deeper. It counts as w does, from this ground; without it from that which the input says.
+Real reference_depth(const problem::Case& c, const problem::Ground& ground);
 Real reference_depth(const problem::Case& c);
+
+/// Depth in the soil of a point w below the ground at the main rigid body's axis at the start, m: on a level bed w.
+Real soil_depth(const problem::Case& c, const problem::Ground& ground, Real w);
 
 /// The material at that depth, with its strength there; where regions have their own materials, the body's own material; empty where none touches.
 std::optional<material::Material> touched_material(const problem::Case& c);

@@ -66,13 +66,16 @@ TEST(Ground, is_found_in_a_mesh_of_the_users)
   mesh::SeabedMesh bed = sloping_bed();
   bed.trench = mesh::Trench{.depth = 0.15, .width = 0.3, .side_slope = 60 * degree, .center = 0.1};
   const mesh::Mesh<2> mesh = mesh::make_mesh<2>(bed, ".", folder.path());
-  const Case c = pipe_on(mesh::GmshFile{"mesh.msh"});
+  Case c = pipe_on(mesh::GmshFile{"mesh.msh"});
   const Ground found = ground_in(c, mesh, {});
   const mesh::GroundLine expected = ground_of(bed);
   ASSERT_EQ(found.line.corners.size(), expected.corners.size());
   for (std::size_t k = 0; k < expected.corners.size(); ++k) EXPECT_NEAR((found.line.corners[k] - expected.corners[k]).norm(), 0, 1e-9) << k;
-  EXPECT_TRUE(found.laid_down.level()) << "a mesh does not say how the soil was laid down";
+  EXPECT_EQ(found.laid_down.corners, found.line.corners) << "a mesh does not say how the soil was laid down";
   EXPECT_TRUE(loads_by_gravity(c, found));
+  c.surface_given = true;
+  EXPECT_TRUE(ground_in(c, mesh, {}).laid_down.level()) << "depth in the soil counts from the level that the input names";
+  EXPECT_FALSE(ground_in(c, mesh, {}).line.level());
 
   bed.slope = 0;
   bed.trench.reset();
@@ -124,6 +127,10 @@ TEST(Strength, counts_its_depth_from_the_ground_before_the_trench)
   const Problem<2> problem = build<2>(pipe_on(bed), ".", folder.path().string());
   EXPECT_NEAR(problem.model.soil_depth(Vec<2>(0.05, -0.2)), 0.2 + 0.05 * incline, 1e-15);
   EXPECT_NEAR(problem.model.surface_at(Vec<2>(0.05, 0)), -0.15 + 0.05 * incline, 1e-15);
+  const Ground& ground = problem.model.ground;
+  EXPECT_NEAR(ground.soil_depth_at(0.05, 0.1, 0), 0.25, 1e-15) << "the lowest point of a pipe with w = 0.1 m in the trench";
+  EXPECT_NEAR(ground.soil_depth_at(0.5, 0.1, 0), 0.1, 1e-15) << "on the slope beside it";
+  EXPECT_EQ(Ground{}.soil_depth_at(0.5, 0.1, 7), 0.1) << "on a level bed";
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ const bodies::CircleSettings* circle_of(const problem::Case& c)
 
 formulas::PipeInClay ClayAround::at(Real embedment) const
 {
-  const auto strength_at = [&](Real depth) { return strength_at_rest(soil.at("", depth))->cohesion; };
+  const auto strength_at = [&](Real depth) { return strength_at_rest(soil.at("", above + depth))->cohesion; };
   const Real strength = strength_at(embedment);
   Real strength_gradient = 0;
   for (const Real part : {0.25, 0.5, 0.75, 1.})
@@ -57,7 +57,8 @@ PipeSoil pipe_soil(const record::RunRecord& run)
   if (std::isnan(modelled_part(c)))
     return NoFormula{"The published formulas are those of a whole pipe; a wall of the mesh cuts the pipe of this run."};
   const std::optional<problem::BodySoil> touched = base::touched_soil(run);
-  const std::optional<material::Strength> law = touched ? strength_at_rest(touched->at("", base::reference_depth(c))) : std::nullopt;
+  const std::optional<material::Strength> law =
+      touched ? strength_at_rest(touched->at("", base::soil_depth(c, run.ground, base::reference_depth(c, run.ground)))) : std::nullopt;
   if (!law) return NoFormula{"No formula is known for this soil: its strength is none of cohesion and friction."};
   const contact::ContactSettings& contact = *base::contact_of_body(c);
   const bool sticks = contact.scheme == contact::Scheme::tied;
@@ -76,7 +77,7 @@ PipeSoil pipe_soil(const record::RunRecord& run)
                       sticks ? law->friction_angle : contact.friction_angle};
   if (law->friction_angle == 0 && cohesive) {
     const Real adhesion = sticks ? infinity : contact.friction_angle > 0 ? std::numeric_limits<Real>::quiet_NaN() : contact.adhesion;
-    return ClayAround{circle->diameter, unit_weight, soil, adhesion};
+    return ClayAround{circle->diameter, unit_weight, soil, adhesion, base::soil_depth(c, run.ground, 0)};
   }
   return NoFormula{"No formula is known for this soil: it is neither clay (φ = 0) nor sand (c = 0) with weight."};
 }

@@ -47,6 +47,23 @@ TEST(DrivenBody, has_the_strength_of_its_lowest_point_at_the_end_of_the_push)
   EXPECT_EQ(body_scale(run.settings()).strength_depth, 0);
 }
 
+TEST(DrivenBody, in_a_trench_has_the_strength_of_the_soil_as_it_was_laid_down)
+{
+  MadeRun made;
+  made.law = MadeRun::clay_law();
+  record::RunRecord run = made.record();
+  std::get_if<material::MohrCoulomb>(&run.settings.material[0].second)->cohesion_gradient = 5e4;
+  for (problem::StageSettings& stage : run.settings.stage)
+    if (stage.kind == problem::StageKind::push) stage.until.embedment = 0.01;
+  run.ground.line.corners = {{-1, 0}, {-0.05, 0}, {-0.05, -0.04}, {0.05, -0.04}, {0.05, 0}, {1, 0}};
+  EXPECT_DOUBLE_EQ(soil_depth(run.settings, run.ground, 0.01), 0.05);
+  EXPECT_DOUBLE_EQ(soil_depth(run.settings, {}, 0.01), 0.01);
+  run.quantities.clear();
+  run.quantities.push_back({"w_end_of_push", 0.01, "m", ""});
+  EXPECT_DOUBLE_EQ(body_scale(run).strength_depth, 0.05);
+  EXPECT_DOUBLE_EQ(body_scale(run).strength, 1000 + 5e4 * 0.05);
+}
+
 TEST(DrivenBody, in_regions_of_other_materials_meets_that_below_it_where_the_run_has_noted_it)
 {
   MadeRun made;
