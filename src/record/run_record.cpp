@@ -87,22 +87,34 @@ void take_log(RunRecord& run)
   if (run.begun.empty()) run.faults.emplace_back("run.log is missing, empty or cannot be read");
 }
 
+/// The line of ground.csv: two corners at least, from left to right; empty where it is damaged.
+std::optional<mesh::GroundLine> read_ground(const fs::path& file)
+{
+  std::istringstream lines(io::read_text_file(file));
+  std::string line;
+  std::getline(lines, line);
+  mesh::GroundLine ground;
+  while (std::getline(lines, line)) {
+    std::istringstream words(line);
+    Vec<2> corner;
+    char comma = 0;
+    if (!(words >> corner[0] >> comma >> corner[1]) || comma != ',' || !(words >> std::ws).eof() || !corner.allFinite()) return {};
+    if (!ground.corners.empty() && corner[0] < ground.corners.back()[0]) return {};
+    ground.corners.push_back(corner);
+  }
+  return ground.corners.size() < 2 ? std::nullopt : std::optional(ground);
+}
+
 /// The surface that a mesh of the user has.
 void take_ground(RunRecord& run)
 {
   run.ground = problem::ground_of(run.settings);
   const fs::path file = run.folder / "ground.csv";
   if (!run.ground.line.level() || look_for(file) != Found::file) return;
-  std::istringstream lines(io::read_text_file(file));
-  std::string line;
-  std::getline(lines, line);
-  Vec<2> corner;
-  char comma = 0;
-  while (lines >> corner[0] >> comma >> corner[1]) run.ground.line.corners.push_back(corner);
-  if (!lines.eof() || comma != ',') {
-    run.ground.line = {};
+  if (const std::optional<mesh::GroundLine> found = read_ground(file))
+    run.ground.take_found(*found);
+  else
     run.faults.emplace_back("ground.csv is damaged: the ground is taken to be level");
-  }
 }
 
 void take_origin(RunRecord& run)

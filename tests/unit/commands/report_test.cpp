@@ -148,6 +148,18 @@ TEST_F(Report, of_damaged_files_says_which)
   for (const char* said : {"summary.json is damaged", "is of another history"}) EXPECT_NE(page.find(said), std::string::npos) << said;
 }
 
+TEST_F(Report, takes_no_ground_from_a_damaged_file)
+{
+  const auto faults = [&](const std::string& corners) {
+    std::ofstream(file("out/a/ground.csv")) << "x_m,y_m\n" << corners;
+    EXPECT_EQ(berm({"report", "out/a"}).status, 0);
+    return text("out/a/report.html").find("ground.csv is damaged") != std::string::npos;
+  };
+  EXPECT_FALSE(faults("-1,0\n0.5,0\n0.5,-0.1\n1,0.2\n"));
+  for (const char* corners : {"", "-1,0\n", "-1,0\n1,nan\n", "-1,0\n1,inf\n", "1,0\n-1,0.2\n", "-1,0\n1,\n", "-1,0\n1,0.2,3\n"})
+    EXPECT_TRUE(faults(corners)) << corners;
+}
+
 TEST_F(Report, of_several_runs_leaves_out_one_that_cannot_be_read_and_says_so)
 {
   std::ofstream(file("out/b/resolved.toml")) << "title = 3\n";
