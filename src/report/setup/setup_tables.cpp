@@ -20,7 +20,7 @@ namespace {
 /// The rows of one run.
 class Rows {
 public:
-  explicit Rows(const record::RunRecord& run) : case_(run.settings), scale_(base::body_scale(run)) {}
+  explicit Rows(const record::RunRecord& run) : run_(run), case_(run.settings), scale_(base::body_scale(run)) {}
 
   void add(const std::string& heading, const std::string& words, const std::string& key = "")
   {
@@ -37,9 +37,11 @@ public:
   Real level() const { return scale_.gravity_level; }
   const base::BodyScale& scale() const { return scale_; }
   const problem::Case& settings() const { return case_; }
+  Real surface_at(Real x) const { return run_.surface_at(x); }
   std::vector<text::RunEntry> list() && { return std::move(entries_); }
 
 private:
+  const record::RunRecord& run_;
   const problem::Case& case_;
   base::BodyScale scale_;
   std::vector<text::RunEntry> entries_;
@@ -86,9 +88,8 @@ void add_rigid(Rows& rows, const std::string& prefix, const bodies::RigidSetting
   for (const auto& [name, size] : sizes) rows.length(prefix + name, size);
   if (sizes.empty()) rows.add(prefix + "shape", std::visit([](const auto& shape) { return name_of(shape); }, rigid.shape));
   if (rows.settings().dimension == 2 && std::holds_alternative<bodies::CircleSettings>(rigid.shape))
-    rows.length(prefix + "embedment at the start",
-                problem::ground_of(rows.settings()).level_at(center_of<2>(bodies::make_shape<2>(rigid.shape))[0], rows.settings().surface) -
-                    bodies::lowest_level<2>(bodies::make_shape<2>(rigid.shape), Vec<2>::UnitY()));
+    rows.length(prefix + "embedment at the start", rows.surface_at(center_of<2>(bodies::make_shape<2>(rigid.shape))[0]) -
+                                                       bodies::lowest_level<2>(bodies::make_shape<2>(rigid.shape), Vec<2>::UnitY()));
   if (rigid.mass > 0) rows.add(prefix + "mass", fmt::format("{:.4g} {}", rigid.mass, rows.settings().dimension == 2 ? "kg/m" : "kg"));
 }
 
