@@ -28,13 +28,27 @@ struct PipeInSoil {
   const contact::ContactSettings* contact = nullptr;
   Real unit_weight = 0;  ///< N/m3
   std::optional<problem::BodySoil> soil;
+  Real above = 0;     ///< m, depth in the soil from which embedment counts
+  bool level = true;  ///< the ground
+
+  /// A formula as it holds here: all are those of a level bed.
+  formulas::Formula on_this_ground(formulas::Formula formula) const
+  {
+    if (level) return formula;
+    formula.valid = false;
+    formula.source.range = "a level bed";
+    return formula;
+  }
 };
 
 PipeInSoil pipe_in_soil(const problem::Case& c)
 {
   const std::optional<material::Material> material = base::touched_material(c);
-  return {embedded_pipe(c), material ? strength_at_rest(*material) : std::nullopt, base::contact_of_body(c),
-          base::body_scale(c).unit_weight, base::touched_soil(c)};
+  const problem::Ground ground = problem::ground_of(c);
+  return {embedded_pipe(c),         material ? strength_at_rest(*material) : std::nullopt,
+          base::contact_of_body(c), base::body_scale(c).unit_weight,
+          base::touched_soil(c),    base::soil_depth(c, ground, 0),
+          ground.line.level()};
 }
 
 std::string titled(const std::string& title, const formulas::Formula& formula)
@@ -54,7 +68,7 @@ Real roughness_of(const PipeInSoil& soil)
 PublishedEnvelope for_clay(const PipeInSoil& soil)
 {
   PublishedEnvelope published;
-  const formulas::PipeInClay around = ClayAround{soil.pipe.width, soil.unit_weight, *soil.soil, 0}.at(soil.pipe.embedment);
+  const formulas::PipeInClay around = ClayAround{soil.pipe.width, soil.unit_weight, *soil.soil, 0, soil.above}.at(soil.pipe.embedment);
   const formulas::PipeInClay pipe{soil.pipe.width,    soil.pipe.embedment,      around.strength,
                                   roughness_of(soil), around.strength_gradient, soil.unit_weight};
   published.unit = pipe.diameter * pipe.strength;
@@ -65,9 +79,10 @@ PublishedEnvelope for_clay(const PipeInSoil& soil)
   }
   const Real buoyancy = soil.unit_weight > 0 ? soil.unit_weight * formulas::f114_penetrated_area(pipe.diameter, pipe.embedment) : 0;
   const auto with_buoyancy = [&](formulas::Formula formula) { return formula.value += buoyancy, formula; };
-  const formulas::Formula V_max = clay_vertical(pipe), H_max = clay_horizontal(pipe), smooth = clay_vertical_smooth(pipe);
+  const formulas::Formula V_max = soil.on_this_ground(clay_vertical(pipe)), H_max = soil.on_this_ground(clay_horizontal(pipe)),
+                          smooth = soil.on_this_ground(clay_vertical_smooth(pipe));
   published.numbers = {{"V_max", with_buoyancy(V_max)}, {"H_max", H_max}};
-  const formulas::Formula any = clay_envelope(pipe, V_max.value / 2, V_max.value, H_max.value);
+  const formulas::Formula any = soil.on_this_ground(clay_envelope(pipe, V_max.value / 2, V_max.value, H_max.value));
   PublishedCurve curve{titled(any.source.work, any), {}, {}};
   for (int k = 0; k <= curve_points; ++k) {
     const Real V = V_max.value * k / curve_points;
@@ -80,7 +95,7 @@ PublishedEnvelope for_clay(const PipeInSoil& soil)
     published.curves.push_back({titled("Vmax, slip lines", smooth), {smooth.value + buoyancy}, {0}});
   }
   const bool ends = pipe.roughness == 0 || pipe.roughness == 1;
-  if (ends && formulas::within(pipe.embedment / pipe.diameter, 0.5, 0.5)) {
+  if (soil.level && ends && formulas::within(pipe.embedment / pipe.diameter, 0.5, 0.5)) {
     const formulas::MurffBounds& bounds = pipe.roughness == 0 ? formulas::murff_smooth : formulas::murff_rough;
     published.curves.push_back({fmt::format("Vmax, {} [{}]", formulas::murff_source.work, formulas::word_of(formulas::murff_source.label)),
                                 {bounds.lower * published.unit + buoyancy, bounds.upper * published.unit + buoyancy},
@@ -101,6 +116,7 @@ PublishedEnvelope for_sand(const PipeInSoil& soil, const base::EnvelopeEnds& end
     V_max.valid = false;
     V_max.source.range = "dilation angle = phi";
   }
+  V_max = soil.on_this_ground(V_max);
   if (std::isfinite(V_max.value)) {
     published.numbers.push_back({"V_max", V_max});
     published.curves.push_back({titled("Vmax, characteristics", V_max), {V_max.value}, {0}});
@@ -110,7 +126,7 @@ PublishedEnvelope for_sand(const PipeInSoil& soil, const base::EnvelopeEnds& end
     if (ends.V[k] >= 0 && ends.V[k] < ends.V_max && ends.H[k] > 0) V.push_back(ends.V[k]), H.push_back(ends.H[k]);
   const formulas::YieldSurface surface = formulas::fit_zhang(V, H, ends.V_max);
   if (!std::isfinite(surface.mu) || !std::isfinite(surface.beta)) return published;
-  const formulas::Formula any = zhang_envelope(surface, 0, ends.V_max);
+  const formulas::Formula any = soil.on_this_ground(zhang_envelope(surface, 0, ends.V_max));
   published.numbers.push_back({"zhang_mu", formula(surface.mu, any.source, any.valid)});
   published.numbers.push_back({"zhang_beta", formula(surface.beta, any.source, any.valid)});
   PublishedCurve curve{titled(fmt::format("Zhang's surface fitted, mu = {:.3f}, beta = {:.3f}", surface.mu, surface.beta), any), {}, {}};
@@ -120,6 +136,14 @@ PublishedEnvelope for_sand(const PipeInSoil& soil, const base::EnvelopeEnds& end
     curve.H.push_back(zhang_envelope(surface, at, ends.V_max).value);
   }
   published.curves.push_back(curve);
+  return published;
+}
+
+/// Says that the ground is not level, where nothing else is to be said.
+PublishedEnvelope with_ground(const PipeInSoil& soil, PublishedEnvelope published)
+{
+  if (!soil.level && published.remark.empty())
+    published.remark = "the formulas are for a level bed, and the ground of this case is not: they show the order of magnitude only";
   return published;
 }
 
@@ -155,9 +179,9 @@ base::EmbeddedBody embedded_pipe(const problem::Case& c)
 PublishedEnvelope pipe_envelope(const problem::Case& c, const base::EnvelopeEnds& ends)
 {
   const PipeInSoil soil = pipe_in_soil(c);
-  if (soil.strength && soil.strength->friction_angle == 0 && soil.strength->cohesion > 0) return for_clay(soil);
+  if (soil.strength && soil.strength->friction_angle == 0 && soil.strength->cohesion > 0) return with_ground(soil, for_clay(soil));
   if (soil.strength && soil.strength->friction_angle > 0 && soil.strength->cohesion == 0 && soil.unit_weight > 0)
-    return for_sand(soil, ends);
+    return with_ground(soil, for_sand(soil, ends));
   PublishedEnvelope published;
   published.remark = "no formula is known for this soil: neither clay (phi = 0) nor sand (c = 0)";
   return published;

@@ -29,6 +29,19 @@ TEST(PipeEnvelope, says_where_the_pipe_is_out_of_range)
   EXPECT_NE(published.curves.at(0).title.find("out of range"), std::string::npos);
 }
 
+TEST(PipeEnvelope, is_out_of_range_on_ground_that_is_not_level)
+{
+  const base::PublishedEnvelope published = pipe_envelope(clay({"contact.skin.adhesion=10e3", "mesh.slope=\"3 deg\""}), no_probes);
+  ASSERT_EQ(published.numbers.size(), 2u);
+  for (const auto& number : published.numbers) {
+    EXPECT_FALSE(number.formula.valid);
+    EXPECT_EQ(number.formula.source.range, "a level bed");
+  }
+  ASSERT_EQ(published.curves.size(), 1u);
+  EXPECT_NE(published.curves[0].title.find("out of range: a level bed"), std::string::npos) << published.curves[0].title;
+  EXPECT_NE(published.remark.find("level bed"), std::string::npos);
+}
+
 TEST(PipeEnvelope, lifts_the_clay_curve_by_the_buoyancy_of_what_the_pipe_displaces)
 {
   // Half the circle lies in the clay: 18 kN/m3 x pi/8 m2.
