@@ -15,7 +15,7 @@ namespace berm::sanity {
 void does_it_take_days(const Scene& s, Findings& found)
 {
   constexpr Real day = 24 * 3600, few = 20;
-  const Real time = expected_time(s.c.stage);
+  const Real time = expected_time(s.stages);
   if (!s.is_mpm() || !(s.cost.time_step > 0) || time <= 0) return;
   const Real steps = time / s.cost.time_step, seconds = steps * s.cost.particles / s.cost.particle_steps_per_s;
   if (seconds > day)

@@ -59,16 +59,15 @@ Real disk_of(const Scene& s)
 {
   constexpr Real bytes_of_row = 400;
   Real frames = 1;
-  for (std::size_t k = 0; k < s.c.stage.size(); ++k) {
-    const problem::StageSettings& stage = s.c.stage[k];
-    const Real time = expected_time(stage);
+  for (std::size_t k = 0; k < s.stages.size(); ++k) {
+    const Real time = expected_time(s.stages[k]);
     frames += 1;
     if (s.c.output.frame_time) frames += std::floor(time / *s.c.output.frame_time);
     Real travel = 0;
     for (const Move& move : s.ways[k].axis) travel += (move.end - move.begin) * (move.end - move.begin);
     if (s.c.output.frame_travel) frames += std::floor(std::sqrt(travel) / *s.c.output.frame_travel);
   }
-  const Real rows = s.c.output.history_time ? expected_time(s.c.stage) / *s.c.output.history_time : 1000;
+  const Real rows = s.c.output.history_time ? expected_time(s.stages) / *s.c.output.history_time : 1000;
   return frames * s.cost.frame_bytes + rows * bytes_of_row;
 }
 

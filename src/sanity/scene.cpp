@@ -3,6 +3,7 @@
 #include "sanity/scene.hpp"
 
 #include "problem/cells_at_body.hpp"
+#include "problem/equilibrium.hpp"
 #include "sanity/ways.hpp"
 
 #include <algorithm>
@@ -49,13 +50,7 @@ Real depth_below_surface(const problem::Case& c, const problem::Model<dim>& mode
   const Span& height = space[model.axes.up];
   if (model.ground.line.level())
     return model.axes.sign > 0 ? std::max(Real(0), c.surface - height.from) : std::max(Real(0), height.to - c.surface);
-  Real depth = 0;
-  for (const Index cell : cells)
-    for (const Index node : model.mesh.nodes[cell]) {
-      const Vec<dim>& x = model.mesh.position[node];
-      depth = std::max(depth, model.ground.line.height(x[model.axes.along]) - x[model.axes.up]);
-    }
-  return depth;
+  return problem::depth_below_ground(model, cells);
 }
 
 /// Pairs of bodies whose cells have nodes in common.
@@ -99,11 +94,20 @@ Index Scene::touched_by(Index rigid) const
 
 std::string Scene::region_at(Index body, Real depth) const
 {
-  const Span& width = rigids.empty() || !rigids.front().bounded ? bodies[body].space[along] : rigids.front().space[along];
-  const Real x = (width.from + width.to) / 2, top = ground.line.level() ? c.surface : ground.line.height(x), level = top - up_sign * depth;
-  for (const RegionScene& region : bodies[body].regions)
-    if (region.space[along].from <= x && x <= region.space[along].to && region.space[up].from <= level && level <= region.space[up].to)
-      return region.name;
+  const Index rigid = main_rigid(c);
+  const Spans& at = rigid == none || !rigids[rigid].bounded ? bodies[body].space : rigids[rigid].space;
+  Place x = {};
+  for (std::size_t d = 0; d < x.size(); ++d) x[d] = (at[d].from + at[d].to) / 2;
+  const Real inside = 1e-6 * depth_of(body), top = ground.line.level() ? c.surface : ground.line.height(x[along]);
+  x[up] = top - up_sign * std::clamp(depth, inside, std::max(inside, depth_of(body) - inside));
+  const std::string found = region(x);
+  const std::vector<RegionScene>& own = bodies[body].regions;
+  const auto is = [&](const RegionScene& one) { return one.name == found; };
+  if (std::any_of(own.begin(), own.end(), is)) return found;
+  // Within a rigid body around which the mesh was shaped there is none: then that around it.
+  for (const RegionScene& one : own)
+    if (one.space[along].from <= x[along] && x[along] <= one.space[along].to && one.space[up].from <= x[up] && x[up] <= one.space[up].to)
+      return one.name;
   return "";
 }
 
@@ -139,10 +143,16 @@ Scene scene_of(const problem::Case& c, const input::Places& places, const proble
   scene.ground = model.ground;
   scene.neighbors = neighbors_in(model.mesh, cells);
   scene.ways = ways_of(model);
+  scene.stages = model.stages;
   scene.cell_size = [&model, start = std::make_shared<Index>(0)](Index rigid, const Place& moved) {
     bodies::RigidState<dim> state;
     for (int d = 0; d < dim; ++d) state.displacement[d] = moved[d];
     return problem::cell_size_at<dim>(model, placed<dim>(model.rigid_bodies[rigid], state), *start);
+  };
+  scene.region = [&model](const Place& place) {
+    Vec<dim> x;
+    for (int d = 0; d < dim; ++d) x[d] = place[d];
+    return problem::region_at<dim>(model, x);
   };
   scene.cost = cost;
   return scene;

@@ -79,8 +79,10 @@ struct Scene {
   std::vector<BodyScene> bodies = {};
   std::vector<std::pair<Index, Index>> neighbors = {};  ///< pairs of bodies that lie at each other at the start
   std::vector<Way> ways = {};                           ///< by stage
+  std::vector<problem::StageSettings> stages = {};      ///< those of the case, with the limits of those that end at equilibrium
   std::function<Real(Index, const Place&)> cell_size =
       {};  ///< at a rigid body with a displacement since the start, m; NaN where it is not in the mesh
+  std::function<std::string(const Place&)> region = {};  ///< of the mesh at a point; "" where there is none
   Cost cost = {};
 
   bool is_mpm() const { return c.method == problem::Method::mpm; }
@@ -88,7 +90,7 @@ struct Scene {
   {
     return c.material[problem::index_of(c.material, c.body[body].second.material)].second;
   }
-  /// The region of a body's soil at a depth below the surface, m, under the first rigid body; "" where none is there.
+  /// The region of a body's soil at a depth below the surface, m, under the main rigid body; "" where none is there.
   std::string region_at(Index body, Real depth) const;
   /// The soil there.
   material::Material material_at(Index body, Real depth) const { return soil_of(c, c.body[body].second).at(region_at(body, depth), depth); }
