@@ -48,7 +48,7 @@ struct Uncertainty {
   std::vector<QuantityBand> quantities;
   std::vector<CurveBand> curves;
   std::vector<BandRun> runs;
-  std::vector<std::pair<std::string, std::string>> without;  ///< quantities that have no band, and why
+  std::vector<std::pair<std::string, std::string>> without;  ///< quantities and curves that have no band, and why
   std::vector<std::string> left_out;                         ///< parts that the band does not hold, and why
   std::string missing;                                       ///< why there is no band at all; "" where there is one
 

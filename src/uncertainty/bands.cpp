@@ -92,21 +92,44 @@ run_folder::CurveBand band_of(const base::ChartCurve& curve, const std::vector<V
   return band;
 }
 
-std::vector<run_folder::CurveBand> curve_bands(const record::RunRecord& run, const std::vector<VariantRecord>& variants,
-                                               const base::Structure& structure)
+/// Names a curve by its chart, and by the drag it is of where that has one of each.
+std::string name_of(const base::ChartCurves& curves, std::size_t which)
+{
+  const std::string& chart = curves[which].chart;
+  const auto in_chart = [&](const base::ChartCurve& curve) { return curve.chart == chart; };
+  const auto first = curves.begin(), here = first + static_cast<std::ptrdiff_t>(which);
+  const auto before = std::count_if(first, here, in_chart);
+  return before == 0 ? "curve " + chart : fmt::format("curve {} of drag {}", chart, before + 1);
+}
+
+void add_curve_bands(run_folder::Uncertainty& found, const record::RunRecord& run, const std::vector<VariantRecord>& variants,
+                     const base::Structure& structure)
 {
   std::vector<base::ChartCurves> of_variants;
   for (const VariantRecord& variant : variants) of_variants.push_back(structure.chart_curves(variant.run));
   const base::ChartCurves of_run = structure.chart_curves(run);
-  std::vector<run_folder::CurveBand> bands;
   for (std::size_t k = 0; k < of_run.size(); ++k) {
+    if (of_run[k].values.empty()) continue;
     std::vector<const base::ChartCurve*> same;
     for (const base::ChartCurves& curves : of_variants)
-      if (k < curves.size() && curves[k].chart == of_run[k].chart && !curves[k].values.empty()) same.push_back(&curves[k]);
-    if (same.size() == variants.size() && !of_run[k].values.empty())
-      bands.push_back(band_of(of_run[k], variants, same, averaging_half(base::body_scale(run))));
+      if (k < curves.size() && curves[k].chart == of_run[k].chart && !curves[k].values.empty())
+        same.push_back(&curves[k]);
+      else
+        break;
+    if (same.size() == variants.size())
+      found.curves.push_back(band_of(of_run[k], variants, same, averaging_half(base::body_scale(run))));
+    else
+      found.without.emplace_back(name_of(of_run, k), fmt::format("{} has no such curve", variants[same.size()].run.name));
   }
-  return bands;
+}
+
+/// Why a number has no band: `of_variants` are those of the runs with coarser cells.
+std::string reason_without(const std::vector<VariantRecord>& variants, const std::vector<Real>& of_variants, Real noise)
+{
+  for (std::size_t k = 0; k < of_variants.size(); ++k)
+    if (!std::isfinite(of_variants[k])) return fmt::format("{} has no such number", variants[k].run.name);
+  return std::isnan(noise) ? "noise: it is not found in the history without every fifth row"
+                           : "no line can be fitted to so few runs of different cells";
 }
 
 }  // namespace
@@ -125,13 +148,16 @@ std::vector<Real> noise_of(const record::RunRecord& run)
   }
   for (std::size_t k = 0; k < noise.size(); ++k) {
     Real sum = 0, squares = 0;
+    int found_in = 0;
     for (const auto& quantities : without) {
       const Real value = value_in(quantities, run.quantities[k].name);
+      found_in += std::isnan(value) ? 0 : 1;
       sum += value;
       squares += value * value;
     }
+    if (found_in == 0) continue;  // not of the rows
     const Real spread = squares - sum * sum / sets_of_rows;
-    if (!std::isnan(spread)) noise[k] = 2 * std::sqrt(std::max(Real(0), spread) * (sets_of_rows - 1) / sets_of_rows);
+    noise[k] = std::isnan(spread) ? nan : 2 * std::sqrt(std::max(Real(0), spread) * (sets_of_rows - 1) / sets_of_rows);
   }
   return noise;
 }
@@ -151,10 +177,9 @@ run_folder::Uncertainty bands_of(const record::RunRecord& run, const std::vector
       found.quantities.push_back({q.name, q.unit, band});
       continue;
     }
-    const auto lacks = std::find_if(numbers.begin(), numbers.end(), [](Real number) { return std::isnan(number); }) - numbers.begin();
-    found.without.emplace_back(q.name, fmt::format("{} has no such number", variants[static_cast<std::size_t>(lacks)].run.name));
+    found.without.emplace_back(q.name, reason_without(variants, numbers, noise[k]));
   }
-  found.curves = curve_bands(run, variants, structure);
+  add_curve_bands(found, run, variants, structure);
   return found;
 }
 

@@ -66,6 +66,27 @@ TEST(Bands, leave_out_what_a_coarser_run_has_not_and_say_which)
   EXPECT_EQ(found->second, "short has no such number");
 }
 
+/// Why that quantity or curve has no band; "" where it is not among those without.
+std::string reason(const run_folder::Uncertainty& u, const std::string& name)
+{
+  const auto found = std::find_if(u.without.begin(), u.without.end(), [&](const auto& each) { return each.first == name; });
+  return found == u.without.end() ? "" : found->second;
+}
+
+TEST(Bands, leave_out_curves_that_a_coarser_run_has_not_and_say_which)
+{
+  std::vector<VariantRecord> variants = first_order();
+  MadeRun run;
+  run.name = "pushed alone";
+  run.dragged = 0;
+  variants[2].run = run.record();
+  const run_folder::Uncertainty u = bands_of(made(1.1), variants);
+  ASSERT_EQ(u.curves.size(), 1u);
+  EXPECT_EQ(u.curves[0].chart, "V_w");
+  EXPECT_EQ(reason(u, "curve V_w"), "");
+  for (const char* curve : {"curve H_u", "curve w_u"}) EXPECT_EQ(reason(u, curve), "pushed alone has no such curve") << curve;
+}
+
 TEST(Bands, of_curves_lie_along_them)
 {
   const run_folder::Uncertainty u = bands_of(made(1.1), first_order());
@@ -80,21 +101,62 @@ TEST(Bands, of_curves_lie_along_them)
   EXPECT_EQ(u.curves[2].chart, "w_u");
 }
 
+/// The noise of that quantity, which the run must have.
+Real noise_in(const record::RunRecord& run, const std::string& quantity)
+{
+  const std::vector<Real> noise = noise_of(run);
+  for (std::size_t k = 0; k < noise.size(); ++k)
+    if (run.quantities[k].name == quantity) return noise[k];
+  ADD_FAILURE() << "the run has no " << quantity;
+  return 0;
+}
+
 // Rows that go up and down by 5 % of V in turn: a mean over some ten of them is uncertain by a few per cent, and none of smooth rows is.
 TEST(Noise, of_rows_that_waver_is_seen)
 {
   MadeRun run;
   run.V = [](Real w) { return 4e5 * w * (1 + 0.05 * std::sin(1e6 * w)); };
   const record::RunRecord record = run.record();
-  const std::vector<Real> noise = noise_of(record);
-  for (std::size_t k = 0; k < noise.size(); ++k) {
-    if (record.quantities[k].name == "V_at_w_0.1D") {
-      EXPECT_GT(noise[k], 1);
-      EXPECT_LT(noise[k], 0.1 * 800);
-    }
-  }
+  const Real noise = noise_in(record, "V_at_w_0.1D");
+  EXPECT_GT(noise, 1);
+  EXPECT_LT(noise, 0.1 * 800);
   run.method = problem::Method::fem;
   for (const Real each : noise_of(run.record())) EXPECT_EQ(each, 0);
+}
+
+/// A drag whose H wavers by 5 % and changes by about `change` over its last 0.1 D: it is residual up to a change of 5 %.
+record::RunRecord with_change_at_the_end(Real change)
+{
+  MadeRun run;
+  run.H = [=](Real u) { return 300 * (1 + 0.05 * std::sin(1e6 * u)) * (1 + change * (u - 0.01) / 0.002); };
+  return run.record();
+}
+
+// The largest change at which the run has a residual H: without some of its rows it has, without others it has not.
+TEST(Noise, of_a_number_that_some_rows_make_is_not_known_and_it_has_no_band)
+{
+  Real with = 0, without = 0.2;
+  ASSERT_NE(with_change_at_the_end(with).quantity("H_residual"), nullptr);
+  ASSERT_EQ(with_change_at_the_end(without).quantity("H_residual"), nullptr);
+  while (without - with > 1e-6) {
+    const Real middle = (with + without) / 2;
+    (with_change_at_the_end(middle).quantity("H_residual") != nullptr ? with : without) = middle;
+  }
+  const record::RunRecord run = with_change_at_the_end(with);
+  EXPECT_TRUE(std::isnan(noise_in(run, "H_residual")));
+  EXPECT_GT(noise_in(run, "H_end_of_drag"), 0) << "the same mean, which every drag has";
+  std::vector<VariantRecord> variants;
+  for (const Real size : sizes) variants.push_back({size, 1, with_change_at_the_end(0)});
+  const run_folder::Uncertainty u = bands_of(run, variants);
+  EXPECT_EQ(u.find("H_residual"), nullptr);
+  EXPECT_EQ(reason(u, "H_residual").find("noise: "), 0u) << reason(u, "H_residual");
+  EXPECT_NE(u.find("H_end_of_drag"), nullptr);
+}
+
+TEST(Bands, need_runs_of_different_cells)
+{
+  const std::vector<VariantRecord> one = {{1.4, 1, made(1.1)}};
+  EXPECT_EQ(reason(bands_of(made(1.1), one), "V_at_w_0.1D"), "no line can be fitted to so few runs of different cells");
 }
 
 }  // namespace
