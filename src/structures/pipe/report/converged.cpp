@@ -67,9 +67,4 @@ std::string converged_notes(const PipeRuns& runs)
   return notes;
 }
 
-std::string name_at(const char* what, Real part)
-{
-  return fmt::format("{}_{:g}D", what, std::round(1000 * part) / 1000);
-}
-
 }  // namespace berm::pipe

@@ -19,7 +19,4 @@ std::vector<text::HtmlCell> converged_cell(const PipeRuns& runs, const PipeRun& 
 /// What the column means, and why a run that was asked has no bands, as paragraphs; "" where no run was asked.
 std::string converged_notes(const PipeRuns& runs);
 
-/// The name of a force at a part of D: V_at_w_0.1D.
-std::string name_at(const char* what, Real part);
-
 }  // namespace berm::pipe

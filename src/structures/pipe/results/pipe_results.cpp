@@ -10,11 +10,6 @@ namespace {
 
 using run_folder::Quantity;
 
-std::string at(const char* name, Real part)
-{
-  return fmt::format("{}_{:g}D", name, part);
-}
-
 /// Takes results to quantities: every member that is there, each force and length with its dimensionless twin.
 class Writer {
 public:
@@ -121,7 +116,7 @@ void describe_push(Visitor& v, PipeResults& r, Real D)
     return parts;
   };
   v.each(r.push, &PushPoint::w, spaced,
-         [&](PushPoint& p) { return v.force(at("V_at_w", p.w / D), p.V, "vertical reaction in the push at an embedment"); });
+         [&](PushPoint& p) { return v.force(name_at("V_at_w", p.w / D), p.V, "vertical reaction in the push at an embedment"); });
   v.optional(r.push_end, [&](PushPoint& p) {
     return v.force("V_end_of_push", p.V, "vertical reaction at the end of the push") &&
            v.length("w_end_of_push", p.w, "embedment at the end of the push");
@@ -130,7 +125,7 @@ void describe_push(Visitor& v, PipeResults& r, Real D)
   v.each(
       r.travel, &TravelPoint::travel, [] { return std::vector<Real>(std::begin(travel_points), std::end(travel_points)); },
       [&](TravelPoint& p) {
-        return v.force(at("V_at_travel", p.travel / D), p.V, "vertical reaction after a travel of a push in the bed");
+        return v.force(name_at("V_at_travel", p.travel / D), p.V, "vertical reaction after a travel of a push in the bed");
       });
 }
 
@@ -141,9 +136,9 @@ void describe_drag(Visitor& v, DragResults& r, Real D)
       r.points, &DragPoint::u, [] { return std::vector<Real>(std::begin(drag_points), std::end(drag_points)); },
       [&](DragPoint& p) {
         Real ratio = p.H / p.V;
-        const bool there = v.force(at("H_at_u", p.u / D), p.H, "horizontal resistance in the drag at a displacement") &&
-                           v.length(at("w_at_u", p.u / D), p.w, "embedment in the drag at a displacement") &&
-                           v.ratio(at("H_over_V_at_u", p.u / D), ratio, "H over V in the drag at a displacement");
+        const bool there = v.force(name_at("H_at_u", p.u / D), p.H, "horizontal resistance in the drag at a displacement") &&
+                           v.length(name_at("w_at_u", p.u / D), p.w, "embedment in the drag at a displacement") &&
+                           v.ratio(name_at("H_over_V_at_u", p.u / D), ratio, "H over V in the drag at a displacement");
         p.V = p.H / ratio;
         return there;
       });
@@ -194,6 +189,11 @@ void describe(Visitor& v, PipeResults& r, Real D)
 }
 
 }  // namespace
+
+std::string name_at(const char* what, Real part)
+{
+  return fmt::format("{}_{:g}D", what, part);
+}
 
 std::vector<Quantity> quantities_of(const PipeResults& results, const BodyScale& scale)
 {

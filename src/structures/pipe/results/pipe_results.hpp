@@ -70,6 +70,9 @@ struct PipeResults {
   const DragResults& drag() const;
 };
 
+/// The name of a quantity at a part of D: V_at_w_0.1D.
+std::string name_at(const char* what, Real part);
+
 /// The results as summary.json tells them, each force and length with its dimensionless twin: forces over gamma' D^2 (suffix _over_gammaD2, in plane strain),
 /// lengths over D (_over_D). The names of the first drag stand alone (H_max); those of later stages begin with the stage's name and a dot (back.H_max).
 std::vector<run_folder::Quantity> quantities_of(const PipeResults& results, const BodyScale& scale);
