@@ -265,6 +265,12 @@ FineZone fine_zone_of(const SeabedMesh& bed)
   return {left, right, low - bed.near_depth, high + bed.near_height};
 }
 
+Real highest_surface_of(const SeabedMesh& bed)
+{
+  const SeabedLayout at = layout_of(bed);
+  return level_line(bed, true).heights(at.left, at.right).second;
+}
+
 void check_ground(const SeabedMesh& bed)
 {
   fits(std::isfinite(bed.slope) && std::abs(bed.slope) <= steepest_slope, "slope",
@@ -288,7 +294,7 @@ void check_ground(const SeabedMesh& bed)
     fits(clear_of_faces(bed, at_end, 0.5 * bed.near_size) == at_end, end,
          fmt::format("{:.6g} m lies between faces that are less than two cells apart: move it out of the trench", at_end));
   fits(fine.right - fine.left >= bed.near_size, "near_right", "the fine zone is narrower than near_size beside the faces");
-  const Real lowest = -bed.depth + bed.layer + bed.near_size, highest = level_line(bed, true).heights(at.left, at.right).second;
+  const Real lowest = -bed.depth + bed.layer + bed.near_size, highest = highest_surface_of(bed);
   fits(fine.lower >= lowest, "near_depth",
        fmt::format(
            "{:.6g} m below the lowest surface in the fine zone is y = {:.6g} m; it must stay above the base and its layer by near_size, "

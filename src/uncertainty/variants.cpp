@@ -2,6 +2,7 @@
 #include "uncertainty/variants.hpp"
 
 #include "core/error.hpp"
+#include "mesh/uneven_seabed.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/near_mesh.hpp"
 
@@ -25,9 +26,11 @@ void make_coarser(mesh::SeabedMesh& bed, Real times)
   const Real clear = bed.layer + bed.near_size;
   bed.near_left = std::max(bed.near_left, at.left + clear);
   bed.near_right = std::min(bed.near_right, at.right - clear);
-  bed.near_depth = std::max(bed.near_size, std::min(bed.near_depth, bed.depth - clear));
   bed.near_height = std::max(bed.near_height, bed.near_size);
-  bed.headroom = std::max(bed.headroom, bed.near_height + bed.near_size);
+  const mesh::FineZone fine = mesh::fine_zone_of(bed);
+  const Real lowest_surface = fine.lower + bed.near_depth;  // in the fine zone
+  bed.near_depth = std::max(bed.near_size, std::min(bed.near_depth, bed.depth + lowest_surface - clear));
+  bed.headroom = std::max(bed.headroom, std::max(fine.upper, mesh::highest_surface_of(bed)) + bed.near_size);
 }
 
 /// Gives the ratio that whole cells came to.
@@ -62,6 +65,13 @@ bool knows_speed(const problem::Case& c)
                      [](const auto& entry) { return std::holds_alternative<material::RateDependentTresca>(entry.second); });
 }
 
+/// How much coarser cells may be until they are as large as the layer along walls and base.
+Real largest_in_layer(const problem::Case& c)
+{
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
+  return bed != nullptr && bed->layer > 0 ? bed->layer / bed->near_size : infinity;
+}
+
 /// How much coarser the coarsest cells may be. Throws KeyError.
 Real coarsest_of(const problem::Case& c)
 {
@@ -71,7 +81,13 @@ Real coarsest_of(const problem::Case& c)
     throw KeyError(
         "mesh.file: --uncertainty makes all cells coarser, which it cannot do with a mesh from a file; let berm make the mesh (mesh.kind = "
         "\"seabed\" or \"box\"), or compare meshes of your own with berm study");
-  const Real width = base::body_scale(c).width, size = base::near_cell_size(c), coarsest = std::min(ratio, width / (cells_across * size));
+  const Real width = base::body_scale(c).width, size = base::near_cell_size(c);
+  const Real coarsest = std::min({ratio, width / (cells_across * size), largest_in_layer(c)});
+  if (largest_in_layer(c) < least_coarsest)
+    throw KeyError(fmt::format(
+        "mesh.layer: --uncertainty makes cells {:g} times as large at least, and the layer along walls and base must not be thinner than a "
+        "cell of the fine zone: make it {:.3g} m or thicker, near_size smaller, or leave it out",
+        least_coarsest, least_coarsest * std::get<mesh::SeabedMesh>(c.mesh).near_size));
   constexpr Real rounding = 1e-9;
   if (!(coarsest >= least_coarsest * (1 - rounding)))
     throw KeyError(fmt::format(

@@ -19,13 +19,14 @@ struct VariantPlan {
   std::vector<std::string> left_out;  ///< parts that the band will not hold, and why
 };
 
-/// Five runs with cells of 1.4 to 2.2 times the size everywhere, less where they would be larger than a fifth of the driven body's width; and one more of the
+/// Five runs with cells of 1.4 to 2.2 times the size everywhere, less where they would be larger than a fifth of the driven body's width or than a layer of the bed, which
+/// limits the far ones to its thickness in all of them; and one more of the
 /// largest cells at twice the speed (finite elements: with increments twice and relaxation four times as long) where the soil does not know speed. Throws KeyError where no band can be
 /// made of the case: no body is driven, the mesh is a file, or cells are too large already.
 VariantPlan choose_variants(const problem::Case& c);
 
 /// The case with all cells `ratio` times as large, and the particles of blocks and disks as far apart; without frames on the way. The fine zone of a bed stays clear of
-/// the walls. The size that it came to, which differs where a box is cut into whole cells.
+/// walls and base. The size that it came to, which differs where a box is cut into whole cells.
 std::pair<problem::Case, Real> with_coarser_cells(problem::Case c, Real ratio);
 
 /// The case with every drive at twice the speed over the same travel.

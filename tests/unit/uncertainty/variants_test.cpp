@@ -88,6 +88,66 @@ TEST(Variants, keep_the_fine_zone_clear_of_the_walls)
   EXPECT_NO_THROW(mesh::check(bed_of(coarse)));
 }
 
+/// The lower end of the fine zone, above the base; the bed is one that a mesh can be made of.
+Real clear_of_the_base(problem::Case c)
+{
+  EXPECT_NO_THROW(mesh::check(bed_of(c)));
+  return mesh::fine_zone_of(bed_of(c)).lower + bed_of(c).depth;
+}
+
+TEST(Variants, keep_the_fine_zone_clear_of_the_base_below_a_trench)
+{
+  problem::Case c = fine();
+  bed_of(c).trench = mesh::Trench{0.3, 1, 1, 0};
+  bed_of(c).near_depth = 1.2;  // 0.1 m from the base: less than a coarse cell
+  EXPECT_NEAR(clear_of_the_base(c), 0.1, 1e-12);
+  EXPECT_NEAR(clear_of_the_base(with_coarser_cells(c, 2.2).first), 0.11, 1e-12);
+  bed_of(c).near_depth = 0.6;
+  problem::Case coarse = with_coarser_cells(c, 2.2).first;
+  EXPECT_EQ(bed_of(coarse).near_depth, 0.6) << "where there is room it stays";
+}
+
+TEST(Variants, keep_the_fine_zone_clear_of_the_base_below_a_step_and_the_top_above_it)
+{
+  problem::Case c = fine();
+  bed_of(c).step = mesh::Step{-0.3, 0, 1};
+  bed_of(c).near_depth = 1.2;
+  EXPECT_NEAR(clear_of_the_base(with_coarser_cells(c, 2.2).first), 0.11, 1e-12);
+  c = fine();
+  bed_of(c).step = mesh::Step{0.25, 1, 1};  // beyond the fine zone, whose upper end is 0.2 m high: the bed is the highest
+  bed_of(c).headroom = 0.31;
+  EXPECT_NO_THROW(mesh::check(bed_of(c)));
+  problem::Case coarse = with_coarser_cells(c, 2.2).first;
+  EXPECT_NEAR(bed_of(coarse).headroom, 0.36, 1e-12);
+  EXPECT_NO_THROW(mesh::check(bed_of(coarse)));
+}
+
+TEST(Variants, of_a_slope_have_the_depths_of_a_level_bed)
+{
+  problem::Case level = fine();
+  bed_of(level).near_depth = 1.54;
+  problem::Case slope = level;
+  bed_of(slope).slope = 0.2;
+  EXPECT_NEAR(clear_of_the_base(with_coarser_cells(level, 2.2).first), 0.11, 1e-12);
+  EXPECT_NEAR(clear_of_the_base(with_coarser_cells(slope, 2.2).first), 0.11, 1e-12);
+}
+
+TEST(Variants, have_no_cells_larger_than_a_layer)
+{
+  problem::Case c = fine();
+  bed_of(c).layer = 0.1;
+  const VariantPlan plan = choose_variants(c);
+  EXPECT_NEAR(plan.variants.back().size, 2, 1e-12);
+  for (const Variant& variant : plan.variants) {
+    problem::Case coarse = variant.settings;
+    EXPECT_EQ(bed_of(coarse).layer, 0.1);
+    EXPECT_NO_THROW(mesh::check(bed_of(coarse))) << variant.name;
+  }
+  bed_of(c).layer = 0.07;
+  EXPECT_EQ(refusal_of(c).find("mesh.layer: "), 0u) << refusal_of(c);
+  EXPECT_NE(refusal_of(c).find("make it 0.08 m or thicker"), std::string::npos) << refusal_of(c);
+}
+
 TEST(Variants, of_a_box_have_whole_cells_and_the_size_that_these_have)
 {
   problem::Case c = fine();
