@@ -76,28 +76,31 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
   run.history = run_folder::read_history(folder.file("history.csv"));
   const base::Structure& structure = structures::structure_of(settings);
 
+  // Forces are measured by the soil below the body, as in the report, which reads the region in the summary.
+  if (const Index main = model.main_rigid; main != none)
+    if (const std::string region = region_below<dim>(model, model.rigid_bodies[main].shape, base::reference_depth(settings, model.ground));
+        !region.empty())
+      run.summary.emplace().text[base::region_entry] = region;
+
   run_folder::Summary summary;
-  summary.quantities = structure.quantities(run, outcome.held_forces);
+  summary.quantities = run.quantities = structure.quantities(run, outcome.held_forces);
   summary.timing = timing;
   summary.text = {{"title", settings.title},
                   {"case", request.case_file.filename().string()},
                   {"version", BERM_VERSION},
                   {"machine", io::host_description()},
                   {"date", io::utc_date(std::chrono::system_clock::now())}};
-  if (const Index main = model.main_rigid; main != none)
-    if (const std::string region = region_below<dim>(model, model.rigid_bodies[main].shape, base::reference_depth(settings, model.ground));
-        !region.empty())
-      summary.text.emplace_back(base::region_entry, region);
+  if (run.summary) summary.text.emplace_back(base::region_entry, run.summary->text.at(base::region_entry));
   summary.checks = {{"finished", outcome.finished}};
   summary.checks.insert(summary.checks.end(), outcome.checks.begin(), outcome.checks.end());
   summary.warnings = outcome.warnings;
   summary.write(folder.file("summary.json"));
   for (const std::filesystem::path& names : {folder.path(), folder.file("frames")}) io::sync_file(names);  // before the checkpoints go
 
-  structure.draw_curves(folder, settings, run.history, {});
+  structure.draw_curves(folder, run, {});
   draw_soil(settings, folder, model, rigid_bodies, last);
   print_timings(timing);
-  const std::string table = structure.table_of(settings, summary.quantities);
+  const std::string table = structure.table_of(run);
   return table.empty() ? "" : "key results\n" + table;
 }
 

@@ -71,8 +71,11 @@ bool can_be_resumed(const fs::path& folder)
 
 std::string key_results_in(const RunRequest& request)
 {
-  const std::optional<run_folder::RunSummary> summary = run_folder::read_summary(request.folder);
-  const std::string table = summary ? structures::structure_of(request.settings).table_of(request.settings, summary->quantities) : "";
+  record::RunRecord run;
+  run.settings = request.settings;
+  run.summary = run_folder::read_summary(request.folder);
+  if (run.summary) run.quantities = run.summary->quantities;
+  const std::string table = run.summary ? structures::structure_of(request.settings).table_of(run) : "";
   return table.empty() ? "" : fmt::format("{}: key results\n{}", request.folder.string(), table);
 }
 

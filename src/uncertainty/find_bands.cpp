@@ -116,7 +116,7 @@ bool find_bands(const simulation::RunRequest& request, int at_once)
   }
   add_to_summary(request.folder, found);
   if (!found.missing.empty()) return false;
-  structures::structure_of(run.settings).draw_curves(run_folder, run.settings, run.history, found.curves);
+  structures::structure_of(run.settings).draw_curves(run_folder, run, found.curves);
   const std::string words = words_of(found, run.settings.method);
   fmt::print("{}\n", words);
   append_to_log(request.folder, words);

@@ -54,11 +54,10 @@ public:
   virtual std::vector<run_folder::Quantity> quantities(const record::RunRecord&, const std::vector<Real>&) const { return {}; }
   /// Whether a quantity is an answer, with a band of its own, and neither a measure of the run's quality nor another's dimensionless twin.
   virtual bool is_answer(const std::string& /*quantity*/) const { return true; }
-  /// The key results as a table of the log; "" where there is none.
-  virtual std::string table_of(const problem::Case&, const std::vector<run_folder::Quantity>&) const { return ""; }
+  /// The key results of a run, its quantities, as a table of the log; "" where there is none.
+  virtual std::string table_of(const record::RunRecord&) const { return ""; }
   /// Draws curves.png of a run into its folder, with the bands of its curves. False, with a warning, where it could not be drawn.
-  virtual bool draw_curves(const run_folder::RunFolder& folder, const problem::Case& c, const run_folder::History& history,
-                           const CurveBands& bands) const = 0;
+  virtual bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const CurveBands& bands) const = 0;
   /// The curves that have bands.
   virtual ChartCurves chart_curves(const record::RunRecord&) const { return {}; }
 

@@ -72,10 +72,9 @@ bool Generic::applies_to(const problem::Case&) const
   return true;
 }
 
-bool Generic::draw_curves(const run_folder::RunFolder& folder, const problem::Case& c, const run_folder::History& history,
-                          const base::CurveBands&) const
+bool Generic::draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands&) const
 {
-  return record::draw_columns(folder, history, curve_columns(c, history), c.title);
+  return record::draw_columns(folder, run.history, curve_columns(run.settings, run.history), run.settings.title);
 }
 
 std::string Generic::in_words(const record::RunRecord&, const base::DisplayUnits&) const

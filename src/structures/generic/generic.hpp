@@ -9,8 +9,7 @@ namespace berm::generic {
 class Generic : public base::Structure {
 public:
   bool applies_to(const problem::Case& c) const override;
-  bool draw_curves(const run_folder::RunFolder& folder, const problem::Case& c, const run_folder::History& history,
-                   const base::CurveBands& bands) const override;
+  bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const override;
   std::string in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const override;
   std::string other_results(const record::RunRecord& run, const std::string& id) const override;
   base::TrustMeasures measures(const problem::Case& c) const override;

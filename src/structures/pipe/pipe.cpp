@@ -36,15 +36,15 @@ bool Pipe::applies_to(const problem::Case& c) const
 std::vector<run_folder::Quantity> Pipe::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
 {
   if (run.history.rows() == 0) return {};
-  const base::BodyScale scale = base::body_scale(run.settings);
+  const base::BodyScale scale = base::body_scale(run);
   PipeResults results = pipe_results(run.history, scale, pipe_stages(run.settings, held_forces));
   take_berms(results, PipeRun(run));
   return quantities_of(results, scale);
 }
 
-std::string Pipe::table_of(const problem::Case& c, const std::vector<run_folder::Quantity>& quantities) const
+std::string Pipe::table_of(const record::RunRecord& run) const
 {
-  return key_results_table(quantities, base::body_scale(c));
+  return key_results_table(run.quantities, base::body_scale(run));
 }
 
 bool Pipe::is_answer(const std::string& quantity) const
@@ -55,10 +55,10 @@ bool Pipe::is_answer(const std::string& quantity) const
   return !ends_with_any({"_over_gammaD2", "_over_D", "_noise", "V_rms_error_in_drag", "second_impulse_over_V", "overlap_max", "gap_mean"});
 }
 
-bool Pipe::draw_curves(const run_folder::RunFolder& folder, const problem::Case& c, const run_folder::History& history,
-                       const base::CurveBands& bands) const
+bool Pipe::draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const
 {
-  return history.rows() > 0 && draw_pipe_curves(folder, history, base::body_scale(c), pipe_stages(c), c.title, bands);
+  return run.history.rows() > 0 &&
+         draw_pipe_curves(folder, run.history, base::body_scale(run), pipe_stages(run.settings), run.settings.title, bands);
 }
 
 base::ChartCurves Pipe::chart_curves(const record::RunRecord& run) const

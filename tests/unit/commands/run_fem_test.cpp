@@ -4,6 +4,8 @@
 #include "samples/small_fem_case.hpp"
 
 #include "run_folder/history.hpp"
+#include "structures/base/driven_body.hpp"
+#include "structures/structures.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -49,6 +51,22 @@ TEST(FemRun, without_a_checkpoint_begins_at_the_start_and_ends_with_the_same_byt
   EXPECT_EQ(names_in(place.folder / "results/frames"), names_in(place.folder / "killed/frames"));
   for (const std::string& name : names_in(place.folder / "results/frames"))
     EXPECT_TRUE(place.folder.read("results/frames/" + name) == place.folder.read("killed/frames/" + name)) << name;
+}
+
+TEST(FemRun, measures_forces_by_the_soil_of_the_region_below_the_pipe_as_the_report_does)
+{
+  const Place place;
+  const Ended ended = place.berm({"run", "small.toml", "--threads", "1", "-o", "results", "--set",
+                                  "material.heavy={law=\"mohr_coulomb\", density=\"1600 kg/m^3\", young_modulus=\"1 MPa\", "
+                                  "poisson_ratio=0.45, friction_angle=0, cohesion=\"1 kPa\"}",
+                                  "--set", "body.clay.region_material={near=\"heavy\"}"});
+  ASSERT_EQ(ended.status, 0) << ended.err;
+  const record::RunRecord run = structures::read_run(place.folder / "results");
+  const base::BodyScale of_report = base::body_scale(run);
+  EXPECT_NEAR(of_report.unit_weight, 2 * base::body_scale(run.settings).unit_weight, 1e-9 * of_report.unit_weight);
+  const run_folder::Quantity *V = run.quantity("V_end_of_push"), *bare = run.quantity("V_end_of_push_over_gammaD2");
+  ASSERT_TRUE(V != nullptr && bare != nullptr);
+  EXPECT_NEAR(bare->value, V->value / (of_report.unit_weight * 0.02 * 0.02), 1e-6 * bare->value) << "as far as summary.json has digits";
 }
 
 TEST(FemRun, fills_its_folder_with_all_that_the_manual_names)

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "samples/made_run.hpp"
 #include "samples/temporary_folder.hpp"
+#include "structures/base/driven_body.hpp"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -46,7 +47,27 @@ TEST(Structures, tell_what_they_have_of_a_run_and_nothing_of_one_without_rows)
   of_free_bodies.settings = free_bodies();
   EXPECT_TRUE(pipe.quantities(without_rows, {}).empty());
   EXPECT_TRUE(structure_of(free_bodies()).quantities(of_free_bodies, {}).empty());
-  EXPECT_EQ(structure_of(free_bodies()).table_of(free_bodies(), {}), "");
+  EXPECT_EQ(structure_of(free_bodies()).table_of(of_free_bodies), "");
+}
+
+TEST(Structures, measure_forces_by_the_region_below_the_body)
+{
+  record::RunRecord run = MadeRun{}.record();
+  const base::Structure& pipe = structure_of(run.settings);
+  const auto bare_V = [&] {
+    run.quantities = pipe.quantities(run, {});
+    const run_folder::Quantity* bare = run.quantity("V_at_w_0.1D_over_gammaD2");
+    return bare == nullptr ? 0 : bare->value;
+  };
+  const Real in_own_soil = bare_V();
+  material::MohrCoulomb heavy = MadeRun::sand_law();
+  heavy.density *= 2;
+  run.settings.material.emplace_back("heavy", heavy);
+  run.settings.body[0].second.regions = {"bed", "filled"};
+  run.settings.body[0].second.region_material = {{"filled", "heavy"}};
+  run.summary.emplace().text[base::region_entry] = "filled";
+  EXPECT_GT(in_own_soil, 0);
+  EXPECT_NEAR(bare_V(), in_own_soil / 2, 1e-9 * in_own_soil);
 }
 
 TEST(Structures, measure_a_driven_body_by_its_own_name)
