@@ -74,7 +74,7 @@ def check(folder, reference=None, killed=False):
                 expect(killed, f"{path}: is left")
             elif name == "history.csv":
                 check_history(path, same and read(same))
-            elif name == "summary.json":
+            elif name in ("summary.json", "origin.json"):
                 json.loads(read(path))
             elif name.endswith(".vtu"):
                 check_vtu(path)
@@ -84,7 +84,7 @@ def check(folder, reference=None, killed=False):
                 check_ending(path, b"IEND\xaeB`\x82")
             elif name.endswith(".html"):
                 check_ending(path, b"</html>")
-            elif name.startswith("mesh.") or name in ("case.toml", "resolved.toml"):
+            elif name.startswith("mesh.") or name in ("case.toml", "resolved.toml", "ground.csv"):
                 expect(same is None or read(path) == read(same), f"{path}: differs from that of an undisturbed run")
 
 
@@ -115,7 +115,7 @@ def check_order(calls):
 
 
 def results(folder):
-    """All files of a run by name, without what differs from run to run: the log, time taken, machine and date."""
+    """All files of a run by name, without what differs from run to run: the log, time taken, machine and date, and the sessions of origin.json."""
     found = {}
     for parent, _, names in os.walk(folder):
         for name in names:
@@ -131,6 +131,8 @@ def results(folder):
                 timing = summary["timing"]
                 summary["timing"] = {key: timing[key] for key in ("particles", "cells", "steps") if key in timing}
                 content = json.dumps(summary).encode()
+            if name == "origin.json":  # a resumed run has a session more, and each its time
+                content = json.dumps(json.loads(content)["input_sha256"]).encode()
             found[inner] = content
     return found
 
