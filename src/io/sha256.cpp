@@ -9,6 +9,7 @@
 #include <link.h>
 #include <memory>
 #include <openssl/evp.h>
+#include <string_view>
 
 namespace berm::io {
 
@@ -33,22 +34,30 @@ std::string sha256_of_file(const fs::path& file)
   return hex;
 }
 
-std::vector<fs::path> program_files(const std::string& name)
+std::vector<ProgramFile> program_files(const std::string& name)
 {
+  constexpr std::string_view deleted = " (deleted)";  // what Linux appends to the name of a file that is removed or replaced
   struct Search {
     const std::string& begin;
-    std::vector<fs::path> found;
+    std::vector<ProgramFile> found;
   } search{name, {}};
   std::error_code ignored;
-  search.found.push_back(fs::read_symlink("/proc/self/exe", ignored));
+  std::string program = fs::read_symlink("/proc/self/exe", ignored).filename().string();
+  if (program.ends_with(deleted)) program.resize(program.size() - deleted.size());
+  search.found.push_back({program, "/proc/self/exe"});
   dl_iterate_phdr(
       [](dl_phdr_info* info, std::size_t, void* data) {
         auto& to = *static_cast<Search*>(data);
-        if (const fs::path path = info->dlpi_name; path.filename().string().starts_with(to.begin)) to.found.push_back(path);
+        const fs::path path = info->dlpi_name;
+        if (const std::string file = path.filename().string(); !file.empty() && file.starts_with(to.begin))
+          to.found.push_back({file, path});
         return 0;
       },
       &search);
-  std::erase(search.found, fs::path());
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);)
+    for (std::size_t k = 1; k < search.found.size(); ++k)
+      if (line.ends_with(fmt::format("/{}{}", search.found[k].name, deleted))) search.found[k].path.clear();
   return search.found;
 }
 

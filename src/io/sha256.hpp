@@ -10,7 +10,13 @@ namespace berm::io {
 /// SHA-256 of a file's bytes, 64 hexadecimal digits, as `sha256sum` prints it. Throws RunError where the file cannot be read.
 std::string sha256_of_file(const std::filesystem::path& file);
 
-/// The files of the running program whose names begin so, as they are on the disk: the executable and shared libraries that are loaded.
-std::vector<std::filesystem::path> program_files(const std::string& name);
+/// A file that the running program was loaded from.
+struct ProgramFile {
+  std::string name;
+  std::filesystem::path path;  ///< to read it by; empty where another file has its name since
+};
+
+/// The executable, and the shared libraries that are loaded whose names begin so. The executable is read by /proc/self/exe, also where it was replaced.
+std::vector<ProgramFile> program_files(const std::string& name);
 
 }  // namespace berm::io

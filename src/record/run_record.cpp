@@ -124,8 +124,7 @@ void take_origin(RunRecord& run)
   } catch (const RunError&) {
     run.faults.emplace_back("origin.json is damaged: what the run was made from is not known");
   }
-  if (run.origin && !run.origin->sessions.empty() && !run.origin->sessions.front().begun.empty())
-    run.begun = run.origin->sessions.front().begun;
+  if (run.origin && run.origin->begins() && !run.origin->sessions.front().begun.empty()) run.begun = run.origin->sessions.front().begun;
 }
 
 Real value_in(const std::map<std::string, Real>& table, const std::string& name)

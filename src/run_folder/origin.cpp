@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
 
 namespace berm::run_folder {
 namespace {
@@ -17,6 +18,7 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
 constexpr const char* origin_name = "origin.json";
+constexpr const char* not_recorded = "not recorded";
 constexpr const char* input_names[] = {"case.toml", "resolved.toml", "mesh.msh", "claims.toml"};
 
 #ifdef __OPTIMIZE__
@@ -29,6 +31,18 @@ FileHashes hashes_of(const std::vector<fs::path>& files)
 {
   FileHashes hashes;
   for (const fs::path& file : files) hashes.emplace_back(file.filename().string(), io::sha256_of_file(file));
+  return hashes;
+}
+
+/// A file that cannot be read, or is another one since the program began, is no reason to fail.
+FileHashes hashes_of(const std::vector<io::ProgramFile>& files)
+{
+  FileHashes hashes;
+  for (const io::ProgramFile& file : files) try {
+      hashes.emplace_back(file.name, file.path.empty() ? not_recorded : io::sha256_of_file(file.path));
+    } catch (const RunError&) {
+      hashes.emplace_back(file.name, not_recorded);
+    }
   return hashes;
 }
 
@@ -50,8 +64,11 @@ void write(const fs::path& run_folder, const Origin& origin)
 {
   Json json = {{"input_sha256", json_of(origin.input)}, {"sessions", Json::array()}};
   for (const RunSession& session : origin.sessions)
-    json["sessions"].push_back(
-        {{"begun", session.begun}, {"version", session.version}, {"build", session.build}, {"program_sha256", json_of(session.program)}});
+    json["sessions"].push_back({{"begun", session.begun},
+                                {"resumption", session.resumption},
+                                {"version", session.version},
+                                {"build", session.build},
+                                {"program_sha256", json_of(session.program)}});
   io::write_atomically(run_folder / origin_name, json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
 }
 
@@ -74,8 +91,14 @@ void note_origin(const fs::path& run_folder)
 
 void note_resumption(const fs::path& run_folder)
 {
-  Origin origin = read_origin(run_folder).value_or(Origin());
+  Origin origin;
+  try {
+    origin = read_origin(run_folder).value_or(Origin());
+  } catch (const RunError& error) {  // no reason not to resume the run
+    spdlog::warn("{}: what the run was begun with is not known", error.what());
+  }
   origin.sessions.push_back(this_session());
+  origin.sessions.back().resumption = true;
   write(run_folder, origin);
 }
 
@@ -89,7 +112,8 @@ std::optional<Origin> read_origin(const fs::path& run_folder)
     Origin origin{hashes_in(json.at("input_sha256")), {}};
     for (const Json& session : json.at("sessions"))
       origin.sessions.push_back({session.at("begun").get<std::string>(), session.at("version").get<std::string>(),
-                                 session.at("build").get<std::string>(), hashes_in(session.at("program_sha256"))});
+                                 session.at("build").get<std::string>(), hashes_in(session.at("program_sha256")),
+                                 session.value("resumption", !origin.sessions.empty())});
     return origin;
   } catch (const Json::exception&) {
     throw RunError(fmt::format("{} is damaged", file.string()));

@@ -17,19 +17,24 @@ struct RunSession {
   std::string begun;  ///< date and time (UTC, ISO 8601)
   std::string version, build;
   FileHashes program;
+  bool resumption = false;  ///< of a run that was begun before
 };
 
-/// Where a run comes from: what it read, and the programs that computed it. A resumed run has a session more.
+/// Where a run comes from: what it read, and the programs that computed it. A resumed run has a session more. Where the first is a resumption, what the run
+/// was begun with is not known: an earlier version began it, or its origin.json was damaged.
 struct Origin {
   FileHashes input;
   std::vector<RunSession> sessions;
+
+  /// Whether the session is known that began the run.
+  bool begins() const { return !sessions.empty() && !sessions.front().resumption; }
 };
 
 /// The present program, now.
 RunSession this_session();
 
 /// Notes in origin.json what the run in the folder is made from: SHA-256 of its case.toml, resolved.toml, mesh.msh and claims.toml as they are there, and this
-/// session; of a resumed run only another session. Throws RunError.
+/// session; of a resumed run only another session, also where its origin.json is missing or damaged. Throws RunError where it cannot be written.
 void note_origin(const std::filesystem::path& run_folder);
 void note_resumption(const std::filesystem::path& run_folder);
 

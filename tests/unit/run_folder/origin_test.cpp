@@ -42,8 +42,27 @@ TEST(origin, of_a_resumed_run_has_a_session_more_and_the_same_input)
   run.write("case.toml", "changed since");
   note_resumption(run.path());
   const std::optional<Origin> origin = read_origin(run.path());
-  EXPECT_EQ(origin->sessions.size(), 2u);
+  ASSERT_EQ(origin->sessions.size(), 2u);
+  EXPECT_FALSE(origin->sessions[0].resumption);
+  EXPECT_TRUE(origin->sessions[1].resumption);
+  EXPECT_TRUE(origin->begins());
   EXPECT_EQ(origin->input, input);
+}
+
+TEST(origin, of_a_resumed_run_that_had_none_or_a_damaged_one_does_not_begin_it)
+{
+  for (const char* damaged : {"", "{\"input_sha256\": 3}", static_cast<const char*>(nullptr)}) {
+    const TemporaryFolder run;
+    if (damaged != nullptr) run.write("origin.json", damaged);
+    ASSERT_NO_THROW(note_resumption(run.path()));
+    const std::optional<Origin> origin = read_origin(run.path());
+    ASSERT_EQ(origin->sessions.size(), 1u);
+    EXPECT_TRUE(origin->sessions[0].resumption);
+    EXPECT_FALSE(origin->begins());
+    EXPECT_TRUE(origin->input.empty());
+    note_resumption(run.path());
+    EXPECT_EQ(read_origin(run.path())->sessions.size(), 2u);
+  }
 }
 
 TEST(origin, of_an_earlier_version_is_unknown_and_a_damaged_one_is_refused)
