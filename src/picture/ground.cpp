@@ -36,16 +36,21 @@ std::vector<Index> bodies_of_regions(const problem::Case& c, const mesh::Mesh<2>
   return body_of;
 }
 
-/// A cell, cut where its body has another layer.
-void add_pieces(const BodyKinds& body, const std::string& region, const problem::Axes<2>& axes, Real surface, const Points& corners,
-                std::vector<Piece>& pieces)
+/// A cell, cut where its body has another layer; level_above(x) is the level that depth at x counts from.
+template <class Level>
+void add_pieces(const BodyKinds& body, const std::string& region, const problem::Axes<2>& axes, const Level& level_above,
+                const Points& corners, std::vector<Piece>& pieces)
 {
   const problem::BodySoil& soil = body.soil;
   if (soil.layers.empty()) return pieces.push_back({corners, body.first + soil.number_at(region, 0)});
+  Vec<2> middle = Vec<2>::Zero();
+  for (const Vec<2>& corner : corners) middle += corner / static_cast<Real>(corners.size());
+  // At a vertical face the level is that on the cell's side of it.
+  const auto depth = [&](const Vec<2>& x) { return axes.depth(x, level_above(x + 1e-9 * (middle - x))); };
   for (std::size_t layer = 0; layer <= soil.layers.size(); ++layer) {
     Points part = corners;
-    if (layer > 0) part = cut(part, [&](const Vec<2>& x) { return axes.depth(x, surface) - soil.layers[layer - 1].top; });
-    if (layer < soil.layers.size()) part = cut(part, [&](const Vec<2>& x) { return soil.layers[layer].top - axes.depth(x, surface); });
+    if (layer > 0) part = cut(part, [&](const Vec<2>& x) { return depth(x) - soil.layers[layer - 1].top; });
+    if (layer < soil.layers.size()) part = cut(part, [&](const Vec<2>& x) { return soil.layers[layer].top - depth(x); });
     if (part.size() >= 3) pieces.push_back({part, body.first + (layer == 0 ? 0 : soil.layers[layer - 1].material)});
   }
 }
@@ -88,7 +93,7 @@ Index kind_of(const Ground& ground, const std::string& body)
   return found == ground.kinds.end() ? none : static_cast<Index>(found - ground.kinds.begin());
 }
 
-Ground ground_of(const problem::Case& c, const mesh::Mesh<2>& mesh)
+Ground ground_of(const problem::Case& c, const mesh::Mesh<2>& mesh, const problem::Ground& bed)
 {
   Ground ground;
   ground.lower = mesh.lower;
@@ -97,6 +102,7 @@ Ground ground_of(const problem::Case& c, const mesh::Mesh<2>& mesh)
   const std::vector<BodyKinds> bodies = kinds_of(c, ground.kinds);
   const std::vector<Index> body_of = bodies_of_regions(c, mesh);
   const auto axes = problem::axes_of<2>(c.gravity.size() == 2 ? Vec<2>(c.gravity[0], c.gravity[1]) : Vec<2>(Vec<2>::Zero()));
+  const auto level_above = [&](const Vec<2>& x) { return bed.laid_down.level() ? c.surface : bed.laid_down.height(x[axes.along]); };
   for (const auto& [name, support] : c.support) ground.held.push_back(held_sides(mesh, name, support));
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     const Index body = body_of[mesh.region[cell]];
@@ -106,7 +112,7 @@ Ground ground_of(const problem::Case& c, const mesh::Mesh<2>& mesh)
       ground.pieces.push_back({corners, none});
       continue;
     }
-    add_pieces(bodies[body], mesh.region_names[mesh.region[cell]], axes, c.surface, corners, ground.pieces);
+    add_pieces(bodies[body], mesh.region_names[mesh.region[cell]], axes, level_above, corners, ground.pieces);
     for (int corner = 0; corner < 3; ++corner) {
       const Index beside = mesh.neighbor(cell, corner);
       const Side side = side_of(mesh, cell, corner);

@@ -3,7 +3,7 @@
 
 #include "mesh/mesh.hpp"
 #include "picture/convex.hpp"
-#include "problem/case.hpp"
+#include "problem/ground.hpp"
 
 namespace berm::picture {
 
@@ -49,8 +49,8 @@ struct Ground {
   Index cells;
 };
 
-/// Throws KeyError where a name of the case refers to nothing in the mesh.
-Ground ground_of(const problem::Case& c, const mesh::Mesh<2>& mesh);
+/// `bed`: the surface, from which layers count. Throws KeyError where a name of the case refers to nothing in the mesh.
+Ground ground_of(const problem::Case& c, const mesh::Mesh<2>& mesh, const problem::Ground& bed);
 
 /// The first kind of a body: of a block or disk all of it.
 Index kind_of(const Ground& ground, const std::string& body);

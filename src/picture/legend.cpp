@@ -170,9 +170,11 @@ void mesh(Column& column, Canvas& canvas, const Model& model)
   const std::string cells = std::isnan(size) ? "" : "cells of " + text::length_words(size);
   const auto* bed = std::get_if<mesh::SeabedMesh>(&model.settings.mesh);
   if (bed != nullptr && model.sketch.fine) {
-    const Vec<2> zone = model.sketch.fine->size();
-    std::string words =
-        fmt::format("fine zone, {} × {}{}", text::length_words(zone[0]), text::length_words(zone[1]), cells.empty() ? "" : ", " + cells);
+    Vec<2> zone = model.sketch.fine->size();
+    if (!model.sketch.uneven.empty())
+      zone[1] = model.sketch.uneven[2][3][1] - model.sketch.uneven[2][0][1];  // upright, of what lies along the slope
+    std::string words = fmt::format("fine zone{}, {} × {}{}", bed->slope != 0 ? " along the slope" : "", text::length_words(zone[0]),
+                                    text::length_words(zone[1]), cells.empty() ? "" : ", " + cells);
     if (const Real far = layout_of(*bed).far_size; std::isfinite(far))
       words += fmt::format("; up to {} far from it", text::length_words(far));
     column.swatch(words, "#ffffff", {fine_color, 1.4, 2});

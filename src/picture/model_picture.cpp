@@ -56,8 +56,11 @@ Real lay_out_high(Canvas& canvas, const Model& model)
 bool draw_model(const problem::Case& c, const mesh::Mesh<2>& mesh, const std::filesystem::path& folder, const std::string& name,
                 plot::PlotFormat format)
 {
-  const report::Sketch sketch = report::sketch_of(c);
-  const Ground ground = ground_of(c, mesh);
+  std::vector<bodies::RigidShape<2>> shapes;
+  for (const auto& [rigid_name, rigid] : c.rigid) shapes.push_back(bodies::make_shape<2>(rigid.shape));
+  const problem::Ground bed = problem::ground_in(c, mesh, shapes);
+  const report::Sketch sketch = report::sketch_of(c, bed);
+  const Ground ground = ground_of(c, mesh, bed);
   const Model model{c, sketch, ground};
   Canvas canvas;
   canvas.text({margin, 34}, c.title.empty() ? name : c.title, {.size = 17, .bold = true});

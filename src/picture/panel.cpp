@@ -115,7 +115,11 @@ void frame(Canvas& canvas, const Extent& extent, const Scale& scale, const LineS
 
 void fine_zone(Canvas& canvas, const Model& model, const Scale& scale)
 {
-  if (model.sketch.fine) frame(canvas, *model.sketch.fine, scale, {fine_color, 1.6, 2});
+  const LineStyle style{fine_color, 1.6, 2};
+  if (!model.sketch.uneven.empty())
+    canvas.outline(in_pixels(scale, model.sketch.uneven[2]), style);
+  else if (model.sketch.fine)
+    frame(canvas, *model.sketch.fine, scale, style);
 }
 
 /// Whether a place is far enough from all earlier ones, which it joins then.
@@ -215,7 +219,25 @@ void scale_bar(Canvas& canvas, const Scale& scale, const Vec<2>& at)
   canvas.text(end + Vec<2>(8, 0), text::length_words(metres), {.size = 10});
 }
 
-/// Length of the mesh below it; depth of the bed and headroom left of it, or its whole height.
+/// The level of the bed at x, where it has one.
+std::optional<Real> level_at(const Model& model, Real x)
+{
+  const problem::Ground& bed = model.sketch.ground;
+  return bed.line.level() ? model.sketch.surface : bed.line.height(x);
+}
+
+/// The lowest and the highest corner at the left wall.
+std::pair<Real, Real> left_wall(const Ground& ground)
+{
+  const Real margin = 1e-9 * (ground.upper[0] - ground.lower[0]);
+  Real low = infinity, high = -infinity;
+  for (const Piece& piece : ground.pieces)
+    for (const Vec<2>& x : piece.corners)
+      if (x[0] <= ground.lower[0] + margin) low = std::min(low, x[1]), high = std::max(high, x[1]);
+  return {low, high};
+}
+
+/// Length of the mesh below it; depth of the bed and headroom at the left wall, or its whole height there.
 void mesh_dimensions(Canvas& canvas, const Model& model, const Scale& scale)
 {
   const Vec<2>&low = model.ground.lower, &high = model.ground.upper;
@@ -224,26 +246,28 @@ void mesh_dimensions(Canvas& canvas, const Model& model, const Scale& scale)
   const auto height = [&](Real from, Real to) {
     canvas.dimension(scale({low[0], from}) + aside, scale({low[0], to}) + aside, text::length_words(to - from));
   };
-  const std::optional<Real>& level = model.sketch.surface;
-  if (level && scale.length(high[1] - *level) > 30 && scale.length(*level - low[1]) > 30) {
-    height(low[1], *level);
-    height(*level, high[1]);
+  const auto [bottom, top] = left_wall(model.ground);
+  const std::optional<Real> level = level_at(model, low[0]);
+  if (level && scale.length(top - *level) > 30 && scale.length(*level - bottom) > 30) {
+    height(bottom, *level);
+    height(*level, top);
   } else {
-    height(low[1], high[1]);
+    height(bottom, top);
   }
 }
 
 /// w beside a body: left of it where there is room for the words, else right of it.
-void embedment(Canvas& canvas, const Model& model, const Scale& scale, const Extent& body, Real w)
+void embedment(Canvas& canvas, const Scale& scale, const Extent& body, Real surface)
 {
   constexpr Real room = 150;  // pixels
   const bool at_left = scale(body.lower)[0] > room;
-  const Real x = at_left ? body.lower[0] : body.upper[0];
-  const Vec<2> beside(at_left ? -16 : 16, 0), lowest = scale({x, body.lower[1]}) + beside,
-                                              level = scale({x, *model.sketch.surface}) + beside;
-  canvas.line({lowest, scale({0.5 * (body.lower[0] + body.upper[0]), body.lower[1]})}, {"#555555", 0.8, 3});
+  const Real x = at_left ? body.lower[0] : body.upper[0], axis = 0.5 * (body.lower[0] + body.upper[0]);
+  const Vec<2> beside(at_left ? -16 : 16, 0), lowest = scale({x, body.lower[1]}) + beside, level = scale({x, surface}) + beside;
+  canvas.line({lowest, scale({axis, body.lower[1]})}, {"#555555", 0.8, 3});
+  canvas.line({level, scale({axis, surface})}, {"#555555", 0.8, 3});
   canvas.dimension(lowest, level, "");
-  canvas.text(0.5 * (lowest + level) + 0.6 * beside, "w = " + text::length_words(w), {.anchor = at_left ? Anchor::right : Anchor::left});
+  canvas.text(0.5 * (lowest + level) + 0.6 * beside, "w = " + text::length_words(surface - body.lower[1]),
+              {.anchor = at_left ? Anchor::right : Anchor::left});
 }
 
 /// The width of each rigid body above it, and its embedment where it begins below the surface.
@@ -256,10 +280,11 @@ void rigid_dimensions(Canvas& canvas, const Model& model, const Scale& scale)
     const Vec<2> above(0, -14);
     canvas.dimension(scale({extent.lower[0], extent.upper[1]}) + above, scale(extent.upper) + above,
                      fmt::format("{} = {}", round ? "D" : "B", text::length_words(extent.size()[0])));
-    if (!model.sketch.surface) continue;
-    const Real w = *model.sketch.surface - extent.lower[1];
-    if (w <= 1e-3 * extent.size()[1] || extent.lower[1] < model.ground.lower[1]) continue;
-    embedment(canvas, model, scale, extent, w);
+    const problem::Ground& bed = model.sketch.ground;
+    if (!model.sketch.surface && bed.line.level()) continue;
+    const Real surface = bed.level_at(0.5 * (extent.lower[0] + extent.upper[0]), model.sketch.surface.value_or(model.settings.surface));
+    if (surface - extent.lower[1] <= 1e-3 * extent.size()[1] || extent.lower[1] < model.ground.lower[1]) continue;
+    embedment(canvas, scale, extent, surface);
   }
 }
 

@@ -31,7 +31,7 @@ Real area_of(const Ground& ground, Index kind)
 Ground ground_of_case(const std::vector<std::string>& changes = {}, const std::string& more = "")
 {
   const problem::Case c = test::layered_box(changes, more);
-  return ground_of(c, mesh::make_mesh<2>(c.mesh, ".", "."));
+  return ground_of(c, mesh::make_mesh<2>(c.mesh, ".", "."), problem::ground_of(c));
 }
 
 TEST(Ground, cells_are_cut_where_a_layer_begins)
@@ -48,6 +48,26 @@ TEST(Ground, cells_are_cut_where_a_layer_begins)
         EXPECT_GE(x[1], 0.7 - 1e-12);
       else
         EXPECT_LE(x[1], 0.7 + 1e-12);
+}
+
+TEST(Ground, layers_follow_the_surface_that_the_soil_was_laid_down_from)
+{
+  const problem::Case c = test::layered_box();
+  problem::Ground bed;
+  bed.line.corners = {{0, 1.2}, {0.5, 1.2}, {0.5, 0.9}, {2, 1}};  // a trench, which layers do not follow
+  bed.laid_down.corners = {{0, 0.9}, {1, 1.1}, {1, 0.8}, {2, 0.8}};
+  const Ground ground = ground_of(c, mesh::make_mesh<2>(c.mesh, ".", "."), bed);
+  EXPECT_NEAR(area_of(ground, 0), 2 - (0.6 + 0.8) / 2 - 0.5, 1e-6);
+  EXPECT_NEAR(area_of(ground, 1), (0.6 + 0.8) / 2 + 0.5, 1e-6);
+  for (const Piece& piece : ground.pieces)
+    for (const Vec<2>& x : piece.corners) {
+      const Real border = x[0] < 1 ? 0.6 + 0.2 * x[0] : 0.5;
+      if (x[0] == 1) continue;  // the face
+      if (piece.kind == 0)
+        EXPECT_GE(x[1], border - 1e-8);
+      else
+        EXPECT_LE(x[1], border + 1e-8);
+    }
 }
 
 TEST(Ground, equal_materials_are_one_kind)

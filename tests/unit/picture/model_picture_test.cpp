@@ -81,6 +81,23 @@ TEST_F(ModelPicture, words_say_what_is_drawn)
   EXPECT_EQ(words.find("nan"), std::string::npos);
 }
 
+/// A bed of 10 m by 3 m and 0.8 m of headroom on a slope of 10 degrees, with a pipe 0.2 m deep.
+TEST_F(ModelPicture, a_slope_has_its_depth_at_the_wall_and_w_below_the_axis)
+{
+  if (std::system("gmsh --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "gmsh is not installed";
+  const std::string bed = "[mesh]\nkind = \"seabed\"\nslope = \"10 deg\"\nlength = 10\ndepth = 3\nheadroom = 0.8\nnear_size = "
+                          "0.2\nnear_left = -1\nnear_right = 1.5\n"
+                          "near_depth = 0.9\nnear_height = 0.5\ngrowth = 0.25\n[material.sand]";
+  const std::string text = std::regex_replace(test::layered_box_text, std::regex("surface = [^]*\\[material.sand\\]"), bed);
+  const problem::Case c = input::read_case_text("case.toml", text,
+                                                {"body.bed.regions=[\"near\", \"bed\"]", "support.base.boundary=base",
+                                                 "rigid.pipe.center=[0.5, \"238.1635 mm\"]", "stage.push.until.embedment=\"0.3 m\""});
+  ASSERT_TRUE(draw_model(c, mesh::make_mesh<2>(c.mesh, ".", folder.path()), folder.path(), "model", plot::PlotFormat::svg));
+  const std::string words = std::regex_replace(content_of(folder / "model.svg"), std::regex("\u00a0"), " ");
+  for (const char* expected : {"w = 200 mm", ">3 m<", ">800 mm<", "fine zone along the slope", "2.5 m × 1.4 m"})
+    EXPECT_NE(words.find(expected), std::string::npos) << expected;
+}
+
 TEST_F(ModelPicture, a_small_body_is_drawn_once_more_enlarged)
 {
   EXPECT_EQ(content_of(draw({}, plot::PlotFormat::svg)).find("enlarged"), std::string::npos);
