@@ -134,8 +134,6 @@ void print_pdf(const fs::path& browser, const fs::path& page, const fs::path& pd
                                     "--print-to-pdf=" + made.string(),
                                     address_of(page)};
   if (::geteuid() == 0) words.insert(words.begin() + 1, "--no-sandbox");  // which it cannot have as root
-  std::error_code error;
-  fs::remove(pdf, error);
   const int status = run_browser(words, messages);
   if (status != 0 || !io::read_text_file(made).starts_with("%PDF"))
     throw RunError(

@@ -9,7 +9,7 @@ namespace berm::report {
 /// what to install where there is none.
 std::filesystem::path printing_browser();
 
-/// Prints a page into a PDF as that browser does without a window. Throws RunError where it fails; an older file is gone then.
+/// Prints a page into a PDF as that browser does without a window. Throws RunError where it fails; an older file stays then.
 void print_pdf(const std::filesystem::path& browser, const std::filesystem::path& page, const std::filesystem::path& pdf);
 
 }  // namespace berm::report

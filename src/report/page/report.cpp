@@ -10,6 +10,7 @@
 #include "structures/structures.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <fmt/format.h>
 #include <map>
@@ -143,12 +144,26 @@ ClaimSheets claims_of(const ReportRequest& request, std::vector<record::RunRecor
   return sheets;
 }
 
+/// Where the page goes. A name for a PDF is refused: --pdf would print the page over itself.
+fs::path page_file(const ReportRequest& request, const std::vector<fs::path>& folders)
+{
+  if (request.output.empty()) return folder_of_page(request.folders, folders) / page_name;
+  fs::path page(request.output);
+  std::string ending = page.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  if (ending == ".pdf")
+    throw InputError(fmt::format("-o {}: the page is HTML; name it {}, and --pdf writes {} beside it", request.output,
+                                 fs::path(page).replace_extension("html").string(), fs::path(page).replace_extension("pdf").string()));
+  return page;
+}
+
 }  // namespace
 
 std::vector<fs::path> write_report(const ReportRequest& request)
 {
   const std::vector<fs::path> folders = run_folders(request.folders);
-  const fs::path page = request.output.empty() ? folder_of_page(request.folders, folders) / page_name : fs::path(request.output);
+  const fs::path page = page_file(request, folders);
   const fs::path browser = request.pdf ? printing_browser() : fs::path();  // or an error before there is work
   std::vector<std::string> left_out;
   std::vector<record::RunRecord> runs = read_runs(folders, left_out);

@@ -251,6 +251,19 @@ TEST_F(Report, refuses_what_is_no_run_folder)
   EXPECT_NE(broken.err.find("resolved.toml"), std::string::npos) << broken.err;
 }
 
+TEST_F(Report, refuses_to_name_its_page_as_a_pdf)
+{
+  for (const char* name : {"page.pdf", "page.PDF"})
+    for (const Words& more : {Words{}, Words{"--pdf"}}) {
+      Words words{"report", "out/a", "-o", name};
+      words.insert(words.end(), more.begin(), more.end());
+      const Ended ended = berm(words);
+      EXPECT_EQ(ended.status, 2);
+      for (const char* part : {name, "page.html", "--pdf writes page.pdf"}) EXPECT_NE(ended.err.find(part), std::string::npos) << ended.err;
+      EXPECT_FALSE(fs::exists(file(name)));
+    }
+}
+
 TEST_F(Report, that_cannot_be_written_fails)
 {
   const Ended ended = berm({"report", "out/a", "-o", "nowhere/page.html"});
