@@ -59,24 +59,28 @@ std::vector<text::RunEntry> entries_of(const record::RunRecord& run)
     return run.summary && found != run.summary->text.end() ? found->second : std::string();
   };
   std::vector<text::RunEntry> entries;
-  entries.push_back(entry("begun (UTC)", run.origin          ? not_recorded(run.begun)
-                                         : run.begun.empty() ? "not recorded"
-                                                             : text::html_text(run.begun + " (local time)")));
+  entries.push_back(entry("begun (UTC)", run.begun.empty()                    ? "not recorded"
+                                         : run.origin && run.origin->begins() ? text::html_text(run.begun)
+                                                                              : text::html_text(run.begun + " (local time)")));
   entries.push_back(entry("ended (UTC)", not_recorded(summary("date"))));
   if (!run.origin) {
     entries.push_back(entry("program", "berm " + not_recorded(summary("version"))));
     entries.push_back(entry("SHA-256", "not recorded: the run was made by an earlier version"));
     return entries;
   }
-  for (std::size_t k = 1; k < run.origin->sessions.size(); ++k)
-    entries.push_back(
-        entry(fmt::format("resumed (UTC){}", k == 1 ? "" : fmt::format(", {}", k)), text::html_text(run.origin->sessions[k].begun)));
+  int resumptions = 0;
+  for (const run_folder::RunSession& session : run.origin->sessions)
+    if (session.resumption && ++resumptions > 0)
+      entries.push_back(
+          entry(fmt::format("resumed (UTC){}", resumptions == 1 ? "" : fmt::format(", {}", resumptions)), text::html_text(session.begun)));
+  if (!run.origin->begins())
+    entries.push_back(entry("SHA-256", "not recorded: origin.json was missing or damaged when the run was resumed"));
   for (const auto& [name, hash] : run.origin->input) entries.push_back(entry("SHA-256 of " + name, code(hash)));
   for (std::size_t k = 0; k < run.origin->sessions.size(); ++k) {
     const run_folder::RunSession& session = run.origin->sessions[k];
     const run_folder::RunSession& first = run.origin->sessions.front();
-    if (k > 0 && session.program == first.program) continue;
-    const std::string when = k == 0 ? "" : fmt::format(", resumed {}", session.begun);
+    if (k > 0 && session.program == first.program && session.build == first.build) continue;
+    const std::string when = session.resumption ? fmt::format(", resumed {}", session.begun) : "";
     entries.push_back(entry("program" + when, text::html_text(fmt::format("berm {}, {}", session.version, session.build))));
     for (const auto& [name, hash] : session.program) entries.push_back(entry("SHA-256 of " + name + when, code(hash)));
   }
@@ -89,11 +93,15 @@ std::string units_words(const Runs& runs)
   const bool plane = std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return run.settings.dimension == 2; });
   const bool models =
       std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return has_prototype(base::body_scale(run.settings)); });
+  const bool uneven = std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) {
+    return run.ground.embedment_counts_from_it && !run.ground.line.level();
+  });
   return fmt::format(
-      "SI units. {}{}u is along x, w the depth of the lowest point below the surface at the start, H the force of the body on the soil "
+      "SI units. {}{}u is along x, w the depth of the lowest point below the surface at the start{}, H the force of the body on the soil "
       "along x, V the reaction of the soil upwards. {}",
       plane ? "Plane strain: forces are per metre run of the pipe or body. " : "",
       space ? "In space forces are those of the whole body. " : "",
+      uneven ? " (on ground that is not level: the surface under the axis)" : "",
       models ? "Values \"in the prototype\" are lengths and forces per metre times the gravity level; all others are of the model. " : "");
 }
 
