@@ -119,8 +119,10 @@ void add_mesh(Rows& rows)
     if (bed->slope != 0) rows.add("bed: slope along x (positive: uphill)", text::angle_words(bed->slope));
     if (bed->trench) rows.length("trench: depth", bed->trench->depth), rows.length("trench: width of its bottom", bed->trench->width);
     if (bed->trench) rows.add("trench: angle of its sides", text::angle_words(bed->trench->side_slope));
+    if (bed->trench) rows.length("trench: x of its centre", bed->trench->center);
     if (bed->step)
       rows.length("step: height", bed->step->height), rows.add("step: angle of its face", text::angle_words(bed->step->face_slope));
+    if (bed->step) rows.length("step: x where its face begins", bed->step->position);
     if (bed->layer > 0) rows.length("bed: outer layer", bed->layer);
   }
   if (const auto* file = std::get_if<mesh::GmshFile>(&c.mesh)) rows.add("mesh", "from " + file->file);

@@ -37,7 +37,8 @@ const contact::ContactSettings* contact_of_body(const problem::Case& c);
 /// The soil of that deformable body; empty where none touches.
 std::optional<problem::BodySoil> touched_soil(const problem::Case& c);
 
-/// The same of a run: where regions have their own materials that of the region below the body at the end of its push, if the run has noted it.
+/// The same of a run: where regions have their own materials that of the region that lay below the body
+/// at the start at reference_depth, if the run has noted it.
 std::optional<problem::BodySoil> touched_soil(const record::RunRecord& run);
 
 /// The entry of a summary's text that names this region.

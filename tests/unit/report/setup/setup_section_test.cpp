@@ -77,6 +77,18 @@ TEST(parameters, those_of_one_run_only_stand_behind_their_neighbour)
   EXPECT_TRUE(contains(html, "<code>material.clay.density</code></th><td class=\"number\">–</td><td class=\"number\">1</td>")) << html;
 }
 
+TEST(asked, the_place_of_a_trench_and_of_a_step_is_in_the_table)
+{
+  const std::string trench =
+      compact_table({sample_record(sample_case({"mesh.trench={depth=0.01, width=0.06, side_slope=0.5, center=0.004}"}), "a")}).html();
+  EXPECT_TRUE(contains(trench, "trench: x of its centre")) << trench;
+  EXPECT_TRUE(contains(trench, "4 mm")) << trench;
+  const std::string step =
+      compact_table({sample_record(sample_case({"mesh.step={height=0.01, position=0.037, face_slope=0.5}"}), "a")}).html();
+  EXPECT_TRUE(contains(step, "step: x where its face begins")) << step;
+  EXPECT_TRUE(contains(step, "37 mm")) << step;
+}
+
 TEST(asked, runs_that_look_the_same_share_a_drawing)
 {
   const auto drawings = [](const std::vector<record::RunRecord>& runs) {
