@@ -25,7 +25,8 @@ Real time_to_equilibrium(Real period, Real damping, Real accepted);
 template <int dim>
 void limit_equilibrium(const Case& c, Model<dim>& model, const std::vector<bodies::Particles<dim>>& particles);
 
-/// The root mean square velocity of the soil below which it is at rest, m/s: that of a swing with the model's period whose force out of balance is the accepted part of the weight,
+/// The root mean square velocity of a cell's particles up to which they are at rest, m/s: that of a swing with the model's period whose force out of balance is the
+/// accepted part of the weight,
 ///
 ///   v = accepted g T / (2 pi).
 template <int dim>
