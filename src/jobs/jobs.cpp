@@ -39,6 +39,7 @@ fs::path messages_of(const Job& job)
 
 std::vector<std::string> words_of(const Job& job)
 {
+  if (job.resume) return {"berm", "run", "--resume", job.folder.string(), "--threads", "1"};
   std::vector<std::string> words = {"berm", "run", job.case_file.string(), "-o", job.folder.string(), "--threads", "1", "--force"};
   if (job.uncertainty) words.emplace_back("--uncertainty");
   for (const std::string& set : job.set) words.insert(words.end(), {"--set", set});
@@ -116,6 +117,19 @@ fs::path engine_file(problem::Method method)
   return ::dladdr(reinterpret_cast<void*>(&vector_unit), &info) != 0 && info.dli_fname != nullptr ? info.dli_fname : "";
 }
 
+/// Whether a summary is of the case of the job, by this version and an unchanged engine.
+bool is_of_this(const Job& job, const run_folder::RunSummary& summary)
+{
+  const auto version = summary.text.find("version");
+  if (version == summary.text.end() || version->second != BERM_VERSION) return false;
+  const problem::Case settings = input::read_case(job.case_file, job.set);
+  std::error_code error;
+  if (fs::last_write_time(job.folder / "summary.json", error) < fs::last_write_time(engine_file(settings.method), error) || error)
+    return false;
+  const std::string found = io::read_text_file(job.folder / "resolved.toml"), asked = input::resolved_toml(settings);
+  return input::without_report(found) == input::without_report(asked);
+}
+
 /// The numbers of the jobs, the longest first.
 std::vector<std::size_t> by_time(const std::vector<Job>& jobs)
 {
@@ -165,15 +179,13 @@ void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<voi
 bool has_result(const Job& job)
 {
   const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
-  if (!summary || !summary->finished()) return false;
-  const auto version = summary->text.find("version");
-  if (version == summary->text.end() || version->second != BERM_VERSION) return false;
-  const problem::Case settings = input::read_case(job.case_file, job.set);
-  std::error_code error;
-  if (fs::last_write_time(job.folder / "summary.json", error) < fs::last_write_time(engine_file(settings.method), error) || error)
-    return false;
-  const std::string found = io::read_text_file(job.folder / "resolved.toml"), asked = input::resolved_toml(settings);
-  return input::without_report(found) == input::without_report(asked);
+  return summary && summary->finished() && is_of_this(job, *summary);
+}
+
+bool stopped_on_the_way(const Job& job)
+{
+  const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
+  return summary && !summary->finished() && is_of_this(job, *summary);
 }
 
 Real wall_time_of(const fs::path& folder)

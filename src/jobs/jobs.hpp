@@ -17,6 +17,7 @@ struct Job {
   std::filesystem::path folder;  ///< the run folder
   bool fast = false;             ///< expected to take a few seconds, where no earlier run tells its time
   bool uncertainty = false;      ///< with the bands of its results (berm run --uncertainty)
+  bool resume = false;           ///< from its last checkpoint (berm run --resume), where stopped_on_the_way
 };
 
 /// How a job ended.
@@ -35,6 +36,9 @@ void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<voi
 
 /// Whether the run folder holds a finished result of this case, by this version and an unchanged engine.
 bool has_result(const Job& job);
+
+/// Whether the run folder holds results of this case, by this version and an unchanged engine, that were written before its end: it was stopped.
+bool stopped_on_the_way(const Job& job);
 
 /// Wall time of the run in this folder, s, from its summary.json; NaN where there is none.
 Real wall_time_of(const std::filesystem::path& folder);

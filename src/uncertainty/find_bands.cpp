@@ -6,11 +6,14 @@
 #include "io/atomic_file.hpp"
 #include "jobs/jobs.hpp"
 #include "run_folder/progress.hpp"
+#include "simulation/resume.hpp"
 #include "structures/structures.hpp"
 #include "uncertainty/bands.hpp"
 #include "uncertainty/variants.hpp"
 #include "uncertainty/words.hpp"
 
+#include <algorithm>
+#include <cerrno>
 #include <fmt/format.h>
 #include <fstream>
 
@@ -40,14 +43,17 @@ Ends run_variants(const VariantPlan& plan, const fs::path& folder, int at_once)
   io::make_folder(folder);
   std::vector<jobs::Job> jobs;
   for (const Variant& variant : plan.variants) {
-    const jobs::Job job{folder / (variant.name + ".toml"), {}, folder / variant.name};
+    jobs::Job job{folder / (variant.name + ".toml"), {}, folder / variant.name};
     io::write_atomically(job.case_file, input::resolved_toml(variant.settings));
-    if (!has_result(job)) jobs.push_back(job);
+    if (has_result(job)) continue;
+    job.resume = stopped_on_the_way(job) && simulation::can_be_resumed(job.folder);
+    jobs.push_back(job);
   }
-  fmt::print(stderr, "uncertainty: {} runs with coarser cells{}\n", plan.variants.size(),
-             jobs.size() == plan.variants.size()
-                 ? ""
-                 : fmt::format(", of which {} have their result already", plan.variants.size() - jobs.size()));
+  const std::size_t done_already = plan.variants.size() - jobs.size();
+  const auto resumed = std::count_if(jobs.begin(), jobs.end(), [](const jobs::Job& job) { return job.resume; });
+  fmt::print(stderr, "uncertainty: {} runs with coarser cells{}{}\n", plan.variants.size(),
+             done_already == 0 ? "" : fmt::format(", of which {} have their result already", done_already),
+             resumed == 0 ? "" : fmt::format(", {} resumed from a checkpoint", resumed));
   Ends ends;
   std::size_t done = 0;
   run_jobs(jobs, at_once, [&](std::size_t job, const jobs::JobEnd& end) {
@@ -78,8 +84,12 @@ run_folder::Uncertainty bands_from(const VariantPlan& plan, const fs::path& fold
 
 void append_to_log(const fs::path& run_folder, const std::string& words)
 {
-  std::ofstream log(run_folder / "run.log", std::ios::app);
+  const fs::path path = run_folder / "run.log";
+  errno = 0;
+  std::ofstream log(path, std::ios::app);
   log << words << '\n';
+  log.close();
+  if (!log) io::throw_errno(fmt::format("cannot write {}", path.string()));
 }
 
 }  // namespace
@@ -100,8 +110,9 @@ bool find_bands(const simulation::RunRequest& request, int at_once)
 {
   const VariantPlan plan = plan_of(request);
   const fs::path folder = request.folder / variants_folder;
+  const run_folder::RunFolder run_folder =
+      run_folder::RunFolder::of_earlier_run(request.folder);  // and nobody else's until the bands are there
   const Ends ends = run_variants(plan, folder, at_once);
-  const run_folder::RunFolder run_folder = run_folder::RunFolder::of_earlier_run(request.folder);
   const record::RunRecord run = structures::read_run(request.folder);
   run_folder::Uncertainty found;
   if (ends.interrupted) {

@@ -11,9 +11,9 @@ constexpr const char* variants_folder = "uncertainty";
 /// Builds every variant of a case and drops it, so that a band that cannot be found is refused before anything runs. Throws InputError.
 void try_to_plan(const simulation::RunRequest& request);
 
-/// Finds the bands of the finished run in request.folder: runs the variants that have no result yet, at_once at a time, each on one thread, and puts what they tell into
-/// summary.json, curves.png, run.log and the standard output. Where one fails or Ctrl-C stops it there is no band, and summary.json and stderr say why. Returns
-/// whether there are bands. Throws InputError and RunError.
+/// Finds the bands of the finished run in request.folder: runs the variants that have no result yet, at_once at a time, each on one thread and from its last checkpoint where one was stopped, and puts what they tell into
+/// summary.json, curves.png, run.log and the standard output. Where one fails or Ctrl-C stops it there is no band, and summary.json and stderr say why. The run folder is locked
+/// all the while. Returns whether there are bands. Throws InputError and RunError.
 bool find_bands(const simulation::RunRequest& request, int at_once);
 
 }  // namespace berm::uncertainty

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The built program from outside: berm run --uncertainty.
+#include "io/folder_lock.hpp"
 #include "run_folder/summary_file.hpp"
 #include "samples/program.hpp"
 #include "samples/small_case.hpp"
@@ -79,6 +80,50 @@ TEST(Uncertainty, of_a_finished_run_is_found_by_resuming_it_without_what_is_ther
   EXPECT_NE(again.err.find("of which 5 have their result already"), std::string::npos) << again.err;
   EXPECT_EQ(json_of(place.uncertainty())["quantities"], first["quantities"]);
   EXPECT_EQ(text_of_file(place.folder / "run/history.csv"), history);
+}
+
+TEST(Uncertainty, goes_on_with_a_run_that_was_stopped_on_the_way)
+{
+  const Place place;
+  ASSERT_EQ(place.run({"--uncertainty"}).status, 0);
+  const auto first = json_of(place.uncertainty());
+  // As Ctrl-C leaves a variant that had no checkpoint yet: results of a part, and where its case was.
+  const std::string variant = "run/uncertainty/cells_2/";
+  std::string summary = text_of_file(place.folder / (variant + "summary.json"));
+  const std::string finished = "\"finished\": true";
+  const std::size_t at = summary.find(finished);
+  ASSERT_NE(at, std::string::npos) << summary;
+  place.folder.write(variant + "summary.json", summary.replace(at, finished.size(), "\"finished\": false"));
+  fs::create_directories(place.folder / (variant + "checkpoint"));
+  place.folder.write(variant + "checkpoint/case_file.txt", (place.folder / "run/uncertainty/cells_2.toml").string());
+  const std::string log = text_of_file(place.folder / (variant + "run.log"));
+  const Ended again = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "2"});
+  EXPECT_EQ(again.status, 0) << again.err;
+  EXPECT_NE(again.err.find("of which 5 have their result already, 1 resumed from a checkpoint"), std::string::npos) << again.err;
+  EXPECT_EQ(text_of_file(place.folder / (variant + "run.log")).find(log), 0u) << "a run that is replaced begins a log of its own";
+  EXPECT_EQ(json_of(place.uncertainty())["quantities"], first["quantities"]);
+}
+
+TEST(Uncertainty, is_refused_while_another_process_has_the_run_folder)
+{
+  const Place place;
+  ASSERT_EQ(place.run({}).status, 0);
+  const io::FolderLock another(place.folder / "run");
+  const Ended ended = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "2"});
+  EXPECT_NE(ended.status, 0);
+  EXPECT_NE(ended.err.find("another run is writing into it"), std::string::npos) << ended.err;
+  EXPECT_FALSE(fs::exists(place.folder / "run/uncertainty")) << "before any of its runs begins";
+}
+
+TEST(Uncertainty, that_cannot_be_put_into_the_log_is_an_error)
+{
+  const Place place;
+  ASSERT_EQ(place.run({"--uncertainty"}).status, 0);
+  fs::remove(place.folder / "run/run.log");
+  fs::create_directory(place.folder / "run/run.log");
+  const Ended ended = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "2"});
+  EXPECT_NE(ended.status, 0);
+  EXPECT_NE(ended.err.find("cannot write run/run.log"), std::string::npos) << ended.err;
 }
 
 TEST(Uncertainty, goes_with_the_run_that_is_replaced)
