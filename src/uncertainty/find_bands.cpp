@@ -96,7 +96,8 @@ void append_to_log(const fs::path& run_folder, const std::string& words)
 
 void try_to_plan(const simulation::RunRequest& request)
 {
-  for (const Variant& variant : plan_of(request).variants) {
+  const VariantPlan plan = plan_of(request);
+  for (const Variant& variant : plan.variants) {
     try {
       simulation::try_to_build({.settings = variant.settings, .case_file = request.case_file, .folder = request.folder});
     } catch (const InputError& error) {
@@ -104,6 +105,8 @@ void try_to_plan(const simulation::RunRequest& request)
           fmt::format("{}: --uncertainty: with cells {:.3g} times as large: {}", request.case_file.string(), variant.size, error.what()));
     }
   }
+  fmt::print(stderr, "uncertainty: the runs with coarser cells take about {:.1f} times the work of the run itself\n",
+             work_of(plan, request.settings));
 }
 
 bool find_bands(const simulation::RunRequest& request, int at_once)

@@ -8,7 +8,7 @@ namespace berm::uncertainty {
 /// Where the variants of a run lie: a folder in its own, with NAME.toml and the run folder NAME for each.
 constexpr const char* variants_folder = "uncertainty";
 
-/// Builds every variant of a case and drops it, so that a band that cannot be found is refused before anything runs. Throws InputError.
+/// Builds every variant of a case and drops it, so that a band that cannot be found is refused before anything runs; prints what they will take. Throws InputError.
 void try_to_plan(const simulation::RunRequest& request);
 
 /// Finds the bands of the finished run in request.folder: runs the variants that have no result yet, at_once at a time, each on one thread and from its last checkpoint where one was stopped, and puts what they tell into

@@ -25,6 +25,10 @@ struct VariantPlan {
 /// made of the case: no body is driven, the mesh is a file, or cells are too large already.
 VariantPlan choose_variants(const problem::Case& c);
 
+/// What the variants take over what the run of the case takes, about, on as many threads: there are fewer cells and, but for finite elements, longer time steps. Source:
+/// docs/decisions/0025.
+Real work_of(const VariantPlan& plan, const problem::Case& c);
+
 /// The case with all cells `ratio` times as large, and the particles of blocks and disks as far apart; without frames on the way. The fine zone of a bed stays clear of
 /// walls and base. The size that it came to, which differs where a box is cut into whole cells.
 std::pair<problem::Case, Real> with_coarser_cells(problem::Case c, Real ratio);

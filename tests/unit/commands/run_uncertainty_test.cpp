@@ -46,6 +46,7 @@ TEST(Uncertainty, puts_bands_beside_the_results_and_changes_no_byte_of_the_run)
   ASSERT_EQ(ended.status, 0) << ended.err;
   ASSERT_EQ(without.run({}).status, 0);
   EXPECT_EQ(text_of_file(with.folder / "run/history.csv"), text_of_file(without.folder / "run/history.csv"));
+  EXPECT_NE(ended.err.find("the runs with coarser cells take about"), std::string::npos) << ended.err;
   const run_folder::Uncertainty u = with.uncertainty();
   EXPECT_EQ(u.missing, "");
   Words names;

@@ -64,6 +64,15 @@ TEST(Variants, have_five_cells_across_the_body_at_least)
   EXPECT_NE(refusal_of(c).find("make them 0.125 m or smaller"), std::string::npos) << refusal_of(c);
 }
 
+// 0.36 + 0.24 + 0.17 + 0.13 + 0.09 and half of the last, as the sum of r^-3 is; without longer steps the sum of r^-2.
+TEST(Variants, take_about_as_long_as_the_run_and_of_finite_elements_more)
+{
+  problem::Case c = fine();
+  EXPECT_NEAR(work_of(choose_variants(c), c), 0.51 + 0.39 + 0.31 + 0.25 + 0.207 + 0.103, 0.01);
+  c.method = problem::Method::mpm;
+  EXPECT_NEAR(work_of(choose_variants(c), c), 0.36 + 0.24 + 0.17 + 0.13 + 0.09 + 0.05, 0.01);
+}
+
 TEST(Variants, of_a_mesh_from_a_file_are_refused)
 {
   problem::Case c = fine();
