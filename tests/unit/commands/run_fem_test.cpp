@@ -59,10 +59,11 @@ TEST(FemRun, measures_forces_by_the_soil_of_the_region_below_the_pipe_as_the_rep
   const Ended ended = place.berm({"run", "small.toml", "--threads", "1", "-o", "results", "--set",
                                   "material.heavy={law=\"mohr_coulomb\", density=\"1600 kg/m^3\", young_modulus=\"1 MPa\", "
                                   "poisson_ratio=0.45, friction_angle=0, cohesion=\"1 kPa\"}",
-                                  "--set", "body.clay.region_material={near=\"heavy\"}"});
+                                  "--set", "body.clay.region_material={near=\"heavy\"}", "--set", "gravity=[0, -10]"});
   ASSERT_EQ(ended.status, 0) << ended.err;
   const record::RunRecord run = structures::read_run(place.folder / "results");
   const base::BodyScale of_report = base::body_scale(run);
+  EXPECT_GT(of_report.unit_weight, 0);
   EXPECT_NEAR(of_report.unit_weight, 2 * base::body_scale(run.settings).unit_weight, 1e-9 * of_report.unit_weight);
   const run_folder::Quantity *V = run.quantity("V_end_of_push"), *bare = run.quantity("V_end_of_push_over_gammaD2");
   ASSERT_TRUE(V != nullptr && bare != nullptr);
