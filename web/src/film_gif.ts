@@ -5,18 +5,18 @@ import { applyPalette, GIFEncoder, quantize } from "gifenc";
 /** Milliseconds that the last frame stays. */
 const LAST_STAYS = 1500;
 
-/** Pictures beside one another on white, `height` high. */
-function side_by_side(pictures: HTMLCanvasElement[], height: number): ImageData {
+/** Pictures beside one another on white, each in a column of its width, which is empty where there is none, `height` high. */
+function side_by_side(pictures: (HTMLCanvasElement | null)[], widths: number[], height: number): ImageData {
   const canvas = document.createElement("canvas");
-  canvas.width = pictures.reduce((sum, picture) => sum + picture.width, 0);
+  canvas.width = widths.reduce((sum, width) => sum + width, 0);
   canvas.height = height;
   const context = canvas.getContext("2d", { willReadFrequently: true })!;
   context.fillStyle = "#ffffff";
   context.fillRect(0, 0, canvas.width, canvas.height);
   let x = 0;
-  for (const picture of pictures) {
-    context.drawImage(picture, x, 0);
-    x += picture.width;
+  for (const [i, picture] of pictures.entries()) {
+    if (picture !== null && widths[i] > 0) context.drawImage(picture, x, 0);
+    x += widths[i];
   }
   return context.getImageData(0, 0, canvas.width, canvas.height);
 }
@@ -26,13 +26,13 @@ export async function save_film(
   count: number, frames_per_second: number, moment: (frame: number) => (HTMLCanvasElement | null)[], name: string, tell: (done: number) => void,
 ): Promise<void> {
   const gif = GIFEncoder();
-  // Captions may have a line more in one frame than in another.
-  const heights = [0, count - 1].flatMap((frame) => moment(frame).map((picture) => picture?.height ?? 0));
-  const height = Math.max(...heights) + 18;
+  // Captions may have a line more in one frame than in another; all frames have one size, also where a panel is loaded in some of them only.
+  const samples = [0, count - 1].map(moment);
+  const height = Math.max(...samples.flat().map((picture) => picture?.height ?? 0)) + 18;
+  const widths = samples[0].map((_, i) => Math.max(...samples.map((pictures) => pictures[i]?.width ?? 0)));
+  if (widths.every((width) => width === 0)) return;
   for (let frame = 0; frame < count; frame++) {
-    const pictures = moment(frame).filter((picture) => picture !== null);
-    if (pictures.length === 0) return;
-    const { data, width } = side_by_side(pictures, height);
+    const { data, width } = side_by_side(moment(frame), widths, height);
     const palette = quantize(data, 256);
     const delay = frame === count - 1 ? LAST_STAYS : 1000 / frames_per_second;
     gif.writeFrame(applyPalette(data, palette), width, height, { palette, delay });

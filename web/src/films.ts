@@ -227,10 +227,13 @@ class Films {
     const moment = (frame: number) => shown.map((panel) => panel.picture_at(panel === left ? frame : partner(this.join, left.run, frame, panel.run), 1));
     this.save.disabled = true;
     const names = shown.map((panel) => panel.run.name).join(" ");
-    await save_film(left.last + 1, this.speed, moment, names, (done) => (this.save.textContent = `frame ${done} of ${left.last + 1}`));
-    this.save.textContent = face;
-    this.save.disabled = false;
-    for (const panel of this.panels) panel.request_draw();
+    try {
+      await save_film(left.last + 1, this.speed, moment, names, (done) => (this.save.textContent = `frame ${done} of ${left.last + 1}`));
+    } finally {  // also where a picture cannot be made: the film can be saved again
+      this.save.textContent = face;
+      this.save.disabled = false;
+      for (const panel of this.panels) panel.request_draw();
+    }
   }
 
   private set_range(panel: FilmPanel, range: Range | null): void {

@@ -6,8 +6,8 @@ import { join } from "node:path";
 import { after, before, test } from "node:test";
 import type { Browser } from "playwright-core";
 import type { RunData } from "../src/data";
-import { changed_report, launch_browser, take_screenshot } from "./browser";
-import { after_drawing, difference, number_of, panel, pixels, quiet, set_frame, with_film_page } from "./film_page";
+import { changed_report, launch_browser, open_report, take_screenshot } from "./browser";
+import { after_drawing, difference, number_of, panel, panels_ready, pixels, quiet, set_frame, with_film_page } from "./film_page";
 import { type FilmedRun, joins_of, partner, travels } from "../src/film_together";
 import { frame_of_drag, last_of, one_film, region_of, run_of, runs } from "./film_runs";
 
@@ -136,6 +136,31 @@ test("a_film_is_saved_as_a_gif_with_all_frames", () =>
     if (process.env.BERM_SCREENSHOTS) writeFileSync(join(process.env.BERM_SCREENSHOTS, "film.gif"), gif);
   }),
 );
+
+/** In this page the second picture of a film cannot be made. */
+function break_second_picture(): void {
+  const { getImageData } = CanvasRenderingContext2D.prototype;
+  let left = Infinity;
+  addEventListener("click", (event) => (event.target as Element).matches(".film-gif") && (left = 1), true);
+  CanvasRenderingContext2D.prototype.getImageData = function (this: CanvasRenderingContext2D, ...place: [number, number, number, number]) {
+    if (left-- <= 0) throw new Error("no memory for the picture");
+    return getImageData.apply(this, place);
+  };
+}
+
+test("a_film_that_cannot_be_saved_leaves_the_button_as_it_was", async () => {
+  const { page, context, errors } = await open_report(browser, { script: break_second_picture });
+  try {
+    await panels_ready(page);
+    const error = page.waitForEvent("pageerror");
+    await page.locator(".film-gif").click();
+    assert.match(String(await error), /no memory for the picture/);
+    assert.equal(errors.length, 1);
+    await page.locator(".film-gif:enabled", { hasText: "Save film (GIF)" }).waitFor({ timeout: 5000 });
+  } finally {
+    await context.close();
+  }
+});
 
 /** How many pictures a GIF holds, by its blocks. */
 function frames_of_gif(gif: Buffer): number {
