@@ -2,6 +2,7 @@
 #include "samples/falling_stone.hpp"
 #include "samples/program.hpp"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace berm::verification {
