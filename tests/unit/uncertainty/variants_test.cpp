@@ -60,8 +60,13 @@ TEST(Variants, have_five_cells_across_the_body_at_least)
   EXPECT_NEAR(choose_variants(c).variants[4].size, 2, 1e-12);
   EXPECT_NEAR(choose_variants(c).variants[0].size, 1 + 0.4 / 1.2, 1e-12);
   bed_of(c).near_size = *c.fem.contact_size = 0.15;
-  EXPECT_EQ(refusal_of(c).find("mesh.near_size: "), 0u) << refusal_of(c);
+  EXPECT_EQ(refusal_of(c).find("fem.contact_size: "), 0u) << refusal_of(c);
   EXPECT_NE(refusal_of(c).find("make them 0.125 m or smaller"), std::string::npos) << refusal_of(c);
+  bed_of(c).near_size = *c.fem.contact_size = 0.125;  // these are 0.125 m, whatever 1 m / (5 x 1.6) is rounded to
+  EXPECT_EQ(refusal_of(c), "");
+  c.method = problem::Method::mpm;
+  bed_of(c).near_size = 0.15;
+  EXPECT_EQ(refusal_of(c).find("mesh.near_size: "), 0u) << refusal_of(c);
 }
 
 // 0.36 + 0.24 + 0.17 + 0.13 + 0.09 and half of the last, as the sum of r^-3 is; without longer steps the sum of r^-2.
