@@ -156,7 +156,7 @@ TEST(Uncertainty, that_cannot_be_found_is_refused_before_anything_runs)
   const Ended coarse = place.berm({"run", "fem.toml", "-o", "run", "--uncertainty"});
   EXPECT_EQ(coarse.status, 2);
   EXPECT_NE(coarse.err.find("fem.toml"), std::string::npos) << coarse.err;
-  EXPECT_NE(coarse.err.find("mesh.near_size"), std::string::npos) << coarse.err;
+  EXPECT_NE(coarse.err.find("fem.contact_size"), std::string::npos) << coarse.err;
   EXPECT_FALSE(fs::exists(place.folder / "run"));
 }
 
