@@ -26,7 +26,7 @@ void observe(run_folder::Row& row, const RigidResponse& response)
 {
   row("u", response.u, run_folder::metres, "horizontal displacement");
   row("w", response.w, run_folder::metres, "embedment");
-  row("H", response.H, run_folder::newtons<dim>, "horizontal force on the soil");
+  row("H", response.H, run_folder::newtons<dim>, "horizontal force");
   row("V", response.V, run_folder::newtons<dim>, "vertical reaction");
 }
 
