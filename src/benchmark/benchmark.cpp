@@ -4,10 +4,10 @@
 
 #include "core/timer.hpp"
 #include "io/atomic_file.hpp"
+#include "io/scratch_folder.hpp"
 #include "mpm/step.hpp"
 #include "roofline/roofline_kernel.hpp"
 #include "simulation/memory.hpp"
-#include "simulation/scratch_folder.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -184,7 +184,7 @@ std::string shown(Real number, int decimals)
 template <int dim>
 nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, simulation::Context& context, Real bandwidth)
 {
-  const simulation::ScratchFolder scratch;
+  const io::ScratchFolder scratch;
   const Real memory_before = simulation::memory_of_data();
   problem::Problem<dim> problem = build<dim>(c, ".", scratch.path().string());
   ::malloc_trim(0);  // as a run does

@@ -4,8 +4,8 @@
 #include "core/error.hpp"
 #include "fem/cut_mesh.hpp"
 #include "io/atomic_file.hpp"
+#include "io/scratch_folder.hpp"
 #include "picture/model_picture.hpp"
-#include "simulation/scratch_folder.hpp"
 
 #include <fmt/format.h>
 
@@ -46,7 +46,7 @@ mesh::Mesh<2> mesh_of(const simulation::RunRequest& request, const fs::path& wor
 
 void draw(const Picture& picture)
 {
-  const simulation::ScratchFolder scratch;
+  const io::ScratchFolder scratch;
   const std::string name = "model";
   try {
     if (!picture::draw_model(picture.request.settings, mesh_of(picture.request, scratch.path()), scratch.path(), name, picture.format))

@@ -269,11 +269,7 @@ void write_cut_geo(const mesh::SeabedMesh& bed, const Cuts& cuts, const std::vec
 
   std::string size = size_formula(bed);
   for (const std::string& distance : cuts.distances) size = fmt::format("Min({}, {} + {} * {})", size, contact_size, bed.growth, distance);
-  out << "\n// The size of a cell grows with its distance from the fine zone and from the rigid bodies.\n"
-      << fmt::format("Field[1] = MathEval;\nField[1].F = \"{}\";\n", size) << "Background Field = 1;\n"
-      << mesh::gmsh_options;
-  out.close();
-  if (!out) throw RunError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(errno)));
+  mesh::end_geometry(out, size, path);
 }
 
 // By the cells' centroids.

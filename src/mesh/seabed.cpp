@@ -105,10 +105,8 @@ Physical Curve("right") = {26, 22};
 Physical Curve("base") = {27};
 )";
 
-}  // namespace
-
 // Of Gmsh's algorithms for the plane, frontal Delaunay (6) with smoothing gives the largest smallest height, which sets the time step.
-const char* const gmsh_options = R"(
+constexpr const char* gmsh_options = R"(
 Mesh.MeshSizeExtendFromBoundary = 0;
 Mesh.MeshSizeFromPoints = 0;
 Mesh.MeshSizeFromCurvature = 0;
@@ -119,6 +117,8 @@ Mesh.MshFileVersion = 4.1;
 Mesh.Binary = 0;
 General.NumThreads = 1;
 )";
+
+}  // namespace
 
 void describe(Describe& d, SeabedMesh& bed)
 {
@@ -230,6 +230,14 @@ Real expected_cells(const SeabedMesh& bed)
   return more * sum / (std::sqrt(3.) / 4);
 }
 
+void end_geometry(std::ofstream& out, const std::string& size, const std::filesystem::path& path)
+{
+  out << "\n// The size of a cell grows with its distance from where cells are fine.\n"
+      << fmt::format("Field[1] = MathEval;\nField[1].F = \"{}\";\nBackground Field = 1;\n", size) << gmsh_options;
+  out.close();
+  if (!out) throw RunError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(errno)));
+}
+
 void write_geo(const SeabedMesh& bed, const std::filesystem::path& path)
 {
   check(bed);
@@ -250,12 +258,7 @@ void write_geo(const SeabedMesh& bed, const std::filesystem::path& path)
                                     {"growth", bed.growth}})
     out << fmt::format("{} = {};\n", name, value);
   out << lines_of_bed << (bed.layer > 0 ? with_layer : without_layer);
-  out << "\n// The size of a cell grows with its distance from the fine zone.\n"
-      << "Field[1] = MathEval;\n"
-      << fmt::format("Field[1].F = \"{}\";\n", size_formula(bed)) << "Background Field = 1;\n"
-      << gmsh_options;
-  out.close();
-  if (!out) throw RunError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(errno)));
+  end_geometry(out, size_formula(bed), path);
 }
 
 }  // namespace berm::mesh

@@ -5,6 +5,7 @@
 #include "mesh/ground_line.hpp"
 
 #include <filesystem>
+#include <iosfwd>
 #include <string>
 
 namespace berm::mesh {
@@ -88,8 +89,9 @@ void check(const SeabedMesh& seabed);
 /// The size of a cell, m, as a formula of x and y that Gmsh evaluates.
 std::string size_formula(const SeabedMesh& seabed);
 
-/// Settings of Gmsh for well shaped triangles, the same at every run.
-extern const char* const gmsh_options;
+/// Ends a geometry for Gmsh, in the file at `path`: the size of a cell as a formula, and settings for well shaped triangles, the same at every run. Throws
+/// RunError where the file could not be written.
+void end_geometry(std::ofstream& out, const std::string& size, const std::filesystem::path& path);
 
 /// Estimated number of cells: the integral of 1 / (area of an equilateral triangle of the local size), and a tenth, by which
 /// those of Gmsh are smaller.

@@ -308,13 +308,8 @@ void check_ground(const SeabedMesh& bed)
 void write_uneven_geo(const SeabedMesh& bed, const std::filesystem::path& path)
 {
   std::ofstream out(path);
-  out << "// A bed for a pipe that is not level, made by berm. Lengths in metres.\n"
-      << geometry_of(bed) << "\n// The size of a cell grows with its distance from the fine zone.\n"
-      << "Field[1] = MathEval;\n"
-      << fmt::format("Field[1].F = \"{}\";\n", size_formula(bed)) << "Background Field = 1;\n"
-      << gmsh_options;
-  out.close();
-  if (!out) throw RunError(fmt::format("cannot write {}: {}", path.string(), std::generic_category().message(errno)));
+  out << "// A bed for a pipe that is not level, made by berm. Lengths in metres.\n" << geometry_of(bed);
+  end_geometry(out, size_formula(bed), path);
 }
 
 }  // namespace berm::mesh

@@ -16,8 +16,8 @@ Points part_inside(const Points& convex, const Window& window)
 {
   Points part = convex;
   for (int d = 0; d < 2; ++d) {
-    part = cut(part, [&](const Vec<2>& x) { return x[d] - window.upper_left[d]; });
-    part = cut(part, [&](const Vec<2>& x) { return window.lower_right[d] - x[d]; });
+    part = report::cut(part, [&](const Vec<2>& x) { return x[d] - window.upper_left[d]; });
+    part = report::cut(part, [&](const Vec<2>& x) { return window.lower_right[d] - x[d]; });
   }
   return part.size() < 3 ? Points{} : part;
 }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "picture/convex.hpp"
 #include "plot/gnuplot.hpp"
+#include "report/setup/convex.hpp"
 
 #include <optional>
 #include <string>
 
 namespace berm::picture {
+
+using report::Points;
 
 /// A rectangle of the canvas, pixels.
 struct Window {

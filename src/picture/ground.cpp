@@ -49,8 +49,8 @@ void add_pieces(const BodyKinds& body, const std::string& region, const problem:
   const auto depth = [&](const Vec<2>& x) { return axes.depth(x, level_above(x + 1e-9 * (middle - x))); };
   for (std::size_t layer = 0; layer <= soil.layers.size(); ++layer) {
     Points part = corners;
-    if (layer > 0) part = cut(part, [&](const Vec<2>& x) { return depth(x) - soil.layers[layer - 1].top; });
-    if (layer < soil.layers.size()) part = cut(part, [&](const Vec<2>& x) { return soil.layers[layer].top - depth(x); });
+    if (layer > 0) part = report::cut(part, [&](const Vec<2>& x) { return depth(x) - soil.layers[layer - 1].top; });
+    if (layer < soil.layers.size()) part = report::cut(part, [&](const Vec<2>& x) { return soil.layers[layer].top - depth(x); });
     if (part.size() >= 3) pieces.push_back({part, body.first + (layer == 0 ? 0 : soil.layers[layer - 1].material)});
   }
 }

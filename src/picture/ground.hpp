@@ -2,10 +2,12 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
-#include "picture/convex.hpp"
 #include "problem/ground.hpp"
+#include "report/setup/convex.hpp"
 
 namespace berm::picture {
+
+using report::Points;
 
 /// A material of a body, which has one colour.
 struct SoilKind {

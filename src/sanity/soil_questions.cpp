@@ -64,6 +64,13 @@ std::string bounds_of_k0(const material::Material& material)
                      degrees(soil->friction_angle), 1 - sine);
 }
 
+/// m, of a bed that berm meshes; 0 where it is not known.
+Real smallest_cell(const problem::Case& c)
+{
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
+  return bed == nullptr ? 0 : bed->near_size;
+}
+
 }  // namespace
 
 void does_gravity_point_down(const Scene& s, Findings& found)
@@ -163,11 +170,20 @@ void is_all_soil_used(const Scene& s, Findings& found)
       found.warn("material." + name, "is not used: no body, layer or region names it; name it, or leave the table out");
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
     const bodies::BodySettings& body = s.c.body[b].second;
-    for (std::size_t k = 0; k < body.soil_layer.size(); ++k)
-      if (body.soil_layer[k].top >= s.depth_of(b))
-        found.warn(fmt::format("body.{}.soil_layer[{}].top", s.c.body[b].first, k),
+    for (std::size_t k = 0; k < body.soil_layer.size(); ++k) {
+      const Real top = body.soil_layer[k].top, depth = s.depth_of(b);
+      const Real thickness = (k + 1 < body.soil_layer.size() ? std::min(body.soil_layer[k + 1].top, depth) : depth) - top;
+      const std::string path = fmt::format("body.{}.soil_layer[{}].top", s.c.body[b].first, k);
+      if (top >= depth)
+        found.warn(path,
                    fmt::format("is {}, and the body ends at a depth of {}: the layer is nowhere; leave it out, or make the mesh deeper",
-                               words_of(body.soil_layer[k].top, "m"), words_of(s.depth_of(b), "m")));
+                               words_of(top, "m"), words_of(depth, "m")));
+      else if (thickness < smallest_cell(s.c))
+        found.warn(path, fmt::format("is {}, and the layer ends {} below it, less than a cell, {}: it shares each of its cells with its "
+                                     "neighbours; take mesh.near_size = {} or less, or leave the layer out",
+                                     words_of(top, "m"), words_of(thickness, "m"), words_of(smallest_cell(s.c), "m"),
+                                     words_of(thickness / 2, "m")));
+    }
   }
 }
 
@@ -209,9 +225,10 @@ void is_the_interface_weaker_than_the_soil(const Scene& s, Findings& found)
 {
   for (const auto& [name, contact] : s.c.contact) {
     if (contact.scheme == contact::Scheme::tied) continue;
-    const std::optional<material::Strength> soil = strength_at_rest(s.material_of(problem::index_of(s.c.body, contact.body)));
-    if (!soil || !yields(s.material_of(problem::index_of(s.c.body, contact.body)))) continue;
     const Index body = problem::index_of(s.c.body, contact.body);
+    const material::Material at_surface = s.material_at(body, 0);
+    const std::optional<material::Strength> soil = strength_at_rest(at_surface);
+    if (!soil || !yields(at_surface)) continue;
     // Of the soil that the body meets: between the surface and its width, or of a bed that has no driven body to the base.
     const Index rigid = contact.rigid.empty() ? none : problem::index_of(s.c.rigid, contact.rigid);
     const Real depth = rigid != none && s.rigids[rigid].width > 0 ? std::min(s.rigids[rigid].width, s.depth_of(body)) : s.depth_of(body);

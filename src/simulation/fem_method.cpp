@@ -27,7 +27,7 @@ Real min_elements(problem::Case c)
   return min_size<2>(c).cells;
 }
 
-fem::FemProblem build_for(const RunRequest& request, const ScratchFolder& scratch)
+fem::FemProblem build_for(const RunRequest& request, const io::ScratchFolder& scratch)
 {
   const problem::Case c = to_build(request);
   const Real elements = min_elements(c);
@@ -38,7 +38,7 @@ fem::FemProblem build_for(const RunRequest& request, const ScratchFolder& scratc
 
 }  // namespace
 
-FemMethod::FemMethod(const RunRequest& request, const ScratchFolder& scratch)
+FemMethod::FemMethod(const RunRequest& request, const io::ScratchFolder& scratch)
     : problem_(build_for(request, scratch)),
       steps_(problem_.model, problem_.state),
       frame_maker_(problem_.model)

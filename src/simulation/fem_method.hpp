@@ -2,11 +2,11 @@
 #pragma once
 
 #include "fem/load_steps.hpp"
+#include "io/scratch_folder.hpp"
 #include "run_folder/fem_frame.hpp"
 #include "run_folder/summary.hpp"
 #include "sanity/scene.hpp"
 #include "simulation/fem_recorder.hpp"
-#include "simulation/scratch_folder.hpp"
 #include "simulation/simulate.hpp"
 
 namespace berm::simulation {
@@ -17,7 +17,7 @@ public:
   static constexpr int dim = 2;
 
   /// Builds the problem; mesh files go to the scratch folder. Throws InputError and RunError.
-  FemMethod(const RunRequest& request, const ScratchFolder& scratch);
+  FemMethod(const RunRequest& request, const io::ScratchFolder& scratch);
   FemMethod(const FemMethod&) = delete;
   FemMethod& operator=(const FemMethod&) = delete;
 

@@ -43,7 +43,9 @@ Real free_disk(const fs::path& folder)
 
 void note_warnings(const run_folder::RunFolder& folder, const std::vector<std::string>& warnings)
 {
-  if (!warnings.empty()) io::write_atomically(note_in(folder.path()), fmt::format("{}\n", fmt::join(warnings, "\n")));
+  if (warnings.empty()) return;
+  folder.subfolder(checkpoints_in("").string());
+  io::write_atomically(note_in(folder.path()), fmt::format("{}\n", fmt::join(warnings, "\n")));
 }
 
 std::vector<std::string> noted_warnings(const fs::path& run_folder)

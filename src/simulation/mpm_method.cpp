@@ -55,7 +55,7 @@ Real interval_of(const problem::Case& c)
 
 /// Mesh files go to the scratch folder. A run that there is no memory for is refused as early as its size is known.
 template <int dim>
-problem::Problem<dim> build_for(const RunRequest& request, const ScratchFolder& scratch)
+problem::Problem<dim> build_for(const RunRequest& request, const io::ScratchFolder& scratch)
 {
   interval_of(request.settings);  // refuses a case in which it is not known
   const problem::Case c = to_build(request);
@@ -72,7 +72,7 @@ problem::Problem<dim> build_for(const RunRequest& request, const ScratchFolder& 
 }  // namespace
 
 template <int d>
-MpmMethod<d>::MpmMethod(const RunRequest& request, const ScratchFolder& scratch)
+MpmMethod<d>::MpmMethod(const RunRequest& request, const io::ScratchFolder& scratch)
     : memory_before_(memory_in_use()),
       problem_(build_for<d>(request, scratch)),
       history_interval_(interval_of(request.settings)),
@@ -163,8 +163,7 @@ void MpmMethod<d>::tell_equilibrium(const problem::StageSettings& stage) const
   if (ends_at_equilibrium(stage) && !(equilibrium_ <= stage.equilibrium && at_rest))
     spdlog::warn(
         "stage \"{}\" found no equilibrium in {:.3g} s, in which waves and damping could have found it: {}; where soil slides, it is too "
-        "steep "
-        "for its strength: flatten the ground or strengthen the soil; else give the stage damping = 0.7, or more time by until.time",
+        "steep for its strength: flatten the ground or strengthen the soil; else give the stage damping = 0.7, or more time by until.time",
         stage.name, state().time - state().stage.begin_time, at_rest ? "forces are out of balance" : "the soil moves");
   else if (equilibrium_ > stage.equilibrium)
     spdlog::warn("give stage \"{}\" more time or damping", stage.name);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "io/scratch_folder.hpp"
 #include "mpm/condition.hpp"
 #include "run_folder/frame_maker.hpp"
 #include "run_folder/summary.hpp"
 #include "sanity/scene.hpp"
 #include "simulation/cell_watch.hpp"
 #include "simulation/mpm_recorder.hpp"
-#include "simulation/scratch_folder.hpp"
 #include "simulation/simulate.hpp"
 
 namespace berm::simulation {
@@ -20,7 +20,7 @@ public:
 
   /// Builds the problem; mesh files go to the scratch folder. A run that there is no memory for is refused as early as its size is known. Throws InputError
   /// and RunError.
-  MpmMethod(const RunRequest& request, const ScratchFolder& scratch);
+  MpmMethod(const RunRequest& request, const io::ScratchFolder& scratch);
   MpmMethod(const MpmMethod&) = delete;
   MpmMethod& operator=(const MpmMethod&) = delete;
 

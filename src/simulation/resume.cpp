@@ -41,11 +41,15 @@ void note_case_file(const run_folder::RunFolder& folder, const fs::path& case_fi
 
 std::optional<RunRequest> run_to_resume(const fs::path& folder)
 {
-  for (const char* name : {"resolved.toml", "case.toml"})
-    if (std::error_code error; !fs::exists(folder / name, error))
-      throw InputError(fmt::format("--resume: {} is not the folder of a run that has begun: there is no {}", folder.string(), name));
+  const auto must_hold = [&](const fs::path& file) {
+    if (std::error_code error; !fs::exists(file, error))
+      throw InputError(fmt::format("--resume: {} is not the folder of a run that has begun: there is no {}", folder.string(),
+                                   file.lexically_relative(folder).string()));
+  };
+  for (const char* name : {"resolved.toml", "case.toml"}) must_hold(folder / name);
   // A finished run removes its checkpoints last of all.
-  if (!fs::exists(checkpoints_in(folder)) && is_finished(folder)) return std::nullopt;
+  if (!fs::exists(note_in(folder)) && is_finished(folder)) return std::nullopt;
+  must_hold(note_in(folder));
   const std::string noted = io::read_text_file(note_in(folder));
   auto [settings, places] = input::read_case_in_file(folder / "resolved.toml");
   return RunRequest{std::move(settings), noted.empty() ? folder / "case.toml" : fs::path(noted), folder, true, std::move(places)};
@@ -60,13 +64,14 @@ RunRequest finished_run(const fs::path& folder)
 bool has_begun(const fs::path& folder)
 {
   std::error_code error;
-  return fs::exists(folder / "resolved.toml", error) && fs::exists(folder / "case.toml", error);
+  return fs::exists(folder / "resolved.toml", error) && fs::exists(folder / "case.toml", error) &&
+         (fs::exists(note_in(folder), error) || fs::exists(folder / "summary.json", error));
 }
 
 bool can_be_resumed(const fs::path& folder)
 {
   std::error_code error;
-  return fs::exists(checkpoints_in(folder), error);
+  return fs::exists(note_in(folder), error);
 }
 
 std::string key_results_in(const RunRequest& request)

@@ -19,7 +19,7 @@ namespace {
 template <class Act>
 auto with_method(const RunRequest& request, const Act& act)
 {
-  const ScratchFolder scratch;
+  const io::ScratchFolder scratch;
   const auto with = [&](auto method) { return act(method, scratch); };
   try {
     if (request.settings.method == problem::Method::fem) return with(FemMethod(request, scratch));
@@ -33,7 +33,7 @@ auto with_method(const RunRequest& request, const Act& act)
 
 bool run_case(const RunRequest& request, Context& context)
 {
-  return with_method(request, [&](auto& method, const ScratchFolder& scratch) {
+  return with_method(request, [&](auto& method, const io::ScratchFolder& scratch) {
     const std::vector<std::string> warnings =
         request.resume ? noted_warnings(request.folder) : warnings_of(method.scene(request, context.threads()));
     const std::string what = fmt::format("{}, {} thread{}", method.size_words(), context.threads(), context.threads() == 1 ? "" : "s");
@@ -45,12 +45,12 @@ bool run_case(const RunRequest& request, Context& context)
 
 void try_to_build(const RunRequest& request)
 {
-  with_method(request, [&](auto& method, const ScratchFolder&) { warnings_of(method.scene(request, 1)); });
+  with_method(request, [&](auto& method, const io::ScratchFolder&) { warnings_of(method.scene(request, 1)); });
 }
 
 void check_case(const RunRequest& request, Context& context)
 {
-  with_method(request, [&](auto& method, const ScratchFolder&) {
+  with_method(request, [&](auto& method, const io::ScratchFolder&) {
     const sanity::Scene scene = method.scene(request, context.threads());
     const std::vector<std::string> warnings = warnings_of(scene);
     for (const std::string& warning : warnings) fmt::print(stderr, "berm: warning: {}\n", warning);

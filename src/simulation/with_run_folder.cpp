@@ -19,17 +19,18 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A folder for a run from its start: what an earlier one left is removed.
-run_folder::RunFolder new_run_folder(const RunRequest& request, const ScratchFolder& scratch)
+run_folder::RunFolder new_run_folder(const RunRequest& request, const io::ScratchFolder& scratch, const std::vector<std::string>& warnings)
 {
   run_folder::RunFolder folder(request.folder);
   io::write_atomically(folder.file("resolved.toml"), input::resolved_toml(request.settings));
-  note_case_file(folder, request.case_file);
   scratch.move_files_to(folder.path());
   io::copy_atomically(request.case_file, folder.file("case.toml"));
   std::error_code error;
   if (const fs::path claims = request.case_file.parent_path() / "claims.toml"; fs::exists(claims, error))
     io::copy_atomically(claims, folder.file("claims.toml"));
   run_folder::note_origin(folder.path());
+  note_warnings(folder, warnings);
+  note_case_file(folder, request.case_file);
   return folder;
 }
 
@@ -50,22 +51,20 @@ problem::Case to_build(const RunRequest& request)
   return settings;
 }
 
-bool with_run_folder(const RunRequest& request, const Context& context, const ScratchFolder& scratch, const std::string& size,
+bool with_run_folder(const RunRequest& request, const Context& context, const io::ScratchFolder& scratch, const std::string& size,
                      const std::vector<std::string>& warnings,
                      const std::function<bool(const run_folder::RunFolder&, run_folder::RunLog&)>& run)
 {
   const bool replaces = !request.resume && !checkpoint::CheckpointFolder(checkpoints_in(request.folder)).files().empty();
   const run_folder::RunFolder folder =
-      request.resume ? run_folder::RunFolder::of_earlier_run(request.folder) : new_run_folder(request, scratch);
+      request.resume ? run_folder::RunFolder::of_earlier_run(request.folder) : new_run_folder(request, scratch, warnings);
   run_folder::RunLog log(folder.file("run.log"), request.resume, context.messages());
   if (replaces) spdlog::info("the unfinished run in {} is replaced; `berm run --resume` resumes one instead", request.folder.string());
   spdlog::info("{} -> {}: {}", request.case_file.string(), folder.path().string(), size);
   if (request.resume)
     run_folder::note_resumption(folder.path());
-  else {
-    note_warnings(folder, warnings);
+  else
     for (const std::string& warning : warnings) spdlog::warn("{}", warning);
-  }
   try {
     const bool finished = run(folder, log);
     log.check();

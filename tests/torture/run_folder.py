@@ -139,12 +139,23 @@ def results(folder):
 
 def has_begun(folder):
     """Whether a run can be resumed; before, it is begun anew."""
-    return all(os.path.exists(os.path.join(folder, name)) for name in ("resolved.toml", "case.toml"))
+    return has_note(folder) or is_complete(folder)
+
+
+def has_note(folder):
+    return os.path.exists(os.path.join(folder, "checkpoint", "case_file.txt"))
+
+
+def is_complete(folder):
+    """Whether a run has left all its results; killed then, it leaves its lock, and checkpoints that it was about to remove."""
+    return os.path.exists(os.path.join(folder, "summary.json")) and not has_note(folder)
 
 
 def has_half_a_checkpoint(folder):
-    checkpoints = os.path.join(folder, "checkpoint")
-    return os.path.isdir(checkpoints) and any(name.endswith(".h5.part") for name in os.listdir(checkpoints))
+    try:
+        return any(name.endswith(".h5.part") for name in os.listdir(os.path.join(folder, "checkpoint")))
+    except FileNotFoundError:
+        return False
 
 
 def log_is_whole(folder):

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/scratch_folder.hpp"
 
 #include <algorithm>
 #include <cstdlib>
@@ -36,28 +37,6 @@ fs::path in_path(const std::string& name)
     if (const fs::path file = fs::path(folder) / name; is_program(file)) return file;
   return {};
 }
-
-/// A folder that is gone with this: a browser wants one of its own.
-class Profile {
-public:
-  Profile()
-  {
-    std::string name = (fs::temp_directory_path() / "berm-print-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) io::throw_errno("no temporary folder for the browser");
-    path_ = name;
-  }
-  ~Profile()
-  {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Profile(const Profile&) = delete;
-  Profile& operator=(const Profile&) = delete;
-  const fs::path& path() const { return path_; }
-
-private:
-  fs::path path_;
-};
 
 /// The address of a file; all but plain letters by their numbers.
 std::string address_of(const fs::path& file)
@@ -120,8 +99,8 @@ fs::path printing_browser()
 
 void print_pdf(const fs::path& browser, const fs::path& page, const fs::path& pdf)
 {
-  const Profile profile;
-  const fs::path made = profile.path() / "page.pdf", messages = profile.path() / "messages.txt";
+  const io::ScratchFolder scratch;  // a browser wants a profile of its own
+  const fs::path made = scratch.path() / "page.pdf", messages = scratch.path() / "messages.txt";
   // Time is virtual: the browser waits until the page has drawn its films, and no longer.
   std::vector<std::string> words = {browser.string(),
                                     "--headless",
@@ -130,7 +109,7 @@ void print_pdf(const fs::path& browser, const fs::path& page, const fs::path& pd
                                     "--no-pdf-header-footer",
                                     "--force-device-scale-factor=2",
                                     "--virtual-time-budget=20000",
-                                    "--user-data-dir=" + (profile.path() / "profile").string(),
+                                    "--user-data-dir=" + (scratch.path() / "profile").string(),
                                     "--print-to-pdf=" + made.string(),
                                     address_of(page)};
   if (::geteuid() == 0) words.insert(words.begin() + 1, "--no-sandbox");  // which it cannot have as root

@@ -3,6 +3,7 @@
 #include "report/setup/sketch.hpp"
 
 #include "bodies/rigid/rigid_body.hpp"
+#include "report/setup/convex.hpp"
 
 #include <algorithm>
 #include <array>
@@ -211,15 +212,7 @@ std::vector<Vec<2>> part_inside(const PlaneOutline& plane, const Extent& extent)
 {
   const std::vector<Vec<2>> corners = {extent.lower, Vec<2>(extent.upper[0], extent.lower[1]), extent.upper,
                                        Vec<2>(extent.lower[0], extent.upper[1])};
-  const auto outside = [&](const Vec<2>& x) { return (x - plane.point).dot(plane.normal); };
-  std::vector<Vec<2>> part;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const Vec<2>&here = corners[k], &next = corners[(k + 1) % corners.size()];
-    const Real a = outside(here), b = outside(next);
-    if (a <= 0) part.push_back(here);
-    if ((a < 0 && b > 0) || (a > 0 && b < 0)) part.emplace_back(here + a / (a - b) * (next - here));
-  }
-  return part;
+  return cut(corners, [&](const Vec<2>& x) { return (plane.point - x).dot(plane.normal); });
 }
 
 Sketch sketch_of(const problem::Case& settings, const problem::Ground& ground)

@@ -13,6 +13,7 @@
 #include "structures/pipe/report/published_table.hpp"
 #include "structures/pipe/report/soil_figures.hpp"
 #include "structures/pipe/results/mechanism.hpp"
+#include "structures/pipe/results/prescribed.hpp"
 
 #include <algorithm>
 
@@ -47,12 +48,13 @@ std::string Pipe::table_of(const record::RunRecord& run) const
   return key_results_table(run.quantities, base::body_scale(run));
 }
 
-bool Pipe::is_answer(const std::string& quantity) const
+bool Pipe::is_answer(const record::RunRecord& run, const run_folder::Quantity& quantity) const
 {
   const auto ends_with_any = [&](std::initializer_list<const char*> ends) {
-    return std::any_of(ends.begin(), ends.end(), [&](const char* end) { return quantity.ends_with(end); });
+    return std::any_of(ends.begin(), ends.end(), [&](const char* end) { return quantity.name.ends_with(end); });
   };
-  return !ends_with_any({"_over_gammaD2", "_over_D", "_noise", "V_rms_error_in_drag", "second_impulse_over_V", "overlap_max", "gap_mean"});
+  return !is_prescribed(run, quantity) &&
+         !ends_with_any({"_over_gammaD2", "_over_D", "_noise", "V_rms_error_in_drag", "second_impulse_over_V", "overlap_max", "gap_mean"});
 }
 
 bool Pipe::draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const
@@ -103,8 +105,8 @@ std::string Pipe::quality_note(const base::Runs& runs) const
     return "";
   return "<p>V depends on the mesh: in the probe test V(0.1 D) is 901, 808 and 706 N/m with cells of D/10, D/20 and D/40 "
          "(examples/mesh_study), since sand with psi below phi localises in bands as wide as the cells (examples/localisation). "
-         "Run two sizes before believing a number, and phi* for phi to see the lower end; "
-         "<code>berm study examples/mesh_study</code> shows how.</p>\n";
+         "<code>berm run --resume RUN --uncertainty</code> gives the number a band; phi* for phi shows the lower end "
+         "(<code>berm study examples/mesh_study</code>).</p>\n";
 }
 
 base::StagePaths Pipe::paths(const record::RunRecord& run) const

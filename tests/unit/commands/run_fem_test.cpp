@@ -41,6 +41,8 @@ TEST(FemRun, without_a_checkpoint_begins_at_the_start_and_ends_with_the_same_byt
   // As a run leaves it that was killed: rows and frames that are not wanted any more, no summary.
   std::filesystem::copy(place.folder / "results", place.folder / "killed", std::filesystem::copy_options::recursive);
   std::filesystem::remove(place.folder / "killed/summary.json");
+  std::filesystem::create_directory(place.folder / "killed/checkpoint");
+  place.folder.write("killed/checkpoint/case_file.txt", (place.folder / "small.toml").string());
   place.folder.write("killed/history.csv", place.folder.read("results/history.csv") + "0.1,drag,1");
   place.folder.write("killed/frames/soil_0009.vtu", "half a fr");
   const Ended ended = place.berm({"run", "--resume", "killed", "--threads", "1"});

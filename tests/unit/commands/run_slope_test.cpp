@@ -212,5 +212,20 @@ TEST(RunOnSlope, says_so_where_the_ground_finds_no_equilibrium)
   EXPECT_NE(ended.err.find("flatten the ground"), std::string::npos) << ended.err;
 }
 
+// Of a bed at rest but for one side of a trench the mean velocity is small: rest is asked of each cell.
+TEST(RunOnSlope, says_so_where_one_side_of_a_trench_slides)
+{
+  TemporaryFolder folder;
+  folder.write("trench.toml", case_on(mesh_of_berm));
+  const Ended ended =
+      run_program(folder.path(), {"run", "trench.toml", "-o", "out", "--threads", "1", "--set", "mesh.slope=0", "--set",
+                                  "mesh.trench={depth=\"0.15 m\", width=\"0.3 m\", side_slope=\"60 deg\", center=\"0.9 m\"}", "--set",
+                                  "rigid.cable.center=[0, \"0.08 m\"]", "--set", "stage.rest.until={equilibrium=true, time=\"0.3 s\"}",
+                                  "--set", "stage.lay.until.embedment=2 mm", "--set", "stage.drag.until.displacement=1 mm"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.err.find("NOT in equilibrium"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("the soil moves"), std::string::npos) << ended.err;
+}
+
 }  // namespace
 }  // namespace berm::commands

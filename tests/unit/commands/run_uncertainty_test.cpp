@@ -52,13 +52,14 @@ TEST(Uncertainty, puts_bands_beside_the_results_and_changes_no_byte_of_the_run)
   Words names;
   for (const run_folder::BandRun& run : u.runs) names.push_back(run.name);
   EXPECT_EQ(names, all_variants);
-  for (const char* name : {"V_end_of_push", "H_max", "H_end_of_drag"}) {
+  for (const char* name : {"w_end_of_push", "H_max", "H_end_of_drag"}) {
     const run_folder::Band* band = u.find(name);
     ASSERT_NE(band, nullptr) << name;
     EXPECT_GT(band->half_width, 0) << name;
     EXPECT_EQ(band->noise, 0) << "finite elements have none";
     EXPECT_NEAR(band->half_width, band->extrapolation + std::hypot(band->mesh, band->speed), 1e-9 * std::abs(band->half_width)) << name;
   }
+  EXPECT_EQ(u.find("V_end_of_push"), nullptr) << "the input prescribes it";
   EXPECT_EQ(u.find("H_max_over_gammaD2"), nullptr);
   EXPECT_EQ(u.find("overlap_max"), nullptr) << "a measure of quality";
   ASSERT_FALSE(u.curves.empty());

@@ -51,6 +51,16 @@ TEST(Bands, are_there_for_answers_alone)
     EXPECT_EQ(u.find(name), nullptr) << name;
 }
 
+TEST(Bands, are_not_there_for_what_the_input_prescribes)
+{
+  record::RunRecord run = made(1.1);
+  EXPECT_NE(bands_of(run, first_order()).find("w_end_of_push"), nullptr);
+  run.settings.stage[0].until.embedment = 0.002;
+  const run_folder::Uncertainty u = bands_of(run, first_order());
+  EXPECT_EQ(u.find("w_end_of_push"), nullptr);
+  EXPECT_NE(u.find("V_end_of_push"), nullptr);
+}
+
 TEST(Bands, leave_out_what_a_coarser_run_has_not_and_say_which)
 {
   std::vector<VariantRecord> variants = first_order();

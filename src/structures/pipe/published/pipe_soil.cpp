@@ -72,14 +72,16 @@ PipeSoil pipe_soil(const record::RunRecord& run)
     for (const material::Material& one : soil.materials)
       if (law->friction_angle > 0 || strength_at_rest(one)->friction_angle > 0)
         return NoFormula{"The published formulas are those of clay or of one sand; this soil has layers of others."};
-  if (law->friction_angle > 0 && !cohesive && unit_weight > 0)
-    return SandAround{circle->diameter, unit_weight, law->friction_angle, law->dilation_angle,
-                      sticks ? law->friction_angle : contact.friction_angle};
+  const bool cohesion_is_little = law->cohesion_gradient == 0 && law->cohesion <= SandAround::max_cohesion * unit_weight * circle->diameter;
+  if (law->friction_angle > 0 && cohesion_is_little && unit_weight > 0)
+    return SandAround{
+        circle->diameter, unit_weight, law->friction_angle, law->dilation_angle, sticks ? law->friction_angle : contact.friction_angle,
+        law->cohesion};
   if (law->friction_angle == 0 && cohesive) {
     const Real adhesion = sticks ? infinity : contact.friction_angle > 0 ? std::numeric_limits<Real>::quiet_NaN() : contact.adhesion;
     return ClayAround{circle->diameter, unit_weight, soil, adhesion, base::soil_depth(c, run.ground, 0)};
   }
-  return NoFormula{"No formula is known for this soil: it is neither clay (φ = 0) nor sand (c = 0) with weight."};
+  return NoFormula{"No formula is known for this soil: it is neither clay (φ = 0) nor sand (c under 0.1 γ' D) with weight."};
 }
 
 }  // namespace berm::pipe

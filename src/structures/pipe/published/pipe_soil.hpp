@@ -11,10 +11,13 @@
 
 namespace berm::pipe {
 
-/// Sand without cohesion around a pipe.
+/// Sand around a pipe, without cohesion or with a little of it, which formulas leave out.
 struct SandAround {
+  static constexpr Real max_cohesion = 0.1;  ///< of gamma' D
+
   Real diameter, unit_weight;                            ///< m, N/m3
   Real friction_angle, dilation_angle, interface_angle;  ///< rad
+  Real cohesion = 0;                                     ///< Pa
 
   formulas::PipeInSand at(Real embedment) const { return {diameter, embedment, unit_weight, friction_angle, interface_angle}; }
 };

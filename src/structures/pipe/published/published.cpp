@@ -112,6 +112,15 @@ void add_breakout(PublishedValues& values, const PipeRun& run, const SandAround&
   values.states.push_back({ComparedState::Kind::breakout, u, w, nan, sand_at_breakout(sand, w, u)});
 }
 
+void put_out_of_range(PublishedValues& values, const char* range)
+{
+  for (ComparedState& state : values.states)
+    for (Comparison& comparison : state.comparisons) {
+      comparison.published.valid = false;
+      comparison.published.source.range = range;
+    }
+}
+
 Real H_at(const RunPoints& points, Real u)
 {
   for (const DragPoint& p : points.drag)
@@ -155,13 +164,10 @@ PublishedValues published_beside(const PipeRun& run)
   std::erase_if(values.states, [](const ComparedState& state) { return state.comparisons.empty(); });
   const bool level = run.record.ground.line.level();
   if (sand != nullptr && !points.drag.empty()) add_breakout(values, run, *sand, points, part);
+  if (sand != nullptr && sand->cohesion > 0) put_out_of_range(values, "sand without cohesion");
   if (!level) {
     values.remarks.insert(values.remarks.begin(), remark_on_ground(run));
-    for (ComparedState& state : values.states)
-      for (Comparison& comparison : state.comparisons) {
-        comparison.published.valid = false;
-        comparison.published.source.range = "a level bed";
-      }
+    put_out_of_range(values, "a level bed");
   }
   if (clay != nullptr && !points.drag.empty())
     values.remarks.emplace_back("Formulas for H give what the soil can do at most; early in a drag H is still on its way there.");

@@ -53,6 +53,11 @@ std::vector<std::string> remarks_on(const SandAround& sand)
     remarks.push_back(fmt::format("The characteristics are for associated soil, ψ = φ, which carries more. The sand of this run has φ = "
                                   "{:.3g}° and dilates by ψ = {:.3g}°.",
                                   sand.friction_angle / degree, sand.dilation_angle / degree));
+  if (sand.cohesion > 0)
+    remarks.push_back(
+        fmt::format("The formulas are for sand without cohesion. The sand of this run has c = {:.3g} Pa, {:.2g} γ' D: without "
+                    "it they are too low, by more the smaller w is.",
+                    sand.cohesion, sand.cohesion / (sand.unit_weight * sand.diameter)));
   return remarks;
 }
 

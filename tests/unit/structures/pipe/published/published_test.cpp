@@ -299,6 +299,25 @@ TEST(published, forces_of_half_a_pipe_are_doubled)
   EXPECT_TRUE(says(values, "half of the pipe"));
 }
 
+TEST(published, formulas_leave_out_a_little_cohesion_of_sand_and_say_so)
+{
+  const PublishedValues clean = published_beside(PipeRun(MadeRun{}.record()));
+  MadeRun damp;
+  damp.law.cohesion = 100;
+  const PublishedValues values = published_beside(PipeRun(damp.record()));
+  ASSERT_FALSE(values.states.empty());
+  ASSERT_EQ(values.states.size(), clean.states.size());
+  for (std::size_t k = 0; k < values.states.size(); ++k)
+    for (std::size_t n = 0; n < values.states[k].comparisons.size(); ++n) {
+      const formulas::Formula &with = values.states[k].comparisons[n].published, &without = clean.states[k].comparisons[n].published;
+      EXPECT_DOUBLE_EQ(with.value, without.value);
+      EXPECT_FALSE(with.valid);
+      EXPECT_EQ(with.source.range, std::string("sand without cohesion"));
+    }
+  EXPECT_TRUE(says(values, "c = 100 Pa, 0.012 γ' D"));
+  EXPECT_FALSE(says(clean, "without cohesion"));
+}
+
 TEST(published, what_is_no_whole_pipe_has_no_formulas)
 {
   record::RunRecord run = MadeRun{}.record();
@@ -310,7 +329,7 @@ TEST(published, what_is_no_whole_pipe_has_no_formulas)
   cut.left = 0.005;
   EXPECT_TRUE(says(published_beside(PipeRun(cut.record())), "a wall of the mesh cuts"));
   MadeRun mixed;
-  mixed.law.cohesion = 100;
+  mixed.law.cohesion = 1000;
   EXPECT_TRUE(says(published_beside(PipeRun(mixed.record())), "neither clay"));
 }
 

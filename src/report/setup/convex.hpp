@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/picture/canvas_test.cpp
+// Tests: tests/unit/report/setup/drawing_test.cpp
 #pragma once
 
 #include "core/types.hpp"
 
 #include <vector>
 
-namespace berm::picture {
+namespace berm::report {
 
 using Points = std::vector<Vec<2>>;
 
@@ -24,4 +24,4 @@ Points cut(const Points& convex, const Inside& inside)
   return part;
 }
 
-}  // namespace berm::picture
+}  // namespace berm::report

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/commands/run_faults_test.cpp
-#include "simulation/scratch_folder.hpp"
+#include "io/scratch_folder.hpp"
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
@@ -10,7 +10,7 @@
 #include <cstring>
 #include <string>
 
-namespace berm::simulation {
+namespace berm::io {
 namespace fs = std::filesystem;
 
 ScratchFolder::ScratchFolder()
@@ -30,12 +30,12 @@ void ScratchFolder::move_files_to(const fs::path& folder) const
 {
   try {
     for (const fs::directory_entry& entry : fs::directory_iterator(path_)) {
-      io::copy_atomically(entry.path(), folder / entry.path().filename());
+      copy_atomically(entry.path(), folder / entry.path().filename());
       fs::remove(entry.path());
     }
   } catch (const fs::filesystem_error& error) {
-    throw RunError(std::string("the mesh cannot be written to the temporary folder: ") + error.what());
+    throw RunError(std::string("files cannot be moved out of the temporary folder: ") + error.what());
   }
 }
 
-}  // namespace berm::simulation
+}  // namespace berm::io

@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-namespace berm::simulation {
+namespace berm::io {
 
-/// A folder for the mesh generator's files until it is known that the case can be built; removed with this object.
+/// A folder of the system's temporary ones, removed with this object.
 class ScratchFolder {
 public:
   /// Throws RunError where the system's temporary folder cannot be written to.
@@ -15,10 +15,11 @@ public:
   ScratchFolder& operator=(const ScratchFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+  /// Throws RunError where that is not possible.
   void move_files_to(const std::filesystem::path& folder) const;
 
 private:
   std::filesystem::path path_;
 };
 
-}  // namespace berm::simulation
+}  // namespace berm::io
