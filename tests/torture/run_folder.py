@@ -93,6 +93,7 @@ def check_order(calls):
     disk. `calls`: (name, path) of those that change files."""
     on_disk = set()
     new_names = set()  # folders with names that are not on the disk
+    named = set()
     for (name, path), following in zip(calls, calls[1:] + [("", "")]):
         if name == "fsync":
             on_disk.add(path)
@@ -111,7 +112,11 @@ def check_order(calls):
                 expect(os.path.join(run, "history.csv") in on_disk, f"{path}: gets its name before history.csv is on the disk")
             if file.endswith(".h5") or file == "summary.json":
                 expect(list(following) == ["fsync", folder], f"{path}: its name is not forced to the disk")
+            if file == "case_file.txt":  # from here on the run can be resumed
+                for given in ("resolved.toml", "case.toml", "origin.json"):
+                    expect(os.path.join(os.path.dirname(folder), given) in named, f"{path}: gets its name before {given}")
             new_names.add(folder)
+            named.add(path)
 
 
 def results(folder):

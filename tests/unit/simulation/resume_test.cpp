@@ -181,6 +181,27 @@ TEST_F(Resume, of_a_finished_run_says_so)
   EXPECT_EQ(text("whole/run.log"), log);
 }
 
+TEST_F(Resume, is_refused_before_all_that_the_run_was_given_is_in_its_folder)
+{
+  ASSERT_EQ(berm(first("whole")).status, 0);
+  fs::create_directory(folder_ / "early");
+  for (const char* name : {"resolved.toml", "case.toml"}) fs::copy(folder_ / "whole" / name, folder_ / "early" / name);
+  const Ended ended = berm(on("early"));
+  EXPECT_EQ(ended.status, 2);
+  EXPECT_NE(ended.err.find("there is no checkpoint/case_file.txt"), std::string::npos) << ended.err;
+  EXPECT_EQ(berm(first("early")).status, 0) << "nothing is lost by beginning it";
+}
+
+TEST_F(Resume, of_a_run_that_was_killed_while_it_removed_its_checkpoints_says_that_it_is_finished)
+{
+  ASSERT_EQ(berm(first("whole")).status, 0);
+  fs::create_directory(folder_ / "whole/checkpoint");
+  folder_.write("whole/checkpoint/step_7.h5", "left");
+  const Ended ended = berm(on("whole"));
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(ended.out, "the run in whole is finished\n");
+}
+
 TEST_F(Resume, is_refused_where_a_damaged_summary_does_not_tell_whether_the_run_is_finished)
 {
   ASSERT_EQ(berm(first("whole")).status, 0);

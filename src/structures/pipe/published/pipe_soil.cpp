@@ -57,8 +57,8 @@ PipeSoil pipe_soil(const record::RunRecord& run)
   if (std::isnan(modelled_part(c)))
     return NoFormula{"The published formulas are those of a whole pipe; a wall of the mesh cuts the pipe of this run."};
   const std::optional<problem::BodySoil> touched = base::touched_soil(run);
-  const std::optional<material::Strength> law =
-      touched ? strength_at_rest(touched->at("", base::soil_depth(c, run.ground, base::reference_depth(c, run.ground)))) : std::nullopt;
+  const Real depth = base::soil_depth(c, run.ground, base::reference_depth(c, run.ground));
+  const std::optional<material::Strength> law = touched ? strength_at_rest(touched->at("", depth)) : std::nullopt;
   if (!law) return NoFormula{"No formula is known for this soil: its strength is none of cohesion and friction."};
   const contact::ContactSettings& contact = *base::contact_of_body(c);
   const bool sticks = contact.scheme == contact::Scheme::tied;
@@ -72,11 +72,15 @@ PipeSoil pipe_soil(const record::RunRecord& run)
     for (const material::Material& one : soil.materials)
       if (law->friction_angle > 0 || strength_at_rest(one)->friction_angle > 0)
         return NoFormula{"The published formulas are those of clay or of one sand; this soil has layers of others."};
-  const bool cohesion_is_little = law->cohesion_gradient == 0 && law->cohesion <= SandAround::max_cohesion * unit_weight * circle->diameter;
-  if (law->friction_angle > 0 && cohesion_is_little && unit_weight > 0)
+  // The largest within a diameter below.
+  Real cohesion = law->cohesion;
+  for (const Real part : {0.5, 1.})
+    if (const std::optional<material::Strength> below = strength_at_rest(soil.at("", depth + part * circle->diameter)))
+      cohesion = std::max(cohesion, below->cohesion);
+  if (law->friction_angle > 0 && cohesion <= SandAround::max_cohesion * unit_weight * circle->diameter && unit_weight > 0)
     return SandAround{
         circle->diameter, unit_weight, law->friction_angle, law->dilation_angle, sticks ? law->friction_angle : contact.friction_angle,
-        law->cohesion};
+        cohesion};
   if (law->friction_angle == 0 && cohesive) {
     const Real adhesion = sticks ? infinity : contact.friction_angle > 0 ? std::numeric_limits<Real>::quiet_NaN() : contact.adhesion;
     return ClayAround{circle->diameter, unit_weight, soil, adhesion, base::soil_depth(c, run.ground, 0)};

@@ -331,6 +331,9 @@ TEST(published, what_is_no_whole_pipe_has_no_formulas)
   MadeRun mixed;
   mixed.law.cohesion = 1000;
   EXPECT_TRUE(says(published_beside(PipeRun(mixed.record())), "neither clay"));
+  mixed.law.cohesion = 0;
+  mixed.law.cohesion_gradient = 1e6;
+  EXPECT_TRUE(says(published_beside(PipeRun(mixed.record())), "neither clay")) << "20 kPa a diameter below";
 }
 
 }  // namespace
