@@ -142,10 +142,15 @@ template <class Number>
   return {root, a.slope * (root > 0 ? 0.5 / root : 0.)};
 }
 
-[[gnu::always_inline]] inline Dual decimal_logarithm(const Dual& a)
+[[gnu::always_inline]] inline Dual exponential(const Dual& a)
 {
-  constexpr Real of_e = 0.43429448190325183;
-  return {std::log10(a.value), a.slope * (of_e / a.value)};
+  const Real power = std::exp(a.value);
+  return {power, a.slope * power};
+}
+
+[[gnu::always_inline]] inline Dual natural_logarithm(const Dual& a)
+{
+  return {std::log(a.value), a.slope / a.value};
 }
 
 }  // namespace berm

@@ -173,7 +173,7 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
     SymTensor<2> mean;
     std::visit(
         [&](const auto& law) {
-          update_point(law, viscosity, {strain, dt_, begin.state.time}, point);
+          update_point(law, viscosity, {strain, dt_, begin.state.time, model_.cell_size[cell]}, point);
         },
         law_of_point(point.stress, cell, q).law);
     for (int k = 0; k < 4; ++k) mean[k] = (begin.points[cell][q].stress[k] + point.stress[k]) / 2;
@@ -193,7 +193,7 @@ void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>
     const SoilPoint& point = begin.points[cell][q];
     const Stiffness d = std::visit(
         [&](const auto& law) {
-          return stiffness_of_point(law, viscosity, {strain, dt_, begin.state.time}, point);
+          return stiffness_of_point(law, viscosity, {strain, dt_, begin.state.time, model_.cell_size[cell]}, point);
         },
         law_of_point(point.stress, cell, q).law);
     stiffness += b.transpose() * (shape.area * d * b);

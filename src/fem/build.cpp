@@ -152,12 +152,14 @@ void fill_points(const problem::Case& c, FemModel& model, FemState& state)
   const Real gravity = -model.model.gravity[1];
   model.shape.assign(model.mesh.nodes.size());
   model.depth.assign(model.mesh.nodes.size());
+  model.cell_size.assign(model.mesh.nodes.size());
   state.points.assign(model.mesh.nodes.size());
   for (Index cell = 0; cell < model.mesh.nodes.size(); ++cell) {
     const AtSixNodes<Vec<2>> nodes = model.mesh.positions_of(cell);
     const Index body = model.mesh.body[cell];
     for (int q = 0; q < triangle_points; ++q) {
       const ShapeAtPoint& shape = model.shape[cell][q] = shape_at(nodes, q);
+      model.cell_size[cell] += shape.area;
       if (!(shape.area > 0)) throw RunError(fmt::format("the curved element at ({}, {}) is inverted", nodes[0][0], nodes[0][1]));
       Vec<2> x = Vec<2>::Zero();
       for (int k = 0; k < 6; ++k) x += shape.value[k] * nodes[k];
@@ -170,6 +172,7 @@ void fill_points(const problem::Case& c, FemModel& model, FemState& state)
               : bodies::stress_at_rest<2>(c.body[body].second, soil.mass_above("", std::max(Real(0), model.depth[cell][q])) * gravity);
     }
   }
+  for (Real& size : model.cell_size) size = std::sqrt(size);
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
     for (int q = 0; q < triangle_points; ++q)
       model.weight += model.shape[cell][q].area * model.density_at(cell, q) * model.model.gravity.norm();

@@ -22,6 +22,7 @@ struct FemModel {
   problem::Model<2> model;  ///< its mesh is that of the corners
   QuadraticMesh mesh;
   CellField<std::array<ShapeAtPoint, triangle_points>> shape;
+  CellField<Real> cell_size;                           ///< m, root of the element's area
   CellField<std::array<Real, triangle_points>> depth;  ///< m, of the integration points below the bed's surface at the start
   Index rigid = none;                                  ///< the rigid body in contact with the soil
   std::vector<FemContactPoint> contact;

@@ -233,6 +233,9 @@ bool LoadSteps::next_stage()
   if (model_.model.fixed_in[state_.state.stage.index] != held && !release_imbalance(dead_loads(state_.state.time)))
     throw RunError(fmt::format("stage \"{}\": the soil finds no equilibrium without the supports that are released", stage().name));
   begin_stage(model_.model, state_.state);
+  if (const Real share = stage().strength_recovery; share > 0)
+    for (Index cell = 0; cell < state_.points.size(); ++cell)
+      for (int q = 0; q < triangle_points; ++q) recover(model_.soil_at(cell, q), share, state_.points[cell][q].law_state.data());
   begin();
   return true;
 }

@@ -9,8 +9,9 @@ namespace berm::material {
 template <int dim, class T>
 struct Increment {
   SymTensor<dim, T> strain;
-  Real dt = 0;    ///< s, duration; 0: none, so that no strain rate is defined
-  Real time = 0;  ///< s, at the beginning
+  Real dt = 0;         ///< s, duration; 0: none, so that no strain rate is defined
+  Real time = 0;       ///< s, at the beginning
+  Real cell_size = 0;  ///< m, root of the cell's area (in space: cube root of its volume); 0 where a law has no length of its own
 };
 
 }  // namespace berm::material

@@ -120,4 +120,24 @@ L associated(const L& law, const SymTensor<2>& /*stress*/)
   return law;
 }
 
+/// Whether the strength depends on the strain rate.
+template <Law L>
+bool knows_rate(const L&)
+{
+  return false;
+}
+
+/// The law with its strain rate averaged over a time (s), unless it has one of its own.
+template <Law L>
+L with_rate_smoothing(const L& law, Real /*time*/)
+{
+  return law;
+}
+
+/// Gives soil at rest a share (0 to 1) of what it lost by remoulding back.
+template <Law L>
+void recover(const L&, Real /*share*/, Real* /*state*/)
+{
+}
+
 }  // namespace berm::material

@@ -5,7 +5,8 @@ namespace berm::material {
 
 void describe(Describe& d, Material& material)
 {
-  d.one_of("law", material, Laws::words(), {.meaning = "constitutive law", .required = true});
+  d.one_of("law", material, Laws::words(),
+           {.meaning = "constitutive law", .required = true, .former_words = {{"rate_dependent_tresca", "clay"}}});
 }
 
 void check(Describe& d, const std::string& path, const Material& material)
@@ -82,6 +83,21 @@ std::optional<Strength> strength_at_rest(const Material& material)
 std::optional<Real> shear_strength(const Material& material, Real middle, const Real* state)
 {
   return std::visit([&](const auto& law) { return shear_strength(law, middle, state); }, material);
+}
+
+bool knows_rate(const Material& material)
+{
+  return std::visit([](const auto& law) { return knows_rate(law); }, material);
+}
+
+Material with_rate_smoothing(const Material& material, Real time)
+{
+  return std::visit([&](const auto& law) { return Material(with_rate_smoothing(law, time)); }, material);
+}
+
+void recover(const Material& material, Real share, Real* state)
+{
+  std::visit([&](const auto& law) { recover(law, share, state); }, material);
 }
 
 bool dilates(const Material& material)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "material/clay.hpp"
 #include "material/law_list.hpp"
 #include "material/linear_elastic.hpp"
 #include "material/mohr_coulomb.hpp"
-#include "material/rate_dependent_tresca.hpp"
 
 namespace berm::material {
 
@@ -15,7 +15,7 @@ namespace berm::material {
 /// for T = Real, T = Lanes and, in plane strain, T = Dual, and with_own(prepared, own), the law of particles that keep
 /// strength and stiffness for themselves; it overrides the queries of law_queries.hpp whose default does
 /// not apply. Choose once per body with std::visit, outside the loop over particles.
-using Laws = LawList<LinearElastic, MohrCoulomb, RateDependentTresca>;
+using Laws = LawList<LinearElastic, MohrCoulomb, Clay>;
 
 using Material = Laws::Material;
 using PreparedMaterial = Laws::Prepared;
@@ -54,6 +54,9 @@ std::vector<FieldInfo> state_fields(const Material& material);
 bool yields(const Material& material);
 std::optional<Strength> strength_at_rest(const Material& material);
 std::optional<Real> shear_strength(const Material& material, Real middle, const Real* state);
+bool knows_rate(const Material& material);
+Material with_rate_smoothing(const Material& material, Real time);
+void recover(const Material& material, Real share, Real* state);
 bool dilates(const Material& material);
 Material without_dilation(const Material& material);
 

@@ -266,6 +266,9 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
     if (pass != Pass::move && model.mpm.volumetric_projection) cell_strain.project(patch_dilation(model.patches, grid, cell));
     const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
 
+    Real cell_size = 0;
+    if constexpr (requires { Law::knows_cell_size; }) cell_size = std::pow(mesh.volume(cell), 1. / dim);
+
     WorkDone done;
     particles.parts(cell, [&](const auto& part) {
       using V = typename std::decay_t<decltype(part)>::Vector;
@@ -277,7 +280,7 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
         min_shape = move_part<V>(part, p, q, shape, at_zero, gain, velocity, dt, filtered, unfiltered, done);
       if constexpr (pass != Pass::move) {
         const V mass = part.get(p.mass, q.mass), volume = part.get(p.volume, q.volume);
-        material::Increment<dim, V> increment{.strain = {}, .dt = dt, .time = time};
+        material::Increment<dim, V> increment{.strain = {}, .dt = dt, .time = time, .cell_size = cell_size};
         SymTensor<dim, V>& strain = increment.strain;
         SymTensor<dim, V> stress, both_stresses;
         for (int k = 0; k < tensor_size<dim>; ++k) {

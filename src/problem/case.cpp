@@ -179,6 +179,7 @@ void check_sweep(Describe& d, const StageSettings& s, const std::string& path)
   d.check(sweep || !s.amplitude, path + ".amplitude", "only a sweep has an amplitude");
   d.check(sweep || s.sweeps == 0, path + ".sweeps", "only a sweep has several drags");
   d.check(sweep || s.pause == 0, path + ".pause", "only a sweep has pauses");
+  d.check(!sweep || s.pause > 0 || s.strength_recovery == 0, path + ".strength_recovery", "of a sweep needs a pause between its drags");
   const Until& u = s.until;
   d.check(!sweep || (!u.time && !u.displacement && !u.embedment && !u.force), path + ".until", "a sweep ends after its drags");
 }

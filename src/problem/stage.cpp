@@ -78,6 +78,11 @@ void describe(Describe& d, StageSettings& stage)
            "in a push or a drag: CSV file, beside the case file, of time (s since the stage began) and the factor of velocity or force"});
   d.value("load_times", stage.load_times, {.meaning = "instead of a file: the times, ascending", .unit = "s"});
   d.value("load_factors", stage.load_factors, {.meaning = "the factors at these times"});
+  d.value("strength_recovery", stage.strength_recovery,
+          {.meaning =
+               "share of the strength lost by remoulding that clay has regained when the stage begins, by consolidation or thixotropy "
+               "in a pause before it; of a sweep: in each of its pauses",
+           .range = {0, 1}});
   d.value("damping", stage.damping,
           {.meaning = "local damping of all bodies in this stage, instead of their own; 0.7 is recommended for a geostatic stage",
            .range = {0, 1}});
@@ -86,6 +91,20 @@ void describe(Describe& d, StageSettings& stage)
           {.meaning = "geostatic: largest out-of-balance force, over the weight, that is called equilibrium, and to end there the soil "
                       "must be as near to rest",
            .range = positive});
+}
+
+Real max_load_factor(const StageSettings& stage)
+{
+  Real max = stage.load_factors.empty() ? 1 : 0;
+  for (const Real factor : stage.load_factors) max = std::max(max, std::abs(factor));
+  return max;
+}
+
+Real speed_of(const StageSettings& stage)
+{
+  if (stage.kind != StageKind::drive)
+    return std::hypot(stage.velocity.value_or(0) * max_load_factor(stage), stage.vertical_velocity.value_or(0));
+  return std::hypot(stage.drive.x.velocity.value_or(0), stage.drive.y.velocity.value_or(0), stage.drive.z.velocity.value_or(0));
 }
 
 Real load_factor(const StageSettings& stage, Real since)

@@ -69,6 +69,7 @@ struct StageSettings {
   std::vector<Real>
       load_times;  ///< s since the stage began, ascending; the drive's value goes with the factors, linear between them, constant after
   std::vector<Real> load_factors;
+  Real strength_recovery = 0;   ///< share of the strength lost by remoulding that the soil has regained when the stage begins
   std::optional<Real> damping;  ///< local damping of all bodies in this stage, instead of their own
   Until until;
   Real equilibrium = 0.01;  ///< geostatic: largest out-of-balance force over the weight that is accepted
@@ -88,6 +89,12 @@ inline bool ends_at_equilibrium(const StageSettings& stage)
 
 /// The factor of the load history at a time since the stage began, s; 1 without one.
 Real load_factor(const StageSettings& stage, Real since);
+
+/// The largest factor of its load history, by size; 1 without one.
+Real max_load_factor(const StageSettings& stage);
+
+/// The speed of its drive, m/s; 0 where a force drives.
+Real speed_of(const StageSettings& stage);
 
 void describe(Describe& d, FreedomSettings& freedom);
 void describe(Describe& d, TurnSettings& turn);

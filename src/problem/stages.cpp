@@ -21,11 +21,28 @@ Real drag_direction(const Model<dim>& model, const State<dim>& state)
   return stage.kind == StageKind::drag && (stage.velocity ? *stage.velocity : *stage.force) < 0 ? -1 : 1;
 }
 
+namespace {
+
+/// Gives the particles back what the stage says of the strength that remoulding took.
+template <int dim>
+void recover_strength(const Model<dim>& model, Real share, std::vector<bodies::Particles<dim>>& bodies)
+{
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    bodies[b].visit([&](Index, Index block, int lane) {
+      bodies::Particle<dim> p = bodies[b].read(block, lane);
+      recover(material_of(model.bodies[b].soil, p.extra), share, p.extra);
+      for (int k = 0; k < bodies[b].extra_size(); ++k) bodies[b].extra(block)[k][lane] = p.extra[k];
+    });
+}
+
+}  // namespace
+
 template <int dim>
 void begin_stage(const Model<dim>& model, State<dim>& state)
 {
   StageState<dim>& now = state.stage;
   const StageSettings& stage = model.stages[now.index];
+  if (stage.strength_recovery > 0) recover_strength(model, stage.strength_recovery, state.particles);
   const Index driven = model.driven[now.index];
   const auto before = std::to_array(now.drive);
   const Real since = state.time - now.begin_time;

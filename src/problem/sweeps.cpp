@@ -17,6 +17,7 @@ std::vector<StageSettings> drags_of(const StageSettings& sweep)
   drag.amplitude.reset();
   drag.sweeps = 0;
   drag.pause = 0;
+  drag.strength_recovery = 0;
   for (int k = 1; k <= sweep.sweeps; ++k) {
     drag.name = fmt::format("{}_{}", sweep.name, k);
     drag.velocity = k % 2 == 1 ? *sweep.velocity : -*sweep.velocity;
@@ -28,7 +29,9 @@ std::vector<StageSettings> drags_of(const StageSettings& sweep)
     drag.velocity = 0;
     drag.until = {};
     drag.until.time = sweep.pause;
+    drag.strength_recovery = sweep.strength_recovery;
     drags.push_back(drag);
+    drag.strength_recovery = 0;
   }
   return drags;
 }

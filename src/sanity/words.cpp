@@ -51,20 +51,6 @@ std::optional<Real> strength_at_depth_of(const Scene& s, Index body, Real width)
   return strength_of(s.material_at(body, width), width, s.weight_above(body, width));
 }
 
-Real max_load_factor(const problem::StageSettings& stage)
-{
-  Real max = stage.load_factors.empty() ? 1 : 0;
-  for (const Real factor : stage.load_factors) max = std::max(max, std::abs(factor));
-  return max;
-}
-
-Real speed_of(const problem::StageSettings& stage)
-{
-  if (stage.kind != problem::StageKind::drive)
-    return std::hypot(stage.velocity.value_or(0) * max_load_factor(stage), stage.vertical_velocity.value_or(0));
-  return std::hypot(stage.drive.x.velocity.value_or(0), stage.drive.y.velocity.value_or(0), stage.drive.z.velocity.value_or(0));
-}
-
 bool is_by_force(const problem::StageSettings& stage)
 {
   using problem::StageKind;

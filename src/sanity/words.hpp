@@ -28,12 +28,6 @@ Real unit_weight_of(const Scene& s, Index body);
 /// The strength that decides how quickly a body may be driven: at a depth of its width, under the weight above, Pa; empty where nothing is known of it.
 std::optional<Real> strength_at_depth_of(const Scene& s, Index body, Real width);
 
-/// The speed of the drive of a stage, m/s; 0 where a force drives.
-Real speed_of(const problem::StageSettings& stage);
-
-/// The largest factor of its load history, by size; 1 without one.
-Real max_load_factor(const problem::StageSettings& stage);
-
 /// Whether a force moves the body of a stage along some axis.
 bool is_by_force(const problem::StageSettings& stage);
 

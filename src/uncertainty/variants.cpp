@@ -61,8 +61,7 @@ void make_faster(problem::StageSettings& stage)
 
 bool knows_speed(const problem::Case& c)
 {
-  return std::any_of(c.material.begin(), c.material.end(),
-                     [](const auto& entry) { return std::holds_alternative<material::RateDependentTresca>(entry.second); });
+  return std::any_of(c.material.begin(), c.material.end(), [](const auto& entry) { return knows_rate(entry.second); });
 }
 
 /// How much coarser cells may be until they are as large as the layer along walls and base.
