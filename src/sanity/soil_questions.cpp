@@ -137,7 +137,10 @@ void is_the_soil_a_soil(const Scene& s, Findings& found)
 
 void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
 {
-  const auto key = [](const std::string& name) { return fmt::format("material.{}.young_modulus", name); };
+  const auto key = [&](const std::string& name) {
+    const auto* clay = std::get_if<material::Clay>(&s.c.material[index_of(s.c.material, name)].second);
+    return fmt::format("material.{}.{}", name, clay != nullptr && clay->rigidity_index ? "rigidity_index" : "young_modulus");
+  };
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
     const problem::BodySoil soil = soil_of(s.c, s.c.body[b].second);
     // Where the soil is softest for the weight above it; of one that is the same at all depths that is at the base.
@@ -161,6 +164,20 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
       found.warn(
           key(soil.name),
           fmt::format("is {:.3g} Pa, stiffer than rock: time steps become as small; sand has 5 to 50 MPa: is the unit right?", young));
+}
+
+void is_softening_free_of_the_cells(const Scene& s, Findings& found)
+{
+  constexpr Real brittle = 2;  // flow around a pipe shears clay by about 4 a passage: that softens bands before it softens flow
+  for (const Soil& soil : yielding(s)) {
+    const auto* clay = std::get_if<material::Clay>(&soil.material);
+    if (clay == nullptr || clay->sensitivity == 1 || clay->ductility >= brittle || clay->softening_length) continue;
+    const Real cell = smallest_cell(s.c);
+    found.warn(soil.key("ductility"),
+               fmt::format("is {:.3g}: such brittle clay fails in bands one or two cells wide, and the answer depends on the cells; give "
+                           "softening_length, the width of real bands{}, or compare runs of several cell sizes (berm study)",
+                           clay->ductility, cell > 0 ? fmt::format(" (the cells here are {})", words_of(cell, "m")) : ""));
+  }
 }
 
 void is_all_soil_used(const Scene& s, Findings& found)

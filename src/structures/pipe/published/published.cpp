@@ -121,6 +121,24 @@ void put_out_of_range(PublishedValues& values, const char* range)
     }
 }
 
+/// Each drag in clay of a diameter or more, at its end: the first beside what the residual is said to be, those that follow beside sweeps between berms.
+void add_sweeps(PublishedValues& values, const PipeRun& run, const ClayAround& clay, Real part)
+{
+  if (run.history.rows() == 0 || run.settings.method == problem::Method::fem) return;
+  const PipePath path = pipe_path(run.history, run.stages);
+  const Real D = run.scale.width, half = averaging_half(run.scale);
+  bool swept = false;
+  for (const DragResults& drag : run.results().drags) {
+    const auto found = std::find_if(path.drags.begin(), path.drags.end(), [&](const DragPath& p) { return p.stage.name == drag.stage; });
+    if (!drag.end || drag.end->u < (1 - 1e-6) * D || found == path.drags.end()) continue;
+    const Real middle = record::TravelCurve(found->travel, found->H).at(drag.end->u / 2, half);
+    const SweepResults sweep{drag.end->w, drag.end->V / part, drag.end->H / part, middle / part};
+    values.states.push_back({ComparedState::Kind::end_of_drag, drag.end->u, sweep.w, sweep.V,
+                             swept ? clay_between_berms(clay, sweep) : clay_after_sweep(clay, sweep), true, drag.stage});
+    swept = true;
+  }
+}
+
 Real H_at(const RunPoints& points, Real u)
 {
   for (const DragPoint& p : points.drag)
@@ -164,6 +182,7 @@ PublishedValues published_beside(const PipeRun& run)
   std::erase_if(values.states, [](const ComparedState& state) { return state.comparisons.empty(); });
   const bool level = run.record.ground.line.level();
   if (sand != nullptr && !points.drag.empty()) add_breakout(values, run, *sand, points, part);
+  if (clay != nullptr) add_sweeps(values, run, *clay, part);
   if (sand != nullptr && sand->cohesion > 0) put_out_of_range(values, "sand without cohesion");
   if (!level) {
     values.remarks.insert(values.remarks.begin(), remark_on_ground(run));

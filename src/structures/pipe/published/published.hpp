@@ -24,12 +24,14 @@ struct Comparison {
 
 /// Comparisons for one state of a run.
 struct ComparedState {
-  /// peak: H at breakout, or the largest of a drag without one; breakout: how far the pipe goes until then, from where the drag begins.
-  enum class Kind { push, end_of_push, drag, peak, breakout };
+  /// peak: H at breakout, or the largest of a drag without one; breakout: how far the pipe goes until then, from where the drag begins; end_of_drag: of a drag
+  /// of a diameter or more.
+  enum class Kind { push, end_of_push, drag, peak, breakout, end_of_drag };
   Kind kind;
   Real u, w, V;  ///< m, m, N/m, as the run found them and the formulas take them; NaN where they do not matter
   std::vector<Comparison> comparisons;
   bool is_breakout = true;  ///< of a peak: not only the largest H
+  std::string stage{};      ///< of the end of a drag: its name
 };
 
 /// What design codes and published formulas give for the soil, the pipe and the states of a run.
@@ -39,7 +41,7 @@ struct PublishedValues {
 };
 
 /// Which formulas apply to a run, and what they give: at w = 0.1, 0.25, 0.5, 0.75, 1 D and the end of a push; of a drag in sand at breakout, which is what
-/// its formulas are for, or where H is largest; of a drag in clay at u = 0.1, 0.3, 0.5, 1 D. The
+/// its formulas are for, or where H is largest; of a drag in clay at u = 0.1, 0.3, 0.5, 1 D, and of each drag in clay at its end. The
 /// embedment is that of the run there; in the finite element method, whose strains are small, that at the start. Forces of half a pipe beside an axis of
 /// symmetry are doubled.
 PublishedValues published_beside(const PipeRun& run);

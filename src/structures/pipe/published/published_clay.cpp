@@ -2,6 +2,7 @@
 // Tests: tests/unit/structures/pipe/published/published_test.cpp
 #include "structures/pipe/published/published_clay.hpp"
 
+#include "formulas/clay_sweeps.hpp"
 #include "formulas/design_code.hpp"
 
 namespace berm::pipe {
@@ -59,6 +60,34 @@ std::vector<Comparison> clay_in_drag(const ClayAround& clay, Real w, Real V, Rea
   return {{"H", Comparison::Unit::force, H, at_V, "envelope at the run's V, wished in place"},
           {"H", Comparison::Unit::force, H, H_max, "apex of the envelope, wished in place"},
           {"H", Comparison::Unit::force, H, clay_deep(pipe), "deeply buried: the most that a pipe can meet"}};
+}
+
+namespace {
+
+void add(std::vector<Comparison>& list, Real berm, const formulas::Estimates& estimates, const std::string& about, bool with_best)
+{
+  list.push_back({"H", Comparison::Unit::force, berm, estimates.low, about + ", low estimate"});
+  if (with_best) list.push_back({"H", Comparison::Unit::force, berm, estimates.best, about + ", best estimate"});
+  list.push_back({"H", Comparison::Unit::force, berm, estimates.high, about + ", high estimate"});
+}
+
+}  // namespace
+
+std::vector<Comparison> clay_after_sweep(const ClayAround& clay, const SweepResults& sweep)
+{
+  const formulas::PipeInClay pipe = clay.at(sweep.w);
+  std::vector<Comparison> list = {{"H", Comparison::Unit::force, sweep.H, clay_residual(pipe, sweep.V), "residual"}};
+  add(list, sweep.H, f114_clay_residual(pipe, sweep.V), "residual", true);
+  return list;
+}
+
+std::vector<Comparison> clay_between_berms(const ClayAround& clay, const SweepResults& sweep)
+{
+  const formulas::PipeInClay pipe = clay.at(sweep.w);
+  std::vector<Comparison> list;
+  add(list, sweep.middle, safebuck_mid_sweep(pipe, sweep.V), "middle of a sweep", false);
+  add(list, sweep.H, safebuck_berm(pipe), "against the berm", false);
+  return list;
 }
 
 std::vector<std::string> remarks_on(const ClayAround& clay)

@@ -12,6 +12,16 @@ std::vector<Comparison> clay_in_push(const ClayAround& clay, Real w, Real V, boo
 /// The resistance H (N/m) against a drag, at embedment w (m) under a vertical load V (N/m).
 std::vector<Comparison> clay_in_drag(const ClayAround& clay, Real w, Real V, Real H);
 
+/// A long drag at its end.
+struct SweepResults {
+  Real w, V, H;  ///< m, N/m, N/m: means over its end
+  Real middle;   ///< N/m, H in the middle of its travel
+};
+
+/// What it has, beside the residual resistance; and beside that of a sweep between the berms that others left.
+std::vector<Comparison> clay_after_sweep(const ClayAround& clay, const SweepResults& sweep);
+std::vector<Comparison> clay_between_berms(const ClayAround& clay, const SweepResults& sweep);
+
 std::vector<std::string> remarks_on(const ClayAround& clay);
 
 }  // namespace berm::pipe

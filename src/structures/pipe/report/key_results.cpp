@@ -117,7 +117,8 @@ std::string stages_table(const PipeRuns& runs, const base::DisplayUnits& shown)
                  {"H<sub>end</sub>/V", true},
                  {"w<sub>end</sub>/D", true},
                  {"berm height/D", true},
-                 {"berm ahead by/D", true}});
+                 {"berm ahead by/D", true},
+                 {"remoulded below/D", true}});
   const auto number = [](std::optional<Real> value) { return text::HtmlCell{value ? text::table_number(*value) : "", true}; };
   for (const PipeRun& run : runs) {
     const PipeResults results = run.results();
@@ -137,6 +138,7 @@ std::string stages_table(const PipeRuns& runs, const base::DisplayUnits& shown)
                  {"", true},
                  over_D(push.w),
                  {"", true},
+                 {"", true},
                  {"", true}});
     for (const DragResults& drag : results.drags) {
       const auto& end = drag.end;
@@ -151,7 +153,8 @@ std::string stages_table(const PipeRuns& runs, const base::DisplayUnits& shown)
                  number(end ? std::optional(end->H / end->V) : std::nullopt),
                  over_D(of_end(&DragPoint::w)),
                  over_D(drag.berm_height),
-                 over_D(drag.berm_distance)});
+                 over_D(drag.berm_distance),
+                 over_D(drag.remoulded_depth)});
     }
   }
   if (table.empty()) return "";
@@ -160,7 +163,7 @@ std::string stages_table(const PipeRuns& runs, const base::DisplayUnits& shown)
              "H of a drag is positive where the soil resists it. H at its end is the mean over its last tenth, at least over 0.1 D but "
              "over a third of it at most. The "
              "berm is the highest soil ahead of the pipe at the end of the drag, above the surface as it was, and its distance from "
-             "the axis of the pipe.",
+             "the axis of the pipe. Clay below the invert counts as remoulded where it has lost half of what remoulding takes.",
              "quiet");
 }
 

@@ -53,6 +53,8 @@ std::string state_words(const ComparedState& state, const PipeRun& run, const ba
   case ComparedState::Kind::peak:
     return fmt::format("{} at u = {} D: {}, {}", state.is_breakout ? "Breakout of the drag" : "No peak in this drag: largest H,",
                        text::short_number(state.u / D), w, V);
+  case ComparedState::Kind::end_of_drag:
+    return fmt::format("{}, {} D far: {}, {}", text::html_text(state.stage), text::short_number(state.u / D), w, V);
   case ComparedState::Kind::breakout:
     return fmt::format("Displacement at breakout of the drag from {}{}", w, std::isnan(state.u) ? ": no peak in this run" : "");
   }

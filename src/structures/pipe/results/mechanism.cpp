@@ -30,6 +30,15 @@ std::map<Index, Real> columns_above(const run_folder::SavedSoil& soil, const pro
   return columns;
 }
 
+/// The plastic shear strain at which clay has lost half of what remoulding takes; 0 where the soil does not soften.
+Real half_remoulded(const PipeRun& run)
+{
+  const std::optional<problem::BodySoil> soil = base::touched_soil(run.record);
+  if (!soil) return 0;
+  const auto* clay = std::get_if<material::Clay>(&soil->materials.front());
+  return clay != nullptr && clay->sensitivity > 1 ? clay->ductility * std::log(2.) / 3 : 0;
+}
+
 Real start_of_pipe(const problem::Case& c)
 {
   return center_of<2>(make_shape<2>(c.rigid[main_rigid(c)].second.shape))[0];
@@ -67,6 +76,18 @@ Berm berm_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& no
     if (ahead <= around_pipe * diameter && rise > berm.height) berm.height = rise, berm.distance = ahead;
   }
   return berm;
+}
+
+RemouldedClay remoulded_clay(const run_folder::SavedSoil& now, Real limit, Real invert, const PipePlace& pipe, Real diameter)
+{
+  const std::vector<float>& shear = now["plastic_shear"];
+  RemouldedClay clay{0, 0};
+  for (std::size_t k = 0; k < now.x.size(); ++k) {
+    if (!(shear[k] > limit)) continue;
+    clay.area += now.volume[k];
+    if (std::abs(now.x[k] - pipe.x) <= diameter / 2) clay.depth = std::max(clay.depth, invert - Real(now.y[k]));
+  }
+  return clay;
 }
 
 Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::SavedSoil& after, const problem::BedSurface& surface,
@@ -161,14 +182,20 @@ void take_berms(PipeResults& results, const PipeRun& run)
   if (frames.count() == 0 || run.settings.method != problem::Method::mpm) return;
   try {
     const run_folder::SavedSoil start = frames.soil(0);
+    const Real limit = half_remoulded(run);
     for (DragResults& drag : results.drags) {
       const auto stage = std::find_if(run.stages.begin(), run.stages.end(), [&](const PipeStage& s) { return s.name == drag.stage; });
       const std::optional<std::size_t> frame = frames.last(drag.stage);
       if (stage == run.stages.end() || !frame || *frame == 0) continue;
-      const Berm berm =
-          berm_of(start, frames.soil(*frame), run.record.bed_surface(), frames.place(*frame), stage->direction, run.scale.width);
+      const run_folder::SavedSoil now = frames.soil(*frame);
+      const PipePlace& place = frames.place(*frame);
+      const Berm berm = berm_of(start, now, run.record.bed_surface(), place, stage->direction, run.scale.width);
       drag.berm_height = berm.height;
       if (berm.height > 0) drag.berm_distance = berm.distance;
+      if (!(limit > 0)) continue;
+      const RemouldedClay clay = remoulded_clay(now, limit, run.record.bed_surface().at(place.x) - place.w, place, run.scale.width);
+      drag.remoulded_depth = clay.depth;
+      drag.remoulded_area = clay.area / (run.scale.width * run.scale.width);
     }
   } catch (const RunError&) {  // the film says which frame is damaged
   }

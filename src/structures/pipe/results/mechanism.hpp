@@ -34,6 +34,13 @@ struct Berm {
 Berm berm_of(const run_folder::SavedSoil& start, const run_folder::SavedSoil& now, const problem::BedSurface& surface,
              const PipePlace& pipe, Real direction, Real diameter);
 
+/// Clay whose plastic shear strain exceeds a limit.
+struct RemouldedClay {
+  Real depth;  ///< m below the invert, of the deepest below the pipe; 0 where none is
+  Real area;   ///< m2, of all of it
+};
+RemouldedClay remoulded_clay(const run_folder::SavedSoil& now, Real limit, Real invert, const PipePlace& pipe, Real diameter);
+
 /// What moves between two frames with the same points, the one right before the other.
 struct Mechanism {
   Real behind;  ///< part of the shearing (deviatoric strain times volume) on the side x < the pipe's centre
@@ -70,7 +77,7 @@ private:
   std::vector<std::string> stages_;
 };
 
-/// Adds to each drag the berm at its end, as far as there are frames that can be read.
+/// Adds to each drag the berm at its end, and the clay that it has remoulded, as far as there are frames that can be read.
 void take_berms(PipeResults& results, const PipeRun& run);
 
 }  // namespace berm::pipe

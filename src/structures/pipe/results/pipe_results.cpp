@@ -158,6 +158,13 @@ void describe_drag(Visitor& v, DragResults& r, Real D)
   v.optional(r.berm_height, [&](Real& value) { return v.length("berm_height", value, "height of the berm ahead at the end of the drag"); });
   v.optional(r.berm_distance,
              [&](Real& value) { return v.length("berm_distance", value, "distance of the top of that berm from the axis of the pipe"); });
+  v.optional(r.remoulded_depth, [&](Real& value) {
+    return v.length("remoulded_depth", value,
+                    "depth below the invert to which clay has lost half of what remoulding takes, at the end of the drag");
+  });
+  v.optional(r.remoulded_area, [&](Real& value) {
+    return v.ratio("remoulded_area_over_D2", value, "area of the clay that has lost half of what remoulding takes, over D^2");
+  });
   v.optional(r.residual,
              [&](Real& value) { return v.force("H_residual", value, "horizontal resistance that stays at the end of the drag"); });
   v.optional(r.V, [&](Real& value) { return v.force("V_in_drag", value, "mean vertical reaction in the drag"); });

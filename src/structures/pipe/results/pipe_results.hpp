@@ -48,6 +48,8 @@ struct DragResults {
   std::optional<Real> over_penetration{};  ///< the largest V of the push over V
   std::optional<Real> H_noise{}, V_rms_error{};        ///< bare numbers; V's where it is held
   std::optional<Real> berm_height{}, berm_distance{};  ///< m, of the berm at the end (results/mechanism.hpp)
+  std::optional<Real> remoulded_depth{};               ///< m below the invert, of clay that softens, at the end
+  std::optional<Real> remoulded_area{};                ///< of that clay, over D^2
 };
 
 /// A push that unloads or lifts the pipe, or that follows a drag: where it ends.
