@@ -29,6 +29,38 @@ material::MohrCoulomb sand(Real density)
   return law;
 }
 
+/// Normally consolidated kaolin under its K0.
+material::ModifiedCamClay cam_clay()
+{
+  material::ModifiedCamClay law;
+  law.density = 877;
+  law.critical_friction_angle = 23 * pi / 180;
+  law.compression_index = 0.2;
+  law.swelling_index = 0.04;
+  law.void_ratio = 1.2;
+  law.poisson_ratio = 0.3;
+  law.max_pressure = 2e5;
+  return law;
+}
+
+/// Medium dense sand.
+material::NorSand norsand()
+{
+  material::NorSand law;
+  law.density = 877;
+  law.critical_friction_angle = 32 * pi / 180;
+  law.critical_void_ratio = 0.9;
+  law.critical_line_slope = 0.03;
+  law.volumetric_coupling = 0.3;
+  law.dilatancy = 3.5;
+  law.hardening_modulus = 150;
+  law.state_parameter = -0.05;
+  law.rigidity = 300;
+  law.poisson_ratio = 0.2;
+  law.max_pressure = 2e5;
+  return law;
+}
+
 problem::StageSettings endless(problem::StageKind kind)
 {
   problem::StageSettings stage;
@@ -73,6 +105,14 @@ problem::Case probe_in_sand(Real near_size)
   problem::StageSettings push = endless(problem::StageKind::push);
   push.velocity = 0.1;
   c.stage = {push};
+  return c;
+}
+
+/// The same probe in soil of another law.
+problem::Case probe_in(const material::Material& soil)
+{
+  problem::Case c = probe_in_sand(0.001);
+  c.material.front().second = soil;
   return c;
 }
 
@@ -137,10 +177,16 @@ struct BenchProblem {
 };
 
 constexpr BenchProblem problems[] = {
-    {"probe_D10", [] { return probe_in_sand(0.002); }},  {"probe_D20", [] { return probe_in_sand(0.001); }},
-    {"probe_D40", [] { return probe_in_sand(0.0005); }}, {"column_1e5", [] { return column(1e5); }},
-    {"column_1e6", [] { return column(1e6); }},          {"column_1e7", [] { return column(1e7); }},
-    {"space_1e5", [] { return column_in_space(1e5); }},  {"space_1e6", [] { return column_in_space(1e6); }},
+    {"probe_D10", [] { return probe_in_sand(0.002); }},
+    {"probe_D20", [] { return probe_in_sand(0.001); }},
+    {"probe_D40", [] { return probe_in_sand(0.0005); }},
+    {"column_1e5", [] { return column(1e5); }},
+    {"cam_clay_D20", [] { return probe_in(cam_clay()); }},
+    {"norsand_D20", [] { return probe_in(norsand()); }},
+    {"column_1e6", [] { return column(1e6); }},
+    {"column_1e7", [] { return column(1e7); }},
+    {"space_1e5", [] { return column_in_space(1e5); }},
+    {"space_1e6", [] { return column_in_space(1e6); }},
 };
 
 constexpr Real no_number = std::numeric_limits<Real>::quiet_NaN();

@@ -5,10 +5,9 @@
 
 namespace berm::material {
 
-/// Declares the parameters of every law with isotropic linear elasticity: densities, Young's modulus, Poisson's ratio; and the profile over depth, which may
-/// give the modulus. needs_modulus: whether nothing else gives it.
+/// Declares the densities of a law.
 template <class Law>
-void describe_elasticity(Describe& d, Law& law, bool needs_modulus = true)
+void describe_density(Describe& d, Law& law)
 {
   d.value("density", law.density, {.meaning = "mass per volume", .unit = "kg/m^3", .range = positive, .required = true});
   d.value("inertia_density", law.inertia_density,
@@ -16,6 +15,14 @@ void describe_elasticity(Describe& d, Law& law, bool needs_modulus = true)
                       "saturated one and the added mass of the water",
            .unit = "kg/m^3",
            .range = positive});
+}
+
+/// Declares the parameters of every law with isotropic linear elasticity: densities, Young's modulus, Poisson's ratio; and the profile over depth, which may
+/// give the modulus. needs_modulus: whether nothing else gives it.
+template <class Law>
+void describe_elasticity(Describe& d, Law& law, bool needs_modulus = true)
+{
+  describe_density(d, law);
   d.optional_table("profile", law.profile, {.meaning = "values over depth, linear between the entries and constant beyond them"});
   d.value("young_modulus", law.young_modulus,
           {.meaning = "Young's modulus", .unit = "Pa", .range = positive, .required = needs_modulus && law.profile.young_modulus.empty()});
@@ -25,6 +32,32 @@ void describe_elasticity(Describe& d, Law& law, bool needs_modulus = true)
       {.meaning = "increase of Young's modulus with depth below the bed's surface at the start; a particle keeps that of where it began",
        .unit = "Pa/m"});
   d.value("poisson_ratio", law.poisson_ratio, {.meaning = "Poisson's ratio", .range = {0, 0.495}, .required = true});
+}
+
+/// Declares the parameters of PressureElasticity but for its index.
+template <class Law>
+void describe_pressure_elasticity(Describe& d, Law& law)
+{
+  d.value("poisson_ratio", law.poisson_ratio, {.meaning = "Poisson's ratio", .range = {0, 0.495}, .required = true});
+  d.value("min_pressure", law.min_pressure,
+          {.meaning = "mean effective stress of soil that parts; no soil of this law has less, whatever its stress at the start",
+           .unit = "Pa",
+           .range = positive});
+  d.value(
+      "max_pressure", law.max_pressure,
+      {.meaning =
+           "mean effective stress up to which soil becomes stiffer; it gives the time step, so take two or three times the largest that is "
+           "expected: soil beyond it is as stiff as there, softer than the law",
+       .unit = "Pa",
+       .range = positive,
+       .required = true});
+}
+
+/// min_pressure < max_pressure.
+template <class Law>
+void check_pressures(Describe& d, const std::string& path, const Law& law)
+{
+  d.check(law.min_pressure < law.max_pressure, path + ".max_pressure", "must be larger than min_pressure");
 }
 
 }  // namespace berm::material

@@ -28,6 +28,12 @@ inline Elasticity elasticity(Real young_modulus, Real poisson_ratio)
   return {bulk, shear, bulk - 2. / 3 * shear};
 }
 
+/// E = 9 K G / (3 K + G), Pa.
+inline Real young_modulus(const Elasticity& elastic)
+{
+  return 9 * elastic.bulk * elastic.shear / (3 * elastic.bulk + elastic.shear);
+}
+
 /// The modulus of uniaxial strain M = K + 4G/3 = E (1 - nu) / ((1 + nu) (1 - 2 nu)), Pa; sqrt(M / density) is the speed of pressure waves.
 inline Real p_wave_modulus(const Elasticity& elastic)
 {

@@ -64,6 +64,12 @@ std::vector<FieldInfo> state_fields(const L&)
   return {};
 }
 
+/// Writes the state variables of soil at rest under this stress, Pa, y being vertical; `state` comes with zeros.
+template <Law L>
+void initial_state(const L&, const SymTensor<3>& /*stress*/, Real* /*state*/)
+{
+}
+
 /// Checks beyond the range of a single key, for the table at this path ("material.sand").
 template <Law L>
 void check(Describe&, const std::string&, const L&)

@@ -70,6 +70,11 @@ std::vector<FieldInfo> state_fields(const Material& material)
   return std::visit([](const auto& law) { return state_fields(law); }, material);
 }
 
+void initial_state(const Material& material, const SymTensor<3>& stress, Real* state)
+{
+  std::visit([&](const auto& law) { initial_state(law, stress, state); }, material);
+}
+
 bool yields(const Material& material)
 {
   return std::visit([](const auto& law) { return yields(law); }, material);

@@ -4,7 +4,9 @@
 #include "material/clay.hpp"
 #include "material/law_list.hpp"
 #include "material/linear_elastic.hpp"
+#include "material/modified_cam_clay.hpp"
 #include "material/mohr_coulomb.hpp"
+#include "material/norsand.hpp"
 
 namespace berm::material {
 
@@ -15,7 +17,7 @@ namespace berm::material {
 /// for T = Real, T = Lanes and, in plane strain, T = Dual, and with_own(prepared, own), the law of particles that keep
 /// strength and stiffness for themselves; it overrides the queries of law_queries.hpp whose default does
 /// not apply. Choose once per body with std::visit, outside the loop over particles.
-using Laws = LawList<LinearElastic, MohrCoulomb, Clay>;
+using Laws = LawList<LinearElastic, MohrCoulomb, Clay, ModifiedCamClay, NorSand>;
 
 using Material = Laws::Material;
 using PreparedMaterial = Laws::Prepared;
@@ -51,6 +53,7 @@ const char* law_word(const Material& material);
 // The queries of law_queries.hpp.
 std::string law_name(const Material& material);
 std::vector<FieldInfo> state_fields(const Material& material);
+void initial_state(const Material& material, const SymTensor<3>& stress, Real* state);
 bool yields(const Material& material);
 std::optional<Strength> strength_at_rest(const Material& material);
 std::optional<Real> shear_strength(const Material& material, Real middle, const Real* state);

@@ -92,6 +92,26 @@ SoilWaves waves_in(const Model<dim>& model, const Body<dim>& body, const bodies:
   return all;
 }
 
+/// Gives the state variables of their law to particles that have their stress.
+template <int dim>
+void set_law_state(const Model<dim>& model, const BodySoil& soil, bodies::Particles<dim>& particles)
+{
+  const int size = state_size(soil.materials.front());
+  if (size == 0) return;
+  const bool own = varies(soil);
+  particles.visit([&](Index cell, Index b, int l) {
+    const bodies::Particle<dim> p = particles.read(b, l);
+    SymTensor<3> stress;
+    std::copy_n(p.stress.c, tensor_size<dim>, stress.c);
+    std::array<Real, material::Laws::max_state> state{};
+    if (own)
+      initial_state(soil.at(model.mesh.region_names[model.mesh.region[cell]], model.soil_depth(p.x)), stress, state.data());
+    else
+      initial_state(soil.materials.front(), stress, state.data());
+    for (int k = 0; k < size; ++k) particles.state(b)[k][l] = state[k];
+  });
+}
+
 template <int dim>
 std::int32_t nearest_particle(const bodies::Particles<dim>& particles, const std::vector<Real>& point)
 {
@@ -222,6 +242,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
     });
   }
   if (by_gravity) load_by_gravity(c, model, state.particles);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) set_law_state(model, model.bodies[b].soil, state.particles[b]);
   limit_equilibrium(c, model, state.particles);
   state.pair_impulses.assign(c.contact.size(), Vec<dim>::Zero());
   state.tractions.resize(model.tractions.size());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "../samples/critical_state_soils.hpp"
 #include "kernels.hpp"
 #include "trial_stresses.hpp"
 
@@ -38,6 +39,47 @@ void update_part(benchmark::State& state, const Trial& trial)
   }
 }
 
+/// The same of a critical-state law under K0 with the strain of a step: unloading, or loading that yields (`loads`).
+template <int dim, class Law>
+void update_critical_state(benchmark::State& state, const Law& law, bool loads)
+{
+  constexpr int count = lanes_of<WidePart>;
+  constexpr Real strain_of_step = 1e-5;
+  const SymTensor<3> at_rest{{-36e3, -50e3, -36e3}};
+  Real state_at_rest[Law::state_size] = {};
+  initial_state(law, at_rest, state_at_rest);
+  const auto prepared = prepare(law);
+  SymTensor<dim, WidePart> begin{}, end, strain{};
+  WidePart begin_state[Law::state_size], end_state[Law::state_size];
+  for (int k = 0; k < 3; ++k) begin[k] = at_rest[k] - WidePart{};
+  for (int k = 0; k < Law::state_size; ++k) begin_state[k] = state_at_rest[k] - WidePart{};
+  for (int l = 0; l < count; ++l) strain[1][l] = (loads ? -1 : 1) * (1 + 0.1 * l) * strain_of_step;
+
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(begin);
+    benchmark::DoNotOptimize(strain);
+    SymTensor<dim, WidePart> stress = begin;
+    std::copy_n(begin_state, Law::state_size, end_state);
+    update(prepared, stress, {strain}, end_state);
+    end = stress;
+    benchmark::DoNotOptimize(end_state);
+    benchmark::DoNotOptimize(end);
+  }
+  state.SetItemsProcessed(state.iterations() * count);
+  for (int l = 0; l < count; ++l)
+    if ((end_state[0][l] != begin_state[0][l]) != loads) state.SkipWithError("yields where it should not, or does not");
+}
+
+template <class Law>
+void add_critical_state(const char* name, const Law& law)
+{
+  for (const bool loads : {false, true}) {
+    const char* what = loads ? "yields" : "elastic";
+    benchmark::RegisterBenchmark(fmt::format("stress_2D/{}_{}", name, what).c_str(), update_critical_state<2, Law>, law, loads);
+    benchmark::RegisterBenchmark(fmt::format("stress_3D/{}_{}", name, what).c_str(), update_critical_state<3, Law>, law, loads);
+  }
+}
+
 }  // namespace
 
 void add_stress_kernels()
@@ -46,6 +88,8 @@ void add_stress_kernels()
     benchmark::RegisterBenchmark(fmt::format("stress_2D/{}", trial.name).c_str(), update_part<2>, trial);
     benchmark::RegisterBenchmark(fmt::format("stress_3D/{}", trial.name).c_str(), update_part<3>, trial);
   }
+  add_critical_state("cam_clay", sample_cam_clay());
+  add_critical_state("norsand", sample_norsand());
 }
 
 }  // namespace berm

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "material/norsand.hpp"
+
+#include "material/describe_elasticity.hpp"
+#include "material/modified_cam_clay.hpp"
+
+namespace berm::material {
+
+namespace {
+
+constexpr Real kilopascal = 1e3;
+
+}  // namespace
+
+void describe(Describe& d, NorSand& law)
+{
+  describe_density(d, law);
+  d.value("critical_friction_angle", law.critical_friction_angle,
+          {.meaning = "angle of friction at the critical state in triaxial compression, M = 6 sin phi / (3 - sin phi); M is the same for "
+                      "all directions",
+           .unit = "rad",
+           .range = {1e-3, 1.2},
+           .required = true});
+  d.value("critical_void_ratio", law.critical_void_ratio,
+          {.meaning = "Gamma, the void ratio of the critical state at p' = 1 kPa", .range = positive, .required = true});
+  d.value("critical_line_slope", law.critical_line_slope,
+          {.meaning = "lambda_e, the decrease of the void ratio of the critical state with log(p'), natural logarithm",
+           .range = positive,
+           .required = true});
+  d.value("volumetric_coupling", law.volumetric_coupling,
+          {.meaning = "N: how much less than M the stress ratio at the image state is, away from the critical state; 0.2 to 0.45",
+           .range = {0, 0.9},
+           .required = true});
+  d.value("dilatancy", law.dilatancy,
+          {.meaning = "chi_tc: least dilatancy over the state parameter, D_min = chi_tc psi, in triaxial compression; 2.5 to 4.5",
+           .range = positive,
+           .required = true});
+  d.value("hardening_modulus", law.hardening_modulus,
+          {.meaning = "plastic hardening modulus H at psi = 0; 50 to 500", .range = positive, .required = true});
+  d.value("hardening_slope", law.hardening_slope, {.meaning = "decrease of H with the state parameter", .range = not_negative});
+  d.value("void_ratio", law.void_ratio, {.meaning = "void ratio at the start; or state_parameter", .range = positive});
+  d.value("state_parameter", law.state_parameter,
+          {.meaning = "psi at the start: void ratio less that of the critical state at the same p', below 0 in dense sand",
+           .range = {-0.5, 0.5}});
+  d.value("overconsolidation_ratio", law.overconsolidation_ratio,
+          {.meaning = "p' of the past over that at the start, at the same q / p'", .range = {1, infinity}});
+  d.value("rigidity", law.rigidity, {.meaning = "G / p'; 200 to 1000", .range = positive, .required = true});
+  describe_pressure_elasticity(d, law);
+}
+
+void check(Describe& d, const std::string& path, const NorSand& law)
+{
+  d.check(law.void_ratio.has_value() != law.state_parameter.has_value(), path + ".void_ratio",
+          law.void_ratio ? "does not go with state_parameter: give one of them" : "is missing: give void_ratio or state_parameter");
+  d.check(law.dilatancy * law.critical_line_slope < critical_slope(law.critical_friction_angle), path + ".dilatancy",
+          "times critical_line_slope must be less than M: no sand dilates so much");
+  check_pressures(d, path, law);
+}
+
+Elasticity elasticity(const NorSand& law)
+{
+  return prepare(law).elastic;
+}
+
+YoungPoisson young_poisson(const NorSand& law)
+{
+  return {young_modulus(elasticity(law)), law.poisson_ratio};
+}
+
+std::string law_name(const NorSand&)
+{
+  return "NorSand";
+}
+
+std::vector<FieldInfo> state_fields(const NorSand&)
+{
+  return {{"image_pressure", "image pressure p_i", "Pa"}, {"void_ratio", "void ratio", ""}};
+}
+
+void initial_state(const NorSand& law, const SymTensor<3>& stress, Real* state)
+{
+  const PreparedNorSand prepared = prepare(law);
+  const Invariants now = invariants(stress, law.min_pressure);
+  const Real log_pressure = std::log(now.pressure);
+  state[1] = law.void_ratio ? *law.void_ratio : prepared.gamma - prepared.lambda * log_pressure + law.state_parameter.value_or(0);
+  // M_i depends on p_i only a little: each pass makes the error smaller by a tenth or less.
+  Real log_image = log_pressure;
+  for (int k = 0; k < 50; ++k)
+    log_image = log_pressure + std::log(law.overconsolidation_ratio) +
+                now.q / now.pressure / image_state(prepared, state[1], log_pressure, log_image).slope - 1;
+  state[0] = std::max(std::exp(log_image), law.min_pressure);
+}
+
+PreparedNorSand prepare(const NorSand& law)
+{
+  const Real slope = critical_slope(law.critical_friction_angle), lambda = law.critical_line_slope;
+  PreparedNorSand prepared;
+  prepared.moduli = {law.rigidity / shear_over_bulk(law.poisson_ratio), shear_over_bulk(law.poisson_ratio), law.min_pressure,
+                     law.max_pressure};
+  prepared.elastic = stiffest(prepared.moduli);
+  prepared.slope = slope;
+  prepared.gamma = law.critical_void_ratio + lambda * std::log(kilopascal);
+  prepared.lambda = lambda;
+  prepared.coupling = law.volumetric_coupling * law.dilatancy / (1 - law.dilatancy * lambda / slope);
+  prepared.dilatancy = law.dilatancy;
+  prepared.hardening = law.hardening_modulus;
+  prepared.hardening_slope = law.hardening_slope;
+  return prepared;
+}
+
+}  // namespace berm::material
