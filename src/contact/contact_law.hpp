@@ -3,14 +3,17 @@
 
 #include "core/types.hpp"
 
+#include <algorithm>
+
 namespace berm::contact {
 
 /// The interface at a contact point in one step.
 struct Interface {
-  Real friction;          ///< coefficient mu
-  Real adhesion_impulse;  ///< N s: adhesion (Pa) times area times dt
-  Real allowed_approach;  ///< m/s: max(0, gap) / T
-  bool tied = false;      ///< one velocity field: neither slip nor separation
+  Real friction;             ///< coefficient mu
+  Real adhesion_impulse;     ///< N s: adhesion (Pa) times area times dt
+  Real allowed_approach;     ///< m/s: max(0, gap) / T
+  bool tied = false;         ///< one velocity field: neither slip nor separation
+  Real tension_impulse = 0;  ///< N s: the most tension that a bonded point carries (Pa) times area times dt; 0 where it has none
 };
 
 /// Effective mass of a contact point, kg: impulse over the velocity change that it makes.
@@ -23,8 +26,11 @@ struct EffectiveMass {
 ///
 ///   j_n = max(0, before_n + m_n (-relative . n - allowed_approach)),   j_t = before_t - m_t relative_t, cut to |j_t| <= mu j_n + adhesion_impulse.
 ///
+/// A bonded point (tension_impulse J > 0) resists separation, too: where j_n above is 0, j_n = max(-J, min(0, before_n - m_n relative . n)),
+/// and |j_t| <= mu max(0, j_n) + adhesion_impulse.
+///
 /// n is the unit normal towards the body that gets the impulse; N s (per metre run). Zero where j_n is zero. With `before` =
-/// 0 this is one correction of the paper (equations 8-13); with the impulses of the last sweep it is one step of a projected
+/// 0 and no bond this is one correction of the paper (equations 8-13); with the impulses of the last sweep it is one step of a projected
 /// Gauss-Seidel iteration. Tied points lose all relative velocity.
 template <int dim>
 Vec<dim> contact_impulse(const Vec<dim>& relative, const Vec<dim>& n, const EffectiveMass& m, const Interface& interface,
@@ -32,23 +38,26 @@ Vec<dim> contact_impulse(const Vec<dim>& relative, const Vec<dim>& n, const Effe
 {
   const Real speed = relative.dot(n), before_n = before.dot(n);
   if (interface.tied) return before - m.normal * speed * n - m.along * (relative - speed * n);
-  const Real normal_impulse = before_n - m.normal * (speed + interface.allowed_approach);
-  if (!(normal_impulse > 0)) return Vec<dim>::Zero();
+  Real normal_impulse = before_n - m.normal * (speed + interface.allowed_approach);
+  if (!(normal_impulse > 0)) {
+    if (!(interface.tension_impulse > 0)) return Vec<dim>::Zero();
+    normal_impulse = std::max(-interface.tension_impulse, std::min(Real(0), before_n - m.normal * speed));
+  }
   const Vec<dim> sticking = before - before_n * n - m.along * (relative - speed * n);
-  const Real needed = sticking.norm(), limit = interface.friction * normal_impulse + interface.adhesion_impulse;
+  const Real needed = sticking.norm(), limit = interface.friction * std::max(Real(0), normal_impulse) + interface.adhesion_impulse;
   return normal_impulse * n + (needed <= limit ? Real(1) : limit / needed) * sticking;
 }
 
 /// Status of a contact point under its impulse.
 enum class ContactStatus : std::uint8_t { open, slipping, sticking };
 
-/// Points at the limit of friction slip; 1e-9 of it is round-off.
+/// Points at the limit of friction slip; 1e-9 of it is round-off. Bonded points are never open.
 template <int dim>
 ContactStatus status_of(const Vec<dim>& impulse, const Vec<dim>& n, const Interface& interface)
 {
   const Real normal_impulse = impulse.dot(n);
-  if (!(normal_impulse > 0)) return ContactStatus::open;
-  const Real limit = interface.friction * normal_impulse + interface.adhesion_impulse;
+  if (!(normal_impulse > 0 || interface.tension_impulse > 0)) return ContactStatus::open;
+  const Real limit = interface.friction * std::max(Real(0), normal_impulse) + interface.adhesion_impulse;
   return (impulse - normal_impulse * n).norm() < (1 - 1e-9) * limit ? ContactStatus::sticking : ContactStatus::slipping;
 }
 

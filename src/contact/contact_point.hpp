@@ -20,6 +20,10 @@ struct ContactPoint {
   Real distance = 0;                     ///< m between the rigid surface (the other body's particle) and the nearest particle's centre
   bool touching = false;                 ///< the gap is less than half a particle's width
   Real area = 0;                         ///< m2 (per metre run: m), share of the body's surface; 0 where it is not needed
+  Index block = none;                    ///< of the particle that the point is, among those of its body, and
+  int lane = 0;                          ///< its lane
+  bool bonded = false;                   ///< carries tension
+  Real adhesion = 0;                     ///< Pa; where it differs from point to point
   EffectiveMass mass;                    ///< 1 / sum of N^2 / M over all that the point moves; 0 where supports fix it
   Vec<dim> impulse = Vec<dim>::Zero();   ///< on the body, in the present correction
   ContactStatus status = ContactStatus::open;  ///< in step 4

@@ -13,6 +13,22 @@ void describe(Describe& d, ContactSettings& contact)
           {.meaning = "Coulomb friction angle of the interface", .unit = "rad", .range = {0, 89.9 * pi / 180}, .required = true});
   d.value("adhesion", contact.adhesion,
           {.meaning = "shear strength of the interface without normal stress", .unit = "Pa", .range = not_negative});
+  d.value("adhesion_factor", contact.adhesion_factor,
+          {.meaning = "alpha, instead of `adhesion`: adhesion over the undrained shear strength that the soil beside the interface has at "
+                      "the moment",
+           .range = {0, 1}});
+  d.value("adhesion_sensitivity", contact.adhesion_sensitivity,
+          {.meaning = "adhesion before sliding over that after much of it, which falls exponentially with the slip of a particle; 1 = it "
+                      "does not fall",
+           .range = {1, 1000}});
+  d.value("adhesion_ductility", contact.adhesion_ductility,
+          {.meaning = "slip after which 95 % of the fall of the adhesion has happened", .unit = "m", .range = not_negative});
+  d.value("tension", contact.tension,
+          {.meaning = "tensile normal stress (suction) that the interface carries where it has been closed and has not parted since; "
+                      "\"unlimited\" = undrained soil cannot part from the rigid body",
+           .unit = "Pa",
+           .range = not_negative,
+           .words = {{"none", 0}, {"unlimited", infinity}}});
   d.choice("scheme", contact.scheme, {"musl_coupled", "musl_double", "musl_single", "hybrid_usl", "usf", "tied"},
            {.meaning = "modified update stress last (MUSL) with one impulse, which step 4 of the algorithm begins and step 8 completes (at "
                        "nodes: step 8 keeps closed points together); MUSL with independent corrections in steps 4 and 8 (as published); "

@@ -30,11 +30,25 @@ struct ContactSettings {
   std::string rigid, other_body;  ///< one of the two; the other is empty
   Real friction_angle = 0;        ///< rad
   Real adhesion = 0;              ///< Pa
+  Real adhesion_factor = 0;       ///< of the undrained strength of the soil beside the interface, instead of `adhesion`
+  Real adhesion_sensitivity = 1;  ///< adhesion before sliding over that after much of it
+  Real adhesion_ductility = 0;    ///< m, slip that takes 95 % of what is lost
+  Real tension = 0;               ///< Pa, tensile normal stress that a bonded interface carries; infinite: it never parts
   Scheme scheme = Scheme::musl_coupled;
   Detection detection = Detection::automatic;
   Real gap_closing_steps = 20;  ///< T/dt: a gap closes over this many steps
 };
 
 void describe(Describe& d, ContactSettings& contact);
+
+/// Whether adhesion differs from particle to particle, and whether it falls with slip.
+inline bool softens(const ContactSettings& contact)
+{
+  return contact.adhesion_sensitivity > 1;
+}
+inline bool adhesion_differs(const ContactSettings& contact)
+{
+  return contact.adhesion_factor > 0 || softens(contact);
+}
 
 }  // namespace berm::contact

@@ -120,6 +120,8 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
         point.position = x - surface.distance * surface.normal;
         point.distance = surface.distance;
         point.touching = point.gap < half;
+        point.block = b;
+        point.lane = l;
         found.list.push_back(point);
       }
   }

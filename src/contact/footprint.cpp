@@ -67,9 +67,9 @@ void share_surface(ContactPoints<dim>& points)
   const auto for_nodes = [](const auto& at, const auto& visit) {
     for (int n = 0; n < at.node_count; ++n) visit(at.nodes[n], at.weights[n]);
   };
-  bool any = false;
-  for (const ContactPoint<dim>& point : points.list) any = any || point.impulse.dot(point.normal) > 0;
-  const auto presses = [&](const ContactPoint<dim>& point) { return !any || point.impulse.dot(point.normal) > 0; };
+  const auto closed = [](const ContactPoint<dim>& point) { return point.bonded || point.impulse.dot(point.normal) > 0; };
+  const bool any = std::any_of(points.list.begin(), points.list.end(), closed);
+  const auto presses = [&](const ContactPoint<dim>& point) { return !any || closed(point); };
 
   NodeField<Real>&area = points.node_area, &weight = points.node_weight;
   for (const ContactPoint<dim>& point : points.list) for_nodes(point, [&](Index i, Real) { area[i] = weight[i] = 0; });

@@ -19,8 +19,8 @@ void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& part
 ///
 ///   A_q = sum_k A_k N_k(x_q) / sum_q' N_k(x_q'),   A_k = sum_p L_p N_k(x_p) / sum_k' N_k'(x_p),
 ///
-/// with L_p the footprints, q' the closed points and k' those of p's nodes that one of them moves. While no point carries an
-/// impulse, all count as closed. A footprint without such a node is out of contact. m2 (per metre run: m)
+/// with L_p the footprints, q' the closed points and k' those of p's nodes that one of them moves. Points that press or
+/// are bonded are closed; while there is none, all count as closed. A footprint without such a node is out of contact. m2 (per metre run: m)
 template <int dim>
 void share_surface(ContactPoints<dim>& points);
 

@@ -26,6 +26,12 @@ struct FormerWord {
   const char *former, *word;
 };
 
+/// A word that stands for a number: "unlimited" for infinity.
+struct NumberWord {
+  const char* word;
+  Real value;
+};
+
 /// Declaration of a parameter. The unit is the SI unit of the number in memory, as UDUNITS-2 spells it ("" = dimensionless);
 /// the user may write any unit of the same dimension.
 struct Parameter {
@@ -35,6 +41,7 @@ struct Parameter {
   bool required = false;
   const char* formerly = "";                  ///< key of earlier versions: refused, and the new one named
   std::vector<FormerWord> former_words = {};  ///< of a choice: refused, and the new one named
+  std::vector<NumberWord> words = {};         ///< of a number, that may stand for it
   /// Instead of `unit`, for a number whose dimension is known only when it is read: its SI unit goes here ("1" for a
   /// dimensionless number in a text; a plain number leaves it unchanged). Numbers that share it must have one dimension.
   std::string* any_unit = nullptr;

@@ -24,7 +24,7 @@ void archive_numbers(Archive& k, const std::string& name, Points& points, const 
 void archive(Archive& k, const FemModel& model, FemState& state)
 {
   static_assert(sizeof(SoilPoint) == (tensor_size<2> + material::Laws::max_state + 2) * sizeof(Real));
-  static_assert(sizeof(FemContactState) == 3 * sizeof(Real));
+  static_assert(sizeof(FemContactState) == 5 * sizeof(Real));
   static_assert(sizeof(FemState) == sizeof(problem::State<2>) + 4 * sizeof(std::vector<Real>) + sizeof(Vec<2>) + 3 * sizeof(Real));
   k.table("state", [&] { problem::archive(k, model.model, state.state); });
   k.fixed("displacement", state.displacement);
@@ -39,6 +39,8 @@ void archive(Archive& k, const FemModel& model, FemState& state)
   archive_numbers(k, "contact", state.contact, [](FemContactState& point, const auto& number) {
     number(point.gap);
     for (Real& component : point.traction) number(component);
+    number(point.slip);
+    number(point.parted);
   });
   k("gravity", state.gravity);
   k("tractions", state.tractions);

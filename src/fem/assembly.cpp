@@ -213,7 +213,7 @@ void Assembly::add_contact(const FemState& begin, const std::vector<Real>& chang
                                model_.rigid_unknown() + 2};
     Eigen::Matrix<Real, 5, 1> moved;
     for (int i = 0; i < 5; ++i) moved[i] = change[unknowns[i]];
-    const FemTraction now = update_traction(model_.interface, point.normal, begin.contact[k], p * moved);
+    const FemTraction now = update_traction(interface_at(model_, k, begin.contact[k]), point.normal, begin.contact[k], p * moved);
     contact_[k] = now.state;
     const Eigen::Matrix<Real, 5, 1> force = point.area * p.transpose() * now.state.traction;
     contact_force_ += point.area * now.state.traction.norm();
@@ -328,6 +328,8 @@ void Assembly::accept(FemState& state, const std::vector<Real>& change, const Fe
   count_work(state, change, loads);
   state.points = points_;
   state.contact = contact_;
+  for (FemContactState& point : state.contact)
+    if (parts(model_.interface, point)) point.parted = 1;
   state.gravity = loads.gravity;
   state.tractions = loads.tractions;
   state.initial_imbalance_factor = loads.initial_imbalance_factor;

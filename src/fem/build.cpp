@@ -109,6 +109,22 @@ Real stiffest_at_contact(const FemModel& model, Index body)
   return stiffest;
 }
 
+/// The adhesion of each contact point before it slides: beside soil at rest at its depth.
+void set_adhesion(FemModel& model, const problem::Contact& contact)
+{
+  model.adhesion_law = contact.adhesion_law;
+  const problem::BodySoil& soil = model.model.bodies[contact.body].soil;
+  if (contact.adhesion_law.factor > 0 && !soil.of_region.empty())
+    throw KeyError(fmt::format("contact.{}.adhesion_factor: finite elements find the strength beside the interface by its depth: give the "
+                               "soil by soil_layer instead of region_material, or the adhesion in Pa",
+                               contact.name));
+  for (FemContactPoint& point : model.contact) {
+    const material::Material there = soil.at("", model.model.soil_depth(model.mesh.position[point.node]));
+    const std::vector<Real> undisturbed(static_cast<std::size_t>(state_size(there)), 0);
+    point.adhesion = contact.adhesion_law.at(there, undisturbed.data(), 0);
+  }
+}
+
 void make_contact(FemModel& model)
 {
   for (const problem::Contact& contact : model.model.contacts) {
@@ -122,8 +138,10 @@ void make_contact(FemModel& model)
     model.contact = make_contact_points(sides, model.mesh.position, rigid.shape);
     Real length = 0;
     for (const FemContactPoint& point : model.contact) length += point.area;
-    model.interface = {contact.friction, contact.adhesion, contact.scheme == contact::Scheme::tied,
-                       contact_stiffness * stiffest_at_contact(model, contact.body) * static_cast<Real>(sides.size()) / length};
+    model.interface = {contact.friction, 0, contact.scheme == contact::Scheme::tied,
+                       contact_stiffness * stiffest_at_contact(model, contact.body) * static_cast<Real>(sides.size()) / length,
+                       contact.tension};
+    set_adhesion(model, contact);
   }
 }
 
@@ -199,6 +217,13 @@ void end_at_once(std::vector<problem::StageSettings>& stages)
 }
 
 }  // namespace
+
+FemInterface interface_at(const FemModel& model, std::size_t point, const FemContactState& begin)
+{
+  FemInterface interface = model.interface;
+  interface.adhesion = model.contact[point].adhesion * model.adhesion_law.part_left(begin.slip);
+  return interface;
+}
 
 FemProblem build_fem(const problem::Case& c, const std::string& case_folder, const std::string& work_folder)
 {

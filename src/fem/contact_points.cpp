@@ -13,28 +13,37 @@ constexpr Real adhesion_per_pressure = 10;
 FemTraction update_traction(const FemInterface& interface, const Vec<2>& normal, const FemContactState& before, const Vec<2>& movement)
 {
   const Real k = interface.stiffness;
-  FemTraction now{{before.gap + movement.dot(normal), Vec<2>::Zero()}, Matrix<2>::Zero()};
+  FemTraction now{{before.gap + movement.dot(normal), Vec<2>::Zero(), before.slip, before.parted}, Matrix<2>::Zero()};
   if (interface.tied) {
     now.state.traction = before.traction - k * movement;
     now.stiffness = -k * Matrix<2>::Identity();
     return now;
   }
-  const Real pressure = -k * now.state.gap;
+  const bool bonded = interface.tension > 0 && before.parted == 0;
+  const Real pressure = std::max(-k * now.state.gap, bonded ? -interface.tension : -infinity);
   // Closed at zero pressure, so that the first iterate for stress-free soil moves it with the body.
-  if (!(pressure >= 0)) return now;
+  if (!(pressure >= 0) && !bonded) return now;
   const Vec<2> tangent(-normal[1], normal[0]);
-  const Real status = std::min(interface.adhesion, adhesion_per_pressure * pressure);
-  const Real trial = before.traction.dot(tangent) - k * movement.dot(tangent), limit = interface.friction * pressure + status;
-  const Real rise = interface.friction + (status < interface.adhesion ? adhesion_per_pressure : 0);
+  const Real status = bonded ? interface.adhesion : std::min(interface.adhesion, adhesion_per_pressure * pressure);
+  const Real trial = before.traction.dot(tangent) - k * movement.dot(tangent),
+             limit = interface.friction * std::max(Real(0), pressure) + status;
+  const Real rise = (pressure >= 0 ? interface.friction : 0) + (status < interface.adhesion ? adhesion_per_pressure : 0);
   const bool slides = std::abs(trial) > limit;
   const Real sign = trial < 0 ? -1 : 1, shear = slides ? sign * limit : trial;
   now.state.traction = pressure * normal + shear * tangent;
-  now.stiffness = -k * normal * normal.transpose();
+  if (pressure > -interface.tension || !bonded) now.stiffness = -k * normal * normal.transpose();
+  if (slides) now.state.slip += (std::abs(trial) - limit) / k;
   if (slides)
     now.stiffness -= sign * rise * k * tangent * normal.transpose();
   else
     now.stiffness -= k * tangent * tangent.transpose();
   return now;
+}
+
+bool parts(const FemInterface& interface, const FemContactState& now)
+{
+  constexpr Real rounding = 1e-9;
+  return interface.tension > 0 && now.gap * interface.stiffness > (1 + rounding) * interface.tension;
 }
 
 Eigen::Matrix<Real, 2, 5> relative_movement(const FemContactPoint& point)

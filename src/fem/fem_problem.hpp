@@ -26,7 +26,8 @@ struct FemModel {
   CellField<std::array<Real, triangle_points>> depth;  ///< m, of the integration points below the bed's surface at the start
   Index rigid = none;                                  ///< the rigid body in contact with the soil
   std::vector<FemContactPoint> contact;
-  FemInterface interface;
+  FemInterface interface;  ///< but for its adhesion, which is that of the point
+  problem::AdhesionLaw adhesion_law;
   Real width = 1;                             ///< m, of the rigid body, unit of the increments of travel; 1 where there is none
   Real weight = 0;                            ///< N/m, of all soil
   std::vector<std::vector<NodalLoad>> loads;  ///< by traction
@@ -73,6 +74,9 @@ struct FemState {
   Real unbalanced = 0;                ///< N/m, sum of the unbalanced nodal forces
   Real overstress = 0;                ///< overstress over stress: integrals of both over the soil at yield
 };
+
+/// The interface at a contact point in an increment that begins with this state.
+FemInterface interface_at(const FemModel& model, std::size_t point, const FemContactState& begin);
 
 struct FemProblem {
   FemModel model;

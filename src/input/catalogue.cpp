@@ -55,6 +55,11 @@ void Lister::leaf(const char* key, Leaf variable, const Parameter& parameter)
 {
   Listed& entry = add(Listed::Kind::value, key, parameter);
   std::tie(entry.type, entry.default_text) = std::visit(TypeAndDefault{entry.unit}, variable);
+  for (const NumberWord& word : parameter.words) {
+    entry.type += fmt::format(" or {}", in_quotes(word.word));
+    if (const auto* number = std::get_if<Real*>(&variable); number != nullptr && **number == word.value)
+      entry.default_text = in_quotes(word.word);
+  }
   if (parameter.required) entry.default_text.clear();
 }
 

@@ -28,10 +28,15 @@ Real ValueReader::number(const Node& node, const std::string& path) const
 {
   Real value = 0;
   if (node.kind == Node::Kind::text) {
+    for (const NumberWord& word : parameter_.words)
+      if (node.text == word.word) return word.value;
     try {
       value = parameter_.any_unit != nullptr ? number_in_any_unit(node, path) : to_si(node.text, parameter_.unit);
     } catch (const UnitError& error) {
-      refuse(document_, node, path, error.what());
+      std::string words;
+      for (const NumberWord& word : parameter_.words)
+        words += fmt::format("{} {}", words.empty() ? "; or one of the words" : ",", in_quotes(word.word));
+      refuse(document_, node, path, error.what() + words);
     }
   } else if (node.kind == Node::Kind::whole) {
     value = static_cast<Real>(node.whole);

@@ -105,7 +105,11 @@ void write(const SettingTable& table, std::string& text)
 void SettingVisitor::leaf(const char* key, Leaf variable, const Parameter& parameter)
 {
   const char* unit = in_space_ ? unit_in_space(parameter.unit) : parameter.unit;
-  open_.back()->settings.push_back({key, std::visit(ToSetting{}, variable), unit, parameter.meaning});
+  SettingValue value = std::visit(ToSetting{}, variable);
+  if (const auto* number = std::get_if<Real*>(&variable))
+    for (const NumberWord& word : parameter.words)
+      if (**number == word.value) value = std::string(word.word);
+  open_.back()->settings.push_back({key, value, unit, parameter.meaning});
 }
 
 int SettingVisitor::choose(const char* key, const std::vector<const char*>& names, int current, const Parameter& parameter)

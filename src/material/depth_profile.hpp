@@ -101,6 +101,18 @@ std::vector<Real> own_values([[maybe_unused]] Law law)
   return {};
 }
 
+/// The law with these values, without its profile.
+template <class Law>
+Law with_own_values(Law law, [[maybe_unused]] const Real* own)
+{
+  if constexpr (KnowsDepth<Law>) {
+    if (const StrengthAtDepth strength = strength_at_depth(law); strength.value != nullptr) *strength.value = *own++;
+    law.young_modulus = *own;
+    law.profile = {};
+  }
+  return law;
+}
+
 /// Name, label and unit of these values, as fields of particles.
 std::vector<FieldInfo> own_fields(const char* strength_key);
 template <class Law>

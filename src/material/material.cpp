@@ -130,6 +130,11 @@ std::vector<FieldInfo> own_fields(const Material& material)
   return std::visit([](const auto& law) { return own_fields(law); }, material);
 }
 
+Material with_own_values(const Material& material, const Real* own)
+{
+  return std::visit([&](const auto& law) { return Material(with_own_values(law, own)); }, material);
+}
+
 Material at_depth(const Material& material, Real depth)
 {
   return std::visit([&](const auto& law) { return Material(at_depth(law, depth)); }, material);

@@ -5,6 +5,8 @@
 #include "contact/contact_law.hpp"
 #include "contact/footprint.hpp"
 #include "core/timer.hpp"
+#include "mpm/contact_velocity.hpp"
+#include "mpm/interface.hpp"
 #include "problem/stages.hpp"
 
 namespace berm::mpm {
@@ -78,44 +80,6 @@ void set_effective_masses(const problem::Model<dim>& model, const Work<dim>& wor
   }
 }
 
-/// The nodal velocity that one correction makes satisfy the contact law, and where its change is stored.
-template <int dim>
-struct Predicted {  ///< step 4: v + dt a
-  static constexpr bool is_force = true;
-  Real dt;
-  Vec<dim> velocity(const BodyGrid<dim>& grid, Index node) const { return grid.velocity[node] + dt * grid.acceleration[node]; }
-  void change(BodyGrid<dim>& grid, Index node, const Vec<dim>& by) const { grid.acceleration[node] += by / dt; }
-};
-template <int dim>
-struct Moved {  ///< step 8: the velocity that moves the particles
-  static constexpr bool is_force = false;
-  Vec<dim> velocity(const BodyGrid<dim>& grid, Index node) const { return grid.mapped_velocity[node]; }
-  void change(BodyGrid<dim>& grid, Index node, const Vec<dim>& by) const { grid.mapped_velocity[node] += by; }
-};
-template <int dim>
-struct MovedWithParticles {  ///< step 8: the same, and the velocity that the particles carry
-  static constexpr bool is_force = true;
-  Real dt;
-  Vec<dim> velocity(const BodyGrid<dim>& grid, Index node) const { return grid.mapped_velocity[node]; }
-  void change(BodyGrid<dim>& grid, Index node, const Vec<dim>& by) const
-  {
-    grid.mapped_velocity[node] += by;
-    grid.acceleration[node] += by / dt;
-  }
-};
-
-/// The velocity of the body at a point relative to the other side.
-template <int dim, class Field>
-Vec<dim> relative_velocity(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work,
-                           const problem::Contact& contact, const contact::ContactPoint<dim>& point, const Field& field)
-{
-  Vec<dim> relative = contact.rigid != none
-                          ? Vec<dim>(-velocity_at(model.rigid_bodies[contact.rigid], state.rigid_bodies[contact.rigid], point.position))
-                          : Vec<dim>(-field.velocity(work.grids[contact.other_body], point.nodes[0]));
-  for (int n = 0; n < point.node_count; ++n) relative += point.weights[n] * field.velocity(work.grids[contact.body], point.nodes[n]);
-  return relative;
-}
-
 /// Gives the nodes of a point an impulse, and those of the other body the opposite. Supports take the components in fixed
 /// directions.
 template <int dim, class Field>
@@ -137,7 +101,8 @@ Real sweep(const problem::Model<dim>& model, const problem::State<dim>& state, W
 {
   const problem::Contact& contact = model.contacts[k];
   const Real period = contact.gap_closing_steps * state.dt;
-  if (contact.adhesion > 0) share_surface(work.contact_points[k]);
+  const bool differs = contact.adhesion_law.differs();
+  if (contact.needs_areas()) share_surface(work.contact_points[k]);
   Real changed = 0, carried = 0;
   for (contact::ContactPoint<dim>& point : work.contact_points[k].list) {
     if (!(point.mass.normal > 0)) continue;
@@ -145,7 +110,9 @@ Real sweep(const problem::Model<dim>& model, const problem::State<dim>& state, W
     if (tied && point.gap > 0) continue;
     const Vec<dim> relative = relative_velocity(model, state, work, contact, point, field);
     const Real allowed_approach = std::max(Real(0), point.gap) / period;
-    const contact::Interface interface = {contact.friction, contact.adhesion * point.area * state.dt, allowed_approach, tied};
+    const Real adhesion = differs ? point.adhesion : contact.adhesion;
+    const contact::Interface interface = {contact.friction, adhesion * point.area * state.dt, allowed_approach, tied,
+                                          most_tension(contact, point, state.dt)};
     const bool bilateral =
         !Field::is_force && contact.scheme == contact::Scheme::musl_coupled && point.status != contact::ContactStatus::open;
     const Vec<dim> impulse = bilateral ? bilateral_impulse<dim>(relative, point.normal, point.mass, interface, point.status, point.impulse)
@@ -232,7 +199,8 @@ void find_contacts(const problem::Model<dim>& model, problem::State<dim>& state,
                   {state.particles[contact.other_body], other.mass, other.nodes}, contact.detection, points);
     }
     set_effective_masses(model, work, contact, points);
-    if (contact.adhesion > 0) find_surface(model, state, work, contact, points);
+    recall(model, state, contact, points);
+    if (contact.needs_areas()) find_surface(model, state, work, contact, points);
     mark(k, 1, 1);
   }
 }
@@ -347,10 +315,13 @@ void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& s
     note_second(completes, 1);
     react(model, state, work);
   }
-  for_each_point(work, [](std::size_t, contact::ContactPoint<dim>& point) { point.impulse.setZero(); });
+  for_each_point(work, [&](std::size_t k, contact::ContactPoint<dim>& point) {
+    if (corrects(model.contacts[k])) point.impulse.setZero();
+  });
   solve(model, state, work, Moved<dim>{}, corrects);
   note_second(corrects, 1);
   if (!model.update_stress_first) push_out(model, state, work);
+  remember(model, state, work);
 }
 
 template <int dim>

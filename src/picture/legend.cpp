@@ -150,6 +150,9 @@ std::string contact_words(const std::string& name, const contact::ContactSetting
   if (contact.scheme == contact::Scheme::tied) return words + ", tied";
   words += ", δ = " + text::angle_words(contact.friction_angle);
   if (contact.adhesion > 0) words += ", adhesion " + text::stress_words(contact.adhesion);
+  if (contact.adhesion_factor > 0) words += fmt::format(", α = {:.3g}", contact.adhesion_factor);
+  if (contact.tension > 0)
+    words += ", tension " + (contact.tension < infinity ? text::stress_words(contact.tension) : std::string("unlimited"));
   return words;
 }
 

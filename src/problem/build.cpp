@@ -180,10 +180,12 @@ Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh)
     model.bodies.push_back({name, soil, nodal_damping(model.mesh, settings), density(first) / inertia_density(first)});
   }
   for (const auto& [name, s] : c.contact) {
+    const Index body = index_of(c.body, s.body);
     const contact::Detection best = s.rigid.empty() ? contact::Detection::gap : contact::Detection::particle;
-    model.contacts.push_back({name, index_of(c.body, s.body), index_of(c.rigid, s.rigid), index_of(c.body, s.other_body),
-                              std::tan(s.friction_angle), s.adhesion, s.scheme,
-                              s.detection == contact::Detection::automatic ? best : s.detection, s.gap_closing_steps});
+    model.contacts.push_back({name, body, index_of(c.rigid, s.rigid), index_of(c.body, s.other_body), std::tan(s.friction_angle),
+                              s.adhesion, s.scheme, s.detection == contact::Detection::automatic ? best : s.detection, s.gap_closing_steps,
+                              s.tension, adhesion_law(s, model.bodies[body].soil),
+                              memory_of(c, static_cast<Index>(model.contacts.size()))});
   }
   for (const auto& [name, s] : c.traction) {
     model.tractions.push_back({name, s.ramp, {}});
@@ -225,11 +227,16 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
     const Real inertia = inertia_density(material);
     bodies::StartState<dim> start{inertia, -model.axes.sign * model.gravity[model.axes.up] * density(material) / inertia, c.surface,
                                   particle_extra(body.soil)};
+    start.first_own = state_size(material);
+    for (const FieldInfo& field : memory_fields(c, name)) start.extra.push_back(field);
     if (varies(body.soil)) start.soil_at = [&](Index cell, const Vec<dim>& x) { return soil_at(model, body, cell, x); };
     for (const auto& entry : c.contact)
       if (entry.second.body == name && !entry.second.rigid.empty())
         start.holes.push_back(model.rigid_bodies[index_of(c.rigid, entry.second.rigid)].shape);
     state.particles.push_back(fill(model.mesh, name, settings, start));
+    for (const Contact& contact : model.contacts)
+      if (contact.memory.bond != none && model.bodies[contact.body].name == name)
+        bond_at_start(state.particles.back(), model.rigid_bodies[contact.rigid].shape, contact.memory.bond);
     if (varies(body.soil)) body.waves = waves_in(model, body, state.particles.back());
     if (state.particles.back().size() == 0)
       throw KeyError(

@@ -4,6 +4,7 @@
 
 #include "problem/body_soil.hpp"
 #include "problem/drives.hpp"
+#include "problem/interface.hpp"
 #include "problem/stages.hpp"
 #include "problem/sweeps.hpp"
 
@@ -118,6 +119,7 @@ void check_rigids(Describe& d, const Case& c)
             "\"particle\" is for contact with a rigid body", {"automatic", "gap", "overlap", "distance"});
     d.check((contact.scheme == contact::Scheme::usf) == (c.contact.front().second.scheme == contact::Scheme::usf), path + ".scheme",
             "\"usf\" is another order of the step, so all contacts must have it, or none");
+    check_interface(d, c, path, contact);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "problem/body_soil.hpp"
 #include "problem/case.hpp"
 #include "problem/ground.hpp"
+#include "problem/interface.hpp"
 
 namespace berm::problem {
 
@@ -27,10 +28,16 @@ struct Contact {
   std::string name;
   Index body, rigid, other_body;  ///< rigid or other_body is none
   Real friction;                  ///< tan of the friction angle
-  Real adhesion;                  ///< Pa
+  Real adhesion;                  ///< Pa; where it differs from place to place, that of adhesion_law
   contact::Scheme scheme;
   contact::Detection detection;
   Real gap_closing_steps;
+  Real tension = 0;  ///< Pa, that bonded points carry
+  AdhesionLaw adhesion_law = {};
+  InterfaceMemory memory = {};  ///< of the particles
+
+  /// Whether points need their share of the surface.
+  bool needs_areas() const { return adhesion > 0 || adhesion_law.differs() || tension > 0; }
 };
 
 /// A traction: when it acts. Its forces are those of the load points.

@@ -33,6 +33,7 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           is_all_soil_used,
                                                           does_the_soil_bear_its_initial_stress,
                                                           is_the_interface_weaker_than_the_soil,
+                                                          is_tension_that_of_clay,
                                                           do_tractions_press,
                                                           is_the_drive_slow,
                                                           does_the_drive_begin_gently,

@@ -264,6 +264,19 @@ void is_the_interface_weaker_than_the_soil(const Scene& s, Findings& found)
   }
 }
 
+void is_tension_that_of_clay(const Scene& s, Findings& found)
+{
+  for (const auto& [name, contact] : s.c.contact) {
+    if (!(contact.tension > 0)) continue;
+    const std::optional<material::Strength> soil = strength_at_rest(s.material_at(problem::index_of(s.c.body, contact.body), 0));
+    if (soil && soil->friction_angle > 0)
+      found.warn(fmt::format("contact.{}.tension", name),
+                 fmt::format("is suction of undrained soil, and this soil has a friction angle of {:.3g} deg: water flows into drained "
+                             "sand, which parts freely; leave tension out",
+                             degrees(soil->friction_angle)));
+  }
+}
+
 void do_tractions_press(const Scene& s, Findings& found)
 {
   for (const auto& [name, traction] : s.c.traction) {

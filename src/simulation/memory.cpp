@@ -25,7 +25,8 @@ std::vector<RunSize::OfBody> min_bodies(const problem::Case& c, const CellsOf& c
   for (const auto& [name, settings] : c.body) {
     RunSize::OfBody body;
     if (problem::index_of(c.material, settings.material) != none)
-      for (const FieldInfo& field : particle_extra(soil_of(c, settings))) body.extra_size += field.components;
+      for (const std::vector<FieldInfo>& fields : {particle_extra(soil_of(c, settings)), problem::memory_fields(c, name)})
+        for (const FieldInfo& field : fields) body.extra_size += field.components;
     if (settings.block || settings.disk) {
       body.particles = settings.block ? particles_in<dim>(*settings.block) : particles_in(*settings.disk);
       body.blocks = body.particles / lanes;

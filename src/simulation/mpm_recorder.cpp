@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "mpm/condition.hpp"
+#include "mpm/interface.hpp"
 #include "problem/archive_state.hpp"
 #include "problem/stages.hpp"
 
@@ -112,10 +113,21 @@ void MpmRecorder<dim>::observe_body(const mpm::BodySums<dim>& sums, const Vec<di
 }
 
 template <int dim>
-void MpmRecorder<dim>::observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state)
+void MpmRecorder<dim>::observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Work<dim>& work)
 {
+  constexpr run_folder::ColumnUnit square_metres{"m2", "m2"};
   const Real time = state.time - last_time_;
   for (std::size_t k = 0; k < model.contacts.size(); ++k) {
+    const bool bonds = model.contacts[k].tension > 0, differs = model.contacts[k].adhesion_law.differs();
+    if (bonds || differs) {
+      const mpm::SurfaceInContact surface = mpm::surface_in_contact(model.contacts[k], work.contact_points[k]);
+      row_.of(model.contacts[k].name);
+      if (bonds) {
+        row_("contact", surface.area, dim == 2 ? run_folder::metres : square_metres, "surface in contact");
+        row_("in_tension", surface.in_tension, run_folder::bare, "part of the surface in contact that is in tension");
+      }
+      if (differs) row_("adhesion", surface.adhesion, run_folder::pascals, "mean adhesion of the surface in contact");
+    }
     if (model.contacts[k].other_body == none) continue;
     row_.of(model.contacts[k].name);
     const Vec<dim> impulse = state.pair_impulses[k] - last_pair_impulses_[k];
@@ -180,7 +192,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, problem::State<
     row_.of(model.bodies[b].name);
     observe_body(sums[b], first_centers_[b]);
   }
-  observe_contacts(model, state);
+  observe_contacts(model, state, work);
   observe_tractions(model, state);
   observe_watches(model, state);
   file.add(row_);

@@ -35,7 +35,7 @@ private:
   void observe_energies(const problem::Model<dim>& model, const problem::State<dim>& state, Real kinetic);
   void observe_contact_of_main(const problem::Model<dim>& model, problem::State<dim>& state);
   void observe_body(const mpm::BodySums<dim>& sums, const Vec<dim>& first_center);
-  void observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state);
+  void observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Work<dim>& work);
   void observe_tractions(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_watches(const problem::Model<dim>& model, const problem::State<dim>& state);
 

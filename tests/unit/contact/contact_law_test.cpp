@@ -189,6 +189,50 @@ void held_points_keep_their_distance_and_stuck_ones_their_place()
   }
 }
 
+/// The neighbourhood with a bond.
+template <int dim>
+struct BondedNeighbourhood : NodeNeighbourhood<dim> {
+  BondedNeighbourhood() { this->interface.tension_impulse = *rc::gen::element(0.1, 2., infinity); }
+};
+
+template <int dim>
+void a_bond_holds_what_parts_up_to_its_tension()
+{
+  const BondedNeighbourhood<dim> m;
+  const Vec<dim> impulse = 3 * m.change();
+  const Real normal = impulse.dot(m.normal), most = m.interface.tension_impulse, parting = m.relative.dot(m.normal);
+  RC_ASSERT(normal >= -most - round_off);
+  if (parting > 0) RC_ASSERT(std::abs(normal + std::min(most, 3 * parting)) < 1e-13);
+  // Within the speed at which a gap may close nothing acts along the normal.
+  if (parting <= 0 && -parting <= m.interface.allowed_approach) RC_ASSERT(std::abs(normal) < round_off);
+  // What is pulled at has no friction, but adhesion.
+  if (normal < 0) RC_ASSERT((impulse - normal * m.normal).norm() <= m.interface.adhesion_impulse + 1e-13);
+  const Vec<dim> again = contact_impulse<dim>(m.relative + impulse / 3, m.normal, {3, 3}, m.interface, impulse);
+  RC_ASSERT((again - impulse).norm() < 1e-12);
+}
+
+template <int dim>
+void energy_never_grows_where_points_are_bonded()
+{
+  const BondedNeighbourhood<dim> m;
+  RC_ASSERT((m.relative + m.change()).squaredNorm() <= m.relative.squaredNorm() + round_off);
+}
+
+TEST(ContactCorrection, of_bonded_points)
+{
+  const Vec<2> up(0, 1), none_yet(0, 0);
+  const auto impulse = [&](const Vec<2>& relative, const Interface& interface) {
+    return contact_impulse<2>(relative, up, {2, 2}, interface, none_yet);
+  };
+  // Parts at 3 m/s: held, or slowed by the 4 N s that it bears; adhesion of 0.2 N s acts along the surface, and no friction.
+  EXPECT_NEAR((impulse(Vec<2>(0, 3), {0.5, 0, 0, false, infinity}) - Vec<2>(0, -6)).norm(), 0, 1e-15);
+  EXPECT_NEAR((impulse(Vec<2>(2, 3), {0.5, 0.2, 0, false, 4}) - Vec<2>(-0.2, -4)).norm(), 0, 1e-15);
+  // Pressed on, it is as any other.
+  EXPECT_EQ(impulse(Vec<2>(2, -3), {0.5, 0.2, 0, false, 4}), impulse(Vec<2>(2, -3), {0.5, 0.2, 0}));
+  EXPECT_EQ(status_of<2>(Vec<2>(0, -4), up, {0.5, 0.2, 0, false, 4}), ContactStatus::sticking);
+  EXPECT_EQ(status_of<2>(Vec<2>(-0.2, -4), up, {0.5, 0.2, 0, false, 4}), ContactStatus::slipping);
+}
+
 TEST(ContactStatus, follows_from_the_impulse)
 {
   const Vec<2> up(0, 1);
@@ -212,6 +256,8 @@ TEST(ContactLaw, works_with_a_mass_along_the_surface_of_its_own)
 
 BERM_IN_PLANE_AND_SPACE(an_impulse_that_is_right_already_stays)
 BERM_IN_PLANE_AND_SPACE(an_impulse_that_is_too_large_is_taken_back)
+BERM_IN_PLANE_AND_SPACE(a_bond_holds_what_parts_up_to_its_tension)
+BERM_IN_PLANE_AND_SPACE(energy_never_grows_where_points_are_bonded)
 BERM_IN_PLANE_AND_SPACE(held_points_keep_their_distance_and_stuck_ones_their_place)
 #undef BERM_IN_PLANE_AND_SPACE
 

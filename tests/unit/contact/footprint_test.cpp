@@ -124,5 +124,23 @@ TEST(Shares, add_up_to_the_covered_surface_whichever_points_press)
   }
 }
 
+TEST(Shares, go_to_bonded_points_that_carry_nothing_too)
+{
+  Bed bed(0.02);
+  const Real covered = bed.covered(plate(0.013));
+  for (std::size_t k = 0; k < bed.found.list.size(); ++k) {
+    ContactPoint<2>& point = bed.found.list[k];
+    point.bonded = k % 2 == 0;
+    point.impulse = k % 3 == 0 ? point.normal : Vec<2>(k % 3 == 1 ? -point.normal : Vec<2>::Zero());
+  }
+  share_surface(bed.found);
+  Real sum = 0;
+  for (const ContactPoint<2>& point : bed.found.list) {
+    sum += point.area;
+    EXPECT_EQ(point.area > 0, point.bonded || point.impulse.dot(point.normal) > 0);
+  }
+  EXPECT_NEAR(sum, covered, 1e-12);
+}
+
 }  // namespace
 }  // namespace berm::contact

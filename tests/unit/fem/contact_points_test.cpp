@@ -100,13 +100,14 @@ TEST(UpdateTraction, a_sticking_surface_pulls_too)
 
 TEST(UpdateTraction, stiffness_is_the_derivative_of_the_traction)
 {
-  FemInterface glue = rough, clay = rough;
+  FemInterface glue = rough, clay = rough, bonded = rough;
+  bonded.tension = 1500;
   glue.tied = true;
   clay.friction = 0;
   clay.adhesion = 400;
   const FemContactState before{-1e-3, 1000 * normal + 100 * tangent};
   // Open, sticking, sliding either way; far from where one becomes the other.
-  for (const FemInterface& interface : {rough, glue, clay})
+  for (const FemInterface& interface : {rough, glue, clay, bonded})
     for (const Vec<2>& local : {Vec<2>(2e-3, 0), Vec<2>(-1e-3, 1e-4), Vec<2>(-1e-3, 5e-3), Vec<2>(-1e-3, -5e-3)}) {
       const Vec<2> movement = local[0] * normal + local[1] * tangent;
       const Matrix<2> stiffness = update_traction(interface, normal, before, movement).stiffness;
@@ -119,6 +120,30 @@ TEST(UpdateTraction, stiffness_is_the_derivative_of_the_traction)
         EXPECT_LT((stiffness.col(d) - slope).norm(), 1e-6) << "along " << d << " at " << local.transpose();
       }
     }
+}
+
+TEST(UpdateTraction, a_bonded_point_pulls_up_to_its_tension_and_keeps_its_adhesion)
+{
+  const FemInterface clay{0.5, 300, false, 1e6, 2000};
+  const FemTraction held = update_traction(clay, normal, {}, 1e-3 * normal + 5e-3 * tangent);
+  EXPECT_NEAR(pressure(held), -1000, rounding);
+  EXPECT_NEAR(shear(held), -300, rounding);
+  EXPECT_NEAR(held.state.slip, 4.7e-3, 1e-12);  // 5 mm less what 300 Pa stretch the spring by
+  EXPECT_FALSE(parts(clay, held.state));
+  const FemTraction at_limit = update_traction(clay, normal, {}, 3e-3 * normal);
+  EXPECT_NEAR(pressure(at_limit), -2000, rounding);
+  EXPECT_TRUE(parts(clay, at_limit.state));
+}
+
+TEST(UpdateTraction, a_point_that_has_parted_pulls_no_more_even_where_it_was_pressed_on_again)
+{
+  const FemInterface clay{0, 0, false, 1e6, 2000};
+  FemContactState parted;
+  parted.parted = 1;
+  EXPECT_EQ(update_traction(clay, normal, parted, 1e-3 * normal).state.traction.norm(), 0);
+  const FemTraction pressed = update_traction(clay, normal, parted, -1e-3 * normal);
+  EXPECT_NEAR(pressure(pressed), 1000, rounding);
+  EXPECT_EQ(update_traction(clay, normal, pressed.state, 2e-3 * normal).state.traction.norm(), 0);
 }
 
 class PointsOfPipe : public testing::TestWithParam<Real> {

@@ -158,6 +158,23 @@ TEST(RoundTrip, of_a_case_is_the_same_text_twice_and_has_every_default)
     EXPECT_NE(once.find(part), std::string::npos) << part << " is not in\n" << once;
 }
 
+TEST(RoundTrip, of_a_word_that_stands_for_a_number_is_the_word)
+{
+  const auto written_of = [](const std::string& value) {
+    const problem::Case c = read_case_text("case.toml", std::string(test::good_case),
+                                           {"contact.pipe_on_bed.scheme=musl_coupled", "contact.pipe_on_bed.tension=" + value});
+    return std::pair(c.contact[0].second.tension, resolved_toml(c));
+  };
+  const auto [unlimited, unlimited_text] = written_of("unlimited");
+  EXPECT_EQ(unlimited, infinity);
+  EXPECT_NE(unlimited_text.find("tension = \"unlimited\""), std::string::npos) << unlimited_text;
+  EXPECT_EQ(read_case_text("resolved.toml", unlimited_text).contact[0].second.tension, infinity);
+  const auto [none_of_it, none_text] = written_of("none");
+  EXPECT_EQ(none_of_it, 0);
+  EXPECT_NE(none_text.find("tension = \"none\""), std::string::npos) << none_text;
+  EXPECT_EQ(written_of("5 kPa").first, 5000);
+}
+
 TEST(RoundTrip, in_space_has_whole_forces_and_masses_where_the_plane_has_them_per_metre)
 {
   const std::string text = R"(dimension = 3

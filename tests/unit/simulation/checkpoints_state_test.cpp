@@ -82,6 +82,33 @@ TYPED_TEST(StateCheckpoint, gives_the_same_bits_back)
   for (int b = 0; b < 2; ++b) EXPECT_TRUE(same_blocks(state.particles[b], second.problem.state.particles[b])) << "body " << b;
 }
 
+TYPED_TEST(StateCheckpoint, keeps_what_an_interface_remembers)
+{
+  constexpr int dim = TypeParam::value;
+  problem::Case c = test::two_bodies<dim>(contact::Scheme::musl_coupled);
+  contact::ContactSettings& skin = c.contact[0].second;
+  skin.tension = 2e3;
+  skin.adhesion = 500;
+  skin.adhesion_sensitivity = 3;
+  skin.adhesion_ductility = 0.01;
+  test::SampleRun<dim> first(c), second(c);
+  first.steps(403);
+  const auto [bond, slip] = first.problem.model.contacts[0].memory;
+  int bonded = 0, slid = 0;
+  first.problem.state.particles[0].visit([&, bond = bond, slip = slip](Index, Index b, int l) {
+    bonded += static_cast<int>(first.problem.state.particles[0].extra(b)[bond][l] == static_cast<Real>(problem::Bond::bonded));
+    slid += static_cast<int>(first.problem.state.particles[0].extra(b)[slip][l] > 0);
+  });
+  ASSERT_GT(bonded, 0);
+  ASSERT_GT(slid, 0);
+  const auto file = this->folder_ / "file.h5";
+  write(file, first);
+  read(file, second);
+  first.steps(100);
+  second.steps(100);
+  EXPECT_EQ(test::differences(all_of(first), all_of(second)), "");
+}
+
 /// Gives each number of a struct of nothing but numbers another value.
 template <class Numbers>
 void fill(Numbers& numbers, Real& next)

@@ -62,6 +62,7 @@ Real roughness_of(const PipeInSoil& soil)
 {
   if (soil.contact->scheme == contact::Scheme::tied) return 1;
   if (soil.contact->friction_angle > 0) return std::numeric_limits<Real>::quiet_NaN();
+  if (soil.contact->adhesion_factor > 0) return soil.contact->adhesion_factor;
   return std::min(Real(1), soil.contact->adhesion / soil.strength->cohesion);
 }
 

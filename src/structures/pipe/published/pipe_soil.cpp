@@ -82,7 +82,8 @@ PipeSoil pipe_soil(const record::RunRecord& run)
         circle->diameter, unit_weight, law->friction_angle, law->dilation_angle, sticks ? law->friction_angle : contact.friction_angle,
         cohesion};
   if (law->friction_angle == 0 && cohesive) {
-    const Real adhesion = sticks ? infinity : contact.friction_angle > 0 ? std::numeric_limits<Real>::quiet_NaN() : contact.adhesion;
+    const Real full = contact.adhesion_factor > 0 ? contact.adhesion_factor * law->cohesion : contact.adhesion;
+    const Real adhesion = sticks ? infinity : contact.friction_angle > 0 ? std::numeric_limits<Real>::quiet_NaN() : full;
     return ClayAround{circle->diameter, unit_weight, soil, adhesion, base::soil_depth(c, run.ground, 0)};
   }
   return NoFormula{"No formula is known for this soil: it is neither clay (φ = 0) nor sand (c under 0.1 γ' D) with weight."};

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/physics/interface.cpp
+#include "mpm/interface.hpp"
+
+#include "mpm/contact_velocity.hpp"
+
+namespace berm::mpm {
+namespace {
+
+using problem::Bond;
+
+constexpr Real number_of(Bond bond)
+{
+  return static_cast<Real>(bond);
+}
+
+/// The adhesion of the soil that a particle is.
+template <int dim>
+Real adhesion_beside(const problem::Body<dim>& body, const problem::Contact& contact, const bodies::Particle<dim>& p)
+{
+  const problem::AdhesionLaw& law = contact.adhesion_law;
+  const Real slip = contact.memory.slip == none ? 0 : p.extra[contact.memory.slip];
+  if (law.soils.empty()) return law.adhesion * law.part_left(slip);
+  const int number = problem::number_offset(body.soil);
+  const material::Material& soil = law.soils[number == none ? 0 : static_cast<std::size_t>(p.extra[number])];
+  if (!problem::varies(body.soil)) return law.at(soil, p.extra, slip);
+  return law.at(with_own_values(soil, p.extra + state_size(soil)), p.extra, slip);
+}
+
+}  // namespace
+
+template <int dim>
+void recall(const problem::Model<dim>& model, problem::State<dim>& state, const problem::Contact& contact,
+            contact::ContactPoints<dim>& points)
+{
+  if (contact.memory.bond == none && !contact.adhesion_law.differs()) return;
+  bodies::Particles<dim>& particles = state.particles[contact.body];
+  for (contact::ContactPoint<dim>& point : points.list) {
+    if (contact.memory.bond != none) {
+      Real& bond = particles.extra(point.block)[contact.memory.bond][point.lane];
+      const bool bonded = bond == number_of(Bond::bonded);
+      if (bonded && !point.touching && contact.tension < infinity) bond = number_of(Bond::parted);
+      point.bonded = bonded && point.touching;
+    }
+    if (contact.adhesion_law.differs())
+      point.adhesion = adhesion_beside(model.bodies[contact.body], contact, particles.read(point.block, point.lane));
+  }
+}
+
+template <int dim>
+void remember(const problem::Model<dim>& model, problem::State<dim>& state, const Work<dim>& work)
+{
+  for (std::size_t k = 0; k < model.contacts.size(); ++k) {
+    const problem::Contact& contact = model.contacts[k];
+    const auto [bond, slip] = contact.memory;
+    if (bond == none && slip == none) continue;
+    bodies::Particles<dim>& particles = state.particles[contact.body];
+    for (const contact::ContactPoint<dim>& point : work.contact_points[k].list) {
+      Lanes* extra = particles.extra(point.block);
+      if (bond != none && point.impulse.dot(point.normal) > 0 && extra[bond][point.lane] == number_of(Bond::never))
+        extra[bond][point.lane] = number_of(Bond::bonded);
+      if (slip == none || !point.touching || point.status == contact::ContactStatus::sticking) continue;
+      const Vec<dim> relative = relative_velocity(model, state, work, contact, point, Moved<dim>{});
+      extra[slip][point.lane] += state.dt * (relative - relative.dot(point.normal) * point.normal).norm();
+    }
+  }
+}
+
+template <int dim>
+SurfaceInContact surface_in_contact(const problem::Contact& contact, const contact::ContactPoints<dim>& points)
+{
+  SurfaceInContact sum;
+  Real shear = 0;
+  for (const contact::ContactPoint<dim>& point : points.list) {
+    sum.area += point.area;
+    sum.in_tension += point.status != contact::ContactStatus::open && !(point.impulse.dot(point.normal) > 0) ? point.area : 0;
+    shear += point.area * (contact.adhesion_law.differs() ? point.adhesion : contact.adhesion);
+  }
+  if (sum.area > 0) sum.in_tension /= sum.area, sum.adhesion = shear / sum.area;
+  return sum;
+}
+
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void recall(const problem::Model<dim>&, problem::State<dim>&, const problem::Contact&, contact::ContactPoints<dim>&);           \
+  template void remember(const problem::Model<dim>&, problem::State<dim>&, const Work<dim>&);                                              \
+  template SurfaceInContact surface_in_contact(const problem::Contact&, const contact::ContactPoints<dim>&);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm::mpm

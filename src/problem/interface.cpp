@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problem/interface.hpp"
+
+#include "contact/detect.hpp"
+#include "problem/body_soil.hpp"
+#include "problem/case.hpp"
+
+#include <fmt/format.h>
+
+namespace berm::problem {
+namespace {
+
+constexpr unsigned unseen = everywhere & ~to_frame;
+
+/// Half widths of a particle, from the surface: in triangles the centres of the first row lie 0.94 from it and those of the second 1.89. Were that bonded too, the cells at the
+/// surface could not strain.
+constexpr Real first_row = 1.5;
+
+/// Calls visit(contact number, settings) for each contact of a body that remembers.
+template <class Visit>
+void for_contacts_of(const Case& c, const std::string& body, const Visit& visit)
+{
+  for (Index k = 0; k < static_cast<Index>(c.contact.size()); ++k)
+    if (c.contact[k].second.body == body) visit(k, c.contact[k].second);
+}
+
+/// The undrained strength of undisturbed soil, Pa; empty where its strength depends on the pressure, or it has none.
+std::optional<Real> undrained_strength(const material::Material& soil)
+{
+  const std::optional<material::Strength> strength = strength_at_rest(soil);
+  if (!strength || strength->friction_angle != 0) return {};
+  return strength->cohesion;
+}
+
+}  // namespace
+
+Real AdhesionLaw::part_left(Real slip) const
+{
+  return softens() ? 1 / sensitivity + (1 - 1 / sensitivity) * std::exp(-3 * slip / ductility) : 1;
+}
+
+Real AdhesionLaw::at(const material::Material& soil, const Real* state, Real slip) const
+{
+  if (!(factor > 0)) return adhesion * part_left(slip);
+  const Real now = shear_strength(soil, 0, state).value_or(0);
+  return factor * (softens() ? std::min(now, part_left(slip) * undrained_strength(soil).value_or(0)) : now);
+}
+
+AdhesionLaw adhesion_law(const contact::ContactSettings& contact, const BodySoil& soil)
+{
+  AdhesionLaw law{contact.adhesion, contact.adhesion_factor, contact.adhesion_sensitivity, contact.adhesion_ductility};
+  if (law.factor > 0)
+    for (const material::Material& material : soil.materials) law.soils.push_back(at_depth(material, 0));
+  return law;
+}
+
+std::vector<FieldInfo> memory_fields(const Case& c, const std::string& body)
+{
+  std::vector<FieldInfo> fields;
+  for_contacts_of(c, body, [&](Index k, const contact::ContactSettings& contact) {
+    if (contact.tension > 0) fields.push_back({fmt::format("bond_{}", k), "bond to " + contact.rigid, "", 1, unseen});
+    if (softens(contact)) fields.push_back({fmt::format("slip_{}", k), "slip along " + contact.rigid, "m", 1, unseen});
+  });
+  return fields;
+}
+
+InterfaceMemory memory_of(const Case& c, Index contact)
+{
+  const std::string& name = c.contact[contact].second.body;
+  int next = 0;
+  for (const FieldInfo& field : particle_extra(soil_of(c, c.body[index_of(c.body, name)].second))) next += field.components;
+  InterfaceMemory found;
+  for_contacts_of(c, name, [&](Index k, const contact::ContactSettings& settings) {
+    const int bond = settings.tension > 0 ? next++ : none, slip = softens(settings) ? next++ : none;
+    if (k == contact) found = {bond, slip};
+  });
+  return found;
+}
+
+template <int dim>
+void bond_at_start(bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape, int bond)
+{
+  particles.visit([&](Index, Index b, int l) {
+    const bodies::Particle<dim> p = particles.read(b, l);
+    if (surface_at<dim>(shape, p.x).distance < first_row * contact::half_width<dim>(p.volume))
+      particles.extra(b)[bond][l] = static_cast<Real>(Bond::bonded);
+  });
+}
+
+void check_interface(Describe& d, const Case& c, const std::string& path, const contact::ContactSettings& contact)
+{
+  const auto needs_particles = [&](bool wanted, const std::string& key) {
+    if (!wanted) return;
+    d.check(contact.other_body.empty(), path + key, "is for contact with a rigid body");
+    d.check(contact.scheme == contact::Scheme::musl_coupled, path + ".scheme",
+            fmt::format("{} goes with \"musl_coupled\" only", key.substr(1)), {"musl_coupled"});
+    d.check(contact.detection == contact::Detection::automatic || contact.detection == contact::Detection::particle, path + ".detection",
+            fmt::format("{} goes with \"particle\" only, the default at a rigid body", key.substr(1)), {"automatic", "particle"});
+  };
+  needs_particles(contact.tension > 0, ".tension");
+  needs_particles(contact.adhesion_factor > 0, ".adhesion_factor");
+  needs_particles(softens(contact), ".adhesion_sensitivity");
+  d.check(contact.adhesion_factor == 0 || contact.adhesion == 0, path + ".adhesion_factor",
+          "does not go with adhesion: give the adhesion in Pa, or as a share of the strength of the soil");
+  d.check(!softens(contact) || contact.adhesion > 0 || contact.adhesion_factor > 0, path + ".adhesion_sensitivity",
+          "needs an adhesion that falls: adhesion or adhesion_factor");
+  d.check(softens(contact) == (contact.adhesion_ductility > 0), path,
+          "needs both adhesion_sensitivity (more than 1) and adhesion_ductility (more than 0), or neither");
+  const Index body = index_of(c.body, contact.body);
+  if (body == none || index_of(c.material, c.body[body].second.material) == none) return;
+  if (contact.adhesion_factor > 0)
+    for (const material::Material& material : soil_of(c, c.body[body].second).materials)
+      d.check(undrained_strength(material).has_value(), path + ".adhesion_factor",
+              fmt::format("is a share of the undrained strength of the soil, and that of [body.{}] has none: it needs a law with an "
+                          "undrained_strength, or with friction_angle = 0; else give the adhesion in Pa",
+                          contact.body));
+  int numbers = 0;
+  for (const FieldInfo& field : particle_extra(soil_of(c, c.body[body].second))) numbers += field.components;
+  for (const FieldInfo& field : memory_fields(c, contact.body)) numbers += field.components;
+  d.check(numbers <= bodies::Particle<2>::max_extra, path,
+          fmt::format("[body.{}] has too many contacts that remember (tension, adhesion_sensitivity): its particles would keep {} numbers, "
+                      "and there is room for {}",
+                      contact.body, numbers, bodies::Particle<2>::max_extra));
+}
+
+template void bond_at_start(bodies::Particles<2>&, const bodies::RigidShape<2>&, int);
+template void bond_at_start(bodies::Particles<3>&, const bodies::RigidShape<3>&, int);
+
+}  // namespace berm::problem

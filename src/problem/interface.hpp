@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "bodies/particles.hpp"
+#include "bodies/rigid/rigid_body.hpp"
+#include "contact/contact_settings.hpp"
+#include "material/material.hpp"
+
+namespace berm::problem {
+
+struct Case;
+struct BodySoil;
+
+/// Whether a particle is bonded to the surface of a rigid body, as the number that it keeps.
+enum class Bond : std::uint8_t {
+  never,   ///< it has not been pressed on the surface yet
+  bonded,  ///< closed at the start, or pressed on since: it carries tension
+  parted   ///< a gap has opened: it carries tension no more
+};
+
+/// Where a contact keeps what it remembers among the extra numbers of a particle; none where it does not.
+struct InterfaceMemory {
+  int bond = none;  ///< a Bond
+  int slip = none;  ///< m, sliding distance along the rigid body
+};
+
+/// How the adhesion of an interface (Pa) follows from the soil beside it and from its slip:
+///
+///   c_a = f adhesion,   or   c_a = alpha su, where f = 1, else alpha min(su, f su0),   f = 1/St + (1 - 1/St) exp(-3 slip / ductility),
+///
+/// with the undrained strength su that the soil has at the moment, and su0 that it has undisturbed at a negligible rate.
+struct AdhesionLaw {
+  Real adhesion = 0, factor = 0;            ///< Pa, and alpha
+  Real sensitivity = 1, ductility = 0;      ///< St, and m
+  std::vector<material::Material> soils{};  ///< of the body, without their profiles; empty where alpha is 0
+
+  bool softens() const { return sensitivity > 1; }
+  bool differs() const { return factor > 0 || softens(); }
+  /// f after a slip, m.
+  Real part_left(Real slip) const;
+  /// The adhesion beside soil that has this law, Pa; `state`: its state variables.
+  Real at(const material::Material& soil, const Real* state, Real slip) const;
+};
+
+AdhesionLaw adhesion_law(const contact::ContactSettings& contact, const BodySoil& soil);
+
+/// The fields of a body's particles in which its contacts remember, after those of its soil.
+std::vector<FieldInfo> memory_fields(const Case& c, const std::string& body);
+
+/// Where the contact number `contact` remembers.
+InterfaceMemory memory_of(const Case& c, Index contact);
+
+/// Bonds the particles of a body that lie at the surface of a rigid one at the start.
+template <int dim>
+void bond_at_start(bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape, int bond);
+
+/// Refuses what does not go together in the table at `path` ("contact.skin").
+void check_interface(Describe& d, const Case& c, const std::string& path, const contact::ContactSettings& contact);
+
+}  // namespace berm::problem
