@@ -29,6 +29,30 @@ material::MohrCoulomb sand(Real density)
   return law;
 }
 
+/// Clay of 20 kPa, which is Tresca's, and the same that softens and knows its rate.
+material::MohrCoulomb tresca()
+{
+  material::MohrCoulomb law = sand(877);
+  law.friction_angle = 0;
+  law.cohesion = 20e3;
+  law.poisson_ratio = 0.49;
+  return law;
+}
+
+material::Clay clay()
+{
+  material::Clay law;
+  law.density = 877;
+  law.young_modulus = tresca().young_modulus;
+  law.poisson_ratio = 0.49;
+  law.undrained_strength = 20e3;
+  law.sensitivity = 3;
+  law.ductility = 20;
+  law.rate_parameter = 0.1;
+  law.reference_rate = 1e-5;
+  return law;
+}
+
 /// Normally consolidated kaolin under its K0.
 material::ModifiedCamClay cam_clay()
 {
@@ -181,6 +205,8 @@ constexpr BenchProblem problems[] = {
     {"probe_D20", [] { return probe_in_sand(0.001); }},
     {"probe_D40", [] { return probe_in_sand(0.0005); }},
     {"column_1e5", [] { return column(1e5); }},
+    {"tresca_D20", [] { return probe_in(tresca()); }},
+    {"clay_D20", [] { return probe_in(clay()); }},
     {"cam_clay_D20", [] { return probe_in(cam_clay()); }},
     {"norsand_D20", [] { return probe_in(norsand()); }},
     {"column_1e6", [] { return column(1e6); }},

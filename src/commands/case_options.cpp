@@ -38,17 +38,12 @@ int CaseOptions::jobs() const
   return threads > 0 ? threads : processor_count();
 }
 
-namespace {
-
-/// out/FOLDER/NAME of FOLDER/NAME.toml, so that examples/bar/case.toml and examples/column/case.toml do not meet; out/NAME of a file that lies here.
 fs::path default_folder(const fs::path& file)
 {
   const fs::path folder = file.lexically_normal().parent_path().filename();
   const bool named = !folder.empty() && folder != "." && folder != "..";
   return named ? fs::path("out") / folder / file.stem() : fs::path("out") / file.stem();
 }
-
-}  // namespace
 
 std::vector<simulation::RunRequest> requests(const CaseOptions& options)
 {

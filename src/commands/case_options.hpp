@@ -23,6 +23,10 @@ struct CaseOptions {
   int jobs() const;
 };
 
+/// Where the results of a case go by default: out/FOLDER/NAME of FOLDER/NAME.toml, so that examples/bar/case.toml and examples/column/case.toml do not meet; out/NAME
+/// of a file that lies here.
+std::filesystem::path default_folder(const std::filesystem::path& file);
+
 /// Reads all cases, before the first one runs, so that a wrong one costs nothing. One case goes to `output` itself, several to folders in it that are
 /// named like their files. Throws InputError.
 std::vector<simulation::RunRequest> requests(const CaseOptions& options);

@@ -20,6 +20,7 @@ Command add_check(CLI::App& program);
 Command add_report(CLI::App& program);
 Command add_study(CLI::App& program);
 Command add_envelope(CLI::App& program);
+Command add_element(CLI::App& program);
 Command add_verify(CLI::App& program);
 Command add_bench(CLI::App& program);
 Command add_params(CLI::App& program);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/commands/run_test.cpp
 #include "commands/command.hpp"
+#include "element/element_settings.hpp"
 #include "input/parameters.hpp"
 
 #include <fmt/format.h>
@@ -10,10 +10,12 @@ namespace berm::commands {
 Command add_params(CLI::App& program)
 {
   const auto markdown = std::make_shared<bool>(false);
-  CLI::App* app = program.add_subcommand("params", "list all parameters of a case file");
+  CLI::App* app = program.add_subcommand("params", "list all parameters of a case, and of element tests");
   app->add_flag("--markdown", *markdown, "as Markdown");
   return {app, [markdown] {
-            fmt::print("{}", *markdown ? input::parameter_page() : input::parameter_table());
+            const std::vector<input::OtherInput> others = {
+                {"Element tests, the input of berm element (beside the materials, as in a case)", element::element_catalogue()}};
+            fmt::print("{}", *markdown ? input::parameter_page(others) : input::parameter_table(others));
             return 0;
           }};
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "input/parameters.hpp"
 
-#include "input/catalogue.hpp"
 #include "input/message_text.hpp"
 #include "input/units.hpp"
 #include "problem/case.hpp"
@@ -60,10 +59,11 @@ void collect(const Listed& table, const std::string& path, const std::string& he
   }
 }
 
-std::vector<Section> sections()
+std::vector<Section> sections(const std::vector<OtherInput>& others)
 {
   std::vector<Section> all;
   collect(catalogue_of<problem::Case>(), "", "The case", all);
+  for (const OtherInput& other : others) collect(other.keys, "", other.heading, all);
   return all;
 }
 
@@ -86,10 +86,10 @@ std::string cell(const std::string& text)
 
 }  // namespace
 
-std::string parameter_table()
+std::string parameter_table(const std::vector<OtherInput>& others)
 {
   std::string text = "Numbers are in SI units (angles in radians), or texts with any unit of the same dimension: \"20 mm\", \"35 deg\".\n";
-  for (const Section& section : sections()) {
+  for (const Section& section : sections(others)) {
     text += fmt::format("\n{}{}{}\n", section.heading, section.meaning.empty() ? "" : "   ", section.meaning);
     std::vector<int> widths(6);
     for (const Group& group : section.groups)
@@ -108,7 +108,7 @@ std::string parameter_table()
   return text;
 }
 
-std::string parameter_page()
+std::string parameter_page(const std::vector<OtherInput>& others)
 {
   std::string text =
       "# Parameters\n\n"
@@ -120,7 +120,7 @@ std::string parameter_page()
       "`--set stage.NAME.until.time=VALUE`. Quantities in N/m, kg/m and the like are per metre run in plane strain; in space they are in "
       "N,\n"
       "kg and the like.\n";
-  for (const Section& section : sections()) {
+  for (const Section& section : sections(others)) {
     const bool is_table = section.heading.starts_with("[");
     const std::size_t end = section.heading.find_last_of(']');
     const std::string heading =

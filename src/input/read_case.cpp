@@ -12,6 +12,8 @@ namespace {
 
 CaseInFile case_of(Document document, const std::vector<std::string>& overrides, const std::filesystem::path& folder)
 {
+  if (const Node* tests = member(document.root, "test"))
+    refuse(document, *tests, "test", "this is an input of element tests, for berm element, and no case");
   for (const std::string& override : overrides) apply_override(document, override);
   CaseInFile found;
   read(document, found.settings);

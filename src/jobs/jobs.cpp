@@ -40,7 +40,8 @@ fs::path messages_of(const Job& job)
 std::vector<std::string> words_of(const Job& job)
 {
   if (job.resume) return {"berm", "run", "--resume", job.folder.string(), "--threads", "1"};
-  std::vector<std::string> words = {"berm", "run", job.case_file.string(), "-o", job.folder.string(), "--threads", "1", "--force"};
+  std::vector<std::string> words = {"berm", job.element ? "element" : "run", job.case_file.string(), "-o", job.folder.string(), "--force"};
+  if (!job.element) words.insert(words.end(), {"--threads", "1"});
   if (job.uncertainty) words.emplace_back("--uncertainty");
   for (const std::string& set : job.set) words.insert(words.end(), {"--set", set});
   return words;

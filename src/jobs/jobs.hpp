@@ -17,6 +17,7 @@ struct Job {
   std::filesystem::path folder;  ///< the run folder
   bool fast = false;             ///< expected to take a few seconds, where no earlier run tells its time
   bool uncertainty = false;      ///< with the bands of its results (berm run --uncertainty)
+  bool element = false;          ///< element tests (berm element) instead of a run
   bool resume = false;           ///< from its last checkpoint (berm run --resume), where stopped_on_the_way
 };
 

@@ -13,7 +13,8 @@ std::string with_digits(Real value, int digits)
 {
   const Real size = std::abs(value);
   if (size > 0 && (size < 1e-5 || size >= 1e7)) return fmt::format("{:.{}e}", value, digits - 1);
-  const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
+  const Real rounded = std::stod(fmt::format("{:.{}e}", size, digits - 1));  // 9.9999 has as many digits before the point as 10
+  const int before = size > 0 ? static_cast<int>(std::floor(std::log10(rounded))) + 1 : 1;
   return fmt::format("{:.{}f}", value, std::max(0, digits - before));
 }
 

@@ -5,6 +5,7 @@
 #include "io/atomic_file.hpp"
 #include "run_folder/progress.hpp"
 #include "text/markdown.hpp"
+#include "text/plain_page.hpp"
 #include "text/tex_math.hpp"
 #include "verification/book_figures.hpp"
 #include "verification/book_html.hpp"
@@ -61,7 +62,7 @@ std::string index_page(const std::vector<Chapter>& chapters)
   std::string html = "<h1>berm: verification book</h1>\n";
   html += fmt::format("<p>What berm {} gives for problems with known answers: {}</p>\n", BERM_VERSION, summary_words(chapters));
   html += "<p>" + link_to("requirements.html", "What is promised, where it is derived, and which run proves it") + "</p>\n";
-  html += "<table>\n" + row({"problem", "what", "exact", "berm", "error", "tolerance", "", "time"}, 2, 5, "th");
+  html += "<table>\n" + text::plain_row({"problem", "what", "exact", "berm", "error", "tolerance", "", "time"}, 2, 5, "th");
   for (const Chapter& chapter : chapters) {
     const std::string& name = chapter.example.name;
     html += fmt::format("<tr class=\"chapter\"><td colspan=\"8\">{}</td></tr>\n",
@@ -75,10 +76,10 @@ std::string index_page(const std::vector<Chapter>& chapters)
                                         text::html_text(f.what)};
       for (const std::string& cell : numbers_of(f)) cells.push_back(cell);
       cells.push_back(result == nullptr ? "" : time_of(*result));
-      html += row(cells, 2, 5, "td");
+      html += text::plain_row(cells, 2, 5, "td");
     }
   }
-  return page("berm: verification book", html + "</table>\n");
+  return text::plain_page("berm: verification book", html + "</table>\n");
 }
 
 /// The README's addresses as they are from the book: of files beside it, the way to them; pictures are copied into the book.
@@ -110,7 +111,7 @@ std::string findings_html(const Chapter& chapter, const std::string& run, const 
     std::vector<std::string> cells = {text::html_text(f.what)};
     for (const std::string& cell : numbers_of(f)) cells.push_back(cell);
     cells.push_back(text::html_text(e.source) + fmt::format("<br><span class=\"quiet\">{}</span>", text::html_text(e.why)));
-    rows += row(cells, 1, 4, "td");
+    rows += text::plain_row(cells, 1, 4, "td");
     const std::string name = fmt::format("{}_{}_{}", chapter.example.name, run.empty() ? convergence : run, k + 1);
     const ProblemResult* result = result_of(chapter, e.run);
     if (draw_finding(output / "figures", name, e, f, result == nullptr ? "" : result->folder))
@@ -118,16 +119,31 @@ std::string findings_html(const Chapter& chapter, const std::string& run, const 
   }
   if (rows.empty()) return "";
   if (!figures.empty()) figures = fmt::format("<div class=\"pictures\">\n{}</div>\n", figures);
-  return "<table>\n" + row({"what", "exact", "berm", "error", "tolerance", "", "source, and why the tolerance is what it is"}, 1, 4, "th") +
+  return "<table>\n" +
+         text::plain_row({"what", "exact", "berm", "error", "tolerance", "", "source, and why the tolerance is what it is"}, 1, 4, "th") +
          rows + "</table>\n" + figures;
 }
 
 std::string command_of(const Chapter& chapter, const VerificationRun& run)
 {
-  std::string command = "berm run " + (chapter.example.folder / run.case_file).lexically_normal().string();
+  std::string command =
+      (run.element ? "berm element " : "berm run ") + (chapter.example.folder / run.case_file).lexically_normal().string();
   for (const std::string& set : run.set)
     command += set.find('\'') == std::string::npos ? fmt::format(" --set '{}'", set) : fmt::format(" --set \"{}\"", set);
   return command;
+}
+
+/// Those of a run, or all of element tests.
+std::vector<std::string> pictures_in(const fs::path& folder, const VerificationRun& run)
+{
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (run.element ? name.ends_with(".png") : name == "curves.png" || name == "soil.png") names.push_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 std::string problem_html(const Chapter& chapter, std::size_t k, const fs::path& output)
@@ -142,10 +158,10 @@ std::string problem_html(const Chapter& chapter, std::size_t k, const fs::path& 
     html += fmt::format("<p>{} {}</p>\n", badge(Verdict::failed), text::html_text(result.end.reason));
   html += findings_html(chapter, name, output);
   std::string pictures, files;
-  for (const char* picture : {"curves.png", "soil.png"})
-    if (fs::exists(result.folder / picture)) pictures += fmt::format("<img src=\"{}\" alt=\"{}\">", address_of(folder / picture), picture);
+  for (const std::string& picture : pictures_in(result.folder, run))
+    pictures += fmt::format("<img src=\"{}\" alt=\"{}\">", address_of(folder / picture), picture);
   if (!pictures.empty()) html += fmt::format("<div class=\"pictures\">{}</div>\n", pictures);
-  for (const char* file : {"resolved.toml", "history.csv", "summary.json", "run.log", "frames/frames.pvd"})
+  for (const char* file : {"element.html", "resolved.toml", "history.csv", "summary.json", "run.log", "frames/frames.pvd"})
     if (fs::exists(result.folder / file)) files += (files.empty() ? "" : ", ") + link_to(address_of(folder / file), file);
   if (const std::string time = time_of(result); !time.empty()) files += (files.empty() ? "" : "; ") + time;
   return html + (files.empty() ? "" : fmt::format("<p class=\"quiet\">{}</p>\n", files));
@@ -157,7 +173,7 @@ std::string chapter_page(const Chapter& chapter, const fs::path& output)
   for (std::size_t k = 0; k < chapter.example.runs.size(); ++k) html += problem_html(chapter, k, output);
   if (const std::string orders = findings_html(chapter, "", output); !orders.empty())
     html += fmt::format("<h2 id=\"{}\">Convergence</h2>\n{}", convergence, orders);
-  return page("berm: " + chapter.example.name, html);
+  return text::plain_page("berm: " + chapter.example.name, html);
 }
 
 }  // namespace

@@ -5,9 +5,6 @@
 
 namespace berm::verification {
 
-/// A page of the book: `title` is text, `content` HTML.
-std::string page(const std::string& title, const std::string& content);
-
 std::string link_to(const std::string& address, const std::string& text);
 
 /// Addresses have no spaces; everything that is no plain character is written as %XX.
@@ -15,9 +12,6 @@ std::string address_of(const std::filesystem::path& path);
 
 /// A verdict with its colour.
 std::string badge(Verdict verdict);
-
-/// A row of a table; the cells from first_number to last_number are aligned to the right.
-std::string row(const std::vector<std::string>& cells, std::size_t first_number, std::size_t last_number, const char* tag);
 
 std::string readme_of(const Example& example);
 

@@ -52,6 +52,14 @@ void check_band(Describe& d, const std::string& path, const Expectation& e, cons
   d.check(e.held == Held::not_asked || asked, path + ".held", "the run needs uncertainty = true");
 }
 
+/// Element tests have key results, and no history over time.
+void check_element(Describe& d, const std::string& path, const Expectation& e, const Expectations& all)
+{
+  const bool of_tests =
+      std::any_of(all.run.begin(), all.run.end(), [&](const auto& run) { return run.first == e.run && run.second.element; });
+  d.check(!of_tests || e.observable.column.empty(), path + ".column", "a run with element = true has quantities alone");
+}
+
 /// A number of which nobody says what it is for proves nothing.
 void take_promise(Describe& d, const std::string& path, Expectation& e, const Expectations& all)
 {
@@ -68,6 +76,7 @@ void describe(Describe& d, VerificationRun& run)
   d.value("title", run.title, {.meaning = "what the run is, in one line"});
   d.value("case", run.case_file, {.meaning = "case file in the example's folder"});
   d.value("set", run.set, {.meaning = "parameters changed for this run, each KEY=VALUE as for --set"});
+  d.value("element", run.element, {.meaning = "whether the case is an input of element tests (berm element)"});
   d.value("uncertainty", run.uncertainty, {.meaning = "whether the bands of its results are found, too (berm run --uncertainty)"});
   d.value("fast", run.fast, {.meaning = "whether the run takes a few seconds and belongs to the tests"});
 }
@@ -102,12 +111,15 @@ void describe(Describe& d, Expectations& all)
   d.named_tables("run", all.run, {.meaning = "problems, each one run of berm", .required = true});
   d.array("expect", all.expect, {.meaning = "numbers to expect", .required = true});
   const std::vector<std::string> names = names_of(all.run);
+  for (const auto& [name, run] : all.run)
+    d.check(!run.element || !run.uncertainty, "run." + name + ".uncertainty", "element tests have no bands");
   std::vector<std::string> needed;
   for (std::size_t k = 0; k < all.expect.size(); ++k) {
     const std::string path = fmt::format("expect[{}]", k);
     check_runs(d, path, all.expect[k], names);
     check(d, path, all.expect[k]);
     check_band(d, path, all.expect[k], all);
+    check_element(d, path, all.expect[k], all);
     take_promise(d, path, all.expect[k], all);
     for (const std::string& run : runs_of(all.expect[k])) needed.push_back(run);
   }

@@ -11,6 +11,7 @@ struct VerificationRun {
   std::string case_file = "case.toml";  ///< in the example's folder
   std::vector<std::string> set;         ///< overrides KEY=VALUE
   bool fast = false;                    ///< a few seconds: part of the tests
+  bool element = false;                 ///< element tests (berm element) instead of a run
   bool uncertainty = false;             ///< run with the bands of its results
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verification/requirements.hpp"
 
+#include "text/plain_page.hpp"
 #include "text/tex_math.hpp"
 #include "verification/book_html.hpp"
 
@@ -52,19 +53,19 @@ std::string requirements_page(const std::vector<Chapter>& chapters)
   std::string html = "<nav>" + link_to("index.html", "verification book") + "</nav>\n<h1>What is promised</h1>\n";
   html += "<p>What the user may rely on, where it is derived, those runs of this book that prove it and how they went. "
           "<code>berm verify --requirements</code> lists what all examples promise.</p>\n<table>\n";
-  html += row({"requirement", "derived", "", "proved by"}, 9, 9, "th");
+  html += text::plain_row({"requirement", "derived", "", "proved by"}, 9, 9, "th");
   for (const Chapter& chapter : chapters) {
     html += fmt::format("<tr class=\"chapter\"><td colspan=\"4\">{}</td></tr>\n",
                         link_to(address_of(chapter.example.name + ".html"), title_of(chapter.example)));
     for (const Promise& promise : promises_of(chapter.example)) {
       std::string proofs;
       for (const std::size_t k : promise.numbers) proofs += proof_html(chapter, k);
-      html += row(
+      html += text::plain_row(
           {text::html_text(promise.requirement), text::html_text(promise.derived), badge(verdict_of(promise, chapter.findings)), proofs}, 9,
           9, "td");
     }
   }
-  return page("berm: what is promised", html + "</table>\n");
+  return text::plain_page("berm: what is promised", html + "</table>\n");
 }
 
 std::string requirements_text(const std::vector<Chapter>& chapters)

@@ -2,6 +2,7 @@
 #include "verification/verify.hpp"
 
 #include "core/error.hpp"
+#include "element/element_settings.hpp"
 #include "input/read_case.hpp"
 #include "verification/requirements.hpp"
 
@@ -32,11 +33,14 @@ void add_jobs(std::vector<jobs::Job>& jobs, const Example& example, const fs::pa
   for (const auto& [name, run] : example.runs) {
     const fs::path file = example.folder / run.case_file;
     try {
-      input::read_case(file, run.set);
+      if (run.element)
+        element::read_element_case(file, run.set);
+      else
+        input::read_case(file, run.set);
     } catch (const InputError& error) {
       throw InputError(fmt::format("{}: run.{}: {}", (example.folder / "expected.toml").string(), name, error.what()));
     }
-    jobs.push_back({file, run.set, output / example.name / name, run.fast, run.uncertainty});
+    jobs.push_back({file, run.set, output / example.name / name, run.fast, run.uncertainty, run.element});
   }
 }
 

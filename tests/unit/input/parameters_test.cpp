@@ -5,10 +5,8 @@
 #include "input/read_case.hpp"
 #include "input/units.hpp"
 
-#include <fstream>
 #include <functional>
 #include <gtest/gtest.h>
-#include <sstream>
 
 namespace berm::input {
 namespace {
@@ -47,18 +45,6 @@ TEST(Parameters, have_units_that_are_units_and_defaults_in_range)
     EXPECT_TRUE(!number || within(to_si(entry.default_text, entry.unit), entry.range)) << path;
     EXPECT_FALSE(entry.meaning.empty()) << path;
   });
-}
-
-TEST(Parameters, page_in_the_manual_is_up_to_date)
-{
-  std::ifstream file(std::filesystem::path(BERM_SOURCE_DIR) / "docs" / "parameters.md");
-  std::stringstream page(parameter_page());
-  std::string in_manual, declared;
-  for (int line = 1; std::getline(page, declared); ++line) {
-    std::getline(file, in_manual);
-    ASSERT_EQ(in_manual, declared) << "at line " << line << "; write it again: berm params --markdown > docs/parameters.md";
-  }
-  EXPECT_FALSE(std::getline(file, in_manual)) << "ends too late; write it again: berm params --markdown > docs/parameters.md";
 }
 
 TEST(Words, that_were_meant_are_found)

@@ -64,6 +64,16 @@ TEST(Expectation, of_a_band_needs_a_quantity_of_a_run_with_uncertainty_and_no_to
   EXPECT_NE(complaint(asked + column).find("only a quantity of one run has a band"), std::string::npos);
 }
 
+TEST(Expectation, of_element_tests_needs_a_quantity_and_has_no_band)
+{
+  const std::string tests = "[run.a]\nelement = true\n",
+                    quantity = "[[expect]]\nrun = \"a\"\nquantity = \"ds.s_u\"\nexact = 1\ntolerance = 1\n",
+                    column = "[[expect]]\nrun = \"a\"\ncolumn = \"q_Pa\"\nexact = 1\ntolerance = 1\n";
+  EXPECT_EQ(complaint(tests + quantity + words), "");
+  EXPECT_NE(complaint(tests + column + words).find("has quantities alone"), std::string::npos);
+  EXPECT_NE(complaint(tests + "uncertainty = true\n" + quantity + words).find("have no bands"), std::string::npos);
+}
+
 TEST(Expectation, may_be_written_in_any_unit_of_one_dimension)
 {
   const std::string begin = one_run + "[[expect]]\nrun = \"a\"\nquantity = \"w_at_u_0.3D\"\nleast = \"5 mm\"\n" + words;

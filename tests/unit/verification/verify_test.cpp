@@ -73,6 +73,23 @@ TEST_F(Verify, takes_the_folder_in_which_it_is_started)
   EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
   EXPECT_NE(ended.out.find("fall/light"), std::string::npos) << ended.out;
 }
+TEST_F(Verify, runs_element_tests)
+{
+  example("soil",
+          "[run.sheared]\nelement = true\ncase = \"tests.toml\"\n[[expect]]\nrun = \"sheared\"\nquantity = \"ds.s_u\"\nexact = \"8 kPa\"\n"
+          "tolerance = 1e-6\nsource = \"s_u\"\nwhy = \"rounding\"\nrequirement = \"r\"\nderived = \"d\"\n");
+  folder_.write(
+      "examples/soil/tests.toml",
+      "[material.clay]\nlaw = \"mohr_coulomb\"\ndensity = 600\nyoung_modulus = 3e6\npoisson_ratio = 0.49\nfriction_angle = 0\ncohesion = "
+      "8e3\n[[test]]\nname = \"ds\"\nkind = \"simple_shear\"\nmaterial = \"clay\"\ndrained = false\nconfining_stress = 5e4\nstrain_path "
+      "= [0.05]\n");
+  const Ended ended = verify({"soil"});
+  EXPECT_EQ(ended.status, 0) << ended.out << ended.err;
+  EXPECT_NE(ended.out.find("soil/sheared  ds.s_u    8 kPa"), std::string::npos) << ended.out;
+  const std::string page = text_of_file(folder_ / "out/verification/soil.html");
+  for (const char* part : {"berm element ", "simple_shear_stress_strain.png", "element.html"})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+}
 TEST_F(Verify, lists_its_problems_and_runs_nothing)
 {
   example("fall", two_runs + claim("earth", "-10") + claim("earth", "-10") + claim("light", "-5"));

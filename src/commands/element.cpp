@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "commands/case_options.hpp"
+#include "commands/command.hpp"
+#include "core/error.hpp"
+#include "element/element_report.hpp"
+
+#include <chrono>
+#include <fmt/format.h>
+
+namespace berm::commands {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An input of element tests, and where its results go.
+struct ElementRequest {
+  fs::path file, folder;
+  element::ElementCase settings;
+};
+
+/// All inputs are read before the first test; one goes to `output` itself, several to folders in it that are named like their files.
+std::vector<ElementRequest> element_requests(const CaseOptions& options)
+{
+  std::vector<ElementRequest> all;
+  for (const std::string& file : options.files) {
+    const fs::path folder = options.output.empty()      ? default_folder(file)
+                            : options.files.size() == 1 ? fs::path(options.output)
+                                                        : fs::path(options.output) / fs::path(file).stem();
+    for (const ElementRequest& other : all)
+      if (other.folder == folder)
+        throw InputError(fmt::format("{} and {} would both be written to {}", other.file.string(), file, folder.string()));
+    all.push_back({file, folder, element::read_element_case(file, options.overrides)});
+    if (element::holds_results(folder) && !options.force)
+      throw InputError(
+          fmt::format("{} holds the results of element tests: replace them with --force, or name another folder with -o", folder.string()));
+  }
+  return all;
+}
+
+void run_element_tests(const ElementRequest& request)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  element::ElementResults results{request.file, request.settings, {}};
+  for (const element::TestSettings& test : request.settings.test)
+    results.records.push_back(element::run_test(test, element::material_of(request.settings, test)));
+  results.wall_s = std::chrono::duration<Real>(std::chrono::steady_clock::now() - begin).count();
+  element::write_results(results, request.folder);
+  fmt::print("{}", element::words_of_results(results.records));
+  fmt::print(stderr, "the page is {}\n", (request.folder / "element.html").string());
+}
+
+}  // namespace
+
+Command add_element(CLI::App& program)
+{
+  const auto options = std::make_shared<CaseOptions>();
+  CLI::App* app = program.add_subcommand("element", "laboratory tests of soils: triaxial, biaxial, simple shear, oedometer");
+  options->take_cases(*app);
+  app->add_option(
+      "-o,--output", options->output,
+      "folder for the results; of several inputs: the folder that theirs go into (default: out/FOLDER/NAME of FOLDER/NAME.toml)");
+  app->add_flag("--force", options->force, "replace the results of earlier tests in the folder");
+  return {app, [options] {
+            messages_to_stderr();
+            for (const ElementRequest& request : element_requests(*options)) run_element_tests(request);
+            return 0;
+          }};
+}
+
+}  // namespace berm::commands

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/describe.hpp"
+#include "input/catalogue.hpp"
+#include "material/material.hpp"
+
+#include <filesystem>
+
+namespace berm::element {
+
+/// The effective stress at which a test begins (of a total-stress law: the total one), compression positive, Pa: isotropic, or vertical and k0 times that
+/// horizontally.
+struct StartStress {
+  std::optional<Real> confining_stress = {}, vertical_stress = {}, k0 = {};
+
+  Real vertical() const { return confining_stress ? *confining_stress : vertical_stress.value_or(0); }
+  Real horizontal() const { return confining_stress ? *confining_stress : vertical_stress.value_or(0) * k0.value_or(0); }
+};
+
+/// Which way the specimen is deformed axially.
+enum class Direction { compression, extension };
+
+/// A cylinder whose radial total stress is held.
+struct Triaxial {
+  static constexpr const char* word = "triaxial";
+  StartStress start;
+  bool drained = true;
+  Direction direction = Direction::compression;
+};
+
+/// Plane strain; the lateral total stress is held.
+struct Biaxial {
+  static constexpr const char* word = "biaxial";
+  StartStress start;
+  bool drained = true;
+  Direction direction = Direction::compression;
+};
+
+/// No strain in the horizontal directions; the vertical total stress is held.
+struct SimpleShear {
+  static constexpr const char* word = "simple_shear";
+  StartStress start;
+  bool drained = true;
+};
+
+/// No horizontal strain, drained; by vertical strains, or by vertical stresses.
+struct Oedometer {
+  static constexpr const char* word = "oedometer";
+  StartStress start;
+  std::vector<Real> stress_path;  ///< Pa, compression positive; empty: strain_path
+};
+
+using TestKind = std::variant<Triaxial, Biaxial, SimpleShear, Oedometer>;
+
+/// A laboratory test of one specimen.
+struct TestSettings {
+  std::string name, material;
+  Real depth = 0;  ///< m, below the bed's surface, where the specimen is from
+  TestKind kind;
+  std::vector<Real>
+      strain_path;  ///< axial strains, in simple shear shear strains, that are reached one after the other; in `direction` positive
+  int cycles = 1;   ///< times that the path is followed
+  int steps = 200;  ///< from one entry of the path to the next
+  std::optional<Real> strain_rate;  ///< 1/s; empty: none is defined
+};
+
+/// An input of berm element.
+struct ElementCase {
+  std::string title;
+  std::string materials_from;  ///< a case whose materials are tested, too
+  std::vector<std::pair<std::string, material::Material>> material;
+  std::vector<TestSettings> test;
+
+  std::vector<std::pair<std::string, material::Material>> borrowed;  ///< those of materials_from
+};
+
+void describe(Describe& d, TestSettings& test);
+
+/// All parameters, then what must fit together.
+void describe(Describe& d, ElementCase& c);
+
+/// The word of a kind in the input: "triaxial".
+const char* kind_word(const TestKind& kind);
+
+const StartStress& start_of(const TestKind& kind);
+
+/// Whether water can leave the specimen.
+bool drained(const TestKind& kind);
+
+/// Whether a law knows total stresses alone: its strength is undrained, and no pore pressure follows from it.
+bool knows_total_stress_alone(const material::Material& material);
+
+/// The material of a test at the depth of its specimen.
+material::Material material_of(const ElementCase& c, const TestSettings& test);
+
+/// Reads an input of berm element; overrides KEY=VALUE as for --set, those of a material of materials_from go there. Throws InputError.
+ElementCase read_element_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// The keys beside the materials, for `berm params`.
+input::Listed element_catalogue();
+
+/// The whole input as TOML, with every default filled in and the materials of materials_from in it, in SI units.
+std::string resolved_toml(const ElementCase& c);
+
+}  // namespace berm::element

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "element/key_results.hpp"
+
+namespace berm::element {
+
+/// Writes the rows of a test as a history (run_folder/history.hpp): element.csv and element.schema.json beside it. The stage of a row is its leg of the path:
+/// "leg 2", from the second cycle on "cycle 3 leg 2".
+void write_rows(const TestRecord& record, const std::filesystem::path& file);
+
+/// The key results of all tests of one kind that show the same.
+struct ResultTable {
+  std::string title;                           ///< "triaxial, undrained, total stress"
+  std::vector<std::string> tests;              ///< the columns
+  std::vector<std::vector<std::string>> rows;  ///< what is told, then a number for each test
+};
+
+/// One table for each kind; tests that failed in their first step are in none.
+std::vector<ResultTable> result_tables(const std::vector<TestRecord>& records);
+
+/// "triaxial, drained"; of a law of total stresses without pore pressures "triaxial, undrained, total stress".
+std::string words_of_kind(const TestRecord& record);
+
+/// "triaxial compression, drained, of sand from 100 kPa".
+std::string words_of_test(const TestRecord& record);
+
+}  // namespace berm::element
