@@ -6,9 +6,11 @@ namespace berm::element {
 namespace {
 
 /// The state of a law at the start, under this stress.
-std::vector<Real> state_at_start(const material::Material& material, const SymTensor<3>& /*stress*/)
+std::vector<Real> state_at_start(const material::Material& material, const SymTensor<3>& stress)
 {
-  return std::vector<Real>(static_cast<std::size_t>(material::state_size(material)), 0.);
+  std::vector<Real> state(static_cast<std::size_t>(material::state_size(material)), 0.);
+  material::initial_state(material, stress, state.data());
+  return state;
 }
 
 }  // namespace

@@ -198,7 +198,7 @@ template <int dim, class N, class T>
   const bool has_time = increment.dt > 0 && law.per_e_fold > 0;
   const T kept = has_time ? exponential(rate_part * law.per_relative - since) : zero;
   const Real per_x = has_time ? -std::expm1(-since) * law.per_reference / increment.dt : 0;
-  const Real weight = law.softening_length > 0 ? increment.cell_size / law.softening_length : 1;
+  const Real weight = law.softening_length > 0 && increment.cell_size > 0 ? increment.cell_size / law.softening_length : 1;
   const T damage = law.per_shear > 0 ? exponential(-law.per_shear * xi) : zero;
   T of_flow{};
   const T x = plastic_shear(law, shear, yields, kept, per_x, damage, weight, of_flow);

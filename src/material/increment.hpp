@@ -11,7 +11,7 @@ struct Increment {
   SymTensor<dim, T> strain;
   Real dt = 0;         ///< s, duration; 0: none, so that no strain rate is defined
   Real time = 0;       ///< s, at the beginning
-  Real cell_size = 0;  ///< m, root of the cell's area (in space: cube root of its volume); 0 where a law has no length of its own
+  Real cell_size = 0;  ///< m, root of the cell's area (in space: cube root of its volume); 0 where strain is uniform or no law asks for it
 };
 
 }  // namespace berm::material
