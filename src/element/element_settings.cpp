@@ -129,7 +129,8 @@ void check_start(Describe& d, const std::string& path, const StartStress& start)
 /// A soil cannot begin beyond its strength.
 void check_strength(Describe& d, const std::string& path, const StartStress& start, const material::Material& material)
 {
-  const std::vector<Real> state(static_cast<std::size_t>(material::state_size(material)), 0.);
+  std::vector<Real> state(static_cast<std::size_t>(material::state_size(material)), 0.);
+  material::initial_state(material, {{-start.horizontal(), -start.vertical(), -start.horizontal()}}, state.data());
   const Real half = std::abs(start.vertical() - start.horizontal()) / 2, middle = (start.vertical() + start.horizontal()) / 2;
   const std::optional<Real> strength = material::shear_strength(material, -middle, state.data());
   constexpr Real rounding = 1e-9;

@@ -47,6 +47,18 @@ TEST(Mechanism, a_flat_bed_has_no_heave_whatever_its_lattice)
   EXPECT_EQ(heave.berm, 0);
 }
 
+TEST(Mechanism, remoulded_clay_is_that_beyond_the_limit_and_its_depth_counts_from_the_invert)
+{
+  run_folder::SavedSoil now = soil([](Real x, Real y) { return std::abs(x) < 2 * D && y > -0.6 * D ? 5. : 1.; }, flat);
+  now.fields[0].info.name = "plastic_shear";
+  const RemouldedClay clay = remoulded_clay(now, 4, -0.2 * D, {0, 0, 0.2 * D}, D);
+  EXPECT_NEAR(clay.area, 4 * D * 0.6 * D, 1e-6 * D * D);
+  EXPECT_NEAR(clay.depth, 0.4 * D, side);
+  const RemouldedClay none = remoulded_clay(now, 6, -0.2 * D, {0, 0, 0.2 * D}, D);
+  EXPECT_EQ(none.area, 0);
+  EXPECT_EQ(none.depth, 0);
+}
+
 TEST(Mechanism, the_berm_is_the_highest_soil_ahead_whichever_way_the_pipe_goes)
 {
   const run_folder::SavedSoil start = soil(nothing, flat);

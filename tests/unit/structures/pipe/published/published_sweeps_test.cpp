@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What stands beside the end of long drags in clay.
+#include "structures/pipe/published/published.hpp"
+
+#include "samples/made_run.hpp"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace berm::pipe {
+namespace {
+
+/// Dragged 1.2 D in clay of 1 kPa, where H = 3e4 u and w = 0.1 D + u/20; and dragged back 1.2 D once more, where H is half of that.
+record::RunRecord swept_twice(Real dragged = 0.024)
+{
+  MadeRun made;
+  made.law = MadeRun::clay_law();
+  made.contact.friction_angle = 0;
+  made.dragged = dragged;
+  made.sunk = [](Real u) { return u / 20; };
+  record::RunRecord run = made.record();
+  problem::StageSettings back = MadeRun::stage_of("back", problem::StageKind::drag);
+  back.velocity = -0.1;
+  run.settings.stage.push_back(back);
+  const Real step = 0.002 * made.D, deepest = made.pushed_to + dragged / 20;
+  for (int k = 1; k * step <= dragged + step / 2; ++k) {
+    const Real row[] = {static_cast<Real>(run.history.rows()), dragged - k * step, deepest, -1.5e4 * k * step, made.held_V};
+    for (int column = 0; column < 5; ++column) run.history.values[column].push_back(row[column]);
+    run.history.stage.push_back("back");
+  }
+  run.quantities = structures::structure_of(run.settings).quantities(run, {});
+  return run;
+}
+
+std::vector<const ComparedState*> ends(const PublishedValues& values)
+{
+  std::vector<const ComparedState*> found;
+  for (const ComparedState& state : values.states)
+    if (state.kind == ComparedState::Kind::end_of_drag) found.push_back(&state);
+  return found;
+}
+
+TEST(published_sweeps, the_first_long_drag_stands_beside_residuals_and_the_next_between_berms)
+{
+  const PublishedValues values = published_beside(PipeRun(swept_twice()));
+  const auto found = ends(values);
+  ASSERT_EQ(found.size(), 2u);
+  const ComparedState &first = *found[0], &back = *found[1];
+  EXPECT_EQ(first.stage, "drag");
+  ASSERT_EQ(first.comparisons.size(), 4u);
+  // s_u/(2 gamma' D) = 1000/17200; H is the mean over the last tenth of the travel, 0.12 D, of 3e4 u: 720 (1 - 0.05) N/m.
+  EXPECT_NEAR(first.comparisons[0].published.value, 800 * (1 - 0.65 * (1 - std::exp(-1000 / 17200.))), 0.5);
+  EXPECT_NEAR(first.comparisons[0].berm, 684, 5);
+  EXPECT_EQ(first.comparisons[1].about, "residual, low estimate");
+  EXPECT_LT(first.comparisons[1].published.value, first.comparisons[2].published.value);
+  EXPECT_LT(first.comparisons[2].published.value, first.comparisons[3].published.value);
+  EXPECT_EQ(back.stage, "back");
+  ASSERT_EQ(back.comparisons.size(), 4u);
+  EXPECT_NEAR(back.comparisons[0].berm, 1.5e4 * 0.012, 2) << "H in the middle of the way";
+  EXPECT_NEAR(back.comparisons[0].published.value, 0.25 * 800, 2);
+  EXPECT_NEAR(back.comparisons[2].berm, 342, 3);
+  EXPECT_NEAR(back.comparisons[2].published.value, 0.9 * 0.16 * 20, 0.1) << "w = 0.1 D + 0.06 D";
+}
+
+TEST(published_sweeps, a_drag_of_less_than_a_diameter_has_no_residual)
+{
+  EXPECT_TRUE(ends(published_beside(PipeRun(swept_twice(0.018)))).empty());
+}
+
+}  // namespace
+}  // namespace berm::pipe
