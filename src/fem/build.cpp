@@ -175,6 +175,18 @@ void fill_points(const problem::Case& c, FemModel& model, FemState& state)
       model.weight += model.shape[cell][q].area * model.density_at(cell, q) * model.model.gravity.norm();
 }
 
+/// State variables of soil at rest under its first stress.
+void set_initial_states(const FemModel& model, FemState& state)
+{
+  for (Index cell = 0; cell < state.points.size(); ++cell)
+    for (int q = 0; q < triangle_points; ++q) {
+      SoilPoint& point = state.points[cell][q];
+      SymTensor<3> stress;
+      std::copy_n(point.stress.c, tensor_size<2>, stress.c);
+      initial_state(model.soil_at(cell, q), stress, point.law_state.data());
+    }
+}
+
 /// Finite elements are in equilibrium from their start: a stage that waits for it is one increment.
 void end_at_once(std::vector<problem::StageSettings>& stages)
 {
@@ -211,6 +223,7 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
   if (model.rigid != none) model.width = width_of<2>(model.model.rigid_bodies[model.rigid].shape);
   number_unknowns(model);
   if (by_gravity) load_by_gravity(c, model, state);
+  set_initial_states(model, state);
   for (const auto& [name, watch] : c.watch) model.watches.push_back(make_watch(model, name, watch, problem::index_of(c.body, watch.body)));
   state.displacement.assign(model.unknowns(), 0.);
   state.contact.resize(model.contact.size());

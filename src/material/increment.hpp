@@ -11,6 +11,8 @@ struct Increment {
   SymTensor<dim, T> strain;
   Real dt = 0;    ///< s, duration; 0: none, so that no strain rate is defined
   Real time = 0;  ///< s, at the beginning
+  /// Lanes that hold a particle of the law; the others may hold any finite number, and what the law makes of them is not used.
+  decltype(T() < T()) active = T() <= T();
 };
 
 }  // namespace berm::material

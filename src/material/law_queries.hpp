@@ -56,6 +56,13 @@ YoungPoisson young_poisson(const L& law)
   return {law.young_modulus, law.poisson_ratio};
 }
 
+/// The number of state variables per particle of a law or a prepared one: state_size, which is the most that a law can have, unless it says less.
+template <class L>
+constexpr int state_count(const L&)
+{
+  return L::state_size;
+}
+
 /// Name, label and unit of each state variable.
 template <Law L>
 std::vector<FieldInfo> state_fields(const L&)
@@ -90,6 +97,12 @@ template <Law L>
 std::optional<Real> shear_strength(const L&, Real /*middle*/, const Real* /*state*/)
 {
   return {};
+}
+
+/// Sets the state variables, which are 0, to those of soil at rest under its initial stress, Pa, tension positive.
+template <Law L>
+void initial_state(const L&, const SymTensor<3>& /*stress*/, Real* /*state*/)
+{
 }
 
 /// Whether plastic shearing dilates.

@@ -51,7 +51,7 @@ Real p_wave_modulus(const Material& material)
 
 int state_size(const Material& material)
 {
-  return std::visit([](const auto& law) { return law.state_size; }, material);
+  return std::visit([](const auto& law) { return state_count(law); }, material);
 }
 
 const char* law_word(const Material& material)
@@ -82,6 +82,11 @@ std::optional<Strength> strength_at_rest(const Material& material)
 std::optional<Real> shear_strength(const Material& material, Real middle, const Real* state)
 {
   return std::visit([&](const auto& law) { return shear_strength(law, middle, state); }, material);
+}
+
+void initial_state(const Material& material, const SymTensor<3>& stress, Real* state)
+{
+  std::visit([&](const auto& law) { initial_state(law, stress, state); }, material);
 }
 
 bool dilates(const Material& material)

@@ -5,6 +5,7 @@
 #include "material/linear_elastic.hpp"
 #include "material/mohr_coulomb.hpp"
 #include "material/rate_dependent_tresca.hpp"
+#include "material/user_law.hpp"
 
 namespace berm::material {
 
@@ -15,7 +16,7 @@ namespace berm::material {
 /// for T = Real, T = Lanes and, in plane strain, T = Dual, and with_own(prepared, own), the law of particles that keep
 /// strength and stiffness for themselves; it overrides the queries of law_queries.hpp whose default does
 /// not apply. Choose once per body with std::visit, outside the loop over particles.
-using Laws = LawList<LinearElastic, MohrCoulomb, RateDependentTresca>;
+using Laws = LawList<LinearElastic, MohrCoulomb, RateDependentTresca, UserLaw<Interface::umat>, UserLaw<Interface::own>>;
 
 using Material = Laws::Material;
 using PreparedMaterial = Laws::Prepared;
@@ -54,6 +55,7 @@ std::vector<FieldInfo> state_fields(const Material& material);
 bool yields(const Material& material);
 std::optional<Strength> strength_at_rest(const Material& material);
 std::optional<Real> shear_strength(const Material& material, Real middle, const Real* state);
+void initial_state(const Material& material, const SymTensor<3>& stress, Real* state);
 bool dilates(const Material& material);
 Material without_dilation(const Material& material);
 

@@ -169,6 +169,26 @@ Problem<dim> build(const Case& c, const std::string& case_folder, const std::str
   return build(c, make_mesh<dim>(c.mesh, case_folder, work_folder));
 }
 
+/// State variables of soil at rest under its first stress.
+template <int dim>
+void set_initial_states(const Model<dim>& model, std::vector<bodies::Particles<dim>>& particles)
+{
+  for (std::size_t body = 0; body < particles.size(); ++body) {
+    const BodySoil& soil = model.bodies[body].soil;
+    std::vector<Real> own(static_cast<std::size_t>(state_size(soil.materials.front())));
+    if (own.empty()) continue;
+    particles[body].visit([&](Index, Index b, int l) {
+      const bodies::Particle<dim> p = particles[body].read(b, l);
+      const material::Material& material = material_of(soil, p.extra);
+      SymTensor<3> stress;
+      std::copy_n(p.stress.c, tensor_size<dim>, stress.c);
+      std::fill(own.begin(), own.end(), 0);
+      initial_state(material, stress, own.data());
+      for (std::size_t k = 0; k < own.size(); ++k) particles[body].state(b)[k][l] = own[k];
+    });
+  }
+}
+
 template <int dim>
 Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
 {
@@ -203,6 +223,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
     });
   }
   if (by_gravity) load_by_gravity(c, model, state.particles);
+  set_initial_states(model, state.particles);
   limit_equilibrium(c, model, state.particles);
   state.pair_impulses.assign(c.contact.size(), Vec<dim>::Zero());
   state.tractions.resize(model.tractions.size());
