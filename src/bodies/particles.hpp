@@ -28,7 +28,7 @@ struct alignas(32) Block {
 /// One particle by itself: in transit between cells, or read for output.
 template <int dim>
 struct Particle {
-  static constexpr int max_extra = 8;  ///< numbers of extra fields per particle
+  static constexpr int max_extra = 36;  ///< numbers of extra fields per particle
 
   Vec<dim> x = Vec<dim>::Zero(), v = Vec<dim>::Zero();
   SymTensor<dim> stress{};

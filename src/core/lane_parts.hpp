@@ -63,15 +63,15 @@ struct Part {
     }
   }
 
-  /// Calls change(V*) on this part of `count` Lanes; in index where a part is a block, so that unchanged values are not
+  /// Calls change(V*) on this part of `count` Lanes, `max` at most; in place where a part is a block, so that unchanged values are not
   /// written.
-  template <int count, class Change>
-  [[gnu::always_inline]] void change(Lanes* low, Lanes* high, const Change& change) const
+  template <int max, class Change>
+  [[gnu::always_inline]] void change(Lanes* low, Lanes* high, int count, const Change& change) const
   {
     if constexpr (std::is_same_v<V, Lanes>) {
       change(low);
     } else {
-      V numbers[count + 1];  // an array has at least one element
+      V numbers[max + 1];  // an array has at least one element
       for (int k = 0; k < count; ++k) numbers[k] = get(low[k], high[k]);
       change(numbers);
       for (int k = 0; k < count; ++k) set(low[k], high[k], numbers[k]);

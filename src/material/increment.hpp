@@ -12,6 +12,8 @@ struct Increment {
   Real dt = 0;         ///< s, duration; 0: none, so that no strain rate is defined
   Real time = 0;       ///< s, at the beginning
   Real cell_size = 0;  ///< m, root of the cell's area (in space: cube root of its volume); 0 where strain is uniform or no law asks for it
+  /// Lanes that hold a particle of the law; the others may hold any finite number, and what the law makes of them is not used.
+  decltype(T() < T()) active = T() <= T();
 };
 
 }  // namespace berm::material

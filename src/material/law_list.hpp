@@ -4,6 +4,7 @@
 #include "material/law_queries.hpp"
 
 #include <algorithm>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -14,14 +15,26 @@ namespace berm::material {
 template <Law L>
 using PreparedLaw = decltype(prepare(std::declval<const L&>()));
 
+/// A variant of these types, each of them once.
+template <class Variant, class... Ts>
+struct VariantOf {
+  using Type = Variant;
+};
+template <class... Done, class T, class... Ts>
+struct VariantOf<std::variant<Done...>, T, Ts...>
+    : std::conditional_t<(std::is_same_v<Done, T> || ...), VariantOf<std::variant<Done...>, Ts...>,
+                         VariantOf<std::variant<Done..., T>, Ts...>> {
+};
+
 /// A closed list of laws, and the types that follow from it.
 template <Law... Ls>
 struct LawList {
   static_assert(((Ls::state_size == PreparedLaw<Ls>::state_size) && ...),
                 "a law and its prepared form must have the same number of state variables");
 
-  using Material = std::variant<Ls...>;               ///< one of them, with its parameters
-  using Prepared = std::variant<PreparedLaw<Ls>...>;  ///< one of them, with precomputed constants
+  using Material = std::variant<Ls...>;  ///< one of them, with its parameters
+  /// One of them, with precomputed constants; laws may share a prepared form.
+  using Prepared = typename VariantOf<std::variant<>, PreparedLaw<Ls>...>::Type;
   static constexpr int max_state = std::max({Ls::state_size...});
 
   /// Words of the input, in the order of the list.

@@ -56,6 +56,13 @@ YoungPoisson young_poisson(const L& law)
   return {law.young_modulus, law.poisson_ratio};
 }
 
+/// The number of state variables per particle of a law or a prepared one: state_size, which is the most that a law can have, unless it says less.
+template <class L>
+constexpr int state_count(const L&)
+{
+  return L::state_size;
+}
+
 /// Name, label and unit of each state variable.
 template <Law L>
 std::vector<FieldInfo> state_fields(const L&)

@@ -52,7 +52,7 @@ Real p_wave_modulus(const Material& material)
 
 int state_size(const Material& material)
 {
-  return std::visit([](const auto& law) { return law.state_size; }, material);
+  return std::visit([](const auto& law) { return state_count(law); }, material);
 }
 
 const char* law_word(const Material& material)

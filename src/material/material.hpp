@@ -7,6 +7,7 @@
 #include "material/modified_cam_clay.hpp"
 #include "material/mohr_coulomb.hpp"
 #include "material/norsand.hpp"
+#include "material/user_law.hpp"
 
 namespace berm::material {
 
@@ -17,7 +18,7 @@ namespace berm::material {
 /// for T = Real, T = Lanes and, in plane strain, T = Dual, and with_own(prepared, own), the law of particles that keep
 /// strength and stiffness for themselves; it overrides the queries of law_queries.hpp whose default does
 /// not apply. Choose once per body with std::visit, outside the loop over particles.
-using Laws = LawList<LinearElastic, MohrCoulomb, Clay, ModifiedCamClay, NorSand>;
+using Laws = LawList<LinearElastic, MohrCoulomb, Clay, ModifiedCamClay, NorSand, UserLaw<Interface::umat>, UserLaw<Interface::own>>;
 
 using Material = Laws::Material;
 using PreparedMaterial = Laws::Prepared;

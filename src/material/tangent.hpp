@@ -3,6 +3,7 @@
 
 #include "core/dual.hpp"
 #include "material/increment.hpp"
+#include "material/law_queries.hpp"
 
 #include <algorithm>
 
@@ -32,7 +33,8 @@ inline void update_stress_and_tangent(const Prepared& law, SymTensor<2>& stress,
   strain[0].slope[0] = 1;
   strain[1].slope[1] = 1;
   strain[3].slope[2] = 0.5;
-  for (int k = 0; k < Prepared::state_size; ++k) new_state[k].value = state[k];
+  const int state_variables = state_count(law);
+  for (int k = 0; k < state_variables; ++k) new_state[k].value = state[k];
 
   update(law, new_stress, with_slopes, new_state);
 
@@ -40,7 +42,7 @@ inline void update_stress_and_tangent(const Prepared& law, SymTensor<2>& stress,
     stress[k] = new_stress[k].value;
     for (int j = 0; j < 3; ++j) tangent(k, j) = new_stress[k].slope[j];
   }
-  for (int k = 0; k < Prepared::state_size; ++k) state[k] = new_state[k].value;
+  for (int k = 0; k < state_variables; ++k) state[k] = new_state[k].value;
 }
 
 }  // namespace berm::material

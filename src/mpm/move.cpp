@@ -85,12 +85,13 @@ template <int dim, class Law, class V>
     return;
   }
   SymTensor<dim, V> dilated_stress = stress;
+  const int state_variables = state_count(law);
   V dilated_state[std::max(Law::state_size, 1)];
-  std::copy_n(state, Law::state_size, dilated_state);
+  std::copy_n(state, state_variables, dilated_state);
   update(law, stress, increment, state);
   update(*law_without_dilation, dilated_stress, increment, dilated_state);
   for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = fully_dilated ? dilated_stress[k] : stress[k];
-  for (int k = 0; k < Law::state_size; ++k) state[k] = fully_dilated ? dilated_state[k] : state[k];
+  for (int k = 0; k < state_variables; ++k) state[k] = fully_dilated ? dilated_state[k] : state[k];
 }
 
 /// The soil of a body whose particles keep strength, stiffness or material for themselves.
@@ -113,7 +114,7 @@ struct VolumeBounds {
 template <int dim, class Law, class P, class V>
 [[gnu::always_inline]] inline VolumeBounds<V>
 update_by_own_soil(const OwnSoil<Law>& soils, const P& part, const Lanes* low, const Lanes* high, const V& mass, const V& volume,
-                   SymTensor<dim, V>& stress, const material::Increment<dim, V>& increment, V* state)
+                   SymTensor<dim, V>& stress, material::Increment<dim, V>& increment, V* state)
 {
   using Mask = typename Part<V>::Mask;
   constexpr int own_size = OwnSoil<Law>::own_size, first_own = OwnSoil<Law>::first_own;
@@ -122,7 +123,8 @@ update_by_own_soil(const OwnSoil<Law>& soils, const P& part, const Lanes* low, c
   if (soils.number_offset != none) number = part.get(low[soils.number_offset], high[soils.number_offset]);
   const SymTensor<dim, V> begin = stress;
   V begin_state[Law::state_size + 1];
-  std::copy_n(state, Law::state_size, begin_state);
+  const int state_variables = state_count(std::get<Law>(soils.laws.front()));
+  std::copy_n(state, state_variables, begin_state);
   VolumeBounds<V> bounds;
   for (Mask left = part.alive(); any(left);) {
     int first = 0;
@@ -133,7 +135,8 @@ update_by_own_soil(const OwnSoil<Law>& soils, const P& part, const Lanes* low, c
     const VolumeRule& rule = soils.rules[n];
     SymTensor<dim, V> s = begin;
     V of_law[Law::state_size + 1];
-    std::copy_n(begin_state, Law::state_size, of_law);
+    std::copy_n(begin_state, state_variables, of_law);
+    increment.active = these;
     const auto& here = with_own(std::get<Law>(soils.laws[n]), own);
     const Mask fully_dilated = these & (volume >= mass * rule.max_volume);
     if (rule.dilates && any(fully_dilated)) {
@@ -143,7 +146,7 @@ update_by_own_soil(const OwnSoil<Law>& soils, const P& part, const Lanes* low, c
       update(here, s, increment, of_law);
     }
     for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = these ? s[k] : stress[k];
-    for (int k = 0; k < Law::state_size; ++k) state[k] = these ? of_law[k] : state[k];
+    for (int k = 0; k < state_variables; ++k) state[k] = these ? of_law[k] : state[k];
     bounds.min = these ? mass * rule.min_volume : bounds.min;
     bounds.max = these ? mass * rule.max_volume : bounds.max;
   }
@@ -280,7 +283,7 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
         min_shape = move_part<V>(part, p, q, shape, at_zero, gain, velocity, dt, filtered, unfiltered, done);
       if constexpr (pass != Pass::move) {
         const V mass = part.get(p.mass, q.mass), volume = part.get(p.volume, q.volume);
-        material::Increment<dim, V> increment{.strain = {}, .dt = dt, .time = time, .cell_size = cell_size};
+        material::Increment<dim, V> increment{.strain = {}, .dt = dt, .time = time, .cell_size = cell_size, .active = alive};
         SymTensor<dim, V>& strain = increment.strain;
         SymTensor<dim, V> stress, both_stresses;
         for (int k = 0; k < tensor_size<dim>; ++k) {
@@ -291,14 +294,14 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
         [[maybe_unused]] VolumeBounds<V> bounds;
         if constexpr (own_soil) {
           const Lanes *low = particles.extra(part.block), *high = particles.extra(part.other);
-          part.template change<Law::state_size>(particles.state(part.block), particles.state(part.other), [&](V* law_state) {
-            bounds = update_by_own_soil<dim>(soils, part, low, high, mass, volume, stress, increment, law_state);
-          });
+          part.template change<Law::state_size>(
+              particles.state(part.block), particles.state(part.other), state_count(law),
+              [&](V* law_state) { bounds = update_by_own_soil<dim>(soils, part, low, high, mass, volume, stress, increment, law_state); });
         } else {
           const Mask fully_dilated = alive & (volume >= mass * max_volume);
-          part.template change<Law::state_size>(particles.state(part.block), particles.state(part.other), [&](V* law_state) {
-            update_stress_of<dim>(law, law_without_dilation, fully_dilated, stress, increment, law_state);
-          });
+          part.template change<Law::state_size>(
+              particles.state(part.block), particles.state(part.other), state_count(law),
+              [&](V* law_state) { update_stress_of<dim>(law, law_without_dilation, fully_dilated, stress, increment, law_state); });
         }
         for (int k = 0; k < tensor_size<dim>; ++k) {
           const V kept = alive ? stress[k] : V{};

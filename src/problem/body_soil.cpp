@@ -127,6 +127,9 @@ void check_soil(Describe& d, const Case& c, const std::string& path, const bodie
             fmt::format("[material.{}] has the law \"{}\", [material.{}] of the same body \"{}\": all materials of a body need one law; "
                         "make another body of it, with a [contact] between them",
                         name, law_word(second), body.material, law_word(first)));
+    d.check(state_size(first) == state_size(second), key,
+            fmt::format("[material.{}] has {} state variables, [material.{}] of the same body {}: they need as many", name,
+                        state_size(second), body.material, state_size(first)));
     const Real ratio = density(first) / inertia_density(first), here = density(second) / inertia_density(second);
     constexpr Real same = 1e-6;
     d.check(c.method == Method::fem || std::abs(here / ratio - 1) < same, key,

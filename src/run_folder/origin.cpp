@@ -80,13 +80,15 @@ RunSession this_session()
           fmt::format("{}, compiler {}, vector unit {}", optimized, __VERSION__, vector_unit()), hashes_of(io::program_files("libberm"))};
 }
 
-void note_origin(const fs::path& run_folder)
+void note_origin(const fs::path& run_folder, const FileHashes& libraries)
 {
   std::vector<fs::path> inputs;
   std::error_code error;
   for (const char* name : input_names)
     if (const fs::path file = run_folder / name; fs::exists(file, error)) inputs.push_back(file);
-  write(run_folder, {hashes_of(inputs), {this_session()}});
+  FileHashes hashes = hashes_of(inputs);
+  hashes.insert(hashes.end(), libraries.begin(), libraries.end());
+  write(run_folder, {hashes, {this_session()}});
 }
 
 void note_resumption(const fs::path& run_folder)

@@ -33,9 +33,9 @@ struct Origin {
 /// The present program, now.
 RunSession this_session();
 
-/// Notes in origin.json what the run in the folder is made from: SHA-256 of its case.toml, resolved.toml, mesh.msh and claims.toml as they are there, and this
-/// session; of a resumed run only another session, also where its origin.json is missing or damaged. Throws RunError where it cannot be written.
-void note_origin(const std::filesystem::path& run_folder);
+/// Notes in origin.json what the run in the folder is made from: SHA-256 of its case.toml, resolved.toml, mesh.msh and claims.toml as they are there, of the
+/// libraries with laws (by their paths), and this session; of a resumed run only another session, also where its origin.json is missing or damaged. Throws RunError where it cannot be written.
+void note_origin(const std::filesystem::path& run_folder, const FileHashes& libraries = {});
 void note_resumption(const std::filesystem::path& run_folder);
 
 /// What origin.json of a run says; empty where it is not there (a run of an earlier version). Throws RunError where it is damaged.

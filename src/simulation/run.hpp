@@ -31,6 +31,7 @@ private:
   bool read_checkpoint();
   void step_to_the_end();
   void step();
+  void step_of_method();
   void write_checkpoint();
   void leave_results();
   std::filesystem::path history_path() const { return folder_.file("history.csv"); }

@@ -9,19 +9,21 @@
 #include "simulation/run.hpp"
 #include "simulation/with_run_folder.hpp"
 #include "structures/base/soil_words.hpp"
+#include "user_law/load.hpp"
 
 #include <fmt/format.h>
 
 namespace berm::simulation {
 namespace {
 
-/// Builds the problem by the method that the case names, and does something with it. An error that names a key gets the line where that was written.
+/// Loads the user's own laws, builds the problem by the method that the case names, and does something with it. An error that names a key gets the line where that was written.
 template <class Act>
-auto with_method(const RunRequest& request, const Act& act)
+auto with_method(RunRequest request, const Act& act)
 {
   const io::ScratchFolder scratch;
-  const auto with = [&](auto method) { return act(method, scratch); };
+  const auto with = [&](auto method) { return act(request, method, scratch); };
   try {
+    user_law::load(request.settings);
     if (request.settings.method == problem::Method::fem) return with(FemMethod(request, scratch));
     return request.settings.dimension == 2 ? with(MpmMethod<2>(request, scratch)) : with(MpmMethod<3>(request, scratch));
   } catch (const KeyError& error) {
@@ -31,9 +33,9 @@ auto with_method(const RunRequest& request, const Act& act)
 
 }  // namespace
 
-bool run_case(const RunRequest& request, Context& context)
+bool run_case(const RunRequest& to_run, Context& context)
 {
-  return with_method(request, [&](auto& method, const io::ScratchFolder& scratch) {
+  return with_method(to_run, [&](const RunRequest& request, auto& method, const io::ScratchFolder& scratch) {
     const std::vector<std::string> warnings =
         request.resume ? noted_warnings(request.folder) : warnings_of(method.scene(request, context.threads()));
     const std::string what = fmt::format("{}, {} thread{}", method.size_words(), context.threads(), context.threads() == 1 ? "" : "s");
@@ -43,14 +45,14 @@ bool run_case(const RunRequest& request, Context& context)
   });
 }
 
-void try_to_build(const RunRequest& request)
+void try_to_build(const RunRequest& to_build)
 {
-  with_method(request, [&](auto& method, const io::ScratchFolder&) { warnings_of(method.scene(request, 1)); });
+  with_method(to_build, [&](const RunRequest& request, auto& method, const io::ScratchFolder&) { warnings_of(method.scene(request, 1)); });
 }
 
-void check_case(const RunRequest& request, Context& context)
+void check_case(const RunRequest& to_check, Context& context)
 {
-  with_method(request, [&](auto& method, const io::ScratchFolder&) {
+  with_method(to_check, [&](const RunRequest& request, auto& method, const io::ScratchFolder&) {
     const sanity::Scene scene = method.scene(request, context.threads());
     const std::vector<std::string> warnings = warnings_of(scene);
     for (const std::string& warning : warnings) fmt::print(stderr, "berm: warning: {}\n", warning);

@@ -9,6 +9,7 @@
 #include "simulation/checkpoints.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/resume.hpp"
+#include "user_law/load.hpp"
 
 #include <exception>
 #include <spdlog/spdlog.h>
@@ -28,7 +29,7 @@ run_folder::RunFolder new_run_folder(const RunRequest& request, const io::Scratc
   std::error_code error;
   if (const fs::path claims = request.case_file.parent_path() / "claims.toml"; fs::exists(claims, error))
     io::copy_atomically(claims, folder.file("claims.toml"));
-  run_folder::note_origin(folder.path());
+  run_folder::note_origin(folder.path(), user_law::library_hashes(request.settings));
   note_warnings(folder, warnings);
   note_case_file(folder, request.case_file);
   return folder;

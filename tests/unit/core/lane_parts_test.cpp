@@ -52,8 +52,8 @@ TEST(LaneParts, write_where_they_read)
     chain.parts(count, [&](const auto& part) {
       Lanes &low = chain.blocks[part.block], &high = chain.blocks[part.other];
       part.set(low, high, part.get(low, high) + 100.);
-      part.template change<1>(&low, &high, [](auto* numbers) { numbers[0] *= 2.; });
-      part.template change<0>(&low, &high, [](auto*) {});
+      part.template change<1>(&low, &high, 1, [](auto* numbers) { numbers[0] *= 2.; });
+      part.template change<0>(&low, &high, 0, [](auto*) {});
     });
     for (Index n = 0; n < count; ++n) EXPECT_EQ(chain.blocks[1 + n / lanes][n % lanes], 2. * (100 + n));
     for (int l = 0; l < lanes; ++l) EXPECT_EQ(chain.blocks[0][l], l - lanes);  // a block before the chain

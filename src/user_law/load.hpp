@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/case.hpp"
+
+namespace berm::user_law {
+
+/// Loads the libraries of the user's own laws of a case, tries them, and notes their SHA-256 in it. A law that threads cannot call at a time is called by one
+/// after the other, with a warning. Throws KeyError where a library is missing, is another than library_sha256 says, does not load, has no such function, or
+/// fails the trials (trial.hpp). A law that crashes ends the program (crash_guard.hpp).
+void load(problem::Case& c);
+
+/// Path and SHA-256 of the libraries of a case whose laws are loaded, each once.
+std::vector<std::pair<std::string, std::string>> library_hashes(const problem::Case& c);
+
+/// Throws RunError with the reason where a loaded law has failed.
+void throw_failures(const problem::Case& c);
+
+/// Forgets failures that the method has got over.
+void forget_failures(const problem::Case& c);
+
+}  // namespace berm::user_law
