@@ -142,15 +142,4 @@ template <class Number>
   return {root, a.slope * (root > 0 ? 0.5 / root : 0.)};
 }
 
-[[gnu::always_inline]] inline Dual exponential(const Dual& a)
-{
-  const Real power = std::exp(a.value);
-  return {power, a.slope * power};
-}
-
-[[gnu::always_inline]] inline Dual natural_logarithm(const Dual& a)
-{
-  return {std::log(a.value), a.slope / a.value};
-}
-
 }  // namespace berm

@@ -3,25 +3,6 @@
 
 #include "core/types.hpp"
 
-// The C library's vector functions (libmvec), to 4 units in the last place: one for each width of the vector ABI.
-#if defined(__x86_64__) && defined(__GLIBC__)
-extern "C" {
-using BermTwoReals = double __attribute__((vector_size(16)));
-BermTwoReals _ZGVbN2v_exp(BermTwoReals);
-BermTwoReals _ZGVbN2v_log(BermTwoReals);
-#if defined(__AVX2__)
-using BermFourReals = double __attribute__((vector_size(32)));
-BermFourReals _ZGVdN4v_exp(BermFourReals);
-BermFourReals _ZGVdN4v_log(BermFourReals);
-#endif
-#if defined(__AVX512F__)
-using BermEightReals = double __attribute__((vector_size(64)));
-BermEightReals _ZGVeN8v_exp(BermEightReals);
-BermEightReals _ZGVeN8v_log(BermEightReals);
-#endif
-}
-#endif
-
 namespace berm {
 
 /// Four numbers, one of each particle of a block; arithmetic, comparison and `mask ? a : b` act lane by lane as on a Real,
@@ -82,51 +63,6 @@ requires(lanes_of<V> > 1) [[gnu::always_inline]] inline V square_root(V x)
   V root;
   for (int l = 0; l < lanes_of<V>; ++l) root[l] = std::sqrt(x[l]);
   return root;
-}
-
-inline Real exponential(Real x)
-{
-  return std::exp(x);
-}
-inline Real natural_logarithm(Real x)
-{
-  return std::log(x);
-}
-
-/// Which function of the C library.
-enum class LibraryFunction { exp, log };
-
-/// Of each lane, by the widest vector function that the machine has.
-template <LibraryFunction f, class V>
-[[gnu::always_inline]] inline V by_library(V x)
-{
-  [[maybe_unused]] constexpr bool is_exp = f == LibraryFunction::exp;
-  V y;
-#if defined(__x86_64__) && defined(__GLIBC__)
-#if defined(__AVX512F__)
-  if constexpr (lanes_of<V> == 8) return is_exp ? _ZGVeN8v_exp(x) : _ZGVeN8v_log(x);
-#endif
-#if defined(__AVX2__)
-  if constexpr (lanes_of<V> == 4) return is_exp ? _ZGVdN4v_exp(x) : _ZGVdN4v_log(x);
-#endif
-  for (int l = 0; l < lanes_of<V>; l += 2) {
-    const BermTwoReals two = {x[l], x[l + 1]}, done = is_exp ? _ZGVbN2v_exp(two) : _ZGVbN2v_log(two);
-    y[l] = done[0], y[l + 1] = done[1];
-  }
-#else
-  for (int l = 0; l < lanes_of<V>; ++l) y[l] = is_exp ? std::exp(x[l]) : std::log(x[l]);
-#endif
-  return y;
-}
-template <class V>
-requires(lanes_of<V> > 1) [[gnu::always_inline]] inline V exponential(V x)
-{
-  return by_library<LibraryFunction::exp>(x);
-}
-template <class V>
-requires(lanes_of<V> > 1) [[gnu::always_inline]] inline V natural_logarithm(V x)
-{
-  return by_library<LibraryFunction::log>(x);
 }
 
 template <class T>

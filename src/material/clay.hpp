@@ -2,6 +2,7 @@
 #pragma once
 
 #include "material/depth_profile.hpp"
+#include "material/exponential.hpp"
 #include "material/increment.hpp"
 #include "material/law_queries.hpp"
 #include "material/mohr_coulomb_return.hpp"
@@ -137,7 +138,7 @@ struct ClayStrength {
     if (law.per_e_fold > 0) {
       constexpr Real rounding = 1e-9;  // at the reference rate itself the slope is that of the faster side
       const T one = T{} + 1., rate = kept + per_x * x;
-      rate_part = law.per_e_fold * natural_logarithm(larger(rate, one));
+      rate_part = law.per_e_fold * logarithm(larger(rate, one));
       slope_of_rate = rate > one - rounding ? law.per_e_fold * per_x / larger(rate, one) : T{};
     }
     relative = (1 + rate_part) * of_shear;

@@ -26,7 +26,7 @@ formulas::PipeInClay ClayAround::at(Real embedment) const
   for (const Real part : {0.25, 0.5, 0.75, 1.})
     if (const Real below = strength_at(embedment + part * diameter); below != strength)
       strength_gradient = (below - strength) / (part * diameter);
-  const Real roughness = std::isnan(adhesion) ? adhesion : std::min(Real(1), adhesion / strength);
+  const Real roughness = adhesion_factor > 0 ? adhesion_factor : std::isnan(adhesion) ? adhesion : std::min(Real(1), adhesion / strength);
   return {diameter, embedment, strength, roughness, strength_gradient, unit_weight};
 }
 
@@ -82,9 +82,10 @@ PipeSoil pipe_soil(const record::RunRecord& run)
         circle->diameter, unit_weight, law->friction_angle, law->dilation_angle, sticks ? law->friction_angle : contact.friction_angle,
         cohesion};
   if (law->friction_angle == 0 && cohesive) {
-    const Real full = contact.adhesion_factor > 0 ? contact.adhesion_factor * law->cohesion : contact.adhesion;
-    const Real adhesion = sticks ? infinity : contact.friction_angle > 0 ? std::numeric_limits<Real>::quiet_NaN() : full;
-    return ClayAround{circle->diameter, unit_weight, soil, adhesion, base::soil_depth(c, run.ground, 0)};
+    const bool slips = !sticks && contact.friction_angle == 0;
+    const Real adhesion = sticks ? infinity : slips ? contact.adhesion : std::numeric_limits<Real>::quiet_NaN();
+    return ClayAround{
+        circle->diameter, unit_weight, soil, adhesion, base::soil_depth(c, run.ground, 0), slips ? contact.adhesion_factor : 0};
   }
   return NoFormula{"No formula is known for this soil: it is neither clay (φ = 0) nor sand (c under 0.1 γ' D) with weight."};
 }

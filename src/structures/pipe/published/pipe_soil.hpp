@@ -26,8 +26,9 @@ struct SandAround {
 struct ClayAround {
   Real diameter, unit_weight;  ///< m, N/m3, 0 = weightless
   problem::BodySoil soil;
-  Real adhesion;   ///< Pa, infinite where the pipe sticks, NaN where the interface has friction
-  Real above = 0;  ///< m, depth in the soil from which embedment counts: in a trench that of the trench
+  Real adhesion;             ///< Pa, infinite where the pipe sticks, NaN where the interface has friction
+  Real above = 0;            ///< m, depth in the soil from which embedment counts: in a trench that of the trench
+  Real adhesion_factor = 0;  ///< adhesion over s_u wherever the pipe is, instead of `adhesion`
 
   /// With the strength at the invert. Its growth is that of the law, or where layers or a profile differ that over a diameter below the invert.
   formulas::PipeInClay at(Real embedment) const;

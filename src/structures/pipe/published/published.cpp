@@ -183,6 +183,8 @@ PublishedValues published_beside(const PipeRun& run)
   const bool level = run.record.ground.line.level();
   if (sand != nullptr && !points.drag.empty()) add_breakout(values, run, *sand, points, part);
   if (clay != nullptr) add_sweeps(values, run, *clay, part);
+  if (clay != nullptr)
+    for (ComparedState& state : values.states) state.strength = clay->at(state.w).strength;
   if (sand != nullptr && sand->cohesion > 0) put_out_of_range(values, "sand without cohesion");
   if (!level) {
     values.remarks.insert(values.remarks.begin(), remark_on_ground(run));

@@ -30,8 +30,9 @@ struct ComparedState {
   Kind kind;
   Real u, w, V;  ///< m, m, N/m, as the run found them and the formulas take them; NaN where they do not matter
   std::vector<Comparison> comparisons;
-  bool is_breakout = true;  ///< of a peak: not only the largest H
-  std::string stage{};      ///< of the end of a drag: its name
+  bool is_breakout = true;                                 ///< of a peak: not only the largest H
+  std::string stage{};                                     ///< of the end of a drag: its name
+  Real strength = std::numeric_limits<Real>::quiet_NaN();  ///< Pa, s_u of intact clay at the invert
 };
 
 /// What design codes and published formulas give for the soil, the pipe and the states of a run.

@@ -5,6 +5,8 @@
 #include "formulas/clay_sweeps.hpp"
 #include "formulas/design_code.hpp"
 
+#include <fmt/format.h>
+
 namespace berm::pipe {
 namespace {
 
@@ -101,6 +103,14 @@ std::vector<std::string> remarks_on(const ClayAround& clay)
         "The strength of this run's clay varies with depth; formulas for uniform clay take its strength at the pipe's lowest "
         "point. F114's model 1 "
         "needs a factor for such clay that berm has no values of, and is left out.");
+  for (const material::Material& material : clay.soil.materials)
+    if (const auto* law = std::get_if<material::Clay>(&material); law != nullptr && (law->sensitivity > 1 || law->rate_parameter > 0))
+      remarks.push_back(
+          fmt::format("The clay of this run changes its strength: sensitivity {:.3g}{}, and {:.2g} more for each tenfold rate above "
+                      "{:.2g} /s. The formulas take the intact strength at the reference rate, s_u.",
+                      law->sensitivity,
+                      law->sensitivity > 1 ? fmt::format(", 95 % of the loss after a plastic shear strain of {:.3g}", law->ductility) : "",
+                      law->rate_parameter, law->reference_rate));
   if (clay.unit_weight > 0)
     remarks.emplace_back("Vertical resistances hold the weight of the clay that the pipe displaces, γ′ times F114's area.");
   return remarks;

@@ -41,7 +41,8 @@ std::string with_capital(std::string words)
 std::string state_words(const ComparedState& state, const PipeRun& run, const base::DisplayUnits& shown)
 {
   const Real D = run.scale.width;
-  const std::string w = fmt::format("w = {} D", text::short_number(state.w / D));
+  std::string w = fmt::format("w = {} D", text::short_number(state.w / D));
+  if (std::isfinite(state.strength)) w += fmt::format(" (s<sub>u</sub> = {} kPa at the invert)", text::short_number(state.strength / 1e3));
   const std::string V = fmt::format("V = {} {}", text::short_number(shown.in_force_unit(state.V)), shown.force_unit());
   switch (state.kind) {
   case ComparedState::Kind::push:
