@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "material/material.hpp"
 
+#include "samples/critical_state_soils.hpp"
+
 #include <algorithm>
 #include <gtest/gtest.h>
 
@@ -91,6 +93,43 @@ TEST(Material, dilation_larger_than_friction_is_refused_at_its_key)
   EXPECT_EQ(recorder.refused[0], "material.sand.dilation_angle");
 }
 
+/// The keys that check() refuses.
+template <class L>
+std::vector<std::string> refused(const L& law)
+{
+  Recorder recorder(0);
+  check(recorder, "material.soil", law);
+  return recorder.refused;
+}
+
+TEST(Material, critical_state_soil_that_cannot_be_is_refused_at_its_key)
+{
+  using Keys = std::vector<std::string>;
+  ModifiedCamClay clay = sample_cam_clay();
+  EXPECT_EQ(refused(clay), Keys{});
+  clay.swelling_index = clay.compression_index;
+  EXPECT_EQ(refused(clay), Keys{"material.soil.swelling_index"});
+  clay = sample_cam_clay();
+  clay.max_pressure = clay.min_pressure;
+  EXPECT_EQ(refused(clay), Keys{"material.soil.max_pressure"});
+
+  NorSand sand = sample_norsand();
+  EXPECT_EQ(refused(sand), Keys{});
+  sand.void_ratio = 0.7;
+  EXPECT_EQ(refused(sand), Keys{"material.soil.void_ratio"}) << "both";
+  sand.void_ratio.reset();
+  sand.state_parameter.reset();
+  EXPECT_EQ(refused(sand), Keys{"material.soil.void_ratio"}) << "neither";
+  sand = sample_norsand();
+  sand.dilatancy = 50;
+  EXPECT_EQ(refused(sand), Keys{"material.soil.dilatancy"});
+
+  Recorder recorder(3);
+  Material material;
+  describe(recorder, material);
+  EXPECT_EQ(recorder.of("overconsolidation_ratio")->range.min, 1);
+}
+
 TEST(Material, answers_for_the_law_it_holds)
 {
   const Material elastic = LinearElastic{.density = 2000, .inertia_density = {}, .young_modulus = 3e6, .poisson_ratio = 0};
@@ -120,6 +159,9 @@ TEST(Material, a_law_that_does_not_answer_has_neither_friction_nor_depth_nor_dil
   const Plain law;
   EXPECT_EQ(law_name(law), "plain law");
   EXPECT_TRUE(state_fields(law).empty());
+  Real state = 0;
+  initial_state(law, {{-1e3, -2e3, -1e3}}, &state);
+  EXPECT_EQ(state, 0);
   EXPECT_TRUE(yields(law));
   EXPECT_FALSE(dilates(law));
   EXPECT_FALSE(non_associated(law));
