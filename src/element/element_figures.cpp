@@ -45,7 +45,7 @@ plot::Figure figure_of(const Records& records, const std::string& what, const Re
   plot::Figure figure;
   figure.title = fmt::format("{}: {}", kind, what);
   for (std::size_t k = 0; k < records.size(); ++k) figure.curves.push_back(curve_of(*records[k], style_of(k), x, y));
-  figure.more = "set key below font ',11'\nset offsets 0, 0, graph 0.05, graph 0.05\n";
+  figure.more = "set key below font ',11'\nset offsets 0, 0, graph 0.05, 0\nset yrange [*<0:*]\n";
   figure.width = 720;
   figure.height = 500;
   return figure;
@@ -129,10 +129,10 @@ plot::Figure stress_path(const Records& records)
 
 plot::Figure volume(const Records& records)
 {
-  plot::Figure figure =
-      figure_of(records, "volume", driven_percent, [](const TestRecord&, const TestRow& row) { return percent * volumetric_strain(row); });
+  plot::Figure figure = figure_of(records, "volumetric strain, compression positive", driven_percent,
+                                  [](const TestRecord&, const TestRow& row) { return percent * volumetric_strain(row); });
   figure.x_label = strain_label(records);
-  figure.y_label = "volumetric strain (%), compression positive";
+  figure.y_label = "volumetric strain (%)";
   return figure;
 }
 

@@ -53,9 +53,9 @@ std::string table_html(const ResultTable& table)
   };
   std::vector<std::string> head = escaped(table.tests);
   head.insert(head.begin(), "");
-  std::string html = fmt::format("<h3>{}</h3>\n<table>\n", text::html_text(table.title)) + text::plain_row(head, 1, head.size(), "th");
+  std::string html = fmt::format("<div><h3>{}</h3>\n<table>\n", text::html_text(table.title)) + text::plain_row(head, 1, head.size(), "th");
   for (const std::vector<std::string>& row : table.rows) html += text::plain_row(escaped(row), 1, row.size(), "td");
-  return html + "</table>\n";
+  return html + "</table></div>\n";
 }
 
 std::string tests_html(const std::vector<TestRecord>& records)
@@ -76,8 +76,9 @@ std::string page_html(const ElementResults& results, const std::vector<std::stri
   html += "<p>Laboratory tests of one piece of soil, as berm's soil laws compute them. Compression is positive; p' is the mean effective "
           "stress, "
           "q the vertical less the lateral stress, s1 and s3 are the largest and the smallest principal stress.</p>\n";
-  html += tests_html(results.records) + "<h2>Results</h2>\n";
+  html += tests_html(results.records) + "<h2>Results</h2>\n<div class=\"tables\">\n";
   for (const ResultTable& table : result_tables(results.records)) html += table_html(table);
+  html += "</div>\n";
   std::string pictures;
   for (const std::string& figure : figures)
     pictures += fmt::format("<img src=\"data:image/png;base64,{}\" alt=\"{}\">\n",

@@ -105,7 +105,7 @@ std::string words_of_test(const TestRecord& record)
 {
   const StartStress& start = start_of(record.settings.kind);
   const auto extends = [](const auto& kind) {
-    if constexpr (requires { kind.direction; }) return kind.direction == Direction::extension ? " (extension)" : "";
+    if constexpr (requires { kind.direction; }) return kind.direction == Direction::extension ? ", in extension" : "";
     return "";
   };
   const std::string from = start.confining_stress

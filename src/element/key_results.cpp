@@ -74,9 +74,10 @@ Real secant_modulus_at_half(const TestRecord& record, const TestRow& peak)
 }
 
 /// Over the last step, compression positive: in plane strain sin psi = -(d e1 + d e3)/(d e1 - d e3); in the triaxial test, e_a axial, d e_v / (d e_v - 2 d e_a) in
-/// compression and -d e_v / (d e_v - 2 d e_a) in extension.
+/// compression and -d e_v / (d e_v - 2 d e_a) in extension. Not known of a law without strength and of soil without pressure.
 Real dilation_angle(const TestRecord& record)
 {
+  if (!material::yields(record.material) || !(middle_stress(record.rows.back()) > 0)) return unknown;
   const std::size_t n = record.rows.size();
   const TestRow &a = record.rows[n - 2], &b = record.rows[n - 1];
   const Real volume = volumetric_strain(b) - volumetric_strain(a), axial = a.strain[1] - b.strain[1], lateral = a.strain[0] - b.strain[0];

@@ -155,12 +155,13 @@ TestRecord run_test(const TestSettings& settings, const material::Material& mate
 
 Real driven_strain(const TestSettings& settings, const TestRow& row)
 {
-  return std::holds_alternative<SimpleShear>(settings.kind) ? 2 * row.strain[shear] : -sign_of(settings) * row.strain[vertical];
+  return std::holds_alternative<SimpleShear>(settings.kind) ? 2 * row.strain[shear]
+                                                            : 0 - sign_of(settings) * row.strain[vertical];  // no -0
 }
 
 Real volumetric_strain(const TestRow& row)
 {
-  return -trace(row.strain);
+  return 0 - trace(row.strain);
 }
 
 Real vertical_stress(const TestRow& row)

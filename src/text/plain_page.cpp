@@ -29,6 +29,7 @@ math .root { padding: .18em .1em 0 .68em; margin: 0 .12em;
   background: linear-gradient(#1d232a, #1d232a) .66em 0 / 100% .07em no-repeat, url("data:image/svg+xml,%3Csvg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 10 20' preserveAspectRatio='none'%3E%3Cpath d='M.3 12 2.4 10.6 5.2 19.2 9.8 .5' fill='none' stroke='%231d232a' stroke-width='1.1' vector-effect='non-scaling-stroke'/%3E%3C/svg%3E") left top / .68em 100% no-repeat; }
 img { max-width: 100%; height: auto; display: block; margin: .6em 0; }
 .pictures { display: flex; flex-wrap: wrap; align-items: flex-start; gap: 12px; } .pictures img { width: 49%; min-width: 320px; border: 1px solid var(--line); }
+.tables { display: flex; flex-wrap: wrap; align-items: flex-start; gap: 0 48px; }
 .verdict { padding: 1px 9px; border-radius: 9px; font-size: .9em; white-space: nowrap; color: #fff; }
 .met { background: #23813f; } .missed, .failed { background: #bf3425; } .not_run { background: #77818c; }
 )";

@@ -68,6 +68,16 @@ TEST(KeyResults, of_undrained_clay_are_its_strength_and_no_friction)
   EXPECT_FALSE(has(record, "excess_pore_pressure_end"));
 }
 
+TEST(KeyResults, know_no_dilation_of_soil_that_cannot_yield_or_has_no_pressure)
+{
+  material::LinearElastic elastic;
+  elastic.density = 1000;
+  elastic.young_modulus = 10e6;
+  elastic.poisson_ratio = 0.2;
+  EXPECT_TRUE(std::isnan(result(run_test(test_of(Triaxial{isotropic(100e3)}, {0.05}), elastic), "dilation_angle_end")));
+  EXPECT_TRUE(std::isnan(result(run_test(test_of(Triaxial{isotropic(0)}, {0.05}), sand_of(35, 6)), "dilation_angle_end")));
+}
+
 TEST(KeyResults, are_none_of_a_test_that_failed_at_once)
 {
   TestRecord record = run_test(test_of(Triaxial{isotropic(100e3)}, {0.05}), sand_of(35, 0));
