@@ -115,8 +115,9 @@ void does_the_path_stay_in_the_mesh(const Scene& s, Findings& found)
       const Span &first = s.rigids[way.rigid].space[d], &mesh = s.mesh[d];
       const Span path = swept(s, way, d);
       if (!move.known || move.begin == move.end) continue;
-      const bool vertical = d == s.up, below = first.from >= mesh.from && path.from < mesh.from && move.end < move.begin,
-                 above = vertical ? first.from <= mesh.to && first.from + move.end > mesh.to
+      const bool vertical = d == s.up, below = first.from >= mesh.from && path.from < mesh.from && move.end < move.begin;
+      // Finite elements end at the bed's surface, and a footing that is lifted is above it at once.
+      const bool above = vertical ? s.is_mpm() && first.from <= mesh.to && first.from + move.end > mesh.to
                                   : first.to <= mesh.to && path.to > mesh.to && move.end > move.begin;
       if (!below && !above) continue;
       const std::string& name = s.c.rigid[way.rigid].first;

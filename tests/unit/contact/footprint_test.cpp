@@ -131,7 +131,7 @@ TEST(Shares, go_to_bonded_points_that_carry_nothing_too)
   for (std::size_t k = 0; k < bed.found.list.size(); ++k) {
     ContactPoint<2>& point = bed.found.list[k];
     point.bonded = k % 2 == 0;
-    point.impulse = k % 3 == 0 ? point.normal : Vec<2>(k % 3 == 1 ? -point.normal : Vec<2>::Zero());
+    point.impulse = k % 3 == 0 ? point.normal : Vec<2>((k % 3 == 1 ? -1. : 0.) * point.normal);
   }
   share_surface(bed.found);
   Real sum = 0;
