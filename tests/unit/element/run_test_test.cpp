@@ -72,7 +72,7 @@ TEST(UndrainedTest, of_a_law_of_total_stresses_shows_no_pore_pressure)
 
 TEST(StrainRate, strengthens_clay_by_the_rate_of_shear)
 {
-  material::RateDependentTresca law;
+  material::Clay law;
   law.density = 600;
   law.young_modulus = 3e6;
   law.poisson_ratio = 0.49;

@@ -24,15 +24,17 @@ MohrCoulomb soil(Real friction_degrees, std::optional<Real> cutoff = {})
   return law;
 }
 
-RateDependentTresca clay()
+Clay clay()
 {
-  RateDependentTresca law;
+  Clay law;
   law.density = 1800;
   law.young_modulus = 2e6;
   law.poisson_ratio = 0.45;
   law.undrained_strength = 4e3;
   law.rate_parameter = 0.1;
   law.reference_rate = 1e-3;
+  law.sensitivity = 3;
+  law.ductility = 10;
   law.undrained_strength_gradient = 3e3;
   law.young_modulus_gradient = 5e5;
   return law;
@@ -86,11 +88,11 @@ Real worst_difference(const L& law, Real depth)
       a[k] = b[k] = 2e4 * any_number(random) - (k < 3 ? 1e4 : 0);
       increment.strain[k] = 5e-3 * any_number(random);
     }
-    Real state_a[2] = {}, state_b[2] = {};
+    Real state_a[3] = {}, state_b[3] = {};
     update(exact, a, increment, state_a);
     update(kept, b, increment, state_b);
     for (int k = 0; k < tensor_size<dim>; ++k) worst = std::max(worst, std::abs(a[k] - b[k]) / 1e4);
-    worst = std::max(worst, std::abs(state_a[0] - state_b[0]) / std::max(Real(1), std::abs(state_a[0])));
+    for (int k = 0; k < 3; ++k) worst = std::max(worst, std::abs(state_a[k] - state_b[k]) / std::max(Real(1), std::abs(state_a[k])));
   }
   return worst;
 }

@@ -11,7 +11,7 @@ namespace {
 
 material::Material clay(Real strength, Real rate_parameter)
 {
-  material::RateDependentTresca law;
+  material::Clay law;
   law.density = 1600;
   law.young_modulus = 1e6;
   law.poisson_ratio = 0.49;
@@ -36,30 +36,30 @@ TEST(AdhesionLaw, is_the_share_of_the_strength_that_the_soil_has_now)
 {
   const material::Material soil = clay(5e3, 0.1);
   const AdhesionLaw law = adhesion_law(skin(0.4, 1, 0), soil_of_one(soil));
-  const Real undisturbed = 0, faster = 800;  // the state of the law: strength that the rate adds
-  EXPECT_EQ(law.at(soil, &undisturbed, 0), 2000);
-  EXPECT_EQ(law.at(soil, &faster, 0), 0.4 * 5800);
-  EXPECT_EQ(law.at(soil, &undisturbed, 7), 2000) << "slip counts only where it softens";
+  const Real undisturbed[3] = {}, faster[3] = {0, 0.16, 0.16};  // the state of the law: what the rate adds
+  EXPECT_EQ(law.at(soil, undisturbed, 0), 2000);
+  EXPECT_EQ(law.at(soil, faster, 0), 0.4 * 5800);
+  EXPECT_EQ(law.at(soil, undisturbed, 7), 2000) << "slip counts only where it softens";
 }
 
 TEST(AdhesionLaw, falls_exponentially_with_the_slip_to_one_over_its_sensitivity)
 {
   const material::Material soil = clay(5e3, 0);
   const AdhesionLaw law = adhesion_law(skin(1, 4, 0.01), soil_of_one(soil));
-  const Real undisturbed = 0;
-  EXPECT_EQ(law.at(soil, &undisturbed, 0), 5e3);
+  const Real undisturbed[3] = {};
+  EXPECT_EQ(law.at(soil, undisturbed, 0), 5e3);
   // 95 % of the fall, 1 - e^-3, after the ductility; all of it after much more.
-  EXPECT_NEAR(law.at(soil, &undisturbed, 0.01), 5e3 * (0.25 + 0.75 * std::exp(-3.)), 1e-9);
-  EXPECT_NEAR(law.at(soil, &undisturbed, 1), 1250, 1e-9);
+  EXPECT_NEAR(law.at(soil, undisturbed, 0.01), 5e3 * (0.25 + 0.75 * std::exp(-3.)), 1e-9);
+  EXPECT_NEAR(law.at(soil, undisturbed, 1), 1250, 1e-9);
 }
 
 TEST(AdhesionLaw, of_a_softening_interface_is_never_above_its_share_of_the_present_strength)
 {
   const material::Material soil = clay(5e3, 0);
   const AdhesionLaw law = adhesion_law(skin(0.5, 2, 0.01), soil_of_one(soil));
-  const Real softened = -4e3;  // as a law that loses strength would have it
-  EXPECT_NEAR(law.at(soil, &softened, 0), 500, 1e-9);
-  EXPECT_NEAR(law.at(soil, &softened, 1), 500, 1e-9);
+  const Real softened[3] = {10, 0, -0.8};
+  EXPECT_NEAR(law.at(soil, softened, 0), 500, 1e-9);
+  EXPECT_NEAR(law.at(soil, softened, 1), 500, 1e-9);
 }
 
 TEST(AdhesionLaw, of_an_adhesion_in_pascals_falls_too)
@@ -75,7 +75,7 @@ TEST(AdhesionLaw, of_an_adhesion_in_pascals_falls_too)
 TEST(MemoryOfParticles, is_there_for_the_contacts_that_need_it_and_follows_the_numbers_of_the_soil)
 {
   Case c;
-  material::RateDependentTresca growing = std::get<material::RateDependentTresca>(clay(5e3, 0.1));
+  material::Clay growing = std::get<material::Clay>(clay(5e3, 0.1));
   growing.undrained_strength_gradient = 1e3;
   c.material = {{"clay", growing}};
   bodies::BodySettings body;
@@ -86,7 +86,7 @@ TEST(MemoryOfParticles, is_there_for_the_contacts_that_need_it_and_follows_the_n
   elsewhere.body = "other";
   elsewhere.tension = 1e3;
   c.contact = {{"a", plain}, {"b", both}, {"c", elsewhere}};
-  const int of_soil = 3;  // rate_strength, undrained_strength, young_modulus
+  const int of_soil = 5;  // the three of the law, undrained_strength, young_modulus
   EXPECT_EQ(memory_of(c, 0).bond, none);
   EXPECT_EQ(memory_of(c, 0).slip, none);
   EXPECT_EQ(memory_of(c, 1).bond, of_soil);

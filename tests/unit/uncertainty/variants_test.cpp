@@ -215,7 +215,9 @@ TEST(Variants, of_soil_that_knows_speed_leave_it_out_and_say_so)
 {
   problem::Case c = fine();
   c.method = problem::Method::mpm;
-  c.material[0].second = material::RateDependentTresca{};
+  material::Clay clay;
+  clay.rate_parameter = 0.1;
+  c.material[0].second = clay;
   const VariantPlan plan = choose_variants(c);
   EXPECT_EQ(plan.variants.size(), 5u);
   ASSERT_EQ(plan.left_out.size(), 1u);
