@@ -138,7 +138,7 @@ void is_the_soil_a_soil(const Scene& s, Findings& found)
 void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
 {
   const auto key = [&](const std::string& name) {
-    const auto* clay = std::get_if<material::Clay>(&s.c.material[index_of(s.c.material, name)].second);
+    const auto* clay = std::get_if<material::Clay>(&s.c.material[problem::index_of(s.c.material, name)].second);
     return fmt::format("material.{}.{}", name, clay != nullptr && clay->rigidity_index ? "rigidity_index" : "young_modulus");
   };
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
