@@ -194,9 +194,9 @@ void expect_tangent_of_differences(const L& law, Real slope, Real largest_strain
   EXPECT_GT(yielding, count / 10);
 }
 
-/// The work of random increments is at most that of the moduli that the time step is made for.
+/// The work of random increments is at most that of the moduli that the time step is made for, but for a part that flow may add where it is not associated.
 template <class L>
-void expect_no_stiffness_beyond_that_of_the_time_step(const L& law, Real slope)
+void expect_no_stiffness_beyond_that_of_the_time_step(const L& law, Real slope, Real of_flow)
 {
   std::mt19937_64 random(19);
   const Elasticity stiffest = elasticity(law);
@@ -208,9 +208,9 @@ void expect_no_stiffness_beyond_that_of_the_time_step(const L& law, Real slope)
     SymTensor<3> change = soil.stress, elastic{};
     for (int k = 0; k < 6; ++k) change[k] -= begin[k];
     add_elastic_stress(stiffest, elastic, strain);
-    // The stress has the rounding of its own size; flow that is not associated does a little work of its own.
+    // The stress has the rounding of its own size.
     const Real rounding = 1e-12 * std::sqrt(double_dot(begin, begin) * double_dot(strain, strain));
-    ASSERT_LE(double_dot(change, strain), double_dot(elastic, strain) * (1 + 1e-4) + rounding) << n;
+    ASSERT_LE(double_dot(change, strain), double_dot(elastic, strain) * (1 + of_flow) + rounding) << n;
   }
 }
 
