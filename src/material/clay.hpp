@@ -152,7 +152,7 @@ template <class N, class T>
 [[gnu::noinline]] T plastic_shear(const PreparedClayOf<N>& law, const T& shear, const decltype(T{} < T{}) yields, const T& kept,
                                   const Real& per_x, const T& damage, const Real& weight, T& rate_part)
 {
-  constexpr Real precision = 1e-13, least_slope = 0.1;
+  constexpr Real precision = 1e-13, flattest = 0.1;
   const T strength = law.tresca.strength - T{}, stiffness = law.elastic.shear - T{}, zero{};
   T reaches{};
   if (per_x > 0) reaches = larger((1. - kept) / per_x, zero);
@@ -162,7 +162,7 @@ template <class N, class T>
   T x = least;
   if (any(x < reaches)) now = ClayStrength<T>(law, x, kept, per_x, damage, weight);
   for (int n = 0; n < 50; ++n) {
-    const T slope = larger(stiffness + strength * now.slope, least_slope * stiffness);
+    const T slope = larger(stiffness + strength * now.slope, flattest * stiffness);
     const T better = smaller(larger(x + (shear - stiffness * x - strength * now.relative) / slope, least), most);
     const T change = yields ? magnitude(better - x) : zero;
     x = better;
