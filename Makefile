@@ -45,6 +45,7 @@ test: configure ## build and run all tests, some of them with sanitizers once mo
 	@$(MAKE) --no-print-directory debug
 
 verify: build ## run the whole verification book; it is out/verification/index.html
+	@$(MAKE) --silent --no-print-directory -C examples/user_law
 	@$(release)/berm verify
 
 bench: build ## how fast a step is, and its single kernels: some minutes on a machine that does nothing else

@@ -8,6 +8,7 @@
 #include "mpm/step.hpp"
 #include "roofline/roofline_kernel.hpp"
 #include "simulation/memory.hpp"
+#include "user_law/loaded_law.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -195,6 +196,49 @@ problem::Case column_in_space(Real particles)
   return c;
 }
 
+/// Linear elasticity as a law of the user's own: what a call costs beside the same law in the program (elastic_D20).
+extern "C" void elastic_umat(double* stress, double*, double* ddsdde, double*, double*, double*, double*, double*, double*, double*,
+                             const double*, const double* dstran, const double*, const double*, const double*, const double*, const double*,
+                             const double*, const char*, const int*, const int*, const int* ntens, const int*, const double* props,
+                             const int*, const double*, const double*, double*, const double*, const double*, const double*, const int*,
+                             const int*, const int*, const int*, const int*, const int*, std::size_t)
+{
+  const double shear = props[0] / (2 * (1 + props[1])), lame = 2 * shear * props[1] / (1 - 2 * props[1]);
+  for (int a = 0; a < *ntens; ++a)
+    for (int b = 0; b < *ntens; ++b) {
+      double& entry = ddsdde[a + *ntens * b];
+      entry = (a < 3 && b < 3 ? lame : 0) + (a == b ? (a < 3 ? 2 : 1) * shear : 0);
+      stress[a] += entry * dstran[b];
+    }
+}
+
+problem::Case elastic_probe()
+{
+  problem::Case c = probe_in_sand(0.001);
+  const material::MohrCoulomb law = sand(877);
+  material::LinearElastic elastic;
+  elastic.density = law.density;
+  elastic.young_modulus = law.young_modulus;
+  elastic.poisson_ratio = law.poisson_ratio;
+  c.material[0].second = elastic;
+  return c;
+}
+
+problem::Case probe_in_umat()
+{
+  problem::Case c = elastic_probe();
+  const auto& elastic = std::get<material::LinearElastic>(c.material[0].second);
+  material::UserLaw<material::Interface::umat> law;
+  law.density = elastic.density;
+  law.young_modulus = elastic.young_modulus;
+  law.poisson_ratio = elastic.poisson_ratio;
+  law.can_yield = false;
+  const user_law::Constants constants{"sand", {law.young_modulus, law.poisson_ratio}, 0};
+  law.loaded = std::make_shared<user_law::LoadedLaw>(user_law::Umat{elastic_umat}, constants, "the law of umat_D20", false);
+  c.material[0].second = law;
+  return c;
+}
+
 struct BenchProblem {
   const char* name;
   problem::Case (*make)();
@@ -209,6 +253,8 @@ constexpr BenchProblem problems[] = {
     {"clay_D20", [] { return probe_in(clay()); }},
     {"cam_clay_D20", [] { return probe_in(cam_clay()); }},
     {"norsand_D20", [] { return probe_in(norsand()); }},
+    {"elastic_D20", elastic_probe},
+    {"umat_D20", probe_in_umat},
     {"column_1e6", [] { return column(1e6); }},
     {"column_1e7", [] { return column(1e7); }},
     {"space_1e5", [] { return column_in_space(1e5); }},
