@@ -3,6 +3,7 @@
 #include "commands/command.hpp"
 #include "core/error.hpp"
 #include "element/element_report.hpp"
+#include "user_law/load.hpp"
 
 #include <chrono>
 #include <fmt/format.h>
@@ -18,6 +19,15 @@ struct ElementRequest {
   element::ElementCase settings;
 };
 
+void load_laws(ElementRequest& request)
+{
+  try {
+    for (auto* materials : {&request.settings.material, &request.settings.borrowed}) user_law::load(*materials, 3);
+  } catch (const KeyError& error) {
+    throw InputError(fmt::format("{}: {}", request.file.string(), error.what()));
+  }
+}
+
 /// All inputs are read before the first test; one goes to `output` itself, several to folders in it that are named like their files.
 std::vector<ElementRequest> element_requests(const CaseOptions& options)
 {
@@ -30,6 +40,7 @@ std::vector<ElementRequest> element_requests(const CaseOptions& options)
       if (other.folder == folder)
         throw InputError(fmt::format("{} and {} would both be written to {}", other.file.string(), file, folder.string()));
     all.push_back({file, folder, element::read_element_case(file, options.overrides)});
+    load_laws(all.back());
     if (element::holds_results(folder) && !options.force)
       throw InputError(
           fmt::format("{} holds the results of element tests: replace them with --force, or name another folder with -o", folder.string()));
@@ -43,6 +54,7 @@ void run_element_tests(const ElementRequest& request)
   element::ElementResults results{request.file, request.settings, {}};
   for (const element::TestSettings& test : request.settings.test)
     results.records.push_back(element::run_test(test, element::material_of(request.settings, test)));
+  for (const auto* materials : {&request.settings.material, &request.settings.borrowed}) user_law::throw_failures(*materials);
   results.wall_s = std::chrono::duration<Real>(std::chrono::steady_clock::now() - begin).count();
   element::write_results(results, request.folder);
   fmt::print("{}", element::words_of_results(results.records));

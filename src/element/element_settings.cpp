@@ -3,6 +3,7 @@
 
 #include "input/message_text.hpp"
 #include "input/override.hpp"
+#include "input/read_case.hpp"
 #include "input/reader.hpp"
 #include "input/write_case.hpp"
 
@@ -274,8 +275,10 @@ ElementCase read_element_case(const std::filesystem::path& file, const std::vect
     MaterialsOfCase materials;
     read(other, materials);
     c.borrowed = std::move(materials.material);
+    input::find_libraries(c.borrowed, (file.parent_path() / from->text).parent_path());
   }
   read(document, c);
+  input::find_libraries(c.material, file.parent_path());
   return c;
 }
 

@@ -28,6 +28,16 @@ Stiffness elastic_stiffness(const material::Elasticity& elastic)
   return Stiffness{{along, across, 0}, {across, along, 0}, {0, 0, elastic.shear}};
 }
 
+/// Whether all elastic stiffness of a law is `elastic`. Of the others that is the largest, no stress is their elastic trial, and they get no viscosity.
+template <class Law>
+constexpr bool has_constant_moduli()
+{
+  return !requires
+  {
+    Law::elastic_is_largest;
+  };
+}
+
 /// The law's stress, mixed with its elastic trial stress.
 template <class Law>
 void update_point(const Law& law, Real viscosity, const material::Increment<2, Real>& increment, SoilPoint& point)
@@ -36,6 +46,7 @@ void update_point(const Law& law, Real viscosity, const material::Increment<2, R
   SymTensor<2> trial = point.stress;
   add_elastic_stress(law.elastic, trial, strain);
   update(law, point.stress, increment, point.law_state.data());
+  if constexpr (!has_constant_moduli<Law>()) viscosity = 0;
   SymTensor<2> over;
   for (int k = 0; k < 4; ++k) {
     over[k] = (trial[k] - point.stress[k]) * (viscosity / (1 + viscosity));
@@ -48,6 +59,7 @@ void update_point(const Law& law, Real viscosity, const material::Increment<2, R
 template <class Law>
 Stiffness stiffness_of_point(const Law& law, Real viscosity, const material::Increment<2, Real>& increment, SoilPoint point)
 {
+  if constexpr (!has_constant_moduli<Law>()) viscosity = 0;
   material::Tangent tangent;
   update_stress_and_tangent(law, point.stress, increment, point.law_state.data(), tangent);
   Stiffness d;

@@ -10,18 +10,6 @@
 namespace berm::input {
 namespace {
 
-/// Libraries of the user's own laws are paths from the folder of the case.
-void find_libraries(problem::Case& c, const std::filesystem::path& folder)
-{
-  for (auto& entry : c.material)
-    std::visit(
-        [&](auto& law) {
-          if constexpr (requires { law.library; })
-            law.library = std::filesystem::absolute(folder / law.library).lexically_normal().string();
-        },
-        entry.second);
-}
-
 CaseInFile case_of(Document document, const std::vector<std::string>& overrides, const std::filesystem::path& folder)
 {
   if (const Node* tests = member(document.root, "test"))
@@ -29,7 +17,7 @@ CaseInFile case_of(Document document, const std::vector<std::string>& overrides,
   for (const std::string& override : overrides) apply_override(document, override);
   CaseInFile found;
   read(document, found.settings);
-  find_libraries(found.settings, folder);
+  find_libraries(found.settings.material, folder);
   const Places written(document);
   try {
     for (std::size_t k = 0; k < found.settings.stage.size(); ++k) read_load_history(found.settings.stage[k], k, folder);
@@ -41,6 +29,17 @@ CaseInFile case_of(Document document, const std::vector<std::string>& overrides,
 }
 
 }  // namespace
+
+void find_libraries(std::vector<std::pair<std::string, material::Material>>& materials, const std::filesystem::path& folder)
+{
+  for (auto& entry : materials)
+    std::visit(
+        [&](auto& law) {
+          if constexpr (requires { law.library; })
+            law.library = std::filesystem::absolute(folder / law.library).lexically_normal().string();
+        },
+        entry.second);
+}
 
 CaseInFile read_case_in_file(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {

@@ -22,4 +22,7 @@ CaseInFile read_case_in_file(const std::filesystem::path& file, const std::vecto
 /// As read_case, of a text; `file` is for the messages.
 problem::Case read_case_text(const std::string& file, const std::string& text, const std::vector<std::string>& overrides = {});
 
+/// Makes the libraries of the user's own laws paths from the folder of the file that names them.
+void find_libraries(std::vector<std::pair<std::string, material::Material>>& materials, const std::filesystem::path& folder);
+
 }  // namespace berm::input

@@ -35,7 +35,7 @@ struct Clay {
   Real rate_parameter = 0;               ///< relative increase of the strength per tenfold rate
   Real reference_rate = 0;               ///< 1/s
   Real rate_scale = 1;                   ///< rate of the real motion over that of the model
-  std::optional<Real> rate_smoothing;    ///< s; empty: 0 until set_rate_smoothing
+  std::optional<Real> rate_smoothing;    ///< s; empty: 0 until with_rate_smoothing
   std::optional<Real> softening_length;  ///< m; empty: none
   Real young_modulus_gradient = 0;       ///< Pa/m, increase with depth
   ProfileOf<Clay> profile = {};
@@ -87,7 +87,6 @@ struct ClayConstants {
 template <class N>
 struct PreparedClayOf : ClayConstants {
   static constexpr int state_size = 3, own_size = 2;
-  static constexpr bool knows_cell_size = true;
 
   ElasticityOf<N> elastic;
   PreparedMohrCoulombOf<N> tresca;  ///< intact, up to the reference rate
@@ -161,13 +160,14 @@ template <class N, class T>
   const T least = beyond ? reaches : zero, most = beyond ? infinity - zero : reaches;
   T x = least;
   if (any(x < reaches)) now = ClayStrength<T>(law, x, kept, per_x, damage, weight);
-  for (int n = 0; n < 50; ++n) {
+  decltype(yields) left = yields;  // a particle that has converged does not change any more, so that it does not depend on the others
+  for (int n = 0; n < 50 && any(left); ++n) {
     const T slope = larger(stiffness + strength * now.slope, flattest * stiffness);
     const T better = smaller(larger(x + (shear - stiffness * x - strength * now.relative) / slope, least), most);
-    const T change = yields ? magnitude(better - x) : zero;
-    x = better;
+    const T change = left ? magnitude(better - x) : zero;
+    x = left ? better : x;
     now = ClayStrength<T>(law, x, kept, per_x, damage, weight);
-    if (!any(change * stiffness > precision * (shear + strength))) break;
+    left = left & (change * stiffness > precision * (shear + strength));
   }
   rate_part = now.rate_part;
   return x;
@@ -206,7 +206,8 @@ template <int dim, class N, class T>
   const T flowing = shear - law.elastic.shear * x;
   xi = yields ? xi + weight * x : xi;
   rate_part = yields ? of_flow : begin_rate;
-  change = yields ? flowing / law.tresca.strength - 1. : begin - 1.;
+  constexpr Real no_strength = 1e-6;  // Pa
+  change = yields ? flowing / larger(law.tresca.strength - T{}, T{} + no_strength) - 1. : begin - 1.;
   T opening{};
   return_to_surface(law.tresca, T(yields ? flowing : law.tresca.strength * begin), stress, opening);
 }

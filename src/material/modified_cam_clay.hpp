@@ -63,6 +63,7 @@ void initial_state(const ModifiedCamClay& law, const SymTensor<3>& stress, Real*
 
 struct PreparedModifiedCamClay {
   static constexpr int state_size = 1;
+  static constexpr bool elastic_is_largest = true;
 
   Elasticity elastic;  ///< at max_pressure
   PressureElasticity moduli;

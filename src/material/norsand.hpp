@@ -61,6 +61,7 @@ void initial_state(const NorSand& law, const SymTensor<3>& stress, Real* state);
 
 struct PreparedNorSand {
   static constexpr int state_size = 2;
+  static constexpr bool elastic_is_largest = true;
 
   Elasticity elastic;  ///< at max_pressure
   PressureElasticity moduli;

@@ -23,7 +23,7 @@ inline void update_stress_and_tangent(const Prepared& law, SymTensor<2>& stress,
                                       Tangent& tangent)
 {
   SymTensor<2, Dual> new_stress;
-  Increment<2, Dual> with_slopes{{}, increment.dt, increment.time};
+  Increment<2, Dual> with_slopes{{}, increment.dt, increment.time, increment.cell_size};
   SymTensor<2, Dual>& strain = with_slopes.strain;
   Dual new_state[std::max(Prepared::state_size, 1)];
   for (int k = 0; k < 4; ++k) {

@@ -94,6 +94,13 @@ bool yields(const UserLaw<interface>& law)
   return law.can_yield;
 }
 
+/// It may: nobody knows what a law of the user's own depends on.
+template <Interface interface>
+bool knows_rate(const UserLaw<interface>&)
+{
+  return true;
+}
+
 template <Interface interface>
 void initial_state(const UserLaw<interface>& law, const SymTensor<3>& /*stress*/, Real* state)
 {
@@ -103,6 +110,7 @@ void initial_state(const UserLaw<interface>& law, const SymTensor<3>& /*stress*/
 /// What an update needs of it; the same for both interfaces.
 struct PreparedUserLaw {
   static constexpr int state_size = max_user_state;
+  static constexpr bool elastic_is_largest = true;
 
   Elasticity elastic;
   int state_variables = 0;

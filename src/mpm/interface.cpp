@@ -73,7 +73,7 @@ SurfaceInContact surface_in_contact(const problem::Contact& contact, const conta
   Real shear = 0;
   for (const contact::ContactPoint<dim>& point : points.list) {
     sum.area += point.area;
-    sum.in_tension += point.status != contact::ContactStatus::open && !(point.impulse.dot(point.normal) > 0) ? point.area : 0;
+    sum.in_tension += point.impulse.dot(point.normal) < 0 ? point.area : 0;
     shear += point.area * (contact.adhesion_law.differs() ? point.adhesion : contact.adhesion);
   }
   if (sum.area > 0) sum.in_tension /= sum.area, sum.adhesion = shear / sum.area;

@@ -270,7 +270,8 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
     const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
 
     Real cell_size = 0;
-    if constexpr (requires { Law::knows_cell_size; }) cell_size = std::pow(mesh.volume(cell), 1. / dim);
+    if constexpr (requires { law.softening_length; })
+      if (law.softening_length > 0) cell_size = dim == 2 ? std::sqrt(mesh.volume(cell)) : std::cbrt(mesh.volume(cell));
 
     WorkDone done;
     particles.parts(cell, [&](const auto& part) {

@@ -28,6 +28,7 @@ void does_the_body_fit_the_ground(const Scene& s, Findings& found);
 void does_gravity_point_down(const Scene& s, Findings& found);
 void is_the_soil_a_soil(const Scene& s, Findings& found);
 void is_the_stiffness_that_of_soil(const Scene& s, Findings& found);
+void is_the_strain_rate_smooth(const Scene& s, Findings& found);
 void is_softening_free_of_the_cells(const Scene& s, Findings& found);
 void is_all_soil_used(const Scene& s, Findings& found);
 void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found);

@@ -29,6 +29,7 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           does_the_body_fit_the_ground,
                                                           is_the_soil_a_soil,
                                                           is_the_stiffness_that_of_soil,
+                                                          is_the_strain_rate_smooth,
                                                           is_softening_free_of_the_cells,
                                                           is_all_soil_used,
                                                           does_the_soil_bear_its_initial_stress,

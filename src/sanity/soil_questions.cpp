@@ -121,16 +121,20 @@ void is_the_soil_a_soil(const Scene& s, Findings& found)
     if (!strength) continue;
     const std::optional<material::Strength> at_base = strength_at_rest(at_depth(material, s.depth_of(soil.body)));
     if (strength->cohesion == 0 && strength->friction_angle == 0 && !(at_base && at_base->cohesion > 0))
-      found.refuse(soil.key("friction_angle"), "and cohesion are both 0: the soil has no strength and flows like water; give one of them");
+      strength_key(material) == "cohesion"
+          ? found.refuse(soil.key("friction_angle"),
+                         "and cohesion are both 0: the soil has no strength and flows like water; give one of them")
+          : found.refuse(soil.key(strength_key(material)), "is 0: the soil has no strength and flows like water");
     else if (strength->friction_angle > 50 * pi / 180)
       found.warn(soil.key("friction_angle"), fmt::format("is {:.3g} deg; sand has 28 to 45 deg", degrees(strength->friction_angle)));
     const Real weight = density(material) * s.gravity * s.depth_of(soil.body), base = at_base ? at_base->cohesion : 0;
     if (strength->friction_angle == 0 && weight > 0 && base > 0 && base < 1e-3 * weight)
-      found.warn(soil.key("cohesion"), fmt::format("is {:.3g} Pa, a thousandth of the weight above the base ({:.3g} Pa) or less: "
-                                                   "such soil flows; soft clay has 1 to 10 kPa: is the unit right?",
-                                                   strength->cohesion, weight));
+      found.warn(soil.key(strength_key(material)),
+                 fmt::format("is {:.3g} Pa, a thousandth of the weight above the base ({:.3g} Pa) or less: "
+                             "such soil flows; soft clay has 1 to 10 kPa: is the unit right?",
+                             strength->cohesion, weight));
     if (strength->cohesion > 1e7)
-      found.warn(soil.key("cohesion"),
+      found.warn(soil.key(strength_key(material)),
                  fmt::format("is {:.3g} kPa, that of rock; soil has up to some hundred kPa: is the unit right?", strength->cohesion / 1e3));
   }
 }
@@ -138,8 +142,13 @@ void is_the_soil_a_soil(const Scene& s, Findings& found)
 void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
 {
   const auto key = [&](const std::string& name) {
-    const auto* clay = std::get_if<material::Clay>(&s.c.material[problem::index_of(s.c.material, name)].second);
-    return fmt::format("material.{}.{}", name, clay != nullptr && clay->rigidity_index ? "rigidity_index" : "young_modulus");
+    const auto word = [](const auto& law) {
+      if constexpr (requires { law.max_pressure; }) return "max_pressure";
+      if constexpr (requires { law.rigidity_index; })
+        if (law.rigidity_index) return "rigidity_index";
+      return "young_modulus";
+    };
+    return fmt::format("material.{}.{}", name, std::visit(word, s.c.material[problem::index_of(s.c.material, name)].second));
   };
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
     const problem::BodySoil soil = soil_of(s.c, s.c.body[b].second);
@@ -164,6 +173,21 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
       found.warn(
           key(soil.name),
           fmt::format("is {:.3g} Pa, stiffer than rock: time steps become as small; sand has 5 to 50 MPa: is the unit right?", young));
+}
+
+void is_the_strain_rate_smooth(const Scene& s, Findings& found)
+{
+  if (s.c.method != problem::Method::mpm) return;
+  const bool none_by_speed = std::all_of(s.c.stage.begin(), s.c.stage.end(),
+                                         [](const problem::StageSettings& stage) { return !drives(stage.kind) || speed_of(stage) == 0; });
+  for (const Soil& soil : yielding(s)) {
+    const auto* clay = std::get_if<material::Clay>(&soil.material);
+    if (clay == nullptr || !knows_rate(*clay) || clay->rate_smoothing || !none_by_speed) continue;
+    found.warn(
+        soil.key("rate_parameter"),
+        "no stage drives a body by a velocity, from which the time follows over which the strain rate is averaged: the rate of single "
+        "time steps makes clay stronger by what shakes it; give rate_smoothing, the time in which the body goes a hundredth of its width");
+  }
 }
 
 void is_softening_free_of_the_cells(const Scene& s, Findings& found)
@@ -268,12 +292,21 @@ void is_tension_that_of_clay(const Scene& s, Findings& found)
 {
   for (const auto& [name, contact] : s.c.contact) {
     if (!(contact.tension > 0)) continue;
-    const std::optional<material::Strength> soil = strength_at_rest(s.material_at(problem::index_of(s.c.body, contact.body), 0));
-    if (soil && soil->friction_angle > 0)
+    const material::Material& material = s.material_of(problem::index_of(s.c.body, contact.body));
+    const std::optional<material::Strength> soil = strength_at_rest(material);
+    const bool effective = std::visit(
+        [](const auto& law) {
+          return requires
+          {
+            law.critical_friction_angle;
+          };
+        },
+        material);
+    if (effective || (soil && soil->friction_angle > 0))
       found.warn(fmt::format("contact.{}.tension", name),
-                 fmt::format("is suction of undrained soil, and this soil has a friction angle of {:.3g} deg: water flows into drained "
+                 fmt::format("is suction of undrained soil, and this soil has friction{}: water flows into drained "
                              "sand, which parts freely; leave tension out",
-                             degrees(soil->friction_angle)));
+                             soil ? fmt::format(", {:.3g} deg", degrees(soil->friction_angle)) : ""));
   }
 }
 

@@ -51,6 +51,12 @@ std::optional<Real> strength_at_depth_of(const Scene& s, Index body, Real width)
   return strength_of(s.material_at(body, width), width, s.weight_above(body, width));
 }
 
+std::string strength_key(const material::Material& material)
+{
+  const std::vector<FieldInfo> own = own_fields(material);
+  return own.size() > 1 ? own.front().name : "cohesion";
+}
+
 bool is_by_force(const problem::StageSettings& stage)
 {
   using problem::StageKind;

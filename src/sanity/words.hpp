@@ -28,6 +28,9 @@ Real unit_weight_of(const Scene& s, Index body);
 /// The strength that decides how quickly a body may be driven: at a depth of its width, under the weight above, Pa; empty where nothing is known of it.
 std::optional<Real> strength_at_depth_of(const Scene& s, Index body, Real width);
 
+/// The key of a law's strength without friction.
+std::string strength_key(const material::Material& material);
+
 /// Whether a force moves the body of a stage along some axis.
 bool is_by_force(const problem::StageSettings& stage);
 

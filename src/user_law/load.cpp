@@ -15,11 +15,13 @@ namespace {
 using material::Interface;
 using material::UserLaw;
 
-/// Calls act(name, law) for the user's own laws of a case.
-template <class Case, class Act>
-void for_each_law(Case& c, const Act& act)
+using Materials = std::vector<std::pair<std::string, material::Material>>;
+
+/// Calls act(name, law) for the user's own laws among materials.
+template <class List, class Act>
+void for_each_law(List& materials, const Act& act)
 {
-  for (auto& [name, material] : c.material) {
+  for (auto& [name, material] : materials) {
     const auto act_on_name = [&act, &own_name = name](auto& law) {
       if constexpr (requires { law.library; }) act(own_name, law);
     };
@@ -81,28 +83,38 @@ void load_law(const std::string& name, int dimension, UserLaw<interface>& law)
 
 }  // namespace
 
+void load(Materials& materials, int dimension)
+{
+  for_each_law(materials, [&](const std::string& name, auto& law) { load_law(name, dimension, law); });
+}
+
 void load(problem::Case& c)
 {
-  for_each_law(c, [&](const std::string& name, auto& law) { load_law(name, c.dimension, law); });
+  load(c.material, c.dimension);
 }
 
 std::vector<std::pair<std::string, std::string>> library_hashes(const problem::Case& c)
 {
   std::map<std::string, std::string> hashes;
-  for_each_law(c, [&](const std::string&, const auto& law) { hashes[law.library] = law.library_sha256; });
+  for_each_law(c.material, [&](const std::string&, const auto& law) { hashes[law.library] = law.library_sha256; });
   return {hashes.begin(), hashes.end()};
 }
 
 void throw_failures(const problem::Case& c)
 {
-  for_each_law(c, [](const std::string&, const auto& law) {
+  throw_failures(c.material);
+}
+
+void throw_failures(const Materials& materials)
+{
+  for_each_law(materials, [](const std::string&, const auto& law) {
     if (const std::string failure = law.loaded ? law.loaded->failure() : ""; !failure.empty()) throw RunError(failure);
   });
 }
 
 void forget_failures(const problem::Case& c)
 {
-  for_each_law(c, [](const std::string&, const auto& law) {
+  for_each_law(c.material, [](const std::string&, const auto& law) {
     if (law.loaded) law.loaded->forget_failure();
   });
 }

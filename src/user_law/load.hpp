@@ -10,11 +10,15 @@ namespace berm::user_law {
 /// fails the trials (trial.hpp). A law that crashes ends the program (crash_guard.hpp).
 void load(problem::Case& c);
 
+/// The same of materials by themselves, for stresses of this dimension.
+void load(std::vector<std::pair<std::string, material::Material>>& materials, int dimension);
+
 /// Path and SHA-256 of the libraries of a case whose laws are loaded, each once.
 std::vector<std::pair<std::string, std::string>> library_hashes(const problem::Case& c);
 
 /// Throws RunError with the reason where a loaded law has failed.
 void throw_failures(const problem::Case& c);
+void throw_failures(const std::vector<std::pair<std::string, material::Material>>& materials);
 
 /// Forgets failures that the method has got over.
 void forget_failures(const problem::Case& c);

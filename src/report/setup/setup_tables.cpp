@@ -47,6 +47,51 @@ private:
   std::vector<text::RunEntry> entries_;
 };
 
+void add_law(Rows& rows, const std::string& prefix, const material::MohrCoulomb& law)
+{
+  rows.add(prefix + "friction angle", text::angle_words(law.friction_angle));
+  rows.add(prefix + "dilation angle", text::angle_words(law.dilation_angle));
+  rows.add(prefix + "cohesion", text::stress_words(law.cohesion) + (varies(law) ? " at the surface" : ""));
+  if (law.cohesion_gradient != 0) rows.add(prefix + "cohesion per metre of depth", text::stress_words(law.cohesion_gradient));
+}
+
+void add_law(Rows& rows, const std::string& prefix, const material::Clay& law)
+{
+  rows.add(prefix + "undrained strength", text::stress_words(law.undrained_strength) + (varies(law) ? " at the surface" : ""));
+  if (law.undrained_strength_gradient != 0)
+    rows.add(prefix + "undrained strength per metre of depth", text::stress_words(law.undrained_strength_gradient));
+  rows.add(prefix + "sensitivity", text::number_words(law.sensitivity));
+  if (law.sensitivity > 1) rows.add(prefix + "ductility ξ<sub>95</sub>", text::number_words(law.ductility));
+  if (law.rate_parameter > 0)
+    rows.add(prefix + "rate parameter", fmt::format("{:.3g} a decade above {:.3g} /s, of {:.3g} times the model's rate", law.rate_parameter,
+                                                    law.reference_rate, law.rate_scale));
+}
+
+void add_law(Rows& rows, const std::string& prefix, const material::ModifiedCamClay& law)
+{
+  rows.add(prefix + "critical friction angle", text::angle_words(law.critical_friction_angle));
+  rows.add(prefix + "λ, κ", fmt::format("{:.3g}, {:.3g}", law.compression_index, law.swelling_index));
+  rows.add(prefix + "void ratio", text::number_words(law.void_ratio));
+  rows.add(prefix + "overconsolidation ratio", text::number_words(law.overconsolidation_ratio));
+}
+
+void add_law(Rows& rows, const std::string& prefix, const material::NorSand& law)
+{
+  rows.add(prefix + "critical friction angle", text::angle_words(law.critical_friction_angle));
+  rows.add(prefix + "critical state line Γ, λ<sub>e</sub>",
+           fmt::format("{:.3g}, {:.3g}", law.critical_void_ratio, law.critical_line_slope));
+  rows.add(prefix + "N, χ, H", fmt::format("{:.3g}, {:.3g}, {:.3g}", law.volumetric_coupling, law.dilatancy, law.hardening_modulus));
+  if (law.state_parameter) rows.add(prefix + "state parameter ψ", text::number_words(*law.state_parameter));
+  if (law.void_ratio) rows.add(prefix + "void ratio", text::number_words(*law.void_ratio));
+}
+
+/// Of the others the library or nothing.
+template <class Law>
+void add_law(Rows& rows, const std::string& prefix, const Law& law)
+{
+  if constexpr (requires { law.library; }) rows.add(prefix + "library", text::html_text(law.library));
+}
+
 void add_material(Rows& rows, const std::string& prefix, const material::Material& material)
 {
   const problem::Case& c = rows.settings();
@@ -57,17 +102,20 @@ void add_material(Rows& rows, const std::string& prefix, const material::Materia
     rows.add(prefix + "unit weight", rows.with_prototype(text::unit_weight_words(density(material) * gravity),
                                                          text::unit_weight_words(density(material) * standard_gravity)));
   const auto [E, nu] = young_poisson(material);
-  rows.add(prefix + "Young's modulus", text::stress_words(E));
+  const bool by_pressure = std::visit(
+      [](const auto& law) {
+        return requires
+        {
+          law.max_pressure;
+        };
+      },
+      material);
+  rows.add(prefix + (by_pressure ? "Young's modulus at the maximum pressure" : "Young's modulus"), text::stress_words(E));
   rows.add(prefix + "Poisson's ratio", text::number_words(nu));
-  const std::optional<material::Strength> soil = strength_at_rest(material);
-  if (!soil) return;
-  rows.add(prefix + "friction angle", text::angle_words(soil->friction_angle));
-  rows.add(prefix + "dilation angle", text::angle_words(soil->dilation_angle));
-  rows.add(prefix + "cohesion", text::stress_words(soil->cohesion) + (varies(material) ? " at the surface" : ""));
-  if (soil->cohesion_gradient != 0) rows.add(prefix + "cohesion per metre of depth", text::stress_words(soil->cohesion_gradient));
   for (const auto& [name, body] : c.body)
     if (body.k0 && &c.material[problem::index_of(c.material, body.material)].second == &material)
       rows.add(prefix + "K0", text::number_words(*body.k0));
+  std::visit([&](const auto& law) { add_law(rows, prefix, law); }, material);
 }
 
 /// Layers and regions of other materials, and the strength that forces are divided by where it varies.

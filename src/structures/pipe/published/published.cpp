@@ -132,7 +132,7 @@ void add_sweeps(PublishedValues& values, const PipeRun& run, const ClayAround& c
     const auto found = std::find_if(path.drags.begin(), path.drags.end(), [&](const DragPath& p) { return p.stage.name == drag.stage; });
     if (!drag.end || drag.end->u < (1 - 1e-6) * D || found == path.drags.end()) continue;
     const Real middle = record::TravelCurve(found->travel, found->H).at(drag.end->u / 2, half);
-    const SweepResults sweep{drag.end->w, drag.end->V / part, drag.end->H / part, middle / part};
+    const SweepResults sweep{found->w.front(), drag.end->w, drag.end->V / part, drag.end->H / part, middle / part};
     values.states.push_back({ComparedState::Kind::end_of_drag, drag.end->u, sweep.w, sweep.V,
                              swept ? clay_between_berms(clay, sweep) : clay_after_sweep(clay, sweep), true, drag.stage});
     swept = true;

@@ -77,7 +77,7 @@ void add(std::vector<Comparison>& list, Real berm, const formulas::Estimates& es
 
 std::vector<Comparison> clay_after_sweep(const ClayAround& clay, const SweepResults& sweep)
 {
-  const formulas::PipeInClay pipe = clay.at(sweep.w);
+  const formulas::PipeInClay pipe = clay.at(sweep.w_begin);
   std::vector<Comparison> list = {{"H", Comparison::Unit::force, sweep.H, clay_residual(pipe, sweep.V), "residual"}};
   add(list, sweep.H, f114_clay_residual(pipe, sweep.V), "residual", true);
   return list;
@@ -106,11 +106,13 @@ std::vector<std::string> remarks_on(const ClayAround& clay)
   for (const material::Material& material : clay.soil.materials)
     if (const auto* law = std::get_if<material::Clay>(&material); law != nullptr && (law->sensitivity > 1 || law->rate_parameter > 0))
       remarks.push_back(
-          fmt::format("The clay of this run changes its strength: sensitivity {:.3g}{}, and {:.2g} more for each tenfold rate above "
-                      "{:.2g} /s. The formulas take the intact strength at the reference rate, s_u.",
+          fmt::format("The clay of this run changes its strength: sensitivity {:.3g}{}{}. The formulas take the intact strength s_u at the "
+                      "reference rate.",
                       law->sensitivity,
                       law->sensitivity > 1 ? fmt::format(", 95 % of the loss after a plastic shear strain of {:.3g}", law->ductility) : "",
-                      law->rate_parameter, law->reference_rate));
+                      law->rate_parameter > 0
+                          ? fmt::format(", {:.2g} more for each tenfold rate above {:.2g} /s", law->rate_parameter, law->reference_rate)
+                          : ""));
   if (clay.unit_weight > 0)
     remarks.emplace_back("Vertical resistances hold the weight of the clay that the pipe displaces, γ′ times F114's area.");
   return remarks;

@@ -14,6 +14,7 @@ std::vector<Comparison> clay_in_drag(const ClayAround& clay, Real w, Real V, Rea
 
 /// A long drag at its end.
 struct SweepResults {
+  Real w_begin;  ///< m, where it began
   Real w, V, H;  ///< m, N/m, N/m: means over its end
   Real middle;   ///< N/m, H in the middle of its travel
 };

@@ -30,11 +30,11 @@ std::map<Index, Real> columns_above(const run_folder::SavedSoil& soil, const pro
   return columns;
 }
 
-/// The plastic shear strain at which clay has lost half of what remoulding takes; 0 where the soil does not soften.
+/// The plastic shear strain at which clay has lost half of what remoulding takes; 0 where the soil does not soften, or has several materials.
 Real half_remoulded(const PipeRun& run)
 {
   const std::optional<problem::BodySoil> soil = base::touched_soil(run.record);
-  if (!soil) return 0;
+  if (!soil || soil->materials.size() > 1) return 0;
   const auto* clay = std::get_if<material::Clay>(&soil->materials.front());
   return clay != nullptr && clay->sensitivity > 1 ? clay->ductility * std::log(2.) / 3 : 0;
 }
