@@ -61,7 +61,7 @@ void add_law(Rows& rows, const std::string& prefix, const material::Clay& law)
   if (law.undrained_strength_gradient != 0)
     rows.add(prefix + "undrained strength per metre of depth", text::stress_words(law.undrained_strength_gradient));
   rows.add(prefix + "sensitivity", text::number_words(law.sensitivity));
-  if (law.sensitivity > 1) rows.add(prefix + "ductility ξ<sub>95</sub>", text::number_words(law.ductility));
+  if (law.sensitivity > 1) rows.add(prefix + "ductility ξ95", text::number_words(law.ductility));
   if (law.rate_parameter > 0)
     rows.add(prefix + "rate parameter", fmt::format("{:.3g} a decade above {:.3g} /s, of {:.3g} times the model's rate", law.rate_parameter,
                                                     law.reference_rate, law.rate_scale));
@@ -78,7 +78,7 @@ void add_law(Rows& rows, const std::string& prefix, const material::ModifiedCamC
 void add_law(Rows& rows, const std::string& prefix, const material::NorSand& law)
 {
   rows.add(prefix + "critical friction angle", text::angle_words(law.critical_friction_angle));
-  rows.add(prefix + "critical state line Γ, λ<sub>e</sub>",
+  rows.add(prefix + "critical state line Γ, λe",
            fmt::format("{:.3g}, {:.3g}", law.critical_void_ratio, law.critical_line_slope));
   rows.add(prefix + "N, χ, H", fmt::format("{:.3g}, {:.3g}, {:.3g}", law.volumetric_coupling, law.dilatancy, law.hardening_modulus));
   if (law.state_parameter) rows.add(prefix + "state parameter ψ", text::number_words(*law.state_parameter));
@@ -89,7 +89,7 @@ void add_law(Rows& rows, const std::string& prefix, const material::NorSand& law
 template <class Law>
 void add_law(Rows& rows, const std::string& prefix, const Law& law)
 {
-  if constexpr (requires { law.library; }) rows.add(prefix + "library", text::html_text(law.library));
+  if constexpr (requires { law.library; }) rows.add(prefix + "library", law.library);
 }
 
 void add_material(Rows& rows, const std::string& prefix, const material::Material& material)
