@@ -266,7 +266,7 @@ void expect_tangent_of_differences(const Clay& clay, Real dt)
 {
   const PreparedClay law = prepare(clay);
   const SymTensor<2> before{{-1e3, -2e3, -1.5e3, 5e2}};
-  const Increment<2, Real> increment{{{4e-2, -3e-2, 0, 2e-2}}, dt};
+  const Increment<2, Real> increment{.strain = {{4e-2, -3e-2, 0, 2e-2}}, .dt = dt, .cell_size = 0.02};
   SymTensor<2> stress = before;
   Tangent tangent;
   Real state[3] = {};
@@ -293,6 +293,8 @@ TEST(Clay, tangent_is_that_of_finite_differences)
   clay.rate_smoothing.reset();
   expect_tangent_of_differences(clay, 20);
   clay.ductility = 0.1;
+  expect_tangent_of_differences(clay, 20);
+  clay.softening_length = 0.05;
   expect_tangent_of_differences(clay, 20);
 }
 
