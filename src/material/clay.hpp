@@ -148,7 +148,7 @@ struct ClayStrength {
 /// Plastic shear strain x of an increment from `shear` = (s1 - s3)/2 of its elastic trial stress: the root of shear - G x = s_u(x), by Newton's method on the
 /// side of the kink, where the rate reaches its reference, on which the root lies.
 template <class N, class T>
-[[gnu::noinline]] T plastic_shear(const PreparedClayOf<N>& law, const T& shear, const decltype(T{} < T{}) yields, const T& kept,
+[[gnu::noinline]] T plastic_shear(const PreparedClayOf<N>& law, const T& shear, decltype(T{} < T{}) yields, const T& kept,
                                   const Real& per_x, const T& damage, const Real& weight, T& rate_part)
 {
   constexpr Real precision = 1e-13, flattest = 0.1;

@@ -25,7 +25,7 @@ struct Soil {
   std::string name;
   material::Material material;
 
-  std::string key(const char* key) const { return fmt::format("material.{}.{}", name, key); }
+  std::string key(const std::string& key) const { return fmt::format("material.{}.{}", name, key); }
 };
 
 /// The soils of all bodies, each once.
