@@ -15,7 +15,7 @@ namespace {
 template <int dim>
 Real cavity_pressure(const Clay& clay, Real radius, int power, Real rate)
 {
-  constexpr int points = 100, steps = 400;
+  constexpr int points = 200, steps = 1000;
   const PreparedClay law = prepare(clay);
   const Real grown = std::log(radius);
   Real sum = 0;
@@ -39,7 +39,7 @@ Real cavity_pressure(const Clay& clay, Real radius, int power, Real rate)
   return 2. * (power - 1) / power * sum / clay_strength;
 }
 
-/// 0.2 %: midpoints of 100 parts of s across the kink where yield begins, 400 increments, and a Poisson's ratio of 0.49 that no volume change shows.
+/// 0.2 %: midpoints of 200 parts of s across the kink where yield begins, 1000 increments, and a Poisson's ratio of 0.49 that no volume change shows.
 constexpr Real cavity_precision = 2e-3;
 
 TEST(ClayCavity, pressures_of_growing_cavities_are_exact)
