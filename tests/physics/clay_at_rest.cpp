@@ -12,7 +12,7 @@ constexpr Real density = 1700, strength = 5e3;
 /// A bed of 1 m by 1 m between rollers, under its weight.
 problem::Case bed_of_clay()
 {
-  problem::Case c = elastic_box(2, {1, 1}, {6, 6}, 1e6, 0.3, density);
+  problem::Case c = elastic_box(2, {1, 1}, {3, 3}, 1e6, 0.3, density);
   material::Clay clay;
   clay.density = density;
   clay.rigidity_index = 200;
