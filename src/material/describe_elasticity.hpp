@@ -18,14 +18,17 @@ void describe_density(Describe& d, Law& law)
 }
 
 /// Declares the parameters of every law with isotropic linear elasticity: densities, Young's modulus, Poisson's ratio; and the profile over depth, which may
-/// give the modulus. needs_modulus: whether nothing else gives it.
+/// give the modulus. needs_modulus: whether nothing else gives it; else 0 stands for none.
 template <class Law>
 void describe_elasticity(Describe& d, Law& law, bool needs_modulus = true)
 {
   describe_density(d, law);
   d.optional_table("profile", law.profile, {.meaning = "values over depth, linear between the entries and constant beyond them"});
   d.value("young_modulus", law.young_modulus,
-          {.meaning = "Young's modulus", .unit = "Pa", .range = positive, .required = needs_modulus && law.profile.young_modulus.empty()});
+          {.meaning = "Young's modulus",
+           .unit = "Pa",
+           .range = needs_modulus ? positive : not_negative,
+           .required = needs_modulus && law.profile.young_modulus.empty()});
   if (law.young_modulus == 0 && !law.profile.young_modulus.empty()) law.young_modulus = law.profile.young_modulus.front();
   d.value(
       "young_modulus_gradient", law.young_modulus_gradient,
