@@ -3,6 +3,7 @@
 #include "input/read_case.hpp"
 #include "input/reader.hpp"
 #include "input/write_case.hpp"
+#include "samples/small_case.hpp"
 #include "samples/wrong_inputs.hpp"
 
 #include <gtest/gtest.h>
@@ -156,6 +157,22 @@ TEST(RoundTrip, of_a_case_is_the_same_text_twice_and_has_every_default)
   for (const char* part : {"courant = 0.5", "friction_angle = 0.610865238198", "gravity = [0, -9.80665]", "\n[[stage]]\n",
                            "\n[stage.until]\n", "\n[material.sand]\n", "dimension = 2", "cohesion = 0", "[Pa] Young's modulus"})
     EXPECT_NE(once.find(part), std::string::npos) << part << " is not in\n" << once;
+}
+
+TEST(RoundTrip, of_clay_whose_stiffness_follows_its_strength_keeps_it)
+{
+  std::string text = test::small_case;
+  const std::string sand =
+      "law = \"mohr_coulomb\"\ndensity = \"877 kg/m^3\"\nyoung_modulus = \"7 MPa\"\npoisson_ratio = 0.25\nfriction_angle = \"35 deg\"\n";
+  text.replace(text.find(sand), sand.size(), R"(law = "clay"
+density = "877 kg/m^3"
+rigidity_index = 100
+poisson_ratio = 0.45
+undrained_strength = "14 kPa"
+)");
+  const problem::Case first = read_case_text("case.toml", text), again = read_case_text("resolved.toml", resolved_toml(first));
+  EXPECT_EQ(first.material[0].second, again.material[0].second);
+  EXPECT_NEAR(elasticity(again.material[0].second).shear, 1.4e6, 1e-6);
 }
 
 TEST(RoundTrip, of_a_word_that_stands_for_a_number_is_the_word)
