@@ -7,6 +7,7 @@
 #include <bit>
 #include <chrono>
 #include <fmt/format.h>
+#include <sched.h>
 #include <thread>
 
 namespace berm::user_law {
@@ -114,6 +115,19 @@ void refuse_unknown_arguments(const LoadedLaw& law, const TrialStart& start)
   }
 }
 
+namespace {
+
+/// OpenMP binds the first thread to a processor, which the threads that it starts inherit: there they would never run at a time.
+void leave_the_processor_of_the_first_thread()
+{
+  cpu_set_t all;
+  CPU_ZERO(&all);
+  for (int k = 0; k < CPU_SETSIZE; ++k) CPU_SET(k, &all);
+  sched_setaffinity(0, sizeof all, &all);
+}
+
+}  // namespace
+
 bool safe_in_threads(const LoadedLaw& law, const TrialStart& start)
 {
   const std::vector<std::uint64_t> expected[2] = {path_of(law, start, 0), path_of(law, start, 1)};
@@ -131,7 +145,10 @@ bool safe_in_threads(const LoadedLaw& law, const TrialStart& start)
       ++done[number];
     }
   };
-  std::thread beside(go_on, 1);
+  std::thread beside([&] {
+    leave_the_processor_of_the_first_thread();
+    go_on(1);
+  });
   go_on(0);
   beside.join();
   law.forget_failure();
