@@ -78,8 +78,7 @@ void add_law(Rows& rows, const std::string& prefix, const material::ModifiedCamC
 void add_law(Rows& rows, const std::string& prefix, const material::NorSand& law)
 {
   rows.add(prefix + "critical friction angle", text::angle_words(law.critical_friction_angle));
-  rows.add(prefix + "critical state line Γ, λe",
-           fmt::format("{:.3g}, {:.3g}", law.critical_void_ratio, law.critical_line_slope));
+  rows.add(prefix + "critical state line Γ, λe", fmt::format("{:.3g}, {:.3g}", law.critical_void_ratio, law.critical_line_slope));
   rows.add(prefix + "N, χ, H", fmt::format("{:.3g}, {:.3g}, {:.3g}", law.volumetric_coupling, law.dilatancy, law.hardening_modulus));
   if (law.state_parameter) rows.add(prefix + "state parameter ψ", text::number_words(*law.state_parameter));
   if (law.void_ratio) rows.add(prefix + "void ratio", text::number_words(*law.void_ratio));
