@@ -6,8 +6,8 @@
 #include "user_law/library.hpp"
 #include "user_law/trial.hpp"
 
-#include <cstdio>
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 namespace berm::user_law {
 namespace {
@@ -73,11 +73,10 @@ void load_law(const std::string& name, int dimension, UserLaw<interface>& law)
   bool one_at_a_time = law.thread_safe == ThreadSafe::no;
   if (law.thread_safe == ThreadSafe::probed && !safe_in_threads(LoadedLaw(function, constants, words, false), start)) {
     one_at_a_time = true;
-    fmt::print(stderr,
-               "berm: warning: {} gives other results when two threads call it at a time (SAVE, COMMON, static variables or unit numbers): "
-               "they take turns, "
-               "which is slower; thread_safe = \"no\" says the same without a trial\n",
-               words);
+    spdlog::warn(
+        "{} gives other results when two threads call it at a time (SAVE, COMMON, static variables or unit numbers): they take turns, "
+        "which is slower; thread_safe = \"no\" says the same without a trial",
+        words);
   }
   law.loaded = std::make_shared<LoadedLaw>(function, constants, words, one_at_a_time);
 }
