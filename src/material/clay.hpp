@@ -122,13 +122,13 @@ template <class T>
 /// (1 + rate part) (d + (1 - d) exp(-per_shear (xi + weight x))).
 template <class T>
 struct ClayStrength {
-  T relative{}, slope{}, rate_part{};
+  T relative{}, slope{}, rate_part{}, rate_slope{};
 
   /// kept: the smoothed rate without the increment over the reference rate; per_x: what a unit of x adds to that; damage: exp(-per_shear xi).
   [[gnu::always_inline]] ClayStrength(const ClayConstants& law, const T& x, const T& kept, const Real& per_x, const T& damage,
                                       const Real& weight)
   {
-    T of_shear = T{} + 1., slope_of_shear{}, slope_of_rate{};
+    T of_shear = T{} + 1., slope_of_shear{};
     if (law.per_shear > 0) {
       const T left = (1 - law.remoulded) * damage * exponential(-law.per_shear * weight * x);
       of_shear = law.remoulded + left;
@@ -138,38 +138,40 @@ struct ClayStrength {
       constexpr Real rounding = 1e-9;  // at the reference rate itself the slope is that of the faster side
       const T one = T{} + 1., rate = kept + per_x * x;
       rate_part = law.per_e_fold * logarithm(larger(rate, one));
-      slope_of_rate = rate > one - rounding ? law.per_e_fold * per_x / larger(rate, one) : T{};
+      rate_slope = rate > one - rounding ? law.per_e_fold * per_x / larger(rate, one) : T{};
     }
     relative = (1 + rate_part) * of_shear;
-    slope = slope_of_rate * of_shear + (1 + rate_part) * slope_of_shear;
+    slope = rate_slope * of_shear + (1 + rate_part) * slope_of_shear;
   }
 };
 
 /// Plastic shear strain x of an increment from `shear` = (s1 - s3)/2 of its elastic trial stress: the root of shear - G x = s_u(x), by Newton's method on the
-/// side of the kink, where the rate reaches its reference, on which the root lies.
+/// side of the kink, where the rate reaches its reference, on which the root lies. It starts from the strength that the soil had, `begin` over s_u0.
 template <class N, class T>
-[[gnu::noinline]] T plastic_shear(const PreparedClayOf<N>& law, const T& shear, decltype(T{} < T{}) yields, const T& kept,
+[[gnu::noinline]] T plastic_shear(const PreparedClayOf<N>& law, const T& shear, const T& begin, decltype(T{} < T{}) yields, const T& kept,
                                   const Real& per_x, const T& damage, const Real& weight, T& rate_part)
 {
-  constexpr Real precision = 1e-13, flattest = 0.1;
+  // Newton's method squares an error: from 1e-7 of the strength, what is left is below 1e-12 of it.
+  constexpr Real precision = 1e-7, flattest = 0.1;
   const T strength = law.tresca.strength - T{}, stiffness = law.elastic.shear - T{}, zero{};
+  decltype(yields) beyond = yields, left = yields;
   T reaches{};
-  if (per_x > 0) reaches = larger((1. - kept) / per_x, zero);
-  ClayStrength<T> now(law, reaches, kept, per_x, damage, weight);
-  const decltype(yields) beyond = shear - stiffness * reaches > strength * now.relative;
-  const T least = beyond ? reaches : zero, most = beyond ? infinity - zero : reaches;
-  T x = least;
-  if (any(x < reaches)) now = ClayStrength<T>(law, x, kept, per_x, damage, weight);
-  decltype(yields) left = yields;  // a particle that has converged does not change any more, so that it does not depend on the others
-  for (int n = 0; n < 50 && any(left); ++n) {
-    const T slope = larger(stiffness + strength * now.slope, flattest * stiffness);
-    const T better = smaller(larger(x + (shear - stiffness * x - strength * now.relative) / slope, least), most);
-    const T change = left ? magnitude(better - x) : zero;
-    x = left ? better : x;
-    now = ClayStrength<T>(law, x, kept, per_x, damage, weight);
-    left = left & (change * stiffness > precision * (shear + strength));
+  if (per_x > 0 && any(yields & (kept < T{} + 1.))) {
+    reaches = larger((1. - kept) / per_x, zero);
+    beyond = shear - stiffness * reaches > strength * ClayStrength<T>(law, reaches, kept, per_x, damage, weight).relative;
   }
-  rate_part = now.rate_part;
+  const T least = beyond ? reaches : zero, most = beyond ? infinity - zero : reaches;
+  T x = smaller(larger((shear - strength * begin) / stiffness, least), most);
+  // A particle that has converged does not change any more, so that it does not depend on the others.
+  for (int n = 0; n < 50 && any(left); ++n) {
+    const ClayStrength<T> now(law, x, kept, per_x, damage, weight);
+    const T residual = shear - stiffness * x - strength * now.relative;
+    const T slope = larger(stiffness + strength * now.slope, flattest * stiffness);
+    const T better = smaller(larger(x + residual / slope, least), most);
+    rate_part = left ? now.rate_part + now.rate_slope * (better - x) : rate_part;
+    x = left ? better : x;
+    left = left & (magnitude(residual) > precision * strength * now.relative);
+  }
   return x;
 }
 
@@ -202,7 +204,7 @@ template <int dim, class N, class T>
   const Real weight = law.softening_length > 0 && increment.cell_size > 0 ? increment.cell_size / law.softening_length : 1;
   const T damage = law.per_shear > 0 ? exponential(-law.per_shear * xi) : zero;
   T of_flow{};
-  const T x = plastic_shear(law, shear, yields, kept, per_x, damage, weight, of_flow);
+  const T x = plastic_shear(law, shear, T(1 + change), yields, kept, per_x, damage, weight, of_flow);
   const T flowing = shear - law.elastic.shear * x;
   xi = yields ? xi + weight * x : xi;
   rate_part = yields ? of_flow : begin_rate;

@@ -64,7 +64,7 @@ void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
       continue;
     }
     if (!s.rigids[rigid].bounded) continue;
-    bool meets = false;
+    bool meets = false, above = true;
     std::string where;
     for (const auto& [contact_name, contact] : s.c.contact) {
       if (contact.rigid != name) continue;
@@ -72,6 +72,7 @@ void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
       for (const Way& way : s.ways)
         meets = meets || (way.rigid == rigid && may_meet(s, way, soil, s.up) && may_meet(s, way, soil, s.along));
       const Span &x = soil.space[s.along], &own = s.rigids[rigid].space[s.along];
+      above = above && (!s.ground.line.level() || s.rigids[rigid].space[s.up].from >= soil.space[s.up].to);
       where =
           fmt::format("it begins at {:.4g} m < {} < {:.4g} m with its lowest point {:.4g} m above the surface, and [body.{}] lies at "
                       "{:.4g} m < {} < {:.4g} m",
@@ -80,7 +81,8 @@ void does_the_driven_body_touch_soil(const Scene& s, Findings& found)
     if (!meets)
       found.refuse(fmt::format("rigid.{}", name),
                    fmt::format("touches no soil on all its way: {}; move its centre, or let it travel further", where));
-    else if (s.c.stage[k].kind == problem::StageKind::push && -s.ways[k].begin_embedment > 0.5 * s.rigids[rigid].width && s.is_mpm())
+    else if (above && s.c.stage[k].kind == problem::StageKind::push && -s.ways[k].begin_embedment > 0.5 * s.rigids[rigid].width &&
+             s.is_mpm())
       found.warn(fmt::format("rigid.{}", name),
                  fmt::format("begins {} above the bed's surface, more than half its width of {}: it travels through nothing at first; put "
                              "its lowest point at the surface",
