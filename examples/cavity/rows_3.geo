@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: BSD-3-Clause
-n = 2;
+n = 3;
 Include "wedge.geo";
