@@ -35,7 +35,7 @@ Command add_envelope(CLI::App& program)
                                                                                : std::filesystem::path(options->output);
             auto [settings, places] = input::read_case_in_file(file, options->overrides);
             try {
-              return envelope::find_envelope({std::move(settings), file, folder, options->how, options->jobs()}) ? 0 : 1;
+              return status_of(envelope::find_envelope({std::move(settings), file, folder, options->how, options->jobs()}));
             } catch (const KeyError& error) {
               throw InputError(places.located(error.what()));
             }

@@ -10,11 +10,11 @@
 
 namespace berm::commands {
 
-bool run_side_by_side(const std::vector<simulation::RunRequest>& requests, const std::vector<std::string>& overrides, int at_once)
+jobs::Outcome run_side_by_side(const std::vector<simulation::RunRequest>& requests, const std::vector<std::string>& overrides, int at_once)
 {
   std::vector<jobs::Job> jobs;
   for (const simulation::RunRequest& request : requests) jobs.push_back({request.case_file, overrides, request.folder});
-  bool all_fine = true;
+  jobs::Outcome outcome = jobs::Outcome::done;
   run_jobs(jobs, at_once, [&](std::size_t job, const jobs::JobEnd& end) {
     const simulation::RunRequest& request = requests[job];
     fmt::print(stderr, "{}", io::read_text_file(request.folder / "run.log"));
@@ -22,11 +22,11 @@ bool run_side_by_side(const std::vector<simulation::RunRequest>& requests, const
       if (const std::string table = simulation::key_results_in(request); !table.empty()) fmt::print("{}\n", table);
       return;
     }
-    all_fine = false;
+    outcome = worse(outcome, jobs::outcome_of(end.kind));
     fmt::print(stderr, "berm: {}: {}\n", request.case_file.string(),
                end.kind == jobs::JobEnd::Kind::interrupted ? "stopped, or not begun" : end.reason);
   });
-  return all_fine;
+  return outcome;
 }
 
 }  // namespace berm::commands

@@ -29,7 +29,7 @@ Command add_verify(CLI::App& program)
             if (options->requirements) return list_requirements(options->problems, options->output), 0;
             catch_interrupts();
             messages_to_stderr();
-            return verification::verify({options->problems, options->output, options->jobs()}) ? 0 : 1;
+            return status_of(verification::verify({options->problems, options->output, options->jobs()}));
           }};
 }
 

@@ -25,7 +25,7 @@ problem::Case with_whole_path(problem::Case c, const fs::path& case_file)
 
 }  // namespace
 
-bool find_envelope(const EnvelopeRequest& request)
+jobs::Outcome find_envelope(const EnvelopeRequest& request)
 {
   const problem::Case settings = with_whole_path(request.settings, request.case_file);
   std::vector<EnvelopeRow> rows;
@@ -38,9 +38,10 @@ bool find_envelope(const EnvelopeRequest& request)
   std::vector<std::size_t> row_of_job;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Probe& probe = rows[k].probe;
-    const jobs::Job job{runs / (probe.name + ".toml"), {}, runs / probe.name};
+    jobs::Job job{runs / (probe.name + ".toml"), {}, runs / probe.name};
     io::write_atomically(job.case_file, input::resolved_toml(probe.settings));
     if (has_result(job)) continue;
+    job.resume = goes_on(job);
     jobs.push_back(job);
     row_of_job.push_back(k);
   }
@@ -70,7 +71,7 @@ bool find_envelope(const EnvelopeRequest& request)
     fmt::print(stderr, "interrupted: {} of {} probes are done; the same command goes on from there\n", rows.size() - interrupted,
                rows.size());
   fmt::print(stderr, "the envelope is in {}\n", request.folder.string());
-  return failed == 0 && interrupted == 0;
+  return interrupted > 0 ? jobs::Outcome::unfinished : failed > 0 ? jobs::Outcome::failed : jobs::Outcome::done;
 }
 
 }  // namespace berm::envelope

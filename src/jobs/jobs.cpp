@@ -4,17 +4,15 @@
 
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
-#include "core/vector_unit.hpp"
 #include "input/read_case.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
-#include "run_folder/summary_file.hpp"
+#include "run_folder/build.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <cstring>
-#include <dlfcn.h>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
@@ -93,7 +91,7 @@ JobEnd end_of(const Job& job, int status, bool stopped)
     fs::remove(messages, ignored);
     return {JobEnd::Kind::finished, ""};
   }
-  if (stopped) return {JobEnd::Kind::interrupted, ""};
+  if (stopped || (WIFEXITED(status) && WEXITSTATUS(status) == status_of(Outcome::unfinished))) return {JobEnd::Kind::interrupted, ""};
   if (WIFSIGNALED(status))
     return {JobEnd::Kind::failed, fmt::format("ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)))};
   const std::string last = last_message(messages);
@@ -110,23 +108,11 @@ std::optional<run_folder::RunSummary> summary_if_whole(const fs::path& folder)
   }
 }
 
-/// The file that the method was loaded from: the finite element method is part of the program.
-fs::path engine_file(problem::Method method)
-{
-  if (method == problem::Method::fem) return "/proc/self/exe";
-  Dl_info info{};
-  return ::dladdr(reinterpret_cast<void*>(&vector_unit), &info) != 0 && info.dli_fname != nullptr ? info.dli_fname : "";
-}
-
-/// Whether a summary is of the case of the job, by this version and an unchanged engine.
+/// Whether a summary is of the case of the job, by this build.
 bool is_of_this(const Job& job, const run_folder::RunSummary& summary)
 {
-  const auto version = summary.text.find("version");
-  if (version == summary.text.end() || version->second != BERM_VERSION) return false;
   const problem::Case settings = input::read_case(job.case_file, job.set);
-  std::error_code error;
-  if (fs::last_write_time(job.folder / "summary.json", error) < fs::last_write_time(engine_file(settings.method), error) || error)
-    return false;
+  if (!run_folder::by_this_build(summary, settings.method)) return false;
   const std::string found = io::read_text_file(job.folder / "resolved.toml"), asked = input::resolved_toml(settings);
   return input::without_report(found) == input::without_report(asked);
 }
@@ -183,8 +169,10 @@ bool has_result(const Job& job)
   return summary && summary->finished() && is_of_this(job, *summary);
 }
 
-bool stopped_on_the_way(const Job& job)
+bool goes_on(const Job& job)
 {
+  std::error_code error;
+  if (job.element || !fs::exists(job.folder / "checkpoint/case_file.txt", error)) return false;
   const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
   return summary && !summary->finished() && is_of_this(job, *summary);
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/types.hpp"
+#include "jobs/outcome.hpp"
 
 #include <filesystem>
 #include <functional>
@@ -18,14 +19,7 @@ struct Job {
   bool fast = false;             ///< expected to take a few seconds, where no earlier run tells its time
   bool uncertainty = false;      ///< with the bands of its results (berm run --uncertainty)
   bool element = false;          ///< element tests (berm element) instead of a run
-  bool resume = false;           ///< from its last checkpoint (berm run --resume), where stopped_on_the_way
-};
-
-/// How a job ended.
-struct JobEnd {
-  enum class Kind { finished, failed, interrupted };
-  Kind kind = Kind::interrupted;
-  std::string reason;  ///< why it failed: its last message, or the signal that terminated it
+  bool resume = false;           ///< from its last checkpoint (berm run --resume), where it goes_on
 };
 
 /// Runs the jobs, at_once of them at a time, each by this program with --threads 1, and calls `ended` in this thread as each
@@ -35,11 +29,11 @@ struct JobEnd {
 /// same. Throws RunError where no process can be started at all.
 void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<void(std::size_t job, const JobEnd& end)>& ended);
 
-/// Whether the run folder holds a finished result of this case, by this version and an unchanged engine.
+/// Whether the run folder holds a finished result of this case by this build of berm (run_folder::by_this_build).
 bool has_result(const Job& job);
 
-/// Whether the run folder holds results of this case, by this version and an unchanged engine, that were written before its end: it was stopped.
-bool stopped_on_the_way(const Job& job);
+/// Whether the run folder holds a run of this case by this build that ended on the way and left what `berm run --resume` goes on from.
+bool goes_on(const Job& job);
 
 /// Wall time of the run in this folder, s, from its summary.json; NaN where there is none.
 Real wall_time_of(const std::filesystem::path& folder);

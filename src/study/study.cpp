@@ -119,7 +119,7 @@ StudyPlan plan_study(const fs::path& file, const fs::path& output)
   return plan;
 }
 
-bool run_study(StudyPlan& plan, const fs::path& output, int at_once)
+jobs::Outcome run_study(StudyPlan& plan, const fs::path& output, int at_once)
 {
   std::vector<jobs::Job> jobs;
   std::vector<std::size_t> row_of_job;
@@ -127,6 +127,7 @@ bool run_study(StudyPlan& plan, const fs::path& output, int at_once)
     plan.rows[k].end.kind = jobs::JobEnd::Kind::finished;
     if (has_result(plan.rows[k].job)) continue;
     jobs.push_back(plan.rows[k].job);
+    jobs.back().resume = goes_on(jobs.back());
     row_of_job.push_back(k);
   }
   if (const std::size_t there = plan.rows.size() - jobs.size(); there > 0)
@@ -152,7 +153,7 @@ bool run_study(StudyPlan& plan, const fs::path& output, int at_once)
     fmt::print(stderr, "interrupted: {} of {} runs are done; the same command goes on from there\n", plan.rows.size() - interrupted,
                plan.rows.size());
   fmt::print(stderr, "the results are {}\n", (output / "results.md").string());
-  return interrupted == 0;
+  return interrupted == 0 ? jobs::Outcome::done : jobs::Outcome::unfinished;
 }
 
 }  // namespace berm::study

@@ -35,7 +35,8 @@ StudyPlan plan_study(const std::filesystem::path& file, const std::filesystem::p
 
 /// Runs what has no result yet, at_once runs at a time, and writes OUTPUT/results.csv, results.md and a picture for each figure. A run whose folder
 /// holds a finished result of the same resolved case by the same version and engine of berm is not run again. A run that fails is a row that says so.
-/// False where Ctrl-C ended it. Throws RunError.
-bool run_study(StudyPlan& plan, const std::filesystem::path& output, int at_once);
+/// Unfinished where Ctrl-C ended it; the
+/// same goes on from there. Throws RunError.
+jobs::Outcome run_study(StudyPlan& plan, const std::filesystem::path& output, int at_once);
 
 }  // namespace berm::study

@@ -93,14 +93,17 @@ void list_requirements(const ProblemChoice& choice, const fs::path& output)
   fmt::print("{}", requirements_text(chapters));
 }
 
-bool verify(const VerifyRequest& request)
+jobs::Outcome verify(const VerifyRequest& request)
 {
   const std::vector<Example> examples = find_problems(request.choice);
   std::vector<jobs::Job> jobs;
   for (const Example& example : examples) add_jobs(jobs, example, request.output);
 
   std::vector<ProblemResult> results;
-  for (const jobs::Job& job : jobs) results.push_back({job.folder, {}});
+  for (jobs::Job& job : jobs) {
+    job.resume = goes_on(job);
+    results.push_back({job.folder, {}});
+  }
   Teller teller(jobs.size());
   run_jobs(jobs, request.at_once, [&](std::size_t job, const jobs::JobEnd& end) {
     results[job].end = end;
@@ -128,7 +131,8 @@ bool verify(const VerifyRequest& request)
   if (teller.done() < jobs.size()) fmt::print(stderr, "interrupted: {} of {} problems are done\n", teller.done(), jobs.size());
   write_book(request.output, chapters);
   fmt::print(stderr, "the book is {}\n", (request.output / "index.html").string());
-  return all_met;
+  if (teller.done() < jobs.size()) return jobs::Outcome::unfinished;
+  return all_met ? jobs::Outcome::done : jobs::Outcome::failed;
 }
 
 }  // namespace berm::verification

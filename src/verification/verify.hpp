@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "jobs/outcome.hpp"
 #include "verification/problems.hpp"
 
 namespace berm::verification {
@@ -20,8 +21,8 @@ void list_problems(const ProblemChoice& choice);
 void list_requirements(const ProblemChoice& choice, const std::filesystem::path& output);
 
 /// Runs the problems that are wanted into OUTPUT/EXAMPLE/RUN, prints how their results compare with what is expected, and writes the verification
-/// book, OUTPUT/index.html. All input is read before the first run; a run that fails is a row that says so. True where all runs finished and all
+/// book, OUTPUT/index.html. All input is read before the first run; a run that fails is a row that says so. Done where all runs finished and all
 /// is as expected. Throws InputError and RunError.
-bool verify(const VerifyRequest& request);
+jobs::Outcome verify(const VerifyRequest& request);
 
 }  // namespace berm::verification
