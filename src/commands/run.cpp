@@ -40,7 +40,7 @@ Outcome run_cases(const std::vector<simulation::RunRequest>& all, const CaseOpti
     for (const simulation::RunRequest& request : all)
       if (!(side_by_side && is_fem(request)) && !run_case(request, context)) return outcome_of_stopped(request.folder);
   }
-  return side_by_side ? run_side_by_side(fem, options.overrides, options.jobs()) : Outcome::done;
+  return side_by_side ? run_side_by_side(fem, options) : Outcome::done;
 }
 
 /// Says of runs that the user stopped before their bands were made how to go on.
@@ -62,11 +62,14 @@ Outcome run_all(const std::vector<simulation::RunRequest>& all, const CaseOption
   return outcome;
 }
 
-/// A run is never lost by a second one into its folder: it is replaced where the user says so.
-void refuse_to_overwrite(const std::vector<simulation::RunRequest>& all)
+/// A run is never lost by a second one into its folder: it is replaced where the user says so. A runner that is not local goes on with what is of the same case.
+void refuse_to_overwrite(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
 {
+  if (options.has_runner() && jobs::handed_over(queue_of(all))) return;
   for (const simulation::RunRequest& request : all) {
     if (!simulation::has_begun(request.folder)) continue;
+    const jobs::Job same{request.case_file, options.overrides, request.folder};
+    if (options.has_runner() && (has_result(same) || goes_on(same))) continue;
     const io::FolderLock not_in_use(request.folder);  // names another run that writes there
     const std::string folder = request.folder.string();
     if (simulation::can_be_resumed(request.folder))
@@ -107,11 +110,13 @@ Command add_run(CLI::App& program)
   CLI::App* app = program.add_subcommand("run", "run cases");
   CLI::Option* cases = options->take_cases(*app)->required(false);
   options->take_threads(*app);
+  options->take_runner(*app);
   app->add_option("-o,--output", options->output,
                   "run folder; of several cases: the folder that theirs go into (default: out/FOLDER/NAME of FOLDER/NAME.toml)");
   CLI::Option* force = app->add_flag("--force", options->force, "replace what earlier runs left in the folder");
   app->add_option("--resume", options->unfinished, "continue the run in this folder from its last checkpoint, instead of running a CASE")
       ->excludes(cases)
+      ->excludes("--runner")
       ->excludes("--set")
       ->excludes("--output")
       ->excludes(force);
@@ -121,10 +126,13 @@ Command add_run(CLI::App& program)
     if (options->files.empty() && options->unfinished.empty()) throw CLI::RequiredError("CASE or --resume");
   });
   return {app, [options] {
+            options->runner();  // is refused here
             if (!options->unfinished.empty()) return status_of(resume(options->unfinished, *options));
             const std::vector<simulation::RunRequest> all = requests(*options);
-            if (!options->force) refuse_to_overwrite(all);
-            return status_of(run_all(all, *options));
+            if (!options->force) refuse_to_overwrite(all, *options);
+            if (!options->has_runner()) return status_of(run_all(all, *options));
+            catch_interrupts();
+            return status_of(run_side_by_side(all, *options));
           }};
 }
 

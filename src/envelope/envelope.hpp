@@ -2,7 +2,7 @@
 #pragma once
 
 #include "envelope/envelope_probes.hpp"
-#include "jobs/outcome.hpp"
+#include "jobs/jobs.hpp"
 
 #include <filesystem>
 
@@ -14,7 +14,7 @@ struct EnvelopeRequest {
   std::filesystem::path case_file;
   std::filesystem::path folder;
   EnvelopeSettings how;
-  int at_once = 1;  ///< probes at a time, each on one thread
+  jobs::Runner runner;
 };
 
 /// Runs the probes of an envelope that have no result yet, FOLDER/runs/PROBE.toml into FOLDER/runs/PROBE, and writes envelope.csv, envelope.png and

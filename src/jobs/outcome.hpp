@@ -5,9 +5,9 @@
 
 namespace berm::jobs {
 
-/// How a job ended.
+/// How a job ended. Interrupted: it was stopped or did not begin. Queued: it was handed over, and has not ended yet.
 struct JobEnd {
-  enum class Kind { finished, failed, interrupted };
+  enum class Kind { finished, failed, interrupted, queued };
   Kind kind = Kind::interrupted;
   std::string reason;  ///< why it failed: its last message, or the signal that terminated it
 };

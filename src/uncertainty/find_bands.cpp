@@ -55,7 +55,7 @@ Ends run_variants(const VariantPlan& plan, const fs::path& folder, int at_once)
              resumed == 0 ? "" : fmt::format(", {} resumed from a checkpoint", resumed));
   Ends ends;
   std::size_t done = 0;
-  run_jobs(jobs, at_once, [&](std::size_t job, const jobs::JobEnd& end) {
+  run_jobs(jobs, {jobs::LocalProcesses{at_once}}, folder / "queue", [&](std::size_t job, const jobs::JobEnd& end) {
     const std::string name = jobs[job].folder.filename().string();
     if (end.kind == jobs::JobEnd::Kind::interrupted) {
       ends.interrupted = true;

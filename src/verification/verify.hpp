@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "jobs/outcome.hpp"
+#include "jobs/jobs.hpp"
 #include "verification/problems.hpp"
 
 namespace berm::verification {
@@ -10,7 +10,7 @@ namespace berm::verification {
 struct VerifyRequest {
   ProblemChoice choice;
   std::filesystem::path output;  ///< folder of the book and of its runs
-  int at_once = 1;               ///< runs at a time
+  jobs::Runner runner;
 };
 
 /// Prints the problems that are wanted, with their titles and numbers of expectations. Throws InputError.
