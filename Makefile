@@ -38,6 +38,7 @@ sanitized = core mesh input
 
 # Tests run side by side, so each takes one thread unless it asks for more.
 test: configure ## build and run all tests, some of them with sanitizers once more, and the probe test without optimization
+	@PATH=$$PATH:/usr/sbin scripts/setup slurm || echo 'make test: Slurm is not installed; the test that needs it is skipped'
 	@ninja -C $(release) | $(only_news)
 	@OMP_NUM_THREADS=$${OMP_NUM_THREADS:-1} OMP_WAIT_POLICY=passive ctest --preset release --parallel $(cores) --output-log $(release)/tests.log
 	@grep 'tests passed' $(release)/tests.log | sed 's/^/make test: /'

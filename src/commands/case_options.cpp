@@ -38,6 +38,29 @@ int CaseOptions::jobs() const
   return threads > 0 ? threads : processor_count();
 }
 
+void CaseOptions::take_runner(CLI::App& command)
+{
+  command.add_option(
+      "--runner", runner_words,
+      "what runs the cases: slurm, or a command with {jobs}, the file of one command a line (default: processes on this machine)");
+  command.add_option("--sbatch", sbatch, "options for sbatch: \"--partition=long --time=8:00:00\"");
+  command.add_option("--pack", pack, "runs a task of Slurm (default: 1)")->check(CLI::Range(1, 1000000));
+  command.add_flag("--no-wait", no_wait, "hand the runs over and end; the same command collects their results later");
+}
+
+jobs::Runner CaseOptions::runner() const
+{
+  jobs::Runner runner{jobs::LocalProcesses{jobs()}, !no_wait};
+  if (runner_words == "slurm")
+    runner.by = jobs::Slurm{sbatch, std::max(pack, 1), threads};
+  else if (!runner_words.empty())
+    runner.by = jobs::ShellCommand{runner_words};
+  if (runner_words != "slurm" && (!sbatch.empty() || pack > 0))
+    throw InputError(fmt::format("{} goes with --runner slurm", sbatch.empty() ? "--pack" : "--sbatch"));
+  check_runner(runner);
+  return runner;
+}
+
 fs::path default_folder(const fs::path& file)
 {
   const fs::path folder = file.lexically_normal().parent_path().filename();

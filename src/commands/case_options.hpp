@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "jobs/jobs.hpp"
 #include "simulation/simulate.hpp"
 
 #include <CLI/CLI.hpp>
@@ -14,6 +15,9 @@ struct CaseOptions {
   int threads = 0;           ///< 0: all processors
   bool force = false;        ///< replace the results of earlier runs
   bool uncertainty = false;  ///< find the bands of the results, too
+  std::string runner_words, sbatch;
+  int pack = 0;  ///< runs a task of Slurm; 0: not said
+  bool no_wait = false;
 
   /// CASE... and --set.
   CLI::Option* take_cases(CLI::App& command);
@@ -21,6 +25,11 @@ struct CaseOptions {
   void take_threads(CLI::App& command);
   void take_jobs(CLI::App& command);
   int jobs() const;
+  /// --runner and what goes with it.
+  void take_runner(CLI::App& command);
+  /// What runs the cases. Throws InputError where it cannot.
+  jobs::Runner runner() const;
+  bool has_runner() const { return !runner_words.empty(); }
 };
 
 /// Where the results of a case go by default: out/FOLDER/NAME of FOLDER/NAME.toml, so that examples/bar/case.toml and examples/column/case.toml do not meet; out/NAME

@@ -21,6 +21,7 @@ Command add_envelope(CLI::App& program)
   CLI::App* app = program.add_subcommand("envelope", "find the V-H yield envelope of the pipe of a case, where it lies");
   options->take_cases(*app);
   options->take_jobs(*app);
+  options->take_runner(*app);
   app->add_option("-o,--output", options->output, "folder for the envelope and its runs (default: out/envelope/CASE)");
   app->add_option("--points", options->how.directions, "directions between straight down and 45 degrees upwards (default: 10)")
       ->check(CLI::Range(2, 50));
@@ -35,7 +36,7 @@ Command add_envelope(CLI::App& program)
                                                                                : std::filesystem::path(options->output);
             auto [settings, places] = input::read_case_in_file(file, options->overrides);
             try {
-              return envelope::find_envelope({std::move(settings), file, folder, options->how, options->jobs()}) ? 0 : 1;
+              return status_of(envelope::find_envelope({std::move(settings), file, folder, options->how, options->runner()}));
             } catch (const KeyError& error) {
               throw InputError(places.located(error.what()));
             }

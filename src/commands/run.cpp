@@ -5,6 +5,7 @@
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
 #include "io/folder_lock.hpp"
+#include "jobs/outcome.hpp"
 #include "simulation/resume.hpp"
 #include "uncertainty/find_bands.hpp"
 
@@ -15,8 +16,16 @@
 namespace berm::commands {
 namespace {
 
+using jobs::Outcome;
+
+/// Of a run that did not come to its end and did not fail: it was stopped, and can be resumed where it could write a checkpoint.
+Outcome outcome_of_stopped(const std::filesystem::path& folder)
+{
+  return simulation::has_checkpoint(folder) ? Outcome::unfinished : Outcome::failed;
+}
+
 /// One case after the other, each on all threads; cases of finite elements, which hardly gain by threads, side by side after them.
-int run_cases(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
+Outcome run_cases(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
 {
   catch_interrupts();
   const auto is_fem = [](const simulation::RunRequest& r) { return r.settings.method == problem::Method::fem; };
@@ -29,35 +38,38 @@ int run_cases(const std::vector<simulation::RunRequest>& all, const CaseOptions&
     if (all.size() > 1)
       for (const simulation::RunRequest& request : all) try_to_build(request);
     for (const simulation::RunRequest& request : all)
-      if (!(side_by_side && is_fem(request)) && !run_case(request, context)) return 1;
+      if (!(side_by_side && is_fem(request)) && !run_case(request, context)) return outcome_of_stopped(request.folder);
   }
-  return !side_by_side || run_side_by_side(fem, options.overrides, options.jobs()) ? 0 : 1;
+  return side_by_side ? run_side_by_side(fem, options) : Outcome::done;
 }
 
-/// Of a run that the user stopped before its bands were made.
-int stopped_before_bands()
+/// Says of runs that the user stopped before their bands were made how to go on.
+Outcome without_bands(Outcome outcome)
 {
   if (interrupted()) spdlog::warn("the bands of the results are not made: resume with berm run --resume FOLDER --uncertainty");
-  return 1;
+  return outcome;
 }
 
 /// The same with the bands of the results, where they are asked for, once all have run.
-int run_all(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
+Outcome run_all(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
 {
   if (options.uncertainty)
     for (const simulation::RunRequest& request : all) uncertainty::try_to_plan(request);
-  if (const int status = run_cases(all, options); status != 0 || !options.uncertainty)
-    return status != 0 && options.uncertainty ? stopped_before_bands() : status;
-  bool found = true;
-  for (const simulation::RunRequest& request : all) found = uncertainty::find_bands(request, options.jobs()) && found;
-  return found ? 0 : 1;
+  Outcome outcome = run_cases(all, options);
+  if (!options.uncertainty) return outcome;
+  if (outcome != Outcome::done) return without_bands(outcome);
+  for (const simulation::RunRequest& request : all) outcome = worse(outcome, uncertainty::find_bands(request, options.jobs()));
+  return outcome;
 }
 
-/// A run is never lost by a second one into its folder: it is replaced where the user says so.
-void refuse_to_overwrite(const std::vector<simulation::RunRequest>& all)
+/// A run is never lost by a second one into its folder: it is replaced where the user says so. A runner that is not local goes on with what is of the same case.
+void refuse_to_overwrite(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
 {
+  if (options.has_runner() && jobs::handed_over(queue_of(all))) return;
   for (const simulation::RunRequest& request : all) {
     if (!simulation::has_begun(request.folder)) continue;
+    const jobs::Job same{request.case_file, options.overrides, request.folder};
+    if (options.has_runner() && (has_result(same) || goes_on(same))) continue;
     const io::FolderLock not_in_use(request.folder);  // names another run that writes there
     const std::string folder = request.folder.string();
     if (simulation::can_be_resumed(request.folder))
@@ -68,20 +80,23 @@ void refuse_to_overwrite(const std::vector<simulation::RunRequest>& all)
   }
 }
 
-int resume(const std::filesystem::path& folder, const CaseOptions& options)
+Outcome resume(const std::filesystem::path& folder, const CaseOptions& options)
 {
   std::optional<simulation::RunRequest> request = simulation::run_to_resume(folder);
   const bool finished = !request;
   if (finished) fmt::print("the run in {} is finished\n", folder.string());
-  if (finished && !options.uncertainty) return 0;
+  if (finished && !options.uncertainty) return Outcome::done;
   if (finished) request = simulation::finished_run(folder);
   catch_interrupts();
   if (options.uncertainty) uncertainty::try_to_plan(*request);
   if (!finished) {
     simulation::Context context(options.threads, interrupted);
-    if (!run_case(*request, context)) return options.uncertainty ? stopped_before_bands() : 1;
+    if (!run_case(*request, context)) {
+      const Outcome outcome = outcome_of_stopped(folder);
+      return options.uncertainty ? without_bands(outcome) : outcome;
+    }
   }
-  return !options.uncertainty || uncertainty::find_bands(*request, options.jobs()) ? 0 : 1;
+  return options.uncertainty ? uncertainty::find_bands(*request, options.jobs()) : Outcome::done;
 }
 
 }  // namespace
@@ -95,11 +110,13 @@ Command add_run(CLI::App& program)
   CLI::App* app = program.add_subcommand("run", "run cases");
   CLI::Option* cases = options->take_cases(*app)->required(false);
   options->take_threads(*app);
+  options->take_runner(*app);
   app->add_option("-o,--output", options->output,
                   "run folder; of several cases: the folder that theirs go into (default: out/FOLDER/NAME of FOLDER/NAME.toml)");
   CLI::Option* force = app->add_flag("--force", options->force, "replace what earlier runs left in the folder");
   app->add_option("--resume", options->unfinished, "continue the run in this folder from its last checkpoint, instead of running a CASE")
       ->excludes(cases)
+      ->excludes("--runner")
       ->excludes("--set")
       ->excludes("--output")
       ->excludes(force);
@@ -109,10 +126,13 @@ Command add_run(CLI::App& program)
     if (options->files.empty() && options->unfinished.empty()) throw CLI::RequiredError("CASE or --resume");
   });
   return {app, [options] {
-            if (!options->unfinished.empty()) return resume(options->unfinished, *options);
+            options->runner();  // is refused here
+            if (!options->unfinished.empty()) return status_of(resume(options->unfinished, *options));
             const std::vector<simulation::RunRequest> all = requests(*options);
-            if (!options->force) refuse_to_overwrite(all);
-            return run_all(all, *options);
+            if (!options->force) refuse_to_overwrite(all, *options);
+            if (!options->has_runner()) return status_of(run_all(all, *options));
+            catch_interrupts();
+            return status_of(run_side_by_side(all, *options));
           }};
 }
 

@@ -9,24 +9,52 @@
 #include <fmt/format.h>
 
 namespace berm::commands {
+namespace {
 
-bool run_side_by_side(const std::vector<simulation::RunRequest>& requests, const std::vector<std::string>& overrides, int at_once)
+void print_results(const simulation::RunRequest& request)
 {
+  if (const std::string table = simulation::key_results_in(request); !table.empty()) fmt::print("{}\n", table);
+}
+
+}  // namespace
+
+std::filesystem::path queue_of(const std::vector<simulation::RunRequest>& requests)
+{
+  return requests.front().folder.string() + ".queue";
+}
+
+jobs::Outcome run_side_by_side(const std::vector<simulation::RunRequest>& requests, const CaseOptions& options)
+{
+  const jobs::Runner runner = options.runner();
+  const bool local = std::holds_alternative<jobs::LocalProcesses>(runner.by);  // which makes the bands of all runs afterwards
   std::vector<jobs::Job> jobs;
-  for (const simulation::RunRequest& request : requests) jobs.push_back({request.case_file, overrides, request.folder});
-  bool all_fine = true;
-  run_jobs(jobs, at_once, [&](std::size_t job, const jobs::JobEnd& end) {
-    const simulation::RunRequest& request = requests[job];
-    fmt::print(stderr, "{}", io::read_text_file(request.folder / "run.log"));
-    if (end.kind == jobs::JobEnd::Kind::finished) {
-      if (const std::string table = simulation::key_results_in(request); !table.empty()) fmt::print("{}\n", table);
+  std::vector<simulation::RunRequest> of_job;
+  for (const simulation::RunRequest& request : requests) {
+    const jobs::Job job{request.case_file, options.overrides, request.folder, false, options.uncertainty && !local};
+    if (!local && !options.force && has_result(job)) {
+      fmt::print(stderr, "{} has its result already and is not run again\n", request.folder.string());
+      print_results(request);
+      continue;
+    }
+    jobs.push_back(job);
+    of_job.push_back(request);
+  }
+  jobs::Outcome outcome = jobs::Outcome::done;
+  run_jobs(jobs, runner, queue_of(requests), [&](std::size_t job, const jobs::JobEnd& end) {
+    const simulation::RunRequest& request = of_job[job];
+    outcome = worse(outcome, jobs::outcome_of(end.kind));
+    if (end.kind == jobs::JobEnd::Kind::queued) {
+      fmt::print(stderr, "{}: queued; the same command collects it\n", request.case_file.string());
       return;
     }
-    all_fine = false;
-    fmt::print(stderr, "berm: {}: {}\n", request.case_file.string(),
-               end.kind == jobs::JobEnd::Kind::interrupted ? "stopped, or not begun" : end.reason);
+    fmt::print(stderr, "{}", io::read_text_file(request.folder / "run.log"));
+    if (end.kind == jobs::JobEnd::Kind::finished)
+      print_results(request);
+    else
+      fmt::print(stderr, "berm: {}: {}\n", request.case_file.string(),
+                 end.kind == jobs::JobEnd::Kind::interrupted ? "stopped, or not begun" : end.reason);
   });
-  return all_fine;
+  return outcome;
 }
 
 }  // namespace berm::commands

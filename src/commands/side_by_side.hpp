@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "simulation/simulate.hpp"
+#include "commands/case_options.hpp"
 
 namespace berm::commands {
 
-/// Runs cases at the same time, each by a process of its own on one thread, `at_once` of them at a time, and prints the run.log of each as it ends:
-/// for finite elements, which hardly gain by threads. `overrides` are those that the requests were read with. False where one failed or was stopped.
-bool run_side_by_side(const std::vector<simulation::RunRequest>& requests, const std::vector<std::string>& overrides, int at_once);
+/// Runs cases at the same time, each by a process of its own on one thread, and prints the run.log and the key results of each as it ends. Local processes
+/// run each of them anew: finite elements, which hardly gain by threads. For another runner those are left out that have a result of the same case, and those
+/// that were stopped go on, unless --force was given; its folder is FOLDER.queue beside the first run folder. The options are those that the
+/// requests were read with.
+jobs::Outcome run_side_by_side(const std::vector<simulation::RunRequest>& requests, const CaseOptions& options);
+
+/// Of several runs, beside the folder of the first.
+std::filesystem::path queue_of(const std::vector<simulation::RunRequest>& requests);
 
 }  // namespace berm::commands

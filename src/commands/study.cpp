@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 /// All studies are read before the first one runs. One study goes to `output` itself, several to folders in it that are named like their folders, or
 /// like their files where these are not study.toml.
-int study_all(const std::vector<std::string>& studies, const std::string& output, int at_once)
+jobs::Outcome study_all(const std::vector<std::string>& studies, const std::string& output, const jobs::Runner& runner)
 {
   std::vector<std::pair<study::StudyPlan, fs::path>> plans;
   for (const std::string& study : studies) {
@@ -31,8 +31,8 @@ int study_all(const std::vector<std::string>& studies, const std::string& output
     plans.emplace_back(study::plan_study(file, folder), folder);
   }
   for (auto& [plan, folder] : plans)
-    if (!run_study(plan, folder, at_once)) return 1;
-  return 0;
+    if (run_study(plan, folder, runner) == jobs::Outcome::unfinished) return jobs::Outcome::unfinished;
+  return jobs::Outcome::done;
 }
 
 }  // namespace
@@ -45,10 +45,11 @@ Command add_study(CLI::App& program)
   app->add_option("-o,--output", options->output,
                   "folder for the results; of several studies: the folder that theirs go into (default: out/study)");
   options->take_jobs(*app);
+  options->take_runner(*app);
   return {app, [options] {
             catch_interrupts();
             messages_to_stderr();
-            return study_all(options->files, options->output, options->jobs());
+            return status_of(study_all(options->files, options->output, options->runner()));
           }};
 }
 

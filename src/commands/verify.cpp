@@ -24,12 +24,13 @@ Command add_verify(CLI::App& program)
   app->add_option("--examples", options->problems.examples, "folder of the examples (default: examples)");
   app->add_option("-o,--output", options->output, "folder for the book and its runs (default: out/verification)");
   options->take_jobs(*app);
+  options->take_runner(*app);
   return {app, [options] {
             if (options->list) return list_problems(options->problems), 0;
             if (options->requirements) return list_requirements(options->problems, options->output), 0;
             catch_interrupts();
             messages_to_stderr();
-            return verification::verify({options->problems, options->output, options->jobs()}) ? 0 : 1;
+            return status_of(verification::verify({options->problems, options->output, options->runner()}));
           }};
 }
 

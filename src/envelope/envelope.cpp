@@ -25,7 +25,7 @@ problem::Case with_whole_path(problem::Case c, const fs::path& case_file)
 
 }  // namespace
 
-bool find_envelope(const EnvelopeRequest& request)
+jobs::Outcome find_envelope(const EnvelopeRequest& request)
 {
   const problem::Case settings = with_whole_path(request.settings, request.case_file);
   std::vector<EnvelopeRow> rows;
@@ -38,20 +38,22 @@ bool find_envelope(const EnvelopeRequest& request)
   std::vector<std::size_t> row_of_job;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const Probe& probe = rows[k].probe;
-    const jobs::Job job{runs / (probe.name + ".toml"), {}, runs / probe.name};
+    jobs::Job job{runs / (probe.name + ".toml"), {}, runs / probe.name};
     io::write_atomically(job.case_file, input::resolved_toml(probe.settings));
     if (has_result(job)) continue;
+    job.resume = goes_on(job);
     jobs.push_back(job);
     row_of_job.push_back(k);
   }
   if (const std::size_t there = rows.size() - jobs.size(); there > 0)
     fmt::print(stderr, "{} of {} probes have their result already and are not run again\n", there, rows.size());
-  std::size_t done = 0, failed = 0, interrupted = 0;
-  run_jobs(jobs, request.at_once, [&](std::size_t job, const jobs::JobEnd& end) {
+  std::size_t done = 0, failed = 0, interrupted = 0, queued = 0;
+  run_jobs(jobs, request.runner, request.folder / "queue", [&](std::size_t job, const jobs::JobEnd& end) {
     EnvelopeRow& row = rows[row_of_job[job]];
-    if (end.kind == jobs::JobEnd::Kind::interrupted) {
-      row.state = "interrupted";
-      ++interrupted;
+    if (outcome_of(end.kind) == jobs::Outcome::unfinished) {
+      const bool waits = end.kind == jobs::JobEnd::Kind::queued;
+      row.state = waits ? "queued" : "interrupted";
+      ++(waits ? queued : interrupted);
       return;
     }
     const bool fails = end.kind == jobs::JobEnd::Kind::failed;
@@ -66,11 +68,12 @@ bool find_envelope(const EnvelopeRequest& request)
   write_envelope_report(settings, rows, request.folder);
   fmt::print("{}", envelope_words(settings, rows));
   if (failed > 0) fmt::print(stderr, "{} of {} probes failed; envelope.csv says which\n", failed, rows.size());
+  const std::size_t ended = rows.size() - interrupted - queued;
   if (interrupted > 0)
-    fmt::print(stderr, "interrupted: {} of {} probes are done; the same command goes on from there\n", rows.size() - interrupted,
-               rows.size());
+    fmt::print(stderr, "interrupted: {} of {} probes are done; the same command goes on from there\n", ended, rows.size());
+  if (queued > 0) fmt::print(stderr, "queued: {} of {} probes are done; the same command collects the others\n", ended, rows.size());
   fmt::print(stderr, "the envelope is in {}\n", request.folder.string());
-  return failed == 0 && interrupted == 0;
+  return interrupted + queued > 0 ? jobs::Outcome::unfinished : failed > 0 ? jobs::Outcome::failed : jobs::Outcome::done;
 }
 
 }  // namespace berm::envelope

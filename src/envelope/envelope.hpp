@@ -2,6 +2,7 @@
 #pragma once
 
 #include "envelope/envelope_probes.hpp"
+#include "jobs/jobs.hpp"
 
 #include <filesystem>
 
@@ -13,12 +14,12 @@ struct EnvelopeRequest {
   std::filesystem::path case_file;
   std::filesystem::path folder;
   EnvelopeSettings how;
-  int at_once = 1;  ///< probes at a time, each on one thread
+  jobs::Runner runner;
 };
 
 /// Runs the probes of an envelope that have no result yet, FOLDER/runs/PROBE.toml into FOLDER/runs/PROBE, and writes envelope.csv, envelope.png and
-/// summary.json. Ctrl-C stops it and leaves what is there. Returns whether all probes came to their end. Throws InputError where the case has no
+/// summary.json. Ctrl-C stops it and leaves what is there. Throws InputError where the case has no
 /// body in the bed whose envelope is known, or does not fit its mesh, before anything is written.
-bool find_envelope(const EnvelopeRequest& request);
+jobs::Outcome find_envelope(const EnvelopeRequest& request);
 
 }  // namespace berm::envelope

@@ -1,200 +1,156 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/study/study_test.cpp
 #include "jobs/jobs.hpp"
 
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
-#include "core/vector_unit.hpp"
-#include "input/read_case.hpp"
-#include "input/write_case.hpp"
-#include "io/atomic_file.hpp"
-#include "run_folder/summary_file.hpp"
+#include "jobs/processes.hpp"
+#include "jobs/queue.hpp"
+#include "jobs/scheduler.hpp"
+#include "jobs/shell.hpp"
 
 #include <algorithm>
 #include <chrono>
-#include <csignal>
-#include <cstring>
-#include <dlfcn.h>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
-#include <map>
-#include <numeric>
-#include <sys/prctl.h>
-#include <sys/wait.h>
 #include <thread>
-#include <unistd.h>
 
 namespace berm::jobs {
 namespace {
 
 namespace fs = std::filesystem;
+using Kind = JobEnd::Kind;
 
-constexpr Real time_of_fast = 5;  // s, where no earlier run tells it
-
-fs::path messages_of(const Job& job)
+/// A wait that Ctrl-C ends.
+void wait_for(Real seconds)
 {
-  return job.folder.string() + ".messages";
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<Real>(seconds);
+  while (!interrupted() && Clock::now() < end) std::this_thread::sleep_for(std::chrono::milliseconds(50));
 }
 
-std::vector<std::string> words_of(const Job& job)
+/// Hands over what has not ended, unless an earlier command did and it is still at work. Whether any job is.
+bool hand_over(Queue& queue, Scheduler& scheduler)
 {
-  if (job.resume) return {"berm", "run", "--resume", job.folder.string(), "--threads", "1"};
-  std::vector<std::string> words = {"berm", job.element ? "element" : "run", job.case_file.string(), "-o", job.folder.string(), "--force"};
-  if (!job.element) words.insert(words.end(), {"--threads", "1"});
-  if (job.uncertainty) words.emplace_back("--uncertainty");
-  for (const std::string& set : job.set) words.insert(words.end(), {"--set", set});
-  return words;
-}
-
-/// Starts the job and returns its process, which gets signals from this program alone and is asked to stop when this program
-/// ends.
-pid_t start(const Job& job)
-{
-  std::vector<std::string> words = words_of(job);
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  io::make_folder(job.folder.parent_path());
-  const fs::path messages = messages_of(job);
-  const int out = ::open(messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (out < 0) io::throw_errno(fmt::format("cannot write {}", messages.string()));
-  const pid_t child = ::fork();
-  if (child != 0) {
-    const int reason = errno;
-    ::close(out);
-    errno = reason;
-    if (child < 0) io::throw_errno("no process can be started");
-    return child;
+  if (scheduler.works_on(queue.handle())) {
+    queue.check_holds_all();
+    fmt::print(stderr, "the runs of {} were handed over by an earlier command\n", queue.folder().string());
+    return true;
   }
-  ::setpgid(0, 0);
-  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
-  const int in = ::open("/dev/null", O_RDONLY);
-  if (in >= 0 && ::dup2(in, STDIN_FILENO) >= 0 && ::dup2(out, STDOUT_FILENO) >= 0 && ::dup2(out, STDERR_FILENO) >= 0)
-    ::execv("/proc/self/exe", arguments.data());
-  ::_exit(127);
+  const std::vector<std::size_t> to_do = queue.to_do();
+  if (to_do.empty()) return false;
+  queue.write(to_do);
+  const std::string handle = scheduler.submit(queue.folder(), to_do.size());
+  queue.hand_to(handle);
+  fmt::print(stderr, "{} run{} handed to {}; {} has what was handed over\n", to_do.size(), to_do.size() == 1 ? " is" : "s are", handle,
+             queue.folder().string());
+  return true;
 }
 
-/// The last line that a process wrote, without the program's name.
-std::string last_message(const fs::path& file)
-{
-  std::ifstream lines(file);
-  std::string line, last;
-  while (std::getline(lines, line))
-    if (line.find_first_not_of(" \t") != std::string::npos) last = line;
-  return last.starts_with("berm: ") ? last.substr(6) : last;
-}
+/// Tells of jobs as they end, each once.
+class Teller {
+public:
+  Teller(const Queue& queue, std::size_t count, const Ended& ended) : queue_(queue), told_(count, false), ended_(ended) {}
 
-JobEnd end_of(const Job& job, int status, bool stopped)
-{
-  const fs::path messages = messages_of(job);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) {
-    std::error_code ignored;
-    fs::remove(messages, ignored);
-    return {JobEnd::Kind::finished, ""};
+  /// Whether all have been told of.
+  bool tell()
+  {
+    for (std::size_t k = 0; k < told_.size(); ++k)
+      if (!told_[k])
+        if (const std::optional<JobEnd> end = queue_.end_of(k)) tell(k, *end);
+    return std::find(told_.begin(), told_.end(), false) == told_.end();
   }
-  if (stopped) return {JobEnd::Kind::interrupted, ""};
-  if (WIFSIGNALED(status))
-    return {JobEnd::Kind::failed, fmt::format("ended by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status)))};
-  const std::string last = last_message(messages);
-  return {JobEnd::Kind::failed, last.empty() ? fmt::format("ended with status {} without a message", WEXITSTATUS(status)) : last};
-}
-
-/// Empty where it is damaged, too: the case is then run again.
-std::optional<run_folder::RunSummary> summary_if_whole(const fs::path& folder)
-{
-  try {
-    return run_folder::read_summary(folder);
-  } catch (const RunError&) {
-    return std::nullopt;
+  /// The rest, of which it is known whether anybody works on them. Whether all have ended.
+  bool tell_rest(bool at_work)
+  {
+    bool all = true;
+    for (std::size_t k = 0; k < told_.size(); ++k) {
+      if (told_[k]) continue;
+      tell(k, at_work ? JobEnd{Kind::queued, ""} : queue_.left_over(k));
+      all = all && queue_.end_of(k);
+    }
+    return all;
   }
-}
 
-/// The file that the method was loaded from: the finite element method is part of the program.
-fs::path engine_file(problem::Method method)
-{
-  if (method == problem::Method::fem) return "/proc/self/exe";
-  Dl_info info{};
-  return ::dladdr(reinterpret_cast<void*>(&vector_unit), &info) != 0 && info.dli_fname != nullptr ? info.dli_fname : "";
-}
-
-/// Whether a summary is of the case of the job, by this version and an unchanged engine.
-bool is_of_this(const Job& job, const run_folder::RunSummary& summary)
-{
-  const auto version = summary.text.find("version");
-  if (version == summary.text.end() || version->second != BERM_VERSION) return false;
-  const problem::Case settings = input::read_case(job.case_file, job.set);
-  std::error_code error;
-  if (fs::last_write_time(job.folder / "summary.json", error) < fs::last_write_time(engine_file(settings.method), error) || error)
-    return false;
-  const std::string found = io::read_text_file(job.folder / "resolved.toml"), asked = input::resolved_toml(settings);
-  return input::without_report(found) == input::without_report(asked);
-}
-
-/// The numbers of the jobs, the longest first.
-std::vector<std::size_t> by_time(const std::vector<Job>& jobs)
-{
-  std::vector<Real> times;
-  for (const Job& job : jobs) {
-    const Real earlier = wall_time_of(job.folder);
-    times.push_back(!std::isnan(earlier) ? earlier : job.fast ? time_of_fast : infinity);
+private:
+  void tell(std::size_t job, const JobEnd& end)
+  {
+    told_[job] = true;
+    ended_(job, end);
   }
-  std::vector<std::size_t> order(jobs.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times[a] > times[b]; });
-  return order;
+
+  const Queue& queue_;
+  std::vector<bool> told_;
+  const Ended& ended_;
+};
+
+void run_by(Scheduler& scheduler, const std::vector<Job>& jobs, bool wait, const fs::path& folder, const Ended& ended)
+{
+  Queue queue(folder, jobs);
+  Teller teller(queue, jobs.size(), ended);
+  bool at_work = hand_over(queue, scheduler), all_told = false;
+  for (Real waited = 0; true;) {
+    // Asked before the folders are looked at, so that what ends in between is not missed.
+    at_work = at_work && scheduler.works_on(queue.handle());
+    all_told = teller.tell();
+    if (all_told || !at_work || !wait || interrupted()) break;
+    const Real pause = scheduler.pause(waited);
+    wait_for(pause);
+    waited += pause;
+  }
+  if (at_work && !all_told && interrupted()) {
+    scheduler.leave(queue.handle());
+    at_work = scheduler.works_on(queue.handle());
+  }
+  if (const std::string why = scheduler.complaint(); !why.empty() && queue.none_has_begun()) {
+    queue.close();
+    throw RunError(why);
+  }
+  if (teller.tell_rest(at_work))
+    queue.close();
+  else if (!at_work)
+    queue.hand_to("");
+}
+
+/// Runs that were handed over may be at work elsewhere, and two programs must not do the same.
+void refuse_while_open(const fs::path& folder)
+{
+  if (const std::string handle = Queue(folder, {}).handle(); !handle.empty())
+    throw RunError(
+        fmt::format("{} says that the runs were handed over ({}): collect them by the same command with its --runner, or cancel them "
+                    "and remove that folder",
+                    folder.string(), handle));
 }
 
 }  // namespace
 
-void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<void(std::size_t, const JobEnd&)>& ended)
+void check_runner(const Runner& runner)
 {
-  std::map<pid_t, std::size_t> running;
-  bool stopping = false;
-  const auto stop = [&] {
-    for (const auto& entry : running) ::kill(entry.first, SIGTERM);
-    stopping = true;
-  };
-  const std::vector<std::size_t> order = by_time(jobs);
-  std::size_t next = 0;
-  while (true) {
-    if (interrupted() && !stopping) stop();
-    while (!stopping && next < order.size() && static_cast<int>(running.size()) < at_once) {
-      const std::size_t job = order[next++];
-      running[start(jobs[job])] = job;
-    }
-    if (running.empty()) break;
-    // A signal does not end a wait, so each wait is short.
-    std::vector<std::pair<std::size_t, int>> gone;
-    for (const auto& [process, job] : running)
-      if (int status = 0; ::waitpid(process, &status, WNOHANG) == process) gone.emplace_back(job, status);
-    std::erase_if(running, [&](const auto& entry) {
-      return std::any_of(gone.begin(), gone.end(), [&](const auto& end) { return end.first == entry.second; });
-    });
-    for (const auto& [job, status] : gone) ended(job, end_of(jobs[job], status, stopping));
-    if (gone.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  if (const auto* command = std::get_if<ShellCommand>(&runner.by);
+      command != nullptr && command->command.find("{jobs}") == std::string::npos)
+    throw InputError(
+        fmt::format("--runner \"{}\" is neither slurm nor a command with {{jobs}}, which stands for the file that has one command a line",
+                    command->command));
+  if (std::holds_alternative<Slurm>(runner.by) && !has_program("sbatch"))
+    throw InputError("--runner slurm: there is no sbatch in PATH: this machine does not submit jobs to Slurm");
+  if (std::holds_alternative<LocalProcesses>(runner.by) && !runner.wait)
+    throw InputError("--no-wait goes with --runner: the processes of this machine end with the command that starts them");
+}
+
+bool handed_over(const fs::path& queue)
+{
+  std::error_code error;
+  return fs::exists(queue / "open", error);
+}
+
+void run_jobs(const std::vector<Job>& jobs, const Runner& runner, const fs::path& queue, const Ended& ended)
+{
+  if (const auto* local = std::get_if<LocalProcesses>(&runner.by)) {
+    refuse_while_open(queue);
+    return run_processes(jobs, local->at_once, ended);
   }
-  for (; next < order.size(); ++next) ended(order[next], {});
-}
-
-bool has_result(const Job& job)
-{
-  const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
-  return summary && summary->finished() && is_of_this(job, *summary);
-}
-
-bool stopped_on_the_way(const Job& job)
-{
-  const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
-  return summary && !summary->finished() && is_of_this(job, *summary);
-}
-
-Real wall_time_of(const fs::path& folder)
-{
-  const std::optional<run_folder::RunSummary> summary = summary_if_whole(folder);
-  const std::map<std::string, Real> timing = summary ? summary->timing : std::map<std::string, Real>();
-  const auto wall = timing.find("wall_s");
-  return wall == timing.end() ? std::numeric_limits<Real>::quiet_NaN() : wall->second;
+  const auto* command = std::get_if<ShellCommand>(&runner.by);
+  const std::unique_ptr<Scheduler> scheduler =
+      command != nullptr ? scheduler_for(*command, runner.wait) : scheduler_for(std::get<Slurm>(runner.by));
+  run_by(*scheduler, jobs, runner.wait, queue, ended);
 }
 
 }  // namespace berm::jobs

@@ -1,47 +1,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "core/types.hpp"
+#include "jobs/job.hpp"
 
-#include <filesystem>
 #include <functional>
-#include <string>
-#include <vector>
+#include <variant>
 
 namespace berm::jobs {
 
-/// One run of a case by a process of its own, on one thread.
-struct Job {
-  std::filesystem::path case_file;
-  std::vector<std::string> set;  ///< overrides KEY=VALUE
-  std::filesystem::path folder;  ///< the run folder
-  bool fast = false;             ///< expected to take a few seconds, where no earlier run tells its time
-  bool uncertainty = false;      ///< with the bands of its results (berm run --uncertainty)
-  bool element = false;          ///< element tests (berm element) instead of a run
-  bool resume = false;           ///< from its last checkpoint (berm run --resume), where stopped_on_the_way
+/// Runs jobs on this machine.
+struct LocalProcesses {
+  int at_once = 1;  ///< jobs at a time
 };
 
-/// How a job ended.
-struct JobEnd {
-  enum class Kind { finished, failed, interrupted };
-  Kind kind = Kind::interrupted;
-  std::string reason;  ///< why it failed: its last message, or the signal that terminated it
+/// Hands jobs to a shell command, which contains {jobs}, the file of one command a line, and may contain {count}, the number of its lines.
+struct ShellCommand {
+  std::string command;
 };
 
-/// Runs the jobs, at_once of them at a time, each by this program with --threads 1, and calls `ended` in this thread as each
-/// ends. The longest starts first, by the wall time in summary.json of an earlier run in the same folder; jobs without one
-/// come before them. The output of a process goes to FOLDER.messages, which is removed where the run finishes. Ctrl-C
-/// (catch_interrupts) stops the running ones, waits for them and starts no more; `ended` is called for each job all the
-/// same. Throws RunError where no process can be started at all.
-void run_jobs(const std::vector<Job>& jobs, int at_once, const std::function<void(std::size_t job, const JobEnd& end)>& ended);
+/// Hands jobs to Slurm, as one job array.
+struct Slurm {
+  std::string options;  ///< of sbatch, as a shell reads them
+  int pack = 1;         ///< jobs a task
+  int at_once = 0;      ///< tasks at a time; 0: as many as Slurm starts
+};
 
-/// Whether the run folder holds a finished result of this case, by this version and an unchanged engine.
-bool has_result(const Job& job);
+/// What runs jobs.
+struct Runner {
+  std::variant<LocalProcesses, ShellCommand, Slurm> by;
+  bool wait = true;  ///< until they have ended; false: they are handed over, and the same command collects them later
+};
 
-/// Whether the run folder holds results of this case, by this version and an unchanged engine, that were written before its end: it was stopped.
-bool stopped_on_the_way(const Job& job);
+/// What is called with each job and how it ended.
+using Ended = std::function<void(std::size_t job, const JobEnd& end)>;
 
-/// Wall time of the run in this folder, s, from its summary.json; NaN where there is none.
-Real wall_time_of(const std::filesystem::path& folder);
+/// Throws InputError where the runner cannot work: a command without {jobs}, no sbatch on this machine.
+void check_runner(const Runner& runner);
+
+/// Whether an earlier command handed runs over by that queue that were not collected yet.
+bool handed_over(const std::filesystem::path& queue);
+
+/// Runs the jobs, each by this program with --threads 1, and calls `ended` in this thread as each ends; by_time says which starts first. The output of a
+/// job goes to FOLDER.messages, which is removed where it finishes. Ctrl-C (catch_interrupts) stops local processes and a command that is still
+/// at work, waits for them and starts no more; what a scheduler was given stays there. `ended` is called for each job all the same.
+///
+/// A runner that is not local leaves the folder `queue` (queue.hpp), by which the same call collects what an earlier one handed over, or hands over
+/// again what did not end. Throws RunError where no job can be started at all, or where the queue holds other jobs that are still at work.
+void run_jobs(const std::vector<Job>& jobs, const Runner& runner, const std::filesystem::path& queue, const Ended& ended);
 
 }  // namespace berm::jobs

@@ -7,6 +7,7 @@
 #include "problem/cells_at_body.hpp"
 #include "problem/stages.hpp"
 #include "record/soil_plot.hpp"
+#include "run_folder/build.hpp"
 #include "run_folder/progress.hpp"
 #include "structures/structures.hpp"
 
@@ -90,6 +91,7 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
                   {"version", BERM_VERSION},
                   {"machine", io::host_description()},
                   {"date", io::utc_date(std::chrono::system_clock::now())}};
+  for (auto& entry : run_folder::this_build()) summary.text.push_back(std::move(entry));
   if (run.summary) summary.text.emplace_back(base::region_entry, run.summary->text.at(base::region_entry));
   summary.checks = {{"finished", outcome.finished}};
   summary.checks.insert(summary.checks.end(), outcome.checks.begin(), outcome.checks.end());

@@ -74,6 +74,11 @@ bool can_be_resumed(const fs::path& folder)
   return fs::exists(note_in(folder), error);
 }
 
+bool has_checkpoint(const fs::path& folder)
+{
+  return !checkpoint::CheckpointFolder(checkpoints_in(folder)).files().empty();
+}
+
 std::string key_results_in(const RunRequest& request)
 {
   record::RunRecord run;

@@ -22,6 +22,9 @@ bool has_begun(const std::filesystem::path& folder);
 /// Whether the folder holds a run that did not come to its end.
 bool can_be_resumed(const std::filesystem::path& folder);
 
+/// Whether the folder holds a checkpoint.
+bool has_checkpoint(const std::filesystem::path& folder);
+
 /// The key results of a finished run in its folder, in words; "" where there are none.
 std::string key_results_in(const RunRequest& request);
 

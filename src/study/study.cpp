@@ -119,7 +119,7 @@ StudyPlan plan_study(const fs::path& file, const fs::path& output)
   return plan;
 }
 
-bool run_study(StudyPlan& plan, const fs::path& output, int at_once)
+jobs::Outcome run_study(StudyPlan& plan, const fs::path& output, const jobs::Runner& runner)
 {
   std::vector<jobs::Job> jobs;
   std::vector<std::size_t> row_of_job;
@@ -127,18 +127,18 @@ bool run_study(StudyPlan& plan, const fs::path& output, int at_once)
     plan.rows[k].end.kind = jobs::JobEnd::Kind::finished;
     if (has_result(plan.rows[k].job)) continue;
     jobs.push_back(plan.rows[k].job);
+    jobs.back().resume = goes_on(jobs.back());
     row_of_job.push_back(k);
   }
   if (const std::size_t there = plan.rows.size() - jobs.size(); there > 0)
     fmt::print(stderr, "{} of {} runs have their result already and are not run again\n", there, plan.rows.size());
-  std::size_t done = 0, failed = 0, interrupted = 0;
-  run_jobs(jobs, at_once, [&](std::size_t job, const jobs::JobEnd& end) {
+  std::size_t done = 0, failed = 0, interrupted = 0, queued = 0;
+  run_jobs(jobs, runner, output / "queue", [&](std::size_t job, const jobs::JobEnd& end) {
     StudyRow& row = plan.rows[row_of_job[job]];
     row.end = end;
-    if (end.kind == jobs::JobEnd::Kind::interrupted) {
-      ++interrupted;
-      return;
-    }
+    interrupted += end.kind == jobs::JobEnd::Kind::interrupted;
+    queued += end.kind == jobs::JobEnd::Kind::queued;
+    if (outcome_of(end.kind) == jobs::Outcome::unfinished) return;
     failed += end.kind == jobs::JobEnd::Kind::failed;
     fmt::print(stderr, "{}/{} {}: {}\n", ++done, jobs.size(), name_of(row.names),
                end.kind == jobs::JobEnd::Kind::failed ? "FAILED: " + end.reason
@@ -147,12 +147,17 @@ bool run_study(StudyPlan& plan, const fs::path& output, int at_once)
   std::vector<std::string> told;
   for (StudyRow& row : plan.rows) take_numbers(row, plan.study, told);
   write_study_report(plan, output);
+  std::vector<fs::path> finished;
+  for (const StudyRow& row : plan.rows)
+    if (row.end.kind == jobs::JobEnd::Kind::finished) finished.push_back(row.job.folder);
+  if (const std::string units = jobs::mixed_vector_units(finished); !units.empty()) spdlog::warn("{}", units);
   if (failed > 0) fmt::print(stderr, "{} of {} runs failed; the table says why\n", failed, plan.rows.size());
+  const std::size_t ended = plan.rows.size() - interrupted - queued;
   if (interrupted > 0)
-    fmt::print(stderr, "interrupted: {} of {} runs are done; the same command goes on from there\n", plan.rows.size() - interrupted,
-               plan.rows.size());
+    fmt::print(stderr, "interrupted: {} of {} runs are done; the same command goes on from there\n", ended, plan.rows.size());
+  if (queued > 0) fmt::print(stderr, "queued: {} of {} runs are done; the same command collects the others\n", ended, plan.rows.size());
   fmt::print(stderr, "the results are {}\n", (output / "results.md").string());
-  return interrupted == 0;
+  return interrupted + queued == 0 ? jobs::Outcome::done : jobs::Outcome::unfinished;
 }
 
 }  // namespace berm::study

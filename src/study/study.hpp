@@ -33,9 +33,10 @@ struct StudyPlan {
 /// a case is wrong.
 StudyPlan plan_study(const std::filesystem::path& file, const std::filesystem::path& output);
 
-/// Runs what has no result yet, at_once runs at a time, and writes OUTPUT/results.csv, results.md and a picture for each figure. A run whose folder
+/// Runs what has no result yet, by the runner and its folder OUTPUT/queue, and writes OUTPUT/results.csv, results.md and a picture for each figure. A run whose folder
 /// holds a finished result of the same resolved case by the same version and engine of berm is not run again. A run that fails is a row that says so.
-/// False where Ctrl-C ended it. Throws RunError.
-bool run_study(StudyPlan& plan, const std::filesystem::path& output, int at_once);
+/// Unfinished where Ctrl-C ended it or
+/// runs are still queued; the same goes on from there. Throws RunError.
+jobs::Outcome run_study(StudyPlan& plan, const std::filesystem::path& output, const jobs::Runner& runner);
 
 }  // namespace berm::study

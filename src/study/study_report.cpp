@@ -23,7 +23,7 @@ using Words = std::vector<std::string>;
 
 const char* state_of(const StudyRow& row)
 {
-  constexpr const char* words[] = {"finished", "failed", "not run"};
+  constexpr const char* words[] = {"finished", "failed", "not run", "queued"};
   return words[static_cast<int>(row.end.kind)];
 }
 

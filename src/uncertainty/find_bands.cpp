@@ -6,7 +6,6 @@
 #include "io/atomic_file.hpp"
 #include "jobs/jobs.hpp"
 #include "run_folder/progress.hpp"
-#include "simulation/resume.hpp"
 #include "structures/structures.hpp"
 #include "uncertainty/bands.hpp"
 #include "uncertainty/variants.hpp"
@@ -46,7 +45,7 @@ Ends run_variants(const VariantPlan& plan, const fs::path& folder, int at_once)
     jobs::Job job{folder / (variant.name + ".toml"), {}, folder / variant.name};
     io::write_atomically(job.case_file, input::resolved_toml(variant.settings));
     if (has_result(job)) continue;
-    job.resume = stopped_on_the_way(job) && simulation::can_be_resumed(job.folder);
+    job.resume = goes_on(job);
     jobs.push_back(job);
   }
   const std::size_t done_already = plan.variants.size() - jobs.size();
@@ -56,7 +55,7 @@ Ends run_variants(const VariantPlan& plan, const fs::path& folder, int at_once)
              resumed == 0 ? "" : fmt::format(", {} resumed from a checkpoint", resumed));
   Ends ends;
   std::size_t done = 0;
-  run_jobs(jobs, at_once, [&](std::size_t job, const jobs::JobEnd& end) {
+  run_jobs(jobs, {jobs::LocalProcesses{at_once}}, folder / "queue", [&](std::size_t job, const jobs::JobEnd& end) {
     const std::string name = jobs[job].folder.filename().string();
     if (end.kind == jobs::JobEnd::Kind::interrupted) {
       ends.interrupted = true;
@@ -109,7 +108,7 @@ void try_to_plan(const simulation::RunRequest& request)
              work_of(plan, request.settings));
 }
 
-bool find_bands(const simulation::RunRequest& request, int at_once)
+jobs::Outcome find_bands(const simulation::RunRequest& request, int at_once)
 {
   const VariantPlan plan = plan_of(request);
   const fs::path folder = request.folder / variants_folder;
@@ -129,12 +128,13 @@ bool find_bands(const simulation::RunRequest& request, int at_once)
     found = bands_from(plan, folder, run);
   }
   add_to_summary(request.folder, found);
-  if (!found.missing.empty()) return false;
+  if (ends.interrupted) return jobs::Outcome::unfinished;
+  if (!found.missing.empty()) return jobs::Outcome::failed;
   structures::structure_of(run.settings).draw_curves(run_folder, run, found.curves);
   const std::string words = words_of(found, run.settings.method);
   fmt::print("{}\n", words);
   append_to_log(request.folder, words);
-  return true;
+  return jobs::Outcome::done;
 }
 
 }  // namespace berm::uncertainty

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "jobs/outcome.hpp"
 #include "simulation/simulate.hpp"
 
 namespace berm::uncertainty {
@@ -13,7 +14,7 @@ void try_to_plan(const simulation::RunRequest& request);
 
 /// Finds the bands of the finished run in request.folder: runs the variants that have no result yet, at_once at a time, each on one thread and from its last checkpoint where one was stopped, and puts what they tell into
 /// summary.json, curves.png, run.log and the standard output. Where one fails or Ctrl-C stops it there is no band, and summary.json and stderr say why. The run folder is locked
-/// all the while. Returns whether there are bands. Throws InputError and RunError.
-bool find_bands(const simulation::RunRequest& request, int at_once);
+/// all the while. Unfinished where Ctrl-C stopped it. Throws InputError and RunError.
+jobs::Outcome find_bands(const simulation::RunRequest& request, int at_once);
 
 }  // namespace berm::uncertainty

@@ -67,7 +67,7 @@ bool take_values(ExpectationResult& finding, const Example& example, const Expec
 {
   for (const std::string& run : runs_of(e)) {
     const ProblemResult& result = result_of(run, example, results);
-    if (result.end.kind == jobs::JobEnd::Kind::interrupted) return false;
+    if (outcome_of(result.end.kind) == jobs::Outcome::unfinished) return false;
     finding.verdict = Verdict::failed;
     finding.reason = e.runs.empty() && e.over.empty() ? result.end.reason : fmt::format("{}: {}", run, result.end.reason);
     if (result.end.kind == jobs::JobEnd::Kind::failed) return false;

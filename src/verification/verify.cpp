@@ -50,7 +50,7 @@ public:
   explicit Teller(std::size_t count) : count_(count) {}
   void tell(const std::string& problem, const jobs::JobEnd& end, Real wall)
   {
-    if (end.kind == jobs::JobEnd::Kind::interrupted) return;
+    if (outcome_of(end.kind) == jobs::Outcome::unfinished) return;
     const std::string words = end.kind == jobs::JobEnd::Kind::failed ? "FAILED: " + end.reason : fmt::format("{:.1f} s", wall);
     fmt::print(stderr, "{:>{}}/{} {}: {}\n", ++done_, fmt::formatted_size("{}", count_), count_, problem, words);
   }
@@ -93,16 +93,19 @@ void list_requirements(const ProblemChoice& choice, const fs::path& output)
   fmt::print("{}", requirements_text(chapters));
 }
 
-bool verify(const VerifyRequest& request)
+jobs::Outcome verify(const VerifyRequest& request)
 {
   const std::vector<Example> examples = find_problems(request.choice);
   std::vector<jobs::Job> jobs;
   for (const Example& example : examples) add_jobs(jobs, example, request.output);
 
   std::vector<ProblemResult> results;
-  for (const jobs::Job& job : jobs) results.push_back({job.folder, {}});
+  for (jobs::Job& job : jobs) {
+    job.resume = goes_on(job);
+    results.push_back({job.folder, {}});
+  }
   Teller teller(jobs.size());
-  run_jobs(jobs, request.at_once, [&](std::size_t job, const jobs::JobEnd& end) {
+  run_jobs(jobs, request.runner, request.output / "queue", [&](std::size_t job, const jobs::JobEnd& end) {
     results[job].end = end;
     teller.tell(fs::relative(jobs[job].folder, request.output).string(), end, jobs::wall_time_of(jobs[job].folder));
   });
@@ -125,10 +128,15 @@ bool verify(const VerifyRequest& request)
   }
   print(rows);
   std::fflush(stdout);
-  if (teller.done() < jobs.size()) fmt::print(stderr, "interrupted: {} of {} problems are done\n", teller.done(), jobs.size());
+  const bool queued = std::any_of(results.begin(), results.end(),
+                                  [](const ProblemResult& result) { return result.end.kind == jobs::JobEnd::Kind::queued; });
+  if (teller.done() < jobs.size())
+    fmt::print(stderr, "{}: {} of {} problems are done{}\n", queued ? "queued" : "interrupted", teller.done(), jobs.size(),
+               queued ? "; the same command collects the others" : "");
   write_book(request.output, chapters);
   fmt::print(stderr, "the book is {}\n", (request.output / "index.html").string());
-  return all_met;
+  if (teller.done() < jobs.size()) return jobs::Outcome::unfinished;
+  return all_met ? jobs::Outcome::done : jobs::Outcome::failed;
 }
 
 }  // namespace berm::verification

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "jobs/jobs.hpp"
 #include "verification/problems.hpp"
 
 namespace berm::verification {
@@ -9,7 +10,7 @@ namespace berm::verification {
 struct VerifyRequest {
   ProblemChoice choice;
   std::filesystem::path output;  ///< folder of the book and of its runs
-  int at_once = 1;               ///< runs at a time
+  jobs::Runner runner;
 };
 
 /// Prints the problems that are wanted, with their titles and numbers of expectations. Throws InputError.
@@ -20,8 +21,8 @@ void list_problems(const ProblemChoice& choice);
 void list_requirements(const ProblemChoice& choice, const std::filesystem::path& output);
 
 /// Runs the problems that are wanted into OUTPUT/EXAMPLE/RUN, prints how their results compare with what is expected, and writes the verification
-/// book, OUTPUT/index.html. All input is read before the first run; a run that fails is a row that says so. True where all runs finished and all
+/// book, OUTPUT/index.html. All input is read before the first run; a run that fails is a row that says so. Done where all runs finished and all
 /// is as expected. Throws InputError and RunError.
-bool verify(const VerifyRequest& request);
+jobs::Outcome verify(const VerifyRequest& request);
 
 }  // namespace berm::verification

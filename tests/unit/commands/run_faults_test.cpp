@@ -55,7 +55,7 @@ TEST(Faults, a_second_run_into_the_same_folder_is_refused_and_the_first_goes_on)
   expect_parts(second.err, {"cannot use results as the run folder", "another run is writing into it (process ", " on "});
   EXPECT_GT(place.text("results/history.csv").size(), 2000u);
   first.signal(SIGINT);
-  EXPECT_EQ(first.wait().status, 1);
+  EXPECT_EQ(first.wait().status, 75);
   EXPECT_EQ(nlohmann::json::parse(place.text("results/summary.json"))["checks"]["finished"], false);
 }
 

@@ -289,7 +289,7 @@ TEST(Run, that_fails_ends_with_status_1_and_says_where_when_and_what_to_do)
   EXPECT_NE(place.text("results/run.log").find("left the mesh"), std::string::npos);
 }
 
-TEST(Run, that_is_interrupted_keeps_whole_files_and_ends_with_status_1)
+TEST(Run, that_is_interrupted_keeps_whole_files_and_ends_with_status_75)
 {
   for (const int signal : {SIGINT, SIGTERM}) {
     const Place place;
@@ -297,7 +297,7 @@ TEST(Run, that_is_interrupted_keeps_whole_files_and_ends_with_status_1)
     ASSERT_TRUE(wait_until([&] { return place.text("results/history.csv").size() > 2000; }));
     program.signal(signal);
     const Ended ended = program.wait();
-    EXPECT_EQ(ended.status, 1);
+    EXPECT_EQ(ended.status, 75);
     EXPECT_NE(ended.err.find("stopped at t = "), std::string::npos) << ended.err;
     EXPECT_EQ(place.json("results/summary.json")["checks"]["finished"], false);
     const std::string history = place.text("results/history.csv");
@@ -319,7 +319,7 @@ TEST(Run, that_is_interrupted_leaves_the_cases_behind_it_alone)
                   {"run", "small.toml", "other.toml", "--threads", "1", "-o", "results", "--set", "stage.rest.until.time=100 s"});
   ASSERT_TRUE(wait_until([&] { return place.text("results/small/history.csv").size() > 2000; }));
   program.signal(SIGINT);
-  EXPECT_EQ(program.wait().status, 1);
+  EXPECT_EQ(program.wait().status, 75);
   EXPECT_EQ(names_in(place.folder / "results"), Words{"small/"});
 }
 

@@ -194,7 +194,7 @@ TEST_F(EnvelopeCommand, goes_on_where_a_signal_stopped_it)
   EXPECT_TRUE(wait_until([&] { return std::filesystem::exists(folder_ / "found/runs/down/summary.json"); }));
   program.signal(SIGINT);
   const Ended stopped = program.wait();
-  EXPECT_EQ(stopped.status, 1);
+  EXPECT_EQ(stopped.status, 75);
   EXPECT_NE(stopped.err.find("the same command goes on from there"), std::string::npos) << stopped.err;
   EXPECT_NE(text_of_file(folder_ / "found/envelope.csv").find(",interrupted\n"), std::string::npos);
   EXPECT_EQ(run_program(folder_.path(), words).status, 0);

@@ -120,12 +120,12 @@ TEST(Doubts, stand_in_the_log_and_in_the_summary_and_a_resumed_run_keeps_them)
     return program.wait();
   };
   const Ended ended = stop({"run", "case.toml", "-o", "results", "--threads", "1", "--set", "stage.rest.until.time=100 s"});
-  ASSERT_EQ(ended.status, 1) << ended.err;
+  ASSERT_EQ(ended.status, 75) << ended.err;
   EXPECT_EQ(lines_with(ended.err, "berm: warning: ", says), 1) << ended.err;
   EXPECT_EQ(lines_with(text_of_file(folder / "results/run.log"), "", says), 1);
   EXPECT_EQ(lines_with(text_of_file(summary), "", says), 1);
   fs::remove(summary);
-  ASSERT_EQ(stop({"run", "--resume", "results", "--threads", "1"}).status, 1);
+  ASSERT_EQ(stop({"run", "--resume", "results", "--threads", "1"}).status, 75);
   EXPECT_EQ(lines_with(text_of_file(summary), "", says), 1);
 }
 

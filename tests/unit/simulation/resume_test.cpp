@@ -101,7 +101,7 @@ TEST_F(Resume, after_signals_leaves_what_an_uninterrupted_run_leaves)
   do {
     ended = run_until(arguments, "parts", history_size("parts") + size / 6, stops % 2 == 0 ? SIGTERM : SIGINT);
     if (ended.status == 0) break;
-    ASSERT_EQ(ended.status, 1) << ended.err;
+    ASSERT_EQ(ended.status, 75) << ended.err;
     EXPECT_NE(ended.err.find("To resume: berm run --resume parts"), std::string::npos) << ended.err;
     EXPECT_FALSE(checkpoints("parts").empty());
     EXPECT_LE(checkpoints("parts").size(), 2u);
@@ -164,7 +164,7 @@ TEST_F(Resume, goes_on_with_the_values_that_were_set_and_without_the_case_file)
 {
   const Words set = {"--set", "material.sand.friction_angle=30 deg"};
   ASSERT_EQ(berm(first("whole", set)).status, 0);
-  ASSERT_EQ(run_until(first("parts", set), "parts", history_size("whole") / 3, SIGTERM).status, 1);
+  ASSERT_EQ(run_until(first("parts", set), "parts", history_size("whole") / 3, SIGTERM).status, 75);
   fs::remove(folder_ / "fine.toml");
   const Ended ended = berm(on("parts"));
   ASSERT_EQ(ended.status, 0) << ended.err;
@@ -219,7 +219,7 @@ TEST_F(Resume, uses_the_older_checkpoint_where_the_last_is_damaged_and_none_wher
 {
   const Words often = {"--set", "output.checkpoint_wall_time=5 ms"};
   ASSERT_EQ(berm(first("whole", often)).status, 0);
-  ASSERT_EQ(run_until(first("parts", often), "parts", history_size("whole") / 2, SIGTERM).status, 1);
+  ASSERT_EQ(run_until(first("parts", often), "parts", history_size("whole") / 2, SIGTERM).status, 75);
   const Words names = checkpoints("parts");
   ASSERT_EQ(names.size(), 2u);
   const auto damage = [&](const std::string& name) {
@@ -249,7 +249,7 @@ TEST_F(Resume, uses_the_older_checkpoint_where_the_last_is_damaged_and_none_wher
 TEST_F(Resume, takes_another_report_table_which_changes_no_result)
 {
   ASSERT_EQ(berm(first("whole")).status, 0);
-  ASSERT_EQ(run_until(first("parts"), "parts", 30000, SIGTERM).status, 1);
+  ASSERT_EQ(run_until(first("parts"), "parts", 30000, SIGTERM).status, 75);
   std::string resolved = text("parts/resolved.toml");
   const std::string unset = "# revision is not set";
   ASSERT_NE(resolved.find(unset), std::string::npos);
@@ -263,7 +263,7 @@ TEST_F(Resume, takes_another_report_table_which_changes_no_result)
 
 TEST_F(Resume, refuses_another_case_a_changed_history_and_a_missing_frame)
 {
-  ASSERT_EQ(run_until(first("parts"), "parts", 30000, SIGTERM).status, 1);
+  ASSERT_EQ(run_until(first("parts"), "parts", 30000, SIGTERM).status, 75);
   const auto refusal = [&](const std::string& folder) {
     const Ended ended = berm(on(folder));
     EXPECT_EQ(ended.status, 1);
@@ -297,7 +297,7 @@ TEST_F(Resume, is_refused_where_there_is_no_run_and_beside_a_case)
 
 TEST_F(Resume, a_new_run_over_an_unfinished_one_says_what_it_replaces)
 {
-  ASSERT_EQ(run_until(first("parts"), "parts", 30000, SIGTERM).status, 1);
+  ASSERT_EQ(run_until(first("parts"), "parts", 30000, SIGTERM).status, 75);
   EXPECT_EQ(
       berm(first("parts")).err,
       "berm: parts holds an unfinished run: continue it with berm run --resume parts, replace it with --force, or name another folder "

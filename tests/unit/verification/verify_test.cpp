@@ -206,7 +206,7 @@ TEST_F(Verify, that_is_interrupted_ends_its_runs_and_tells_what_is_done)
   std::this_thread::sleep_for(std::chrono::milliseconds(100));  // until it is known that the others have ended
   program.signal(SIGINT);
   const Ended ended = program.wait();
-  EXPECT_EQ(ended.status, 1);
+  EXPECT_EQ(ended.status, 75);
   EXPECT_NE(ended.err.find("interrupted: 2 of 3 problems are done"), std::string::npos) << ended.err;
   EXPECT_NE(ended.out.find("not run"), std::string::npos) << ended.out;
   EXPECT_NE(text_of_file(folder_ / (run + "endless/summary.json")).find("\"finished\": false"), std::string::npos);

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/study/study_test.cpp
+#include "jobs/job.hpp"
+
+#include "core/error.hpp"
+#include "input/read_case.hpp"
+#include "input/write_case.hpp"
+#include "io/atomic_file.hpp"
+#include "run_folder/build.hpp"
+
+#include <cstring>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fstream>
+#include <map>
+#include <numeric>
+
+namespace berm::jobs {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Real time_of_fast = 5;  // s, where no earlier run tells it
+
+/// The last line that a process wrote, without the program's name.
+std::string last_message(const fs::path& file)
+{
+  std::ifstream lines(file);
+  std::string line, last;
+  while (std::getline(lines, line))
+    if (line.find_first_not_of(" \t") != std::string::npos) last = line;
+  return last.starts_with("berm: ") ? last.substr(6) : last;
+}
+
+/// Empty where it is damaged, too: the case is then run again.
+std::optional<run_folder::RunSummary> summary_if_whole(const fs::path& folder)
+{
+  try {
+    return run_folder::read_summary(folder);
+  } catch (const RunError&) {
+    return std::nullopt;
+  }
+}
+
+/// Whether a summary is of the case of the job, by this build.
+bool is_of_this(const Job& job, const run_folder::RunSummary& summary)
+{
+  const problem::Case settings = input::read_case(job.case_file, job.set);
+  if (!run_folder::by_this_build(summary, settings.method)) return false;
+  const std::string found = io::read_text_file(job.folder / "resolved.toml"), asked = input::resolved_toml(settings);
+  return input::without_report(found) == input::without_report(asked);
+}
+
+}  // namespace
+
+std::vector<std::string> words_of(const Job& job)
+{
+  std::vector<std::string> words = {job.element ? "element" : "run"};
+  if (job.resume)
+    words.insert(words.end(), {"--resume", job.folder.string()});
+  else
+    words.insert(words.end(), {job.case_file.string(), "-o", job.folder.string(), "--force"});
+  if (!job.element) words.insert(words.end(), {"--threads", "1"});
+  if (job.uncertainty) words.emplace_back("--uncertainty");
+  if (!job.resume)
+    for (const std::string& set : job.set) words.insert(words.end(), {"--set", set});
+  return words;
+}
+
+fs::path messages_of(const Job& job)
+{
+  return job.folder.string() + ".messages";
+}
+
+JobEnd end_with(const Job& job, int status)
+{
+  if (status == status_of(Outcome::done)) return {JobEnd::Kind::finished, ""};
+  if (status == status_of(Outcome::unfinished)) return {JobEnd::Kind::interrupted, ""};
+  if (status > 128) return {JobEnd::Kind::failed, fmt::format("ended by signal {} ({})", status - 128, strsignal(status - 128))};
+  const std::string last = last_message(messages_of(job));
+  return {JobEnd::Kind::failed, last.empty() ? fmt::format("ended with status {} without a message", status) : last};
+}
+
+bool has_result(const Job& job)
+{
+  const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
+  if (!summary || !summary->finished() || !is_of_this(job, *summary)) return false;
+  return !job.uncertainty || (summary->uncertainty && summary->uncertainty->missing.empty());
+}
+
+bool goes_on(const Job& job)
+{
+  std::error_code error;
+  if (job.element || !fs::exists(job.folder / "checkpoint/case_file.txt", error)) return false;
+  const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
+  return summary && !summary->finished() && is_of_this(job, *summary);
+}
+
+Real wall_time_of(const fs::path& folder)
+{
+  const std::optional<run_folder::RunSummary> summary = summary_if_whole(folder);
+  const std::map<std::string, Real> timing = summary ? summary->timing : std::map<std::string, Real>();
+  const auto wall = timing.find("wall_s");
+  return wall == timing.end() ? std::numeric_limits<Real>::quiet_NaN() : wall->second;
+}
+
+std::vector<std::size_t> by_time(const std::vector<Job>& jobs)
+{
+  std::vector<Real> times;
+  for (const Job& job : jobs) {
+    const Real earlier = wall_time_of(job.folder);
+    times.push_back(!std::isnan(earlier) ? earlier : job.fast ? time_of_fast : infinity);
+  }
+  std::vector<std::size_t> order(jobs.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return times[a] > times[b]; });
+  return order;
+}
+
+std::string mixed_vector_units(const std::vector<fs::path>& folders)
+{
+  std::map<std::string, int> count;
+  for (const fs::path& folder : folders)
+    if (const auto summary = summary_if_whole(folder)) ++count[run_folder::vector_unit_of(*summary)];
+  if (count.size() < 2) return "";
+  std::vector<std::string> words;
+  for (const auto& [unit, runs] : count) words.push_back(fmt::format("{}: {}", unit, runs));
+  return fmt::format("the runs were computed on several vector units ({}), between which results differ by round-off",
+                     fmt::join(words, ", "));
+}
+
+}  // namespace berm::jobs

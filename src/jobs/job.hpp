@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/types.hpp"
+#include "jobs/outcome.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace berm::jobs {
+
+/// One run of a case by a process of its own, on one thread.
+struct Job {
+  std::filesystem::path case_file;
+  std::vector<std::string> set;  ///< overrides KEY=VALUE
+  std::filesystem::path folder;  ///< the run folder
+  bool fast = false;             ///< expected to take a few seconds, where no earlier run tells its time
+  bool uncertainty = false;      ///< with the bands of its results (berm run --uncertainty)
+  bool element = false;          ///< element tests (berm element) instead of a run
+  bool resume = false;           ///< from its last checkpoint (berm run --resume), where it goes_on
+};
+
+/// What stands behind the program's name on the command line that does the job.
+std::vector<std::string> words_of(const Job& job);
+
+/// FOLDER.messages: what the process of the job writes to its standard output and error.
+std::filesystem::path messages_of(const Job& job);
+
+/// How a job ended that left this exit status, 128 + N after signal N: finished, interrupted, or failed for the reason in its last message.
+JobEnd end_with(const Job& job, int status);
+
+/// Whether the run folder holds a finished result of this case by this build of berm (run_folder::by_this_build), with its bands where they are asked for.
+bool has_result(const Job& job);
+
+/// Whether the run folder holds a run of this case by this build that ended on the way and left what `berm run --resume` goes on from.
+bool goes_on(const Job& job);
+
+/// Wall time of the run in this folder, s, from its summary.json; NaN where there is none.
+Real wall_time_of(const std::filesystem::path& folder);
+
+/// The numbers of the jobs, the longest first, by the wall time of an earlier run in the same folder; jobs without one come before them.
+std::vector<std::size_t> by_time(const std::vector<Job>& jobs);
+
+/// Where the results of these folders were computed on several vector units, which ones and on how many, in words; else "".
+std::string mixed_vector_units(const std::vector<std::filesystem::path>& folders);
+
+}  // namespace berm::jobs
