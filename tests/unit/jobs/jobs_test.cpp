@@ -18,7 +18,7 @@ protected:
 
 TEST_F(Runners, that_are_commands_give_the_table_of_local_processes)
 {
-  const Ended ended = study({"--runner", "echo {count} > count; " + one_by_one});
+  const berm::Ended ended = study({"--runner", "echo {count} > count; " + one_by_one});
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_EQ(result("results.csv"), local_table());
   EXPECT_EQ(text_of_file(folder_ / "count"), "3\n");
@@ -30,7 +30,7 @@ TEST_F(Runners, that_are_commands_give_the_table_of_local_processes)
 TEST_F(Runners, keep_the_message_of_a_row_that_fails_and_go_on_with_the_others)
 {
   write_study("-9e3");  // it leaves the mesh
-  const Ended ended = study({"--runner", one_by_one});
+  const berm::Ended ended = study({"--runner", one_by_one});
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(ended.err.find("1 of 3 runs failed"), std::string::npos) << ended.err;
   EXPECT_NE(result("results.md").find("- it's a stone, moon: particle "), std::string::npos) << result("results.md");
@@ -40,13 +40,13 @@ TEST_F(Runners, keep_the_message_of_a_row_that_fails_and_go_on_with_the_others)
 TEST_F(Runners, need_not_be_waited_for_and_the_same_command_collects)
 {
   const Words later = {"--no-wait", "--runner", "cp {jobs} later"};
-  const Ended first = study(later);
+  const berm::Ended first = study(later);
   EXPECT_EQ(first.status, 75) << first.err;
   EXPECT_NE(first.err.find("queued: 0 of 3 runs are done; the same command collects the others"), std::string::npos) << first.err;
   EXPECT_NE(result("results.md").find("| it's a stone | moon | queued |"), std::string::npos) << result("results.md");
   std::filesystem::rename(folder_ / "later", folder_ / "lines");
   ASSERT_EQ(std::system(("head -n 1 '" + (folder_ / "lines").string() + "' | sh").c_str()), 0);
-  const Ended second = study(later);
+  const berm::Ended second = study(later);
   EXPECT_EQ(second.status, 75) << second.err;
   EXPECT_NE(second.err.find("queued: 1 of 3 runs are done"), std::string::npos) << second.err;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "later")) << "what is queued is not handed over again";
@@ -68,11 +68,11 @@ TEST_F(Runners, have_a_failed_row_tried_again_only_once_it_was_collected)
 TEST_F(Runners, are_not_mixed_while_runs_are_queued)
 {
   ASSERT_EQ(study({"--no-wait", "--runner", "cp {jobs} later"}).status, 75);
-  const Ended local = study({});
+  const berm::Ended local = study({});
   EXPECT_EQ(local.status, 1);
   EXPECT_NE(local.err.find("queue says that the runs were handed over (command)"), std::string::npos) << local.err;
   write_study("-2.5");
-  const Ended other = study({"--no-wait", "--runner", "cp {jobs} later"});
+  const berm::Ended other = study({"--no-wait", "--runner", "cp {jobs} later"});
   EXPECT_EQ(other.status, 1);
   EXPECT_NE(other.err.find("results/runs/it_s_a_stone.moon is not among them"), std::string::npos) << other.err;
 }
@@ -88,12 +88,12 @@ TEST_F(Runners, that_are_stopped_leave_checkpoints_and_go_on_to_the_same_bytes)
     Program program(folder_.path(), words);
     ASSERT_TRUE(wait_until([&] { return result("runs/sand/history.csv").size() > 5000; }));
     program.signal(SIGTERM);
-    const Ended stopped = program.wait();
+    const berm::Ended stopped = program.wait();
     EXPECT_EQ(stopped.status, 75) << stopped.err;
     EXPECT_NE(stopped.err.find("interrupted: 0 of 1 runs are done; the same command goes on from there"), std::string::npos) << stopped.err;
   }
   EXPECT_EQ(result("runs/sand.status"), "75\n");
-  const Ended ended = run_program(folder_.path(), words);
+  const berm::Ended ended = run_program(folder_.path(), words);
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(result("runs/sand/run.log").find("resumes from the checkpoint"), std::string::npos);
   local_table();
@@ -104,7 +104,7 @@ TEST_F(Runners, that_are_stopped_leave_checkpoints_and_go_on_to_the_same_bytes)
 TEST_F(Runners, whose_jobs_are_killed_say_so_and_go_on)
 {
   folder_.write("study.toml", "[[case]]\nname = \"stone\"\nfile = \"stone.toml\"\n[[measure]]\nname = \"g\"\nquantity = \"finished\"\n");
-  const Ended killed =
+  const berm::Ended killed =
       study({"--runner", "touch results/runs/stone.messages # {jobs}"});  // as one that began and has left no word of its end
   EXPECT_EQ(killed.status, 0) << killed.err;
   EXPECT_NE(result("results.md").find("was ended from outside"), std::string::npos) << result("results.md");
@@ -121,13 +121,13 @@ TEST_F(Runners, that_cannot_work_are_one_clear_error)
                                                  {{"--pack", "3", "--runner", one_by_one}, "--pack goes with --runner slurm"},
                                                  {{"--pack", "0", "--runner", "slurm"}, "--pack"}};
   for (const auto& [words, says] : wrong) {
-    const Ended ended = study(words);
+    const berm::Ended ended = study(words);
     EXPECT_EQ(ended.status, 2) << ended.err;
     EXPECT_NE(ended.err.find(says), std::string::npos) << ended.err;
     EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
     EXPECT_FALSE(is_there("")) << "before anything is written";
   }
-  const Ended missing = study({"--runner", "no_such_program_as_this {jobs}"});
+  const berm::Ended missing = study({"--runner", "no_such_program_as_this {jobs}"});
   EXPECT_EQ(missing.status, 1);
   EXPECT_NE(missing.err.find("berm: --runner: the command ended with status 127 before any run began"), std::string::npos) << missing.err;
   EXPECT_FALSE(is_there("queue/open"));
@@ -137,11 +137,11 @@ TEST_F(Runners, take_several_cases_of_run)
 {
   folder_.write("block.toml", test::falling_stone);
   const Words words = {"run", "stone.toml", "block.toml", "-o", "results", "--runner", one_by_one};
-  const Ended ended = run_program(folder_.path(), words);
+  const berm::Ended ended = run_program(folder_.path(), words);
   EXPECT_EQ(ended.status, 0) << ended.err;
   for (const char* name : {"stone", "block"})
     EXPECT_NE(result(name + std::string("/summary.json")).find("\"finished\": true"), std::string::npos);
-  const Ended again = run_program(folder_.path(), words);
+  const berm::Ended again = run_program(folder_.path(), words);
   EXPECT_EQ(again.status, 0);
   EXPECT_NE(again.err.find("results/block has its result already"), std::string::npos) << again.err;
   Words other = words;

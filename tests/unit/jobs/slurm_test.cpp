@@ -33,7 +33,7 @@ protected:
     for (const char* name : {"bin/sbatch", "bin/squeue"})
       std::filesystem::permissions(folder_ / name, std::filesystem::perms::owner_all, std::filesystem::perm_options::add);
   }
-  Ended by_slurm(const Words& more) const
+  berm::Ended by_slurm(const Words& more) const
   {
     Words words = {"--runner", "slurm"};
     words.insert(words.end(), more.begin(), more.end());
@@ -51,7 +51,7 @@ echo 7
 TEST_F(StandIn, gets_the_runs_as_an_array_of_tasks_which_do_several_each)
 {
   programs(does_it_at_once);
-  const Ended ended = by_slurm({"--pack", "2", "--sbatch", "--time=1:00:00 --comment='two words'", "--threads", "9"});
+  const berm::Ended ended = by_slurm({"--pack", "2", "--sbatch", "--time=1:00:00 --comment='two words'", "--threads", "9"});
   EXPECT_EQ(ended.status, 0) << ended.err;
   const std::string said = text_of_file(folder_ / "results/queue/said");
   EXPECT_NE(said.find("--array=0-1%9 "), std::string::npos) << said;
@@ -63,7 +63,7 @@ TEST_F(StandIn, gets_the_runs_as_an_array_of_tasks_which_do_several_each)
 TEST_F(StandIn, that_refuses_is_quoted_in_one_error)
 {
   programs("echo 'sbatch: error: invalid partition specified: nowhere' >&2; exit 1\n");
-  const Ended ended = by_slurm({"--sbatch", "-p nowhere"});
+  const berm::Ended ended = by_slurm({"--sbatch", "-p nowhere"});
   EXPECT_EQ(ended.status, 1);
   EXPECT_EQ(ended.err, "berm: --runner slurm: sbatch refuses the 3 runs: sbatch: error: invalid partition specified: nowhere\n");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "results/queue/open"));
@@ -71,7 +71,7 @@ TEST_F(StandIn, that_refuses_is_quoted_in_one_error)
 
 TEST_F(StandIn, that_is_not_there_is_an_input_error)
 {
-  const Ended ended = study({"--runner", "slurm"}, {"PATH=/nowhere"});
+  const berm::Ended ended = study({"--runner", "slurm"}, {"PATH=/nowhere"});
   EXPECT_EQ(ended.status, 2);
   EXPECT_EQ(ended.err, "berm: --runner slurm: there is no sbatch in PATH: this machine does not submit jobs to Slurm\n");
 }

@@ -40,7 +40,7 @@ column = "stone_vy_m_s"
 measure = "acceleration"
 )");
   }
-  Ended study(Words more, const Words& environment = {}) const
+  berm::Ended study(Words more, const Words& environment = {}) const
   {
     more.insert(more.begin(), {"study", ".", "-o", "results"});
     return run_program(folder_.path(), more, environment);
