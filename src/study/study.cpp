@@ -57,12 +57,25 @@ Real diameter_of(const problem::Case& settings)
   return circle == nullptr ? 0 : circle->diameter;
 }
 
-problem::Case read_row(const fs::path& file, const StudyRow& row)
+/// The file and line of a table from which the change comes that a message is about, and the message without "--set "; empty where it is about none.
+std::string at_its_place(const Study& study, const StudyRow& row, const std::string& message)
+{
+  for (std::size_t k = 0; k < study.axis.size(); ++k) {
+    const StudyValue& value = study.axis[k].value[row.choice[k + 1]];
+    for (const std::string& set : value.set)
+      if (const std::string begin = "--set "; !value.place.empty() && message.starts_with(begin + set.substr(0, set.find('=')) + ": "))
+        return value.place + ": " + message.substr(begin.size());
+  }
+  return "";
+}
+
+problem::Case read_row(const fs::path& file, const Study& study, const StudyRow& row)
 {
   try {
     return input::read_case(row.job.case_file, row.job.set);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}: {}", file.string(), name_of(row.names), error.what()));
+    const std::string which = fmt::format("{}: {}", file.string(), name_of(row.names)), place = at_its_place(study, row, error.what());
+    throw InputError(place.empty() ? fmt::format("{}: {}", which, error.what()) : fmt::format("{} ({})", place, which));
   }
 }
 
@@ -112,7 +125,7 @@ StudyPlan plan_study(const fs::path& file, const fs::path& output)
       plan.skipped.push_back({row.names, skip->why});
       continue;
     }
-    row.diameter = diameter_of(read_row(file, row));
+    row.diameter = diameter_of(read_row(file, study, row));
     plan.rows.push_back(row);
   } while (advance(choice, study));
   if (plan.rows.empty()) throw InputError(fmt::format("{}: nothing is left of the study, all combinations are skipped", file.string()));

@@ -4,6 +4,7 @@
 
 #include "input/message_text.hpp"
 #include "input/reader.hpp"
+#include "study/table_axis.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -69,6 +70,26 @@ std::pair<std::string, std::string> condition_of(const input::Document& document
   return {node.key, node.text};
 }
 
+/// Makes axes of the tables.
+void add_tables(const input::Document& document, Study& study)
+{
+  const std::filesystem::path folder = std::filesystem::path(document.file).parent_path();
+  for (std::size_t k = 0; k < study.table.size(); ++k) {
+    StudyTable& table = study.table[k];
+    if (table.name.empty()) table.name = std::filesystem::path(table.file).stem().string();
+    const input::Node& node = member(document.root, "table")->items[k];
+    const auto refuse_table = [&](const std::string& why) { refuse(document, node, "table." + table.name, why); };
+    std::vector<std::string> names = names_of(study.axis);
+    if (contains(names, table.name) || table.name == case_key || table.name == why_key)
+      refuse_table("is the name of an axis, or one of the words case and why; give the table a name");
+    study.axis.push_back(read_table(folder / table.file, table.name));
+    const auto is_sample = [](const StudyAxis& axis) { return axis.sample_from.has_value(); };
+    if (std::count_if(study.axis.begin(), study.axis.end(), is_sample) > 1)
+      refuse_table(
+          "is a second sample; put all columns into one file, or give the rows a column `name` where they are chosen and not drawn");
+  }
+}
+
 }  // namespace
 
 void describe(Describe& d, StudyCase& c)
@@ -88,6 +109,13 @@ void describe(Describe& d, StudyAxis& axis)
 {
   d.value("name", axis.name, {.meaning = "what is varied", .required = true});
   d.array("value", axis.value, {.meaning = "the values along the axis", .required = true});
+}
+
+void describe(Describe& d, StudyTable& table)
+{
+  d.value("name", table.name, {.meaning = "what is varied; absent: the name of the file"});
+  d.value("file", table.file,
+          {.meaning = "CSV file with keys in its first line and a row a line, seen from the study's folder", .required = true});
 }
 
 void describe(Describe& d, StudySkip& skip)
@@ -122,6 +150,7 @@ void describe(Describe& d, Study& study)
   d.value("title", study.title, {.meaning = "title of the table"});
   d.array(case_key, study.cases, {.meaning = "cases to run", .required = true});
   d.array("axis", study.axis, {.meaning = "what is varied"});
+  d.array("table", study.table, {.meaning = "files whose rows are varied"});
   d.array("skip", study.skip, {.meaning = "combinations that are left out"});
   d.array("measure", study.measure, {.meaning = "columns of the table", .required = true});
   d.array("figure", study.figure, {.meaning = "figures of history curves"});
@@ -152,6 +181,7 @@ Study read_study(const std::filesystem::path& file)
   const std::vector<std::vector<input::Node>> conditions = take_conditions(document);
   Study study;
   read(document, study);
+  add_tables(document, study);
   for (std::size_t k = 0; k < study.skip.size(); ++k) {
     for (const input::Node& node : conditions[k]) study.skip[k].where.push_back(condition_of(document, node, study));
     if (conditions[k].empty())

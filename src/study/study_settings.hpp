@@ -15,12 +15,19 @@ struct StudyCase {
 struct StudyValue {
   std::string name;
   std::vector<std::string> set;  ///< on top of the case's
+  std::string place;             ///< FILE:LINE, where it is a row of a table
 };
 
 /// What is varied: each row of the table has one value of each axis.
 struct StudyAxis {
   std::string name;
   std::vector<StudyValue> value;
+  std::optional<std::size_t> sample_from;  ///< its values from this one on are a sample: of equal weight
+};
+
+/// A file whose rows are the values of an axis.
+struct StudyTable {
+  std::string name, file;  ///< of the axis; beside study.toml
 };
 
 /// Combinations that are left out: those that have all of these words.
@@ -52,7 +59,8 @@ struct StudyFigure {
 struct Study {
   std::string title;
   std::vector<StudyCase> cases;
-  std::vector<StudyAxis> axis;
+  std::vector<StudyAxis> axis;  ///< those of tables behind the others
+  std::vector<StudyTable> table;
   std::vector<StudySkip> skip;
   std::vector<StudyMeasure> measure;
   std::vector<StudyFigure> figure;
@@ -61,12 +69,13 @@ struct Study {
 void describe(Describe& d, StudyCase& c);
 void describe(Describe& d, StudyValue& value);
 void describe(Describe& d, StudyAxis& axis);
+void describe(Describe& d, StudyTable& table);
 void describe(Describe& d, StudySkip& skip);
 void describe(Describe& d, StudyMeasure& measure);
 void describe(Describe& d, StudyFigure& figure);
 void describe(Describe& d, Study& study);
 
-/// Reads a study. Throws InputError with file, line and key.
+/// Reads a study and its tables. Throws InputError with file, line and key.
 Study read_study(const std::filesystem::path& file);
 
 /// A name as part of a file's: everything but letters, digits and . _ - + = becomes "_", and one of dots alone gets a "_".
