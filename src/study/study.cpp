@@ -5,6 +5,7 @@
 #include "input/read_case.hpp"
 #include "io/atomic_file.hpp"
 #include "run_folder/progress.hpp"
+#include "study/estimates.hpp"
 #include "study/study_report.hpp"
 
 #include <algorithm>
@@ -129,11 +130,16 @@ StudyPlan plan_study(const fs::path& file, const fs::path& output)
     plan.rows.push_back(row);
   } while (advance(choice, study));
   if (plan.rows.empty()) throw InputError(fmt::format("{}: nothing is left of the study, all combinations are skipped", file.string()));
+  warn_of_small_sample(file, study);
   return plan;
 }
 
 bool run_study(StudyPlan& plan, const fs::path& output, int at_once)
 {
+  if (plan.study.sample) {
+    io::make_folder(output);
+    io::write_atomically(output / "samples.csv", samples_csv(*sample_of(plan.study)));
+  }
   std::vector<jobs::Job> jobs;
   std::vector<std::size_t> row_of_job;
   for (std::size_t k = 0; k < plan.rows.size(); ++k) {

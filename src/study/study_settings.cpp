@@ -70,24 +70,70 @@ std::pair<std::string, std::string> condition_of(const input::Document& document
   return {node.key, node.text};
 }
 
-/// Makes axes of the tables.
+/// The parts of a key between its dots.
+std::vector<std::string> parts_of(const std::string& key)
+{
+  std::vector<std::string> parts(1);
+  for (const char c : key)
+    if (c == '.')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+/// Whether two keys can mean the same value; * stands for every name.
+bool overlap(const std::string& key, const std::string& other)
+{
+  const std::vector<std::string> one = parts_of(key), two = parts_of(other);
+  return std::equal(one.begin(), one.end(), two.begin(), two.end(),
+                    [](const std::string& a, const std::string& b) { return a == b || a == "*" || b == "*"; });
+}
+
+std::string key_of(const std::string& set)
+{
+  return set.substr(0, set.find('='));
+}
+
+/// The key that a value sets and one of the axes, or the value itself, sets too, and the name of that axis; empty where there is none.
+std::pair<std::string, std::string> set_twice(const std::vector<StudyAxis>& axes, const StudyValue& value, const std::string& own_name)
+{
+  for (std::size_t k = 0; k < value.set.size(); ++k) {
+    const std::string key = key_of(value.set[k]);
+    for (std::size_t before = 0; before < k; ++before)
+      if (overlap(key, key_of(value.set[before]))) return {key, own_name};
+    for (const StudyAxis& axis : axes)
+      for (const StudyValue& other : axis.value)
+        for (const std::string& set : other.set)
+          if (overlap(key, key_of(set))) return {key, axis.name};
+  }
+  return {};
+}
+
+/// Adds the axis of a table or a sample, which stands at the node.
+void add_axis(const input::Document& document, const input::Node& node, const std::string& path, Study& study, const StudyAxis& axis)
+{
+  if (contains(names_of(study.axis), axis.name) || axis.name == case_key || axis.name == why_key)
+    refuse(document, node, path,
+           fmt::format("there is another axis {0}, or it is a word that [[skip]] needs itself", input::in_quotes(axis.name)));
+  if (axis.sample_from && sample_of(study) != nullptr)
+    refuse(document, node, path,
+           "is a second sample; put all columns into one file, or give the rows a column `name` where they are chosen and not drawn");
+  if (const auto [key, by] = set_twice(study.axis, axis.value[0], axis.name); !key.empty())
+    refuse(document, node, path, fmt::format("{} is set twice, here and by {}", key, by));
+  study.axis.push_back(axis);
+}
+
+/// Makes axes of the tables and of the sample.
 void add_tables(const input::Document& document, Study& study)
 {
   const std::filesystem::path folder = std::filesystem::path(document.file).parent_path();
   for (std::size_t k = 0; k < study.table.size(); ++k) {
     StudyTable& table = study.table[k];
     if (table.name.empty()) table.name = std::filesystem::path(table.file).stem().string();
-    const input::Node& node = member(document.root, "table")->items[k];
-    const auto refuse_table = [&](const std::string& why) { refuse(document, node, "table." + table.name, why); };
-    std::vector<std::string> names = names_of(study.axis);
-    if (contains(names, table.name) || table.name == case_key || table.name == why_key)
-      refuse_table("is the name of an axis, or one of the words case and why; give the table a name");
-    study.axis.push_back(read_table(folder / table.file, table.name));
-    const auto is_sample = [](const StudyAxis& axis) { return axis.sample_from.has_value(); };
-    if (std::count_if(study.axis.begin(), study.axis.end(), is_sample) > 1)
-      refuse_table(
-          "is a second sample; put all columns into one file, or give the rows a column `name` where they are chosen and not drawn");
+    add_axis(document, member(document.root, "table")->items[k], "table." + table.name, study, read_table(folder / table.file, table.name));
   }
+  if (study.sample) add_axis(document, *member(document.root, "sample"), "sample", study, sample_axis(*study.sample));
 }
 
 }  // namespace
@@ -151,6 +197,7 @@ void describe(Describe& d, Study& study)
   d.array(case_key, study.cases, {.meaning = "cases to run", .required = true});
   d.array("axis", study.axis, {.meaning = "what is varied"});
   d.array("table", study.table, {.meaning = "files whose rows are varied"});
+  d.optional_table("sample", study.sample, {.meaning = "Latin hypercube of what is not known well"});
   d.array("skip", study.skip, {.meaning = "combinations that are left out"});
   d.array("measure", study.measure, {.meaning = "columns of the table", .required = true});
   d.array("figure", study.figure, {.meaning = "figures of history curves"});
@@ -158,6 +205,10 @@ void describe(Describe& d, Study& study)
   check_names(d, case_key, study.cases);
   check_names(d, "axis", study.axis);
   check_names(d, "figure", study.figure);
+  if (study.sample) {
+    check_names(d, "sample.parameter", study.sample->parameter);
+    check(d, *study.sample);
+  }
   for (std::size_t k = 0; k < study.axis.size(); ++k) {
     const std::string path = fmt::format("axis[{}]", k);
     check_names(d, path + ".value", study.axis[k].value);
@@ -188,6 +239,13 @@ Study read_study(const std::filesystem::path& file)
       refuse(document, member(document.root, "skip")->items[k], "skip", "names no axis and would leave out everything");
   }
   return study;
+}
+
+const StudyAxis* sample_of(const Study& study)
+{
+  for (const StudyAxis& axis : study.axis)
+    if (axis.sample_from) return &axis;
+  return nullptr;
 }
 
 std::string as_file_name(std::string name)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "study/sample.hpp"
 #include "verification/observable.hpp"
 
 namespace berm::study {
@@ -9,20 +10,6 @@ namespace berm::study {
 struct StudyCase {
   std::string name, file;        ///< the file beside study.toml
   std::vector<std::string> set;  ///< overrides KEY=VALUE
-};
-
-/// One choice along an axis.
-struct StudyValue {
-  std::string name;
-  std::vector<std::string> set;  ///< on top of the case's
-  std::string place;             ///< FILE:LINE, where it is a row of a table
-};
-
-/// What is varied: each row of the table has one value of each axis.
-struct StudyAxis {
-  std::string name;
-  std::vector<StudyValue> value;
-  std::optional<std::size_t> sample_from;  ///< its values from this one on are a sample: of equal weight
 };
 
 /// A file whose rows are the values of an axis.
@@ -59,8 +46,9 @@ struct StudyFigure {
 struct Study {
   std::string title;
   std::vector<StudyCase> cases;
-  std::vector<StudyAxis> axis;  ///< those of tables behind the others
+  std::vector<StudyAxis> axis;  ///< those of tables behind the others, that of the sample last
   std::vector<StudyTable> table;
+  std::optional<StudySample> sample;
   std::vector<StudySkip> skip;
   std::vector<StudyMeasure> measure;
   std::vector<StudyFigure> figure;
@@ -75,8 +63,11 @@ void describe(Describe& d, StudyMeasure& measure);
 void describe(Describe& d, StudyFigure& figure);
 void describe(Describe& d, Study& study);
 
-/// Reads a study and its tables. Throws InputError with file, line and key.
+/// Reads a study and its tables, and draws its sample. Throws InputError with file, line and key.
 Study read_study(const std::filesystem::path& file);
+
+/// The axis that is a sample, or null.
+const StudyAxis* sample_of(const Study& study);
 
 /// A name as part of a file's: everything but letters, digits and . _ - + = becomes "_", and one of dots alone gets a "_".
 std::string as_file_name(std::string name);

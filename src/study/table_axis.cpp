@@ -3,11 +3,13 @@
 
 #include "core/error.hpp"
 #include "input/message_text.hpp"
+#include "input/units.hpp"
 #include "io/atomic_file.hpp"
 #include "run_folder/csv_line.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 namespace berm::study {
 namespace {
@@ -98,17 +100,35 @@ std::vector<TableColumn> columns_of(const TableLines& lines, const Words& fields
   return columns;
 }
 
+/// The number in a field, in the SI unit of its own; NaN where it is a word or a list.
+input::SiQuantity quantity_of(const std::string& field)
+{
+  try {
+    return input::to_si(field);
+  } catch (const input::UnitError&) {
+    return {std::numeric_limits<Real>::quiet_NaN(), "1"};
+  }
+}
+
 /// `number` counts from 1.
-StudyValue value_of(const TableLines& lines, const std::vector<TableColumn>& columns, const Words& fields, std::size_t number)
+StudyValue value_of(const TableLines& lines, const std::vector<TableColumn>& columns, const Words& fields, std::size_t number,
+                    StudyAxis& axis)
 {
   if (fields.size() != columns.size()) lines.refuse(fmt::format("{} fields for {} columns", fields.size(), columns.size()));
-  StudyValue value{fmt::format("{}", number), {}, lines.place()};
+  StudyValue value{fmt::format("{}", number), {}, lines.place(), {}};
+  axis.parameter.clear();
   for (std::size_t k = 0; k < fields.size(); ++k) {
-    if (fields[k].empty()) lines.refuse(fmt::format("{} is empty", columns[k].key));
-    if (columns[k].key == name_column)
+    const auto& [key, unit] = columns[k];
+    if (fields[k].empty()) lines.refuse(fmt::format("{} is empty", key));
+    if (key == name_column) {
       value.name = fields[k];
-    else
-      value.set.push_back(fmt::format("{}={}{}{}", columns[k].key, fields[k], columns[k].unit.empty() ? "" : " ", columns[k].unit));
+      continue;
+    }
+    const std::string text = unit.empty() ? fields[k] : fields[k] + " " + unit;
+    const input::SiQuantity quantity = quantity_of(text);
+    value.set.push_back(key + "=" + text);
+    value.number.push_back(quantity.value);
+    axis.parameter.push_back({key, quantity.unit == "1" ? "" : quantity.unit});
   }
   return value;
 }
@@ -121,13 +141,12 @@ StudyAxis read_table(const fs::path& file, const std::string& name)
   Words fields;
   if (!lines.next(fields)) lines.refuse("is empty; the first line holds keys such as material.sand.friction_angle");
   const std::vector<TableColumn> columns = columns_of(lines, fields);
-  StudyAxis axis{name, {}, {}};
-  Words names;
+  StudyAxis axis{name, {}, {}, {}};
+  std::set<std::string> names;
   while (lines.next(fields)) {
-    axis.value.push_back(value_of(lines, columns, fields, axis.value.size() + 1));
-    names.push_back(as_file_name(axis.value.back().name));
-    if (std::find(names.begin(), names.end() - 1, names.back()) != names.end() - 1)
-      lines.refuse(fmt::format("{} is the name, or as a file the name, of a row before it", input::in_quotes(axis.value.back().name)));
+    axis.value.push_back(value_of(lines, columns, fields, axis.value.size() + 1, axis));
+    if (const std::string& row = axis.value.back().name; !names.insert(as_file_name(row)).second)
+      lines.refuse(fmt::format("{} is the name, or as a file the name, of a row before it", input::in_quotes(row)));
   }
   if (axis.value.empty()) lines.refuse("there is no row below the keys");
   if (std::none_of(columns.begin(), columns.end(), [](const TableColumn& column) { return column.key == name_column; }))

@@ -74,7 +74,7 @@ TEST_F(StudyTables, have_names_of_their_own_and_one_sample)
   folder_.write("gravities.csv", "gravity\n\"[0, -10]\"\n");
   const std::string table = "[[table]]\nfile = \"gravities.csv\"\n";
   folder_.write("study.toml", falls + table);
-  EXPECT_NE(study().err.find("study.toml:11: table.gravities: is the name of an axis"), std::string::npos) << study().err;
+  EXPECT_NE(study().err.find("study.toml:11: table.gravities: there is another axis \"gravities\""), std::string::npos) << study().err;
   folder_.write("study.toml", falls + table + "name = \"again\"\n");
   EXPECT_NE(study().err.find("study.toml:11: table.again: is a second sample"), std::string::npos) << study().err;
 }
