@@ -147,12 +147,12 @@ TEST_F(StudySampleCommand, refuses_wrong_input_and_runs_nothing)
            {"name = \"time\"", "name = \"stiffness\"", "sample.parameter.stiffness.name: is the name"},
            {"keys = [\"stage.*.until.time\"]\n", "", "sample.parameter.time: sets nothing"},
            {"stage.*.until.time", "material.*.young_modulus",
-            "study.toml:5: sample: material.stone.young_modulus is set twice, here and by sample"},
+            "study.toml:5: sample: material.*.young_modulus is set twice, here and by sample"},
            {"stage.*.until.time", "stage.*.until.tme",
-            "study.toml: stone, best: --set stage.*.until.tme: unknown key; did you mean \"time\"?"},
+            "study.toml: stone, best: --set stage.*.until.tme: stage.fall.until.tme: unknown key; did you mean \"time\"?"},
            {"low = 0.5\nhigh = 2", "low = \"1 Pa\"\nhigh = \"2 Pa\"", "sample.parameter.stiffness.times: multiplies by the number"},
            {"\"1 MPa\"", "\"1 MPo\"", "sample.parameter.stiffness.times.material.stone.young_modulus: \"1 MPo\" has the unknown unit"},
-           {"size = 20", "size = 0", "sample.size: must be from 1 to 100000"},
+           {"size = 20", "size = 0", "sample.size: must be from 1 to 1e+05"},
            {"[[measure]]", "[[table]]\nfile = \"t.csv\"\n[[measure]]", "study.toml:5: sample: is a second sample"},
            {"[sample]", "[[sample]]", "sample: must be a table"}}) {
     folder_.write("t.csv", "material.stone.density\n1000\n");

@@ -56,7 +56,7 @@ TEST_F(StudyTables, are_refused_at_file_and_line_before_the_first_run)
            {"material.stone.density\n1000\nheavy\n", "gravities.csv:3: material.stone.density: \"heavy\" does not begin with a number"},
            {"material.stone.density\n1000\n\"1000,5\"\n", "gravities.csv:3: material.stone.density: \"1000,5\" has a decimal comma"},
            {"material.stone.density\n1000\n-5\n",
-            "gravities.csv:3: material.stone.density: must be more than 0 kg/m^3; it is -5 kg/m^3 (study.toml: stone, 2)"},
+            "gravities.csv:3: material.stone.density: must be more than 0 kg/m^3; it is -5 kg/m^3 (./study.toml: stone, 2)"},
            {"material.ston.density\n1000\n",
             "gravities.csv:2: material.ston.density: there is no [material.ston]; did you mean \"stone\"?"},
            {"material.stone.density (km)\n1000\n", "gravities.csv:2: material.stone.density: \"1000 km\" has the wrong dimension"},
@@ -64,7 +64,7 @@ TEST_F(StudyTables, are_refused_at_file_and_line_before_the_first_run)
     folder_.write("gravities.csv", wrong.table);
     const Ended ended = study();
     EXPECT_EQ(ended.status, 2) << wrong.table;
-    EXPECT_NE(ended.err.find("berm: " + wrong.says), std::string::npos) << ended.err << "and not\n" << wrong.says;
+    EXPECT_NE(ended.err.find("berm: ./" + wrong.says), std::string::npos) << ended.err << "and not\n" << wrong.says;
     EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
     EXPECT_FALSE(std::filesystem::exists(folder_ / "results")) << wrong.table;
   }
