@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "run_folder/csv_line.hpp"
 #include "run_folder/history_schema.hpp"
 
 #include <algorithm>
@@ -22,30 +23,6 @@ constexpr const char* stage_column = "stage";
 std::string csv_number(Real value)
 {
   return std::isnan(value) ? "nan" : fmt::format("{}", value);
-}
-
-/// Takes the next line's fields from `text` and moves `at` past it; false where no whole line is left.
-bool next_line(const std::string& text, std::size_t& at, std::vector<std::string>& fields)
-{
-  fields.assign(1, "");
-  bool quoted = false;
-  for (std::size_t k = at; k < text.size(); ++k) {
-    const char c = text[k];
-    if (quoted && c == '"' && k + 1 < text.size() && text[k + 1] == '"') {
-      fields.back() += text[++k];
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      fields.emplace_back();
-    } else if (c == '\n' && !quoted) {
-      if (!fields.back().empty() && fields.back().back() == '\r') fields.back().pop_back();
-      at = k + 1;
-      return true;
-    } else {
-      fields.back() += c;
-    }
-  }
-  return false;
 }
 
 bool read_number(const std::string& field, Real& value)
@@ -192,7 +169,7 @@ History read_history(const std::filesystem::path& path)
   if (text.empty()) return history;
   std::vector<std::string> header, fields, columns;
   std::size_t at = 0;
-  if (!next_line(text, at, header)) throw RunError(fmt::format("{}: it has no header line", path.string()));
+  if (!next_csv_line(text, at, header)) throw RunError(fmt::format("{}: it has no header line", path.string()));
   const auto stage = static_cast<std::size_t>(std::find(header.begin(), header.end(), stage_column) - header.begin());
   if (stage == header.size()) throw RunError(fmt::format("{}: line 1: there is no column {}", path.string(), stage_column));
   for (const std::string& column : header)
@@ -204,7 +181,7 @@ History read_history(const std::filesystem::path& path)
     throw RunError(fmt::format("{}: {} is of another history", path.string(), schema_path(path).filename().string()));
   history.values.resize(history.columns.size());
 
-  for (Index line = 2; next_line(text, at, fields); ++line) {
+  for (Index line = 2; next_csv_line(text, at, fields); ++line) {
     if (fields.size() != header.size())
       throw RunError(fmt::format("{}: line {}: {} fields for {} columns", path.string(), line, fields.size(), header.size()));
     history.stage.push_back(fields[stage]);

@@ -5,6 +5,7 @@
 #include "input/read_case.hpp"
 #include "io/atomic_file.hpp"
 #include "run_folder/progress.hpp"
+#include "study/estimates.hpp"
 #include "study/study_report.hpp"
 
 #include <algorithm>
@@ -57,12 +58,25 @@ Real diameter_of(const problem::Case& settings)
   return circle == nullptr ? 0 : circle->diameter;
 }
 
-problem::Case read_row(const fs::path& file, const StudyRow& row)
+/// The file and line of a table from which the change comes that a message is about, and the message without "--set "; empty where it is about none.
+std::string at_its_place(const Study& study, const StudyRow& row, const std::string& message)
+{
+  for (std::size_t k = 0; k < study.axis.size(); ++k) {
+    const StudyValue& value = study.axis[k].value[row.choice[k + 1]];
+    for (const std::string& set : value.set)
+      if (const std::string begin = "--set "; !value.place.empty() && message.starts_with(begin + set.substr(0, set.find('=')) + ": "))
+        return value.place + ": " + message.substr(begin.size());
+  }
+  return "";
+}
+
+problem::Case read_row(const fs::path& file, const Study& study, const StudyRow& row)
 {
   try {
     return input::read_case(row.job.case_file, row.job.set);
   } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: {}: {}", file.string(), name_of(row.names), error.what()));
+    const std::string which = fmt::format("{}: {}", file.string(), name_of(row.names)), place = at_its_place(study, row, error.what());
+    throw InputError(place.empty() ? fmt::format("{}: {}", which, error.what()) : fmt::format("{} ({})", place, which));
   }
 }
 
@@ -112,15 +126,20 @@ StudyPlan plan_study(const fs::path& file, const fs::path& output)
       plan.skipped.push_back({row.names, skip->why});
       continue;
     }
-    row.diameter = diameter_of(read_row(file, row));
+    row.diameter = diameter_of(read_row(file, study, row));
     plan.rows.push_back(row);
   } while (advance(choice, study));
   if (plan.rows.empty()) throw InputError(fmt::format("{}: nothing is left of the study, all combinations are skipped", file.string()));
+  warn_of_small_sample(file, study);
   return plan;
 }
 
 jobs::Outcome run_study(StudyPlan& plan, const fs::path& output, const jobs::Runner& runner)
 {
+  if (plan.study.sample) {
+    io::make_folder(output);
+    io::write_atomically(output / "samples.csv", samples_csv(*sample_of(plan.study)));
+  }
   std::vector<jobs::Job> jobs;
   std::vector<std::size_t> row_of_job;
   for (std::size_t k = 0; k < plan.rows.size(); ++k) {

@@ -9,6 +9,8 @@
 #include "plot/gnuplot.hpp"
 #include "record/travel_curve.hpp"
 #include "structures/base/driven_body.hpp"
+#include "study/sample_report.hpp"
+#include "study/table_text.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -40,33 +42,14 @@ std::string csv(const StudyPlan& plan)
 {
   Words words = headings(plan.study);
   words.push_back("run");
-  std::string text;
-  const auto add_line = [&](const Words& fields) {
-    for (const std::string& field : fields) {
-      text += run_folder::csv_field(field);
-      text += ',';
-    }
-    text.back() = '\n';
-  };
-  add_line(words);
+  std::string text = csv_line(words);
   for (const StudyRow& row : plan.rows) {
     words = row.names;
     for (const Real number : row.numbers) words.push_back(std::isnan(number) ? "" : fmt::format("{}", number));
     words.push_back(row.end.reason.empty() ? state_of(row) : "failed: " + row.end.reason);
-    add_line(words);
+    text += csv_line(words);
   }
   return text;
-}
-
-std::string markdown_line(const Words& cells)
-{
-  std::string line = "|";
-  for (const std::string& cell : cells) {
-    line += ' ';
-    for (const char c : cell) line += c == '|' ? std::string("\\|") : std::string(1, c);
-    line += " |";
-  }
-  return line + '\n';
 }
 
 std::string file_of(const StudyFigure& figure)
@@ -74,14 +57,12 @@ std::string file_of(const StudyFigure& figure)
   return as_file_name(figure.name);
 }
 
-std::string markdown(const StudyPlan& plan, const std::vector<std::string>& pictures)
+std::string markdown(const StudyPlan& plan, const std::string& of_sample, const std::vector<std::string>& pictures)
 {
   const Study& study = plan.study;
   std::string text = fmt::format("# {}\n\n", study.title.empty() ? "A study" : study.title);
   const Words head = headings(study);
-  text += markdown_line(head) + "|";
-  for (std::size_t k = 0; k < head.size(); ++k) text += k <= study.axis.size() ? "---|" : "---:|";
-  text += '\n';
+  text += of_sample + markdown_line(head) + markdown_rule(head.size(), 1 + study.axis.size());
   std::string failed, skipped;
   constexpr std::size_t max = 240;
   for (const StudyRow& row : plan.rows) {
@@ -267,7 +248,7 @@ void write_study_report(const StudyPlan& plan, const fs::path& output)
   std::vector<std::string> pictures;
   for (const StudyFigure& figure : plan.study.figure)
     if (draw_study_figure(plan, figure, output)) pictures.push_back(file_of(figure));
-  io::write_atomically(output / "results.md", markdown(plan, pictures));
+  io::write_atomically(output / "results.md", markdown(plan, write_sample_report(plan, output), pictures));
 }
 
 }  // namespace berm::study

@@ -4,6 +4,7 @@
 
 #include "input/message_text.hpp"
 #include "input/reader.hpp"
+#include "study/table_axis.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -69,6 +70,72 @@ std::pair<std::string, std::string> condition_of(const input::Document& document
   return {node.key, node.text};
 }
 
+/// The parts of a key between its dots.
+std::vector<std::string> parts_of(const std::string& key)
+{
+  std::vector<std::string> parts(1);
+  for (const char c : key)
+    if (c == '.')
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  return parts;
+}
+
+/// Whether two keys can mean the same value; * stands for every name.
+bool overlap(const std::string& key, const std::string& other)
+{
+  const std::vector<std::string> one = parts_of(key), two = parts_of(other);
+  return std::equal(one.begin(), one.end(), two.begin(), two.end(),
+                    [](const std::string& a, const std::string& b) { return a == b || a == "*" || b == "*"; });
+}
+
+std::string key_of(const std::string& set)
+{
+  return set.substr(0, set.find('='));
+}
+
+/// The key that a value sets and one of the axes, or the value itself, sets too, and the name of that axis; empty where there is none.
+std::pair<std::string, std::string> set_twice(const std::vector<StudyAxis>& axes, const StudyValue& value, const std::string& own_name)
+{
+  for (std::size_t k = 0; k < value.set.size(); ++k) {
+    const std::string key = key_of(value.set[k]);
+    for (std::size_t before = 0; before < k; ++before)
+      if (overlap(key, key_of(value.set[before]))) return {key, own_name};
+    for (const StudyAxis& axis : axes)
+      for (const StudyValue& other : axis.value)
+        for (const std::string& set : other.set)
+          if (overlap(key, key_of(set))) return {key, axis.name};
+  }
+  return {};
+}
+
+/// Adds the axis of a table or a sample, which stands at the node.
+void add_axis(const input::Document& document, const input::Node& node, const std::string& path, Study& study, const StudyAxis& axis)
+{
+  if (contains(names_of(study.axis), axis.name) || axis.name == case_key || axis.name == why_key)
+    refuse(document, node, path,
+           fmt::format("there is another axis {0}, or it is a word that [[skip]] needs itself", input::in_quotes(axis.name)));
+  if (axis.sample_from && sample_of(study) != nullptr)
+    refuse(document, node, path,
+           "is a second sample; put all columns into one file, or give the rows a column `name` where they are chosen and not drawn");
+  if (const auto [key, by] = set_twice(study.axis, axis.value[0], axis.name); !key.empty())
+    refuse(document, node, path, fmt::format("{} is set twice, here and by {}", key, by));
+  study.axis.push_back(axis);
+}
+
+/// Makes axes of the tables and of the sample.
+void add_tables(const input::Document& document, Study& study)
+{
+  const std::filesystem::path folder = std::filesystem::path(document.file).parent_path();
+  for (std::size_t k = 0; k < study.table.size(); ++k) {
+    StudyTable& table = study.table[k];
+    if (table.name.empty()) table.name = std::filesystem::path(table.file).stem().string();
+    add_axis(document, member(document.root, "table")->items[k], "table." + table.name, study, read_table(folder / table.file, table.name));
+  }
+  if (study.sample) add_axis(document, *member(document.root, "sample"), "sample", study, sample_axis(*study.sample));
+}
+
 }  // namespace
 
 void describe(Describe& d, StudyCase& c)
@@ -88,6 +155,13 @@ void describe(Describe& d, StudyAxis& axis)
 {
   d.value("name", axis.name, {.meaning = "what is varied", .required = true});
   d.array("value", axis.value, {.meaning = "the values along the axis", .required = true});
+}
+
+void describe(Describe& d, StudyTable& table)
+{
+  d.value("name", table.name, {.meaning = "what is varied; absent: the name of the file"});
+  d.value("file", table.file,
+          {.meaning = "CSV file with keys in its first line and a row a line, seen from the study's folder", .required = true});
 }
 
 void describe(Describe& d, StudySkip& skip)
@@ -122,6 +196,8 @@ void describe(Describe& d, Study& study)
   d.value("title", study.title, {.meaning = "title of the table"});
   d.array(case_key, study.cases, {.meaning = "cases to run", .required = true});
   d.array("axis", study.axis, {.meaning = "what is varied"});
+  d.array("table", study.table, {.meaning = "files whose rows are varied"});
+  d.optional_table("sample", study.sample, {.meaning = "Latin hypercube of what is not known well"});
   d.array("skip", study.skip, {.meaning = "combinations that are left out"});
   d.array("measure", study.measure, {.meaning = "columns of the table", .required = true});
   d.array("figure", study.figure, {.meaning = "figures of history curves"});
@@ -129,6 +205,10 @@ void describe(Describe& d, Study& study)
   check_names(d, case_key, study.cases);
   check_names(d, "axis", study.axis);
   check_names(d, "figure", study.figure);
+  if (study.sample) {
+    check_names(d, "sample.parameter", study.sample->parameter);
+    check(d, *study.sample);
+  }
   for (std::size_t k = 0; k < study.axis.size(); ++k) {
     const std::string path = fmt::format("axis[{}]", k);
     check_names(d, path + ".value", study.axis[k].value);
@@ -152,12 +232,20 @@ Study read_study(const std::filesystem::path& file)
   const std::vector<std::vector<input::Node>> conditions = take_conditions(document);
   Study study;
   read(document, study);
+  add_tables(document, study);
   for (std::size_t k = 0; k < study.skip.size(); ++k) {
     for (const input::Node& node : conditions[k]) study.skip[k].where.push_back(condition_of(document, node, study));
     if (conditions[k].empty())
       refuse(document, member(document.root, "skip")->items[k], "skip", "names no axis and would leave out everything");
   }
   return study;
+}
+
+const StudyAxis* sample_of(const Study& study)
+{
+  for (const StudyAxis& axis : study.axis)
+    if (axis.sample_from) return &axis;
+  return nullptr;
 }
 
 std::string as_file_name(std::string name)

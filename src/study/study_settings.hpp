@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "study/sample.hpp"
 #include "verification/observable.hpp"
 
 namespace berm::study {
@@ -11,16 +12,9 @@ struct StudyCase {
   std::vector<std::string> set;  ///< overrides KEY=VALUE
 };
 
-/// One choice along an axis.
-struct StudyValue {
-  std::string name;
-  std::vector<std::string> set;  ///< on top of the case's
-};
-
-/// What is varied: each row of the table has one value of each axis.
-struct StudyAxis {
-  std::string name;
-  std::vector<StudyValue> value;
+/// A file whose rows are the values of an axis.
+struct StudyTable {
+  std::string name, file;  ///< of the axis; beside study.toml
 };
 
 /// Combinations that are left out: those that have all of these words.
@@ -52,7 +46,9 @@ struct StudyFigure {
 struct Study {
   std::string title;
   std::vector<StudyCase> cases;
-  std::vector<StudyAxis> axis;
+  std::vector<StudyAxis> axis;  ///< those of tables behind the others, that of the sample last
+  std::vector<StudyTable> table;
+  std::optional<StudySample> sample;
   std::vector<StudySkip> skip;
   std::vector<StudyMeasure> measure;
   std::vector<StudyFigure> figure;
@@ -61,13 +57,17 @@ struct Study {
 void describe(Describe& d, StudyCase& c);
 void describe(Describe& d, StudyValue& value);
 void describe(Describe& d, StudyAxis& axis);
+void describe(Describe& d, StudyTable& table);
 void describe(Describe& d, StudySkip& skip);
 void describe(Describe& d, StudyMeasure& measure);
 void describe(Describe& d, StudyFigure& figure);
 void describe(Describe& d, Study& study);
 
-/// Reads a study. Throws InputError with file, line and key.
+/// Reads a study and its tables, and draws its sample. Throws InputError with file, line and key.
 Study read_study(const std::filesystem::path& file);
+
+/// The axis that is a sample, or null.
+const StudyAxis* sample_of(const Study& study);
 
 /// A name as part of a file's: everything but letters, digits and . _ - + = becomes "_", and one of dots alone gets a "_".
 std::string as_file_name(std::string name);

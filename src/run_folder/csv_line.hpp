@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace berm::run_folder {
+
+/// Takes the fields of the next line from the text of a .csv file (RFC 4180, see csv_field) and moves `at` past it; false where no whole line is left.
+bool next_csv_line(const std::string& text, std::size_t& at, std::vector<std::string>& fields, char separator = ',');
+
+}  // namespace berm::run_folder

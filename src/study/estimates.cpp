@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/study/study_sample_test.cpp
+#include "study/estimates.hpp"
+
+#include "study/sample_statistics.hpp"
+
+#include <algorithm>
+#include <map>
+#include <spdlog/spdlog.h>
+
+namespace berm::study {
+namespace {
+
+constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
+
+/// The rows that differ only along the sample.
+using Group = std::vector<const StudyRow*>;
+
+bool is_wanted(const StudyMeasure& measure, const StudyRow& row)
+{
+  return measure.cases.empty() || std::find(measure.cases.begin(), measure.cases.end(), row.names[0]) != measure.cases.end();
+}
+
+/// The measure of the value at this place of the axis.
+Real number_at(const Group& group, std::size_t along, std::size_t place, std::size_t measure)
+{
+  for (const StudyRow* row : group)
+    if (row->choice[along] == place) return row->numbers[measure];
+  return nan;
+}
+
+Swing swing_of(const Group& group, std::size_t along, const StudyAxis& axis, std::size_t parameter, std::size_t measure)
+{
+  Swing swing{parameter, nan, nan, nan};
+  if (*axis.sample_from > 0) {
+    swing.low = number_at(group, along, 1 + 2 * parameter, measure);
+    swing.high = number_at(group, along, 2 + 2 * parameter, measure);
+  }
+  std::vector<Real> x, y;
+  for (const StudyRow* row : group) {
+    const StudyValue& value = axis.value[row->choice[along]];
+    if (row->choice[along] < *axis.sample_from || std::isnan(row->numbers[measure]) || std::isnan(value.number[parameter])) continue;
+    x.push_back(value.number[parameter]);
+    y.push_back(row->numbers[measure]);
+  }
+  swing.correlation = rank_correlation(x, y);
+  return swing;
+}
+
+Estimate estimate_of(const Group& group, std::size_t along, const StudyAxis& axis, std::size_t measure)
+{
+  Estimate estimate{};
+  estimate.names = group[0]->names;
+  estimate.names.erase(estimate.names.begin() + static_cast<std::ptrdiff_t>(along));
+  estimate.measure = measure;
+  estimate.best = *axis.sample_from > 0 ? number_at(group, along, 0, measure) : nan;
+  std::vector<Real> numbers;
+  for (const StudyRow* row : group) {
+    if (row->choice[along] < *axis.sample_from) continue;
+    estimate.failed += row->end.kind == jobs::JobEnd::Kind::failed;
+    if (!std::isnan(row->numbers[measure])) numbers.push_back(row->numbers[measure]);
+  }
+  estimate.numbers = numbers.size();
+  estimate.low = sample_quantile(numbers, 0.05);
+  estimate.middle = sample_quantile(numbers, 0.5);
+  estimate.high = sample_quantile(numbers, 0.95);
+  estimate.mean = mean_of(numbers);
+  for (std::size_t j = 0; j < axis.parameter.size(); ++j) estimate.swing.push_back(swing_of(group, along, axis, j, measure));
+  const auto size = [](Real value) { return std::isnan(value) ? -1 : std::abs(value); };
+  std::stable_sort(estimate.swing.begin(), estimate.swing.end(), [&](const Swing& a, const Swing& b) {
+    return std::pair(size(a.width()), size(a.correlation)) > std::pair(size(b.width()), size(b.correlation));
+  });
+  return estimate;
+}
+
+}  // namespace
+
+std::vector<Estimate> estimates_of(const StudyPlan& plan)
+{
+  const StudyAxis* axis = sample_of(plan.study);
+  if (axis == nullptr) return {};
+  const auto along = static_cast<std::size_t>(axis - plan.study.axis.data()) + 1;
+  std::vector<Group> groups;
+  std::map<std::vector<std::size_t>, std::size_t> group_of;
+  for (const StudyRow& row : plan.rows) {
+    std::vector<std::size_t> others = row.choice;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(along));
+    const auto [group, is_new] = group_of.try_emplace(others, groups.size());
+    if (is_new) groups.emplace_back();
+    groups[group->second].push_back(&row);
+  }
+  std::vector<Estimate> estimates;
+  for (const Group& group : groups)
+    for (std::size_t m = 0; m < plan.study.measure.size(); ++m)
+      if (is_wanted(plan.study.measure[m], *group[0])) estimates.push_back(estimate_of(group, along, *axis, m));
+  return estimates;
+}
+
+void warn_of_small_sample(const std::filesystem::path& file, const Study& study)
+{
+  constexpr std::size_t least = 20;
+  const StudyAxis* axis = sample_of(study);
+  const std::size_t rows = axis == nullptr ? least : axis->value.size() - *axis->sample_from;
+  if (rows < least)
+    spdlog::warn("{}: a sample of {} rows says little of 5 and 95 %{}: take {} at least, 50 to 100 for a number to rely on", file.string(),
+                 rows, rows < 10 ? ", which stay empty" : "", least);
+}
+
+}  // namespace berm::study

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "study/table_axis.hpp"
+
+#include "core/error.hpp"
+#include "input/message_text.hpp"
+#include "input/units.hpp"
+#include "io/atomic_file.hpp"
+#include "run_folder/csv_line.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+
+namespace berm::study {
+namespace {
+
+namespace fs = std::filesystem;
+using Words = std::vector<std::string>;
+
+constexpr const char* name_column = "name";
+
+std::string trimmed(const std::string& text)
+{
+  const std::size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t");
+  return first == std::string::npos ? "" : text.substr(first, last - first + 1);
+}
+
+/// The lines of a table that count, each with its number.
+class TableLines {
+public:
+  explicit TableLines(const fs::path& file) : file_(file)
+  {
+    constexpr std::uintmax_t max_bytes = 10'000'000;
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) throw InputError(input::one_line(fmt::format("{}: there is no such file", file.string())));
+    if (fs::file_size(file, error) > max_bytes)
+      throw InputError(input::one_line(fmt::format("{}: is longer than {} bytes, the maximum for a table", file.string(), max_bytes)));
+    text_ = io::read_text_file(file);
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";  // written by spreadsheets
+    if (text_.starts_with(byte_order_mark)) at_ = byte_order_mark.size();
+    if (!text_.empty() && text_.back() != '\n') text_ += '\n';
+    if (text_.find('\0') != std::string::npos) refuse("holds a NUL byte: this is no text file; save it as CSV in UTF-8");
+    const std::string first = text_.substr(0, text_.find('\n'));
+    if (first.find(',') == std::string::npos && first.find(';') != std::string::npos) separator_ = ';';
+  }
+
+  bool next(Words& fields)
+  {
+    while (at_ < text_.size()) {
+      line_ = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n');
+      const bool comment = text_[at_] == '#';
+      if (comment) {
+        at_ = text_.find('\n', at_) + 1;
+        continue;
+      }
+      if (!run_folder::next_csv_line(text_, at_, fields, separator_)) refuse("a quote is not closed");
+      for (std::string& field : fields) field = trimmed(field);
+      if (std::any_of(fields.begin(), fields.end(), [](const std::string& field) { return !field.empty(); })) return true;
+    }
+    return false;
+  }
+
+  std::string place() const { return fmt::format("{}:{}", file_.string(), line_); }
+  [[noreturn]] void refuse(const std::string& why) const { throw InputError(input::one_line(fmt::format("{}: {}", place(), why))); }
+
+private:
+  fs::path file_;
+  std::string text_;
+  std::size_t at_ = 0;
+  std::ptrdiff_t line_ = 1;
+  char separator_ = ',';
+};
+
+struct TableColumn {
+  std::string key, unit;
+};
+
+/// "KEY" or "KEY (UNIT)".
+TableColumn column_of(const std::string& field)
+{
+  const std::size_t open = field.rfind('(');
+  if (open == std::string::npos || field.back() != ')') return {field, ""};
+  return {trimmed(field.substr(0, open)), trimmed(field.substr(open + 1, field.size() - open - 2))};
+}
+
+std::vector<TableColumn> columns_of(const TableLines& lines, const Words& fields)
+{
+  std::vector<TableColumn> columns;
+  for (const std::string& field : fields) {
+    const TableColumn column = column_of(field);
+    const bool key = !column.key.empty() && column.key.find('=') == std::string::npos &&
+                     std::string("0123456789+-.").find(column.key[0]) == std::string::npos;
+    if (!key)
+      lines.refuse(fmt::format("{} is no key; the first line holds keys such as material.sand.friction_angle", input::in_quotes(field)));
+    if (std::any_of(columns.begin(), columns.end(), [&](const TableColumn& other) { return other.key == column.key; }))
+      lines.refuse(fmt::format("{} heads two columns", input::in_quotes(column.key)));
+    columns.push_back(column);
+  }
+  if (columns.size() == 1 && columns[0].key == name_column) lines.refuse("has no column but `name`");
+  return columns;
+}
+
+/// The number in a field, in the SI unit of its own; NaN where it is a word or a list.
+input::SiQuantity quantity_of(const std::string& field)
+{
+  try {
+    return input::to_si(field);
+  } catch (const input::UnitError&) {
+    return {std::numeric_limits<Real>::quiet_NaN(), "1"};
+  }
+}
+
+/// `number` counts from 1.
+StudyValue value_of(const TableLines& lines, const std::vector<TableColumn>& columns, const Words& fields, std::size_t number,
+                    StudyAxis& axis)
+{
+  if (fields.size() != columns.size()) lines.refuse(fmt::format("{} fields for {} columns", fields.size(), columns.size()));
+  StudyValue value{fmt::format("{}", number), {}, lines.place(), {}};
+  axis.parameter.clear();
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    const auto& [key, unit] = columns[k];
+    if (fields[k].empty()) lines.refuse(fmt::format("{} is empty", key));
+    if (key == name_column) {
+      value.name = fields[k];
+      continue;
+    }
+    const std::string text = unit.empty() ? fields[k] : fields[k] + " " + unit;
+    const input::SiQuantity quantity = quantity_of(text);
+    value.set.push_back(key + "=" + text);
+    value.number.push_back(quantity.value);
+    axis.parameter.push_back({key, quantity.unit == "1" ? "" : quantity.unit});
+  }
+  return value;
+}
+
+}  // namespace
+
+StudyAxis read_table(const fs::path& file, const std::string& name)
+{
+  TableLines lines(file);
+  Words fields;
+  if (!lines.next(fields)) lines.refuse("is empty; the first line holds keys such as material.sand.friction_angle");
+  const std::vector<TableColumn> columns = columns_of(lines, fields);
+  StudyAxis axis{name, {}, {}, {}};
+  std::set<std::string> names;
+  while (lines.next(fields)) {
+    axis.value.push_back(value_of(lines, columns, fields, axis.value.size() + 1, axis));
+    if (const std::string& row = axis.value.back().name; !names.insert(as_file_name(row)).second)
+      lines.refuse(fmt::format("{} is the name, or as a file the name, of a row before it", input::in_quotes(row)));
+  }
+  if (axis.value.empty()) lines.refuse("there is no row below the keys");
+  if (std::none_of(columns.begin(), columns.end(), [](const TableColumn& column) { return column.key == name_column; }))
+    axis.sample_from = 0;
+  return axis;
+}
+
+}  // namespace berm::study
