@@ -37,7 +37,8 @@ protected:
 
 TEST_F(StudyTables, have_a_run_for_each_row)
 {
-  folder_.write("gravities.csv", "name,gravity,material.*.density\nearth,\"[0, -10]\",1000\nmoon,\"[0, \"\"-1.6 m/s^2\"\"]\",2 g/cm^3\n");
+  folder_.write("gravities.csv",
+                "name,gravity,material.*.density\nearth,\"[0, -10]\",1000\nmoon,\"[0, \"\"-1.6 m/s^2\"\"]\",2000 kg/m^3\n");
   const Ended ended = study();
   EXPECT_EQ(ended.status, 0) << ended.err;
   const std::string table = result("results.md");
@@ -58,7 +59,7 @@ TEST_F(StudyTables, are_refused_at_file_and_line_before_the_first_run)
            {"material.stone.density\n1000\n-5\n",
             "gravities.csv:3: material.stone.density: must be more than 0 kg/m^3; it is -5 kg/m^3 (./study.toml: stone, 2)"},
            {"material.ston.density\n1000\n",
-            "gravities.csv:2: material.ston.density: there is no [material.ston]; did you mean \"stone\"?"},
+            "gravities.csv:2: material.ston.density: material.ston: there is no [material.ston]; did you mean \"stone\"?"},
            {"material.stone.density (km)\n1000\n", "gravities.csv:2: material.stone.density: \"1000 km\" has the wrong dimension"},
            {"material.stone.density\n1000,2\n", "gravities.csv:2: 2 fields for 1 columns"}}) {
     folder_.write("gravities.csv", wrong.table);

@@ -61,7 +61,7 @@ TEST_F(Table, of_a_spreadsheet_is_read)
 TEST_F(Table, that_is_wrong_is_refused_with_file_and_line)
 {
   EXPECT_EQ(message(""), "t.csv:1: is empty; the first line holds keys such as material.sand.friction_angle");
-  EXPECT_EQ(message("a.b\n\n"), "t.csv:1: there is no row below the keys");
+  EXPECT_EQ(message("a.b\n\n"), "t.csv:2: there is no row below the keys");
   EXPECT_EQ(message("a.b,a.c\n1,2\n3\n"), "t.csv:3: 1 fields for 2 columns");
   EXPECT_EQ(message("a.b,a.c\n1,2\n\n3,4,5\n"), "t.csv:4: 3 fields for 2 columns");
   EXPECT_EQ(message("a.b,a.c\n1,\n"), "t.csv:2: a.c is empty");
