@@ -73,9 +73,10 @@ std::vector<simulation::RunRequest> requests(const CaseOptions& options)
   std::vector<simulation::RunRequest> all;
   for (const std::string& file : options.files) {
     const fs::path name = fs::path(file).stem();
+    const fs::path output = fs::path(options.output) / "";  // whether a slash ends it or not
     const fs::path folder = options.output.empty()      ? default_folder(file)
-                            : options.files.size() == 1 ? fs::path(options.output)
-                                                        : fs::path(options.output) / name;
+                            : options.files.size() == 1 ? output.parent_path()
+                                                        : output / name;
     for (const simulation::RunRequest& other : all)
       if (other.folder == folder)
         throw InputError(fmt::format("{} and {} would both be written to {}", other.case_file.string(), file, folder.string()));

@@ -65,11 +65,11 @@ Outcome run_all(const std::vector<simulation::RunRequest>& all, const CaseOption
 /// A run is never lost by a second one into its folder: it is replaced where the user says so. A runner that is not local goes on with what is of the same case.
 void refuse_to_overwrite(const std::vector<simulation::RunRequest>& all, const CaseOptions& options)
 {
-  if (options.has_runner() && jobs::handed_over(queue_of(all))) return;
+  const bool handed_over = options.has_runner() && jobs::handed_over(queue_of(all));
   for (const simulation::RunRequest& request : all) {
     if (!simulation::has_begun(request.folder)) continue;
     const jobs::Job same{request.case_file, options.overrides, request.folder};
-    if (options.has_runner() && (has_result(same) || goes_on(same))) continue;
+    if (options.has_runner() && (has_result(same) || goes_on(same) || (handed_over && is_of_case(same)))) continue;
     const io::FolderLock not_in_use(request.folder);  // names another run that writes there
     const std::string folder = request.folder.string();
     if (simulation::can_be_resumed(request.folder))

@@ -3,6 +3,8 @@
 
 #include "io/atomic_file.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <cstring>
 #include <elf.h>
 #include <fmt/format.h>

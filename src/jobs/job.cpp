@@ -42,16 +42,19 @@ std::optional<run_folder::RunSummary> summary_if_whole(const fs::path& folder)
   }
 }
 
-/// Whether a summary is of the case of the job, by this build.
-bool is_of_this(const Job& job, const run_folder::RunSummary& summary)
+/// Whether the run folder is of these settings.
+bool is_of(const fs::path& folder, const problem::Case& settings)
 {
-  const problem::Case settings = input::read_case(job.case_file, job.set);
-  if (!run_folder::by_this_build(summary, settings.method)) return false;
-  const std::string found = io::read_text_file(job.folder / "resolved.toml"), asked = input::resolved_toml(settings);
+  const std::string found = io::read_text_file(folder / "resolved.toml"), asked = input::resolved_toml(settings);
   return input::without_report(found) == input::without_report(asked);
 }
 
 }  // namespace
+
+bool is_of_case(const Job& job)
+{
+  return is_of(job.folder, input::read_case(job.case_file, job.set));
+}
 
 std::vector<std::string> words_of(const Job& job)
 {
@@ -84,7 +87,9 @@ JobEnd end_with(const Job& job, int status)
 bool has_result(const Job& job)
 {
   const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
-  if (!summary || !summary->finished() || !is_of_this(job, *summary)) return false;
+  if (!summary || !summary->finished()) return false;
+  const problem::Case settings = input::read_case(job.case_file, job.set);
+  if (!run_folder::by_this_build(*summary, settings.method) || !is_of(job.folder, settings)) return false;
   return !job.uncertainty || (summary->uncertainty && summary->uncertainty->missing.empty());
 }
 
@@ -93,7 +98,9 @@ bool goes_on(const Job& job)
   std::error_code error;
   if (job.element || !fs::exists(job.folder / "checkpoint/case_file.txt", error)) return false;
   const std::optional<run_folder::RunSummary> summary = summary_if_whole(job.folder);
-  return summary && !summary->finished() && is_of_this(job, *summary);
+  const problem::Case settings = input::read_case(job.case_file, job.set);
+  if (summary && (summary->finished() || !run_folder::by_this_build(*summary, settings.method))) return false;
+  return is_of(job.folder, settings);
 }
 
 Real wall_time_of(const fs::path& folder)

@@ -33,7 +33,11 @@ JobEnd end_with(const Job& job, int status);
 /// Whether the run folder holds a finished result of this case by this build of berm (run_folder::by_this_build), with its bands where they are asked for.
 bool has_result(const Job& job);
 
-/// Whether the run folder holds a run of this case by this build that ended on the way and left what `berm run --resume` goes on from.
+/// Whether the run folder holds a run of this case, whoever computed it.
+bool is_of_case(const Job& job);
+
+/// Whether the run folder holds a run of this case by this build that ended on the way and left what `berm run --resume` goes on from. A run that was killed
+/// before it wrote a summary does not tell its build; `berm run --resume` refuses the checkpoint of another version.
 bool goes_on(const Job& job);
 
 /// Wall time of the run in this folder, s, from its summary.json; NaN where there is none.

@@ -100,7 +100,7 @@ void run_by(Scheduler& scheduler, const std::vector<Job>& jobs, bool wait, const
     scheduler.leave(queue.handle());
     at_work = scheduler.works_on(queue.handle());
   }
-  if (const std::string why = scheduler.complaint(); !why.empty() && queue.none_has_begun()) {
+  if (const std::string why = scheduler.complaint(); !why.empty() && !all_told && (queue.none_has_begun() || (!wait && !interrupted()))) {
     queue.close();
     throw RunError(why);
   }

@@ -97,7 +97,7 @@ void Queue::write(const std::vector<std::size_t>& jobs)
     io::make_folder(whole(job.folder).parent_path());
     std::error_code ignored;
     fs::remove(status_file(job), ignored);
-    if (goes_on(job) || (was_handed_over(k) && fs::exists(messages_of(job), ignored))) {
+    if (goes_on(job)) {
       if (!fs::exists(messages_of(job), ignored)) io::write_atomically(messages_of(job), "");  // by which run_job knows that it has begun
     } else {
       fs::remove(messages_of(job), ignored);

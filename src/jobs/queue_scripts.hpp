@@ -36,7 +36,7 @@ done
 # Before it could write a checkpoint it has lost nothing.
 if [ -n "$asked" ] && [ "$status" -eq 143 ]; then status=75; fi
 if [ "$status" -eq 0 ]; then
-  rm -f "$folder.messages"
+  rm -f "$folder.messages" "$folder.status"
 else
   echo "$status" > "$folder.status.part" && mv "$folder.status.part" "$folder.status"
 fi
@@ -80,7 +80,11 @@ done
 [ -n "$unfinished" ] || exit "$worst"
 # A task that is being cancelled stays so.
 id=${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID
-[ "$(squeue --noheader --format=%T --jobs="$id")" != RUNNING ] || scontrol requeue "$id"
+for _ in 1 2 3 4 5; do
+  if state=$(env -u SQUEUE_STATES -u SQUEUE_PARTITION squeue --noheader --format=%T --jobs="$id"); then break; fi
+  sleep 2
+done
+[ "$state" != RUNNING ] || scontrol requeue "$id"
 exit 75
 )sh";
 

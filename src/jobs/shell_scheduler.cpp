@@ -8,7 +8,9 @@
 
 #include <chrono>
 #include <csignal>
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -35,7 +37,6 @@ public:
   std::string submit(const fs::path& queue, std::size_t count) override
   {
     start(replaced(replaced(command_, "{jobs}", quoted((queue / "jobs").string())), "{count}", std::to_string(count)));
-    while (!wait_ && works() && !interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
     return kind;
   }
 
@@ -45,7 +46,10 @@ public:
     if (handle != kind)
       throw RunError(
           fmt::format("the runs were handed to {}: collect them by the same --runner, or cancel them and remove the folder queue", handle));
-    return !started_ || !wait_ || works();
+    if (!started_) return true;
+    if (wait_) return works();
+    while (works() && !interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return !ended_ || status_ == 0;
   }
 
   void leave(const std::string&) override
@@ -56,7 +60,7 @@ public:
     }
     fmt::print(stderr, "stopped: the command of --runner and what it has started are asked to end\n");
     ::kill(-process_, SIGTERM);
-    while (works() || ::kill(-process_, 0) == 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    while (works() || group_lives()) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
 
   std::string complaint() override
@@ -71,11 +75,14 @@ private:
   /// In a process group of its own, which Ctrl-C does not reach: `leave` stops it.
   void start(const std::string& command)
   {
+    ::prctl(PR_SET_CHILD_SUBREAPER, 1);  // for group_lives: what the command leaves behind becomes a child of this process
     process_ = ::fork();
     if (process_ < 0) io::throw_errno("no process can be started");
     if (process_ == 0) {
       ::setpgid(0, 0);
       ::dup2(STDERR_FILENO, STDOUT_FILENO);
+      if (const int nothing = ::open("/dev/null", O_RDONLY); nothing >= 0)
+        ::dup2(nothing, STDIN_FILENO);  // the terminal is another group's
       ::execl("/bin/sh", "sh", "-c", command.c_str(), nullptr);
       ::_exit(127);
     }
@@ -90,6 +97,14 @@ private:
     ended_ = ::waitpid(process_, &status, WNOHANG) == process_;
     if (ended_) status_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
     return !ended_;
+  }
+
+  /// Whether anything that the command started is there; what has ended is forgotten.
+  bool group_lives() const
+  {
+    while (::waitpid(-process_, nullptr, WNOHANG) > 0) {
+    }
+    return ::kill(-process_, 0) == 0;
   }
 
   std::string command_;

@@ -52,7 +52,8 @@ public:
   {
     if (handle.empty()) return false;
     const std::string job = number_of(handle);
-    const ShellEnd end = run_shell(fmt::format("squeue --noheader --format=%F --user={}", ::getuid()));
+    const ShellEnd end =
+        run_shell(fmt::format("env -u SQUEUE_STATES -u SQUEUE_PARTITION squeue --noheader --format=%F --user={}", ::getuid()));
     if (interrupted()) return true;  // Ctrl-C reaches squeue, too
     if (end.status != 0) {
       if (++refusals_ < refusals_in_a_row) return true;
@@ -91,7 +92,7 @@ private:
 
 std::string sbatch_command(const Slurm& slurm, const fs::path& queue, std::size_t count)
 {
-  return fmt::format("sbatch --parsable --array=0-{}{} --chdir={} {} {}", tasks_of(slurm, count) - 1,
+  return fmt::format("env -u SLURM_CPUS_PER_TASK sbatch --parsable --array=0-{}{} --chdir={} {} {}", tasks_of(slurm, count) - 1,
                      slurm.at_once > 0 ? fmt::format("%{}", slurm.at_once) : "", quoted(queue.string()), slurm.options,
                      quoted((queue / "task.sh").string()));
 }

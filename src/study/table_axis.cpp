@@ -40,7 +40,9 @@ public:
     if (text_.starts_with(byte_order_mark)) at_ = byte_order_mark.size();
     if (!text_.empty() && text_.back() != '\n') text_ += '\n';
     if (text_.find('\0') != std::string::npos) refuse("holds a NUL byte: this is no text file; save it as CSV in UTF-8");
-    const std::string first = text_.substr(0, text_.find('\n'));
+    std::size_t begin = at_;
+    while (begin < text_.size() && text_[begin] == '#') begin = text_.find('\n', begin) + 1;
+    const std::string first = text_.substr(begin, text_.find('\n', begin) - begin);
     if (first.find(',') == std::string::npos && first.find(';') != std::string::npos) separator_ = ';';
   }
 

@@ -9,9 +9,11 @@ namespace {
 
 TEST(SlurmWords, of_an_array_count_its_tasks_and_pass_options_on)
 {
-  EXPECT_EQ(sbatch_command({"", 1, 0}, "/a/queue", 12), "sbatch --parsable --array=0-11 --chdir=/a/queue  /a/queue/task.sh");
+  EXPECT_EQ(sbatch_command({"", 1, 0}, "/a/queue", 12),
+            "env -u SLURM_CPUS_PER_TASK sbatch --parsable --array=0-11 --chdir=/a/queue  /a/queue/task.sh");
   EXPECT_EQ(sbatch_command({"--time=2:00:00 -p 'long one'", 5, 8}, "/my runs/queue", 12),
-            "sbatch --parsable --array=0-2%8 --chdir='/my runs/queue' --time=2:00:00 -p 'long one' '/my runs/queue/task.sh'");
+            "env -u SLURM_CPUS_PER_TASK sbatch --parsable --array=0-2%8 --chdir='/my runs/queue' --time=2:00:00 -p 'long one' '/my "
+            "runs/queue/task.sh'");
 }
 
 TEST(SlurmWords, hold_the_number_of_the_job)
