@@ -182,7 +182,7 @@ TEST(RunOnSlope, resumes_with_the_same_numbers)
   for (int k = 0; k < 30000 && !rows_there(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   cut.signal(SIGTERM);
   const Ended ended = cut.wait();
-  ASSERT_EQ(ended.status, 1) << ended.err;
+  ASSERT_EQ(ended.status, 75) << ended.err;
   const std::string begun = text_of_file(folder / "cut/history.csv");
   EXPECT_NE(begun.find(",rest,"), std::string::npos);
   EXPECT_EQ(begun.find(",lay,"), std::string::npos) << "it was to be stopped while it waits for equilibrium";
