@@ -4,6 +4,14 @@
 
 namespace berm::run_folder {
 
+std::string csv_field(const std::string& text)
+{
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
 bool next_csv_line(const std::string& text, std::size_t& at, std::vector<std::string>& fields, char separator)
 {
   fields.assign(1, "");

@@ -6,7 +6,10 @@
 
 namespace berm::run_folder {
 
-/// Takes the fields of the next line from the text of a .csv file (RFC 4180, see csv_field) and moves `at` past it; false where no whole line is left.
+/// A text as a field of a .csv file (RFC 4180): quoted only where it holds a comma, a quote or the end of a line.
+std::string csv_field(const std::string& text);
+
+/// Takes the fields of the next line from the text of a .csv file (RFC 4180) and moves `at` past it; false where no whole line is left.
 bool next_csv_line(const std::string& text, std::size_t& at, std::vector<std::string>& fields, char separator = ',');
 
 }  // namespace berm::run_folder

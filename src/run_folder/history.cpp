@@ -49,14 +49,6 @@ std::string shown(const std::string& field)
 
 }  // namespace
 
-std::string csv_field(const std::string& text)
-{
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
 HistoryFile::HistoryFile(const std::filesystem::path& path, BigIndex kept_bytes) : path_(path), goes_on_(kept_bytes > 0)
 {
   file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);

@@ -59,9 +59,6 @@ struct History {
   std::vector<std::string> names() const;
 };
 
-/// A text as a field of a .csv file (RFC 4180): quoted only where it holds a comma, a quote or the end of a line.
-std::string csv_field(const std::string& text);
-
 /// Reads a history.csv and its schema. A last line without its end is left out; an empty file is a history without columns: the run ended before its first
 /// row. Throws RunError with file and line for anything that is not a history, and where there is no schema beside it that has its columns.
 History read_history(const std::filesystem::path& path);

@@ -2,7 +2,7 @@
 #include "study/sample.hpp"
 
 #include "input/units.hpp"
-#include "run_folder/history.hpp"
+#include "run_folder/csv_line.hpp"
 #include "study/latin_hypercube.hpp"
 
 #include <algorithm>

@@ -49,7 +49,8 @@ public:
   bool next(Words& fields)
   {
     while (at_ < text_.size()) {
-      line_ = 1 + std::count(text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n');
+      line_ += std::count(text_.begin() + counted_, text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n');
+      counted_ = static_cast<std::ptrdiff_t>(at_);
       const bool comment = text_[at_] == '#';
       if (comment) {
         at_ = text_.find('\n', at_) + 1;
@@ -69,7 +70,7 @@ private:
   fs::path file_;
   std::string text_;
   std::size_t at_ = 0;
-  std::ptrdiff_t line_ = 1;
+  std::ptrdiff_t line_ = 1, counted_ = 0;  ///< of the line that was read last, and where it begins
   char separator_ = ',';
 };
 
@@ -112,13 +113,12 @@ input::SiQuantity quantity_of(const std::string& field)
   }
 }
 
-/// `number` counts from 1.
-StudyValue value_of(const TableLines& lines, const std::vector<TableColumn>& columns, const Words& fields, std::size_t number,
-                    StudyAxis& axis)
+/// Rows without a name are counted from 1. The first row says what the parameters are.
+void add_row(const TableLines& lines, const std::vector<TableColumn>& columns, const Words& fields, StudyAxis& axis)
 {
   if (fields.size() != columns.size()) lines.refuse(fmt::format("{} fields for {} columns", fields.size(), columns.size()));
-  StudyValue value{fmt::format("{}", number), {}, lines.place(), {}};
-  axis.parameter.clear();
+  const bool first = axis.value.empty();
+  StudyValue value{fmt::format("{}", axis.value.size() + 1), {}, lines.place(), {}};
   for (std::size_t k = 0; k < fields.size(); ++k) {
     const auto& [key, unit] = columns[k];
     if (fields[k].empty()) lines.refuse(fmt::format("{} is empty", key));
@@ -130,9 +130,9 @@ StudyValue value_of(const TableLines& lines, const std::vector<TableColumn>& col
     const input::SiQuantity quantity = quantity_of(text);
     value.set.push_back(key + "=" + text);
     value.number.push_back(quantity.value);
-    axis.parameter.push_back({key, quantity.unit == "1" ? "" : quantity.unit});
+    if (first) axis.parameter.push_back({key, quantity.unit == "1" ? "" : quantity.unit});
   }
-  return value;
+  axis.value.push_back(std::move(value));
 }
 
 }  // namespace
@@ -146,7 +146,7 @@ StudyAxis read_table(const fs::path& file, const std::string& name)
   StudyAxis axis{name, {}, {}, {}};
   std::set<std::string> names;
   while (lines.next(fields)) {
-    axis.value.push_back(value_of(lines, columns, fields, axis.value.size() + 1, axis));
+    add_row(lines, columns, fields, axis);
     if (const std::string& row = axis.value.back().name; !names.insert(as_file_name(row)).second)
       lines.refuse(fmt::format("{} is the name, or as a file the name, of a row before it", input::in_quotes(row)));
   }

@@ -2,7 +2,7 @@
 // Tests: tests/unit/study/study_test.cpp
 #include "study/table_text.hpp"
 
-#include "run_folder/history.hpp"
+#include "run_folder/csv_line.hpp"
 
 namespace berm::study {
 
