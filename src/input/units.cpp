@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cstring>
 #include <fmt/format.h>
+#include <limits>
 #include <memory>
 #include <udunits2.h>
 
@@ -175,6 +176,14 @@ bool convertible(const ut_unit* unit, const ut_unit* si, bool bare)
   return ut_are_convertible(unit, si) != 0 && (!bare || power_of_radian(unit) == power_of_radian(si));
 }
 
+/// The factor of a unit. UDUNITS-2 multiplies prefixes and exponents one by one: g/cm^3 comes out as 999.9999999999999 kg/m^3. Where a number of twelve digits lies within
+/// what these products lose, it is meant.
+Real without_rounding(Real factor)
+{
+  const Real decimal = std::stod(fmt::format("{:.11e}", factor));
+  return std::abs(decimal - factor) <= 8 * std::numeric_limits<Real>::epsilon() * std::abs(factor) ? decimal : factor;
+}
+
 bool is_bare(const std::string& si_unit)
 {
   return si_unit.empty() || si_unit == "1" || si_unit == "rad";
@@ -206,7 +215,7 @@ Real to_si(const std::string& text, const std::string& si_unit)
   if (!convertible(unit.get(), si.get(), is_bare(si_unit))) refuse_text(text, "has the wrong dimension", words);
   const std::unique_ptr<cv_converter, Free> converter(ut_get_converter(unit.get(), si.get()));
   if (!converter || cv_convert_double(converter.get(), 0) != 0) refuse_text(text, "is on a scale with an offset", words);
-  const Real value = cv_convert_double(converter.get(), written.number);
+  const Real value = written.number * without_rounding(cv_convert_double(converter.get(), 1));
   if (!std::isfinite(value)) refuse_text(text, "is not a finite number", words);
   return value;
 }

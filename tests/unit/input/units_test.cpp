@@ -57,6 +57,13 @@ TEST(Units, become_SI)
   for (const Quantity& q : quantities) EXPECT_NEAR(to_si(q.text, q.unit), q.value, 4e-16 * std::abs(q.value)) << q.text;
 }
 
+TEST(Units, of_decimal_factors_lose_nothing)
+{
+  EXPECT_EQ(to_si("2 g/cm^3", "kg/m^3"), 2000);
+  EXPECT_EQ(to_si("1.8 t/m^3", "kg/m^3"), 1800);
+  EXPECT_EQ(to_si("1 kN/cm^2", "Pa"), 1e7);
+  EXPECT_EQ(to_si("1 ft", "m"), 0.3048);
+}
 TEST(Units, of_every_example_have_their_dimension)
 {
   for (const char* unit : {"",     "m",      "s",  "kg",   "rad", "m/s", "m/s^2", "rad/m", "rad/s", "1/s",
