@@ -98,7 +98,7 @@ std::string markdown_of(const std::vector<Words>& lines, std::size_t texts)
   return text + '\n';
 }
 
-/// Names of files for the pictures of estimates: they differ.
+/// The name of the picture of an estimate, as a file.
 std::string picture_name(const StudyPlan& plan, const Estimate& estimate)
 {
   Words parts = {"tornado", as_file_name(plan.study.measure[estimate.measure].name)};
@@ -130,8 +130,8 @@ std::string write_sample_report(const StudyPlan& plan, const std::filesystem::pa
     text += "Runs that failed are in none of these numbers: where they lie at one end of the sample, so does what is missing.\n";
   Words pictures;
   for (const Estimate& estimate : estimates) {
-    const std::string name = picture_name(plan, estimate);
-    if (std::find(pictures.begin(), pictures.end(), name) != pictures.end()) continue;
+    std::string name = picture_name(plan, estimate);
+    while (std::find(pictures.begin(), pictures.end(), name) != pictures.end()) name += "_";  // "a b" and "a_b" are one name of a file
     if (draw_tornado(output, name, plan, estimate)) pictures.push_back(name);
   }
   for (const std::string& picture : pictures) text += fmt::format("\n![{0}]({0}.png)\n", picture);

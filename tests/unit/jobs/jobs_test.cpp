@@ -12,7 +12,6 @@ const std::string one_by_one = "while read -r line; do sh -c \"$line\"; done < {
 
 class Runners : public StudyByRunner {
 protected:
-  std::string result(const std::string& name) const { return text_of_file(folder_ / ("results/" + name)); }
   bool is_there(const std::string& name) const { return std::filesystem::exists(folder_ / ("results/" + name)); }
 };
 
@@ -29,7 +28,7 @@ TEST_F(Runners, that_are_commands_give_the_table_of_local_processes)
 
 TEST_F(Runners, keep_the_message_of_a_row_that_fails_and_go_on_with_the_others)
 {
-  write_study("-9e3");  // it leaves the mesh
+  write_study(falls_with("-9e3"));  // it leaves the mesh
   const berm::Ended ended = study({"--runner", one_by_one});
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(ended.err.find("1 of 3 runs failed"), std::string::npos) << ended.err;
@@ -58,7 +57,7 @@ TEST_F(Runners, need_not_be_waited_for_and_the_same_command_collects)
 
 TEST_F(Runners, have_a_failed_row_tried_again_only_once_it_was_collected)
 {
-  write_study("-9e3");
+  write_study(falls_with("-9e3"));
   const Words now = {"--no-wait", "--runner", "wc -l < {jobs} >> count; " + one_by_one};
   EXPECT_EQ(study(now).status, 0) << "all have ended";
   EXPECT_EQ(study(now).status, 0);
@@ -68,10 +67,10 @@ TEST_F(Runners, have_a_failed_row_tried_again_only_once_it_was_collected)
 TEST_F(Runners, are_not_mixed_while_runs_are_queued)
 {
   ASSERT_EQ(study({"--no-wait", "--runner", "cp {jobs} later"}).status, 75);
-  const berm::Ended local = study({});
+  const berm::Ended local = study();
   EXPECT_EQ(local.status, 1);
   EXPECT_NE(local.err.find("queue says that the runs were handed over (command)"), std::string::npos) << local.err;
-  write_study("-2.5");
+  write_study(falls_with("-2.5"));
   const berm::Ended other = study({"--no-wait", "--runner", "cp {jobs} later"});
   EXPECT_EQ(other.status, 1);
   EXPECT_NE(other.err.find("results/runs/it_s_a_stone.moon is not among them"), std::string::npos) << other.err;

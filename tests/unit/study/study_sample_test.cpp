@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/types.hpp"
-#include "samples/falling_stone.hpp"
-#include "samples/program.hpp"
-
-#include <gtest/gtest.h>
+#include "samples/study_of_falls.hpp"
 
 namespace berm::study {
 namespace {
-
-using Words = std::vector<std::string>;
 
 /// A stone that falls for a time that is not known well. The measure is that time, on which its stiffness has no part.
 constexpr const char* falls = R"([[case]]
@@ -34,17 +29,9 @@ name = "end"
 column = "time_s"
 )";
 
-class StudySampleCommand : public testing::Test {
+class StudySampleCommand : public test::StudyOfFalls {
 protected:
-  void SetUp() override
-  {
-    folder_.write("stone.toml", test::falling_stone);
-    folder_.write("study.toml", falls);
-  }
-  Ended study(const std::string& output = "results") const { return run_program(folder_.path(), {"study", ".", "-o", output}); }
-  std::string result(const std::string& name) const { return text_of_file(folder_ / ("results/" + name)); }
-
-  TemporaryFolder folder_;
+  StudySampleCommand() : StudyOfFalls(falls) {}
 };
 
 /// The numbers in a line of a .csv text that begins so.
@@ -105,7 +92,7 @@ TEST_F(StudySampleCommand, leaves_its_sample_as_a_table_that_gives_the_same_numb
   folder_.write("drawn.csv", result("samples.csv"));
   std::string text = falls;
   text.replace(text.find("[sample]"), text.find("[[measure]]") - text.find("[sample]"), "[[table]]\nfile = \"drawn.csv\"\n");
-  folder_.write("study.toml", text);
+  write_study(text);
   std::filesystem::remove_all(folder_ / "results");
   const Ended ended = study();
   ASSERT_EQ(ended.status, 0) << ended.err;
@@ -119,7 +106,7 @@ TEST_F(StudySampleCommand, that_is_small_warns_and_counts_what_failed)
   std::string text = falls;
   text.replace(text.find("size = 20"), 9, "size = 4");
   text.replace(text.find("\"0.1 s\""), 7, "\"2 s\"");  // it leaves the mesh after 0.3 s
-  folder_.write("study.toml", text);
+  write_study(text);
   const Ended ended = study();
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(ended.err.find("a sample of 4 rows says little of 5 and 95 %, which stay empty: take 20 at least"), std::string::npos)
@@ -158,7 +145,7 @@ TEST_F(StudySampleCommand, refuses_wrong_input_and_runs_nothing)
     folder_.write("t.csv", "material.stone.density\n1000\n");
     std::string text = falls;
     text.replace(text.find(wrong.replaced), wrong.replaced.size(), wrong.by);
-    folder_.write("study.toml", text);
+    write_study(text);
     const Ended ended = study();
     EXPECT_EQ(ended.status, 2) << wrong.by;
     EXPECT_NE(ended.err.find(wrong.says), std::string::npos) << ended.err << "and not\n" << wrong.says;

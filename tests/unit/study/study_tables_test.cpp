@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "samples/falling_stone.hpp"
-#include "samples/program.hpp"
-
-#include <gtest/gtest.h>
+#include "samples/study_of_falls.hpp"
 
 namespace berm::study {
 namespace {
-
-using Words = std::vector<std::string>;
 
 /// A stone that falls with the gravity of each row.
 constexpr const char* falls = R"([[case]]
@@ -22,23 +17,14 @@ measure = "acceleration"
 scale = -1
 )";
 
-class StudyTables : public testing::Test {
+class StudyTables : public test::StudyOfFalls {
 protected:
-  void SetUp() override
-  {
-    folder_.write("stone.toml", test::falling_stone);
-    folder_.write("study.toml", falls);
-  }
-  Ended study() const { return run_program(folder_.path(), {"study", ".", "-o", "results"}); }
-  std::string result(const std::string& name) const { return text_of_file(folder_ / ("results/" + name)); }
-
-  TemporaryFolder folder_;
+  StudyTables() : StudyOfFalls(falls) {}
 };
 
 TEST_F(StudyTables, have_a_run_for_each_row)
 {
-  folder_.write("gravities.csv",
-                "name,gravity,material.*.density\nearth,\"[0, -10]\",1000\nmoon,\"[0, \"\"-1.6 m/s^2\"\"]\",2000 kg/m^3\n");
+  folder_.write("gravities.csv", "name,gravity,material.*.density\nearth,\"[0, -10]\",1000\nmoon,\"[0, \"\"-1.6 m/s^2\"\"]\",2 g/cm^3\n");
   const Ended ended = study();
   EXPECT_EQ(ended.status, 0) << ended.err;
   const std::string table = result("results.md");
@@ -74,9 +60,9 @@ TEST_F(StudyTables, have_names_of_their_own_and_one_sample)
 {
   folder_.write("gravities.csv", "gravity\n\"[0, -10]\"\n");
   const std::string table = "[[table]]\nfile = \"gravities.csv\"\n";
-  folder_.write("study.toml", falls + table);
+  write_study(falls + table);
   EXPECT_NE(study().err.find("study.toml:11: table.gravities: there is another axis \"gravities\""), std::string::npos) << study().err;
-  folder_.write("study.toml", falls + table + "name = \"again\"\n");
+  write_study(falls + table + "name = \"again\"\n");
   EXPECT_NE(study().err.find("study.toml:11: table.again: is a second sample"), std::string::npos) << study().err;
 }
 

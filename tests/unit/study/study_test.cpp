@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "samples/falling_stone.hpp"
-#include "samples/program.hpp"
 #include "samples/small_case.hpp"
-
-#include <gtest/gtest.h>
+#include "samples/study_of_falls.hpp"
 
 namespace berm::study {
 namespace {
-
-using Words = std::vector<std::string>;
 
 /// Two places and two gravities, one of which is left out in one place.
 constexpr const char* four_falls = R"(title = "Falls"
@@ -46,27 +41,14 @@ x = "time_s"
 y = "stone_vy_m_s"
 )";
 
-class StudyCommand : public testing::Test {
+class StudyCommand : public test::StudyOfFalls {
 protected:
-  void SetUp() override
-  {
-    folder_.write("stone.toml", test::falling_stone);
-    write(four_falls);
-  }
-  void write(const std::string& study) const { folder_.write("study.toml", study); }
-  Ended study(Words words) const
-  {
-    words.insert(words.begin(), "study");
-    return run_program(folder_.path(), words);
-  }
-  std::string result(const std::string& name) const { return text_of_file(folder_ / ("results/" + name)); }
-
-  TemporaryFolder folder_;
+  StudyCommand() : StudyOfFalls(four_falls) {}
 };
 
 TEST_F(StudyCommand, makes_a_table_of_all_combinations_but_those_left_out)
 {
-  const Ended ended = study({"study.toml", "-o", "results"});
+  const Ended ended = study();
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_EQ(result("results.csv").find("case,gravity,g (cm/s^2),done,run\non high,earth,"), 0u) << result("results.csv");
   const std::string table = result("results.md");
@@ -78,33 +60,33 @@ TEST_F(StudyCommand, makes_a_table_of_all_combinations_but_those_left_out)
 }
 TEST_F(StudyCommand, runs_only_what_has_no_result_yet)
 {
-  ASSERT_EQ(study({".", "-o", "results"}).status, 0);
+  ASSERT_EQ(study().status, 0);
   const std::string table = result("results.csv");
-  const Ended again = study({".", "-o", "results"});
+  const Ended again = study();
   EXPECT_NE(again.err.find("3 of 3 runs have their result already"), std::string::npos) << again.err;
   EXPECT_EQ(result("results.csv"), table);
 
   // Another gravity is another case; an engine of another build is another program, and the times of files tell nothing.
   std::string changed = four_falls;
   changed.replace(changed.find("-1.6"), 4, "-1.7");
-  write(changed);
-  const Ended other = study({".", "-o", "results"});
+  write_study(changed);
+  const Ended other = study();
   EXPECT_NE(other.err.find("2 of 3 runs have their result already"), std::string::npos) << other.err;
   EXPECT_NE(result("results.md").find("| on high | moon | 170 |"), std::string::npos);
   const std::filesystem::path summary = folder_ / "results/runs/low.earth/summary.json";
   std::filesystem::last_write_time(summary, std::filesystem::file_time_type::clock::now() - std::chrono::hours(100000));
-  EXPECT_NE(study({".", "-o", "results"}).err.find("3 of 3 runs have their result already"), std::string::npos);
+  EXPECT_NE(study().err.find("3 of 3 runs have their result already"), std::string::npos);
   std::string of_another = text_of_file(summary);
   of_another.replace(of_another.find("engine_build\": \"") + 16, 4, "dead");
   folder_.write("results/runs/low.earth/summary.json", of_another);
-  EXPECT_NE(study({".", "-o", "results"}).err.find("2 of 3 runs have their result already"), std::string::npos);
+  EXPECT_NE(study().err.find("2 of 3 runs have their result already"), std::string::npos);
 }
 TEST_F(StudyCommand, has_a_row_for_a_run_that_fails)
 {
   std::string text = four_falls;
   text.replace(text.find("gravity=[0, -1.6]"), 17, "gravity=[0, -9e3]");  // it leaves the mesh
-  write(text);
-  const Ended ended = study({".", "-o", "results"});
+  write_study(text);
+  const Ended ended = study();
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_NE(ended.err.find("1 of 3 runs failed"), std::string::npos) << ended.err;
   const std::string table = result("results.md");
@@ -116,8 +98,8 @@ TEST_F(StudyCommand, leaves_a_number_empty_that_a_run_does_not_have_and_says_so)
 {
   std::string text = four_falls;
   text.replace(text.find("\"finished\""), 10, "\"finnished\"");
-  write(text);
-  const Ended ended = study({".", "-o", "results"});
+  write_study(text);
+  const Ended ended = study();
   EXPECT_EQ(ended.status, 0);
   EXPECT_NE(ended.err.find("low, earth: \"done\" stays empty: summary.json has no quantity \"finnished\"; did you mean \"finished\"?"),
             std::string::npos)
@@ -127,7 +109,7 @@ TEST_F(StudyCommand, that_is_interrupted_goes_on_from_there)
 {
   std::string text = four_falls;
   text.replace(text.find("gravity=[0, -1.6]"), 17, "stage.fall.until.time=1e6 s\", \"output.history_time=1 s\", \"gravity=[0, 0]");
-  write(text);
+  write_study(text);
   Program program(folder_.path(), {"study", ".", "-o", "results", "--threads", "2"});
   const auto is_there = [&](const std::string& name) { return std::filesystem::exists(folder_ / ("results/runs/" + name)); };
   ASSERT_TRUE(wait_until(
@@ -139,13 +121,13 @@ TEST_F(StudyCommand, that_is_interrupted_goes_on_from_there)
   EXPECT_NE(ended.err.find("interrupted: 2 of 3 runs are done"), std::string::npos) << ended.err;
   EXPECT_NE(result("results.md").find("| on high | moon | not run |"), std::string::npos);
   text.replace(text.find("1e6 s"), 5, "0.1 s");
-  write(text);
-  EXPECT_NE(study({".", "-o", "results"}).err.find("2 of 3 runs have their result already"), std::string::npos);
+  write_study(text);
+  EXPECT_NE(study().err.find("2 of 3 runs have their result already"), std::string::npos);
 }
 TEST_F(StudyCommand, draws_forces_freed_from_noise_in_the_unit_that_suits)
 {
   folder_.write("pipe.toml", test::small_case);
-  write(R"toml([[case]]
+  write_study(R"toml([[case]]
 name = "pipe"
 file = "pipe.toml"
 [[measure]]
@@ -157,7 +139,7 @@ x = "w_m"
 y = "V_N_m"
 stage = ["push"]
 )toml");
-  ASSERT_EQ(study({".", "-o", "results"}).status, 0);
+  ASSERT_EQ(study().status, 0);
   EXPECT_NE(result("results.csv").find("case,V(0.1 D) (N/m),run\n"), std::string::npos);
   std::istringstream lines(text_of_file(folder_ / "results/plots/V_over_w_0.dat"));
   double w = 0, V = 0;
@@ -170,16 +152,15 @@ stage = ["push"]
 }
 TEST_F(StudyCommand, of_many_curves_each_value_of_what_varies_first_has_a_colour_and_one_thick_line)
 {
-  folder_.write("stone.toml", test::falling_stone);
   std::string text = "[[case]]\nname = \"stone\"\nfile = \"stone.toml\"\n";
   for (const auto& [axis, key] : {std::pair("damping", "body.stone.damping"), std::pair("courant", "mpm.courant")}) {
     text += std::string("[[axis]]\nname = \"") + axis + "\"\n";
     for (const char* value : {"0.1", "0.2", "0.3"})
       text += std::string("[[axis.value]]\nname = \"") + axis[0] + value + "\"\nset = ['" + key + "=" + value + "']\n";
   }
-  write(text +
-        "[[measure]]\nname = \"v\"\nquantity = \"finished\"\n[[figure]]\nname = \"v over t\"\nx = \"time_s\"\ny = \"stone_vy_m_s\"\n");
-  const Ended ended = study({".", "-o", "results"});
+  write_study(
+      text + "[[measure]]\nname = \"v\"\nquantity = \"finished\"\n[[figure]]\nname = \"v over t\"\nx = \"time_s\"\ny = \"stone_vy_m_s\"\n");
+  const Ended ended = study();
   ASSERT_EQ(ended.status, 0) << ended.err;
   const std::string script = result("plots/v_over_t.gp");
   for (const char* title : {"'d0.1: c0.1 (thin: 2 more)'", "'d0.2: c0.1 (thin: 2 more)'", "'d0.3: c0.1 (thin: 2 more)'"})
@@ -211,14 +192,14 @@ TEST_F(StudyCommand, refuses_wrong_input_at_its_line_and_runs_nothing)
            {"y = \"stone_vy_m_s\"\n", "", "study.toml:30: figure.v over t.y: is missing"}}) {
     std::string text = four_falls;
     text.replace(text.find(wrong.replaced), wrong.replaced.size(), wrong.by);
-    write(text);
-    const Ended ended = study({".", "-o", "results"});
+    write_study(text);
+    const Ended ended = study();
     EXPECT_EQ(ended.status, 2) << wrong.by;
     EXPECT_NE(ended.err.find(wrong.says), std::string::npos) << ended.err;
     EXPECT_EQ(ended.err.find('\n'), ended.err.size() - 1) << ended.err;
     EXPECT_FALSE(std::filesystem::exists(folder_ / "results")) << wrong.by;
   }
-  EXPECT_NE(study({"nothing.toml"}).err.find("nothing.toml: there is no such file"), std::string::npos);
+  EXPECT_NE(run_program(folder_.path(), {"study", "nothing.toml"}).err.find("nothing.toml: there is no such file"), std::string::npos);
 }
 
 }  // namespace
