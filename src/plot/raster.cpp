@@ -2,7 +2,6 @@
 #include "plot/raster.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
 
 namespace berm::plot {
 namespace {
@@ -52,13 +51,10 @@ void Raster::paint(const std::array<Vec<2>, 3>& corners, const std::array<Real, 
     }
 }
 
-std::string Raster::text() const
+std::string Raster::floats() const
 {
-  fmt::memory_buffer text;
-  for (Index row = 0; row < rows_; ++row)
-    for (Index column = 0; column < columns_; ++column)
-      fmt::format_to(std::back_inserter(text), "{:.4g}{}", at(column, row), column + 1 < columns_ ? ' ' : '\n');
-  return fmt::to_string(text);
+  const std::vector<float> values(values_.begin(), values_.end());
+  return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(float)};
 }
 
 }  // namespace berm::plot

@@ -20,8 +20,8 @@ public:
 
   /// The value of a pixel, NaN where there is none; row 0 is the lowest.
   Real at(Index column, Index row) const { return values_[static_cast<std::size_t>(row) * columns_ + column]; }
-  /// One line a row, from the lowest up: numbers, "nan" where there is none.
-  std::string text() const;
+  /// The bytes of the values as float, row by row from the lowest up, which gnuplot reads ten times faster than text.
+  std::string floats() const;
 
 private:
   Vec<2> lower_, pixels_per_metre_;

@@ -59,11 +59,6 @@ std::string disks(const Picture& picture, const std::vector<Index>& points)
   return data;
 }
 
-std::string pixel_text(const Picture& picture, const plot::Raster& raster)
-{
-  return fmt::format("# {}, of each pixel, a line a row, the lowest first\n", picture.words()) + raster.text();
-}
-
 /// The data of a picture of triangles: each is painted as four, between its corners and the middles of its sides.
 std::string pixels(const Picture& picture)
 {
@@ -79,7 +74,7 @@ std::string pixels(const Picture& picture)
       }
       raster.paint(corners, values);
     }
-  return pixel_text(picture, raster);
+  return raster.floats();
 }
 
 /// Particles as pixels, each as the square of its radius: a vector graphic of a disk for every particle would be tens of megabytes, and gnuplot takes more
@@ -93,7 +88,7 @@ std::string pixels(const Picture& picture, const std::vector<Index>& points)
     raster.paint({x - up, Vec<2>(x + across), Vec<2>(x + up)}, {value, value, value});
     raster.paint({x - up, Vec<2>(x + up), Vec<2>(x - across)}, {value, value, value});
   }
-  return pixel_text(picture, raster);
+  return raster.floats();
 }
 
 std::string outlines(const Picture& picture)
@@ -152,7 +147,13 @@ std::string axes(const Picture& picture, const std::pair<Real, Real>& range, con
 /// A file of plots/ between quotes. With ./ before it, since gnuplot runs a name that begins with < as a command.
 std::string data_file(const std::string& name)
 {
-  return plot::gnuplot_text("./" + name + ".dat");
+  return plot::gnuplot_text("./" + name);
+}
+
+/// Where the data of the soil are: as text or as the floats of a raster.
+std::string soil_file(const Picture& picture, bool as_disks)
+{
+  return picture.name + (as_disks ? ".dat" : ".bin");
 }
 
 /// The command that draws the data.
@@ -160,15 +161,18 @@ std::string plot(const Picture& picture, bool as_disks)
 {
   std::string command;
   if (as_disks) {
-    command = fmt::format("plot {} using 1:2:3:4 with circles lc palette", data_file(picture.name));
+    command = fmt::format("plot {} using 1:2:3:4 with circles lc palette", data_file(soil_file(picture, true)));
   } else {
-    const Vec<2> lower = picture.view.lower * picture.unit.per_si, size = picture.size() * picture.unit.per_si;
-    command = fmt::format("plot {} matrix using ({:.9g}+($1+0.5)*{:.9g}):({:.9g}+($2+0.5)*{:.9g}):3 with image", data_file(picture.name),
-                          lower[0], size[0] / plot_width, lower[1], size[1] / picture.plot_height());
+    const int rows = picture.plot_height();
+    const Vec<2> pixel = (picture.size() * picture.unit.per_si).cwiseQuotient(Vec<2>(plot_width, rows));
+    const Vec<2> first = picture.view.lower * picture.unit.per_si + 0.5 * pixel;
+    command = fmt::format("# {}, of each pixel, row by row, the lowest first\n", picture.words());
+    command += fmt::format("plot {} binary array=({},{}) format='%float32' origin=({:.9g},{:.9g}) dx={:.9g} dy={:.9g} using 1 with image",
+                           data_file(soil_file(picture, false)), plot_width, rows, first[0], first[1], pixel[0], pixel[1]);
   }
   if (!picture.frame.rigid_bodies.empty())
     command += fmt::format(", \\\n     {} with filledcurves closed lc rgb '#c9ccd1', '' with lines lc rgb '#33373d' lw 2",
-                           data_file(picture.name + "_rigid"));
+                           data_file(picture.name + "_rigid.dat"));
   return command + '\n';
 }
 
@@ -205,9 +209,9 @@ bool draw_soil(const std::filesystem::path& folder, const run_folder::Frame<2>& 
   io::make_folder(plots);
   if (points.empty()) return false;
   const bool as_disks = frame.triangles.empty() && format == plot::PlotFormat::png && points.size() <= max_disks;
-  io::write_atomically(plots / (picture.name + ".dat"), as_disks                  ? disks(picture, points)
-                                                        : frame.triangles.empty() ? pixels(picture, points)
-                                                                                  : pixels(picture));
+  io::write_atomically(plots / soil_file(picture, as_disks), as_disks                  ? disks(picture, points)
+                                                             : frame.triangles.empty() ? pixels(picture, points)
+                                                                                       : pixels(picture));
   io::write_atomically(plots / (picture.name + "_rigid.dat"), outlines(picture));
   return draw(folder, picture.name, width, picture.plot_height() + bottom + top,
               axes(picture, range_of(picture, points), wanted.title) + plot(picture, as_disks), format);

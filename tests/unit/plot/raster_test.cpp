@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "plot/raster.hpp"
 
+#include <cstring>
 #include <gtest/gtest.h>
 
 namespace berm::plot {
@@ -43,11 +44,18 @@ TEST(Raster, paints_nothing_of_triangles_beyond_it_or_without_area)
   for (Index k = 0; k < 16; ++k) EXPECT_TRUE(std::isnan(raster.at(k % 4, k / 4)));
 }
 
-TEST(Raster, as_text_has_a_line_a_row_from_the_lowest_up)
+TEST(Raster, as_floats_goes_row_by_row_from_the_lowest_up)
 {
   Raster raster({0, 0}, {2, 2}, 2, 2);
   raster.paint({Vec<2>(0, 0), Vec<2>(2.1, 0), Vec<2>(0, 2.1)}, {0, 2.1, 4.2});
-  EXPECT_EQ(raster.text(), "1.5 2.5\n3.5 nan\n");
+  const std::string bytes = raster.floats();
+  std::array<float, 4> values;
+  ASSERT_EQ(bytes.size(), sizeof(values));
+  std::memcpy(values.data(), bytes.data(), sizeof(values));
+  EXPECT_FLOAT_EQ(values[0], 1.5F);
+  EXPECT_FLOAT_EQ(values[1], 2.5F);
+  EXPECT_FLOAT_EQ(values[2], 3.5F);
+  EXPECT_TRUE(std::isnan(values[3]));
 }
 
 }  // namespace
