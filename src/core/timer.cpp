@@ -2,6 +2,7 @@
 #include "core/timer.hpp"
 
 #include <cstring>
+#include <utility>
 
 namespace berm {
 namespace {
@@ -40,14 +41,17 @@ Timer::Timer(const char* label) : timings_(current)
 {
   if (timings_ == nullptr) return;
   slot_ = timings_->slot_of(label);
+  inner_before_ = std::exchange(timings_->inner_, {});
   start_ = std::chrono::steady_clock::now();
 }
 
 Timer::~Timer()
 {
   if (timings_ == nullptr) return;
+  const auto life = std::chrono::steady_clock::now() - start_;
   Timings::Slot& slot = timings_->slots_[slot_];
-  slot.total += std::chrono::steady_clock::now() - start_;
+  slot.total += life - timings_->inner_;
+  timings_->inner_ = inner_before_ + life;
   ++slot.calls;
 }
 

@@ -45,10 +45,11 @@ private:
   std::size_t slot_of(const char* label);
 
   std::vector<Slot> slots_;
+  std::chrono::steady_clock::duration inner_{};  ///< within the innermost Timer that runs, of those that have ended
 };
 
-/// Adds the life of this object to the timing of its label, a string literal, in the table that is current on this thread. No table is cleared or
-/// replaced in that time.
+/// Adds the life of this object, but that of others within it, to the timing of its label, a string literal, in the table that is current on this thread: the rows of a
+/// table add up to the time that has gone by. No table is cleared or replaced in that time.
 class Timer {
 public:
   explicit Timer(const char* label);
@@ -60,6 +61,7 @@ private:
   Timings* timings_;
   std::size_t slot_ = 0;
   std::chrono::steady_clock::time_point start_;
+  std::chrono::steady_clock::duration inner_before_{};
 };
 
 }  // namespace berm
