@@ -3,6 +3,7 @@
 
 #include "bodies/particle_fields.hpp"
 #include "core/lazy_memory.hpp"
+#include "core/select.hpp"
 #include "material/material.hpp"
 
 #include <algorithm>
@@ -125,9 +126,8 @@ bool Particles<dim>::sort_occupied()
 {
   if (!changed_) return false;
   changed_ = false;
-  occupied_.clear();
-  for (Index cell = 0; cell < count_.size(); ++cell)
-    if (count_[cell] > 0) occupied_.push_back(cell);
+  select(
+      "change cells: occupied", count_.size(), [&](Index cell) { return count_[cell] > 0; }, occupied_);
   return true;
 }
 

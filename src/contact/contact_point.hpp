@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "bodies/rigid/rigid_body.hpp"
 #include "contact/contact_law.hpp"
 #include "core/fields.hpp"
+#include "mesh/mesh.hpp"
 
 #include <array>
 
@@ -25,8 +27,12 @@ struct ContactPoint {
   bool bonded = false;                   ///< carries tension
   Real adhesion = 0;                     ///< Pa; where it differs from point to point
   EffectiveMass mass;                    ///< 1 / sum of N^2 / M over all that the point moves; 0 where supports fix it
-  Vec<dim> impulse = Vec<dim>::Zero();   ///< on the body, in the present correction
-  ContactStatus status = ContactStatus::open;  ///< in step 4
+  /// 1/kg, a column a node: its velocity over the impulse of the point, by direction; 0 where supports fix it.
+  Eigen::Matrix<Real, dim, dim + 1, Eigen::DontAlign> response = Eigen::Matrix<Real, dim, dim + 1, Eigen::DontAlign>::Zero();
+  Vec<dim> response_of_other = Vec<dim>::Zero();  ///< the same of the other body's node, against the impulse
+  Vec<dim> surface_velocity = Vec<dim>::Zero();   ///< m/s, of the rigid body in this step
+  Vec<dim> impulse = Vec<dim>::Zero();            ///< on the body, in the present correction
+  ContactStatus status = ContactStatus::open;     ///< in step 4
 };
 
 /// A part of the surface in contact, and the nodes that it belongs to.
@@ -48,11 +54,18 @@ struct Footprint {
 /// The points of one contact, detected anew in each step, and the work arrays of the detection; memory is reused.
 template <int dim>
 struct ContactPoints {
-  std::vector<ContactPoint<dim>> list;  ///< in the order of the cells or nodes that found them
-  Real nearest_particle = infinity;     ///< m, distance of the nearest particle from the rigid surface, negative inside
+  /// Strip by strip, strips of a colour together (contact/strips.hpp): points of different strips of one colour share no node. Sums follow this order, which
+  /// depends on the mesh and the rigid body's way alone.
+  std::vector<ContactPoint<dim>> list;
+  std::vector<Index> strip_begin = {0};     ///< in list, of each strip; then the end
+  std::vector<Index> color_begin = {0, 0};  ///< in the strips, of each colour; then the end
+  Real nearest_particle = infinity;         ///< m, distance of the nearest particle from the rigid surface, negative inside
 
   // At a rigid body:
   std::vector<Index> near_cells;                              ///< cells that the surface can reach until it has moved `reach`
+  std::vector<Index> first_near_cell;                         ///< where points are particles: of each strip, in near_cells; then the end
+  std::vector<Index> near_nodes;                              ///< where points are nodes: those of near_cells, ascending
+  CellField<Index> near_index;                                ///< 1 + index in near_cells (before they are strips) of a cell; 0 for others
   Vec<dim> near_displacement = Vec<dim>::Constant(infinity);  ///< RigidState::near_cells_displacement that near_cells is of
   bodies::Orientation<dim> near_orientation;                  ///< and RigidState::near_cells_orientation
   Real reach = 0;                                             ///< m, the smallest height of all cells; 0 before the first step
@@ -60,17 +73,26 @@ struct ContactPoints {
     Real gap = infinity, distance = infinity, half_width = 0;
     Vec<dim> normal = Vec<dim>::Zero();  ///< at the particle with the smallest gap
     bool cut = false;                    ///< the rigid body intersects the cell
+    Index points = 0;                    ///< particles whose gap is less than their width
+    Index first_point = 0;               ///< in list, where points are particles
   };
   std::vector<CellContact> cells;  ///< of near_cells
-  NodeField<Index> point_of_node;  ///< index in list of the node's point, or none; empty where points are particles
 
   // Where there is adhesion:
   std::vector<Footprint<dim>> footprints;  ///< the surface in contact
   NodeField<Real> node_area, node_weight;  ///< m2 (per metre run: m), and sum of N, over the closed points
+  bool shared_out = false;                 ///< in this step already, over the points that
+  std::vector<char> closed;                ///< were closed then
 
-  // Between two deformable bodies:
-  std::vector<Index> shared_nodes;        ///< nodes that particles of both bodies contribute to
-  std::vector<ContactPoint<dim>> shared;  ///< one for each of them
+  // Where points are nodes:
+  std::vector<Index> candidate_nodes;         ///< of two deformable bodies: those that particles of both contribute to
+  std::vector<ContactPoint<dim>> candidates;  ///< one for each of them, or of near_nodes
+  std::vector<Index> kept;                    ///< those of the candidates that are points
+
+  struct SweepSums {
+    Real changed = 0, carried = 0;  ///< N s: sum of the changes of impulses, and of the impulses
+  };
+  std::vector<std::array<SweepSums, 2>> sweep_sums;  ///< of each strip, in even and in odd sweeps
 };
 
 }  // namespace berm::contact

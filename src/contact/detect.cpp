@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/detect.hpp"
 
+#include "contact/strips.hpp"
 #include "core/for_each.hpp"
+#include "core/select.hpp"
 
 namespace berm::contact {
 namespace {
@@ -9,13 +11,12 @@ namespace {
 /// The cells that the surface, or the body behind it, can reach before it has moved by `reach` from the listed pose. They
 /// follow from the state alone, so that a resumed run lists the same ones.
 template <int dim>
-void find_near_cells(const mesh::Mesh<dim>& mesh, const bodies::RigidBody<dim>& rigid, bodies::RigidState<dim>& state,
+void find_near_cells(const mesh::Mesh<dim>& mesh, const bodies::RigidBody<dim>& rigid, bodies::RigidState<dim>& state, Detection detection,
                      ContactPoints<dim>& found)
 {
   if (found.reach == 0) {
-    Real min = infinity;
-    for (Index cell = 0; cell < mesh.cell_count(); ++cell) min = std::min(min, mesh.height(cell));
-    found.reach = min;
+    found.reach = -largest_of("contact: near cells", mesh.cell_count(), -infinity, [&](Index cell) { return -mesh.height(cell); });
+    found.near_index = CellField<Index>::zeros(mesh.cell_count());
   }
   const Real moved = (state.displacement - state.near_cells_displacement).norm() +
                      angle_between(state.orientation, state.near_cells_orientation) * reach_of<dim>(rigid.shape);
@@ -26,19 +27,40 @@ void find_near_cells(const mesh::Mesh<dim>& mesh, const bodies::RigidBody<dim>& 
   if (found.near_displacement == state.near_cells_displacement && found.near_orientation == state.near_cells_orientation) return;
   found.near_displacement = state.near_cells_displacement;
   found.near_orientation = state.near_cells_orientation;
-  found.near_cells.clear();
+  for (Index cell : found.near_cells) found.near_index[cell] = 0;
   bodies::RigidState<dim> then;
   then.displacement = state.near_cells_displacement;
   then.orientation = state.near_cells_orientation;
   const bodies::RigidShape<dim> shape = placed<dim>(rigid, then);
-  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+  const auto is_near = [&](Index cell) {
     const Vec<dim> center = mesh.centroid(cell);
     Real radius = 0;
     for (Index node : mesh.nodes[cell]) radius = std::max(radius, (mesh.position[node] - center).norm());
-    if (surface_at(shape, center).distance < 2 * radius + found.reach) found.near_cells.push_back(cell);
-  }
+    return surface_at(shape, center).distance < 2 * radius + found.reach;
+  };
+  select("contact: near cells", mesh.cell_count(), is_near, found.near_cells);
+  for (std::size_t k = 0; k < found.near_cells.size(); ++k) found.near_index[found.near_cells[k]] = static_cast<Index>(k) + 1;
   found.cells.resize(found.near_cells.size());
-  found.list.reserve(static_cast<std::size_t>(lanes) * found.near_cells.size());
+  if (detection == Detection::particle) {
+    order_by_strips(mesh, found);
+    found.list.reserve(static_cast<std::size_t>(lanes) * found.near_cells.size());
+    return;
+  }
+  found.near_nodes.clear();
+  for (Index cell : found.near_cells) found.near_nodes.insert(found.near_nodes.end(), mesh.nodes[cell].begin(), mesh.nodes[cell].end());
+  std::sort(found.near_nodes.begin(), found.near_nodes.end());
+  found.near_nodes.erase(std::unique(found.near_nodes.begin(), found.near_nodes.end()), found.near_nodes.end());
+  found.candidates.resize(found.near_nodes.size());
+  found.kept.reserve(found.near_nodes.size());
+  found.list.reserve(found.near_nodes.size());
+}
+
+template <int dim>
+Vec<dim> position_of(const bodies::Block<dim>& block, int lane)
+{
+  Vec<dim> x;
+  for (int d = 0; d < dim; ++d) x[d] = block.x[d][lane];
+  return x;
 }
 
 /// Whether the body intersects a cell, tested at its corners and at the quarter points of its edges.
@@ -53,66 +75,75 @@ bool reaches_into(const bodies::RigidShape<dim>& shape, const mesh::Mesh<dim>& m
   return false;
 }
 
-/// The nodes of the cells in contact, each once, with the smallest gap of their cells.
+/// The nodes of the cells in contact, each with the smallest gap of its cells.
 template <int dim>
 void list_nodes(const mesh::Mesh<dim>& mesh, const bodies::RigidShape<dim>& shape, Detection detection, const NodeField<Real>& mass,
                 ContactPoints<dim>& found)
 {
-  if (found.point_of_node.size() == 0) found.point_of_node.assign(mesh.node_count(), none);
   const bool overlap = detection == Detection::overlap;
   const bool corners = bodies::has_corners<dim>(shape);
-  for (std::size_t k = 0; k < found.near_cells.size(); ++k) {
-    const auto& cell = found.cells[k];
-    if (overlap ? !cell.cut : !(cell.gap < infinity)) continue;
-    for (Index node : mesh.nodes[found.near_cells[k]]) {
-      if (mass[node] <= 0) continue;
+  for_each("contact: nodes", static_cast<Index>(found.near_nodes.size()), [&](Index k) {
+    const Index node = found.near_nodes[k];
+    ContactPoint<dim>& point = found.candidates[k];
+    point = {};
+    point.node_count = 0;
+    if (mass[node] <= 0) return;
+    for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
+      const Index near = found.near_index[mesh.entries[e] / (dim + 1)];
+      if (near == 0) continue;
+      const auto& cell = found.cells[near - 1];
+      if (overlap ? !cell.cut : !(cell.gap < infinity)) continue;
       const Real gap = overlap ? 0 : cell.gap;
-      Index& index = found.point_of_node[node];
-      const bool first = index == none;
+      const bool first = point.node_count == 0;
       if (first) {
-        index = static_cast<Index>(found.list.size());
-        ContactPoint<dim> point;
         point.nodes[0] = node;
         point.weights[0] = 1;
+        point.node_count = 1;
         const bodies::SurfacePoint<dim> surface = surface_at(shape, mesh.position[node]);
         point.normal = surface.normal;
         point.position = mesh.position[node] - surface.distance * surface.normal;
         point.gap = gap;
         point.distance = infinity;
-        found.list.push_back(point);
       }
-      ContactPoint<dim>& point = found.list[index];
       // Inside a shape with corners, the side nearest to a node may not be the one that the soil touches.
       if (corners && cell.gap < infinity && (first || gap < point.gap)) point.normal = cell.normal;
       point.gap = std::min(point.gap, gap);
       point.distance = std::min(point.distance, cell.distance);
       point.touching = point.touching || overlap || cell.gap < cell.half_width;
     }
-  }
-  for (const ContactPoint<dim>& point : found.list) found.point_of_node[point.nodes[0]] = none;
-  if (detection == Detection::distance) std::erase_if(found.list, [](const ContactPoint<dim>& point) { return point.gap > 0; });
+  });
+  keep_candidates(
+      found, [&](const ContactPoint<dim>& point) { return point.node_count > 0 && (detection != Detection::distance || point.gap <= 0); });
 }
 
-/// The particles whose gap is less than their width; cells without any are skipped by their smallest gap.
+/// The particles whose gap is less than their width.
 template <int dim>
 void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape,
                     ContactPoints<dim>& found)
 {
-  for (std::size_t k = 0; k < found.near_cells.size(); ++k) {
+  found.strip_begin.clear();
+  Index count = 0, begin = 0;
+  for (Index end : found.first_near_cell) {
+    for (Index k = begin; k < end; ++k) found.cells[k].first_point = count, count += found.cells[k].points;
+    found.strip_begin.push_back(count);
+    begin = end;
+  }
+  found.list.resize(static_cast<std::size_t>(count));
+  for_each("contact: particles", static_cast<Index>(found.near_cells.size()), [&](Index k) {
+    if (found.cells[k].points == 0) return;
     const Index cell = found.near_cells[k];
-    if (!(found.cells[k].gap < 2 * found.cells[k].half_width)) continue;
     const mesh::Shape<dim> functions = mesh.shape(cell);
-    Index left = particles.count_in(cell);
+    Index left = particles.count_in(cell), at = found.cells[k].first_point;
     for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
       for (int l = 0; l < lanes && l < left; ++l) {
         const bodies::Block<dim>& p = particles.block(b);
-        ContactPoint<dim> point;
-        Vec<dim> x;
-        for (int d = 0; d < dim; ++d) x[d] = p.x[d][l];
+        const Vec<dim> x = position_of(p, l);
         const bodies::SurfacePoint<dim> surface = surface_at(shape, x);
-        const Real half = half_width<dim>(p.volume[l]);
-        point.gap = surface.distance - half;
-        if (!(point.gap < 2 * half)) continue;
+        const Real half = half_width<dim>(p.volume[l]), gap = surface.distance - half;
+        if (!(gap < 2 * half)) continue;
+        ContactPoint<dim>& point = found.list[at++];
+        point = {};
+        point.gap = gap;
         point.nodes = mesh.nodes[cell];
         for (int n = 0; n <= dim; ++n) point.weights[n] = functions.value(n, x);
         point.node_count = dim + 1;
@@ -122,9 +153,8 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
         point.touching = point.gap < half;
         point.block = b;
         point.lane = l;
-        found.list.push_back(point);
       }
-  }
+  });
 }
 
 }  // namespace
@@ -134,7 +164,7 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
             bodies::RigidState<dim>& state, Detection detection, const NodeField<Real>& mass, ContactPoints<dim>& found)
 {
   const bodies::RigidShape<dim> shape = placed<dim>(rigid, state);
-  find_near_cells(mesh, rigid, state, found);
+  find_near_cells(mesh, rigid, state, detection, found);
 
   for_each("contact: distances", static_cast<Index>(found.near_cells.size()), [&](Index k) {
     const Index cell = found.near_cells[k];
@@ -144,10 +174,9 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
     for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) {
       const bodies::Block<dim>& p = particles.block(b);
       for (int l = 0; l < lanes && l < left; ++l) {
-        Vec<dim> x;
-        for (int d = 0; d < dim; ++d) x[d] = p.x[d][l];
-        const bodies::SurfacePoint<dim> surface = surface_at(shape, x);
+        const bodies::SurfacePoint<dim> surface = surface_at(shape, position_of(p, l));
         const Real half = half_width<dim>(p.volume[l]), gap = surface.distance - half;
+        result.points += gap < 2 * half ? 1 : 0;
         result.distance = std::min(result.distance, surface.distance);
         if (gap < result.gap) result.gap = gap, result.normal = surface.normal, result.half_width = half;
       }
@@ -155,7 +184,6 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
     if (detection == Detection::overlap) result.cut = reaches_into(shape, mesh, cell);
   });
 
-  found.list.clear();
   found.nearest_particle = infinity;
   for (const auto& cell : found.cells) found.nearest_particle = std::min(found.nearest_particle, cell.distance);
   if (detection == Detection::particle)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/detect.hpp"
-#include "core/for_each.hpp"
+#include "contact/strips.hpp"
 
 #include <Eigen/Geometry>
 
@@ -95,17 +95,17 @@ template <int dim>
 void detect(const mesh::Mesh<dim>& mesh, const BodyView<dim>& body, const BodyView<dim>& other, Detection detection,
             ContactPoints<dim>& found)
 {
-  if (found.shared.capacity() == 0) {
-    found.shared_nodes.reserve(mesh.node_count());
-    found.shared.reserve(mesh.node_count());
+  if (found.candidates.capacity() == 0) {
+    found.candidate_nodes.reserve(mesh.node_count());
+    found.candidates.reserve(mesh.node_count());
+    found.kept.reserve(mesh.node_count());
     found.list.reserve(mesh.node_count());
   }
-  found.shared_nodes.clear();
-  for (Index node : body.nodes)
-    if (body.mass[node] > 0 && other.mass[node] > 0) found.shared_nodes.push_back(node);
-  found.shared.resize(found.shared_nodes.size());
-  for_each("contact: two bodies", static_cast<Index>(found.shared.size()), [&](Index k) {
-    const Index node = found.shared_nodes[k];
+  const auto is_shared = [&](Index k) { return body.mass[body.nodes[k]] > 0 && other.mass[body.nodes[k]] > 0; };
+  select("contact: two bodies", static_cast<Index>(body.nodes.size()), is_shared, found.candidate_nodes);
+  found.candidates.resize(found.candidate_nodes.size());
+  for_each("contact: two bodies", static_cast<Index>(found.candidates.size()), [&](Index k) {
+    const Index node = body.nodes[found.candidate_nodes[k]];
     ContactPoint<dim> point;
     point.nodes[0] = node;
     point.weights[0] = 1;
@@ -117,11 +117,9 @@ void detect(const mesh::Mesh<dim>& mesh, const BodyView<dim>& body, const BodyVi
     const Real width = point.distance - point.gap;  // half a particle of each
     point.touching = point.gap < 0.5 * width;
     if (detection == Detection::overlap) point.gap = 0, point.touching = true;
-    found.shared[k] = point;
+    found.candidates[k] = point;
   });
-  found.list.clear();
-  for (const ContactPoint<dim>& point : found.shared)
-    if (detection != Detection::distance || point.gap <= 0) found.list.push_back(point);
+  keep_candidates(found, [&](const ContactPoint<dim>& point) { return detection != Detection::distance || point.gap <= 0; });
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \

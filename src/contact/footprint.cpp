@@ -68,7 +68,16 @@ void share_surface(ContactPoints<dim>& points)
     for (int n = 0; n < at.node_count; ++n) visit(at.nodes[n], at.weights[n]);
   };
   const auto closed = [](const ContactPoint<dim>& point) { return point.bonded || point.impulse.dot(point.normal) > 0; };
-  const bool any = std::any_of(points.list.begin(), points.list.end(), closed);
+  bool same = points.shared_out, any = false;
+  points.closed.resize(points.list.size());
+  for (std::size_t k = 0; k < points.list.size(); ++k) {
+    const char now = closed(points.list[k]) ? 1 : 0;
+    same = same && points.closed[k] == now;
+    any = any || now != 0;
+    points.closed[k] = now;
+  }
+  if (same) return;
+  points.shared_out = true;
   const auto presses = [&](const ContactPoint<dim>& point) { return !any || closed(point); };
 
   NodeField<Real>&area = points.node_area, &weight = points.node_weight;

@@ -29,9 +29,9 @@ void for_each(const char* label, Index count, const Body& body)
 }
 
 /// Sum of term(i) over i = 0 ... count-1, bitwise independent of the number of threads: chunks of fixed size are summed
-/// separately, then in order. Sum needs a default value of zero and +=.
+/// separately, then in order. Sum needs a default value of zero and +=. One thread does fewer terms than `min_for_threads`.
 template <class Sum, class Term>
-Sum sum_of(const char* label, Index count, const Term& term)
+Sum sum_of(const char* label, Index count, const Term& term, Index min_for_threads = 0)
 {
   const Timer timer(label);
   constexpr Index max_chunks = 256;
@@ -40,7 +40,7 @@ Sum sum_of(const char* label, Index count, const Term& term)
   for (Index first = 0; first < count; first += chunk * max_chunks) {
     Sum part[max_chunks] = {};
     const Index chunks = std::min(max_chunks, (count - first + chunk - 1) / chunk);
-#pragma omp parallel for schedule(static, 1)
+#pragma omp parallel for schedule(static, 1) if (count >= min_for_threads)
     for (Index c = 0; c < chunks; ++c) {
       Sum sum{};
       const Index end = std::min(count, first + (c + 1) * chunk);

@@ -4,10 +4,12 @@
 
 #include "contact/contact_law.hpp"
 #include "contact/footprint.hpp"
-#include "core/timer.hpp"
+#include "contact/strips.hpp"
 #include "mpm/contact_velocity.hpp"
 #include "mpm/interface.hpp"
 #include "problem/stages.hpp"
+
+#include <atomic>
 
 namespace berm::mpm {
 namespace {
@@ -39,91 +41,116 @@ void find_surface(const problem::Model<dim>& model, const problem::State<dim>& s
     }
   points.footprints.clear();
   points.footprints.reserve(points.list.capacity());
-  for (const contact::ContactPoint<dim>& point : points.list)
-    for (int n = 0; n < point.node_count; ++n) points.node_area[point.nodes[n]] = 0;
-  for (const contact::ContactPoint<dim>& point : points.list)
-    for (int n = 0; n < point.node_count; ++n)
-      if (Real& area = points.node_area[point.nodes[n]]; area == 0) {
-        area = surface_area(model.mesh, work.grids[contact.body], point.nodes[n]);
-        contact::Footprint<dim> footprint;
-        footprint.nodes[0] = point.nodes[n];
-        footprint.weights[0] = 1;
-        footprint.area = area;
-        points.footprints.push_back(footprint);
-      }
+  const auto for_nodes = [&](const auto& visit) {
+    for (const contact::ContactPoint<dim>& point : points.list)
+      for (int n = 0; n < point.node_count; ++n) visit(point.nodes[n]);
+  };
+  for_nodes([&](Index node) { points.node_area[node] = 0; });
+  for_nodes([&](Index node) {
+    if (points.node_area[node] != 0) return;
+    points.node_area[node] = 1;
+    contact::Footprint<dim> footprint;
+    footprint.nodes[0] = node;
+    footprint.weights[0] = 1;
+    points.footprints.push_back(footprint);
+  });
+  for_each("contact: surface", static_cast<Index>(points.footprints.size()), [&](Index k) {
+    contact::Footprint<dim>& footprint = points.footprints[k];
+    footprint.area = surface_area(model.mesh, work.grids[contact.body], footprint.nodes[0]);
+  });
 }
 
-/// Effective masses of the points of one contact. In a direction that a support fixes, a node has infinite mass.
+/// What impulses do to the nodes of the points of one contact, and effective masses. In a direction that a support fixes, a node has infinite mass.
 template <int dim>
-void set_effective_masses(const problem::Model<dim>& model, const Work<dim>& work, const problem::Contact& contact,
-                          contact::ContactPoints<dim>& points)
+void set_responses(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work,
+                   const problem::Contact& contact, contact::ContactPoints<dim>& points)
 {
   constexpr Real immovable = 1e-4;  // of the compliance of a point without supports
-  for (contact::ContactPoint<dim>& point : points.list) {
+  contact::for_each_point(points, [&](contact::ContactPoint<dim>& point) {
     Real free = 0;
     Vec<dim> compliance = Vec<dim>::Zero();
-    const auto add = [&](Index b, Index node, Real N) {
-      const Real m = work.grids[b].mass[node];
-      if (!(m > 0)) return;
-      free += N * N / m;
-      compliance += boundary::without_fixed<dim>(model.fixed[work.grids[b].fixed], node, Vec<dim>::Constant(N * N / m));
+    const auto response = [&](Index b, Index node, Real N) {
+      const Real m = work.grids[b].mass[node], unit = m > 0 ? N / m : 0;
+      const Vec<dim> of_node = boundary::without_fixed<dim>(model.fixed[work.grids[b].fixed], node, Vec<dim>::Constant(unit));
+      free += N * unit;
+      compliance += N * of_node;
+      return of_node;
     };
-    for (int k = 0; k < point.node_count; ++k) add(contact.body, point.nodes[k], point.weights[k]);
-    if (contact.other_body != none) add(contact.other_body, point.nodes[0], 1);
+    for (int k = 0; k < point.node_count; ++k) point.response.col(k) = response(contact.body, point.nodes[k], point.weights[k]);
+    if (contact.other_body != none) point.response_of_other = response(contact.other_body, point.nodes[0], 1);
+    if (contact.rigid != none)
+      point.surface_velocity = velocity_at(model.rigid_bodies[contact.rigid], state.rigid_bodies[contact.rigid], point.position);
     const Real along_normal = compliance.dot(point.normal.cwiseAbs2());
     const Real along_surface = dim == 2 ? compliance.sum() - along_normal : compliance.maxCoeff();
     point.mass = {};
-    if (!(along_normal > immovable * free)) continue;
+    if (!(along_normal > immovable * free)) return;
     point.mass.normal = 1 / along_normal;
     if (along_surface > immovable * free || contact.scheme != contact::Scheme::tied)
       point.mass.along = 1 / std::max(along_surface, immovable * free);
-  }
+  });
 }
 
 /// Gives the nodes of a point an impulse, and those of the other body the opposite. Supports take the components in fixed
 /// directions.
 template <int dim, class Field>
-void push(const problem::Model<dim>& model, Work<dim>& work, const problem::Contact& contact, const contact::ContactPoint<dim>& point,
-          const Vec<dim>& impulse, const Field& field)
+void push(Work<dim>& work, const problem::Contact& contact, const contact::ContactPoint<dim>& point, const Vec<dim>& impulse,
+          const Field& field)
 {
-  const auto give = [&](Index b, Index node, const Vec<dim>& part) {
-    BodyGrid<dim>& grid = work.grids[b];
-    if (grid.mass[node] > 0) field.change(grid, node, boundary::without_fixed<dim>(model.fixed[grid.fixed], node, part / grid.mass[node]));
-  };
-  for (int n = 0; n < point.node_count; ++n) give(contact.body, point.nodes[n], point.weights[n] * impulse);
-  if (contact.other_body != none) give(contact.other_body, point.nodes[0], -impulse);
+  BodyGrid<dim>& grid = work.grids[contact.body];
+  for (int n = 0; n < point.node_count; ++n) field.change(grid, point.nodes[n], point.response.col(n).cwiseProduct(impulse));
+  if (contact.other_body != none)
+    field.change(work.grids[contact.other_body], point.nodes[0], -point.response_of_other.cwiseProduct(impulse));
 }
 
-/// One Gauss-Seidel sweep over the points of a contact. Returns the sum of the changes of their impulses over the sum of
-/// these impulses; 0 where they carry none.
+/// One step of the Gauss-Seidel iteration at a point; adds to the sums.
 template <int dim, class Field>
-Real sweep(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work, Index k, const Field& field)
+void correct_point(const problem::State<dim>& state, Work<dim>& work, const problem::Contact& contact, const Field& field,
+                   contact::ContactPoint<dim>& point, typename contact::ContactPoints<dim>::SweepSums& sums)
+{
+  const bool tied = contact.scheme == contact::Scheme::tied;
+  if (!(point.mass.normal > 0) || (tied && point.gap > 0)) return;
+  const Vec<dim> relative = relative_velocity(work, contact, point, field);
+  const Real allowed_approach = std::max(Real(0), point.gap) / (contact.gap_closing_steps * state.dt);
+  const Real adhesion = contact.adhesion_law.differs() ? point.adhesion : contact.adhesion;
+  const contact::Interface interface = {contact.friction, adhesion * point.area * state.dt, allowed_approach, tied,
+                                        most_tension(contact, point, state.dt)};
+  const bool bilateral =
+      !Field::is_force && contact.scheme == contact::Scheme::musl_coupled && point.status != contact::ContactStatus::open;
+  const Vec<dim> impulse = bilateral ? bilateral_impulse<dim>(relative, point.normal, point.mass, interface, point.status, point.impulse)
+                                     : contact_impulse<dim>(relative, point.normal, point.mass, interface, point.impulse);
+  if (Field::is_force) point.status = status_of<dim>(impulse, point.normal, interface);
+  const Vec<dim> change = impulse - point.impulse;
+  point.impulse = impulse;
+  push(work, contact, point, change, field);
+  sums.changed += change.norm();
+  sums.carried += impulse.norm();
+}
+
+/// One Gauss-Seidel sweep over the points of a contact, by all threads of the parallel region that it is called in. Returns to each of them the sum of the
+/// changes of the impulses over the sum of the impulses; 0 where they carry none.
+template <int dim, class Field>
+Real sweep(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work, Index k, const Field& field, int number)
 {
   const problem::Contact& contact = model.contacts[k];
-  const Real period = contact.gap_closing_steps * state.dt;
-  const bool differs = contact.adhesion_law.differs();
-  if (contact.needs_areas()) share_surface(work.contact_points[k]);
-  Real changed = 0, carried = 0;
-  for (contact::ContactPoint<dim>& point : work.contact_points[k].list) {
-    if (!(point.mass.normal > 0)) continue;
-    const bool tied = contact.scheme == contact::Scheme::tied;
-    if (tied && point.gap > 0) continue;
-    const Vec<dim> relative = relative_velocity(model, state, work, contact, point, field);
-    const Real allowed_approach = std::max(Real(0), point.gap) / period;
-    const Real adhesion = differs ? point.adhesion : contact.adhesion;
-    const contact::Interface interface = {contact.friction, adhesion * point.area * state.dt, allowed_approach, tied,
-                                          most_tension(contact, point, state.dt)};
-    const bool bilateral =
-        !Field::is_force && contact.scheme == contact::Scheme::musl_coupled && point.status != contact::ContactStatus::open;
-    const Vec<dim> impulse = bilateral ? bilateral_impulse<dim>(relative, point.normal, point.mass, interface, point.status, point.impulse)
-                                       : contact_impulse<dim>(relative, point.normal, point.mass, interface, point.impulse);
-    if (Field::is_force) point.status = status_of<dim>(impulse, point.normal, interface);
-    const Vec<dim> change = impulse - point.impulse;
-    point.impulse = impulse;
-    push(model, work, contact, point, change, field);
-    changed += change.norm();
-    carried += impulse.norm();
+  contact::ContactPoints<dim>& points = work.contact_points[k];
+  if (contact.needs_areas()) {
+#pragma omp single
+    share_surface(points);
   }
+  // A thread may still add up the sums of one sweep while others are in the next, but not in the one behind that.
+  const int place = number % 2;
+  contact::for_each_strip(points, [&](Index s) {
+    typename contact::ContactPoints<dim>::SweepSums sums;
+    for (Index p = points.strip_begin[s]; p < points.strip_begin[s + 1]; ++p)
+      correct_point(state, work, contact, field, points.list[p], sums);
+    points.sweep_sums[s][place] = sums;
+  });
+  Real changed = 0, carried = 0;
+  for (std::size_t s = 0; s + 1 < points.strip_begin.size(); ++s)
+    if (points.strip_begin[s] != points.strip_begin[s + 1]) {
+      changed += points.sweep_sums[s][place].changed;
+      carried += points.sweep_sums[s][place].carried;
+    }
   return carried > 0 ? changed / carried : 0;
 }
 
@@ -134,10 +161,16 @@ void solve(const problem::Model<dim>& model, const problem::State<dim>& state, W
 {
   constexpr int max_sweeps = 20;
   constexpr Real tolerance = 1e-3;  // relative to the sum of all impulses
-  for (int n = 0; n < (work.contacts_share_nodes ? max_sweeps : 1); ++n) {
+  const int sweeps = work.contacts_share_nodes ? max_sweeps : 1;
+  Index count = 0;
+  for (std::size_t k = 0; k < model.contacts.size(); ++k)
+    if (takes_part(model.contacts[k])) count += static_cast<Index>(work.contact_points[k].list.size());
+  if (count == 0) return;
+#pragma omp parallel if (count >= contact::min_points_for_threads)
+  for (int n = 0; n < sweeps; ++n) {
     Real changed = 0;
     for (Index k = 0; k < static_cast<Index>(model.contacts.size()); ++k)
-      if (takes_part(model.contacts[k])) changed = std::max(changed, sweep(model, state, work, k, field));
+      if (takes_part(model.contacts[k])) changed = std::max(changed, sweep(model, state, work, k, field, n));
     if (changed <= tolerance) break;
   }
 }
@@ -157,11 +190,11 @@ void move_with_predicted(const problem::Model<dim>& model, const problem::State<
     if (grid.mass[node] > min_mass_ratio * model.bodies[b].waves.min_density * volume / (dim + 1))
       grid.mapped_velocity[node] = grid.velocity[node] + state.dt * grid.acceleration[node];
   };
-  for (const contact::ContactPoint<dim>& point : work.contact_points[k].list) {
-    if (!point.touching) continue;
+  contact::for_each_point(work.contact_points[k], [&](const contact::ContactPoint<dim>& point) {
+    if (!point.touching) return;
     for (int n = 0; n < point.node_count; ++n) use(contact.body, point.nodes[n]);
     if (contact.other_body != none) use(contact.other_body, point.nodes[0]);
-  }
+  });
 }
 
 }  // namespace
@@ -172,16 +205,18 @@ void find_contacts(const problem::Model<dim>& model, problem::State<dim>& state,
   const Index contacts = static_cast<Index>(model.contacts.size());
   const auto mark = [&](Index k, std::uint8_t touching, std::uint8_t points) {
     const problem::Contact& contact = model.contacts[k];
-    for (const contact::ContactPoint<dim>& point : work.contact_points[k].list)
+    contact::for_each_point(work.contact_points[k], [&](const contact::ContactPoint<dim>& point) {
       for (int n = 0; n < point.node_count; ++n)
         for (Index b : {contact.body, contact.other_body}) {
           if (b == none) continue;
           BodyGrid<dim>& grid = work.grids[b];
           const Index node = point.nodes[n];
-          if (points != 0 && grid.contact_points[node] != 0) work.contacts_share_nodes = true;
+          if (points != 0 && grid.contact_points[node] != 0)
+            std::atomic_ref<bool>(work.contacts_share_nodes).store(true, std::memory_order_relaxed);
           grid.contact_points[node] = points;
           if (touching == 0 || point.touching) grid.touching[node] = touching;
         }
+    });
   };
   for (Index k = 0; k < contacts; ++k) mark(k, 0, 0);
   work.contacts_share_nodes = false;
@@ -198,7 +233,9 @@ void find_contacts(const problem::Model<dim>& model, problem::State<dim>& state,
       detect<dim>(model.mesh, {state.particles[contact.body], grid.mass, grid.nodes},
                   {state.particles[contact.other_body], other.mass, other.nodes}, contact.detection, points);
     }
-    set_effective_masses(model, work, contact, points);
+    points.sweep_sums.resize(points.strip_begin.size());
+    points.shared_out = false;
+    set_responses(model, state, work, contact, points);
     recall(model, state, contact, points);
     if (contact.needs_areas()) find_surface(model, state, work, contact, points);
     mark(k, 1, 1);
@@ -207,60 +244,100 @@ void find_contacts(const problem::Model<dim>& model, problem::State<dim>& state,
 
 namespace {
 
+/// What the impulses of a contact add up to.
+template <int dim>
+struct Reaction {
+  Vec<dim> impulse = Vec<dim>::Zero(), of_support = Vec<dim>::Zero();  ///< on the body, N s; the part of it that supports take
+  bodies::Angular<dim> torque = bodies::no_angular<dim>();             ///< on the body, N m s
+  Real external = 0, friction = 0;                                     ///< work, J
+  Real sum = 0, times_gap = 0;                                         ///< of |impulse|, and of |impulse| times distance
+
+  Reaction& operator+=(const Reaction& other)
+  {
+    impulse += other.impulse, of_support += other.of_support, torque += other.torque;
+    external += other.external, friction += other.friction;
+    sum += other.sum, times_gap += other.times_gap;
+    return *this;
+  }
+};
+
+template <int dim>
+Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work,
+                          const problem::Contact& contact, const contact::ContactPoint<dim>& point, const Vec<dim>& gravity)
+{
+  Reaction<dim> reaction;
+  const Vec<dim>& impulse = point.impulse;
+  if (impulse.isZero()) return reaction;
+  const Real dt = state.dt;
+  // A node's share of an impulse. It also changes the mid-step velocity at which the work of gravity and tractions was
+  // taken; supports take the components in fixed directions.
+  const auto add = [&](Index b, Index node, const Vec<dim>& share, const Vec<dim>& partner_velocity) {
+    const BodyGrid<dim>& grid = work.grids[b];
+    const Vec<dim> taken = boundary::without_fixed<dim>(model.fixed[grid.fixed], node, share);
+    reaction.of_support += taken - share;
+    reaction.external += 0.5 * dt * model.bodies[b].weight_over_mass * gravity.dot(taken);
+    if (!model.load_points.empty() && grid.mass[node] > 0) reaction.external += 0.5 * dt * grid.traction[node].dot(taken) / grid.mass[node];
+    const Vec<dim> mid_velocity = grid.velocity[node] + 0.5 * dt * grid.acceleration[node];
+    reaction.friction -= share.dot(mid_velocity - partner_velocity);
+  };
+  reaction.impulse = impulse;
+  if (contact.other_body != none) {
+    add(contact.body, point.nodes[0], impulse, Vec<dim>::Zero());
+    add(contact.other_body, point.nodes[0], -impulse, Vec<dim>::Zero());
+    return reaction;
+  }
+  const bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
+  for (int n = 0; n < point.node_count; ++n) add(contact.body, point.nodes[n], point.weights[n] * impulse, point.surface_velocity);
+  reaction.torque = bodies::moment_of(Vec<dim>(point.position - center_now(model.rigid_bodies[contact.rigid], rigid)), impulse);
+  reaction.external += impulse.dot(point.surface_velocity);
+  if (point.distance < infinity) reaction.sum = impulse.norm(), reaction.times_gap = reaction.sum * point.distance;
+  return reaction;
+}
+
 /// Adds the impulses of all points to the totals, and their opposites to the rigid bodies.
 template <int dim>
 void react(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
 {
-  const Real dt = state.dt;
   const Vec<dim> gravity = gravity_now(model, state.time);
   for (bodies::RigidState<dim>& rigid : state.rigid_bodies) rigid.reaction.setZero(), rigid.torque = bodies::no_angular<dim>();
-  // A node's share of an impulse. It also changes the mid-step velocity at which the work of gravity and tractions was
-  // taken; supports take the components in fixed directions.
-  const auto add = [&](Index b, Index node, const Vec<dim>& impulse, const Vec<dim>& partner_velocity) {
-    const BodyGrid<dim>& grid = work.grids[b];
-    const Vec<dim> taken = boundary::without_fixed<dim>(model.fixed[grid.fixed], node, impulse);
-    state.totals.contact_impulse += impulse;
-    state.totals.support_impulse += taken - impulse;
-    state.totals.external += 0.5 * dt * model.bodies[b].weight_over_mass * gravity.dot(taken);
-    if (!model.load_points.empty() && grid.mass[node] > 0)
-      state.totals.external += 0.5 * dt * grid.traction[node].dot(taken) / grid.mass[node];
-    const Vec<dim> mid_velocity = grid.velocity[node] + 0.5 * dt * grid.acceleration[node];
-    state.totals.friction -= impulse.dot(mid_velocity - partner_velocity);
-  };
   for (std::size_t k = 0; k < model.contacts.size(); ++k) {
     const problem::Contact& contact = model.contacts[k];
-    for (const contact::ContactPoint<dim>& point : work.contact_points[k].list) {
-      const Vec<dim>& impulse = point.impulse;
-      if (impulse.isZero()) continue;
-      if (contact.other_body != none) {
-        add(contact.body, point.nodes[0], impulse, Vec<dim>::Zero());
-        add(contact.other_body, point.nodes[0], -impulse, Vec<dim>::Zero());
-        state.pair_impulses[k] += impulse;
-        continue;
-      }
-      bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
-      const Vec<dim> surface_velocity = velocity_at(model.rigid_bodies[contact.rigid], rigid, point.position);
-      for (int n = 0; n < point.node_count; ++n) add(contact.body, point.nodes[n], point.weights[n] * impulse, surface_velocity);
-      const Vec<dim> arm = point.position - center_now(model.rigid_bodies[contact.rigid], rigid);
-      const bodies::Angular<dim> angular_impulse = bodies::moment_of(arm, impulse);
-      rigid.reaction -= impulse / dt;
-      rigid.torque -= angular_impulse / dt;
-      rigid.impulse += impulse;
-      rigid.torque_impulse += angular_impulse;
-      if (point.distance < infinity) {
-        rigid.impulse_sum += impulse.norm();
-        rigid.impulse_times_gap += impulse.norm() * point.distance;
-      }
-      state.totals.external += impulse.dot(surface_velocity);
+    const auto& list = work.contact_points[k].list;
+    const Reaction<dim> all = sum_of<Reaction<dim>>(
+        "contact: reaction", static_cast<Index>(list.size()),
+        [&](Index p) { return reaction_at(model, state, work, contact, list[p], gravity); }, contact::min_points_for_threads);
+    state.totals.support_impulse += all.of_support;
+    state.totals.external += all.external;
+    state.totals.friction += all.friction;
+    if (contact.other_body != none) {
+      state.pair_impulses[k] += all.impulse;
+      continue;
     }
+    state.totals.contact_impulse += all.impulse;
+    bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
+    rigid.reaction -= all.impulse / state.dt;
+    rigid.torque -= all.torque / state.dt;
+    rigid.impulse += all.impulse;
+    rigid.torque_impulse += all.torque;
+    rigid.impulse_sum += all.sum;
+    rigid.impulse_times_gap += all.times_gap;
   }
 }
 
-template <int dim, class Change>
-void for_each_point(Work<dim>& work, const Change& change)
+/// The sum of all impulses on the body.
+template <int dim>
+Vec<dim> impulse_of(const contact::ContactPoints<dim>& points)
 {
-  for (std::size_t k = 0; k < work.contact_points.size(); ++k)
-    for (contact::ContactPoint<dim>& point : work.contact_points[k].list) change(k, point);
+  struct Impulse {
+    Vec<dim> sum = Vec<dim>::Zero();
+    Impulse& operator+=(const Impulse& other)
+    {
+      sum += other.sum;
+      return *this;
+    }
+  };
+  const auto at = [&](Index p) { return Impulse{points.list[p].impulse}; };
+  return sum_of<Impulse>("contact: reaction", static_cast<Index>(points.list.size()), at, contact::min_points_for_threads).sum;
 }
 
 /// Moves particles whose centres are in a rigid body out of it, at a speed proportional to their depth but at most a
@@ -269,14 +346,17 @@ template <int dim>
 void push_out(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work)
 {
   constexpr Real of_wave = 1e-3;
-  for_each_point(work, [&](std::size_t k, const contact::ContactPoint<dim>& point) {
+  for (std::size_t k = 0; k < model.contacts.size(); ++k) {
     const problem::Contact& contact = model.contacts[k];
-    if (contact.rigid == none || !(point.distance < 0) || !(point.mass.normal > 0)) return;
+    if (contact.rigid == none || !(work.contact_points[k].nearest_particle < 0)) continue;
     const Real max = of_wave * model.bodies[contact.body].waves.slowest;
-    const Real wanted = std::min(-point.distance / (contact.gap_closing_steps * state.dt), max);
-    const Real lacking = wanted - relative_velocity(model, state, work, contact, point, Moved<dim>{}).dot(point.normal);
-    if (lacking > 0) push(model, work, contact, point, Vec<dim>(point.mass.normal * lacking * point.normal), Moved<dim>{});
-  });
+    contact::for_each_point(work.contact_points[k], [&](const contact::ContactPoint<dim>& point) {
+      if (!(point.distance < 0) || !(point.mass.normal > 0)) return;
+      const Real wanted = std::min(-point.distance / (contact.gap_closing_steps * state.dt), max);
+      const Real lacking = wanted - relative_velocity(work, contact, point, Moved<dim>{}).dot(point.normal);
+      if (lacking > 0) push(work, contact, point, Vec<dim>(point.mass.normal * lacking * point.normal), Moved<dim>{});
+    });
+  }
 }
 
 }  // namespace
@@ -285,7 +365,8 @@ template <int dim>
 void correct_accelerations(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
 {
   const Timer timer("contact: step 4");
-  for_each_point(work, [](std::size_t, contact::ContactPoint<dim>& point) { point.impulse.setZero(); });
+  for (contact::ContactPoints<dim>& points : work.contact_points)
+    contact::for_each_point(points, [](contact::ContactPoint<dim>& point) { point.impulse.setZero(); });
   solve(model, state, work, Predicted<dim>{state.dt}, [](const problem::Contact&) { return true; });
   if (model.update_stress_first) react(model, state, work);
 }
@@ -298,10 +379,11 @@ void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& s
     if (model.contacts[k].scheme == contact::Scheme::hybrid_usl) move_with_predicted(model, state, work, static_cast<Index>(k));
 
   const auto note_second = [&](const auto& takes_part, Real sign) {
-    for_each_point(work, [&](std::size_t k, const contact::ContactPoint<dim>& point) {
+    for (std::size_t k = 0; k < model.contacts.size(); ++k) {
       const problem::Contact& contact = model.contacts[k];
-      if (contact.rigid != none && takes_part(contact)) state.rigid_bodies[contact.rigid].second_impulse += sign * point.impulse;
-    });
+      if (contact.rigid == none || !takes_part(contact)) continue;
+      state.rigid_bodies[contact.rigid].second_impulse += sign * impulse_of(work.contact_points[k]);
+    }
   };
   const auto completes = [](const problem::Contact& contact) {
     return contact.scheme == contact::Scheme::musl_coupled && contact.detection == contact::Detection::particle;
@@ -315,9 +397,9 @@ void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& s
     note_second(completes, 1);
     react(model, state, work);
   }
-  for_each_point(work, [&](std::size_t k, contact::ContactPoint<dim>& point) {
-    if (corrects(model.contacts[k])) point.impulse.setZero();
-  });
+  for (std::size_t k = 0; k < model.contacts.size(); ++k)
+    if (corrects(model.contacts[k]))
+      contact::for_each_point(work.contact_points[k], [](contact::ContactPoint<dim>& point) { point.impulse.setZero(); });
   solve(model, state, work, Moved<dim>{}, corrects);
   note_second(corrects, 1);
   if (!model.update_stress_first) push_out(model, state, work);

@@ -33,12 +33,11 @@ struct MovedWithParticles {  ///< step 8: the same, and the velocity that the pa
 
 /// The velocity of the body at a point relative to the other side.
 template <int dim, class Field>
-Vec<dim> relative_velocity(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work,
-                           const problem::Contact& contact, const contact::ContactPoint<dim>& point, const Field& field)
+Vec<dim> relative_velocity(const Work<dim>& work, const problem::Contact& contact, const contact::ContactPoint<dim>& point,
+                           const Field& field)
 {
-  Vec<dim> relative = contact.rigid != none
-                          ? Vec<dim>(-velocity_at(model.rigid_bodies[contact.rigid], state.rigid_bodies[contact.rigid], point.position))
-                          : Vec<dim>(-field.velocity(work.grids[contact.other_body], point.nodes[0]));
+  Vec<dim> relative =
+      contact.rigid != none ? Vec<dim>(-point.surface_velocity) : Vec<dim>(-field.velocity(work.grids[contact.other_body], point.nodes[0]));
   for (int n = 0; n < point.node_count; ++n) relative += point.weights[n] * field.velocity(work.grids[contact.body], point.nodes[n]);
   return relative;
 }

@@ -2,9 +2,10 @@
 // Tests: tests/unit/mpm/transfer_test.cpp
 #include "mpm/grid.hpp"
 
+#include "core/select.hpp"
 #include "mpm/body_sums.hpp"
 
-#include <omp.h>
+#include <atomic>
 
 namespace berm::mpm {
 
@@ -50,12 +51,13 @@ void BodyGrid<dim>::enter(const mesh::Mesh<dim>& mesh, Index cell)
 template <int dim>
 void find_nodes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
-  for (Index node : grid.nodes) grid.mass[node] = 0;
-  for (Index cell : particles.occupied())
-    for (Index node : mesh.nodes[cell]) grid.mass[node] = 1;
-  grid.nodes.clear();
-  for (Index node = 0; node < mesh.node_count(); ++node)
-    if (grid.mass[node] > 0) grid.nodes.push_back(node);
+  const std::vector<Index>& occupied = particles.occupied();
+  for_each("change cells: nodes", static_cast<Index>(grid.nodes.size()), [&](Index k) { grid.mass[grid.nodes[k]] = 0; });
+  for_each("change cells: nodes", static_cast<Index>(occupied.size()), [&](Index c) {
+    for (Index node : mesh.nodes[occupied[c]]) std::atomic_ref<Real>(grid.mass[node]).store(1, std::memory_order_relaxed);
+  });
+  select(
+      "change cells: nodes", mesh.node_count(), [&](Index node) { return grid.mass[node] > 0; }, grid.nodes);
 }
 
 template <int dim>

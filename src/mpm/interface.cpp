@@ -2,6 +2,7 @@
 // Tests: tests/physics/interface.cpp
 #include "mpm/interface.hpp"
 
+#include "contact/strips.hpp"
 #include "mpm/contact_velocity.hpp"
 
 namespace berm::mpm {
@@ -35,7 +36,7 @@ void recall(const problem::Model<dim>& model, problem::State<dim>& state, const 
 {
   if (contact.memory.bond == none && !contact.adhesion_law.differs()) return;
   bodies::Particles<dim>& particles = state.particles[contact.body];
-  for (contact::ContactPoint<dim>& point : points.list) {
+  contact::for_each_point(points, [&](contact::ContactPoint<dim>& point) {
     if (contact.memory.bond != none) {
       Real& bond = particles.extra(point.block)[contact.memory.bond][point.lane];
       const bool bonded = bond == number_of(Bond::bonded);
@@ -44,7 +45,7 @@ void recall(const problem::Model<dim>& model, problem::State<dim>& state, const 
     }
     if (contact.adhesion_law.differs())
       point.adhesion = adhesion_beside(model.bodies[contact.body], contact, particles.read(point.block, point.lane));
-  }
+  });
 }
 
 template <int dim>
@@ -52,17 +53,17 @@ void remember(const problem::Model<dim>& model, problem::State<dim>& state, cons
 {
   for (std::size_t k = 0; k < model.contacts.size(); ++k) {
     const problem::Contact& contact = model.contacts[k];
-    const auto [bond, slip] = contact.memory;
+    const Index bond = contact.memory.bond, slip = contact.memory.slip;
     if (bond == none && slip == none) continue;
     bodies::Particles<dim>& particles = state.particles[contact.body];
-    for (const contact::ContactPoint<dim>& point : work.contact_points[k].list) {
+    contact::for_each_point(work.contact_points[k], [&](const contact::ContactPoint<dim>& point) {
       Lanes* extra = particles.extra(point.block);
       if (bond != none && point.impulse.dot(point.normal) > 0 && extra[bond][point.lane] == number_of(Bond::never))
         extra[bond][point.lane] = number_of(Bond::bonded);
-      if (slip == none || !point.touching || point.status == contact::ContactStatus::sticking) continue;
-      const Vec<dim> relative = relative_velocity(model, state, work, contact, point, Moved<dim>{});
+      if (slip == none || !point.touching || point.status == contact::ContactStatus::sticking) return;
+      const Vec<dim> relative = relative_velocity(work, contact, point, Moved<dim>{});
       extra[slip][point.lane] += state.dt * (relative - relative.dot(point.normal) * point.normal).norm();
-    }
+    });
   }
 }
 

@@ -396,8 +396,8 @@ void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, 
   work.in_transit.resize(cell_changes.size());
   for (std::size_t m = cell_changes.size(); m-- > 0;) work.in_transit[m] = particles.take(cell_changes[m].from, cell_changes[m].index);
   for (std::size_t m = 0; m < cell_changes.size(); ++m) {
+    if (particles.count_in(cell_changes[m].to) == 0) grid.enter(model.mesh, cell_changes[m].to);
     particles.insert(cell_changes[m].to, work.in_transit[m]);
-    grid.enter(model.mesh, cell_changes[m].to);
   }
   for (const CellChange& change : cell_changes)
     if (particles.count_in(change.from) == 0) {

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Contact of many points gives the same bits on any number of threads.
+#include "contact/strips.hpp"
+#include "simulate.hpp"
+
+#include <cstring>
+#include <gtest/gtest.h>
+#include <omp.h>
+
+namespace berm {
+namespace {
+
+/// A soft block that drops onto a plane that leans, with friction and adhesion; in space it is 0.8 m wide.
+problem::Case dropped_block(int dim, contact::Scheme scheme)
+{
+  problem::Case c =
+      dim == 2 ? elastic_box(2, {5, 1}, {100, 20}, 1e5, 0.3, 1000) : elastic_box(3, {1.6, 1, 1.2}, {16, 10, 12}, 1e5, 0.3, 1000);
+  c.gravity = {1, -10, 0};
+  c.gravity.resize(dim);
+  bodies::BlockSettings block;
+  block.center = dim == 2 ? std::vector<Real>{2.5, 0.5} : std::vector<Real>{0.8, 0.5, 0.6};
+  block.size = dim == 2 ? std::vector<Real>{4, 0.2} : std::vector<Real>{1, 0.2, 0.8};
+  block.spacing = dim == 2 ? 0.02 : 0.04;
+  c.body[0].second.regions.clear();
+  c.body[0].second.block = block;
+  bodies::RigidSettings plane;
+  std::vector<Real> point = block.center, up = {-0.02, 1, 0};
+  point[1] = 0.4;
+  point.resize(dim), up.resize(dim);
+  plane.shape = bodies::HalfPlaneSettings{point, up};
+  c.rigid = {{"plane", plane}};
+  contact::ContactSettings contact;
+  contact.body = "body";
+  contact.rigid = "plane";
+  contact.friction_angle = 0.4;
+  contact.adhesion = 100;
+  contact.scheme = scheme;
+  contact.detection = contact::Detection::particle;
+  c.contact = {{"base", contact}};
+  return c;
+}
+
+struct Outcome {
+  std::vector<Real> numbers;
+  std::size_t most_points = 0;
+};
+
+/// Positions and velocities of all particles, the reaction and the totals after 60 steps on so many threads.
+template <int dim>
+Outcome outcome(const problem::Case& c, int threads)
+{
+  const int before = omp_get_max_threads();
+  omp_set_num_threads(threads);
+  Simulation<dim> run(c);
+  Outcome result;
+  for (int k = 0; k < 60; ++k) {
+    step(run.model(), run.state(), run.work);
+    result.most_points = std::max(result.most_points, run.work.contact_points[0].list.size());
+  }
+  omp_set_num_threads(before);
+  const bodies::Particles<dim>& particles = run.state().particles[0];
+  particles.visit([&](Index, Index b, int l) {
+    const bodies::Particle<dim> p = particles.read(b, l);
+    result.numbers.insert(result.numbers.end(), p.x.begin(), p.x.end());
+    result.numbers.insert(result.numbers.end(), p.v.begin(), p.v.end());
+  });
+  const bodies::RigidState<dim>& plane = run.state().rigid_bodies[0];
+  result.numbers.insert(result.numbers.end(), plane.reaction.begin(), plane.reaction.end());
+  result.numbers.insert(result.numbers.end(), plane.impulse.begin(), plane.impulse.end());
+  result.numbers.push_back(plane.impulse_times_gap);
+  result.numbers.push_back(run.state().totals.friction);
+  result.numbers.push_back(run.state().totals.external);
+  return result;
+}
+
+template <int dim>
+void expect_same_bits(contact::Scheme scheme)
+{
+  SCOPED_TRACE(testing::Message() << dim << " dimensions, scheme " << static_cast<int>(scheme));
+  const problem::Case c = dropped_block(dim, scheme);
+  const Outcome alone = outcome<dim>(c, 1);
+  ASSERT_GE(alone.most_points, static_cast<std::size_t>(contact::min_points_for_threads)) << "the threads have nothing to share";
+  for (const int threads : {2, 3}) {
+    const Outcome shared = outcome<dim>(c, threads);
+    ASSERT_EQ(shared.numbers.size(), alone.numbers.size());
+    EXPECT_EQ(std::memcmp(shared.numbers.data(), alone.numbers.data(), alone.numbers.size() * sizeof(Real)), 0) << threads << " threads";
+  }
+}
+
+TEST(ContactOnThreads, has_the_same_bits_in_the_plane)
+{
+  for (const contact::Scheme scheme :
+       {contact::Scheme::musl_coupled, contact::Scheme::musl_double, contact::Scheme::hybrid_usl, contact::Scheme::usf})
+    expect_same_bits<2>(scheme);
+}
+TEST(ContactOnThreads, has_the_same_bits_in_space)
+{
+  expect_same_bits<3>(contact::Scheme::musl_coupled);
+}
+
+}  // namespace
+}  // namespace berm
