@@ -166,9 +166,8 @@ std::string plot(const Picture& picture, bool as_disks)
     const int rows = picture.plot_height();
     const Vec<2> pixel = (picture.size() * picture.unit.per_si).cwiseQuotient(Vec<2>(plot_width, rows));
     const Vec<2> first = picture.view.lower * picture.unit.per_si + 0.5 * pixel;
-    command = fmt::format("# {}, of each pixel, row by row, the lowest first\n", picture.words());
-    command += fmt::format("plot {} binary array=({},{}) format='%float32' origin=({:.9g},{:.9g}) dx={:.9g} dy={:.9g} using 1 with image",
-                           data_file(soil_file(picture, false)), plot_width, rows, first[0], first[1], pixel[0], pixel[1]);
+    command = fmt::format("plot {} binary array=({},{}) format='%float32' origin=({:.9g},{:.9g}) dx={:.9g} dy={:.9g} using 1 with image",
+                          data_file(soil_file(picture, false)), plot_width, rows, first[0], first[1], pixel[0], pixel[1]);
   }
   if (!picture.frame.rigid_bodies.empty())
     command += fmt::format(", \\\n     {} with filledcurves closed lc rgb '#c9ccd1', '' with lines lc rgb '#33373d' lw 2",

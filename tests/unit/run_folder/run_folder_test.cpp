@@ -77,7 +77,7 @@ TEST(RunFolder, of_an_earlier_run_what_berm_wrote_is_removed_and_nothing_else)
   const std::vector<std::string> own = {
       "history.csv", "history.schema.json", "summary.json", "run.log",     "case.toml",       "resolved.toml",     "mesh.geo",
       "mesh.msh",    "curves.png",          "soil.png",     "report.html", "frames/mesh.vtu", "frames/frames.pvd", "plots/curves.gp",
-      "report.pdf"};
+      "report.pdf",  "plots/soil.bin"};
   const std::vector<std::string> others = {"notes.txt", "paraview.png", "plots/mine.gp"};
   for (const auto& name : own) put(base.path() / name, "old");
   for (const auto& name : others) put(base.path() / name, "mine");
