@@ -176,11 +176,12 @@ bool convertible(const ut_unit* unit, const ut_unit* si, bool bare)
   return ut_are_convertible(unit, si) != 0 && (!bare || power_of_radian(unit) == power_of_radian(si));
 }
 
-/// The factor of a unit. UDUNITS-2 multiplies prefixes and exponents one by one: g/cm^3 comes out as 999.9999999999999 kg/m^3. Where a number of twelve digits lies within
-/// what these products lose, it is meant.
+/// UDUNITS-2 multiplies prefixes and exponents one by one: a g/cm^3 comes out as 999.9999999999999 kg/m^3. A factor within 8 epsilon of a number of twelve digits is that number.
 Real without_rounding(Real factor)
 {
-  const Real decimal = std::stod(fmt::format("{:.11e}", factor));
+  const std::string digits = fmt::format("{:.11e}", factor);
+  Real decimal = factor;
+  std::from_chars(digits.data(), digits.data() + digits.size(), decimal);  // leaves it where it is too small for a number
   return std::abs(decimal - factor) <= 8 * std::numeric_limits<Real>::epsilon() * std::abs(factor) ? decimal : factor;
 }
 

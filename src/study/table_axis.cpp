@@ -113,7 +113,7 @@ input::SiQuantity quantity_of(const std::string& field)
   }
 }
 
-/// Rows without a name are counted from 1. The first row says what the parameters are.
+/// Rows without a name are counted from 1. A parameter has the unit of the first row that says one.
 void add_row(const TableLines& lines, const std::vector<TableColumn>& columns, const Words& fields, StudyAxis& axis)
 {
   if (fields.size() != columns.size()) lines.refuse(fmt::format("{} fields for {} columns", fields.size(), columns.size()));
@@ -130,7 +130,10 @@ void add_row(const TableLines& lines, const std::vector<TableColumn>& columns, c
     const input::SiQuantity quantity = quantity_of(text);
     value.set.push_back(key + "=" + text);
     value.number.push_back(quantity.value);
-    if (first) axis.parameter.push_back({key, quantity.unit == "1" ? "" : quantity.unit});
+    const std::string si_unit = quantity.unit == "1" ? "" : quantity.unit;
+    if (first) axis.parameter.push_back({key, si_unit});
+    std::string& known = axis.parameter[value.number.size() - 1].unit;
+    if (known.empty()) known = si_unit;
   }
   axis.value.push_back(std::move(value));
 }

@@ -58,7 +58,7 @@ QuantileError error_of_quantile(int samples, const Shares& shares)
   const Real bias = sum / samples;
   return {bias, std::sqrt(squares / samples - bias * bias)};
 }
-TEST(SampleStatistics, a_hypercube_stands_for_twice_as_many_independent_rows)
+TEST(SampleStatistics, quantiles_of_hypercubes_and_of_independent_rows_err_as_decided_on)
 {
   // The table of docs/decisions/0033-samples-in-studies.md. The mean of 400 samples is uncertain by a twentieth of their deviation, the deviation by 1 in 28; four of each.
   constexpr int samples = 400;
