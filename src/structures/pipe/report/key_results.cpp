@@ -107,18 +107,26 @@ std::string stages_table(const PipeRuns& runs, const base::DisplayUnits& shown)
 {
   text::HtmlTable table("key-stages", "Drags (sweeps) and unloading, one by one");
   const auto force = [&](const char* symbol) { return text::HtmlCell{fmt::format("{}, {}", symbol, shown.force_unit()), true}; };
-  table.columns({{"stage"},
-                 {"travel/D", true},
-                 force("V"),
-                 force("H<sub>breakout</sub>"),
-                 {"at u/D", true},
-                 force("H<sub>max</sub>"),
-                 force("H<sub>end</sub>"),
-                 {"H<sub>end</sub>/V", true},
-                 {"w<sub>end</sub>/D", true},
-                 {"berm height/D", true},
-                 {"berm ahead by/D", true},
-                 {"remoulded below/D", true}});
+  const bool softens = std::any_of(runs.begin(), runs.end(), [](const PipeRun& run) {
+    const auto& drags = run.results().drags;
+    return std::any_of(drags.begin(), drags.end(), [](const DragResults& drag) { return drag.remoulded_depth.has_value(); });
+  });
+  const auto columns = [&](std::vector<text::HtmlCell> cells) {
+    if (!softens) cells.pop_back();
+    return cells;
+  };
+  table.columns(columns({{"stage"},
+                         {"travel/D", true},
+                         force("V"),
+                         force("H<sub>breakout</sub>"),
+                         {"at u/D", true},
+                         force("H<sub>max</sub>"),
+                         force("H<sub>end</sub>"),
+                         {"H<sub>end</sub>/V", true},
+                         {"w<sub>end</sub>/D", true},
+                         {"berm height/D", true},
+                         {"berm ahead by/D", true},
+                         {"remoulded below/D", true}}));
   const auto number = [](std::optional<Real> value) { return text::HtmlCell{value ? text::table_number(*value) : "", true}; };
   for (const PipeRun& run : runs) {
     const PipeResults results = run.results();
@@ -128,42 +136,45 @@ std::string stages_table(const PipeRuns& runs, const base::DisplayUnits& shown)
     const auto over_D = [&](std::optional<Real> value) { return number(value ? std::optional(*value / D) : value); };
     if (runs.size() > 1) table.row({{text::html_text(run.name)}}, "group");
     for (const OtherPushResults& push : results.other_pushes)
-      table.row({{text::html_text(push.stage)},
-                 {"", true},
-                 force_of(push.V),
-                 {"", true},
-                 {"", true},
-                 {"", true},
-                 {"", true},
-                 {"", true},
-                 over_D(push.w),
-                 {"", true},
-                 {"", true},
-                 {"", true}});
+      table.row(columns({{text::html_text(push.stage)},
+                         {"", true},
+                         force_of(push.V),
+                         {"", true},
+                         {"", true},
+                         {"", true},
+                         {"", true},
+                         {"", true},
+                         over_D(push.w),
+                         {"", true},
+                         {"", true},
+                         {"", true}}));
     for (const DragResults& drag : results.drags) {
       const auto& end = drag.end;
       const auto of_end = [&](Real DragPoint::*member) { return end ? std::optional((*end).*member) : std::nullopt; };
-      table.row({{text::html_text(drag.stage)},
-                 over_D(of_end(&DragPoint::u)),
-                 force_of(drag.V),
-                 force_of(drag.breakout ? std::optional(drag.breakout->H) : std::nullopt),
-                 over_D(drag.breakout ? std::optional(drag.breakout->u) : std::nullopt),
-                 force_of(drag.largest ? std::optional(drag.largest->H) : std::nullopt),
-                 force_of(of_end(&DragPoint::H)),
-                 number(end ? std::optional(end->H / end->V) : std::nullopt),
-                 over_D(of_end(&DragPoint::w)),
-                 over_D(drag.berm_height),
-                 over_D(drag.berm_distance),
-                 over_D(drag.remoulded_depth)});
+      table.row(columns({{text::html_text(drag.stage)},
+                         over_D(of_end(&DragPoint::u)),
+                         force_of(drag.V),
+                         force_of(drag.breakout ? std::optional(drag.breakout->H) : std::nullopt),
+                         over_D(drag.breakout ? std::optional(drag.breakout->u) : std::nullopt),
+                         force_of(drag.largest ? std::optional(drag.largest->H) : std::nullopt),
+                         force_of(of_end(&DragPoint::H)),
+                         number(end ? std::optional(end->H / end->V) : std::nullopt),
+                         over_D(of_end(&DragPoint::w)),
+                         over_D(drag.berm_height),
+                         over_D(drag.berm_distance),
+                         over_D(drag.remoulded_depth)}));
     }
   }
   if (table.empty()) return "";
+  const std::string remoulded =
+      softens ? " Clay below the invert counts as remoulded where it has lost half of what remoulding takes." : "";
   return table.html() +
          text::html_paragraph(
              "H of a drag is positive where the soil resists it. H at its end is the mean over its last tenth, at least over 0.1 D but "
              "over a third of it at most. The "
              "berm is the highest soil ahead of the pipe at the end of the drag, above the surface as it was, and its distance from "
-             "the axis of the pipe. Clay below the invert counts as remoulded where it has lost half of what remoulding takes.",
+             "the axis of the pipe." +
+                 remoulded,
              "quiet");
 }
 
