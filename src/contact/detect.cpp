@@ -32,18 +32,19 @@ void find_near_cells(const mesh::Mesh<dim>& mesh, const bodies::RigidBody<dim>& 
   then.displacement = state.near_cells_displacement;
   then.orientation = state.near_cells_orientation;
   const bodies::RigidShape<dim> shape = placed<dim>(rigid, then);
-  const auto is_near = [&](Index cell) {
+  for_each("contact: near cells", mesh.cell_count(), [&](Index cell) {
     const Vec<dim> center = mesh.centroid(cell);
     Real radius = 0;
     for (Index node : mesh.nodes[cell]) radius = std::max(radius, (mesh.position[node] - center).norm());
-    return surface_at(shape, center).distance < 2 * radius + found.reach;
-  };
-  select("contact: near cells", mesh.cell_count(), is_near, found.near_cells);
+    if (surface_at(shape, center).distance < 2 * radius + found.reach) found.near_index[cell] = 1;
+  });
+  select(
+      "contact: near cells", mesh.cell_count(), [&](Index cell) { return found.near_index[cell] != 0; }, found.near_cells);
   for (std::size_t k = 0; k < found.near_cells.size(); ++k) found.near_index[found.near_cells[k]] = static_cast<Index>(k) + 1;
   found.cells.resize(found.near_cells.size());
   if (detection == Detection::particle) {
     order_by_strips(mesh, found);
-    found.list.reserve(static_cast<std::size_t>(lanes) * found.near_cells.size());
+    reserve(found, lanes * static_cast<Index>(found.near_cells.size()));
     return;
   }
   found.near_nodes.clear();
@@ -52,7 +53,7 @@ void find_near_cells(const mesh::Mesh<dim>& mesh, const bodies::RigidBody<dim>& 
   found.near_nodes.erase(std::unique(found.near_nodes.begin(), found.near_nodes.end()), found.near_nodes.end());
   found.candidates.resize(found.near_nodes.size());
   found.kept.reserve(found.near_nodes.size());
-  found.list.reserve(found.near_nodes.size());
+  reserve(found, static_cast<Index>(found.near_nodes.size()));
 }
 
 template <int dim>
@@ -134,8 +135,9 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
     const Index cell = found.near_cells[k];
     const mesh::Shape<dim> functions = mesh.shape(cell);
     Index left = particles.count_in(cell), at = found.cells[k].first_point;
+    const Index end = at + found.cells[k].points;
     for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
-      for (int l = 0; l < lanes && l < left; ++l) {
+      for (int l = 0; l < lanes && l < left && at < end; ++l) {
         const bodies::Block<dim>& p = particles.block(b);
         const Vec<dim> x = position_of(p, l);
         const bodies::SurfacePoint<dim> surface = surface_at(shape, x);

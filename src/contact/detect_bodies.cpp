@@ -99,7 +99,7 @@ void detect(const mesh::Mesh<dim>& mesh, const BodyView<dim>& body, const BodyVi
     found.candidate_nodes.reserve(mesh.node_count());
     found.candidates.reserve(mesh.node_count());
     found.kept.reserve(mesh.node_count());
-    found.list.reserve(mesh.node_count());
+    reserve(found, mesh.node_count());
   }
   const auto is_shared = [&](Index k) { return body.mass[body.nodes[k]] > 0 && other.mass[body.nodes[k]] > 0; };
   select("contact: two bodies", static_cast<Index>(body.nodes.size()), is_shared, found.candidate_nodes);

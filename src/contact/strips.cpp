@@ -51,6 +51,16 @@ void order_by_strips(const mesh::Mesh<dim>& mesh, ContactPoints<dim>& found)
 }
 
 template <int dim>
+void reserve(ContactPoints<dim>& found, Index points)
+{
+  const std::size_t strips = std::max<std::size_t>(static_cast<std::size_t>(points / nodes_of_strip) + 2, found.first_near_cell.size());
+  found.list.reserve(static_cast<std::size_t>(points));
+  found.closed.reserve(static_cast<std::size_t>(points));
+  found.strip_begin.reserve(strips);
+  found.sweep_sums.reserve(strips);
+}
+
+template <int dim>
 void set_strips_of_nodes(ContactPoints<dim>& found)
 {
   const Index points = static_cast<Index>(found.list.size());
@@ -61,6 +71,7 @@ void set_strips_of_nodes(ContactPoints<dim>& found)
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void order_by_strips(const mesh::Mesh<dim>&, ContactPoints<dim>&);                                                              \
+  template void reserve(ContactPoints<dim>&, Index);                                                                                       \
   template void set_strips_of_nodes(ContactPoints<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

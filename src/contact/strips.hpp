@@ -7,15 +7,19 @@
 namespace berm::contact {
 
 /// Puts near_cells, which ascend, in the order of strips: runs of 32 that follow each other along the space-filling curve of the mesh. Each strip gets the first colour of which no
-/// strip before it shares a node with it, and strips of one colour come together. Particles found in this order are points whose corrections depend on no number of threads.
+/// strip before it shares a node with it, and strips of one colour come together. Corrections of particles found in this order do not depend on the number of threads.
 template <int dim>
 void order_by_strips(const mesh::Mesh<dim>& mesh, ContactPoints<dim>& found);
+
+/// Memory for so many points, so that a step allocates none.
+template <int dim>
+void reserve(ContactPoints<dim>& found, Index points);
 
 /// Makes strips of points that are a node each and share none with each other: equally long, all of one colour.
 template <int dim>
 void set_strips_of_nodes(ContactPoints<dim>& found);
 
-/// Makes the candidates that `keep` is true for the points, each a node.
+/// Lists as points the candidates for which `keep` is true, each a node.
 template <int dim, class Keep>
 void keep_candidates(ContactPoints<dim>& found, const Keep& keep)
 {

@@ -48,8 +48,8 @@ private:
   std::chrono::steady_clock::duration inner_{};  ///< within the innermost Timer that runs, of those that have ended
 };
 
-/// Adds the life of this object, but that of others within it, to the timing of its label, a string literal, in the table that is current on this thread: the rows of a
-/// table add up to the time that has gone by. No table is cleared or replaced in that time.
+/// Adds the life of this object, but that of others within it, to the timing of its label, a string literal, in the table that is current on this thread: no
+/// time is in two rows. No table is cleared or replaced in that time.
 class Timer {
 public:
   explicit Timer(const char* label);

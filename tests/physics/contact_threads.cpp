@@ -63,21 +63,22 @@ Outcome outcome(const problem::Case& c, int threads)
     const bodies::Particle<dim> p = particles.read(b, l);
     result.numbers.insert(result.numbers.end(), p.x.begin(), p.x.end());
     result.numbers.insert(result.numbers.end(), p.v.begin(), p.v.end());
+    result.numbers.insert(result.numbers.end(), p.extra, p.extra + particles.extra_size());
   });
-  const bodies::RigidState<dim>& plane = run.state().rigid_bodies[0];
-  result.numbers.insert(result.numbers.end(), plane.reaction.begin(), plane.reaction.end());
-  result.numbers.insert(result.numbers.end(), plane.impulse.begin(), plane.impulse.end());
-  result.numbers.push_back(plane.impulse_times_gap);
+  for (const bodies::RigidState<dim>& rigid : run.state().rigid_bodies) {
+    result.numbers.insert(result.numbers.end(), rigid.reaction.begin(), rigid.reaction.end());
+    result.numbers.insert(result.numbers.end(), rigid.impulse.begin(), rigid.impulse.end());
+    result.numbers.push_back(rigid.impulse_times_gap);
+  }
+  for (const Vec<dim>& impulse : run.state().pair_impulses) result.numbers.insert(result.numbers.end(), impulse.begin(), impulse.end());
   result.numbers.push_back(run.state().totals.friction);
   result.numbers.push_back(run.state().totals.external);
   return result;
 }
 
 template <int dim>
-void expect_same_bits(contact::Scheme scheme)
+void expect_same_bits(const problem::Case& c)
 {
-  SCOPED_TRACE(testing::Message() << dim << " dimensions, scheme " << static_cast<int>(scheme));
-  const problem::Case c = dropped_block(dim, scheme);
   const Outcome alone = outcome<dim>(c, 1);
   ASSERT_GE(alone.most_points, static_cast<std::size_t>(contact::min_points_for_threads)) << "the threads have nothing to share";
   for (const int threads : {2, 3}) {
@@ -87,15 +88,45 @@ void expect_same_bits(contact::Scheme scheme)
   }
 }
 
-TEST(ContactOnThreads, has_the_same_bits_in_the_plane)
+TEST(ContactOnThreads, has_the_same_bits_with_every_scheme)
 {
   for (const contact::Scheme scheme :
-       {contact::Scheme::musl_coupled, contact::Scheme::musl_double, contact::Scheme::hybrid_usl, contact::Scheme::usf})
-    expect_same_bits<2>(scheme);
+       {contact::Scheme::musl_coupled, contact::Scheme::musl_double, contact::Scheme::hybrid_usl, contact::Scheme::usf}) {
+    SCOPED_TRACE(static_cast<int>(scheme));
+    expect_same_bits<2>(dropped_block(2, scheme));
+  }
 }
 TEST(ContactOnThreads, has_the_same_bits_in_space)
 {
-  expect_same_bits<3>(contact::Scheme::musl_coupled);
+  expect_same_bits<3>(dropped_block(3, contact::Scheme::musl_coupled));
+}
+TEST(ContactOnThreads, has_the_same_bits_where_nodes_are_the_points)
+{
+  problem::Case c = dropped_block(2, contact::Scheme::musl_double);
+  c.contact[0].second.detection = contact::Detection::gap;
+  expect_same_bits<2>(c);
+}
+TEST(ContactOnThreads, has_the_same_bits_where_particles_remember)
+{
+  problem::Case c = dropped_block(2, contact::Scheme::musl_coupled);
+  c.contact[0].second.tension = 50;
+  c.contact[0].second.adhesion_sensitivity = 4;
+  c.contact[0].second.adhesion_ductility = 1e-3;
+  expect_same_bits<2>(c);
+}
+TEST(ContactOnThreads, has_the_same_bits_between_two_bodies_beside_a_rigid_one)
+{
+  problem::Case c = dropped_block(2, contact::Scheme::musl_coupled);
+  auto above = c.body[0];
+  above.first = "above";
+  above.second.block->center[1] += 0.2;
+  c.body.push_back(above);
+  contact::ContactSettings contact;
+  contact.body = "above";
+  contact.other_body = "body";
+  contact.friction_angle = 0.3;
+  c.contact.insert(c.contact.begin(), {"between", contact});
+  expect_same_bits<2>(c);
 }
 
 }  // namespace

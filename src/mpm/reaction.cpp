@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/physics/momentum.cpp
+#include "mpm/reaction.hpp"
+
+#include "contact/strips.hpp"
+#include "problem/stages.hpp"
+
+namespace berm::mpm {
+namespace {
+
+/// What the impulses of a contact add up to.
+template <int dim>
+struct Reaction {
+  Vec<dim> impulse = Vec<dim>::Zero(), of_support = Vec<dim>::Zero();  ///< on the body, N s; the part of it that supports take
+  bodies::Angular<dim> torque = bodies::no_angular<dim>();             ///< on the body, N m s
+  Real external = 0, friction = 0;                                     ///< work, J
+  Real sum = 0, times_gap = 0;                                         ///< of |impulse|, and of |impulse| times distance
+
+  Reaction& operator+=(const Reaction& other)
+  {
+    impulse += other.impulse, of_support += other.of_support, torque += other.torque;
+    external += other.external, friction += other.friction;
+    sum += other.sum, times_gap += other.times_gap;
+    return *this;
+  }
+};
+
+template <int dim>
+Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work,
+                          const problem::Contact& contact, const contact::ContactPoint<dim>& point, const Vec<dim>& gravity)
+{
+  Reaction<dim> reaction;
+  const Vec<dim>& impulse = point.impulse;
+  if (impulse.isZero()) return reaction;
+  const Real dt = state.dt;
+  // A node's share of an impulse. It also changes the mid-step velocity at which the work of gravity and tractions was
+  // taken; supports take the components in fixed directions.
+  const auto add = [&](Index b, Index node, const Vec<dim>& share, const Vec<dim>& partner_velocity) {
+    const BodyGrid<dim>& grid = work.grids[b];
+    const Vec<dim> taken = boundary::without_fixed<dim>(model.fixed[grid.fixed], node, share);
+    reaction.of_support += taken - share;
+    reaction.external += 0.5 * dt * model.bodies[b].weight_over_mass * gravity.dot(taken);
+    if (!model.load_points.empty() && grid.mass[node] > 0) reaction.external += 0.5 * dt * grid.traction[node].dot(taken) / grid.mass[node];
+    const Vec<dim> mid_velocity = grid.velocity[node] + 0.5 * dt * grid.acceleration[node];
+    reaction.friction -= share.dot(mid_velocity - partner_velocity);
+  };
+  reaction.impulse = impulse;
+  if (contact.other_body != none) {
+    add(contact.body, point.nodes[0], impulse, Vec<dim>::Zero());
+    add(contact.other_body, point.nodes[0], -impulse, Vec<dim>::Zero());
+    return reaction;
+  }
+  const bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
+  for (int n = 0; n < point.node_count; ++n) add(contact.body, point.nodes[n], point.weights[n] * impulse, point.surface_velocity);
+  reaction.torque = bodies::moment_of(Vec<dim>(point.position - center_now(model.rigid_bodies[contact.rigid], rigid)), impulse);
+  reaction.external += impulse.dot(point.surface_velocity);
+  if (point.distance < infinity) reaction.sum = impulse.norm(), reaction.times_gap = reaction.sum * point.distance;
+  return reaction;
+}
+
+}  // namespace
+
+template <int dim>
+void react(const problem::Model<dim>& model, problem::State<dim>& state, const Work<dim>& work)
+{
+  const Vec<dim> gravity = gravity_now(model, state.time);
+  for (bodies::RigidState<dim>& rigid : state.rigid_bodies) rigid.reaction.setZero(), rigid.torque = bodies::no_angular<dim>();
+  for (std::size_t k = 0; k < model.contacts.size(); ++k) {
+    const problem::Contact& contact = model.contacts[k];
+    const auto& list = work.contact_points[k].list;
+    const Reaction<dim> all = sum_of<Reaction<dim>>(
+        "contact: reaction", static_cast<Index>(list.size()),
+        [&](Index p) { return reaction_at(model, state, work, contact, list[p], gravity); }, contact::min_points_for_threads);
+    state.totals.support_impulse += all.of_support;
+    state.totals.external += all.external;
+    state.totals.friction += all.friction;
+    if (contact.other_body != none) {
+      state.pair_impulses[k] += all.impulse;
+      continue;
+    }
+    state.totals.contact_impulse += all.impulse;
+    bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
+    rigid.reaction -= all.impulse / state.dt;
+    rigid.torque -= all.torque / state.dt;
+    rigid.impulse += all.impulse;
+    rigid.torque_impulse += all.torque;
+    rigid.impulse_sum += all.sum;
+    rigid.impulse_times_gap += all.times_gap;
+  }
+}
+
+template <int dim>
+Vec<dim> impulse_of(const contact::ContactPoints<dim>& points)
+{
+  struct Impulse {
+    Vec<dim> sum = Vec<dim>::Zero();
+    Impulse& operator+=(const Impulse& other)
+    {
+      sum += other.sum;
+      return *this;
+    }
+  };
+  const auto at = [&](Index p) { return Impulse{points.list[p].impulse}; };
+  return sum_of<Impulse>("contact: impulses", static_cast<Index>(points.list.size()), at, contact::min_points_for_threads).sum;
+}
+
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void react(const problem::Model<dim>&, problem::State<dim>&, const Work<dim>&);                                                 \
+  template Vec<dim> impulse_of(const contact::ContactPoints<dim>&);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm::mpm
