@@ -7,46 +7,34 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <unistd.h>
+#include <vector>
 
 namespace berm::run_folder {
 namespace {
 
 namespace fs = std::filesystem;
 
-// All that a run writes. resolved.toml goes last: until then the folder is known as one of a run, so that an interrupted removal can be repeated.
-constexpr const char* own_files[] = {"history.csv",
-                                     "history.schema.json",
-                                     "summary.json",
-                                     "origin.json",
-                                     "run.log",
-                                     "case.toml",
-                                     "claims.toml",
-                                     "mesh.geo",
-                                     "mesh.msh",
-                                     "mesh.log",
-                                     "ground.csv",
-                                     "report.html",
-                                     "report.pdf",
-                                     "curves.png",
-                                     "soil.png",
-                                     "soil_increment.png",
-                                     "plots/curves.dat",
-                                     "plots/curves.gp",
-                                     "plots/band_V_w.dat",
-                                     "plots/band_H_u.dat",
-                                     "plots/band_w_u.dat",
-                                     "plots/soil.bin",
-                                     "plots/soil.dat",
-                                     "plots/soil.gp",
-                                     "plots/soil_rigid.dat",
-                                     "plots/soil_increment.bin",
-                                     "plots/soil_increment.dat",
-                                     "plots/soil_increment.gp",
-                                     "plots/soil_increment_rigid.dat",
-                                     "frames",
-                                     "uncertainty",
-                                     "checkpoint",
-                                     "resolved.toml"};
+// All that a run writes but its pictures of the soil. resolved.toml goes last: until then the folder is known as one of a run, so that an interrupted removal can be repeated.
+constexpr const char* own_files[] = {
+    "history.csv",     "history.schema.json", "summary.json",       "origin.json",        "run.log",
+    "case.toml",       "claims.toml",         "mesh.geo",           "mesh.msh",           "mesh.log",
+    "ground.csv",      "report.html",         "report.pdf",         "curves.png",         "plots/curves.dat",
+    "plots/curves.gp", "plots/band_V_w.dat",  "plots/band_H_u.dat", "plots/band_w_u.dat", "frames",
+    "uncertainty",     "checkpoint",          "resolved.toml"};
+
+/// Removes the pictures of the soil with their scripts and data: soil, soil_increment, and one for each field that the method or the law has for itself.
+void remove_soil_pictures(const fs::path& folder)
+{
+  std::vector<fs::path> own;
+  for (const fs::path& place : {folder, folder / "plots"}) {
+    if (!fs::is_directory(place)) continue;
+    for (const fs::directory_entry& entry : fs::directory_iterator(place)) {
+      const std::string name = entry.path().filename().string();
+      if ((name.starts_with("soil.") || name.starts_with("soil_")) && !entry.is_directory()) own.push_back(entry.path());
+    }
+  }
+  for (const fs::path& file : own) fs::remove(file);
+}
 
 /// Whether anything is in the folder but what a run leaves that is ended by force as it begins: its lock, a part of its first file.
 bool holds_files(const fs::path& folder)
@@ -73,8 +61,10 @@ RunFolder::RunFolder(const fs::path& path) : path_(path)
     if (!of_a_run && holds_files(path))
       refuse(path, "it holds files that are not of a run (there is no resolved.toml); name another folder with -o");
     lock_ = std::make_unique<io::FolderLock>(path);
-    if (of_a_run)
+    if (of_a_run) {
+      remove_soil_pictures(path);
       for (const char* name : own_files) fs::remove_all(path / name);
+    }
   } catch (const fs::filesystem_error& error) {
     refuse(path, error.code().message());
   }

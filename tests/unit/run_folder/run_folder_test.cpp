@@ -74,11 +74,26 @@ TEST(RunFolder, of_an_earlier_run_what_berm_wrote_is_removed_and_nothing_else)
   const TemporaryFolder base;
   fs::create_directories(base.path() / "frames");
   fs::create_directories(base.path() / "plots");
-  const std::vector<std::string> own = {
-      "history.csv", "history.schema.json", "summary.json", "run.log",     "case.toml",       "resolved.toml",     "mesh.geo",
-      "mesh.msh",    "curves.png",          "soil.png",     "report.html", "frames/mesh.vtu", "frames/frames.pvd", "plots/curves.gp",
-      "report.pdf",  "plots/soil.bin"};
-  const std::vector<std::string> others = {"notes.txt", "paraview.png", "plots/mine.gp"};
+  fs::create_directories(base.path() / "soil_of_mine");
+  const std::vector<std::string> own = {"history.csv",
+                                        "history.schema.json",
+                                        "summary.json",
+                                        "run.log",
+                                        "case.toml",
+                                        "resolved.toml",
+                                        "mesh.geo",
+                                        "mesh.msh",
+                                        "curves.png",
+                                        "soil.png",
+                                        "report.html",
+                                        "frames/mesh.vtu",
+                                        "frames/frames.pvd",
+                                        "plots/curves.gp",
+                                        "report.pdf",
+                                        "plots/soil.bin",
+                                        "soil_overstress.png",
+                                        "plots/soil_overstress.gp"};
+  const std::vector<std::string> others = {"notes.txt", "paraview.png", "plots/mine.gp", "soil_of_mine/a.png", "soils.png"};
   for (const auto& name : own) put(base.path() / name, "old");
   for (const auto& name : others) put(base.path() / name, "mine");
   const RunFolder folder(base.path());
