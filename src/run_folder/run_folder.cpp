@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 #include <unistd.h>
 #include <vector>
 
@@ -26,13 +27,15 @@ constexpr const char* own_files[] = {
 void remove_soil_pictures(const fs::path& folder)
 {
   std::vector<fs::path> own;
-  for (const fs::path& place : {folder, folder / "plots"}) {
-    if (!fs::is_directory(place)) continue;
+  const auto collect = [&](const fs::path& place, const std::set<std::string>& endings) {
+    if (!fs::is_directory(place)) return;
     for (const fs::directory_entry& entry : fs::directory_iterator(place)) {
-      const std::string name = entry.path().filename().string();
-      if ((name.starts_with("soil.") || name.starts_with("soil_")) && !entry.is_directory()) own.push_back(entry.path());
+      const std::string name = entry.path().stem().string();
+      if ((name == "soil" || name.starts_with("soil_")) && endings.contains(entry.path().extension().string())) own.push_back(entry.path());
     }
-  }
+  };
+  collect(folder, {".png"});
+  collect(folder / "plots", {".gp", ".dat", ".bin"});
   for (const fs::path& file : own) fs::remove(file);
 }
 

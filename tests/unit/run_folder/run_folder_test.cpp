@@ -93,7 +93,8 @@ TEST(RunFolder, of_an_earlier_run_what_berm_wrote_is_removed_and_nothing_else)
                                         "plots/soil.bin",
                                         "soil_overstress.png",
                                         "plots/soil_overstress.gp"};
-  const std::vector<std::string> others = {"notes.txt", "paraview.png", "plots/mine.gp", "soil_of_mine/a.png", "soils.png"};
+  const std::vector<std::string> others = {"notes.txt",          "paraview.png", "plots/mine.gp",
+                                           "soil_of_mine/a.png", "soils.png",    "soil_table.csv"};
   for (const auto& name : own) put(base.path() / name, "old");
   for (const auto& name : others) put(base.path() / name, "mine");
   const RunFolder folder(base.path());
