@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/detect.hpp"
 
+#include "bodies/particle_position.hpp"
 #include "contact/strips.hpp"
 #include "core/for_each.hpp"
 #include "core/select.hpp"
@@ -54,14 +55,6 @@ void find_near_cells(const mesh::Mesh<dim>& mesh, const bodies::RigidBody<dim>& 
   found.candidates.resize(found.near_nodes.size());
   found.kept.reserve(found.near_nodes.size());
   reserve(found, static_cast<Index>(found.near_nodes.size()));
-}
-
-template <int dim>
-Vec<dim> position_of(const bodies::Block<dim>& block, int lane)
-{
-  Vec<dim> x;
-  for (int d = 0; d < dim; ++d) x[d] = block.x[d][lane];
-  return x;
 }
 
 /// Whether the body intersects a cell, tested at its corners and at the quarter points of its edges.

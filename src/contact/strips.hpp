@@ -55,7 +55,8 @@ void for_each_strip(const ContactPoints<dim>& points, const Body& body)
 template <class Points, class Body>
 void for_each_point(Points& points, const Body& body)
 {
-#pragma omp parallel if (static_cast <Index>(points.list.size()) >= min_points_for_threads)
+  const bool many = static_cast<Index>(points.list.size()) >= min_points_for_threads;
+#pragma omp parallel if (many)
   for_each_strip(points, [&](Index s) {
     for (Index k = points.strip_begin[s]; k < points.strip_begin[s + 1]; ++k) body(points.list[k]);
   });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/physics/gravity_loading.cpp
+#include "bodies/particle_position.hpp"
 #include "core/error.hpp"
 #include "core/for_each.hpp"
 #include "problem/initial_state.hpp"
@@ -183,8 +184,7 @@ private:
       for (Vec<dim>& force : element.corner_forces) force.setZero();
       const Vec<dim> gravity = model_.bodies[element.body].weight_over_mass * model_.gravity;
       for_each_particle(element, [&](const bodies::Block<dim>& block, int lane) {
-        Vec<dim> x;
-        for (int d = 0; d < dim; ++d) x[d] = block.x[d][lane];
+        const Vec<dim> x = position_of(block, lane);
         for (int k = 0; k <= dim; ++k) element.corner_forces[k] += block.mass[lane] * element.shape.value(k, x) * gravity;
       });
     }

@@ -2,6 +2,7 @@
 #include "run_folder/frame_maker.hpp"
 
 #include "bodies/particle_fields.hpp"
+#include "bodies/particle_position.hpp"
 #include "run_folder/gradient_strain.hpp"
 
 #include <algorithm>
@@ -16,14 +17,6 @@ void visit_all(const bodies::Particles<dim>& particles, Index cells, const Visit
   for (Index cell = 0; cell < cells; ++cell)
     for (Index left = particles.count_in(cell), b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
       for (int l = 0; l < std::min<Index>(lanes, left); ++l) visit(cell, b, l);
-}
-
-template <int dim>
-Vec<dim> position(const bodies::Block<dim>& block, int lane)
-{
-  Vec<dim> x;
-  for (int d = 0; d < dim; ++d) x[d] = block.x[d][lane];
-  return x;
 }
 
 /// The fields that a frame of these bodies has: the common ones, then those that only some of the bodies have, each once.
@@ -83,7 +76,7 @@ FrameMaker<dim>::FrameMaker(const problem::Model<dim>& model, const problem::Sta
       const bodies::Block<dim>& block = start.particles[body].block(b);
       const auto id = static_cast<std::size_t>(block.id[l]);
       if (known.size() <= id) known.resize(id + 1);
-      const Vec<dim> x = position<dim>(block, l);
+      const Vec<dim> x = position_of<dim>(block, l);
       known[id] = {x, x, cell};
     });
   }
@@ -151,7 +144,7 @@ void FrameMaker<dim>::add_strains(const bodies::Particles<dim>& particles, std::
 
   const auto visit_with_id = [&](const auto& visit) {
     visit_all<dim>(particles, model_.mesh.cell_count(), [&](Index cell, Index b, int l) {
-      visit(cell, position<dim>(particles.block(b), l), static_cast<std::size_t>(particles.block(b).id[l]));
+      visit(cell, position_of<dim>(particles.block(b), l), static_cast<std::size_t>(particles.block(b).id[l]));
     });
   };
   visit_with_id([&](Index cell, const Vec<dim>& x, std::size_t id) { since_last.add(cell, x, known[id].last - x); });
