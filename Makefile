@@ -78,7 +78,7 @@ threads: ## tests of what runs in threads, with clang's thread sanitizer
 	@scripts/setup clang && cmake --preset threads >/dev/null && cmake --build --preset threads | $(only_news) && ctest --preset threads
 
 tidy: ## clang-tidy over src, with the checks of .clang-tidy: long
-	@scripts/setup clang && cmake --preset debug >/dev/null && run-clang-tidy-14 -quiet -p build/debug '/src/'
+	@scripts/setup clang && cmake --preset tidy >/dev/null && run-clang-tidy-14 -quiet -p build/tidy '/src/'
 
 clean: ## remove what was built; runs in out/ stay
 	@rm -rf build

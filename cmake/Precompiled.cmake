@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The libraries' headers that almost every file includes are parsed once for each set of compiler flags. A file still includes what it uses: the debug
-# preset precompiles nothing, and there a missing include does not build.
+# The libraries' headers that almost every file includes are parsed once for each set of compiler flags. A file still includes what it uses: for
+# `make threads` and `make tidy` nothing is precompiled, and they find a missing include.
 #
 #   berm_precompile(GROUP TARGET [header...])    the first target of a group, whose flags all of them have, compiles the headers
 

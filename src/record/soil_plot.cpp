@@ -133,7 +133,8 @@ std::string axes(const Picture& picture, const std::pair<Real, Real>& range, con
                         view.upper[0] * unit.per_si, view.lower[1] * unit.per_si, view.upper[1] * unit.per_si);
   script += fmt::format("set xlabel 'x ({0})'\nset ylabel 'y ({0})'\nset tics out nomirror\nset border lc rgb '#444444'\n", unit.name);
   script += fmt::format("set cblabel {}\nset cbrange [{:g}:{:g}]\n", plot::gnuplot_text(picture.words()), range.first, range.second);
-  script += std::string(palette) + "unset key\nset style fill solid noborder\n";
+  script += palette;
+  script += "unset key\nset style fill solid noborder\n";
   mesh::GroundLine line = view.ground;
   if (line.level() && view.surface) line.corners = {Vec<2>(view.lower[0], *view.surface), Vec<2>(view.upper[0], *view.surface)};
   for (std::size_t k = 1; k < line.corners.size(); ++k) {

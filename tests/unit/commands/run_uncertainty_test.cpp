@@ -25,7 +25,7 @@ struct Place {
   Ended run(const Words& more) const
   {
     Words words = {
-        "run", "fem.toml", "-o", "run", "--threads", "2", "--set", "fem.contact_size=\"2 mm\"", "--set", "mesh.near_size=\"4 mm\""};
+        "run", "fem.toml", "-o", "run", "--threads", "1", "--set", "fem.contact_size=\"2 mm\"", "--set", "mesh.near_size=\"4 mm\""};
     words.insert(words.end(), more.begin(), more.end());
     return berm(words);
   }
@@ -74,10 +74,10 @@ TEST(Uncertainty, of_a_finished_run_is_found_by_resuming_it_without_what_is_ther
   const Place place;
   ASSERT_EQ(place.run({}).status, 0);
   const std::string history = text_of_file(place.folder / "run/history.csv");
-  ASSERT_EQ(place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "2"}).status, 0);
+  ASSERT_EQ(place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "1"}).status, 0);
   const auto first = json_of(place.uncertainty());
   fs::remove_all(place.folder / "run/uncertainty/cells_2");
-  const Ended again = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "2"});
+  const Ended again = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "1"});
   EXPECT_EQ(again.status, 0) << again.err;
   EXPECT_NE(again.err.find("of which 5 have their result already"), std::string::npos) << again.err;
   EXPECT_EQ(json_of(place.uncertainty())["quantities"], first["quantities"]);
@@ -99,7 +99,7 @@ TEST(Uncertainty, goes_on_with_a_run_that_was_stopped_on_the_way)
   fs::create_directories(place.folder / (variant + "checkpoint"));
   place.folder.write(variant + "checkpoint/case_file.txt", (place.folder / "run/uncertainty/cells_2.toml").string());
   const std::string log = text_of_file(place.folder / (variant + "run.log"));
-  const Ended again = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "2"});
+  const Ended again = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "1"});
   EXPECT_EQ(again.status, 0) << again.err;
   EXPECT_NE(again.err.find("of which 5 have their result already, 1 resumed from a checkpoint"), std::string::npos) << again.err;
   EXPECT_EQ(text_of_file(place.folder / (variant + "run.log")).find(log), 0u) << "a run that is replaced begins a log of its own";
@@ -111,7 +111,7 @@ TEST(Uncertainty, is_refused_while_another_process_has_the_run_folder)
   const Place place;
   ASSERT_EQ(place.run({}).status, 0);
   const io::FolderLock another(place.folder / "run");
-  const Ended ended = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "2"});
+  const Ended ended = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "1"});
   EXPECT_NE(ended.status, 0);
   EXPECT_NE(ended.err.find("another run is writing into it"), std::string::npos) << ended.err;
   EXPECT_FALSE(fs::exists(place.folder / "run/uncertainty")) << "before any of its runs begins";
@@ -123,7 +123,7 @@ TEST(Uncertainty, that_cannot_be_put_into_the_log_is_an_error)
   ASSERT_EQ(place.run({"--uncertainty"}).status, 0);
   fs::remove(place.folder / "run/run.log");
   fs::create_directory(place.folder / "run/run.log");
-  const Ended ended = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "2"});
+  const Ended ended = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "1"});
   EXPECT_NE(ended.status, 0);
   EXPECT_NE(ended.err.find("cannot write run/run.log"), std::string::npos) << ended.err;
 }
@@ -144,7 +144,7 @@ TEST(Uncertainty, is_left_out_with_the_reason_where_one_of_its_runs_fails)
   ASSERT_EQ(place.run({}).status, 0);
   fs::create_directories(place.folder / "run/uncertainty/cells_1.5");
   place.folder.write("run/uncertainty/cells_1.5/notes.txt", "not of a run");
-  const Ended ended = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "2"});
+  const Ended ended = place.berm({"run", "--resume", "run", "--uncertainty", "--threads", "1"});
   EXPECT_EQ(ended.status, 1);
   EXPECT_NE(ended.err.find("there is no band: the run cells_1.5 failed"), std::string::npos) << ended.err;
   EXPECT_EQ(place.uncertainty().missing.find("the run cells_1.5 failed"), 0u) << place.uncertainty().missing;
@@ -165,7 +165,7 @@ TEST(Uncertainty, of_material_points_holds_noise_and_speed)
 {
   const Place place;
   place.folder.write("small.toml", test::small_case);
-  const Ended ended = place.berm({"run", "small.toml", "-o", "run", "--threads", "2", "--uncertainty", "--set", "mesh.cells=[60, 30]",
+  const Ended ended = place.berm({"run", "small.toml", "-o", "run", "--threads", "1", "--uncertainty", "--set", "mesh.cells=[60, 30]",
                                   "--set", "body.sand.block.spacing=0.6666e-3"});
   ASSERT_EQ(ended.status, 0) << ended.err;
   const run_folder::Uncertainty u = place.uncertainty();
