@@ -329,9 +329,7 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, s
   const bodies::Particles<dim>& body = problem.state.particles[0];
   const Real per_cell = static_cast<Real>(particles) / static_cast<Real>(body.occupied().size());
   const std::vector<Timing> loops = context.timings().table();
-  // The yardstick has triangles only.
-  const Real ceiling =
-      dim == 2 ? roofline::run_roofline_kernel(particles, static_cast<int>(std::lround(per_cell)), 1).particle_steps_per_s() : no_number;
+  const Real ceiling = roofline::run_roofline_kernel<dim>(particles, static_cast<int>(std::lround(per_cell)), 1).particle_steps_per_s();
   const Demand demand = demand_of(body, work.grids[0]);
 
   fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9.2f} {:>9} {:>8} {:>6.0f} {:>6} {:>9.2f} {:>9.0f}\n", name, particles,

@@ -2,6 +2,7 @@
 #include "bodies/particles.hpp"
 
 #include "bodies/particle_fields.hpp"
+#include "core/for_each_run.hpp"
 #include "core/lazy_memory.hpp"
 #include "core/select.hpp"
 #include "material/material.hpp"
@@ -37,23 +38,41 @@ Particles<dim>::Particles(const mesh::Mesh<dim>& mesh, Index max, const std::vec
 }
 
 template <int dim>
-Index Particles<dim>::free_block(const Vec<dim>& x)
+void Transit<dim>::reserve(std::size_t count)
 {
-  Index b = free_;
+  particle.reserve(count);
+  index.reserve(count);
+  block.reserve(count);
+  order.reserve(count);
+}
+
+template <int dim>
+void Transit<dim>::resize(std::size_t count)
+{
+  particle.resize(count);
+  index.resize(count);
+  block.resize(count);
+  order.resize(count);
+}
+
+template <int dim>
+Index Particles<dim>::free_block()
+{
+  const Index b = free_;
   if (b != none) {
     free_ = blocks_[b].next;
-    blocks_[b] = Block<dim>{};
-    std::fill_n(extra(b), extra_size_, Lanes{});
-  } else {
-    b = static_cast<Index>(blocks_.size());
-    blocks_.push_back(Block<dim>{});
-    extra_.resize(extra_.size() + extra_size_, StoredLanes{});
+    return b;
   }
-  Block<dim>& block = blocks_[b];
-  for (int d = 0; d < dim; ++d) block.x[d] = all_lanes(x[d]);
-  std::fill_n(block.id, lanes, none);
-  block.next = none;
-  return b;
+  blocks_.push_back(Block<dim>{});
+  extra_.resize(extra_.size() + extra_size_, StoredLanes{});
+  return static_cast<Index>(blocks_.size()) - 1;
+}
+
+template <int dim>
+void Particles<dim>::give_back(Index b)
+{
+  blocks_[b].next = free_;
+  free_ = b;
 }
 
 template <int dim>
@@ -82,43 +101,92 @@ Particle<dim> Particles<dim>::read(Index b, int l) const
   return p;
 }
 
+/// new_block is the block that the particle begins, or none.
+template <int dim>
+void Particles<dim>::put_in(Index cell, Index index, Index new_block, const Particle<dim>& particle)
+{
+  if (new_block == none) {
+    write(block_at(cell, index), index % lanes, particle);
+    return;
+  }
+  Block<dim>& block = blocks_[new_block];
+  block = Block<dim>{};
+  std::fill_n(extra(new_block), extra_size_, Lanes{});
+  for (int d = 0; d < dim; ++d) block.x[d] = all_lanes(particle.x[d]);
+  std::fill_n(block.id, lanes, none);
+  block.next = none;
+  (index == 0 ? head_[cell] : blocks_[block_at(cell, index - 1)].next) = new_block;
+  write(new_block, 0, particle);
+}
+
 template <int dim>
 void Particles<dim>::insert(Index cell, const Particle<dim>& particle)
 {
   const Index index = count_[cell]++;
   ++size_;
   changed_ = changed_ || index == 0;
-  Index b;
-  if (index % lanes != 0) {
-    b = block_at(cell, index);
-  } else {
-    b = free_block(particle.x);
-    if (index == 0)
-      head_[cell] = b;
-    else
-      blocks_[block_at(cell, index - 1)].next = b;
-  }
-  write(b, index % lanes, particle);
+  put_in(cell, index, index % lanes == 0 ? free_block() : none, particle);
 }
 
+/// emptied_block is the cell's last block where nothing is left in it, or none.
 template <int dim>
-Particle<dim> Particles<dim>::take(Index cell, Index index)
+Particle<dim> Particles<dim>::take_out(Index cell, Index index, Index& emptied_block)
 {
   const Index last = --count_[cell];
-  --size_;
-  changed_ = changed_ || last == 0;
   const Index b = block_at(cell, index), last_block = block_at(cell, last);
   const Particle<dim> taken = read(b, index % lanes);
   if (index != last) write(b, index % lanes, read(last_block, last % lanes));
   Particle<dim> nothing;
   nothing.x = taken.x;
   write(last_block, last % lanes, nothing);
-  if (last % lanes == 0) {  // the last block is empty now
-    if (last > 0) blocks_[block_at(cell, last - 1)].next = none;
-    blocks_[last_block].next = free_;
-    free_ = last_block;
-  }
+  emptied_block = last % lanes == 0 ? last_block : none;
+  if (emptied_block != none && last > 0) blocks_[block_at(cell, last - 1)].next = none;
   return taken;
+}
+
+template <int dim>
+Particle<dim> Particles<dim>::take(Index cell, Index index)
+{
+  Index emptied = none;
+  const Particle<dim> taken = take_out(cell, index, emptied);
+  --size_;
+  changed_ = changed_ || count_[cell] == 0;
+  if (emptied != none) give_back(emptied);
+  return taken;
+}
+
+template <int dim>
+void Particles<dim>::change_cells(const std::vector<CellChange>& changes, Transit<dim>& transit)
+{
+  const auto count = static_cast<Index>(changes.size());
+  transit.resize(changes.size());
+  for_each_run(
+      count, [&](Index a, Index b) { return changes[a].from == changes[b].from; },
+      [&](Index first, Index end) {  // the last first: taking a particle moves only ones that were behind it
+        for (Index m = end; m-- > first;) transit.particle[m] = take_out(changes[m].from, changes[m].index, transit.block[m]);
+      });
+  // Which blocks are free depends on the order of all changes.
+  for (Index m = count; m-- > 0;) {
+    changed_ = changed_ || count_[changes[m].from] == 0;
+    if (transit.block[m] != none) give_back(transit.block[m]);
+  }
+  for (Index m = 0; m < count; ++m) {
+    const Index index = transit.index[m] = count_[changes[m].to]++;
+    changed_ = changed_ || index == 0;
+    transit.block[m] = index % lanes == 0 ? free_block() : none;
+    transit.order[m] = m;
+  }
+  const auto to = [&](Index k) { return changes[transit.order[k]].to; };
+  std::sort(transit.order.begin(), transit.order.end(),
+            [&](Index a, Index b) { return std::pair(changes[a].to, a) < std::pair(changes[b].to, b); });
+  for_each_run(
+      count, [&](Index a, Index b) { return to(a) == to(b); },
+      [&](Index first, Index end) {
+        for (Index k = first; k < end; ++k) {
+          const Index m = transit.order[k];
+          put_in(changes[m].to, transit.index[m], transit.block[m], transit.particle[m]);
+        }
+      });
 }
 
 template <int dim>
@@ -131,6 +199,8 @@ bool Particles<dim>::sort_occupied()
   return true;
 }
 
+template struct Transit<2>;
+template struct Transit<3>;
 template class Particles<2>;
 template class Particles<3>;
 

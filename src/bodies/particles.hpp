@@ -37,6 +37,23 @@ struct Particle {
   std::int32_t id = none;
 };
 
+/// A particle that changes its cell: its place, and the cell that it goes to.
+struct CellChange {
+  Index from, index, to;
+};
+
+/// Work arrays of Particles::change_cells, one entry a change.
+template <int dim>
+struct Transit {
+  std::vector<Particle<dim>> particle;
+  std::vector<Index> index;  ///< in the new cell
+  std::vector<Index> block;  ///< that the change empties, then that it begins; or none
+  std::vector<Index> order;  ///< of the changes by the new cell
+
+  void reserve(std::size_t count);
+  void resize(std::size_t count);
+};
+
 /// A field of some bodies' particles only, such as the state variables of a law.
 struct ExtraField {
   FieldInfo info;
@@ -94,6 +111,9 @@ public:
   void insert(Index cell, const Particle<dim>& particle);
   /// Removes the particle with this index (0 ... count - 1) from a cell; the cell's last particle gets its index.
   Particle<dim> take(Index cell, Index index);
+  /// Makes all changes, sorted by `from` and `index`, in parallel, with the places that take() from the last to the first and then insert() from the first to
+  /// the last would give. `to` is a cell, never none. Allocates nothing where `transit` has room.
+  void change_cells(const std::vector<CellChange>& changes, Transit<dim>& transit);
   Particle<dim> read(Index block, int lane) const;
   /// The particle with this index in a cell.
   Particle<dim> read_at(Index cell, Index index) const { return read(block_at(cell, index), index % lanes); }
@@ -122,7 +142,10 @@ private:
   }
 
   void lay_out(const std::vector<Index>& cells, const std::vector<Index>& counts);
-  Index free_block(const Vec<dim>& x);
+  Index free_block();
+  void give_back(Index block);
+  Particle<dim> take_out(Index cell, Index index, Index& emptied_block);
+  void put_in(Index cell, Index index, Index new_block, const Particle<dim>& particle);
   void write(Index block, int lane, const Particle<dim>& particle);
   Index block_at(Index cell, Index index) const;
 

@@ -110,6 +110,14 @@ void list_nodes(const mesh::Mesh<dim>& mesh, const bodies::RigidShape<dim>& shap
       found, [&](const ContactPoint<dim>& point) { return point.node_count > 0 && (detection != Detection::distance || point.gap <= 0); });
 }
 
+/// Whether a particle's gap is less than its width: its distance from the surface less than one and a half of that, which needs no root.
+template <int dim>
+bool is_near(Real distance, Real volume)
+{
+  const Real part = distance * (2. / 3);
+  return part <= 0 || (dim == 2 ? part * part : part * part * part) < volume;
+}
+
 /// The particles whose gap is less than their width.
 template <int dim>
 void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape,
@@ -134,11 +142,11 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
         const bodies::Block<dim>& p = particles.block(b);
         const Vec<dim> x = position_of(p, l);
         const bodies::SurfacePoint<dim> surface = surface_at(shape, x);
-        const Real half = half_width<dim>(p.volume[l]), gap = surface.distance - half;
-        if (!(gap < 2 * half)) continue;
+        if (!is_near<dim>(surface.distance, p.volume[l])) continue;
+        const Real half = half_width<dim>(p.volume[l]);
         ContactPoint<dim>& point = found.list[at++];
         point = {};
-        point.gap = gap;
+        point.gap = surface.distance - half;
         point.nodes = mesh.nodes[cell];
         for (int n = 0; n <= dim; ++n) point.weights[n] = functions.value(n, x);
         point.node_count = dim + 1;
@@ -170,9 +178,11 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
       const bodies::Block<dim>& p = particles.block(b);
       for (int l = 0; l < lanes && l < left; ++l) {
         const bodies::SurfacePoint<dim> surface = surface_at(shape, position_of(p, l));
-        const Real half = half_width<dim>(p.volume[l]), gap = surface.distance - half;
-        result.points += gap < 2 * half ? 1 : 0;
         result.distance = std::min(result.distance, surface.distance);
+        const bool near = is_near<dim>(surface.distance, p.volume[l]);
+        result.points += near ? 1 : 0;
+        if (detection == Detection::particle && !near) continue;
+        const Real half = half_width<dim>(p.volume[l]), gap = surface.distance - half;
         if (gap < result.gap) result.gap = gap, result.normal = surface.normal, result.half_width = half;
       }
     }

@@ -114,8 +114,8 @@ template <class T>
 template <class T>
 [[gnu::always_inline]] inline T max_shear(const SymTensor<3, T>& stress)
 {
-  const PrincipalAxes<T> axes = principal_axes(stress);
-  return (axes.value[0] - axes.value[2]) * 0.5;
+  const Principal<T> s = principal(axis_and_circle(stress));
+  return (s.s1 - s.s3) * 0.5;
 }
 
 /// The strength at the end of an increment over s_u0, as a function of its plastic shear strain x:

@@ -2,6 +2,7 @@
 #include "material/mohr_coulomb.hpp"
 
 #include "material/describe_elasticity.hpp"
+#include "material/principal_axes.hpp"
 
 #include <algorithm>
 
@@ -131,7 +132,7 @@ Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<2>& stress)
 
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<3>& stress)
 {
-  const PrincipalAxes<Real> axes = principal_axes(stress);
+  const PrincipalAxes axes = principal_axes(stress);
   return yield_value(law, axes.value[0], axes.value[2]);
 }
 

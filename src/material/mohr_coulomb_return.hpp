@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "material/axis_and_circle.hpp"
 #include "material/elasticity.hpp"
-#include "material/principal_axes.hpp"
 
 namespace berm::material {
 
@@ -52,12 +52,6 @@ struct PreparedMohrCoulombOf : MohrCoulombConstants {
   }
 };
 using PreparedMohrCoulomb = PreparedMohrCoulombOf<Real>;
-
-/// Principal stresses, s1 >= s2 >= s3, Pa.
-template <class T>
-struct Principal {
-  T s1, s2, s3;
-};
 
 /// Returns principal trial stresses to the yield surface and gives the volumetric plastic strain of returns to the apex, 0
 /// elsewhere. Stresses on or inside the surface are unchanged. Without branches over the lanes: face, two edges and apex of
@@ -151,19 +145,18 @@ template <class N, class T, class S>
   opening = smaller(opening + (outside ? opened : T{}), law.max_opening - T{});
 }
 
-/// Returns trial stresses in space that lie outside the yield surface, through their principal axes. A separate function,
-/// because it is long and rarely needed.
+/// Returns trial stresses in space that lie outside the yield surface. A separate function, because it is long and rarely needed.
 template <class N, class T, class S>
 [[gnu::noinline]] void return_by_axes(const PreparedMohrCoulombOf<N>& law, const S& strength, SymTensor<3, T>& stress, T& opening)
 {
   using Mask = decltype(T{} < T{});
-  const PrincipalAxes<T> axes = principal_axes(stress);
-  Principal<T> s{axes.value[0], axes.value[1], axes.value[2]};
+  const AxisAndCircle<T> trial = axis_and_circle(stress);
+  Principal<T> s = principal(trial);
   const Mask outside = (law.weight_1 * s.s1 - law.weight_3 * s.s3 - strength > T{}) | (s.s1 > law.tension);
   if (!any(outside)) return;
   const T opened = return_principal(law, strength, s);
   opening = smaller(opening + (outside ? opened : T{}), law.max_opening - T{});
-  const SymTensor<3, T> returned = tensor_from({s.s1, s.s2, s.s3}, axes.direction);
+  const SymTensor<3, T> returned = with_principal(trial, s);
   for (int k = 0; k < 6; ++k) stress[k] = outside ? returned[k] : stress[k];
 }
 

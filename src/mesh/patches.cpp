@@ -2,9 +2,12 @@
 #include "mesh/patches.hpp"
 
 #include <algorithm>
+#include <array>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <span>
+#include <tuple>
 
 namespace berm::mesh {
 namespace {
@@ -41,106 +44,149 @@ std::vector<bool> crossed_cells(const Mesh<3>& mesh)
   return std::vector<bool>(mesh.cell_count(), false);
 }
 
-/// For each group those that share a face with it and lie in its region, ascending: neighbors of g are list[first[g]] ... list[first[g + 1] - 1].
-struct Neighbors {
-  std::vector<Index> first = {0}, list;
-
-  template <int dim>
-  Neighbors(const Mesh<dim>& mesh, const Groups& groups)
-  {
-    std::vector<Index> group_of(mesh.cell_count(), none);  // none: a cell that is joined with no other
-    for (std::size_t g = 0; g < groups.size(); ++g)
-      for (Index cell : groups[g]) group_of[cell] = static_cast<Index>(g);
-    first.reserve(groups.size() + 1);
-    list.reserve(groups.size() * Mesh<dim>::corners);
-    std::vector<Index> found;
-    for (std::size_t g = 0; g < groups.size(); ++g) {
-      found.clear();
-      for (Index cell : groups[g])
-        for (int k = 0; k <= dim; ++k) {
-          const Index other = mesh.neighbor(cell, k);
-          if (other != none && group_of[other] != none && group_of[other] != static_cast<Index>(g) &&
-              mesh.region[other] == mesh.region[cell])
-            found.push_back(group_of[other]);
-        }
-      std::sort(found.begin(), found.end());
-      list.insert(list.end(), found.begin(), std::unique(found.begin(), found.end()));
-      first.push_back(static_cast<Index>(list.size()));
-    }
-  }
-  std::span<const Index> of(Index g) const { return {list.data() + first[g], list.data() + first[g + 1]}; }
-};
-
+/// The cells joined in patches.
 template <int dim>
-Groups joined(const Mesh<dim>& mesh, const Groups& groups)
-{
-  const Index count = static_cast<Index>(groups.size());
-  const Neighbors neighbors(mesh, groups);
-
-  // Groups with few free neighbours are joined first, so that few stay single. A group is queued several times; only the
-  // entry with its present count is valid.
-  std::vector<Index> free_neighbors(count), partner(count, none);
-  std::vector<bool> free(count, true);
-  using QueueEntry = std::pair<Index, Index>;  // free neighbours and group
-  std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<>> queue;
-  for (Index g = 0; g < count; ++g) queue.push({free_neighbors[g] = static_cast<Index>(neighbors.of(g).size()), g});
-  const auto settle = [&](Index g) {
-    free[g] = false;
-    for (Index other : neighbors.of(g))
-      if (free[other]) queue.push({--free_neighbors[other], other});
-  };
-  std::vector<Index> alone;
-  while (!queue.empty()) {
-    const auto [queued_count, g] = queue.top();
-    queue.pop();
-    if (!free[g] || queued_count != free_neighbors[g]) continue;
-    Index best = none;
-    for (Index other : neighbors.of(g))
-      if (free[other] && (best == none || free_neighbors[other] < free_neighbors[best])) best = other;
-    settle(g);
-    if (best == none) {
-      alone.push_back(g);
-      continue;
+class Grouping {
+public:
+  Grouping(const Mesh<dim>& mesh, Index cells)
+      : mesh_(mesh),
+        cells_(cells),
+        crossed_(crossed_cells(mesh)),
+        neighbors_(mesh.cell_count()),
+        patch_(mesh.cell_count(), none),
+        free_neighbors_(mesh.cell_count()),
+        free_(mesh.cell_count(), true)
+  {
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) neighbors_[cell] = find_neighbors(cell);
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+      if (!crossed_[cell]) queue_.push({free_neighbors_[cell] = static_cast<Index>(neighbors(cell).size()), cell});
+    Groups rest;
+    while (!queue_.empty()) {
+      const auto [queued_count, cell] = queue_.top();
+      queue_.pop();
+      if (!free_[cell] || queued_count != free_neighbors_[cell]) continue;  // a cell is queued several times; its present count is valid
+      const std::vector<Index> group = grown_from(cell);
+      if (2 * static_cast<Index>(group.size()) > cells_)
+        add(group);
+      else
+        rest.push_back(group);
     }
-    settle(best);
-    partner[g] = best;
-    partner[best] = g;
+    join_neighbors(rest);
   }
 
-  Groups result;
-  std::vector<Index> index(count, none);
-  for (Index g = 0; g < count; ++g)
-    if (partner[g] > g) {
-      index[g] = index[partner[g]] = static_cast<Index>(result.size());
-      result.push_back(groups[g]);
-      result.back().insert(result.back().end(), groups[partner[g]].begin(), groups[partner[g]].end());
+  const Groups& patches() const { return patches_; }
+
+private:
+  using QueueEntry = std::pair<Index, Index>;                          // free neighbours and cell
+  static constexpr Index no_cell = std::numeric_limits<Index>::max();  // behind all cells where they are sorted
+
+  /// Cells of the same region beyond the cell's faces, ascending.
+  std::span<const Index> neighbors(Index cell) const
+  {
+    const auto& list = neighbors_[cell];
+    return {list.begin(), std::find(list.begin(), list.end(), no_cell)};
+  }
+
+  std::array<Index, dim + 1> find_neighbors(Index cell) const
+  {
+    std::array<Index, dim + 1> list;
+    for (int k = 0; k <= dim; ++k) {
+      const Index other = mesh_.neighbor(cell, k);
+      list[k] = other != none && !crossed_[other] && mesh_.region[other] == mesh_.region[cell] ? other : no_cell;
     }
-  for (Index g : alone) {
+    std::sort(list.begin(), list.end());
+    return list;
+  }
+
+  int shared_corners(Index a, Index b) const
+  {
+    int shared = 0;
+    for (const Index node : mesh_.nodes[a]) shared += std::count(mesh_.nodes[b].begin(), mesh_.nodes[b].end(), node) != 0;
+    return shared;
+  }
+
+  void take(Index cell)
+  {
+    free_[cell] = false;
+    for (const Index other : neighbors(cell))
+      if (free_[other]) queue_.push({--free_neighbors_[other], other});
+  }
+
+  std::vector<Index> grown_from(Index first)
+  {
+    std::vector<Index> group = {first};
+    take(first);
+    while (static_cast<Index>(group.size()) < cells_) {
+      std::tuple<int, Index, Index> best(1, 0, none);  // fewer is better: minus the shared corners, free neighbours, cell
+      for (const Index member : group)
+        for (const Index other : neighbors(member)) {
+          if (!free_[other]) continue;
+          int shared = 0;
+          for (const Index corner_owner : group) shared += shared_corners(corner_owner, other);
+          best = std::min(best, {-shared, free_neighbors_[other], other});
+        }
+      if (std::get<2>(best) == none) break;
+      group.push_back(std::get<2>(best));
+      take(group.back());
+    }
+    return group;
+  }
+
+  void add(const std::vector<Index>& group)
+  {
+    for (const Index cell : group) patch_[cell] = static_cast<Index>(patches_.size());
+    patches_.push_back(group);
+  }
+
+  /// Groups that did not grow join patches around them, cell by cell; those with none around are patches of their own.
+  void join_neighbors(const Groups& rest)
+  {
+    for (bool joins = true; joins;) {
+      joins = false;
+      for (const std::vector<Index>& group : rest)
+        for (const Index cell : group)
+          if (patch_[cell] == none) joins |= join_smallest(cell);
+    }
+    for (const std::vector<Index>& group : rest)
+      if (std::all_of(group.begin(), group.end(), [&](Index cell) { return patch_[cell] == none; }))
+        add(group);
+      else  // what is left where all patches around are full need not be connected
+        for (const Index cell : group)
+          if (patch_[cell] == none) add({cell});
+  }
+
+  bool join_smallest(Index cell)
+  {
     Index smallest = none;
-    for (Index other : neighbors.of(g))
-      if (index[other] != none && (smallest == none || result[index[other]].size() < result[smallest].size())) smallest = index[other];
-    if (smallest == none || result[smallest].size() + groups[g].size() > max_patch_cells) {
-      result.push_back(groups[g]);
-    } else {
-      result[smallest].insert(result[smallest].end(), groups[g].begin(), groups[g].end());
+    for (const Index other : neighbors(cell)) {
+      const Index patch = patch_[other];
+      if (patch != none && (smallest == none || patches_[patch].size() < patches_[smallest].size())) smallest = patch;
     }
+    if (smallest == none || patches_[smallest].size() >= max_patch_cells) return false;
+    patches_[smallest].push_back(cell);
+    patch_[cell] = smallest;
+    return true;
   }
-  return result;
-}
+
+  const Mesh<dim>& mesh_;
+  Index cells_;
+  std::vector<bool> crossed_;
+  CellField<std::array<Index, dim + 1>> neighbors_;  ///< then no_cell
+  CellField<Index> patch_;                           ///< of each cell, or none
+  CellField<Index> free_neighbors_;
+  std::vector<bool> free_;
+  Groups patches_;
+  std::priority_queue<QueueEntry, std::vector<QueueEntry>, std::greater<>> queue_;
+};
 
 }  // namespace
 
 template <int dim>
-Patches make_patches(const Mesh<dim>& mesh, int rounds)
+Patches make_patches(const Mesh<dim>& mesh, int cells)
 {
-  Groups groups;
-  const std::vector<bool> crossed = crossed_cells(mesh);
   Patches patches(mesh.cell_count());
-  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-    patches[cell] = cell;
-    if (!crossed[cell]) groups.push_back({cell});
-  }
-  for (int round = 0; round < rounds; ++round) groups = joined(mesh, groups);
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) patches[cell] = cell;
+  Groups groups = Grouping<dim>(mesh, cells).patches();
   for (std::vector<Index>& group : groups) {
     std::sort(group.begin(), group.end());
     for (std::size_t k = 0; k < group.size(); ++k) patches[group[k]] = group[(k + 1) % group.size()];

@@ -21,10 +21,16 @@ template <class Visit>
   } while (cell != first);
 }
 
-/// Groups the cells into disjoint patches of about 2^rounds cells: in each of the `rounds` every group is joined with a
-/// neighbour in the same region, those with the fewest free neighbours first; a group without a free neighbour joins the
-/// smallest neighbouring group. Triangles around a node where two straight lines cross stay single: they do not lock.
+/// Cells per patch, such that a mesh has as many conditions on the volume (one a patch) as nodes: a node within a mesh of triangles lies in six of them, which
+/// is two cells a node; in a mesh of tetrahedra it lies in 22 to 24, which is about six.
 template <int dim>
-Patches make_patches(const Mesh<dim>& mesh, int rounds);
+constexpr int patch_cells = dim == 2 ? 2 : 6;
+
+/// Groups the cells into disjoint patches of about `cells` that are joined by faces and lie in one region. A patch grows from the cell with the fewest
+/// free neighbours, each time by the neighbour that shares most corners with its cells, then by that with the fewest free neighbours. Where it does not
+/// grow to more than half of `cells`, each of its cells joins the smallest neighbouring patch. Triangles around a node where two straight lines cross stay
+/// single: they do not lock.
+template <int dim>
+Patches make_patches(const Mesh<dim>& mesh, int cells = patch_cells<dim>);
 
 }  // namespace berm::mesh

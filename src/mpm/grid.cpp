@@ -96,7 +96,7 @@ Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& sta
   }
   // A sixteenth of all particles: far more than change cell in one step of a stable run.
   for (auto& list : cell_changes) list.reserve(max / 16 + 1024);
-  in_transit.reserve(max / 16 + 1024);
+  transit.reserve(max / 16 + 1024);
 }
 
 template struct BodyGrid<2>;

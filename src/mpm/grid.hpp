@@ -94,11 +94,6 @@ struct BodyGrid {
 template <int dim>
 void find_nodes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);
 
-/// A particle in transit to another cell.
-struct CellChange {
-  Index from, index, to;
-};
-
 /// What a material of a body whose particles keep their own soil sets for them.
 struct VolumeRule {
   Real min_volume, max_volume;  ///< over mass, m3/kg
@@ -108,11 +103,11 @@ struct VolumeRule {
 /// Work arrays of a step beside Model and State; allocated once.
 template <int dim>
 struct Work {
-  std::vector<BodyGrid<dim>> grids;                         ///< by body
-  std::vector<contact::ContactPoints<dim>> contact_points;  ///< by contact
-  bool contacts_share_nodes = false;                        ///< some node is moved by more than one contact point
-  std::vector<std::vector<CellChange>> cell_changes;        ///< by thread
-  std::vector<bodies::Particle<dim>> in_transit;
+  std::vector<BodyGrid<dim>> grids;                           ///< by body
+  std::vector<contact::ContactPoints<dim>> contact_points;    ///< by contact
+  bool contacts_share_nodes = false;                          ///< some node is moved by more than one contact point
+  std::vector<std::vector<bodies::CellChange>> cell_changes;  ///< by thread
+  bodies::Transit<dim> transit;
   std::vector<std::vector<VolumeRule>> volume_rules;          ///< by body and material
   std::vector<std::vector<material::PreparedMaterial>> laws;  ///< by body and material
   std::vector<std::vector<material::PreparedMaterial>>

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "core/for_each.hpp"
+#include "core/rotate.hpp"
 #include "mpm/diagnose.hpp"
 #include "mpm/linear_field.hpp"
 
@@ -35,28 +36,6 @@ struct CellStrain {
     dilation = projected;
   }
 };
-
-/// stress += rotation stress - stress rotation (Jaumann rate).
-template <class V>
-[[gnu::always_inline]] inline void rotate(SymTensor<2, V>& s, const Real (&rotation)[2][2])
-{
-  const Real w = rotation[0][1];
-  const V turned = w * (s[1] - s[0]), change = 2 * w * s[3];
-  s[0] += change;
-  s[1] -= change;
-  s[3] += turned;
-}
-template <class V>
-[[gnu::always_inline]] inline void rotate(SymTensor<3, V>& s, const Real (&rotation)[3][3])
-{
-  const SymTensor<3, V> old = s;
-  for (int a = 0; a < 3; ++a)
-    for (int b = a; b < 3; ++b) {
-      V change{};
-      for (int k = 0; k < 3; ++k) change += rotation[a][k] * old[tensor_index(k, b)] - old[tensor_index(a, k)] * rotation[k][b];
-      s[tensor_index(a, b)] += change;
-    }
-}
 
 /// A point that round-off put beyond a face is moved onto it: negative shape functions become zero. True where it was no more than that.
 template <int dim>
@@ -382,24 +361,21 @@ void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, 
   const Timer timer("change cells");
   bodies::Particles<dim>& particles = state.particles[body];
   BodyGrid<dim>& grid = work.grids[body];
-  std::vector<CellChange>& cell_changes = work.cell_changes.front();
+  std::vector<bodies::CellChange>& cell_changes = work.cell_changes.front();
   for (std::size_t t = 1; t < work.cell_changes.size(); ++t)
     cell_changes.insert(cell_changes.end(), work.cell_changes[t].begin(), work.cell_changes[t].end());
   if (cell_changes.empty()) return;
   // Threads share a large body's cells in several rounds, so their lists laid end to end are not in the order of the cells yet.
-  std::sort(cell_changes.begin(), cell_changes.end(),
-            [](const CellChange& a, const CellChange& b) { return a.from != b.from ? a.from < b.from : a.index < b.index; });
+  std::sort(cell_changes.begin(), cell_changes.end(), [](const bodies::CellChange& a, const bodies::CellChange& b) {
+    return a.from != b.from ? a.from < b.from : a.index < b.index;
+  });
 
-  for (const CellChange& change : cell_changes)
+  for (const bodies::CellChange& change : cell_changes)
     if (change.to == none) refuse(model, state, particles.read_at(change.from, change.index), body, change.from);
-  // The last first: taking a particle moves only ones that were behind it.
-  work.in_transit.resize(cell_changes.size());
-  for (std::size_t m = cell_changes.size(); m-- > 0;) work.in_transit[m] = particles.take(cell_changes[m].from, cell_changes[m].index);
-  for (std::size_t m = 0; m < cell_changes.size(); ++m) {
-    if (particles.count_in(cell_changes[m].to) == 0) grid.enter(model.mesh, cell_changes[m].to);
-    particles.insert(cell_changes[m].to, work.in_transit[m]);
-  }
-  for (const CellChange& change : cell_changes)
+  particles.change_cells(cell_changes, work.transit);
+  for (std::size_t m = 0; m < cell_changes.size(); ++m)
+    if (work.transit.index[m] == 0) grid.enter(model.mesh, cell_changes[m].to);
+  for (const bodies::CellChange& change : cell_changes)
     if (particles.count_in(change.from) == 0) {
       grid.moments[change.from] = {};
       grid.corners[change.from] = {};

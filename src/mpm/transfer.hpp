@@ -14,7 +14,7 @@ void sum_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& part
 template <int dim>
 void gather_mass_and_momentum(const mesh::Mesh<dim>& mesh, BodyGrid<dim>& grid);
 
-/// The viscous mean stress of the cells of a dilating body, eta h div(v) with the means of h and div(v), before the step,
+/// The viscous mean stress of the cells of a body that can yield, eta h div(v) with the means of h and div(v), before the step,
 /// over the cells of the patch. Computed once a step, because forces and the work on the particles use the same.
 template <int dim>
 void find_viscous_stress(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);

@@ -217,7 +217,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   Model<dim>& model = problem.model;
   State<dim>& state = problem.state;
   model = make_model(c, std::move(mesh));
-  model.patches = make_patches(model.mesh, !model.mpm.volumetric_projection ? 0 : dim == 2 ? 1 : 2);
+  model.patches = make_patches(model.mesh, model.mpm.volumetric_projection ? mesh::patch_cells<dim> : 1);
   state.rigid_bodies.resize(model.rigid_bodies.size());
   const bool by_gravity = loads_by_gravity(c, model.ground);
   if (!by_gravity) refuse_k0_below_uneven_ground(c, model);

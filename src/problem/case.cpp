@@ -345,7 +345,7 @@ void describe(Describe& d, MpmSettings& mpm)
   d.value("courant", mpm.courant,
           {.meaning = "time step over the time that a wave needs across the smallest height of a cell", .range = {1e-6, 1}});
   d.value("volumetric_projection", mpm.volumetric_projection,
-          {.meaning = "average volume changes over patches of two triangles (four tetrahedra), the cure against locking"});
+          {.meaning = "average volume changes over patches of two triangles (six tetrahedra), the cure against locking"});
   d.choice("quadrature", mpm.quadrature, {"full_cells", "particles"},
            {.meaning =
                 "what stress is integrated over: a cell within the body over its own volume, one at a free surface over its particles'; or "

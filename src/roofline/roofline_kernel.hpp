@@ -14,11 +14,11 @@ struct RooflineRun {
   Real particle_steps_per_s() const { return static_cast<Real>(particles * steps) / wall_s; }
 };
 
-/// The roofline kernel: the passes of an explicit step of the material point method on linear triangles and nothing else,
-/// for at least `seconds`. Sums of each cell to its nodes; accelerations to the particles and their momentum back;
-/// velocities to positions, strain, Mohr-Coulomb in the plane and whether each particle is still inside. No contact,
-/// smoothing, damping or corners of the surface, and no particle changes its cell: the ceiling that the speed of berm is
-/// compared with. About `particles` of them, `per_cell` in each triangle, in blocks of eight lanes.
+/// The roofline kernel: the passes of an explicit step of the material point method on linear triangles (dim 2) or tetrahedra (3) and nothing else, for at
+/// least `seconds`. Sums of each cell to its nodes; accelerations to the particles and their momentum back; velocities to positions, strain, the return to
+/// a strength with friction and whether each particle is still inside. No contact, smoothing, damping or corners of the surface, and no particle changes
+/// its cell: the ceiling that the speed of berm is compared with. About `particles` of them, `per_cell` in each cell, in blocks of eight lanes.
+template <int dim>
 RooflineRun run_roofline_kernel(BigIndex particles, int per_cell, Real seconds);
 
 /// Bandwidth of a[i] = b[i] + s c[i], bytes/s, over arrays of `bytes` in all, larger than the caches, for at least

@@ -15,7 +15,7 @@ void read_in(const std::filesystem::path& path)
 {
   try {
     const mesh::Mesh<dim> mesh = mesh::read_msh<dim>(path);
-    make_patches(mesh, dim == 2 ? 1 : 2);
+    make_patches(mesh);
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
       const mesh::Location found = locate(mesh, mesh.centroid(cell), 0);
       promise(found.inside, "a cell's centre lies in the mesh", std::to_string(cell));

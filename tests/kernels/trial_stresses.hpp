@@ -2,6 +2,7 @@
 #pragma once
 
 #include "material/mohr_coulomb.hpp"
+#include "material/principal_axes.hpp"
 
 #include <algorithm>
 
@@ -55,7 +56,7 @@ bool ends_there(const Trial& trial, const SymTensor<dim>& begin, const SymTensor
   const bool stays = std::equal(begin.c, begin.c + tensor_size<dim>, end.c);
   SymTensor<3> stress;
   std::copy_n(end.c, tensor_size<dim>, stress.c);
-  const material::PrincipalAxes<Real> axes = material::principal_axes(stress);
+  const material::PrincipalAxes axes = material::principal_axes(stress);
   constexpr Real rounding = 1e-6;  // Pa
   const int equal = (axes.value[0] - axes.value[1] < rounding) + (axes.value[1] - axes.value[2] < rounding);
   return stays == trial.stays && equal == trial.equal;

@@ -4,8 +4,11 @@
 #include "samples/sample_meshes.hpp"
 
 #include <gtest/gtest.h>
+#include <omp.h>
+#include <random>
 #include <rapidcheck/gtest.h>
 #include <set>
+#include <tuple>
 
 namespace berm::bodies {
 namespace {
@@ -172,6 +175,50 @@ TEST(Particles, never_need_more_memory_than_was_reserved_wherever_they_gather)
       while (particles.count_in(cell) > 0) particles.insert(0, particles.take(cell, 0));
     EXPECT_EQ(memory, &particles.block(0)) << max;
     EXPECT_EQ(particles.size(), max);
+  }
+}
+
+/// Particles by cell, in order, and the blocks that they are in.
+std::vector<std::tuple<Index, Index, std::int32_t>> places(const Particles<2>& particles)
+{
+  std::vector<std::tuple<Index, Index, std::int32_t>> all;
+  particles.visit([&](Index cell, Index b, int l) { all.emplace_back(cell, b, particles.block(b).id[l]); });
+  return all;
+}
+
+TEST(Particles, that_change_cells_together_come_where_they_come_one_by_one)
+{
+  const auto mesh = make_box<2>(sample_box<2>());
+  constexpr Index count = 2000;
+  for (const int threads : {1, 2, 3}) {
+    omp_set_num_threads(threads);
+    Particles<2> together(mesh, count, extra_fields(2)), one_by_one(mesh, count, extra_fields(2));
+    std::mt19937 random(7);
+    const auto some_cell = [&] { return static_cast<Index>(random() % mesh.cell_count()); };
+    for (std::int32_t id = 0; id < count; ++id) {
+      const Index cell = some_cell();
+      together.insert(cell, particle_number<2>(id, 2));
+      one_by_one.insert(cell, particle_number<2>(id, 2));
+    }
+    Transit<2> transit;
+    // From nearly none to nearly all; a third go to one cell, and all leave another.
+    for (const unsigned per_thousand : {5u, 300u, 990u}) {
+      std::vector<CellChange> changes;
+      for (Index cell = 0; cell < mesh.cell_count(); ++cell)
+        for (Index index = 0; index < together.count_in(cell); ++index)
+          if (cell == 20 || random() % 1000 < per_thousand) changes.push_back({cell, index, random() % 3 == 0 ? 7 : some_cell()});
+      ASSERT_GT(changes.size(), 5u);
+      together.change_cells(changes, transit);
+      std::vector<Particle<2>> taken(changes.size());
+      for (std::size_t m = changes.size(); m-- > 0;) taken[m] = one_by_one.take(changes[m].from, changes[m].index);
+      for (std::size_t m = 0; m < changes.size(); ++m) one_by_one.insert(changes[m].to, taken[m]);
+      EXPECT_EQ(together.sort_occupied(), one_by_one.sort_occupied());
+      ASSERT_EQ(together.occupied(), one_by_one.occupied());
+      ASSERT_EQ(places(together), places(one_by_one));
+      together.visit(
+          [&](Index, Index b, int l) { ASSERT_TRUE(same(together.read(b, l), particle_number<2>(together.block(b).id[l], 2))); });
+    }
+    EXPECT_EQ(together.size(), count);
   }
 }
 

@@ -51,8 +51,8 @@ TYPED_TEST(PatchesOf, hold_every_cell_once)
 {
   constexpr int dim = TypeParam::value;
   for (const auto& mesh : meshes<dim>())
-    for (const int rounds : {1, 2, 3}) {
-      const auto patches = make_patches(mesh, rounds);
+    for (const int cells : {2, 4, 6, 8}) {
+      const auto patches = make_patches(mesh, cells);
       ASSERT_EQ(patches.size(), mesh.cell_count());
       for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
         std::vector<Index> members = ring(patches, cell);
@@ -71,8 +71,8 @@ TYPED_TEST(PatchesOf, are_connected_by_faces_and_stay_in_one_region)
 {
   constexpr int dim = TypeParam::value;
   for (const auto& mesh : meshes<dim>())
-    for (const int rounds : {1, 2, 3}) {
-      const auto patches = make_patches(mesh, rounds);
+    for (const int cells : {2, 4, 6, 8}) {
+      const auto patches = make_patches(mesh, cells);
       for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
         const std::vector<Index> patch = ring(patches, cell);
         std::vector<Index> reached = {cell};
@@ -92,14 +92,14 @@ TYPED_TEST(PatchesOf, are_connected_by_faces_and_stay_in_one_region)
 TEST(Patches2D, leave_the_triangles_of_squares_cut_crosswise_alone)
 {
   const auto mesh = make_box<2>(sample_box<2>(BoxPattern::criss_cross));
-  const auto patches = make_patches(mesh, 1);
+  const auto patches = make_patches(mesh);
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) EXPECT_EQ(patches[cell], cell);
 }
 
 TEST(Patches2D, are_pairs_with_few_exceptions)
 {
   for (const auto& mesh : {make_box<2>(sample_box<2>()), shaken_box<2>(), two_regions(shaken_box<2>(2))}) {
-    const auto patches = make_patches(mesh, 1);
+    const auto patches = make_patches(mesh);
     Index pairs = 0;
     for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
       const std::size_t size = ring(patches, cell).size();
@@ -111,23 +111,36 @@ TEST(Patches2D, are_pairs_with_few_exceptions)
   }
 }
 
-TEST(Patches3D, are_of_four_cells_with_few_exceptions)
+TEST(Patches3D, of_a_cube_cut_into_six_are_the_cube)
 {
-  for (const auto& mesh : meshes<3>()) {
-    const auto patches = make_patches(mesh, 2);
-    Index fours = 0;
-    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
-      const std::size_t size = ring(patches, cell).size();
-      fours += size == 4;
-      EXPECT_GE(size, 2);
-    }
-    EXPECT_GE(fours, mesh.cell_count() > 10 ? 0.7 * mesh.cell_count() : 0);
+  const Mesh<3> mesh = make_box<3>({.lower = {0, 0, 0}, .size = {4, 3, 2}, .cells = {4, 3, 2}});
+  const auto patches = make_patches(mesh);
+  const auto cube_of = [&](Index cell) { return Vec<3>(mesh.centroid(cell).array().floor()); };
+  for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+    const std::vector<Index> patch = ring(patches, cell);
+    EXPECT_EQ(patch.size(), 6);
+    for (const Index member : patch) EXPECT_EQ(cube_of(member), cube_of(cell)) << cell;
   }
 }
 
-TEST(Patches, are_single_cells_without_rounds)
+TEST(Patches3D, are_about_as_many_as_there_are_cells_over_cells_a_node)
 {
-  const auto patches = make_patches(shaken_box<2>(), 0);
+  for (const auto& mesh : {make_box<3>(sample_box<3>()), shaken_box<3>()}) {
+    const auto patches = make_patches(mesh);
+    Index count = 0;
+    for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
+      const std::vector<Index> patch = ring(patches, cell);
+      EXPECT_GE(patch.size(), 4);
+      EXPECT_LE(patch.size(), 9);
+      count += patch.front() == *std::min_element(patch.begin(), patch.end());
+    }
+    EXPECT_NEAR(static_cast<Real>(mesh.cell_count()) / count, 6, 0.6);
+  }
+}
+
+TEST(Patches, are_single_cells_where_one_is_asked_for)
+{
+  const auto patches = make_patches(shaken_box<2>(), 1);
   for (Index cell = 0; cell < patches.size(); ++cell) EXPECT_EQ(patches[cell], cell);
 }
 

@@ -5,6 +5,7 @@
 #include "mpm/transfer.hpp"
 #include "sample_problem.hpp"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 namespace berm::mpm {
@@ -317,6 +318,7 @@ TYPED_TEST(Move, stress_turns_with_the_body_and_keeps_its_invariants)
   // First order in the angle of a step: after a turn by theta in n steps the deviator has grown by (1 + (2 theta / n)^2)^(n/2) = exp(2 theta^2 / n).
   constexpr int dim = TypeParam::value;
   constexpr Real theta = 0.3 * pi;
+  const Vec<3> axis = dim == 2 ? Vec<3>(0, 0, 1) : Vec<3>(Vec<3>(2, -1, 3).normalized());
   for (const int steps : {200, 400}) {
     Moved<dim> body(make_box<dim>(sample_box<dim>()), sample_solid(), 1, false);
     const Real angle = theta / steps;
@@ -327,18 +329,16 @@ TYPED_TEST(Move, stress_turns_with_the_body_and_keeps_its_invariants)
     });
     for (int n = 0; n < steps; ++n) {
       body.move(1, [&](const Vec<dim>& x) {
-        Vec<dim> v = Vec<dim>::Zero();
-        v[0] = -angle * (x[1] - middle[1]), v[1] = angle * (x[0] - middle[0]);
-        return v;
+        Vec<3> arm = Vec<3>::Zero();
+        arm.template head<dim>() = x - middle;
+        return Vec<dim>(angle * axis.cross(arm).template head<dim>());
       });
       body.work.cell_changes.front().clear();  // where the particles are does not matter here
     }
-    Matrix<3> was = Matrix<3>::Zero(), turn = Matrix<3>::Identity();
+    Matrix<3> was = Matrix<3>::Zero();
+    const Matrix<3> turn = Eigen::AngleAxis<Real>(theta, axis).toRotationMatrix();
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) was(a, b) = dim == 2 && a != b && a + b != 1 ? 0 : first[tensor_index(a, b)];
-    turn(0, 0) = turn(1, 1) = std::cos(theta);
-    turn(1, 0) = std::sin(theta);
-    turn(0, 1) = -turn(1, 0);
     const Matrix<3> turned = turn * was * turn.transpose();
     const Real error = 1.1 * (std::exp(2 * theta * theta / steps) - 1) * was.norm();
     for_each_particle(body.particles(), [&](bodies::Block<dim>& p, int l) {

@@ -36,7 +36,7 @@ problem::Problem<dim> problem_on(const mesh::Mesh<dim>& mesh, const material::Ma
   problem::Problem<dim> problem;
   problem::Model<dim>& model = problem.model;
   model.mesh = mesh;
-  model.patches = make_patches(mesh, dim == 2 ? 1 : 2);
+  model.patches = make_patches(mesh);
   model.bodies.push_back({"body", problem::soil_of_one(material), NodeField<Real>(mesh.node_count(), 0)});
   model.fixed.assign(1, NodeField<std::uint8_t>(mesh.node_count(), 0));
   model.fixed_in = {0};

@@ -26,7 +26,7 @@ struct Moving {
         work(problem.model, problem.state)
   {
     problem.model.mpm.volumetric_projection = project;
-    if (!project) problem.model.patches = make_patches(problem.model.mesh, 0);
+    if (!project) problem.model.patches = make_patches(problem.model.mesh, 1);
     bodies::Particles<dim>& particles = problem.state.particles[0];
     for_each_particle(particles, [&](bodies::Block<dim>& p, int l) { set_velocity<dim>(p, l, velocity_at(position(p, l))); });
     sum_moments(problem.model.mesh, particles, work.grids[0]);
