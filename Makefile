@@ -56,7 +56,7 @@ bench: build ## how fast a step is, and its single kernels: some minutes on a ma
 
 # Short and on coarse cells; the report of the paper's test reads what it makes. A struct of one name and two contents does not link.
 coarse = --set 'mesh.near_size="4 mm"' --set 'stage.geostatic.until.time="1 ms"' --set 'stage.push.until.embedment="0.2 mm"' --set 'stage.drag.until.displacement="0.2 mm"'
-short = --set 'mesh.near_size="4 mm"' --set 'stage.drag.until.displacement="0.2 mm"'
+short = --set 'mesh.near_size="4 mm"' --set 'fem.contact_size="1.5 mm"' --set 'stage.drag.until.displacement="0.01 mm"'
 debug: setup ## the program without optimization, its types compared at the link, and a short probe test with its report made by it
 	@cmake --preset debug >/dev/null
 	@ninja -C build/debug berm | $(only_news)
