@@ -8,6 +8,7 @@
 #include <queue>
 #include <span>
 #include <tuple>
+#include <utility>
 
 namespace berm::mesh {
 namespace {
@@ -74,7 +75,7 @@ public:
     join_neighbors(rest);
   }
 
-  const Groups& patches() const { return patches_; }
+  Groups patches() && { return std::move(patches_); }
 
 private:
   using QueueEntry = std::pair<Index, Index>;                          // free neighbours and cell

@@ -191,15 +191,7 @@ void find_viscous_stress(const problem::Model<dim>& model, const bodies::Particl
   if (!(grid.bulk_viscosity > 0)) return;
   const mesh::Mesh<dim>& mesh = model.mesh;
   const auto& occupied = particles.occupied();
-  // The first cell of a patch that has soil works it out and writes it to all of them: one writer a patch.
-  const auto leads = [&](Index cell) {
-    bool first = true;
-    mesh::for_each_in_patch(model.patches, cell,
-                            [&](Index member) { first = first && !(member < cell && grid.moments[member].volume > 0); });
-    return first;
-  };
   for_each("viscous stress of cells", static_cast<Index>(occupied.size()), [&](Index c) {
-    if (!leads(occupied[c])) return;
     Real volume = 0, height = 0, divergence = 0;
     mesh::for_each_in_patch(model.patches, occupied[c], [&](Index member) {
       const Real of_cell = grid.moments[member].volume;
@@ -207,10 +199,7 @@ void find_viscous_stress(const problem::Model<dim>& model, const bodies::Particl
       height += of_cell * grid.height[member];
       divergence += of_cell * divergence_in<dim>(grid.shape(mesh, member), mesh.nodes[member], grid.velocity);
     });
-    const Real stress = grid.bulk_viscosity * (height / volume) * (divergence / volume);
-    mesh::for_each_in_patch(model.patches, occupied[c], [&](Index member) {
-      if (grid.moments[member].volume > 0) grid.viscous_stress[member] = stress;
-    });
+    grid.viscous_stress[occupied[c]] = grid.bulk_viscosity * (height / volume) * (divergence / volume);
   });
 }
 
