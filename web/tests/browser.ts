@@ -23,6 +23,9 @@ export async function launch_browser(): Promise<Browser> {
   return chromium.launch({ executablePath: found, args: ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"] });
 }
 
+// Software draws a long page in seconds, and in a minute where the machine does other work; a test that hangs is ended by its own limit.
+const patience = 300_000;
+
 /** A report open in a page of its own, and what must not have happened in it. */
 export interface OpenReport {
   page: Page;
@@ -39,6 +42,7 @@ export async function open_report(
   { file = report_file(), script, ...options }: BrowserContextOptions & { file?: string; script?: () => void } = {},
 ): Promise<OpenReport> {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, colorScheme: "light", acceptDownloads: true, ...options });
+  context.setDefaultTimeout(patience);
   if (script) await context.addInitScript(script);
   const page = await context.newPage();
   const errors: string[] = [];

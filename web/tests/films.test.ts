@@ -156,7 +156,7 @@ test("a_film_that_cannot_be_saved_leaves_the_button_as_it_was", async () => {
     await page.locator(".film-gif").click();
     assert.match(String(await error), /no memory for the picture/);
     assert.equal(errors.length, 1);
-    await page.locator(".film-gif:enabled", { hasText: "Save film (GIF)" }).waitFor({ timeout: 5000 });
+    await page.locator(".film-gif:enabled", { hasText: "Save film (GIF)" }).waitFor();
   } finally {
     await context.close();
   }
