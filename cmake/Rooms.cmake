@@ -4,7 +4,8 @@
 #
 # Rooms outside the engine are compiled with -O1, which takes two thirds of the time of -O3, but for those marked HOT.
 #
-#   berm_room(NAME [ENGINE | HOT] [USES room...] [LINKS library...])
+#   berm_room(NAME [ENGINE | HOT | OPENED] [USES room...] [LINKS library...])
+#                            OPENED: a shared library by itself, which the program opens while it runs
 #   berm_engine()            links all ENGINE rooms into libberm_engine.so, once for every vector unit
 #   berm_compile_for(UNIT TARGET)       compiles a target for a vector unit
 #   berm_place_for(UNIT TARGET NAME)    puts a shared library where the loader finds the version for the processor that it runs on
@@ -34,7 +35,7 @@ function(berm_place_for unit target name)
 endfunction()
 
 function(berm_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 F "ENGINE;HOT" "" "USES;LINKS")
+  cmake_parse_arguments(PARSE_ARGV 1 F "ENGINE;HOT;OPENED" "" "USES;LINKS")
   set(path ${name})
   string(REPLACE "/" "_" name ${path})
   set(tree ${CMAKE_BINARY_DIR}/include/${name})
@@ -60,6 +61,10 @@ function(berm_room name)
         berm_precompile(${unit} berm_${name}_${unit})
       endforeach()
     endif()
+  elseif(F_OPENED)
+    add_library(berm_${name} MODULE ${sources})
+    target_link_libraries(berm_${name} PRIVATE berm_${name}_headers ${F_LINKS})
+    set_target_properties(berm_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
   else()
     add_library(berm_${name} STATIC ${sources})
     if(F_HOT)

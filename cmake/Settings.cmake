@@ -51,6 +51,7 @@ target_link_libraries(hdf5 INTERFACE ${HDF5_LIBRARY})
 find_library(UDUNITS_LIBRARY udunits2 REQUIRED)
 add_library(udunits2 INTERFACE)
 target_link_libraries(udunits2 INTERFACE ${UDUNITS_LIBRARY})
+find_package(MPI COMPONENTS CXX) # of the machine, for runs on several of them; without it there are none
 # MUMPS without MPI; PETSc's package would bring MPI and ninety others (docs/decisions/0008).
 find_path(MUMPS_INCLUDE dmumps_c.h REQUIRED)
 find_library(MUMPS_LIBRARY dmumps_seq REQUIRED)

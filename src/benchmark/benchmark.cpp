@@ -2,9 +2,11 @@
 // Tests: tests/unit/verification/verify_test.cpp
 #include "benchmark/benchmark.hpp"
 
+#include "core/ranks.hpp"
 #include "core/timer.hpp"
 #include "io/atomic_file.hpp"
 #include "io/scratch_folder.hpp"
+#include "mpm/divide.hpp"
 #include "mpm/step.hpp"
 #include "roofline/roofline_kernel.hpp"
 #include "simulation/memory.hpp"
@@ -14,6 +16,7 @@
 #include <fmt/format.h>
 #include <malloc.h>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 namespace berm::benchmark {
 namespace {
@@ -299,23 +302,45 @@ std::string shown(Real number, int decimals)
   return std::isnan(number) ? "-" : fmt::format("{:.{}f}", number, decimals);
 }
 
+/// Of what the ranks measure each for themselves at the same time.
+Real sum_of_ranks(Real of_rank)
+{
+  if (Ranks::of_run().count() == 1) return of_rank;
+  std::vector<Real> all;
+  Ranks::of_run().gather_from_all(std::vector<Real>{of_rank}, all);
+  return std::accumulate(all.begin(), all.end(), Real(0));
+}
+
+/// The cells are divided among the ranks while this lives.
+template <int dim>
+struct Division {
+  explicit Division(problem::Problem<dim>& problem) { mpm::divide(problem.model, problem.state); }
+  ~Division() { Ranks::of_run().unite(); }
+  Division(const Division&) = delete;
+  Division& operator=(const Division&) = delete;
+};
+
 template <int dim>
 nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, simulation::Context& context, Real bandwidth)
 {
   const io::ScratchFolder scratch;
   const Real memory_before = simulation::memory_of_data();
   problem::Problem<dim> problem = build<dim>(c, ".", scratch.path().string());
+  const BigIndex particles = problem.state.particles[0].size();
+  const Division<dim> division(problem);
   ::malloc_trim(0);  // as a run does
   mpm::Work<dim> work(problem.model, problem.state);
-  const BigIndex particles = problem.state.particles[0].size();
+  Ranks& ranks = Ranks::of_run();
   const auto seconds = [&](Real min, BigIndex min_steps) {
     const Clock::time_point start = Clock::now();
     Real passed = 0;
+    constexpr BigIndex steps_of_ranks = 16;  // between two looks at the clock, on which they must agree
     for (BigIndex k = 0; k < min_steps || passed < min; ++k) {
       step(problem.model, problem.state, work);
-      passed = std::chrono::duration<Real>(Clock::now() - start).count();
+      if (ranks.divided() && k % steps_of_ranks != 0) continue;
+      passed = ranks.largest(std::chrono::duration<Real>(Clock::now() - start).count());
     }
-    return passed;
+    return ranks.divided() ? ranks.largest(std::chrono::duration<Real>(Clock::now() - start).count()) : passed;
   };
   seconds(0.5, 16);  // warm-up
   context.timings().clear();
@@ -324,21 +349,25 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, s
   const BigIndex steps = problem.state.step - before;
   const Real speed = static_cast<Real>(particles * steps) / wall;
 
-  const Real memory = (simulation::memory_of_data() - memory_before) / static_cast<Real>(particles);
+  const Real memory = sum_of_ranks(simulation::memory_of_data() - memory_before) / static_cast<Real>(particles);
 
   const bodies::Particles<dim>& body = problem.state.particles[0];
-  const Real per_cell = static_cast<Real>(particles) / static_cast<Real>(body.occupied().size());
+  const Real per_cell = static_cast<Real>(body.size()) / static_cast<Real>(body.occupied().size());
   const std::vector<Timing> loops = context.timings().table();
-  const Real ceiling = roofline::run_roofline_kernel<dim>(particles, static_cast<int>(std::lround(per_cell)), 1).particle_steps_per_s();
+  const Real ceiling =
+      sum_of_ranks(roofline::run_roofline_kernel<dim>(body.size(), static_cast<int>(std::lround(per_cell)), 1).particle_steps_per_s());
   const Demand demand = demand_of(body, work.grids[0]);
 
   fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9.2f} {:>9} {:>8} {:>6.0f} {:>6} {:>9.2f} {:>9.0f}\n", name, particles,
-             problem.model.mesh.cell_count(), steps, context.threads(), speed / 1e6, shown(ceiling / 1e6, 1), shown(speed / ceiling, 2),
-             demand.bytes, shown(demand.flops, 0), speed * demand.bytes / bandwidth, memory);
+             problem.model.mesh.cell_count(), steps,
+             ranks.count() == 1 ? fmt::format("{}", context.threads()) : fmt::format("{}x{}", ranks.count(), context.threads()),
+             speed / 1e6, shown(ceiling / 1e6, 1), shown(speed / ceiling, 2), demand.bytes, shown(demand.flops, 0),
+             speed * demand.bytes / bandwidth, memory);
   nlohmann::ordered_json result = {{"name", name},
                                    {"particles", particles},
                                    {"cells", problem.model.mesh.cell_count()},
                                    {"steps", steps},
+                                   {"ranks", ranks.count()},
                                    {"threads", context.threads()},
                                    {"wall_s", wall},
                                    {"particle_steps_per_s", speed},
@@ -369,7 +398,7 @@ std::vector<std::string> bench_names()
 void run_bench(const std::vector<std::string>& names, const std::string& json_file, simulation::Context& context)
 {
   constexpr BigIndex triad_bytes = 300'000'000;
-  const Real bandwidth = roofline::triad_bandwidth(triad_bytes, 0.5);
+  const Real bandwidth = sum_of_ranks(roofline::triad_bandwidth(triad_bytes, 0.5));
   fmt::print("triad bandwidth {:.1f} GB/s; ceiling: the bare passes of a step, as many particles in as many cells\n", bandwidth / 1e9);
   fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9} {:>9} {:>8} {:>6} {:>6} {:>9} {:>9}\n", "", "", "", "", "", "10^6", "ceiling,",
              "share of", "", "", "share of", "memory,");
@@ -383,7 +412,7 @@ void run_bench(const std::vector<std::string>& names, const std::string& json_fi
     table["problems"].push_back(c.dimension == 2 ? measure_speed<2>(bench.name, c, context, bandwidth)
                                                  : measure_speed<3>(bench.name, c, context, bandwidth));
   }
-  if (!json_file.empty()) io::write_atomically(json_file, table.dump(2) + "\n");
+  if (!json_file.empty() && Ranks::of_run().is_first()) io::write_atomically(json_file, table.dump(2) + "\n");
 }
 
 }  // namespace berm::benchmark

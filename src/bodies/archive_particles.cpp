@@ -54,8 +54,12 @@ void Particles<dim>::lay_out(const std::vector<Index>& cells, const std::vector<
 {
   head_ = CellField<Index>::zeros(head_.size());
   count_ = CellField<Index>::zeros(count_.size());
-  blocks_.clear();
-  extra_.clear();
+  const std::size_t room = blocks_.capacity();
+  std::size_t used = 0;
+  for (const Index count : counts) used += static_cast<std::size_t>(blocks_for(count));
+  decltype(blocks_)().swap(blocks_);  // memory that was written to goes back to the system
+  decltype(extra_)().swap(extra_);
+  make_room(std::max(room, used), used);
   free_ = none;
   for (std::size_t c = 0; c < cells.size(); ++c) {
     count_[cells[c]] = counts[c];
@@ -66,8 +70,8 @@ void Particles<dim>::lay_out(const std::vector<Index>& cells, const std::vector<
     }
   }
   extra_.resize(blocks_.size() * static_cast<std::size_t>(extra_size_), StoredLanes{});
-  occupied_.assign(cells.begin(), cells.end());
-  changed_ = false;
+  changed_ = true;
+  sort_occupied();
 }
 
 template <int dim>

@@ -4,7 +4,6 @@
 #include "bodies/particle_fields.hpp"
 #include "core/for_each_run.hpp"
 #include "core/lazy_memory.hpp"
-#include "core/select.hpp"
 #include "material/material.hpp"
 
 #include <algorithm>
@@ -18,7 +17,8 @@ static_assert(material::Laws::max_state <= Particle<2>::max_extra && material::L
 template <int dim>
 Particles<dim>::Particles(const mesh::Mesh<dim>& mesh, Index max, const std::vector<FieldInfo>& extra)
     : head_(CellField<Index>::zeros(mesh.cell_count())),
-      count_(CellField<Index>::zeros(mesh.cell_count()))
+      count_(CellField<Index>::zeros(mesh.cell_count())),
+      chunk_bounds_(mesh.cell_chunks)
 {
   for (const FieldInfo& info : extra) {
     extra_fields_.push_back({info, extra_size_});
@@ -27,14 +27,19 @@ Particles<dim>::Particles(const mesh::Mesh<dim>& mesh, Index max, const std::vec
   }
   if (extra_size_ > Particle<dim>::max_extra) throw std::logic_error("the extra fields are too many numbers for a Particle");
   // A cell wastes less than one block, so this many blocks are never exceeded.
-  const std::size_t max_blocks = static_cast<std::size_t>(max / lanes) + std::min(max, mesh.cell_count()) + 1;
+  // At least as many are used as if all cells were full.
+  make_room(static_cast<std::size_t>(max / lanes) + std::min(max, mesh.cell_count()) + 1, static_cast<std::size_t>(max / lanes));
+  occupied_.reserve(std::min(max, mesh.cell_count()));
+}
+
+/// For at most max_blocks blocks, of which min_blocks will be used.
+template <int dim>
+void Particles<dim>::make_room(std::size_t max_blocks, std::size_t min_blocks)
+{
   blocks_.reserve(max_blocks);
   extra_.reserve(max_blocks * extra_size_);
-  // At least as many as if all cells were full.
-  const auto min_blocks = static_cast<std::size_t>(max / lanes);
   ask_for_huge_pages(blocks_.data(), min_blocks * sizeof(Block<dim>));
   ask_for_huge_pages(extra_.data(), min_blocks * extra_size_ * sizeof(StoredLanes));
-  occupied_.reserve(std::min(max, mesh.cell_count()));
 }
 
 template <int dim>
@@ -44,15 +49,6 @@ void Transit<dim>::reserve(std::size_t count)
   index.reserve(count);
   block.reserve(count);
   order.reserve(count);
-}
-
-template <int dim>
-void Transit<dim>::resize(std::size_t count)
-{
-  particle.resize(count);
-  index.resize(count);
-  block.resize(count);
-  order.resize(count);
 }
 
 template <int dim>
@@ -103,7 +99,7 @@ Particle<dim> Particles<dim>::read(Index b, int l) const
 
 /// new_block is the block that the particle begins, or none.
 template <int dim>
-void Particles<dim>::put_in(Index cell, Index index, Index new_block, const Particle<dim>& particle)
+void Particles<dim>::put_at(Index cell, Index index, Index new_block, const Particle<dim>& particle)
 {
   if (new_block == none) {
     write(block_at(cell, index), index % lanes, particle);
@@ -125,12 +121,12 @@ void Particles<dim>::insert(Index cell, const Particle<dim>& particle)
   const Index index = count_[cell]++;
   ++size_;
   changed_ = changed_ || index == 0;
-  put_in(cell, index, index % lanes == 0 ? free_block() : none, particle);
+  put_at(cell, index, index % lanes == 0 ? free_block() : none, particle);
 }
 
 /// emptied_block is the cell's last block where nothing is left in it, or none.
 template <int dim>
-Particle<dim> Particles<dim>::take_out(Index cell, Index index, Index& emptied_block)
+Particle<dim> Particles<dim>::take_from(Index cell, Index index, Index& emptied_block)
 {
   const Index last = --count_[cell];
   const Index b = block_at(cell, index), last_block = block_at(cell, last);
@@ -148,7 +144,7 @@ template <int dim>
 Particle<dim> Particles<dim>::take(Index cell, Index index)
 {
   Index emptied = none;
-  const Particle<dim> taken = take_out(cell, index, emptied);
+  const Particle<dim> taken = take_from(cell, index, emptied);
   --size_;
   changed_ = changed_ || count_[cell] == 0;
   if (emptied != none) give_back(emptied);
@@ -156,20 +152,32 @@ Particle<dim> Particles<dim>::take(Index cell, Index index)
 }
 
 template <int dim>
-void Particles<dim>::change_cells(const std::vector<CellChange>& changes, Transit<dim>& transit)
+void Particles<dim>::take_out(const std::vector<CellChange>& changes, Transit<dim>& transit)
 {
   const auto count = static_cast<Index>(changes.size());
-  transit.resize(changes.size());
+  transit.particle.resize(changes.size());
+  transit.block.resize(changes.size());
   for_each_run(
       count, [&](Index a, Index b) { return changes[a].from == changes[b].from; },
       [&](Index first, Index end) {  // the last first: taking a particle moves only ones that were behind it
-        for (Index m = end; m-- > first;) transit.particle[m] = take_out(changes[m].from, changes[m].index, transit.block[m]);
+        for (Index m = end; m-- > first;) transit.particle[m] = take_from(changes[m].from, changes[m].index, transit.block[m]);
       });
   // Which blocks are free depends on the order of all changes.
   for (Index m = count; m-- > 0;) {
     changed_ = changed_ || count_[changes[m].from] == 0;
     if (transit.block[m] != none) give_back(transit.block[m]);
   }
+  size_ -= count;
+}
+
+template <int dim>
+void Particles<dim>::put_in(const std::vector<CellChange>& changes, Transit<dim>& transit)
+{
+  const auto count = static_cast<Index>(changes.size());
+  size_ += count;
+  transit.index.resize(changes.size());
+  transit.block.resize(changes.size());
+  transit.order.resize(changes.size());
   for (Index m = 0; m < count; ++m) {
     const Index index = transit.index[m] = count_[changes[m].to]++;
     changed_ = changed_ || index == 0;
@@ -184,7 +192,7 @@ void Particles<dim>::change_cells(const std::vector<CellChange>& changes, Transi
       [&](Index first, Index end) {
         for (Index k = first; k < end; ++k) {
           const Index m = transit.order[k];
-          put_in(changes[m].to, transit.index[m], transit.block[m], transit.particle[m]);
+          put_at(changes[m].to, transit.index[m], transit.block[m], transit.particle[m]);
         }
       });
 }
@@ -195,7 +203,7 @@ bool Particles<dim>::sort_occupied()
   if (!changed_) return false;
   changed_ = false;
   select(
-      "change cells: occupied", count_.size(), [&](Index cell) { return count_[cell] > 0; }, occupied_);
+      "change cells: occupied", chunk_bounds_, [&](Index cell) { return count_[cell] > 0; }, occupied_, chunks_);
   return true;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/archive.hpp"
+#include "core/chunks.hpp"
 #include "core/field_info.hpp"
 #include "core/lane_parts.hpp"
 #include "mesh/mesh.hpp"
@@ -25,6 +26,12 @@ struct alignas(32) Block {
   Index next;                      ///< the cell's next block, or none
 };
 
+/// How many blocks so many particles of a cell have.
+constexpr Index blocks_for(Index count)
+{
+  return (count + lanes - 1) / lanes;
+}
+
 /// One particle by itself: in transit between cells, or read for output.
 template <int dim>
 struct Particle {
@@ -42,7 +49,7 @@ struct CellChange {
   Index from, index, to;
 };
 
-/// Work arrays of Particles::change_cells, one entry a change.
+/// Work arrays of Particles::take_out and put_in, one entry a change.
 template <int dim>
 struct Transit {
   std::vector<Particle<dim>> particle;
@@ -51,7 +58,6 @@ struct Transit {
   std::vector<Index> order;  ///< of the changes by the new cell
 
   void reserve(std::size_t count);
-  void resize(std::size_t count);
 };
 
 /// A field of some bodies' particles only, such as the state variables of a law.
@@ -106,17 +112,26 @@ public:
 
   /// Cells that hold particles, ascending. sort_occupied() brings it up to date and is true where it changed.
   const std::vector<Index>& occupied() const { return occupied_; }
+  /// The chunks of occupied().
+  const Chunks& chunks() const { return chunks_; }
   bool sort_occupied();
 
   void insert(Index cell, const Particle<dim>& particle);
   /// Removes the particle with this index (0 ... count - 1) from a cell; the cell's last particle gets its index.
   Particle<dim> take(Index cell, Index index);
-  /// Makes all changes, sorted by `from` and `index`, in parallel, with the places that take() from the last to the first and then insert() from the first to
-  /// the last would give. `to` is a cell, never none. Allocates nothing where `transit` has room.
-  void change_cells(const std::vector<CellChange>& changes, Transit<dim>& transit);
+  /// Takes the particles of all changes, sorted by `from` and `index`, out of their cells, in parallel, as take() from the last to the first would. Allocates
+  /// nothing where `transit` has room.
+  void take_out(const std::vector<CellChange>& changes, Transit<dim>& transit);
+  /// Puts the particles of all changes into their cells, in parallel, as insert() from the first to the last would. `to` is a cell, never none.
+  void put_in(const std::vector<CellChange>& changes, Transit<dim>& transit);
   Particle<dim> read(Index block, int lane) const;
   /// The particle with this index in a cell.
   Particle<dim> read_at(Index cell, Index index) const { return read(block_at(cell, index), index % lanes); }
+
+  /// Appends the bytes of all particles of cells from `first` to before `end`, with their lanes.
+  void pack(Index first, Index end, std::vector<std::byte>& bytes) const;
+  /// Replaces all particles by those that were packed, cells ascending, end to end.
+  void unpack(const std::vector<std::byte>& bytes);
 
   /// All particles with their cells, blocks and lanes, on which sums depend to the last bit. Reading replaces the particles
   /// by as many others.
@@ -141,11 +156,12 @@ private:
     (__builtin_prefetch(bytes + line * cache_line), ...);
   }
 
+  void make_room(std::size_t max_blocks, std::size_t min_blocks);
   void lay_out(const std::vector<Index>& cells, const std::vector<Index>& counts);
   Index free_block();
   void give_back(Index block);
-  Particle<dim> take_out(Index cell, Index index, Index& emptied_block);
-  void put_in(Index cell, Index index, Index new_block, const Particle<dim>& particle);
+  Particle<dim> take_from(Index cell, Index index, Index& emptied_block);
+  void put_at(Index cell, Index index, Index new_block, const Particle<dim>& particle);
   void write(Index block, int lane, const Particle<dim>& particle);
   Index block_at(Index cell, Index index) const;
 
@@ -153,7 +169,9 @@ private:
   std::vector<StoredLanes, LazyZeroAllocator<StoredLanes>> extra_;
   CellField<Index> head_, count_;  ///< not written, and so without memory, where there never was a particle
   std::vector<Index> occupied_;
-  Index free_ = none;  ///< chain of free blocks
+  Chunks chunks_;
+  std::vector<Index> chunk_bounds_;  ///< of the mesh's cells
+  Index free_ = none;                ///< chain of free blocks
   Index size_ = 0;
   std::vector<ExtraField> extra_fields_;
   int extra_size_ = 0;

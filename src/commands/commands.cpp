@@ -4,8 +4,10 @@
 
 #include "commands/command.hpp"
 #include "core/error.hpp"
+#include "core/ranks.hpp"
 #include "input/message_text.hpp"
 #include "io/atomic_file.hpp"
+#include "simulation/run_of_ranks.hpp"
 
 #include <algorithm>
 #include <cstdio>
@@ -43,6 +45,14 @@ std::string words_of(const CLI::App& app, const CLI::ParseError& error, int argc
   return error.what();
 }
 
+/// Only what computes one problem at a time is done by several ranks.
+void refuse_ranks(const std::string& command)
+{
+  if (Ranks::of_run().count() > 1 && command != "run" && command != "check" && command != "bench")
+    throw InputError(fmt::format("an MPI launcher started {} processes of berm {}, which is for one: start it without the launcher",
+                                 Ranks::of_run().count(), command));
+}
+
 int dispatch(int argc, char** argv)
 {
   CLI::App app("berm pushes a pipe or cable into the seabed, drags it sideways, and computes how the soil responds.", "berm");
@@ -59,28 +69,41 @@ int dispatch(int argc, char** argv)
     throw InputError(words_of(app, error, argc, argv));
   }
   for (const Command& command : commands)
-    if (command.app->parsed()) return command.act();
+    if (command.app->parsed()) {
+      refuse_ranks(command.app->get_name());
+      return command.act();
+    }
   return 2;
+}
+
+/// `why` is what was said of a failure.
+int status_of_command(int argc, char** argv, std::string& why)
+{
+  try {
+    simulation::join_ranks();
+    const int status = dispatch(argc, argv);
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) io::throw_errno("cannot write to the standard output");
+    return status;
+  } catch (const InputError& error) {
+    why = error.what();
+    return 2;
+  } catch (const std::bad_alloc&) {
+    why = "the machine has no more memory for this; berm check CASE prints how much a run needs";
+    return 1;
+  } catch (const std::exception& error) {
+    why = error.what();
+    return 1;
+  }
 }
 
 }  // namespace
 
 int run_commands(int argc, char** argv)
 {
-  try {
-    const int status = dispatch(argc, argv);
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) io::throw_errno("cannot write to the standard output");
-    return status;
-  } catch (const InputError& error) {
-    fmt::print(stderr, "berm: {}\n", error.what());
-    return 2;
-  } catch (const std::bad_alloc&) {
-    fmt::print(stderr, "berm: the machine has no more memory for this; berm check CASE prints how much a run needs\n");
-    return 1;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "berm: {}\n", error.what());
-    return 1;
-  }
+  std::string why;
+  const int status = status_of_command(argc, argv, why);
+  if (!why.empty()) fmt::print(stderr, "berm: {}\n", why);
+  return simulation::leave_ranks(status, why);
 }
 
 }  // namespace berm::commands

@@ -4,9 +4,11 @@
 #include "commands/side_by_side.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
+#include "core/ranks.hpp"
 #include "io/folder_lock.hpp"
 #include "jobs/outcome.hpp"
 #include "simulation/resume.hpp"
+#include "simulation/run_of_ranks.hpp"
 #include "uncertainty/find_bands.hpp"
 
 #include <algorithm>
@@ -21,7 +23,7 @@ using jobs::Outcome;
 /// Of a run that did not come to its end and did not fail: it was stopped, and can be resumed where it could write a checkpoint.
 Outcome outcome_of_stopped(const std::filesystem::path& folder)
 {
-  return simulation::has_checkpoint(folder) ? Outcome::unfinished : Outcome::failed;
+  return simulation::ends_on_any_rank_with(simulation::has_checkpoint(folder)) ? Outcome::unfinished : Outcome::failed;
 }
 
 /// One case after the other, each on all threads; cases of finite elements, which hardly gain by threads, side by side after them.
@@ -127,9 +129,11 @@ Command add_run(CLI::App& program)
   });
   return {app, [options] {
             options->runner();  // is refused here
+            if (Ranks::of_run().count() > 1 && (options->has_runner() || options->uncertainty))
+              throw InputError("the ranks of an MPI launcher run one case after the other: without --runner and --uncertainty");
             if (!options->unfinished.empty()) return status_of(resume(options->unfinished, *options));
             const std::vector<simulation::RunRequest> all = requests(*options);
-            if (!options->force) refuse_to_overwrite(all, *options);
+            if (!options->force) simulation::on_first_rank([&] { refuse_to_overwrite(all, *options); });
             if (!options->has_runner()) return status_of(run_all(all, *options));
             catch_interrupts();
             return status_of(run_side_by_side(all, *options));

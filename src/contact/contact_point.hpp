@@ -22,7 +22,7 @@ struct ContactPoint {
   Real distance = 0;                     ///< m between the rigid surface (the other body's particle) and the nearest particle's centre
   bool touching = false;                 ///< the gap is less than half a particle's width
   Real area = 0;                         ///< m2 (per metre run: m), share of the body's surface; 0 where it is not needed
-  Index block = none;                    ///< of the particle that the point is, among those of its body, and
+  Index block = none;                    ///< of the particle that the point is, among those of its body on this rank, and
   int lane = 0;                          ///< its lane
   bool bonded = false;                   ///< carries tension
   Real adhesion = 0;                     ///< Pa; where it differs from point to point
@@ -59,6 +59,7 @@ struct ContactPoints {
   std::vector<ContactPoint<dim>> list;
   std::vector<Index> strip_begin = {0};     ///< in list, of each strip; then the end
   std::vector<Index> color_begin = {0, 0};  ///< in the strips, of each colour; then the end
+  std::vector<int> owner;                   ///< where there are several ranks and points are particles: the rank of each
   Real nearest_particle = infinity;         ///< m, distance of the nearest particle from the rigid surface, negative inside
 
   // At a rigid body:

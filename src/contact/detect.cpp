@@ -4,6 +4,7 @@
 #include "bodies/particle_position.hpp"
 #include "contact/strips.hpp"
 #include "core/for_each.hpp"
+#include "core/ranks.hpp"
 #include "core/select.hpp"
 
 namespace berm::contact {
@@ -132,8 +133,8 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
   }
   found.list.resize(static_cast<std::size_t>(count));
   for_each("contact: particles", static_cast<Index>(found.near_cells.size()), [&](Index k) {
-    if (found.cells[k].points == 0) return;
     const Index cell = found.near_cells[k];
+    if (found.cells[k].points == 0 || !Ranks::of_run().owns_cell(cell)) return;
     const mesh::Shape<dim> functions = mesh.shape(cell);
     Index left = particles.count_in(cell), at = found.cells[k].first_point;
     const Index end = at + found.cells[k].points;
@@ -160,11 +161,28 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
   });
 }
 
+/// Gets the points that are particles of other ranks.
+template <int dim>
+void share_particles(ContactPoints<dim>& found)
+{
+  Ranks& ranks = Ranks::of_run();
+  if (!ranks.divided()) return;
+  found.owner.resize(found.list.size());
+  for (std::size_t k = 0; k < found.near_cells.size(); ++k)
+    std::fill_n(found.owner.begin() + found.cells[k].first_point, found.cells[k].points, ranks.owner_of_cell(found.near_cells[k]));
+  share_points<ContactPoint<dim>>(
+      found, [](const ContactPoint<dim>& from, ContactPoint<dim>& value) { value = from; },
+      [](const ContactPoint<dim>& value, ContactPoint<dim>& to) {
+        to = value;
+        to.block = none;
+      });
+}
+
 }  // namespace
 
 template <int dim>
 void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidBody<dim>& rigid,
-            bodies::RigidState<dim>& state, Detection detection, const NodeField<Real>& mass, ContactPoints<dim>& found)
+            bodies::RigidState<dim>& state, Detection detection, NodeField<Real>& mass, ContactPoints<dim>& found)
 {
   const bodies::RigidShape<dim> shape = placed<dim>(rigid, state);
   find_near_cells(mesh, rigid, state, detection, found);
@@ -189,17 +207,26 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
     if (detection == Detection::overlap) result.cut = reaches_into(shape, mesh, cell);
   });
 
+  Ranks& ranks = Ranks::of_run();
+  ranks.share<typename ContactPoints<dim>::CellContact>(
+      static_cast<Index>(found.near_cells.size()), [&](Index k) { return ranks.owner_of_cell(found.near_cells[k]); },
+      [&](Index k, auto& cell) { cell = found.cells[k]; }, [&](Index k, const auto& cell) { found.cells[k] = cell; });
   found.nearest_particle = infinity;
   for (const auto& cell : found.cells) found.nearest_particle = std::min(found.nearest_particle, cell.distance);
-  if (detection == Detection::particle)
+  if (detection == Detection::particle) {
     list_particles(mesh, particles, shape, found);
-  else
-    list_nodes(mesh, shape, detection, mass, found);
+    share_particles(found);
+    return;
+  }
+  ranks.share<Real>(
+      static_cast<Index>(found.near_nodes.size()), [&](Index k) { return ranks.owner_of_node(found.near_nodes[k]); },
+      [&](Index k, Real& m) { m = mass[found.near_nodes[k]]; }, [&](Index k, Real m) { mass[found.near_nodes[k]] = m; });
+  list_nodes(mesh, shape, detection, mass, found);
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void detect(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, const bodies::RigidBody<dim>&, bodies::RigidState<dim>&,     \
-                       Detection, const NodeField<Real>&, ContactPoints<dim>&);
+                       Detection, NodeField<Real>&, ContactPoints<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

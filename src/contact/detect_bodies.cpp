@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "contact/detect.hpp"
 #include "contact/strips.hpp"
+#include "core/ranks.hpp"
 
 #include <Eigen/Geometry>
 
@@ -101,7 +102,10 @@ void detect(const mesh::Mesh<dim>& mesh, const BodyView<dim>& body, const BodyVi
     found.kept.reserve(mesh.node_count());
     reserve(found, mesh.node_count());
   }
-  const auto is_shared = [&](Index k) { return body.mass[body.nodes[k]] > 0 && other.mass[body.nodes[k]] > 0; };
+  Ranks& ranks = Ranks::of_run();
+  const auto is_shared = [&](Index k) {
+    return body.mass[body.nodes[k]] > 0 && other.mass[body.nodes[k]] > 0 && ranks.owns_node(body.nodes[k]);
+  };
   select("contact: two bodies", static_cast<Index>(body.nodes.size()), is_shared, found.candidate_nodes);
   found.candidates.resize(found.candidate_nodes.size());
   for_each("contact: two bodies", static_cast<Index>(found.candidates.size()), [&](Index k) {
@@ -119,6 +123,7 @@ void detect(const mesh::Mesh<dim>& mesh, const BodyView<dim>& body, const BodyVi
     if (detection == Detection::overlap) point.gap = 0, point.touching = true;
     found.candidates[k] = point;
   });
+  if (ranks.divided()) ranks.gather(std::vector(found.candidates), found.candidates);  // ascending, as ranks have ranges of nodes
   keep_candidates(found, [&](const ContactPoint<dim>& point) { return detection != Detection::distance || point.gap <= 0; });
 }
 

@@ -2,8 +2,10 @@
 #include "contact/footprint.hpp"
 
 #include "contact/detect.hpp"
+#include "core/ranks.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace berm::contact {
 namespace {
@@ -52,8 +54,9 @@ void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& part
         std::visit([&](const auto& s) { visit_sides(s, x, add); }, shape);
       }
   }
-  std::sort(list.begin(), list.end(),
-            [](const Footprint<2>& a, const Footprint<2>& b) { return a.side != b.side ? a.side < b.side : a.along < b.along; });
+  if (Ranks::of_run().divided()) Ranks::of_run().gather(std::vector(list), list);
+  const auto place = [](const Footprint<2>& f) { return std::tie(f.side, f.along, f.width, f.nodes, f.weights); };
+  std::sort(list.begin(), list.end(), [&](const Footprint<2>& a, const Footprint<2>& b) { return place(a) < place(b); });
   for (std::size_t k = 1; k < list.size(); ++k)
     if (list[k].side == list[k - 1].side) meet(list[k - 1], list[k], list[k].along - list[k - 1].along);
   const Real around = std::visit([](const auto& s) { return closes_after(s); }, shape);

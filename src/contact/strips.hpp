@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/contact_point.hpp"
+#include "core/ranks.hpp"
 #include "core/select.hpp"
 
 namespace berm::contact {
@@ -28,6 +29,15 @@ void keep_candidates(ContactPoints<dim>& found, const Keep& keep)
   found.list.resize(found.kept.size());
   for_each("contact: select", static_cast<Index>(found.kept.size()), [&](Index k) { found.list[k] = found.candidates[found.kept[k]]; });
   set_strips_of_nodes(found);
+}
+
+/// Gives all ranks what the owners of points that are particles know of them: get(point, T&) is called for a rank's own, set(T, point) for the others.
+template <class T, int dim, class Get, class Set>
+void share_points(ContactPoints<dim>& points, const Get& get, const Set& set)
+{
+  Ranks::of_run().share<T>(
+      static_cast<Index>(points.list.size()), [&](Index p) { return points.owner[p]; },
+      [&](Index p, T& value) { get(points.list[p], value); }, [&](Index p, const T& value) { set(value, points.list[p]); });
 }
 
 /// Below so many points one thread is faster than several that wait for each other.

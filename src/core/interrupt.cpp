@@ -21,6 +21,7 @@ void catch_interrupts()
 {
   std::signal(SIGINT, ask_to_stop);
   std::signal(SIGTERM, ask_to_stop);
+  std::signal(SIGUSR1, ask_to_stop);
 }
 
 bool interrupted()

@@ -3,7 +3,7 @@
 
 namespace berm {
 
-/// From now on SIGINT and SIGTERM only ask a run to stop; a second one ends the program at once.
+/// From now on SIGINT, SIGTERM and SIGUSR1 only ask a run to stop; a second one ends the program at once.
 void catch_interrupts();
 
 /// True once a signal has asked to stop; false in a program that does not catch them.

@@ -41,9 +41,9 @@ void flush_denormals_to_zero()
 }
 
 /// Those that this process may use, as it was before any of its threads was bound; none where the system does not say.
-const std::vector<int>& allowed_processors()
+std::vector<int>& allowed_processors()
 {
-  static const std::vector<int> processors = [] {
+  static std::vector<int> processors = [] {
     cpu_set_t allowed;
     std::vector<int> found;
     if (sched_getaffinity(0, sizeof allowed, &allowed) == 0)
@@ -60,6 +60,13 @@ int processor_count()
 {
   const std::vector<int>& processors = allowed_processors();
   return processors.empty() ? omp_get_num_procs() : static_cast<int>(processors.size());
+}
+
+void take_part_of_processors(int index, int count)
+{
+  std::vector<int>& all = allowed_processors();
+  const int size = static_cast<int>(all.size()) / count;
+  if (size > 0) all = std::vector<int>(all.begin() + index * size, all.begin() + (index + 1) * size);
 }
 
 Threads::Threads(int count)

@@ -8,6 +8,9 @@ namespace berm {
 /// The number of processors that this process may use.
 int processor_count();
 
+/// From now on this process may use one of `count` equal parts of them, that of this index; all, where there are fewer than parts.
+void take_part_of_processors(int index, int count);
+
 /// The threads of the loops of for_each, while it lives: more than one are bound to a processor each, unless OMP_PROC_BIND says otherwise (threads that
 /// wander can be slower together than one alone), and numbers below 2e-308 count as zero in them. After it the calling thread has its processors, its
 /// number of threads and its arithmetic back. One at a time in a process.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mesh/mesh.hpp"
 
+#include "core/chunks.hpp"
 #include "core/error.hpp"
 #include "mesh/hilbert_curve.hpp"
 
@@ -161,6 +162,20 @@ void collect_entries(Mesh<dim>& mesh)
     for (int k = 0; k < corners; ++k) mesh.entries[next[mesh.nodes[c][k]]++] = corners * c + k;
 }
 
+// Nodes are numbered by first use, so their first cells ascend.
+template <int dim>
+std::vector<Index> find_node_chunks(const Mesh<dim>& mesh)
+{
+  const auto first_cell = [&](Index node) { return mesh.entries[mesh.first_entry[node]] / (dim + 1); };
+  std::vector<Index> bounds;
+  Index node = 0;
+  for (const Index bound : mesh.cell_chunks) {
+    while (node < mesh.node_count() && first_cell(node) < bound) ++node;
+    bounds.push_back(node);
+  }
+  return bounds;
+}
+
 /// Calls visit(other) for each other cell that has all nodes of the face of a cell opposite a corner: they are among those of one of its nodes.
 template <int dim, class Visit>
 void for_each_across(const Mesh<dim>& mesh, Index cell, int corner, const Visit& visit)
@@ -262,6 +277,8 @@ void Mesh<dim>::complete()
   check_volumes(*this);
   collect_entries(*this);
   check_faces(*this);
+  cell_chunks = chunk_bounds(cell_count());
+  node_chunks = find_node_chunks(*this);
   lower = upper = position[0];
   for (const Vec<dim>& x : position) {
     lower = lower.cwiseMin(x);

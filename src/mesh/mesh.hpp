@@ -65,6 +65,8 @@ struct Mesh {
   // What follows is derived by complete().
   NodeField<Index> first_entry;                                 ///< entries of node i: first_entry[i] ... first_entry[i + 1] - 1
   std::vector<CornerEntry> entries;                             ///< of all nodes, ascending for each
+  std::vector<Index> cell_chunks;                               ///< where each chunk of cells begins (core/chunks.hpp); then the end
+  std::vector<Index> node_chunks;                               ///< the same of nodes: a node is in the chunk of its first cell
   Vec<dim> lower = Vec<dim>::Zero(), upper = Vec<dim>::Zero();  ///< bounding box of the nodes
 
   Index node_count() const { return position.size(); }

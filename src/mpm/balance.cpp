@@ -4,7 +4,6 @@
 
 #include "boundary/damping.hpp"
 
-#include "core/for_each.hpp"
 #include "mpm/diagnose.hpp"
 #include "problem/stages.hpp"
 
@@ -48,7 +47,7 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
   const Real dt = state.dt;
   const bool loaded = !model.load_points.empty();
   const std::optional<Real> stage_damping = model.stages[state.stage.index].damping;
-  const auto sums = sum_of<NodalSums<dim>>("momentum balance of nodes", static_cast<Index>(grid.nodes.size()), [&](Index n) {
+  const auto sums = sum_of<NodalSums<dim>>("momentum balance of nodes", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
     NodalSums<dim> sums_i;
     const Real m = grid.mass[i];

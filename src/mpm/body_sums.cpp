@@ -2,7 +2,7 @@
 #include "mpm/body_sums.hpp"
 
 #include "core/error.hpp"
-#include "core/for_each.hpp"
+#include "core/ranks.hpp"
 
 namespace berm::mpm {
 
@@ -23,7 +23,7 @@ template <int dim>
 BodySums<dim> sums_over(const bodies::Particles<dim>& particles)
 {
   const auto& occupied = particles.occupied();
-  return sum_of<BodySums<dim>>("measure", static_cast<Index>(occupied.size()), [&](Index c) {
+  return sum_of<BodySums<dim>>("measure", particles.chunks(), [&](Index c) {
     BodySums<dim> sums;
     Index left = particles.count_in(occupied[c]);
     for (Index b = particles.first_block(occupied[c]); left > 0; b = particles.block(b).next, left -= lanes) {
@@ -77,8 +77,11 @@ bodies::Particle<dim> particle_of(const bodies::Particles<dim>& particles, std::
   particles.visit([&](Index, Index b, int l) {
     if (particles.block(b).id[l] == id) block = b, lane = l;
   });
-  if (block == none) throw RunError("there is no particle " + std::to_string(id));
-  return particles.read(block, lane);
+  std::vector<bodies::Particle<dim>> found, all;
+  if (block != none) found.push_back(particles.read(block, lane));
+  Ranks::of_run().gather(found, all);
+  if (all.empty()) throw RunError("there is no particle " + std::to_string(id));
+  return all.front();
 }
 
 template struct BodySums<2>;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/condition.hpp"
 
-#include "core/for_each.hpp"
+#include "core/bytes.hpp"
 #include "mpm/linear_field.hpp"
 
 namespace berm::mpm {
@@ -14,18 +14,55 @@ void for_each_in_cell(const bodies::Particles<dim>& particles, Index cell, const
   for (Index index = 0; index < particles.count_in(cell); ++index) visit(particles.read_at(cell, index));
 }
 
+/// The volume of the particles of each cell, and of those around the cells of this rank.
+template <int dim>
+CellField<Real> filled_volumes(const problem::Model<dim>& model, const bodies::Particles<dim>& particles)
+{
+  auto volumes = CellField<Real>::zeros(model.mesh.cell_count());
+  for (const Index cell : particles.occupied())
+    for_each_in_cell(particles, cell, [&](const bodies::Particle<dim>& p) { volumes[cell] += p.volume; });
+  Halo halo = make_halo(model.mesh, model.patches);
+  if (!halo.divided()) return volumes;
+  halo.exchange(
+      [&](const Halo::Side& side, std::vector<std::byte>& out) {
+        for (const Index cell : side.inner) put_bytes(out, &cell), put_bytes(out, &volumes[cell]);
+      },
+      [&](const Halo::Side&, const std::vector<std::byte>& in) {
+        Index cell = none;
+        for (const std::byte* at = in.data(); at != in.data() + in.size();) {
+          at = get_bytes(at, &cell);
+          at = get_bytes(at, &volumes[cell]);
+        }
+      });
+  return volumes;
+}
+
 /// Fraction of the cells around a node that particles fill.
 template <int dim>
-Real fill_at(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Index node)
+Real fill_at(const mesh::Mesh<dim>& mesh, const CellField<Real>& volumes, Index node)
 {
   Real filled = 0, whole = 0;
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
     const Index cell = mesh.entries[e] / (dim + 1);
     whole += mesh.volume(cell);
-    for_each_in_cell(particles, cell, [&](const bodies::Particle<dim>& p) { filled += p.volume; });
+    filled += volumes[cell];
   }
   return filled / whole;
 }
+
+/// Sums of the mass of a body's cells.
+struct MassSums {
+  Real all = 0, at_min_volume = 0, at_max_volume = 0, in_the_air = 0;
+
+  MassSums& operator+=(const MassSums& other)
+  {
+    all += other.all;
+    at_min_volume += other.at_min_volume;
+    at_max_volume += other.at_max_volume;
+    in_the_air += other.in_the_air;
+    return *this;
+  }
+};
 
 /// Sums over the soil near a rigid body.
 struct ShakenSoil {
@@ -49,29 +86,29 @@ template <int dim>
 SoilCondition soil_condition(const problem::Model<dim>& model, const problem::State<dim>& state)
 {
   constexpr Real little = 0.25, round_off = 1e-12;
-  SoilCondition found;
-  Real mass = 0;
+  MassSums sums;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const problem::BodySoil& soil = model.bodies[b].soil;
     if (!yields(soil.materials.front())) continue;
     const bodies::Particles<dim>& particles = state.particles[b];
-    for (Index cell : particles.occupied()) {
-      Real of_cell = 0;
+    const CellField<Real> volumes = filled_volumes(model, particles);
+    sums += sum_of<MassSums>("condition of the soil", particles.chunks(), [&](Index c) {
+      const Index cell = particles.occupied()[c];
+      MassSums of_cell;
       for_each_in_cell(particles, cell, [&](const bodies::Particle<dim>& p) {
         const Real ratio = p.volume * inertia_density(material_of(soil, p.extra)) / p.mass;
-        of_cell += p.mass;
-        if (ratio <= model.mpm.min_volume_ratio * (1 + round_off)) found.at_min_volume += p.mass;
-        if (ratio >= model.mpm.max_volume_ratio * (1 - round_off)) found.at_max_volume += p.mass;
+        of_cell.all += p.mass;
+        if (ratio <= model.mpm.min_volume_ratio * (1 + round_off)) of_cell.at_min_volume += p.mass;
+        if (ratio >= model.mpm.max_volume_ratio * (1 - round_off)) of_cell.at_max_volume += p.mass;
       });
-      mass += of_cell;
       const auto& nodes = model.mesh.nodes[cell];
-      if (std::all_of(nodes.begin(), nodes.end(), [&](Index node) { return fill_at(model.mesh, particles, node) < little; }))
-        found.in_the_air += of_cell;
-    }
+      if (std::all_of(nodes.begin(), nodes.end(), [&](Index node) { return fill_at(model.mesh, volumes, node) < little; }))
+        of_cell.in_the_air = of_cell.all;
+      return of_cell;
+    });
   }
-  if (mass > 0)
-    for (Real* part : {&found.at_min_volume, &found.at_max_volume, &found.in_the_air}) *part /= mass;
-  return found;
+  if (!(sums.all > 0)) return {};
+  return {sums.at_min_volume / sums.all, sums.at_max_volume / sums.all, sums.in_the_air / sums.all};
 }
 
 template <int dim>
@@ -86,7 +123,7 @@ Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state,
     const bodies::Particles<dim>& particles = state.particles[b];
     const BodyGrid<dim>& grid = work.grids[b];
     const Real impedance = model.bodies[b].waves.mean_impedance;
-    all += sum_of<ShakenSoil>("shaking", static_cast<Index>(particles.occupied().size()), [&](Index c) {
+    all += sum_of<ShakenSoil>("shaking", particles.chunks(), [&](Index c) {
       const Index cell = particles.occupied()[c];
       ShakenSoil sums;
       const Vec<dim> center = model.mesh.centroid(cell);

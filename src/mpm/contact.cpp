@@ -8,6 +8,7 @@
 #include "mpm/contact_velocity.hpp"
 #include "mpm/interface.hpp"
 #include "mpm/reaction.hpp"
+#include "mpm/share.hpp"
 
 #include <atomic>
 
@@ -58,6 +59,10 @@ void find_surface(const problem::Model<dim>& model, const problem::State<dim>& s
     contact::Footprint<dim>& footprint = points.footprints[k];
     footprint.area = surface_area(model.mesh, work.grids[contact.body], footprint.nodes[0]);
   });
+  Ranks& ranks = Ranks::of_run();
+  ranks.share<Real>(
+      static_cast<Index>(points.footprints.size()), [&](Index k) { return ranks.owner_of_node(points.footprints[k].nodes[0]); },
+      [&](Index k, Real& area) { area = points.footprints[k].area; }, [&](Index k, Real area) { points.footprints[k].area = area; });
 }
 
 /// What impulses do to the nodes of the points of one contact, and effective masses. In a direction that a support fixes, a node has infinite mass.
@@ -222,7 +227,7 @@ void find_contacts(const problem::Model<dim>& model, problem::State<dim>& state,
   work.contacts_share_nodes = false;
   for (Index k = 0; k < contacts; ++k) {
     const problem::Contact& contact = model.contacts[k];
-    const BodyGrid<dim>& grid = work.grids[contact.body];
+    BodyGrid<dim>& grid = work.grids[contact.body];
     contact::ContactPoints<dim>& points = work.contact_points[k];
     if (contact.rigid != none) {
       bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
@@ -230,11 +235,19 @@ void find_contacts(const problem::Model<dim>& model, problem::State<dim>& state,
       rigid.max_overlap = std::max(rigid.max_overlap, -points.nearest_particle);
     } else {
       const BodyGrid<dim>& other = work.grids[contact.other_body];
+      const BorrowedParticles<dim> borrowed(model.mesh, state.particles, work.grids, contact.body, contact.other_body);
       detect<dim>(model.mesh, {state.particles[contact.body], grid.mass, grid.nodes},
                   {state.particles[contact.other_body], other.mass, other.nodes}, contact.detection, points);
     }
     points.sweep_sums.resize(points.strip_begin.size());
     points.shared_out = false;
+  }
+  list_contact_nodes(model, work);
+  share_at_contacts(work, &BodyGrid<dim>::mass);
+  share_at_contacts(work, &BodyGrid<dim>::velocity);
+  for (Index k = 0; k < contacts; ++k) {
+    const problem::Contact& contact = model.contacts[k];
+    contact::ContactPoints<dim>& points = work.contact_points[k];
     set_responses(model, state, work, contact, points);
     recall(model, state, contact, points);
     if (contact.needs_areas()) find_surface(model, state, work, contact, points);

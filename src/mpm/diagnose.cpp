@@ -3,6 +3,7 @@
 
 #include "bodies/particle_fields.hpp"
 #include "core/error.hpp"
+#include "core/ranks.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -65,13 +66,14 @@ void throw_not_finite(const problem::Model<dim>& model, const problem::State<dim
     const Trouble trouble = trouble_of<dim>(read, particles.extra_fields());
     if (trouble.rank < worst.rank) worst = trouble, p = read, cell = c;
   });
+  std::string words = fmt::format("velocities or forces of body \"{}\" are not finite {}; {}", model.bodies[body].name, when, advice);
   if (cell != none) {
     const std::string position =
         p.x.allFinite() ? "at " + position_text<dim>(p.x) : "around " + position_text<dim>(model.mesh.centroid(cell));
-    throw RunError(fmt::format("particle {} of body \"{}\", {} in cell {}: its {} {} {}; {}", p.id, model.bodies[body].name, position, cell,
-                               worst.name, words_of(worst.value), when, advice));
+    words = fmt::format("particle {} of body \"{}\", {} in cell {}: its {} {} {}; {}", p.id, model.bodies[body].name, position, cell,
+                        worst.name, words_of(worst.value), when, advice);
   }
-  throw RunError(fmt::format("velocities or forces of body \"{}\" are not finite {}; {}", model.bodies[body].name, when, advice));
+  throw RunError(Ranks::of_run().text_of_largest(-worst.rank, words));
 }
 
 template <int dim>

@@ -2,7 +2,6 @@
 // Tests: tests/unit/mpm/transfer_test.cpp
 #include "mpm/grid.hpp"
 
-#include "core/select.hpp"
 #include "mpm/body_sums.hpp"
 
 #include <atomic>
@@ -52,12 +51,21 @@ template <int dim>
 void find_nodes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   const std::vector<Index>& occupied = particles.occupied();
-  for_each("change cells: nodes", static_cast<Index>(grid.nodes.size()), [&](Index k) { grid.mass[grid.nodes[k]] = 0; });
-  for_each("change cells: nodes", static_cast<Index>(occupied.size()), [&](Index c) {
+  for_each("change cells: nodes", grid.chunks, [&](Index k) { grid.mass[grid.nodes[k]] = 0; });
+  for_each("change cells: nodes", particles.chunks(), [&](Index c) {
     for (Index node : mesh.nodes[occupied[c]]) std::atomic_ref<Real>(grid.mass[node]).store(1, std::memory_order_relaxed);
   });
+  const Halo& halo = grid.halo;
+  for (const Halo::Side& side : halo.sides)
+    for (const Index cell : side.got)
+      for (const Index node : mesh.nodes[cell])
+        if (halo.is_complete[node] != 0) grid.mass[node] = 1;
+  for_each("change cells: nodes", grid.chunks, [&](Index k) {
+    if (!(grid.mass[grid.nodes[k]] > 0)) grid.mapped_velocity[grid.nodes[k]].setZero();
+  });
   select(
-      "change cells: nodes", mesh.node_count(), [&](Index node) { return grid.mass[node] > 0; }, grid.nodes);
+      "change cells: nodes", mesh.node_chunks,
+      [&](Index node) { return grid.mass[node] > 0 && (!halo.divided() || halo.is_complete[node] != 0); }, grid.nodes, grid.chunks);
 }
 
 template <int dim>
@@ -67,9 +75,11 @@ Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& sta
 {
   std::size_t max = 0;
   Real min_height = infinity;
+  const Halo halo = make_halo(model.mesh, model.patches);
   for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) min_height = std::min(min_height, model.mesh.height(cell));
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     grids.emplace_back(model.mesh);
+    grids[b].halo = halo;
     find_nodes(model.mesh, state.particles[b], grids[b]);
     const problem::Body<dim>& body = model.bodies[b];
     grids[b].full_cells = model.mpm.quadrature == problem::Quadrature::full_cells;
@@ -79,6 +89,7 @@ Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& sta
       if (!model.update_stress_first) grids[b].filter_rate = model.mpm.velocity_filter * wave_speed / min_height;
     }
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);
+    for (Index cell : grids[b].halo.outer) grids[b].enter(model.mesh, cell);
     grids[b].total_mass = sums_over(state.particles[b]).mass;
     laws.emplace_back();
     laws_without_dilation.emplace_back();

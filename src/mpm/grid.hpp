@@ -2,6 +2,7 @@
 #pragma once
 
 #include "contact/detect.hpp"
+#include "mpm/halo.hpp"
 #include "problem/model.hpp"
 
 namespace berm::mpm {
@@ -65,7 +66,11 @@ struct BodyGrid {
 
   Index fixed = 0;  ///< the set of supports that acts in this step, an index into Model::fixed
 
-  std::vector<Index> nodes;  ///< that have a cell with particles, ascending
+  std::vector<Index> nodes;  ///< that have a cell with particles (of them those that are complete, Halo), ascending
+  Chunks chunks;             ///< of `nodes`
+
+  Halo halo;                         ///< of the cells that other ranks have
+  std::vector<Index> contact_nodes;  ///< that contact points move, where there are other ranks
 
   BodyGrid() = default;
   explicit BodyGrid(const mesh::Mesh<dim>& mesh);
@@ -90,7 +95,7 @@ struct BodyGrid {
   const CornerSums<dim>& at(mesh::CornerEntry e) const { return corners.data()->data()[e]; }
 };
 
-/// Lists the nodes of cells with particles.
+/// Lists the nodes of cells with particles; of those of other ranks, the nodes whose cells are all known. A node that no longer has one has no velocity.
 template <int dim>
 void find_nodes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);
 
@@ -108,6 +113,8 @@ struct Work {
   bool contacts_share_nodes = false;                          ///< some node is moved by more than one contact point
   std::vector<std::vector<bodies::CellChange>> cell_changes;  ///< by thread
   bodies::Transit<dim> transit;
+  std::vector<std::array<Real, dim + 1>> load_shares;         ///< of each load point: what the corners of its cell get
+  std::vector<int> load_owner;                                ///< of each load point: the rank that has its cell
   std::vector<std::vector<VolumeRule>> volume_rules;          ///< by body and material
   std::vector<std::vector<material::PreparedMaterial>> laws;  ///< by body and material
   std::vector<std::vector<material::PreparedMaterial>>

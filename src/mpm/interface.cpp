@@ -37,6 +37,7 @@ void recall(const problem::Model<dim>& model, problem::State<dim>& state, const 
   if (contact.memory.bond == none && !contact.adhesion_law.differs()) return;
   bodies::Particles<dim>& particles = state.particles[contact.body];
   contact::for_each_point(points, [&](contact::ContactPoint<dim>& point) {
+    if (point.block == none) return;  // of another rank
     if (contact.memory.bond != none) {
       Real& bond = particles.extra(point.block)[contact.memory.bond][point.lane];
       const bool bonded = bond == number_of(Bond::bonded);
@@ -46,6 +47,19 @@ void recall(const problem::Model<dim>& model, problem::State<dim>& state, const 
     if (contact.adhesion_law.differs())
       point.adhesion = adhesion_beside(model.bodies[contact.body], contact, particles.read(point.block, point.lane));
   });
+  struct Recalled {
+    Real adhesion;
+    bool bonded;
+  };
+  contact::share_points<Recalled>(
+      points,
+      [](const contact::ContactPoint<dim>& point, Recalled& recalled) {
+        recalled = {point.adhesion, point.bonded};
+      },
+      [](const Recalled& recalled, contact::ContactPoint<dim>& point) {
+        point.adhesion = recalled.adhesion;
+        point.bonded = recalled.bonded;
+      });
 }
 
 template <int dim>
@@ -57,6 +71,7 @@ void remember(const problem::Model<dim>& model, problem::State<dim>& state, cons
     if (bond == none && slip == none) continue;
     bodies::Particles<dim>& particles = state.particles[contact.body];
     contact::for_each_point(work.contact_points[k], [&](const contact::ContactPoint<dim>& point) {
+      if (point.block == none) return;
       Lanes* extra = particles.extra(point.block);
       if (bond != none && point.impulse.dot(point.normal) > 0 && extra[bond][point.lane] == number_of(Bond::never))
         extra[bond][point.lane] = number_of(Bond::bonded);

@@ -3,6 +3,7 @@
 #include "mpm/loads.hpp"
 
 #include "core/error.hpp"
+#include "core/ranks.hpp"
 #include "core/timer.hpp"
 #include "problem/stages.hpp"
 
@@ -51,6 +52,15 @@ std::array<Real, dim + 1> shares_of(const problem::Model<dim>& model, const prob
   return shares;
 }
 
+/// Gives all ranks the values of the load points that others have.
+template <int dim, class Value>
+void share_load_points(Work<dim>& work, std::vector<Value>& values)
+{
+  Ranks::of_run().share<Value>(
+      static_cast<Index>(values.size()), [&](Index l) { return work.load_owner[l]; }, [&](Index l, Value& value) { value = values[l]; },
+      [&](Index l, const Value& value) { values[l] = value; });
+}
+
 }  // namespace
 
 template <int dim>
@@ -58,13 +68,22 @@ void spread_tractions(const problem::Model<dim>& model, const problem::State<dim
 {
   if (model.load_points.empty()) return;
   const Timer timer("tractions");
-  for (std::size_t l = 0; l < model.load_points.size(); ++l) {
+  Ranks& ranks = Ranks::of_run();
+  const std::size_t count = model.load_points.size();
+  work.load_shares.resize(count);
+  work.load_owner.resize(count);
+  ranks.together([&] {
+    for (std::size_t l = 0; l < count; ++l) work.load_owner[l] = ranks.divided() ? ranks.owner_of_cell(state.load_points[l].cell) : 0;
+    for (std::size_t l = 0; l < count; ++l)
+      if (work.load_owner[l] == ranks.rank()) work.load_shares[l] = shares_of(model, state, work.grids[model.load_points[l].body], l);
+  });
+  share_load_points(work, work.load_shares);
+  for (std::size_t l = 0; l < count; ++l) {
     const problem::LoadPoint<dim>& point = model.load_points[l];
     BodyGrid<dim>& grid = work.grids[point.body];
     const Real part = part_of_traction(model.tractions[point.traction], state.tractions[point.traction], state.time);
-    const std::array<Real, dim + 1> shares = shares_of(model, state, grid, l);
     const auto& nodes = model.mesh.nodes[state.load_points[l].cell];
-    for (int k = 0; k <= dim; ++k) grid.traction[nodes[k]] += shares[k] * part * point.force;
+    for (int k = 0; k <= dim; ++k) grid.traction[nodes[k]] += work.load_shares[l][k] * part * point.force;
   }
 }
 
@@ -73,24 +92,30 @@ void move_load_points(const problem::Model<dim>& model, problem::State<dim>& sta
 {
   if (model.load_points.empty()) return;
   const Timer timer("tractions");
-  for (std::size_t l = 0; l < model.load_points.size(); ++l) {
-    BodyGrid<dim>& grid = work.grids[model.load_points[l].body];
+  const auto move = [&](std::size_t l) {
+    const BodyGrid<dim>& grid = work.grids[model.load_points[l].body];
     problem::LoadPointState<dim>& point = state.load_points[l];
-    const std::array<Real, dim + 1> shares = shares_of(model, state, grid, l);
     const auto& nodes = model.mesh.nodes[point.cell];
-    for (int k = 0; k <= dim; ++k) {
+    const std::array<Real, dim + 1> shares = shares_of(model, state, grid, l);
+    for (int k = 0; k <= dim; ++k)
       if (shares[k] > 0) point.x += state.dt * shares[k] * grid.mapped_velocity[nodes[k]];
-      grid.traction[nodes[k]].setZero();
-    }
     const mesh::Location found = locate(model.mesh, point.x, point.cell);
     point.cell = found.cell;
-    if (found.inside) continue;
+    if (found.inside) return;
     const mesh::Shape<dim> shape = model.mesh.shape(point.cell);
     for (int k = 0; k <= dim; ++k)
       if (!(shape.value(k, point.x) > -max_outside))
         refuse(model.tractions[model.load_points[l].traction].name, point.x.data(), dim, state.time, state.step,
                "the loaded soil has left the mesh");
-  }
+  };
+  Ranks& ranks = Ranks::of_run();
+  for (std::size_t l = 0; l < model.load_points.size(); ++l)
+    for (const Index node : model.mesh.nodes[state.load_points[l].cell]) work.grids[model.load_points[l].body].traction[node].setZero();
+  ranks.together([&] {
+    for (std::size_t l = 0; l < model.load_points.size(); ++l)
+      if (work.load_owner[l] == ranks.rank()) move(l);
+  });
+  share_load_points(work, state.load_points);
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \

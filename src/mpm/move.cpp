@@ -2,10 +2,10 @@
 #include "mpm/move.hpp"
 
 #include "core/error.hpp"
-#include "core/for_each.hpp"
 #include "core/rotate.hpp"
 #include "mpm/diagnose.hpp"
 #include "mpm/linear_field.hpp"
+#include "mpm/share.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -234,7 +234,7 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
   [[maybe_unused]] const OwnSoil<Law> soils{work.laws[body], work.laws_without_dilation[body], work.volume_rules[body],
                                             work.number_offset[body]};
 
-  const WorkDone work_done = sum_of<WorkDone>("move and strain particles", static_cast<Index>(particles.occupied().size()), [&](Index c) {
+  const WorkDone work_done = sum_of<WorkDone>("move and strain particles", particles.chunks(), [&](Index c) {
     const Index cell = particles.occupied()[c];
     particles.prefetch_after(c);
     const auto& nodes = mesh.nodes[cell];
@@ -326,13 +326,18 @@ void pass_over_particles(const problem::Model<dim>& model, problem::State<dim>& 
       work.laws[body].front());
 }
 
+/// `left` is a particle of this rank that has left the mesh, or null where it is one of another.
 template <int dim>
-[[noreturn]] void refuse(const problem::Model<dim>& model, const problem::State<dim>& state, const bodies::Particle<dim>& p, Index body,
-                         Index cell)
+[[noreturn]] void refuse(const problem::Model<dim>& model, const problem::State<dim>& state, const bodies::CellChange* left, Index body)
 {
-  throw RunError(fmt::format("particle {} of body \"{}\" left the mesh at ({:.6g}) m at t = {:.6g} s (step {}), moving at ({:.3g}) m/s; {}",
-                             p.id, model.bodies[body].name, fmt::join(p.x.begin(), p.x.end(), ", "), state.time, state.step,
-                             fmt::join(p.v.begin(), p.v.end(), ", "), advice_for_leaving(model, state, p.x, cell)));
+  std::string words;
+  if (left != nullptr) {
+    const bodies::Particle<dim> p = state.particles[body].read_at(left->from, left->index);
+    words = fmt::format("particle {} of body \"{}\" left the mesh at ({:.6g}) m at t = {:.6g} s (step {}), moving at ({:.3g}) m/s; {}",
+                        p.id, model.bodies[body].name, fmt::join(p.x.begin(), p.x.end(), ", "), state.time, state.step,
+                        fmt::join(p.v.begin(), p.v.end(), ", "), advice_for_leaving(model, state, p.x, left->from));
+  }
+  throw RunError(Ranks::of_run().text_of_largest(left != nullptr ? 1 : 0, words));
 }
 
 }  // namespace
@@ -364,17 +369,16 @@ void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, 
   std::vector<bodies::CellChange>& cell_changes = work.cell_changes.front();
   for (std::size_t t = 1; t < work.cell_changes.size(); ++t)
     cell_changes.insert(cell_changes.end(), work.cell_changes[t].begin(), work.cell_changes[t].end());
-  if (cell_changes.empty()) return;
+  if (cell_changes.empty() && !grid.halo.divided()) return;
   // Threads share a large body's cells in several rounds, so their lists laid end to end are not in the order of the cells yet.
   std::sort(cell_changes.begin(), cell_changes.end(), [](const bodies::CellChange& a, const bodies::CellChange& b) {
     return a.from != b.from ? a.from < b.from : a.index < b.index;
   });
 
-  for (const bodies::CellChange& change : cell_changes)
-    if (change.to == none) refuse(model, state, particles.read_at(change.from, change.index), body, change.from);
-  particles.change_cells(cell_changes, work.transit);
-  for (std::size_t m = 0; m < cell_changes.size(); ++m)
-    if (work.transit.index[m] == 0) grid.enter(model.mesh, cell_changes[m].to);
+  const auto left = std::find_if(cell_changes.begin(), cell_changes.end(), [](const auto& change) { return change.to == none; });
+  const bool has_left = left != cell_changes.end();
+  if (Ranks::of_run().any(has_left)) refuse(model, state, has_left ? &*left : nullptr, body);
+  particles.take_out(cell_changes, work.transit);
   for (const bodies::CellChange& change : cell_changes)
     if (particles.count_in(change.from) == 0) {
       grid.moments[change.from] = {};
@@ -382,6 +386,10 @@ void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, 
       grid.volume_change[change.from] = 0;
       if (grid.bulk_viscosity > 0) grid.viscous_stress[change.from] = 0;
     }
+  share_movers(grid, cell_changes, work.transit);
+  particles.put_in(cell_changes, work.transit);
+  for (std::size_t m = 0; m < cell_changes.size(); ++m)
+    if (work.transit.index[m] == 0) grid.enter(model.mesh, cell_changes[m].to);
   if (particles.sort_occupied()) find_nodes(model.mesh, particles, grid);
 }
 

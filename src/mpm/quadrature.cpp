@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/quadrature.hpp"
 
-#include "core/for_each.hpp"
+#include "mpm/share.hpp"
 
 namespace berm::mpm {
 namespace {
@@ -27,7 +27,7 @@ void integrate_full_cells(const problem::Model<dim>& model, const bodies::Partic
 {
   const auto& occupied = particles.occupied();
   if (!grid.full_cells) return;
-  for_each("quadrature of full cells", static_cast<Index>(occupied.size()), [&](Index c) {
+  for_each("quadrature of full cells", particles.chunks(), [&](Index c) {
     const Index cell = occupied[c];
     Moments<dim>& t = grid.moments[cell];
     const Real zeta = fullness(model.mesh, grid, cell), weight = 1 - zeta + zeta * grid.volume[cell] / t.volume;
@@ -35,6 +35,7 @@ void integrate_full_cells(const problem::Model<dim>& model, const bodies::Partic
     t.volume *= weight;
     for (Real& stress : t.stress) stress *= weight;
   });
+  share_moments(model.mesh, particles, grid);
 }
 
 template void integrate_full_cells(const problem::Model<2>&, const bodies::Particles<2>&, BodyGrid<2>&);

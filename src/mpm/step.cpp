@@ -7,6 +7,7 @@
 #include "mpm/loads.hpp"
 #include "mpm/move.hpp"
 #include "mpm/quadrature.hpp"
+#include "mpm/share.hpp"
 #include "mpm/time_step.hpp"
 #include "mpm/transfer.hpp"
 #include "problem/stages.hpp"
@@ -21,21 +22,26 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
   const Index bodies = static_cast<Index>(model.bodies.size());
   for (Index b = 0; b < bodies; ++b) {
     sum_moments(model.mesh, state.particles[b], work.grids[b]);  // 1: sums over the particles of each cell
-    gather_mass_and_momentum(model.mesh, work.grids[b]);         // 1: (1), and velocities before the step
+    share_moments(model.mesh, state.particles[b], work.grids[b]);
+    gather_mass_and_momentum(model.mesh, work.grids[b]);  // 1: (1), and velocities before the step
     integrate_full_cells(model, state.particles[b], work.grids[b]);
     smooth_velocities(model.mesh, state.particles[b], work.grids[b]);
     find_viscous_stress(model, state.particles[b], work.grids[b]);
     spread_internal_forces(model, state.particles[b], work.grids[b]);  // 1: (2)
+    share_corner_sums(work.grids[b]);
   }
   spread_tractions(model, state, work);                                              // 1: forces on boundaries of the soil
   find_contacts(model, state, work);                                                 // 4: contact detection
   for (Index b = 0; b < bodies; ++b) solve_momentum_balance(model, state, work, b);  // 1-4: (3), (4), (6), supports
-  correct_accelerations(model, state, work);                                         // 4: (8)-(14)
+  share_at_contacts(work, &BodyGrid<dim>::acceleration);
+  correct_accelerations(model, state, work);  // 4: (8)-(14)
 
   for (Index b = 0; b < bodies; ++b) {
     spread_new_momentum(model.mesh, state.particles[b], state.dt, work.grids[b]);  // 5-6: (14)-(16) from the moments
-    gather_new_velocities(model, work.grids[b]);                                   // 7-8: (18), supports
+    share_corner_sums(work.grids[b]);
+    gather_new_velocities(model, work.grids[b]);  // 7-8: (18), supports
   }
+  share_at_contacts(work, &BodyGrid<dim>::mapped_velocity);
   correct_velocities(model, state, work);  // 8: (8)-(13) again
   move_load_points(model, state, work);    // 9: with the soil
 
@@ -53,6 +59,7 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
   const Index bodies = static_cast<Index>(model.bodies.size());
   for (Index b = 0; b < bodies; ++b) {
     sum_moments(model.mesh, state.particles[b], work.grids[b]);
+    share_moments(model.mesh, state.particles[b], work.grids[b]);
     gather_mass_and_momentum(model.mesh, work.grids[b]);
     integrate_full_cells(model, state.particles[b], work.grids[b]);
     find_viscous_stress(model, state.particles[b], work.grids[b]);
@@ -60,16 +67,20 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
   }
   spread_tractions(model, state, work);
   find_contacts(model, state, work);
+  share_at_contacts(work, &BodyGrid<dim>::mapped_velocity);
   correct_velocities(model, state, work);
 
   for (Index b = 0; b < bodies; ++b) {
     if (model.mpm.volumetric_projection) sum_volume_changes(model.mesh, state.particles[b], state.dt, work.grids[b]);
     strain_particles(model, state, work, b);
     sum_moments(model.mesh, state.particles[b], work.grids[b]);
+    share_moments(model.mesh, state.particles[b], work.grids[b]);
     integrate_full_cells(model, state.particles[b], work.grids[b]);
     spread_internal_forces(model, state.particles[b], work.grids[b]);
+    share_corner_sums(work.grids[b]);
     solve_momentum_balance(model, state, work, b);
   }
+  share_at_contacts(work, &BodyGrid<dim>::acceleration);
   correct_accelerations(model, state, work);
 
   for (Index b = 0; b < bodies; ++b) predict_velocities(model, state.dt, work.grids[b]);

@@ -89,15 +89,28 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyGrid<dim>& grid = work.grids[b];
     // A comparison with NaN is false, so NaN is replaced by infinity to be detected.
-    fastest = largest_of("fastest node", static_cast<Index>(grid.nodes.size()), fastest, [&](Index n) {
-      const Real speed = grid.mapped_velocity[grid.nodes[n]].norm();
-      return std::isfinite(speed) ? speed : infinity;
+    const auto& occupied = state.particles[b].occupied();
+    fastest = largest_of("fastest node", static_cast<Index>(occupied.size()), fastest, [&](Index c) {
+      Real of_cell = 0;
+      for (const Index node : model.mesh.nodes[occupied[c]]) {
+        const Real speed = grid.mapped_velocity[node].norm();
+        of_cell = std::max(of_cell, std::isfinite(speed) ? speed : infinity);
+      }
+      return of_cell;
     });
   }
-  if (!std::isfinite(fastest))
-    for (std::size_t b = 0; b < model.bodies.size(); ++b)
-      for (const Index i : work.grids[b].nodes)
-        if (!work.grids[b].mapped_velocity[i].allFinite()) throw_not_finite(model, state, static_cast<Index>(b));
+  Ranks& ranks = Ranks::of_run();
+  fastest = ranks.largest(fastest);
+  if (!std::isfinite(fastest)) {
+    const auto bodies = static_cast<Index>(model.bodies.size());
+    Index body = bodies;
+    for (Index b = bodies; b-- > 0;)
+      for (const Index cell : state.particles[b].occupied())
+        for (const Index node : model.mesh.nodes[cell])
+          if (!work.grids[b].mapped_velocity[node].allFinite()) body = b;
+    body = -static_cast<Index>(ranks.largest(-body));
+    if (body < bodies) throw_not_finite(model, state, body);
+  }
   if (!std::isfinite(fastest))
     throw RunError(fmt::format("velocities are not finite at t = {} s (step {}); try a smaller mpm.courant (now {})", state.time,
                                state.step, model.mpm.courant));
@@ -106,15 +119,18 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Real wave_speed = model.bodies[b].waves.fastest;
     const auto& occupied = state.particles[b].occupied();
-    const Real steepest = largest_of("smallest height", static_cast<Index>(occupied.size()), 0,
-                                     [&](Index c) { return work.grids[b].shape(model.mesh, occupied[c]).steepest_square(); });
+    const Real steepest = ranks.largest(largest_of("smallest height", static_cast<Index>(occupied.size()), 0, [&](Index c) {
+      return work.grids[b].shape(model.mesh, occupied[c]).steepest_square();
+    }));
     const Real height = 1 / std::sqrt(steepest);
     min = std::min(min, height / (wave_speed + fastest));
     min_at_rest = std::min(min_at_rest, height / wave_speed);
   }
   const Real dt = std::min(model.mpm.courant, stable_courant(model)) * min;
   if (min < min_part * min_at_rest || state.time + dt == state.time) {
-    const auto [speed, what] = fastest_of(model, state, work);
+    const auto [of_rank, words] = fastest_of(model, state, work);
+    const Real speed = ranks.largest(of_rank);
+    const std::string what = ranks.text_of_largest(of_rank, words);
     throw RunError(fmt::format("the time step has fallen to {:.3g} s (at rest it is {:.3g} s) at t = {:.6g} s (step {}), because of {}, "
                                "which moves at {:.3g} m/s; try a smaller mpm.courant (now {}), and check velocities and loads",
                                dt, model.mpm.courant * min_at_rest, state.time, state.step, what, speed, model.mpm.courant));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/transfer.hpp"
 
-#include "core/for_each.hpp"
 #include "mpm/linear_field.hpp"
+#include "mpm/share.hpp"
 
 namespace berm::mpm {
 namespace {
@@ -105,7 +105,7 @@ template <int dim>
 void sum_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   const auto& occupied = particles.occupied();
-  for_each("sum moments of cells", static_cast<Index>(occupied.size()), [&](Index c) {
+  for_each("sum moments of cells", particles.chunks(), [&](Index c) {
     const Index cell = occupied[c];
     particles.prefetch_after(c);
     LaneMoments<dim> sums;
@@ -152,7 +152,7 @@ Real mass_of_cells(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index
 template <int dim>
 void gather_mass_and_momentum(const mesh::Mesh<dim>& mesh, BodyGrid<dim>& grid)
 {
-  for_each("gather mass and momentum", static_cast<Index>(grid.nodes.size()), [&](Index n) {
+  for_each("gather mass and momentum", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
     CornerSums<dim> total{};
     Real min_volume = infinity;
@@ -191,7 +191,7 @@ void find_viscous_stress(const problem::Model<dim>& model, const bodies::Particl
   if (!(grid.bulk_viscosity > 0)) return;
   const mesh::Mesh<dim>& mesh = model.mesh;
   const auto& occupied = particles.occupied();
-  for_each("viscous stress of cells", static_cast<Index>(occupied.size()), [&](Index c) {
+  for_each("viscous stress of cells", particles.chunks(), [&](Index c) {
     Real volume = 0, height = 0, divergence = 0;
     mesh::for_each_in_patch(model.patches, occupied[c], [&](Index member) {
       const Real of_cell = grid.moments[member].volume;
@@ -209,7 +209,7 @@ void spread_internal_forces(const problem::Model<dim>& model, const bodies::Part
   const mesh::Mesh<dim>& mesh = model.mesh;
   const auto& occupied = particles.occupied();
   const bool project = model.mpm.volumetric_projection;
-  for_each("internal forces of cells", static_cast<Index>(occupied.size()), [&](Index c) {
+  for_each("internal forces of cells", particles.chunks(), [&](Index c) {
     const Index cell = occupied[c];
     const Moments<dim>& t = grid.moments[cell];
     Real change = 0;  // of volume times mean stress
@@ -242,7 +242,7 @@ void smooth_velocities(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>
 {
   if (!(grid.filter_rate > 0)) return;
   const auto& occupied = particles.occupied();
-  for_each("momentum of nodal velocities", static_cast<Index>(occupied.size()), [&](Index c) {
+  for_each("momentum of nodal velocities", particles.chunks(), [&](Index c) {
     const Index cell = occupied[c];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     const LinearField<dim> velocity(shape, mesh.nodes[cell], grid.velocity);
@@ -253,7 +253,8 @@ void smooth_velocities(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>
       share_among_corners<dim>(shape, momentum, times_x, [&](int k, Real sum) { corners[k].sum[d] = sum; });
     }
   });
-  for_each("smooth velocities", static_cast<Index>(grid.nodes.size()), [&](Index n) {
+  share_corner_sums(grid);
+  for_each("smooth velocities", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
     Vec<dim> momentum = Vec<dim>::Zero();
     for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e)
@@ -267,7 +268,7 @@ void spread_new_momentum(const mesh::Mesh<dim>& mesh, const bodies::Particles<di
 {
   const auto& occupied = particles.occupied();
   const Real part = grid.filtered_part(dt);
-  for_each("momentum after the forces", static_cast<Index>(occupied.size()), [&](Index c) {
+  for_each("momentum after the forces", particles.chunks(), [&](Index c) {
     const Index cell = occupied[c];
     const Moments<dim>& t = grid.moments[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
@@ -286,7 +287,7 @@ template <int dim>
 void gather_new_velocities(const problem::Model<dim>& model, BodyGrid<dim>& grid)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
-  for_each("gather new velocities", static_cast<Index>(grid.nodes.size()), [&](Index n) {
+  for_each("gather new velocities", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
     Vec<dim> momentum = Vec<dim>::Zero();
     for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e)
@@ -304,7 +305,7 @@ void gather_new_velocities(const problem::Model<dim>& model, BodyGrid<dim>& grid
 template <int dim>
 void predict_velocities(const problem::Model<dim>& model, Real ahead, BodyGrid<dim>& grid)
 {
-  for_each("predict velocities", static_cast<Index>(grid.nodes.size()), [&](Index n) {
+  for_each("predict velocities", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
     const auto momentum_of = [&](Index cell) { return Eigen::Map<const Vec<dim>>(grid.moments[cell].mv); };
     grid.mapped_velocity[i] = boundary::without_fixed<dim>(model.fixed[grid.fixed], i,
@@ -317,11 +318,13 @@ template <int dim>
 void sum_volume_changes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
   const auto& occupied = particles.occupied();
-  for_each("volume change of cells", static_cast<Index>(occupied.size()), [&](Index c) {
-    const Index cell = occupied[c];
+  const auto sum = [&](Index cell) {
     const Real divergence = divergence_in<dim>(grid.shape(mesh, cell), mesh.nodes[cell], grid.mapped_velocity);
     grid.volume_change[cell] = grid.moments[cell].volume * divergence * dt;
-  });
+  };
+  for_each("volume change of cells", particles.chunks(), [&](Index c) { sum(occupied[c]); });
+  for (const Index cell : grid.halo.partners)
+    if (grid.moments[cell].m > 0) sum(cell);
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \

@@ -68,10 +68,10 @@ std::size_t bytes_of_point_in_file(int more_numbers)
 }
 
 template <int dim>
-FrameWriter<dim>::FrameWriter(const std::filesystem::path& folder, const mesh::Mesh<dim>& mesh) : folder_(folder)
+FrameWriter<dim>::FrameWriter(const std::filesystem::path& folder, const mesh::Mesh<dim>& mesh, bool with_mesh) : folder_(folder)
 {
   io::make_folder(folder);
-  write_mesh(mesh);
+  if (with_mesh) write_mesh(mesh);
 }
 
 template <int dim>

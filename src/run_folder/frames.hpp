@@ -20,8 +20,8 @@ std::size_t bytes_of_point_in_file(int more_numbers);
 template <int dim>
 class FrameWriter {
 public:
-  /// Makes the folder where it is missing and writes the mesh.
-  FrameWriter(const std::filesystem::path& folder, const mesh::Mesh<dim>& mesh);
+  /// Makes the folder where it is missing and writes the mesh, unless another process does that.
+  FrameWriter(const std::filesystem::path& folder, const mesh::Mesh<dim>& mesh, bool with_mesh = true);
 
   /// Writes one frame, unless the last one written is of the same time. All frames of a run have triangles or none, rigid bodies or none.
   void write(Frame<dim> frame);

@@ -16,7 +16,7 @@ namespace berm::simulation {
 /// since it has one set of OpenMP threads and one default logger: a second throws RunError. After it the calling thread is as it was.
 class Context {
 public:
-  /// threads: 0 = one for each processor. `stop` is called after every step: once true it stays true, and the run ends with a checkpoint. Messages go to
+  /// threads: 0 = one for each processor. `stop` is called after every step (by ranks: every sixteenth): once true it stays true, and the run ends with a checkpoint. Messages go to
   /// stderr, or to `messages`, and to the run's log.
   explicit Context(int threads = 0, std::function<bool()> stop = {}, std::shared_ptr<spdlog::sinks::sink> messages = {})
       : threads_(threads),
@@ -49,5 +49,8 @@ private:
   std::function<bool()> stop_;
   std::shared_ptr<spdlog::sinks::sink> messages_;
 };
+
+/// "2 threads", or "4 ranks of 2 threads".
+std::string words_of_workers(const Context& context);
 
 }  // namespace berm::simulation

@@ -44,6 +44,9 @@ public:
   bool next_stage() { return steps_.next_stage(); }
   bool at_checkpoint_boundary() const { return true; }
   void archive(Archive& k);
+  /// One process has all.
+  struct Whole {};
+  Whole whole_state() const { return {}; }
 
   /// What shows whether the run can be trusted; what does not is a warning in the log, too.
   run_folder::Summary::Checks checks() const;

@@ -3,6 +3,7 @@
 
 #include "bodies/fill.hpp"
 #include "core/error.hpp"
+#include "core/ranks.hpp"
 #include "mpm/grid.hpp"
 #include "run_folder/frame_maker.hpp"
 
@@ -130,7 +131,7 @@ RunSize size_of(const problem::Problem<dim>& problem)
   for (const bodies::Particles<dim>& particles : problem.state.particles) {
     RunSize::OfBody body{static_cast<Real>(particles.size()), static_cast<Real>(particles.occupied().size()), 0, particles.extra_size()};
     BigIndex blocks = 0;
-    for (const Index cell : particles.occupied()) blocks += (particles.count_in(cell) + lanes - 1) / lanes;
+    for (const Index cell : particles.occupied()) blocks += bodies::blocks_for(particles.count_in(cell));
     body.blocks = static_cast<Real>(blocks);
     size.bodies.push_back(body);
   }
@@ -187,7 +188,8 @@ Real memory_left()
 
 void refuse_without_memory(Real bytes, Real in_use, const std::string& what, const std::string& advice)
 {
-  const Real needed = in_use + bytes, there = memory_in_use() + memory_left();
+  const Real here = Ranks::of_run().count_here();
+  const Real needed = here * (in_use + bytes), there = here * memory_in_use() + memory_left();
   if (needed > there)
     throw RunError(fmt::format("{} need {:.0f} MiB of memory at least, and there are {:.0f} MiB; {}", what, needed / mebibyte,
                                there / mebibyte, advice));

@@ -2,7 +2,9 @@
 // Tests: tests/unit/simulation/run_test.cpp
 #include "simulation/mpm_method.hpp"
 
+#include "checkpoint/checkpoint_file.hpp"
 #include "core/error.hpp"
+#include "core/ranks.hpp"
 #include "mpm/condition.hpp"
 #include "mpm/diagnose.hpp"
 #include "mpm/step.hpp"
@@ -79,14 +81,20 @@ MpmMethod<d>::MpmMethod(const RunRequest& request, const io::ScratchFolder& scra
       recorder_(model(), state()),
       frame_maker_(model(), state())
 {
+  for (const bodies::Particles<d>& particles : state().particles) counts_.particles += particles.size();
 }
 
 template <int d>
-run_folder::MpmCounts MpmMethod<d>::counts() const
+MpmMethod<d>::~MpmMethod()
 {
-  run_folder::MpmCounts counts;
-  for (const bodies::Particles<d>& particles : state().particles) counts.particles += particles.size();
-  return counts;
+  Ranks::of_run().unite();
+}
+
+template <int d>
+run_folder::Frame<d> MpmMethod<d>::make_frame()
+{
+  const mpm::WholeState<d> whole = whole_state();
+  return Ranks::of_run().is_first() ? frame_maker_.make(state()) : run_folder::Frame<d>();
 }
 
 template <int d>
@@ -95,9 +103,30 @@ std::string MpmMethod<d>::size_words() const
   return fmt::format("{} cells, {} particles", model().mesh.cell_count(), counts().particles);
 }
 
+/// Each rank reads the case and makes the mesh for itself.
+template <int d>
+void MpmMethod<d>::refuse_other_problem() const
+{
+  Ranks& ranks = Ranks::of_run();
+  if (ranks.count() == 1) return;
+  const mesh::Mesh<d>& mesh = model().mesh;
+  const std::vector<std::uint32_t> own = {
+      checkpoint::crc_of(mesh.position.data(), sizeof(Vec<d>) * static_cast<std::size_t>(mesh.node_count())),
+      checkpoint::crc_of(mesh.nodes.data(), sizeof(mesh.nodes[0]) * static_cast<std::size_t>(mesh.cell_count())),
+      static_cast<std::uint32_t>(counts_.particles)};
+  std::vector<std::uint32_t> all;
+  ranks.gather_from_all(own, all);
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (all[k] != all[k % own.size()])
+      throw RunError(fmt::format(
+          "rank {} has another mesh or other particles than rank 0: do all machines have the same case, build and Gmsh?", k / own.size()));
+}
+
 template <int d>
 void MpmMethod<d>::begin(bool)
 {
+  refuse_other_problem();
+  mpm::divide(model(), problem_.state);
   work_.emplace(model(), state());
   if (model().update_stress_first)
     spdlog::warn(
@@ -107,8 +136,37 @@ void MpmMethod<d>::begin(bool)
 template <int d>
 void MpmMethod<d>::step()
 {
+  if (Ranks::of_run().divided()) divide_anew();
   mpm::step(model(), problem_.state, *work_);
   mpm::refuse_rigid_outside_mesh(model(), state());
+}
+
+/// Where some ranks wait for others: soon after the start, then less and less often. Not where the time step is due, as with a checkpoint.
+template <int d>
+void MpmMethod<d>::divide_anew()
+{
+  constexpr BigIndex first = mpm::steps_between_time_steps, offset = first / 2, longest = 1024;
+  if (next_division_ == 0) {
+    next_division_ = state().step / first * first + first + offset;
+    steps_between_divisions_ = first;
+  }
+  if (state().step != next_division_) return;
+  next_division_ += steps_between_divisions_;
+  steps_between_divisions_ = std::min(2 * steps_between_divisions_, longest);
+  const auto now = std::chrono::steady_clock::now();
+  const Real waited = Ranks::of_run().messenger()->passed();
+  const Real busy = std::chrono::duration<Real>(now - measured_since_).count() - (waited - waited_);
+  const bool measured = measured_since_.time_since_epoch().count() > 0;
+  measured_since_ = now;
+  waited_ = waited;
+  if (measured && mpm::divide_anew(model(), problem_.state, busy)) work_.emplace(model(), state());
+}
+
+template <int d>
+mpm::WholeState<d> MpmMethod<d>::whole_state()
+{
+  measured_since_ = {};  // what follows is done by the first rank alone
+  return mpm::WholeState<d>(problem_.state);
 }
 
 template <int d>
@@ -245,13 +303,16 @@ void MpmMethod<d>::warn_of(const mpm::SoilCondition& soil) const
 template <int d>
 void MpmMethod<d>::print_check(const Context& context)
 {
+  std::vector<Index> particles;
+  for (const bodies::Particles<d>& of_body : state().particles) particles.push_back(of_body.size());
+  const Real memory = memory_before_ + memory_of<d>(size_of(problem_));
+  mpm::divide(model(), problem_.state);
   mpm::Work<d>& work = work_.emplace(model(), state());
   const Real dt = stable_time_step(model(), problem_.state, work);
   fmt::print("  cells        {}\n  nodes        {}\n", model().mesh.cell_count(), model().mesh.node_count());
   for (std::size_t b = 0; b < model().bodies.size(); ++b)
-    fmt::print("  particles    {} in body \"{}\"\n", state().particles[b].size(), model().bodies[b].name);
-  fmt::print("  memory       about {:.0f} MiB at most, while frames are written\n",
-             (memory_before_ + memory_of<d>(size_of(problem_))) / (1 << 20));
+    fmt::print("  particles    {} in body \"{}\"\n", particles[b], model().bodies[b].name);
+  fmt::print("  memory       about {:.0f} MiB at most, while frames are written\n", memory / (1 << 20));
   fmt::print("  time step    {:.4g} s\n", dt);
 
   // The speed is measured on the first steps, for a quarter of a second at most.
@@ -260,15 +321,15 @@ void MpmMethod<d>::print_check(const Context& context)
   Real wall = 0;
   while (wall < 0.25 && (total <= 0 || state().time < total)) {
     step();
-    wall = std::chrono::duration<Real>(std::chrono::steady_clock::now() - start).count();
+    wall = Ranks::of_run().largest(std::chrono::duration<Real>(std::chrono::steady_clock::now() - start).count());
   }
   const Real seconds_a_step = wall / static_cast<Real>(state().step);
   for (const problem::StageSettings& stage : model().stages)
     if (!(expected_time(stage) > 0))
       fmt::print("  stage \"{}\": its duration is not known in advance and is not counted below\n", stage.name);
   fmt::print("  steps        about {:.0f}, {} rows of history\n", total / dt, static_cast<BigIndex>(total / history_interval()));
-  fmt::print("  time         about {} with {} thread{} ({:.3g} million particle-steps/s)\n",
-             run_folder::words_of_duration(total / dt * seconds_a_step), context.threads(), context.threads() == 1 ? "" : "s",
+  fmt::print("  time         about {} with {} ({:.3g} million particle-steps/s)\n",
+             run_folder::words_of_duration(total / dt * seconds_a_step), words_of_workers(context),
              static_cast<Real>(counts().particles) / seconds_a_step / 1e6);
 }
 

@@ -3,12 +3,15 @@
 
 #include "io/scratch_folder.hpp"
 #include "mpm/condition.hpp"
+#include "mpm/divide.hpp"
 #include "run_folder/frame_maker.hpp"
 #include "run_folder/summary.hpp"
 #include "sanity/scene.hpp"
 #include "simulation/cell_watch.hpp"
 #include "simulation/mpm_recorder.hpp"
 #include "simulation/simulate.hpp"
+
+#include <chrono>
 
 namespace berm::simulation {
 
@@ -21,6 +24,7 @@ public:
   /// Builds the problem; mesh files go to the scratch folder. A run that there is no memory for is refused as early as its size is known. Throws InputError
   /// and RunError.
   MpmMethod(const RunRequest& request, const io::ScratchFolder& scratch);
+  ~MpmMethod();
   MpmMethod(const MpmMethod&) = delete;
   MpmMethod& operator=(const MpmMethod&) = delete;
 
@@ -41,7 +45,8 @@ public:
   /// s between rows of the history.
   Real history_interval() const { return history_interval_; }
   void add_row(run_folder::HistoryFile& file);
-  run_folder::Frame<d> make_frame() { return frame_maker_.make(state()); }
+  /// Of the whole problem, on the first rank.
+  run_folder::Frame<d> make_frame();
   /// Whether a limit of the stage is reached, or the equilibrium that ends it.
   bool stage_ended() const;
   /// False after the last one.
@@ -49,24 +54,33 @@ public:
   /// The time step is chosen by the velocities of the nodes in the step before, which are no part of the state: not where it is due.
   bool at_checkpoint_boundary() const;
   void archive(Archive& k);
+  /// The state of all ranks, on the first of them, while this lives.
+  mpm::WholeState<d> whole_state();
 
   /// What shows whether the run can be trusted; what does not is a warning in the log, too.
   run_folder::Summary::Checks checks() const;
-  run_folder::MpmCounts counts() const;
+  run_folder::MpmCounts counts() const { return counts_; }
   /// Since the start.
   Real particle_steps() const { return static_cast<Real>(counts().particles * state().step); }
 
 private:
+  void refuse_other_problem() const;
+  void divide_anew();
   bool is_at_rest() const;
   void tell_equilibrium(const problem::StageSettings& stage) const;
   void warn_of(const mpm::SoilCondition& soil) const;
 
   Real memory_before_;  ///< bytes in use before the problem was built
   problem::Problem<d> problem_;
+  run_folder::MpmCounts counts_;
   Real history_interval_;
   MpmRecorder<d> recorder_;
   run_folder::FrameMaker<d> frame_maker_;
   std::optional<mpm::Work<d>> work_;  ///< made of the state that the run begins with or is resumed from
+  // Since when it is measured how long this rank works without waiting, 0 where it is not; and s that it had waited for others until then.
+  std::chrono::steady_clock::time_point measured_since_;
+  Real waited_ = 0;
+  BigIndex next_division_ = 0, steps_between_divisions_ = 0;
   CellWatch<d> cells_;
   Real equilibrium_ = std::numeric_limits<Real>::quiet_NaN();
 };

@@ -3,6 +3,7 @@
 #include "simulation/run.hpp"
 
 #include "core/error.hpp"
+#include "core/ranks.hpp"
 #include "core/vector_unit.hpp"
 #include "input/write_case.hpp"
 #include "problem/stages.hpp"
@@ -10,6 +11,7 @@
 #include "simulation/fem_method.hpp"
 #include "simulation/mpm_method.hpp"
 #include "simulation/results.hpp"
+#include "simulation/run_of_ranks.hpp"
 #include "simulation/with_run_folder.hpp"
 #include "user_law/load.hpp"
 
@@ -29,7 +31,7 @@ Run<Method>::Run(const RunRequest& request, Context& context, Method& method, co
       folder_(folder),
       clock_(context.timings()),
       checkpoints_(folder.path(), request.settings.output.checkpoint_wall_time),
-      frames_(folder.subfolder("frames"), method.model().mesh),
+      frames_(folder.subfolder("frames"), method.model().mesh, Ranks::of_run().is_first()),
       progress_(log),
       held_forces_(method.model().stages.size(), std::numeric_limits<Real>::quiet_NaN()),
       unit_(vector_unit())
@@ -51,7 +53,7 @@ bool Run<Method>::to_the_end()
         step_to_the_end();
       },
       [&] { leave_results(); });
-  if (finished_) checkpoints_.remove();
+  if (finished_ && Ranks::of_run().is_first()) checkpoints_.remove();
   return finished_;
 }
 
@@ -60,7 +62,8 @@ template <class Method>
 bool Run<Method>::read_checkpoint()
 {
   const std::string own_unit = unit_;
-  if (!checkpoints_.read([&](Archive& k) { archive(k); })) {
+  const bool found = Ranks::of_run().is_first() && checkpoints_.read([&](Archive& k) { archive(k); });
+  if (!broadcast(found, [&](Archive& k) { archive_progress(k); })) {
     spdlog::info("there is no checkpoint in {}: begins at the start", folder_.path().string());
     return false;
   }
@@ -75,16 +78,26 @@ void Run<Method>::step_to_the_end()
   bool stopped = false;
   while (!finished_ && !stopped) {
     step();
-    const bool asked_to_stop = context_.asked_to_stop();
+    if (!decides_now()) continue;
+    const bool asked_to_stop = Ranks::of_run().any(context_.asked_to_stop());
     if (asked_to_stop) checkpoints_.ask();
-    if (finished_ || !method_.at_checkpoint_boundary() || !checkpoints_.due()) continue;
+    if (finished_ || !method_.at_checkpoint_boundary() || !Ranks::of_run().any(checkpoints_.due())) continue;
     write_checkpoint();
     stopped = asked_to_stop;
   }
+  if constexpr (!std::is_same_v<Method, FemMethod>) Ranks::of_run().together([&] { user_law::throw_failures(request_.settings); });
   if (finished_) return;
   if (state().time > last_row_) record();
   spdlog::warn("stopped at t = {:.6g} s in stage \"{}\"; what was computed until then is in {}. To resume: berm run --resume {}",
                state().time, stage().name, folder_.path().string(), folder_.path().string());
+}
+
+/// Whether to stop or to write a checkpoint is looked at after every step; where ranks must agree, seldom.
+template <class Method>
+bool Run<Method>::decides_now() const
+{
+  constexpr BigIndex steps = 16;
+  return Ranks::of_run().count() == 1 || finished_ || state().step % steps == steps / 2;
 }
 
 /// A user's own law that fails is the reason of what follows from it. Finite elements may get over it in a shorter increment.
@@ -99,8 +112,8 @@ void Run<Method>::step_of_method()
   }
   if constexpr (std::is_same_v<Method, FemMethod>)
     user_law::forget_failures(request_.settings);
-  else
-    user_law::throw_failures(request_.settings);
+  else if (decides_now())
+    Ranks::of_run().together([&] { user_law::throw_failures(request_.settings); });
 }
 
 /// One step, and the output that is due after it.
@@ -121,6 +134,8 @@ void Run<Method>::step()
 template <class Method>
 void Run<Method>::write_checkpoint()
 {
+  [[maybe_unused]] const auto whole = method_.whole_state();
+  if (!Ranks::of_run().is_first()) return checkpoints_.leave_to_other();
   history_bytes_ = history_->sync();  // a history that the disk does not take ends the run, a checkpoint does not
   checkpoints_.write(state().step, [&](Archive& k) { archive(k); });
 }
@@ -136,6 +151,13 @@ void Run<Method>::archive(Archive& k)
   k.table("history", [&] { archive_history(k, history_path(), history_bytes_); });
   k.table("frames", [&] { frames_.archive(k); });
   k.table("clock", [&] { clock_.archive(k); });
+  archive_progress(k);
+}
+
+/// What all ranks know.
+template <class Method>
+void Run<Method>::archive_progress(Archive& k)
+{
   k("last_row", last_row_);
   k("next_row", next_row_);
   k("frame_time", frame_time_);
@@ -164,9 +186,11 @@ bool Run<Method>::frame_is_due() const
 template <class Method>
 void Run<Method>::frame()
 {
-  if (!frames_.last().points.empty() && frames_.last().time == state().time) return;
+  if (state().time == last_frame_) return;
+  last_frame_ = state().time;
   const Timer timer("write frames");
-  frames_.write(method_.make_frame());
+  run_folder::Frame<dim> made = method_.make_frame();
+  if (Ranks::of_run().is_first()) frames_.write(std::move(made));
   ::malloc_trim(0);  // gives back what writing took on the way: a tenth of what the run has
   frame_time_ = state().time;
   if (driven() != none) frame_displacement_ = state().rigid_bodies[driven()].displacement;
@@ -215,10 +239,12 @@ void Run<Method>::report_progress()
 template <class Method>
 void Run<Method>::leave_results()
 {
+  const run_folder::Summary::Checks checks = method_.checks();
   frame();
+  if (!Ranks::of_run().is_first()) return;
   const run_folder::RunTiming timing{clock_.wall(), context_.threads(), model().mesh.cell_count(),
                                      state().step,  method_.counts(),   clock_.loops()};
-  const RunOutcome outcome{finished_, held_forces_, method_.checks(), warnings_};
+  const RunOutcome outcome{finished_, held_forces_, checks, warnings_};
   const std::string results = write_results(request_, folder_, model(), state().rigid_bodies, frames_.last(), outcome, timing);
   if (!results.empty()) log_.result(results);
   spdlog::info("everything is in {}", folder_.path().string());

@@ -29,6 +29,7 @@ public:
 
 private:
   bool read_checkpoint();
+  bool decides_now() const;
   void step_to_the_end();
   void step();
   void step_of_method();
@@ -36,6 +37,7 @@ private:
   void leave_results();
   std::filesystem::path history_path() const { return folder_.file("history.csv"); }
   void archive(Archive& k);
+  void archive_progress(Archive& k);
   void record();
   bool frame_is_due() const;
   void frame();
@@ -62,6 +64,7 @@ private:
   run_folder::Progress progress_;
   bool finished_ = false;
   Real last_row_ = -1, next_row_ = 0, frame_time_ = 0;  ///< s
+  Real last_frame_ = -1;                                ///< s, of a frame that this process made
   Vec<dim> frame_displacement_ = Vec<dim>::Zero();
   std::vector<Real> held_forces_;  ///< N/m, V that each stage holds; NaN where none
   std::string unit_;               ///< vector unit that the run was begun on

@@ -3,6 +3,7 @@
 #include "simulation/simulate.hpp"
 
 #include "core/error.hpp"
+#include "core/ranks.hpp"
 #include "simulation/fem_method.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/mpm_method.hpp"
@@ -24,6 +25,9 @@ auto with_method(RunRequest request, const Act& act)
   const auto with = [&](auto method) { return act(request, method, scratch); };
   try {
     user_law::load(request.settings);
+    if (request.settings.method == problem::Method::fem && Ranks::of_run().count() > 1)
+      throw InputError(
+          fmt::format("{}: method = \"fem\" is for one process: start it without the MPI launcher", request.case_file.string()));
     if (request.settings.method == problem::Method::fem) return with(FemMethod(request, scratch));
     return request.settings.dimension == 2 ? with(MpmMethod<2>(request, scratch)) : with(MpmMethod<3>(request, scratch));
   } catch (const KeyError& error) {
@@ -38,7 +42,7 @@ bool run_case(const RunRequest& to_run, Context& context)
   return with_method(to_run, [&](const RunRequest& request, auto& method, const io::ScratchFolder& scratch) {
     const std::vector<std::string> warnings =
         request.resume ? noted_warnings(request.folder) : warnings_of(method.scene(request, context.threads()));
-    const std::string what = fmt::format("{}, {} thread{}", method.size_words(), context.threads(), context.threads() == 1 ? "" : "s");
+    const std::string what = fmt::format("{}, {}", method.size_words(), words_of_workers(context));
     return with_run_folder(request, context, scratch, what, warnings, [&](const run_folder::RunFolder& folder, run_folder::RunLog& log) {
       return Run(request, context, method, folder, log, warnings).to_the_end();
     });

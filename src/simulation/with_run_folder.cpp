@@ -3,12 +3,14 @@
 #include "simulation/with_run_folder.hpp"
 
 #include "core/error.hpp"
+#include "core/ranks.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
 #include "run_folder/origin.hpp"
 #include "simulation/checkpoints.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/resume.hpp"
+#include "simulation/run_of_ranks.hpp"
 #include "user_law/load.hpp"
 
 #include <exception>
@@ -56,6 +58,11 @@ bool with_run_folder(const RunRequest& request, const Context& context, const io
                      const std::vector<std::string>& warnings,
                      const std::function<bool(const run_folder::RunFolder&, run_folder::RunLog&)>& run)
 {
+  if (!Ranks::of_run().is_first()) {  // whose messages nobody sees
+    const run_folder::RunFolder unseen(scratch.path() / "run");
+    run_folder::RunLog log(unseen.file("run.log"), false, context.messages());
+    return run(unseen, log);
+  }
   const bool replaces = !request.resume && !checkpoint::CheckpointFolder(checkpoints_in(request.folder)).files().empty();
   const run_folder::RunFolder folder =
       request.resume ? run_folder::RunFolder::of_earlier_run(request.folder) : new_run_folder(request, scratch, warnings);
@@ -81,7 +88,8 @@ void run_then_write_results(const std::function<void()>& run, const std::functio
   std::exception_ptr failure;
   try {
     run();
-  } catch (const RunError&) {
+  } catch (const RunError& error) {
+    end_all_unless_failed_together(error.what());
     failure = std::current_exception();
   }
   try {

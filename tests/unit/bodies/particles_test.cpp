@@ -208,7 +208,8 @@ TEST(Particles, that_change_cells_together_come_where_they_come_one_by_one)
         for (Index index = 0; index < together.count_in(cell); ++index)
           if (cell == 20 || random() % 1000 < per_thousand) changes.push_back({cell, index, random() % 3 == 0 ? 7 : some_cell()});
       ASSERT_GT(changes.size(), 5u);
-      together.change_cells(changes, transit);
+      together.take_out(changes, transit);
+      together.put_in(changes, transit);
       std::vector<Particle<2>> taken(changes.size());
       for (std::size_t m = changes.size(); m-- > 0;) taken[m] = one_by_one.take(changes[m].from, changes[m].index);
       for (std::size_t m = 0; m < changes.size(); ++m) one_by_one.insert(changes[m].to, taken[m]);

@@ -38,7 +38,8 @@ struct Bed {
   {
     bodies::RigidState<dim> state;
     state.displacement = displacement;
-    detect(mesh, particles, rigid, state, detection, mass, result);
+    NodeField<Real> masses = mass;
+    detect(mesh, particles, rigid, state, detection, masses, result);
   }
 
   Real min_height() const

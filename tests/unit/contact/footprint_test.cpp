@@ -40,7 +40,8 @@ struct Bed {
     bodies::RigidState<2> state;
     found.near_displacement.setConstant(infinity);
     state.near_cells_displacement.setConstant(infinity);
-    detect<2>(mesh, particles, rigid, state, detection, NodeField<Real>(mesh.node_count(), 1), found);
+    NodeField<Real> mass(mesh.node_count(), 1);
+    detect<2>(mesh, particles, rigid, state, detection, mass, found);
     find_footprints(mesh, particles, shape, found);
     return std::accumulate(found.footprints.begin(), found.footprints.end(), Real(0), [](Real sum, const auto& f) { return sum + f.area; });
   }
