@@ -345,9 +345,12 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, s
   seconds(0.5, 16);  // warm-up
   context.timings().clear();
   const BigIndex before = problem.state.step;
+  const auto waited = [&] { return ranks.divided() ? ranks.messenger()->passed() : 0; };
+  const Real waited_before = waited();
   const Real wall = seconds(3, 32);
   const BigIndex steps = problem.state.step - before;
   const Real speed = static_cast<Real>(particles * steps) / wall;
+  const Real waiting = sum_of_ranks(waited() - waited_before) / ranks.count();
 
   const Real memory = sum_of_ranks(simulation::memory_of_data() - memory_before) / static_cast<Real>(particles);
 
@@ -378,11 +381,13 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, s
                                    {"flops_per_particle_step", demand.flops},
                                    {"share_of_bandwidth", speed * demand.bytes / bandwidth},
                                    {"memory_bytes_per_particle", memory}};
-  for (const Timing& loop : loops) {
-    const Real nanoseconds = loop.seconds / static_cast<Real>(particles * steps) * 1e9;
-    fmt::print("    {:<32} {:>8.2f} ns a particle-step\n", loop.label, nanoseconds);
-    result["loops"].push_back({{"label", loop.label}, {"ns_per_particle_step", nanoseconds}});
-  }
+  const auto tell = [&](const std::string& label, Real time) {
+    const Real nanoseconds = time / static_cast<Real>(particles * steps) * 1e9;
+    fmt::print("    {:<32} {:>8.2f} ns a particle-step\n", label, nanoseconds);
+    result["loops"].push_back({{"label", label}, {"ns_per_particle_step", nanoseconds}});
+  };
+  for (const Timing& loop : loops) tell(loop.label, loop.seconds);
+  if (ranks.count() > 1) tell("(messages, in the loops above)", waiting);
   return result;
 }
 

@@ -78,6 +78,10 @@ class Launcher:
     def is_there(self):
         return self.mpirun and os.path.exists(os.path.join(os.path.dirname(self.program), "lib", "libberm_mpi.so"))
 
+    def starts_processes(self):
+        """Some machines let it start none, whatever they run."""
+        return subprocess.run([self.mpirun, "-n", "2", "true"], env=self.environment, capture_output=True, timeout=TIME_LIMIT).returncode == 0
+
     def words(self, *words):
         """The command of one process. It finds no gnuplot: pictures would take longer than all else here."""
         variables = (f"PATH={self.scratch}", f"TMPDIR={self.scratch}", f"{MARK.decode()}={os.getpid()}.{self.starts}")
