@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/ranks/run
 // The library that a program started by an MPI launcher opens, by itself: libmpi takes a third of a second to start.
+// All functions are called by their second names, PMPI_...: MUMPS without MPI, which the program has, brings some of the first names, and they do nothing.
 #include "core/ranks.hpp"
 
 #include <chrono>
@@ -33,12 +34,12 @@ public:
   MpiMessenger()
   {
     int provided = 0;
-    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
-    MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
-    MPI_Comm_size(MPI_COMM_WORLD, &count_);
-    MPI_Comm_dup(MPI_COMM_WORLD, &meetings_);
+    PMPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
+    PMPI_Comm_rank(MPI_COMM_WORLD, &rank_);
+    PMPI_Comm_size(MPI_COMM_WORLD, &count_);
+    PMPI_Comm_dup(MPI_COMM_WORLD, &meetings_);
   }
-  ~MpiMessenger() override { MPI_Finalize(); }
+  ~MpiMessenger() override { PMPI_Finalize(); }
   MpiMessenger(const MpiMessenger&) = delete;
   MpiMessenger& operator=(const MpiMessenger&) = delete;
 
@@ -52,7 +53,7 @@ public:
     for (const Letter& letter : letters)
       for (std::size_t at = 0;; at += page) {  // the last page of a letter is not full
         const std::size_t bytes = std::min(letter.out.size() - at, page);
-        MPI_Isend(letter.out.data() + at, as_int(bytes), MPI_BYTE, letter.rank, tag, MPI_COMM_WORLD, &sent_.emplace_back());
+        PMPI_Isend(letter.out.data() + at, as_int(bytes), MPI_BYTE, letter.rank, tag, MPI_COMM_WORLD, &sent_.emplace_back());
         if (bytes < page) break;
       }
     for (Letter& letter : letters) {
@@ -61,14 +62,14 @@ public:
       do {
         MPI_Message message;
         MPI_Status status;
-        MPI_Mprobe(letter.rank, tag, MPI_COMM_WORLD, &message, &status);
-        MPI_Get_count(&status, MPI_BYTE, &bytes);
+        PMPI_Mprobe(letter.rank, tag, MPI_COMM_WORLD, &message, &status);
+        PMPI_Get_count(&status, MPI_BYTE, &bytes);
         const std::size_t at = letter.in.size();
         letter.in.resize(at + static_cast<std::size_t>(bytes));
-        MPI_Mrecv(letter.in.data() + at, bytes, MPI_BYTE, &message, MPI_STATUS_IGNORE);
+        PMPI_Mrecv(letter.in.data() + at, bytes, MPI_BYTE, &message, MPI_STATUS_IGNORE);
       } while (static_cast<std::size_t>(bytes) == page);
     }
-    MPI_Waitall(static_cast<int>(sent_.size()), sent_.data(), MPI_STATUSES_IGNORE);
+    PMPI_Waitall(static_cast<int>(sent_.size()), sent_.data(), MPI_STATUSES_IGNORE);
   }
 
   /// In units of the largest power of two that divides all lengths, so that gigabytes can be counted.
@@ -86,18 +87,18 @@ public:
     }
     MPI_Datatype type = MPI_BYTE;
     if (unit > 1) {
-      MPI_Type_contiguous(static_cast<int>(unit), MPI_BYTE, &type);
-      MPI_Type_commit(&type);
+      PMPI_Type_contiguous(static_cast<int>(unit), MPI_BYTE, &type);
+      PMPI_Type_commit(&type);
     }
-    MPI_Allgatherv(own, counts_[rank_], type, all, counts_.data(), begins_.data(), type, MPI_COMM_WORLD);
-    if (unit > 1) MPI_Type_free(&type);
+    PMPI_Allgatherv(own, counts_[rank_], type, all, counts_.data(), begins_.data(), type, MPI_COMM_WORLD);
+    if (unit > 1) PMPI_Type_free(&type);
   }
 
   Real largest(Real of_rank) override
   {
     const Stopwatch stopwatch(passed_);
     Real most = of_rank;
-    MPI_Allreduce(&of_rank, &most, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+    PMPI_Allreduce(&of_rank, &most, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
     return most;
   }
 
@@ -107,10 +108,10 @@ public:
   {
     const Clock::time_point start = Clock::now();
     MPI_Request request;
-    MPI_Ibarrier(meetings_, &request);
+    PMPI_Ibarrier(meetings_, &request);
     int all = 0;
     for (;;) {
-      MPI_Test(&request, &all, MPI_STATUS_IGNORE);
+      PMPI_Test(&request, &all, MPI_STATUS_IGNORE);
       if (all != 0 || std::chrono::duration<Real>(Clock::now() - start).count() > seconds) return all != 0;
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -118,7 +119,7 @@ public:
 
   [[noreturn]] void abort(int status) override
   {
-    MPI_Abort(MPI_COMM_WORLD, status);
+    PMPI_Abort(MPI_COMM_WORLD, status);
     std::_Exit(status);
   }
 

@@ -140,8 +140,7 @@ void join_ranks()
       print_nothing();
       break;
     }
-  // Its own libraries first: MUMPS without MPI brings functions of the same names that do nothing.
-  void* const library = dlopen("libberm_mpi.so", RTLD_NOW | RTLD_GLOBAL | RTLD_DEEPBIND);
+  void* const library = dlopen("libberm_mpi.so", RTLD_NOW | RTLD_GLOBAL);
   if (library == nullptr)
     throw RunError(fmt::format("an MPI launcher started several processes of berm, which was built without MPI ({}): install MPI and build "
                                "berm again, or start it without the launcher",
