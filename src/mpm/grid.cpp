@@ -3,6 +3,7 @@
 #include "mpm/grid.hpp"
 
 #include "mpm/body_sums.hpp"
+#include "mpm/transfer.hpp"
 
 #include <atomic>
 
@@ -12,7 +13,7 @@ template <int dim>
 BodyGrid<dim>::BodyGrid(const mesh::Mesh<dim>& mesh)
     : moments(CellField<Moments<dim>>::zeros(mesh.cell_count())),
       corners(CellField<std::array<CornerSums<dim>, dim + 1>>::zeros(mesh.cell_count())),
-      volume_change(CellField<Real>::zeros(mesh.cell_count())),
+      volume_change(CellField<VolumeChange>::zeros(mesh.cell_count())),
       viscous_stress(CellField<Real>::zeros(mesh.cell_count())),
       gradients(CellField<mesh::Gradients<dim>>::zeros(mesh.cell_count())),
       height(CellField<Real>::zeros(mesh.cell_count())),
@@ -108,6 +109,8 @@ Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& sta
   // A sixteenth of all particles: far more than change cell in one step of a stable run.
   for (auto& list : cell_changes) list.reserve(max / 16 + 1024);
   transit.reserve(max / 16 + 1024);
+  changed_cells.reserve(2 * (max / 16 + 1024));
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) sum_moments(model.mesh, state.particles[b], grids[b]);
 }
 
 template struct BodyGrid<2>;

@@ -35,13 +35,19 @@ struct CornerSums {
   Real volume;    ///< sum V of the whole cell, the same for all its corners
 };
 
+/// How the particles of a cell swell in a step.
+struct VolumeChange {
+  Real volume;  ///< sum V before the step, as in Moments
+  Real change;  ///< that times div(v) dt
+};
+
 /// Nodal fields of one body and the cell sums behind them, valid within a step. Cell sums are zero where a cell has no
 /// particles. Memory is committed only where the body has been.
 template <int dim>
 struct BodyGrid {
-  CellField<Moments<dim>> moments;
+  CellField<Moments<dim>> moments;  ///< between steps, and these contributions to the corners too, of the particles as they are
   CellField<std::array<CornerSums<dim>, dim + 1>> corners;
-  CellField<Real> volume_change;   ///< sum V times div(v) dt of the cell
+  CellField<VolumeChange> volume_change;
   CellField<Real> viscous_stress;  ///< Pa, tension positive; 0 where the body has no bulk viscosity
   Real bulk_viscosity = 0;         ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
   Real filter_rate = 0;            ///< 1/s, rate at which the filter relaxes particle velocities towards the smooth ones; 0: no filter
@@ -113,6 +119,7 @@ struct Work {
   bool contacts_share_nodes = false;                          ///< some node is moved by more than one contact point
   std::vector<std::vector<bodies::CellChange>> cell_changes;  ///< by thread
   bodies::Transit<dim> transit;
+  std::vector<Index> changed_cells;                           ///< that particles left or entered
   std::vector<std::array<Real, dim + 1>> load_shares;         ///< of each load point: what the corners of its cell get
   std::vector<int> load_owner;                                ///< of each load point: the rank that has its cell
   std::vector<std::vector<VolumeRule>> volume_rules;          ///< by body and material

@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/move.hpp"
 
-#include "core/error.hpp"
 #include "core/rotate.hpp"
-#include "mpm/diagnose.hpp"
 #include "mpm/linear_field.hpp"
-#include "mpm/share.hpp"
+#include "mpm/transfer.hpp"
 
 #include <algorithm>
-#include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace berm::mpm {
 namespace {
@@ -181,8 +177,8 @@ Real patch_dilation(const mesh::Patches& patches, const BodyGrid<dim>& grid, Ind
 {
   Real volume = 0, change = 0;
   mesh::for_each_in_patch(patches, cell, [&](Index member) {
-    volume += grid.moments[member].volume;
-    change += grid.volume_change[member];
+    volume += grid.volume_change[member].volume;
+    change += grid.volume_change[member].change;
   });
   return change / volume;
 }
@@ -225,7 +221,7 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
                           Work<dim>& work, Index body)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
-  const BodyGrid<dim>& grid = work.grids[body];
+  BodyGrid<dim>& grid = work.grids[body];
   bodies::Particles<dim>& particles = state.particles[body];
   const Real dt = state.dt, time = state.time, per_density = 1 / model.bodies[body].waves.mean_density;
   const Real min_volume = model.mpm.min_volume_ratio * per_density, max_volume = model.mpm.max_volume_ratio * per_density;
@@ -234,7 +230,7 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
   [[maybe_unused]] const OwnSoil<Law> soils{work.laws[body], work.laws_without_dilation[body], work.volume_rules[body],
                                             work.number_offset[body]};
 
-  const WorkDone work_done = sum_of<WorkDone>("move and strain particles", particles.chunks(), [&](Index c) {
+  const auto move_in_cell = [&](Index c) {
     const Index cell = particles.occupied()[c];
     particles.prefetch_after(c);
     const auto& nodes = mesh.nodes[cell];
@@ -305,7 +301,10 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
     if (grid.full_cells) done.internal *= grid.weight[cell];
     if (pass != Pass::move) done.internal += grid.moments[cell].volume * grid.viscous_stress[cell] * cell_strain.dilation;
     return done;
-  });
+  };
+  // The particles are in the cache still where their moments follow at once.
+  const WorkDone work_done = sum_of<WorkDone>("move and strain particles", particles.chunks(), move_in_cell,
+                                              [&](Index c) { sum_moments_of(mesh, particles, particles.occupied()[c], grid); });
   state.totals.internal += work_done.internal;
   state.totals.damping += work_done.filtered;
 }
@@ -324,20 +323,6 @@ void pass_over_particles(const problem::Model<dim>& model, problem::State<dim>& 
           move_and_strain_with<pass, false, dim>(law, without_dilation, model, state, work, body);
       },
       work.laws[body].front());
-}
-
-/// `left` is a particle of this rank that has left the mesh, or null where it is one of another.
-template <int dim>
-[[noreturn]] void refuse(const problem::Model<dim>& model, const problem::State<dim>& state, const bodies::CellChange* left, Index body)
-{
-  std::string words;
-  if (left != nullptr) {
-    const bodies::Particle<dim> p = state.particles[body].read_at(left->from, left->index);
-    words = fmt::format("particle {} of body \"{}\" left the mesh at ({:.6g}) m at t = {:.6g} s (step {}), moving at ({:.3g}) m/s; {}",
-                        p.id, model.bodies[body].name, fmt::join(p.x.begin(), p.x.end(), ", "), state.time, state.step,
-                        fmt::join(p.v.begin(), p.v.end(), ", "), advice_for_leaving(model, state, p.x, left->from));
-  }
-  throw RunError(Ranks::of_run().text_of_largest(left != nullptr ? 1 : 0, words));
 }
 
 }  // namespace
@@ -360,44 +345,10 @@ void move_particles(const problem::Model<dim>& model, problem::State<dim>& state
   pass_over_particles<Pass::move>(model, state, work, body);
 }
 
-template <int dim>
-void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
-{
-  const Timer timer("change cells");
-  bodies::Particles<dim>& particles = state.particles[body];
-  BodyGrid<dim>& grid = work.grids[body];
-  std::vector<bodies::CellChange>& cell_changes = work.cell_changes.front();
-  for (std::size_t t = 1; t < work.cell_changes.size(); ++t)
-    cell_changes.insert(cell_changes.end(), work.cell_changes[t].begin(), work.cell_changes[t].end());
-  if (cell_changes.empty() && !grid.halo.divided()) return;
-  // Threads share a large body's cells in several rounds, so their lists laid end to end are not in the order of the cells yet.
-  std::sort(cell_changes.begin(), cell_changes.end(), [](const bodies::CellChange& a, const bodies::CellChange& b) {
-    return a.from != b.from ? a.from < b.from : a.index < b.index;
-  });
-
-  const auto left = std::find_if(cell_changes.begin(), cell_changes.end(), [](const auto& change) { return change.to == none; });
-  const bool has_left = left != cell_changes.end();
-  if (Ranks::of_run().any(has_left)) refuse(model, state, has_left ? &*left : nullptr, body);
-  particles.take_out(cell_changes, work.transit);
-  for (const bodies::CellChange& change : cell_changes)
-    if (particles.count_in(change.from) == 0) {
-      grid.moments[change.from] = {};
-      grid.corners[change.from] = {};
-      grid.volume_change[change.from] = 0;
-      if (grid.bulk_viscosity > 0) grid.viscous_stress[change.from] = 0;
-    }
-  share_movers(grid, cell_changes, work.transit);
-  particles.put_in(cell_changes, work.transit);
-  for (std::size_t m = 0; m < cell_changes.size(); ++m)
-    if (work.transit.index[m] == 0) grid.enter(model.mesh, cell_changes[m].to);
-  if (particles.sort_occupied()) find_nodes(model.mesh, particles, grid);
-}
-
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void move_and_strain(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&, Index);                                      \
   template void strain_particles(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&, Index);                                     \
-  template void move_particles(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&, Index);                                       \
-  template void change_cells(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&, Index);
+  template void move_particles(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&, Index);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

@@ -8,7 +8,7 @@ namespace berm::mpm {
 /// Steps 5 and 9 to 11 on the particles of one body: velocity from the corrected acceleration (14), position from the
 /// corrected velocity of the nodes (20), strain increment (21) with its volumetric part projected, Jaumann rotation of the
 /// stress, constitutive law (22, 23), volume, accumulated deviatoric strain; and records the particles that have changed
-/// cell.
+/// cell. The moments of the cells are then those of the particles as they are.
 template <int dim>
 void move_and_strain(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
 
@@ -17,10 +17,5 @@ template <int dim>
 void strain_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
 template <int dim>
 void move_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
-
-/// Moves the recorded particles to their new cells, in the order of their old ones. Throws RunError for a particle that has
-/// left the mesh.
-template <int dim>
-void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
 
 }  // namespace berm::mpm

@@ -31,7 +31,7 @@ void share_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& pa
         for (const Index cell : side.got) {
           grid.moments[cell] = {};
           grid.corners[cell] = {};
-          grid.volume_change[cell] = 0;
+          grid.volume_change[cell] = {};
         }
         std::size_t count = 0;
         const std::byte* at = get_bytes(in.data(), &count);

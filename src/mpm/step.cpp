@@ -3,6 +3,7 @@
 #include "mpm/step.hpp"
 
 #include "mpm/balance.hpp"
+#include "mpm/change_cells.hpp"
 #include "mpm/contact.hpp"
 #include "mpm/loads.hpp"
 #include "mpm/move.hpp"
@@ -15,13 +16,13 @@
 namespace berm::mpm {
 namespace {
 
-// Numbers in brackets are the paper's equations. Each body has nodal fields of its own, so the loops over bodies come first.
+// Numbers in brackets are the paper's equations. Each body has nodal fields of its own, so the loops over bodies come first. Step 1 begins with sums over the
+// particles of each cell: these are made where the particles change last, when they are in the cache.
 template <int dim>
 void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
 {
   const Index bodies = static_cast<Index>(model.bodies.size());
   for (Index b = 0; b < bodies; ++b) {
-    sum_moments(model.mesh, state.particles[b], work.grids[b]);  // 1: sums over the particles of each cell
     share_moments(model.mesh, state.particles[b], work.grids[b]);
     gather_mass_and_momentum(model.mesh, work.grids[b]);  // 1: (1), and velocities before the step
     integrate_full_cells(model, state.particles[b], work.grids[b]);
@@ -58,7 +59,6 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
 {
   const Index bodies = static_cast<Index>(model.bodies.size());
   for (Index b = 0; b < bodies; ++b) {
-    sum_moments(model.mesh, state.particles[b], work.grids[b]);
     share_moments(model.mesh, state.particles[b], work.grids[b]);
     gather_mass_and_momentum(model.mesh, work.grids[b]);
     integrate_full_cells(model, state.particles[b], work.grids[b]);
@@ -73,7 +73,6 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
   for (Index b = 0; b < bodies; ++b) {
     if (model.mpm.volumetric_projection) sum_volume_changes(model.mesh, state.particles[b], state.dt, work.grids[b]);
     strain_particles(model, state, work, b);
-    sum_moments(model.mesh, state.particles[b], work.grids[b]);
     share_moments(model.mesh, state.particles[b], work.grids[b]);
     integrate_full_cells(model, state.particles[b], work.grids[b]);
     spread_internal_forces(model, state.particles[b], work.grids[b]);

@@ -102,23 +102,27 @@ struct LaneMoments {
 }  // namespace
 
 template <int dim>
+void sum_moments_of(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Index cell, BodyGrid<dim>& grid)
+{
+  LaneMoments<dim> sums;
+  sums.clear();
+  particles.parts(cell, [&](const auto& part) { sums.add(part, particles.block(part.block), particles.block(part.other)); });
+  Moments<dim>& t = grid.moments[cell];
+  sums.total(t);
+
+  const mesh::Shape<dim> shape = grid.shape(mesh, cell);
+  auto& corners = grid.corners[cell];
+  for (int d = 0; d < dim; ++d) share_among_corners<dim>(shape, t.mv[d], t.mvx[d], [&](int k, Real sum) { corners[k].sum[d] = sum; });
+  share_among_corners<dim>(shape, t.m, t.mx, [&](int k, Real sum) { corners[k].mass = sum; });
+  for (CornerSums<dim>& corner : corners) corner.volume = t.volume;
+}
+
+template <int dim>
 void sum_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
-  const auto& occupied = particles.occupied();
   for_each("sum moments of cells", particles.chunks(), [&](Index c) {
-    const Index cell = occupied[c];
     particles.prefetch_after(c);
-    LaneMoments<dim> sums;
-    sums.clear();
-    particles.parts(cell, [&](const auto& part) { sums.add(part, particles.block(part.block), particles.block(part.other)); });
-    Moments<dim>& t = grid.moments[cell];
-    sums.total(t);
-
-    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    auto& corners = grid.corners[cell];
-    for (int d = 0; d < dim; ++d) share_among_corners<dim>(shape, t.mv[d], t.mvx[d], [&](int k, Real sum) { corners[k].sum[d] = sum; });
-    share_among_corners<dim>(shape, t.m, t.mx, [&](int k, Real sum) { corners[k].mass = sum; });
-    for (CornerSums<dim>& corner : corners) corner.volume = t.volume;
+    sum_moments_of(mesh, particles, particles.occupied()[c], grid);
   });
 }
 
@@ -320,7 +324,8 @@ void sum_volume_changes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim
   const auto& occupied = particles.occupied();
   const auto sum = [&](Index cell) {
     const Real divergence = divergence_in<dim>(grid.shape(mesh, cell), mesh.nodes[cell], grid.mapped_velocity);
-    grid.volume_change[cell] = grid.moments[cell].volume * divergence * dt;
+    const Real volume = grid.moments[cell].volume;
+    grid.volume_change[cell] = {volume, volume * divergence * dt};
   };
   for_each("volume change of cells", particles.chunks(), [&](Index c) { sum(occupied[c]); });
   for (const Index cell : grid.halo.partners)
@@ -328,6 +333,7 @@ void sum_volume_changes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void sum_moments_of(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, Index, BodyGrid<dim>&);                              \
   template void sum_moments(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                                        \
   template void gather_mass_and_momentum(const mesh::Mesh<dim>&, BodyGrid<dim>&);                                                          \
   template void find_viscous_stress(const problem::Model<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                            \

@@ -5,7 +5,13 @@
 
 namespace berm::mpm {
 
-/// Step 1: the moments of each cell, and its contributions to its corners: mass sum m N_k and momentum sum m v N_k.
+/// Step 1: the moments of a cell with particles, and its contributions to its corners: mass sum m N_k and momentum sum m v N_k. Compiled once for all callers, so
+/// that a run and its resumption have the same bits.
+template <int dim>
+[[gnu::noinline]] void sum_moments_of(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Index cell,
+                                      BodyGrid<dim>& grid);
+
+/// That of all cells with particles.
 template <int dim>
 void sum_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/chunks.hpp"
 
+#include "samples/rough_numbers.hpp"
+
 #include <gtest/gtest.h>
-#include <random>
 
 namespace berm {
 namespace {
@@ -73,15 +74,6 @@ TEST(Chunks, of_a_list_that_is_made_again_allocate_nothing)
   }
 }
 
-/// Numbers of very different sizes, so that every change of order shows in the last bits.
-std::vector<Real> rough_numbers(Index count)
-{
-  std::mt19937 random(5);
-  std::vector<Real> numbers(static_cast<std::size_t>(count));
-  for (Real& x : numbers) x = std::ldexp(std::uniform_real_distribution<Real>(-1, 1)(random), static_cast<int>(random() % 40));
-  return numbers;
-}
-
 TEST(SumOfChunks, is_that_of_the_chunks_one_after_the_other_on_any_number_of_threads)
 {
   constexpr Index count = 9000;
@@ -99,6 +91,26 @@ TEST(SumOfChunks, is_that_of_the_chunks_one_after_the_other_on_any_number_of_thr
     std::vector<int> visits(list.numbers.size(), 0);
     for_each("test", list.chunks, [&](Index i) { ++visits[i]; });
     EXPECT_EQ(std::count(visits.begin(), visits.end(), 1), static_cast<std::ptrdiff_t>(visits.size()));
+  }
+}
+
+TEST(SumOfChunks, does_the_rest_for_each_entry_once_and_after_its_term)
+{
+  constexpr Index count = 9000;
+  const std::vector<Real> numbers = rough_numbers(count);
+  const List list = selected(count, [](Index i) { return i % 7 != 0; });
+  const auto number_of = [&](Index i) { return numbers[list.numbers[i]]; };
+  for (const int threads : {1, 3}) {
+    omp_set_num_threads(threads);
+    std::vector<int> terms(list.numbers.size(), 0), rests(list.numbers.size(), 0);
+    const auto term = [&](Index i) {
+      ++terms[i];
+      return number_of(i);
+    };
+    EXPECT_EQ(sum_of<Real>("test", list.chunks, term, [&](Index i) { rests[i] += terms[i]; }),
+              sum_of<Real>("test", list.chunks, number_of));
+    EXPECT_EQ(std::count(terms.begin(), terms.end(), 1), static_cast<std::ptrdiff_t>(terms.size()));
+    EXPECT_EQ(rests, terms);
   }
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/for_each.hpp"
 
+#include "samples/rough_numbers.hpp"
+
 #include <gtest/gtest.h>
-#include <random>
 
 namespace berm {
 namespace {
@@ -21,15 +22,6 @@ private:
 
 // Chunks of 512, 64 of them in one go: counts just beside both, and several goes.
 const std::vector<Index> counts = {0, 1, 7, 511, 512, 513, 1024, 32767, 32768, 32769, 33280, 70001};
-
-/// Numbers of very different sizes, so that every change of order shows in the last bits.
-std::vector<Real> rough_numbers(Index count)
-{
-  std::mt19937 random(5);
-  std::vector<Real> numbers(count);
-  for (Real& x : numbers) x = std::ldexp(std::uniform_real_distribution<Real>(-1, 1)(random), static_cast<int>(random() % 40));
-  return numbers;
-}
 
 TEST(SumOf, is_equal_to_the_last_bit_for_any_number_of_threads)
 {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/change_cells.hpp"
 #include "mpm/move.hpp"
 
 #include "core/error.hpp"
@@ -6,6 +7,7 @@
 #include "sample_problem.hpp"
 
 #include <Eigen/Geometry>
+#include <cstring>
 #include <gtest/gtest.h>
 
 namespace berm::mpm {
@@ -242,6 +244,29 @@ TYPED_TEST(Move, a_cell_that_gets_its_first_particle_gets_its_shape)
   mpm::change_cells(problem.model, problem.state, work, 0);
   ASSERT_EQ(particles.count_in(empty), 1);
   for (const Index cell : particles.occupied()) EXPECT_EQ(work.grids[0].gradients[cell], mesh.shape(cell).gradients) << cell;
+}
+
+TYPED_TEST(Move, leaves_the_sums_of_the_particles_as_they_are_then_also_where_particles_changed_cell)
+{
+  constexpr int dim = TypeParam::value;
+  for (const Real travel : {0.1, 1.}) {  // of the shortest height
+    Moved<dim> body(shaken_box<dim>(), sample_solid(), 0, true);
+    Real min_height = infinity;
+    for (Index cell = 0; cell < body.mesh().cell_count(); ++cell) min_height = std::min(min_height, body.mesh().height(cell));
+    const Vec<dim> center = (body.mesh().lower + body.mesh().upper) / 2;
+    // Towards the middle, so that no particle leaves the mesh.
+    body.move(1, [&](const Vec<dim>& x) { return Vec<dim>(travel * min_height * (center - x) / (center - body.mesh().lower).norm()); });
+    std::size_t changes = 0;
+    for (const auto& list : body.work.cell_changes) changes += list.size();
+    EXPECT_GT(changes, 0u);
+    body.change_cells();
+    const Work<dim> fresh(body.problem.model, body.problem.state);
+    for (Index cell = 0; cell < body.mesh().cell_count(); ++cell) {
+      const BodyGrid<dim>& anew = fresh.grids[0];
+      EXPECT_EQ(std::memcmp(&body.grid().moments[cell], &anew.moments[cell], sizeof(Moments<dim>)), 0) << cell;
+      EXPECT_EQ(std::memcmp(&body.grid().corners[cell], &anew.corners[cell], sizeof(anew.corners[cell])), 0) << cell;
+    }
+  }
 }
 
 TYPED_TEST(Move, a_particle_that_round_off_put_beyond_a_wall_is_brought_back_to_it)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/body_sums.hpp"
+#include "mpm/change_cells.hpp"
 #include "mpm/move.hpp"
 #include "mpm/transfer.hpp"
 #include "sample_problem.hpp"

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/mpm/move_test.cpp
+#include "mpm/change_cells.hpp"
+
+#include "core/error.hpp"
+#include "mpm/diagnose.hpp"
+#include "mpm/share.hpp"
+#include "mpm/transfer.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm::mpm {
+namespace {
+
+/// `left` is a particle of this rank that has left the mesh, or null where it is one of another.
+template <int dim>
+[[noreturn]] void refuse(const problem::Model<dim>& model, const problem::State<dim>& state, const bodies::CellChange* left, Index body)
+{
+  std::string words;
+  if (left != nullptr) {
+    const bodies::Particle<dim> p = state.particles[body].read_at(left->from, left->index);
+    words = fmt::format("particle {} of body \"{}\" left the mesh at ({:.6g}) m at t = {:.6g} s (step {}), moving at ({:.3g}) m/s; {}",
+                        p.id, model.bodies[body].name, fmt::join(p.x.begin(), p.x.end(), ", "), state.time, state.step,
+                        fmt::join(p.v.begin(), p.v.end(), ", "), advice_for_leaving(model, state, p.x, left->from));
+  }
+  throw RunError(Ranks::of_run().text_of_largest(left != nullptr ? 1 : 0, words));
+}
+
+/// Each of the cells may be there several times, and without particles.
+template <int dim>
+void sum_changed_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, std::vector<Index>& cells,
+                         BodyGrid<dim>& grid)
+{
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  for_each("change cells", static_cast<Index>(cells.size()), [&](Index k) {
+    if (particles.count_in(cells[k]) > 0) sum_moments_of(mesh, particles, cells[k], grid);
+  });
+}
+
+}  // namespace
+
+template <int dim>
+void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
+{
+  const Timer timer("change cells");
+  bodies::Particles<dim>& particles = state.particles[body];
+  BodyGrid<dim>& grid = work.grids[body];
+  std::vector<bodies::CellChange>& cell_changes = work.cell_changes.front();
+  for (std::size_t t = 1; t < work.cell_changes.size(); ++t)
+    cell_changes.insert(cell_changes.end(), work.cell_changes[t].begin(), work.cell_changes[t].end());
+  if (cell_changes.empty() && !grid.halo.divided()) return;
+  // Threads share a large body's cells in several rounds, so their lists laid end to end are not in the order of the cells yet.
+  std::sort(cell_changes.begin(), cell_changes.end(), [](const bodies::CellChange& a, const bodies::CellChange& b) {
+    return a.from != b.from ? a.from < b.from : a.index < b.index;
+  });
+
+  const auto left = std::find_if(cell_changes.begin(), cell_changes.end(), [](const auto& change) { return change.to == none; });
+  const bool has_left = left != cell_changes.end();
+  if (Ranks::of_run().any(has_left)) refuse(model, state, has_left ? &*left : nullptr, body);
+  particles.take_out(cell_changes, work.transit);
+  work.changed_cells.clear();
+  for (const bodies::CellChange& change : cell_changes) {
+    work.changed_cells.push_back(change.from);
+    if (particles.count_in(change.from) == 0) {
+      grid.moments[change.from] = {};
+      grid.corners[change.from] = {};
+      grid.volume_change[change.from] = {};
+      if (grid.bulk_viscosity > 0) grid.viscous_stress[change.from] = 0;
+    }
+  }
+  share_movers(grid, cell_changes, work.transit);
+  particles.put_in(cell_changes, work.transit);
+  for (std::size_t m = 0; m < cell_changes.size(); ++m) {
+    work.changed_cells.push_back(cell_changes[m].to);
+    if (work.transit.index[m] == 0) grid.enter(model.mesh, cell_changes[m].to);
+  }
+  sum_changed_moments(model.mesh, particles, work.changed_cells, grid);
+  if (particles.sort_occupied()) find_nodes(model.mesh, particles, grid);
+}
+
+template void change_cells(const problem::Model<2>&, problem::State<2>&, Work<2>&, Index);
+template void change_cells(const problem::Model<3>&, problem::State<3>&, Work<3>&, Index);
+
+}  // namespace berm::mpm
