@@ -17,7 +17,13 @@ option(BERM_FUZZ "make the targets of tests/fuzz programs of clang's libFuzzer" 
 
 add_library(berm_flags INTERFACE)
 # -Wno-psabi: vectors wider than a register are passed by reference inside berm; no such type crosses a library's boundary by value.
-target_compile_options(berm_flags INTERFACE -Wall -Wextra -Wshadow -Wconversion -Wno-sign-conversion -Werror -Wno-psabi)
+target_compile_options(berm_flags INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion -Werror -Wno-psabi)
+# Files that are compiled together see each other's constants, which their local names may shadow, and are no main file, whose types in anonymous namespaces may be anywhere.
+if(CMAKE_UNITY_BUILD)
+  target_compile_options(berm_flags INTERFACE -Wshadow=local $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+else()
+  target_compile_options(berm_flags INTERFACE -Wshadow)
+endif()
 # One law serves vectors of lanes, whose masks are joined by & and |, and single numbers, whose masks are bool.
 target_compile_options(berm_flags INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitwise-instead-of-logical>)
 # Square roots need no errno and no comparison may trap: with this the compiler can vectorize them. NaN keeps its meaning.

@@ -10,7 +10,7 @@ void describe(Describe& d, ContactSettings& contact)
   d.value("rigid", contact.rigid, {.meaning = "name of the rigid body in contact with it; or"});
   d.value("other_body", contact.other_body, {.meaning = "name of the other deformable body in contact with it"});
   d.value("friction_angle", contact.friction_angle,
-          {.meaning = "Coulomb friction angle of the interface", .unit = "rad", .range = {0, 89.9 * pi / 180}, .required = true});
+          {.meaning = "Coulomb friction angle of the interface", .unit = "rad", .range = {0, 89.9 * degree}, .required = true});
   d.value("adhesion", contact.adhesion,
           {.meaning = "shear strength of the interface without normal stress", .unit = "Pa", .range = not_negative});
   d.value("adhesion_factor", contact.adhesion_factor,

@@ -19,7 +19,9 @@ template <int dim>
 using Matrix = Eigen::Matrix<Real, dim, dim, Eigen::DontAlign>;
 
 constexpr Real pi = 3.14159265358979323846;
+constexpr Real degree = pi / 180;  ///< rad
 constexpr Real infinity = std::numeric_limits<Real>::infinity();
+constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();  ///< unknown, or not there
 
 /// The normal acceleration of gravity, m/s2 (CGPM 1901).
 constexpr Real standard_gravity = 9.80665;

@@ -64,8 +64,7 @@ const char* strain_label(const Records& records)
 /// What the law allows in place of what is drawn over the strain.
 Real allowed(const TestRecord& record, const TestRow& row)
 {
-  constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
-  const Real t = strength(record, row).value_or(unknown) * kilo;
+  const Real t = strength(record, row).value_or(nan) * kilo;
   const auto* triaxial = std::get_if<Triaxial>(&record.settings.kind);
   const auto* biaxial = std::get_if<Biaxial>(&record.settings.kind);
   const Direction direction = triaxial != nullptr ? triaxial->direction : biaxial != nullptr ? biaxial->direction : Direction::compression;
@@ -148,17 +147,16 @@ plot::Figure pore_pressure(const Records& records)
 
 plot::Figure compression(const Records& records)
 {
-  constexpr Real none = std::numeric_limits<Real>::quiet_NaN();
   plot::Figure figure = figure_of(
       records, "compression curve",
-      [](const TestRecord&, const TestRow& row) { return vertical_stress(row) > 0 ? kilo * vertical_stress(row) : none; },
+      [](const TestRecord&, const TestRow& row) { return vertical_stress(row) > 0 ? kilo * vertical_stress(row) : nan; },
       [](const TestRecord&, const TestRow& row) { return -percent * row.strain[1]; });
   figure.x_label = "vertical stress (kPa)";
   figure.y_label = "axial strain (%)";
   figure.more = "set key below font ',11'\nset autoscale x\nset logscale x\nset yrange [*:*] reverse\n";
   for (plot::FigureCurve& curve : figure.curves)
     for (std::size_t k = 0; k < curve.x.size(); ++k)
-      if (!(curve.x[k] > 0)) curve.y[k] = none;
+      if (!(curve.x[k] > 0)) curve.y[k] = nan;
   return figure;
 }
 

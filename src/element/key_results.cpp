@@ -9,8 +9,6 @@
 namespace berm::element {
 namespace {
 
-constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
-
 KeyResult stress(const char* name, Real value, const char* label, const char* meaning)
 {
   return {name, value, "Pa", label, meaning, 1e-3, "kPa"};
@@ -63,21 +61,21 @@ Real secant_modulus_at_half(const TestRecord& record, const TestRow& peak)
   const TestSettings& settings = record.settings;
   const Real start = measured(settings, record.rows.front()), half = (measured(settings, peak) - start) / 2;
   const auto share = [&](const TestRow& row) { return (measured(settings, row) - start) / half; };
-  if (half == 0) return unknown;
+  if (half == 0) return nan;
   for (std::size_t k = 1; k < record.rows.size(); ++k) {
     const TestRow &a = record.rows[k - 1], &b = record.rows[k];
     if (share(b) < 1) continue;
     const Real part = (1 - share(a)) / (share(b) - share(a));
     return half / (-a.strain[1] - part * (b.strain[1] - a.strain[1]));
   }
-  return unknown;
+  return nan;
 }
 
 /// Over the last step, compression positive: in plane strain sin psi = -(d e1 + d e3)/(d e1 - d e3); in the triaxial test, e_a axial, d e_v / (d e_v - 2 d e_a) in
 /// compression and -d e_v / (d e_v - 2 d e_a) in extension. Not known of a law without strength and of soil without pressure.
 Real dilation_angle(const TestRecord& record)
 {
-  if (!material::yields(record.material) || !(middle_stress(record.rows.back()) > 0)) return unknown;
+  if (!material::yields(record.material) || !(middle_stress(record.rows.back()) > 0)) return nan;
   const std::size_t n = record.rows.size();
   const TestRow &a = record.rows[n - 2], &b = record.rows[n - 1];
   const Real volume = volumetric_strain(b) - volumetric_strain(a), axial = a.strain[1] - b.strain[1], lateral = a.strain[0] - b.strain[0];

@@ -55,8 +55,8 @@ public:
       stage.velocity = speed_;
     } else {
       stage.kind = problem::StageKind::drag;
-      stage.velocity = speed_ * std::cos(angle * pi / 180);
-      stage.vertical_velocity = speed_ * std::sin(angle * pi / 180);
+      stage.velocity = speed_ * std::cos(angle * degree);
+      stage.vertical_velocity = speed_ * std::sin(angle * degree);
     }
     add(probe, stage);
     return probe;
@@ -64,7 +64,7 @@ public:
 
   Probe swipe() const
   {
-    Probe probe{"swipe", ProbeKind::swipe, std::numeric_limits<Real>::quiet_NaN(), case_, ""};
+    Probe probe{"swipe", ProbeKind::swipe, nan, case_, ""};
     problem::StageSettings push = drive_for("push"), drag = drive_for("swipe");
     push.kind = problem::StageKind::push;
     drag.kind = problem::StageKind::drag;

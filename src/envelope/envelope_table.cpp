@@ -46,7 +46,7 @@ ProbeResult result_of(const Probe& probe, const run_folder::History& history, Re
   if (path.V.empty() || path.H.empty()) return result;
   const Real half = probe.settings.method == problem::Method::fem ? 0 : base::averaging_half_width * width;
   const auto at = [&](Real travel) { return EnvelopePoint{path.V.at(travel, half), path.H.at(travel, half), path.w.at(travel, half)}; };
-  const Real angle = probe.kind == ProbeKind::swipe ? 0 : probe.angle * pi / 180;
+  const Real angle = probe.kind == ProbeKind::swipe ? 0 : probe.angle * degree;
   const auto resistance = [&](const EnvelopePoint& p) { return p.V * std::sin(angle) + p.H * std::cos(angle); };
   result.end = at(path.V.end());
   result.growth = 1 - resistance(at((1 - last_part) * path.V.end())) / resistance(result.end);
@@ -62,8 +62,7 @@ ProbeResult result_of(const Probe& probe, const run_folder::History& history, Re
 
 EnvelopeExtremes extremes_of(const std::vector<EnvelopeRow>& rows)
 {
-  constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
-  EnvelopeExtremes extremes{unknown, unknown, unknown};
+  EnvelopeExtremes extremes{nan, nan, nan};
   const auto take = [&](const EnvelopePoint& p) {
     if (std::isfinite(p.H) && !(p.H <= extremes.H_max)) extremes.H_max = p.H, extremes.V_at_H_max = p.V;
   };

@@ -8,8 +8,8 @@ namespace berm::envelope {
 
 /// Where the body and the forces on it were.
 struct EnvelopePoint {
-  Real V = std::numeric_limits<Real>::quiet_NaN(), H = V;  ///< N/m
-  Real w = V;                                              ///< m
+  Real V = nan, H = V;  ///< N/m
+  Real w = V;           ///< m
 };
 
 /// What a probe found.

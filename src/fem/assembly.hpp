@@ -91,7 +91,7 @@ private:
   /// The law of an integration point for the increments that begin with this stress, prepared once because that is
   /// expensive. Its strength may be that of another stress (update_strength).
   struct PointLaw {
-    SymTensor<2> begin{{std::numeric_limits<Real>::quiet_NaN()}};  ///< Pa
+    SymTensor<2> begin{{nan}};  ///< Pa
     material::PreparedMaterial law;
   };
   material::PreparedMaterial law_from(const SymTensor<2>& stress, Index cell, int q) const;

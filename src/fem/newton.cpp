@@ -7,9 +7,9 @@ namespace berm::fem {
 namespace {
 
 constexpr int max_iterations = 25;
-constexpr int max_searches = 12;
-constexpr Real enough_descent = 0.1;  // a slope of this part of the first one ends the line search
-constexpr Real fast = 0.3;            // a matrix that brings the unbalanced forces down to this part is kept for the next step
+constexpr int max_chords = 12;
+constexpr Real gentle_slope = 0.1;  // of the first slope: ends the line search
+constexpr Real fast = 0.3;          // a matrix that brings the unbalanced forces down to this part is kept for the next step
 
 }  // namespace
 
@@ -66,7 +66,7 @@ void Newton::search_line(const FemState& begin, const FemLoads& loads, Real visc
   };
   Real at = 1, here = go(1), low = 0, low_slope = first, high = 0, high_slope = 0;
   if (!(first < 0)) return;
-  for (int k = 0; k < max_searches && !(std::abs(here) <= -enough_descent * first); ++k) {
+  for (int k = 0; k < max_chords && !(std::abs(here) <= -gentle_slope * first); ++k) {
     if (here < 0 && high == 0) return;  // still downhill after the whole step
     if (here < 0)
       low = at, low_slope = here;

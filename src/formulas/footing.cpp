@@ -4,8 +4,6 @@
 namespace berm::formulas {
 namespace {
 
-constexpr Real degree = pi / 180;
-
 /// ln N_q, with tan(pi/4 + phi/2) = exp(asinh(tan phi)).
 Real log_n_q(Real friction_angle)
 {

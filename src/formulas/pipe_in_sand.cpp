@@ -8,9 +8,6 @@
 namespace berm::formulas {
 namespace {
 
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-constexpr Real degree = pi / 180;
-
 constexpr std::array<Real, 4> table_embedment{0.05, 0.10, 0.25, 0.50};
 constexpr std::array<Real, 4> table_smooth{1.433, 2.676, 5.980, 10.87};
 constexpr std::array<Real, 4> table_frictional{3.100, 5.915, 13.37, 23.98};

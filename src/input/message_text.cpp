@@ -8,8 +8,6 @@
 namespace berm::input {
 namespace {
 
-constexpr Real degree = pi / 180;
-
 std::string with_unit(const std::string& number, const std::string& unit)
 {
   return unit.empty() ? number : number + " " + unit;

@@ -57,7 +57,7 @@ private:
   std::vector<std::int64_t> connectivity_, offsets_;
   std::vector<std::uint8_t> types_;
   std::vector<Array> point_fields_, cell_fields_;
-  Real time_ = std::numeric_limits<Real>::quiet_NaN();
+  Real time_ = nan;
 };
 
 }  // namespace berm::io

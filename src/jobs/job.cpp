@@ -108,7 +108,7 @@ Real wall_time_of(const fs::path& folder)
   const std::optional<run_folder::RunSummary> summary = summary_if_whole(folder);
   const std::map<std::string, Real> timing = summary ? summary->timing : std::map<std::string, Real>();
   const auto wall = timing.find("wall_s");
-  return wall == timing.end() ? std::numeric_limits<Real>::quiet_NaN() : wall->second;
+  return wall == timing.end() ? nan : wall->second;
 }
 
 std::vector<std::size_t> by_time(const std::vector<Job>& jobs)

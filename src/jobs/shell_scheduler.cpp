@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kind = "command";
+constexpr const char* any_handle = "command";
 
 std::string replaced(std::string text, const std::string& word, const std::string& by)
 {
@@ -37,13 +37,13 @@ public:
   std::string submit(const fs::path& queue, std::size_t count) override
   {
     start(replaced(replaced(command_, "{jobs}", quoted((queue / "jobs").string())), "{count}", std::to_string(count)));
-    return kind;
+    return any_handle;
   }
 
   bool works_on(const std::string& handle) override
   {
     if (handle.empty()) return false;
-    if (handle != kind)
+    if (handle != any_handle)
       throw RunError(
           fmt::format("the runs were handed to {}: collect them by the same --runner, or cancel them and remove the folder queue", handle));
     if (!started_) return true;

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kind = "slurm ";
+constexpr const char* before_number = "slurm ";
 constexpr int refusals_in_a_row = 20;  // of squeue, some minutes: its server may be restarted
 
 std::size_t tasks_of(const Slurm& slurm, std::size_t count)
@@ -45,7 +45,7 @@ public:
                                  why.empty() ? fmt::format("it ended with status {}", end.status) : why,
                                  many ? "; of so many put several into a task by --pack" : ""));
     }
-    return kind + job;
+    return before_number + job;
   }
 
   bool works_on(const std::string& handle) override
@@ -79,9 +79,9 @@ public:
 private:
   static std::string number_of(const std::string& handle)
   {
-    if (!handle.starts_with(kind))
+    if (!handle.starts_with(before_number))
       throw RunError(fmt::format("the runs were handed to a {}: collect them by the same --runner, or remove the folder queue", handle));
-    return handle.substr(std::string(kind).size());
+    return handle.substr(std::string(before_number).size());
   }
 
   Slurm slurm_;

@@ -14,7 +14,7 @@
 namespace berm::mesh {
 namespace {
 
-constexpr Real degree = std::numbers::pi / 180, steepest_slope = 45 * degree, steepest_face = 89 * degree;
+constexpr Real steepest_slope = 45 * degree, steepest_face = 89 * degree;
 
 /// Corners of the surface without the slope, from left to right; none where it is straight.
 std::vector<Vec<2>> corners_of(const SeabedMesh& bed, bool with_trench)

@@ -114,7 +114,7 @@ SoilCondition soil_condition(const problem::Model<dim>& model, const problem::St
 template <int dim>
 Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work)
 {
-  if (model.main_rigid == none) return std::numeric_limits<Real>::quiet_NaN();
+  if (model.main_rigid == none) return nan;
   const bodies::RigidShape<dim> shape = placed<dim>(model.rigid_bodies[model.main_rigid], state.rigid_bodies[model.main_rigid]);
   const Real reach = 0.5 * width_of<dim>(shape);
   ShakenSoil all;
@@ -148,7 +148,7 @@ Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state,
       return sums;
     });
   }
-  if (!(all.pressure > 0)) return std::numeric_limits<Real>::quiet_NaN();
+  if (!(all.pressure > 0)) return nan;
   return std::sqrt(all.noise / all.mass / dim) * all.wave_impedance / all.pressure;
 }
 

@@ -25,7 +25,7 @@ Raster::Raster(const Vec<2>& lower, const Vec<2>& upper, Index columns, Index ro
       pixels_per_metre_(columns / (upper[0] - lower[0]), rows / (upper[1] - lower[1])),
       columns_(columns),
       rows_(rows),
-      values_(static_cast<std::size_t>(columns) * rows, std::numeric_limits<Real>::quiet_NaN())
+      values_(static_cast<std::size_t>(columns) * rows, nan)
 {
 }
 

@@ -37,7 +37,7 @@ Vec<dim> point_at(const Model<dim>& model, const bodies::RigidShape<dim>& shape,
 template <int dim>
 Real cell_size_at(const Model<dim>& model, const bodies::RigidShape<dim>& shape, Index& start)
 {
-  Real largest = std::numeric_limits<Real>::quiet_NaN();
+  Real largest = nan;
   if (!bodies::is_bounded<dim>(shape)) return largest;
   for (int k = 0; k <= points; ++k) {
     const Vec<dim> x = point_at(model, shape, std::numbers::pi * k / points);

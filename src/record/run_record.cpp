@@ -18,8 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
-
 enum class Found { nothing, unreadable, file };
 
 /// What a path is, without throwing where it may not be looked at.
@@ -130,19 +128,19 @@ void take_origin(RunRecord& run)
 Real value_in(const std::map<std::string, Real>& table, const std::string& name)
 {
   const auto found = table.find(name);
-  return found == table.end() ? unknown : found->second;
+  return found == table.end() ? nan : found->second;
 }
 
 }  // namespace
 
 Real RunRecord::check(const std::string& check_name) const
 {
-  return summary ? value_in(summary->checks, check_name) : unknown;
+  return summary ? value_in(summary->checks, check_name) : nan;
 }
 
 Real RunRecord::timing(const std::string& timing_name) const
 {
-  return summary ? value_in(summary->timing, timing_name) : unknown;
+  return summary ? value_in(summary->timing, timing_name) : nan;
 }
 
 const run_folder::Quantity* RunRecord::quantity(const std::string& quantity_name) const

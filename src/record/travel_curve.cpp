@@ -30,7 +30,7 @@ Real TravelCurve::interpolated(Real s) const
 
 Real TravelCurve::at(Real s, Real half) const
 {
-  if (empty() || s < begin() || s > end()) return std::numeric_limits<Real>::quiet_NaN();
+  if (empty() || s < begin() || s > end()) return nan;
   const Real from = std::max(begin(), std::min(s - half, end() - 2 * half)), to = std::min(end(), std::max(s + half, begin() + 2 * half));
   const auto first = std::lower_bound(travel_.begin(), travel_.end(), from) - travel_.begin();
   const auto last = std::upper_bound(travel_.begin(), travel_.end(), to) - travel_.begin() - 1;

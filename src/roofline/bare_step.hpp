@@ -36,7 +36,7 @@ struct Given {
 };
 
 constexpr Real dt = 1e-6, tiny_motion = 1e-9;  // particles move by a fraction, so that none leaves its cell
-constexpr Real young_modulus = 7e6, poisson_ratio = 0.25, density = 1800, gravity = 9.81, cohesion = 100, friction_angle = 35 * pi / 180;
+constexpr Real young_modulus = 7e6, poisson_ratio = 0.25, density = 1800, gravity = 9.81, cohesion = 100, friction_angle = 35 * degree;
 constexpr Real bulk = young_modulus / 3 / (1 - 2 * poisson_ratio), shear = young_modulus / 2 / (1 + poisson_ratio),
                lame = bulk - 2 * shear / 3;
 

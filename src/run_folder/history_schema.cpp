@@ -13,7 +13,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::uintmax_t max_bytes = 10'000'000;
+constexpr std::uintmax_t max_schema_bytes = 10'000'000;
 
 Json json_of(const Column& column)
 {
@@ -45,7 +45,8 @@ std::vector<Column> read_schema(const std::filesystem::path& history)
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
     throw RunError(fmt::format("{}: there is no {} beside it, which has its units", history.string(), path.filename().string()));
-  if (std::filesystem::file_size(path, error) > max_bytes) throw RunError(fmt::format("{} is damaged: it is too long", path.string()));
+  if (std::filesystem::file_size(path, error) > max_schema_bytes)
+    throw RunError(fmt::format("{} is damaged: it is too long", path.string()));
   try {
     std::vector<Column> columns;
     const Json schema = Json::parse(io::read_text_file(path));

@@ -18,7 +18,7 @@ std::string words_of_speed(Real per_s)
                         : fmt::format("{:.0f} ", per_s);
 }
 
-Real seconds(std::chrono::steady_clock::duration duration)
+Real seconds_of(std::chrono::steady_clock::duration duration)
 {
   return std::chrono::duration<Real>(duration).count();
 }
@@ -74,7 +74,7 @@ void Progress::update(const ProgressReport& report)
 {
   const auto now = Clock::now();
   const int tenth = std::isnan(report.done) ? 0 : static_cast<int>(std::floor(std::clamp<Real>(report.done, 0, 1) * 10 + 1e-9));
-  const std::string line = progress_line(report, seconds(now - start_));
+  const std::string line = progress_line(report, seconds_of(now - start_));
   if (tenth > tenth_ || now - told_ >= between_plain_lines || report.stage != stage_) {
     if (log_.has_terminal())
       log_.info_to_file(line);

@@ -12,13 +12,13 @@ namespace berm::run_folder {
 /// How far a run is. NaN: not known, or there is no rigid body; it is left out of the line then.
 struct ProgressReport {
   std::string stage;
-  Real done = std::numeric_limits<Real>::quiet_NaN();  ///< of the whole run, 0 ... 1
-  bool drag = false;                                   ///< show u beside w
-  Real u = std::numeric_limits<Real>::quiet_NaN();     ///< m, from the begin of the drag
-  Real w = u;                                          ///< m
-  Real V = u, H = u;                                   ///< N/m
-  Real diameter = 0;                                   ///< m; 0: u is shown in mm
-  Real particle_steps = 0;                             ///< since the start
+  Real done = nan;          ///< of the whole run, 0 ... 1
+  bool drag = false;        ///< show u beside w
+  Real u = nan;             ///< m, from the begin of the drag
+  Real w = u;               ///< m
+  Real V = u, H = u;        ///< N/m
+  Real diameter = 0;        ///< m; 0: u is shown in mm
+  Real particle_steps = 0;  ///< since the start
 };
 
 /// "40 ms", "3.1 s", "12 min 05 s", "1 h 02 min"; "?" where it is not a duration.

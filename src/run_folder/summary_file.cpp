@@ -38,7 +38,7 @@ const Json& table(const Json& json, const char* name)
 
 Real number(const Json& json, const char* where)
 {
-  if (json.is_null()) return std::numeric_limits<Real>::quiet_NaN();
+  if (json.is_null()) return nan;
   if (json.is_boolean()) return json.get<bool>() ? 1 : 0;
   if (!json.is_number()) refuse(fmt::format("a value in \"{}\" is no number", where));
   return json.get<Real>();

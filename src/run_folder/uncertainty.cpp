@@ -18,42 +18,42 @@ constexpr std::pair<const char*, Real Band::*> numbers_of_band[] = {
 constexpr std::pair<const char*, Real Band::*> parts_of_band[] = {
     {"extrapolation", &Band::extrapolation}, {"mesh", &Band::mesh}, {"noise", &Band::noise}, {"speed", &Band::speed}};
 
-[[noreturn]] void refuse(const std::string& why)
+[[noreturn]] void refuse_bands(const std::string& why)
 {
   throw RunError(fmt::format("is damaged: in \"uncertainty\", {}", why));
 }
 
-const Json& member(const Json& json, const char* name)
+const Json& member_of(const Json& json, const char* name)
 {
   const auto found = json.find(name);
-  if (!json.is_object() || found == json.end()) refuse(fmt::format("there is no \"{}\"", name));
+  if (!json.is_object() || found == json.end()) refuse_bands(fmt::format("there is no \"{}\"", name));
   return *found;
 }
 
 Real number(const Json& json)
 {
-  if (json.is_null()) return std::numeric_limits<Real>::quiet_NaN();
-  if (!json.is_number()) refuse("a number is none");
+  if (json.is_null()) return nan;
+  if (!json.is_number()) refuse_bands("a number is none");
   return json.get<Real>();
 }
 
 std::string words(const Json& json)
 {
-  if (!json.is_string()) refuse("a text is none");
+  if (!json.is_string()) refuse_bands("a text is none");
   return json.get<std::string>();
 }
 
 const Json& list(const Json& json, const char* name)
 {
-  const Json& found = member(json, name);
-  if (!found.is_array()) refuse(fmt::format("\"{}\" is no list", name));
+  const Json& found = member_of(json, name);
+  if (!found.is_array()) refuse_bands(fmt::format("\"{}\" is no list", name));
   return found;
 }
 
-const Json& table(const Json& json, const char* name)
+const Json& table_of(const Json& json, const char* name)
 {
-  const Json& found = member(json, name);
-  if (!found.is_object()) refuse(fmt::format("\"{}\" is no table", name));
+  const Json& found = member_of(json, name);
+  if (!found.is_object()) refuse_bands(fmt::format("\"{}\" is no table", name));
   return found;
 }
 
@@ -66,9 +66,9 @@ std::vector<Real> numbers(const Json& json, const char* name)
 
 CurveBand curve_of(const Json& json)
 {
-  CurveBand curve{words(member(json, "chart")), numbers(json, "x"), numbers(json, "low"), numbers(json, "high")};
+  CurveBand curve{words(member_of(json, "chart")), numbers(json, "x"), numbers(json, "low"), numbers(json, "high")};
   if (curve.low.size() != curve.x.size() || curve.high.size() != curve.x.size())
-    refuse("x, low and high of a curve are not as long as each other");
+    refuse_bands("x, low and high of a curve are not as long as each other");
   return curve;
 }
 
@@ -105,19 +105,19 @@ Json json_of(const Uncertainty& uncertainty)
 
 Uncertainty uncertainty_of(const Json& json)
 {
-  if (!json.is_object()) refuse("it is no table");
+  if (!json.is_object()) refuse_bands("it is no table");
   Uncertainty uncertainty;
   if (json.contains("missing")) uncertainty.missing = words(json["missing"]);
-  for (const auto& [name, entry] : table(json, "quantities").items()) {
-    QuantityBand& q = uncertainty.quantities.emplace_back(QuantityBand{name, words(member(entry, "unit")), {}});
-    for (const auto& [key, part] : numbers_of_band) q.band.*part = number(member(entry, key));
-    for (const auto& [key, part] : parts_of_band) q.band.*part = number(member(member(entry, "parts"), key));
+  for (const auto& [name, entry] : table_of(json, "quantities").items()) {
+    QuantityBand& q = uncertainty.quantities.emplace_back(QuantityBand{name, words(member_of(entry, "unit")), {}});
+    for (const auto& [key, part] : numbers_of_band) q.band.*part = number(member_of(entry, key));
+    for (const auto& [key, part] : parts_of_band) q.band.*part = number(member_of(member_of(entry, "parts"), key));
   }
-  for (const auto& [name, why] : table(json, "without").items()) uncertainty.without.emplace_back(name, words(why));
+  for (const auto& [name, why] : table_of(json, "without").items()) uncertainty.without.emplace_back(name, words(why));
   for (const Json& why : list(json, "left_out")) uncertainty.left_out.push_back(words(why));
   for (const Json& run : list(json, "runs"))
     uncertainty.runs.push_back(
-        {words(member(run, "name")), number(member(run, "size")), number(member(run, "speed")), number(member(run, "wall_s"))});
+        {words(member_of(run, "name")), number(member_of(run, "size")), number(member_of(run, "speed")), number(member_of(run, "wall_s"))});
   for (const Json& curve : list(json, "curves")) uncertainty.curves.push_back(curve_of(curve));
   return uncertainty;
 }

@@ -10,8 +10,6 @@
 namespace berm::sanity {
 namespace {
 
-constexpr Real degree = std::numbers::pi / 180;
-
 /// A straight part of the ground that goes up or down.
 struct Face {
   Real angle, rise, run;  ///< rad, m, m; all positive

@@ -12,7 +12,7 @@ namespace {
 constexpr Real pi = 3.14159265358979323846, earth = 9.80665;  // m/s2
 constexpr Real rounding = 0.01;
 /// An interface with so large a friction angle is meant to be rough: none that was measured has it.
-constexpr Real rough = 75 * pi / 180;
+constexpr Real rough = 75 * degree;
 
 Real degrees(Real radians)
 {
@@ -125,7 +125,7 @@ void is_the_soil_a_soil(const Scene& s, Findings& found)
           ? found.refuse(soil.key("friction_angle"),
                          "and cohesion are both 0: the soil has no strength and flows like water; give one of them")
           : found.refuse(soil.key(strength_key(material)), "is 0: the soil has no strength and flows like water");
-    else if (strength->friction_angle > 50 * pi / 180)
+    else if (strength->friction_angle > 50 * degree)
       found.warn(soil.key("friction_angle"), fmt::format("is {:.3g} deg; sand has 28 to 45 deg", degrees(strength->friction_angle)));
     const Real weight = density(material) * s.gravity * s.depth_of(soil.body), base = at_base ? at_base->cohesion : 0;
     if (strength->friction_angle == 0 && weight > 0 && base > 0 && base < 1e-3 * weight)

@@ -22,10 +22,8 @@ public:
   void archive(Archive& k);
 
 private:
-  static constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
-
-  Real first_ = unknown, last_ = unknown, largest_ = unknown;  ///< m
-  Real travel_ = 0, coarse_travel_ = 0;                        ///< m
+  Real first_ = nan, last_ = nan, largest_ = nan;  ///< m
+  Real travel_ = 0, coarse_travel_ = 0;            ///< m
   Vec<dim> place_ = Vec<dim>::Zero();
   Index near_ = 0;
 };

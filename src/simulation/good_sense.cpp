@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path note_in(const fs::path& run_folder)
+fs::path warnings_in(const fs::path& run_folder)
 {
   return checkpoints_in(run_folder) / "warnings.txt";
 }
@@ -45,14 +45,14 @@ void note_warnings(const run_folder::RunFolder& folder, const std::vector<std::s
 {
   if (warnings.empty()) return;
   folder.subfolder(checkpoints_in("").string());
-  io::write_atomically(note_in(folder.path()), fmt::format("{}\n", fmt::join(warnings, "\n")));
+  io::write_atomically(warnings_in(folder.path()), fmt::format("{}\n", fmt::join(warnings, "\n")));
 }
 
 std::vector<std::string> noted_warnings(const fs::path& run_folder)
 {
   std::vector<std::string> warnings;
   std::error_code error;
-  std::istringstream lines(fs::exists(note_in(run_folder), error) ? io::read_text_file(note_in(run_folder)) : "");
+  std::istringstream lines(fs::exists(warnings_in(run_folder), error) ? io::read_text_file(warnings_in(run_folder)) : "");
   for (std::string line; std::getline(lines, line);) warnings.push_back(line);
   return warnings;
 }

@@ -82,7 +82,7 @@ private:
   Real waited_ = 0;
   BigIndex next_division_ = 0, steps_between_divisions_ = 0;
   CellWatch<d> cells_;
-  Real equilibrium_ = std::numeric_limits<Real>::quiet_NaN();
+  Real equilibrium_ = nan;
 };
 
 }  // namespace berm::simulation

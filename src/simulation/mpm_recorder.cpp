@@ -13,8 +13,6 @@
 namespace berm::simulation {
 namespace {
 
-constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
-
 }  // namespace
 
 template <int dim>
@@ -89,7 +87,7 @@ void MpmRecorder<dim>::observe_contact_of_main(const problem::Model<dim>& model,
   const bodies::RigidState<dim>& last = last_rigids_[model.main_rigid];
   const Real pressed = now.impulse_sum - last.impulse_sum, time = state.time - last_time_;
   row_.of_main(model.rigid_bodies[model.main_rigid].name);
-  row_("gap", pressed > 0 ? (now.impulse_times_gap - last.impulse_times_gap) / pressed : unknown, run_folder::metres, "gap");
+  row_("gap", pressed > 0 ? (now.impulse_times_gap - last.impulse_times_gap) / pressed : nan, run_folder::metres, "gap");
   observe_overlap(row_, now.max_overlap);
   row_("second_impulse", time > 0 ? (now.second_impulse - last.second_impulse).norm() / time : 0, run_folder::newtons<dim>,
        "second contact correction");
@@ -179,7 +177,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, problem::State<
   }
   row_.of_main("run");
   observe_energies(model, state, kinetic);
-  out_of_balance_ = work.weight > 0 ? work.unbalanced / work.weight : unknown;
+  out_of_balance_ = work.weight > 0 ? work.unbalanced / work.weight : nan;
   observe_out_of_balance(row_, out_of_balance_);
   if (model.main_rigid != none) observe_contact_of_main(model, state);
   for (Index r = 0; r < static_cast<Index>(model.rigid_bodies.size()); ++r) {

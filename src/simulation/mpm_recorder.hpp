@@ -25,7 +25,7 @@ public:
   /// Of the last row: sum of unbalanced nodal forces over weight and tractions.
   Real out_of_balance() const { return out_of_balance_; }
   /// The mean over the rows in which the main rigid body was driven of how the soil near it shakes (mpm/condition.hpp); NaN without such rows.
-  Real shaking() const { return shaken_rows_ > 0 ? shaking_ / shaken_rows_ : std::numeric_limits<Real>::quiet_NaN(); }
+  Real shaking() const { return shaken_rows_ > 0 ? shaking_ / shaken_rows_ : nan; }
 
 private:
   using Recorder<dim>::row_;

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path note_in(const fs::path& run_folder)
+fs::path note_of_case(const fs::path& run_folder)
 {
   return checkpoints_in(run_folder) / "case_file.txt";
 }
@@ -36,7 +36,7 @@ bool is_finished(const fs::path& folder)
 void note_case_file(const run_folder::RunFolder& folder, const fs::path& case_file)
 {
   folder.subfolder(checkpoints_in("").string());
-  io::write_atomically(note_in(folder.path()), fs::absolute(case_file).string());
+  io::write_atomically(note_of_case(folder.path()), fs::absolute(case_file).string());
 }
 
 std::optional<RunRequest> run_to_resume(const fs::path& folder)
@@ -48,9 +48,9 @@ std::optional<RunRequest> run_to_resume(const fs::path& folder)
   };
   for (const char* name : {"resolved.toml", "case.toml"}) must_hold(folder / name);
   // A finished run removes its checkpoints last of all.
-  if (!fs::exists(note_in(folder)) && is_finished(folder)) return std::nullopt;
-  must_hold(note_in(folder));
-  const std::string noted = io::read_text_file(note_in(folder));
+  if (!fs::exists(note_of_case(folder)) && is_finished(folder)) return std::nullopt;
+  must_hold(note_of_case(folder));
+  const std::string noted = io::read_text_file(note_of_case(folder));
   auto [settings, places] = input::read_case_in_file(folder / "resolved.toml");
   return RunRequest{std::move(settings), noted.empty() ? folder / "case.toml" : fs::path(noted), folder, true, std::move(places)};
 }
@@ -65,13 +65,13 @@ bool has_begun(const fs::path& folder)
 {
   std::error_code error;
   return fs::exists(folder / "resolved.toml", error) && fs::exists(folder / "case.toml", error) &&
-         (fs::exists(note_in(folder), error) || fs::exists(folder / "summary.json", error));
+         (fs::exists(note_of_case(folder), error) || fs::exists(folder / "summary.json", error));
 }
 
 bool can_be_resumed(const fs::path& folder)
 {
   std::error_code error;
-  return fs::exists(note_in(folder), error);
+  return fs::exists(note_of_case(folder), error);
 }
 
 bool has_checkpoint(const fs::path& folder)

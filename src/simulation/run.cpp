@@ -33,7 +33,7 @@ Run<Method>::Run(const RunRequest& request, Context& context, Method& method, co
       checkpoints_(folder.path(), request.settings.output.checkpoint_wall_time),
       frames_(folder.subfolder("frames"), method.model().mesh, Ranks::of_run().is_first()),
       progress_(log),
-      held_forces_(method.model().stages.size(), std::numeric_limits<Real>::quiet_NaN()),
+      held_forces_(method.model().stages.size(), nan),
       unit_(vector_unit())
 {
 }
@@ -213,7 +213,7 @@ Real Run<Method>::part_done() const
   Real passed = 0;
   for (Index k = 0; k < state().stage.index; ++k) passed += expected_time(model().stages[k]);
   const Real of_stage = expected_time(stage());
-  if (!(of_stage > 0)) return std::numeric_limits<Real>::quiet_NaN();
+  if (!(of_stage > 0)) return nan;
   return std::min(Real(1), (passed + std::min(of_stage, state().time - state().stage.begin_time)) / expected_time(model().stages));
 }
 

@@ -4,8 +4,6 @@
 namespace berm::study {
 namespace {
 
-constexpr Real low_share = 0.05, high_share = 0.95;
-
 Real standard_normal_share(Real z)
 {
   return 0.5 * std::erfc(-z / std::sqrt(2.));

@@ -8,6 +8,8 @@ namespace berm::study {
 enum class DistributionKind { uniform, triangular, normal, lognormal };
 inline const std::vector<const char*> distribution_words = {"uniform", "triangular", "normal", "lognormal"};
 
+constexpr Real low_share = 0.05, high_share = 0.95;  ///< of all values: those below the low estimate, and below the high one
+
 /// A distribution by its estimates, in SI units. Uniform from low to high; triangular from low to high with its peak at best; of the others 5 % of all values lie below low, a half
 /// below best, and 95 % below high.
 struct Distribution {

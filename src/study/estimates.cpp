@@ -11,8 +11,6 @@
 namespace berm::study {
 namespace {
 
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-
 /// The rows that differ only along the sample.
 using Group = std::vector<const StudyRow*>;
 

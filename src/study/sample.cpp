@@ -11,8 +11,6 @@
 namespace berm::study {
 namespace {
 
-constexpr Real low_share = 0.05, median_share = 0.5, high_share = 0.95;
-
 bool is_bare(const std::string& unit)
 {
   return unit.empty() || unit == "1";
@@ -104,7 +102,7 @@ StudyAxis sample_axis(const StudySample& sample)
   std::vector<Real> medians;
   for (const SampleParameter& parameter : sample.parameter) {
     axis.parameter.push_back({parameter.name, is_bare(parameter.distribution.unit) ? "" : parameter.distribution.unit});
-    medians.push_back(quantile(parameter.distribution, median_share));
+    medians.push_back(quantile(parameter.distribution, 0.5));
   }
   axis.value.push_back(value_at(sample, "best", medians));
   for (std::size_t j = 0; j < sample.parameter.size(); ++j)

@@ -73,7 +73,7 @@ std::vector<Words> sensitivity_lines(const Study& study, const std::vector<Estim
       const bool unit = !in_words && !parameter.unit.empty();
       Words line = joined(begin_of(study, e), {unit ? fmt::format("{} ({})", parameter.name, parameter.unit) : parameter.name});
       for (const std::size_t place : {1 + 2 * swing.parameter, 2 + 2 * swing.parameter}) {
-        const Real value = *axis.sample_from > 0 ? axis.value[place].number[swing.parameter] : std::numeric_limits<Real>::quiet_NaN();
+        const Real value = *axis.sample_from > 0 ? axis.value[place].number[swing.parameter] : nan;
         line.push_back(std::isnan(value) ? "" : in_words ? parameter_words(value, parameter) : number(value));
       }
       const std::string correlation =

@@ -7,8 +7,6 @@
 namespace berm::study {
 namespace {
 
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-
 /// The place of each value in order, from 0; equal ones have the mean of theirs.
 std::vector<Real> places_of(const std::vector<Real>& values)
 {

@@ -84,7 +84,7 @@ problem::Case read_row(const fs::path& file, const Study& study, const StudyRow&
 void take_numbers(StudyRow& row, Study& study, std::vector<std::string>& told)
 {
   for (StudyMeasure& measure : study.measure) {
-    row.numbers.push_back(std::numeric_limits<Real>::quiet_NaN());
+    row.numbers.push_back(nan);
     const bool wanted = measure.cases.empty() || std::find(measure.cases.begin(), measure.cases.end(), row.names[0]) != measure.cases.end();
     if (row.end.kind != jobs::JobEnd::Kind::finished || !wanted) continue;
     try {

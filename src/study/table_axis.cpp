@@ -109,7 +109,7 @@ input::SiQuantity quantity_of(const std::string& field)
   try {
     return input::to_si(field);
   } catch (const input::UnitError&) {
-    return {std::numeric_limits<Real>::quiet_NaN(), "1"};
+    return {nan, "1"};
   }
 }
 

@@ -10,7 +10,6 @@
 namespace berm::uncertainty {
 namespace {
 
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 constexpr int sets_of_rows = 5;
 constexpr int curve_points = 40;  // intervals of a curve's band
 

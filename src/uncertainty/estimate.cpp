@@ -15,13 +15,12 @@ constexpr Real uncertain_part = 0.5;
 Real student_95(int degrees_of_freedom)
 {
   constexpr std::array quantiles = {12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365, 2.306, 2.262, 2.228};
-  if (degrees_of_freedom < 1) return std::numeric_limits<Real>::quiet_NaN();
+  if (degrees_of_freedom < 1) return nan;
   return quantiles[static_cast<std::size_t>(std::min<int>(degrees_of_freedom, quantiles.size())) - 1];
 }
 
 Estimate extrapolate(const std::vector<SizedNumber>& numbers)
 {
-  constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
   Real weights = 0, mean_size = 0, mean = 0;
   for (const auto& [size, number] : numbers) {
     const Real weight = 1 / (size * size);

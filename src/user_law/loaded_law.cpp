@@ -55,7 +55,7 @@ void LoadedLaw::advance(UserIncrement& increment) const
   }();
   if (answer == Answer::done && finite(increment, constants_.state_variables)) return;
   note_failure(before, increment, answer);
-  constexpr Real no_number = std::numeric_limits<Real>::quiet_NaN();
+  constexpr Real no_number = nan;
   std::fill_n(increment.stress, 6, no_number);
   std::fill_n(increment.state, constants_.state_variables, no_number);
   std::fill_n(increment.tangent, 36, no_number);

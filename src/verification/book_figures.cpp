@@ -49,7 +49,7 @@ plot::FigureCurve expected_motion(const Rows& rows, Real rate, int degree)
 /// Upright lines one expected period apart, from the first time that the column crosses its mean.
 plot::FigureCurve marks_of_period(const Rows& rows, Real period)
 {
-  constexpr Real gap = std::numeric_limits<Real>::quiet_NaN();
+  constexpr Real gap = nan;
   const auto [low, high] = std::minmax_element(rows.value.begin(), rows.value.end());
   const Real middle = mean(rows.value);
   std::size_t k = 1;

@@ -151,7 +151,7 @@ Real number_of(const Expectation& e, const std::vector<Real>& values)
   Real product = 0, squares = 0;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const Real off = std::abs(values[k] - *e.limit), x = static_cast<Real>(k) - middle;
-    if (!(off > 0)) return std::numeric_limits<Real>::quiet_NaN();
+    if (!(off > 0)) return nan;
     product -= x * std::log2(off);
     squares += x * x;
   }

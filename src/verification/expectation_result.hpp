@@ -23,7 +23,7 @@ struct ExpectationResult {
   std::string reason;        ///< why there is no number
   std::vector<Real> values;  ///< of its runs; empty where one has none
   std::string unit, label;   ///< of the values: SI, "" = a bare number; and what they are
-  Real number = std::numeric_limits<Real>::quiet_NaN();
+  Real number = nan;
   std::optional<run_folder::Band> band;  ///< where one is expected; then the number is the converged one, and berm "16.9 kN/m (run 17.6)"
 };
 

@@ -12,14 +12,12 @@
 namespace berm::verification {
 namespace {
 
-constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
-
 /// The coefficient of t^degree in the least-squares polynomial of that degree through the rows: that of the last of the polynomials
 /// p_k = t p_(k-1) less its parts along the earlier ones, which are orthogonal over the rows.
 Real highest_coefficient(const Rows& rows, int degree)
 {
   const std::size_t count = rows.time.size();
-  if (count <= static_cast<std::size_t>(degree)) return unknown;
+  if (count <= static_cast<std::size_t>(degree)) return nan;
   const auto dot = [](const std::vector<Real>& a, const std::vector<Real>& b) {
     return std::inner_product(a.begin(), a.end(), b.begin(), Real(0));
   };
@@ -46,7 +44,7 @@ Real period_of(const Rows& rows)
     if ((before < 0) != (now < 0)) crossings.push_back(rows.time[k - 1] + (rows.time[k] - rows.time[k - 1]) * before / (before - now));
   }
   const std::size_t n = crossings.size();
-  if (n < 3) return unknown;
+  if (n < 3) return nan;
   return (crossings[n - 1] + crossings[n - 2] - crossings[1] - crossings[0]) / static_cast<Real>(n - 2);
 }
 
@@ -111,7 +109,7 @@ Rows rows_of(const Observable& observable, const run_folder::History& history)
 Real evaluate(const Observable& observable, const run_folder::History& history)
 {
   const Rows rows = rows_of(observable, history);
-  if (rows.value.empty()) return unknown;
+  if (rows.value.empty()) return nan;
   switch (observable.measure) {
   case Measure::end:
     return rows.value.back();
@@ -130,7 +128,7 @@ Real evaluate(const Observable& observable, const run_folder::History& history)
   case Measure::period:
     return period_of(rows);
   }
-  return unknown;
+  return nan;
 }
 
 Reading evaluate(const Observable& observable, const std::filesystem::path& run_folder)

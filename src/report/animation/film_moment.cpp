@@ -6,8 +6,6 @@
 namespace berm::report {
 namespace {
 
-constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
-
 /// A column at a time, on the straight line between the rows around it; `after` is the first row that is not before that time.
 Real between_rows(const std::vector<Real>& times, const std::vector<Real>& column, std::size_t after, Real time)
 {
@@ -42,7 +40,7 @@ FilmMoment moment_at(const run_folder::History& history, Real time)
 
 Real way_between(const run_folder::History& history, Real from, Real to)
 {
-  if (history.rows() == 0 || !history.has("time_s") || !history.has("u_m") || !history.has("w_m")) return unknown;
+  if (history.rows() == 0 || !history.has("time_s") || !history.has("u_m") || !history.has("w_m")) return nan;
   const std::vector<Real>&times = history["time_s"], &u = history["u_m"], &w = history["w_m"];
   const FilmMoment begin = moment_at(history, from), end = moment_at(history, to);
   Real way = 0, u_before = begin.u, w_before = begin.w;

@@ -7,9 +7,9 @@ namespace berm::report {
 
 /// What the history tells of a moment; NaN and "" where it tells nothing.
 struct FilmMoment {
-  std::string stage;                                       ///< of the row nearest in time
-  Real u = std::numeric_limits<Real>::quiet_NaN(), w = u;  ///< m, between two rows on the straight line
-  Real H = std::numeric_limits<Real>::quiet_NaN(), V = H;  ///< N/m, of the row nearest in time
+  std::string stage;    ///< of the row nearest in time
+  Real u = nan, w = u;  ///< m, between two rows on the straight line
+  Real H = nan, V = H;  ///< N/m, of the row nearest in time
 };
 
 /// The moment of a time, s; before the first row or behind the last one, that row's.

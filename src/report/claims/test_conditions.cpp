@@ -135,7 +135,7 @@ bool is_met(const TestCondition& condition, Real tolerance, const SettingTable& 
   if (const auto* word = std::get_if<std::string>(&value)) return *word == condition.word;
   if (const auto* truth = std::get_if<bool>(&value)) return condition.word == (*truth ? "true" : "false");
   if (!condition.number) return false;
-  Real number = std::numeric_limits<Real>::quiet_NaN();
+  Real number = nan;
   if (const auto* real = std::get_if<Real>(&value)) number = *real;
   if (const auto* whole = std::get_if<int>(&value)) number = *whole;
   if (const auto* list = std::get_if<std::vector<Real>>(&value)) {

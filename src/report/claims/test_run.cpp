@@ -67,7 +67,7 @@ Real evaluate(const base::Observable& observable, std::optional<Real> at, const 
 {
   if (!is_quantity(observable)) return run.observed->value(observable.word, at);
   const run_folder::Quantity* found = run.record.quantity(quantity);
-  return found == nullptr ? std::numeric_limits<Real>::quiet_NaN() : found->value;
+  return found == nullptr ? nan : found->value;
 }
 
 }  // namespace berm::report

@@ -13,8 +13,6 @@
 namespace berm::report {
 namespace {
 
-constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
-
 /// Depths (m) at which a profile of the material has an entry.
 std::vector<Real> profile_depths(const material::Material& material)
 {
@@ -30,7 +28,7 @@ std::vector<Real> profile_depths(const material::Material& material)
 Real bed_depth(const problem::Case& c)
 {
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
-  return bed == nullptr ? unknown : bed->depth;
+  return bed == nullptr ? nan : bed->depth;
 }
 
 /// The depths between which the soil of a region is linear, from 0; the last is that of the bed, or NaN.

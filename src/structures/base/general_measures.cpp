@@ -14,8 +14,6 @@ namespace {
 
 using Run = const record::RunRecord&;
 
-constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
-
 namespace limits {
 
 inline constexpr Limit energy{
@@ -113,8 +111,7 @@ EnergyError energy_error(const record::RunRecord& run)
 Real work_of_contact(const record::RunRecord& run)
 {
   const run_folder::History& h = run.history;
-  if (h.rows() == 0 || !h.has_label("friction") || !h.has_label("external") || !h.has_label("internal"))
-    return std::numeric_limits<Real>::quiet_NaN();
+  if (h.rows() == 0 || !h.has_label("friction") || !h.has_label("external") || !h.has_label("internal")) return nan;
   Real work = 0;
   for (Index k = 0; k < h.rows(); ++k) work = std::max({work, std::abs(h.by_label("external")[k]), std::abs(h.by_label("internal")[k])});
   return work > 0 ? std::max(Real(0), -h.by_label("friction").back() / work) : 0;
@@ -123,7 +120,7 @@ Real work_of_contact(const record::RunRecord& run)
 Real quantity_value(const record::RunRecord& run, const std::string& name)
 {
   const run_folder::Quantity* quantity = run.quantity(name);
-  return quantity == nullptr ? unknown : quantity->value;
+  return quantity == nullptr ? nan : quantity->value;
 }
 
 bool has_soil(Run run)

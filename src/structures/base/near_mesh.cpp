@@ -7,8 +7,6 @@
 namespace berm::base {
 namespace {
 
-constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
-
 }  // namespace
 
 Real near_cell_size(const problem::Case& c)
@@ -16,7 +14,7 @@ Real near_cell_size(const problem::Case& c)
   if (c.method == problem::Method::fem && c.fem.contact_size) return *c.fem.contact_size;
   if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) return bed->near_size;
   const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh);
-  if (box == nullptr) return unknown;
+  if (box == nullptr) return nan;
   Real size = 0;
   for (std::size_t d = 0; d < box->size.size(); ++d) size = std::max(size, box->size[d] / box->cells[d]);
   return size;
@@ -32,7 +30,7 @@ NearCells near_cells(const record::RunRecord& run)
 
 Real near_particles(const problem::Case& c)
 {
-  if (c.method == problem::Method::fem || c.body.empty()) return unknown;
+  if (c.method == problem::Method::fem || c.body.empty()) return nan;
   const contact::ContactSettings* contact = contact_of_body(c);
   const Index body = contact == nullptr ? 0 : problem::index_of(c.body, contact->body);
   const bodies::BodySettings& settings = c.body[body].second;

@@ -20,8 +20,7 @@ using record::TravelCurve;
 /// Freed from noise over +-half, and over less where that would reach beyond the curve: it begins and ends where the rows do.
 Real smooth_at(const TravelCurve& curve, Real travel, Real half)
 {
-  return curve.empty() ? std::numeric_limits<Real>::quiet_NaN()
-                       : curve.at(travel, std::max(Real(0), std::min({half, travel - curve.begin(), curve.end() - travel})));
+  return curve.empty() ? nan : curve.at(travel, std::max(Real(0), std::min({half, travel - curve.begin(), curve.end() - travel})));
 }
 
 /// Lines of the file: x, and each value of the row and freed from noise along the travel.

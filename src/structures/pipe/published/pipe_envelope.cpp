@@ -61,7 +61,7 @@ std::string titled(const std::string& title, const formulas::Formula& formula)
 Real roughness_of(const PipeInSoil& soil)
 {
   if (soil.contact->scheme == contact::Scheme::tied) return 1;
-  if (soil.contact->friction_angle > 0) return std::numeric_limits<Real>::quiet_NaN();
+  if (soil.contact->friction_angle > 0) return nan;
   if (soil.contact->adhesion_factor > 0) return soil.contact->adhesion_factor;
   return std::min(Real(1), soil.contact->adhesion / soil.strength->cohesion);
 }

@@ -37,7 +37,6 @@ bool is_circle(const problem::Case& c)
 
 Real modelled_part(const problem::Case& c)
 {
-  constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
   const bodies::CircleSettings* circle = circle_of(c);
   if (circle == nullptr) return nan;
   const auto* seabed = std::get_if<mesh::SeabedMesh>(&c.mesh);
@@ -83,7 +82,7 @@ PipeSoil pipe_soil(const record::RunRecord& run)
         cohesion};
   if (law->friction_angle == 0 && cohesive) {
     const bool slips = !sticks && contact.friction_angle == 0;
-    const Real adhesion = sticks ? infinity : slips ? contact.adhesion : std::numeric_limits<Real>::quiet_NaN();
+    const Real adhesion = sticks ? infinity : slips ? contact.adhesion : nan;
     return ClayAround{
         circle->diameter, unit_weight, soil, adhesion, base::soil_depth(c, run.ground, 0), slips ? contact.adhesion_factor : 0};
   }

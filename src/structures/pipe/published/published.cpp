@@ -12,7 +12,6 @@
 namespace berm::pipe {
 namespace {
 
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real push_parts[] = {0.1, 0.25, 0.5, 0.75, 1}, drag_parts[] = {0.1, 0.3, 0.5, 1};  // of D
 
 template <std::size_t size>

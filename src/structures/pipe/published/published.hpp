@@ -19,7 +19,7 @@ struct Comparison {
   std::string about;  ///< what the source's name leaves out, such as "wished in place"
 
   /// berm over formula; NaN where one of them is missing.
-  Real ratio() const { return published.value == 0 ? std::numeric_limits<Real>::quiet_NaN() : berm / published.value; }
+  Real ratio() const { return published.value == 0 ? nan : berm / published.value; }
 };
 
 /// Comparisons for one state of a run.
@@ -30,9 +30,9 @@ struct ComparedState {
   Kind kind;
   Real u, w, V;  ///< m, m, N/m, as the run found them and the formulas take them; NaN where they do not matter
   std::vector<Comparison> comparisons;
-  bool is_breakout = true;                                 ///< of a peak: not only the largest H
-  std::string stage{};                                     ///< of the end of a drag: its name
-  Real strength = std::numeric_limits<Real>::quiet_NaN();  ///< Pa, s_u of intact clay at the invert
+  bool is_breakout = true;  ///< of a peak: not only the largest H
+  std::string stage{};      ///< of the end of a drag: its name
+  Real strength = nan;      ///< Pa, s_u of intact clay at the invert
 };
 
 /// What design codes and published formulas give for the soil, the pipe and the states of a run.

@@ -9,8 +9,6 @@
 namespace berm::pipe {
 namespace {
 
-constexpr Real degree = pi / 180;
-
 bool is_associated(const SandAround& sand)
 {
   return std::abs(sand.friction_angle - sand.dilation_angle) < 0.02 * degree;

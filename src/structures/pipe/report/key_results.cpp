@@ -15,9 +15,7 @@
 namespace berm::pipe {
 namespace {
 
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-
-std::vector<text::HtmlCell> joined(std::initializer_list<std::vector<text::HtmlCell>> parts)
+std::vector<text::HtmlCell> side_by_side(std::initializer_list<std::vector<text::HtmlCell>> parts)
 {
   std::vector<text::HtmlCell> all;
   for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
@@ -31,14 +29,14 @@ public:
 
   void columns(const std::string& first, const std::vector<text::HtmlCell>& cells)
   {
-    table_.columns(joined({{{several_ ? "run" : first}}, cells}));
+    table_.columns(side_by_side({{{several_ ? "run" : first}}, cells}));
   }
 
   /// Points stand by their rank, then in the order in which they came.
   void add(Real rank, const std::string& point, const PipeRun& run, const std::vector<text::HtmlCell>& cells)
   {
     Rows& rows = points_[{rank, point}];
-    rows.push_back(joined({{{several_ ? text::html_text(run.name) : point}}, cells}));
+    rows.push_back(side_by_side({{{several_ ? text::html_text(run.name) : point}}, cells}));
   }
 
   std::string html()
@@ -60,13 +58,13 @@ private:
 std::string push_table(const PipeRuns& runs, const base::DisplayUnits& shown, bool several)
 {
   PointTable table("key-push", "Push: vertical resistance V at embedment w", several);
-  table.columns("point", joined({shown.force_columns("V"), converged_column(runs, "V", shown), shown.length_columns("w")}));
+  table.columns("point", side_by_side({shown.force_columns("V"), converged_column(runs, "V", shown), shown.length_columns("w")}));
   for (const PipeRun& run : runs) {
     const RunPoints points = points_of(run);
     const auto add = [&](Real rank, const std::string& name, const PushPoint& p, const std::string& quantity) {
-      table.add(
-          rank, name, run,
-          joined({shown.force_cells(run.scale, p.V), converged_cell(runs, run, quantity, shown), shown.length_cells(run.scale, p.w)}));
+      table.add(rank, name, run,
+                side_by_side(
+                    {shown.force_cells(run.scale, p.V), converged_cell(runs, run, quantity, shown), shown.length_cells(run.scale, p.w)}));
     };
     for (const PushPoint& p : points.push) {
       const Real part = p.w / run.scale.width;
@@ -88,15 +86,15 @@ std::string drag_table(const PipeRuns& runs, const base::DisplayUnits& shown, bo
 {
   PointTable table("key-drag", "Drag: horizontal resistance H and embedment w at displacement u from where the drag began", several);
   table.columns("point",
-                joined({shown.force_columns("H"), converged_column(runs, "H", shown), {{"H/V", true}}, shown.length_columns("w")}));
+                side_by_side({shown.force_columns("H"), converged_column(runs, "H", shown), {{"H/V", true}}, shown.length_columns("w")}));
   for (const PipeRun& run : runs) {
     for (const DragPoint& p : points_of(run).drag) {
       const Real part = p.u / run.scale.width;
       table.add(std::round(1000 * part), fmt::format("u = {} D", text::short_number(part)), run,
-                joined({shown.force_cells(run.scale, p.H),
-                        converged_cell(runs, run, name_at("H_at_u", part), shown),
-                        {{text::table_number(p.H / p.V), true}},
-                        shown.length_cells(run.scale, p.w)}));
+                side_by_side({shown.force_cells(run.scale, p.H),
+                              converged_cell(runs, run, name_at("H_at_u", part), shown),
+                              {{text::table_number(p.H / p.V), true}},
+                              shown.length_cells(run.scale, p.w)}));
     }
   }
   return table.html();
@@ -189,8 +187,8 @@ std::string residual_words(const Resistance& resistance, const StageEnd& end)
 std::string resistance_table(const PipeRuns& runs, const base::DisplayUnits& shown, bool several)
 {
   PointTable table("key-resistance", "Resistance to the drag: largest, at breakout and residual H", several);
-  table.columns("H",
-                joined({shown.force_columns("H"), converged_column(runs, "H", shown), shown.length_columns("u"), {{"how it was found"}}}));
+  table.columns(
+      "H", side_by_side({shown.force_columns("H"), converged_column(runs, "H", shown), shown.length_columns("u"), {{"how it was found"}}}));
   for (const PipeRun& run : runs) {
     const Resistance resistance = resistance_of(run);
     const StageEnd end = end_of_drag(run);
@@ -198,7 +196,7 @@ std::string resistance_table(const PipeRuns& runs, const base::DisplayUnits& sho
       const std::string quantity = rank == 0 ? "H_max" : "H_" + name;
       table.add(
           rank, name, run,
-          joined(
+          side_by_side(
               {shown.force_cells(run.scale, H), converged_cell(runs, run, quantity, shown), shown.length_cells(run.scale, u), {{words}}}));
     };
     if (resistance.largest) add(0, "largest", resistance.largest->u, resistance.largest->H, "");

@@ -46,8 +46,6 @@ inline constexpr Limit elements{
 
 }  // namespace limits
 
-constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
-
 bool has_stage(Run run, problem::StageKind kind)
 {
   return std::any_of(run.settings.stage.begin(), run.settings.stage.end(),
@@ -87,8 +85,8 @@ std::string diameter_limit(Real value)
 Real kinetic_over_internal(const record::RunRecord& run, problem::StageKind kind)
 {
   const run_folder::History& h = run.history;
-  if (h.rows() == 0 || !h.has_label("kinetic") || !h.has_label("internal")) return unknown;
-  Real largest = unknown;
+  if (h.rows() == 0 || !h.has_label("kinetic") || !h.has_label("internal")) return nan;
+  Real largest = nan;
   for (const PipeStage& stage : pipe_stages(run.settings)) {
     if (stage.kind != kind) continue;
     const auto rows = std::count(h.stage.begin(), h.stage.end(), stage.name);
@@ -105,7 +103,7 @@ Real kinetic_over_internal(const record::RunRecord& run, problem::StageKind kind
 /// The largest of a measure over the drags of a run; NaN where none has it.
 Real worst_of_drags(Run run, std::optional<Real> DragResults::*measure)
 {
-  Real worst = unknown;
+  Real worst = nan;
   for (const DragResults& drag : PipeRun(run).results().drags)
     if (const std::optional<Real>& value = drag.*measure) worst = std::isnan(worst) ? *value : std::max(worst, *value);
   return worst;

@@ -15,7 +15,6 @@ namespace {
 using base::ObservableUnit;
 using record::TravelCurve;
 
-constexpr Real unknown = std::numeric_limits<Real>::quiet_NaN();
 using Frame = std::optional<std::size_t>;
 
 /// Lengths are in D, areas in D2, forces in N/m; u is counted from the begin of the drag.
@@ -156,7 +155,7 @@ Frame frame_of_drag(const MeasuredRun& run, std::optional<Real> w)
 Real of_mechanism(Word word, std::optional<Real> at, const MeasuredRun& run)
 {
   const Frame frame = frame_of_drag(run, at);
-  if (!frame) return unknown;
+  if (!frame) return nan;
   if (word == Word::w_of_frame) return run.frames().place(*frame).w / run.D;
   const Mechanism& m = run.mechanism(*frame);
   return word == Word::sheared_behind ? m.behind : word == Word::dragged ? m.dragged : m.reach / run.D;
@@ -165,7 +164,7 @@ Real of_mechanism(Word word, std::optional<Real> at, const MeasuredRun& run)
 Real of_heave(Word word, const MeasuredRun& run)
 {
   const Frame frame = run.frames().last(problem::StageKind::push);
-  if (!frame) return unknown;
+  if (!frame) return nan;
   const Real w = run.frames().place(*frame).w, spread = formulas::f114_penetrated_area(run.D, w) / (3 * run.D);
   switch (word) {
   case Word::w_of_push:
@@ -186,7 +185,7 @@ Real of_berm(std::optional<Real> u, const MeasuredRun& run)
 {
   const Frame last = run.frames().last(problem::StageKind::drag);
   const Frame frame = u ? run.frames().nearest(problem::StageKind::drag, &PipePlace::u, *u * run.D) : last;
-  if (!frame || (u && frame == last)) return unknown;
+  if (!frame || (u && frame == last)) return nan;
   return run.heave(*frame).berm / (run.D * run.D);
 }
 
@@ -195,7 +194,7 @@ Real of_drag(Word word, Real at, const MeasuredRun& run)
   const Real u = at * run.D, end = run.end_of_drag(), part = at * end;
   const auto where_w_is = [&](const auto& number) {
     const std::optional<Real> place = run.u_where_w_is(at * run.D);
-    return place ? number(*place) : unknown;
+    return place ? number(*place) : nan;
   };
   switch (word) {
   case Word::H_at_u:
@@ -234,7 +233,7 @@ Real evaluate(Word word, std::optional<Real> at, const MeasuredRun& run)
     return run.V_of_push(*at * run.D);
   case Word::w_at_V: {
     const std::optional<Real> w = run.w_where_V_is(*at);
-    return w ? *w / run.D : unknown;
+    return w ? *w / run.D : nan;
   }
   case Word::w_of_push:
   case Word::heave_behind:
@@ -251,7 +250,7 @@ Real evaluate(Word word, std::optional<Real> at, const MeasuredRun& run)
   case Word::w_of_frame:
     return of_mechanism(word, at, run);
   default:
-    return run.has_drag() ? of_drag(word, at.value_or(0), run) : unknown;
+    return run.has_drag() ? of_drag(word, at.value_or(0), run) : nan;
   }
 }
 
@@ -263,7 +262,7 @@ public:
   Real value(const std::string& word, std::optional<Real> at) const override
   {
     const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const base::Observable& kind) { return word == kind.word; });
-    return found == kinds.end() ? unknown : evaluate(static_cast<Word>(found - kinds.begin()), at, run_);
+    return found == kinds.end() ? nan : evaluate(static_cast<Word>(found - kinds.begin()), at, run_);
   }
   std::optional<Real> begin_of_drag() const override { return run_.has_drag() ? std::optional(run_.w_begin() / run_.D) : std::nullopt; }
   bool drag_reaches(Real displacement) const override { return run_.has_drag() && run_.end_of_drag() >= displacement * run_.D; }

@@ -101,7 +101,7 @@ Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::Sa
     close.push_back(k);
     growth.push_back(increment[k]);
   }
-  if (close.empty()) return {0, 0, std::numeric_limits<Real>::quiet_NaN()};
+  if (close.empty()) return {0, 0, nan};
   std::vector<Real> sorted = growth;
   std::sort(sorted.begin(), sorted.end());
   const Real min = a_tenth * sorted[static_cast<std::size_t>((1 - a_hundredth) * static_cast<Real>(sorted.size() - 1))];

@@ -60,7 +60,7 @@ PipeStages pipe_stages(const problem::Case& c, const std::vector<Real>& held_for
     const StageSettings& s = c.stage[k];
     const bool still = s.velocity && *s.velocity == 0;
     if (s.kind == StageKind::push || (s.kind == StageKind::drag && !still))
-      stages.push_back(pipe_stage(s, k < held_forces.size() ? held_forces[k] : std::numeric_limits<Real>::quiet_NaN()));
+      stages.push_back(pipe_stage(s, k < held_forces.size() ? held_forces[k] : nan));
   }
   return stages;
 }

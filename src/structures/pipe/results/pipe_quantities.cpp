@@ -22,21 +22,21 @@ constexpr Real widest_spacing = 0.005;                         // of D: rows far
 /// The standard deviation of a force about its moving mean, over its mean, from a travel on; NaN where there are too few rows for it.
 Real noise_of(const std::vector<Real>& travel, const std::vector<Real>& force, Real from, const BodyScale& scale)
 {
-  if (!scale.noisy) return std::numeric_limits<Real>::quiet_NaN();
+  if (!scale.noisy) return nan;
   const Real D = scale.width;
   const TravelCurve curve(travel, force);
-  if (curve.empty()) return std::numeric_limits<Real>::quiet_NaN();
+  if (curve.empty()) return nan;
   const TravelCurve mean = curve.smoothed(base::averaging_half_width * D);
   Real squares = 0, sum = 0;
   int count = 0;
   for (std::size_t k = 0; k < travel.size(); ++k) {
-    const Real off = travel[k] >= from ? force[k] - mean.at(travel[k], 0) : std::numeric_limits<Real>::quiet_NaN();
+    const Real off = travel[k] >= from ? force[k] - mean.at(travel[k], 0) : nan;
     if (std::isnan(off)) continue;
     squares += off * off;
     sum += force[k];
     ++count;
   }
-  if (count < 2 || curve.end() - from > (count - 1) * widest_spacing * D) return std::numeric_limits<Real>::quiet_NaN();
+  if (count < 2 || curve.end() - from > (count - 1) * widest_spacing * D) return nan;
   return std::sqrt(squares / count) / std::abs(sum / count);
 }
 

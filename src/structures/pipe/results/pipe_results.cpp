@@ -214,7 +214,7 @@ PipeResults results_of(const std::vector<Quantity>& quantities, const BodyScale&
 {
   PipeResults results;
   if (!(scale.width > 0)) return results;
-  const Real absent = std::numeric_limits<Real>::quiet_NaN();
+  const Real absent = nan;
   for (const PipeStage& stage : stages) {
     if (stage.kind == problem::StageKind::drag) results.drags.push_back({.stage = stage.name});
     if (stage.kind == problem::StageKind::push) results.other_pushes.push_back({stage.name, absent, absent});

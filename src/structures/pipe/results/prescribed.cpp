@@ -70,8 +70,7 @@ bool is_prescribed(const record::RunRecord& run, const run_folder::Quantity& qua
     return any(StageKind::push, [&](const StageSettings& s) { return meets(quantity.value, s.until.embedment); });
   if (name == "V_end_of_push" || name == "V_end") {
     const run_folder::Quantity* w = run.quantity(result.beside(name == "V_end" ? "w_end" : "w_end_of_push"));
-    return any(StageKind::push,
-               [&](const StageSettings& s) { return is_by_force(s, w == nullptr ? std::numeric_limits<Real>::quiet_NaN() : w->value); });
+    return any(StageKind::push, [&](const StageSettings& s) { return is_by_force(s, w == nullptr ? nan : w->value); });
   }
   if (name == "u_end_of_drag")
     return any(StageKind::drag, [&](const StageSettings& s) { return meets(quantity.value, s.until.displacement); });

@@ -11,8 +11,6 @@ namespace {
 
 using record::TravelCurve;
 
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-
 std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const BodyScale& scale)
 {
   if (smooth.empty()) return std::nullopt;

@@ -10,7 +10,6 @@
 namespace berm::pipe {
 namespace {
 
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
 constexpr Real embedded_beyond = 0.01;  // of D
 
 /// The embedment of the main rigid body as the case places it, m; NaN where there is none.
