@@ -29,7 +29,7 @@ material::MohrCoulomb sand(Real density)
   law.density = density;
   law.young_modulus = 7e6;
   law.poisson_ratio = 0.25;
-  law.friction_angle = 35 * pi / 180;
+  law.friction_angle = 35 * degree;
   return law;
 }
 
@@ -62,7 +62,7 @@ material::ModifiedCamClay cam_clay()
 {
   material::ModifiedCamClay law;
   law.density = 877;
-  law.critical_friction_angle = 23 * pi / 180;
+  law.critical_friction_angle = 23 * degree;
   law.compression_index = 0.2;
   law.swelling_index = 0.04;
   law.void_ratio = 1.2;
@@ -76,7 +76,7 @@ material::NorSand norsand()
 {
   material::NorSand law;
   law.density = 877;
-  law.critical_friction_angle = 32 * pi / 180;
+  law.critical_friction_angle = 32 * degree;
   law.critical_void_ratio = 0.9;
   law.critical_line_slope = 0.03;
   law.volumetric_coupling = 0.3;
@@ -127,7 +127,7 @@ problem::Case probe_in_sand(Real near_size)
   contact::ContactSettings contact;
   contact.body = "sand";
   contact.rigid = "probe";
-  contact.friction_angle = 23.33 * pi / 180;
+  contact.friction_angle = 23.33 * degree;
   c.contact = {{"skin", contact}};
   c.support = {{"base", {"base", {"x", "y"}}}, {"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}};
   problem::StageSettings push = endless(problem::StageKind::push);
@@ -264,8 +264,6 @@ constexpr BenchProblem problems[] = {
     {"space_1e6", [] { return column_in_space(1e6); }},
 };
 
-constexpr Real no_number = std::numeric_limits<Real>::quiet_NaN();
-
 /// What a step must move and compute at least, by count.
 struct Demand {
   Real bytes, flops;  ///< a particle-step
@@ -276,8 +274,8 @@ constexpr Real flops_of_moments = 30, flops_of_motion = 34, flops_of_stress = 54
 // Of a cell, in the same places.
 constexpr Real flops_of_corners = 36, flops_of_forces = 36, flops_of_momentum = 90, flops_of_fields = 128;
 
-/// Bytes: every array once for each pass that reads or writes it; blocks of particles are read by the first pass, read and written by the last. Flops of
-/// soil at yield are more, and those in space were not counted.
+/// Bytes: every array once for each pass that reads or writes it; blocks of particles are read and written once, since their moments are summed while they are in
+/// the cache. Flops of soil at yield are more, and those in space were not counted.
 template <int dim>
 Demand demand_of(const bodies::Particles<dim>& particles, const mpm::BodyGrid<dim>& grid)
 {
@@ -287,13 +285,13 @@ Demand demand_of(const bodies::Particles<dim>& particles, const mpm::BodyGrid<di
   Real blocks = 0;
   for (const Index cell : particles.occupied()) blocks += std::ceil(static_cast<Real>(particles.count_in(cell)) / lanes);
   const Real cells = static_cast<Real>(particles.occupied().size()), nodes = static_cast<Real>(grid.nodes.size());
-  const Real of_block = static_cast<Real>(3 * sizeof(bodies::Block<dim>) + 2 * sizeof(StoredLanes) * particles.extra_size());
+  const Real of_block = static_cast<Real>(2 * sizeof(bodies::Block<dim>) + 2 * sizeof(StoredLanes) * particles.extra_size());
   const Real of_cell = 4 * sizeof(mpm::Moments<dim>) + 6 * corners * sizeof(mpm::CornerSums<dim>) +
                        4 * (sizeof(mesh::Gradients<dim>) + corners * sizeof(Index)) + 4 * sizeof(Real);
   const Real of_node = 2 * sizeof(Real) + 6 * sizeof(Vec<dim>);
   const Real count = static_cast<Real>(particles.size());
   const Real bytes = (blocks * of_block + cells * of_cell + nodes * of_node) / count;
-  return {bytes, dim == 2 ? flops_of_lane + cells * flops_of_cell / count : no_number};
+  return {bytes, dim == 2 ? flops_of_lane + cells * flops_of_cell / count : nan};
 }
 
 /// A number for the table, or a dash where there is none.
@@ -345,13 +343,12 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, s
   seconds(0.5, 16);  // warm-up
   context.timings().clear();
   const BigIndex before = problem.state.step;
-  const auto waited = [&] { return ranks.divided() ? ranks.messenger()->passed() : 0; };
-  const Real waited_before = waited();
+  const auto traffic = [&] { return ranks.divided() ? ranks.messenger()->traffic() : Traffic(); };
+  const Traffic traffic_before = traffic();
   const Real wall = seconds(3, 32);
   const BigIndex steps = problem.state.step - before;
   const Real speed = static_cast<Real>(particles * steps) / wall;
-  const Real waiting = sum_of_ranks(waited() - waited_before) / ranks.count();
-
+  const Traffic traffic_after = traffic();
   const Real memory = sum_of_ranks(simulation::memory_of_data() - memory_before) / static_cast<Real>(particles);
 
   const bodies::Particles<dim>& body = problem.state.particles[0];
@@ -387,7 +384,20 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, s
     result["loops"].push_back({{"label", label}, {"ns_per_particle_step", nanoseconds}});
   };
   for (const Timing& loop : loops) tell(loop.label, loop.seconds);
-  if (ranks.count() > 1) tell("(messages, in the loops above)", waiting);
+  if (ranks.count() == 1) return result;
+  const auto of_rank = [&](auto Traffic::*part) {
+    return sum_of_ranks(static_cast<Real>(traffic_after.*part - traffic_before.*part)) / ranks.count();
+  };
+  const auto of_step = [&](auto Traffic::*part) { return of_rank(part) / static_cast<Real>(steps); };
+  tell("(messages, in the loops above)", of_rank(&Traffic::seconds));
+  const Real letters = of_step(&Traffic::letters), letter_bytes = of_step(&Traffic::letter_bytes);
+  const Real gathers = of_step(&Traffic::gathers), gathered_bytes = of_step(&Traffic::gathered_bytes);
+  fmt::print("    a rank and step: {:.1f} messages to others, of {:.1f} KiB in all; {:.1f} in which all tell all, {:.1f} KiB in all\n",
+             letters, letter_bytes / 1024, gathers, gathered_bytes / 1024);
+  result["messages_per_step"] = letters;
+  result["message_bytes_per_step"] = letter_bytes;
+  result["gathers_per_step"] = gathers;
+  result["gathered_bytes_per_step"] = gathered_bytes;
   return result;
 }
 

@@ -13,6 +13,15 @@
 
 namespace berm {
 
+/// What a rank has sent and got so far.
+struct Traffic {
+  Real seconds = 0;         ///< that it took, waiting included
+  BigIndex letters = 0;     ///< sent to single ranks
+  Real letter_bytes = 0;    ///< in them
+  BigIndex gathers = 0;     ///< calls in which all ranks tell all others something
+  Real gathered_bytes = 0;  ///< that all ranks told in them
+};
+
 /// Carries bytes between the processes of one run, its ranks. All but abort() are called by all ranks in the same order.
 class Messenger {
 public:
@@ -30,8 +39,7 @@ public:
   /// Lays the bytes of all ranks end to end, on each of them: those of rank r go to all[first[r]] ... all[first[r + 1] - 1].
   virtual void gather(const std::byte* own, std::byte* all, const std::vector<std::size_t>& first) = 0;
   virtual Real largest(Real of_rank) = 0;
-  /// s, time that all calls took so far.
-  virtual Real passed() const = 0;
+  virtual const Traffic& traffic() const = 0;
   /// Whether all ranks come here within so many seconds.
   virtual bool meet(Real seconds) = 0;
   /// Ends all ranks.

@@ -48,14 +48,17 @@ public:
 
   void exchange(std::vector<Letter>& letters) override
   {
-    const Stopwatch stopwatch(passed_);
+    const Stopwatch stopwatch(traffic_.seconds);
     sent_.clear();
-    for (const Letter& letter : letters)
+    for (const Letter& letter : letters) {
+      ++traffic_.letters;
+      traffic_.letter_bytes += static_cast<Real>(letter.out.size());
       for (std::size_t at = 0;; at += page) {  // the last page of a letter is not full
         const std::size_t bytes = std::min(letter.out.size() - at, page);
         PMPI_Isend(letter.out.data() + at, as_int(bytes), MPI_BYTE, letter.rank, tag, MPI_COMM_WORLD, &sent_.emplace_back());
         if (bytes < page) break;
       }
+    }
     for (Letter& letter : letters) {
       letter.in.clear();
       int bytes = 0;
@@ -75,7 +78,9 @@ public:
   /// In units of the largest power of two that divides all lengths, so that gigabytes can be counted.
   void gather(const std::byte* own, std::byte* all, const std::vector<std::size_t>& first) override
   {
-    const Stopwatch stopwatch(passed_);
+    const Stopwatch stopwatch(traffic_.seconds);
+    ++traffic_.gathers;
+    traffic_.gathered_bytes += static_cast<Real>(first.back());
     std::size_t bits = 0;
     for (const std::size_t at : first) bits |= at;
     const std::size_t unit = bits == 0 ? 1 : std::min<std::size_t>(bits & ~(bits - 1), 4096);
@@ -96,13 +101,15 @@ public:
 
   Real largest(Real of_rank) override
   {
-    const Stopwatch stopwatch(passed_);
+    const Stopwatch stopwatch(traffic_.seconds);
+    ++traffic_.gathers;
+    traffic_.gathered_bytes += static_cast<Real>(sizeof of_rank) * count_;
     Real most = of_rank;
     PMPI_Allreduce(&of_rank, &most, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
     return most;
   }
 
-  Real passed() const override { return passed_; }
+  const Traffic& traffic() const override { return traffic_; }
 
   bool meet(Real seconds) override
   {
@@ -134,7 +141,7 @@ private:
   }
 
   int rank_ = 0, count_ = 1;
-  Real passed_ = 0;
+  Traffic traffic_;
   MPI_Comm meetings_ = MPI_COMM_NULL;  ///< a rank that waits elsewhere does not take part by mistake
   std::vector<MPI_Request> sent_;
   std::vector<int> counts_, begins_;

@@ -154,7 +154,7 @@ void MpmMethod<d>::divide_anew()
   next_division_ += steps_between_divisions_;
   steps_between_divisions_ = std::min(2 * steps_between_divisions_, longest);
   const auto now = std::chrono::steady_clock::now();
-  const Real waited = Ranks::of_run().messenger()->passed();
+  const Real waited = Ranks::of_run().messenger()->traffic().seconds;
   const Real busy = std::chrono::duration<Real>(now - measured_since_).count() - (waited - waited_);
   const bool measured = measured_since_.time_since_epoch().count() > 0;
   measured_since_ = now;
