@@ -25,7 +25,6 @@ struct MadeRun {
 
   static material::MohrCoulomb sand_law()
   {
-    constexpr Real degree = pi / 180;
     material::MohrCoulomb law;
     law.density = 430e3 / (50 * standard_gravity);
     law.young_modulus = 7e6;

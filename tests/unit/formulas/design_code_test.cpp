@@ -8,7 +8,7 @@
 namespace berm::formulas {
 namespace {
 
-constexpr Real degree = pi / 180, D = 0.4;
+constexpr Real D = 0.4;
 
 PipeInClay clay_at(Real relative_embedment)
 {

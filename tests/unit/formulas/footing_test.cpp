@@ -6,8 +6,6 @@
 namespace berm::formulas {
 namespace {
 
-constexpr Real degree = pi / 180;
-
 // Tabulated values have five digits: half a unit of the last.
 constexpr Real digits = 0.0005;
 

@@ -7,8 +7,6 @@
 namespace berm::formulas {
 namespace {
 
-constexpr Real degree = pi / 180;
-
 PipeInSand pipe_at(Real relative_embedment, Real interface_angle = 0)
 {
   return {.diameter = 0.02,

@@ -8,8 +8,6 @@
 
 namespace berm::material {
 
-constexpr Real degree = pi / 180;
-
 inline MohrCoulomb soil(Real cohesion, Real friction, Real dilation, std::optional<Real> tension_cutoff = {}, Real poisson_ratio = 0.3)
 {
   MohrCoulomb law;

@@ -7,12 +7,9 @@
 
 #include <functional>
 #include <gtest/gtest.h>
-#include <numbers>
 
 namespace berm::mesh {
 namespace {
-
-constexpr Real degree = std::numbers::pi / 180;
 
 SeabedMesh sample_bed()
 {

@@ -9,12 +9,11 @@
 #include "samples/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
-#include <numbers>
 
 namespace berm::problem {
 namespace {
 
-constexpr Real degree = std::numbers::pi / 180, incline = 0.17632698070846498;  // tan 10 deg
+constexpr Real incline = 0.17632698070846498;  // tan 10 deg
 
 mesh::SeabedMesh sloping_bed()
 {
