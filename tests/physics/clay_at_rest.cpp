@@ -43,11 +43,7 @@ Real largest_state(const problem::State<2>& state, int variable)
 /// Sets the bed swinging along x, sin(pi y/2), at a speed (m/s); steps.
 void shake(Simulation<2>& run, Real speed, int steps)
 {
-  bodies::Particles<2>& particles = run.state().particles[0];
-  particles.visit([&](Index, Index b, int l) {
-    bodies::Block<2>& p = particles.block(b);
-    p.v[0][l] = speed * std::sin(pi / 2 * p.x[1][l]);
-  });
+  run.set_velocities([&](const Vec<2>& x, const Vec<2>& v) { return Vec<2>(speed * std::sin(pi / 2 * x[1]), v[1]); });
   for (int n = 0; n < steps; ++n) step(run.model(), run.state(), run.work);
 }
 

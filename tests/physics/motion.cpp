@@ -103,12 +103,8 @@ TEST(Rotation, a_free_square_keeps_its_angular_momentum_and_makes_little_stress)
   // A quarter turn. The corners move with a hundredth of the speed of waves: the stress of the turn, density (omega r)^2, is a ten-thousandth of
   // the stiffness; what particles make that cross cells with linear shape functions is some thirty times that.
   constexpr Real omega = 1.2, radius = 0.283;
-  bodies::Particles<2>& particles = run.state().particles[0];
-  particles.visit([&](Index, Index b, int l) {
-    bodies::Block<2>& p = particles.block(b);
-    p.v[0][l] = -omega * (p.x[1][l] - 0.5);
-    p.v[1][l] = omega * (p.x[0][l] - 0.5);
-  });
+  run.set_velocities([&](const Vec<2>& x, const Vec<2>&) { return Vec<2>(-omega * (x[1] - 0.5), omega * (x[0] - 0.5)); });
+  const bodies::Particles<2>& particles = run.state().particles[0];
   const auto turn_of_all = [&] {
     Real turn = 0;
     for (const auto& p : all_particles(run.state())) turn += p.mass * ((p.x[0] - 0.5) * p.v[1] - (p.x[1] - 0.5) * p.v[0]);

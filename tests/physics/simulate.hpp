@@ -3,6 +3,7 @@
 
 #include "mpm/body_sums.hpp"
 #include "mpm/step.hpp"
+#include "mpm/transfer.hpp"
 #include "problem/stages.hpp"
 
 namespace berm {
@@ -14,6 +15,19 @@ struct Simulation {
 
   problem::Model<dim>& model() { return problem.model; }
   problem::State<dim>& state() { return problem.state; }
+
+  /// Gives each particle of the first body, at x with v, the velocity velocity(x, v).
+  template <class Velocity>
+  void set_velocities(const Velocity& velocity)
+  {
+    bodies::Particles<dim>& particles = state().particles[0];
+    particles.visit([&](Index, Index b, int l) {
+      const bodies::Particle<dim> p = particles.read(b, l);
+      const Vec<dim> v = velocity(p.x, p.v);
+      for (int d = 0; d < dim; ++d) particles.block(b).v[d][l] = v[d];
+    });
+    mpm::sum_moments(model().mesh, particles, work.grids[0]);
+  }
 
   /// Steps until `end` (s); calls after_step() after each step.
   template <class After>

@@ -48,14 +48,7 @@ Real error_of(Mode mode, int cells, mesh::BoxPattern pattern = mesh::BoxPattern:
   c.support = {{"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}, {"bottom", {"bottom", {"y"}}}, {"top", {"top", {"y"}}}};
   if (dim == 3) c.support.push_back({"back", {"back", {"z"}}}), c.support.push_back({"front", {"front", {"z"}}});
   Simulation<dim> run(c);
-  bodies::Particles<dim>& particles = run.state().particles[0];
-  particles.visit([&](Index, Index b, int l) {
-    bodies::Block<dim>& p = particles.block(b);
-    Vec<dim> x;
-    for (int d = 0; d < dim; ++d) x[d] = p.x[d][l];
-    const Vec<dim> v = speed * shape<dim>(mode, x);
-    for (int d = 0; d < dim; ++d) p.v[d][l] = v[d];
-  });
+  run.set_velocities([&](const Vec<dim>& x, const Vec<dim>&) { return Vec<dim>(speed * shape<dim>(mode, x)); });
   const auto before = all_particles(run.state());
   run.run_until(0.3 * 2 * pi / omega);
   const auto after = all_particles(run.state());
