@@ -54,6 +54,19 @@ std::vector<int>& allowed_processors()
   return processors;
 }
 
+/// Gives the calling thread, which OpenMP has bound to the first of its places, the processors of all of them.
+void let_go_of_places()
+{
+  cpu_set_t all;
+  CPU_ZERO(&all);
+  for (int place = 0; place < omp_get_num_places(); ++place) {
+    std::vector<int> processors(static_cast<std::size_t>(omp_get_place_num_procs(place)));
+    omp_get_place_proc_ids(place, processors.data());
+    for (const int processor : processors) CPU_SET(processor, &all);
+  }
+  sched_setaffinity(0, sizeof all, &all);
+}
+
 }  // namespace
 
 int processor_count()
@@ -105,11 +118,16 @@ Threads::~Threads()
 void reexec_with_openmp_environment(char** argv)
 {
   constexpr const char* spins = "GOMP_SPINCOUNT";
-  if (std::getenv(spins) != nullptr || std::getenv("OMP_WAIT_POLICY") != nullptr) return;
+  const bool wait_is_open = std::getenv(spins) == nullptr && std::getenv("OMP_WAIT_POLICY") == nullptr, is_bound = omp_get_num_places() > 0;
   std::error_code error;
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   // Where the loader was called by name, it is the program that would be started.
-  if (error || program.filename().string().starts_with("ld-") || setenv(spins, "10000", 1) != 0) return;
+  if ((!wait_is_open && !is_bound) || error || program.filename().string().starts_with("ld-")) return;
+  if (wait_is_open && setenv(spins, "10000", 1) != 0) return;
+  if (is_bound) {
+    let_go_of_places();
+    for (const char* name : {"OMP_PROC_BIND", "OMP_PLACES", "GOMP_CPU_AFFINITY"}) unsetenv(name);
+  }
   setenv("OPENBLAS_NUM_THREADS", "1", 0);  // its threads gain nothing on matrices of this size, and spin
   // Where this fails, the run goes on, only slower.
   execv(program.c_str(), argv);

@@ -11,7 +11,7 @@ int processor_count();
 /// From now on this process may use one of `count` equal parts of them, that of this index; all, where there are fewer than parts.
 void take_part_of_processors(int index, int count);
 
-/// The threads of the loops of for_each, while it lives: more than one are bound to a processor each, unless OMP_PROC_BIND says otherwise (threads that
+/// The threads of the loops of for_each, while it lives: more than one are bound to a processor each, unless OMP_PROC_BIND=false (threads that
 /// wander can be slower together than one alone), and numbers below 2e-308 count as zero in them. After it the calling thread has its processors, its
 /// number of threads and its arithmetic back. One at a time in a process.
 class Threads {
@@ -32,9 +32,11 @@ private:
 };
 
 /// Starts the program once more with argv and with settings that libraries read from the environment when they are loaded; to be called first of
-/// all. Does nothing where the environment says how OpenMP's threads wait.
-/// - Threads wait for each other awake for some 30 microseconds and asleep from then on: OpenMP's own choice is to stay awake, which takes the
-///   processor from the very thread that is waited for as soon as anything else runs on the machine.
+/// all. Does nothing where nothing is to be set.
+/// - Threads wait for each other awake for some 30 microseconds and asleep from then on, unless the environment says how they wait: OpenMP's own choice is to stay
+///   awake, which takes the processor from the very thread that is waited for as soon as anything else runs on the machine.
+/// - Where the environment binds threads (OMP_PROC_BIND=true, OMP_PLACES), OpenMP has bound the calling thread by now, and all that it starts would have its processor
+///   alone. It gets back the processors of all places, and Threads binds.
 /// - OpenBLAS gets one thread.
 void reexec_with_openmp_environment(char** argv);
 

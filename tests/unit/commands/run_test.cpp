@@ -194,6 +194,19 @@ TEST(Run, writes_the_same_history_byte_for_byte_with_one_and_two_threads)
   EXPECT_TRUE(place.text("one/history.csv") == place.text("two/history.csv"));
 }
 
+TEST(Run, has_all_processors_also_where_the_environment_binds_threads)
+{
+  const Place place;
+  const auto threads = [&](const Words& environment) {
+    EXPECT_EQ(place.berm({"run", "small.toml", "--force", "-o", "all"}, environment).status, 0);
+    return place.json("all/summary.json")["timing"]["threads"];
+  };
+  const Json all = threads({});
+  EXPECT_EQ(threads({"OMP_PROC_BIND=true"}), all);
+  EXPECT_EQ(threads({"OMP_PROC_BIND=close", "OMP_PLACES=threads", "OMP_WAIT_POLICY=passive"}), all);
+  EXPECT_EQ(threads({"OMP_PLACES={0}"}), 1) << "those that the places name, no others";
+}
+
 TEST(Run, of_resolved_toml_writes_the_same_history_byte_for_byte)
 {
   const Place place;
