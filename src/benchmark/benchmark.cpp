@@ -303,9 +303,7 @@ std::string shown(Real number, int decimals)
 /// Of what the ranks measure each for themselves at the same time.
 Real sum_of_ranks(Real of_rank)
 {
-  if (Ranks::of_run().count() == 1) return of_rank;
-  std::vector<Real> all;
-  Ranks::of_run().gather_from_all(std::vector<Real>{of_rank}, all);
+  const std::vector<Real> all = Ranks::of_run().all_of(of_rank);
   return std::accumulate(all.begin(), all.end(), Real(0));
 }
 

@@ -125,6 +125,13 @@ public:
     all.resize(first.back() / sizeof(T));
     messenger_->gather(reinterpret_cast<const std::byte*>(own.data()), reinterpret_cast<std::byte*>(all.data()), first);
   }
+  /// The number of each rank, also where each has all.
+  std::vector<Real> all_of(Real of_rank)
+  {
+    std::vector<Real> all{of_rank};
+    if (count() > 1) gather_from_all(std::vector<Real>{of_rank}, all);
+    return all;
+  }
   /// The largest of the ranks' numbers.
   Real largest(Real of_rank) { return divided() ? messenger_->largest(of_rank) : of_rank; }
   bool any(bool of_rank) { return largest(of_rank ? 1 : 0) > 0; }

@@ -3,6 +3,8 @@
 
 #include "io/atomic_file.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace berm::run_folder {
@@ -50,6 +52,8 @@ std::string Summary::json() const
   }
   Json& t = root["timing"];
   t = std::visit([&](const auto& counts) { return json_of(timing, counts); }, timing.counts);
+  t["ranks"] = timing.memory.size();
+  if (const Real most = std::ranges::max(timing.memory); !std::isnan(most)) t["memory_bytes"] = most;
   t["loops"] = Json::array();
   for (const Timing& loop : timing.loops) t["loops"].push_back({{"label", loop.label}, {"seconds", loop.seconds}, {"calls", loop.calls}});
   root["checks"] = Json::object();

@@ -35,6 +35,7 @@ struct RunTiming {
   BigIndex cells = 0, steps = 0;
   std::variant<MpmCounts, FemCounts> counts;
   std::vector<Timing> loops;
+  std::vector<Real> memory{nan};  ///< of each rank's process when it had most, bytes; NaN: not known
 };
 
 /// Particles times steps, over the wall time.

@@ -17,7 +17,7 @@
 namespace berm::simulation {
 namespace {
 
-constexpr Real mebibyte = 1 << 20;
+constexpr Real kibibyte = 1 << 10, mebibyte = 1 << 20;
 
 template <int dim, class CellsOf>
 std::vector<RunSize::OfBody> min_bodies(const problem::Case& c, const CellsOf& cells_of)
@@ -171,6 +171,12 @@ Real memory_in_use()
   return page_count(1);
 }
 
+Real largest_memory_in_use()
+{
+  const Real kibibytes = number_in("/proc/self/status", "VmHWM:");
+  return kibibytes == infinity ? nan : kibibyte * kibibytes;
+}
+
 Real memory_of_data()
 {
   ::malloc_trim(0);
@@ -179,7 +185,6 @@ Real memory_of_data()
 
 Real memory_left()
 {
-  constexpr Real kibibyte = 1 << 10;
   rlimit space{};
   const Real of_limit =
       ::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY ? static_cast<Real>(space.rlim_cur) - page_count(0) : infinity;

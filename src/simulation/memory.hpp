@@ -37,7 +37,10 @@ Real memory_of(const RunSize& size);
 /// Bytes that the program has of the machine's memory now.
 Real memory_in_use();
 
-/// Of these, what is not shared with files, such as the program itself, once what was freed has been given back.
+/// Bytes that it had when it had most; NaN where the system does not tell.
+Real largest_memory_in_use();
+
+/// Of the bytes in use now, what is not shared with files, such as the program itself, once what was freed has been given back.
 Real memory_of_data();
 
 /// Bytes that the program could take beside what it has: the least of what the machine, its control group and its limit of address space leave.

@@ -11,6 +11,7 @@
 #include "run_folder/progress.hpp"
 #include "structures/structures.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -50,14 +51,25 @@ std::string words_of(const run_folder::RunTiming& timing, const run_folder::FemC
   return fmt::format("{} steps of {} nodes, {} iterations", timing.steps, counts.nodes, counts.iterations);
 }
 
+/// Ranks have about the same, but for the first, which makes the frames.
+std::string words_of_memory(const std::vector<Real>& ranks)
+{
+  const auto mebibytes = [](Real bytes) { return fmt::format("{:.0f}", bytes / (1 << 20)); };
+  if (ranks.size() == 1) return mebibytes(ranks[0]) + " MiB";
+  const auto [least, most] = std::minmax_element(ranks.begin() + 1, ranks.end());
+  return fmt::format("{} MiB on the first rank, {} to {} on the {} other{}", mebibytes(ranks[0]), mebibytes(*least), mebibytes(*most),
+                     ranks.size() - 1, ranks.size() == 2 ? "" : "s");
+}
+
 void print_timings(const run_folder::RunTiming& timing)
 {
   std::string table = fmt::format("{:<32} {:>10} {:>8}\n", "time by loop", "s", "part");
   for (const Timing& loop : timing.loops)
     table += fmt::format("{:<32} {:>10.3f} {:>7.1f}%\n", loop.label, loop.seconds, 100 * loop.seconds / timing.wall_s);
   const std::string all = std::visit([&](const auto& counts) { return words_of(timing, counts); }, timing.counts);
-  table +=
-      fmt::format("{:<32} {:>10.3f}          {} on {} thread{}", "all", timing.wall_s, all, timing.threads, timing.threads == 1 ? "" : "s");
+  table += fmt::format("{:<32} {:>10.3f}          {} on {} thread{}\n", "all", timing.wall_s, all, timing.threads,
+                       timing.threads == 1 ? "" : "s");
+  table += fmt::format("{:<32} {}", "memory at most", words_of_memory(timing.memory));
   spdlog::info("{}", table);
 }
 

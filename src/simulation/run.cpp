@@ -9,6 +9,7 @@
 #include "problem/stages.hpp"
 #include "record/run_record.hpp"
 #include "simulation/fem_method.hpp"
+#include "simulation/memory.hpp"
 #include "simulation/mpm_method.hpp"
 #include "simulation/results.hpp"
 #include "simulation/run_of_ranks.hpp"
@@ -241,9 +242,10 @@ void Run<Method>::leave_results()
 {
   const run_folder::Summary::Checks checks = method_.checks();
   frame();
+  const std::vector<Real> memory = Ranks::of_run().all_of(largest_memory_in_use());
   if (!Ranks::of_run().is_first()) return;
-  const run_folder::RunTiming timing{clock_.wall(), context_.threads(), model().mesh.cell_count(),
-                                     state().step,  method_.counts(),   clock_.loops()};
+  const run_folder::RunTiming timing{
+      clock_.wall(), context_.threads(), model().mesh.cell_count(), state().step, method_.counts(), clock_.loops(), memory};
   const RunOutcome outcome{finished_, held_forces_, checks, warnings_};
   const std::string results = write_results(request_, folder_, model(), state().rigid_bodies, frames_.last(), outcome, timing);
   if (!results.empty()) log_.result(results);

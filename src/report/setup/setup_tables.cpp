@@ -254,7 +254,8 @@ text::HtmlTable computation_table(const std::vector<record::RunRecord>& runs)
     };
     const bool mpm = run.settings.method == problem::Method::mpm;
     rows.add("machine", text("machine"));
-    rows.add("threads", text::count_words(run.timing("threads")));
+    const std::string ranks = run.timing("ranks") > 1 ? fmt::format(" on each of {} ranks", run.timing("ranks")) : "";
+    rows.add("threads", text::count_words(run.timing("threads")) + ranks);
     rows.add("time taken", text::time_words(run.timing("wall_s")));
     rows.add("cells", text::count_words(run.timing("cells")));
     if (mpm) rows.add("particles", text::count_words(run.timing("particles")));
@@ -265,6 +266,8 @@ text::HtmlTable computation_table(const std::vector<record::RunRecord>& runs)
       const Real rate = run.timing("particle_steps_per_s");
       rows.add("particle-steps per second", std::isnan(rate) ? "not known" : fmt::format("{:.3g} million", rate / 1e6));
     }
+    if (const Real memory = run.timing("memory_bytes"); !std::isnan(memory))
+      rows.add("memory at most", fmt::format("{:.0f} MiB", memory / (1 << 20)));
     columns.run(run.name, std::move(rows).list());
   }
   return columns.table("computation", "How it was computed");

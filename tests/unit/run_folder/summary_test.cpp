@@ -13,8 +13,13 @@ Summary sample_summary()
 {
   Summary summary;
   summary.quantities = {{"V_at_w_0.1D", 764.25, "N/m"}, {"H_max", std::numeric_limits<Real>::quiet_NaN(), "N/m"}};
-  summary.timing = {
-      .wall_s = 12.5, .threads = 2, .cells = 800, .steps = 5'000'000'000, .counts = MpmCounts{9000}, .loops = {{"move", 1.5, 7}}};
+  summary.timing = {.wall_s = 12.5,
+                    .threads = 2,
+                    .cells = 800,
+                    .steps = 5'000'000'000,
+                    .counts = MpmCounts{9000},
+                    .loops = {{"move", 1.5, 7}},
+                    .memory = {4e8, 5e8, 3e8}};
   summary.checks = {{"reached_the_end", true}, {"energy_balance", 0.01}};
   summary.text = {{"title", "a \"pipe\""}, {"berm", "0.1.0"}};
   return summary;
@@ -34,6 +39,8 @@ TEST(Summary, has_the_form_that_readers_rely_on)
   EXPECT_EQ(json["timing"]["steps"].get<std::int64_t>(), 5'000'000'000);
   EXPECT_DOUBLE_EQ(json["timing"]["seconds_per_step"].get<double>(), 2.5e-9);
   EXPECT_EQ(json["timing"]["loops"][0]["label"], "move");
+  EXPECT_EQ(json["timing"]["ranks"].get<int>(), 3);
+  EXPECT_EQ(json["timing"]["memory_bytes"].get<double>(), 5e8);
   EXPECT_EQ(json["checks"]["reached_the_end"], true);
   EXPECT_EQ(json["checks"]["energy_balance"].get<double>(), 0.01);
   EXPECT_EQ(json["text"]["title"], "a \"pipe\"");
@@ -43,13 +50,14 @@ TEST(Summary, of_finite_elements_counts_nodes_and_iterations_and_no_particles)
 {
   Summary summary = sample_summary();
   summary.timing.counts = FemCounts{.nodes = 700, .iterations = 60};
+  summary.timing.memory = {nan};
   const auto timing = nlohmann::json::parse(summary.json())["timing"];
   EXPECT_EQ(timing["nodes"].get<int>(), 700);
   EXPECT_EQ(timing["iterations"].get<int>(), 60);
   EXPECT_EQ(timing["cells"].get<int>(), 800);
   EXPECT_EQ(timing["wall_s"].get<double>(), 12.5);
   EXPECT_EQ(timing["loops"].size(), 1u);
-  for (const char* name : {"particle_steps_per_s", "particles"}) EXPECT_FALSE(timing.contains(name)) << name;
+  for (const char* name : {"particle_steps_per_s", "particles", "memory_bytes"}) EXPECT_FALSE(timing.contains(name)) << name;
 }
 
 TEST(Summary, a_number_that_is_not_there_is_null_and_the_file_stays_json)

@@ -98,5 +98,19 @@ TEST(Memory, that_is_in_use_counts_with_what_is_needed)
   EXPECT_THROW(refuse_without_memory(2 * there, 0, "5 elements", "take larger elements"), RunError);
 }
 
+TEST(Memory, that_was_in_use_is_known_when_it_has_been_given_back)
+{
+  constexpr std::size_t bytes = 64 << 20;
+  const Real before = memory_in_use();
+  Real with = 0;
+  {
+    const std::vector<std::byte> taken(bytes, std::byte(1));
+    with = memory_in_use();
+    EXPECT_EQ(taken.back(), std::byte(1));
+  }
+  EXPECT_GT(with, before + 0.9 * bytes);
+  EXPECT_GT(largest_memory_in_use(), with - 0.1 * bytes) << "the system counts the largest by some pages at a time";
+}
+
 }  // namespace
 }  // namespace berm::simulation
