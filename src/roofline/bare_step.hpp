@@ -120,18 +120,19 @@ public:
     list_entries();
     blocks_.resize(cells_.size() * blocks_a_cell_);
     for (std::size_t e = 0; e < cells_.size(); ++e) fill(static_cast<Index>(e));
+    moments_.resize(cells_.size());
     given_.resize(corners * cells_.size());
     momentum_.resize(corners * cells_.size());
     acceleration_.resize(node_count_);
     velocity_.resize(node_count_);
     mass_.resize(node_count_);
+    for (std::size_t e = 0; e < cells_.size(); ++e) sum_cell(static_cast<Index>(e));
   }
 
   BigIndex cell_count() const { return static_cast<BigIndex>(cells_.size()); }
 
   void step()
   {
-    sum_cells();
     gather_forces();
     accelerate();
     gather_velocities();
@@ -147,8 +148,14 @@ public:
 
 private:
   using Vector = std::array<Real, dim>;
-  static constexpr int corners = dim + 1, moment_count = 1 + dim + dim * corners + dim * (dim + 1) / 2;
+  static constexpr int corners = dim + 1, second_moments = dim * (dim + 1) / 2;
+  /// Sums over the particles of a cell: m, m x; of each direction p, p x; m x x; the stresses.
+  static constexpr int first_second = corners * corners, first_stress = first_second + second_moments,
+                       sum_count = first_stress + second_moments;
   static constexpr Real cell_volume = dim == 2 ? 1. / 2 : 1. / 6;
+
+  /// Of a symmetric tensor's component (a, c) among its sums.
+  static constexpr int second_index(int a, int c) { return a == c ? a : dim + tensor_index(a, c) - 3; }
 
   Vector position(Index n) const
   {
@@ -243,41 +250,41 @@ private:
     return total;
   }
 
-  void sum_cells()
+  void sum_cell(Index e)
   {
-    for_each("ceiling: cells", static_cast<Index>(cells_.size()), [&](Index e) {
-      using Sums = LaneSums<moment_count>;  // m, m x; of each direction p, p x; the stresses
-      constexpr int first_stress = (dim + 1) * (dim + 1);
-      Sums lanes;
-      lanes.clear();
-      for (int b = 0; b < blocks_a_cell_; ++b) {
-        const Block& p = blocks_[e * blocks_a_cell_ + b];
-        BareLanes mx[dim];
-        lanes.of[0] += p.mass;
-        for (int a = 0; a < dim; ++a) lanes.of[1 + a] += mx[a] = p.mass * p.x[a];
-        for (int d = 0; d < dim; ++d) {
-          BareLanes* of = lanes.of + (d + 1) * (dim + 1);
-          of[0] += p.mass * p.v[d];
-          for (int a = 0; a < dim; ++a) of[1 + a] += mx[a] * p.v[d];
-        }
-        for (int a = 0; a < dim; ++a) lanes.of[first_stress + a] += p.volume * p.stress[a];
-        for (int c = 3; c < tensor_size<dim>; ++c) lanes.of[first_stress + dim + c - 3] += p.volume * p.stress[c];
+    using Sums = LaneSums<sum_count>;
+    Sums lanes;
+    lanes.clear();
+    for (int b = 0; b < blocks_a_cell_; ++b) {
+      const Block& p = blocks_[e * blocks_a_cell_ + b];
+      BareLanes mx[dim];
+      lanes.of[0] += p.mass;
+      for (int a = 0; a < dim; ++a) lanes.of[1 + a] += mx[a] = p.mass * p.x[a];
+      for (int d = 0; d < dim; ++d) {
+        BareLanes* of = lanes.of + (d + 1) * corners;
+        of[0] += p.mass * p.v[d];
+        for (int a = 0; a < dim; ++a) of[1 + a] += mx[a] * p.v[d];
       }
-      Real s[Sums::size];
-      lanes.total(s);
-      const Real* stress = s + first_stress;
-      const Cell& cell = cells_[e];
-      for (int k = 0; k < corners; ++k) {
-        Given<dim>& given = given_[corners * e + k];
-        given.mass = share(cell, k, s);
-        for (int d = 0; d < dim; ++d) {
-          given.momentum[d] = share(cell, k, s + (d + 1) * (dim + 1));
-          Real force = 0;
-          for (int a = 0; a < dim; ++a) force += cell.g[k][a] * stress[a == d ? a : dim + tensor_index(a, d) - 3];
-          given.force[d] = -force - (d == 1 ? gravity * given.mass : 0);
-        }
+      for (int a = 0; a < dim; ++a)
+        for (int c = a; c < dim; ++c) lanes.of[first_second + second_index(a, c)] += mx[a] * p.x[c];
+      for (int a = 0; a < dim; ++a) lanes.of[first_stress + a] += p.volume * p.stress[a];
+      for (int c = 3; c < tensor_size<dim>; ++c) lanes.of[first_stress + dim + c - 3] += p.volume * p.stress[c];
+    }
+    Real s[Sums::size];
+    lanes.total(s);
+    std::copy_n(s, first_stress, moments_[e].data());
+    const Real* stress = s + first_stress;
+    const Cell& cell = cells_[e];
+    for (int k = 0; k < corners; ++k) {
+      Given<dim>& given = given_[corners * e + k];
+      given.mass = share(cell, k, s);
+      for (int d = 0; d < dim; ++d) {
+        given.momentum[d] = share(cell, k, s + (d + 1) * corners);
+        Real force = 0;
+        for (int a = 0; a < dim; ++a) force += cell.g[k][a] * stress[second_index(a, d)];
+        given.force[d] = -force - (d == 1 ? gravity * given.mass : 0);
       }
-    });
+    }
   }
 
   void gather_forces()
@@ -294,27 +301,21 @@ private:
     });
   }
 
+  /// What the particles' momentum will be at the corners, from the moments: with the acceleration f(x), p + dt f(x) m.
   void accelerate()
   {
     for_each("ceiling: accelerations", static_cast<Index>(cells_.size()), [&](Index e) {
       Real f[dim + 1][dim];
       linear(cells_[e], acceleration_, f);
-      using Sums = LaneSums<dim * corners>;
-      Sums lanes;
-      lanes.clear();
-      for (int b = 0; b < blocks_a_cell_; ++b) {
-        Block& p = blocks_[e * blocks_a_cell_ + b];
-        for (int d = 0; d < dim; ++d) {
-          p.v[d] += dt * value_at(f, d, p.x);
-          const BareLanes q = p.mass * p.v[d];
-          lanes.of[corners * d] += q;
-          for (int a = 0; a < dim; ++a) lanes.of[corners * d + 1 + a] += q * p.x[a];
+      const Real* s = moments_[e].data();
+      for (int d = 0; d < dim; ++d) {
+        Real sums[corners];
+        for (int b = 0; b < corners; ++b) {
+          sums[b] = s[(d + 1) * corners + b] + dt * f[0][d] * s[b];
+          for (int a = 0; a < dim; ++a) sums[b] += dt * f[a + 1][d] * (b == 0 ? s[1 + a] : s[first_second + second_index(a, b - 1)]);
         }
+        for (int k = 0; k < corners; ++k) momentum_[corners * e + k][d] = share(cells_[e], k, sums);
       }
-      Real s[Sums::size];
-      lanes.total(s);
-      for (int k = 0; k < corners; ++k)
-        for (int d = 0; d < dim; ++d) momentum_[corners * e + k][d] = share(cells_[e], k, s + corners * d);
     });
   }
 
@@ -328,44 +329,55 @@ private:
     });
   }
 
+  /// Groups of cells, whose particles are summed for the next step while they are in the cache.
   void move()
   {
-    const Real sin_phi = std::sin(friction_angle), strength = 2 * cohesion * std::cos(friction_angle);
-    for_each("ceiling: positions, strain, stress", static_cast<Index>(cells_.size()), [&](Index e) {
-      const Cell& cell = cells_[e];
-      Real f[dim + 1][dim], volume = 0, strain[dim][dim], rotation[dim][dim];
-      linear(cell, velocity_, f);
-      for (int a = 0; a < dim; ++a) {
-        volume += f[a + 1][a] * dt;
-        for (int b = 0; b < dim; ++b) {
-          strain[a][b] = 0.5 * dt * (f[b + 1][a] + f[a + 1][b]);
-          rotation[a][b] = 0.5 * dt * (f[b + 1][a] - f[a + 1][b]);
-        }
-      }
-      for (int b = 0; b < blocks_a_cell_; ++b) {
-        Block& p = blocks_[e * blocks_a_cell_ + b];
-        BareLanes motion[dim];
-        for (int d = 0; d < dim; ++d) motion[d] = value_at(f, d, p.x);
-        for (int d = 0; d < dim; ++d) p.x[d] += tiny_motion * dt * motion[d];
-        BareLanes min = 1 - BareLanes{};
-        for (int k = 0; k < corners; ++k) {
-          BareLanes n = cell.a[k] - BareLanes{};
-          for (int d = 0; d < dim; ++d) n += cell.g[k][d] * p.x[d];
-          min = smaller(min, n);
-        }
-        if (any(min < -1e-6 - BareLanes{})) [[unlikely]]
-          p.plastic = BareLanes{};
-        SymTensor<dim, BareLanes> s;
-        for (int c = 0; c < tensor_size<dim>; ++c) s[c] = p.stress[c];
-        rotate(s, rotation);
-        for (int c = 0; c < 3; ++c) s[c] += lame * volume;
-        for (int a = 0; a < dim; ++a)
-          for (int c = a; c < dim; ++c) s[tensor_index(a, c)] += 2 * shear * strain[a][c];
-        p.volume *= 1 + volume;
-        p.plastic += return_to_strength(s, sin_phi, strength);
-        for (int c = 0; c < tensor_size<dim>; ++c) p.stress[c] = s[c];
-      }
+    constexpr Index group = 16;
+    const auto cells = static_cast<Index>(cells_.size());
+    for_each("ceiling: velocities, positions, strain, stress, sums", (cells + group - 1) / group, [&](Index g) {
+      const Index end = std::min(cells, (g + 1) * group);
+      for (Index e = g * group; e < end; ++e) move_cell(e);
+      for (Index e = g * group; e < end; ++e) sum_cell(e);
     });
+  }
+
+  [[gnu::always_inline]] void move_cell(Index e)
+  {
+    const Real sin_phi = std::sin(friction_angle), strength = 2 * cohesion * std::cos(friction_angle);
+    const Cell& cell = cells_[e];
+    Real acceleration[dim + 1][dim], f[dim + 1][dim], volume = 0, strain[dim][dim], rotation[dim][dim];
+    linear(cell, acceleration_, acceleration);
+    linear(cell, velocity_, f);
+    for (int a = 0; a < dim; ++a) {
+      volume += f[a + 1][a] * dt;
+      for (int b = 0; b < dim; ++b) {
+        strain[a][b] = 0.5 * dt * (f[b + 1][a] + f[a + 1][b]);
+        rotation[a][b] = 0.5 * dt * (f[b + 1][a] - f[a + 1][b]);
+      }
+    }
+    for (int b = 0; b < blocks_a_cell_; ++b) {
+      Block& p = blocks_[e * blocks_a_cell_ + b];
+      BareLanes motion[dim];
+      for (int d = 0; d < dim; ++d) p.v[d] += dt * value_at(acceleration, d, p.x), motion[d] = value_at(f, d, p.x);
+      for (int d = 0; d < dim; ++d) p.x[d] += tiny_motion * dt * motion[d];
+      BareLanes min = 1 - BareLanes{};
+      for (int k = 0; k < corners; ++k) {
+        BareLanes n = cell.a[k] - BareLanes{};
+        for (int d = 0; d < dim; ++d) n += cell.g[k][d] * p.x[d];
+        min = smaller(min, n);
+      }
+      if (any(min < -1e-6 - BareLanes{})) [[unlikely]]
+        p.plastic = BareLanes{};
+      SymTensor<dim, BareLanes> s;
+      for (int c = 0; c < tensor_size<dim>; ++c) s[c] = p.stress[c];
+      rotate(s, rotation);
+      for (int c = 0; c < 3; ++c) s[c] += lame * volume;
+      for (int a = 0; a < dim; ++a)
+        for (int c = a; c < dim; ++c) s[tensor_index(a, c)] += 2 * shear * strain[a][c];
+      p.volume *= 1 + volume;
+      p.plastic += return_to_strength(s, sin_phi, strength);
+      for (int c = 0; c < tensor_size<dim>; ++c) p.stress[c] = s[c];
+    }
   }
 
   int per_cell_, blocks_a_cell_;
@@ -375,6 +387,7 @@ private:
   std::vector<Cell> cells_;
   std::vector<Index> first_, entries_;
   std::vector<Block> blocks_;
+  std::vector<std::array<Real, first_stress>> moments_;
   std::vector<Given<dim>> given_;
   std::vector<Vector> momentum_, acceleration_, velocity_;
   std::vector<Real> mass_;

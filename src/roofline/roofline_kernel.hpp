@@ -15,8 +15,8 @@ struct RooflineRun {
 };
 
 /// The roofline kernel: the passes of an explicit step of the material point method on linear triangles (dim 2) or tetrahedra (3) and nothing else, for at
-/// least `seconds`. Sums of each cell to its nodes; accelerations to the particles and their momentum back; velocities to positions, strain, the return to
-/// a strength with friction and whether each particle is still inside. No contact, smoothing, damping or corners of the surface, and no particle changes
+/// least `seconds`. Sums of each cell to its nodes; their accelerations to the cells, and the momentum that follows back; in one pass over the particles
+/// velocities, positions, strain, the return to a strength with friction, whether each particle is still inside, and the sums for the next step. No contact, smoothing, damping or corners of the surface, and no particle changes
 /// its cell: the ceiling that the speed of berm is compared with. About `particles` of them, `per_cell` in each cell, in blocks of eight lanes.
 template <int dim>
 RooflineRun run_roofline_kernel(BigIndex particles, int per_cell, Real seconds);
