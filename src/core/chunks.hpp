@@ -75,11 +75,12 @@ void for_each(const char* label, const Chunks& chunks, const Body& body)
 }
 
 /// Sum of term(i) over the entries of the list, on all ranks that have a part of it. Sum needs a default value of zero and +=, and is copied by its bytes. Each
-/// thread gets the chunks that it has in for_each. Runs then(i) soon after term(i), when what both touch is in the cache still.
+/// thread gets the chunks that it has in for_each. Runs then(i) soon after term(i), when what both touch is in the cache still; no term(j) may read what then(i)
+/// writes, but where i = j.
 template <class Sum, class Term, class Then>
 Sum sum_of(const char* label, const Chunks& chunks, const Term& term, const Then& then)
 {
-  constexpr Index between = 16;  // entries
+  constexpr Index group = 16;  // entries
   const Timer timer(label);
   static std::vector<Sum> parts;  // kept from call to call
   Ranks& ranks = Ranks::of_run();
@@ -91,8 +92,8 @@ Sum sum_of(const char* label, const Chunks& chunks, const Term& term, const Then
 #pragma omp parallel for schedule(static, 1)
   for (Index k = 0; k < chunks.count(); ++k) {
     Sum sum{};
-    for (Index first = chunks.begin[k]; first < chunks.begin[k + 1]; first += between) {
-      const Index end = std::min(first + between, chunks.begin[k + 1]);
+    for (Index first = chunks.begin[k]; first < chunks.begin[k + 1]; first += group) {
+      const Index end = std::min(first + group, chunks.begin[k + 1]);
       for (Index i = first; i < end; ++i) sum += term(i);
       for (Index i = first; i < end; ++i) then(i);
     }

@@ -3,6 +3,7 @@
 #include "mpm/change_cells.hpp"
 
 #include "core/error.hpp"
+#include "core/for_each_run.hpp"
 #include "mpm/diagnose.hpp"
 #include "mpm/share.hpp"
 #include "mpm/transfer.hpp"
@@ -33,11 +34,13 @@ template <int dim>
 void sum_changed_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, std::vector<Index>& cells,
                          BodyGrid<dim>& grid)
 {
+  const Timer timer("change cells: moments");
   std::sort(cells.begin(), cells.end());
-  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  for_each("change cells", static_cast<Index>(cells.size()), [&](Index k) {
-    if (particles.count_in(cells[k]) > 0) sum_moments_of(mesh, particles, cells[k], grid);
-  });
+  for_each_run(
+      static_cast<Index>(cells.size()), [&](Index a, Index b) { return cells[a] == cells[b]; },
+      [&](Index first, Index) {
+        if (particles.count_in(cells[first]) > 0) sum_moments_of(mesh, particles, cells[first], grid);
+      });
 }
 
 }  // namespace
@@ -64,12 +67,7 @@ void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, 
   work.changed_cells.clear();
   for (const bodies::CellChange& change : cell_changes) {
     work.changed_cells.push_back(change.from);
-    if (particles.count_in(change.from) == 0) {
-      grid.moments[change.from] = {};
-      grid.corners[change.from] = {};
-      grid.volume_change[change.from] = {};
-      if (grid.bulk_viscosity > 0) grid.viscous_stress[change.from] = 0;
-    }
+    if (particles.count_in(change.from) == 0) grid.leave(change.from);
   }
   share_movers(grid, cell_changes, work.transit);
   particles.put_in(cell_changes, work.transit);

@@ -35,17 +35,19 @@ struct CornerSums {
   Real volume;    ///< sum V of the whole cell, the same for all its corners
 };
 
-/// How the particles of a cell swell in a step.
+/// How the particles of a cell swell in a step. Apart from the moments, which other cells' particles have summed again while those of this one still move.
 struct VolumeChange {
   Real volume;  ///< sum V before the step, as in Moments
   Real change;  ///< that times div(v) dt
 };
 
-/// Nodal fields of one body and the cell sums behind them, valid within a step. Cell sums are zero where a cell has no
-/// particles. Memory is committed only where the body has been.
+/// Nodal fields of one body and the cell sums behind them, valid within a step; moments and corners also between steps. Cell sums are zero where a cell has
+/// no particles. Memory is committed only where the body has been.
 template <int dim>
 struct BodyGrid {
-  CellField<Moments<dim>> moments;  ///< between steps, and these contributions to the corners too, of the particles as they are
+  /// Between steps, with their contributions to the corners, of the particles as they are: what changes a particle's x, v, mass, volume or stress sums its cell
+  /// again (mpm/transfer.hpp). In cells of other ranks as they were when those last shared them.
+  CellField<Moments<dim>> moments;
   CellField<std::array<CornerSums<dim>, dim + 1>> corners;
   CellField<VolumeChange> volume_change;
   CellField<Real> viscous_stress;  ///< Pa, tension positive; 0 where the body has no bulk viscosity
@@ -83,6 +85,14 @@ struct BodyGrid {
 
   /// Computes gradients and height of a cell that receives particles.
   void enter(const mesh::Mesh<dim>& mesh, Index cell);
+  /// Sets the sums of a cell to zero that has no particles any more.
+  void leave(Index cell)
+  {
+    moments[cell] = {};
+    corners[cell] = {};
+    volume_change[cell] = {};
+    if (bulk_viscosity > 0) viscous_stress[cell] = 0;
+  }
   /// Shape functions of a cell that has been entered; the gradients of others are 0.
   [[gnu::always_inline]] mesh::Shape<dim> shape(const mesh::Mesh<dim>& mesh, Index cell) const
   {
@@ -111,7 +121,7 @@ struct VolumeRule {
   bool dilates;
 };
 
-/// Work arrays of a step beside Model and State; allocated once.
+/// Work arrays of a step beside Model and State; allocated once, with the sums of the particles as they are then.
 template <int dim>
 struct Work {
   std::vector<BodyGrid<dim>> grids;                           ///< by body

@@ -5,7 +5,7 @@
 
 namespace berm::mpm {
 
-/// Step 1: the moments of a cell with particles, and its contributions to its corners: mass sum m N_k and momentum sum m v N_k. Compiled once for all callers, so
+/// For step 1, at the end of the step before: the moments of a cell with particles, and its contributions to its corners: mass sum m N_k and momentum sum m v N_k. Compiled once for all callers, so
 /// that a run and its resumption have the same bits.
 template <int dim>
 [[gnu::noinline]] void sum_moments_of(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Index cell,

@@ -9,7 +9,6 @@
 namespace berm::sanity {
 namespace {
 
-constexpr Real pi = 3.14159265358979323846, earth = 9.80665;  // m/s2
 constexpr Real rounding = 0.01;
 /// An interface with so large a friction angle is meant to be rough: none that was measured has it.
 constexpr Real rough = 75 * degree;
@@ -98,15 +97,15 @@ void does_gravity_point_down(const Scene& s, Findings& found)
                  "does not point down: the bed of a mesh of kind \"seabed\" lies below y = 0; write gravity = [0, \"-9.81 m/s^2\"]");
     return;
   }
-  if (s.gravity > 300 * earth)
+  if (s.gravity > 300 * standard_gravity)
     found.warn("gravity",
                fmt::format(
                    "is {:.3g} times that of the earth; a centrifuge has up to some hundred; is the unit right? \"-50 gravity\" is 490 m/s2",
-                   s.gravity / earth));
-  else if (s.gravity < 0.15 * earth)
+                   s.gravity / standard_gravity));
+  else if (s.gravity < 0.15 * standard_gravity)
     found.warn("gravity",
                fmt::format("is {:.2g} of that of the earth; is the unit right? A plain number is in m/s2: \"-1 gravity\" is -9.81 m/s2",
-                           s.gravity / earth));
+                           s.gravity / standard_gravity));
 }
 
 void is_the_soil_a_soil(const Scene& s, Findings& found)

@@ -11,9 +11,6 @@
 #include <fmt/format.h>
 
 namespace berm::simulation {
-namespace {
-
-}  // namespace
 
 template <int dim>
 MpmRecorder<dim>::MpmRecorder(const problem::Model<dim>& model, const problem::State<dim>& start)

@@ -5,9 +5,6 @@
 #include "structures/base/driven_body.hpp"
 
 namespace berm::base {
-namespace {
-
-}  // namespace
 
 Real near_cell_size(const problem::Case& c)
 {
