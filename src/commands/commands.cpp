@@ -19,8 +19,8 @@ namespace berm::commands {
 namespace {
 
 /// All commands, in the order in which --help lists them.
-constexpr Command (*all_commands[])(CLI::App&) = {add_new,      add_draw,    add_check,  add_run,    add_report, add_study,
-                                                  add_envelope, add_element, add_verify, add_params, add_bench};
+constexpr Command (*all_commands[])(CLI::App&) = {add_new,   add_draw,     add_check,   add_run,    add_report, add_export,
+                                                  add_study, add_envelope, add_element, add_verify, add_params, add_bench};
 
 /// What is wrong with the command line, in one line and with the nearest word that exists.
 std::string words_of(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv)

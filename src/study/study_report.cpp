@@ -10,6 +10,7 @@
 #include "record/travel_curve.hpp"
 #include "structures/base/driven_body.hpp"
 #include "study/sample_report.hpp"
+#include "study/study_rows.hpp"
 #include "study/table_text.hpp"
 
 #include <algorithm>
@@ -245,6 +246,7 @@ void write_study_report(const StudyPlan& plan, const fs::path& output)
 {
   io::make_folder(output);
   io::write_atomically(output / "results.csv", csv(plan));
+  write_rows(plan, output);
   std::vector<std::string> pictures;
   for (const StudyFigure& figure : plan.study.figure)
     if (draw_study_figure(plan, figure, output)) pictures.push_back(file_of(figure));

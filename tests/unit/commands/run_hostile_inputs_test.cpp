@@ -210,7 +210,7 @@ figure = [{name = "..", x = "time_s", y = "stone_vy_m_s"}, {name = "-persist", x
   EXPECT_EQ(ended.status, 0) << ended.err;
   EXPECT_EQ(names_in(place_ / "work/results/runs"), (Words{".._.._x/", "_../", "_/"}));
   EXPECT_EQ(names_in(place_ / "work/results"),
-            (Words{"-persist.png", ".._x.png", "_...png", "plots/", "results.csv", "results.md", "runs/"}));
+            (Words{"-persist.png", ".._x.png", "_...png", "plots/", "results.csv", "results.md", "runs/", "study.json"}));
   expect_nothing_else({"results/", "stone.toml", "study.toml"});
 }
 

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/springs/design_test.cpp
+#include "springs/design.hpp"
+
+#include "core/error.hpp"
+#include "structures/structures.hpp"
+#include "study/sample_statistics.hpp"
+#include "study/study_rows.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <map>
+#include <spdlog/spdlog.h>
+
+namespace berm::springs {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The one list of the numbers of springs: visit(spring, name, kind, meaning, number).
+template <class S, class Visit>
+void for_each_number(S& springs, const Visit& visit)
+{
+  for (auto& l : springs.lateral) {
+    const std::string spring = "lateral " + l.stage;
+    visit(spring, "V", Kind::force, "mean vertical reaction in the drag", l.V);
+    visit(spring, "peak", Kind::force, l.breaks ? "H at breakout, its first peak" : "largest H: it has no peak", l.peak);
+    for (std::size_t k = 0; k < mobilised_parts.size(); ++k)
+      visit(spring, fmt::format("u_{:.0f}", 100 * mobilised_parts[k]), Kind::displacement,
+            "displacement at which H first reaches this percentage of the peak", l.mobilised[k]);
+    visit(spring, "u_peak", Kind::displacement, "displacement at the peak", l.u_peak);
+    visit(spring, "residual", Kind::force, "H that stays at the end of the drag", l.residual);
+    visit(spring, "end", Kind::force, "mean H over the end of the drag, whether it stays or not", l.end);
+    visit(spring, "u_residual", Kind::displacement, "displacement from which H is within 5 % of the residual", l.u_residual);
+    visit(spring, "travel", Kind::displacement, "travel of the drag: beyond it nothing is known", l.travel);
+  }
+  for (auto& point : springs.vertical.curve)
+    visit("vertical", fmt::format("V_at_w_{:.3g}D", point.x / springs.diameter), Kind::force, "V in the push at an embedment", point.F);
+  for (auto& u : springs.vertical.unloading)
+    visit("vertical", u.stage + ".stiffness", Kind::stiffness,
+          u.V_end < u.V_begin ? "secant stiffness of unloading" : "secant stiffness of loading in the bed", u.stiffness);
+  visit("vertical", "embedment", Kind::displacement, "embedment at the end of the push", springs.embedment);
+  visit("axial", "wedging", Kind::ratio, "normal force around the contact over V", springs.axial.wedging);
+  visit("axial", "drained", Kind::force, "drained resistance under the V of the first drag", springs.axial.drained);
+  visit("axial", "undrained", Kind::force, "undrained resistance", springs.axial.undrained);
+}
+
+using Key = std::pair<std::string, std::string>;
+
+std::map<Key, std::vector<Real>> numbers_of(const std::vector<Springs>& draws)
+{
+  std::map<Key, std::vector<Real>> all;
+  for (const Springs& springs : draws)
+    for_each_number(springs, [&](const std::string& spring, const std::string& name, Kind, const char*, Real number) {
+      if (!std::isnan(number)) all[{spring, name}].push_back(number);
+    });
+  return all;
+}
+
+std::vector<Estimate> estimates_of(const Springs& best, const std::vector<Springs>& draws)
+{
+  const std::map<Key, std::vector<Real>> numbers = numbers_of(draws);
+  std::vector<Estimate> estimates;
+  for_each_number(best, [&](const std::string& spring, const std::string& name, Kind kind, const char* meaning, Real number) {
+    Estimate e{.spring = spring, .name = name, .kind = kind, .meaning = meaning, .best = number, .fit = {}};
+    if (const auto found = numbers.find({spring, name}); found != numbers.end()) {
+      const std::vector<Real>& values = found->second;
+      e.size = values.size();
+      e.low = study::sample_quantile(values, 0.05);
+      e.middle = study::sample_quantile(values, 0.5);
+      e.high = study::sample_quantile(values, 0.95);
+      e.fit = fit_lognormal(values);
+    }
+    if (!std::isnan(e.best) || e.size > 0) estimates.push_back(e);
+  });
+  return estimates;
+}
+
+/// `like`, with its forces and stiffnesses from the estimates; displacements are those of the best run, else the middle ones.
+Springs at(Real Estimate::*which, Springs like, const std::vector<Estimate>& estimates)
+{
+  std::map<Key, const Estimate*> by_key;
+  for (const Estimate& e : estimates) by_key[{e.spring, e.name}] = &e;
+  for_each_number(like, [&](const std::string& spring, const std::string& name, Kind kind, const char*, Real& number) {
+    const auto found = by_key.find({spring, name});
+    if (found == by_key.end()) return;
+    const bool in_place = kind == Kind::displacement || kind == Kind::ratio;
+    if (!in_place)
+      number = found->second->*which;
+    else
+      number = std::isnan(found->second->best) ? found->second->middle : found->second->best;
+  });
+  for (Lateral& l : like.lateral) l.curve.clear();
+  std::erase_if(like.vertical.curve, [](const Point& point) { return std::isnan(point.F); });
+  return like;
+}
+
+std::vector<std::string> provenance_of(const record::RunRecord& run)
+{
+  std::vector<std::string> lines = {fmt::format("written by berm {}", BERM_VERSION)};
+  if (!run.settings.title.empty()) lines.push_back(run.settings.title);
+  if (run.origin)
+    for (const auto& [file, hash] : run.origin->input)
+      if (file == "resolved.toml") lines.push_back("SHA-256 of the case, " + file + ": " + hash);
+  if (run.summary)
+    for (const char* entry : {"version", "build", "date"})
+      if (const auto found = run.summary->text.find(entry); found != run.summary->text.end())
+        lines.push_back(fmt::format("{} of the run: {}", entry, found->second));
+  return lines;
+}
+
+Design design_of_run(const fs::path& folder)
+{
+  const record::RunRecord run = structures::read_run(folder);
+  Design design{
+      .name = run.name, .provenance = provenance_of(run), .best = springs_of(run), .low = {}, .high = {}, .estimates = {}, .draws = {}};
+  if (run.end != record::RunEnd::finished)
+    spdlog::warn("{}: the run has not come to its end; what is not known of it is left out", folder.string());
+  design.estimates = estimates_of(design.best, {});
+  return design;
+}
+
+/// Rows of one combination.
+Design design_of_rows(const std::vector<const study::SavedRow*>& rows)
+{
+  std::optional<Springs> best;
+  std::vector<Springs> draws;
+  std::vector<std::string> provenance;
+  std::size_t failed = 0;
+  for (const study::SavedRow* row : rows) {
+    const bool draw = row->kind == study::RowKind::draw;
+    if (!draw && row->kind != study::RowKind::best) continue;
+    if (!row->finished) {
+      failed += draw;
+      continue;
+    }
+    const record::RunRecord run = structures::read_run(row->run);
+    if (provenance.empty() || !draw) provenance = provenance_of(run);
+    if (draw)
+      draws.push_back(springs_of(run));
+    else
+      best = springs_of(run);
+  }
+  const std::string name = fmt::format("{}", fmt::join(rows[0]->names, "."));
+  if (draws.empty()) throw RunError(fmt::format("no run of the sample of {} is finished; the same berm study again goes on with it", name));
+  Design design = design_of_sample(name, best, std::move(draws));
+  design.failed = failed;
+  design.provenance = std::move(provenance);
+  design.provenance.push_back(fmt::format("low and high: 5 and 95 % of a sample of {} runs", design.draws.size()));
+  if (failed > 0) {
+    design.provenance.push_back(fmt::format("{} more runs have no result and do not count", failed));
+    spdlog::warn("{}: {} runs of the sample have no result, and do not count", name, failed);
+  }
+  return design;
+}
+
+}  // namespace
+
+const char* unit_of(Kind kind)
+{
+  switch (kind) {
+  case Kind::force:
+    return "N/m";
+  case Kind::displacement:
+    return "m";
+  case Kind::stiffness:
+    return "N/m^2";
+  default:
+    return "1";
+  }
+}
+
+Design design_of_sample(const std::string& name, const std::optional<Springs>& best, std::vector<Springs> draws)
+{
+  Design design;
+  design.name = name;
+  design.best = best ? *best : draws.front();
+  design.estimates = estimates_of(design.best, draws);
+  if (!best) {
+    for (Estimate& e : design.estimates) e.best = nan;
+    design.best = at(&Estimate::middle, draws.front(), design.estimates);
+  }
+  design.low = at(&Estimate::low, design.best, design.estimates);
+  design.high = at(&Estimate::high, design.best, design.estimates);
+  design.draws = std::move(draws);
+  return design;
+}
+
+std::vector<Design> designs_in(const fs::path& folder)
+{
+  if (record::is_run_folder(folder)) return {design_of_run(folder)};
+  const auto rows = study::read_rows(folder);
+  if (!rows)
+    throw RunError(fmt::format("{} is neither a run folder nor the output of berm study (it has no resolved.toml and no study.json)",
+                               folder.string()));
+  std::vector<std::vector<const study::SavedRow*>> groups;
+  for (const study::SavedRow& row : *rows) {
+    if (row.kind == study::RowKind::row)
+      throw RunError(
+          fmt::format("{}: the study has no sample, of which low, best and high could be told; export its runs by themselves: {}",
+                      folder.string(), row.run.string()));
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group[0]->names == row.names; });
+    if (same == groups.end())
+      groups.push_back({&row});
+    else
+      same->push_back(&row);
+  }
+  std::vector<Design> designs;
+  for (const auto& group : groups) designs.push_back(design_of_rows(group));
+  return designs;
+}
+
+}  // namespace berm::springs

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "springs/lognormal.hpp"
+#include "springs/springs.hpp"
+
+#include <optional>
+
+namespace berm::springs {
+
+/// What a number of a spring is of.
+enum class Kind { force, displacement, stiffness, ratio };
+
+/// One number of the springs of a run, and what a sample tells of it.
+struct Estimate {
+  std::string spring;  ///< "lateral STAGE", "vertical", "axial"
+  std::string name;
+  Kind kind = Kind::force;
+  std::string meaning;
+  Real best = nan;                           ///< of the best run, or of the only one
+  Real low = nan, middle = nan, high = nan;  ///< quantiles of 5, 50 and 95 % of the sample
+  std::size_t size = 0;                      ///< runs of the sample that have this number
+  Lognormal fit;
+};
+const char* unit_of(Kind kind);
+
+/// What goes to other programs: the springs of a run, or those of a sample of runs.
+struct Design {
+  std::string name;                     ///< of the run, or of the combination of a study
+  std::vector<std::string> provenance;  ///< lines: from what, by which program
+  Springs best;                         ///< of the best run; of a sample without one, the middle of all numbers
+  /// Of a sample: forces at 5 and at 95 %, at the displacements of `best`.
+  std::optional<Springs> low, high;
+  std::vector<Estimate> estimates;
+  std::vector<Springs> draws;
+  std::size_t failed = 0;  ///< draws without a finished run
+};
+
+/// Of the best run, if there is one, and draws of equal weight, one at least.
+Design design_of_sample(const std::string& name, const std::optional<Springs>& best, std::vector<Springs> draws);
+
+/// The springs of a run folder, or of each combination of a study's output that has a sample. Throws RunError where there are none.
+std::vector<Design> designs_in(const std::filesystem::path& folder);
+
+}  // namespace berm::springs

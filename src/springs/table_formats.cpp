@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/springs/formats_test.cpp
+#include "springs/formats.hpp"
+#include "study/table_text.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace berm::springs {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Words = std::vector<std::string>;
+
+std::string exact(Real value)
+{
+  return std::isnan(value) ? "" : fmt::format("{}", value);
+}
+
+/// What numbers of this kind are divided by to be without dimension, with its name.
+struct Normal {
+  const char* name;
+  Real by;
+};
+std::vector<Normal> normals(const Design& design, const Estimate& e)
+{
+  const Springs& s = design.best;
+  if (e.kind == Kind::displacement) return {{"over_D", s.diameter}};
+  if (e.kind != Kind::force) return {};
+  std::vector<Normal> list = {{"over_gammaD2", s.weight}, {"over_suD", s.strength}};
+  for (const Lateral& l : s.lateral)
+    if (e.spring == "lateral " + l.stage) list.push_back({"over_V", l.V});
+  return list;
+}
+
+std::string springs_csv(const Design& design)
+{
+  std::string text;
+  for (const std::string& line : design.provenance) text += "# " + line + "\n";
+  if (design.best.scale != 1) text += fmt::format("# prototype: {:.6g} times the size of the model\n", design.best.scale);
+  text += study::csv_line({"spring", "number", "unit", "best", "low (5 %)", "middle (50 %)", "high (95 %)", "runs", "lognormal mean of ln",
+                           "lognormal deviation of ln", "lognormal distance", "lognormal at 5 % of tests", "best over gamma' D^2",
+                           "best over su D", "best over V", "best over D", "meaning"});
+  for (const Estimate& e : design.estimates) {
+    std::array<Real, 4> over = {nan, nan, nan, nan};
+    for (const Normal& normal : normals(design, e)) {
+      const std::string name = normal.name;
+      over[name == "over_gammaD2" ? 0
+           : name == "over_suD"   ? 1
+           : name == "over_V"     ? 2
+                                  : 3] = (std::isnan(e.best) ? e.middle : e.best) / normal.by;
+    }
+    const std::string verdict = std::isnan(e.fit.distance) ? "" : e.fit.fits() ? "not refused" : "refused";
+    Words words = {e.spring,
+                   e.name,
+                   unit_of(e.kind),
+                   exact(e.best),
+                   exact(e.low),
+                   exact(e.middle),
+                   exact(e.high),
+                   e.size > 0 ? fmt::format("{}", e.size) : "",
+                   exact(e.fit.mean),
+                   exact(e.fit.deviation),
+                   exact(e.fit.distance),
+                   verdict};
+    for (const Real number : over) words.push_back(exact(number));
+    words.push_back(e.meaning);
+    text += study::csv_line(words);
+  }
+  return text;
+}
+
+std::string curves_csv(const Design& design)
+{
+  std::string text = study::csv_line({"spring", "estimate", "displacement (m)", "resistance (N/m)"});
+  const auto add = [&](const std::string& spring, const std::string& estimate, const Points& points) {
+    for (const Point& p : points) text += study::csv_line({spring, estimate, exact(p.x), exact(p.F)});
+  };
+  for (const auto& [set, springs] : sets_of(design)) {
+    for (const Lateral& l : springs->lateral) add("lateral " + l.stage, set, l.spring());
+    add("vertical", set, springs->vertical.curve);
+  }
+  for (const Lateral& l : design.best.lateral) add("lateral " + l.stage, "computed", l.curve);
+  return text;
+}
+
+Json number(Real value)
+{
+  return std::isnan(value) ? Json(nullptr) : Json(value);
+}
+
+Json json_of(const Points& points)
+{
+  Json list = Json::array();
+  for (const Point& p : points) list.push_back({p.x, p.F});
+  return list;
+}
+
+Json json_of(const Springs& s)
+{
+  Json lateral = Json::array(), unloading = Json::array();
+  for (const Lateral& l : s.lateral) {
+    Json mobilised = Json::array();
+    for (const Real u : l.mobilised) mobilised.push_back(number(u));
+    lateral.push_back({{"stage", l.stage},
+                       {"V_N_m", number(l.V)},
+                       {"breaks_out", l.breaks},
+                       {"peak_N_m", number(l.peak)},
+                       {"mobilised_m", mobilised},
+                       {"u_peak_m", number(l.u_peak)},
+                       {"residual_N_m", number(l.residual)},
+                       {"end_N_m", number(l.end)},
+                       {"u_residual_m", number(l.u_residual)},
+                       {"travel_m", number(l.travel)},
+                       {"spring", json_of(l.spring())},
+                       {"computed", json_of(l.curve)}});
+  }
+  for (const Unloading& u : s.vertical.unloading)
+    unloading.push_back(
+        {{"stage", u.stage}, {"V_begin_N_m", number(u.V_begin)}, {"V_end_N_m", number(u.V_end)}, {"stiffness_N_m2", number(u.stiffness)}});
+  return {{"lateral", lateral},
+          {"vertical", {{"curve", json_of(s.vertical.curve)}, {"unloading", unloading}}},
+          {"axial",
+           {{"wedging", number(s.axial.wedging)}, {"drained_N_m", number(s.axial.drained)}, {"undrained_N_m", number(s.axial.undrained)}}}};
+}
+
+}  // namespace
+
+ExportFiles table_files(const Design& design)
+{
+  return {{"springs.csv", springs_csv(design)}, {"curves.csv", curves_csv(design)}};
+}
+
+ExportFiles json_files(const Design& design)
+{
+  const Springs& s = design.best;
+  Json root = {{"name", design.name},
+               {"provenance", design.provenance},
+               {"diameter_m", number(s.diameter)},
+               {"embedment_m", number(s.embedment)},
+               {"prototype_over_model", s.scale},
+               {"gammaD2_N_m", number(s.weight)},
+               {"suD_N_m", number(s.strength)}};
+  Json estimates = Json::array();
+  for (const Estimate& e : design.estimates) {
+    Json entry = {{"spring", e.spring}, {"number", e.name}, {"unit", unit_of(e.kind)}, {"meaning", e.meaning}, {"best", number(e.best)}};
+    if (e.size > 0)
+      entry.update({{"low", number(e.low)},
+                    {"middle", number(e.middle)},
+                    {"high", number(e.high)},
+                    {"runs", e.size},
+                    {"lognormal",
+                     {{"mean", number(e.fit.mean)},
+                      {"deviation", number(e.fit.deviation)},
+                      {"distance", number(e.fit.distance)},
+                      {"limit", lognormal_limit}}}});
+    for (const Normal& normal : normals(design, e))
+      if (const Real value = (std::isnan(e.best) ? e.middle : e.best) / normal.by; !std::isnan(value)) entry[normal.name] = value;
+    estimates.push_back(entry);
+  }
+  root["estimates"] = estimates;
+  for (const auto& [set, springs] : sets_of(design)) root["springs"][set] = json_of(*springs);
+  return {{"springs.json", root.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"}};
+}
+
+}  // namespace berm::springs

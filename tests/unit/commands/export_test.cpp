@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// `berm export`, from outside.
+#include "samples/program.hpp"
+#include "samples/small_fem_case.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace berm::commands {
+namespace {
+
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+/// Strength of the clay, and with it of the interface, that is not known well.
+constexpr const char* sample_of_strength = R"([[case]]
+name = "pipe"
+file = "case.toml"
+[sample]
+size = 10
+[[sample.parameter]]
+name = "s_u over best"
+times = {"material.clay.cohesion" = "1 kPa", "contact.skin.adhesion" = "500 Pa", "material.clay.young_modulus" = "1 MPa"}
+low = 0.8
+high = 1.25
+[[measure]]
+name = "H_max"
+unit = "N/m"
+quantity = "H_max"
+)";
+
+class Export : public testing::Test {
+protected:
+  Export() { folder_.write("case.toml", test::small_fem_case); }
+  Ended berm(const Words& arguments) const { return run_program(folder_.path(), arguments); }
+  Json json(const std::string& file) const { return Json::parse(text_of_file(folder_ / file)); }
+  bool exists(const std::string& file) const { return std::filesystem::exists(folder_ / file); }
+  TemporaryFolder folder_;
+};
+
+TEST_F(Export, of_a_sample_writes_low_best_and_high_for_each_program)
+{
+  folder_.write("study.toml", sample_of_strength);
+  const Ended study = berm({"study", "study.toml", "-o", "s"});
+  ASSERT_EQ(study.status, 0) << study.err;
+  const Json rows = json("s/study.json")["rows"];
+  ASSERT_EQ(rows.size(), 13u);
+  EXPECT_EQ(rows[0]["kind"], "best");
+  EXPECT_EQ(rows[1]["kind"], "low");
+  EXPECT_EQ(rows[2]["kind"], "high");
+  EXPECT_EQ(rows[12]["kind"], "draw");
+
+  ASSERT_EQ(berm({"export", "s", "--to", "json"}).status, 0);
+  const Json springs = json("s/export/springs.json")["springs"];
+  const auto peak = [&](const char* estimate) { return springs[estimate]["lateral"][0]["peak_N_m"].get<double>(); };
+  const std::string estimates = text_of_file(folder_ / "s/estimates.csv"), line = estimates.substr(estimates.find("pipe,H_max"));
+  double best = 0, low = 0, middle = 0, high = 0;
+  ASSERT_EQ(std::sscanf(line.c_str(), "pipe,H_max (N/m),%lf,%lf,%lf,%lf", &best, &low, &middle, &high), 4) << line;
+  EXPECT_LT(low, best);
+  EXPECT_LT(best, high);
+  for (const auto& [estimate, H] : {std::pair("low", low), std::pair("best", best), std::pair("high", high)})
+    EXPECT_NEAR(peak(estimate) / H, 1, 1e-6) << "the study measures the same H as the spring has";
+
+  const std::pair<const char*, Words> formats[] = {{"table", {"springs.csv", "curves.csv"}},
+                                                   {"abaqus", {"springs_low.inp", "springs_best.inp", "springs_high.inp"}},
+                                                   {"orcaflex", {"springs_low.csv", "springs_best.csv", "springs_high.csv"}},
+                                                   {"ansys", {"springs_low.mac", "springs_best.mac", "springs_high.mac"}},
+                                                   {"sima", {"springs_low.inp", "springs_best.inp", "springs_high.inp"}}};
+  for (const auto& [format, files] : formats) {
+    const Ended ended = berm({"export", "s", "--to", format, "-o", format});
+    EXPECT_EQ(ended.status, 0) << ended.err;
+    for (const std::string& file : files) {
+      EXPECT_TRUE(exists(std::string(format) + "/" + file)) << format << " " << file;
+      EXPECT_NE(ended.out.find(std::string(format) + "/" + file + "\n"), std::string::npos) << ended.out;
+    }
+  }
+}
+
+TEST_F(Export, of_a_run_writes_its_springs_and_of_several_each_to_a_folder_of_its_name)
+{
+  for (const char* name : {"a", "b"}) ASSERT_EQ(berm({"run", "case.toml", "-o", name}).status, 0);
+  ASSERT_EQ(berm({"export", "a", "--to", "abaqus"}).status, 0);
+  EXPECT_TRUE(exists("a/export/springs_best.inp"));
+  EXPECT_FALSE(exists("a/export/springs_low.inp"));
+  ASSERT_EQ(berm({"export", "a", "b", "-o", "both"}).status, 0);
+  EXPECT_TRUE(exists("both/a/springs.csv") && exists("both/b/springs.csv"));
+  const Ended twice = berm({"export", "a", "a", "-o", "twice"});
+  EXPECT_EQ(twice.status, 2);
+  EXPECT_FALSE(exists("twice")) << "what cannot be written whole is not begun";
+}
+
+TEST_F(Export, says_what_it_takes_where_it_is_given_something_else)
+{
+  const auto refusal = [&](const Words& arguments) {
+    const Ended ended = berm(arguments);
+    EXPECT_NE(ended.status, 0);
+    EXPECT_EQ(std::count(ended.err.begin(), ended.err.end(), '\n'), 1) << ended.err;
+    return ended.err;
+  };
+  EXPECT_NE(refusal({"export", "nowhere"}).find("nowhere is no folder"), std::string::npos);
+  EXPECT_NE(refusal({"export", "."}).find("neither a run folder nor the output of berm study"), std::string::npos);
+  EXPECT_NE(refusal({"export", ".", "--to", "excel"}).find("orcaflex"), std::string::npos) << "what is allowed";
+}
+
+}  // namespace
+}  // namespace berm::commands

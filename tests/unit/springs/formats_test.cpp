@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "springs/formats.hpp"
+
+#include "samples/made_run.hpp"
+#include "samples/temporary_folder.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+namespace berm::springs {
+namespace {
+
+using Lines = std::vector<std::string>;
+
+/// A peak of 60 N/m at 0.05 D, 40 N/m from 0.15 D on, under 80 N/m; a push to 0.1 D.
+Design sample_design(int drags = 1)
+{
+  MadeRun run;
+  run.method = problem::Method::fem;
+  run.gravity_level = 1;
+  run.held_V = 80;
+  std::vector<Springs> draws;
+  for (int k = 0; k < 20; ++k) {
+    const Real peak = 50 + k;
+    run.H = [peak](Real u) { return peak * (u < 0.001 ? u / 0.001 : u < 0.003 ? 1 - (u - 0.001) / 0.006 : 2. / 3); };
+    draws.push_back(springs_of(run.record()));
+    for (int more = 1; more < drags; ++more) {
+      draws.back().lateral.push_back(draws.back().lateral[0]);
+      draws.back().lateral.back().stage = fmt::format("drag_{}", more);
+    }
+  }
+  Design design = design_of_sample("pipe", draws[10], draws);
+  design.provenance = {"written by berm 0", "a pipe"};
+  return design;
+}
+
+const ExportFile& file(const ExportFiles& files, const std::string& name)
+{
+  for (const ExportFile& one : files)
+    if (one.name == name) return one;
+  throw std::runtime_error("no file " + name);
+}
+
+Lines lines_of(const std::string& text)
+{
+  Lines lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// The pairs of numbers between commas of the lines behind `begin`, up to one that has none.
+Points pairs_behind(const std::string& text, const std::string& begin)
+{
+  Points points;
+  bool found = false;
+  for (const std::string& line : lines_of(text)) {
+    Point p{};
+    if (found && std::sscanf(line.c_str(), "%lf ,%lf", &p.x, &p.F) == 2)
+      points.push_back(p);
+    else if (found && !points.empty())
+      break;
+    found = found || line.starts_with(begin);
+  }
+  return points;
+}
+
+void expect_ascending(const Points& points)
+{
+  for (std::size_t k = 1; k < points.size(); ++k) EXPECT_GT(points[k].x, points[k - 1].x) << k;
+}
+
+TEST(Formats, each_estimate_gets_a_file_of_its_own)
+{
+  const Design design = sample_design();
+  for (const Format& format : formats) {
+    const ExportFiles files = format.files(design);
+    ASSERT_FALSE(files.empty()) << format.name;
+    for (const ExportFile& one : files) EXPECT_FALSE(one.text.empty()) << one.name;
+    if (std::string(format.name) != "table" && std::string(format.name) != "json") {
+      EXPECT_EQ(files.size(), 3u) << format.name;
+    }
+  }
+  MadeRun run;
+  EXPECT_EQ(abaqus_files(design_of_sample("one", springs_of(run.record()), {springs_of(run.record())})).size(), 3u);
+  Design alone;
+  alone.best = springs_of(run.record());
+  EXPECT_EQ(abaqus_files(alone).size(), 1u);
+}
+
+TEST(Formats, of_abaqus_is_force_then_displacement_ascending_through_the_origin_and_the_same_both_ways)
+{
+  const Design design = sample_design();
+  const std::string text = file(abaqus_files(design), "springs_best.inp").text;
+  EXPECT_NE(text.find("*PIPE-SOIL INTERACTION, ELSET=SOIL_BEST\n"), std::string::npos) << text;
+  Points lateral = pairs_behind(text, "*PIPE-SOIL STIFFNESS, TYPE=NONLINEAR, DIRECTION=HORIZONTAL");
+  for (Point& p : lateral) std::swap(p.x, p.F);
+  const Points spring = design.best.lateral[0].spring();
+  ASSERT_EQ(lateral.size(), 2 * spring.size() - 1);
+  expect_ascending(lateral);
+  for (std::size_t k = 0; k < lateral.size(); ++k) {
+    EXPECT_EQ(lateral[k].F, -lateral[lateral.size() - 1 - k].F) << k;
+    if (k + 1 >= spring.size()) {
+      EXPECT_NEAR(lateral[k].F, spring[k + 1 - spring.size()].F, 1e-4 * 60) << k;
+    }
+  }
+  Points push = pairs_behind(text, "*PIPE-SOIL STIFFNESS, TYPE=NONLINEAR, DIRECTION=VERTICAL");
+  for (Point& p : push) std::swap(p.x, p.F);
+  expect_ascending(push);
+  EXPECT_EQ(push.front().F, 0) << "a pipe that is lifted meets nothing";
+  EXPECT_NEAR(push.back().F, 4e5 * 0.002, 1e-2);
+  EXPECT_EQ(text[0], '*');
+  for (const std::string& line : lines_of(text)) EXPECT_LE(line.size(), 256u) << line;
+}
+
+TEST(Formats, of_orcaflex_is_the_resistance_over_the_normal_reaction)
+{
+  const Design design = sample_design();
+  const std::string text = file(orcaflex_files(design), "springs_high.csv").text;
+  const Points profile = pairs_behind(text, "deflection (m),effective friction coefficient");
+  const Points spring = design.high->lateral[0].spring();
+  ASSERT_EQ(profile.size(), spring.size());
+  for (std::size_t k = 0; k < spring.size(); ++k) {
+    EXPECT_NEAR(profile[k].x, spring[k].x, 1e-5 * 0.02);
+    EXPECT_NEAR(profile[k].F, spring[k].F / 80, 1e-5);
+  }
+  const Points reaction = pairs_behind(text, "penetration (m),normal reaction (kN/m)");
+  EXPECT_NEAR(reaction.back().F, 0.8, 1e-5) << "kN/m";
+}
+
+TEST(Formats, of_ansys_has_no_more_points_than_the_element_takes_and_none_at_the_same_place)
+{
+  Design design = sample_design();
+  design.best.vertical.curve.clear();
+  for (int k = 1; k <= 50; ++k) design.best.vertical.curve.push_back({0.001 * k, std::sqrt(0.001 * k)});
+  const std::string text = file(ansys_files(design), "springs_best.mac").text;
+  int springs = 0;
+  Points points;
+  const auto check = [&] {
+    if (points.empty()) return;
+    ++springs;
+    EXPECT_LE(points.size(), 20u);
+    expect_ascending(points);
+    EXPECT_TRUE(std::any_of(points.begin(), points.end(), [](const Point& p) { return p.x == 0 && p.F == 0; }));
+    EXPECT_GE(points.back().F, points[points.size() - 2].F) << "the slope at the end may not be negative";
+    points.clear();
+  };
+  for (std::string line : lines_of(text)) {
+    if (line.starts_with("R,")) check();
+    if (!line.starts_with("R,") && !line.starts_with("RMORE,")) continue;
+    std::istringstream fields(line.substr(line.find(',') + 1));
+    std::string field;
+    if (line.starts_with("R,")) std::getline(fields, field, ',');
+    while (std::getline(fields, field, ',')) {
+      points.push_back({std::stod(field), 0});
+      ASSERT_TRUE(std::getline(fields, field, ','));
+      EXPECT_TRUE(field.ends_with("*BERM_LENGTH")) << field;
+      points.back().F = std::stod(field);
+    }
+  }
+  check();
+  EXPECT_EQ(springs, 3) << "lateral, axial, vertical";
+  EXPECT_NE(text.find("0.05,0.223607*BERM_LENGTH"), std::string::npos) << "the end of the push stays";
+}
+
+TEST(Formats, of_sima_have_stiffness_and_friction_of_each_drag_in_kilonewtons)
+{
+  const Design design = sample_design();
+  const std::string text = file(sima_files(design), "springs_best.inp").text;
+  const Lateral& l = design.best.lateral[0];
+  EXPECT_NE(text.find(fmt::format("{:.6g} {:.6g} 0 0\n", l.stiffness() / 1000, l.peak / 80)), std::string::npos) << text;
+  EXPECT_NE(text.find(fmt::format("{:.6g} {:.6g} 0 0\n", l.stiffness() / 1000, l.residual / 80)), std::string::npos) << text;
+  std::set<std::string> names;
+  for (const std::string& line : lines_of(sima_files(sample_design(2))[1].text))
+    if (line.ends_with(" SPRI")) {
+      EXPECT_LE(line.size(), 8 + 5u) << "a name has eight characters";
+      EXPECT_TRUE(names.insert(line).second) << line;
+    }
+}
+
+TEST(Formats, tables_and_json_tell_the_same_numbers)
+{
+  const Design design = sample_design();
+  const auto json = nlohmann::json::parse(json_files(design)[0].text);
+  const Lines table = lines_of(file(table_files(design), "springs.csv").text);
+  int found = 0;
+  for (const auto& e : json["estimates"])
+    for (const std::string& line : table)
+      if (line.starts_with(e["spring"].get<std::string>() + "," + e["number"].get<std::string>() + "," + e["unit"].get<std::string>() +
+                           ",")) {
+        ++found;
+        if (!e["low"].is_null()) {
+          EXPECT_NE(line.find(fmt::format(",{},", e["low"].get<double>())), std::string::npos) << line;
+        }
+      }
+  EXPECT_EQ(found, static_cast<int>(json["estimates"].size()));
+  EXPECT_EQ(json["springs"]["low"]["lateral"][0]["spring"].size(), design.low->lateral[0].spring().size());
+  EXPECT_EQ(json["provenance"][1], "a pipe");
+}
+
+TEST(Formats, picture_shows_the_sample_and_the_estimates)
+{
+  const TemporaryFolder folder;
+  EXPECT_EQ(draw_springs(sample_design(), folder.path()), std::vector<std::string>{"springs.png"});
+  EXPECT_GT(std::filesystem::file_size(folder.path() / "springs.png"), 5000u);
+}
+
+}  // namespace
+}  // namespace berm::springs

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "springs/springs.hpp"
+
+#include "core/error.hpp"
+#include "samples/made_run.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::springs {
+namespace {
+
+/// H of a finite element run, which has no noise: straight to its peak of 60 N/m at 0.05 D, straight down to 40 N/m at 0.15 D, level from there.
+MadeRun run_with_peak()
+{
+  MadeRun run;
+  run.method = problem::Method::fem;
+  run.gravity_level = 1;
+  run.held_V = 80;
+  run.H = [](Real u) { return u < 0.001 ? 6e4 * u : u < 0.003 ? 60 - 1e4 * (u - 0.001) : 40; };
+  return run;
+}
+
+TEST(Springs, of_a_drag_are_its_peak_its_residual_and_where_they_are)
+{
+  const Springs s = springs_of(run_with_peak().record());
+  ASSERT_EQ(s.lateral.size(), 1u);
+  const Lateral& l = s.lateral[0];
+  EXPECT_EQ(l.stage, "drag");
+  EXPECT_TRUE(l.breaks);
+  constexpr Real row = 0.002 * 0.02;  // m of travel between rows
+  EXPECT_NEAR(l.peak, 60, 1e-9);
+  EXPECT_NEAR(l.u_peak, 0.001, row);
+  for (std::size_t k = 0; k < mobilised_parts.size(); ++k) EXPECT_NEAR(l.mobilised[k], 0.001 * mobilised_parts[k], 1e-9);
+  EXPECT_NEAR(l.stiffness(), 6e4, 1);
+  EXPECT_NEAR(l.residual, 40, 1e-9);
+  EXPECT_NEAR(l.u_residual, 0.0028, row) << "within 5 % of 40 N/m";
+  EXPECT_NEAR(l.V, 80, 1e-9);
+  EXPECT_NEAR(l.travel, 0.01, row);
+  const Points spring = l.spring();
+  ASSERT_EQ(spring.size(), 8u);
+  EXPECT_EQ(spring[0].F, 0);
+  EXPECT_NEAR(spring[2].F, 30, 1e-9);
+  EXPECT_NEAR(spring[5].F, 60, 1e-9);
+  EXPECT_EQ(spring[7].F, spring[6].F);
+  for (std::size_t k = 1; k < spring.size(); ++k) EXPECT_GT(spring[k].x, spring[k - 1].x);
+}
+
+TEST(Springs, of_a_drag_without_a_peak_grow_to_its_end_and_have_no_residual)
+{
+  MadeRun run = run_with_peak();
+  run.H = [](Real u) { return 1000 * std::sqrt(u); };
+  const Lateral l = springs_of(run.record()).lateral.at(0);
+  EXPECT_FALSE(l.breaks);
+  EXPECT_NEAR(l.peak, 100, 1);
+  EXPECT_TRUE(std::isnan(l.residual));
+  // The mean of 1000 sqrt(u) over the last 0.1 D of 0.5 D.
+  EXPECT_NEAR(l.end, 100 * 2. / 3 * (1 - std::pow(0.8, 1.5)) / 0.2, 0.3);
+  EXPECT_NEAR(l.spring().back().F, 0.95 * l.peak, 1e-6) << "it does not fall";
+}
+
+TEST(Springs, of_a_drag_that_falls_to_its_end_do_not_stay_at_the_peak)
+{
+  MadeRun run = run_with_peak();
+  run.H = [](Real u) { return u < 0.001 ? 6e4 * u : 60 - 4000 * (u - 0.001); };
+  const Lateral l = springs_of(run.record()).lateral.at(0);
+  EXPECT_TRUE(l.breaks);
+  EXPECT_TRUE(std::isnan(l.residual));
+  EXPECT_NEAR(l.spring().back().F, 60 - 4000 * 0.008, 3) << "the mean over the end, which is a tenth of D long";
+}
+
+TEST(Springs, of_a_centrifuge_are_those_of_its_prototype)
+{
+  MadeRun at_1 = run_with_peak(), at_50 = at_1;
+  at_50.gravity_level = 50;
+  const Springs model = springs_of(at_1.record()), prototype = springs_of(at_50.record());
+  EXPECT_EQ(model.scale, 1);
+  EXPECT_EQ(prototype.scale, 50);
+  EXPECT_NEAR(prototype.diameter, 1, 1e-12);
+  EXPECT_NEAR(prototype.lateral[0].peak, 50 * model.lateral[0].peak, 1e-9);
+  EXPECT_NEAR(prototype.lateral[0].u_peak, 50 * model.lateral[0].u_peak, 1e-12);
+  EXPECT_NEAR(prototype.vertical.curve.back().F, 50 * model.vertical.curve.back().F, 1e-9);
+  EXPECT_NEAR(prototype.axial.drained, 50 * model.axial.drained, 1e-9);
+}
+
+TEST(Springs, of_a_pipe_in_the_bed_from_the_start_have_the_stiffness_of_its_push_and_no_penetration)
+{
+  MadeRun run = run_with_peak();
+  run.first_w = 0.008;
+  run.pushed_to = 0.01;
+  const Springs s = springs_of(run.record());
+  EXPECT_TRUE(s.vertical.curve.empty());
+  ASSERT_EQ(s.vertical.unloading.size(), 1u);
+  EXPECT_NEAR(s.vertical.unloading[0].stiffness, 4e5, 1e-3);
+  EXPECT_NEAR(s.embedment, 0.01, 1e-9);
+}
+
+TEST(Springs, along_the_axis_are_those_of_the_interface)
+{
+  const Springs sand = springs_of(run_with_peak().record());
+  EXPECT_NEAR(sand.axial.drained, sand.axial.wedging * std::tan(70. / 3 * degree) * 80, 1e-9);
+  EXPECT_TRUE(std::isnan(sand.axial.undrained)) << "no adhesion";
+  MadeRun clay = run_with_peak();
+  clay.law = MadeRun::clay_law();
+  clay.contact.friction_angle = 0;
+  clay.contact.adhesion_factor = 0.3;
+  const Springs s = springs_of(clay.record());
+  EXPECT_TRUE(std::isnan(s.axial.drained));
+  const Real b = std::acos(1 - 2 * 0.1);
+  EXPECT_NEAR(s.axial.undrained, 0.3 * 1000 * 0.02 * b, 1e-9);
+}
+
+TEST(Springs, are_refused_of_a_run_without_a_pipe)
+{
+  MadeRun run = run_with_peak();
+  record::RunRecord record = run.record();
+  record.settings.rigid.clear();
+  record.settings.contact.clear();
+  record.settings.stage.clear();
+  EXPECT_THROW(springs_of(record), RunError);
+}
+
+}  // namespace
+}  // namespace berm::springs
