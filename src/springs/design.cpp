@@ -85,7 +85,8 @@ Springs at(Real Estimate::*which, Springs like, const std::vector<Estimate>& est
   for_each_number(like, [&](const std::string& spring, const std::string& name, Kind kind, const char*, Real& number) {
     const auto found = by_key.find({spring, name});
     if (found == by_key.end()) return;
-    const bool in_place = kind == Kind::displacement || kind == Kind::ratio;
+    // V stays, too: with it the friction of low and high would be a quotient of quantiles.
+    const bool in_place = kind == Kind::displacement || kind == Kind::ratio || name == "V";
     if (!in_place)
       number = found->second->*which;
     else
@@ -115,8 +116,11 @@ Design design_of_run(const fs::path& folder)
   const record::RunRecord run = structures::read_run(folder);
   Design design{
       .name = run.name, .provenance = provenance_of(run), .best = springs_of(run), .low = {}, .high = {}, .estimates = {}, .draws = {}};
-  if (run.end != record::RunEnd::finished)
+  for (const std::string& fault : run.faults) spdlog::warn("{}", fault);
+  if (run.end != record::RunEnd::finished) {
     spdlog::warn("{}: the run has not come to its end; what is not known of it is left out", folder.string());
+    design.provenance.emplace_back("the run has not come to its end");
+  }
   design.estimates = estimates_of(design.best, {});
   return design;
 }
@@ -135,19 +139,25 @@ Design design_of_rows(const std::vector<const study::SavedRow*>& rows)
       failed += draw;
       continue;
     }
-    const record::RunRecord run = structures::read_run(row->run);
-    if (provenance.empty() || !draw) provenance = provenance_of(run);
-    if (draw)
-      draws.push_back(springs_of(run));
-    else
-      best = springs_of(run);
+    try {
+      const record::RunRecord run = structures::read_run(row->run);
+      Springs springs = springs_of(run);
+      if (provenance.empty() || !draw) provenance = provenance_of(run);
+      if (draw)
+        draws.push_back(std::move(springs));
+      else
+        best = std::move(springs);
+    } catch (const std::runtime_error& error) {
+      spdlog::warn("{}", error.what());
+      failed += draw;
+    }
   }
   const std::string name = fmt::format("{}", fmt::join(rows[0]->names, "."));
   if (draws.empty()) throw RunError(fmt::format("no run of the sample of {} is finished; the same berm study again goes on with it", name));
   Design design = design_of_sample(name, best, std::move(draws));
   design.failed = failed;
   design.provenance = std::move(provenance);
-  design.provenance.push_back(fmt::format("low and high: 5 and 95 % of a sample of {} runs", design.draws.size()));
+  if (design.low) design.provenance.push_back(fmt::format("low and high: 5 and 95 % of a sample of {} runs", design.draws.size()));
   if (failed > 0) {
     design.provenance.push_back(fmt::format("{} more runs have no result and do not count", failed));
     spdlog::warn("{}: {} runs of the sample have no result, and do not count", name, failed);
@@ -181,8 +191,17 @@ Design design_of_sample(const std::string& name, const std::optional<Springs>& b
     for (Estimate& e : design.estimates) e.best = nan;
     design.best = at(&Estimate::middle, draws.front(), design.estimates);
   }
-  design.low = at(&Estimate::low, design.best, design.estimates);
-  design.high = at(&Estimate::high, design.best, design.estimates);
+  constexpr std::size_t least = 10;  // for 5 and 95 %
+  if (draws.size() >= least) {
+    design.low = at(&Estimate::low, design.best, design.estimates);
+    design.high = at(&Estimate::high, design.best, design.estimates);
+  } else {
+    spdlog::warn("{}: {} runs of a sample tell neither 5 nor 95 %: there is no low and no high; take {} at least", name, draws.size(),
+                 least);
+  }
+  for (const Estimate& e : design.estimates)
+    if (e.size > 0 && e.size < draws.size())
+      spdlog::warn("{}: {}, {}: {} of {} runs have it, so it may not go with the others", name, e.spring, e.name, e.size, draws.size());
   design.draws = std::move(draws);
   return design;
 }
@@ -194,6 +213,7 @@ std::vector<Design> designs_in(const fs::path& folder)
   if (!rows)
     throw RunError(fmt::format("{} is neither a run folder nor the output of berm study (it has no resolved.toml and no study.json)",
                                folder.string()));
+  if (rows->empty()) throw RunError(fmt::format("{}: the study has no rows", folder.string()));
   std::vector<std::vector<const study::SavedRow*>> groups;
   for (const study::SavedRow& row : *rows) {
     if (row.kind == study::RowKind::row)

@@ -74,7 +74,7 @@ std::string combin39(int number, const Points& points)
 {
   std::string text;
   for (std::size_t k = 0; k < points.size(); k += 3) {
-    text += k == 0 ? fmt::format("R,{}", number) : "RMORE";
+    text += k == 0 ? fmt::format("R,BERM_REAL+{}", number) : "RMORE";
     for (std::size_t j = k; j < std::min(k + 3, points.size()); ++j)
       text += fmt::format(",{:.6g},{:.6g}*BERM_LENGTH", points[j].x, points[j].F);
     text += "\n";
@@ -100,7 +100,8 @@ ExportFiles abaqus_files(const Design& design)
     text += "** To be included in the model, with the element sets of its own PSI24, PSI26, PSI34 or PSI36 elements.\n";
     for (std::size_t k = 0; k < std::max<std::size_t>(1, s.lateral.size()); ++k) {
       const std::string stage = s.lateral.empty() ? "" : s.lateral[k].stage;
-      text += fmt::format("*PIPE-SOIL INTERACTION, ELSET=SOIL_{}{}\n", identifier(set, 8), k == 0 ? "" : "_" + identifier(stage, 60));
+      text += fmt::format("*PIPE-SOIL INTERACTION, ELSET=SOIL_{}{}\n", identifier(set, 8),
+                          k == 0 ? "" : fmt::format("_{}_{}", k + 1, identifier(stage, 50)));
       if (const Points axial = axial_spring(s); !axial.empty()) {
         Points flat = axial;
         flat.push_back({s.diameter, axial.back().F});
@@ -110,6 +111,8 @@ ExportFiles abaqus_files(const Design& design)
       if (Points push = push_of(s); push.size() > 1) {
         push.insert(push.begin(), {-s.diameter, 0});
         text += abaqus_lines("VERTICAL", push);
+      } else {
+        text += "** VERTICAL is missing: the pipe lay in the bed from the start, so that nothing is known of its penetration\n";
       }
       if (!s.lateral.empty())
         if (const Points spring = s.lateral[k].spring(); spring.size() > 1) text += abaqus_lines("HORIZONTAL", both_ways(spring));
@@ -152,11 +155,14 @@ ExportFiles ansys_files(const Design& design)
 {
   return by_estimate(design, "mac", [&](const std::string& set, const Springs& s) {
     std::string text = comments(design, "! ", "N and m");
-    text += fmt::format("! Real constants of springs between a node of the pipe and the ground, {} estimate; BERM_LENGTH is the pipe's "
-                        "length that a node stands for.\n",
+    text += fmt::format("! Real constants of COMBIN39 springs between a node of the pipe and the ground, {} estimate. Define the elements "
+                        "yourself, one type for each\n"
+                        "! direction. With KEYOPT(1) = 1 the element wants no segment steeper than that at the origin, which berms and "
+                        "penetration do not keep to.\n"
+                        "! BERM_LENGTH: length of pipe that a node stands for, 1 where it is not set; BERM_REAL: number before the first "
+                        "set, 0 where it is not set.\n",
                         set);
-    text += "*IF,BERM_LENGTH,EQ,0,THEN\nBERM_LENGTH=1\n*ENDIF\nET,BERM_TYPE,COMBIN39\nKEYOPT,BERM_TYPE,1,1 ! unloads along the slope at "
-            "the origin\n";
+    text += "*IF,BERM_LENGTH,LE,1e-20,THEN\nBERM_LENGTH=1\n*ENDIF\n*IF,BERM_REAL,LE,1e-20,THEN\nBERM_REAL=0\n*ENDIF\n";
     int number = 1;
     for (const Lateral& l : s.lateral) {
       Points spring = l.spring();
@@ -208,9 +214,9 @@ ExportFiles sima_files(const Design& design)
                             identifier(fmt::format("{}{}{}", residual ? "R" : "B", number, set), 8));
         text += std::isnan(normal) ? "'STFBOT DAMBOT: not known from these runs; put your own here\n"
                                    : fmt::format("'STFBOT DAMBOT\n{:.6g} 0\n", normal / kilo);
-        text += axial.empty()
-                    ? "'STFAXI FRIAXI DAMAXI\n0 0 0\n"
-                    : fmt::format("'STFAXI FRIAXI DAMAXI\n{:.6g} {:.6g} 0\n", axial.back().F / axial.back().x / kilo, axial.back().F / l.V);
+        text += axial.empty() ? "'STFAXI FRIAXI DAMAXI\n0 0 0\n"
+                              : fmt::format("'STFAXI FRIAXI DAMAXI\n{:.6g} {:.6g} 0\n", axial.back().F / axial.back().x / kilo,
+                                            std::isnan(s.axial.undrained) ? axial.back().F / s.lateral[0].V : axial.back().F / l.V);
         text += fmt::format("'STFLAT FRILAT DAMLAT ILTOR\n{:.6g} {:.6g} 0 0\n", l.stiffness() / kilo, H / l.V);
       }
     }

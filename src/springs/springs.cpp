@@ -15,9 +15,10 @@ namespace {
 
 using record::TravelCurve;
 
-/// Where a curve first reaches F, in the straight line between its points; NaN where it does not.
+/// Where a curve first reaches F, in the straight line between its points; NaN where it does not, or begins above.
 Real first_at(const Points& curve, Real F)
 {
+  if (curve.empty() || curve.front().F >= F) return nan;
   Point before{0, 0};
   for (const Point& point : curve) {
     if (point.F >= F && point.F > before.F)
@@ -104,9 +105,10 @@ Points Lateral::spring() const
     if (std::isfinite(x) && std::isfinite(F) && x > points.back().x) points.push_back({x, F});
   };
   for (std::size_t k = 0; k < mobilised_parts.size(); ++k) add(mobilised[k], mobilised_parts[k] * peak);
-  if (breaks) add(u_peak, peak);
+  if (breaks || std::isnan(residual)) add(u_peak, peak);
   add(u_residual, residual);
-  add(travel, !std::isnan(residual) ? residual : breaks ? end : std::max(end, points.back().F));
+  const Real last = std::isnan(residual) ? end : residual;
+  add(travel, breaks ? last : std::max(last, points.back().F));
   return points;
 }
 
@@ -120,6 +122,11 @@ Springs springs_of(const record::RunRecord& record)
   const pipe::PipePath path = run.history.rows() > 0 ? pipe_path(run.history, run.stages) : pipe::PipePath{};
   if (results.push.empty() && !results.push_end && path.drags.empty())
     throw RunError(fmt::format("{} has neither pushed nor dragged its pipe yet", folder));
+  const auto drags = std::count_if(run.stages.begin(), run.stages.end(),
+                                   [](const pipe::PipeStage& stage) { return stage.kind == problem::StageKind::drag; });
+  if (record.end == record::RunEnd::finished && static_cast<std::ptrdiff_t>(path.drags.size()) < drags)
+    throw RunError(
+        fmt::format("{} is finished, but its history has rows of {} of {} drags only: it is damaged", folder, path.drags.size(), drags));
   Springs springs;
   springs.diameter = run.scale.width;
   if (run.scale.unit_weight > 0) springs.weight = run.scale.unit_weight * run.scale.width * run.scale.width;

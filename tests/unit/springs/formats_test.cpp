@@ -86,7 +86,7 @@ TEST(Formats, each_estimate_gets_a_file_of_its_own)
     }
   }
   MadeRun run;
-  EXPECT_EQ(abaqus_files(design_of_sample("one", springs_of(run.record()), {springs_of(run.record())})).size(), 3u);
+  EXPECT_EQ(abaqus_files(design_of_sample("one", springs_of(run.record()), std::vector<Springs>(10, springs_of(run.record())))).size(), 3u);
   Design alone;
   alone.best = springs_of(run.record());
   EXPECT_EQ(abaqus_files(alone).size(), 1u);
@@ -150,7 +150,10 @@ TEST(Formats, of_ansys_has_no_more_points_than_the_element_takes_and_none_at_the
     points.clear();
   };
   for (std::string line : lines_of(text)) {
-    if (line.starts_with("R,")) check();
+    if (line.starts_with("R,")) {
+      check();
+      EXPECT_TRUE(line.starts_with("R,BERM_REAL+")) << line;
+    }
     if (!line.starts_with("R,") && !line.starts_with("RMORE,")) continue;
     std::istringstream fields(line.substr(line.find(',') + 1));
     std::string field;
