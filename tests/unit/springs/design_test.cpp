@@ -83,6 +83,17 @@ TEST(Design, counts_only_the_draws_that_have_a_number)
   EXPECT_EQ(estimate(design_of_sample("pipe", with_peak(60), some), "lateral drag", "residual").size, 15u);
 }
 
+TEST(Design, has_low_and_high_of_ten_draws_and_not_of_nine)
+{
+  std::vector<Springs> some = draws();
+  some.resize(10);
+  EXPECT_TRUE(design_of_sample("pipe", with_peak(60), some).low.has_value());
+  some.resize(9);
+  const Design design = design_of_sample("pipe", with_peak(60), some);
+  EXPECT_FALSE(design.low.has_value() || design.high.has_value());
+  EXPECT_EQ(estimate(design, "lateral drag", "peak").size, 9u);
+}
+
 TEST(Design, is_refused_of_a_folder_that_is_neither_run_nor_study_and_of_a_study_without_a_sample)
 {
   const TemporaryFolder folder;

@@ -109,6 +109,16 @@ TEST(Springs, along_the_axis_are_those_of_the_interface)
   EXPECT_NEAR(s.axial.undrained, 0.3 * 1000 * 0.02 * b, 1e-9);
 }
 
+TEST(Springs, are_refused_of_a_finished_run_whose_history_has_lost_its_drag)
+{
+  record::RunRecord record = run_with_peak().record();
+  for (std::string& stage : record.history.stage)
+    if (stage == "drag") stage = "push";
+  EXPECT_THROW(springs_of(record), RunError);
+  record.end = record::RunEnd::unfinished;
+  EXPECT_NO_THROW(springs_of(record));
+}
+
 TEST(Springs, are_refused_of_a_run_without_a_pipe)
 {
   MadeRun run = run_with_peak();
