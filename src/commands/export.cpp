@@ -7,6 +7,7 @@
 #include "springs/formats.hpp"
 #include "study/study_settings.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <map>
 #include <set>
@@ -58,13 +59,6 @@ void write(const springs::Design& design, const springs::Format& format, const f
   for (const std::string& picture : draw_springs(design, folder)) fmt::print("{}\n", (folder / picture).string());
 }
 
-const springs::Format& format_of(const std::string& name)
-{
-  for (const springs::Format& format : springs::formats)
-    if (format.name == name) return format;
-  throw InputError(fmt::format("--to {}: there is no such format", name));
-}
-
 }  // namespace
 
 Command add_export(CLI::App& program)
@@ -82,7 +76,9 @@ Command add_export(CLI::App& program)
   app->add_option("-o,--output", options->output, "folder for the files (default: DIR/export)");
   return {app, [options] {
             messages_to_stderr();
-            for (const Job& job : jobs_of(*options)) write(job.design, format_of(options->format), job.folder);
+            const auto* format = std::find_if(std::begin(springs::formats), std::end(springs::formats),
+                                              [&](const springs::Format& one) { return one.name == options->format; });
+            for (const Job& job : jobs_of(*options)) write(job.design, *format, job.folder);
             return 0;
           }};
 }

@@ -4,6 +4,7 @@
 
 #include "core/error.hpp"
 #include "structures/structures.hpp"
+#include "study/distribution.hpp"
 #include "study/sample_statistics.hpp"
 #include "study/study_rows.hpp"
 
@@ -67,9 +68,9 @@ std::vector<Estimate> estimates_of(const Springs& best, const std::vector<Spring
     if (const auto found = numbers.find({spring, name}); found != numbers.end()) {
       const std::vector<Real>& values = found->second;
       e.size = values.size();
-      e.low = study::sample_quantile(values, 0.05);
+      e.low = study::sample_quantile(values, study::low_share);
       e.middle = study::sample_quantile(values, 0.5);
-      e.high = study::sample_quantile(values, 0.95);
+      e.high = study::sample_quantile(values, study::high_share);
       e.fit = fit_lognormal(values);
     }
     if (!std::isnan(e.best) || e.size > 0) estimates.push_back(e);

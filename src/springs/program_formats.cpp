@@ -50,7 +50,7 @@ Points axial_spring(const Springs& s)
 {
   const Real F = std::isnan(s.axial.undrained) ? s.axial.drained : s.axial.undrained, x = std::min<Real>(0.005, 0.01 * s.diameter);
   if (!(F > 0)) return {};
-  return {{0, 0}, {x, F}};
+  return {{0, 0}, {x, F}, {s.diameter, F}};
 }
 
 /// V over the embedment from the surface on.
@@ -102,11 +102,7 @@ ExportFiles abaqus_files(const Design& design)
       const std::string stage = s.lateral.empty() ? "" : s.lateral[k].stage;
       text += fmt::format("*PIPE-SOIL INTERACTION, ELSET=SOIL_{}{}\n", identifier(set, 8),
                           k == 0 ? "" : fmt::format("_{}_{}", k + 1, identifier(stage, 50)));
-      if (const Points axial = axial_spring(s); !axial.empty()) {
-        Points flat = axial;
-        flat.push_back({s.diameter, axial.back().F});
-        text += abaqus_lines("AXIAL", both_ways(flat));
-      }
+      if (const Points axial = axial_spring(s); !axial.empty()) text += abaqus_lines("AXIAL", both_ways(axial));
       // Downwards only: a pipe that is lifted meets nothing.
       if (Points push = push_of(s); push.size() > 1) {
         push.insert(push.begin(), {-s.diameter, 0});
@@ -172,17 +168,15 @@ ExportFiles ansys_files(const Design& design)
       ++number;
     }
     if (const Points axial = axial_spring(s); !axial.empty()) {
-      Points flat = axial;
-      flat.push_back({s.diameter, axial.back().F});
-      text += fmt::format("! {}: axial, by formula\n", number) + combin39(number, both_ways(flat)), ++number;
+      text += fmt::format("! {}: axial, by formula\n", number) + combin39(number, both_ways(axial));
+      ++number;
     }
-    if (Points push = push_of(s); push.size() > 1) {
-      constexpr std::size_t most = 19;  // with that of the other quadrant the twenty that the element takes
-      while (push.size() > most)
-        for (std::size_t k = push.size() - 2; k > 0 && k < push.size() && push.size() > most; k -= std::min<std::size_t>(k, 2))
-          push.erase(push.begin() + static_cast<std::ptrdiff_t>(k));
-      push.insert(push.begin(), {-s.diameter, 0});
-      text += fmt::format("! {}: vertical, downwards positive; nothing where the pipe is lifted\n", number) + combin39(number, push);
+    if (const Points push = push_of(s); push.size() > 1) {
+      // With the point of the other quadrant no more than the twenty that the element takes, the first and the last among them.
+      const std::size_t count = std::min<std::size_t>(push.size(), 19);
+      Points some = {{-s.diameter, 0}};
+      for (std::size_t k = 0; k < count; ++k) some.push_back(push[k * (push.size() - 1) / (count - 1)]);
+      text += fmt::format("! {}: vertical, downwards positive; nothing where the pipe is lifted\n", number) + combin39(number, some);
     }
     return text;
   });
@@ -215,7 +209,7 @@ ExportFiles sima_files(const Design& design)
         text += std::isnan(normal) ? "'STFBOT DAMBOT: not known from these runs; put your own here\n"
                                    : fmt::format("'STFBOT DAMBOT\n{:.6g} 0\n", normal / kilo);
         text += axial.empty() ? "'STFAXI FRIAXI DAMAXI\n0 0 0\n"
-                              : fmt::format("'STFAXI FRIAXI DAMAXI\n{:.6g} {:.6g} 0\n", axial.back().F / axial.back().x / kilo,
+                              : fmt::format("'STFAXI FRIAXI DAMAXI\n{:.6g} {:.6g} 0\n", axial[1].F / axial[1].x / kilo,
                                             std::isnan(s.axial.undrained) ? axial.back().F / s.lateral[0].V : axial.back().F / l.V);
         text += fmt::format("'STFLAT FRILAT DAMLAT ILTOR\n{:.6g} {:.6g} 0 0\n", l.stiffness() / kilo, H / l.V);
       }
