@@ -7,7 +7,7 @@
 #include "problem/stages.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/memory.hpp"
-#include "simulation/with_run_folder.hpp"
+#include "simulation/run_place.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>

@@ -16,7 +16,7 @@
 #include "run_folder/progress.hpp"
 #include "simulation/good_sense.hpp"
 #include "simulation/memory.hpp"
-#include "simulation/with_run_folder.hpp"
+#include "simulation/run_place.hpp"
 
 #include <fmt/format.h>
 #include <malloc.h>

@@ -13,7 +13,6 @@
 #include "simulation/mpm_method.hpp"
 #include "simulation/results.hpp"
 #include "simulation/run_of_ranks.hpp"
-#include "simulation/with_run_folder.hpp"
 #include "user_law/load.hpp"
 
 #include <malloc.h>
@@ -40,22 +39,15 @@ Run<Method>::Run(const RunRequest& request, Context& context, Method& method, co
 }
 
 template <class Method>
-bool Run<Method>::to_the_end()
+void Run<Method>::begin()
 {
   const bool from_checkpoint = request_.resume && read_checkpoint();
   history_.emplace(history_path(), history_bytes_);
   if (request_.resume) frames_.remove_others();
   if (const mesh::GroundLine& line = model().ground.line; !line.level() && !from_checkpoint) record::write_ground(folder_.path(), line);
   progress_.count_from(clock_.earlier());
-  run_then_write_results(
-      [&] {
-        method_.begin(!from_checkpoint);
-        if (!from_checkpoint) record(), frame();
-        step_to_the_end();
-      },
-      [&] { leave_results(); });
-  if (finished_ && Ranks::of_run().is_first()) checkpoints_.remove();
-  return finished_;
+  method_.begin(!from_checkpoint);
+  if (!from_checkpoint) record(), frame();
 }
 
 /// Goes on where the last checkpoint was written; false where there is none.
@@ -74,18 +66,21 @@ bool Run<Method>::read_checkpoint()
 }
 
 template <class Method>
-void Run<Method>::step_to_the_end()
+bool Run<Method>::advance()
 {
-  bool stopped = false;
-  while (!finished_ && !stopped) {
-    step();
-    if (!decides_now()) continue;
-    const bool asked_to_stop = Ranks::of_run().any(context_.asked_to_stop());
-    if (asked_to_stop) checkpoints_.ask();
-    if (finished_ || !method_.at_checkpoint_boundary() || !Ranks::of_run().any(checkpoints_.due())) continue;
-    write_checkpoint();
-    stopped = asked_to_stop;
-  }
+  step();
+  if (!decides_now()) return true;
+  const bool asked_to_stop = Ranks::of_run().any(context_.asked_to_stop());
+  if (asked_to_stop) checkpoints_.ask();
+  if (finished_) return false;
+  if (!method_.at_checkpoint_boundary() || !Ranks::of_run().any(checkpoints_.due())) return true;
+  write_checkpoint();
+  return !asked_to_stop;
+}
+
+template <class Method>
+void Run<Method>::end()
+{
   if constexpr (!std::is_same_v<Method, FemMethod>) Ranks::of_run().together([&] { user_law::throw_failures(request_.settings); });
   if (finished_) return;
   if (state().time > last_row_) record();
@@ -171,6 +166,7 @@ template <class Method>
 void Run<Method>::record()
 {
   method_.add_row(*history_);
+  ++rows_;
   last_row_ = state().time;
   if (const Real interval = method_.history_interval(); interval > 0)
     next_row_ = (std::floor(state().time / interval * (1 + 1e-12)) + 1) * interval;
@@ -250,6 +246,12 @@ void Run<Method>::leave_results()
   const std::string results = write_results(request_, folder_, model(), state().rigid_bodies, frames_.last(), outcome, timing);
   if (!results.empty()) log_.result(results);
   spdlog::info("everything is in {}", folder_.path().string());
+}
+
+template <class Method>
+void Run<Method>::remove_checkpoints() const
+{
+  if (finished_ && Ranks::of_run().is_first()) checkpoints_.remove();
 }
 
 template class Run<MpmMethod<2>>;

@@ -23,18 +23,27 @@ public:
   Run(const RunRequest& request, Context& context, Method& method, const run_folder::RunFolder& folder, run_folder::RunLog& log,
       const std::vector<std::string>& warnings);
 
-  /// Begins, steps to the end or to where it is asked to stop, and writes the results. Returns whether it came to its end. A run that fails (RunError)
-  /// leaves the results of what it had before the error is passed on.
-  bool to_the_end();
+  /// Reads the checkpoint of a resumed run, or finds and writes the start.
+  void begin();
+  /// One step, and the output that is due after it. Returns whether the run goes on: it is neither finished nor asked to stop.
+  bool advance();
+  /// After the last step.
+  void end();
+  /// Writes what follows from the history and from the last frame; also of a run that failed.
+  void leave_results();
+  /// Once its results are there, a finished run needs none.
+  void remove_checkpoints() const;
+  /// Whether it came to its end, and not where it was asked to stop.
+  bool finished() const { return finished_; }
+  /// Rows written since it was begun or resumed.
+  BigIndex rows() const { return rows_; }
 
 private:
   bool read_checkpoint();
   bool decides_now() const;
-  void step_to_the_end();
   void step();
   void step_of_method();
   void write_checkpoint();
-  void leave_results();
   std::filesystem::path history_path() const { return folder_.file("history.csv"); }
   void archive(Archive& k);
   void archive_progress(Archive& k);
@@ -63,6 +72,7 @@ private:
   run_folder::FrameWriter<dim> frames_;
   run_folder::Progress progress_;
   bool finished_ = false;
+  BigIndex rows_ = 0;
   Real last_row_ = -1, next_row_ = 0, frame_time_ = 0;  ///< s
   Real last_frame_ = -1;                                ///< s, of a frame that this process made
   Vec<dim> frame_displacement_ = Vec<dim>::Zero();

@@ -12,7 +12,7 @@ constexpr std::size_t name_length = 80;
 
 }  // namespace
 
-Answer call(OwnFunction function, const Constants& constants, material::UserIncrement& increment, bool& tangent_given)
+Answer call(const OwnFunction& function, const Constants& constants, material::UserIncrement& increment, bool& tangent_given)
 {
   berm_law_increment own;
   own.version = BERM_LAW_VERSION;

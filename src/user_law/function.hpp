@@ -6,6 +6,7 @@
 #include <berm/law.h>
 
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,8 +23,8 @@ struct Constants {
 };
 
 /// Calls a function once. Where a tangent is asked for and the law gives none, `tangent_given` stays false.
-using OwnFunction = int (*)(berm_law_increment*);
-Answer call(OwnFunction function, const Constants& constants, material::UserIncrement& increment, bool& tangent_given);
+using OwnFunction = std::function<int(berm_law_increment*)>;
+Answer call(const OwnFunction& function, const Constants& constants, material::UserIncrement& increment, bool& tangent_given);
 
 /// The interface of Abaqus' UMAT, as Fortran calls it: all by address, the length of CMNAME at the end.
 extern "C" {

@@ -6,6 +6,7 @@
 #include "user_law/library.hpp"
 #include "user_law/trial.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
@@ -32,46 +33,62 @@ void for_each_law(List& materials, const Act& act)
 /// Pressure of the trials over Young's modulus.
 constexpr Real trial_pressure = 1e-3;
 
-template <Interface interface>
-void load_law(const std::string& name, int dimension, UserLaw<interface>& law)
+/// Calls act; an InputError becomes one of this key of a material.
+template <class Act>
+auto with_key(const std::string& material, const char* last, const Act& act)
 {
-  const std::string key = fmt::format("material.{}.", name);
-  const auto with_key = [&](const char* last, const auto& act) {
-    try {
-      return act();
-    } catch (const InputError& error) {
-      throw KeyError(fmt::format("{}{}: {}", key, last, error.what()));
-    }
-  };
-  void* const library = with_key("library", [&] { return open_library(law.library); });
+  try {
+    return act();
+  } catch (const InputError& error) {
+    throw KeyError(fmt::format("material.{}.{}: {}", material, last, error.what()));
+  }
+}
+
+/// A function, and what messages call it.
+struct Found {
+  LoadedLaw::Function function;
+  std::string words;
+};
+
+/// The function of the library that the law names, whose SHA-256 it gets.
+template <Interface interface>
+Found find_in_library(const std::string& name, UserLaw<interface>& law)
+{
+  void* const library = with_key(name, "library", [&] { return open_library(law.library); });
   const std::string hash = io::sha256_of_file(law.library);
   if (!law.library_sha256.empty() && law.library_sha256 != hash)
-    throw KeyError(fmt::format("{}library: {} is another file than the one with the SHA-256 {}: it is {}", key, law.library,
+    throw KeyError(fmt::format("material.{}.library: {} is another file than the one with the SHA-256 {}: it is {}", name, law.library,
                                law.library_sha256, hash));
   law.library_sha256 = hash;
-
   std::vector<std::string> names = {law.symbol};
   if (law.symbol.empty())
     names = interface == Interface::umat ? std::vector<std::string>{"umat_", "umat"} : std::vector<std::string>{"berm_law"};
-  const Symbol symbol = with_key("symbol", [&] { return find_function(library, law.library, names); });
-  LoadedLaw::Function function;
-  if constexpr (interface == Interface::umat)
-    function = Umat{reinterpret_cast<UmatFunction>(symbol.address)};
-  else
-    function = reinterpret_cast<OwnFunction>(symbol.address);
-  const Constants constants{name, law.properties, law.state_variables};
+  const Symbol symbol = with_key(name, "symbol", [&] { return find_function(library, law.library, names); });
   const std::string words = fmt::format("the law \"{}\" of [material.{}], {} of {},", law.word, name, symbol.name, law.library);
+  if constexpr (interface == Interface::umat)
+    return {Umat{reinterpret_cast<UmatFunction>(symbol.address)}, words};
+  else
+    return {reinterpret_cast<int (*)(berm_law_increment*)>(symbol.address), words};
+}
+
+template <Interface interface>
+void load_law(const std::string& name, int dimension, const OwnFunction* given, UserLaw<interface>& law)
+{
+  const auto [function, words] =
+      given == nullptr ? find_in_library(name, law) : Found{*given, fmt::format("the law of [material.{}] that the program gives", name)};
+  if (given != nullptr) law.library_sha256.clear();
+  const Constants constants{name, law.properties, law.state_variables};
   const LoadedLaw alone(function, constants, words, true);
   TrialStart start{dimension, trial_pressure * law.young_modulus, law.initial_state};
   start.state.resize(static_cast<std::size_t>(law.state_variables), 0);
-  with_key("library", [&] {
+  with_key(name, "library", [&] {
     refuse_failing(alone, start);
     refuse_memory(alone, start);
     refuse_unknown_arguments(alone, start);
   });
   using ThreadSafe = typename UserLaw<interface>::ThreadSafe;
-  bool one_at_a_time = law.thread_safe == ThreadSafe::no;
-  if (law.thread_safe == ThreadSafe::probed && !safe_in_threads(LoadedLaw(function, constants, words, false), start)) {
+  bool one_at_a_time = law.thread_safe == ThreadSafe::no || given != nullptr;
+  if (!one_at_a_time && law.thread_safe == ThreadSafe::probed && !safe_in_threads(LoadedLaw(function, constants, words, false), start)) {
     one_at_a_time = true;
     spdlog::warn(
         "{} gives other results when two threads call it at a time (SAVE, COMMON, static variables or unit numbers): they take turns, "
@@ -81,22 +98,39 @@ void load_law(const std::string& name, int dimension, UserLaw<interface>& law)
   law.loaded = std::make_shared<LoadedLaw>(function, constants, words, one_at_a_time);
 }
 
-}  // namespace
-
-void load(Materials& materials, int dimension)
+/// A law of the caller's own stands for the library of a material with law = "user".
+void refuse_unused(const GivenLaws& given, const Materials& materials)
 {
-  for_each_law(materials, [&](const std::string& name, auto& law) { load_law(name, dimension, law); });
+  for (const auto& [wanted, function] : given) {
+    const bool used = std::any_of(materials.begin(), materials.end(), [&](const auto& material) {
+      return material.first == wanted && std::holds_alternative<UserLaw<Interface::own>>(material.second);
+    });
+    if (!used) throw KeyError(fmt::format("material.{}: the program gives a law for it, but there is none of law = \"user\"", wanted));
+  }
 }
 
-void load(problem::Case& c)
+}  // namespace
+
+void load(Materials& materials, int dimension, const GivenLaws& given)
 {
-  load(c.material, c.dimension);
+  refuse_unused(given, materials);
+  for_each_law(materials, [&](const std::string& name, auto& law) {
+    const auto own = given.find(name);
+    load_law(name, dimension, own == given.end() ? nullptr : &own->second, law);
+  });
+}
+
+void load(problem::Case& c, const GivenLaws& given)
+{
+  load(c.material, c.dimension, given);
 }
 
 std::vector<std::pair<std::string, std::string>> library_hashes(const problem::Case& c)
 {
   std::map<std::string, std::string> hashes;
-  for_each_law(c.material, [&](const std::string&, const auto& law) { hashes[law.library] = law.library_sha256; });
+  for_each_law(c.material, [&](const std::string&, const auto& law) {
+    if (!law.library_sha256.empty()) hashes[law.library] = law.library_sha256;
+  });
   return {hashes.begin(), hashes.end()};
 }
 

@@ -10,7 +10,7 @@ namespace berm::samples {
 inline user_law::LoadedLaw trial_law(const std::string& name, bool one_at_a_time = false)
 {
   void* const library = user_law::open_library(BERM_TRIAL_LAWS);
-  const auto function = reinterpret_cast<user_law::OwnFunction>(user_law::find_function(library, BERM_TRIAL_LAWS, {name}).address);
+  const auto function = reinterpret_cast<int (*)(berm_law_increment*)>(user_law::find_function(library, BERM_TRIAL_LAWS, {name}).address);
   return {function, {"clay", {1e7, 0.25}, 1}, "the law " + name, one_at_a_time};
 }
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/commands/run_faults_test.cpp
-#include "simulation/with_run_folder.hpp"
+#include "simulation/run_place.hpp"
 
-#include "core/error.hpp"
 #include "core/ranks.hpp"
 #include "input/write_case.hpp"
 #include "io/atomic_file.hpp"
@@ -13,7 +12,6 @@
 #include "simulation/run_of_ranks.hpp"
 #include "user_law/load.hpp"
 
-#include <exception>
 #include <spdlog/spdlog.h>
 
 namespace berm::simulation {
@@ -37,6 +35,13 @@ run_folder::RunFolder new_run_folder(const RunRequest& request, const io::Scratc
   return folder;
 }
 
+/// That of ranks whose messages nobody sees is not the one of the request.
+run_folder::RunFolder folder_of(const RunRequest& request, const io::ScratchFolder& scratch, const std::vector<std::string>& warnings)
+{
+  if (!Ranks::of_run().is_first()) return run_folder::RunFolder(scratch.path() / "run");
+  return request.resume ? run_folder::RunFolder::of_earlier_run(request.folder) : new_run_folder(request, scratch, warnings);
+}
+
 }  // namespace
 
 problem::Case to_build(const RunRequest& request)
@@ -54,51 +59,19 @@ problem::Case to_build(const RunRequest& request)
   return settings;
 }
 
-bool with_run_folder(const RunRequest& request, const Context& context, const io::ScratchFolder& scratch, const std::string& size,
-                     const std::vector<std::string>& warnings,
-                     const std::function<bool(const run_folder::RunFolder&, run_folder::RunLog&)>& run)
+RunPlace::RunPlace(const RunRequest& request, const Context& context, const io::ScratchFolder& scratch, const std::string& size,
+                   const std::vector<std::string>& warnings)
+    : replaces_(!request.resume && !checkpoint::CheckpointFolder(checkpoints_in(request.folder)).files().empty()),
+      folder_(folder_of(request, scratch, warnings)),
+      log_(folder_.file("run.log"), request.resume, context.messages())
 {
-  if (!Ranks::of_run().is_first()) {  // whose messages nobody sees
-    const run_folder::RunFolder unseen(scratch.path() / "run");
-    run_folder::RunLog log(unseen.file("run.log"), false, context.messages());
-    return run(unseen, log);
-  }
-  const bool replaces = !request.resume && !checkpoint::CheckpointFolder(checkpoints_in(request.folder)).files().empty();
-  const run_folder::RunFolder folder =
-      request.resume ? run_folder::RunFolder::of_earlier_run(request.folder) : new_run_folder(request, scratch, warnings);
-  run_folder::RunLog log(folder.file("run.log"), request.resume, context.messages());
-  if (replaces) spdlog::info("the unfinished run in {} is replaced; `berm run --resume` resumes one instead", request.folder.string());
-  spdlog::info("{} -> {}: {}", request.case_file.string(), folder.path().string(), size);
+  if (!Ranks::of_run().is_first()) return;
+  if (replaces_) spdlog::info("the unfinished run in {} is replaced; `berm run --resume` resumes one instead", request.folder.string());
+  spdlog::info("{} -> {}: {}", request.case_file.string(), folder_.path().string(), size);
   if (request.resume)
-    run_folder::note_resumption(folder.path());
+    run_folder::note_resumption(folder_.path());
   else
     for (const std::string& warning : warnings) spdlog::warn("{}", warning);
-  try {
-    const bool finished = run(folder, log);
-    log.check();
-    return finished;
-  } catch (const RunError& error) {
-    log.info_to_file(error.what());
-    throw;
-  }
-}
-
-void run_then_write_results(const std::function<void()>& run, const std::function<void()>& leave_results)
-{
-  std::exception_ptr failure;
-  try {
-    run();
-  } catch (const RunError& error) {
-    end_all_unless_failed_together(error.what());
-    failure = std::current_exception();
-  }
-  try {
-    leave_results();
-  } catch (const RunError& error) {
-    if (!failure) throw;
-    spdlog::warn("{}", error.what());
-  }
-  if (failure) std::rethrow_exception(failure);
 }
 
 }  // namespace berm::simulation

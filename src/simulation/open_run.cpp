@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/simulation/run_test.cpp
+#include "simulation/open_run.hpp"
+
+#include "core/error.hpp"
+#include "core/ranks.hpp"
+#include "simulation/good_sense.hpp"
+#include "simulation/run_of_ranks.hpp"
+#include "simulation/with_method.hpp"
+#include "user_law/load.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+namespace berm::simulation {
+namespace {
+
+template <class Method>
+std::vector<std::string> warnings_about(const RunRequest& request, Method& method, const Context& context)
+{
+  return request.resume ? noted_warnings(request.folder) : warnings_of(method.scene(request, context.threads()));
+}
+
+}  // namespace
+
+template <class Method>
+OpenRun<Method>::OpenRun(const RunRequest& request, Context& context)
+    : request_(request),
+      method_(request_, scratch_),
+      warnings_(warnings_about(request_, method_, context)),
+      place_(request_, context, scratch_, fmt::format("{}, {}", method_.size_words(), words_of_workers(context)), warnings_),
+      run_(request_, context, method_, place_.folder(), place_.log(), warnings_)
+{
+}
+
+/// An error in writing the results of a run that failed is only logged.
+template <class Method>
+template <class Act>
+auto OpenRun<Method>::leaving_results(const Act& act)
+{
+  try {
+    return act();
+  } catch (const KeyError& error) {
+    throw InputError(request_.places.located(error.what()));
+  } catch (const RunError& error) {
+    end_all_unless_failed_together(error.what());
+    try {
+      run_.leave_results();
+    } catch (const RunError& another) {
+      spdlog::warn("{}", another.what());
+    }
+    place_.log().info_to_file(error.what());
+    throw;
+  }
+}
+
+template <class Method>
+void OpenRun<Method>::begin()
+{
+  leaving_results([&] { run_.begin(); });
+}
+
+template <class Method>
+bool OpenRun<Method>::advance()
+{
+  return leaving_results([&] { return run_.advance(); });
+}
+
+template <class Method>
+bool OpenRun<Method>::end()
+{
+  leaving_results([&] { run_.end(); });
+  try {
+    run_.leave_results();
+    run_.remove_checkpoints();
+    place_.log().check();
+  } catch (const RunError& error) {
+    place_.log().info_to_file(error.what());
+    throw;
+  }
+  return run_.finished();
+}
+
+template <class Method>
+bool OpenRun<Method>::to_the_end()
+{
+  begin();
+  while (advance()) {
+  }
+  return end();
+}
+
+AnyOpenRun open_run(const RunRequest& request, Context& context)
+{
+  return with_method(request, [&](const auto& kind, const RunRequest& loaded) -> AnyOpenRun {
+    using Method = typename std::decay_t<decltype(kind)>::type;
+    return std::make_unique<OpenRun<Method>>(loaded, context);
+  });
+}
+
+template class OpenRun<MpmMethod<2>>;
+template class OpenRun<MpmMethod<3>>;
+template class OpenRun<FemMethod>;
+
+}  // namespace berm::simulation

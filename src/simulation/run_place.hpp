@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "io/scratch_folder.hpp"
+#include "run_folder/run_folder.hpp"
+#include "run_folder/run_log.hpp"
+#include "simulation/simulate.hpp"
+
+namespace berm::simulation {
+
+/// The case with the mesh that lies in the run folder, where a run is resumed: the file that it was read from may be elsewhere or gone.
+problem::Case to_build(const RunRequest& request);
+
+/// The run folder, with case.toml, resolved.toml, the mesh files that building left in `scratch` and run.log, while the run writes there. It begins with what
+/// is run (`size`: "3052 elements, 6287 nodes, 2 threads") and what is doubtful of it (`warnings`); messages go where the context says, and to the log. A
+/// resumed run finds all but the log there, which is appended to. Of ranks that are not the first: a folder in `scratch`.
+class RunPlace {
+public:
+  RunPlace(const RunRequest& request, const Context& context, const io::ScratchFolder& scratch, const std::string& size,
+           const std::vector<std::string>& warnings);
+
+  const run_folder::RunFolder& folder() const { return folder_; }
+  run_folder::RunLog& log() { return log_; }
+
+private:
+  bool replaces_;  ///< an unfinished run; known before its folder is made anew
+  run_folder::RunFolder folder_;
+  run_folder::RunLog log_;
+};
+
+}  // namespace berm::simulation
