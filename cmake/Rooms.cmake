@@ -5,8 +5,9 @@
 # Rooms outside the engine are compiled with -O1, which takes two thirds of the time of -O3, but for those marked HOT. Files of a room are compiled several at a
 # time (CMAKE_UNITY_BUILD), which takes half of the time; not those of HOT rooms of the engine, whose loops the compiler would inline otherwise, and change the last bits.
 #
-#   berm_room(NAME [ENGINE] [HOT] [OPENED] [USES room...] [LINKS library...])
+#   berm_room(NAME [ENGINE] [HOT] [OPENED] [OFFERED] [USES room...] [LINKS library...])
 #                            OPENED: a shared library by itself, which the program opens while it runs
+#                            OFFERED: a shared library for programs of users, which see what its headers in include/ declare and nothing else
 #   berm_engine()            links all ENGINE rooms into libberm_engine.so, once for every vector unit
 #   berm_compile_for(UNIT TARGET)       compiles a target for a vector unit
 #   berm_place_for(UNIT TARGET NAME)    puts a shared library where the loader finds the version for the processor that it runs on
@@ -36,7 +37,7 @@ function(berm_place_for unit target name)
 endfunction()
 
 function(berm_room name)
-  cmake_parse_arguments(PARSE_ARGV 1 F "ENGINE;HOT;OPENED" "" "USES;LINKS")
+  cmake_parse_arguments(PARSE_ARGV 1 F "ENGINE;HOT;OPENED;OFFERED" "" "USES;LINKS")
   set(path ${name})
   string(REPLACE "/" "_" name ${path})
   set(tree ${CMAKE_BINARY_DIR}/include/${name})
@@ -68,6 +69,13 @@ function(berm_room name)
   elseif(F_OPENED)
     add_library(berm_${name} MODULE ${sources})
     target_link_libraries(berm_${name} PRIVATE berm_${name}_headers ${F_LINKS})
+    set_target_properties(berm_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
+  elseif(F_OFFERED)
+    list(TRANSFORM F_USES PREPEND berm_)
+    add_library(berm_${name} SHARED ${sources})
+    target_link_libraries(berm_${name} PRIVATE berm_${name}_headers ${F_USES} ${F_LINKS})
+    target_compile_options(berm_${name} PRIVATE -fvisibility=hidden)
+    target_link_options(berm_${name} PRIVATE -Wl,--exclude-libs,ALL)
     set_target_properties(berm_${name} PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/lib)
   else()
     add_library(berm_${name} STATIC ${sources})

@@ -29,6 +29,7 @@ target_compile_options(berm_flags INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-bitw
 # Square roots need no errno and no comparison may trap: with this the compiler can vectorize them. NaN keeps its meaning.
 target_compile_options(berm_flags INTERFACE -fno-math-errno -fno-trapping-math)
 target_compile_definitions(berm_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
+target_include_directories(berm_flags INTERFACE ${CMAKE_SOURCE_DIR}/include) # what users include is also what the program means
 target_compile_definitions(berm_flags INTERFACE BERM_VERSION="${PROJECT_VERSION}")
 target_link_options(berm_flags INTERFACE -Wl,--build-id) # by which results are known to be of this program; gcc of Debian does so anyway
 # Eigen's alignment follows the vector unit by default; fixed here, so that all versions of the engine share one layout.

@@ -83,6 +83,8 @@ public:
 
   Index count_in(Index cell) const { return count_[cell]; }
   Index first_block(Index cell) const { return count_[cell] > 0 ? head_[cell] : none; }
+  /// Blocks that have been in use so far; some may be empty now.
+  Index block_count() const { return static_cast<Index>(blocks_.size()); }
   Block<dim>& block(Index b) { return blocks_[b]; }
   const Block<dim>& block(Index b) const { return blocks_[b]; }
   /// The extra fields of block b: extra_size() Lanes.

@@ -35,7 +35,7 @@ private:
     static inline std::atomic<bool> exists{false};
     OnlyOne()
     {
-      if (exists.exchange(true)) throw RunError("a process has one run at a time: end the other Context first");
+      if (exists.exchange(true)) throw RunError("a process has one run at a time: the other must end first");
     }
     ~OnlyOne() { exists = false; }
     OnlyOne(const OnlyOne&) = delete;

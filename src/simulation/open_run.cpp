@@ -28,8 +28,8 @@ OpenRun<Method>::OpenRun(const RunRequest& request, Context& context)
     : request_(request),
       method_(request_, scratch_),
       warnings_(warnings_about(request_, method_, context)),
-      place_(request_, context, scratch_, fmt::format("{}, {}", method_.size_words(), words_of_workers(context)), warnings_),
-      run_(request_, context, method_, place_.folder(), place_.log(), warnings_)
+      place_(std::in_place, request_, context, scratch_, fmt::format("{}, {}", method_.size_words(), words_of_workers(context)), warnings_),
+      run_(request_, context, method_, place_->folder(), place_->log(), warnings_)
 {
 }
 
@@ -49,7 +49,8 @@ auto OpenRun<Method>::leaving_results(const Act& act)
     } catch (const RunError& another) {
       spdlog::warn("{}", another.what());
     }
-    place_.log().info_to_file(error.what());
+    place_->log().info_to_file(error.what());
+    place_.reset();
     throw;
   }
 }
@@ -67,17 +68,26 @@ bool OpenRun<Method>::advance()
 }
 
 template <class Method>
+bool OpenRun<Method>::end_without_results()
+{
+  run_.end();
+  place_.reset();
+  return run_.finished();
+}
+
+template <class Method>
 bool OpenRun<Method>::end()
 {
   leaving_results([&] { run_.end(); });
   try {
     run_.leave_results();
     run_.remove_checkpoints();
-    place_.log().check();
+    place_->log().check();
   } catch (const RunError& error) {
-    place_.log().info_to_file(error.what());
+    place_->log().info_to_file(error.what());
     throw;
   }
+  place_.reset();
   return run_.finished();
 }
 

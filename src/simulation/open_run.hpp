@@ -7,6 +7,7 @@
 #include "simulation/run_place.hpp"
 
 #include <memory>
+#include <optional>
 #include <variant>
 
 namespace berm::simulation {
@@ -25,6 +26,8 @@ public:
   bool advance();
   /// After the last step: writes the results. Returns whether the run came to its end.
   bool end();
+  /// The same of a run whose results nobody wants.
+  bool end_without_results();
   bool to_the_end();
 
   Method& method() { return method_; }
@@ -38,7 +41,7 @@ private:
   io::ScratchFolder scratch_;
   Method method_;
   std::vector<std::string> warnings_;
-  RunPlace place_;
+  std::optional<RunPlace> place_;  ///< until the run ends: then others may write there
   Run<Method> run_;
 };
 

@@ -12,6 +12,8 @@ namespace berm::simulation {
 template <int dim>
 class Recorder {
 public:
+  /// The last one.
+  const run_folder::Row& row() const { return row_; }
   /// V and H of the main rigid body in the last row, N/m or N.
   Real vertical() const { return vertical_; }
   Real horizontal() const { return horizontal_; }

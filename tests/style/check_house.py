@@ -152,8 +152,8 @@ def tiers(tree):
 
 
 def namespace_of(room):
-    """core is berm itself; inner rooms of the report share one namespace, a structure has its own."""
-    if room == "core":
+    """core is berm itself, and so is the library, of which users see that; inner rooms of the report share one namespace, a structure has its own."""
+    if room in ("core", "library"):
         return "berm"
     return "berm::" + (room.split("/")[1] if room.startswith("structures/") else room.split("/")[0])
 
@@ -247,11 +247,11 @@ def layout(tree):
 
 
 def examples(tree):
-    """Every example has a page, a case and the numbers to expect; a study has a page and study.toml."""
+    """Every example has a page, a case and the numbers to expect; a study has a page and study.toml, a program a page and CMakeLists.txt."""
     for example in sorted({path.split("/")[1] for path in tree.paths if path.startswith("examples/") and path.count("/") > 1}):
         folder = f"examples/{example}/"
         files = {path[len(folder) :] for path in tree.paths if path.startswith(folder)}
-        study = "study.toml" in files
+        study = "study.toml" in files or "CMakeLists.txt" in files
         for needed in ("README.md",) if study else ("README.md", "expected.toml"):
             if needed not in files:
                 yield f"{folder}: {needed} is missing"
@@ -357,7 +357,7 @@ CHECKS = {
     ),
     examples: (
         [{path: text for path, text in EXAMPLE.items() if path != left_out} for left_out in EXAMPLE] + [{"examples/sizes/study.toml": "a"}],
-        [EXAMPLE, {"examples/sizes/README.md": "a", "examples/sizes/study.toml": "a"}],
+        [EXAMPLE, {"examples/sizes/README.md": "a", "examples/sizes/study.toml": "a"}, {"examples/program/README.md": "a", "examples/program/CMakeLists.txt": "a"}],
     ),
     silence: (
         [

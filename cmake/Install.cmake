@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# What `cmake --install` puts where. Libraries are found by where the program or libberm.so lies, so that the whole may be moved; the engine and what the program
+# opens lie in a folder of their own, which the loader searches for no other program.
+include(GNUInstallDirs)
+set(BERM_PRIVATE_LIBRARIES ${CMAKE_INSTALL_LIBDIR}/berm)
+file(RELATIVE_PATH from_program /${CMAKE_INSTALL_BINDIR} /${BERM_PRIVATE_LIBRARIES})
+
+# In the build folder: the libraries beside the program, wherever the folder was moved; of a copy of the program alone those that it was built with.
+set_target_properties(berm PROPERTIES BUILD_RPATH_USE_ORIGIN OFF BUILD_RPATH "$ORIGIN/lib" INSTALL_RPATH "$ORIGIN/${from_program}")
+set_target_properties(berm_library PROPERTIES OUTPUT_NAME berm VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN/berm")
+
+install(TARGETS berm RUNTIME COMPONENT berm)
+install(DIRECTORY ${CMAKE_BINARY_DIR}/lib/ DESTINATION ${BERM_PRIVATE_LIBRARIES} COMPONENT libberm USE_SOURCE_PERMISSIONS FILES_MATCHING PATTERN "libberm_engine.so")
+if(TARGET berm_mpi)
+  set_target_properties(berm_mpi PROPERTIES INSTALL_RPATH "$ORIGIN")
+  install(TARGETS berm_mpi LIBRARY DESTINATION ${BERM_PRIVATE_LIBRARIES} COMPONENT berm)
+endif()
+install(TARGETS berm_library LIBRARY COMPONENT libberm NAMELINK_COMPONENT libberm-dev)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/include/berm TYPE INCLUDE COMPONENT libberm-dev)
+
+# find_package(berm) gives the target berm::berm.
+include(CMakePackageConfigHelpers)
+set(BERM_PACKAGE ${CMAKE_INSTALL_LIBDIR}/cmake/berm)
+configure_package_config_file(cmake/berm-config.cmake.in ${CMAKE_BINARY_DIR}/berm-config.cmake INSTALL_DESTINATION ${BERM_PACKAGE} PATH_VARS CMAKE_INSTALL_INCLUDEDIR CMAKE_INSTALL_LIBDIR)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/berm-config-version.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_BINARY_DIR}/berm-config.cmake ${CMAKE_BINARY_DIR}/berm-config-version.cmake DESTINATION ${BERM_PACKAGE} COMPONENT libberm-dev)

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/error.hpp"
+#include "input/read_case.hpp"
+#include "library/message_sink.hpp"
+#include "library/particle_views.hpp"
+#include "simulation/open_run.hpp"
+#include "simulation/resume.hpp"
+
+#include <berm/berm.hpp>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace berm {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Without a folder of the user's the run has one that goes when it ends.
+fs::path folder_for(const RunOptions& options, const io::ScratchFolder& scratch)
+{
+  if (options.folder.empty()) return scratch.path() / "run";
+  if (!options.replace && simulation::has_begun(options.folder))
+    throw InputError(fmt::format("{} holds a run: replace it (the option `replace`), resume it, or name another folder", options.folder));
+  return options.folder;
+}
+
+simulation::RunRequest request_for(const std::string& case_file, const RunOptions& options, const io::ScratchFolder& scratch)
+{
+  auto [settings, places] = input::read_case_in_file(case_file, options.set);
+  return {std::move(settings), case_file, folder_for(options, scratch), false, std::move(places), options.laws};
+}
+
+simulation::RunRequest request_to_resume(const std::string& folder, const RunOptions& options)
+{
+  if (!options.set.empty() || !options.folder.empty() || options.replace)
+    throw InputError("a run is resumed as it was begun: without set, folder and replace");
+  std::optional<simulation::RunRequest> request = simulation::run_to_resume(folder);
+  if (!request) throw InputError(fmt::format("the run in {} is finished", folder));
+  request->laws = options.laws;
+  return *std::move(request);
+}
+
+}  // namespace
+
+/// In the order in which they need each other.
+struct Run::Parts {
+  /// act(OpenRun&), whatever the method.
+  template <class Act>
+  auto visit(const Act& act) const
+  {
+    return std::visit([&](const auto& open) { return act(*open); }, run);
+  }
+
+  Parts(const RunOptions& options, const std::function<simulation::RunRequest(const io::ScratchFolder&)>& request)
+      : keeps(!options.folder.empty()),
+        context(
+            std::in_place, options.threads, [this] { return asked_to_stop; }, std::make_shared<MessageSink>(options.message)),
+        run(simulation::open_run(request(scratch), *context))
+  {
+    visit([](auto& open) { open.begin(); });
+  }
+
+  /// Returns whether the run goes on. One that failed has ended.
+  bool advance()
+  {
+    if (ended) return false;
+    try {
+      if (visit([](auto& open) { return open.advance(); })) return true;
+      finished = visit([this](auto& open) { return keeps ? open.end() : open.end_without_results(); });
+    } catch (...) {
+      leave();
+      throw;
+    }
+    leave();
+    return false;
+  }
+
+  /// What it has found can still be looked at.
+  void leave()
+  {
+    ended = true;
+    context.reset();
+  }
+
+  BigIndex rows() const
+  {
+    return visit([](const auto& open) { return open.run().rows(); });
+  }
+
+  bool keeps, asked_to_stop = false, ended = false, finished = false;
+  io::ScratchFolder scratch;
+  std::optional<simulation::Context> context;  ///< until the run ends: then another may begin
+  simulation::AnyOpenRun run;
+  mutable std::vector<HistoryColumn> columns;
+};
+
+std::string version()
+{
+  return BERM_VERSION;
+}
+
+Run::Run(const std::string& case_file, const RunOptions& options)
+    : parts_(std::make_unique<Parts>(options, [&](const io::ScratchFolder& scratch) { return request_for(case_file, options, scratch); }))
+{
+}
+
+Run::Run(std::unique_ptr<Parts> parts) : parts_(std::move(parts)) {}
+Run::~Run() = default;
+Run::Run(Run&&) noexcept = default;
+Run& Run::operator=(Run&&) noexcept = default;
+
+Run Run::resume(const std::string& folder, const RunOptions& options)
+{
+  auto parts = std::make_unique<Parts>(options, [&](const io::ScratchFolder&) { return request_to_resume(folder, options); });
+  parts->keeps = true;
+  return Run(std::move(parts));
+}
+
+bool Run::step(long long count)
+{
+  if (count < 0) throw InputError(fmt::format("step: {} steps: it must be 0 or more", count));
+  while (count-- > 0 && parts_->advance()) {
+  }
+  return !parts_->ended;
+}
+
+bool Run::step_to_row()
+{
+  const BigIndex before = parts_->rows();
+  while (parts_->rows() == before && parts_->advance()) {
+  }
+  return !parts_->ended;
+}
+
+void Run::finish()
+{
+  while (parts_->advance()) {
+  }
+}
+
+void Run::stop()
+{
+  parts_->asked_to_stop = true;
+  finish();
+}
+
+bool Run::ended() const
+{
+  return parts_->ended;
+}
+
+bool Run::finished() const
+{
+  return parts_->finished;
+}
+
+long long Run::steps() const
+{
+  return parts_->visit([](auto& open) { return static_cast<long long>(open.method().state().step); });
+}
+
+double Run::time() const
+{
+  return parts_->visit([](auto& open) { return open.method().state().time; });
+}
+
+double Run::time_step() const
+{
+  return parts_->visit([](auto& open) { return open.method().state().dt; });
+}
+
+std::string Run::stage() const
+{
+  return parts_->visit([](auto& open) { return open.method().model().stages[open.method().state().stage.index].name; });
+}
+
+const std::vector<HistoryColumn>& Run::columns() const
+{
+  if (parts_->columns.empty())
+    for (const run_folder::Column& column : parts_->visit([](auto& open) { return open.method().recorder().row().columns(); }))
+      parts_->columns.push_back({column.name, column.unit, column.meaning});
+  return parts_->columns;
+}
+
+const std::vector<double>& Run::row() const
+{
+  return *parts_->visit([](auto& open) { return &open.method().recorder().row().values(); });
+}
+
+int Run::dimension() const
+{
+  return parts_->visit([](auto& open) { return std::decay_t<decltype(open.method())>::dim; });
+}
+
+std::vector<std::string> Run::bodies() const
+{
+  return parts_->visit([](auto& open) {
+    std::vector<std::string> names;
+    const auto& model = open.method().model();
+    for (std::size_t b = 0; b < open.method().state().particles.size(); ++b) names.push_back(model.bodies[b].name);
+    return names;
+  });
+}
+
+std::vector<ParticleField> Run::particles(const std::string& body) const
+{
+  const std::vector<std::string> names = bodies();
+  const auto found = std::find(names.begin(), names.end(), body);
+  if (found == names.end())
+    throw InputError(
+        fmt::format("there is no body \"{}\" of particles: {}", body, names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
+  const auto b = static_cast<std::size_t>(found - names.begin());
+  return parts_->visit([&](auto& open) { return views_of(open.method().state().particles[b]); });
+}
+
+std::vector<RigidBodyNow> Run::rigid_bodies() const
+{
+  return parts_->visit([](auto& open) {
+    constexpr int dim = std::decay_t<decltype(open.method())>::dim;
+    const auto& model = open.method().model();
+    const auto& states = open.method().state().rigid_bodies;
+    std::vector<RigidBodyNow> all;
+    for (std::size_t r = 0; r < states.size(); ++r) {
+      RigidBodyNow now{model.rigid_bodies[r].name, {}, {}, {}, {}};
+      const Vec<dim> centre = center_now(model.rigid_bodies[r], states[r]);
+      for (int d = 0; d < dim; ++d) {
+        now.centre[d] = centre[d];
+        now.displacement[d] = states[r].displacement[d];
+        now.velocity[d] = states[r].velocity[d];
+        now.force[d] = states[r].reaction[d];
+      }
+      all.push_back(now);
+    }
+    return all;
+  });
+}
+
+}  // namespace berm
