@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build probe test verify bench debug fuzz sanitize threads tidy clean
+.PHONY: help setup configure build probe test verify bench packages debug fuzz sanitize threads tidy clean
 
 cores := $(shell env -u OMP_NUM_THREADS nproc)
 release := build/release
@@ -53,6 +53,11 @@ bench: build ## how fast a step is, and its single kernels: some minutes on a ma
 	@$(release)/berm bench
 	@ninja -C $(release) bench_kernels | $(only_news)
 	@$(release)/tests/kernels/bench_kernels
+
+packages: configure ## Debian packages in build/release/packages, tried on a bare Debian that is made for it: needs root and mmdebstrap
+	@ninja -C $(release) berm berm_library | $(only_news)
+	@cd $(release) && cpack >packages.log 2>&1 || { cat packages.log; exit 1; }
+	@tests/installed/clean_root $(release)/packages
 
 # Short and on coarse cells; the report of the paper's test reads what it makes. A struct of one name and two contents does not link.
 coarse = --set 'mesh.near_size="4 mm"' --set 'stage.geostatic.until.time="1 ms"' --set 'stage.push.until.embedment="0.2 mm"' --set 'stage.drag.until.displacement="0.2 mm"'

@@ -10,6 +10,7 @@
 #                            OFFERED: a shared library for programs of users, which see what its headers in include/ declare and nothing else
 #   berm_engine()            links all ENGINE rooms into libberm_engine.so, once for every vector unit
 #   berm_compile_for(UNIT TARGET)       compiles a target for a vector unit
+#   berm_folder_of(UNIT LIBRARIES VARIABLE)   the folder where the loader looks for the version for a vector unit, in one where it looks for libraries
 #   berm_place_for(UNIT TARGET NAME)    puts a shared library where the loader finds the version for the processor that it runs on
 
 set(BERM_UNITS baseline)
@@ -27,11 +28,15 @@ function(berm_compile_for unit target)
   endif()
 endfunction()
 
-function(berm_place_for unit target name)
-  set(place ${CMAKE_BINARY_DIR}/lib)
+function(berm_folder_of unit libraries folder)
   if(NOT unit STREQUAL "baseline")
-    set(place ${place}/glibc-hwcaps/${unit})
+    string(APPEND libraries /glibc-hwcaps/${unit})
   endif()
+  set(${folder} ${libraries} PARENT_SCOPE)
+endfunction()
+
+function(berm_place_for unit target name)
+  berm_folder_of(${unit} ${CMAKE_BINARY_DIR}/lib place)
   target_link_options(${target} PRIVATE -Wl,-Bsymbolic-functions)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} LIBRARY_OUTPUT_DIRECTORY ${place})
 endfunction()

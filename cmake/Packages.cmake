@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: BSD-3-Clause
+# Debian packages, by `cpack` in the build folder:
+#   berm           the program with its engine
+#   berm-mpi       runs on several processes of an MPI launcher
+#   libberm-dev    the library, its headers and the file for find_package
+#   python3-berm   the Python package, with the engine as a module
+#   berm-doc       examples and documentation
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME berm)
+set(CPACK_PACKAGE_VENDOR "berm developers")
+set(BERM_MAINTAINER "berm developers <developers@berm.invalid>" CACHE STRING "who answers for the Debian packages: name <address>")
+set(CPACK_PACKAGE_CONTACT ${BERM_MAINTAINER})
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "pipe-soil interaction at large deformation by the material point method")
+set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS ${CMAKE_BINARY_DIR}/lib)
+set(CPACK_DEBIAN_DEBUGINFO_PACKAGE OFF)
+
+# berm_package(COMPONENT NAME SUMMARY [field value]...)    fields as CPACK_DEBIAN_<COMPONENT>_PACKAGE_<field>
+set(CPACK_COMPONENTS_ALL)
+macro(berm_package component name summary)
+  list(APPEND CPACK_COMPONENTS_ALL ${component})
+  string(TOUPPER ${component} upper)
+  set(CPACK_DEBIAN_${upper}_PACKAGE_NAME ${name})
+  set(CPACK_DEBIAN_${upper}_DESCRIPTION "${summary}")
+  set(fields ${ARGN})
+  while(fields)
+    list(POP_FRONT fields field value)
+    set(CPACK_DEBIAN_${upper}_PACKAGE_${field} "${value}")
+  endwhile()
+  install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} RENAME copyright COMPONENT ${component})
+endmacro()
+
+set(same "(= ${PROJECT_VERSION})")
+berm_package(berm berm "pushes pipes and cables into the seabed, drags them, and computes how the soil responds"
+  DEPENDS "gmsh, gnuplot-nox | gnuplot" SUGGESTS "berm-doc, python3-berm, berm-mpi, chromium")
+if(TARGET berm_mpi)
+  berm_package(berm_mpi berm-mpi "one run of berm on several processes of an MPI launcher" DEPENDS "berm ${same}, openmpi-bin")
+endif()
+berm_package(libberm libberm-dev "the library of berm, to step cases inside other programs" DEPENDS "berm ${same}" SECTION libdevel SUGGESTS cmake CONTROL_EXTRA ${CMAKE_BINARY_DIR}/triggers)
+file(WRITE ${CMAKE_BINARY_DIR}/triggers "activate-noawait ldconfig\n")
+berm_package(doc berm-doc "examples and documentation of berm" SHLIBDEPS OFF SECTION doc ARCHITECTURE all)
+
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm COMPONENT doc)
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm COMPONENT doc)
+install(FILES ${CMAKE_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm COMPONENT doc)
+include(CPack)
