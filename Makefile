@@ -38,6 +38,8 @@ sanitized = core mesh input
 
 # Tests run side by side, so each takes one thread unless it asks for more.
 test: configure ## build and run all tests, some of them with sanitizers once more, and the probe test without optimization
+	@scripts/setup python || echo 'make test: the packages of the Python module are not installed; its tests are skipped'
+	@grep -q '^build berm_python:' $(release)/build.ninja || cmake --preset release > $(release)/configure.log
 	@PATH=$$PATH:/usr/sbin scripts/setup slurm || echo 'make test: Slurm is not installed; the test that needs it is skipped'
 	@ninja -C $(release) | $(only_news)
 	@OMP_NUM_THREADS=$${OMP_NUM_THREADS:-1} OMP_WAIT_POLICY=passive ctest --preset release --parallel $(cores) --output-log $(release)/tests.log

@@ -45,6 +45,8 @@ if(TARGET berm_mpi)
 endif()
 berm_package(libberm libberm-dev "the library of berm, to step cases inside other programs" DEPENDS "berm ${same}" SECTION libdevel SUGGESTS cmake CONTROL_EXTRA ${CMAKE_BINARY_DIR}/triggers)
 file(WRITE ${CMAKE_BINARY_DIR}/triggers "activate-noawait ldconfig\n")
+berm_package(python python3-berm "berm in Python: runs, results, and the engine as a module" DEPENDS "berm ${same}, libberm-dev ${same}, python3, python3-numpy"
+  SECTION python SUGGESTS "python3-matplotlib, python3-pandas, python3-xarray")
 berm_package(doc berm-doc "examples and documentation of berm" SHLIBDEPS OFF SECTION doc ARCHITECTURE all)
 
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/examples DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/berm COMPONENT doc)

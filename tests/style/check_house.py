@@ -251,7 +251,7 @@ def examples(tree):
     for example in sorted({path.split("/")[1] for path in tree.paths if path.startswith("examples/") and path.count("/") > 1}):
         folder = f"examples/{example}/"
         files = {path[len(folder) :] for path in tree.paths if path.startswith(folder)}
-        study = "study.toml" in files or "CMakeLists.txt" in files
+        study = "study.toml" in files or "CMakeLists.txt" in files or any(name.endswith(".ipynb") for name in files)
         for needed in ("README.md",) if study else ("README.md", "expected.toml"):
             if needed not in files:
                 yield f"{folder}: {needed} is missing"

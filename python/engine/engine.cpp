@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// berm.engine: include/berm/berm.hpp in Python. Numbers are seen where they lie; the interpreter is free for other threads while the run steps.
+#include <berm/berm.hpp>
+#include <pybind11/functional.h>
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+namespace py = pybind11;
+using namespace py::literals;
+
+namespace {
+
+/// An array on memory of the run, which lives as long as the array does; it cannot be written to.
+py::array view(const py::object& run, const berm::ParticleField& field)
+{
+  const auto size = static_cast<py::ssize_t>(field.is_integer ? sizeof(std::int32_t) : sizeof(double));
+  const py::dtype type = field.is_integer ? py::dtype::of<std::int32_t>() : py::dtype::of<double>();
+  std::vector<py::ssize_t> shape = {static_cast<py::ssize_t>(field.blocks), static_cast<py::ssize_t>(field.lanes)};
+  std::vector<py::ssize_t> strides = {static_cast<py::ssize_t>(field.block_stride), size};
+  if (field.components > 1) {
+    shape.insert(shape.begin() + 1, static_cast<py::ssize_t>(field.components));
+    strides.insert(strides.begin() + 1, static_cast<py::ssize_t>(field.component_stride));
+  }
+  py::array array(type, shape, strides, field.data, run);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+/// Numbers that a law gets, in memory of the caller: valid during the call only.
+py::array during_call(double* numbers, std::size_t count)
+{
+  return py::array(py::dtype::of<double>(), {static_cast<py::ssize_t>(count)}, {}, numbers, py::capsule(numbers, [](void*) {}));
+}
+
+/// A run with what its laws threw: the program would only say that a law failed.
+class PythonRun {
+public:
+  /// act() while other threads may use the interpreter. What a law threw goes on here.
+  template <class Act>
+  auto freely(const Act& act)
+  {
+    try {
+      const py::gil_scoped_release free;
+      return act();
+    } catch (const std::exception&) {
+      if (!thrown_) throw;
+      std::exception_ptr thrown;
+      std::swap(thrown, thrown_);
+      std::rethrow_exception(thrown);
+    }
+  }
+
+  PythonRun(const std::string& case_file, const py::dict& set, const std::string& folder, bool replace, int threads, const py::dict& laws,
+            const py::object& message, const std::string& resume)
+  {
+    berm::RunOptions options;
+    for (const auto& [key, value] : set) {
+      const py::str text = py::module_::import("berm.program").attr("toml_value")(value);
+      options.set.push_back(key.cast<std::string>() + "=" + text.cast<std::string>());
+    }
+    options.folder = folder;
+    options.replace = replace;
+    options.threads = threads;
+    for (const auto& [material, law] : laws) options.laws[material.cast<std::string>()] = law_of(py::reinterpret_borrow<py::function>(law));
+    if (!message.is_none())
+      options.message = [take = Callable(message.cast<py::function>())](const std::string& line) {
+        const py::gil_scoped_acquire held;
+        try {
+          take.function()(line);
+        } catch (py::error_already_set& error) {
+          error.discard_as_unraisable("berm.engine: message");
+        }
+      };
+    const auto made = [&] { return resume.empty() ? berm::Run(case_file, options) : berm::Run::resume(resume, options); };
+    run_ = freely([&] { return std::make_unique<berm::Run>(made()); });
+  }
+  ~PythonRun()
+  {
+    const py::gil_scoped_release free;
+    run_.reset();
+  }
+
+  berm::Run& run() { return *run_; }
+
+private:
+  /// A function of Python that is copied and dropped without the interpreter.
+  class Callable {
+  public:
+    explicit Callable(py::function function)
+        : function_(new py::function(std::move(function)), [](py::function* dropped) {
+            const py::gil_scoped_acquire held;
+            delete dropped;
+          })
+    {
+    }
+    const py::function& function() const { return *function_; }
+
+  private:
+    std::shared_ptr<py::function> function_;
+  };
+
+  std::function<int(berm_law_increment*)> law_of(py::function law)
+  {
+    return [this, law = Callable(std::move(law))](berm_law_increment* increment) -> int {
+      const py::gil_scoped_acquire held;
+      try {
+        const py::object answer =
+            law.function()(during_call(increment->stress, 6), during_call(increment->strain, 6),
+                           during_call(increment->state, static_cast<std::size_t>(increment->state_count)), increment->dt, increment->time);
+        if (answer.is_none()) return berm_law_done;
+        return answer.cast<bool>() ? berm_law_done : berm_law_smaller;
+      } catch (...) {
+        if (!thrown_) thrown_ = std::current_exception();
+        return berm_law_failed;
+      }
+    };
+  }
+
+  std::unique_ptr<berm::Run> run_;
+  std::exception_ptr thrown_;
+};
+
+/// Interrupts (Ctrl-C) are looked at between batches of steps, which take a fraction of a second.
+template <class Step>
+bool interruptible(PythonRun& self, long long count, const Step& step)
+{
+  constexpr long long batch = 64;
+  bool goes_on = true;
+  while (count > 0 && goes_on) {
+    goes_on = self.freely([&] { return step(std::min(batch, count)); });
+    count -= batch;
+    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  }
+  return goes_on && !self.run().ended();
+}
+
+bool step_to_row(PythonRun& self)
+{
+  const bool goes_on = self.freely([&] { return self.run().step_to_row(); });
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  return goes_on;
+}
+
+void finish(PythonRun& self, const py::object& on_row)
+{
+  while (step_to_row(self))
+    if (!on_row.is_none()) on_row(py::cast(&self));
+}
+
+py::dict row(PythonRun& self)
+{
+  py::dict numbers;
+  const std::vector<double>& values = self.run().row();
+  for (std::size_t k = 0; k < values.size(); ++k) numbers[py::str(self.run().columns()[k].name)] = values[k];
+  return numbers;
+}
+
+py::dict particles(const py::object& self, const std::string& body)
+{
+  py::dict fields;
+  for (const berm::ParticleField& field : self.cast<PythonRun&>().run().particles(body)) fields[py::str(field.name)] = view(self, field);
+  return fields;
+}
+
+py::array_t<double> three(const double (&numbers)[3])
+{
+  return py::array_t<double>(3, numbers);
+}
+
+}  // namespace
+
+PYBIND11_MODULE(engine, module)
+{
+  module.doc() = "Steps a case inside this process: one run at a time, on arrays that lie in the run's own memory.";
+  const py::module_ errors = py::module_::import("berm.errors");
+  static const py::object input_error = errors.attr("InputError"), run_error = errors.attr("RunError");
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const berm::InputError& error) {
+      PyErr_SetString(input_error.ptr(), error.what());
+    } catch (const berm::RunError& error) {
+      PyErr_SetString(run_error.ptr(), error.what());
+    }
+  });
+
+  module.def("version", &berm::version, "Version of the library that is loaded.");
+
+  py::class_<berm::RigidBodyNow>(module, "RigidBody", "A rigid body at a time; vectors of three numbers, z = 0 in plane strain.")
+      .def_readonly("name", &berm::RigidBodyNow::name)
+      .def_property_readonly(
+          "centre", [](const berm::RigidBodyNow& body) { return three(body.centre); }, "m")
+      .def_property_readonly(
+          "displacement", [](const berm::RigidBodyNow& body) { return three(body.displacement); }, "since the start, m")
+      .def_property_readonly(
+          "velocity", [](const berm::RigidBodyNow& body) { return three(body.velocity); }, "m/s")
+      .def_property_readonly(
+          "force", [](const berm::RigidBodyNow& body) { return three(body.force); }, "of the soil on it in the last step, N/m, in space N");
+
+  py::class_<PythonRun>(module, "Run", "One run in the hands of its caller; a process has one at a time that has not ended.")
+      .def(
+          py::init<const std::string&, const py::dict&, const std::string&, bool, int, const py::dict&, const py::object&,
+                   const std::string&>(),
+          "case"_a = "", py::kw_only(), "set"_a = py::dict(), "folder"_a = "", "replace"_a = false, "threads"_a = 1, "laws"_a = py::dict(),
+          "message"_a = py::none(), "resume"_a = "",
+          "Reads and builds the case (or goes to the last checkpoint of the run in the folder `resume`), and finds its start.\n\n"
+          "set: changes to the case. folder: where results go as of berm run; without it nothing is kept. laws: by the name of a material "
+          "with law = \"user\", a function\n"
+          "law(stress, strain, state, dt, time) that changes stress (6 numbers, Pa, tension positive) and state in place for a strain "
+          "increment (engineering shear), and\n"
+          "returns False to ask for smaller increments. message: gets each line that berm run would print. Throws InputError and RunError.")
+      .def(
+          "step",
+          [](PythonRun& self, long long count) {
+            if (count < 0) self.run().step(count);
+            return interruptible(self, count, [&](long long part) { return self.run().step(part); });
+          },
+          "count"_a = 1, "Steps so often, or to the end of the last stage. Returns whether the run goes on.")
+      .def("step_to_row", &step_to_row, "Steps until a row is added to the history, or to the end. Returns whether the run goes on.")
+      .def("finish", &finish, "on_row"_a = py::none(), "Steps to the end; calls on_row(run) after each row.")
+      .def(
+          "stop", [](PythonRun& self) { self.freely([&] { self.run().stop(); }); },
+          "Ends the run with results and a checkpoint in its folder.")
+      .def_property_readonly("ended", [](PythonRun& self) { return self.run().ended(); })
+      .def_property_readonly("finished", [](PythonRun& self) { return self.run().finished(); })
+      .def_property_readonly("steps", [](PythonRun& self) { return self.run().steps(); })
+      .def_property_readonly(
+          "time", [](PythonRun& self) { return self.run().time(); }, "s")
+      .def_property_readonly(
+          "time_step", [](PythonRun& self) { return self.run().time_step(); }, "s")
+      .def_property_readonly("stage", [](PythonRun& self) { return self.run().stage(); })
+      .def_property_readonly("dimension", [](PythonRun& self) { return self.run().dimension(); })
+      .def_property_readonly("row", &row, "Numbers of the last row of the history by the names of its columns.")
+      .def_property_readonly("bodies", [](PythonRun& self) { return self.run().bodies(); })
+      .def_property_readonly("rigid_bodies", [](PythonRun& self) { return self.run().rigid_bodies(); })
+      .def("particles", &particles, "body"_a,
+           "Fields of a body's particles on the run's own memory, read-only: arrays of shape (blocks, lanes) or (blocks, components, "
+           "lanes). A lane holds a particle where\n"
+           "its mass is above 0; later steps change the numbers in place and may use more blocks than an array shows.");
+}

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""berm.engine steps a case inside this process."""
+
+import gc
+import threading
+from pathlib import Path
+
+import berm
+import numpy as np
+import pytest
+
+engine = pytest.importorskip("berm.engine")
+
+ELASTIC = {"material.sand.law": "user"}
+
+
+@pytest.fixture
+def own_case(case: Path, tmp_path: Path) -> Path:
+    """The case with a law of one's own in place of sand's."""
+    text = case.read_text()
+    begin = text.index("[material.sand]")
+    end = text.index("[", begin + 1)
+    material = '[material.sand]\nlaw = "user"\nlibrary = "none.so"\ndensity = "1500 kg/m^3"\nyoung_modulus = "7 MPa"\npoisson_ratio = 0.25\nstate_variables = 1\n'
+    file = tmp_path / "own.toml"
+    file.write_text(text[:begin] + material + text[end:])
+    return file
+
+
+def elastic(stress: np.ndarray, strain: np.ndarray, state: np.ndarray, dt: float, time: float) -> None:
+    shear, bulk = 7e6 / 2.5, 7e6 / 1.5
+    volume = strain[:3].sum()
+    stress[:3] += (bulk - 2 * shear / 3) * volume + 2 * shear * strain[:3]
+    stress[3:] += shear * strain[3:]
+    state[0] += 1
+
+
+def test_steps_give_the_bytes_of_the_program(case: Path, finished: berm.Run, tmp_path: Path) -> None:
+    run = engine.Run(str(case), folder=str(tmp_path / "stepped"))
+    while run.step(100):
+        pass
+    assert run.finished
+    assert (tmp_path / "stepped" / "history.csv").read_bytes() == (finished.folder / "history.csv").read_bytes()
+
+
+def test_arrays_lie_in_the_memory_of_the_run_and_follow_it(case: Path) -> None:
+    run = engine.Run(str(case))
+    before = run.particles(run.bodies[0])
+    address = before["velocity"].__array_interface__["data"][0]
+    still = before["velocity"].copy()
+    run.step(50)
+    after = run.particles(run.bodies[0])
+    assert after["velocity"].__array_interface__["data"][0] == address
+    assert not np.array_equal(before["velocity"], still), "the array from before shows the numbers of now"
+    assert not before["velocity"].flags.writeable and not before["velocity"].flags.owndata
+    alive = after["mass"] > 0
+    assert alive.sum() == len(np.unique(after["id"][alive]))
+
+
+def test_arrays_keep_their_run(case: Path) -> None:
+    run = engine.Run(str(case))
+    mass = run.particles(run.bodies[0])["mass"]
+    total = mass.sum()
+    run.stop()
+    del run
+    gc.collect()
+    assert mass.sum() == total
+
+
+def test_rows_come_as_they_are_written(case: Path, finished: berm.Run) -> None:
+    run = engine.Run(str(case))
+    times = [run.row["time_s"]]
+    run.finish(on_row=lambda now: times.append(now.row["time_s"]))
+    assert np.array_equal(times, finished.history["time_s"][: len(times)]) and len(times) >= len(finished.history) - 1
+
+
+def test_a_law_of_python_computes_the_stress(own_case: Path) -> None:
+    calls = []
+
+    def law(*arguments: object) -> None:
+        calls.append(1)
+        elastic(*arguments)  # type: ignore[arg-type]
+
+    run = engine.Run(str(own_case), laws={"sand": law}, set={"material.sand.can_yield": False})
+    at_start = len(calls)
+    run.step(3)
+    fields = run.particles(run.bodies[0])
+    alive = fields["mass"] > 0
+    assert len(calls) - at_start == 3 * alive.sum()
+    state = next(values for name, values in fields.items() if name.startswith("law_state"))
+    assert np.array_equal(np.unique(state[alive]), [3.0])
+
+
+def test_what_a_law_throws_comes_out_of_the_step(own_case: Path) -> None:
+    def law(stress: np.ndarray, strain: np.ndarray, state: np.ndarray, dt: float, time: float) -> None:
+        if time > 0:
+            raise ZeroDivisionError("of the law")
+        elastic(stress, strain, state, dt, time)
+
+    run = engine.Run(str(own_case), laws={"sand": law})
+    with pytest.raises(ZeroDivisionError, match="of the law"):
+        run.finish()
+    assert run.ended and not run.finished
+
+
+def test_errors_are_those_of_the_package(case: Path, tmp_path: Path) -> None:
+    with pytest.raises(berm.InputError, match="no_such_case"):
+        engine.Run("no_such_case.toml")
+    with pytest.raises(berm.InputError, match="friction_angel"):
+        engine.Run(str(case), set={"material.sand.friction_angel": 1})
+    run = engine.Run(str(case), folder=str(tmp_path / "run"))
+    with pytest.raises(berm.RunError, match="one run at a time"):
+        engine.Run(str(case))
+    with pytest.raises(berm.InputError, match="no body"):
+        run.particles("snad")
+    with pytest.raises(berm.InputError, match="0 or more"):
+        run.step(-1)
+    run.step(50)
+    run.stop()
+    resumed = engine.Run(resume=str(tmp_path / "run"))
+    assert resumed.steps >= 50
+    resumed.finish()
+    assert resumed.finished
+
+
+def test_other_threads_go_on_while_a_run_steps(case: Path) -> None:
+    run = engine.Run(str(case))
+    counted = 0
+    done = threading.Event()
+
+    def count() -> None:
+        nonlocal counted
+        while not done.is_set():
+            counted += 1
+            done.wait(0.0005)
+
+    beside = threading.Thread(target=count)
+    beside.start()
+    run.step(500)
+    during = counted
+    done.set()
+    beside.join()
+    assert during > 3
+
+
+def test_messages_go_to_a_function(case: Path) -> None:
+    messages: list[str] = []
+    engine.Run(str(case), message=messages.append).finish()
+    assert any("particles, 1 thread" in line for line in messages)
