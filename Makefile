@@ -57,7 +57,7 @@ bench: build ## how fast a step is, and its single kernels: some minutes on a ma
 	@$(release)/tests/kernels/bench_kernels
 
 packages: configure ## Debian packages in build/release/packages, tried on a bare Debian that is made for it: needs root and mmdebstrap
-	@ninja -C $(release) berm berm_library | $(only_news)
+	@ninja -C $(release) | $(only_news)
 	@cd $(release) && cpack >packages.log 2>&1 || { cat packages.log; exit 1; }
 	@tests/installed/clean_root $(release)/packages
 

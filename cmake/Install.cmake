@@ -21,6 +21,17 @@ endif()
 install(TARGETS berm_library LIBRARY COMPONENT libberm)
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/include/berm TYPE INCLUDE COMPONENT libberm)
 
+# Manual pages and completion, by the program itself.
+set(BERM_SHARE ${CMAKE_BINARY_DIR}/share)
+add_custom_command(OUTPUT ${BERM_SHARE}/man/man1/berm.1 DEPENDS berm VERBATIM
+  COMMAND berm man ${BERM_SHARE}/man/man1
+  COMMAND ${CMAKE_COMMAND} -E make_directory ${BERM_SHARE}/bash-completion/completions ${BERM_SHARE}/zsh/vendor-completions ${BERM_SHARE}/fish/vendor_completions.d
+  COMMAND berm completion bash > ${BERM_SHARE}/bash-completion/completions/berm
+  COMMAND berm completion zsh > ${BERM_SHARE}/zsh/vendor-completions/_berm
+  COMMAND berm completion fish > ${BERM_SHARE}/fish/vendor_completions.d/berm.fish)
+add_custom_target(berm_manual ALL DEPENDS ${BERM_SHARE}/man/man1/berm.1)
+install(DIRECTORY ${BERM_SHARE}/ DESTINATION ${CMAKE_INSTALL_DATADIR} COMPONENT berm)
+
 # find_package(berm) gives the target berm::berm.
 include(CMakePackageConfigHelpers)
 set(BERM_PACKAGE ${CMAKE_INSTALL_LIBDIR}/cmake/berm)

@@ -35,8 +35,11 @@ macro(berm_package component name summary)
     set(CPACK_DEBIAN_${upper}_PACKAGE_${field} "${value}")
   endwhile()
   install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} RENAME copyright COMPONENT ${component})
+  install(FILES ${CMAKE_BINARY_DIR}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT ${component})
 endmacro()
 
+# gzip without the time of the file, so that the same sources give the same bytes
+execute_process(COMMAND gzip -9 -n -c ${CMAKE_SOURCE_DIR}/CHANGELOG.md OUTPUT_FILE ${CMAKE_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
 set(same "(= ${PROJECT_VERSION})")
 berm_package(berm berm "pushes pipes and cables into the seabed, drags them, and computes how the soil responds"
   DEPENDS "gmsh, gnuplot-nox | gnuplot" SUGGESTS "berm-doc, python3-berm, berm-mpi, chromium")

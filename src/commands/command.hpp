@@ -25,5 +25,7 @@ Command add_element(CLI::App& program);
 Command add_verify(CLI::App& program);
 Command add_bench(CLI::App& program);
 Command add_params(CLI::App& program);
+Command add_completion(CLI::App& program);
+Command add_man(CLI::App& program);
 
 }  // namespace berm::commands

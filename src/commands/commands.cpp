@@ -7,6 +7,7 @@
 #include "core/ranks.hpp"
 #include "input/message_text.hpp"
 #include "io/atomic_file.hpp"
+#include "io/revision.hpp"
 #include "simulation/run_of_ranks.hpp"
 
 #include <algorithm>
@@ -19,8 +20,8 @@ namespace berm::commands {
 namespace {
 
 /// All commands, in the order in which --help lists them.
-constexpr Command (*all_commands[])(CLI::App&) = {add_new,   add_draw,     add_check,   add_run,    add_report, add_export,
-                                                  add_study, add_envelope, add_element, add_verify, add_params, add_bench};
+constexpr Command (*all_commands[])(CLI::App&) = {add_new,      add_draw,    add_check,  add_run,    add_report, add_export,     add_study,
+                                                  add_envelope, add_element, add_verify, add_params, add_bench,  add_completion, add_man};
 
 /// What is wrong with the command line, in one line and with the nearest word that exists.
 std::string words_of(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv)
@@ -57,7 +58,7 @@ int dispatch(int argc, char** argv)
 {
   CLI::App app("berm pushes a pipe or cable into the seabed, drags it sideways, and computes how the soil responds.", "berm");
   app.footer("A command explains itself: berm run --help. A first run: berm run examples/bar/case.toml");
-  app.set_version_flag("--version", "berm " BERM_VERSION);
+  app.set_version_flag("--version", "berm " + io::version_words());
   app.require_subcommand(1);
   std::vector<Command> commands;
   for (const auto add : all_commands) commands.push_back(add(app));

@@ -5,6 +5,7 @@
 #include "core/vector_unit.hpp"
 #include "io/atomic_file.hpp"
 #include "io/host_info.hpp"
+#include "io/revision.hpp"
 #include "io/sha256.hpp"
 
 #include <fmt/format.h>
@@ -76,7 +77,7 @@ void write(const fs::path& run_folder, const Origin& origin)
 
 RunSession this_session()
 {
-  return {io::utc_date(std::chrono::system_clock::now()), BERM_VERSION,
+  return {io::utc_date(std::chrono::system_clock::now()), io::version_words(),
           fmt::format("{}, compiler {}, vector unit {}", optimized, __VERSION__, vector_unit()), hashes_of(io::program_files("libberm"))};
 }
 

@@ -3,6 +3,7 @@
 #include "springs/design.hpp"
 
 #include "core/error.hpp"
+#include "io/revision.hpp"
 #include "structures/structures.hpp"
 #include "study/distribution.hpp"
 #include "study/sample_statistics.hpp"
@@ -100,7 +101,7 @@ Springs at(Real Estimate::*which, Springs like, const std::vector<Estimate>& est
 
 std::vector<std::string> provenance_of(const record::RunRecord& run)
 {
-  std::vector<std::string> lines = {fmt::format("written by berm {}", BERM_VERSION)};
+  std::vector<std::string> lines = {fmt::format("written by berm {}", io::version_words())};
   if (!run.settings.title.empty()) lines.push_back(run.settings.title);
   if (run.origin)
     for (const auto& [file, hash] : run.origin->input)

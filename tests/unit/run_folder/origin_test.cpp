@@ -2,6 +2,7 @@
 #include "run_folder/origin.hpp"
 
 #include "core/error.hpp"
+#include "io/revision.hpp"
 #include "io/sha256.hpp"
 #include "samples/temporary_folder.hpp"
 
@@ -26,7 +27,7 @@ TEST(origin, holds_the_digests_of_the_input_that_is_there_and_the_program)
   ASSERT_EQ(origin->sessions.size(), 1u);
   const RunSession& session = origin->sessions.front();
   EXPECT_TRUE(std::regex_match(session.begun, std::regex(R"(\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ)"))) << session.begun;
-  EXPECT_EQ(session.version, BERM_VERSION);
+  EXPECT_EQ(session.version, io::version_words());
   EXPECT_NE(session.build.find("vector unit"), std::string::npos);
   ASSERT_GE(session.program.size(), 2u) << "the program and its engine";
   EXPECT_EQ(session.program[0], (std::pair<std::string, std::string>("test_run_folder", io::sha256_of_file("/proc/self/exe"))));
