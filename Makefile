@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build probe test verify bench packages debug fuzz sanitize threads tidy clean
+.PHONY: help setup configure build probe test verify bench packages site debug fuzz sanitize threads tidy clean
 
 cores := $(shell env -u OMP_NUM_THREADS nproc)
 release := build/release
@@ -60,6 +60,10 @@ packages: configure ## Debian packages in build/release/packages, tried on a bar
 	@ninja -C $(release) | $(only_news)
 	@cd $(release) && cpack >packages.log 2>&1 || { cat packages.log; exit 1; }
 	@tests/installed/clean_root $(release)/packages
+
+site: ## the documentation as a site that needs no network: build/site/index.html
+	@scripts/setup site
+	@/usr/bin/python3 docs/site/make
 
 # Short and on coarse cells; the report of the paper's test reads what it makes. A struct of one name and two contents does not link.
 coarse = --set 'mesh.near_size="4 mm"' --set 'stage.geostatic.until.time="1 ms"' --set 'stage.push.until.embedment="0.2 mm"' --set 'stage.drag.until.displacement="0.2 mm"'

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""berm in Python: start runs, read what they leave, draw it.
+"""berm in Python: start runs, read what they leave, draw it::
 
     import berm
     run = berm.run("my_case.toml", "out/my_case", set={"material.clay.cohesion": "5 kPa"})
