@@ -40,11 +40,27 @@ Formula n_gamma(Real friction_angle, Base base)
   return formula(at_30 * std::pow(at_35 / at_30, part), source, within(friction_angle, 30 * degree, 35 * degree));
 }
 
+namespace {
+
+constexpr const char* code_range = "15 <= phi <= 50 deg";
+
+bool is_of_codes(Real friction_angle)
+{
+  return within(friction_angle, 15 * degree, 50 * degree);
+}
+
+}  // namespace
+
 Formula n_gamma_hansen(Real friction_angle)
 {
-  constexpr Source source{Label::recalled, "Brinch Hansen 1970", "15 <= phi <= 50 deg"};
-  const Real value = 1.5 * std::expm1(log_n_q(friction_angle)) * std::tan(friction_angle);
-  return formula(value, source, within(friction_angle, 15 * degree, 50 * degree));
+  constexpr Source source{Label::fit, "Brinch Hansen 1970", code_range};
+  return formula(1.5 * std::expm1(log_n_q(friction_angle)) * std::tan(friction_angle), source, is_of_codes(friction_angle));
+}
+
+Formula n_gamma_vesic(Real friction_angle)
+{
+  constexpr Source source{Label::fit, "Vesic 1973", code_range};
+  return formula(2 * (std::exp(log_n_q(friction_angle)) + 1) * std::tan(friction_angle), source, is_of_codes(friction_angle));
 }
 
 }  // namespace berm::formulas

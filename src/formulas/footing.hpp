@@ -18,8 +18,10 @@ enum class Base : std::uint8_t { smooth, rough };
 /// between and beyond ln N_gamma is linear in phi. Friction angle in rad. [exact at the entries: characteristics]
 Formula n_gamma(Real friction_angle, Base base);
 
-/// The same factor as in design codes, N_gamma = 1.5 (N_q - 1) tan phi. Friction angle in rad. [recalled: Brinch Hansen
-/// 1970]
+/// The same factor as in design codes, N_gamma = 1.5 (N_q - 1) tan phi. Friction angle in rad. [fit: Brinch Hansen 1970]
 Formula n_gamma_hansen(Real friction_angle);
+
+/// The same by N_gamma = 2 (N_q + 1) tan phi, which is larger. Friction angle in rad. [fit: Vesic 1973]
+Formula n_gamma_vesic(Real friction_angle);
 
 }  // namespace berm::formulas

@@ -3,13 +3,15 @@
 
 #include "core/types.hpp"
 
+#include <string>
+
 namespace berm::formulas {
 
 /// Reliability of a formula.
 enum class Label : std::uint8_t {
   exact,    ///< closed form, or computed to convergence
-  fit,      ///< published fit, as design codes and programs use it
-  recalled  ///< quoted from memory: to be compared with its source before it is relied on
+  fit,      ///< published fit, as design codes and programs use it: a public source states it (docs/formulas.md says which)
+  recalled  ///< quoted from memory: to be compared with its source before it is relied on, and not shown to clients
 };
 
 inline const char* word_of(Label label)
@@ -20,9 +22,16 @@ inline const char* word_of(Label label)
 /// Source of a formula.
 struct Source {
   Label label;
-  const char* work;   ///< who published it, and what
-  const char* range;  ///< arguments for which it holds
+  const char* work;         ///< who published it, and what: year or edition
+  const char* range;        ///< arguments for which it holds
+  const char* clause = "";  ///< of the work: section, equation, table or figure; "" where no public source states it
 };
+
+/// Work and clause as they are quoted.
+inline std::string citation(const Source& source)
+{
+  return *source.clause == '\0' ? source.work : std::string(source.work) + ", " + source.clause;
+}
 
 /// Value of a formula in SI units, NaN where the formula has no meaning.
 struct Formula {
@@ -31,9 +40,19 @@ struct Formula {
   bool valid;  ///< the arguments are in the range and the value is a number
 };
 
+/// Low, best and high estimate of design codes: LE, BE and HE.
+struct Estimates {
+  Formula low, best, high;
+};
+
 inline Formula formula(Real value, const Source& source, bool in_range)
 {
   return {value, source, in_range && std::isfinite(value)};
+}
+
+inline Estimates estimates(Real low, Real best, Real high, const Source& source, bool in_range)
+{
+  return {formula(low, source, in_range), formula(best, source, in_range), formula(high, source, in_range)};
 }
 
 /// Whether low <= x <= high, but for round-off (1e-9).

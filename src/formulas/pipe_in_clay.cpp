@@ -83,8 +83,9 @@ Formula clay_vertical_with_heave(const PipeInClay& pipe)
 
 Formula clay_deep(const PipeInClay& pipe)
 {
-  constexpr Source source{Label::recalled, "Randolph and Houlsby 1984",
-                          "uniform s_u, so deep that the soil flows around the pipe: w > D at least"};
+  const bool ends = pipe.roughness == 0 || pipe.roughness == 1;
+  const Source source{ends ? Label::exact : Label::recalled, "Randolph and Houlsby 1984",
+                      "uniform s_u, so deep that the soil flows around the pipe: w > D at least"};
   const Real d = std::asin(pipe.roughness), half = (pi / 2 - d) / 2;
   const Real factor = pi + 2 * d + 4 * std::cos(half) * (std::sqrt(2.) + std::sin(half));
   const bool in_range = pipe.diameter > 0 && pipe.strength >= 0 && pipe.strength_gradient == 0 && pipe.embedment > pipe.diameter;

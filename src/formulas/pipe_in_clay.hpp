@@ -40,7 +40,8 @@ Real clay_envelope_apex(const PipeInClay& pipe);
 Formula clay_vertical_with_heave(const PipeInClay& pipe);
 
 /// The resistance of a deeply buried pipe in any direction across it, N/m: with sin d = r,
-/// P = D s_u [pi + 2 d + 4 cos((pi/2 - d)/2) (sqrt 2 + sin((pi/2 - d)/2))]; 9.14 smooth, 11.94 rough. [recalled: Randolph and Houlsby 1984]
+/// P = D s_u [pi + 2 d + 4 cos((pi/2 - d)/2) (sqrt 2 + sin((pi/2 - d)/2))]; 6 + pi = 9.14 smooth, 4 sqrt 2 + 2 pi = 11.94 rough.
+/// [exact: smooth and rough, Randolph and Houlsby 1984; recalled between]
 Formula clay_deep(const PipeInClay& pipe);
 
 /// Bounds of V/(D s_u) at w = D/2.

@@ -46,16 +46,8 @@ Formula sand_vertical(const PipeInSand& pipe)
 
 Formula sand_embedment(const PipeInSand& pipe, Real V)
 {
-  constexpr Source source{Label::fit, "Verley and Sotberg 1994", "V >= 0; a limit is not given"};
+  constexpr Source source{Label::fit, "Verley and Sotberg 1994", "V >= 0; a limit is not given", "also DNV-RP-F109"};
   return formula(0.037 * pipe.diameter * std::pow(V / weight_of(pipe), 2. / 3), source, is_pipe(pipe) && V >= 0);
-}
-
-Formula f109_lateral(const PipeInSand& pipe, Real V)
-{
-  constexpr Source source{Label::recalled, "DNV-RP-F109", "w >= 0, V >= 0; a limit is not given"};
-  const Real k = weight_of(pipe) / V;
-  const Real passive = weight_of(pipe) * (k <= 26.7 ? 5 - 0.15 * k : 1) * std::pow(pipe.embedment / pipe.diameter, 1.25);
-  return formula(0.6 * V + passive, source, is_pipe(pipe) && pipe.embedment >= 0 && V >= 0);
 }
 
 Formula zhang_envelope(const YieldSurface& surface, Real V, Real V_max)

@@ -22,12 +22,8 @@ struct PipeInSand {
 Formula sand_vertical(const PipeInSand& pipe);
 
 /// The embedment under a vertical load V (N/m), m: w = 0.037 D (V/(gamma' D^2))^(2/3); the pipe's own embedment is not used.
-/// [fit: Verley and Sotberg 1994]
+/// [fit: Verley and Sotberg 1994, DNV-RP-F109]
 Formula sand_embedment(const PipeInSand& pipe, Real V);
-
-/// The largest horizontal resistance under a vertical load V, N/m, against the motion: with k = gamma' D^2/V
-/// H = 0.6 V + F, F = V (5 k - 0.15 k^2) (w/D)^1.25 for k <= 26.7, else F = V k (w/D)^1.25. [recalled: DNV-RP-F109]
-Formula f109_lateral(const PipeInSand& pipe, Real V);
 
 /// The yield surface H = mu (V/V_max + beta) (V_max - V).
 struct YieldSurface {

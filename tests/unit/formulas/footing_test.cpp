@@ -62,7 +62,7 @@ TEST(Footing, values_out_of_range_are_told)
 TEST(Footing, a_source_says_how_far_to_trust_it)
 {
   EXPECT_STREQ(word_of(n_q(0.5).source.label), "exact");
-  EXPECT_STREQ(word_of(n_gamma_hansen(0.5).source.label), "recalled");
+  EXPECT_STREQ(word_of(n_gamma_hansen(0.5).source.label), "fit");
   EXPECT_STREQ(word_of(Label::fit), "fit");
 }
 

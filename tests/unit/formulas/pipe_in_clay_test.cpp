@@ -89,6 +89,10 @@ TEST(PipeInClay, soil_flows_around_a_deep_pipe_at_the_tabulated_load)
 {
   EXPECT_NEAR(clay_deep(pipe_at(5)).value / D_su, 9.14, 0.005);
   EXPECT_NEAR(clay_deep(pipe_at(5, 1)).value / D_su, 11.94, 0.005);
+  EXPECT_NEAR(clay_deep(pipe_at(5)).value / D_su, 6 + pi, 1e-12);
+  EXPECT_NEAR(clay_deep(pipe_at(5, 1)).value / D_su, 4 * std::sqrt(2.) + 2 * pi, 1e-12);
+  EXPECT_EQ(clay_deep(pipe_at(5, 1)).source.label, Label::exact);
+  EXPECT_EQ(clay_deep(pipe_at(5, 0.5)).source.label, Label::recalled);
   EXPECT_TRUE(clay_deep(pipe_at(5)).valid);
   EXPECT_FALSE(clay_deep(pipe_at(0.5)).valid);
 }

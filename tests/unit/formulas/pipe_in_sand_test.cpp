@@ -62,23 +62,6 @@ TEST(PipeInSand, embedment_grows_with_the_load_to_the_power_two_thirds)
   EXPECT_FALSE(sand_embedment(pipe_at(0), -1).valid);
 }
 
-TEST(PipeInSand, a_light_pipe_has_less_passive_resistance_for_its_weight)
-{
-  const Real deep = std::pow(0.2, 1.25);
-  EXPECT_NEAR(f109_lateral(pipe_at(0.2), weight / 10).value, weight / 10 * (0.6 + (50 - 15) * deep), 1e-10);
-  EXPECT_NEAR(f109_lateral(pipe_at(0.2), weight / 27).value, weight / 27 * (0.6 + 27 * deep), 1e-10);
-  EXPECT_NEAR(f109_lateral(pipe_at(0.2), 0).value, weight * deep, 1e-10);
-  EXPECT_DOUBLE_EQ(f109_lateral(pipe_at(0), 100).value, 60);
-  EXPECT_FALSE(f109_lateral(pipe_at(0.2), -1).valid);
-  EXPECT_TRUE(std::isnan(f109_lateral(pipe_at(-0.2), 100).value));
-}
-
-TEST(PipeInSand, the_two_branches_of_passive_resistance_meet)
-{
-  const Real heavy = f109_lateral(pipe_at(0.2), weight / 26.699).value, light = f109_lateral(pipe_at(0.2), weight / 26.701).value;
-  EXPECT_NEAR(heavy / light, 1, 0.005);  // 5 - 0.15 x 26.7 = 0.995
-}
-
 TEST(YieldSurface, has_its_apex_where_the_formula_says)
 {
   for (const YieldSurface surface : {YieldSurface{0.4, 0.1}, YieldSurface{0.7, 0.}, YieldSurface{0.3, -0.05}}) {
