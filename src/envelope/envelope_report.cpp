@@ -54,8 +54,8 @@ std::string summary_json(const problem::Case& c, const std::vector<EnvelopeRow>&
   Json all = {{"quantities", quantities}, {"published", Json::object()}};
   for (const base::PublishedNumber& known : published.numbers) {
     const formulas::Source& source = known.formula.source;
-    all["published"][known.name] = {{"value", known.formula.value},   {"unit", known.name.starts_with("zhang") ? "1" : "N/m"},
-                                    {"label", word_of(source.label)}, {"source", source.work},
+    all["published"][known.name] = {{"value", known.formula.value},   {"unit", known.name.starts_with("parabola") ? "1" : "N/m"},
+                                    {"label", word_of(source.label)}, {"source", citation(source)},
                                     {"range", source.range},          {"in_range", known.formula.valid}};
   }
   Json states = Json::object();
@@ -134,9 +134,9 @@ std::string envelope_words(const problem::Case& c, const std::vector<EnvelopeRow
                                               : "";
   text += fmt::format("Vmax {:.5g} N/m, Hmax {:.5g} N/m{}\n", extremes.V_max, extremes.H_max, unit);
   for (const base::PublishedNumber& known : published.numbers)
-    text +=
-        fmt::format("published: {} = {:.5g} [{}: {}{}]\n", known.name, known.formula.value, word_of(known.formula.source.label),
-                    known.formula.source.work, known.formula.valid ? "" : fmt::format("; out of range: {}", known.formula.source.range));
+    text += fmt::format("published: {} = {:.5g} [{}: {}{}]\n", known.name, known.formula.value, word_of(known.formula.source.label),
+                        citation(known.formula.source),
+                        known.formula.valid ? "" : fmt::format("; out of range: {}", known.formula.source.range));
   if (!published.remark.empty()) text += published.remark + "\n";
   return text;
 }

@@ -9,7 +9,7 @@
 namespace berm::formulas {
 
 /// The largest horizontal resistance in sand under a vertical load V, N/m, against the motion: with k = gamma' D^2/V
-/// H = 0.6 V + V (5 k - 0.15 k^2) (w/D)^1.25 for k <= 20, else 0.6 V + V 2 k (w/D)^1.25. [fit: DNV-RP-F109; Verley and Sotberg 1994]
+/// H = 0.6 V + V (5 k - 0.15 k^2) (w/D)^1.25 for k <= 20, else 0.6 V + V 2 k (w/D)^1.25. [fit: DNV-RP-F109]
 Formula f109_sand_lateral(const PipeInSand& pipe, Real V);
 
 /// The same in clay: H = 0.2 V + 4.1 D s_u G^-0.39 (w/D)^1.31, G = s_u/(gamma' D). [recalled: DNV-RP-F109; Verley and Lund 1995]

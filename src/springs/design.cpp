@@ -46,6 +46,10 @@ void for_each_number(S& springs, const Visit& visit)
   visit("axial", "wedging", Kind::ratio, "normal force around the contact over V", springs.axial.wedging);
   visit("axial", "drained", Kind::force, "drained resistance under the V of the first drag", springs.axial.drained);
   visit("axial", "undrained", Kind::force, "undrained resistance", springs.axial.undrained);
+  const std::string from = " estimate of the displacement at axial breakout: " + axial_breakout_source();
+  visit("axial", "breakout_LE", Kind::displacement, "low" + from, springs.axial.breakout_low);
+  visit("axial", "breakout", Kind::displacement, "best" + from, springs.axial.breakout);
+  visit("axial", "breakout_HE", Kind::displacement, "high" + from, springs.axial.breakout_high);
 }
 
 using Key = std::pair<std::string, std::string>;
@@ -54,7 +58,7 @@ std::map<Key, std::vector<Real>> numbers_of(const std::vector<Springs>& draws)
 {
   std::map<Key, std::vector<Real>> all;
   for (const Springs& springs : draws)
-    for_each_number(springs, [&](const std::string& spring, const std::string& name, Kind, const char*, Real number) {
+    for_each_number(springs, [&](const std::string& spring, const std::string& name, Kind, const std::string&, Real number) {
       if (!std::isnan(number)) all[{spring, name}].push_back(number);
     });
   return all;
@@ -64,7 +68,7 @@ std::vector<Estimate> estimates_of(const Springs& best, const std::vector<Spring
 {
   const std::map<Key, std::vector<Real>> numbers = numbers_of(draws);
   std::vector<Estimate> estimates;
-  for_each_number(best, [&](const std::string& spring, const std::string& name, Kind kind, const char* meaning, Real number) {
+  for_each_number(best, [&](const std::string& spring, const std::string& name, Kind kind, const std::string& meaning, Real number) {
     Estimate e{.spring = spring, .name = name, .kind = kind, .meaning = meaning, .best = number, .fit = {}};
     if (const auto found = numbers.find({spring, name}); found != numbers.end()) {
       const std::vector<Real>& values = found->second;
@@ -84,7 +88,7 @@ Springs at(Real Estimate::*which, Springs like, const std::vector<Estimate>& est
 {
   std::map<Key, const Estimate*> by_key;
   for (const Estimate& e : estimates) by_key[{e.spring, e.name}] = &e;
-  for_each_number(like, [&](const std::string& spring, const std::string& name, Kind kind, const char*, Real& number) {
+  for_each_number(like, [&](const std::string& spring, const std::string& name, Kind kind, const std::string&, Real& number) {
     const auto found = by_key.find({spring, name});
     if (found == by_key.end()) return;
     // V stays, too: with it the friction of low and high would be a quotient of quantiles.

@@ -45,12 +45,12 @@ Points both_ways(const Points& spring)
   return points;
 }
 
-/// Where the axial resistance is mobilised: 0.01 D, the best estimate of DNV-RP-F114 for the breakout of drained soil, at most 5 mm.
+/// From the displacement of breakout on the axial resistance stays.
 Points axial_spring(const Springs& s)
 {
-  const Real F = std::isnan(s.axial.undrained) ? s.axial.drained : s.axial.undrained, x = std::min<Real>(0.005, 0.01 * s.diameter);
+  const Real F = std::isnan(s.axial.undrained) ? s.axial.drained : s.axial.undrained;
   if (!(F > 0)) return {};
-  return {{0, 0}, {x, F}, {s.diameter, F}};
+  return {{0, 0}, {s.axial.breakout, F}, {s.diameter, F}};
 }
 
 /// V over the embedment from the surface on.

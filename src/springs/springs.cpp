@@ -28,14 +28,6 @@ Real first_at(const Points& curve, Real F)
   return nan;
 }
 
-/// Where a curve, from x on, first is as near to its residual value as it must stay to be called so.
-Real settles_at(const Points& curve, Real from, Real residual)
-{
-  for (const Point& point : curve)
-    if (point.x >= from && std::abs(point.F - residual) <= pipe::max_residual_change * std::abs(residual)) return point.x;
-  return nan;
-}
-
 Lateral lateral_of(const pipe::DragPath& drag, const pipe::DragResults& results, const pipe::BodyScale& scale)
 {
   const TravelCurve H(drag.travel, drag.H);
@@ -53,7 +45,7 @@ Lateral lateral_of(const pipe::DragPath& drag, const pipe::DragResults& results,
   for (std::size_t k = 0; k < mobilised_parts.size(); ++k)
     lateral.mobilised[k] = first_at(lateral.curve, mobilised_parts[k] * lateral.peak);
   lateral.residual = resistance.residual.value_or(nan);
-  if (lateral.breaks) lateral.u_residual = settles_at(lateral.curve, lateral.u_peak, lateral.residual);
+  lateral.u_residual = resistance.residual_from.value_or(nan);
   return lateral;
 }
 
@@ -75,6 +67,7 @@ Axial axial_of(const pipe::PipeRun& run, Real w, Real V)
   if (contact->friction_angle > 0) axial.drained = formulas::axial_drained(D, w, contact->friction_angle, V).value;
   const Real adhesion = contact->adhesion > 0 ? contact->adhesion : contact->adhesion_factor * run.scale.strength;
   if (adhesion > 0) axial.undrained = formulas::axial_undrained(D, w, adhesion).value;
+  axial.mobilise(D);
   return axial;
 }
 
@@ -86,6 +79,7 @@ void carry_to_prototype(Springs& s, Real scale)
   };
   s.scale = scale;
   for (Real* number : {&s.diameter, &s.embedment, &s.weight, &s.strength, &s.axial.drained, &s.axial.undrained}) *number *= scale;
+  s.axial.mobilise(s.diameter);  // its millimetres are those of the prototype
   for (Lateral& l : s.lateral) {
     for (Real* number : {&l.V, &l.peak, &l.u_peak, &l.residual, &l.end, &l.u_residual, &l.travel}) *number *= scale;
     for (Real& u : l.mobilised) u *= scale;
@@ -97,6 +91,18 @@ void carry_to_prototype(Springs& s, Real scale)
 }
 
 }  // namespace
+
+void Axial::mobilise(Real diameter)
+{
+  if (std::isnan(drained) && std::isnan(undrained)) return;
+  const formulas::Estimates u = formulas::f114_axial_breakout_displacement(diameter);
+  breakout_low = u.low.value, breakout = u.best.value, breakout_high = u.high.value;
+}
+
+std::string axial_breakout_source()
+{
+  return formulas::citation(formulas::f114_axial_breakout_displacement(1).best.source);
+}
 
 Points Lateral::spring() const
 {

@@ -55,7 +55,15 @@ struct Axial {
   Real wedging = nan;    ///< pressure around the contact over V (formulas/axial.hpp)
   Real drained = nan;    ///< N/m, at V of the first drag, with the friction of the interface
   Real undrained = nan;  ///< N/m, with its adhesion over the length of the contact
+  Real breakout_low = nan, breakout = nan,
+       breakout_high = nan;  ///< m, displacement at which it is mobilised: estimates of a formula; NaN without resistance
+
+  /// Takes these displacements for a pipe of this diameter, m.
+  void mobilise(Real diameter);
 };
+
+/// The work and clause that they are from.
+std::string axial_breakout_source();
 
 /// What the bed does to the pipe of a run, in the size of the prototype where the run is a centrifuge's.
 struct Springs {

@@ -121,7 +121,10 @@ Json json_of(const Springs& s)
   return {{"lateral", lateral},
           {"vertical", {{"curve", json_of(s.vertical.curve)}, {"unloading", unloading}}},
           {"axial",
-           {{"wedging", number(s.axial.wedging)}, {"drained_N_m", number(s.axial.drained)}, {"undrained_N_m", number(s.axial.undrained)}}}};
+           {{"wedging", number(s.axial.wedging)},
+            {"drained_N_m", number(s.axial.drained)},
+            {"undrained_N_m", number(s.axial.undrained)},
+            {"breakout_m", number(s.axial.breakout)}}}};
 }
 
 }  // namespace

@@ -140,7 +140,8 @@ std::string origin_section(const Runs& runs)
     html += "<h3>Codes and papers</h3>\n" +
             text::html_paragraph(
                 "The source of each formula stands beside its value. berm has the formulas of design codes as public programs implement "
-                "them: they were not compared with the text of the code, and its edition is not recorded. They do not replace a check "
+                "them, with the editions and clauses that these programs name: they were not compared with the text of the code. They do "
+                "not replace a check "
                 "against the edition that governs the project.");
   return text::html_section("record", "Record", html);
 }

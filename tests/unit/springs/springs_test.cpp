@@ -80,6 +80,11 @@ TEST(Springs, of_a_centrifuge_are_those_of_its_prototype)
   EXPECT_NEAR(prototype.lateral[0].u_peak, 50 * model.lateral[0].u_peak, 1e-12);
   EXPECT_NEAR(prototype.vertical.curve.back().F, 50 * model.vertical.curve.back().F, 1e-9);
   EXPECT_NEAR(prototype.axial.drained, 50 * model.axial.drained, 1e-9);
+  // 0.01 D of 20 mm, but 5 mm of 1 m.
+  EXPECT_NEAR(model.axial.breakout, 0.2e-3, 1e-12);
+  EXPECT_NEAR(prototype.axial.breakout, 5e-3, 1e-12) << "the formula's millimetres are those of the prototype";
+  EXPECT_NEAR(prototype.axial.breakout_low, 1.25e-3, 1e-12);
+  EXPECT_NEAR(prototype.axial.breakout_high, 50e-3, 1e-12);
 }
 
 TEST(Springs, of_a_pipe_in_the_bed_from_the_start_have_the_stiffness_of_its_push_and_no_penetration)
@@ -107,6 +112,9 @@ TEST(Springs, along_the_axis_are_those_of_the_interface)
   EXPECT_TRUE(std::isnan(s.axial.drained));
   const Real b = std::acos(1 - 2 * 0.1);
   EXPECT_NEAR(s.axial.undrained, 0.3 * 1000 * 0.02 * b, 1e-9);
+  EXPECT_EQ(axial_breakout_source(), "DNVGL-RP-F114, table 4-2");
+  clay.contact.adhesion_factor = 0;
+  EXPECT_TRUE(std::isnan(springs_of(clay.record()).axial.breakout)) << "smooth: nothing is mobilised";
 }
 
 TEST(Springs, are_refused_of_a_finished_run_whose_history_has_lost_its_drag)

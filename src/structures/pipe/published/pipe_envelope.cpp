@@ -3,7 +3,7 @@
 #include "structures/pipe/published/pipe_envelope.hpp"
 
 #include "core/error.hpp"
-#include "formulas/design_code.hpp"
+#include "formulas/f114_vertical.hpp"
 #include "formulas/pipe_in_clay.hpp"
 #include "formulas/pipe_in_sand.hpp"
 #include "mesh/seabed.hpp"
@@ -95,13 +95,6 @@ PublishedEnvelope for_clay(const PipeInSoil& soil)
     published.numbers.push_back({"V_max_slip_lines", with_buoyancy(smooth)});
     published.curves.push_back({titled("Vmax, slip lines", smooth), {smooth.value + buoyancy}, {0}});
   }
-  const bool ends = pipe.roughness == 0 || pipe.roughness == 1;
-  if (soil.level && ends && formulas::within(pipe.embedment / pipe.diameter, 0.5, 0.5)) {
-    const formulas::MurffBounds& bounds = pipe.roughness == 0 ? formulas::murff_smooth : formulas::murff_rough;
-    published.curves.push_back({fmt::format("Vmax, {} [{}]", formulas::murff_source.work, formulas::word_of(formulas::murff_source.label)),
-                                {bounds.lower * published.unit + buoyancy, bounds.upper * published.unit + buoyancy},
-                                {0, 0}});
-  }
   return published;
 }
 
@@ -127,10 +120,13 @@ PublishedEnvelope for_sand(const PipeInSoil& soil, const base::EnvelopeEnds& end
     if (ends.V[k] >= 0 && ends.V[k] < ends.V_max && ends.H[k] > 0) V.push_back(ends.V[k]), H.push_back(ends.H[k]);
   const formulas::YieldSurface surface = formulas::fit_zhang(V, H, ends.V_max);
   if (!std::isfinite(surface.mu) || !std::isfinite(surface.beta)) return published;
-  const formulas::Formula any = soil.on_this_ground(zhang_envelope(surface, 0, ends.V_max));
-  published.numbers.push_back({"zhang_mu", formula(surface.mu, any.source, any.valid)});
-  published.numbers.push_back({"zhang_beta", formula(surface.beta, any.source, any.valid)});
-  PublishedCurve curve{titled(fmt::format("Zhang's surface fitted, mu = {:.3f}, beta = {:.3f}", surface.mu, surface.beta), any), {}, {}};
+  // Two parameters through the run's own points: whoever first wrote the parabola, nothing is quoted here.
+  constexpr formulas::Source fitted{formulas::Label::fit, "parabola through the ends of the probes, by least squares", "0 <= V <= V_max"};
+  const formulas::Formula any = soil.on_this_ground(formulas::formula(surface.mu, fitted, true));
+  published.numbers.push_back({"parabola_mu", formula(surface.mu, any.source, any.valid)});
+  published.numbers.push_back({"parabola_beta", formula(surface.beta, any.source, any.valid)});
+  PublishedCurve curve{
+      titled(fmt::format("H = mu (V/Vmax + beta)(Vmax - V) fitted, mu = {:.3f}, beta = {:.3f}", surface.mu, surface.beta), any), {}, {}};
   for (int k = 0; k <= curve_points; ++k) {
     const Real at = ends.V_max * k / curve_points;
     curve.V.push_back(at);

@@ -10,8 +10,8 @@ namespace berm::pipe {
 base::EmbeddedBody embedded_pipe(const problem::Case& c);
 
 /// For clay (Mohr-Coulomb without friction) the fits for a pipe wished in place, the buoyancy gamma' A of the clay that it takes the place of added
-/// to V; at w = D/2 also the bounds of Murff and others. For sand (without cohesion) the tabulated V_max, and Zhang's surface fitted to the probes'
-/// ends with their own V_max.
+/// to V. For sand (without cohesion) the tabulated V_max, and a parabola (YieldSurface) fitted to the probes' ends with their own V_max. Formulas
+/// that are only recalled are not among them.
 base::PublishedEnvelope pipe_envelope(const problem::Case& c, const base::EnvelopeEnds& ends);
 
 }  // namespace berm::pipe

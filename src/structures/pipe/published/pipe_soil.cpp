@@ -83,8 +83,13 @@ PipeSoil pipe_soil(const record::RunRecord& run)
   if (law->friction_angle == 0 && cohesive) {
     const bool slips = !sticks && contact.friction_angle == 0;
     const Real adhesion = sticks ? infinity : slips ? contact.adhesion : nan;
-    return ClayAround{
-        circle->diameter, unit_weight, soil, adhesion, base::soil_depth(c, run.ground, 0), slips ? contact.adhesion_factor : 0};
+    return ClayAround{circle->diameter,
+                      unit_weight,
+                      soil,
+                      adhesion,
+                      base::soil_depth(c, run.ground, 0),
+                      slips ? contact.adhesion_factor : 0,
+                      sticks || contact.tension > 0};
   }
   return NoFormula{"No formula is known for this soil: it is neither clay (φ = 0) nor sand (c under 0.1 γ' D) with weight."};
 }

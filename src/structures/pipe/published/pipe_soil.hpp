@@ -29,6 +29,7 @@ struct ClayAround {
   Real adhesion;             ///< Pa, infinite where the pipe sticks, NaN where the interface has friction
   Real above = 0;            ///< m, depth in the soil from which embedment counts: in a trench that of the trench
   Real adhesion_factor = 0;  ///< adhesion over s_u wherever the pipe is, instead of `adhesion`
+  bool suction = false;      ///< the interface carries tension: the clay behind the pipe pulls
 
   /// With the strength at the invert. Its growth is that of the law, or where layers or a profile differ that over a diameter below the invert.
   formulas::PipeInClay at(Real embedment) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/published/published.hpp"
 
+#include "formulas/f114_lateral.hpp"
 #include "structures/pipe/published/published_clay.hpp"
 #include "structures/pipe/published/published_sand.hpp"
 #include "structures/pipe/results/resistance.hpp"
@@ -96,19 +97,20 @@ Real w_where_the_drag_begins(const PipeRun& run, const RunPoints& points)
   return points.push_end ? points.push_end->w : points.first_w;
 }
 
-/// Comparisons of a drag in sand, whose formulas are those of breakout.
-void add_breakout(PublishedValues& values, const PipeRun& run, const SandAround& sand, const RunPoints& points, Real part)
+/// Comparisons of the first drag with the formulas of breakout, which at_peak(w, V, H) makes.
+template <class AtPeak>
+void add_breakout(PublishedValues& values, const PipeRun& run, const RunPoints& points, Real part, const AtPeak& at_peak)
 {
   Real H = nan;
   if (std::optional<ComparedState> peak = peak_of(run, points, H)) {
     peak->V /= part;
-    peak->comparisons = sand_in_drag(sand, peak->w, peak->V, H / part);
-    values.states.push_back(*peak);
+    peak->comparisons = at_peak(peak->w, peak->V, H / part);
+    if (!peak->comparisons.empty()) values.states.push_back(*peak);
   }
   const Real w = w_where_the_drag_begins(run, points);
   const auto breakout = resistance_of(run).breakout;
   const Real u = breakout ? breakout->u : nan;
-  values.states.push_back({ComparedState::Kind::breakout, u, w, nan, sand_at_breakout(sand, w, u)});
+  values.states.push_back({ComparedState::Kind::breakout, u, w, nan, displacement_at_breakout(run.scale.width, w, u)});
 }
 
 void put_out_of_range(PublishedValues& values, const char* range)
@@ -120,9 +122,10 @@ void put_out_of_range(PublishedValues& values, const char* range)
     }
 }
 
-/// Each drag in clay of a diameter or more, at its end: the first beside what the residual is said to be, those that follow beside sweeps between berms.
-void add_sweeps(PublishedValues& values, const PipeRun& run, const ClayAround& clay, Real part)
+/// Each drag of a diameter or more, at its end: the first beside what the residual is said to be, those that follow in clay beside sweeps between berms.
+void add_sweeps(PublishedValues& values, const PipeRun& run, const PipeSoil& soil, Real part)
 {
+  const auto* clay = std::get_if<ClayAround>(&soil);
   if (run.history.rows() == 0 || run.settings.method == problem::Method::fem) return;
   const PipePath path = pipe_path(run.history, run.stages);
   const Real D = run.scale.width, half = averaging_half(run.scale);
@@ -130,10 +133,17 @@ void add_sweeps(PublishedValues& values, const PipeRun& run, const ClayAround& c
   for (const DragResults& drag : run.results().drags) {
     const auto found = std::find_if(path.drags.begin(), path.drags.end(), [&](const DragPath& p) { return p.stage.name == drag.stage; });
     if (!drag.end || drag.end->u < (1 - 1e-6) * D || found == path.drags.end()) continue;
+    if (swept && clay == nullptr) break;
     const Real middle = record::TravelCurve(found->travel, found->H).at(drag.end->u / 2, half);
     const SweepResults sweep{found->w.front(), drag.end->w, drag.end->V / part, drag.end->H / part, middle / part};
-    values.states.push_back({ComparedState::Kind::end_of_drag, drag.end->u, sweep.w, sweep.V,
-                             swept ? clay_between_berms(clay, sweep) : clay_after_sweep(clay, sweep), true, drag.stage});
+    std::vector<Comparison> comparisons = clay == nullptr ? sand_after_sweep(std::get<SandAround>(soil), sweep.w, sweep.V, sweep.H)
+                                          : swept         ? clay_between_berms(*clay, sweep)
+                                                          : clay_after_sweep(*clay, sweep);
+    if (!swept && drag.stage == path.drags.front().stage.name) {
+      const std::vector<Comparison> displacement = displacement_to_the_residual(D, resistance_of(run).residual_from.value_or(nan));
+      comparisons.insert(comparisons.end(), displacement.begin(), displacement.end());
+    }
+    values.states.push_back({ComparedState::Kind::end_of_drag, drag.end->u, sweep.w, sweep.V, std::move(comparisons), true, drag.stage});
     swept = true;
   }
 }
@@ -146,6 +156,25 @@ Real H_at(const RunPoints& points, Real u)
 }
 
 }  // namespace
+
+std::vector<Comparison> with_estimates(const char* quantity, Comparison::Unit unit, Real berm, const formulas::Estimates& estimates,
+                                       const std::string& about)
+{
+  const std::string before = about.empty() ? "" : about + ", ";
+  return {{quantity, unit, berm, estimates.low, before + "LE, low estimate"},
+          {quantity, unit, berm, estimates.best, before + "BE, best estimate"},
+          {quantity, unit, berm, estimates.high, before + "HE, high estimate"}};
+}
+
+std::vector<Comparison> displacement_at_breakout(Real diameter, Real w, Real u)
+{
+  return with_estimates("u at breakout", Comparison::Unit::length, u, formulas::f114_breakout_displacement(diameter, w), "");
+}
+
+std::vector<Comparison> displacement_to_the_residual(Real diameter, Real u)
+{
+  return with_estimates("u to the residual", Comparison::Unit::length, u, formulas::f114_residual_displacement(diameter), "");
+}
 
 PublishedValues published_beside(const PipeRun& run)
 {
@@ -180,8 +209,10 @@ PublishedValues published_beside(const PipeRun& run)
   }
   std::erase_if(values.states, [](const ComparedState& state) { return state.comparisons.empty(); });
   const bool level = run.record.ground.line.level();
-  if (sand != nullptr && !points.drag.empty()) add_breakout(values, run, *sand, points, part);
-  if (clay != nullptr) add_sweeps(values, run, *clay, part);
+  if (!points.drag.empty())
+    add_breakout(values, run, points, part,
+                 [&](Real w, Real V, Real H) { return sand != nullptr ? sand_in_drag(*sand, w, V, H) : clay_at_breakout(*clay, w, V, H); });
+  add_sweeps(values, run, soil, part);
   if (clay != nullptr)
     for (ComparedState& state : values.states) state.strength = clay->at(state.w).strength;
   if (sand != nullptr && sand->cohesion > 0) put_out_of_range(values, "sand without cohesion");

@@ -22,6 +22,14 @@ struct Comparison {
   Real ratio() const { return published.value == 0 ? nan : berm / published.value; }
 };
 
+/// The low, best and high estimate of a formula, in the words of design codes.
+std::vector<Comparison> with_estimates(const char* quantity, Comparison::Unit unit, Real berm, const formulas::Estimates& estimates,
+                                       const std::string& about);
+
+/// Horizontal displacements (m; NaN where there is none) of a drag that begins at embedment w (m): at breakout, and from which H is residual.
+std::vector<Comparison> displacement_at_breakout(Real diameter, Real w, Real u);
+std::vector<Comparison> displacement_to_the_residual(Real diameter, Real u);
+
 /// Comparisons for one state of a run.
 struct ComparedState {
   /// peak: H at breakout, or the largest of a drag without one; breakout: how far the pipe goes until then, from where the drag begins; end_of_drag: of a drag
@@ -41,8 +49,8 @@ struct PublishedValues {
   std::vector<std::string> remarks;  ///< what to know before they are compared, text
 };
 
-/// Which formulas apply to a run, and what they give: at w = 0.1, 0.25, 0.5, 0.75, 1 D and the end of a push; of a drag in sand at breakout, which is what
-/// its formulas are for, or where H is largest; of a drag in clay at u = 0.1, 0.3, 0.5, 1 D, and of each drag in clay at its end. The
+/// Which formulas apply to a run, and what they give: at w = 0.1, 0.25, 0.5, 0.75, 1 D and the end of a push; of the first drag at breakout, which is what
+/// the formulas of design codes are for, or where H is largest; of a drag in clay at u = 0.1, 0.3, 0.5, 1 D; of each drag of a diameter or more at its end. The
 /// embedment is that of the run there; in the finite element method, whose strains are small, that at the start. Forces of half a pipe beside an axis of
 /// symmetry are doubled.
 PublishedValues published_beside(const PipeRun& run);

@@ -3,7 +3,8 @@
 #include "structures/pipe/published/published_clay.hpp"
 
 #include "formulas/clay_sweeps.hpp"
-#include "formulas/design_code.hpp"
+#include "formulas/f114_lateral.hpp"
+#include "formulas/f114_vertical.hpp"
 
 #include <fmt/format.h>
 
@@ -37,7 +38,8 @@ std::vector<Comparison> clay_in_push(const ClayAround& clay, Real w, Real V, boo
   const auto add = [&](const formulas::Formula& published, const char* about) {
     list.push_back({"V", Comparison::Unit::force, V, published, about});
   };
-  if (pipe.strength_gradient == 0) add(f114_undrained_model_1(pipe, 1), "model 1, bearing capacity, wished in place");
+  if (pipe.strength_gradient == 0 || !std::isnan(pipe.roughness))
+    add(f114_undrained_model_1(pipe), "model 1, bearing capacity, wished in place");
   add(f114_undrained_model_2(pipe), "model 2, with heave");
   if (std::isnan(pipe.roughness)) return list;
   add(with_buoyancy(clay_vertical(pipe), pipe), "wished in place");
@@ -64,13 +66,32 @@ std::vector<Comparison> clay_in_drag(const ClayAround& clay, Real w, Real V, Rea
           {"H", Comparison::Unit::force, H, clay_deep(pipe), "deeply buried: the most that a pipe can meet"}};
 }
 
+std::vector<Comparison> clay_at_breakout(const ClayAround& clay, Real w, Real V, Real H)
+{
+  const formulas::PipeInClay pipe = clay.at(w);
+  std::vector<Comparison> list;
+  if (!std::isnan(pipe.roughness)) {
+    const formulas::Rear rear = clay.suction ? formulas::Rear::suction : formulas::Rear::gap;
+    list = with_estimates("H", Comparison::Unit::force, H, f114_undrained_lateral_1(pipe, rear),
+                          clay.suction ? "model 1, with suction behind the pipe" : "model 1, without suction behind the pipe");
+  }
+  list.push_back({"H", Comparison::Unit::force, H, f114_undrained_lateral_2(pipe, V), "model 2"});
+  return list;
+}
+
 namespace {
 
-void add(std::vector<Comparison>& list, Real berm, const formulas::Estimates& estimates, const std::string& about, bool with_best)
+void append(std::vector<Comparison>& list, const std::vector<Comparison>& more)
 {
-  list.push_back({"H", Comparison::Unit::force, berm, estimates.low, about + ", low estimate"});
-  if (with_best) list.push_back({"H", Comparison::Unit::force, berm, estimates.best, about + ", best estimate"});
-  list.push_back({"H", Comparison::Unit::force, berm, estimates.high, about + ", high estimate"});
+  list.insert(list.end(), more.begin(), more.end());
+}
+
+/// Of a guideline whose best estimate is only the mean of both.
+void append_ends(std::vector<Comparison>& list, Real berm, const formulas::Estimates& estimates, const std::string& about)
+{
+  std::vector<Comparison> three = with_estimates("H", Comparison::Unit::force, berm, estimates, about);
+  three.erase(three.begin() + 1);
+  append(list, three);
 }
 
 }  // namespace
@@ -79,7 +100,7 @@ std::vector<Comparison> clay_after_sweep(const ClayAround& clay, const SweepResu
 {
   const formulas::PipeInClay pipe = clay.at(sweep.w_begin);
   std::vector<Comparison> list = {{"H", Comparison::Unit::force, sweep.H, clay_residual(pipe, sweep.V), "residual"}};
-  add(list, sweep.H, f114_clay_residual(pipe, sweep.V), "residual", true);
+  append(list, with_estimates("H", Comparison::Unit::force, sweep.H, f114_clay_residual(pipe, sweep.V), "residual"));
   return list;
 }
 
@@ -87,8 +108,8 @@ std::vector<Comparison> clay_between_berms(const ClayAround& clay, const SweepRe
 {
   const formulas::PipeInClay pipe = clay.at(sweep.w);
   std::vector<Comparison> list;
-  add(list, sweep.middle, safebuck_mid_sweep(pipe, sweep.V), "middle of a sweep", false);
-  add(list, sweep.H, safebuck_berm(pipe), "against the berm", false);
+  append_ends(list, sweep.middle, safebuck_mid_sweep(pipe, sweep.V), "middle of a sweep");
+  append_ends(list, sweep.H, safebuck_berm(pipe), "against the berm");
   return list;
 }
 
@@ -100,9 +121,7 @@ std::vector<std::string> remarks_on(const ClayAround& clay)
         "The interface of this run has friction. Most formulas for clay know adhesion to the pipe alone and are left out.");
   if (varies(clay.soil))
     remarks.emplace_back(
-        "The strength of this run's clay varies with depth; formulas for uniform clay take its strength at the pipe's lowest "
-        "point. F114's model 1 "
-        "needs a factor for such clay that berm has no values of, and is left out.");
+        "The strength of this run's clay varies with depth; formulas for uniform clay take its strength at the pipe's lowest point.");
   for (const material::Material& material : clay.soil.materials)
     if (const auto* law = std::get_if<material::Clay>(&material); law != nullptr && (law->sensitivity > 1 || law->rate_parameter > 0))
       remarks.push_back(

@@ -12,6 +12,9 @@ std::vector<Comparison> clay_in_push(const ClayAround& clay, Real w, Real V, boo
 /// The resistance H (N/m) against a drag, at embedment w (m) under a vertical load V (N/m).
 std::vector<Comparison> clay_in_drag(const ClayAround& clay, Real w, Real V, Real H);
 
+/// The same at breakout, where the formulas of design codes hold.
+std::vector<Comparison> clay_at_breakout(const ClayAround& clay, Real w, Real V, Real H);
+
 /// A long drag at its end.
 struct SweepResults {
   Real w_begin;  ///< m, where it began

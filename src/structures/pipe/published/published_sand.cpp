@@ -2,7 +2,9 @@
 // Tests: tests/unit/structures/pipe/published/published_test.cpp
 #include "structures/pipe/published/published_sand.hpp"
 
-#include "formulas/design_code.hpp"
+#include "formulas/f109.hpp"
+#include "formulas/f114_lateral.hpp"
+#include "formulas/f114_vertical.hpp"
 
 #include <fmt/format.h>
 
@@ -25,6 +27,8 @@ std::vector<Comparison> sand_in_push(const SandAround& sand, Real w, Real V)
     characteristics.source.range = "phi = psi = 35 deg, delta = 0 or 2/3 phi, 0.05 <= w/D <= 0.5";
   }
   return {{"V", Comparison::Unit::force, V, f114_drained_vertical(pipe), "bearing capacity with Nγ of Brinch Hansen, wished in place"},
+          {"V", Comparison::Unit::force, V, f114_drained_vertical(pipe, formulas::SelfWeight::vesic),
+           "bearing capacity with Nγ of Vesic, wished in place"},
           {"V", Comparison::Unit::force, V, characteristics, "wished in place"},
           {"w under this V", Comparison::Unit::length, w, sand_embedment(pipe, V), ""}};
 }
@@ -32,16 +36,14 @@ std::vector<Comparison> sand_in_push(const SandAround& sand, Real w, Real V)
 std::vector<Comparison> sand_in_drag(const SandAround& sand, Real w, Real V, Real H)
 {
   const formulas::PipeInSand pipe = sand.at(w);
-  return {{"H", Comparison::Unit::force, H, f114_drained_lateral(pipe, V), "passive wedge and friction"},
-          {"H", Comparison::Unit::force, H, f109_lateral(pipe, V), ""}};
+  return {{"H", Comparison::Unit::force, H, f114_drained_lateral(pipe, V), "passive wedge and friction, Kp with δ"},
+          {"H", Comparison::Unit::force, H, f114_drained_lateral(pipe, V, formulas::PassiveAngle::soil), "the same, Kp with φ"},
+          {"H", Comparison::Unit::force, H, f109_sand_lateral(pipe, V), ""}};
 }
 
-std::vector<Comparison> sand_at_breakout(const SandAround& sand, Real w, Real u)
+std::vector<Comparison> sand_after_sweep(const SandAround& sand, Real w, Real V, Real H)
 {
-  const formulas::Breakout breakout = formulas::f114_breakout(sand.diameter, w);
-  return {{"u at breakout", Comparison::Unit::length, u, breakout.min, "LE, low estimate"},
-          {"u at breakout", Comparison::Unit::length, u, breakout.mean, "BE, best estimate"},
-          {"u at breakout", Comparison::Unit::length, u, breakout.max, "HE, high estimate"}};
+  return {{"H", Comparison::Unit::force, H, f114_drained_lateral(sand.at(w), V), "residual, as breakout at this embedment"}};
 }
 
 std::vector<std::string> remarks_on(const SandAround& sand)

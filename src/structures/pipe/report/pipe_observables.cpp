@@ -2,7 +2,7 @@
 // Tests: tests/unit/report/claims/claims_test.cpp
 #include "structures/pipe/report/pipe_observables.hpp"
 
-#include "formulas/design_code.hpp"
+#include "formulas/f114_vertical.hpp"
 #include "record/travel_curve.hpp"
 #include "structures/pipe/results/mechanism.hpp"
 

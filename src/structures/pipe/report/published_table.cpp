@@ -23,6 +23,7 @@ std::string printed_range(const char* range)
                                                            {"psi", "ψ"},
                                                            {"delta", "δ"},
                                                            {" deg", "°"},
+                                                           {"s_u0", "s<sub>u0</sub>"},
                                                            {"s_u", "s<sub>u</sub>"},
                                                            {"V_max", "V<sub>max</sub>"}};
   std::string text = text::html_text(range);
@@ -73,48 +74,33 @@ std::vector<text::HtmlCell> cells_of(const Comparison& c, const PipeRun& run, co
           {number(c.berm), true},
           {number(c.published.value), true},
           {text::table_number(c.ratio()), true},
-          {text::html_text(c.about.empty() ? source.work : fmt::format("{}; {}", source.work, c.about))},
+          {text::html_text(c.about.empty() ? citation(source) : fmt::format("{}; {}", citation(source), c.about))},
           {word_of(source.label)},
           {range}};
 }
 
-bool is_checked(const Comparison& comparison)
+bool is_confirmed(const Comparison& comparison)
 {
   return comparison.published.source.label != formulas::Label::recalled;
 }
 
-/// A table with the run's states as groups, of the formulas that `shows` chooses; "" where there is none.
-template <class Shows>
-std::string table_of(const PublishedValues& values, const PipeRun& run, const base::DisplayUnits& shown, text::HtmlTable table,
-                     const Shows& shows)
-{
-  table.columns(
-      {{"quantity"}, {"unit"}, {"berm", true}, {"formula", true}, {"berm/formula", true}, {"source"}, {"kind"}, {"range of validity"}});
-  for (const ComparedState& state : values.states) {
-    if (std::none_of(state.comparisons.begin(), state.comparisons.end(), shows)) continue;
-    table.row({{state_words(state, run, shown)}}, "group");
-    for (const Comparison& comparison : state.comparisons)
-      if (shows(comparison)) table.row(cells_of(comparison, run, shown), comparison.published.valid ? "" : "out_of_range");
-  }
-  return table.empty() ? "" : table.html();
-}
-
-/// Remarks, then a table with the run's states as groups. `id` names the table. Formulas that nobody compared with their sources are folded away, and not
-/// printed: nobody is to take them for quotations.
+/// Remarks, then a table with the run's states as groups. `id` names the table. Formulas that are only recalled are not shown: nobody is to take them for
+/// quotations.
 std::string published_table(const PipeRun& run, const base::DisplayUnits& shown, const std::string& id)
 {
   const PublishedValues values = published_beside(run);
   std::string html;
   for (const std::string& remark : values.remarks) html += text::html_paragraph(remark, "quiet");
-  html += table_of(values, run, shown, {id, fmt::format("{}: design codes and published formulas for its soil, pipe and states", run.name)},
-                   is_checked);
-  const std::string unchecked =
-      table_of(values, run, shown, {id + "-unchecked", fmt::format("{}: not checked against their sources; do not quote", run.name)},
-               [](const Comparison& comparison) { return !is_checked(comparison); });
-  if (unchecked.empty()) return html;
-  return html + fmt::format("<details class=\"for_screen\"><summary>Formulas written from memory, not checked against their "
-                            "sources</summary>\n{}</details>\n",
-                            unchecked);
+  text::HtmlTable table(id, fmt::format("{}: design codes and published formulas for its soil, pipe and states", run.name));
+  table.columns(
+      {{"quantity"}, {"unit"}, {"berm", true}, {"formula", true}, {"berm/formula", true}, {"source"}, {"kind"}, {"range of validity"}});
+  for (const ComparedState& state : values.states) {
+    if (std::none_of(state.comparisons.begin(), state.comparisons.end(), is_confirmed)) continue;
+    table.row({{state_words(state, run, shown)}}, "group");
+    for (const Comparison& comparison : state.comparisons)
+      if (is_confirmed(comparison)) table.row(cells_of(comparison, run, shown), comparison.published.valid ? "" : "out_of_range");
+  }
+  return html + (table.empty() ? "" : table.html());
 }
 
 }  // namespace
@@ -136,8 +122,11 @@ std::string published_values(const PipeRuns& runs, const base::DisplayUnits& sho
   return heading +
          text::html_paragraph(
              "What they give for the same soil, pipe and state: the embedment and the vertical load are those that the run found. Kinds: "
-             "exact is a closed form or computed to convergence; fit is a fit as public programs have it, not compared with the printed "
-             "source, whose edition is not recorded.",
+             "exact is a closed form or computed to convergence; fit is a fit as public programs have it. Editions and clauses are those "
+             "that "
+             "these programs name (docs/formulas.md): the printed texts were not at hand. Low (LE), best (BE) and high (HE) estimates are "
+             "those "
+             "of the source.",
              "quiet") +
          html;
 }

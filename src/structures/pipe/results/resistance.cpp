@@ -34,6 +34,14 @@ std::optional<Resistance::Point> breakout_in(const TravelCurve& smooth, const Bo
   return std::nullopt;
 }
 
+std::optional<Real> residual_from(const TravelCurve& smooth, Real breakout, Real residual)
+{
+  for (std::size_t k = 0; k < smooth.travel().size(); ++k)
+    if (smooth.travel()[k] >= breakout && std::abs(smooth.value()[k] - residual) <= max_residual_change * std::abs(residual))
+      return smooth.travel()[k];
+  return std::nullopt;
+}
+
 void take_if_larger(std::optional<Resistance::Point>& largest, Real u, Real H)
 {
   if (std::isfinite(H) && (!largest || H > largest->H)) largest = Resistance::Point{u, H};
@@ -60,6 +68,7 @@ Resistance resistance_to(const TravelCurve& H, const BodyScale& scale)
   const Real mean = H.at(H.end() - half, half);
   resistance.last_change = 2 * (H.at(H.end(), half) - mean) / std::abs(mean);
   if (std::abs(resistance.last_change) < max_residual_change) resistance.residual = mean;
+  if (resistance.residual && resistance.breakout) resistance.residual_from = residual_from(smooth, resistance.breakout->u, mean);
   return resistance;
 }
 

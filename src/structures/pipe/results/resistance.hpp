@@ -23,6 +23,8 @@ struct Resistance {
   std::optional<Point> breakout;
   /// N/m: the mean of H over the last tenth of the drag, at least its last 0.1 D but a third of it at most, where the straight line fitted to H there changes by less than 5 % of it.
   std::optional<Real> residual;
+  /// m, of a drag that breaks out: from where H, averaged, first is as near to the residual as it must stay to be called so (max_residual_change).
+  std::optional<Real> residual_from;
   Real last_change = 0;  ///< how much that line changes, over the mean; NaN without a drag
 };
 

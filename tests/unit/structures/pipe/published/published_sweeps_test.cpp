@@ -47,13 +47,14 @@ TEST(published_sweeps, the_first_long_drag_stands_beside_residuals_and_the_next_
   ASSERT_EQ(found.size(), 2u);
   const ComparedState &first = *found[0], &back = *found[1];
   EXPECT_EQ(first.stage, "drag");
-  ASSERT_EQ(first.comparisons.size(), 4u);
+  ASSERT_EQ(first.comparisons.size(), 7u) << "White and Cheuk, three estimates, and three of the way to it";
   // s_u/(2 gamma' D) = 1000/17200; H is the mean over the last tenth of the travel, 0.12 D, of 3e4 u: 720 (1 - 0.05) N/m.
   EXPECT_NEAR(first.comparisons[0].published.value, 800 * (1 - 0.65 * (1 - std::exp(-1000 / 17200.))), 0.5);
   EXPECT_NEAR(first.comparisons[0].berm, 684, 5);
-  EXPECT_EQ(first.comparisons[1].about, "residual, low estimate");
+  EXPECT_EQ(first.comparisons[1].about, "residual, LE, low estimate");
   EXPECT_LT(first.comparisons[1].published.value, first.comparisons[2].published.value);
   EXPECT_LT(first.comparisons[2].published.value, first.comparisons[3].published.value);
+  EXPECT_EQ(first.comparisons[4].quantity, "u to the residual");
   EXPECT_EQ(back.stage, "back");
   ASSERT_EQ(back.comparisons.size(), 4u);
   EXPECT_NEAR(back.comparisons[0].berm, 1.5e4 * 0.012, 2) << "H in the middle of the way";

@@ -33,12 +33,15 @@ TEST(resistance, breakout_is_where_H_falls_from)
   EXPECT_NEAR(found.breakout->H, 300, 0.02 * 300);  // the corner is rounded by the averaging
   ASSERT_TRUE(found.residual);
   EXPECT_NEAR(*found.residual, 200, 1e-6);
+  ASSERT_TRUE(found.residual_from);
+  EXPECT_NEAR(*found.residual_from, 0.57 * D, 0.005 * D) << "H = 210, 5 % above the residual";
 }
 
 TEST(resistance, a_fall_of_less_than_5_percent_is_no_breakout)
 {
   const Resistance found = of([](Real x) { return with_a_peak(x, 290); });
   EXPECT_FALSE(found.breakout);
+  EXPECT_FALSE(found.residual_from);
   EXPECT_EQ(no_peak_words(found, "to the end of the drag"), "no peak: H levels off");
 }
 
