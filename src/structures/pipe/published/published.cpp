@@ -185,7 +185,9 @@ PublishedValues published_beside(const PipeRun& run)
     return values;
   }
   values.states = states_of(run);
-  if (values.states.empty()) {
+  const RunPoints points = points_of(run);
+  const bool drags = !points.drag.empty() || resistance_of(run).breakout;
+  if (values.states.empty() && !drags) {
     values.remarks.emplace_back("This run came to no state that a formula can be compared with.");
     return values;
   }
@@ -196,7 +198,6 @@ PublishedValues published_beside(const PipeRun& run)
 
   const auto* sand = std::get_if<SandAround>(&soil);
   const auto* clay = std::get_if<ClayAround>(&soil);
-  const RunPoints points = points_of(run);
   const bool heaves = run.settings.method == problem::Method::mpm && points.push_end.has_value();
   const Real part = modelled_part(run.settings);
   for (ComparedState& state : values.states) {
@@ -209,7 +210,7 @@ PublishedValues published_beside(const PipeRun& run)
   }
   std::erase_if(values.states, [](const ComparedState& state) { return state.comparisons.empty(); });
   const bool level = run.record.ground.line.level();
-  if (!points.drag.empty())
+  if (drags)
     add_breakout(values, run, points, part,
                  [&](Real w, Real V, Real H) { return sand != nullptr ? sand_in_drag(*sand, w, V, H) : clay_at_breakout(*clay, w, V, H); });
   add_sweeps(values, run, soil, part);
