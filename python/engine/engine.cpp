@@ -33,6 +33,14 @@ py::array during_call(double* numbers, std::size_t count)
   return py::array(py::dtype::of<double>(), {static_cast<py::ssize_t>(count)}, {}, numbers, py::capsule(numbers, [](void*) {}));
 }
 
+/// Throws TypeError for what cannot be called.
+py::function callable(const py::handle& given, const char* what)
+{
+  if (PyCallable_Check(given.ptr()) == 0)
+    throw py::type_error(std::string(what) + ": not a function: " + py::repr(given).cast<std::string>());
+  return py::reinterpret_borrow<py::function>(given);
+}
+
 /// A run with what its laws threw: the program would only say that a law failed.
 class PythonRun {
 public:
@@ -62,9 +70,9 @@ public:
     options.folder = folder;
     options.replace = replace;
     options.threads = threads;
-    for (const auto& [material, law] : laws) options.laws[material.cast<std::string>()] = law_of(py::reinterpret_borrow<py::function>(law));
+    for (const auto& [material, law] : laws) options.laws[material.cast<std::string>()] = law_of(callable(law, "laws"));
     if (!message.is_none())
-      options.message = [take = Callable(message.cast<py::function>())](const std::string& line) {
+      options.message = [take = Callable(callable(message, "message"))](const std::string& line) {
         const py::gil_scoped_acquire held;
         try {
           take.function()(line);
@@ -72,6 +80,7 @@ public:
           error.discard_as_unraisable("berm.engine: message");
         }
       };
+    if (case_file.empty() == resume.empty()) throw berm::InputError("either a case to run or a folder to resume must be given");
     const auto made = [&] { return resume.empty() ? berm::Run(case_file, options) : berm::Run::resume(resume, options); };
     run_ = freely([&] { return std::make_unique<berm::Run>(made()); });
   }

@@ -2,6 +2,7 @@
 // Tests: tests/unit/commands/manual_test.cpp
 #include "commands/command.hpp"
 #include "commands/manual.hpp"
+#include "core/error.hpp"
 #include "io/atomic_file.hpp"
 
 #include <filesystem>
@@ -28,7 +29,9 @@ Command add_man(CLI::App& program)
   CLI::App* app = program.add_subcommand("man", "write the manual pages of all commands into a folder");
   app->add_option("FOLDER", *folder, "folder for berm.1, berm-run.1 ...")->required();
   return {app, [folder, &program] {
-            std::filesystem::create_directories(*folder);
+            std::error_code error;
+            std::filesystem::create_directories(*folder, error);
+            if (error) throw RunError(fmt::format("cannot make the folder {}: {}", *folder, error.message()));
             for (const auto& [name, page] : manual_pages(program)) io::write_atomically(std::filesystem::path(*folder) / name, page);
             return 0;
           }};

@@ -41,6 +41,14 @@ simulation::RunRequest request_to_resume(const std::string& folder, const RunOpt
   return *std::move(request);
 }
 
+int threads_of(const RunOptions& options)
+{
+  constexpr int most = 1024;
+  if (options.threads < 0 || options.threads > most)
+    throw InputError(fmt::format("threads: {}: from 1 to {}, or 0 for one for each processor", options.threads, most));
+  return options.threads;
+}
+
 }  // namespace
 
 /// In the order in which they need each other.
@@ -55,7 +63,7 @@ struct Run::Parts {
   Parts(const RunOptions& options, const std::function<simulation::RunRequest(const io::ScratchFolder&)>& request)
       : keeps(!options.folder.empty()),
         context(
-            std::in_place, options.threads, [this] { return asked_to_stop; }, std::make_shared<MessageSink>(options.message)),
+            std::in_place, threads_of(options), [this] { return asked_to_stop; }, std::make_shared<MessageSink>(options.message)),
         run(simulation::open_run(request(scratch), *context))
   {
     visit([](auto& open) { open.begin(); });

@@ -107,6 +107,12 @@ def test_errors_are_those_of_the_package(case: Path, tmp_path: Path) -> None:
         engine.Run("no_such_case.toml")
     with pytest.raises(berm.InputError, match="friction_angel"):
         engine.Run(str(case), set={"material.sand.friction_angel": 1})
+    with pytest.raises(berm.InputError, match="either a case"):
+        engine.Run()
+    with pytest.raises(berm.InputError, match="threads"):
+        engine.Run(str(case), threads=-3)
+    with pytest.raises(TypeError, match="not a function: 3"):
+        engine.Run(str(case), laws={"sand": 3})
     run = engine.Run(str(case), folder=str(tmp_path / "run"))
     with pytest.raises(berm.RunError, match="one run at a time"):
         engine.Run(str(case))

@@ -268,6 +268,12 @@ TEST_F(Library, says_what_is_wrong_with_a_case)
   RunOptions options;
   options.set = {"stage.drag.velocity=-"};
   EXPECT_FALSE(error_of<InputError>([&] { OneRun(path("case.toml"), options); }).empty());
+  for (const int threads : {-1, 1025}) {
+    RunOptions wrong;
+    wrong.threads = threads;
+    EXPECT_NE(error_of<InputError>([&] { OneRun(path("case.toml"), wrong); }).find("threads: " + std::to_string(threads)),
+              std::string::npos);
+  }
   OneRun run(path("case.toml"));
   EXPECT_FALSE(error_of<InputError>([&] { run.step(-1); }).empty());
   EXPECT_NE(error_of<RunError>([&] { OneRun(path("case.toml")); }).find("one run at a time"), std::string::npos);
