@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace berm::commands {
 namespace {
@@ -32,15 +33,18 @@ int list_templates()
   return 0;
 }
 
+std::vector<std::string> kinds()
+{
+  std::vector<std::string> all;
+  for (const CaseTemplate& one : case_templates()) all.push_back(one.kind);
+  return all;
+}
+
 int write_template(const std::string& kind, const std::string& file)
 {
   const std::vector<CaseTemplate>& all = case_templates();
   const auto found = std::find_if(all.begin(), all.end(), [&](const CaseTemplate& one) { return one.kind == kind; });
-  if (found == all.end()) {
-    std::vector<std::string> kinds;
-    for (const CaseTemplate& one : all) kinds.push_back(one.kind);
-    throw InputError(fmt::format("there is no kind {}{}", input::in_quotes(kind), input::suggestion(kind, kinds)));
-  }
+  if (found == all.end()) throw InputError(fmt::format("there is no kind {}{}", input::in_quotes(kind), input::suggestion(kind, kinds())));
   const fs::path path = file.empty() ? fs::path(kind + ".toml") : fs::path(file);
   if (fs::exists(fs::symlink_status(path))) throw InputError(fmt::format("{} is there already: name another file", path.string()));
   io::write_atomically(path, found->text);
@@ -58,7 +62,7 @@ Command add_new(CLI::App& program)
   };
   const auto options = std::make_shared<Options>();
   CLI::App* app = program.add_subcommand("new", "write a commented case to begin with; without a KIND, list the kinds");
-  app->add_option("KIND", options->kind, "what to begin with");
+  app->add_option("KIND", options->kind, "what to begin with")->type_name(fmt::format("{{{}}}", fmt::join(kinds(), ",")));
   app->add_option("FILE", options->file, "file to write (default: KIND.toml here)");
   return {app, [options] { return options->kind.empty() ? list_templates() : write_template(options->kind, options->file); }};
 }
