@@ -7,34 +7,48 @@
     run.history["H_N_m"]                  # an array
     run.plot()
 
-`berm.engine` steps a case inside this process. SI units throughout; in plane strain forces are per metre run. Import is light: NumPy and Matplotlib are loaded by what needs them.
+`berm.engine` steps a case inside this process. SI units throughout; in plane strain forces are per metre run. Import is light: NumPy and
+Matplotlib are loaded by what needs them.
 """
 
+from .element import element
 from .errors import InputError, RunError, Stopped
-from .frames import Frame
+from .frames import Field, Frame
 from .history import Column, History
-from .program import check, export, find_program, parameters, report, version
+from .parameters import Parameter, parameters
+from .program import check, export, find_program, include_folder, new, report, springs, version
 from .run import Quantity, Run, open, run
-from .study import Study, study
+from .study import Estimate, Row, Study, study
+from .travel import Drag, Push
 
 __version__ = "0.1.0"
 __all__ = [
     "Column",
+    "Drag",
+    "Estimate",
+    "Field",
     "Frame",
     "History",
     "InputError",
+    "Parameter",
+    "Push",
     "Quantity",
+    "Row",
     "Run",
     "RunError",
     "Stopped",
     "Study",
     "check",
+    "element",
     "export",
     "find_program",
+    "include_folder",
+    "new",
     "open",
     "parameters",
     "report",
     "run",
+    "springs",
     "study",
     "version",
 ]

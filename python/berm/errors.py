@@ -7,8 +7,8 @@ class InputError(ValueError):
 
 
 class RunError(RuntimeError):
-    """The run failed (exit status 1)."""
+    """The run failed (exit status 1), a file of it is damaged, or something that is needed is not installed."""
 
 
 class Stopped(RuntimeError):
-    """The run was stopped with a checkpoint (exit status 75): berm.run(resume=FOLDER) goes on."""
+    """The run was stopped with a checkpoint (exit status 75); the message says how to resume it."""

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 TYPES = {"Float64": "<f8", "Float32": "<f4", "Int64": "<i8", "Int32": "<i4", "UInt8": "u1"}
+WRITTEN_AS = {"type": "UnstructuredGrid", "byte_order": "LittleEndian", "header_type": "UInt64", "compressor": "vtkZLibDataCompressor"}
+QUADRATIC_TRIANGLE = 22  # VTK's number
 
 
 @dataclass(frozen=True)
@@ -30,47 +32,66 @@ class Field:
 
 
 class Vtu:
-    """A VTU file of one piece with appended data in zlib blocks."""
+    """A VTU file of one piece with appended data in zlib blocks. Its head is read; arrays are read when they are asked for."""
 
     def __init__(self, file: Path) -> None:
+        """Throws RunError where this is no such file."""
+        self._file = file
         try:
-            data = file.read_bytes()
-            begin = data.index(b"<AppendedData")
-            self._data = data[data.index(b"_", begin) + 1 :]
-            root = ElementTree.fromstring(data[:begin] + b"</VTKFile>")
+            with file.open("rb") as opened:
+                head = b""
+                while b"<AppendedData" not in head or b"_" not in head[head.index(b"<AppendedData") :]:
+                    more = opened.read(8192)
+                    if not more:
+                        raise ValueError("there is no appended data")
+                    head += more
+            begin = head.index(b"<AppendedData")
+            self._data = head.index(b"_", begin) + 1
+            root = ElementTree.fromstring(head[:begin] + b"</VTKFile>")
+            other = [f'{key}="{root.get(key)}"' for key, value in WRITTEN_AS.items() if root.get(key) != value]
+            if other:
+                raise ValueError(f"{', '.join(other)} is not what berm writes")
         except (OSError, ValueError, ElementTree.ParseError) as error:
             raise RunError(f"{file}: {error}") from None
-        self._file = file
         self._arrays = {place.tag: {array.attrib["Name"]: array.attrib for array in place.iter("DataArray")} for place in root.iter()}
 
     def names(self, place: str) -> list[str]:
         return list(self._arrays.get(place, {}))
 
     def field(self, place: str, name: str) -> Field:
-        """place: Points, Cells, PointData or CellData. Stress has the components xx yy zz xy yz xz."""
+        """place: Points, Cells, PointData or CellData. Stress is xx yy zz xy yz xz. Throws RunError where the file is damaged."""
         import numpy as np
 
-        array = self._arrays[place][name]
-        components = int(array.get("NumberOfComponents", 1))
-        values = np.frombuffer(self._bytes(int(array["offset"])), dtype=TYPES[array["type"]])
-        return Field(array.get("Label", name), array.get("Unit", ""), values.reshape(-1, components) if components > 1 else values)
+        try:
+            array = self._arrays[place][name]
+            components = int(array.get("NumberOfComponents", 1))
+            values = np.frombuffer(self._bytes(int(array["offset"])), dtype=TYPES[array["type"]])
+            return Field(array.get("Label", name), array.get("Unit", ""), values.reshape(-1, components) if components > 1 else values)
+        except (OSError, KeyError, ValueError, MemoryError, struct.error, zlib.error) as error:
+            raise RunError(f"{self._file}: {name}: {error}") from None
 
     def _bytes(self, offset: int) -> bytes:
-        count, size, last = struct.unpack_from("<3Q", self._data, offset)
-        sizes = struct.unpack_from(f"<{count}Q", self._data, offset + 24)
-        at, parts = offset + 24 + 8 * count, []
-        for compressed in sizes:
-            parts.append(zlib.decompress(self._data[at : at + compressed]))
-            at += compressed
-        return b"".join(parts)
+        with self._file.open("rb") as opened:
+            opened.seek(self._data + offset)
+            count, _, _ = struct.unpack("<3Q", opened.read(24))
+            if count > self._file.stat().st_size:
+                raise ValueError("more blocks than bytes")
+            sizes = struct.unpack(f"<{count}Q", opened.read(8 * count))
+            return b"".join(zlib.decompress(opened.read(size)) for size in sizes)
 
 
 class Frame:
-    """The soil at a time: frame.position, of shape (points, 3) in m, and frame["stress"], of shape (points, 6) in Pa, tension positive; frame.fields names them all."""
+    """The soil at a time: frame.position, of shape (points, 3) in m, and frame["stress"], of shape (points, 6) in Pa, tension positive;
+    frame.fields names them all. Numbers are read from the file when they are asked for."""
 
-    def __init__(self, time: float, file: Path) -> None:
+    def __init__(self, time: float, stage: str, file: Path, rigid_file: Path | None = None) -> None:
         self.time = time  #: s
+        self.stage = stage  #: in which it was reached; "" where the history does not say
         self.file = file
+        self.rigid_file = rigid_file
+
+    def __repr__(self) -> str:
+        return f"<frame at {self.time:.4g} s, {self.stage!r}: {self.file}>"
 
     @cached_property
     def _vtu(self) -> Vtu:
@@ -80,9 +101,26 @@ class Frame:
     def fields(self) -> list[str]:
         return self._vtu.names("PointData")
 
-    @cached_property
+    @property
     def position(self) -> NDArray[Any]:
         return self._vtu.field("Points", "Points").values
+
+    @property
+    def triangles(self) -> NDArray[Any]:
+        """Corners and middles of sides of quadratic triangles, numbers of points, of shape (triangles, 6); of particles there are none."""
+        quadratic = (self._vtu.field("Cells", "types").values == QUADRATIC_TRIANGLE).all()
+        return self._vtu.field("Cells", "connectivity").values.reshape(-1, 6 if quadratic else 1)[: None if quadratic else 0]
+
+    @property
+    def rigid_bodies(self) -> list[NDArray[Any]]:
+        """The surface of each cell of rigid bodies, in plane strain the outline of each body: points of shape (points, 3), m."""
+        if self.rigid_file is None:
+            return []
+        import numpy as np
+
+        vtu = Vtu(self.rigid_file)
+        points, cells, ends = vtu.field("Points", "Points"), vtu.field("Cells", "connectivity"), vtu.field("Cells", "offsets")
+        return [points.values[cell] for cell in np.split(cells.values, ends.values[:-1])]
 
     def field(self, name: str) -> Field:
         """A field with its label and unit. Throws InputError where there is none of this name."""
@@ -94,17 +132,20 @@ class Frame:
         return self.field(name).values
 
     def to_pyvista(self) -> Any:
-        """The file as PyVista reads it. Needs python3-pyvista."""
-        return imported("pyvista", "python3-pyvista").read(str(self.file))
+        """The file as PyVista, which Debian 12 does not have, reads it."""
+        return imported("pyvista", "pyvista").read(str(self.file))
 
 
-def frames_in(run_folder: Path) -> list[Frame]:
-    """The frames that frames.pvd of a run lists, in the order of time; none where there is no such file. Throws RunError where it is damaged."""
+def frames_in(run_folder: Path) -> list[tuple[float, Path, Path | None]]:
+    """Time, soil and rigid bodies of the frames that frames.pvd of a run lists, in the order of time; none where there is no such file.
+    Throws RunError where it is damaged."""
     file = run_folder / "frames" / "frames.pvd"
     if not file.exists():
         return []
+    found: dict[str, dict[str, Path]] = {}
     try:
-        entries = [entry.attrib for entry in ElementTree.parse(file).iter("DataSet")]
-        return [Frame(float(entry["timestep"]), file.parent / entry["file"]) for entry in entries if entry.get("part") == "0"]
+        for entry in ElementTree.parse(file).iter("DataSet"):
+            found.setdefault(entry.attrib["timestep"], {})[entry.attrib["name"]] = file.parent / entry.attrib["file"]
+        return [(float(time), files.get("particles") or files["soil"], files.get("rigid")) for time, files in found.items()]
     except (OSError, KeyError, ValueError, ElementTree.ParseError) as error:
         raise RunError(f"{file}: {error}") from None

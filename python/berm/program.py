@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The program berm: where it is, and its commands."""
+"""The program berm: where it is, how it is called, and what it answers."""
 
 from __future__ import annotations
 
@@ -12,25 +12,55 @@ import sys
 import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any, Union
+from typing import Any, NamedTuple, Union
 
 from .errors import InputError, RunError, Stopped
 
 PathLike = Union[str, "os.PathLike[str]"]
+WARNING = "berm: warning: "
 
 
-def find_program() -> str:
-    """The program: the environment variable BERM, else the one in the build folder that this package lies in, else the one in PATH. Throws RunError where there is none."""
-    named = os.environ.get("BERM")
-    if named:
-        return named
-    built = Path(__file__).resolve().parents[2] / "berm"
-    if built.is_file() and os.access(built, os.X_OK):
-        return str(built)
+class Answer(NamedTuple):
+    """What a command printed, and its messages (standard error) by line."""
+
+    text: str
+    messages: list[str]
+
+    @property
+    def warnings(self) -> list[str]:
+        return [line[len(WARNING) :] for line in self.messages if line.startswith(WARNING)]
+
+
+def find_program(program: PathLike | None = None) -> str:
+    """The program: `program`, else the environment variable BERM; else that of the build folder, the source folder or the installation that
+    this package lies in; else the one in PATH. Throws RunError where there is none."""
+    for named, by in ((program, "program"), (os.environ.get("BERM"), "the environment variable BERM")):
+        if named:
+            path = shutil.which(os.fspath(named))
+            if path is None:
+                raise RunError(f"{os.fspath(named)}: no such program; {by} names it")
+            return path
+    above = Path(__file__).resolve().parents
+    near = [above[2] / "berm", above[2] / "build" / "release" / "berm"]
+    if len(above) > 4:
+        near.append(above[4] / "bin" / "berm")
+    for place in near:
+        if place.is_file() and os.access(place, os.X_OK):
+            return str(place)
     found = shutil.which("berm")
     if found is None:
-        raise RunError("the program berm is not in PATH: install it, or name it in the environment variable BERM")
+        raise RunError("the program berm is not in PATH: install it, or name it by program= or in the environment variable BERM")
     return found
+
+
+def include_folder(program: PathLike | None = None) -> Path:
+    """The folder with berm/law.h, which a law of your own in C includes: that of the program's installation or source. Throws RunError where
+    there is none."""
+    near = Path(find_program(program)).resolve().parents
+    for folder in [above / "include" for above in near[:3]]:
+        if (folder / "berm" / "law.h").is_file():
+            return folder
+    raise RunError("there is no berm/law.h beside the program: install libberm-dev")
 
 
 def toml_value(value: Any) -> str:
@@ -47,18 +77,27 @@ def toml_value(value: Any) -> str:
         raise InputError(f"set: {value!r} is neither a number, text, True or False, nor a list of them") from None
 
 
-def settings(changes: Mapping[str, Any]) -> list[str]:
-    """KEY=VALUE for each change, as --set takes it."""
-    return [f"{key}={toml_value(value)}" for key, value in changes.items()]
+def settings(changes: Mapping[str, Any]) -> list[PathLike]:
+    """--set KEY=VALUE for each change."""
+    return [word for key, value in changes.items() for word in ("--set", f"{key}={toml_value(value)}")]
 
 
-def call(arguments: Sequence[PathLike], quiet: bool = True) -> str:
-    """Runs the program and returns what it prints; messages go to stderr unless quiet. An interrupt (Ctrl-C) is passed on, so that the run leaves a checkpoint.
-    Throws InputError, RunError and Stopped with the program's own message."""
-    words = [find_program(), *(os.fspath(word) for word in arguments)]
-    with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as output:
+def call(arguments: Sequence[PathLike], *, quiet: bool = True, program: PathLike | None = None) -> Answer:
+    """Runs the program to its end; its messages go to stderr unless quiet. Ctrl-C is passed on, so that a run leaves a checkpoint, and a
+    second one ends the program at once. Throws InputError, RunError and Stopped with the program's own message."""
+    words = [find_program(program), *(os.fspath(word) for word in arguments)]
+    with tempfile.TemporaryFile("w+", encoding="utf-8", errors="replace") as printed:
+        # In a session of its own: a terminal's Ctrl-C reaches it once, from here.
         try:
-            process = subprocess.Popen(words, stdout=output, stderr=subprocess.PIPE, text=True, errors="replace", start_new_session=True)
+            process = subprocess.Popen(
+                words,
+                stdin=subprocess.DEVNULL,
+                stdout=printed,
+                stderr=subprocess.PIPE,
+                encoding="utf-8",
+                errors="replace",
+                start_new_session=True,
+            )
         except OSError as error:
             raise RunError(f"{words[0]}: {error.strerror}") from None
         messages: list[str] = []
@@ -69,48 +108,71 @@ def call(arguments: Sequence[PathLike], quiet: bool = True) -> str:
                 if not quiet:
                     sys.stderr.write(line)
             process.wait()
-        except KeyboardInterrupt:
-            process.send_signal(signal.SIGINT)
-            process.stderr.close()
-            process.wait()
+        except BaseException:
+            end(process)
             raise
         if process.returncode != 0:
             raise error_of(process.returncode, messages)
-        output.seek(0)
-        return output.read()
+        printed.seek(0)
+        return Answer(printed.read(), messages)
+
+
+def end(process: subprocess.Popen[str]) -> None:
+    """Asks the program to stop and waits until it has written its checkpoint; another Ctrl-C ends it without one."""
+    process.send_signal(signal.SIGINT)
+    try:
+        process.communicate()
+    except KeyboardInterrupt:
+        process.send_signal(signal.SIGINT)
+        process.communicate()
 
 
 def error_of(status: int, messages: Sequence[str]) -> Exception:
-    """The exception for an exit status, with what the program said last of all."""
-    said = [line[len("berm: ") :] for line in messages if line.startswith("berm: ")]
-    message = "\n".join(said) or next((line for line in reversed(messages) if line), f"berm ended with status {status}")
-    if status == 2:
-        return InputError(message)
-    return Stopped(message) if status == 75 else RunError(message)
+    """The exception for an exit status (less than 0: the signal that ended the program), with what the program said."""
+    if status == 75:
+        stopped = [line[len(WARNING) :] for line in messages if line.startswith(WARNING + "stopped")]
+        return Stopped("\n".join(stopped) or "stopped")
+    said = [line[len("berm: ") :] for line in messages if line.startswith("berm: ") and not line.startswith(WARNING)]
+    ended = f"berm was ended by {signal.Signals(-status).name}" if status < 0 else f"berm ended with status {status}"
+    message = "\n".join(said) or "\n".join([ended, *[line for line in messages if line][-1:]])
+    return InputError(message) if status == 2 else RunError(message)
 
 
-def version() -> str:
+def version(*, program: PathLike | None = None) -> str:
     """The version of the program, such as "0.1.0"."""
-    return call(["--version"]).split()[1]
+    return call(["--version"], program=program).text.split()[1]
 
 
-def check(case: PathLike, set: Mapping[str, Any] = {}) -> str:
-    """What `berm check` says of a case: size, memory, time. Throws InputError where it is wrong or makes no sense."""
-    return call(["check", case, *(word for change in settings(set) for word in ("--set", change))])
+def new(kind: str, file: PathLike, *, program: PathLike | None = None) -> Path:
+    """Writes a commented case to begin with, as `berm new` lists them: pipe-in-sand, pipe-in-clay, ... Throws InputError."""
+    call(["new", kind, file], program=program)
+    return Path(file)
 
 
-def report(*folders: PathLike, quiet: bool = True) -> Path:
-    """Writes the page of one or several runs and returns its path."""
-    printed = call(["report", *folders], quiet).split()
-    return Path(printed[0])
+def check(case: PathLike, *, set: Mapping[str, Any] = {}, program: PathLike | None = None) -> str:
+    """What `berm check` says of a case: warnings, then size, memory, time. Throws InputError where it is wrong or makes no sense."""
+    answer = call(["check", case, *settings(set)], program=program)
+    return "".join(f"warning: {line}\n" for line in answer.warnings) + answer.text
 
 
-def export(*folders: PathLike, to: str = "json", output: PathLike | None = None) -> list[Path]:
-    """Springs of runs or studies for pipeline programs (table, json, abaqus, orcaflex, ansys, sima); returns the files."""
-    printed = call(["export", *folders, "--to", to, *(["-o", output] if output is not None else [])])
-    return [Path(line) for line in printed.splitlines()]
+def report(
+    *folders: PathLike, output: PathLike | None = None, pdf: bool = False, quiet: bool = True, program: PathLike | None = None
+) -> Path:
+    """Writes the page of one or several runs and returns its path. Throws InputError and RunError."""
+    words = ["report", *folders, *(["-o", output] if output is not None else []), *(["--pdf"] if pdf else [])]
+    return Path(call(words, quiet=quiet, program=program).text.splitlines()[0])
 
 
-def parameters() -> str:
-    """All parameters of a case, as a table in text."""
-    return call(["params"])
+def export(*folders: PathLike, to: str = "json", output: PathLike | None = None, program: PathLike | None = None) -> list[Path]:
+    """Springs of runs or studies for pipeline programs (table, json, abaqus, orcaflex, ansys, sima), to FOLDER/export or `output`; returns
+    the files. Throws InputError and RunError."""
+    words = ["export", *folders, "--to", to, *(["-o", output] if output is not None else [])]
+    return [Path(line) for line in call(words, program=program).text.splitlines()]
+
+
+def springs(folder: PathLike, *, program: PathLike | None = None) -> list[dict[str, Any]]:
+    """The springs of a run, or of each combination of a study with a sample, as `berm export --to json` writes them: N and m, None where a
+    number is not known. Throws InputError and RunError."""
+    with tempfile.TemporaryDirectory() as output:
+        files = export(folder, to="json", output=output, program=program)
+        return [json.loads(file.read_text(encoding="utf-8")) for file in files if file.suffix == ".json"]

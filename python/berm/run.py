@@ -4,8 +4,9 @@
 from __future__ import annotations
 
 import json
-import re
+import os
 import tomllib
+from bisect import bisect_left
 from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
@@ -14,14 +15,15 @@ from typing import TYPE_CHECKING, Any, NamedTuple, overload
 from .errors import InputError, RunError
 from .frames import Frame, frames_in
 from .history import History
-from .program import PathLike, call, settings
+from .program import PathLike, call, report, settings, springs
+from .travel import Drag, Push, pushes_and_drags
 
 if TYPE_CHECKING:
     from .study import Study
 
 
 class Quantity(NamedTuple):
-    """A key result: value in SI, unit ("1": a bare number) and meaning."""
+    """A key result: value in SI (NaN: not found), unit ("1": a bare number) and meaning."""
 
     value: float
     unit: str
@@ -29,21 +31,22 @@ class Quantity(NamedTuple):
 
 
 class Run:
-    """A run folder, read when asked for and kept."""
+    """A run folder. What is read of it is read when it is asked for, and kept; of a run that goes on, open it again."""
 
     def __init__(self, folder: PathLike) -> None:
         """Throws InputError where the folder is not one of a run."""
         self.folder = Path(folder)
         if not (self.folder / "resolved.toml").is_file():
-            raise InputError(f"{self.folder} is no run folder: it has no resolved.toml")
+            inner = sorted(file.parent.name for file in self.folder.glob("*/resolved.toml"))
+            why = f"it holds those of {', '.join(inner)}" if inner else "it has no resolved.toml"
+            raise InputError(f"{self.folder} is no run folder: {why}")
 
     def __repr__(self) -> str:
         return f"berm.open({str(self.folder)!r})"
 
     def _json(self, name: str) -> dict[str, Any]:
         try:
-            with (self.folder / name).open(encoding="utf-8") as file:
-                content = json.load(file)
+            content = json.loads((self.folder / name).read_text(encoding="utf-8"))
         except (OSError, ValueError) as error:
             raise RunError(f"{self.folder / name}: {error}") from None
         if not isinstance(content, dict):
@@ -52,12 +55,12 @@ class Run:
 
     @cached_property
     def summary(self) -> dict[str, Any]:
-        """summary.json: quantities, timing, checks, text, warnings."""
+        """summary.json: quantities, timing, checks, text, after --uncertainty the bands. Throws RunError where it is missing or damaged."""
         return self._json("summary.json")
 
-    @property
+    @cached_property
     def quantities(self) -> dict[str, Quantity]:
-        """Key results by name; a value that the run could not find is NaN."""
+        """Key results by name."""
         entries: dict[str, dict[str, Any]] = self.summary["quantities"]
         return {
             name: Quantity(float("nan") if q.get("value") is None else float(q["value"]), q.get("unit", "1"), q.get("meaning", ""))
@@ -67,7 +70,7 @@ class Run:
     @property
     def finished(self) -> bool:
         """Whether the run came to the end of its last stage."""
-        return bool(self.summary.get("checks", {}).get("finished", False)) if (self.folder / "summary.json").exists() else False
+        return (self.folder / "summary.json").exists() and bool(self.summary.get("checks", {}).get("finished", False))
 
     @cached_property
     def history(self) -> History:
@@ -75,49 +78,94 @@ class Run:
 
     @cached_property
     def frames(self) -> list[Frame]:
-        return frames_in(self.folder)
+        """In the order of time; none where none was written."""
+        times, stages = self.history["time_s"].tolist(), self.history.stage
+
+        def reached_in(time: float) -> str:
+            return stages[min(bisect_left(times, time), len(stages) - 1)] if stages else ""
+
+        return [Frame(time, reached_in(time), soil, rigid) for time, soil, rigid in frames_in(self.folder)]
 
     @cached_property
     def case(self) -> dict[str, Any]:
-        """The input with all defaults."""
-        with (self.folder / "resolved.toml").open("rb") as file:
-            return tomllib.load(file)
+        """The input with all defaults, in SI units and radians; `tomllib.load` of case.toml in the folder is the input as it was given."""
+        try:
+            return tomllib.loads((self.folder / "resolved.toml").read_text(encoding="utf-8"))
+        except (OSError, ValueError) as error:
+            raise RunError(f"{self.folder / 'resolved.toml'}: {error}") from None
 
     @cached_property
     def origin(self) -> dict[str, Any]:
         """origin.json: SHA-256 of input and program, when the run began and was resumed."""
         return self._json("origin.json")
 
+    @cached_property
+    def _travels(self) -> tuple[Push, list[Drag]]:
+        return pushes_and_drags(self.history, self.case["stage"])
+
+    @property
+    def push(self) -> Push:
+        """The way down: w and V of pushes that load the pipe further, by row. Throws InputError where no rigid body is driven."""
+        return self._travels[0]
+
+    @property
+    def drags(self) -> list[Drag]:
+        """Drags and sweeps in their order: u, travel, w, H and V of each, by row. Throws InputError where no rigid body is driven."""
+        return self._travels[1]
+
+    @property
+    def diameter(self) -> float | None:
+        """Of the driven pipe, m; None where it is no circle, or there is none."""
+        of = self.history.column("w").of if "w" in self.history else ""
+        value = self.case.get("rigid", {}).get(of, {}).get("diameter")
+        return None if value is None else float(value)
+
+    @cached_property
+    def springs(self) -> dict[str, Any]:
+        """Springs of the run, as `berm export --to json` writes them. Throws RunError where it has none."""
+        return springs(self.folder)[0]
+
     def report(self) -> Path:
-        """Writes the report's page and returns its path."""
-        call(["report", self.folder])
-        return self.folder / "report.html"
+        """Writes the report's page, report.html in the folder, and returns its path."""
+        return report(self.folder)
 
     def plot(self) -> Any:
-        """V over w of the push, and H and w over u of drags, as on the page: a matplotlib Figure. Needs python3-matplotlib."""
-        from .plots import plot_curves
+        """V over w of the push, and H and w over u of drags, as in curves.png: a matplotlib Figure. Needs python3-matplotlib. Throws
+        InputError where nothing is driven."""
+        from .curves_plot import plot_curves
 
         return plot_curves(self)
 
-    def plot_soil(self, frame: int = -1, field: str = "deviatoric_strain") -> Any:
-        """The soil of a frame, coloured by a field (of a vector or a stress by its magnitude): a matplotlib Figure. Needs python3-matplotlib."""
-        from .plots import plot_soil
+    def plot_soil(self, frame: int = -1, field: str = "deviatoric_strain", *, whole: bool = False) -> Any:
+        """The soil of a frame in the plane around the rigid body (whole: all of it), coloured by a field, of a vector or a stress by its
+        size: a matplotlib Figure. Needs python3-matplotlib. Throws InputError."""
+        from .soil_plot import plot_soil
 
-        return plot_soil(self, frame, field)
+        return plot_soil(self, frame, field, whole)
 
 
 @overload
-def open(folder: PathLike) -> Run | Study: ...
+def open(folder: PathLike) -> Run | Study:
+    ...
+
+
 @overload
-def open(folder: PathLike, kind: type[Run]) -> Run: ...
-def open(folder: PathLike, kind: type[Run] | None = None) -> Run | Study:
-    """The run or the study in a folder. Throws InputError where there is neither."""
+def open(folder: PathLike, kind: type[Run]) -> Run:
+    ...
+
+
+@overload
+def open(folder: PathLike, kind: type[Study]) -> Study:
+    ...
+
+
+def open(folder: PathLike, kind: type[Run] | type[Study] | None = None) -> Run | Study:
+    """The run or the study in a folder. Throws InputError where there is neither, or not that of `kind`."""
     from .study import Study
 
-    path = Path(folder)
-    if kind is None and (path / "study.json").is_file():
-        return Study(path)
-    return Run(path)
+    if kind is None:
+        kind = Study if (Path(folder) / "study.json").is_file() else Run
+    return kind(folder)
 
 
 def run(
@@ -126,27 +174,46 @@ def run(
     *,
     set: Mapping[str, Any] = {},
     threads: int | None = None,
-    resume: PathLike | None = None,
+    resume: bool | PathLike = False,
     force: bool = False,
     quiet: bool = False,
+    program: PathLike | None = None,
 ) -> Run:
-    """Runs a case, or resumes the run in a folder, and returns it.
+    """Runs a case and returns its run.
 
-    case: a TOML file. folder: where results go; else where the program puts them. set: changes to the case, {"stage.drag.velocity": "2 m/s"}. force: replaces an earlier run in
-    the folder. quiet: no progress on stderr. Throws InputError, RunError and Stopped with the program's message."""
-    if (case is None) == (resume is None):
-        raise InputError("either a case to run or a folder to resume must be given")
-    words: list[PathLike] = ["run", *(["--resume", resume] if resume is not None else [case or ""])]
-    words += [word for change in settings(set) for word in ("--set", change)]
-    words += ["-o", folder] if folder is not None else []
-    words += ["--threads", str(threads)] if threads is not None else []
-    words += ["--force"] if force else []
-    call(words, quiet)
-    return Run(resume or folder or default_folder(case or ""))
+    case: a TOML file. folder: where results go; else where the program puts them. set: changes to the case, {"stage.drag.velocity": "2 m/s"}.
+    resume: True goes on with the run of this case that the folder holds, if there is one (one that is finished is only opened); or a
+    folder, without a case, whose run goes on. force: replaces an earlier run. quiet: no progress on stderr. Throws InputError, RunError
+    and Stopped with the program's message."""
+    words: list[PathLike] = ["--threads", str(threads)] if threads is not None else []
+    if isinstance(resume, bool):
+        if case is None:
+            raise InputError("either a case to run or a folder to resume must be given")
+        into = Path(folder) if folder is not None else default_folder(case)
+    else:
+        if case is not None or folder is not None:
+            raise InputError("resume: a folder is resumed without a case and another folder; resume=True goes on with a case")
+        into = Path(resume)
+    if resume and (set or force):
+        raise InputError("resume: a run goes on with the changes that it was begun with: leave out set and force")
+    if case is not None and not (resume and (into / "resolved.toml").is_file()):
+        words = ["run", case, *settings(set), "-o", into, *(["--force"] if force else []), *words]
+    else:
+        if case is not None and _bytes_of(case) != _bytes_of(into / "case.toml"):
+            raise InputError(f"resume: {into} holds a run of another case than {case}: name another folder")
+        words = ["run", "--resume", into, *words]
+    call(words, quiet=quiet, program=program)
+    return Run(into)
+
+
+def _bytes_of(file: PathLike) -> bytes:
+    try:
+        return Path(file).read_bytes()
+    except OSError as error:
+        raise InputError(f"{file}: {error.strerror}") from None
 
 
 def default_folder(case: PathLike) -> Path:
     """Where the program puts the results of a case: out/FOLDER/NAME of FOLDER/NAME.toml."""
-    file = Path(case)
-    parent = re.sub(r"^\.+$", "", file.parent.name)
-    return Path("out") / parent / file.stem
+    file = Path(os.path.normpath(case))
+    return Path("out") / file.parent.name.strip(".") / file.stem
