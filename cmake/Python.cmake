@@ -4,6 +4,8 @@ set(BERM_PYTHON_FOLDER ${CMAKE_BINARY_DIR}/python)
 file(MAKE_DIRECTORY ${BERM_PYTHON_FOLDER}/berm)
 file(GLOB python_files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/python/berm/*)
 list(FILTER python_files EXCLUDE REGEX __pycache__)
+file(GLOB earlier ${BERM_PYTHON_FOLDER}/berm/*.py) # a module that was removed must not be imported from here
+file(REMOVE ${earlier})
 foreach(file IN LISTS python_files)
   cmake_path(GET file FILENAME name)
   configure_file(${file} ${BERM_PYTHON_FOLDER}/berm/${name} COPYONLY)

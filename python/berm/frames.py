@@ -109,11 +109,13 @@ class Frame:
     def triangles(self) -> NDArray[Any]:
         """Corners and middles of sides of quadratic triangles, numbers of points, of shape (triangles, 6); of particles there are none."""
         quadratic = (self._vtu.field("Cells", "types").values == QUADRATIC_TRIANGLE).all()
-        return self._vtu.field("Cells", "connectivity").values.reshape(-1, 6 if quadratic else 1)[: None if quadratic else 0]
+        corners = self._vtu.field("Cells", "connectivity").values
+        return (corners if quadratic else corners[:0]).reshape(-1, 6)
 
     @property
     def rigid_bodies(self) -> list[NDArray[Any]]:
-        """The surface of each cell of rigid bodies, in plane strain the outline of each body: points of shape (points, 3), m."""
+        """The cells of the surfaces of rigid bodies, in plane strain their outlines (and a radius that shows how a pipe rolls): points of
+        shape (points, 3), m."""
         if self.rigid_file is None:
             return []
         import numpy as np

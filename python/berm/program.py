@@ -54,8 +54,8 @@ def find_program(program: PathLike | None = None) -> str:
 
 
 def include_folder(program: PathLike | None = None) -> Path:
-    """The folder with berm/law.h, which a law of your own in C includes: that of the program's installation or source. Throws RunError where
-    there is none."""
+    """The folder with berm/law.h, which a law of your own in C includes: that of the program's installation or source. Throws RunError
+    where there is none."""
     near = Path(find_program(program)).resolve().parents
     for folder in [above / "include" for above in near[:3]]:
         if (folder / "berm" / "law.h").is_file():

@@ -181,10 +181,10 @@ def run(
 ) -> Run:
     """Runs a case and returns its run.
 
-    case: a TOML file. folder: where results go; else where the program puts them. set: changes to the case, {"stage.drag.velocity": "2 m/s"}.
+    case: a TOML file. folder: where results go; else where the program puts them. set: changes, {"stage.drag.velocity": "2 m/s"}.
     resume: True goes on with the run of this case that the folder holds, if there is one (one that is finished is only opened); or a
-    folder, without a case, whose run goes on. force: replaces an earlier run. quiet: no progress on stderr. Throws InputError, RunError
-    and Stopped with the program's message."""
+    folder, without a case, whose run goes on. force: replaces an earlier run. quiet: no progress on stderr. Throws InputError,
+    RunError and Stopped with the program's message."""
     words: list[PathLike] = ["--threads", str(threads)] if threads is not None else []
     if isinstance(resume, bool):
         if case is None:

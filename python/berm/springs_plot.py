@@ -21,7 +21,7 @@ def computed(run: Run, stage: str) -> tuple[Any, Any]:
     for drag in run.drags:
         if drag.stage == stage:
             half = HALF_WIDTH * (run.diameter or 0) if run.case["method"] == "mpm" else 0.0
-            return drag.travel, freed_from_noise(drag.travel, drag.H, half)
+            return drag.travel, freed_from_noise(drag.travel, drag.H, half, whole_window=True)
     return [], []
 
 

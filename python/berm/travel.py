@@ -73,9 +73,12 @@ def pushes_and_drags(history: History, stages: Sequence[dict[str, Any]]) -> tupl
     return Push(w[down], V[down]), drags
 
 
-def freed_from_noise(travel: NDArray[np.float64], value: NDArray[np.float64], half: float) -> NDArray[np.float64]:
-    """The value at each travel: that of the straight line fitted over travel +- half, and over less towards the ends of the curve. Rows
-    whose travel is not beyond that of all before them, or NaN, do not count; they get what the others give there."""
+def freed_from_noise(
+    travel: NDArray[np.float64], value: NDArray[np.float64], half: float, whole_window: bool = False
+) -> NDArray[np.float64]:
+    """The value at each travel: that of the straight line fitted over travel +- half. Towards the ends of the curve the window is less (as
+    in curves.png), or stays whole and the line is followed to the end (as in springs and key results). Rows whose travel is not beyond
+    that of all before them, or NaN, do not count; they get what the others give there."""
     import numpy as np
 
     beyond = np.maximum.accumulate(np.where(np.isnan(travel) | np.isnan(value), -np.inf, travel))
@@ -86,8 +89,9 @@ def freed_from_noise(travel: NDArray[np.float64], value: NDArray[np.float64], ha
         return smooth
     for k in np.flatnonzero((travel >= x[0]) & (travel <= x[-1])):
         s = travel[k]
-        reach = max(0.0, min(half, s - x[0], x[-1] - s))
-        window = slice(int(np.searchsorted(x, s - reach)), int(np.searchsorted(x, s + reach, side="right")))
+        reach = half if whole_window else max(0.0, min(half, s - x[0], x[-1] - s))
+        lower, upper = max(x[0], min(s - reach, x[-1] - 2 * reach)), min(x[-1], max(s + reach, x[0] + 2 * reach))
+        window = slice(int(np.searchsorted(x, lower)), int(np.searchsorted(x, upper, side="right")))
         near, there = x[window], y[window]
         if near.size < 3:
             smooth[k] = np.interp(s, x, y)

@@ -11,8 +11,6 @@ import pytest
 
 engine = pytest.importorskip("berm.engine")
 
-ELASTIC = {"material.sand.law": "user"}
-
 
 @pytest.fixture
 def own_case(case: Path, tmp_path: Path) -> Path:
@@ -20,7 +18,10 @@ def own_case(case: Path, tmp_path: Path) -> Path:
     text = case.read_text()
     begin = text.index("[material.sand]")
     end = text.index("[", begin + 1)
-    material = '[material.sand]\nlaw = "user"\nlibrary = "none.so"\ndensity = "1500 kg/m^3"\nyoung_modulus = "7 MPa"\npoisson_ratio = 0.25\nstate_variables = 1\n'
+    material = (
+        '[material.sand]\nlaw = "user"\nlibrary = "none.so"\nstate_variables = 1\n'
+        'density = "1500 kg/m^3"\nyoung_modulus = "7 MPa"\npoisson_ratio = 0.25\n'
+    )
     file = tmp_path / "own.toml"
     file.write_text(text[:begin] + material + text[end:])
     return file

@@ -8,19 +8,23 @@ check_house.py --list           names of all checks
 """
 
 import fnmatch
+import io
+import json
 import os
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import tokenize
 
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 SKIPPED = 77
 CPP = (".cpp", ".hpp")
-CODE = CPP + (".py", ".sh", ".cmake", ".ts", ".js", ".geo")
+CODE = CPP + (".py", ".pyi", "pyproject.toml", ".sh", ".cmake", ".ts", ".js", ".geo")
 LICENCE = "SPDX-License-Identifier: BSD-3-Clause"
 MOST_LINES, MANY_LINES = 600, 400
+MOST_LETTERS = 140  # in a line of the Python package and its tests
 # clang-format lays code out a little differently in every version; the house uses the one of Debian 12.
 CLANG_FORMAT = "14."
 
@@ -95,6 +99,35 @@ def licence(tree):
     for path in tree.code():
         if not any(LICENCE in line for line in tree.read(path).splitlines()[:2]):
             yield f"{path}: no '{LICENCE}' in the first two lines"
+
+
+def notebook(text):
+    """What a notebook says of its licence, and its cells; nothing of what is no notebook."""
+    try:
+        content = json.loads(text)
+        return content["metadata"].get("license", ""), content["cells"]
+    except (ValueError, KeyError, TypeError, AttributeError):
+        return "", []
+
+
+def notebooks(tree):
+    """A notebook names its licence in its metadata (license), has code, and is kept without outputs."""
+    for path in tree.ending(".ipynb"):
+        said, cells = notebook(tree.read(path))
+        if LICENCE not in said:
+            yield f"{path}: its metadata has no \"license\": \"{LICENCE}\""
+        if not any(cell["cell_type"] == "code" for cell in cells):
+            yield f"{path}: there is no cell of code"
+        if any(cell.get("outputs") or cell.get("execution_count") is not None for cell in cells):
+            yield f"{path}: it has outputs; clear them"
+
+
+def width(tree):
+    """No line of the Python package and its tests is longer than 140 letters."""
+    for path in tree.ending((".py", ".pyi"), ("python/", "tests/python/")):
+        for number, line in enumerate(tree.read(path).splitlines(), 1):
+            if len(line) > MOST_LETTERS:
+                yield f"{path}:{number}: {len(line)} letters"
 
 
 def length(tree):
@@ -278,15 +311,35 @@ def allocation(tree):
 DIALECT = ("dear", "foretold", "grip", "manieth", "meeting", "spin", "sticky", "stumble", "swallow", "taker", "wants", "weigh", "welded", "wished")
 
 
+def python_names(text):
+    """Names in Python, with their lines."""
+    try:
+        for token in tokenize.generate_tokens(io.StringIO(text).readline):
+            if token.type == tokenize.NAME:
+                yield token.start[0], token.string
+    except (tokenize.TokenError, SyntaxError):
+        return
+
+
+def names_in(path, text):
+    """Names in C++, Python and the cells of a notebook, with their lines (of a notebook: those of all its code)."""
+    if path.endswith(CPP):
+        for number, line in enumerate(without_words(text).splitlines(), 1):
+            yield from ((number, name) for name in re.findall(r"[A-Za-z_]\w*", line))
+    elif path.endswith(".ipynb"):
+        yield from python_names("\n".join("".join(cell["source"]) for cell in notebook(text)[1] if cell["cell_type"] == "code"))
+    else:
+        yield from python_names(text)
+
+
 def dialect(tree):
-    """Names in C++ have none of a short list of words that mean nothing to an engineer (docs/notation.md has the words to use)."""
-    for path in tree.ending(CPP):
-        for number, line in enumerate(without_words(tree.read(path)).splitlines(), 1):
-            for name in re.findall(r"[A-Za-z_]\w*", line):
-                plain = name.replace("wished_in_place", "")
-                for word in re.split(r"_+|(?<=[a-z0-9])(?=[A-Z])", plain):
-                    if word.lower() in DIALECT:
-                        yield f"{path}:{number}: '{word}' in {name}"
+    """Names in C++ and Python have none of a short list of words that mean nothing to an engineer (docs/notation.md has the words to use)."""
+    for path in tree.ending(CPP + (".py", ".pyi", ".ipynb")):
+        for number, name in names_in(path, tree.read(path)):
+            plain = name.replace("wished_in_place", "")
+            for word in re.split(r"_+|(?<=[a-z0-9])(?=[A-Z])", plain):
+                if word.lower() in DIALECT:
+                    yield f"{path}:{number}: '{word}' in {name}"
 
 
 def links(tree):
@@ -301,6 +354,8 @@ def links(tree):
 
 SPDX = "// " + LICENCE + "\n"
 TIERS = "berm_room(core ENGINE)\nberm_room(mesh ENGINE USES core)\nberm_room(mpm ENGINE USES core mesh)\nberm_room(input/inner USES mpm LINKS toml)\n"
+CELL = '{"cell_type": "code", "source": ["sticky = 1"], "outputs": []}'
+NOTEBOOK = f'{{"metadata": {{"license": "{LICENCE}"}}, "cells": [{CELL}]}}'
 EXAMPLE = {"examples/slope/README.md": "a", "examples/slope/case.toml": "a", "examples/slope/expected.toml": "a"}
 
 # Each check with trees that it must refuse and trees that it must let pass: {path: text}.
@@ -309,6 +364,16 @@ CHECKS = {
         [{"src/a.cpp": "int a;\n"}, {"run": "#!/bin/sh\nls\n"}, {"CMakeLists.txt": "\n\n# " + LICENCE + "\n"}],
         [{"src/a.cpp": SPDX, "run": "#!/bin/sh\n# " + LICENCE + "\n", "notes.md": "words"}],
     ),
+    notebooks: (
+        [
+            {"a.ipynb": NOTEBOOK.replace(LICENCE, "")},
+            {"a.ipynb": NOTEBOOK.replace('"outputs": []', '"outputs": [1]')},
+            {"a.ipynb": NOTEBOOK.replace(CELL, "")},
+            {"a.ipynb": "words"},
+        ],
+        [{"a.ipynb": NOTEBOOK}],
+    ),
+    width: ([{"python/berm/a.py": "a" * 141}, {"tests/python/a.py": "\n" + "a" * 141}], [{"python/a.py": "a" * 140, "scripts/a.py": "a" * 141}]),
     length: ([{"a.cpp": "\n" * 601}, {"a.py": "\n" * 700}], [{"a.cpp": "\n" * 600, "a.md": "\n" * 900}]),
     names: ([{"src/string_utils.hpp": ""}, {"src/common/a.hpp": ""}], [{"src/mesh/locate.hpp": ""}]),
     tiers: (
@@ -379,8 +444,10 @@ CHECKS = {
             {"src/a.hpp": "struct WishedPipe;\n"},
             {"tests/a.cpp": "TEST(Memory, is_foretold)\n"},
             {"src/a.cpp": "int a = stumble_;\n"},
+            {"python/a.py": "def stumble(): pass\n"},
+            {"a.ipynb": NOTEBOOK},
         ],
-        [{"src/a.hpp": '/// spin\nconst char* former = "sticky";\nbool is_wished_in_place, spins_up, gripping;\n', "web/a.ts": "sticky\n"}],
+        [{"src/a.hpp": '/// spin\nconst char* former = "sticky";\nbool is_wished_in_place, spins_up, gripping;\n', "web/a.ts": "sticky\n", "python/a.py": "# spin\na = 'sticky'\n"}],
     ),
     links: ([{"docs/a.md": "[b](b.md)"}], [{"docs/a.md": "[b](../b.md#part) [c](https://berm.example/c.md)", "b.md": ""}]),
 }

@@ -107,21 +107,21 @@ def ended_well(process):
 def memory(berm, sizes, threads):
     """What `berm check` foretells and what a run takes at most, with two frames: within 10 %."""
     fine = True
-    print("particles  cells  foretold, MiB  taken, MiB")
+    print("particles  cells  expected, MiB  taken, MiB")
     for size in sizes:
         case, folder = os.path.join(berm.place, "column.toml"), os.path.join(berm.place, f"column_{size:g}")
         with open(case, "w") as file:
             file.write(column_case(size, 20))
         check = berm.start("check", case, "--threads", threads, hears=True)
-        foretold = float(re.search(r"memory +about (\d+) MiB", check.communicate()[0])[1])
+        expected = float(re.search(r"memory +about (\d+) MiB", check.communicate()[0])[1])
         run = berm.start("run", case, "--threads", threads, "-o", folder)
         taken = max(mebibytes for _, mebibytes in watch(run, "VmHWM", SAMPLED_EVERY))
         if not ended_well(run):
             return False
         timing = summary_of(folder)["timing"]
-        within = abs(taken / foretold - 1) <= 0.1
+        within = abs(taken / expected - 1) <= 0.1
         fine = fine and within
-        print(f"{timing['particles']}  {timing['cells']}  {foretold:.0f}  {taken:.0f}{'' if within else '  NOT within 10 %'}", flush=True)
+        print(f"{timing['particles']}  {timing['cells']}  {expected:.0f}  {taken:.0f}{'' if within else '  NOT within 10 %'}", flush=True)
     return fine
 
 

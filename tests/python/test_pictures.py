@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Pictures show what the program's own pictures show: their numbers are compared with the data that it draws (plots/)."""
+
+import re
+from pathlib import Path
+
+import berm
+import numpy as np
+import pytest
+
+pytest.importorskip("matplotlib")
+from berm.curves_plot import force_measure  # noqa: E402
+from berm.picture import drag_color, round_up  # noqa: E402
+from berm.soil_plot import color_range  # noqa: E402
+
+DIGITS = 1e-5  # the program writes six
+
+
+def blocks(file: Path) -> list[np.ndarray]:
+    """Of a data file of gnuplot, without comments."""
+    parts = re.split(r"\n\s*\n", re.sub(r"#[^\n]*", "", file.read_text()))
+    return [np.array([[float(word) for word in line.split()] for line in part.strip().splitlines()]) for part in parts if part.strip()]
+
+
+@pytest.mark.parametrize("which", ["finished", "finite_elements"])
+def test_curves_are_those_of_the_program(which: str, request: pytest.FixtureRequest) -> None:
+    run: berm.Run = request.getfixturevalue(which)
+    push, drag = blocks(run.folder / "plots" / "curves.dat")
+    V_of_w, H_of_u, w_of_u = run.plot().axes
+    V, w = V_of_w.lines[-1].get_data()
+    assert np.allclose(w, push[:, 0], rtol=DIGITS)
+    assert np.allclose(
+        V, push[:, 2], rtol=DIGITS, atol=DIGITS * np.nanmax(push[:, 2]), equal_nan=True
+    ), "NaN where a pipe rises for a while"
+    u, H = H_of_u.lines[-1].get_data()
+    assert np.allclose(u, drag[:, 0], rtol=DIGITS, atol=1e-6) and np.allclose(H, drag[:, 2], rtol=DIGITS, atol=DIGITS * drag[:, 2].max())
+    assert np.allclose(w_of_u.lines[-1].get_ydata(), drag[:, 4], rtol=DIGITS)
+    below, above = V_of_w.get_ylim()
+    assert below > above == 0, "embedment grows downwards"
+
+
+@pytest.mark.parametrize("which", ["finished", "finite_elements"])
+def test_forces_are_over_what_the_program_divides_them_by(which: str, request: pytest.FixtureRequest) -> None:
+    run: berm.Run = request.getfixturevalue(which)
+    measure = force_measure(run)
+    assert measure is not None
+    springs = run.springs
+    expected = springs["suD_N_m" if "s_u" in measure[1] else "gammaD2_N_m"] / springs["prototype_over_model"]
+    assert np.isclose(measure[0], expected, rtol=1e-9)
+
+
+def test_bands_of_an_uncertainty_are_under_the_curves(finished: berm.Run) -> None:
+    run = berm.open(finished.folder, berm.Run)
+    band = {"x": [0, 1e-4, 2e-4], "low": [10, 20, None], "high": [20, 30, 40]}
+    run.summary["uncertainty"] = {"curves": [{"chart": chart, **band} for chart in ("V_w", "H_u", "w_u")]}
+    assert [len(axes.collections) for axes in run.plot().axes] == [1, 1, 1]
+    assert [len(axes.collections) for axes in finished.plot().axes] == [0, 0, 0]
+
+
+def test_particles_and_colours_are_those_of_the_program(finished: berm.Run) -> None:
+    (dots,) = blocks(finished.folder / "plots" / "soil.dat")
+    axes = finished.plot_soil().axes[0]
+    disks = axes.collections[0]
+    drawn = np.column_stack((disks.get_offsets(), disks.get_array()))
+    assert len(drawn) == len(dots), "the same part of the soil"
+    order, expected = np.lexsort(drawn.T[:2].round(4)), np.lexsort(dots.T[:2].round(4))
+    assert np.allclose(drawn[order], dots[expected][:, [0, 1, 3]], rtol=1e-3, atol=1e-3)
+    script = (finished.folder / "plots" / "soil.gp").read_text()
+    found = re.search(r"set cbrange \[(.*):(.*)\]", script)
+    assert found is not None and disks.get_clim() == pytest.approx((float(found[1]), float(found[2])))
+    x = re.search(r"set xrange \[(.*):(.*)\]", script)
+    assert x is not None and axes.get_xlim() == pytest.approx((float(x[1]), float(x[2])), rel=1e-5)
+
+
+def test_soil_of_finite_elements_is_filled_and_other_fields_can_be_shown(finite_elements: berm.Run) -> None:
+    figure = finite_elements.plot_soil(0, "displacement", whole=True)
+    axes, bar = figure.axes
+    assert bar.get_ylabel() == "size of displacement since the start (m)"
+    bed = finite_elements.case["mesh"]
+    assert np.ptp(axes.get_xlim()) == pytest.approx(bed["length"], rel=1e-6)
+    with pytest.raises(berm.InputError, match="frame 99: there are"):
+        finite_elements.plot_soil(99)
+    with pytest.raises(berm.InputError, match="no field 'strain'"):
+        finite_elements.plot_soil(field="strain")
+
+
+def test_springs_lie_over_the_curves_of_the_sample(sampled: berm.Study) -> None:
+    (axes,) = sampled.plot_springs().axes
+    by_label = {line.get_label(): line for line in axes.lines}
+    assert len(axes.lines) == 10 + 1 + 3 and {"low", "best", "high", "computed, best"} <= set(by_label)
+    design = sampled.springs
+    for name in ("low", "best", "high"):
+        u, H = np.array(design["springs"][name]["lateral"][0]["spring"]).T
+        assert np.allclose(by_label[name].get_xdata(), u / design["diameter_m"]) and np.allclose(by_label[name].get_ydata(), H / 1000)
+    computed = np.array(design["springs"]["best"]["lateral"][0]["computed"])
+    drawn = by_label["computed, best"]
+    H = np.interp(computed[:, 0] / design["diameter_m"], drawn.get_xdata(), drawn.get_ydata())
+    assert np.allclose(H * 1000, computed[:, 1], rtol=1e-6)
+
+
+def test_a_notebook_shows_a_picture(finished: berm.Run, tmp_path: Path) -> None:
+    figure = finished.plot()
+    assert figure._repr_png_().startswith(b"\x89PNG")
+    figure.savefig(tmp_path / "curves.svg")
+    assert (tmp_path / "curves.svg").stat().st_size > 5000
+
+
+def test_colours_of_drags_go_from_light_to_dark() -> None:
+    assert drag_color(0, 1) == "#c8452f" and drag_color(0, 4) == "#f29c6b" and drag_color(3, 4) == "#7a122b"
+
+
+def test_a_range_of_colours_begins_at_zero_and_leaves_one_point_in_a_hundred_out() -> None:
+    assert [round_up(value) for value in (0.0, 0.31, 1.0, 1.2, 4100.0)] == [1, 0.4, 1, 1.5, 5000]
+    assert color_range(np.append(np.linspace(0, 0.9, 500), [100.0])) == (0, 1)
+    assert color_range(-np.linspace(0, 0.9, 500)) == (-1, 0)
+    assert color_range(np.zeros(10)) == (0, 1) and color_range(np.array([np.nan])) == (0, 1)

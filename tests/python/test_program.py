@@ -1,0 +1,206 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The package starts the program and passes on what it says."""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import berm
+import numpy as np
+import pytest
+from berm.program import toml_value
+
+
+def test_package_and_program_are_of_one_version() -> None:
+    assert berm.version() == berm.__version__
+
+
+def test_a_program_is_taken_by_name_then_from_the_environment_then_from_beside_the_package(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path, pretended: Callable[[str], Path]
+) -> None:
+    named = pretended("echo berm 7.7.7")
+    monkeypatch.setenv("BERM", "false")
+    assert berm.find_program(named) == str(named) and berm.version(program=named) == "7.7.7"
+    assert berm.find_program() == shutil.which("false")
+    monkeypatch.setenv("BERM", str(tmp_path / "none"))
+    with pytest.raises(berm.RunError, match="none.*environment variable BERM"):
+        berm.find_program()
+    prefix = tmp_path / "prefix"
+    shutil.copytree(Path(berm.__file__).parent, prefix / "lib" / "python3" / "dist-packages" / "berm")
+    (prefix / "bin").mkdir()
+    shutil.copy(named, prefix / "bin" / "berm")
+    environment = {"PATH": "/nowhere", "PYTHONPATH": str(prefix / "lib" / "python3" / "dist-packages")}
+    where = [sys.executable, "-c", "import berm; print(berm.find_program())"]
+    installed = subprocess.run(where, env=environment, capture_output=True, text=True)
+    assert installed.stdout.strip() == str(prefix / "bin" / "berm"), installed.stderr
+    (prefix / "bin" / "berm").unlink()
+    missing = subprocess.run(where, env=environment, capture_output=True, text=True)
+    assert "the program berm is not in PATH" in missing.stderr
+
+
+@pytest.mark.parametrize(
+    ("line", "kind", "message"),
+    [
+        ("echo 'berm: case.toml:3: wrong' >&2; exit 2", berm.InputError, "^case.toml:3: wrong$"),
+        ("echo 'berm: warning: odd' >&2; echo 'berm: it failed' >&2; exit 1", berm.RunError, "^it failed$"),
+        ("echo 'berm: warning: stopped at t = 1 s' >&2; echo more >&2; exit 75", berm.Stopped, "^stopped at t = 1 s$"),
+        ("kill -KILL $$", berm.RunError, "^berm was ended by SIGKILL"),
+        ("echo 'cannot open shared object' >&2; exit 127", berm.RunError, "status 127\ncannot open shared object"),
+    ],
+)
+def test_an_exit_status_is_an_exception_with_the_message(
+    pretended: Callable[[str], Path], line: str, kind: type[Exception], message: str
+) -> None:
+    with pytest.raises(kind, match=message):
+        berm.check("case.toml", program=pretended(line))
+
+
+def test_a_program_that_cannot_be_started_is_named(tmp_path: Path) -> None:
+    broken = tmp_path / "broken"
+    broken.write_bytes(b"\x7fELF")
+    broken.chmod(0o755)
+    with pytest.raises(berm.RunError, match="broken"):
+        berm.version(program=broken)
+
+
+def test_progress_goes_to_stderr_unless_quiet(case: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    short = {"stage.drag.until.displacement": "0.1 mm", "stage.push.until.embedment": "0.1 mm"}
+    berm.run(case, tmp_path / "told", set=short, threads=1)
+    assert "particles, 1 thread" in capsys.readouterr().err
+    berm.run(case, tmp_path / "quiet", set=short, threads=1, quiet=True)
+    assert capsys.readouterr().err == ""
+
+
+def test_a_check_says_sizes_and_warnings_and_refuses_what_is_wrong(case: Path) -> None:
+    said = berm.check(case, set={"body.sand.k0": 4})
+    assert "warning: --set body.sand.k0" in said and "particles" in said
+    with pytest.raises(berm.InputError, match="friction_angel.*friction_angle"):
+        berm.check(case, set={"material.sand.friction_angel": 1})
+
+
+def test_changes_are_written_as_toml() -> None:
+    assert toml_value("35 deg") == '"35 deg"' and toml_value(True) == "true" and toml_value(3) == "3" and toml_value(0.1) == "0.1"
+    assert toml_value(np.float64(0.5)) == "0.5" and toml_value([1, "a"]) == '[1, "a"]'
+    with pytest.raises(berm.InputError, match="neither a number"):
+        toml_value({})
+
+
+def test_parameters_are_those_of_the_manual() -> None:
+    by_path = {(p.path, p.of): p for p in berm.parameters()}
+    size = by_path["mesh.near_size", 'kind = "seabed"']
+    assert (size.kind, size.unit, size.values, size.default) == ("number", "m", "more than 0 m", "required")
+    assert by_path["title", ""].table == "" and by_path["mesh.trench.width", 'kind = "seabed"'].unit == "m"
+    assert by_path["material.NAME.friction_angle", 'law = "mohr_coulomb"'].unit == "rad"
+    assert by_path["stage.until.embedment", ""].meaning and not any(path.startswith("test.") for path, _ in by_path)
+    manual = (Path(os.environ["BERM_SOURCE"]) / "docs" / "parameters.md").read_text()
+    of_a_case = manual[: manual.index("## Element tests")]
+    assert len(berm.parameters()) == of_a_case.count("\n| `")
+
+
+def test_a_commented_case_can_be_begun_with(tmp_path: Path) -> None:
+    assert "particles" in berm.check(berm.new("pipe-in-clay", tmp_path / "pipe.toml"))
+    with pytest.raises(berm.InputError, match="pipe-in-clai"):
+        berm.new("pipe-in-clai", tmp_path / "other.toml")
+
+
+def test_a_change_changes_the_run_and_a_wrong_one_is_refused_with_its_key(case: Path, tmp_path: Path, finished: berm.Run) -> None:
+    changed = berm.run(case, tmp_path / "changed", set={"material.sand.friction_angle": "25 deg"}, threads=1, quiet=True)
+    assert changed.history["V"][-1] != finished.history["V"][-1]
+    with pytest.raises(berm.InputError, match="material.sand.friction_angel"):
+        berm.run(case, tmp_path / "wrong", set={"material.sand.friction_angel": 1}, quiet=True)
+    with pytest.raises(berm.InputError, match="--force"):
+        berm.run(case, tmp_path / "changed", quiet=True)
+    with pytest.raises(berm.InputError, match="either a case"):
+        berm.run()
+
+
+def test_an_interrupt_leaves_a_checkpoint_from_which_a_run_goes_on(case: Path, tmp_path: Path) -> None:
+    long = {"stage.drag.until.displacement": "2 mm", "output.history_time": "1 us"}
+    folder = tmp_path / "long"
+
+    def interrupt() -> None:
+        limit = time.monotonic() + 30
+        while not (folder / "history.csv").exists() and time.monotonic() < limit:
+            time.sleep(0.01)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    threading.Thread(target=interrupt).start()
+    with pytest.raises(KeyboardInterrupt):
+        berm.run(case, folder, set=long, threads=1, quiet=True)
+    assert not berm.open(folder, berm.Run).finished
+    assert berm.run(resume=folder, threads=1, quiet=True).finished
+
+
+def test_a_second_interrupt_ends_a_program_that_does_not_stop(pretended: Callable[[str], Path], tmp_path: Path) -> None:
+    begun = tmp_path / "begun"
+    stubborn = pretended(f"trap 'trap - INT; echo once > {begun}.once' INT; echo > {begun}; while true; do sleep 0.05; done")
+
+    def interrupt_twice() -> None:
+        for sign in (begun, begun.with_suffix(".once")):
+            limit = time.monotonic() + 30
+            while not sign.exists() and time.monotonic() < limit:
+                time.sleep(0.01)
+            os.kill(os.getpid(), signal.SIGINT)
+
+    threading.Thread(target=interrupt_twice).start()
+    start = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        berm.check("case.toml", program=stubborn)
+    assert time.monotonic() - start < 25, "it came to an end by itself"
+
+
+def test_a_run_is_gone_on_with_by_its_case(case: Path, tmp_path: Path) -> None:
+    mine = tmp_path / "mine.toml"
+    shutil.copy(case, mine)
+    begun = berm.run(mine, tmp_path / "out", resume=True, threads=1, quiet=True)
+    written = (begun.folder / "history.csv").stat().st_mtime_ns
+    again = berm.run(mine, tmp_path / "out", resume=True, quiet=True)
+    assert again.finished and (again.folder / "history.csv").stat().st_mtime_ns == written
+    with pytest.raises(berm.InputError, match="leave out set"):
+        berm.run(mine, tmp_path / "out", set={"title": "x"}, resume=True)
+    mine.write_text(mine.read_text() + "# changed\n")
+    with pytest.raises(berm.InputError, match="another case"):
+        berm.run(mine, tmp_path / "out", resume=True)
+    with pytest.raises(berm.InputError, match="without a case"):
+        berm.run(mine, resume=tmp_path / "out")
+
+
+def test_an_element_test_gives_the_rows_of_its_tests(tmp_path: Path) -> None:
+    tests = tmp_path / "clay.toml"
+    tests.write_text(
+        """[material.clay]
+law = "mohr_coulomb"
+density = "1000 kg/m^3"
+young_modulus = "2 MPa"
+poisson_ratio = 0.45
+cohesion = "5 kPa"
+friction_angle = 0
+[[test]]
+name = "shear"
+kind = "simple_shear"
+material = "clay"
+drained = false
+vertical_stress = "20 kPa"
+k0 = 1
+strain_path = [0.1]
+"""
+    )
+    rows = berm.element(tests, tmp_path / "out")
+    assert list(rows) == ["shear"]
+    assert rows["shear"].unit("tau_Pa") == "Pa"
+    assert np.isclose(rows["shear"]["tau_Pa"].max(), 5000, rtol=1e-6), "s_u of a material without friction is its cohesion"
+
+
+def test_the_header_of_laws_is_found() -> None:
+    assert (berm.include_folder() / "berm" / "law.h").is_file()
+
+
+def test_a_report_is_written_where_it_says(finished: berm.Run, tmp_path: Path) -> None:
+    page = berm.report(finished.folder, output=tmp_path / "page.html")
+    assert page.resolve() == (tmp_path / "page.html").resolve() and "<html" in page.read_text()[:500]
