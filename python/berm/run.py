@@ -182,8 +182,8 @@ def run(
     """Runs a case and returns its run.
 
     case: a TOML file. folder: where results go; else where the program puts them. set: changes, {"stage.drag.velocity": "2 m/s"}.
-    resume: True goes on with the run of this case that the folder holds, if there is one (one that is finished is only opened); or a
-    folder, without a case, whose run goes on. force: replaces an earlier run. quiet: no progress on stderr. Throws InputError,
+    resume: True continues the run of this case that the folder holds, if there is one (one that is finished is only opened); or a
+    folder, without a case, whose run is continued. force: replaces an earlier run. quiet: no progress on stderr. Throws InputError,
     RunError and Stopped with the program's message."""
     words: list[PathLike] = ["--threads", str(threads)] if threads is not None else []
     if isinstance(resume, bool):
@@ -192,10 +192,10 @@ def run(
         into = Path(folder) if folder is not None else default_folder(case)
     else:
         if case is not None or folder is not None:
-            raise InputError("resume: a folder is resumed without a case and another folder; resume=True goes on with a case")
+            raise InputError("resume: a folder is resumed without a case and another folder; resume=True continues a case")
         into = Path(resume)
     if resume and (set or force):
-        raise InputError("resume: a run goes on with the changes that it was begun with: leave out set and force")
+        raise InputError("resume: a run continues with the changes that it was begun with: leave out set and force")
     if case is not None and not (resume and (into / "resolved.toml").is_file()):
         words = ["run", case, *settings(set), "-o", into, *(["--force"] if force else []), *words]
     else:

@@ -2,6 +2,9 @@
 """berm.engine steps a case inside this process."""
 
 import gc
+import os
+import subprocess
+import sys
 import threading
 from pathlib import Path
 
@@ -153,3 +156,15 @@ def test_messages_go_to_a_function(case: Path) -> None:
     messages: list[str] = []
     engine.Run(str(case), message=messages.append).finish()
     assert any("particles, 1 thread" in line for line in messages)
+
+
+def test_the_stub_has_the_names_and_arguments_of_the_module(tmp_path: Path) -> None:
+    pytest.importorskip("mypy")
+    artefacts = tmp_path / "artefacts"  # of pybind11: its metaclass, and an __init__ that throws
+    artefacts.write_text("berm.engine.RigidBody\nberm.engine.Run\nberm.engine.RigidBody.__init__\nberm.engine.__test__\n")
+    package = str(Path(berm.__file__).parents[1])
+    checked = subprocess.run(
+        [sys.executable, "-m", "mypy.stubtest", "berm.engine", "--allowlist", str(artefacts), "--ignore-unused-allowlist"],
+        cwd=tmp_path, env={**os.environ, "MYPYPATH": package}, capture_output=True, text=True,
+    )  # fmt: skip
+    assert checked.returncode == 0, checked.stdout + checked.stderr

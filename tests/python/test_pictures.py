@@ -11,7 +11,7 @@ import pytest
 pytest.importorskip("matplotlib")
 from berm.curves_plot import force_measure  # noqa: E402
 from berm.picture import drag_color, round_up  # noqa: E402
-from berm.soil_plot import color_range  # noqa: E402
+from berm.soil_plot import color_range, view_around  # noqa: E402
 
 DIGITS = 1e-5  # the program writes six
 
@@ -72,6 +72,14 @@ def test_particles_and_colours_are_those_of_the_program(finished: berm.Run) -> N
     assert x is not None and axes.get_xlim() == pytest.approx((float(x[1]), float(x[2])), rel=1e-5)
 
 
+def test_a_picture_reaches_above_a_berm_but_not_up_to_grains_that_fly() -> None:
+    pipe = np.array([[2.0, 0.0], [3.0, 0.0], [3.0, 1.0], [2.0, 1.0]])
+    soil = np.column_stack((np.linspace(0, 5, 2001), np.append(np.linspace(-1, 1.5, 2000), 9.0)))
+    lower, upper = view_around(pipe, soil)
+    assert lower == pytest.approx([0.0, -1.2]) and upper == pytest.approx([5.0, 1.7], abs=0.003)
+    assert view_around(pipe, soil - [0, 1])[1] == pytest.approx([5.0, 1.3]), "1.3 widths above the lowest point"
+
+
 def test_soil_of_finite_elements_is_filled_and_other_fields_can_be_shown(finite_elements: berm.Run) -> None:
     figure = finite_elements.plot_soil(0, "displacement", whole=True)
     axes, bar = figure.axes
@@ -112,5 +120,6 @@ def test_colours_of_drags_go_from_light_to_dark() -> None:
 def test_a_range_of_colours_begins_at_zero_and_leaves_one_point_in_a_hundred_out() -> None:
     assert [round_up(value) for value in (0.0, 0.31, 1.0, 1.2, 4100.0)] == [1, 0.4, 1, 1.5, 5000]
     assert color_range(np.append(np.linspace(0, 0.9, 500), [100.0])) == (0, 1)
+    assert color_range(np.linspace(0, 1.015, 1000)) == (0, 1.5), "1.005; of two points in a hundred it were 0.995"
     assert color_range(-np.linspace(0, 0.9, 500)) == (-1, 0)
     assert color_range(np.zeros(10)) == (0, 1) and color_range(np.array([np.nan])) == (0, 1)

@@ -71,7 +71,7 @@ def test_a_program_that_cannot_be_started_is_named(tmp_path: Path) -> None:
 
 def test_progress_goes_to_stderr_unless_quiet(case: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     short = {"stage.drag.until.displacement": "0.1 mm", "stage.push.until.embedment": "0.1 mm"}
-    berm.run(case, tmp_path / "told", set=short, threads=1)
+    berm.run(case, tmp_path / "loud", set=short, threads=1)
     assert "particles, 1 thread" in capsys.readouterr().err
     berm.run(case, tmp_path / "quiet", set=short, threads=1, quiet=True)
     assert capsys.readouterr().err == ""
@@ -133,7 +133,7 @@ def test_an_interrupt_leaves_a_checkpoint_from_which_a_run_goes_on(case: Path, t
     threading.Thread(target=interrupt).start()
     with pytest.raises(KeyboardInterrupt):
         berm.run(case, folder, set=long, threads=1, quiet=True)
-    assert not berm.open(folder, berm.Run).finished
+    assert not berm.open(folder, berm.Run).finished and "stopped at t" in (folder / "run.log").read_text()
     assert berm.run(resume=folder, threads=1, quiet=True).finished
 
 
@@ -155,7 +155,7 @@ def test_a_second_interrupt_ends_a_program_that_does_not_stop(pretended: Callabl
     assert time.monotonic() - start < 25, "it came to an end by itself"
 
 
-def test_a_run_is_gone_on_with_by_its_case(case: Path, tmp_path: Path) -> None:
+def test_a_run_is_continued_by_its_case(case: Path, tmp_path: Path) -> None:
     mine = tmp_path / "mine.toml"
     shutil.copy(case, mine)
     begun = berm.run(mine, tmp_path / "out", resume=True, threads=1, quiet=True)

@@ -113,6 +113,8 @@ def test_a_sweep_back_counts_its_travel_against_x_and_a_push_that_unloads_is_no_
     there = pushes_and_drags(history, [{**stages[2], "velocity": 1.0}])[1][0]
     assert np.array_equal(drag.travel, -there.travel) and np.array_equal(drag.H, -there.H) and np.array_equal(drag.u, there.u)
     assert pushes_and_drags(history, [{**stages[2], "velocity": 0.0}])[1] == [], "a pause is no drag"
+    after = {"name": "push", "kind": "push", "velocity": 1.0}
+    assert pushes_and_drags(history, [stages[2], after])[0].w.size == 0, "a push after a drag is not the way down"
 
 
 def test_averaging_keeps_a_straight_line_and_takes_a_wave_away() -> None:
