@@ -5,7 +5,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-Law = Callable[[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], float, float], bool | None]
+_Law = Callable[[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], float, float], bool | None]
 
 def version() -> str: ...
 
@@ -30,7 +30,7 @@ class Run:
         folder: str = "",
         replace: bool = False,
         threads: int = 1,
-        laws: Mapping[str, Law] = ...,
+        laws: Mapping[str, _Law] = ...,
         message: Callable[[str], None] | None = None,
         resume: str = "",
     ) -> None: ...
