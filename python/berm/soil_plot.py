@@ -79,7 +79,7 @@ def plot_soil(run: Run, number: int, name: str, whole: bool) -> Any:
     """The figure; run.plot_soil says what it takes."""
     import numpy as np
 
-    if run.case["dimension"] != 2:
+    if run.case["geometry"] == "space":
         raise InputError(f"{run.folder} is a run in space: berm report shows a slice of it, frames[k].to_pyvista() all")
     if not run.frames:
         raise InputError(f"{run.folder} has no frames")

@@ -181,7 +181,7 @@ problem::Case column(Real particles)
 problem::Case column_in_space(Real particles)
 {
   problem::Case c = column(particles);
-  c.dimension = 3;
+  c.geometry = problem::Geometry::space;
   c.gravity.push_back(0);
   const Real per_side = std::round(std::cbrt(particles / 8 / 6 / (2 * 4 * 1)));  // cubes along the depth, 0.25
   mesh::BoxMesh mesh;
@@ -422,8 +422,8 @@ void run_bench(const std::vector<std::string>& names, const std::string& json_fi
   for (const BenchProblem& bench : problems) {
     if (!names.empty() && std::find(names.begin(), names.end(), bench.name) == names.end()) continue;
     const problem::Case c = bench.make();
-    table["problems"].push_back(c.dimension == 2 ? measure_speed<2>(bench.name, c, context, bandwidth)
-                                                 : measure_speed<3>(bench.name, c, context, bandwidth));
+    table["problems"].push_back(c.dimension() == 2 ? measure_speed<2>(bench.name, c, context, bandwidth)
+                                                   : measure_speed<3>(bench.name, c, context, bandwidth));
   }
   if (!json_file.empty() && Ranks::of_run().is_first()) io::write_atomically(json_file, table.dump(2) + "\n");
 }

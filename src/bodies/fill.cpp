@@ -12,12 +12,12 @@
 namespace berm::bodies {
 namespace {
 
-/// Position, cell and volume of a new particle.
+/// Position, cell and section (mesh::section_of) of a new particle.
 template <int dim>
 struct Seed {
   Vec<dim> x;
   Index cell;
-  Real volume;
+  Real section;
 };
 
 template <int dim>
@@ -71,7 +71,7 @@ std::vector<Seed<dim>> seeds_in_regions(const mesh::Mesh<dim>& mesh, const std::
     for (const auto& point : of_cell) {
       Vec<dim> x = Vec<dim>::Zero();
       for (int k = 0; k <= dim; ++k) x += point[k] * mesh.position[mesh.nodes[cell][k]];
-      seeds.push_back({x, cell, mesh.volume(cell) / static_cast<Real>(of_cell.size())});
+      seeds.push_back({x, cell, mesh.section(cell) / static_cast<Real>(of_cell.size())});
     }
   }
   return seeds;
@@ -140,7 +140,7 @@ std::vector<Seed<2>> seeds_in_disk(const mesh::Mesh<2>& mesh, const std::string&
       const Vec<2> local = disk.spacing * Vec<2>(i + 0.5, j + 0.5);
       if (local.norm() < radius) seeds.push_back({center + local, finder.cell_at(center + local), 0});
     }
-  for (Seed<2>& seed : seeds) seed.volume = pi * radius * radius / static_cast<Real>(seeds.size());
+  for (Seed<2>& seed : seeds) seed.section = pi * radius * radius / static_cast<Real>(seeds.size());
   sort_by_cell(seeds);
   return seeds;
 }
@@ -170,12 +170,12 @@ Vec<dim> first_velocity(const BodySettings& body, const Vec<dim>& from_center, c
 }
 
 template <int dim>
-Vec<dim> center_of_mass(const std::vector<Seed<dim>>& seeds)
+Vec<dim> center_of_section(const std::vector<Seed<dim>>& seeds)
 {
   Vec<dim> moment = Vec<dim>::Zero();
-  Real volume = 0;
-  for (const Seed<dim>& seed : seeds) moment += seed.volume * seed.x, volume += seed.volume;
-  return moment / volume;
+  Real section = 0;
+  for (const Seed<dim>& seed : seeds) moment += seed.section * seed.x, section += seed.section;
+  return moment / section;
 }
 
 }  // namespace
@@ -247,18 +247,18 @@ Particles<dim> fill(const mesh::Mesh<dim>& mesh, const std::string& name, const 
     return std::any_of(start.holes.begin(), start.holes.end(), [&](const auto& hole) { return surface_at(hole, seed.x).distance < 0; });
   });
   Particles<dim> particles(mesh, static_cast<Index>(seeds.size()), start.extra);
-  const Vec<dim> center = center_of_mass(seeds);
+  const Vec<dim> center = center_of_section(seeds);
   std::int32_t id = 0;
   for (const Seed<dim>& seed : seeds) {
     Particle<dim> p;
     p.x = seed.x;
-    p.volume = seed.volume;
-    p.mass = start.density * seed.volume;
+    p.volume = seed.section * weight_at(mesh.metric, seed.x);
+    p.mass = start.density * p.volume;
     p.v = first_velocity<dim>(body, seed.x - center, seed.x);
     p.stress = initial_stress<dim>(body, start.density * start.vertical_gravity, start.surface - seed.x[1]);
     if (start.soil_at) {
       const SoilAtPoint soil = start.soil_at(seed.cell, seed.x);
-      p.mass = soil.density * seed.volume;
+      p.mass = soil.density * p.volume;
       p.stress = stress_at_rest<dim>(body, soil.vertical_stress);
       std::copy(soil.own.begin(), soil.own.end(), p.extra + start.first_own);
     }

@@ -108,9 +108,11 @@ std::vector<LoadedPoint<dim>> loaded_points(const mesh::Mesh<dim>& mesh, const s
       if (holds_soil(mesh.neighbor(cell, corner))) continue;
       const Vec<dim> inwards = mesh.shape(cell).gradient(corner);  // 1 / height long
       const auto [points, loaded] = points_on<dim>(mesh, traction, face);
-      const Real area = loaded * dim * mesh.volume(cell) * inwards.norm() / static_cast<Real>(std::max<std::size_t>(points.size(), 1));
-      for (const Vec<dim>& x : points)
-        points_on_boundary.push_back({cell, x, area * stress_on<dim>(traction, -inwards.normalized()), area});
+      const Real area = loaded * dim * mesh.section(cell) * inwards.norm() / static_cast<Real>(std::max<std::size_t>(points.size(), 1));
+      for (const Vec<dim>& x : points) {
+        const Real weighted = area * weight_at(mesh.metric, x);
+        points_on_boundary.push_back({cell, x, weighted * stress_on<dim>(traction, -inwards.normalized()), weighted});
+      }
     }
   if (points_on_boundary.empty()) refuse_without_soil(name, traction);
   return points_on_boundary;

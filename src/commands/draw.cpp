@@ -29,9 +29,9 @@ std::vector<Picture> pictures(const CaseOptions& options)
     const fs::path file = named ? request.folder : fs::path(request.folder.string() + ".png");
     if (file.extension() != ".png" && file.extension() != ".svg")
       throw InputError(fmt::format("-o {}: the picture of a case is a .png or an .svg; name it so", options.output));
-    if (request.settings.dimension != 2)
-      throw InputError(fmt::format("{}: dimension = {}: berm draw shows cases in the plane; berm check tells the size of this one",
-                                   request.case_file.string(), request.settings.dimension));
+    if (request.settings.dimension() != 2)
+      throw InputError(fmt::format("{}: geometry = \"space\": berm draw shows cases in the plane; berm check tells the size of this one",
+                                   request.case_file.string()));
     all.push_back({std::move(request), file, file.extension() == ".svg" ? plot::PlotFormat::svg : plot::PlotFormat::png});
   }
   return all;

@@ -41,7 +41,7 @@ struct Footprint {
   std::array<Index, dim + 1> nodes{};   ///< of the cell of the particle that covers it, or the one node around which it lies
   std::array<Real, dim + 1> weights{};  ///< their shape functions there
   int node_count = 1;                   ///< 1 or dim + 1
-  Real area = 0;                        ///< m2 (per metre run: m)
+  Real area = 0;                        ///< m2 (per metre run: m; in axisymmetry m2 per radian)
 
   // Of a particle at a rigid surface in the plane:
   int side = 0;              ///< of the rigid body
@@ -49,6 +49,7 @@ struct Footprint {
   Real begin = 0, end = 0;   ///< m
   Real width = 0;            ///< m, of the particle
   Real left = 0, right = 0;  ///< m, extent against and along the side
+  Real x = 0, x_slope = 0;   ///< m, x of the side there, and how it grows along the side
 };
 
 /// The points of one contact, detected anew in each step, and the work arrays of the detection; memory is reused.

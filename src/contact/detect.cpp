@@ -113,10 +113,10 @@ void list_nodes(const mesh::Mesh<dim>& mesh, const bodies::RigidShape<dim>& shap
 
 /// Whether a particle's gap is less than its width: its distance from the surface less than one and a half of that, which needs no root.
 template <int dim>
-bool is_near(Real distance, Real volume)
+bool is_near(Real distance, Real section)
 {
   const Real part = distance * (2. / 3);
-  return part <= 0 || (dim == 2 ? part * part : part * part * part) < volume;
+  return part <= 0 || (dim == 2 ? part * part : part * part * part) < section;
 }
 
 /// The particles whose gap is less than their width.
@@ -143,8 +143,9 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
         const bodies::Block<dim>& p = particles.block(b);
         const Vec<dim> x = position_of(p, l);
         const bodies::SurfacePoint<dim> surface = surface_at(shape, x);
-        if (!is_near<dim>(surface.distance, p.volume[l])) continue;
-        const Real half = half_width<dim>(p.volume[l]);
+        const Real section = section_of(mesh.metric, p.volume[l], x);
+        if (!is_near<dim>(surface.distance, section)) continue;
+        const Real half = half_width<dim>(section);
         ContactPoint<dim>& point = found.list[at++];
         point = {};
         point.gap = surface.distance - half;
@@ -195,12 +196,14 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
     for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) {
       const bodies::Block<dim>& p = particles.block(b);
       for (int l = 0; l < lanes && l < left; ++l) {
-        const bodies::SurfacePoint<dim> surface = surface_at(shape, position_of(p, l));
+        const Vec<dim> x = position_of(p, l);
+        const bodies::SurfacePoint<dim> surface = surface_at(shape, x);
         result.distance = std::min(result.distance, surface.distance);
-        const bool near = is_near<dim>(surface.distance, p.volume[l]);
+        const Real section = section_of(mesh.metric, p.volume[l], x);
+        const bool near = is_near<dim>(surface.distance, section);
         result.points += near ? 1 : 0;
         if (detection == Detection::particle && !near) continue;
-        const Real half = half_width<dim>(p.volume[l]), gap = surface.distance - half;
+        const Real half = half_width<dim>(section), gap = surface.distance - half;
         if (gap < result.gap) result.gap = gap, result.normal = surface.normal, result.half_width = half;
       }
     }

@@ -8,11 +8,11 @@
 
 namespace berm::contact {
 
-/// Half the width of a particle, m: of a square (cube) of its volume.
+/// Half the width of a particle, m: of a square (cube) of its section (mesh::section_of).
 template <int dim>
-Real half_width(Real volume)
+Real half_width(Real section)
 {
-  return 0.5 * (dim == 2 ? std::sqrt(volume) : std::cbrt(volume));
+  return 0.5 * (dim == 2 ? std::sqrt(section) : std::cbrt(section));
 }
 
 /// Detects contact of a body with a rigid one.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "bodies/particle_position.hpp"
 #include "contact/detect.hpp"
 #include "contact/strips.hpp"
 #include "core/ranks.hpp"
@@ -22,7 +23,8 @@ Real reach(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles,
       Lanes along = direction[0] * p.x[0];
       for (int d = 1; d < dim; ++d) along += direction[d] * p.x[d];
       if (rims)
-        for (int l = 0; l < lanes; ++l) along[l] += half_width<dim>(p.volume[l]);
+        for (int l = 0; l < std::min<Index>(lanes, left); ++l)
+          along[l] += half_width<dim>(section_of(mesh.metric, p.volume[l], position_of(p, l)));
       farthest = lane_numbers < all_lanes(left) ? larger(farthest, along) : farthest;
     }
   }

@@ -19,6 +19,16 @@ void meet(Footprint<2>& left, Footprint<2>& right, Real distance)
   right.left = distance * right.width / widths;
 }
 
+/// In axisymmetry a particle that is first or last on its side meets its own mirror image: it ends at the axis, and reaches it where it is nearer than its width.
+void meet_axis(const Footprint<2>& f, bool first, bool last, Real& from, Real& to)
+{
+  if (f.x_slope == 0) return;
+  const Real to_axis = f.x / std::abs(f.x_slope), axis = f.along - f.x / f.x_slope;
+  const bool reaches = to_axis < f.width;
+  if (f.x_slope > 0) from = first && reaches ? std::max(axis, f.begin) : std::max(from, axis);
+  if (f.x_slope < 0) to = last && reaches ? std::min(axis, f.end) : std::min(to, axis);
+}
+
 }  // namespace
 
 void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& particles, const bodies::RigidShape<2>& shape,
@@ -36,7 +46,7 @@ void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& part
       for (int l = 0; l < lanes && l < left; ++l) {
         const bodies::Block<2>& p = particles.block(b);
         const Vec<2> x(p.x[0][l], p.x[1][l]);
-        const Real half = half_width<2>(p.volume[l]);
+        const Real half = half_width<2>(section_of(mesh.metric, p.volume[l], x));
         const auto add = [&](int side, const bodies::OnSide& at) {
           if (at.away < -half || at.away >= 2 * half || at.along < at.begin - half || at.along > at.end + half) return;
           Footprint<2> footprint;
@@ -49,6 +59,8 @@ void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& part
           footprint.end = at.end;
           footprint.width = 2 * half;
           footprint.left = footprint.right = half;
+          footprint.x = at.x;
+          footprint.x_slope = at.x_slope;
           list.push_back(footprint);
         };
         std::visit([&](const auto& s) { visit_sides(s, x, add); }, shape);
@@ -61,7 +73,18 @@ void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& part
     if (list[k].side == list[k - 1].side) meet(list[k - 1], list[k], list[k].along - list[k - 1].along);
   const Real around = std::visit([](const auto& s) { return closes_after(s); }, shape);
   if (around < infinity && list.size() > 1) meet(list.back(), list.front(), list.front().along + around - list.back().along);
-  for (Footprint<2>& f : list) f.area = std::max(std::min(f.along + f.right, f.end) - std::max(f.along - f.left, f.begin), Real(0));
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    Footprint<2>& f = list[k];
+    Real from = std::max(f.along - f.left, f.begin), to = std::min(f.along + f.right, f.end);
+    if (mesh.metric == mesh::Metric::axisymmetric) {
+      const bool first = k == 0 || list[k - 1].side != f.side, last = k + 1 == list.size() || list[k + 1].side != f.side;
+      meet_axis(f, first, last, from, to);
+      const Real radius = f.x + f.x_slope * ((from + to) / 2 - f.along);
+      f.area = std::max((to - from) * radius, Real(0));
+    } else {
+      f.area = std::max(to - from, Real(0));
+    }
+  }
 }
 
 template <int dim>

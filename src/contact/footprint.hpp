@@ -7,7 +7,7 @@
 
 namespace berm::contact {
 
-/// Computes the length of rigid surface that each particle at it covers, m, in the plane (found.footprints).
+/// Computes the length of rigid surface that each particle at it covers, m, in the plane (found.footprints); in axisymmetry length times radius, m2 per radian.
 ///
 /// A particle within its width w of a side covers w along it, clipped at the side's ends. Where two neighbours overlap, or
 /// leave less than a width open, the border between them divides their distance in the ratio of their widths, so that

@@ -53,8 +53,8 @@ std::string wrong_word(const Found& found, const std::vector<std::string>& allow
 Reader::Reader(Document& document) : document_(document)
 {
   document.root.used = true;
-  const Node* dimension = member(document.root, "dimension");
-  in_space_ = dimension != nullptr && dimension->kind == Node::Kind::whole && dimension->whole == 3;
+  const Node* geometry = member(document.root, "geometry");
+  whole_ = geometry != nullptr && geometry->kind == Node::Kind::text && (geometry->text == "space" || geometry->text == "axisymmetric");
   levels_.push_back({&document.root, &document.root, ""});
 }
 
@@ -86,7 +86,7 @@ void Reader::refuse_missing(const char* key, const std::string& what) const
 void Reader::leaf(const char* key, Leaf variable, const Parameter& declared)
 {
   Parameter parameter = declared;
-  if (in_space_) parameter.unit = unit_in_space(declared.unit);
+  if (whole_) parameter.unit = unit_of_whole(declared.unit);
   Node* node = find(key);
   if (node == nullptr) {
     if (parameter.required) refuse_missing(key, hint(variable, parameter));

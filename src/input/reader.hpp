@@ -37,7 +37,7 @@ private:
   [[noreturn]] void refuse_missing(const char* key, const std::string& what) const;
 
   Document& document_;
-  bool in_space_ = false;  ///< `dimension = 3`: quantities are not per metre run
+  bool whole_ = false;  ///< space or axisymmetry: quantities are not per metre run
   std::vector<Level> levels_;
 };
 

@@ -192,7 +192,7 @@ bool is_bare(const std::string& si_unit)
 
 }  // namespace
 
-const char* unit_in_space(const char* si_unit)
+const char* unit_of_whole(const char* si_unit)
 {
   constexpr const char* pairs[][2] = {{"N/m", "N"}, {"kg/m", "kg"}, {"kg m", "kg m^2"}};
   for (const auto& [per_metre, in_space] : pairs)

@@ -32,7 +32,7 @@ bool same_dimension(const std::string& unit, const std::string& other);
 
 /// The unit in space of a quantity that is per metre run in plane strain: N for N/m, kg for kg/m, kg m^2 for kg m; any other
 /// unchanged.
-const char* unit_in_space(const char* si_unit);
+const char* unit_of_whole(const char* si_unit);
 
 /// The dimension of si_unit for messages, with two examples: `a length, such as "20 mm" or "0.8 m"`.
 std::string wanted(const std::string& si_unit);

@@ -104,7 +104,7 @@ void write(const SettingTable& table, std::string& text)
 
 void SettingVisitor::leaf(const char* key, Leaf variable, const Parameter& parameter)
 {
-  const char* unit = in_space_ ? unit_in_space(parameter.unit) : parameter.unit;
+  const char* unit = whole_ ? unit_of_whole(parameter.unit) : parameter.unit;
   SettingValue value = std::visit(ToSetting{}, variable);
   if (const auto* number = std::get_if<Real*>(&variable))
     for (const NumberWord& word : parameter.words)
@@ -152,7 +152,7 @@ std::string toml_of(const SettingTable& table)
 SettingTable all_settings(const problem::Case& settings)
 {
   problem::Case copy = settings;
-  SettingVisitor visitor(settings.dimension == 3);
+  SettingVisitor visitor(settings.force_dimension() == 3);
   describe(visitor, copy);
   return visitor.root();
 }

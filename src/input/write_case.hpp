@@ -28,7 +28,7 @@ struct SettingTable {
 /// Records every parameter of a struct, with its value, its SI unit and its meaning.
 class SettingVisitor : public Describe {
 public:
-  explicit SettingVisitor(bool in_space = false) : in_space_(in_space) { open_.push_back(&root_); }
+  explicit SettingVisitor(bool whole = false) : whole_(whole) { open_.push_back(&root_); }
   const SettingTable& root() const { return root_; }
   void check(bool, const std::string&, const std::string&, const std::vector<std::string>&) override {}
 
@@ -48,7 +48,7 @@ private:
 
   SettingTable root_;
   std::vector<SettingTable*> open_;
-  bool in_space_;  ///< quantities are not per metre run
+  bool whole_;  ///< quantities are not per metre run
 };
 
 /// As TOML: every value in SI units, with unit and meaning in a comment. Reading the text gives the same struct.

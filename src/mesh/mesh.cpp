@@ -248,9 +248,15 @@ Shape<dim> Mesh<dim>::shape(Index cell) const
 }
 
 template <int dim>
-Real Mesh<dim>::volume(Index cell) const
+Real Mesh<dim>::section(Index cell) const
 {
   return determinant(*this, cell) / (dim == 2 ? 2 : 6);
+}
+
+template <int dim>
+Real Mesh<dim>::volume(Index cell) const
+{
+  return metric == Metric::axisymmetric ? section(cell) * centroid(cell)[0] : section(cell);
 }
 
 template <int dim>

@@ -45,6 +45,26 @@ struct Shape {
   }
 };
 
+/// What an area of the mesh stands for.
+enum class Metric {
+  cartesian,    ///< one metre across the plane; in space a volume stands for itself
+  axisymmetric  ///< one radian about the axis x = 0, with x the radius
+};
+
+/// What areas at a point are multiplied with to make volumes: 1, or the radius, m (per radian).
+template <int dim>
+[[gnu::always_inline]] inline Real weight_at(Metric metric, const Vec<dim>& x)
+{
+  return metric == Metric::axisymmetric ? x[0] : Real(1);
+}
+
+/// The area of what has this volume at a point, m2 (in space its volume, m3).
+template <int dim>
+[[gnu::always_inline]] inline Real section_of(Metric metric, Real volume, const Vec<dim>& x)
+{
+  return metric == Metric::axisymmetric ? volume / x[0] : volume;
+}
+
 /// A corner of a cell at a node: entry = (dim + 1) * cell + corner.
 using CornerEntry = Index;
 
@@ -61,6 +81,7 @@ struct Mesh {
   std::vector<std::string> region_names;
   std::vector<std::string> boundary_names;
   std::vector<std::vector<Index>> boundary_nodes;  ///< by boundary, ascending
+  Metric metric = Metric::cartesian;
 
   // What follows is derived by complete().
   NodeField<Index> first_entry;                                 ///< entries of node i: first_entry[i] ... first_entry[i + 1] - 1
@@ -83,8 +104,9 @@ struct Mesh {
   // Geometry of single cells is computed from their nodes: stored for all cells, it would be half of a large mesh.
   Vec<dim> centroid(Index cell) const;
   Shape<dim> shape(Index cell) const;
-  Real volume(Index cell) const;  ///< m2 (per metre run) or m3
-  Real height(Index cell) const;  ///< the smallest one, m
+  Real section(Index cell) const;  ///< m2, its area; in space its volume, m3
+  Real volume(Index cell) const;   ///< m2 (per metre run) or m3; in axisymmetry m3 per radian, section times radius of the centroid
+  Real height(Index cell) const;   ///< the smallest one, m
   /// The cell across the face opposite that corner, or none at the boundary.
   Index neighbor(Index cell, int corner) const;
 };

@@ -105,6 +105,81 @@ Physical Curve("right") = {26, 22};
 Physical Curve("base") = {27};
 )";
 
+// The same where the fine zone begins at the left wall, which has no layer.
+constexpr const char* lines_at_wall = R"(
+Point(1) = {left, 0, 0};
+Point(2) = {near_right, 0, 0};
+Point(3) = {left, -near_depth, 0};
+Point(4) = {near_right, -near_depth, 0};
+Point(6) = {right - layer, 0, 0};
+Point(7) = {left, -depth + layer, 0};
+Point(8) = {right - layer, -depth + layer, 0};
+Point(9) = {left, headroom, 0};
+Point(10) = {right, headroom, 0};
+Point(11) = {left, near_height, 0};
+Point(12) = {near_right, near_height, 0};
+Line(1) = {1, 2};
+Line(2) = {3, 4};
+Line(3) = {3, 1};
+Line(4) = {4, 2};
+Line(6) = {2, 6};
+Line(7) = {7, 3};
+Line(8) = {8, 6};
+Line(9) = {7, 8};
+Line(10) = {9, 10};
+Line(11) = {1, 11};
+Line(12) = {2, 12};
+Line(13) = {11, 12};
+Line(14) = {11, 9};
+Curve Loop(1) = {2, 4, -1, -3};
+Curve Loop(2) = {9, 8, -6, -4, -2, -7};
+Curve Loop(3) = {1, 12, -13, -11};
+Plane Surface(1) = {1};
+Plane Surface(2) = {2};
+Plane Surface(3) = {3};
+Physical Surface("near") = {1};
+Physical Surface("bed") = {2};
+Physical Curve("top") = {10};
+)";
+
+constexpr const char* at_wall_without_layer = R"(
+Line(22) = {6, 10};
+Curve Loop(4) = {13, -12, 6, 22, -10, -14};
+Plane Surface(4) = {4};
+Physical Surface("headroom") = {3, 4};
+Physical Curve("surface") = {1, 6};
+Physical Curve("left") = {7, 3, 11, 14};
+Physical Curve("right") = {8, 22};
+Physical Curve("base") = {9};
+)";
+
+constexpr const char* at_wall_with_layer = R"(
+Point(22) = {right, 0, 0};
+Point(23) = {left, -depth, 0};
+Point(24) = {right, -depth, 0};
+Line(22) = {22, 10};
+Line(24) = {6, 22};
+Line(26) = {24, 22};
+Line(27) = {23, 24};
+Line(28) = {23, 7};
+Curve Loop(4) = {13, -12, 6, 24, 22, -10, -14};
+Curve Loop(5) = {27, 26, -24, -8, -9, -28};
+Plane Surface(4) = {4};
+Plane Surface(5) = {5};
+Physical Surface("headroom") = {3, 4};
+Physical Surface("layer") = {5};
+Physical Curve("surface") = {1, 6, 24};
+Physical Curve("left") = {28, 7, 3, 11, 14};
+Physical Curve("right") = {26, 22};
+Physical Curve("base") = {27};
+)";
+
+/// Whether the fine zone begins at the left wall.
+bool is_at_wall(const SeabedMesh& bed)
+{
+  return bed.near_left == layout_of(bed).left;
+}
+
 // Of Gmsh's algorithms for the plane, frontal Delaunay (6) with smoothing gives the largest smallest height, which sets the time step.
 constexpr const char* gmsh_options = R"(
 Mesh.MeshSizeExtendFromBoundary = 0;
@@ -128,7 +203,11 @@ void describe(Describe& d, SeabedMesh& bed)
   d.value("headroom", bed.headroom,
           {.meaning = "height of free space above the surface, for the berm", .unit = "m", .range = positive, .required = true});
   d.value("left", bed.left,
-          {.meaning = "distance from the pipe's start x = 0 to the left wall; left out: half the length", .unit = "m", .range = positive});
+          {.meaning =
+               "distance from the pipe's start x = 0 to the left wall; left out: half the length. 0 for half a bed, or one around an "
+               "axis: the fine zone then begins there, with near_left = 0",
+           .unit = "m",
+           .range = not_negative});
   d.value("near_size", bed.near_size,
           {.meaning = "size of the cells in the fine zone around the pipe's path", .unit = "m", .range = positive, .required = true});
   d.value("near_left", bed.near_left,
@@ -155,7 +234,7 @@ void describe(Describe& d, SeabedMesh& bed)
 
 SeabedLayout layout_of(const SeabedMesh& bed)
 {
-  const Real left = -bed.left.value_or(bed.length / 2);
+  const Real left = 0 - bed.left.value_or(bed.length / 2);
   // A layer thinner than its cells would be made of flat ones.
   const Real far_size = std::min(bed.far_size.value_or(infinity), bed.layer > 0 ? bed.layer : infinity);
   return {left, left + bed.length, std::max(far_size, bed.near_size)};
@@ -184,9 +263,10 @@ void check(const SeabedMesh& bed)
   fits(bed.near_right - bed.near_left >= h, "near_right",
        fmt::format("the fine zone from near_left {:.6g} m to near_right {:.6g} m is narrower than near_size {:.6g} m", bed.near_left,
                    bed.near_right, h));
-  fits(bed.near_left >= at.left + bed.layer + h, "near_left",
-       fmt::format("{:.6g} m must be right of the left wall and its layer by near_size: at least {:.6g} m", bed.near_left,
-                   at.left + bed.layer + h));
+  fits(is_at_wall(bed) || bed.near_left >= at.left + bed.layer + h, "near_left",
+       fmt::format("{:.6g} m must be right of the left wall and its layer by near_size: at least {:.6g} m; or at that wall: {:.6g} m",
+                   bed.near_left, at.left + bed.layer + h, at.left));
+  fits(!is_at_wall(bed) || ground_of(bed).level(), "near_left", "the fine zone can begin at the left wall of a level bed only");
   fits(bed.near_right <= at.right - bed.layer - h, "near_right",
        fmt::format("{:.6g} m must be left of the right wall and its layer by near_size: at most {:.6g} m", bed.near_right,
                    at.right - bed.layer - h));
@@ -257,7 +337,10 @@ void write_geo(const SeabedMesh& bed, const std::filesystem::path& path)
                                     {"near_size", bed.near_size},
                                     {"growth", bed.growth}})
     out << fmt::format("{} = {};\n", name, value);
-  out << lines_of_bed << (bed.layer > 0 ? with_layer : without_layer);
+  if (is_at_wall(bed))
+    out << lines_at_wall << (bed.layer > 0 ? at_wall_with_layer : at_wall_without_layer);
+  else
+    out << lines_of_bed << (bed.layer > 0 ? with_layer : without_layer);
   end_geometry(out, size_formula(bed), path);
 }
 

@@ -37,6 +37,8 @@ struct Step {
 ///             |              layer                |
 ///     base    +-----------------------------------+  y = -depth
 ///
+/// The fine zone may begin at the left wall, near_left = left, which then has no layer.
+///
 /// Regions "near", "bed", "layer" (where there is one), "headroom"; boundaries "left", "right", "base", "top" and "surface", which lies within the mesh. The size of the cells is near_size
 /// in the fine zone (up to near_height above the surface) and min(near_size + growth * distance, far_size) at a distance from it.
 ///

@@ -53,8 +53,12 @@ BodySums<dim> sums_over(const bodies::Particles<dim>& particles)
 }
 
 template <int dim>
-Real momentum_error(const problem::State<dim>& state)
+Real momentum_error(const problem::State<dim>& state, mesh::Metric metric)
 {
+  const auto size_of = [&](Vec<dim> v) {
+    if (metric == mesh::Metric::axisymmetric) v[0] = 0;
+    return v.norm();
+  };
   Vec<dim> now = Vec<dim>::Zero();
   Real moving = 0;  // the momentum if all particles moved in one direction
   for (const bodies::Particles<dim>& particles : state.particles) {
@@ -64,9 +68,9 @@ Real momentum_error(const problem::State<dim>& state)
   }
   const problem::Totals<dim>& t = state.totals;
   const Vec<dim> given = t.gravity_impulse + t.traction_impulse + t.contact_impulse + t.support_impulse + t.damping_impulse;
-  const Real size = moving + t.first_momentum.norm() + t.gravity_impulse.norm() + t.traction_impulse.norm() + t.contact_impulse.norm() +
-                    t.support_impulse.norm() + t.damping_impulse.norm();
-  return size > 0 ? (now - t.first_momentum - given).norm() / size : 0;
+  const Real size = moving + size_of(t.first_momentum) + size_of(t.gravity_impulse) + size_of(t.traction_impulse) +
+                    size_of(t.contact_impulse) + size_of(t.support_impulse) + size_of(t.damping_impulse);
+  return size > 0 ? size_of(now - t.first_momentum - given) / size : 0;
 }
 
 template <int dim>
@@ -88,8 +92,8 @@ template struct BodySums<2>;
 template struct BodySums<3>;
 template BodySums<2> sums_over(const bodies::Particles<2>&);
 template BodySums<3> sums_over(const bodies::Particles<3>&);
-template Real momentum_error(const problem::State<2>&);
-template Real momentum_error(const problem::State<3>&);
+template Real momentum_error(const problem::State<2>&, mesh::Metric);
+template Real momentum_error(const problem::State<3>&, mesh::Metric);
 template bodies::Particle<2> particle_of(const bodies::Particles<2>&, std::int32_t);
 template bodies::Particle<3> particle_of(const bodies::Particles<3>&, std::int32_t);
 

@@ -39,9 +39,9 @@ BodySums<dim> sums_over(const bodies::Particles<dim>& particles);
 
 /// Momentum error: |momentum now - momentum at the start - impulses of gravity, tractions, contact, supports and damping|
 /// over the sum of the magnitudes of all these and of the momentum if all particles moved in one direction. Round-off where
-/// the step is right.
+/// the step is right. In axisymmetry along the axis: across it the stress around it gives momentum.
 template <int dim>
-Real momentum_error(const problem::State<dim>& state);
+Real momentum_error(const problem::State<dim>& state, mesh::Metric metric = mesh::Metric::cartesian);
 
 /// The particle with this id. Throws RunError where there is none.
 template <int dim>

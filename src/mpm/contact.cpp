@@ -6,6 +6,7 @@
 #include "contact/footprint.hpp"
 #include "contact/strips.hpp"
 #include "mpm/contact_velocity.hpp"
+#include "mpm/hoop.hpp"
 #include "mpm/interface.hpp"
 #include "mpm/reaction.hpp"
 #include "mpm/share.hpp"
@@ -23,6 +24,9 @@ Real surface_area(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index 
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
     const Index cell = mesh.entries[e] / (dim + 1), corner = mesh.entries[e] % (dim + 1);
     gradient += grid.moments[cell].volume * grid.shape(mesh, cell).gradient(corner);
+    if (grid.hoop.size() > 0)
+      for_each_hoop_share<dim>(grid.shape(mesh, cell), grid.moments[cell], grid.hoop[cell],
+                               [&](int k, Real share) { gradient[0] += k == corner ? share : 0; });
   }
   return gradient.norm();
 }

@@ -13,6 +13,7 @@ template <int dim>
 BodyGrid<dim>::BodyGrid(const mesh::Mesh<dim>& mesh)
     : moments(CellField<Moments<dim>>::zeros(mesh.cell_count())),
       corners(CellField<std::array<CornerSums<dim>, dim + 1>>::zeros(mesh.cell_count())),
+      hoop(CellField<HoopMoments>::zeros(mesh.metric == mesh::Metric::axisymmetric ? mesh.cell_count() : 0)),
       volume_change(CellField<VolumeChange>::zeros(mesh.cell_count())),
       viscous_stress(CellField<Real>::zeros(mesh.cell_count())),
       gradients(CellField<mesh::Gradients<dim>>::zeros(mesh.cell_count())),

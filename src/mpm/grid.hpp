@@ -35,6 +35,14 @@ struct CornerSums {
   Real volume;    ///< sum V of the whole cell, the same for all its corners
 };
 
+/// What the direction around the axis adds to the moments of a cell in axisymmetry. With A = V / x the area of a particle, a_k = sum A N_k follows from
+/// sum A, sum A x = sum V and sum A y.
+struct HoopMoments {
+  Real area = 0;    ///< sum A, m2; in a full cell, of what it is integrated over
+  Real area_y = 0;  ///< sum A y
+  Real stress = 0;  ///< sum V sigma_zz, N m per radian; scaled with the volume
+};
+
 /// How the particles of a cell swell in a step. Apart from the moments, which other cells' particles have summed again while those of this one still move.
 struct VolumeChange {
   Real volume;  ///< sum V before the step, as in Moments
@@ -49,6 +57,7 @@ struct BodyGrid {
   /// again (mpm/transfer.hpp). In cells of other ranks as they were when those last shared them.
   CellField<Moments<dim>> moments;
   CellField<std::array<CornerSums<dim>, dim + 1>> corners;
+  CellField<HoopMoments> hoop;  ///< as the moments; empty but in axisymmetry
   CellField<VolumeChange> volume_change;
   CellField<Real> viscous_stress;  ///< Pa, tension positive; 0 where the body has no bulk viscosity
   Real bulk_viscosity = 0;         ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
@@ -91,6 +100,7 @@ struct BodyGrid {
     moments[cell] = {};
     corners[cell] = {};
     volume_change[cell] = {};
+    if (hoop.size() > 0) hoop[cell] = {};
     if (bulk_viscosity > 0) viscous_stress[cell] = 0;
   }
   /// Shape functions of a cell that has been entered; the gradients of others are 0.

@@ -2,6 +2,7 @@
 #include "mpm/move.hpp"
 
 #include "core/rotate.hpp"
+#include "mpm/hoop.hpp"
 #include "mpm/linear_field.hpp"
 #include "mpm/transfer.hpp"
 
@@ -25,10 +26,17 @@ struct CellStrain {
       for (int b = 0; b < dim; ++b) rotation[a][b] = 0.5 * dt * (velocity.slope[a][b] - velocity.slope[b][a]);
     }
   }
-  /// Takes over the projected dilation: the change is shared by the directions of the mesh, so that plane strain stays plane.
+  /// Adds the strain around the axis.
+  [[gnu::always_inline]] void add_hoop(Real hoop)
+  {
+    strain[2] = hoop;
+    dilation += hoop;
+  }
+  /// Takes over the projected dilation: the change is shared by as many directions, so that plane strain stays plane.
+  template <int directions>
   [[gnu::always_inline]] void project(Real projected)
   {
-    for (int a = 0; a < dim; ++a) strain[a] += (projected - dilation) / dim;
+    for (int a = 0; a < directions; ++a) strain[a] += (projected - dilation) / directions;
     dilation = projected;
   }
 };
@@ -216,7 +224,7 @@ template <class V, int dim, class P>
 }
 
 /// law_without_dilation is null where the law does not dilate. Where particles keep their own soil, both are not used.
-template <Pass pass, bool own_soil, int dim, class Law>
+template <Pass pass, bool own_soil, mesh::Metric metric, int dim, class Law>
 void move_and_strain_with(const Law& law, const Law* law_without_dilation, const problem::Model<dim>& model, problem::State<dim>& state,
                           Work<dim>& work, Index body)
 {
@@ -241,12 +249,15 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
     const LinearField<dim> gain(shape, nodes, [&](Index i, int d) { return grid.gain(i, d, dt, filtered); }),
         velocity(shape, nodes, grid.mapped_velocity);
     CellStrain<dim> cell_strain(velocity, dt);
-    if (pass != Pass::move && model.mpm.volumetric_projection) cell_strain.project(patch_dilation(model.patches, grid, cell));
+    if constexpr (metric == mesh::Metric::axisymmetric && pass != Pass::move)
+      cell_strain.add_hoop(dt * hoop_rate(shape, nodes, grid, cell, grid.mapped_velocity));
+    if (pass != Pass::move && model.mpm.volumetric_projection)
+      cell_strain.template project<strained_directions<dim, metric>>(patch_dilation(model.patches, grid, cell));
     const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
 
     Real cell_size = 0;
     if constexpr (requires { law.softening_length; })
-      if (law.softening_length > 0) cell_size = dim == 2 ? std::sqrt(mesh.volume(cell)) : std::cbrt(mesh.volume(cell));
+      if (law.softening_length > 0) cell_size = dim == 2 ? std::sqrt(mesh.section(cell)) : std::cbrt(mesh.section(cell));
 
     WorkDone done;
     particles.parts(cell, [&](const auto& part) {
@@ -317,10 +328,12 @@ void pass_over_particles(const problem::Model<dim>& model, problem::State<dim>& 
       [&](const auto& law) {
         const auto& law_without_dilation = std::get<std::decay_t<decltype(law)>>(work.laws_without_dilation[body].front());
         const auto* without_dilation = dilates ? &law_without_dilation : nullptr;
-        if (own_soil)
-          move_and_strain_with<pass, true, dim>(law, without_dilation, model, state, work, body);
-        else
-          move_and_strain_with<pass, false, dim>(law, without_dilation, model, state, work, body);
+        with_metric(model.mesh, [&](auto metric) {
+          if (own_soil)
+            move_and_strain_with<pass, true, metric(), dim>(law, without_dilation, model, state, work, body);
+          else
+            move_and_strain_with<pass, false, metric(), dim>(law, without_dilation, model, state, work, body);
+        });
       },
       work.laws[body].front());
 }

@@ -20,6 +20,17 @@ Real fullness(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell
   return s * s * (3 - 2 * s);
 }
 
+/// The same for the direction around the axis: what a full cell is integrated over has the shares a_k of the cell itself, so that a uniform stress leaves no
+/// force within the body.
+template <int dim>
+void fill_hoop(const mesh::Mesh<dim>& mesh, Index cell, Real zeta, Real weight, HoopMoments& hoop)
+{
+  const Real section = mesh.section(cell);
+  hoop.area = (1 - zeta) * hoop.area + zeta * section;
+  hoop.area_y = (1 - zeta) * hoop.area_y + zeta * section * mesh.centroid(cell)[1];
+  hoop.stress *= weight;
+}
+
 }  // namespace
 
 template <int dim>
@@ -34,6 +45,7 @@ void integrate_full_cells(const problem::Model<dim>& model, const bodies::Partic
     grid.weight[cell] = weight;
     t.volume *= weight;
     for (Real& stress : t.stress) stress *= weight;
+    if (grid.hoop.size() > 0) fill_hoop(model.mesh, cell, zeta, weight, grid.hoop[cell]);
   });
   share_moments(model.mesh, particles, grid);
 }

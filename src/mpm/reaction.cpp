@@ -16,6 +16,13 @@ struct Reaction {
   Real external = 0, friction = 0;                                     ///< work, J
   Real sum = 0, times_gap = 0;                                         ///< of |impulse|, and of |impulse| times distance
 
+  /// What goes around the axis balances itself but for the part along it.
+  void keep_on_axis()
+  {
+    impulse[0] = 0;
+    torque = bodies::no_angular<dim>();
+  }
+
   Reaction& operator+=(const Reaction& other)
   {
     impulse += other.impulse, of_support += other.of_support, torque += other.torque;
@@ -68,7 +75,7 @@ void react(const problem::Model<dim>& model, problem::State<dim>& state, const W
   for (std::size_t k = 0; k < model.contacts.size(); ++k) {
     const problem::Contact& contact = model.contacts[k];
     const auto& list = work.contact_points[k].list;
-    const Reaction<dim> all = sum_of<Reaction<dim>>(
+    Reaction<dim> all = sum_of<Reaction<dim>>(
         "contact: reaction", static_cast<Index>(list.size()),
         [&](Index p) { return reaction_at(model, state, work, contact, list[p], gravity); }, contact::min_points_for_threads);
     state.totals.support_impulse += all.of_support;
@@ -79,6 +86,7 @@ void react(const problem::Model<dim>& model, problem::State<dim>& state, const W
       continue;
     }
     state.totals.contact_impulse += all.impulse;
+    if (model.mesh.metric == mesh::Metric::axisymmetric) all.keep_on_axis();
     bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
     rigid.reaction -= all.impulse / state.dt;
     rigid.torque -= all.torque / state.dt;

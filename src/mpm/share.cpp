@@ -26,12 +26,15 @@ void share_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& pa
         put_bytes(out, &count);
         put_bytes(out, side.sent.data(), count);
         for (const Index cell : side.sent) put_bytes(out, &grid.moments[cell]), put_bytes(out, &grid.corners[cell]);
+        for (const Index cell : side.sent)
+          if (grid.hoop.size() > 0) put_bytes(out, &grid.hoop[cell]);
       },
       [&](Halo::Side& side, const std::vector<std::byte>& in) {
         for (const Index cell : side.got) {
           grid.moments[cell] = {};
           grid.corners[cell] = {};
           grid.volume_change[cell] = {};
+          if (grid.hoop.size() > 0) grid.hoop[cell] = {};
         }
         std::size_t count = 0;
         const std::byte* at = get_bytes(in.data(), &count);
@@ -39,6 +42,8 @@ void share_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& pa
         side.got.resize(count);
         at = get_bytes(at, side.got.data(), count);
         for (const Index cell : side.got) at = get_bytes(get_bytes(at, &grid.moments[cell]), &grid.corners[cell]);
+        for (const Index cell : side.got)
+          if (grid.hoop.size() > 0) at = get_bytes(at, &grid.hoop[cell]);
         other_cells = other_cells || side.got != before;
       });
   if (other_cells) find_nodes(mesh, particles, grid);

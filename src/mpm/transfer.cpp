@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/transfer.hpp"
 
+#include "mpm/hoop.hpp"
 #include "mpm/linear_field.hpp"
 #include "mpm/share.hpp"
 
@@ -24,13 +25,14 @@ template <int dim, class Give>
 }
 
 /// The divergence of a nodal field in a cell.
-template <int dim>
+template <mesh::Metric metric, int dim>
 [[gnu::always_inline]] inline Real divergence_in(const mesh::Shape<dim>& shape, const std::array<Index, dim + 1>& nodes,
-                                                 const NodeField<Vec<dim>>& field)
+                                                 const BodyGrid<dim>& grid, Index cell, const NodeField<Vec<dim>>& field)
 {
   Real divergence = 0;
   for (int k = 1; k <= dim; ++k)
     for (int d = 0; d < dim; ++d) divergence += shape.gradients[k - 1][d] * (field[nodes[k]][d] - field[nodes[0]][d]);
+  if constexpr (metric == mesh::Metric::axisymmetric) divergence += hoop_rate(shape, nodes, grid, cell, field);
   return divergence;
 }
 
@@ -99,22 +101,49 @@ struct LaneMoments {
   }
 };
 
-}  // namespace
+/// The hoop moments in lanes while they are summed.
+struct LaneHoopMoments {
+  WidePart area{}, area_y{}, stress{};
 
-template <int dim>
-void sum_moments_of(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Index cell, BodyGrid<dim>& grid)
+  template <class V, int dim>
+  [[gnu::always_inline]] void add(const Part<V>& part, const bodies::Block<dim>& p, const bodies::Block<dim>& q)
+  {
+    const V volume = part.get(p.volume, q.volume), radius = part.get(p.x[0], q.x[0]);
+    const V section = radius > V{} ? volume / radius : V{};  // empty lanes may be at the axis
+    area += LaneMoments<dim>::widened(section);
+    area_y += LaneMoments<dim>::widened(V(section * part.get(p.x[1], q.x[1])));
+    stress += LaneMoments<dim>::widened(V(volume * part.get(p.stress[2], q.stress[2])));
+  }
+};
+
+template <mesh::Metric metric, int dim>
+[[gnu::always_inline]] inline void sum_moments_in(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Index cell,
+                                                  BodyGrid<dim>& grid)
 {
   LaneMoments<dim> sums;
   sums.clear();
-  particles.parts(cell, [&](const auto& part) { sums.add(part, particles.block(part.block), particles.block(part.other)); });
+  [[maybe_unused]] LaneHoopMoments hoop_sums;
+  particles.parts(cell, [&](const auto& part) {
+    sums.add(part, particles.block(part.block), particles.block(part.other));
+    if constexpr (metric == mesh::Metric::axisymmetric) hoop_sums.add(part, particles.block(part.block), particles.block(part.other));
+  });
   Moments<dim>& t = grid.moments[cell];
   sums.total(t);
+  if constexpr (metric == mesh::Metric::axisymmetric) grid.hoop[cell] = {sum(hoop_sums.area), sum(hoop_sums.area_y), sum(hoop_sums.stress)};
 
   const mesh::Shape<dim> shape = grid.shape(mesh, cell);
   auto& corners = grid.corners[cell];
   for (int d = 0; d < dim; ++d) share_among_corners<dim>(shape, t.mv[d], t.mvx[d], [&](int k, Real sum) { corners[k].sum[d] = sum; });
   share_among_corners<dim>(shape, t.m, t.mx, [&](int k, Real sum) { corners[k].mass = sum; });
   for (CornerSums<dim>& corner : corners) corner.volume = t.volume;
+}
+
+}  // namespace
+
+template <int dim>
+void sum_moments_of(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Index cell, BodyGrid<dim>& grid)
+{
+  with_metric(mesh, [&](auto metric) { sum_moments_in<metric()>(mesh, particles, cell, grid); });
 }
 
 template <int dim>
@@ -179,20 +208,19 @@ void gather_mass_and_momentum(const mesh::Mesh<dim>& mesh, BodyGrid<dim>& grid)
 namespace {
 
 /// The sum of V times the mean stress of a cell's particles, N m.
-template <int dim>
-Real volume_times_mean_stress(const Moments<dim>& t)
+template <mesh::Metric metric, int dim>
+[[gnu::always_inline]] inline Real volume_times_mean_stress(const BodyGrid<dim>& grid, Index cell)
 {
+  const Moments<dim>& t = grid.moments[cell];
   Real trace = 0;
   for (int d = 0; d < dim; ++d) trace += t.stress[Moments<dim>::pair(d, d)];
-  return trace / dim;
+  if constexpr (metric == mesh::Metric::axisymmetric) trace += grid.hoop[cell].stress;
+  return trace / strained_directions<dim, metric>;
 }
 
-}  // namespace
-
-template <int dim>
-void find_viscous_stress(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+template <mesh::Metric metric, int dim>
+void find_viscous_stress_in(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
-  if (!(grid.bulk_viscosity > 0)) return;
   const mesh::Mesh<dim>& mesh = model.mesh;
   const auto& occupied = particles.occupied();
   for_each("viscous stress of cells", particles.chunks(), [&](Index c) {
@@ -201,14 +229,16 @@ void find_viscous_stress(const problem::Model<dim>& model, const bodies::Particl
       const Real of_cell = grid.moments[member].volume;
       volume += of_cell;
       height += of_cell * grid.height[member];
-      divergence += of_cell * divergence_in<dim>(grid.shape(mesh, member), mesh.nodes[member], grid.velocity);
+      // An empty cell has no hoop strain, which is a mean over its volume.
+      if (metric == mesh::Metric::cartesian || of_cell > 0)
+        divergence += of_cell * divergence_in<metric>(grid.shape(mesh, member), mesh.nodes[member], grid, member, grid.velocity);
     });
     grid.viscous_stress[occupied[c]] = grid.bulk_viscosity * (height / volume) * (divergence / volume);
   });
 }
 
-template <int dim>
-void spread_internal_forces(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+template <mesh::Metric metric, int dim>
+void spread_internal_forces_in(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
   const auto& occupied = particles.occupied();
@@ -221,9 +251,9 @@ void spread_internal_forces(const problem::Model<dim>& model, const bodies::Part
       Real volume = 0, volume_stress = 0;
       mesh::for_each_in_patch(model.patches, cell, [&](Index member) {
         volume += grid.moments[member].volume;
-        volume_stress += volume_times_mean_stress(grid.moments[member]);
+        volume_stress += volume_times_mean_stress<metric>(grid, member);
       });
-      change = volume_stress / volume * t.volume - volume_times_mean_stress(t);
+      change = volume_stress / volume * t.volume - volume_times_mean_stress<metric>(grid, cell);
     }
     change += t.volume * grid.viscous_stress[cell];
     Matrix<dim> stress;
@@ -238,7 +268,40 @@ void spread_internal_forces(const problem::Model<dim>& model, const bodies::Part
       of_others += force;
     }
     Eigen::Map<Vec<dim>>(corners[0].sum) = of_others;
+    if constexpr (metric == mesh::Metric::axisymmetric) {
+      const Real hoop_stress = (grid.hoop[cell].stress + change) / t.volume;
+      for_each_hoop_share<dim>(shape, t, grid.hoop[cell], [&](int k, Real share) { corners[k].sum[0] -= share * hoop_stress; });
+    }
   });
+}
+
+template <mesh::Metric metric, int dim>
+void sum_volume_changes_in(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
+{
+  const auto& occupied = particles.occupied();
+  const auto sum = [&](Index cell) {
+    const Real divergence = divergence_in<metric>(grid.shape(mesh, cell), mesh.nodes[cell], grid, cell, grid.mapped_velocity);
+    const Real volume = grid.moments[cell].volume;
+    grid.volume_change[cell] = {volume, volume * divergence * dt};
+  };
+  for_each("volume change of cells", particles.chunks(), [&](Index c) { sum(occupied[c]); });
+  for (const Index cell : grid.halo.partners)
+    if (grid.moments[cell].m > 0) sum(cell);
+}
+
+}  // namespace
+
+template <int dim>
+void find_viscous_stress(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+{
+  if (!(grid.bulk_viscosity > 0)) return;
+  with_metric(model.mesh, [&](auto metric) { find_viscous_stress_in<metric()>(model, particles, grid); });
+}
+
+template <int dim>
+void spread_internal_forces(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+{
+  with_metric(model.mesh, [&](auto metric) { spread_internal_forces_in<metric()>(model, particles, grid); });
 }
 
 template <int dim>
@@ -321,15 +384,7 @@ void predict_velocities(const problem::Model<dim>& model, Real ahead, BodyGrid<d
 template <int dim>
 void sum_volume_changes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
-  const auto& occupied = particles.occupied();
-  const auto sum = [&](Index cell) {
-    const Real divergence = divergence_in<dim>(grid.shape(mesh, cell), mesh.nodes[cell], grid.mapped_velocity);
-    const Real volume = grid.moments[cell].volume;
-    grid.volume_change[cell] = {volume, volume * divergence * dt};
-  };
-  for_each("volume change of cells", particles.chunks(), [&](Index c) { sum(occupied[c]); });
-  for (const Index cell : grid.halo.partners)
-    if (grid.moments[cell].m > 0) sum(cell);
+  with_metric(mesh, [&](auto metric) { sum_volume_changes_in<metric()>(mesh, particles, dt, grid); });
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bodies/fill.hpp"
 #include "core/error.hpp"
+#include "problem/axisymmetry.hpp"
 #include "problem/equilibrium.hpp"
 #include "problem/initial_state.hpp"
 #include "problem/stages.hpp"
@@ -144,10 +145,12 @@ Real rate_smoothing(const Model<dim>& model)
 }  // namespace
 
 template <int dim>
-Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh)
+Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
 {
+  const Case c = per_radian(of_whole);
   Model<dim> model;
   model.mesh = std::move(mesh);
+  measure_around_axis(c, model.mesh);
   model.gravity = Vec<dim>::Zero();
   for (int d = 0; d < dim && !c.gravity.empty(); ++d) model.gravity[d] = c.gravity[d];
   model.axes = axes_of<dim>(model.gravity);
@@ -157,6 +160,7 @@ Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh)
   model.mpm = c.mpm;
   const SupportSets sets = support_sets(c);
   for (const std::vector<char>& holds : sets.holds) model.fixed.push_back(fixed_directions(model.mesh, c, holds));
+  hold_axis(model);
   model.fixed_in = sets.of_stage;
 
   for (const auto& [name, settings] : c.rigid) {
@@ -236,7 +240,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
     state.particles.push_back(fill(model.mesh, name, settings, start));
     for (const Contact& contact : model.contacts)
       if (contact.memory.bond != none && model.bodies[contact.body].name == name)
-        bond_at_start(state.particles.back(), model.rigid_bodies[contact.rigid].shape, contact.memory.bond);
+        bond_at_start(model.mesh.metric, state.particles.back(), model.rigid_bodies[contact.rigid].shape, contact.memory.bond);
     if (varies(body.soil)) body.waves = waves_in(model, body, state.particles.back());
     if (state.particles.back().size() == 0)
       throw KeyError(

@@ -2,6 +2,7 @@
 // Tests: tests/unit/input/read_case_wrong_inputs_test.cpp
 #include "problem/case.hpp"
 
+#include "problem/axisymmetry.hpp"
 #include "problem/body_soil.hpp"
 #include "problem/drives.hpp"
 #include "problem/interface.hpp"
@@ -43,7 +44,7 @@ bool is_power(int count, int dimension)
 bool upwards(const Case& c)
 {
   const auto is_y = [](const auto& axes) { return axes.up == 1 && axes.sign > 0; };
-  return c.dimension == 2 ? is_y(axes_of<2>(bodies::to_vec<2>(c.gravity))) : is_y(axes_of<3>(bodies::to_vec<3>(c.gravity)));
+  return c.dimension() == 2 ? is_y(axes_of<2>(bodies::to_vec<2>(c.gravity))) : is_y(axes_of<3>(bodies::to_vec<3>(c.gravity)));
 }
 
 void check_bodies(Describe& d, const Case& c)
@@ -60,31 +61,31 @@ void check_bodies(Describe& d, const Case& c)
     d.check(body.initial_stress.empty() || !body.k0, path + ".initial_stress", "does not go with k0");
     d.check(body.initial_stress.empty() || body.initial_stress.size() == 3, path + ".initial_stress",
             fmt::format("needs 3 numbers, xx, yy and zz, and has {}", body.initial_stress.size()));
-    const char* counts = c.dimension == 2 ? "must be 1, 4, 9, 16, ... in triangles" : "must be 1, 8, 27, ... in tetrahedra";
-    d.check(body.particles_per_cell == 0 || is_power(body.particles_per_cell, c.dimension), path + ".particles_per_cell", counts);
+    const char* counts = c.dimension() == 2 ? "must be 1, 4, 9, 16, ... in triangles" : "must be 1, 8, 27, ... in tetrahedra";
+    d.check(body.particles_per_cell == 0 || is_power(body.particles_per_cell, c.dimension()), path + ".particles_per_cell", counts);
     for (const auto& [region, count] : body.region_particles_per_cell) {
       const std::string key = path + ".region_particles_per_cell." + region;
-      d.check(is_power(count, c.dimension), key, counts);
+      d.check(is_power(count, c.dimension()), key, counts);
       d.check(among(region, body.regions), key, "the body does not fill this region", body.regions);
     }
     for (const auto& entry : body.region_damping)
       d.check(among(entry.first, body.regions), path + ".region_damping." + entry.first, "the body does not fill this region",
               body.regions);
     if (body.block) {
-      bodies::check_entries(d, path + ".block.center", body.block->center, c.dimension);
-      bodies::check_entries(d, path + ".block.size", body.block->size, c.dimension);
-      d.check(c.dimension == 2 || body.block->angle == 0, path + ".block.angle", "a block can be rotated in two dimensions only");
+      bodies::check_entries(d, path + ".block.center", body.block->center, c.dimension());
+      bodies::check_entries(d, path + ".block.size", body.block->size, c.dimension());
+      d.check(c.dimension() == 2 || body.block->angle == 0, path + ".block.angle", "a block can be rotated in two dimensions only");
     }
     if (body.disk) {
-      d.check(c.dimension == 2, path + ".disk", "there are disks in two dimensions only");
-      bodies::check_entries(d, path + ".disk.center", body.disk->center, c.dimension);
+      d.check(c.dimension() == 2, path + ".disk", "there are disks in two dimensions only");
+      bodies::check_entries(d, path + ".disk.center", body.disk->center, c.dimension());
       d.check(body.disk->spacing < body.disk->diameter / 2, path + ".disk.spacing", "must be less than half the diameter");
     }
     for (std::size_t k = 0; k < body.initial_velocity.size(); ++k) {
       const bodies::InitialVelocity& wave = body.initial_velocity[k];
       const std::string item = fmt::format("{}.initial_velocity[{}]", path, k);
-      bodies::check_entries(d, item + ".amplitude", wave.amplitude, c.dimension);
-      bodies::check_entries(d, item + ".wave_number", wave.wave_number, c.dimension, true);
+      bodies::check_entries(d, item + ".amplitude", wave.amplitude, c.dimension());
+      bodies::check_entries(d, item + ".wave_number", wave.wave_number, c.dimension(), true);
       d.check(wave.phase == 0 || !wave.wave_number.empty(), item + ".phase", "only a wave has a phase: it needs a wave_number");
     }
   }
@@ -106,7 +107,7 @@ void check_rigids(Describe& d, const Case& c)
 {
   for (const auto& [name, rigid] : c.rigid) {
     const std::string path = "rigid." + name;
-    bodies::check(d, path, rigid, c.dimension);
+    bodies::check(d, path, rigid, c.dimension());
   }
   for (const auto& [name, contact] : c.contact) {
     const std::string path = "contact." + name;
@@ -144,7 +145,7 @@ void check_inertia(Describe& d, const Case& c, const StageSettings& s, const std
 /// A freedom is driven in one way, and only those of the geometry are.
 void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::string& path)
 {
-  const bool drive = s.kind == StageKind::drive, plane = c.dimension == 2;
+  const bool drive = s.kind == StageKind::drive, plane = c.dimension() == 2;
   bool any = false;
   const auto freedom = [&](const char* key, int ways, bool there) {
     const std::string at = path + ".drive." + key;
@@ -250,7 +251,7 @@ void check_stages(Describe& d, const Case& c)
     check_equilibrium(d, c, s, path);
     d.check(driven || (!u.displacement && !u.embedment && !u.force), path + ".until",
             "a stage that drives nothing ends at a time, or at equilibrium if it is geostatic");
-    if (driven) c.dimension == 2 ? check_inertia<2>(d, c, s, path) : check_inertia<3>(d, c, s, path);
+    if (driven) c.dimension() == 2 ? check_inertia<2>(d, c, s, path) : check_inertia<3>(d, c, s, path);
   }
 }
 
@@ -264,7 +265,7 @@ void check_stage_names(Describe& d, const Case& c, const std::string& path, cons
 void check_supports(Describe& d, const Case& c)
 {
   const std::vector<std::string> directions =
-      c.dimension == 2 ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x", "y", "z"};
+      c.dimension() == 2 ? std::vector<std::string>{"x", "y"} : std::vector<std::string>{"x", "y", "z"};
   for (const auto& [name, support] : c.support) {
     for (const std::string& direction : support.fixed)
       d.check(among(direction, directions), "support." + name + ".fixed", fmt::format("\"{}\" is no direction", direction), directions);
@@ -279,9 +280,9 @@ void check_tractions(Describe& d, const Case& c)
     d.check(index_of(c.body, name) == none && index_of(c.watch, name) == none, path,
             "a [body.NAME] or [watch.NAME] has this name, which columns of the history begin with");
     d.check(traction.stress.empty() == traction.pressure.has_value(), path, "needs either stress or pressure, and not both");
-    if (!traction.pressure) bodies::check_entries(d, path + ".stress", traction.stress, c.dimension);
+    if (!traction.pressure) bodies::check_entries(d, path + ".stress", traction.stress, c.dimension());
     const std::vector<Real>& range = traction.x_range;
-    d.check(range.empty() || c.dimension == 2, path + ".x_range", "a part of a boundary can be loaded in two dimensions only");
+    d.check(range.empty() || c.dimension() == 2, path + ".x_range", "a part of a boundary can be loaded in two dimensions only");
     d.check(range.empty() || (range.size() == 2 && range[0] < range[1]), path + ".x_range", "needs 2 numbers, the smaller one first");
     check_stage_names(d, c, path + ".stages", traction.stages);
   }
@@ -425,7 +426,10 @@ void describe(Describe& d, Case& c)
   d.value("title", c.title, {.meaning = "one line that says what this is"});
   d.choice("method", c.method, {"mpm", "fem"},
            {.meaning = "material point method, or small-strain finite elements around a rigid body wished in place"});
-  d.value("dimension", c.dimension, {.meaning = "2 = plane strain, per metre run; 3 = space", .range = {2, 3}});
+  d.choice(
+      "geometry", c.geometry, {"plane_strain", "axisymmetric", "space"},
+      {.meaning = "a section of which all is per metre run; all around the axis x = 0, with x the radius and gravity along y; or space",
+       .formerly = "dimension"});
   d.value("gravity", c.gravity,
           {.meaning = "gravity, one number per direction, such as [0, \"-50 gravity\"]; absent = none", .unit = "m/s^2"});
   d.value("gravity_ramp", c.gravity_ramp,
@@ -457,19 +461,20 @@ void describe(Describe& d, Case& c)
   d.table("output", c.output, {.meaning = "what is written"});
   d.table("report", c.report, {.meaning = "what berm report says of the work that the run is part of; changes no result"});
 
-  d.check(c.method == Method::mpm || c.dimension == 2, "method", "finite elements are plane: they need dimension = 2");
-  bodies::check_entries(d, "gravity", c.gravity, c.dimension, true);
+  d.check(c.method == Method::mpm || c.dimension() == 2, "method", "finite elements are plane: they need geometry = \"plane_strain\"");
+  bodies::check_entries(d, "gravity", c.gravity, c.dimension(), true);
   for (const auto& [name, material] : c.material) check(d, "material." + name, material);
   check_bodies(d, c);
   check_initial_state(d, c);
   check_rigids(d, c);
   for (const auto& [name, watch] : c.watch) {
     check_name(d, "watch." + name + ".body", watch.body, "body", names_of(c.body));
-    bodies::check_entries(d, "watch." + name + ".point", watch.point, c.dimension);
+    bodies::check_entries(d, "watch." + name + ".point", watch.point, c.dimension());
   }
   check_stages(d, c);
   check_supports(d, c);
   check_tractions(d, c);
+  check_axisymmetry(d, c);
   check_fem(d, c);
   check_output(d, c);
 }

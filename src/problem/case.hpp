@@ -18,6 +18,13 @@ enum class Quadrature {
   particles    ///< each particle for its own volume, everywhere
 };
 
+/// What the plane of a case stands for, or that it has none.
+enum class Geometry {
+  plane_strain,  ///< a metre across the plane x-y: forces and masses are per metre run
+  axisymmetric,  ///< all around the axis x = 0, with x the radius: forces and masses are whole ones
+  space
+};
+
 /// How the material point method runs.
 struct MpmSettings {
   Real courant = 0.5;                 ///< time step over the time that a wave needs across the smallest height
@@ -75,7 +82,7 @@ struct ReportSettings {
 struct Case {
   std::string title;
   Method method = Method::mpm;
-  int dimension = 2;
+  Geometry geometry = Geometry::plane_strain;
   std::vector<Real> gravity;   ///< m/s2, one entry a direction; empty = none
   Real gravity_ramp = 0;       ///< s from no gravity to all of it, at the start
   Real surface = 0;            ///< m, level y of the bed's surface at the start
@@ -94,6 +101,11 @@ struct Case {
   std::vector<std::pair<std::string, WatchSettings>> watch;
   OutputSettings output;
   ReportSettings report;
+
+  /// Of its mesh: 2 or 3.
+  int dimension() const { return geometry == Geometry::space ? 3 : 2; }
+  /// Of its forces: 2 where they are per metre run (N/m), 3 where they are whole (N).
+  int force_dimension() const { return geometry == Geometry::plane_strain ? 2 : 3; }
 };
 
 void describe(Describe& d, MpmSettings& mpm);

@@ -78,11 +78,11 @@ InterfaceMemory memory_of(const Case& c, Index contact)
 }
 
 template <int dim>
-void bond_at_start(bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape, int bond)
+void bond_at_start(mesh::Metric metric, bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape, int bond)
 {
   particles.visit([&](Index, Index b, int l) {
     const bodies::Particle<dim> p = particles.read(b, l);
-    if (surface_at<dim>(shape, p.x).distance < first_row * contact::half_width<dim>(p.volume))
+    if (surface_at<dim>(shape, p.x).distance < first_row * contact::half_width<dim>(section_of(metric, p.volume, p.x)))
       particles.extra(b)[bond][l] = static_cast<Real>(Bond::bonded);
   });
 }
@@ -123,7 +123,7 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
                       contact.body, numbers, bodies::Particle<2>::max_extra));
 }
 
-template void bond_at_start(bodies::Particles<2>&, const bodies::RigidShape<2>&, int);
-template void bond_at_start(bodies::Particles<3>&, const bodies::RigidShape<3>&, int);
+template void bond_at_start(mesh::Metric, bodies::Particles<2>&, const bodies::RigidShape<2>&, int);
+template void bond_at_start(mesh::Metric, bodies::Particles<3>&, const bodies::RigidShape<3>&, int);
 
 }  // namespace berm::problem

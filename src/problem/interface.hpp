@@ -52,7 +52,7 @@ InterfaceMemory memory_of(const Case& c, Index contact);
 
 /// Bonds the particles of a body that lie at the surface of a rigid one at the start.
 template <int dim>
-void bond_at_start(bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape, int bond);
+void bond_at_start(mesh::Metric metric, bodies::Particles<dim>& particles, const bodies::RigidShape<dim>& shape, int bond);
 
 /// Refuses what does not go together in the table at `path` ("contact.skin").
 void check_interface(Describe& d, const Case& c, const std::string& path, const contact::ContactSettings& contact);

@@ -19,7 +19,7 @@ template <int dim>
 struct Frame {
   Real time = 0;  ///< s
   std::vector<Vec<dim>> points;
-  std::vector<Real> volume;            ///< by point: m2 or m3
+  std::vector<Real> volume;            ///< by point: m2, the area in the plane; in space m3
   std::vector<std::int32_t> body, id;  ///< by point
   std::vector<FieldValues<Real>> fields;
   std::vector<std::array<Index, 6>> triangles;  ///< quadratic, of points: corners counter-clockwise, middles of sides 01 12 20; none in MPM

@@ -105,7 +105,7 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
       const Index k = point[p.id];
       const Vec<dim> moved_by = p.x - known_[body][p.id].first;
       frame.points[k] = p.x;
-      frame.volume[k] = p.volume;
+      frame.volume[k] = section_of(model_.mesh.metric, p.volume, p.x);
       frame.body[k] = static_cast<Index>(body);
       frame.id[k] = p.id;
       carried.put(p, k);
@@ -128,6 +128,8 @@ void FrameMaker<dim>::add_strains(const bodies::Particles<dim>& particles, std::
   FieldValues<Real>&deviatoric = frame.field("deviatoric_strain"), &volumetric = frame.field("volumetric_strain"),
   &increment = frame.field("incremental_deviatoric_strain");
   NodalGradient<dim> since_start(model_.mesh), since_last(model_.mesh);
+  const bool around_axis = model_.mesh.metric == mesh::Metric::axisymmetric;
+  const auto stretch_around = [&](const Vec<dim>& from, Real to) { return around_axis ? to / from[0] : 1; };
   for (std::size_t id = 0; id < known.size(); ++id) {
     if (point[id] == none) continue;
     Vec<dim> moved_by;
@@ -137,7 +139,8 @@ void FrameMaker<dim>::add_strains(const bodies::Particles<dim>& particles, std::
   since_start.fit();
   for (std::size_t id = 0; id < known.size(); ++id) {
     if (point[id] == none) continue;
-    const GradientStrain strain = gradient_strain<dim>(Matrix<dim>::Identity() + since_start.at(known[id].first_cell, known[id].first));
+    const GradientStrain strain = gradient_strain<dim>(Matrix<dim>::Identity() + since_start.at(known[id].first_cell, known[id].first),
+                                                       stretch_around(known[id].first, known[id].first[0] + displacement.at(point[id], 0)));
     deviatoric.at(point[id]) = strain.deviatoric;
     volumetric.at(point[id]) = strain.volumetric;
   }
@@ -150,7 +153,8 @@ void FrameMaker<dim>::add_strains(const bodies::Particles<dim>& particles, std::
   visit_with_id([&](Index cell, const Vec<dim>& x, std::size_t id) { since_last.add(cell, x, known[id].last - x); });
   since_last.fit();
   visit_with_id([&](Index cell, const Vec<dim>& x, std::size_t id) {
-    increment.at(point[id]) = gradient_strain<dim>(Matrix<dim>::Identity() + since_last.at(cell, x)).deviatoric;
+    increment.at(point[id]) =
+        gradient_strain<dim>(Matrix<dim>::Identity() + since_last.at(cell, x), stretch_around(x, known[id].last[0])).deviatoric;
     known[id].last = x;
   });
 }

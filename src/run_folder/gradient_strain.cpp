@@ -23,12 +23,14 @@ Vec<3> stretches(const Matrix<3>& f)
 }  // namespace
 
 template <int dim>
-GradientStrain gradient_strain(const Matrix<dim>& deformation)
+GradientStrain gradient_strain(const Matrix<dim>& deformation, Real across)
 {
   constexpr Real max_stretch = 1000;
   const Vec<dim> stretch = stretches(deformation);
   SymTensor<dim> strain{};
-  for (int d = 0; d < dim; ++d) strain[d] = std::log(std::clamp(stretch[d], 1 / max_stretch, max_stretch));
+  const auto logarithmic = [&](Real of) { return std::log(std::clamp(of, 1 / max_stretch, max_stretch)); };
+  for (int d = 0; d < dim; ++d) strain[d] = logarithmic(stretch[d]);
+  if constexpr (dim == 2) strain[2] = logarithmic(across);
   return {equivalent_deviatoric_strain(strain), trace(strain)};
 }
 
@@ -93,8 +95,8 @@ Matrix<dim> NodalGradient<dim>::at(Index cell, const Vec<dim>& x)
   return all > 0 ? Matrix<dim>(sum / all) : Matrix<dim>(Matrix<dim>::Zero());
 }
 
-template GradientStrain gradient_strain<2>(const Matrix<2>&);
-template GradientStrain gradient_strain<3>(const Matrix<3>&);
+template GradientStrain gradient_strain<2>(const Matrix<2>&, Real);
+template GradientStrain gradient_strain<3>(const Matrix<3>&, Real);
 template class NodalGradient<2>;
 template class NodalGradient<3>;
 

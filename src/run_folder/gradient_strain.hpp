@@ -11,11 +11,12 @@ struct GradientStrain {
   Real volumetric = 0;  ///< ln det F, expansion positive
 };
 
-/// Of the logarithmic (Hencky) strain 1/2 ln(F^T F) of F = dx/dX; in plane strain there is none along z. Zero where F is a rotation, the same for F and
+/// Of the logarithmic (Hencky) strain 1/2 ln(F^T F) of F = dx/dX; in the plane `across` is the stretch along z: 1 in plane strain, the radius over the first
+/// one around an axis. Zero where F is a rotation, the same for F and
 /// R F with any rotation R. Principal stretches count as no more than 1000 and no less than 1/1000, so that any F has a strain, one that is
 /// singular or turned inside out too.
 template <int dim>
-GradientStrain gradient_strain(const Matrix<dim>& deformation);
+GradientStrain gradient_strain(const Matrix<dim>& deformation, Real across = 1);
 
 /// The gradient of a displacement that is known at points of a mesh. Each node fits a linear field to the points of its cells, by least squares with N_i as
 /// weights; a place has the mean of its cell's nodes, with N_i as weights: exact where the displacement is linear. A node whose points do

@@ -48,7 +48,7 @@ std::string progress_line(const ProgressReport& r, Real elapsed)
   if (!std::isnan(r.w)) line += fmt::format("  w {:.2f} mm", r.w * 1000);
   if (!std::isnan(r.V)) line += fmt::format("  V {:.3f}", r.V / 1000);
   if (!std::isnan(r.H)) line += fmt::format("  H {:.3f}", r.H / 1000);
-  if (!std::isnan(r.V) || !std::isnan(r.H)) line += " kN/m";
+  if (!std::isnan(r.V) || !std::isnan(r.H)) line += r.whole ? " kN" : " kN/m";
   if (r.particle_steps > 0 && elapsed > 0) line += fmt::format("  {}particle-steps/s", words_of_speed(r.particle_steps / elapsed));
   return line;
 }

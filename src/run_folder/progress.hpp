@@ -16,7 +16,8 @@ struct ProgressReport {
   bool drag = false;        ///< show u beside w
   Real u = nan;             ///< m, from the begin of the drag
   Real w = u;               ///< m
-  Real V = u, H = u;        ///< N/m
+  Real V = u, H = u;        ///< N/m, or whole in N
+  bool whole = false;       ///< V and H are in N
   Real diameter = 0;        ///< m; 0: u is shown in mm
   Real particle_steps = 0;  ///< since the start
 };

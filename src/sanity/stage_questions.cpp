@@ -57,11 +57,11 @@ std::string fault_of_force(const StageSettings& s)
   return "";
 }
 
-/// The mass of the soil that the body displaces, kg/m or kg.
+/// The mass of the soil that the body displaces, kg/m or kg. Around an axis and in space about that of a ball.
 Real displaced(const Scene& s, Index rigid, Index body)
 {
   const Real width = s.rigids[rigid].width, density = inertia_density(s.material_of(body));
-  return density * (s.c.dimension == 2 ? 0.785 * width * width : 0.5 * width * width * width);
+  return density * (s.c.force_dimension() == 2 ? 0.785 * width * width : 0.5 * width * width * width);
 }
 
 }  // namespace
@@ -182,7 +182,7 @@ void is_the_mass_that_of_a_pipe(const Scene& s, Findings& found)
       continue;
     const Real mass = s.c.rigid[rigid].second.mass, soil = displaced(s, rigid, body);
     const std::string key = fmt::format("rigid.{}.mass", s.c.rigid[rigid].first);
-    const char* unit = s.c.dimension == 2 ? "kg/m" : "kg";
+    const char* unit = s.c.force_dimension() == 2 ? "kg/m" : "kg";
     const std::string rest = fmt::format("the soil that it can displace has {}; stage \"{}\" holds a force with it: take {} or so",
                                          words_of(soil, unit), s.c.stage[k].name, words_of(rounded_up(soil), unit));
     if (mass < no_mass * soil)

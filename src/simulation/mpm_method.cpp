@@ -34,7 +34,7 @@ Real typical_time(const problem::Case& c, const problem::StageSettings& stage)
   Real width = 0;
   if (rigid != none) {
     const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;
-    width = c.dimension == 2 ? width_of<2>(bodies::make_shape<2>(shape)) : width_of<3>(bodies::make_shape<3>(shape));
+    width = c.dimension() == 2 ? width_of<2>(bodies::make_shape<2>(shape)) : width_of<3>(bodies::make_shape<3>(shape));
   }
   if (width > 0 && stage.velocity && *stage.velocity != 0) return width / std::abs(*stage.velocity);
   constexpr Real crossings = 100;
@@ -262,7 +262,7 @@ run_folder::Summary::Checks MpmMethod<d>::checks() const
 {
   run_folder::Summary::Checks checks = {{"energy_error", recorder_.energy_error()}};
   if (std::isfinite(equilibrium_)) checks.emplace_back("out_of_balance_after_geostatic", equilibrium_);
-  checks.emplace_back("momentum_error", mpm::momentum_error(state()));
+  checks.emplace_back("momentum_error", mpm::momentum_error(state(), model().mesh.metric));
   checks.emplace_back("friction_work_is_loss", state().totals.friction >= 0);
   if (std::isfinite(recorder_.shaking())) checks.emplace_back("shaking_at_body", recorder_.shaking());
   const mpm::SoilCondition soil = mpm::soil_condition(model(), state());

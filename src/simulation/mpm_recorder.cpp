@@ -18,6 +18,7 @@ MpmRecorder<dim>::MpmRecorder(const problem::Model<dim>& model, const problem::S
       last_rigids_(start.rigid_bodies),
       last_pair_impulses_(start.pair_impulses)
 {
+  if (model.mesh.metric == mesh::Metric::axisymmetric) row_.count_per_radian();
   for (const bodies::Particles<dim>& particles : start.particles) {
     const mpm::BodySums<dim> sums = mpm::sums_over(particles);
     first_centers_.push_back(sums.center());
@@ -102,6 +103,7 @@ void MpmRecorder<dim>::observe_body(const mpm::BodySums<dim>& sums, const Vec<di
     row_(lower[d], sums.lower[d], run_folder::metres, "where its particles begin");
     row_(upper[d], sums.upper[d], run_folder::metres, "where its particles end");
   }
+  if (row_.radians() != 1) return;  // around an axis there is none
   const Vec<3> angular_momentum = sums.angular_momentum();
   for (int d = dim == 2 ? 2 : 0; d < 3; ++d)
     row_.component("L", d, angular_momentum[d], run_folder::newton_metre_seconds<dim>, "angular momentum about its centre of mass");
@@ -110,7 +112,6 @@ void MpmRecorder<dim>::observe_body(const mpm::BodySums<dim>& sums, const Vec<di
 template <int dim>
 void MpmRecorder<dim>::observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Work<dim>& work)
 {
-  constexpr run_folder::ColumnUnit square_metres{"m2", "m2"};
   const Real time = state.time - last_time_;
   for (std::size_t k = 0; k < model.contacts.size(); ++k) {
     const bool bonds = model.contacts[k].tension > 0, differs = model.contacts[k].adhesion_law.differs();
@@ -118,7 +119,7 @@ void MpmRecorder<dim>::observe_contacts(const problem::Model<dim>& model, const 
       const mpm::SurfaceInContact surface = mpm::surface_in_contact(model.contacts[k], work.contact_points[k]);
       row_.of(model.contacts[k].name);
       if (bonds) {
-        row_("contact", surface.area, dim == 2 ? run_folder::metres : square_metres, "surface in contact");
+        row_("contact", surface.area, run_folder::surface<dim>, "surface in contact");
         row_("in_tension", surface.in_tension, run_folder::bare, "part of the surface in contact that is in tension");
       }
       if (differs) row_("adhesion", surface.adhesion, run_folder::pascals, "mean adhesion of the surface in contact");

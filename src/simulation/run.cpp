@@ -227,6 +227,7 @@ void Run<Method>::report_progress()
     report.w = travel.w;
     report.V = method_.recorder().vertical();
     report.H = method_.recorder().horizontal();
+    report.whole = dim == 3 || model().mesh.metric == mesh::Metric::axisymmetric;
     report.diameter = width_of<dim>(model().rigid_bodies[main].shape);
   }
   report.particle_steps = method_.particle_steps();

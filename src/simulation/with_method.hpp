@@ -24,8 +24,8 @@ auto with_method(RunRequest request, const Act& act)
       throw InputError(
           fmt::format("{}: method = \"fem\" is for one process: start it without the MPI launcher", request.case_file.string()));
     if (request.settings.method == problem::Method::fem) return act(std::type_identity<FemMethod>(), request);
-    return request.settings.dimension == 2 ? act(std::type_identity<MpmMethod<2>>(), request)
-                                           : act(std::type_identity<MpmMethod<3>>(), request);
+    return request.settings.dimension() == 2 ? act(std::type_identity<MpmMethod<2>>(), request)
+                                             : act(std::type_identity<MpmMethod<3>>(), request);
   } catch (const KeyError& error) {
     throw InputError(request.places.located(error.what()));
   }

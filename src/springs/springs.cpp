@@ -121,8 +121,8 @@ Points Lateral::spring() const
 Springs springs_of(const record::RunRecord& record)
 {
   const std::string folder = record.folder.string();
-  if (!base::drives_a_body(record.settings) || record.settings.dimension != 2)
-    throw RunError(fmt::format("{} is no run of a pipe in the plane: springs are forces per length of pipe", folder));
+  if (!base::drives_a_body(record.settings) || record.settings.geometry != problem::Geometry::plane_strain)
+    throw RunError(fmt::format("{} is no run of a pipe in plane strain: springs are forces per length of pipe", folder));
   const pipe::PipeRun run(record);
   const pipe::PipeResults results = run.results();
   const pipe::PipePath path = run.history.rows() > 0 ? pipe_path(run.history, run.stages) : pipe::PipePath{};

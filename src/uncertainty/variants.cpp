@@ -152,7 +152,7 @@ VariantPlan choose_variants(const problem::Case& c)
 
 Real work_of(const VariantPlan& plan, const problem::Case& c)
 {
-  const int order = c.method == problem::Method::fem ? c.dimension : c.dimension + 1;
+  const int order = c.method == problem::Method::fem ? c.dimension() : c.dimension() + 1;
   Real work = 0;
   for (const Variant& variant : plan.variants) work += std::pow(variant.size, -order) / variant.speed;
   return work;

@@ -122,7 +122,7 @@ void load(Materials& materials, int dimension, const GivenLaws& given)
 
 void load(problem::Case& c, const GivenLaws& given)
 {
-  load(c.material, c.dimension, given);
+  load(c.material, c.dimension(), given);
 }
 
 std::vector<std::pair<std::string, std::string>> library_hashes(const problem::Case& c)

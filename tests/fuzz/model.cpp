@@ -67,7 +67,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (c.method == problem::Method::fem)
       fem::build_fem(c, "", scratch);
     else
-      c.dimension == 2 ? make_steps<2>(c) : make_steps<3>(c);
+      c.dimension() == 2 ? make_steps<2>(c) : make_steps<3>(c);
   } catch (const InputError&) {
   } catch (const RunError&) {
   }

@@ -86,7 +86,7 @@ void take_numbers(const fs::path& folder)
 }
 
 constexpr const char* published = R"(source = "nobody"
-test = {dimension = 2}
+test = {geometry = "plane_strain"}
 [[claim]]
 statement = "V, H, w and heave"
 where = "1"

@@ -52,7 +52,7 @@ inline problem::Case elastic_box(int dim, std::vector<Real> size, std::vector<Re
                                  Real density)
 {
   problem::Case c;
-  c.dimension = dim;
+  c.geometry = dim == 2 ? problem::Geometry::plane_strain : problem::Geometry::space;
   mesh::BoxMesh box;
   box.size = size;
   box.cells = cells;

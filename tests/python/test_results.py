@@ -142,7 +142,7 @@ def test_what_is_no_run_is_refused(finished: berm.Run, tmp_path: Path) -> None:
 def test_a_missing_or_damaged_file_of_a_run_is_named(finished: berm.Run, tmp_path: Path) -> None:
     shutil.copy(finished.folder / "resolved.toml", tmp_path)
     run = berm.open(tmp_path, berm.Run)
-    assert not run.finished and run.case["dimension"] == 2
+    assert not run.finished and run.case["geometry"] == "plane_strain"
     for name in ("summary", "history", "origin"):
         with pytest.raises(berm.RunError, match=name):
             getattr(run, name)

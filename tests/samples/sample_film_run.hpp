@@ -24,7 +24,7 @@ public:
   {
     run.folder = folder.path();
     problem::Case& c = run.settings;
-    c.dimension = dim;
+    c.geometry = dim == 2 ? problem::Geometry::plane_strain : problem::Geometry::space;
     mesh::BoxMesh box{.lower = {-0.2, -0.1, 0}, .size = {0.4, 0.13, 0.1}, .cells = {8, 4, 2}};
     for (auto* list : {&box.lower, &box.size, &box.cells}) list->resize(dim);
     c.mesh = box;

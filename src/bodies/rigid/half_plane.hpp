@@ -147,7 +147,9 @@ template <class Visit>
 void visit_sides(const HalfPlane<2>& plane, const Vec<2>& x, const Visit& visit)
 {
   const Vec<2> from = x - plane.point;
-  visit(0, OnSide{plane.normal[1] * from[0] - plane.normal[0] * from[1], plane.normal.dot(from), -infinity, infinity});
+  const Real away = plane.normal.dot(from);
+  visit(0, OnSide{plane.normal[1] * from[0] - plane.normal[0] * from[1], away, -infinity, infinity, x[0] - away * plane.normal[0],
+                  plane.normal[1]});
 }
 inline Real closes_after(const HalfPlane<2>&)
 {

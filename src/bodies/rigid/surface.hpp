@@ -22,6 +22,7 @@ struct OnSide {
   Real along;       ///< m along the side
   Real away;        ///< m from the side, negative inside the body
   Real begin, end;  ///< m, ends of the side
+  Real x, x_slope;  ///< m, x of the point of the side nearest to it, and how that grows along the side
 };
 
 /// A surface as points and flat cells, for pictures.

@@ -154,7 +154,7 @@ Film encoded_film(const record::RunRecord& run, const FilmFrames& footage, const
         {{"name", field.name}, {"label", field.label}, {"unit", field.unit}, {"low", nullptr}, {"high", nullptr}, {"block", id}});
   }
   film["rigids"] = Json::array();
-  const std::vector<FilmOutline> outlines = film_outlines(frames, run.settings.dimension);
+  const std::vector<FilmOutline> outlines = film_outlines(frames, run.settings.dimension());
   for (const FilmOutline& outline : outlines) {
     const std::string id = blocks.add(fmt::format("rigid-{}", film["rigids"].size()), [&outline] { return bytes_of(outline.corners); });
     film["rigids"].push_back({{"name", name_of(outline.rigid, run.settings)}, {"points", outline.points}, {"block", id}});

@@ -32,7 +32,7 @@ Vec<2> start_of(const bodies::RigidShapeSettings& settings)
 FilmBox path_of(const record::RunRecord& run)
 {
   const bodies::RigidShapeSettings& shape = run.settings.rigid[main_rigid(run.settings)].second.shape;
-  const Vec<2> start = run.settings.dimension == 2 ? start_of<2>(shape) : start_of<3>(shape);
+  const Vec<2> start = run.settings.dimension() == 2 ? start_of<2>(shape) : start_of<3>(shape);
   FilmBox path{start, start};
   if (!run.history.has("u_m") || !run.history.has("w_m")) return path;
   const std::vector<Real>&u = run.history["u_m"], &w = run.history["w_m"];

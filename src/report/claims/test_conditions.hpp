@@ -8,7 +8,7 @@ namespace berm::report {
 
 /// What a parameter of a case must be.
 struct TestCondition {
-  std::string path;  ///< "dimension", "material.*.friction_angle": * stands for any one name
+  std::string path;  ///< "geometry", "material.*.friction_angle": * stands for any one name
   std::optional<Real> number;
   std::string word;  ///< instead of a number
 };

@@ -89,18 +89,20 @@ std::vector<text::RunEntry> entries_of(const record::RunRecord& run)
 
 std::string units_words(const Runs& runs)
 {
-  const bool space = std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return run.settings.dimension == 3; });
-  const bool plane = std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return run.settings.dimension == 2; });
+  const auto some = [&](problem::Geometry geometry) {
+    return std::any_of(runs.begin(), runs.end(), [&](const record::RunRecord& run) { return run.settings.geometry == geometry; });
+  };
   const bool models =
       std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) { return has_prototype(base::body_scale(run.settings)); });
   const bool uneven = std::any_of(runs.begin(), runs.end(), [](const record::RunRecord& run) {
     return run.ground.embedment_counts_from_it && !run.ground.line.level();
   });
   return fmt::format(
-      "SI units. {}{}u is along x, w the depth of the lowest point below the surface at the start{}, H the force of the body on the soil "
+      "SI units. {}{}{}u is along x, w the depth of the lowest point below the surface at the start{}, H the force of the body on the soil "
       "along x, V the reaction of the soil upwards. {}",
-      plane ? "Plane strain: forces are per metre run of the pipe or body. " : "",
-      space ? "In space forces are those of the whole body. " : "",
+      some(problem::Geometry::plane_strain) ? "Plane strain: forces are per metre run of the pipe or body. " : "",
+      some(problem::Geometry::space) ? "In space forces are those of the whole body. " : "",
+      some(problem::Geometry::axisymmetric) ? "Axisymmetric: x is the radius, and forces are those of the whole body, all around. " : "",
       uneven ? " (on ground that is not level: the surface under the axis)" : "",
       models ? "Values \"in the prototype\" are lengths and forces per metre times the gravity level; all others are of the model. " : "");
 }

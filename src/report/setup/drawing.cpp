@@ -274,7 +274,7 @@ public:
     for (std::size_t k = 0; k < case_.stage.size(); ++k) {
       svg_.number(Vec<2>(at[0] + 8, y), static_cast<int>(k) + 1);
       for (const std::string& line :
-           wrapped(stage_words(case_.stage[k], case_.dimension), static_cast<std::size_t>((width - 24) / letter))) {
+           wrapped(stage_words(case_.stage[k], case_.force_dimension()), static_cast<std::size_t>((width - 24) / letter))) {
         svg_.text(Vec<2>(at[0] + 24, y + 4), line);
         y += line_height;
       }
@@ -379,7 +379,7 @@ std::string description_of(const problem::Case& c, const Sketch& sketch)
                                 text::length_words(middle[0]), text::length_words(middle[1])));
   }
   for (const HeldEdge& edge : sketch.held) parts.push_back(edge.words);
-  for (const problem::StageSettings& stage : c.stage) parts.push_back(stage_words(stage, c.dimension));
+  for (const problem::StageSettings& stage : c.stage) parts.push_back(stage_words(stage, c.force_dimension()));
   return fmt::format("{}", fmt::join(parts, "; "));
 }
 

@@ -134,10 +134,11 @@ void add_rigid(Rows& rows, const std::string& prefix, const bodies::RigidSetting
   const std::vector<bodies::ShapeSize> sizes = std::visit([](const auto& shape) { return sizes_of(shape); }, rigid.shape);
   for (const auto& [name, size] : sizes) rows.length(prefix + name, size);
   if (sizes.empty()) rows.add(prefix + "shape", std::visit([](const auto& shape) { return name_of(shape); }, rigid.shape));
-  if (rows.settings().dimension == 2 && std::holds_alternative<bodies::CircleSettings>(rigid.shape))
+  if (rows.settings().dimension() == 2 && std::holds_alternative<bodies::CircleSettings>(rigid.shape))
     rows.length(prefix + "embedment at the start", rows.surface_at(center_of<2>(bodies::make_shape<2>(rigid.shape))[0]) -
                                                        bodies::lowest_level<2>(bodies::make_shape<2>(rigid.shape), Vec<2>::UnitY()));
-  if (rigid.mass > 0) rows.add(prefix + "mass", fmt::format("{:.4g} {}", rigid.mass, rows.settings().dimension == 2 ? "kg/m" : "kg"));
+  if (rigid.mass > 0)
+    rows.add(prefix + "mass", fmt::format("{:.4g} {}", rigid.mass, rows.settings().force_dimension() == 2 ? "kg/m" : "kg"));
 }
 
 /// The word that the case file has for a parameter.
@@ -191,7 +192,7 @@ void add_stages(Rows& rows)
 {
   int number = 0;
   for (const problem::StageSettings& stage : rows.settings().stage) {
-    const int dimension = rows.settings().dimension;
+    const int dimension = rows.settings().force_dimension();
     const std::string until = rows.with_prototype(until_words(stage, dimension), until_words(stage, dimension, rows.level()));
     const bool driven = problem::drives(stage.kind);
     rows.add(fmt::format("stage {}", ++number),

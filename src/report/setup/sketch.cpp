@@ -225,7 +225,9 @@ Sketch sketch_of(const problem::Case& settings, const problem::Ground& ground)
   add_supports(sketch, settings);
   add_path(sketch, settings);
   sketch.gravity = in_plane(settings.gravity);
-  if (settings.dimension == 3) sketch.notes.emplace_back("The case is in space: this is its plane x-y.");
+  if (settings.geometry == problem::Geometry::axisymmetric)
+    sketch.notes.emplace_back("The case is axisymmetric: x is the radius, and the left edge is the axis.");
+  if (settings.dimension() == 3) sketch.notes.emplace_back("The case is in space: this is its plane x-y.");
   return sketch;
 }
 

@@ -40,7 +40,7 @@ std::optional<problem::BodySoil> touched_soil(const record::RunRecord& run)
 Real soil_depth(const problem::Case& c, const problem::Ground& ground, Real w)
 {
   const Index rigid = main_rigid(c);
-  if (rigid == none || c.dimension != 2) return w;
+  if (rigid == none || c.dimension() != 2) return w;
   const problem::Axes<2> axes = problem::axes_of<2>(bodies::to_vec<2>(c.gravity));
   return ground.soil_depth_at(center_of<2>(make_shape<2>(c.rigid[rigid].second.shape))[axes.along], w, c.surface);
 }
@@ -61,7 +61,7 @@ Real reference_depth(const problem::Case& c, const problem::Ground& ground)
     const Real surface = ground.level_at(center_of<dim>(shape)[axes.along], c.surface);
     return axes.sign * surface - bodies::lowest_level<dim>(shape, axes.up_vector());
   };
-  Real depth = c.dimension == 2 ? lowest(bodies::to_vec<2>(c.gravity)) : lowest(bodies::to_vec<3>(c.gravity));
+  Real depth = c.dimension() == 2 ? lowest(bodies::to_vec<2>(c.gravity)) : lowest(bodies::to_vec<3>(c.gravity));
   if (!std::isfinite(depth)) depth = 0;
   if (c.method == problem::Method::mpm)
     for (const problem::StageSettings& stage : c.stage)
@@ -81,14 +81,14 @@ namespace {
 BodyScale scale_in(const problem::Case& c, const problem::Ground& ground, const std::optional<problem::BodySoil>& touched)
 {
   const Real gravity = Eigen::Map<const Eigen::VectorXd>(c.gravity.data(), static_cast<Eigen::Index>(c.gravity.size())).norm();
-  BodyScale scale{0, 0, gravity / standard_gravity, c.method == problem::Method::mpm, c.dimension};
+  BodyScale scale{0, 0, gravity / standard_gravity, c.method == problem::Method::mpm, c.force_dimension()};
   const Index rigid = main_rigid(c);
   if (rigid == none) return scale;
   const bodies::RigidShapeSettings& shape = c.rigid[rigid].second.shape;
   const bool driven = std::any_of(c.stage.begin(), c.stage.end(), [](const problem::StageSettings& stage) {
     return stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
   });
-  if (driven) scale.width = c.dimension == 2 ? width_of<2>(make_shape<2>(shape)) : width_of<3>(make_shape<3>(shape));
+  if (driven) scale.width = c.dimension() == 2 ? width_of<2>(make_shape<2>(shape)) : width_of<3>(make_shape<3>(shape));
   if (!touched) return scale;
   const Real depth = soil_depth(c, ground, reference_depth(c, ground));
   const material::Material material = touched->at("", depth);

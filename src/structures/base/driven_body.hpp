@@ -9,11 +9,11 @@ namespace berm::base {
 
 /// What the results of a case's main rigid body are made dimensionless with, and carried to the prototype.
 struct BodyScale {
-  Real width;              ///< D, m, in the model; 0: no push or drag moves the body, or there is none
-  Real unit_weight;        ///< effective unit weight of the soil in the model, N/m3: under all its gravity; 0 = weightless
-  Real gravity_level = 1;  ///< gravity in the model over that of the earth
-  bool noisy = true;       ///< whether forces have the noise of a dynamic method
-  int dimension = 2;
+  Real width;               ///< D, m, in the model; 0: no push or drag moves the body, or there is none
+  Real unit_weight;         ///< effective unit weight of the soil in the model, N/m3: under all its gravity; 0 = weightless
+  Real gravity_level = 1;   ///< gravity in the model over that of the earth
+  bool noisy = true;        ///< whether forces have the noise of a dynamic method
+  int dimension = 2;        ///< of forces: 2 = per metre run, 3 = whole
   Real strength = 0;        ///< undrained strength of soil without friction, Pa; 0: it has none
   Real strength_depth = 0;  ///< m, depth in the soil: where it has that strength; 0: it is the same at all depths
 };

@@ -32,11 +32,11 @@ Real near_particles(const problem::Case& c)
   const Index body = contact == nullptr ? 0 : problem::index_of(c.body, contact->body);
   const bodies::BodySettings& settings = c.body[body].second;
   const Real spacing = settings.block ? settings.block->spacing : settings.disk ? settings.disk->spacing : 0;
-  if (spacing > 0) return std::pow(std::round(near_cell_size(c) / spacing), c.dimension);
+  if (spacing > 0) return std::pow(std::round(near_cell_size(c) / spacing), c.dimension());
   const auto near = settings.region_particles_per_cell.find("near");
   if (near != settings.region_particles_per_cell.end()) return near->second;
   // The default of the bodies' filling.
-  return settings.particles_per_cell > 0 ? settings.particles_per_cell : c.dimension == 2 ? 9 : 8;
+  return settings.particles_per_cell > 0 ? settings.particles_per_cell : c.dimension() == 2 ? 9 : 8;
 }
 
 }  // namespace berm::base

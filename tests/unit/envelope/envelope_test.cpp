@@ -67,9 +67,9 @@ TEST(EnvelopeProbes, are_refused_where_there_is_no_pipe_in_the_bed_or_no_speed)
   square.rigid[0].second.shape = bodies::BoxSettings{{0, 0}, {1, 1}};
   EXPECT_NE(refusal_of(square).find("rigid.pipe.shape: an envelope is that of a pipe"), std::string::npos);
   problem::Case space = clay();
-  space.dimension = 3;
+  space.geometry = problem::Geometry::space;
   space.rigid[0].second.shape = bodies::CircleSettings{{0, 0.1, 0}, 1};
-  EXPECT_NE(refusal_of(space).find("dimension = 2"), std::string::npos);
+  EXPECT_NE(refusal_of(space).find("plane_strain"), std::string::npos);
   problem::Case by_force = clay();
   by_force.stage[1].velocity.reset();
   EXPECT_NE(refusal_of(by_force).find("by velocity"), std::string::npos);

@@ -154,8 +154,9 @@ TEST(RoundTrip, of_a_case_is_the_same_text_twice_and_has_every_default)
 {
   const std::string once = resolved_toml(read_case_text("case.toml", std::string(test::good_case)));
   EXPECT_EQ(resolved_toml(read_case_text("resolved.toml", once)), once);
-  for (const char* part : {"courant = 0.5", "friction_angle = 0.610865238198", "gravity = [0, -9.80665]", "\n[[stage]]\n",
-                           "\n[stage.until]\n", "\n[material.sand]\n", "dimension = 2", "cohesion = 0", "[Pa] Young's modulus"})
+  for (const char* part :
+       {"courant = 0.5", "friction_angle = 0.610865238198", "gravity = [0, -9.80665]", "\n[[stage]]\n", "\n[stage.until]\n",
+        "\n[material.sand]\n", "geometry = \"plane_strain\"", "cohesion = 0", "[Pa] Young's modulus"})
     EXPECT_NE(once.find(part), std::string::npos) << part << " is not in\n" << once;
 }
 
@@ -194,7 +195,7 @@ TEST(RoundTrip, of_a_word_that_stands_for_a_number_is_the_word)
 
 TEST(RoundTrip, in_space_has_whole_forces_and_masses_where_the_plane_has_them_per_metre)
 {
-  const std::string text = R"(dimension = 3
+  const std::string text = R"(geometry = "space"
 [mesh]
 kind = "box"
 size = [1, 1, 1]

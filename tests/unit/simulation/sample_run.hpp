@@ -12,7 +12,7 @@ template <int dim>
 problem::Case two_bodies(contact::Scheme scheme)
 {
   problem::Case c;
-  c.dimension = dim;
+  c.geometry = dim == 2 ? problem::Geometry::plane_strain : problem::Geometry::space;
   c.gravity.assign(dim, 0);
   c.gravity[1] = -10;
   c.surface = 0.5;

@@ -148,7 +148,8 @@ PublishedEnvelope with_ground(const PipeInSoil& soil, PublishedEnvelope publishe
 
 base::EmbeddedBody embedded_pipe(const problem::Case& c)
 {
-  if (c.dimension != 2) throw KeyError("dimension: an envelope is that of a pipe in plane strain; it needs dimension = 2");
+  if (c.geometry != problem::Geometry::plane_strain)
+    throw KeyError("geometry: an envelope is that of a pipe in plane strain; it needs geometry = \"plane_strain\"");
   const auto drive = std::find_if(c.stage.begin(), c.stage.end(), [](const problem::StageSettings& stage) {
     return stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
   });

@@ -52,7 +52,9 @@ PipeSoil pipe_soil(const record::RunRecord& run)
   const problem::Case& c = run.settings;
   const bodies::CircleSettings* circle = circle_of(c);
   if (circle == nullptr) return NoFormula{"The published formulas are those of pipes; the rigid body of this run is no circle."};
-  if (c.dimension != 2) return NoFormula{"The published formulas are per metre of pipe in plane strain; this run is in space."};
+  if (c.geometry != problem::Geometry::plane_strain)
+    return NoFormula{fmt::format("The published formulas are per metre of pipe in plane strain; this run is {}.",
+                                 c.geometry == problem::Geometry::space ? "in space" : "axisymmetric")};
   if (std::isnan(modelled_part(c)))
     return NoFormula{"The published formulas are those of a whole pipe; a wall of the mesh cuts the pipe of this run."};
   const std::optional<problem::BodySoil> touched = base::touched_soil(run);

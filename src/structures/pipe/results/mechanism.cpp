@@ -133,7 +133,7 @@ Mechanism mechanism_of(const run_folder::SavedSoil& before, const run_folder::Sa
 
 PipeFrames::PipeFrames(const PipeRun& run)
 {
-  if (run.history.rows() == 0 || run.settings.dimension != 2) return;
+  if (run.history.rows() == 0 || run.settings.geometry != problem::Geometry::plane_strain) return;
   try {
     files_ = run_folder::frame_files(run.record.folder / "frames");
   } catch (const RunError&) {

@@ -23,8 +23,8 @@ Real placed_w(const record::RunRecord& run)
     const bodies::RigidShape<2> plane = bodies::make_shape<2>(shape);
     return run.surface_at(center_of<2>(plane)[0]) - bodies::lowest_level<2>(plane, Vec<2>::UnitY());
   }
-  return c.surface - (c.dimension == 2 ? bodies::lowest_level<2>(bodies::make_shape<2>(shape), Vec<2>::UnitY())
-                                       : bodies::lowest_level<3>(bodies::make_shape<3>(shape), Vec<3>::UnitY()));
+  return c.surface - (c.dimension() == 2 ? bodies::lowest_level<2>(bodies::make_shape<2>(shape), Vec<2>::UnitY())
+                                         : bodies::lowest_level<3>(bodies::make_shape<3>(shape), Vec<3>::UnitY()));
 }
 
 /// Whether the run's history ends in a stage of this kind.

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problem/axisymmetry.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::problem {
+namespace {
+
+constexpr Real round_off = 1e-9;
+
+bool fits_axis(const bodies::DiskOutline& disk)
+{
+  return std::abs(disk.center[0]) <= round_off * disk.radius || disk.center[0] >= disk.radius;
+}
+bool fits_axis(const bodies::CornersOutline& outline)
+{
+  Real reach = 0, left = infinity;
+  for (const Vec<2>& corner : outline.corners) reach = std::max(reach, corner.cwiseAbs().maxCoeff()), left = std::min(left, corner[0]);
+  const auto has_image = [&](const Vec<2>& corner) {
+    return std::any_of(outline.corners.begin(), outline.corners.end(),
+                       [&](const Vec<2>& other) { return (other - Vec<2>(-corner[0], corner[1])).norm() <= round_off * reach; });
+  };
+  return left > 0 || std::all_of(outline.corners.begin(), outline.corners.end(), has_image);
+}
+bool fits_axis(const bodies::PlaneOutline& plane)
+{
+  return plane.normal[0] == 0 || plane.normal[1] == 0;
+}
+
+void check_bed(Describe& d, const mesh::SeabedMesh& bed)
+{
+  d.check(bed.left.has_value() && *bed.left == 0, "mesh", "around an axis the bed begins at it: it needs left = 0");
+  d.check(bed.slope == 0 && !bed.trench && !bed.step, "mesh", "around an axis the bed is level, without slope, trench and step");
+}
+
+void check_soil_and_bodies(Describe& d, const Case& c)
+{
+  for (const auto& [name, body] : c.body) {
+    d.check(body.initial_angular_velocity == 0, "body." + name + ".initial_angular_velocity", "is not the same all around the axis");
+    if (body.block)
+      d.check(body.block->center.size() < 2 || body.block->size.size() < 2 || body.block->angle != 0 ||
+                  body.block->center[0] - body.block->size[0] / 2 >= -round_off * body.block->size[0],
+              "body." + name + ".block.center", "x is the radius: soil cannot be at x < 0");
+  }
+  for (const auto& [name, rigid] : c.rigid) {
+    const std::string path = "rigid." + name;
+    const bool fits = std::visit([](const auto& outline) { return fits_axis(outline); },
+                                 std::visit([](const auto& shape) { return bodies::Outline(outline_of(shape)); }, rigid.shape));
+    d.check(
+        fits, path,
+        "the body must be its own mirror image about the axis x = 0, or lie right of it: a circle or a box with its centre at x = 0, or "
+        "shape = \"profile\"");
+    d.check(rigid.rotation == bodies::Rotation::fixed, path + ".rotation", "a body around the axis does not rotate");
+  }
+}
+
+void check_motion(Describe& d, const Case& c)
+{
+  for (std::size_t k = 0; k < c.stage.size(); ++k) {
+    const StageSettings& stage = c.stage[k];
+    const std::string path = fmt::format("stage[{}]", k);
+    d.check(stage.kind != StageKind::drag && stage.kind != StageKind::sweep, path + ".kind",
+            "a body around the axis moves along it only: use \"push\", or \"drive\" along y", {"geostatic", "push", "free", "drive"});
+    const FreedomSettings& x = stage.drive.x;
+    d.check(!x.velocity && !x.force && !x.hold, path + ".drive.x", "is no freedom around an axis: y is");
+    const TurnSettings& turn = stage.drive.rotation;
+    d.check(!turn.velocity && !turn.moment && !turn.fixed, path + ".drive.rotation", "is no freedom around an axis: y is");
+  }
+}
+
+}  // namespace
+
+void check_axisymmetry(Describe& d, const Case& c)
+{
+  if (c.geometry != Geometry::axisymmetric) return;
+  d.check(c.method == Method::mpm, "method", "finite elements are for geometry = \"plane_strain\"; around an axis use method = \"mpm\"",
+          {"mpm"});
+  d.check(c.gravity.empty() || c.gravity[0] == 0, "gravity", "around an axis x = 0 gravity is along it: [0, ...]");
+  d.check(c.initial_state != InitialState::gravity_loading, "initial_state", "around an axis the ground is level: use \"level_ground\"",
+          {"automatic", "level_ground"});
+  if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) check_bed(d, *bed);
+  check_soil_and_bodies(d, c);
+  check_motion(d, c);
+}
+
+template <int dim>
+void measure_around_axis(const Case& c, mesh::Mesh<dim>& mesh)
+{
+  if (c.geometry != Geometry::axisymmetric) return;
+  mesh.metric = mesh::Metric::axisymmetric;
+  const Real width = mesh.upper[0] - mesh.lower[0];
+  if (mesh.lower[0] < -round_off * width)
+    throw KeyError(fmt::format("mesh: reaches to x = {:.6g} m; around an axis x is the radius, which is not less than 0", mesh.lower[0]));
+  for (Vec<dim>& x : mesh.position)
+    if (std::abs(x[0]) <= round_off * width) x[0] = 0;
+  mesh.lower[0] = std::max(mesh.lower[0], Real(0));
+}
+
+template <int dim>
+void hold_axis(Model<dim>& model)
+{
+  if (model.mesh.metric != mesh::Metric::axisymmetric) return;
+  for (NodeField<std::uint8_t>& fixed : model.fixed)
+    for (Index node = 0; node < model.mesh.node_count(); ++node)
+      if (model.mesh.position[node][0] == 0) fixed[node] |= 1;
+}
+
+Case per_radian(Case c)
+{
+  if (c.geometry != Geometry::axisymmetric) return c;
+  constexpr Real part = 1 / (2 * pi);
+  for (auto& entry : c.rigid) entry.second.mass *= part;
+  for (StageSettings& stage : c.stage)
+    for (std::optional<Real>* force : {&stage.force, &stage.vertical_force, &stage.until.force, &stage.drive.y.force})
+      if (*force) **force *= part;
+  return c;
+}
+
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void measure_around_axis(const Case&, mesh::Mesh<dim>&);                                                                        \
+  template void hold_axis(Model<dim>&);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm::problem
