@@ -177,6 +177,25 @@ problem::Case column(Real particles)
   return c;
 }
 
+/// The same mesh, particles and laws around the axis that the left wall is.
+problem::Case around_axis(problem::Case c)
+{
+  c.geometry = problem::Geometry::axisymmetric;
+  return c;
+}
+
+/// A ball in the probe's bed around its axis, with a fine zone as large as the probe's.
+problem::Case ball_in_sand(Real near_size)
+{
+  problem::Case c = around_axis(probe_in_sand(near_size));
+  auto& mesh = std::get<mesh::SeabedMesh>(c.mesh);
+  mesh.left = 0;
+  mesh.near_left = 0;
+  mesh.near_right = 0.08;
+  c.support = {{"base", {"base", {"x", "y"}}}, {"right", {"right", {"x"}}}};
+  return c;
+}
+
 /// The same in space: 0.5 wide, 1 high, 0.25 deep in a mesh of 1.5 x 1.125 x 0.25, eight particles in each sixth of a cube.
 problem::Case column_in_space(Real particles)
 {
@@ -260,6 +279,8 @@ constexpr BenchProblem problems[] = {
     {"umat_D20", probe_in_umat},
     {"column_1e6", [] { return column(1e6); }},
     {"column_1e7", [] { return column(1e7); }},
+    {"ball_D20", [] { return ball_in_sand(0.001); }},
+    {"column_axis_1e5", [] { return around_axis(column(1e5)); }},
     {"space_1e5", [] { return column_in_space(1e5); }},
     {"space_1e6", [] { return column_in_space(1e6); }},
 };

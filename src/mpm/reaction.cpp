@@ -16,10 +16,11 @@ struct Reaction {
   Real external = 0, friction = 0;                                     ///< work, J
   Real sum = 0, times_gap = 0;                                         ///< of |impulse|, and of |impulse| times distance
 
-  /// What goes around the axis balances itself but for the part along it.
-  void keep_on_axis()
+  /// What goes around the axis balances itself but for the part along it. Of a wall around it, which may widen, the part across it is that of a radian.
+  void keep_on_axis(const bodies::RigidShape<dim>& shape)
   {
-    impulse[0] = 0;
+    const auto* plane = std::get_if<bodies::HalfPlane<dim>>(&shape);
+    if (plane == nullptr || plane->normal[1] != 0) impulse[0] = 0;
     torque = bodies::no_angular<dim>();
   }
 
@@ -86,7 +87,7 @@ void react(const problem::Model<dim>& model, problem::State<dim>& state, const W
       continue;
     }
     state.totals.contact_impulse += all.impulse;
-    if (model.mesh.metric == mesh::Metric::axisymmetric) all.keep_on_axis();
+    if (model.mesh.metric == mesh::Metric::axisymmetric) all.keep_on_axis(model.rigid_bodies[contact.rigid].shape);
     bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
     rigid.reaction -= all.impulse / state.dt;
     rigid.torque -= all.torque / state.dt;

@@ -30,6 +30,13 @@ bool fits_axis(const bodies::PlaneOutline& plane)
   return plane.normal[0] == 0 || plane.normal[1] == 0;
 }
 
+/// Whether a shape is a wall around the axis, which may widen.
+bool is_wall(const bodies::RigidShapeSettings& shape)
+{
+  const auto* plane = std::get_if<bodies::HalfPlaneSettings>(&shape);
+  return plane != nullptr && plane->normal.size() == 2 && plane->normal[1] == 0;
+}
+
 void check_bed(Describe& d, const mesh::SeabedMesh& bed)
 {
   d.check(bed.left.has_value() && *bed.left == 0, "mesh", "around an axis the bed begins at it: it needs left = 0");
@@ -65,7 +72,9 @@ void check_motion(Describe& d, const Case& c)
     d.check(stage.kind != StageKind::drag && stage.kind != StageKind::sweep, path + ".kind",
             "a body around the axis moves along it only: use \"push\", or \"drive\" along y", {"geostatic", "push", "free", "drive"});
     const FreedomSettings& x = stage.drive.x;
-    d.check(!x.velocity && !x.force && !x.hold, path + ".drive.x", "is no freedom around an axis: y is");
+    const Index driven = stage.rigid.empty() ? 0 : index_of(c.rigid, stage.rigid);
+    d.check((!x.velocity && !x.force && !x.hold) || driven == none || c.rigid.empty() || is_wall(c.rigid[driven].second.shape), path + ".drive.x",
+            "is a freedom around an axis of a wall only, a half_plane with its normal along x; of other bodies y is");
     const TurnSettings& turn = stage.drive.rotation;
     d.check(!turn.velocity && !turn.moment && !turn.fixed, path + ".drive.rotation", "is no freedom around an axis: y is");
   }

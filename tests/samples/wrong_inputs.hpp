@@ -117,7 +117,7 @@ inline const std::vector<WrongInput>& wrong_inputs()
        {"material.sand.friction_angel", "unknown key", "did you mean \"friction_angle\"?", "allowed: law, density"},
        {}},
       {"misspelt_key_at_the_top", "gravity =", "gravty =", 2, {"gravty", "did you mean \"gravity\"?", "title"}, {}},
-      {"key_without_a_near_one", "surface = 0.0", "colour = 0.0", 3, {"colour", "unknown key", "allowed: title, method, dimension"}, {}},
+      {"key_without_a_near_one", "surface = 0.0", "colour = 0.0", 3, {"colour", "unknown key", "allowed: title, method, geometry"}, {}},
       {"misspelt_table", "[output]", "[ouput]", 66, {"ouput", "unknown table", "did you mean \"output\"?"}, {}},
       {"misspelt_table_with_a_name", "[support.base]", "[suport.base]", 42, {"suport", "did you mean \"support\"?"}, {}},
       {"misspelt_key_in_a_stage", "ramp = 0.1", "rmap = 0.1", 56, {"stage.drag.rmap", "did you mean \"ramp\"?"}, {}},

@@ -5,6 +5,7 @@
 #include "bodies/rigid/circle.hpp"
 #include "bodies/rigid/half_plane.hpp"
 #include "bodies/rigid/polygon.hpp"
+#include "bodies/rigid/profile.hpp"
 #include "bodies/rigid/sphere.hpp"
 
 namespace berm::bodies {
@@ -19,7 +20,7 @@ struct ShapeList {
 /// The closed list of shapes, one file each: settings with their declaration, checks, name and drawing; the exact surface
 /// with distance and normal, lowest level, width, reach, moments of inertia, moved copy, surface mesh and, in the plane,
 /// sides. A new shape is such a file and its word here.
-using Shapes = ShapeList<Circle, HalfPlane, Box, Polygon, Sphere>;
+using Shapes = ShapeList<Circle, HalfPlane, Box, Polygon, Profile, Sphere>;
 using RigidShapeSettings = Shapes::Settings;
 template <int dim>
 using RigidShape = Shapes::In<dim>;

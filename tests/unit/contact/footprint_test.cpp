@@ -100,6 +100,47 @@ TEST(Footprints, of_a_circle_close_round_it)
   EXPECT_NEAR(bed.covered(hole), 2 * pi * hole.radius, 1e-12);
 }
 
+/// The bed's right half around the axis.
+struct RoundBed : Bed {
+  explicit RoundBed(Real spacing) : Bed(spacing)
+  {
+    mesh.metric = mesh::Metric::axisymmetric;
+    bodies::Particles<2> right(mesh, particles.size(), {});
+    particles.visit([&](Index cell, Index b, int l) {
+      bodies::Particle<2> p = particles.read(b, l);
+      p.volume *= p.x[0];
+      if (p.x[0] > 0) right.insert(cell, p);
+    });
+    right.sort_occupied();
+    particles = right;
+  }
+};
+
+TEST(Footprints, around_an_axis_add_up_to_the_area_of_a_radian)
+{
+  for (const Real spacing : {0.05, 0.025, 1. / 60}) {
+    RoundBed bed(spacing);
+    EXPECT_NEAR(bed.covered(plate(0)), 0.4 * 0.4 / 2, 1e-12);  // a round plate of the radius 0.4 m: R^2 / 2
+    EXPECT_NEAR(bed.covered(bodies::Box<2>{Vec<2>(0.5, 0.1), Vec<2>(0.2, 0.1), Matrix<2>::Identity()}), (0.7 * 0.7 - 0.3 * 0.3) / 2, 1e-12);
+    EXPECT_NEAR(bed.covered(bodies::HalfPlane<2>{Vec<2>(0, 0), Vec<2>(0, -1)}), 1. / 2, 1e-12);
+  }
+}
+
+TEST(Footprints, of_a_ball_add_up_to_its_surface)
+{
+  // Pieces of an arc are taken as straight: an error of the square of half a particle's angle, 0.025 rad, over 6.
+  RoundBed bed(0.01);
+  const bodies::Circle<2> hole{Vec<2>(0, -0.25), 0.2};
+  bodies::Particles<2> left(bed.mesh, bed.particles.size(), {});
+  bed.particles.visit([&](Index cell, Index b, int l) {
+    const bodies::Particle<2> p = bed.particles.read(b, l);
+    if ((p.x - hole.center).norm() > hole.radius) left.insert(cell, p);
+  });
+  left.sort_occupied();
+  bed.particles = left;
+  EXPECT_NEAR(bed.covered(hole) / (2 * hole.radius * hole.radius), 1, 1e-3);
+}
+
 TEST(Shares, add_up_to_the_covered_surface_whichever_points_press)
 {
   Bed bed(0.02);

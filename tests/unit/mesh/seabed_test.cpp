@@ -53,6 +53,28 @@ TEST(SeabedMesh, regions_have_their_exact_areas)
   EXPECT_EQ(mesh.region_names.size(), 4u);
 }
 
+TEST(SeabedMesh, the_fine_zone_may_begin_at_the_left_wall)
+{
+  for (const Real layer : {0., 0.02}) {
+    const TemporaryFolder folder;
+    SeabedMesh bed = sample_bed();
+    bed.left = 0;
+    bed.near_left = 0;
+    bed.layer = layer;
+    const auto mesh = make_mesh<2>(bed, ".", folder.path());
+    expect_area(mesh, "near", 0.06 * 0.025);
+    expect_area(mesh, "bed", (0.65 - layer) * (0.14 - layer) - 0.06 * 0.025);
+    expect_area(mesh, "headroom", 0.65 * 0.03);
+    Index on_wall = 0;
+    for (const Index i : mesh.boundary_nodes[mesh.find_boundary("left")]) {
+      EXPECT_EQ(mesh.position[i][0], 0);
+      ++on_wall;
+    }
+    for (Index i = 0; i < mesh.node_count(); ++i) on_wall -= mesh.position[i][0] == 0;
+    EXPECT_EQ(on_wall, 0);  // all nodes there, and no others
+  }
+}
+
 TEST(SeabedMesh, without_a_layer_the_bed_reaches_the_walls)
 {
   const TemporaryFolder folder;

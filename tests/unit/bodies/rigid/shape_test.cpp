@@ -42,7 +42,10 @@ std::vector<NamedShape> shapes<2>()
           {"box_turned_back", BoxSettings{{0.2, -0.1}, {1.2, 0.6}, -0.4}},
           {"triangle", PolygonSettings{{-0.9, 1.1, 0.2}, {-0.7, -0.3, 1}}},
           {"clockwise_triangle", PolygonSettings{{0.2, 1.1, -0.9}, {1, -0.3, -0.7}}},
-          {"notched_polygon", PolygonSettings{{-1, 0.1, 1, 1.2, 0.3, -0.2}, {-1, -0.2, -0.9, 0.8, 0.1, 1.1}}}};
+          {"notched_polygon", PolygonSettings{{-1, 0.1, 1, 1.2, 0.3, -0.2}, {-1, -0.2, -0.9, 0.8, 0.1, 1.1}}},
+          {"cone_with_shaft", ProfileSettings{{0, 0.5, 0.5, 0}, {-0.8, 0.1, 1, 1}, 0}},
+          {"cone_with_collar", ProfileSettings{{0, 0.7, 0.7, 0.4, 0.4, 0}, {-0.8, 0, 0.3, 0.3, 1, 1}, 0}},
+          {"cone_with_round_corners", ProfileSettings{{0, 0.5, 0.5, 0}, {-0.8, 0.1, 1, 1}, 0.05}}};
 }
 template <>
 std::vector<NamedShape> shapes<3>()
@@ -67,6 +70,16 @@ bool inside(const RigidShapeSettings& settings, const Vec<dim>& x)
     for (int d = 0; d < dim; ++d) along += plane->normal[d] * (x[d] - plane->point[d]);
     return along < 0;
   }
+  if (const auto* profile = std::get_if<ProfileSettings>(&settings)) {
+    // A polygon with arcs of 400 points is within 2e-7 of the arc.
+    const auto shape = make_shape<2>(*profile);
+    PolygonSettings fine;
+    for (const Vec<2>& corner : rounded_corners(*shape.core.corners, shape.radius, 400)) {
+      fine.x.push_back(shape.core.center[0] + corner[0]);
+      fine.y.push_back(shape.core.center[1] + corner[1]);
+    }
+    return inside<dim>(fine, x);
+  }
   if (const auto* polygon = std::get_if<PolygonSettings>(&settings)) {  // the angle under which the corners go round the point
     Real round = 0;
     for (std::size_t k = 0; k < polygon->x.size(); ++k) {
@@ -90,6 +103,9 @@ template <int dim>
 bool is_corner(const RigidShapeSettings& settings, const Vec<dim>& x)
 {
   const auto* polygon = std::get_if<PolygonSettings>(&settings);
+  const auto* profile = std::get_if<ProfileSettings>(&settings);
+  const PolygonSettings whole = profile != nullptr && profile->corner_radius == 0 ? whole_of(*profile) : PolygonSettings{};
+  if (!whole.x.empty()) polygon = &whole;
   for (std::size_t k = 0; polygon != nullptr && k < polygon->x.size(); ++k)
     if (std::hypot(x[0] - polygon->x[k], x[1] - polygon->y[k]) < 1e-12) return true;
   return false;
