@@ -215,7 +215,8 @@ void is_the_bed_held(const Scene& s, Findings& found)
     found.refuse("support", "nothing holds the base of the bed, which falls out of the mesh; add [support.base] with boundary = \"base\" "
                             "and fixed = [\"x\", \"y\"]");
   for (const char* wall : {"left", "right"}) {
-    if (holds(wall, "x")) continue;
+    const bool is_axis = s.c.geometry == problem::Geometry::axisymmetric && std::string_view(wall) == "left";
+    if (is_axis || holds(wall, "x")) continue;
     const std::string words = fmt::format(
         "nothing holds the {0} wall of the bed, which flows out there; add [support.{0}] with boundary = \"{0}\" and fixed = [\"x\"]",
         wall);

@@ -233,5 +233,22 @@ TEST(History, of_a_run_that_ended_before_its_first_row_is_empty)
   EXPECT_TRUE(read_history(folder.path() / "history.csv").columns.empty());
 }
 
+TEST(Row, per_radian_has_the_columns_of_the_whole_two_pi_times_as_large)
+{
+  Row row;
+  row.count_per_radian();
+  row.begin(0.5, "push");
+  row("w", 3, metres, "embedment");
+  row("V", 5, newtons<2>, "vertical reaction");
+  row("internal", 7, joules<2>, "internal energy");
+  row("contact", 2, surface<2>, "surface in contact");
+  row.end();
+  std::vector<std::string> names, units;
+  for (const Column& column : row.columns()) names.push_back(column.name), units.push_back(column.unit);
+  EXPECT_EQ(names, (std::vector<std::string>{"time_s", "w_m", "V_N", "internal_J", "contact_m2"}));
+  EXPECT_EQ(units, (std::vector<std::string>{"s", "m", "N", "J", "m2"}));
+  EXPECT_EQ(row.values(), (std::vector<Real>{0.5, 3, 2 * pi * 5, 2 * pi * 7, 2 * pi * 2}));
+}
+
 }  // namespace
 }  // namespace berm::run_folder

@@ -26,12 +26,21 @@ protected:
   {
     folder_.write("mpm.toml", test::small_case);
     folder_.write("fem.toml", test::small_fem_case);
+    std::string ball = test::small_case;  // the same around an axis, pushed twice
+    const auto replace = [&](const std::string& from, const std::string& to) { ball.replace(ball.find(from), from.size(), to); };
+    replace("gravity =", "geometry = \"axisymmetric\"\ngravity =");
+    replace("center = [\"50 mm\"", "center = [0");
+    replace("kg/m\"\n\n[contact", "kg\"\n\n[contact");
+    replace("friction_angle = \"23 deg\"", "friction_angle = \"23 deg\"\nadhesion = \"100 Pa\"");
+    replace("kind = \"drag\"", "kind = \"push\"");
+    replace("until.displacement = \"2 mm\"", "until.embedment = \"4 mm\"");
+    folder_.write("axisymmetric.toml", ball);
     std::string sand = test::small_fem_case;  // whose flow is not associated
     sand.replace(sand.find("friction_angle = 0"), 18, "friction_angle = 0.5");
     folder_.write("fem_sand.toml", sand);
   }
 
-  bool is_fem() const { return std::string(GetParam()) != "mpm"; }
+  bool is_fem() const { return std::string(GetParam()).starts_with("fem"); }
 
   RunRequest request(const std::string& name, bool resume = false) const
   {
@@ -54,7 +63,8 @@ protected:
 
 constexpr int all = 1 << 30;
 
-INSTANTIATE_TEST_SUITE_P(Methods, RunOf, testing::Values("mpm", "fem", "fem_sand"), [](const auto& of) { return std::string(of.param); });
+INSTANTIATE_TEST_SUITE_P(Methods, RunOf, testing::Values("mpm", "axisymmetric", "fem", "fem_sand"),
+                         [](const auto& of) { return std::string(of.param); });
 
 TEST_P(RunOf, a_case_that_is_stopped_again_and_again_ends_with_the_same_bytes)
 {
