@@ -117,8 +117,9 @@ std::string parameter_page(const std::vector<OtherInput>& others)
       "knows: `\"20 mm\"`, `\"35 deg\"`, `\"-50 gravity\"`. `NAME` stands for a name of your choice. Where a default is empty, the key is "
       "not set.\n"
       "Every key can be changed from the command line by its path, `--set material.NAME.KEY=VALUE`; a stage goes by its name,\n"
-      "`--set stage.NAME.until.time=VALUE`. Quantities in N/m, kg/m and the like are per metre run in plane strain; in space they are in "
-      "N,\n"
+      "`--set stage.NAME.until.time=VALUE`. Quantities in N/m, kg/m and the like are per metre run in plane strain; around an axis and in "
+      "space they "
+      "are in N,\n"
       "kg and the like.\n";
   for (const Section& section : sections(others)) {
     const bool is_table = section.heading.starts_with("[");

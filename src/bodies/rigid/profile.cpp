@@ -38,8 +38,9 @@ bool leaves_sides(const std::vector<Vec<2>>& corners, const std::vector<Vec<2>>&
 
 void describe(Describe& d, ProfileSettings& profile)
 {
-  d.value("x", profile.x,
-          {.meaning = "x of the corners of the right half, from the axis x = 0 to the axis, either way round", .unit = "m", .required = true});
+  d.value(
+      "x", profile.x,
+      {.meaning = "x of the corners of the right half, from the axis x = 0 to the axis, either way round", .unit = "m", .required = true});
   d.value("y", profile.y, {.meaning = "y of the corners", .unit = "m", .required = true});
   d.value("corner_radius", profile.corner_radius,
           {.meaning = "radius of its convex corners, the tip included; 0 = sharp, which particles half a width away from it feel as an arc",
@@ -115,8 +116,7 @@ Profile<dim> make_shape(const ProfileSettings& s)
 {
   Polygon<dim> polygon = make_shape<dim>(whole_of(s));
   const Vec<3> inertia = inertia_over_mass<dim>(polygon);
-  if (s.corner_radius > 0)
-    polygon.corners = std::make_shared<const std::vector<Vec<2>>>(core_of(*polygon.corners, s.corner_radius));
+  if (s.corner_radius > 0) polygon.corners = std::make_shared<const std::vector<Vec<2>>>(core_of(*polygon.corners, s.corner_radius));
   return {polygon, s.corner_radius, inertia};
 }
 

@@ -7,7 +7,7 @@ void describe(Describe& d, RigidSettings& rigid)
 {
   describe_shape(d, rigid.shape);
   d.value("mass", rigid.mass,
-          {.meaning = "mass per metre run (in space: mass in kg); a direction that a force moves needs it",
+          {.meaning = "mass per metre run (around an axis and in space: mass in kg); a direction that a force moves needs it",
            .unit = "kg/m",
            .range = not_negative});
   d.choice("motion", rigid.motion, {"driven", "free"},

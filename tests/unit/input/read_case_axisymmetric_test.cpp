@@ -54,7 +54,8 @@ TEST(Axisymmetric, case_is_taken_with_whole_masses_and_forces)
   EXPECT_EQ(refusal_of_ball({}), "");
   EXPECT_SAYS(refusal_of_ball({"rigid.pipe.mass=430 kg/m"}), "rigid.pipe.mass");
   EXPECT_EQ(refusal_of_ball({"stage.push.until.force=4 kN"}), "");
-  EXPECT_SAYS(refusal_of_ball({"stage.push.until.force=4 kN/m"}), "stage.push.until.force: \"4 kN/m\" has the wrong dimension; expected a force, such as \"500 N\"");
+  EXPECT_SAYS(refusal_of_ball({"stage.push.until.force=4 kN/m"}),
+              "stage.push.until.force: \"4 kN/m\" has the wrong dimension; expected a force, such as \"500 N\"");
   const std::string once = resolved_toml(read_case_text("case.toml", good_ball()));
   EXPECT_SAYS(once, "geometry = \"axisymmetric\"");
   EXPECT_EQ(resolved_toml(read_case_text("resolved.toml", once)), once);
