@@ -56,15 +56,28 @@ void update_point(const Law& law, Real viscosity, const material::Increment<2, R
   point.deviatoric_strain += equivalent_deviatoric_strain(strain);
 }
 
+/// Derivatives of the stresses at a point: of (xx, yy, xy) by (e_xx, e_yy, gamma_xy); and around an axis of (xx, yy, xy) by e_zz and, the same, of s_zz by the
+/// others, and of s_zz by e_zz.
+struct PointStiffness {
+  Stiffness plane;
+  Vec<3> across;
+  Real around;
+};
+
 template <class Law>
-Stiffness stiffness_of_point(const Law& law, Real viscosity, const material::Increment<2, Real>& increment, SoilPoint point)
+PointStiffness stiffness_of_point(const Law& law, Real viscosity, const material::Increment<2, Real>& increment, SoilPoint point)
 {
   if constexpr (!has_constant_moduli<Law>()) viscosity = 0;
   material::Tangent tangent;
-  update_stress_and_tangent(law, point.stress, increment, point.law_state.data(), tangent);
+  SymTensor<2> around;
+  update_stress_and_tangent(law, point.stress, increment, point.law_state.data(), tangent, &around);
   Stiffness d;
   for (int j = 0; j < 3; ++j) d.col(j) = Eigen::Vector3d(tangent(0, j), tangent(1, j), tangent(3, j));
-  return ((d + d.transpose()) / 2 + (viscosity + min_stiffness) * elastic_stiffness(law.elastic)) / (1 + viscosity);
+  const Real elastic = viscosity + min_stiffness;
+  const Vec<3> across = (Vec<3>(around[0], around[1], around[3]) + Vec<3>(tangent.row(2).transpose())) / 2;
+  return {((d + d.transpose()) / 2 + elastic * elastic_stiffness(law.elastic)) / (1 + viscosity),
+          (across + elastic * law.elastic.lame * Vec<3>(1, 1, 0)) / (1 + viscosity),
+          (around[2] + elastic * p_wave_modulus(law.elastic)) / (1 + viscosity)};
 }
 
 /// Strain (e_xx, e_yy, gamma_xy) per displacement of the nodes (x, y, x, y, ...): the B-matrix.
@@ -80,12 +93,22 @@ StrainMatrix strain_matrix(const ShapeAtPoint& shape)
   return b;
 }
 
-SymTensor<2> strain_of(const StrainMatrix& b, const AtSixNodes<Index>& nodes, const std::vector<Real>& change)
+/// The strain around an axis per displacement of the nodes: N_k / r.
+using HoopStrain = Eigen::Matrix<Real, 12, 1>;
+
+HoopStrain hoop_strain(const ShapeAtPoint& shape)
+{
+  HoopStrain h = HoopStrain::Zero();
+  for (int k = 0; k < 6; ++k) h[2 * k] = shape.value[k] * shape.per_radius;
+  return h;
+}
+
+SymTensor<2> strain_of(const ShapeAtPoint& shape, const StrainMatrix& b, const AtSixNodes<Index>& nodes, const std::vector<Real>& change)
 {
   Eigen::Matrix<Real, 12, 1> moved;
   for (int k = 0; k < 12; ++k) moved[k] = change[2 * nodes[k / 2] + k % 2];
   const Eigen::Vector3d strain = b * moved;
-  return {{strain[0], strain[1], 0, strain[2] / 2}};
+  return {{strain[0], strain[1], shape.per_radius > 0 ? hoop_strain(shape).dot(moved) : 0, strain[2] / 2}};
 }
 
 }  // namespace
@@ -158,7 +181,7 @@ StrengthLag Assembly::strength_lag(const FemState& begin, const std::vector<Real
       const std::optional<Real> strength = shear_strength(material, (s1 + s3) / 2, points_[cell][q].law_state.data());
       if (!strength) continue;
       SymTensor<2> returned = begin.points[cell][q].stress;
-      add_elastic_stress(elastic, returned, strain_of(strain_matrix(shape), model_.mesh.nodes[cell], change));
+      add_elastic_stress(elastic, returned, strain_of(shape, strain_matrix(shape), model_.mesh.nodes[cell], change));
       for (int k = 0; k < 4; ++k) returned[k] -= end[k];
       const auto [r1, r3] = extreme_stresses(returned);
       const Real flow = shape.area * (r1 - r3) / (2 * elastic.shear), shear = (s1 - s3) / 2;
@@ -179,7 +202,7 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
     const Vec<2> weight = model_.density_at(cell, q) * gravity;
     const ShapeAtPoint& shape = model_.shape[cell][q];
     const StrainMatrix b = strain_matrix(shape);
-    const SymTensor<2> strain = strain_of(b, model_.mesh.nodes[cell], change);
+    const SymTensor<2> strain = strain_of(shape, b, model_.mesh.nodes[cell], change);
     SoilPoint& point = points_[cell][q];
     point = begin.points[cell][q];
     SymTensor<2> mean;
@@ -191,6 +214,7 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
     for (int k = 0; k < 4; ++k) mean[k] = (begin.points[cell][q].stress[k] + point.stress[k]) / 2;
     work.work += shape.area * double_dot(mean, strain);
     force += shape.area * b.transpose() * Eigen::Vector3d(point.stress[0], point.stress[1], point.stress[3]);
+    if (shape.per_radius > 0) force += shape.area * point.stress[2] * hoop_strain(shape);
     for (int k = 0; k < 6; ++k) force.segment<2>(2 * k) -= shape.area * shape.value[k] * weight;
   }
 }
@@ -201,14 +225,17 @@ void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>
   for (int q = 0; q < triangle_points; ++q) {
     const ShapeAtPoint& shape = model_.shape[cell][q];
     const StrainMatrix b = strain_matrix(shape);
-    const SymTensor<2> strain = strain_of(b, model_.mesh.nodes[cell], change);
+    const SymTensor<2> strain = strain_of(shape, b, model_.mesh.nodes[cell], change);
     const SoilPoint& point = begin.points[cell][q];
-    const Stiffness d = std::visit(
+    const PointStiffness d = std::visit(
         [&](const auto& law) {
           return stiffness_of_point(law, viscosity, {strain, dt_, begin.state.time, model_.cell_size[cell]}, point);
         },
         law_of_point(point.stress, cell, q).law);
-    stiffness += b.transpose() * (shape.area * d * b);
+    stiffness += b.transpose() * (shape.area * d.plane * b);
+    if (!(shape.per_radius > 0)) continue;
+    const HoopStrain h = hoop_strain(shape), across = b.transpose() * Eigen::Vector3d(d.across);
+    stiffness += shape.area * (across * h.transpose() + h * across.transpose() + d.around * h * h.transpose());
   }
   int k = 0;
   for (int i = 0; i < 12; ++i)
@@ -290,12 +317,14 @@ Vec<2> Assembly::reaction() const
 {
   Vec<2> sum = Vec<2>::Zero();
   for (std::size_t k = 0; k < contact_.size(); ++k) sum -= model_.contact[k].area * contact_[k].traction;
+  if (model_.model.mesh.metric == mesh::Metric::axisymmetric) sum[0] = 0;  // balances itself around the axis
   return sum;
 }
 
 Real Assembly::torque() const
 {
   Real sum = 0;
+  if (model_.model.mesh.metric == mesh::Metric::axisymmetric) return sum;
   for (std::size_t k = 0; k < contact_.size(); ++k) {
     const Vec<2>&arm = model_.contact[k].arm, &traction = contact_[k].traction;
     sum -= model_.contact[k].area * (arm[0] * traction[1] - arm[1] * traction[0]);

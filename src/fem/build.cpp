@@ -135,9 +135,10 @@ void make_contact(FemModel& model)
     const bodies::RigidBody<2>& rigid = model.model.rigid_bodies[contact.rigid];
     const auto sides = contact_sides(model.mesh, rigid.shape);
     if (sides.empty()) throw KeyError(fmt::format("contact.{}: the mesh has no side on the surface of rigid.{}", contact.name, rigid.name));
-    model.contact = make_contact_points(sides, model.mesh.position, rigid.shape);
+    const mesh::Metric metric = model.model.mesh.metric;
+    model.contact = make_contact_points(sides, model.mesh.position, rigid.shape, metric);
     Real length = 0;
-    for (const FemContactPoint& point : model.contact) length += point.area;
+    for (const FemContactPoint& point : model.contact) length += section_of(metric, point.area, model.mesh.position[point.node]);
     model.interface = {contact.friction, 0, contact.scheme == contact::Scheme::tied,
                        contact_stiffness * stiffest_at_contact(model, contact.body) * static_cast<Real>(sides.size()) / length,
                        contact.tension};
@@ -181,6 +182,10 @@ void fill_points(const problem::Case& c, FemModel& model, FemState& state)
       if (!(shape.area > 0)) throw RunError(fmt::format("the curved element at ({}, {}) is inverted", nodes[0][0], nodes[0][1]));
       Vec<2> x = Vec<2>::Zero();
       for (int k = 0; k < 6; ++k) x += shape.value[k] * nodes[k];
+      if (model.model.mesh.metric == mesh::Metric::axisymmetric) {
+        model.shape[cell][q].per_radius = 1 / x[0];
+        model.shape[cell][q].area *= x[0];
+      }
       model.depth[cell][q] = model.model.soil_depth(x);
       const problem::BodySoil& soil = model.soil_of(cell);
       refuse_no_strength(soil, model.region_of(cell), model.depth[cell][q], model.model.bodies[body].name);
@@ -206,6 +211,15 @@ void set_law_state(const FemModel& model, FemState& state)
       std::copy_n(point.stress.c, tensor_size<2>, stress.c);
       initial_state(model.soil_at(cell, q), stress, point.law_state.data());
     }
+}
+
+/// Holds the nodes on the axis across it, those in the middle of sides too.
+void hold_axis(FemModel& model)
+{
+  if (model.model.mesh.metric != mesh::Metric::axisymmetric) return;
+  for (NodeField<std::uint8_t>& fixed : model.mesh.fixed)
+    for (Index node = 0; node < model.mesh.node_count(); ++node)
+      if (model.mesh.position[node][0] == 0) fixed[node] |= 1;
 }
 
 /// Finite elements are in equilibrium from their start: a stage that waits for it is one increment.
@@ -242,10 +256,12 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
   std::vector<bodies::RigidShape<2>> shapes;
   for (const bodies::RigidBody<2>& rigid : model.model.rigid_bodies) shapes.push_back(rigid.shape);
   model.mesh = make_quadratic(model.model.mesh, c, shapes);
+  hold_axis(model);
   make_contact(model);
   model.model.main_rigid = model.rigid;
   for (std::size_t t = 0; t < c.traction.size(); ++t)
-    model.loads.push_back(side_loads(model.mesh, model.mesh.loaded_sides[t], c.traction[t].first, c.traction[t].second));
+    model.loads.push_back(
+        side_loads(model.mesh, model.mesh.loaded_sides[t], c.traction[t].first, c.traction[t].second, model.model.mesh.metric));
   refuse_other_drives(model);
   fill_points(c, model, state);
   if (model.rigid != none) model.width = width_of<2>(model.model.rigid_bodies[model.rigid].shape);

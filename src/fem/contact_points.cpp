@@ -52,7 +52,7 @@ Eigen::Matrix<Real, 2, 5> relative_movement(const FemContactPoint& point)
 }
 
 std::vector<FemContactPoint> make_contact_points(const std::vector<BoundarySide>& sides, const NodeField<Vec<2>>& position,
-                                                 const bodies::RigidShape<2>& shape)
+                                                 const bodies::RigidShape<2>& shape, mesh::Metric metric)
 {
   std::map<Index, FemContactPoint> points;
   for (const auto& [from, to, middle] : sides) {
@@ -66,14 +66,14 @@ std::vector<FemContactPoint> make_contact_points(const std::vector<BoundarySide>
       const Vec<2>& x = position[nodes[k]];
       // At a corner of the body the surface's normal is that of the side.
       point.normal += part[k] * speed[k] * surface_at<2>(shape, Vec<2>(x + 1e-3 * (m - x))).normal;
-      point.area += part[k] * speed[k];
+      point.area += part[k] * speed[k] * weight_at(metric, x);
       point.arm = x - center_of<2>(shape);
     }
   }
   std::vector<FemContactPoint> list;
   for (auto& [node, point] : points) {
     point.normal.normalize();
-    list.push_back(point);
+    if (point.area > 0) list.push_back(point);  // on the axis there is none
   }
   return list;
 }

@@ -53,8 +53,8 @@ FemTraction update_traction(const FemInterface& interface, const Vec<2>& normal,
 /// Relative movement of a contact point per movement of its node and of the rigid body (x, y, angle), by column.
 Eigen::Matrix<Real, 2, 5> relative_movement(const FemContactPoint& point);
 
-/// The contact points of sides that lie on the surface of the shape. Simpson's rule gives the areas.
+/// The contact points of sides that lie on the surface of the shape. Simpson's rule gives the areas; around an axis times the radius, and no point on it.
 std::vector<FemContactPoint> make_contact_points(const std::vector<BoundarySide>& sides, const NodeField<Vec<2>>& position,
-                                                 const bodies::RigidShape<2>& shape);
+                                                 const bodies::RigidShape<2>& shape, mesh::Metric metric = mesh::Metric::cartesian);
 
 }  // namespace berm::fem

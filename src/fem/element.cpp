@@ -13,6 +13,7 @@ ShapeAtPoint shape_at(const AtSixNodes<Vec<2>>& nodes, int point)
   shape.value = shape_functions(at[point]);
   for (int k = 0; k < 6; ++k) shape.gradient[k] = to_place * derivatives[k];
   shape.area = j.determinant() / 6;
+  shape.per_radius = 0;
   return shape;
 }
 

@@ -13,7 +13,8 @@ constexpr int triangle_points = 3;
 struct ShapeAtPoint {
   AtSixNodes<Real> value;
   AtSixNodes<Vec<2>> gradient;  ///< 1/m
-  Real area;                    ///< m2, share of the element
+  Real area;                    ///< m2, share of the element; around an axis m3, times the radius
+  Real per_radius;              ///< 1/m, 1/r around an axis; else 0
 };
 
 /// At integration point `point` of a triangle with these nodes (m), whose sides may be curved. The area is negative where

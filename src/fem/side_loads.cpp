@@ -11,7 +11,7 @@ const std::array<std::pair<Real, Real>, 3> gauss_points{
 }  // namespace
 
 std::vector<NodalLoad> side_loads(const QuadraticMesh& mesh, const std::vector<BoundarySide>& sides, const std::string& name,
-                                  const boundary::TractionSettings& traction)
+                                  const boundary::TractionSettings& traction, mesh::Metric metric)
 {
   std::vector<NodalLoad> loads;
   for (const BoundarySide& side : sides) {
@@ -28,7 +28,9 @@ std::vector<NodalLoad> side_loads(const QuadraticMesh& mesh, const std::vector<B
       Vec<2> along = Vec<2>::Zero();
       for (int k = 0; k < 3; ++k) along += slope[k] * mesh.position[nodes[k]];
       const Vec<2> outwards = Vec<2>(along[1], -along[0]).normalized();  // the soil is on the left
-      const Real length = weight * loaded * along.norm();
+      Vec<2> x = Vec<2>::Zero();
+      for (int k = 0; k < 3; ++k) x += value[k] * mesh.position[nodes[k]];
+      const Real length = weight * loaded * along.norm() * weight_at(metric, x);
       for (int k = 0; k < 3; ++k) {
         of_side[k].force += value[k] * length * stress_on<2>(traction, outwards);
         of_side[k].area += value[k] * length;

@@ -14,8 +14,8 @@ struct NodalLoad {
 };
 
 /// Consistent nodal forces of the traction `name` on sides with three nodes, which may be curved; three Gauss points a side
-/// are exact on straight ones. Throws InputError where nothing is loaded.
+/// are exact on straight ones, around an axis where they count with the radius, too. Throws InputError where nothing is loaded.
 std::vector<NodalLoad> side_loads(const QuadraticMesh& mesh, const std::vector<BoundarySide>& sides, const std::string& name,
-                                  const boundary::TractionSettings& traction);
+                                  const boundary::TractionSettings& traction, mesh::Metric metric = mesh::Metric::cartesian);
 
 }  // namespace berm::fem

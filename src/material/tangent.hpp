@@ -17,10 +17,10 @@ using Tangent = Eigen::Matrix<Real, 4, 3, Eigen::DontAlign>;
 /// increment at fixed old stress and state, by automatic differentiation of the law. At a corner of the yield surface it is
 /// that of the side which the return takes; at the apex and in open soil it is 0. Non-symmetric where flow is
 /// non-associated. Where only the out-of-plane stress is cut off and the in-plane principal stresses are bitwise equal, the
-/// in-plane deviatoric stiffness is 0 instead of 2G.
+/// in-plane deviatoric stiffness is 0 instead of 2G. `across` gets d(s_xx, s_yy, s_zz, s_xy) / d e_zz, Pa, of strains that have one, as around an axis.
 template <class Prepared>
 inline void update_stress_and_tangent(const Prepared& law, SymTensor<2>& stress, const Increment<2, Real>& increment, Real* state,
-                                      Tangent& tangent)
+                                      Tangent& tangent, SymTensor<2>* across = nullptr)
 {
   SymTensor<2, Dual> new_stress;
   Increment<2, Dual> with_slopes{{}, increment.dt, increment.time, increment.cell_size};
@@ -32,6 +32,7 @@ inline void update_stress_and_tangent(const Prepared& law, SymTensor<2>& stress,
   }
   strain[0].slope[0] = 1;
   strain[1].slope[1] = 1;
+  strain[2].slope[3] = 1;
   strain[3].slope[2] = 0.5;
   const int state_variables = state_count(law);
   for (int k = 0; k < state_variables; ++k) new_state[k].value = state[k];
@@ -41,6 +42,7 @@ inline void update_stress_and_tangent(const Prepared& law, SymTensor<2>& stress,
   for (int k = 0; k < 4; ++k) {
     stress[k] = new_stress[k].value;
     for (int j = 0; j < 3; ++j) tangent(k, j) = new_stress[k].slope[j];
+    if (across != nullptr) (*across)[k] = new_stress[k].slope[3];
   }
   for (int k = 0; k < state_variables; ++k) state[k] = new_state[k].value;
 }

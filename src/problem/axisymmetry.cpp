@@ -85,8 +85,6 @@ void check_motion(Describe& d, const Case& c)
 void check_axisymmetry(Describe& d, const Case& c)
 {
   if (c.geometry != Geometry::axisymmetric) return;
-  d.check(c.method == Method::mpm, "method", "finite elements are for geometry = \"plane_strain\"; around an axis use method = \"mpm\"",
-          {"mpm"});
   d.check(c.gravity.empty() || c.gravity[0] == 0, "gravity", "around an axis x = 0 gravity is along it: [0, ...]");
   d.check(c.initial_state != InitialState::gravity_loading, "initial_state", "around an axis the ground is level: use \"level_ground\"",
           {"automatic", "level_ground"});

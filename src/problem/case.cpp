@@ -461,7 +461,8 @@ void describe(Describe& d, Case& c)
   d.table("output", c.output, {.meaning = "what is written"});
   d.table("report", c.report, {.meaning = "what berm report says of the work that the run is part of; changes no result"});
 
-  d.check(c.method == Method::mpm || c.dimension() == 2, "method", "finite elements are plane: they need geometry = \"plane_strain\"");
+  d.check(c.method == Method::mpm || c.dimension() == 2, "method",
+          "finite elements are plane: they need geometry = \"plane_strain\" or \"axisymmetric\"");
   bodies::check_entries(d, "gravity", c.gravity, c.dimension(), true);
   for (const auto& [name, material] : c.material) check(d, "material." + name, material);
   check_bodies(d, c);

@@ -131,7 +131,7 @@ NodeField<NodalSums> draw_out(const fem::FemModel& model, const fem::FemState& s
   NodeField<NodalSums> sums(mesh.node_count());
   for (Index cell = 0; cell < mesh.cell_count(); ++cell) {
     Real area = 0;
-    for (const fem::ShapeAtPoint& shape : model.shape[cell]) area += shape.area;
+    for (const fem::ShapeAtPoint& shape : model.shape[cell]) area += shape.per_radius > 0 ? shape.area * shape.per_radius : shape.area;
     std::array<Matrix<2>, fem::triangle_points> gradient, since_last;
     for (int q = 0; q < fem::triangle_points; ++q) {
       gradient[q] = gradient_at(model.shape[cell][q], mesh.nodes[cell], state.displacement);
@@ -179,8 +179,15 @@ void set_own(const fem::FemModel& model, const std::vector<OwnField>& own, Frame
 }
 
 /// What the nodes' own motion and the gradients of their elements say.
-void set_motion(const fem::QuadraticMesh& mesh, const fem::FemState& state, const NodeField<NodalSums>& sums, Frame<2>& frame)
+void set_motion(const fem::FemModel& model, const fem::FemState& state, const std::vector<Real>& last_displacement,
+                const NodeField<NodalSums>& sums, Frame<2>& frame)
 {
+  const fem::QuadraticMesh& mesh = model.mesh;
+  const auto stretch_around = [&](Index node, Real moved, const Matrix<2>& gradient) {
+    if (model.model.mesh.metric != mesh::Metric::axisymmetric) return Real(1);
+    const Real radius = mesh.position[node][0];
+    return 1 + (radius > 0 ? moved / radius : gradient(0, 0));
+  };
   const FieldValues<Real>& stress = frame.field("stress");
   FieldValues<Real>&displacement = frame.field("displacement"), &mean_stress = frame.field("mean_stress"),
   &deviatoric = frame.field("deviatoric_strain"), &volumetric = frame.field("volumetric_strain"),
@@ -193,10 +200,13 @@ void set_motion(const fem::QuadraticMesh& mesh, const fem::FemState& state, cons
     frame.volume[node] = sum.area / 6;
     for (int d = 0; d < 2; ++d) displacement.at(node, d) = moved_by[d];
     mean_stress.at(node) = (stress.at(node, 0) + stress.at(node, 1) + stress.at(node, 2)) / 3;
-    const GradientStrain strain = gradient_strain<2>(Matrix<2>::Identity() + sum.gradient / sum.area);
+    const Matrix<2> gradient = sum.gradient / sum.area, since_last = sum.gradient_since_last / sum.area;
+    const Real around = stretch_around(node, moved_by[0], gradient),
+               around_since_last = stretch_around(node, moved_by[0] - last_displacement[2 * node], since_last);
+    const GradientStrain strain = gradient_strain<2>(Matrix<2>::Identity() + gradient, around);
     deviatoric.at(node) = strain.deviatoric;
     volumetric.at(node) = strain.volumetric;
-    increment.at(node) = gradient_strain<2>(Matrix<2>::Identity() + sum.gradient_since_last / sum.area).deviatoric;
+    increment.at(node) = gradient_strain<2>(Matrix<2>::Identity() + since_last, around_since_last).deviatoric;
   }
 }
 
@@ -210,7 +220,7 @@ Frame<2> FemFrameMaker::make(const fem::FemState& state)
   const std::vector<OwnField> own = own_fields_of(model_.model);
   Frame<2> frame = empty_frame(model_.mesh, drawn, own);
   frame.time = state.state.time;
-  set_motion(model_.mesh, state, draw_out(model_, state, last_displacement_, drawn, frame), frame);
+  set_motion(model_, state, last_displacement_, draw_out(model_, state, last_displacement_, drawn, frame), frame);
   last_displacement_ = state.displacement;
   set_own(model_, own, frame);
   frame.rigid_bodies = frame_rigids(model_.model, state.state.rigid_bodies);

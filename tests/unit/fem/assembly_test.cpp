@@ -18,7 +18,7 @@ struct Tried {
   Real viscosity = 0;
   Vec<3> strain{0, 0, 0};
   SymTensor<2> first_stress = {};
-  bool by_force = false, stiff = true;
+  bool by_force = false, stiff = true, around_axis = false;
 };
 
 void PrintTo(const Tried& tried, std::ostream* out)
@@ -31,6 +31,7 @@ protected:
   MatrixOf()
   {
     problem::Case c = plate_on_block(GetParam().soil, 1, {2, 1});
+    if (GetParam().around_axis) c.geometry = problem::Geometry::axisymmetric;
     problem = fem_problem_of(c);
     loads.gravity = {0, -10};
     for (FemLoads::Direction& direction : loads.rigid) direction.by_force = GetParam().by_force;
@@ -87,19 +88,32 @@ const SymTensor<2> pressed{{-2e4, -4e4, -2e4, 0}};
 
 INSTANTIATE_TEST_SUITE_P(
     At, MatrixOf,
-    testing::Values(Tried{.name = "elastic_soil"}, Tried{.name = "free_rigid_directions", .by_force = true},
-                    Tried{.name = "associated_flow", .soil = plastic_soil(1e3, 30, 30), .strain = {5e-2, -1e-1, 3e-2}},
-                    Tried{.name = "undrained_flow", .soil = plastic_soil(1e3, 0, 0), .strain = {5e-2, -1e-1, 3e-2}},
-                    Tried{.name = "stand_in_for_flow_without_dilation",
-                          .soil = plastic_soil(0, 35, 0),
-                          .strain = {5e-2, -6e-2, 3e-2},
-                          .first_stress = pressed},
-                    Tried{.name = "stand_in_with_viscosity",
-                          .soil = plastic_soil(0, 35, 10),
-                          .viscosity = 0.1,
-                          .strain = {5e-2, -6e-2, 3e-2},
-                          .first_stress = pressed},
-                    Tried{.name = "soil_that_comes_apart", .soil = plastic_soil(0, 35, 0), .strain = {0.1, 0.1, 0}, .stiff = false}),
+    testing::Values(
+        Tried{.name = "elastic_soil"}, Tried{.name = "free_rigid_directions", .by_force = true},
+        Tried{.name = "associated_flow", .soil = plastic_soil(1e3, 30, 30), .strain = {5e-2, -1e-1, 3e-2}},
+        Tried{.name = "undrained_flow", .soil = plastic_soil(1e3, 0, 0), .strain = {5e-2, -1e-1, 3e-2}},
+        Tried{.name = "stand_in_for_flow_without_dilation",
+              .soil = plastic_soil(0, 35, 0),
+              .strain = {5e-2, -6e-2, 3e-2},
+              .first_stress = pressed},
+        Tried{.name = "stand_in_with_viscosity",
+              .soil = plastic_soil(0, 35, 10),
+              .viscosity = 0.1,
+              .strain = {5e-2, -6e-2, 3e-2},
+              .first_stress = pressed},
+        Tried{.name = "soil_that_comes_apart", .soil = plastic_soil(0, 35, 0), .strain = {0.1, 0.1, 0}, .stiff = false},
+        Tried{.name = "elastic_soil_around_an_axis", .around_axis = true},
+        Tried{.name = "associated_flow_around_an_axis",
+              .soil = plastic_soil(1e3, 30, 30),
+              .strain = {5e-2, -1e-1, 3e-2},
+              .around_axis = true},
+        Tried{.name = "undrained_flow_around_an_axis", .soil = plastic_soil(1e3, 0, 0), .strain = {5e-2, -1e-1, 3e-2}, .around_axis = true},
+        Tried{.name = "viscosity_around_an_axis",
+              .soil = plastic_soil(0, 35, 10),
+              .viscosity = 0.1,
+              .strain = {5e-2, -6e-2, 3e-2},
+              .first_stress = pressed,
+              .around_axis = true}),
     [](const auto& row) { return row.param.name; });
 
 TEST(Assembly, linear_displacement_makes_constant_stress_and_balance_inside)
@@ -134,6 +148,39 @@ TEST(Assembly, linear_displacement_makes_constant_stress_and_balance_inside)
   // The work of the stresses is half of stress times strain, over the area of the mesh.
   const SymTensor<2> strain{{e[0][0], e[1][1], 0, (e[0][1] + e[1][0]) / 2}};
   EXPECT_NEAR(problem.state.state.totals.internal / (area_of(model.mesh) * double_dot(stress, strain) / 2), 1, 1e-12);
+}
+
+// u_r = c r, u_y = d y has the strains c, d, c: a uniform stress, which leaves no force at nodes within the soil (three points of integration are exact).
+TEST(Assembly, displacement_in_proportion_to_the_radius_makes_uniform_stress_and_balance_inside)
+{
+  problem::Case c = block_of(elastic_soil(), {4, 4});
+  c.geometry = problem::Geometry::axisymmetric;
+  FemProblem problem = fem_problem_of(c);
+  const FemModel& model = problem.model;
+  const auto change = change_of(model, [](const Vec<2>& x) { return Vec<2>(3e-3 * x[0], -1e-3 * x[1]); });
+  Assembly assembly(model);
+  assembly.evaluate(problem.state, change, {}, 0);
+  FemState end = problem.state;
+  assembly.accept(end, change, {});
+  const SymTensor<2>& first = end.points[0][0].stress;
+  EXPECT_NEAR(first[0], first[2], 1e-9 * std::abs(first[0]));
+  Real outside = 0;
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
+    for (int q = 0; q < triangle_points; ++q)
+      for (int k = 0; k < 4; ++k) EXPECT_NEAR(end.points[cell][q].stress[k], first[k], 1e-9 * std::abs(first[0]));
+  int inner = 0;
+  for (Index node = 0; node < model.mesh.position.size(); ++node) {
+    const Vec<2>& x = model.mesh.position[node];
+    const Vec<2> force(assembly.residual()[2 * node], assembly.residual()[2 * node + 1]);
+    outside = std::max(outside, force.norm());
+    if (x[0] < 1e-9 || x[0] > model.model.mesh.upper[0] - 1e-9 || x[1] < model.model.mesh.lower[1] + 1e-9 ||
+        x[1] > model.model.mesh.upper[1] - 1e-9)
+      continue;
+    EXPECT_NEAR(force.norm(), 0, 1e-9 * std::abs(first[0])) << x.transpose();
+    ++inner;
+  }
+  EXPECT_GT(inner, 20);
+  EXPECT_GT(outside, 1e-3 * std::abs(first[0]));
 }
 
 TEST(Assembly, a_bed_with_k0_stresses_is_in_balance_but_for_the_hole)

@@ -92,7 +92,6 @@ TEST(Axisymmetric, bodies_are_their_own_mirror_image_or_beside_the_axis)
 
 TEST(Axisymmetric, what_is_not_made_for_it_is_refused)
 {
-  EXPECT_SAYS(refusal_of_ball({"method=fem"}), "method: finite elements are for geometry = \"plane_strain\"");
   EXPECT_SAYS(refusal_of_ball({"initial_state=gravity_loading", "body.bed.k0=0.5"}), "initial_state: around an axis the ground is level");
 }
 

@@ -156,6 +156,43 @@ TEST(Tangent, is_that_of_finite_differences_in_every_part_of_the_law)
   }
 }
 
+TEST(Tangent, across_the_plane_is_that_of_finite_differences)
+{
+  std::mt19937_64 random(3);
+  int checked = 0, skipped = 0;
+  for (const MohrCoulomb& law : soils()) {
+    const PreparedMohrCoulomb prepared = prepare(law);
+    const Real stiff = p_wave_modulus(prepared.elastic);
+    for (int n = 0; n < 1000; ++n) {
+      const TriedIncrement increment = random_increment(prepared, random);
+      TriedIncrement after = increment;
+      Tangent in_plane;
+      SymTensor<2> across;
+      update_stress_and_tangent(prepared, after.stress, {increment.strain}, &after.opening, in_plane, &across);
+      const Real h = 1e-6 * (size_of(increment.strain) + size_of(increment.stress) / stiff);
+      const auto stress_at = [&](Real by) {
+        SymTensor<2> strain = increment.strain, stress = increment.stress;
+        strain[2] += by;
+        Real opening = increment.opening;
+        update(prepared, stress, {strain}, &opening);
+        return Eigen::Vector4d(stress[0], stress[1], stress[2], stress[3]);
+      };
+      const Eigen::Vector4d here = stress_at(0), ahead = stress_at(h) - here, behind = here - stress_at(-h),
+                            narrow = (ahead + behind) / (2 * h);
+      const Real largest = std::max(stiff, narrow.cwiseAbs().maxCoeff());
+      // A corner of the surface, where both sides differ, or one where the law is not linear over the step.
+      if ((ahead - behind).cwiseAbs().maxCoeff() > 1e-3 * h * largest) {
+        ++skipped;
+        continue;
+      }
+      ASSERT_LE((Eigen::Vector4d(across[0], across[1], across[2], across[3]) - narrow).cwiseAbs().maxCoeff(), 1e-3 * largest);
+      ++checked;
+    }
+  }
+  EXPECT_GT(checked, 10 * skipped);
+  EXPECT_GT(checked, 3000);
+}
+
 TEST(Tangent, of_tresca_in_pure_shear_keeps_the_strength_and_turns_with_the_axes)
 {
   // s_xy = su past yield; e_xx - e_yy turns the axes: d(s_xx - s_yy) / d(e_xx - e_yy) = 2 G su / trial, with trial = G gamma.
