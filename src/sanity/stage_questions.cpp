@@ -43,16 +43,22 @@ std::string fault_of_displacement(const StageSettings& s)
   return "";
 }
 
-std::string fault_of_force(const StageSettings& s)
+/// The unit of forces, of which a plane run has those per metre.
+const char* force_unit(const problem::Case& c)
+{
+  return c.force_dimension() == 2 ? "N/m" : "N";
+}
+
+std::string fault_of_force(const StageSettings& s, const char* unit)
 {
   if (!s.until.force) return "";
   if (s.kind == StageKind::push && s.velocity && *s.velocity <= 0)
-    return fmt::format("{:.3g} N/m is never reached: the body moves {} (velocity {}), and the soil's reaction falls; make the "
+    return fmt::format("{:.3g} {} is never reached: the body moves {} (velocity {}), and the soil's reaction falls; make the "
                        "velocity positive, or end the stage by a time",
-                       *s.until.force, *s.velocity < 0 ? "up" : "not at all", words_of(*s.velocity, "m/s"));
+                       *s.until.force, unit, *s.velocity < 0 ? "up" : "not at all", words_of(*s.velocity, "m/s"));
   const Real largest = s.force.value_or(0) * max_load_factor(s);
   if (s.kind == StageKind::push && s.force && largest < *s.until.force)
-    return fmt::format("{:.3g} N/m is never reached: the drive gives {:.3g} N/m", *s.until.force, largest);
+    return fmt::format("{0:.3g} {2} is never reached: the drive gives {1:.3g} {2}", *s.until.force, largest, unit);
   if (s.kind == StageKind::drag && s.velocity && *s.velocity == 0) return "is never reached: velocity is 0";
   return "";
 }
@@ -71,7 +77,8 @@ void can_the_limits_be_reached(const Scene& s, Findings& found)
   for (std::size_t k = 0; k < s.ways.size(); ++k) {
     const StageSettings& stage = s.c.stage[k];
     if (s.ways[k].rigid == none) continue;
-    const std::string w = fault_of_embedment(stage, s.ways[k]), u = fault_of_displacement(stage), force = fault_of_force(stage);
+    const std::string w = fault_of_embedment(stage, s.ways[k]), u = fault_of_displacement(stage),
+                      force = fault_of_force(stage, force_unit(s.c));
     const bool at_once = is_deep_already(stage, s.ways[k]);
     const bool ends = stage.until.time || (stage.until.embedment && w.empty()) || (stage.until.displacement && u.empty()) ||
                       (stage.until.force && force.empty());
@@ -85,8 +92,8 @@ void can_the_limits_be_reached(const Scene& s, Findings& found)
     const bool by_force_alone = s.is_mpm() && stage.force && !stage.until.time && !(stage.until.force);
     if (by_force_alone)
       found.warn(stage_key(k, "until"),
-                 fmt::format("may never be reached: a force of {:.3g} N/m drives, and the soil may bear it before; add until.time as well",
-                             *stage.force));
+                 fmt::format("may never be reached: a force of {:.3g} {} drives, and the soil may bear it before; add until.time as well",
+                             *stage.force, force_unit(s.c)));
   }
 }
 
@@ -222,9 +229,11 @@ void do_forces_press_down(const Scene& s, Findings& found)
     const bool drag = stage.kind == StageKind::drag;
     if (drag && stage.vertical_force && *stage.vertical_force < 0)
       found.warn(stage_key(k, "vertical_force"),
-                 fmt::format("is {:.3g} N/m: it lifts the body out of the soil; a force that presses is positive", *stage.vertical_force));
+                 fmt::format("is {:.3g} {}: it lifts the body out of the soil; a force that presses is positive", *stage.vertical_force,
+                             force_unit(s.c)));
     if (stage.kind == StageKind::push && stage.force && *stage.force < 0)
-      found.warn(stage_key(k, "force"), fmt::format("is {:.3g} N/m: it lifts the body; a push down is positive", *stage.force));
+      found.warn(stage_key(k, "force"),
+                 fmt::format("is {:.3g} {}: it lifts the body; a push down is positive", *stage.force, force_unit(s.c)));
     const bool holds = drag && stage.vertical == problem::Vertical::hold && !stage.vertical_force && !stage.vertical_velocity;
     if (holds && !pressed && s.is_mpm() && s.ways[k].begin_known && s.ways[k].begin_embedment <= 0)
       found.warn(stage_key(k, "vertical"), "holds the vertical force of the stage's begin, which is 0: nothing pressed the body down "

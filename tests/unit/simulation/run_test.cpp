@@ -38,6 +38,15 @@ protected:
     std::string sand = test::small_fem_case;  // whose flow is not associated
     sand.replace(sand.find("friction_angle = 0"), 18, "friction_angle = 0.5");
     folder_.write("fem_sand.toml", sand);
+    std::string half = test::small_fem_case;  // a ball in clay, pushed in both stages
+    const auto in_half = [&](const std::string& from, const std::string& to) { half.replace(half.find(from), from.size(), to); };
+    in_half("method = \"fem\"", "method = \"fem\"\ngeometry = \"axisymmetric\"");
+    in_half("length = \"200 mm\"", "length = \"100 mm\"\nleft = 0");
+    in_half("near_left = \"-20 mm\"", "near_left = 0");
+    in_half("kind = \"drag\"", "kind = \"push\"");
+    in_half("until.force = 60", "until.force = 1");
+    in_half("until.displacement = \"0.4 mm\"", "until.embedment = \"10.4 mm\"");
+    folder_.write("fem_axisymmetric.toml", half);
   }
 
   bool is_fem() const { return std::string(GetParam()).starts_with("fem"); }
@@ -63,7 +72,7 @@ protected:
 
 constexpr int all = 1 << 30;
 
-INSTANTIATE_TEST_SUITE_P(Methods, RunOf, testing::Values("mpm", "axisymmetric", "fem", "fem_sand"),
+INSTANTIATE_TEST_SUITE_P(Methods, RunOf, testing::Values("mpm", "axisymmetric", "fem", "fem_sand", "fem_axisymmetric"),
                          [](const auto& of) { return std::string(of.param); });
 
 TEST_P(RunOf, a_case_that_is_stopped_again_and_again_ends_with_the_same_bytes)
