@@ -3,7 +3,7 @@
 import type { BandData, PageData, PathData, RunData } from "../data";
 import { at_rows, combined, published_marks, plan, run_traces } from "./plan";
 import type { Curve, Numbers, Plan } from "./plan";
-import { quantity_of_column, ratio } from "./quantity";
+import { column_of_label, quantity_of_column, ratio } from "./quantity";
 import type { Quantity } from "./quantity";
 
 const travel: Quantity = { words: "horizontal travel", symbol: "u", kind: "length", unit: "m" };
@@ -13,19 +13,20 @@ type CurveOf = (run: RunData) => Curve | null;
 
 /** The charts of the push. */
 export function push_plans(data: PageData): Plan[] {
-  const embedment = quantity_of_column(data.runs, "w_m"), vertical = quantity_of_column(data.runs, "V_N_m");
+  const V = data.runs.map((run) => column_of_label(run, "V")).find((each) => each !== undefined) ?? "V_N_m"; // V_N around an axis and in space
+  const embedment = quantity_of_column(data.runs, "w_m"), vertical = quantity_of_column(data.runs, V);
   const traces = (curve: CurveOf) => run_traces(data.runs, curve);
   const over_depth = (run: RunData, value: Numbers | null, value_column: string, mean: Numbers | null) =>
     curve_of(run, run.push, at_rows(run, "w_m", run.push.rows), "w_m", value, value_column, mean);
   return [
     plan({
       id: "V_w", title: "Push: V(w)", argument: embedment, value: vertical, upright: true, zero: true,
-      traces: traces((run) => with_band(over_depth(run, at_rows(run, "V_N_m", run.push.rows), "V_N_m", run.push.V_mean), run, "V_w")),
+      traces: traces((run) => with_band(over_depth(run, at_rows(run, V, run.push.rows), V, run.push.V_mean), run, "V_w")),
       marks: published_marks(data, "V_w"),
     }),
     plan({
       id: "V_noise", title: "Noise of V in the push", argument: embedment, value: { ...vertical, words: "vertical reaction less its mean", symbol: "\u0394V" },
-      traces: traces((run) => over_depth(run, noise(at_rows(run, "V_N_m", run.push.rows), run.push.V_mean), "V_N_m - V_mean", null)),
+      traces: traces((run) => over_depth(run, noise(at_rows(run, V, run.push.rows), run.push.V_mean), `${V} - V_mean`, null)),
     }),
   ];
 }

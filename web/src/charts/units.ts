@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 import type { RunData } from "../data";
+import { column_of_label } from "./quantity";
 import type { Quantity } from "./quantity";
 
 export type UnitSystem = "model" | "dimensionless" | "prototype";
@@ -21,6 +22,8 @@ const steps: Record<string, Step[]> = {
   "N/m": [["N/m", 1, 0], ["kN/m", 1e3, 1e4]],
   "J/m": [["J/m", 1, 0], ["kJ/m", 1e3, 1e4]],
   "N m/m": [["N m/m", 1, 0], ["kN m/m", 1e3, 1e4]],
+  N: [["N", 1, 0], ["kN", 1e3, 1e4]],
+  J: [["J", 1, 0], ["kJ", 1e3, 1e4]],
   Pa: [["Pa", 1, 0], ["kPa", 1e3, 1e3], ["MPa", 1e6, 1e6]],
 };
 
@@ -71,7 +74,8 @@ export function offered_systems(runs: RunData[]): UnitSystem[] {
 
 /** What a system is called where it is chosen. */
 export function system_name(system: UnitSystem, runs: RunData[]): string {
-  if (system === "model") return "model (mm, N/m)";
+  const forces = runs.map((run) => column_of_label(run, "V")).filter((column) => column !== undefined);
+  if (system === "model") return forces.length > 0 && !forces.includes("V_N_m") ? "model (mm, N)" : "model (mm, N/m)";
   const without = left_out(system, runs).length;
   const units = system === "prototype" ? "m, kN/m" : `w/D, ${over("V", dimensionless("force", runs).divisor)}`;
   return `${system} (${units}${without === 0 ? "" : `; leaves out ${without} of ${runs.length} runs`})`;
