@@ -20,7 +20,7 @@ add_library(berm_flags INTERFACE)
 target_compile_options(berm_flags INTERFACE -Wall -Wextra -Wconversion -Wno-sign-conversion -Werror -Wno-psabi)
 # Files that are compiled together see each other's constants, which their local names may shadow, and are no main file, whose types in anonymous namespaces may be anywhere.
 if(CMAKE_UNITY_BUILD)
-  target_compile_options(berm_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local -Wno-subobject-linkage>)
+  target_compile_options(berm_flags INTERFACE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wshadow=local;-Wno-subobject-linkage>)
 else()
   target_compile_options(berm_flags INTERFACE -Wshadow)
 endif()

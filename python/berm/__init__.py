@@ -15,6 +15,7 @@ from .element import element
 from .errors import InputError, RunError, Stopped
 from .frames import Field, Frame
 from .history import Column, History
+from .macro_element import macro_element
 from .parameters import Parameter, parameters
 from .program import check, export, find_program, include_folder, new, report, springs, version
 from .run import Quantity, Run, open, run
@@ -43,6 +44,7 @@ __all__ = [
     "export",
     "find_program",
     "include_folder",
+    "macro_element",
     "new",
     "open",
     "parameters",

@@ -9,6 +9,8 @@
 namespace py = pybind11;
 using namespace py::literals;
 
+void add_macro_element(py::module_& module);  // macro_element.cpp
+
 namespace {
 
 /// An array on memory of the run, which lives as long as the array does; it cannot be written to.
@@ -194,6 +196,7 @@ PYBIND11_MODULE(engine, module)
     }
   });
 
+  add_macro_element(module);
   module.def("version", &berm::version, "Version of the library that is loaded.");
 
   py::class_<berm::RigidBodyNow>(module, "RigidBody", "A rigid body at a time; vectors of three numbers, z = 0 in plane strain.")

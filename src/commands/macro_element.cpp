@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/macro_element/files_test.cpp
+#include "commands/case_options.hpp"
+#include "commands/command.hpp"
+#include "core/error.hpp"
+#include "macro_element/files.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+namespace berm::commands {
+
+Command add_macro_element(CLI::App& program)
+{
+  struct Options {
+    std::vector<std::string> fit, check;
+    std::string output = "out/macro_element";
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* app = program.add_subcommand("macro-element", "fit a macro-element of a pipe to runs, and write it as C code and JSON");
+  app->add_option("RUN", options->fit, "run folders, or outputs of berm study, that it is fitted to")->required();
+  app->add_option("--check", options->check, "runs that it is compared with and not fitted to");
+  app->add_option("-o,--output", options->output, "folder for the files (default: out/macro_element)");
+  return {app, [options] {
+            messages_to_stderr();
+            namespace macro = macro_element;
+            std::vector<macro::Path> fitted = macro::paths_in(options->fit), others = macro::paths_in(options->check);
+            for (const macro::Path& other : others)
+              for (const macro::Path& path : fitted)
+                if (std::filesystem::equivalent(other.run, path.run))
+                  throw InputError(fmt::format("{} is fitted to, so that it cannot be a check", other.run.string()));
+            const macro::Parameters parameters = macro::fit(fitted);
+            std::vector<macro::Comparison> comparisons;
+            for (macro::Path& path : fitted) comparisons.push_back(macro::compare(parameters, std::move(path), true));
+            for (macro::Path& path : others) comparisons.push_back(macro::compare(parameters, std::move(path), false));
+            if (others.empty()) spdlog::warn("no run checks the fit: give some that it has not seen to --check");
+            for (const std::string& name : macro::write_files(options->output, parameters, comparisons))
+              fmt::print("{}\n", (std::filesystem::path(options->output) / name).string());
+            fmt::print("\n{}", macro::table_of(comparisons));
+            return 0;
+          }};
+}
+
+}  // namespace berm::commands

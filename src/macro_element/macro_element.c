@@ -1,0 +1,508 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/* The macro-element of a pipe on the seabed. What it is, and its units and signs: macro_element.h. */
+#include "macro_element.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <string.h>
+
+/* A number with its derivatives by the displacement of the step. */
+typedef struct {
+  double v, d[2];
+} number;
+
+/* What the state holds, as numbers. */
+typedef struct {
+  number x, R, left_x, left_R;
+} side_numbers;
+typedef struct {
+  number u, w, u_p, w_p, disturbed, mobilised, H, V;
+  side_numbers side[2];
+} numbers;
+
+/* An attempt to find the plastic displacement: A = |du_p|, B = dw_p, and what they leave of both conditions, with derivatives. */
+typedef struct {
+  double sign, H, V, w_p, disturbed, mobilised; /* of the elastic trial, H along sign */
+  double flow_zero;                             /* v without vertical flow */
+  double contact;                               /* 1; less where the pipe is lifted off */
+  int lifted;
+  double top; /* maximum of s^b1 (1 - s)^b2 */
+} trial;
+typedef struct {
+  double v, m_h, m_v, dm_h, dm_v, zero_h, zero_v; /* flow at v, its derivatives by v and by the flow's zero */
+} flow;
+typedef struct {
+  double g, g_B, g_v, g_w; /* vertical: V - k_v B - v V0 */
+  double r, r_A, r_B, r_v, r_w, r_disturbed, r_mobilised, r_contact; /* horizontal: H - k_h A - resistance */
+} misfit;
+
+/* Closer to the tip the direction of flow is taken as straight down: the jump is less than what an increment may leave. */
+static const double increment_over_D = 0.004, least_w_over_D = 0.01, least_V0 = 1e-3, near_tip = 1e-14, largest_flow_zero = 0.95;
+enum { max_iterations = 200 };
+
+static double larger(double a, double b)
+{
+  return a > b ? a : b;
+}
+
+static double smaller(double a, double b)
+{
+  return a < b ? a : b;
+}
+
+static number constant(double v)
+{
+  number a = {0, {0, 0}};
+  a.v = v;
+  return a;
+}
+
+/* a + f b */
+static number sum(number a, double f, number b)
+{
+  a.v += f * b.v;
+  a.d[0] += f * b.d[0];
+  a.d[1] += f * b.d[1];
+  return a;
+}
+
+/* V0 and its slope at a plastic embedment. */
+static double backbone(const berm_macro_element_parameters* p, double w_p, double* slope)
+{
+  const int n = p->backbone_points;
+  const double first = n > 0 ? p->backbone_w[0] : least_w_over_D * p->diameter;
+  if (w_p < first) {
+    const double V = n > 0 ? p->backbone_V[0] : p->backbone_factor * pow(least_w_over_D, p->backbone_power);
+    *slope = w_p > least_V0 * first ? V / first : 0;
+    return V * larger(w_p / first, least_V0);
+  }
+  if (n > 0) {
+    int k = 1;
+    if (n == 1) {
+      *slope = 0;
+      return p->backbone_V[0];
+    }
+    while (k + 1 < n && w_p >= p->backbone_w[k]) ++k;
+    *slope = (p->backbone_V[k] - p->backbone_V[k - 1]) / (p->backbone_w[k] - p->backbone_w[k - 1]);
+    return p->backbone_V[k - 1] + *slope * (w_p - p->backbone_w[k - 1]);
+  }
+  {
+    const double V = p->backbone_factor * pow(w_p / p->diameter, p->backbone_power);
+    *slope = V * p->backbone_power / w_p;
+    return V;
+  }
+}
+
+/* y(v) and its slope. */
+static double shape(const berm_macro_element_parameters* p, double top, double v, double* slope)
+{
+  const double s = smaller(larger((v + p->surface_beta) / (1 + p->surface_beta), near_tip), 1 - near_tip);
+  const double y = pow(s, p->surface_b1) * pow(1 - s, p->surface_b2) / top;
+  *slope = y * (p->surface_b1 / s - p->surface_b2 / (1 - s)) / (1 + p->surface_beta);
+  return y;
+}
+
+static flow flow_at(const berm_macro_element_parameters* p, double zero, double v)
+{
+  flow f;
+  const double c = p->flow_slope, N = c * (v - zero), one = larger(1 - v, near_tip), root = sqrt(one), Q = one + N * N, q = sqrt(Q);
+  const double Q_v = 2 * N * c - 1;
+  f.v = v;
+  f.m_h = v < 1 ? root / q : 0;
+  f.m_v = v < 1 ? N / q : 1;
+  f.dm_h = -(0.5 / root + root * Q_v / (2 * Q)) / q;
+  f.dm_v = (c - N * Q_v / (2 * Q)) / q;
+  f.zero_h = root * N * c / (Q * q);
+  f.zero_v = -c * one / (Q * q);
+  return f;
+}
+
+/* What is left of both conditions after plastic displacements A and B at v. */
+static misfit misfit_of(const berm_macro_element_parameters* p, const trial* t, double A, double B, double v)
+{
+  misfit m;
+  double dV0, dy;
+  const double V0 = backbone(p, t->w_p + B, &dV0), y = shape(p, t->top, v, &dy);
+  const double depth = larger(t->w_p, least_w_over_D * p->diameter), fresh = larger(B, 0), left = depth / (depth + fresh);
+  const double disturbed = (t->disturbed + A) * left;
+  const double faded = (1 - p->residual_ratio) * exp(-disturbed / p->softening_length), soft = p->residual_ratio + faded;
+  const double dsoft = -faded / p->softening_length;
+  const double x = 1 + A / p->mobilisation_length, mobilised = (t->mobilised * t->sign + x - 1) / x;
+  const double dmobilised = (1 - t->mobilised * t->sign) / (p->mobilisation_length * x * x);
+  const double part = p->first_yield + (1 - p->first_yield) * mobilised, all = p->peak_ratio * t->contact * y * V0;
+  const double deeper = p->peak_ratio * t->contact * y * dV0 * soft * part;
+  m.g = t->V - p->vertical_stiffness * B - v * V0;
+  m.g_B = -p->vertical_stiffness - v * dV0;
+  m.g_v = -V0;
+  m.g_w = -v * dV0;
+  m.r = t->H - p->horizontal_stiffness * A - all * soft * part;
+  m.r_A = -p->horizontal_stiffness - all * (dsoft * left * part + soft * (1 - p->first_yield) * dmobilised);
+  m.r_B = -deeper + (B > 0 ? all * part * dsoft * disturbed / (depth + fresh) : 0);
+  m.r_v = -p->peak_ratio * t->contact * V0 * dy * soft * part;
+  m.r_w = -deeper;
+  if (t->w_p > least_w_over_D * p->diameter) m.r_w -= all * part * dsoft * (t->disturbed + A) * fresh / ((depth + fresh) * (depth + fresh));
+  m.r_disturbed = -all * part * dsoft * left;
+  m.r_mobilised = -all * soft * (1 - p->first_yield) * t->sign / x;
+  m.r_contact = t->contact > 0 ? -all * soft * part / t->contact : -p->peak_ratio * y * V0 * soft * part;
+  return m;
+}
+
+/* B where the vertical condition holds at this v. */
+static double sunk_at(const berm_macro_element_parameters* p, const trial* t, double v)
+{
+  double low = -1e3 * p->diameter, high = 1e3 * p->diameter, B = 0;
+  int k;
+  for (k = 0; k < max_iterations; ++k) {
+    double slope;
+    const double g = t->V - p->vertical_stiffness * B - v * backbone(p, t->w_p + B, &slope);
+    double next = B + g / (p->vertical_stiffness + v * slope);
+    if (g > 0) low = B;
+    else high = B;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (fabs(next - B) <= 1e-16 * p->diameter) return next;
+    B = next;
+  }
+  return B;
+}
+
+/* v between parting and the tip where the vertical condition holds for a flow of length L. */
+static double v_of(const berm_macro_element_parameters* p, const trial* t, double L)
+{
+  double low = -p->uplift_ratio, high = 1, v = smaller(larger(t->V / (fabs(t->V) + 1), low), high);
+  int k;
+  for (k = 0; k < max_iterations; ++k) {
+    const flow f = flow_at(p, t->flow_zero, v);
+    double dV0, next;
+    const double V0 = backbone(p, t->w_p + L * f.m_v, &dV0), g = t->V - p->vertical_stiffness * L * f.m_v - v * V0;
+    next = v + g / (V0 + (p->vertical_stiffness + v * dV0) * L * f.dm_v);
+    if (g > 0) low = v;
+    else high = v;
+    if (high - low <= 1e-16) return v;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (next == v) return v;
+    v = next;
+  }
+  return v;
+}
+
+/* A point of the return path: a flow of length L. */
+typedef enum { ON_SURFACE, AT_TIP, PARTING, LIFTED } return_kind;
+typedef struct {
+  return_kind kind;
+  double L;
+  flow f;
+  double A, B, slope; /* |du_p|, dw_p, and of the horizontal misfit by L */
+  misfit m;
+} attempt;
+
+static attempt attempt_at(const berm_macro_element_parameters* p, const trial* t, double L)
+{
+  const flow sideways = {0, 1, 0, 0, 0, 0, 0}, lowest = flow_at(p, t->flow_zero, -p->uplift_ratio);
+  attempt a;
+  double slope;
+  const double left = t->V - p->vertical_stiffness * L * lowest.m_v + p->uplift_ratio * backbone(p, t->w_p + L * lowest.m_v, &slope);
+  a.kind = t->lifted ? LIFTED : left <= 0 ? PARTING : ON_SURFACE;
+  a.L = L;
+  a.f = t->lifted ? sideways : left <= 0 ? lowest : flow_at(p, t->flow_zero, v_of(p, t, L));
+  a.A = L * a.f.m_h;
+  a.B = a.kind == PARTING ? sunk_at(p, t, -p->uplift_ratio) : L * a.f.m_v;
+  a.m = misfit_of(p, t, a.A, a.B, t->lifted ? -p->uplift_ratio : a.f.v);
+  a.slope = a.m.r_A * a.f.m_h;
+  if (a.kind == ON_SURFACE) {
+    const double g_v = a.m.g_B * L * a.f.dm_v + a.m.g_v, r_v = a.m.r_A * L * a.f.dm_h + a.m.r_B * L * a.f.dm_v + a.m.r_v;
+    a.slope += a.m.r_B * a.f.m_v - r_v * a.m.g_B * a.f.m_v / g_v;
+  }
+  return a;
+}
+
+/* The flow that brings the trial back to the surface; whether there is one. */
+static int return_to_surface(const berm_macro_element_parameters* p, const trial* t, attempt* a)
+{
+  const double scale = p->horizontal_stiffness * p->diameter;
+  double slope, low = !t->lifted && t->V > backbone(p, t->w_p, &slope) ? sunk_at(p, t, 1) : 0, high;
+  int k;
+  *a = attempt_at(p, t, low);
+  if (a->m.r <= 0) {
+    a->kind = AT_TIP;
+    return 1;
+  }
+  high = low + larger(t->H / p->horizontal_stiffness, 1e-12 * p->diameter);
+  for (k = 0; k < max_iterations && (*a = attempt_at(p, t, high)).m.r > 0; ++k) {
+    low = high;
+    high *= 2;
+  }
+  for (k = 0; k < max_iterations && fabs(a->m.r) > 1e-15 * scale && high - low > 1e-16 * high; ++k) {
+    double next = a->L - a->m.r / a->slope;
+    if (a->m.r > 0) low = a->L;
+    else high = a->L;
+    if (!(next > low && next < high) || k % 8 == 7) next = 0.5 * (low + high);
+    *a = attempt_at(p, t, next);
+  }
+  return fabs(a->m.r) <= 1e-9 * scale;
+}
+
+/* Its derivatives, from those of the trial's H (along its sign), V, w_p and so on. */
+static void derive_flow(const attempt* a, double H, double V, double w_p, double disturbed, double mobilised, double contact, double zero, double* A,
+                        double* B)
+{
+  const misfit* m = &a->m;
+  const flow* f = &a->f;
+  const double L = a->L;
+  double r = H + m->r_w * w_p + m->r_disturbed * disturbed + m->r_mobilised * mobilised + m->r_contact * contact, g = V + m->g_w * w_p;
+  *B = a->kind == LIFTED ? 0 : -g / m->g_B;
+  *A = a->kind == AT_TIP ? 0 : -(r + m->r_B * *B) / m->r_A;
+  if (a->kind == ON_SURFACE) {
+    const double g_L = m->g_B * f->m_v, g_v = m->g_B * L * f->dm_v + m->g_v;
+    const double r_L = m->r_A * f->m_h + m->r_B * f->m_v, r_v = m->r_A * L * f->dm_h + m->r_B * L * f->dm_v + m->r_v;
+    const double det = g_L * r_v - g_v * r_L;
+    double dL, dv;
+    g += m->g_B * L * f->zero_v * zero;
+    r += (m->r_A * L * f->zero_h + m->r_B * L * f->zero_v) * zero;
+    dL = (g_v * r - r_v * g) / det;
+    dv = (r_L * g - g_L * r) / det;
+    *A = f->m_h * dL + L * (f->dm_h * dv + f->zero_h * zero);
+    *B = f->m_v * dL + L * (f->dm_v * dv + f->zero_v * zero);
+  }
+}
+
+/* Takes the plastic displacements A and B, with their derivatives, into the state. */
+static void take_flow(const berm_macro_element_parameters* p, numbers* s, double sign, number A, number B)
+{
+  const double least = least_w_over_D * p->diameter, l = p->mobilisation_length, x = 1 + A.v / l;
+  const number depth = s->w_p.v > least ? s->w_p : constant(least), fresh = B.v > 0 ? B : constant(0);
+  const double all = depth.v + fresh.v, D = s->disturbed.v + A.v, m = s->mobilised.v;
+  number disturbed, mobilised;
+  int k;
+  disturbed.v = D * depth.v / all;
+  mobilised.v = (m + sign * A.v / l) / x;
+  for (k = 0; k < 2; ++k) {
+    disturbed.d[k] = (s->disturbed.d[k] + A.d[k]) * depth.v / all + D * (depth.d[k] * fresh.v - depth.v * fresh.d[k]) / (all * all);
+    mobilised.d[k] = s->mobilised.d[k] / x + (sign - m) * A.d[k] / (l * x * x);
+  }
+  s->disturbed = disturbed;
+  s->mobilised = mobilised;
+  s->u_p = sum(s->u_p, sign, A);
+  s->w_p = sum(s->w_p, 1, B);
+}
+
+/* H of the yield surface, and s->V, after s->u and s->w have moved; returns an error. */
+static int move_surface(const berm_macro_element_parameters* p, numbers* s, double top, number* H)
+{
+  const double kv = p->vertical_stiffness, kh = p->horizontal_stiffness, least = least_w_over_D * p->diameter;
+  double dV0, center, v;
+  const double V0 = backbone(p, s->w_p.v, &dV0), parting = -p->uplift_ratio * V0;
+  number H_trial = sum(s->u, -1, s->u_p), V_trial = sum(s->w, -1, s->w_p), zero = constant(p->flow_zero), contact = constant(1);
+  trial t = {1, 0, 0, s->w_p.v, s->disturbed.v, 0, 0, 1, 0, top};
+  int k;
+  H_trial = sum(constant(0), kh, H_trial);
+  V_trial = sum(constant(0), kv, V_trial);
+  t.V = V_trial.v;
+  t.lifted = t.V < parting;
+  if (t.lifted) {
+    const double depth = larger(s->w_p.v, least), gap = (parting - t.V) / kv;
+    contact.v = larger(0, 1 - gap / depth);
+    for (k = 0; k < 2 && contact.v > 0; ++k)
+      contact.d[k] = (V_trial.d[k] + p->uplift_ratio * dV0 * s->w_p.d[k]) / (kv * depth) + (s->w_p.v > least ? gap / (depth * depth) * s->w_p.d[k] : 0);
+  }
+  t.contact = contact.v;
+  /* The middle of what is elastic, which earlier motion has moved, decides on the sign. */
+  v = t.lifted ? -p->uplift_ratio : smaller(t.V / V0, 1);
+  center = -misfit_of(p, &t, 0, 0, v).r / p->first_yield * (1 - p->first_yield) * s->mobilised.v;
+  t.sign = (t.V >= V0 ? H_trial.v : H_trial.v - center) < 0 ? -1 : 1;
+  t.H = t.sign * H_trial.v;
+  t.mobilised = s->mobilised.v;
+  if (t.sign * s->H.v > 0) {
+    const double ratio = t.sign * s->H.v / V0;
+    zero.v += p->flow_climb * ratio;
+    for (k = 0; k < 2; ++k) zero.d[k] = p->flow_climb * (t.sign * s->H.d[k] - ratio * dV0 * s->w_p.d[k]) / V0;
+  }
+  if (zero.v > largest_flow_zero) zero = constant(largest_flow_zero);
+  t.flow_zero = zero.v;
+  if (t.V > V0 || misfit_of(p, &t, 0, 0, v).r > 0) {
+    attempt a;
+    number A, B;
+    if (!return_to_surface(p, &t, &a)) return BERM_MACRO_ELEMENT_NO_SOLUTION;
+    A.v = a.A;
+    B.v = a.B;
+    for (k = 0; k < 2; ++k)
+      derive_flow(&a, t.sign * H_trial.d[k], V_trial.d[k], s->w_p.d[k], s->disturbed.d[k], s->mobilised.d[k], contact.d[k], zero.d[k], &A.d[k], &B.d[k]);
+    take_flow(p, s, t.sign, A, B);
+    H_trial = sum(H_trial, -t.sign * kh, A);
+    V_trial = sum(V_trial, -kv, B);
+  }
+  *H = H_trial;
+  s->V = V_trial;
+  if (t.lifted) {
+    s->V.v = parting * contact.v;
+    for (k = 0; k < 2; ++k) s->V.d[k] = parting * contact.d[k] - p->uplift_ratio * dV0 * s->w_p.d[k] * contact.v;
+  }
+  return BERM_MACRO_ELEMENT_OK;
+}
+
+/* Force of the soil ahead on the side of this sign, after the pipe has moved to position x along it at embedment w. */
+static number move_berm(const berm_macro_element_parameters* p, side_numbers* b, number x, number w)
+{
+  const double k_h = p->horizontal_stiffness, per_length = 1 / p->berm_length, ramp = p->berm_reach / 2;
+  number force, e;
+  int k;
+  if (b->left_R.v > 0 && x.v >= b->left_x.v - ramp) { /* it is reached, and moves on with the pipe */
+    b->R = sum(b->R, 1, b->left_R);
+    b->x = sum(b->x, -1 / k_h, b->left_R);
+    b->left_R = constant(0);
+  }
+  e = sum(x, -1, b->x);
+  if (e.v <= 0) { /* out of touch */
+    if (b->R.v > 0 && -e.v > p->berm_reach) {
+      if (!(b->left_R.v > 0)) {
+        b->left_x = sum(b->x, 1 / k_h, b->R);
+        b->left_R = b->R;
+      }
+      b->R = constant(0);
+    }
+    if (!(b->R.v > 0)) b->x = x;
+    e = constant(0);
+  } else if (k_h * e.v > b->R.v) { /* it grows */
+    const number depth = w.v > 0 ? w : constant(0);
+    const double a = k_h * per_length, c = k_h * e.v - b->R.v, f = k_h + p->berm_rate * depth.v - k_h * e.v * per_length;
+    const double root = sqrt(f * f + 4 * a * c);
+    number moved;
+    moved.v = 2 * c / (f + root);
+    for (k = 0; k < 2; ++k)
+      moved.d[k] = (k_h * e.d[k] - b->R.d[k] - (p->berm_rate * depth.d[k] - a * e.d[k]) * moved.v) / root;
+    e = sum(e, -1, moved);
+    b->x = sum(b->x, 1, moved);
+    b->R = sum(constant(0), k_h, e);
+  }
+  force = sum(constant(0), k_h, e);
+  if (b->left_R.v > 0) {
+    const double part = (x.v - b->left_x.v + p->berm_reach) / ramp;
+    if (part > 0)
+      for (k = 0; k < 2; ++k) force.d[k] += part * b->left_R.d[k] + b->left_R.v / ramp * (x.d[k] - b->left_x.d[k]);
+    force.v += larger(part, 0) * b->left_R.v;
+  }
+  return force;
+}
+
+static int is_number(double x)
+{
+  return x - x == 0;
+}
+
+const char* berm_macro_element_error(int code)
+{
+  static const char* const words[] = {"no error", "a pointer is null", "parameters or state are of another version", "a parameter is out of its range",
+                                      "a displacement or force is no number or too large", "an increment did not converge"};
+  return code >= 0 && code < (int)(sizeof words / sizeof *words) ? words[code] : "unknown error";
+}
+
+int berm_macro_element_check(const berm_macro_element_parameters* p)
+{
+  int k;
+  if (p == NULL) return BERM_MACRO_ELEMENT_NULL;
+  if (p->version != BERM_MACRO_ELEMENT_VERSION) return BERM_MACRO_ELEMENT_OTHER_VERSION;
+  {
+    const double positive[] = {p->diameter,   p->vertical_stiffness, p->horizontal_stiffness, p->peak_ratio,  p->surface_b1,  p->surface_b2,
+                               p->flow_slope, p->first_yield,        p->mobilisation_length,  p->residual_ratio, p->softening_length,
+                               p->berm_length, p->berm_reach};
+    const double not_negative[] = {p->surface_beta, p->uplift_ratio, p->flow_climb, p->berm_rate};
+    for (k = 0; k < (int)(sizeof positive / sizeof *positive); ++k)
+      if (!(positive[k] > 0) || !is_number(positive[k])) return BERM_MACRO_ELEMENT_PARAMETERS;
+    for (k = 0; k < (int)(sizeof not_negative / sizeof *not_negative); ++k)
+      if (!(not_negative[k] >= 0) || !is_number(not_negative[k])) return BERM_MACRO_ELEMENT_PARAMETERS;
+  }
+  if (p->surface_b1 >= 1 || p->surface_b2 >= 1 || p->uplift_ratio > p->surface_beta || !is_number(p->flow_zero) || p->flow_zero > largest_flow_zero ||
+      p->first_yield < 0.5 || p->first_yield > 1 || p->residual_ratio > 1)
+    return BERM_MACRO_ELEMENT_PARAMETERS;
+  if (p->backbone_points < 0 || p->backbone_points > BERM_MACRO_ELEMENT_MAX_POINTS) return BERM_MACRO_ELEMENT_PARAMETERS;
+  if (p->backbone_points == 0 && !(p->backbone_factor > 0 && is_number(p->backbone_factor) && p->backbone_power > 0 && is_number(p->backbone_power)))
+    return BERM_MACRO_ELEMENT_PARAMETERS;
+  for (k = 0; k < p->backbone_points; ++k) {
+    const double w = p->backbone_w[k] - (k > 0 ? p->backbone_w[k - 1] : 0), V = p->backbone_V[k] - (k > 0 ? p->backbone_V[k - 1] : 0);
+    if (!(w > 0 && V >= 0 && is_number(w) && is_number(V)) || !(p->backbone_V[0] > 0)) return BERM_MACRO_ELEMENT_PARAMETERS;
+  }
+  return BERM_MACRO_ELEMENT_OK;
+}
+
+int berm_macro_element_start(const berm_macro_element_parameters* p, double u, double w, double V, berm_macro_element_state* state)
+{
+  const int error = berm_macro_element_check(p);
+  double slope, w_p;
+  if (error != BERM_MACRO_ELEMENT_OK) return error;
+  if (state == NULL) return BERM_MACRO_ELEMENT_NULL;
+  w_p = larger(w - V / p->vertical_stiffness, 0);
+  if (!is_number(u) || !is_number(w) || !(V >= 0 && V <= (1 + 1e-9) * backbone(p, w_p, &slope)) || (w < 0 && V > 0)) return BERM_MACRO_ELEMENT_INPUT;
+  memset(state, 0, sizeof *state);
+  state->version = BERM_MACRO_ELEMENT_VERSION;
+  state->u = state->u_p = u;
+  state->w = w;
+  state->w_p = w_p;
+  state->V = V;
+  state->berm[0].x = u;
+  state->berm[1].x = -u;
+  return BERM_MACRO_ELEMENT_OK;
+}
+
+int berm_macro_element_step(const berm_macro_element_parameters* p, berm_macro_element_state* state, const double du[2], double F[2], double K[2][2])
+{
+  const int error = berm_macro_element_check(p);
+  numbers s;
+  double top, count;
+  int k, n, side;
+  if (error != BERM_MACRO_ELEMENT_OK) return error;
+  if (state == NULL || du == NULL || F == NULL) return BERM_MACRO_ELEMENT_NULL;
+  if (state->version != BERM_MACRO_ELEMENT_VERSION) return BERM_MACRO_ELEMENT_OTHER_VERSION;
+  count = ceil(larger(fabs(du[0]), fabs(du[1])) / (increment_over_D * p->diameter));
+  if (!(count <= 100 / increment_over_D)) return BERM_MACRO_ELEMENT_INPUT;
+  n = (int)larger(count, 1);
+  {
+    const double b1 = p->surface_b1, b2 = p->surface_b2;
+    top = pow(b1 / (b1 + b2), b1) * pow(b2 / (b1 + b2), b2);
+  }
+  s.u = constant(state->u);
+  s.w = constant(state->w);
+  s.u_p = constant(state->u_p);
+  s.w_p = constant(state->w_p);
+  s.disturbed = constant(state->disturbed);
+  s.mobilised = constant(state->mobilised);
+  s.H = constant(state->H);
+  s.V = constant(state->V);
+  for (side = 0; side < 2; ++side) {
+    s.side[side].x = constant(state->berm[side].x);
+    s.side[side].R = constant(state->berm[side].R);
+    s.side[side].left_x = constant(state->berm[side].left_x);
+    s.side[side].left_R = constant(state->berm[side].left_R);
+  }
+  for (k = 0; k < n; ++k) {
+    number H;
+    s.u.v += du[0] / n;
+    s.u.d[0] += 1.0 / n;
+    s.w.v += du[1] / n;
+    s.w.d[1] += 1.0 / n;
+    if (move_surface(p, &s, top, &H) != BERM_MACRO_ELEMENT_OK) return BERM_MACRO_ELEMENT_NO_SOLUTION;
+    for (side = 0; side < 2; ++side) {
+      const double sign = side == 0 ? 1 : -1;
+      H = sum(H, sign, move_berm(p, &s.side[side], sum(constant(0), sign, s.u), s.w));
+    }
+    s.H = H;
+  }
+  if (!is_number(s.H.v) || !is_number(s.V.v)) return BERM_MACRO_ELEMENT_INPUT;
+  state->u = s.u.v;
+  state->w = s.w.v;
+  state->u_p = s.u_p.v;
+  state->w_p = s.w_p.v;
+  state->disturbed = s.disturbed.v;
+  state->mobilised = s.mobilised.v;
+  state->H = F[0] = s.H.v;
+  state->V = F[1] = s.V.v;
+  for (side = 0; side < 2; ++side) {
+    state->berm[side].x = s.side[side].x.v;
+    state->berm[side].R = s.side[side].R.v;
+    state->berm[side].left_x = s.side[side].left_x.v;
+    state->berm[side].left_R = s.side[side].left_R.v;
+  }
+  for (k = 0; K != NULL && k < 2; ++k) {
+    K[0][k] = s.H.d[k];
+    K[1][k] = s.V.d[k];
+  }
+  return BERM_MACRO_ELEMENT_OK;
+}
