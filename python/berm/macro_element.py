@@ -16,15 +16,9 @@ if TYPE_CHECKING:
 def macro_element(file: str | Path) -> MacroElement:
     """The macro-element of a macro_element.json (or of the folder that holds it), with the pipe at the seabed.
 
-    It is the C code that stands beside the file, as an object with start(u, w, V) and step(du, dw). Throws InputError where the file is no such one.
+    It is the C code that stands beside the file, as an object with start(u, w, V) and step(du, dw).
+    Throws InputError where the file is no such one.
     """
-    from .engine import MacroElement
-
-
-def macro_element(file: str | Path) -> MacroElement:
-    """The macro-element of a macro_element.json (or of the folder that holds it), with the pipe at the seabed: the C code that stands beside the file,
-    as an object with start(u, w, V) and step(du, dw). Throws InputError where the file
-    is no such one."""
     from .engine import MacroElement
 
     path = Path(file)
