@@ -10,3 +10,11 @@ endforeach()
 string(APPEND code "}  // namespace berm::macro_element\n")
 set(BERM_MACRO_ELEMENT_TEXT ${CMAKE_BINARY_DIR}/macro_element_text.cpp)
 file(CONFIGURE OUTPUT ${BERM_MACRO_ELEMENT_TEXT} CONTENT "${code}" @ONLY)
+
+# Compiles it into its room: in a library of objects of its own, since what a room precompiles is C++.
+function(berm_macro_element_code)
+  add_library(berm_macro_element_c OBJECT ${CMAKE_SOURCE_DIR}/src/macro_element/macro_element.c)
+  target_link_libraries(berm_macro_element_c PRIVATE berm_flags)
+  set_target_properties(berm_macro_element_c PROPERTIES POSITION_INDEPENDENT_CODE ON)
+  target_sources(berm_macro_element PRIVATE $<TARGET_OBJECTS:berm_macro_element_c> ${BERM_MACRO_ELEMENT_TEXT})
+endfunction()
