@@ -292,8 +292,8 @@ void change(Lists& lists, Input& input)
 }
 
 /// Two bodies, a disk (cylinder) that is pushed and dragged, as few cells as hold all that, one of them with more particles than a block holds. 0 to 3: a
-/// third number of gravity, of a centre, of a size, of cells; 4: dimension; 5: more supports.
-constexpr const char* small_case = R"(dimension = {4}
+/// third number of gravity, of a centre, of a size, of cells; 4: geometry; 5: more supports.
+constexpr const char* small_case = R"(geometry = "{4}"
 gravity = [0, -10{0}]
 surface = 0.5
 mesh = {{kind = "box", size = [1, 1{2}], cells = [2, 1{3}]}}
@@ -318,7 +318,7 @@ problem::Problem<dim> small_problem()
 {
   const auto third = [](const char* text) { return dim == 3 ? text : ""; };
   const std::string text =
-      fmt::format(small_case, third(", 0"), third(", 0.125"), third(", 0.25"), third(", 1"), dim,
+      fmt::format(small_case, third(", 0"), third(", 0.125"), third(", 0.25"), third(", 1"), dim == 3 ? "space" : "plane_strain",
                   third("support.front = {boundary = \"front\", fixed = [\"z\"]}\nsupport.back = {boundary = \"back\", fixed = [\"z\"]}"));
   return problem::build<dim>(input::read_case_text("small.toml", text), "", "/dev/shm");
 }
