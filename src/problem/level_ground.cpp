@@ -37,8 +37,8 @@ Piece chord(const mesh::Mesh<dim>& mesh, Index cell, Vec<dim> x)
   return piece;
 }
 
-/// Where a line stands between its neighbours: nowhere that a regular mesh has an edge.
-constexpr Real between = 0.4142;
+/// Where a line stands between its neighbours, along x and along z: nowhere that a regular mesh has an edge or a diagonal face.
+constexpr Real between[] = {0.4142, 0.7321};
 
 /// Vertical lines, evenly over the mesh, and the soil on each.
 template <int dim>
@@ -52,8 +52,8 @@ struct Lines {
   Vec<dim> place(int line) const
   {
     Vec<dim> x = lower;
-    x[0] += (line % along + between) * spacing[0];
-    if (dim == 3) x[dim - 1] += (line / along + between) * spacing[dim - 1];
+    x[0] += (line % along + between[0]) * spacing[0];
+    if (dim == 3) x[dim - 1] += (line / along + between[1]) * spacing[dim - 1];
     return x;
   }
 
@@ -67,8 +67,8 @@ struct Lines {
         min = std::min(min, mesh.position[i][d]);
         max = std::max(max, mesh.position[i][d]);
       }
-      first[d > 0] = std::max(0, static_cast<int>(std::ceil((min - lower[d]) / spacing[d] - between)));
-      last[d > 0] = std::min(along - 1, static_cast<int>(std::floor((max - lower[d]) / spacing[d] - between)));
+      first[d > 0] = std::max(0, static_cast<int>(std::ceil((min - lower[d]) / spacing[d] - between[d > 0])));
+      last[d > 0] = std::min(along - 1, static_cast<int>(std::floor((max - lower[d]) / spacing[d] - between[d > 0])));
     }
     for (int j = first[1]; j <= last[1]; ++j)
       for (int i = first[0]; i <= last[0]; ++i) {
