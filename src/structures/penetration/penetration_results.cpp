@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/penetration/penetration_results.hpp"
+
+#include "text/quantity_words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::penetration {
+namespace {
+
+constexpr Real reached = 1e-3;  // of D: a stage that ends at a depth may stop this much short of it
+
+}  // namespace
+
+std::string name_at(const std::string& what, Real over_D)
+{
+  return fmt::format("{}_at_z_{:g}D", what, over_D);
+}
+
+std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& run)
+{
+  std::vector<run_folder::Quantity> list;
+  if (run.z().empty() || !std::isfinite(run.area())) return list;
+  const Reading& reading = run.reading;
+  const Real D = run.body.width;
+  const std::string q = reading.resistance.plain, N = run.symbol() == nullptr ? "" : run.symbol()->plain;
+  const auto add = [&](const std::string& name, Real value, const char* unit, const std::string& meaning) {
+    if (std::isfinite(value)) list.push_back({name, value, unit, meaning});
+  };
+  const std::string level = fmt::format("z is the depth of the {}", reading.level);
+  for (const Real part : reading.depths) {
+    if (part * D > run.q_curve().end() + reached * D) break;
+    const Real z = std::min(part * D, run.q_curve().end());
+    add(name_at(q, part), run.q_at(z), "Pa", "resistance over the area; " + level);
+    if (!N.empty()) add(name_at(N, part), run.factor_at(z), "1", "factor of the net resistance; " + level);
+  }
+  add("z_end", run.z_end(), "m", fmt::format("depth of the {} at the end of the push", reading.level));
+  add("z_end_over_D", run.z_end() / D, "1", fmt::format("depth of the {} at the end of the push", reading.level));
+  add("area", run.area(), run.record.settings.force_dimension() == 2 ? "m" : "m2", "of the modelled part of the body on a level plane");
+  const LastTravel& last = run.last();
+  const std::string over = fmt::format("over the last {:.3g} D of the push", last.travel / D), judged = N.empty() ? q : N;
+  add(q + "_end", last.q, "Pa", "mean resistance " + over);
+  if (!N.empty()) add(N + "_end", last.factor, "1", "mean factor " + over);
+  add(judged + "_change", last.change, "1", "change of its straight line, over the mean, " + over);
+  add(judged + "_scatter", last.scatter, "1", "standard deviation of the rows about that line, over the mean, " + over);
+  if (!last.steady()) return list;
+  add(judged + "_steady", N.empty() ? last.q : last.factor, N.empty() ? "Pa" : "1", "steady value: it changes by less than 5 % " + over);
+  add(fmt::format("z_at_{}_steady", judged), last.steady_from, "m", "depth from which it stays within 5 % of that");
+  add(fmt::format("z_at_{}_steady_over_D", judged), last.steady_from / D, "1", "depth from which it stays within 5 % of that");
+  return list;
+}
+
+bool is_of_reading(const std::string& name, const Reading& reading)
+{
+  const auto begins = [&](const char* symbol) { return name.starts_with(std::string(symbol) + "_"); };
+  return begins(reading.resistance.plain) || begins(reading.in_clay.plain) || begins(reading.in_sand.plain) || name.starts_with("z_") ||
+         name == "area";
+}
+
+std::string penetration_table(const std::vector<run_folder::Quantity>& quantities, const Reading& reading)
+{
+  std::string table;
+  for (const run_folder::Quantity& quantity : quantities) {
+    if (!is_of_reading(quantity.name, reading) || quantity.name.ends_with("_over_D")) continue;
+    const std::string value = quantity.unit == "Pa" ? text::stress_words(quantity.value)
+                              : quantity.unit == "m"
+                                  ? text::length_words(quantity.value)
+                                  : fmt::format("{:.4g}{}", quantity.value, quantity.unit == "1" ? "" : " " + quantity.unit);
+    table += fmt::format("{:<32}{:>16}\n", quantity.name, value);
+  }
+  return table.empty() ? "" : table + fmt::format("z: depth of the {}\n", reading.level);
+}
+
+}  // namespace berm::penetration
