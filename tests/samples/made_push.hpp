@@ -20,6 +20,7 @@ struct MadePush {
   contact::ContactSettings contact = smooth();
   std::optional<Real> k0 = 1;
   problem::Method method = problem::Method::fem;  ///< without noise: nothing is averaged
+  std::function<Real(Real z)> shaft = {};  ///< N, V_shaft at z: V is q over the area and this; without it the history has no such column
   std::function<Real(Real z)> q = [](Real) { return 100e3; };
   std::string name = "made";
 
@@ -89,11 +90,14 @@ struct MadePush {
   {
     const std::string V = geometry == problem::Geometry::plane_strain ? "V_N_m" : "V_N",
                       H = geometry == problem::Geometry::plane_strain ? "H_N_m" : "H_N";
-    run_folder::History h{columns_named({"time_s", "u_m", "w_m", H, V}), std::vector<std::vector<Real>>(5), {}};
+    std::vector<std::string> names{"time_s", "u_m", "w_m", H, V};
+    if (shaft) names.emplace_back("V_shaft_N");
+    run_folder::History h{columns_named(names), std::vector<std::vector<Real>>(names.size()), {}};
     const Real step = 0.01 * D;
     for (int k = 0; first_w + k * step <= pushed_to + step / 2; ++k) {
-      const Real w = first_w + k * step, row[] = {static_cast<Real>(k), 0, w, 0, area() * q(w - shoulder())};
-      for (int c = 0; c < 5; ++c) h.values[c].push_back(row[c]);
+      const Real w = first_w + k * step, sides = shaft ? shaft(w - shoulder()) : 0;
+      const std::vector<Real> row{static_cast<Real>(k), 0, w, 0, area() * q(w - shoulder()) + sides, sides};
+      for (std::size_t c = 0; c < names.size(); ++c) h.values[c].push_back(row[c]);
       h.stage.emplace_back("push");
     }
     return h;

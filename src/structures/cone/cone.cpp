@@ -17,12 +17,12 @@ std::vector<penetration::Comparison> published(const penetration::PenetrationRun
   const penetration::SoilAt soil = run.soil.at(run.z_end());
   const Real N = run.last().factor;
   const formulas::DeepInClay cone{soil.rigidity_index, soil.interface_ratio, soil.anisotropy};
-  const char *symbol = "N<sub>kt</sub>", *cavity = "no cone: the soil moves away from a point; a cone meets more";
+  const char *symbol = "N<sub>kt</sub>", *cavity = "N<sub>kt</sub>, beside (p − p<sub>0</sub>)/s<sub>u</sub> of a cavity";
   return {{symbol, N, formulas::cone_factor_strain_path(cone), "", true},
           {symbol, N, formulas::cone_factor_remeshed(cone), "", true},
           {symbol, N, formulas::cone_factor_steady(cone), "", true},
-          {symbol, N, formulas::sphere_limit(soil.rigidity_index), cavity},
-          {symbol, N, formulas::cylinder_limit(soil.rigidity_index), "no cone: the soil moves away from an axis; a cone meets more"}};
+          {cavity, N, formulas::sphere_limit(soil.rigidity_index), "a cone meets more: soil moves away from a point"},
+          {cavity, N, formulas::cylinder_limit(soil.rigidity_index), "a cone meets more: soil moves away from an axis"}};
 }
 
 }  // namespace

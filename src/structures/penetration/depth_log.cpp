@@ -95,6 +95,23 @@ LogPanel factor_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth, 
   return panel;
 }
 
+/// Mean friction of the shaft; no curves where no run has one that counts.
+LogPanel friction_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth)
+{
+  constexpr Real counts = 1e-3;  // of q
+  Real most = 0, q = 0;
+  for (const PenetrationRun& run : runs) {
+    if (run.friction_curve().empty()) continue;
+    most = std::max(most, most_of(run.friction_curve().smoothed(run.half())));
+    q = std::max(q, most_of(run.q_curve().smoothed(run.half())));
+  }
+  const plot::PlotUnit unit = stress_unit(most);
+  LogPanel panel{fmt::format("f ({})", unit.name), {}};
+  if (!(most > counts * q)) return panel;
+  for (const PenetrationRun& run : runs) add_run(panel, run, run.friction_curve(), unit.per_si, depth.per_si, "");
+  return panel;
+}
+
 }  // namespace
 
 DepthLog depth_log(const PenetrationRuns& runs, const std::string& title)
@@ -114,6 +131,7 @@ DepthLog depth_log(const PenetrationRuns& runs, const std::string& title)
   log.deepest = deepest * depth.per_si;
   log.per_width = one_width ? width * depth.per_si : 0;
   log.panels.push_back(resistance_panel(runs, depth));
+  log.panels.push_back(friction_panel(runs, depth));
   if (LogPanel factor = factor_panel(runs, depth, log.deepest); factor.most > 0) log.panels.push_back(std::move(factor));
   const auto varied = std::find_if(runs.begin(), runs.end(), [](const PenetrationRun& run) {
     return !run.z().empty() && run.measure() == Measure::strength && run.soil.varies();

@@ -2,6 +2,7 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/penetration/penetration_page.hpp"
 
+#include "structures/base/printed_range.hpp"
 #include "structures/penetration/depth_log.hpp"
 #include "structures/penetration/penetration_results.hpp"
 #include "text/html.hpp"
@@ -107,6 +108,7 @@ std::string summary_table(const PenetrationRuns& runs, const std::string& id)
                  {"body"},
                  {"z/D", true},
                  {q + ", kPa", true},
+                 {"f, kPa", true},
                  {"factor"},
                  {"mean", true},
                  {"change", true},
@@ -124,6 +126,7 @@ std::string summary_table(const PenetrationRuns& runs, const std::string& id)
                {body_words(run)},
                number("z_end_over_D", 1),
                number(std::string(run.reading.resistance.plain) + "_end", 1e-3),
+               number("f_shaft_end", 1e-3),
                {run.symbol() == nullptr ? text::no_number : run.symbol()->html},
                number(run.symbol() == nullptr ? "" : plain + "_end", 1),
                part(plain + "_change"),
@@ -188,10 +191,12 @@ std::string penetration_key_results(const PenetrationRuns& runs, const std::stri
   const std::string title = fmt::format("Resistance over the depth of the {}", reading.level);
   std::string html = svg_of(depth_log(known, title));
   const Real half = known.front().half() / known.front().body.width;
-  html += text::html_paragraph(
-      fmt::format("{} is all of V over the area: what the sides of the body carry by friction is part of it. {}", reading.resistance.plain,
-                  half > 0 ? fmt::format("Thin: rows of the history; thick, and in the tables: mean over ±{:g} D of travel.", half) : ""),
-      "quiet");
+  html += fmt::format("<p class=\"quiet\">{0} is V over the area, {1}.{2}</p>\n", reading.resistance.html,
+                      known.front().knows_shaft()
+                          ? "without the force on sides parallel to the axis: f is that force over the shaft in the soil, its mean friction"
+                          : "all of it: what the sides of the body carry by friction is part of it",
+                      half > 0 ? fmt::format(" Thin: rows of the history; thick, and in the tables: mean over ±{:.2g} D of travel.", half)
+                               : "");
   return html + summary_table(known, id + "-end") + depth_table(known, id + "-depth");
 }
 
@@ -213,7 +218,7 @@ std::string penetration_published(const PenetrationRuns& runs, const std::string
                  {text::table_number(c.berm / c.published.value), true},
                  {text::html_text(citation(source)) + (c.about.empty() ? "" : "; " + c.about)},
                  {word_of(source.label)},
-                 {(c.published.valid ? "" : "out of range: ") + text::html_text(source.range)}},
+                 {(c.published.valid ? "" : "out of range: ") + base::printed_range(source.range)}},
                 c.published.valid ? "" : "out_of_range");
     }
     if (!table.empty()) html += table.html();

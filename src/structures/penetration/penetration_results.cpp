@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/penetration/penetration_results.hpp"
 
 #include "text/quantity_words.hpp"
@@ -41,6 +42,7 @@ std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& r
   const LastTravel& last = run.last();
   const std::string over = fmt::format("over the last {:.3g} D of the push", last.travel / D), judged = N.empty() ? q : N;
   add(q + "_end", last.q, "Pa", "mean resistance " + over);
+  add("f_shaft_end", last.friction, "Pa", "mean friction of the shaft in the soil, " + over);
   if (!N.empty()) add(N + "_end", last.factor, "1", "mean factor " + over);
   add(judged + "_change", last.change, "1", "change of its straight line, over the mean, " + over);
   add(judged + "_scatter", last.scatter, "1", "standard deviation of the rows about that line, over the mean, " + over);
@@ -55,7 +57,7 @@ bool is_of_reading(const std::string& name, const Reading& reading)
 {
   const auto begins = [&](const char* symbol) { return name.starts_with(std::string(symbol) + "_"); };
   return begins(reading.resistance.plain) || begins(reading.in_clay.plain) || begins(reading.in_sand.plain) || name.starts_with("z_") ||
-         name == "area";
+         name == "area" || name == "f_shaft_end";
 }
 
 std::string penetration_table(const std::vector<run_folder::Quantity>& quantities, const Reading& reading)

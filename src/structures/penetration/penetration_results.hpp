@@ -14,6 +14,7 @@ std::string name_at(const std::string& what, Real over_D);
 ///   z_end (m) and z_end_over_D, the depth of the level of full width at the end;
 ///   q_end and N_end, means over the last travel, N_change and N_scatter over it (of q where there is no N: q_change, q_scatter);
 ///   N_steady, the same mean, and z_at_N_steady, where the resistance is steady (LastTravel);
+///   f_shaft_end (Pa), mean friction of the shaft that is in the soil, where the history tells the force on it;
 ///   area (m2; plane strain m), of the part that is modelled.
 std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& run);
 

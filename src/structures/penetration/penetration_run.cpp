@@ -26,7 +26,8 @@ PenetrationRun::PenetrationRun(const record::RunRecord& run, const Reading& how,
       soil(run),
       number(number_on_page),
       q_curve_({}, {}),
-      factor_curve_({}, {})
+      factor_curve_({}, {}),
+      friction_curve_({}, {})
 {
   const Index rigid = main_rigid(run.settings);
   if (rigid == none) return;
@@ -74,14 +75,18 @@ void PenetrationRun::take_rows()
   if (history.rows() == 0 || !history.has("w_m") || !history.has_label("V")) return;
   const pipe::PushPath push = pipe::pipe_path(history, pipe::pipe_stages(record.settings)).push;
   const bool begins_in_soil = !push.w.empty() && push.w.front() > body.shoulder + same_place * body.width;
+  const std::vector<Real>* shaft = history.has_label("V shaft") ? &history.by_label("V shaft") : nullptr;
   for (std::size_t k = 0; k < push.w.size(); ++k) {
     const Real z = push.w[k] - body.shoulder;
-    if (z < 0 && !begins_in_soil) continue;
+    if (reading.flows_around ? push.w[k] < 0 : z < 0 && !begins_in_soil) continue;
     z_.push_back(z);
-    q_.push_back(push.V[k] / area_);
+    const Real sides = shaft == nullptr ? 0 : (*shaft)[push.rows[k]];
+    q_.push_back((push.V[k] - sides) / area_);
+    if (shaft != nullptr) friction_.push_back(z > 0 ? sides / (pi * body.width * z) : 0);
   }
   measure_ = measure_of_soil();
   q_curve_ = TravelCurve(z_, q_);
+  if (knows_shaft()) friction_curve_ = TravelCurve(z_, friction_);
   if (measure_ == Measure::none) return;
   std::vector<Real> factors;
   for (std::size_t k = 0; k < z_.size(); ++k) factors.push_back(factor(z_[k], q_[k]));
@@ -146,6 +151,7 @@ void PenetrationRun::take_last()
   last_.travel = std::min(reading.last_travel * body.width, largest_end * (judged.end() - judged.begin()));
   const Real window = last_.travel / 2, middle = judged.end() - window;
   last_.q = q_curve_.at(middle, window);
+  if (!friction_curve_.empty()) last_.friction = friction_curve_.at(middle, window);
   if (!factor_curve_.empty()) last_.factor = factor_curve_.at(middle, window);
   const Real mean = judged.at(middle, window), end = judged.at(judged.end(), window);
   last_.change = 2 * (end - mean) / std::abs(mean);

@@ -14,6 +14,7 @@ enum class Measure { none, strength, overburden, half_weight };
 struct LastTravel {
   Real travel = nan;       ///< m, the travel over which the following is taken
   Real q = nan;            ///< Pa, mean
+  Real friction = nan;     ///< Pa, mean of the friction of the shaft
   Real factor = nan;       ///< mean
   Real change = nan;       ///< of the straight line fitted to the factor there (without one: to q), over the mean
   Real scatter = nan;      ///< standard deviation of the rows about that line, over the mean
@@ -25,7 +26,8 @@ struct LastTravel {
   static constexpr Real max_change = 0.05;
 };
 
-/// A run as one of a body that is pushed down: its resistance as q = V/A over the depth of its level of full width. The record must outlive it.
+/// A run as one of a body that is pushed down: its resistance as q = V/A over the depth of its level of full width, without what the sides along the axis carry where
+/// the history tells it (V_shaft). The record must outlive it.
 class PenetrationRun {
 public:
   PenetrationRun(const record::RunRecord& run, const Reading& reading, std::size_t number_on_page = 0);
@@ -45,6 +47,10 @@ public:
   /// By row of the way down in the soil: depth and q.
   const std::vector<Real>& z() const { return z_; }
   const std::vector<Real>& q() const { return q_; }
+  /// Whether q is without the shaft; then the mean friction of the shaft that is in the soil by row, Pa.
+  bool knows_shaft() const { return !friction_.empty(); }
+  const std::vector<Real>& friction() const { return friction_; }
+  const record::TravelCurve& friction_curve() const { return friction_curve_; }
   /// q less what the soil that the body takes the place of weighs, Pa.
   Real net(Real z, Real q) const;
   /// The factor of a resistance at a depth; NaN where there is no measure.
@@ -77,8 +83,8 @@ private:
 
   Real area_ = nan, whole_width_ = nan;
   Measure measure_ = Measure::none;
-  std::vector<Real> z_, q_;
-  record::TravelCurve q_curve_, factor_curve_;
+  std::vector<Real> z_, q_, friction_;
+  record::TravelCurve q_curve_, factor_curve_, friction_curve_;
   LastTravel last_;
 };
 

@@ -17,7 +17,8 @@ std::vector<penetration::Comparison> published(const penetration::PenetrationRun
   const Real N = run.last().factor;
   return {{"N<sub>c</sub>", N, formulas::deep_plate_factor(soil.interface_ratio),
            "soil flows around a plate, above a pile stands its shaft", true},
-          {"N<sub>c</sub>", N, formulas::sphere_limit(soil.rigidity_index), "soil moves away from a point"}};
+          {"N<sub>c</sub>, beside (p − p<sub>0</sub>)/s<sub>u</sub> of a cavity", N, formulas::sphere_limit(soil.rigidity_index),
+           "soil moves away from a point"}};
 }
 
 }  // namespace

@@ -42,6 +42,16 @@ TEST(DepthLog, has_resistance_and_factor_and_strength_where_it_varies)
   EXPECT_EQ(log_of(growing).panels.size(), 3u);
 }
 
+TEST(DepthLog, has_the_friction_of_a_shaft_that_carries)
+{
+  MadePush made;
+  made.shaft = [](Real z) { return 2e3 * pi * 0.2 * std::max(z, Real(0)); };
+  const record::RunRecord record = made.record();
+  const DepthLog log = log_of(record);
+  ASSERT_EQ(log.panels.size(), 3u);
+  EXPECT_EQ(log.panels[1].label, "f (kPa)");
+}
+
 TEST(DepthLog, shows_nothing_that_is_only_recalled)
 {
   const record::RunRecord record = noisy(0);

@@ -43,6 +43,19 @@ TEST(PenetrationRun, takes_the_strength_at_the_depth_of_the_shoulder)
   EXPECT_NEAR(run.soil.growth(0.5, 0.2), 8e3, 1e-6);
 }
 
+TEST(PenetrationRun, takes_the_force_on_the_shaft_off_and_tells_its_friction)
+{
+  MadePush made;
+  made.shaft = [](Real z) { return z > 0 ? 4e3 * pi * 0.2 * z : 0; };
+  made.q = [](Real z) { return 100e3 + 5e3 * z; };
+  const record::RunRecord record = made.record();
+  const PenetrationRun run(record, cone::reading());
+  EXPECT_TRUE(run.knows_shaft());
+  EXPECT_NEAR(run.factor_at(1), 10, 1e-6);
+  EXPECT_NEAR(run.last().friction, 4e3, 1e-6);
+  EXPECT_NEAR(record.quantity("f_shaft_end")->value, 4e3, 1e-6);
+}
+
 TEST(PenetrationRun, in_sand_divides_by_the_overburden)
 {
   MadePush made;
