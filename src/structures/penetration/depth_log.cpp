@@ -11,8 +11,9 @@
 namespace berm::penetration {
 namespace {
 
-constexpr Real beginning = 0.1;  // of the way: what is averaged over little of it does not set the axis
-constexpr Real margin = 1.05;    // of the axis beyond the largest mean
+constexpr Real beginning = 0.1;       // of the way: what is averaged over little of it does not set the axis
+constexpr Real margin = 1.05;         // of the axis beyond the largest mean
+constexpr Real begins_deep = 1. / 3;  // of the deepest point
 constexpr Real same_width = 1e-9;
 
 using record::TravelCurve;
@@ -49,7 +50,7 @@ void add_of_soil(LogPanel& panel, const PenetrationRun& run, Real SoilAt::*membe
   constexpr int points = 60;
   LogCurve curve{name, LogCurve::Line::level, run.number, {}, {}};
   for (int k = 0; k <= points; ++k) {
-    const Real z = run.z_end() * k / points;
+    const Real from = std::min(run.z().front(), Real(0)), z = from + (run.z_end() - from) * k / points;
     curve.depth.push_back(z * depth_unit);
     curve.value.push_back(run.soil.at(z).*member * value_unit);
     if (std::isfinite(curve.value.back())) panel.most = std::max(panel.most, curve.value.back());
@@ -71,7 +72,7 @@ LogPanel resistance_panel(const PenetrationRuns& runs, const plot::PlotUnit& dep
   return panel;
 }
 
-LogPanel factor_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth, Real deepest)
+LogPanel factor_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth, const DepthLog& log)
 {
   LogPanel panel;
   const Symbol* symbol = nullptr;
@@ -89,7 +90,7 @@ LogPanel factor_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth, 
                             LogCurve::Line::level,
                             first->number,
                             {c.published.value, c.published.value},
-                            {0, deepest}});
+                            {log.shallowest, log.deepest}});
     panel.most = std::max(panel.most, c.published.value);
   }
   return panel;
@@ -116,23 +117,24 @@ LogPanel friction_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth
 
 DepthLog depth_log(const PenetrationRuns& runs, const std::string& title)
 {
-  DepthLog log{title, "", 0, 0, {}};
-  Real deepest = 0, width = 0;
+  DepthLog log{title, "", 0, 0, 0, {}};
+  Real shallowest = infinity, deepest = -infinity, width = 0;
   bool one_width = true;
   for (const PenetrationRun& run : runs) {
     if (run.z().empty() || !std::isfinite(run.area())) continue;
-    deepest = std::max(deepest, run.z_end());
+    deepest = std::max(deepest, run.z_end()), shallowest = std::min(shallowest, run.z().front());
     one_width = one_width && (width == 0 || std::abs(run.body.width - width) < same_width * width);
     width = run.body.width;
   }
-  if (!(deepest > 0)) return log;
-  const plot::PlotUnit depth = plot::length_unit(deepest);
+  if (!(deepest > shallowest)) return log;
+  if (shallowest > 0 && shallowest < begins_deep * deepest) shallowest = 0;
+  const plot::PlotUnit depth = plot::length_unit(std::max(deepest, -shallowest));
   log.depth_label = fmt::format("depth z of the {} ({})", runs.front().reading.level, depth.name);
-  log.deepest = deepest * depth.per_si;
+  log.shallowest = shallowest * depth.per_si, log.deepest = deepest * depth.per_si;
   log.per_width = one_width ? width * depth.per_si : 0;
   log.panels.push_back(resistance_panel(runs, depth));
   log.panels.push_back(friction_panel(runs, depth));
-  if (LogPanel factor = factor_panel(runs, depth, log.deepest); factor.most > 0) log.panels.push_back(std::move(factor));
+  if (LogPanel factor = factor_panel(runs, depth, log); factor.most > 0) log.panels.push_back(std::move(factor));
   const auto varied = std::find_if(runs.begin(), runs.end(), [](const PenetrationRun& run) {
     return !run.z().empty() && run.measure() == Measure::strength && run.soil.varies();
   });

@@ -27,7 +27,8 @@ struct LogPanel {
 /// Resistance against depth as a CPT log shows it: depth downwards, panels beside one another, their axes on top.
 struct DepthLog {
   std::string title, depth_label;
-  Real deepest = 0;    ///< end of the depth axis
+  Real shallowest = 0,
+       deepest = 0;    ///< ends of the depth axis: from the surface, or from where a body begins that is above it or begins deep
   Real per_width = 0;  ///< D in the unit of depth of the first run: an axis of z/D where all runs have this width; else 0
   std::vector<LogPanel> panels;
 };

@@ -34,7 +34,8 @@ std::string script_of(const DepthLog& log, const std::filesystem::path& folder, 
 {
   io::make_folder(folder / "plots");
   std::string script = record::begin_panels(log.title);
-  script += fmt::format("set yrange [{:.6g}:0]\nset format '%g'\nset key bottom left reverse Left opaque\n", log.deepest);
+  script +=
+      fmt::format("set yrange [{:.6g}:{:.6g}]\nset format '%g'\nset key bottom left reverse Left opaque\n", log.deepest, log.shallowest);
   const Real count = static_cast<Real>(log.panels.size()), wide = (0.86 - 0.05 * (count - 1)) / count;
   int file = 0;
   for (std::size_t p = 0; p < log.panels.size(); ++p) {
@@ -47,7 +48,8 @@ std::string script_of(const DepthLog& log, const std::filesystem::path& folder, 
                     panel.most, plot::gnuplot_text(panel.label));
     script += p == 0 ? fmt::format("set ylabel {}\n", plot::gnuplot_text(log.depth_label)) : "unset ylabel\nset format y ''\n";
     if (last && log.per_width > 0)
-      script += fmt::format("set y2range [{:.6g}:0]\nset y2tics\nset format y2 '%g'\nset y2label 'z/D'\n", log.deepest / log.per_width);
+      script += fmt::format("set y2range [{:.6g}:{:.6g}]\nset y2tics\nset format y2 '%g'\nset y2label 'z/D'\n", log.deepest / log.per_width,
+                            log.shallowest / log.per_width);
     std::string plots;
     for (const LogCurve& curve : panel.curves) {
       const std::string data = fmt::format("{}_{}.dat", name, file++);

@@ -15,6 +15,7 @@ namespace {
 constexpr Real panel_width = 270, panel_gap = 46, panel_left = 74, room_right = 60, panel_top = 62, panel_height = 440, key_line = 19;
 constexpr std::size_t most_points = 400;
 constexpr int steps = 5;
+constexpr Real round_off = 1e-9;
 
 /// 1, 2 or 5 times a power of ten, so that about five steps make the range.
 Real step_of(Real range)
@@ -71,8 +72,23 @@ std::string line(Real x1, Real y1, Real x2, Real y2, const char* color)
                      x2, y2, color);
 }
 
+/// A depth from the upper (0) to the lower end (1) of the panels.
+Real place_of(Real depth, const DepthLog& log)
+{
+  return (depth - log.shallowest) / (log.deepest - log.shallowest);
+}
+
+/// The round depths of an axis, in its unit.
+std::vector<Real> round_depths(Real from, Real to)
+{
+  const Real step = step_of(to - from);
+  std::vector<Real> depths;
+  for (Real k = std::ceil(from / step - round_off); k * step <= to + round_off * step; ++k) depths.push_back(k * step + 0.);  // no -0
+  return depths;
+}
+
 /// A curve as polylines, broken where it leaves the panel.
-std::string drawn(const LogCurve& curve, const LogPanel& panel, Real deepest, Real x0)
+std::string drawn(const LogCurve& curve, const LogPanel& panel, const DepthLog& log, Real x0)
 {
   std::string points, all;
   const auto end = [&] {
@@ -81,8 +97,8 @@ std::string drawn(const LogCurve& curve, const LogPanel& panel, Real deepest, Re
   };
   const std::size_t stride = std::max<std::size_t>(1, curve.value.size() / most_points);
   for (std::size_t k = 0; k < curve.value.size(); k += stride) {
-    const Real x = curve.value[k] / panel.most, y = curve.depth[k] / deepest;
-    if (!(x >= 0 && x <= 1 && y >= 0 && y <= 1 + 1e-9)) {
+    const Real x = curve.value[k] / panel.most, y = place_of(curve.depth[k], log);
+    if (!(x >= 0 && x <= 1 && y >= -round_off && y <= 1 + round_off)) {
       end();
       continue;
     }
@@ -95,17 +111,18 @@ std::string drawn(const LogCurve& curve, const LogPanel& panel, Real deepest, Re
 std::string panel_of(const LogPanel& panel, const DepthLog& log, Real x0)
 {
   std::string svg;
-  const Real x_step = step_of(panel.most), y_step = step_of(log.deepest);
+  const Real x_step = step_of(panel.most);
   for (int k = 0; k * x_step <= panel.most * (1 + 1e-9); ++k) {
     const Real x = x0 + k * x_step / panel.most * panel_width;
     svg += line(x, panel_top, x, panel_top + panel_height, "grid") + words(x, panel_top - 8, "middle", text::short_number(k * x_step));
   }
-  for (int k = 0; k * y_step <= log.deepest * (1 + 1e-9); ++k)
-    svg += line(x0, panel_top + k * y_step / log.deepest * panel_height, x0 + panel_width,
-                panel_top + k * y_step / log.deepest * panel_height, "grid");
+  for (const Real depth : round_depths(log.shallowest, log.deepest)) {
+    const Real y = panel_top + place_of(depth, log) * panel_height;
+    svg += line(x0, y, x0 + panel_width, y, "grid");
+  }
   svg += line(x0, panel_top, x0 + panel_width, panel_top, "quiet") + line(x0, panel_top, x0, panel_top + panel_height, "quiet");
   svg += words(x0 + panel_width / 2, panel_top - 30, "middle", panel.label, " font-weight=\"600\"", false);
-  for (const LogCurve& curve : panel.curves) svg += drawn(curve, panel, log.deepest, x0);
+  for (const LogCurve& curve : panel.curves) svg += drawn(curve, panel, log, x0);
   return svg;
 }
 
@@ -126,17 +143,16 @@ std::string svg_of(const DepthLog& log)
       width, whole, width, text::html_text(log.title));
   for (std::size_t p = 0; p < log.panels.size(); ++p)
     svg += panel_of(log.panels[p], log, panel_left + static_cast<Real>(p) * (panel_width + panel_gap));
-  const Real step = step_of(log.deepest), end = width - room_right;
-  for (int k = 0; k * step <= log.deepest * (1 + 1e-9); ++k)
-    svg += words(panel_left - 7, panel_top + k * step / log.deepest * panel_height + 4, "end", text::short_number(k * step));
+  const Real end = width - room_right;
+  for (const Real depth : round_depths(log.shallowest, log.deepest))
+    svg += words(panel_left - 7, panel_top + place_of(depth, log) * panel_height + 4, "end", text::short_number(depth));
   svg += words(0, 0, "middle", log.depth_label,
                fmt::format(" transform=\"translate(18 {:.0f}) rotate(-90)\"", panel_top + panel_height / 2).c_str());
   if (log.per_width > 0) {
-    const Real widths = log.deepest / log.per_width, every = step_of(widths);
     svg += line(end, panel_top, end, panel_top + panel_height, "quiet");
-    for (int k = 0; k * every <= widths * (1 + 1e-9); ++k) {
-      const Real y = panel_top + k * every / widths * panel_height;
-      svg += line(end, y, end + 4, y, "quiet") + words(end + 8, y + 4, "start", text::short_number(k * every));
+    for (const Real widths : round_depths(log.shallowest / log.per_width, log.deepest / log.per_width)) {
+      const Real y = panel_top + place_of(widths * log.per_width, log) * panel_height;
+      svg += line(end, y, end + 4, y, "quiet") + words(end + 8, y + 4, "start", text::short_number(widths));
     }
     svg += words(end + 8, panel_top - 8, "start", "z/D");
   }

@@ -98,7 +98,7 @@ bool Penetration::draw_curves(const run_folder::RunFolder& folder, const record:
 std::string Penetration::in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const
 {
   const std::string words = penetration_words(PenetrationRun(run, reading_), shown);
-  return reading_.keeps_push ? Pipe::in_words(run, shown) + " " + words : words;
+  return reading_.keeps_push ? words + " " + Pipe::in_words(run, shown) : words;
 }
 
 std::string Penetration::key_results(const base::Runs& runs, const base::DisplayUnits& shown) const
