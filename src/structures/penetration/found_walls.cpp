@@ -39,7 +39,7 @@ Walls walls_of(const record::RunRecord& run, const base::BodyProfile& body)
   const mesh::MeshSettings& mesh = run.settings.mesh;
   if (const auto* bed = std::get_if<mesh::SeabedMesh>(&mesh)) {
     const mesh::SeabedLayout layout = layout_of(*bed);
-    return {layout.left, layout.right, -bed->depth};
+    return {layout.left, layout.right, bed->depth > 0 ? -bed->depth : -infinity};
   }
   if (const auto* box = std::get_if<mesh::BoxMesh>(&mesh)) {
     const Vec<2> lower = bodies::to_vec<2>(box->lower), size = bodies::to_vec<2>(box->size);
