@@ -34,17 +34,34 @@ Real change_of(Run run, const Reading& reading)
   return nan;
 }
 
-/// Distance of the nearest wall that is none of symmetry over the radius of the plastic zone around a cavity.
+/// Distance of the nearest wall that is none of symmetry, m; NaN where it is not known.
+Real nearest_wall(const PenetrationRun& pushed)
+{
+  const Walls walls = walls_of(pushed.record, pushed.body);
+  const Real middle = (pushed.body.left + pushed.body.right) / 2;
+  Real nearest = walls.right - middle;
+  if (walls.left < pushed.body.left - pushed.body.width) nearest = std::min(nearest, middle - walls.left);
+  return std::isfinite(nearest) ? nearest : nan;
+}
+
+/// The same over the radius of the plastic zone around a cavity.
 Real walls_over_plastic(Run run, const Reading& reading)
 {
   const PenetrationRun pushed(run, reading);
   if (pushed.z().empty()) return nan;
-  const Walls walls = walls_of(run, pushed.body);
-  const Real middle = (pushed.body.left + pushed.body.right) / 2;
-  Real nearest = walls.right - middle;
-  if (walls.left < pushed.body.left - pushed.body.width) nearest = std::min(nearest, middle - walls.left);
-  const Real plastic = pushed.body.width / 2 * std::sqrt(pushed.soil.at(pushed.z_end()).rigidity_index);
-  return std::isfinite(nearest) ? nearest / plastic : nan;
+  return nearest_wall(pushed) / (pushed.body.width / 2 * std::sqrt(pushed.soil.at(pushed.z_end()).rigidity_index));
+}
+
+/// Whether the body pushes soil aside as a cavity that grows does.
+bool pushes_aside(const Reading& reading)
+{
+  return reading.kind == base::StructureKind::cone || reading.kind == base::StructureKind::pile;
+}
+
+Real walls_over_D(Run run, const Reading& reading)
+{
+  const PenetrationRun pushed(run, reading);
+  return pushed.z().empty() ? nan : nearest_wall(pushed) / pushed.whole_width();
 }
 
 Real base_over_D(Run run, const Reading& reading)
@@ -72,10 +89,19 @@ base::TrustMeasures penetration_measures(const problem::Case& c, const Reading& 
          return fmt::format("the resistance still changes by {} over the end of the push: push deeper", text::percent_words(value));
        },
        text::percent_words},
-      {"nearest wall, over the plastic radius D/2 √I_r", &limits::walls, base::always,
-       [&reading](Run run) { return walls_over_plastic(run, reading); }, base::as_number,
-       [](Run, Real value) { return fmt::format("the nearest wall is {:.2g} plastic radii away: make the mesh wider", value); },
-       plain_limit},
+      pushes_aside(reading)
+          ? base::TrustMeasure{
+                "nearest wall, over the plastic radius D/2 √I_r", &limits::walls, base::always,
+                [&reading](Run run) { return walls_over_plastic(run, reading); }, base::as_number,
+                [](Run, Real value) { return fmt::format("the nearest wall is {:.2g} plastic radii away: make the mesh wider", value); },
+                plain_limit}
+          : base::TrustMeasure{"nearest wall from the middle, over D",
+                               nullptr,
+                               base::always,
+                               [&reading](Run run) { return walls_over_D(run, reading); },
+                               base::as_number,
+                               {},
+                               nullptr},
       {fmt::format("soil below the {} at the end, over D", body), &limits::below, base::always,
        [&reading](Run run) { return base_over_D(run, reading); }, base::as_number,
        [body](Run, Real value) { return fmt::format("the base is {:.2g} D below the {}: make the mesh deeper", value, body); },

@@ -62,7 +62,8 @@ std::string soil_words(const PenetrationRun& run)
   case Measure::none:
     return "";
   case Measure::strength: {
-    const std::string overburden = here.overburden > 0 ? fmt::format(" σ<sub>v0</sub> = {},", text::stress_words(here.overburden)) : "";
+    const std::string overburden =
+        here.overburden > 0 && !run.reading.flows_around ? fmt::format(" σ<sub>v0</sub> = {},", text::stress_words(here.overburden)) : "";
     std::string words =
         fmt::format(" {} = ({})/s<sub>u</sub>, all at z. At the end s<sub>u</sub> = {},{} I<sub>r</sub> = G/s<sub>u</sub> = {}",
                     run.symbol()->html, net, text::stress_words(here.strength), overburden, text::short_number(here.rigidity_index));
@@ -96,6 +97,7 @@ Real value_of(const PenetrationRun& run, const std::string& name)
 std::string body_words(const PenetrationRun& run)
 {
   std::string words = fmt::format("D = {}, area {}", text::length_words(run.whole_width()), area_words(run));
+  if (run.whole_width() > 1.5 * run.area() && run.record.settings.force_dimension() == 2) words += " of the half that is modelled";
   if (run.body.conical) words += fmt::format(", apex angle {}", angle_of(run.body.apex_angle()));
   return words;
 }
@@ -104,16 +106,21 @@ std::string summary_table(const PenetrationRuns& runs, const std::string& id)
 {
   text::HtmlTable table(id, "At the end of the push");
   const std::string q = runs.front().reading.resistance.html;
-  table.columns({{"run"},
-                 {"body"},
-                 {"z/D", true},
-                 {q + ", kPa", true},
-                 {"f, kPa", true},
-                 {"factor"},
-                 {"mean", true},
-                 {"change", true},
-                 {"scatter", true},
-                 {"steady from z/D", true}});
+  const bool shaft = std::any_of(runs.begin(), runs.end(), [](const PenetrationRun& run) { return run.knows_shaft(); });
+  const auto without = [&](std::vector<HtmlCell> cells) {
+    if (!shaft) cells.erase(cells.begin() + 4);
+    return cells;
+  };
+  table.columns(without({{"run"},
+                         {"body"},
+                         {"z/D", true},
+                         {q + ", kPa", true},
+                         {"f, kPa", true},
+                         {"factor"},
+                         {"mean", true},
+                         {"change", true},
+                         {"scatter", true},
+                         {"steady from z/D", true}}));
   for (const PenetrationRun& run : runs) {
     const std::string plain = run.symbol() == nullptr ? run.reading.resistance.plain : run.symbol()->plain;
     const auto number = [&](const std::string& name, Real unit) { return HtmlCell{text::table_number(value_of(run, name) * unit), true}; };
@@ -122,16 +129,16 @@ std::string summary_table(const PenetrationRuns& runs, const std::string& id)
       return HtmlCell{std::isfinite(value) ? text::percent_words(value) : text::no_number, true};
     };
     const Real from = value_of(run, fmt::format("z_at_{}_steady_over_D", plain));
-    table.row({{text::html_text(run.record.name)},
-               {body_words(run)},
-               number("z_end_over_D", 1),
-               number(std::string(run.reading.resistance.plain) + "_end", 1e-3),
-               number("f_shaft_end", 1e-3),
-               {run.symbol() == nullptr ? text::no_number : run.symbol()->html},
-               number(run.symbol() == nullptr ? "" : plain + "_end", 1),
-               part(plain + "_change"),
-               part(plain + "_scatter"),
-               {std::isfinite(from) ? text::table_number(from) : "not steady", true}});
+    table.row(without({{text::html_text(run.record.name)},
+                       {body_words(run)},
+                       number("z_end_over_D", 1),
+                       number(std::string(run.reading.resistance.plain) + "_end", 1e-3),
+                       number("f_shaft_end", 1e-3),
+                       {run.symbol() == nullptr ? text::no_number : run.symbol()->html},
+                       number(run.symbol() == nullptr ? "" : plain + "_end", 1),
+                       part(plain + "_change"),
+                       part(plain + "_scatter"),
+                       {std::isfinite(from) ? text::table_number(from) : "not steady", true}}));
   }
   return table.html();
 }
@@ -191,10 +198,12 @@ std::string penetration_key_results(const PenetrationRuns& runs, const std::stri
   const std::string title = fmt::format("Resistance over the depth of the {}", reading.level);
   std::string html = svg_of(depth_log(known, title));
   const Real half = known.front().half() / known.front().body.width;
-  html += fmt::format("<p class=\"quiet\">{0} is V over the area, {1}.{2}</p>\n", reading.resistance.html,
-                      known.front().knows_shaft()
-                          ? "without the force on sides parallel to the axis: f is that force over the shaft in the soil, its mean friction"
-                          : "all of it: what the sides of the body carry by friction is part of it",
+  const char* what = known.front().body.disk ? "V over its largest section"
+                     : known.front().knows_shaft()
+                         ? "V over the area, without the force on sides parallel to the axis: f is that force over the shaft in the soil, "
+                           "its mean friction"
+                         : "V over the area, all of it: what the sides of the body carry by friction is part of it";
+  html += fmt::format("<p class=\"quiet\">{} is {}.{}</p>\n", reading.resistance.html, what,
                       half > 0 ? fmt::format(" Thin: rows of the history; thick, and in the tables: mean over ±{:.2g} D of travel.", half)
                                : "");
   return html + summary_table(known, id + "-end") + depth_table(known, id + "-depth");

@@ -166,7 +166,7 @@ void PenetrationRun::take_last()
   if (!last_.steady()) return;
   const TravelCurve smooth = judged.smoothed(half());
   last_.steady_from = smooth.begin();
-  for (std::size_t k = 0; k < smooth.travel().size(); ++k)
+  for (std::size_t k = 0; k < smooth.travel().size() && smooth.travel()[k] <= judged.end() - last_.travel; ++k)
     if (std::abs(smooth.value()[k] - mean) > LastTravel::max_change * std::abs(mean)) last_.steady_from = smooth.travel()[k];
 }
 

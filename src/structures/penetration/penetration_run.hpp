@@ -12,13 +12,14 @@ enum class Measure { none, strength, overburden, half_weight };
 
 /// How a resistance ends.
 struct LastTravel {
-  Real travel = nan;       ///< m, the travel over which the following is taken
-  Real q = nan;            ///< Pa, mean
-  Real friction = nan;     ///< Pa, mean of the friction of the shaft
-  Real factor = nan;       ///< mean
-  Real change = nan;       ///< of the straight line fitted to the factor there (without one: to q), over the mean
-  Real scatter = nan;      ///< standard deviation of the rows about that line, over the mean
-  Real steady_from = nan;  ///< m, where steady: the depth from which the averaged factor stays within max_change of the mean
+  Real travel = nan;    ///< m, the travel over which the following is taken
+  Real q = nan;         ///< Pa, mean
+  Real friction = nan;  ///< Pa, mean of the friction of the shaft
+  Real factor = nan;    ///< mean
+  Real change = nan;    ///< of the straight line fitted to the factor there (without one: to q), over the mean
+  Real scatter = nan;   ///< standard deviation of the rows about that line, over the mean
+  Real steady_from =
+      nan;  ///< m, where steady: the depth from which the averaged factor stays within max_change of the mean, at most that where this travel begins
 
   bool steady() const { return std::abs(change) < max_change; }
 

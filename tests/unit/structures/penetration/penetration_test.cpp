@@ -182,6 +182,7 @@ TEST(Penetration, measures_steadiness_and_the_room_around)
   };
   EXPECT_NEAR(value("change of N_kt over the end of the push"), 0, 1e-6);
   EXPECT_NEAR(value("nearest wall, over the plastic radius D/2 √I_r"), 4 / (0.1 * 10), 1e-6);
+  EXPECT_TRUE(std::isnan(value("nearest wall from the middle, over D")));
   EXPECT_NEAR(value("soil below the probe at the end, over D"), 10, 1e-6);
 }
 
