@@ -108,6 +108,14 @@ void check_rigids(Describe& d, const Case& c)
   for (const auto& [name, rigid] : c.rigid) {
     const std::string path = "rigid." + name;
     bodies::check(d, path, rigid, c.dimension());
+    using bodies::StructureKind;
+    const bool round =
+        rigid.structure == StructureKind::cone || rigid.structure == StructureKind::ball || rigid.structure == StructureKind::pile;
+    d.check(!round || c.geometry != Geometry::plane_strain, path + ".structure",
+            "is round: it needs geometry = \"axisymmetric\" or \"space\"; in plane strain a body is a bar or a strip",
+            {"t_bar", "footing", "pipe"});
+    d.check(rigid.structure != StructureKind::t_bar || c.geometry == Geometry::plane_strain, path + ".structure",
+            "a T-bar is pushed across itself: it needs geometry = \"plane_strain\"", {"ball", "pipe"});
   }
   for (const auto& [name, contact] : c.contact) {
     const std::string path = "contact." + name;

@@ -15,16 +15,16 @@ constexpr Real averaging = 0.05, last = 1;   // of D
 constexpr Real largest_last = 1. / 3;        // of the way
 constexpr Real largest_averaging = 1. / 20;  // of the way
 
-struct Most {
+struct Largest {
   Real value = nan, at = nan;
 };
 
-Most most_of(const TravelCurve& curve)
+Largest largest_of(const TravelCurve& curve)
 {
-  Most most;
+  Largest largest;
   for (std::size_t k = 0; k < curve.travel().size(); ++k)
-    if (!(curve.value()[k] <= most.value)) most = {curve.value()[k], curve.travel()[k]};
-  return most;
+    if (!(curve.value()[k] <= largest.value)) largest = {curve.value()[k], curve.travel()[k]};
+  return largest;
 }
 
 }  // namespace
@@ -54,7 +54,7 @@ TowResults tow_results(const TowPath& path, const base::BodyScale& scale)
   const Real way = H.end() - H.begin(), half = scale.noisy ? std::min(averaging * scale.width, largest_averaging * way) : 0;
   results.travel = H.end();
   results.first_depth = depth.value().front(), results.depth = depth.value().back();
-  const Most deepest = most_of(depth), strongest = most_of(H.smoothed(half));
+  const Largest deepest = largest_of(depth), strongest = largest_of(H.smoothed(half));
   results.max_depth = deepest.value, results.at_depth = deepest.at;
   results.max_force = strongest.value, results.at_force = strongest.at;
   results.last_travel = std::min(last * scale.width, largest_last * way);

@@ -18,18 +18,18 @@ constexpr Real same_width = 1e-9;
 
 using record::TravelCurve;
 
-plot::PlotUnit stress_unit(Real most)
+plot::PlotUnit stress_unit(Real max)
 {
-  return most < 1e3 ? plot::PlotUnit{1, "Pa"} : most < 2e6 ? plot::PlotUnit{1e-3, "kPa"} : plot::PlotUnit{1e-6, "MPa"};
+  return max < 1e3 ? plot::PlotUnit{1, "Pa"} : max < 2e6 ? plot::PlotUnit{1e-3, "kPa"} : plot::PlotUnit{1e-6, "MPa"};
 }
 
 /// The largest of a mean beyond the beginning of its way.
-Real most_of(const TravelCurve& mean)
+Real largest_of(const TravelCurve& mean)
 {
-  Real most = 0;
+  Real max = 0;
   for (std::size_t k = 0; k < mean.travel().size(); ++k)
-    if (mean.travel()[k] >= mean.begin() + beginning * (mean.end() - mean.begin())) most = std::max(most, mean.value()[k]);
-  return most;
+    if (mean.travel()[k] >= mean.begin() + beginning * (mean.end() - mean.begin())) max = std::max(max, mean.value()[k]);
+  return max;
 }
 
 void add_run(LogPanel& panel, const PenetrationRun& run, const TravelCurve& rows, Real value_unit, Real depth_unit, const std::string& name)
@@ -40,7 +40,7 @@ void add_run(LogPanel& panel, const PenetrationRun& run, const TravelCurve& rows
   if (run.half() > 0)
     panel.curves.push_back({"", LogCurve::Line::rows, run.number, scaled(rows.value(), value_unit), scaled(rows.travel(), depth_unit)});
   panel.curves.push_back({name, LogCurve::Line::mean, run.number, scaled(mean.value(), value_unit), scaled(mean.travel(), depth_unit)});
-  panel.most = std::max(panel.most, most_of(mean) * value_unit);
+  panel.max = std::max(panel.max, largest_of(mean) * value_unit);
 }
 
 /// A number of the soil from the surface to the deepest point of a log.
@@ -53,17 +53,17 @@ void add_of_soil(LogPanel& panel, const PenetrationRun& run, Real SoilAt::*membe
     const Real from = std::min(run.z().front(), Real(0)), z = from + (run.z_end() - from) * k / points;
     curve.depth.push_back(z * depth_unit);
     curve.value.push_back(run.soil.at(z).*member * value_unit);
-    if (std::isfinite(curve.value.back())) panel.most = std::max(panel.most, curve.value.back());
+    if (std::isfinite(curve.value.back())) panel.max = std::max(panel.max, curve.value.back());
   }
   panel.curves.push_back(std::move(curve));
 }
 
 LogPanel resistance_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth)
 {
-  Real most = 0;
+  Real max = 0;
   for (const PenetrationRun& run : runs)
-    if (!run.q_curve().empty()) most = std::max(most, most_of(run.q_curve().smoothed(run.half())));
-  const plot::PlotUnit unit = stress_unit(most);
+    if (!run.q_curve().empty()) max = std::max(max, largest_of(run.q_curve().smoothed(run.half())));
+  const plot::PlotUnit unit = stress_unit(max);
   LogPanel panel{fmt::format("{} ({})", runs.front().reading.resistance.plain, unit.name), {}};
   for (const PenetrationRun& run : runs) add_run(panel, run, run.q_curve(), unit.per_si, depth.per_si, run.record.name);
   const auto deep = std::find_if(runs.begin(), runs.end(), [](const PenetrationRun& run) { return !run.z().empty(); });
@@ -91,7 +91,7 @@ LogPanel factor_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth, 
                             first->number,
                             {c.published.value, c.published.value},
                             {log.shallowest, log.deepest}});
-    panel.most = std::max(panel.most, c.published.value);
+    panel.max = std::max(panel.max, c.published.value);
   }
   return panel;
 }
@@ -100,15 +100,15 @@ LogPanel factor_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth, 
 LogPanel friction_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth)
 {
   constexpr Real counts = 1e-3;  // of q
-  Real most = 0, q = 0;
+  Real max = 0, q = 0;
   for (const PenetrationRun& run : runs) {
     if (run.friction_curve().empty()) continue;
-    most = std::max(most, most_of(run.friction_curve().smoothed(run.half())));
-    q = std::max(q, most_of(run.q_curve().smoothed(run.half())));
+    max = std::max(max, largest_of(run.friction_curve().smoothed(run.half())));
+    q = std::max(q, largest_of(run.q_curve().smoothed(run.half())));
   }
-  const plot::PlotUnit unit = stress_unit(most);
+  const plot::PlotUnit unit = stress_unit(max);
   LogPanel panel{fmt::format("f ({})", unit.name), {}};
-  if (!(most > counts * q)) return panel;
+  if (!(max > counts * q)) return panel;
   for (const PenetrationRun& run : runs) add_run(panel, run, run.friction_curve(), unit.per_si, depth.per_si, "");
   return panel;
 }
@@ -134,7 +134,7 @@ DepthLog depth_log(const PenetrationRuns& runs, const std::string& title)
   log.per_width = one_width ? width * depth.per_si : 0;
   log.panels.push_back(resistance_panel(runs, depth));
   log.panels.push_back(friction_panel(runs, depth));
-  if (LogPanel factor = factor_panel(runs, depth, log); factor.most > 0) log.panels.push_back(std::move(factor));
+  if (LogPanel factor = factor_panel(runs, depth, log); factor.max > 0) log.panels.push_back(std::move(factor));
   const auto varied = std::find_if(runs.begin(), runs.end(), [](const PenetrationRun& run) {
     return !run.z().empty() && run.measure() == Measure::strength && run.soil.varies();
   });
@@ -144,8 +144,8 @@ DepthLog depth_log(const PenetrationRuns& runs, const std::string& title)
     add_of_soil(panel, *varied, &SoilAt::strength, unit.per_si, depth.per_si, "");
     log.panels.push_back(std::move(panel));
   }
-  std::erase_if(log.panels, [](const LogPanel& panel) { return !(panel.most > 0); });
-  for (LogPanel& panel : log.panels) panel.most = plot::round_up(margin * panel.most);
+  std::erase_if(log.panels, [](const LogPanel& panel) { return !(panel.max > 0); });
+  for (LogPanel& panel : log.panels) panel.max = plot::round_up(margin * panel.max);
   return log;
 }
 

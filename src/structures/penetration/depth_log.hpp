@@ -21,7 +21,7 @@ struct LogCurve {
 struct LogPanel {
   std::string label;  ///< of the axis on top, with unit, plain
   std::vector<LogCurve> curves;
-  Real most = 0;  ///< end of the axis
+  Real max = 0;  ///< end of the axis
 };
 
 /// Resistance against depth as a CPT log shows it: depth downwards, panels beside one another, their axes on top.

@@ -45,7 +45,7 @@ std::string script_of(const DepthLog& log, const std::filesystem::path& folder, 
     script += record::margins({from, from + wide, 0.04, 0.85});
     script +=
         fmt::format("unset xtics\nset x2range [0:{0:.6g}]\nset xrange [0:{0:.6g}]\nset x2tics\nset grid x2tics ytics\nset x2label {1}\n",
-                    panel.most, plot::gnuplot_text(panel.label));
+                    panel.max, plot::gnuplot_text(panel.label));
     script += p == 0 ? fmt::format("set ylabel {}\n", plot::gnuplot_text(log.depth_label)) : "unset ylabel\nset format y ''\n";
     if (last && log.per_width > 0)
       script += fmt::format("set y2range [{:.6g}:{:.6g}]\nset y2tics\nset format y2 '%g'\nset y2label 'z/D'\n", log.deepest / log.per_width,

@@ -13,7 +13,7 @@ namespace berm::penetration {
 namespace {
 
 constexpr Real panel_width = 270, panel_gap = 46, panel_left = 74, room_right = 60, panel_top = 62, panel_height = 440, key_line = 19;
-constexpr std::size_t most_points = 400;
+constexpr std::size_t max_points = 400;
 constexpr int steps = 5;
 constexpr Real round_off = 1e-9;
 
@@ -95,9 +95,9 @@ std::string drawn(const LogCurve& curve, const LogPanel& panel, const DepthLog& 
     if (!points.empty()) all += fmt::format("<polyline points=\"{}\" style=\"fill:none;{}\"/>\n", points, svg_style(curve));
     points.clear();
   };
-  const std::size_t stride = std::max<std::size_t>(1, curve.value.size() / most_points);
+  const std::size_t stride = std::max<std::size_t>(1, curve.value.size() / max_points);
   for (std::size_t k = 0; k < curve.value.size(); k += stride) {
-    const Real x = curve.value[k] / panel.most, y = place_of(curve.depth[k], log);
+    const Real x = curve.value[k] / panel.max, y = place_of(curve.depth[k], log);
     if (!(x >= 0 && x <= 1 && y >= -round_off && y <= 1 + round_off)) {
       end();
       continue;
@@ -111,9 +111,9 @@ std::string drawn(const LogCurve& curve, const LogPanel& panel, const DepthLog& 
 std::string panel_of(const LogPanel& panel, const DepthLog& log, Real x0)
 {
   std::string svg;
-  const Real x_step = step_of(panel.most);
-  for (int k = 0; k * x_step <= panel.most * (1 + 1e-9); ++k) {
-    const Real x = x0 + k * x_step / panel.most * panel_width;
+  const Real x_step = step_of(panel.max);
+  for (int k = 0; k * x_step <= panel.max * (1 + 1e-9); ++k) {
+    const Real x = x0 + k * x_step / panel.max * panel_width;
     svg += line(x, panel_top, x, panel_top + panel_height, "grid") + words(x, panel_top - 8, "middle", text::short_number(k * x_step));
   }
   for (const Real depth : round_depths(log.shallowest, log.deepest)) {

@@ -66,7 +66,10 @@ std::vector<run_folder::Quantity> Penetration::quantities(const record::RunRecor
   if (list.empty()) return list;
   if (!reading_.keeps_push)
     std::erase_if(list, [](const run_folder::Quantity& q) { return q.name.starts_with("V_at_w_") || q.name.starts_with("V_at_travel_"); });
-  const std::vector<run_folder::Quantity> own = penetration_quantities(PenetrationRun(run, reading_));
+  const PenetrationRun pushed(run, reading_);
+  std::vector<run_folder::Quantity> own = penetration_quantities(pushed);
+  if (reading_.keeps_push)
+    for (run_folder::Quantity& quantity : failure_point(pushed)) own.push_back(std::move(quantity));
   list.insert(reading_.keeps_push ? list.end() : list.begin(), own.begin(), own.end());
   return list;
 }

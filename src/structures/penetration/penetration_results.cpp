@@ -2,6 +2,7 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/penetration/penetration_results.hpp"
 
+#include "structures/pipe/results/pipe_path.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
@@ -50,6 +51,34 @@ std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& r
   add(judged + "_steady", N.empty() ? last.q : last.factor, N.empty() ? "Pa" : "1", "steady value: it changes by less than 5 % " + over);
   add(fmt::format("z_at_{}_steady", judged), last.steady_from, "m", "depth from which it stays within 5 % of that");
   add(fmt::format("z_at_{}_steady_over_D", judged), last.steady_from / D, "1", "depth from which it stays within 5 % of that");
+  return list;
+}
+
+std::vector<run_folder::Quantity> failure_point(const PenetrationRun& run)
+{
+  std::vector<run_folder::Quantity> list;
+  const run_folder::History& history = run.record.history;
+  if (history.rows() == 0 || !history.has_label("M") || run.record.settings.geometry == problem::Geometry::space) return list;
+  const pipe::PipePath path = pipe::pipe_path(history, pipe::pipe_stages(run.record.settings));
+  const pipe::DragPath& drag = path.drag();
+  if (drag.travel.size() < 3) return list;
+  std::vector<Real> moment;
+  for (std::size_t k = 0; k < drag.rows.size(); ++k)
+    moment.push_back(history.by_label("M")[drag.rows[k]] + drag.stage.direction * drag.H[k] * run.body.height / 2);
+  const record::TravelCurve H(drag.travel, drag.H), V(drag.travel, drag.V), M(drag.travel, moment);
+  const Real half = std::min(base::averaging_half(run.scale), (H.end() - H.begin()) / 20);
+  const record::TravelCurve smooth = H.smoothed(half);
+  const auto largest = std::max_element(smooth.value().begin(), smooth.value().end());
+  const Real u = smooth.travel()[largest - smooth.value().begin()], area = run.area(), strength = run.soil.at(run.z_end()).strength;
+  const bool plane = run.record.settings.force_dimension() == 2;
+  list.push_back({"V_at_H_max", V.at(u, half), plane ? "N/m" : "N", "vertical reaction where H of the first drag is largest"});
+  list.push_back(
+      {"M_at_H_max", M.at(u, half), plane ? "N m/m" : "N m", "moment on the body about the middle of its base there, counter-clockwise"});
+  if (!(strength > 0)) return list;
+  list.push_back({"V_at_H_max_over_As_u", V.at(u, half) / (area * strength), "1", "the same over area and strength"});
+  list.push_back({"H_max_over_As_u", *largest / (area * strength), "1", "largest H of the first drag over area and strength"});
+  list.push_back(
+      {"M_at_H_max_over_ADs_u", M.at(u, half) / (area * run.whole_width() * strength), "1", "moment there over area, width and strength"});
   return list;
 }
 

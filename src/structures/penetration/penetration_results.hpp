@@ -18,6 +18,11 @@ std::string name_at(const std::string& what, Real over_D);
 ///   area (m2; plane strain m), of the part that is modelled.
 std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& run);
 
+/// Of a body that a drag loads after its push: the point of its failure in V, H and M, where H of the first drag is largest: V_at_H_max and M_at_H_max (N m; plane strain
+/// N m/m), with M about the middle of its base, counter-clockwise on the body; in clay also over A s_u and A D s_u (V_at_H_max_over_As_u, H_max_over_As_u,
+/// M_at_H_max_over_ADs_u).
+std::vector<run_folder::Quantity> failure_point(const PenetrationRun& run);
+
 /// The same as a table of the log.
 std::string penetration_table(const std::vector<run_folder::Quantity>& quantities, const Reading& reading);
 

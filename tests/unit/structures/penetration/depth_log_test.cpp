@@ -37,8 +37,8 @@ TEST(DepthLog, has_resistance_and_factor_and_strength_where_it_varies)
   EXPECT_EQ(log.panels[1].label, "N_kt");
   EXPECT_EQ(log.depth_label, "depth z of the shoulder of the cone (m)");
   EXPECT_NEAR(log.deepest / log.per_width, (2 - 0.1 * std::sqrt(3.)) / 0.2, 1e-9);
-  EXPECT_GE(log.panels[0].most, 100);
-  EXPECT_LE(log.panels[0].most, 150);
+  EXPECT_GE(log.panels[0].max, 100);
+  EXPECT_LE(log.panels[0].max, 150);
   EXPECT_EQ(log_of(growing).panels.size(), 3u);
 }
 

@@ -130,6 +130,30 @@ TEST(Penetration, of_a_footing_has_its_exact_factors)
   EXPECT_NE(published(half_rough).find("6.048"), std::string::npos);
 }
 
+TEST(Penetration, of_a_footing_that_is_dragged_tells_V_H_and_M_of_its_failure)
+{
+  MadePush made = footing();
+  made.geometry = problem::Geometry::plane_strain;
+  record::RunRecord run = made.record();
+  problem::StageSettings drag = run.settings.stage.front();
+  drag.name = "drag";
+  drag.kind = problem::StageKind::drag;
+  run.settings.stage.push_back(drag);
+  run.history.columns = columns_named({"time_s", "u_m", "w_m", "H_N_m", "V_N_m", "M_Nm_m"});
+  run.history.values.emplace_back(run.history.stage.size(), 0);
+  for (int k = 1; k <= 20; ++k) {
+    const Real row[] = {1000. + k, 1e-3 * k, 0.1, k <= 10 ? 50. * k : 500., 900, 20};
+    for (int c = 0; c < 6; ++c) run.history.values[c].push_back(row[c]);
+    run.history.stage.emplace_back("drag");
+  }
+  run.quantities = structure_of(run).quantities(run, {});
+  const auto value = [&](const char* name) { return base::quantity_value(run, name); };
+  EXPECT_NEAR(value("V_at_H_max"), 900, 1e-6);
+  EXPECT_NEAR(value("M_at_H_max"), 20 + 500 * 0.05, 1e-6);          // the centre is 0.05 m above the base
+  EXPECT_NEAR(value("H_max_over_As_u"), 500 / (0.1 * 10e3), 1e-9);  // half of it beside the wall
+  EXPECT_NEAR(value("M_at_H_max_over_ADs_u"), 45 / (0.1 * 0.2 * 10e3), 1e-9);
+}
+
 TEST(Penetration, of_a_footing_on_sand_has_N_gamma_of_associated_soil)
 {
   MadePush made = footing();
