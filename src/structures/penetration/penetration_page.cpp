@@ -5,6 +5,7 @@
 #include "structures/base/printed_range.hpp"
 #include "structures/penetration/depth_log.hpp"
 #include "structures/penetration/penetration_results.hpp"
+#include "structures/pipe/report/converged.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 #include "text/shown_number.hpp"
@@ -28,6 +29,20 @@ std::string angle_of(Real radians)
   return text::short_number(radians / degree) + "°";
 }
 
+/// "8.3 ± 1.1" of a quantity that has a band; "" without one.
+std::string converged_of(const PenetrationRun& run, const std::string& quantity)
+{
+  const std::optional<run_folder::RunSummary>& summary = run.record.summary;
+  const run_folder::Band* band = summary && summary->uncertainty ? summary->uncertainty->find(quantity) : nullptr;
+  return band == nullptr ? "" : text::with_half_width(band->converged, band->half_width);
+}
+
+/// The name of its factor, or else of its resistance.
+std::string judged_name(const PenetrationRun& run)
+{
+  return run.symbol() == nullptr ? run.reading.resistance.plain : run.symbol()->plain;
+}
+
 /// "N<sub>kt</sub> = 11.3 (q<sub>t</sub> = 115 kPa), mean of the last 2 D".
 std::string last_words(const PenetrationRun& run)
 {
@@ -35,7 +50,9 @@ std::string last_words(const PenetrationRun& run)
   const std::string q = fmt::format("{} = {}", run.reading.resistance.html, text::stress_words(last.q));
   const std::string what =
       run.symbol() == nullptr ? q : fmt::format("{} = {} ({})", run.symbol()->html, text::short_number(last.factor), q);
-  return fmt::format("{}, mean of the last {}", what, in_D(last.travel, run.body.width));
+  const std::string converged = run.symbol() == nullptr ? "" : converged_of(run, judged_name(run) + "_end");
+  return fmt::format("{}, mean of the last {}{}", what, in_D(last.travel, run.body.width),
+                     converged.empty() ? "" : ", converged " + converged);
 }
 
 std::string steady_words(const PenetrationRun& run)
@@ -107,7 +124,10 @@ std::string summary_table(const PenetrationRuns& runs, const std::string& id)
   text::HtmlTable table(id, "At the end of the push");
   const std::string q = runs.front().reading.resistance.html;
   const bool shaft = std::any_of(runs.begin(), runs.end(), [](const PenetrationRun& run) { return run.knows_shaft(); });
+  const bool bands = std::any_of(runs.begin(), runs.end(),
+                                 [](const PenetrationRun& run) { return !converged_of(run, judged_name(run) + "_end").empty(); });
   const auto without = [&](std::vector<HtmlCell> cells) {
+    if (!bands) cells.erase(cells.begin() + 7);
     if (!shaft) cells.erase(cells.begin() + 4);
     return cells;
   };
@@ -118,11 +138,12 @@ std::string summary_table(const PenetrationRuns& runs, const std::string& id)
                          {"f, kPa", true},
                          {"factor"},
                          {"mean", true},
+                         {"converged", true},
                          {"change", true},
                          {"scatter", true},
                          {"steady from z/D", true}}));
   for (const PenetrationRun& run : runs) {
-    const std::string plain = run.symbol() == nullptr ? run.reading.resistance.plain : run.symbol()->plain;
+    const std::string plain = judged_name(run);
     const auto number = [&](const std::string& name, Real unit) { return HtmlCell{text::table_number(value_of(run, name) * unit), true}; };
     const auto part = [&](const std::string& name) {
       const Real value = value_of(run, name);
@@ -136,6 +157,7 @@ std::string summary_table(const PenetrationRuns& runs, const std::string& id)
                        number("f_shaft_end", 1e-3),
                        {run.symbol() == nullptr ? text::no_number : run.symbol()->html},
                        number(run.symbol() == nullptr ? "" : plain + "_end", 1),
+                       {run.symbol() == nullptr ? "" : converged_of(run, plain + "_end"), true},
                        part(plain + "_change"),
                        part(plain + "_scatter"),
                        {std::isfinite(from) ? text::table_number(from) : "not steady", true}}));
@@ -206,7 +228,10 @@ std::string penetration_key_results(const PenetrationRuns& runs, const std::stri
   html += fmt::format("<p class=\"quiet\">{} is {}.{}</p>\n", reading.resistance.html, what,
                       half > 0 ? fmt::format(" Thin: rows of the history; thick, and in the tables: mean over ±{:.2g} D of travel.", half)
                                : "");
-  return html + summary_table(known, id + "-end") + depth_table(known, id + "-depth");
+  pipe::PipeRuns driven;
+  for (const PenetrationRun& run : known) driven.emplace_back(run.record, run.number);
+  return html + summary_table(known, id + "-end") + depth_table(known, id + "-depth") +
+         (reading.keeps_push ? "" : pipe::converged_notes(driven));
 }
 
 std::string penetration_published(const PenetrationRuns& runs, const std::string& id)

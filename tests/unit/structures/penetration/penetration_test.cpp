@@ -101,6 +101,19 @@ TEST(Penetration, puts_runs_side_by_side)
   EXPECT_EQ(html.find("Houlsby"), std::string::npos);
 }
 
+TEST(Penetration, tells_the_band_of_a_factor)
+{
+  record::RunRecord run = clay_cone().record();
+  run.summary.emplace();
+  run_folder::Uncertainty& uncertainty = run.summary->uncertainty.emplace();
+  run_folder::Band band;
+  band.converged = 9.1;
+  band.half_width = 0.5;
+  uncertainty.quantities.push_back({"N_kt_end", "1", band});
+  EXPECT_NE(structure_of(run).in_words(run, units_of(run)).find("converged 9.1 ± 0.5"), std::string::npos);
+  EXPECT_NE(structure_of(run).key_results({{&run, 0}}, units_of(run)).find("<td class=\"number\">9.1 ± 0.5</td>"), std::string::npos);
+}
+
 TEST(Penetration, shows_cavities_beside_a_cone_and_nothing_that_is_recalled)
 {
   const record::RunRecord run = clay_cone().record();
