@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/penetration/penetration.hpp"
 
+#include "io/atomic_file.hpp"
 #include "plot/gnuplot.hpp"
 #include "record/panels.hpp"
 #include "structures/penetration/depth_log.hpp"
@@ -90,9 +91,10 @@ bool Penetration::is_answer(const record::RunRecord& run, const run_folder::Quan
 
 bool Penetration::draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const
 {
-  if (reading_.keeps_push) return Pipe::draw_curves(folder, run, bands);
   PenetrationRuns runs;
   runs.emplace_back(run, reading_);
+  if (const std::string csv = log_csv(runs.front()); !csv.empty()) io::write_atomically(folder.file("log.csv"), csv);
+  if (reading_.keeps_push) return Pipe::draw_curves(folder, run, bands);
   const DepthLog log = depth_log(runs, run.settings.title);
   if (log.panels.empty()) return false;
   return plot::draw(folder.path(), "curves", record::panels_width, record::panels_height, script_of(log, folder.path(), "log"));

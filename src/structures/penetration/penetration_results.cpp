@@ -89,6 +89,20 @@ bool is_of_reading(const std::string& name, const Reading& reading)
          name == "area" || name == "f_shaft_end";
 }
 
+std::string log_csv(const PenetrationRun& run)
+{
+  if (run.z().empty() || !std::isfinite(run.area())) return "";
+  const record::TravelCurve q_mean = run.q_curve().smoothed(run.half()), factor_mean = run.factor_curve().smoothed(run.half());
+  std::string csv = "z_m,w_m,q_Pa,factor,q_mean_Pa,factor_mean,f_shaft_Pa,s_u_Pa,sigma_v0_Pa\n";
+  for (std::size_t k = 0; k < run.z().size(); ++k) {
+    const Real z = run.z()[k], q = run.q()[k];
+    const SoilAt soil = run.soil.at(z);
+    csv += fmt::format("{:.7g},{:.7g},{:.7g},{:.6g},{:.7g},{:.6g},{:.6g},{:.6g},{:.6g}\n", z, z + run.body.shoulder, q, run.factor(z, q),
+                       q_mean.at(z, 0), factor_mean.at(z, 0), run.knows_shaft() ? run.friction()[k] : nan, soil.strength, soil.overburden);
+  }
+  return csv;
+}
+
 std::string penetration_table(const std::vector<run_folder::Quantity>& quantities, const Reading& reading)
 {
   std::string table;

@@ -26,6 +26,10 @@ std::vector<run_folder::Quantity> failure_point(const PenetrationRun& run);
 /// The same as a table of the log.
 std::string penetration_table(const std::vector<run_folder::Quantity>& quantities, const Reading& reading);
 
+/// log.csv of a run folder, a row of the history a line: z_m, w_m, q_Pa, factor, both again averaged (q_mean_Pa, factor_mean), f_shaft_Pa, s_u_Pa and sigma_v0_Pa; nan
+/// where there is none. "" where the body did not come into the soil.
+std::string log_csv(const PenetrationRun& run);
+
 /// Whether a quantity is one of a reading: of its resistance, its factors, or their place.
 bool is_of_reading(const std::string& name, const Reading& reading);
 

@@ -83,6 +83,9 @@ TEST_F(DepthLogPicture, is_curves_png_of_a_run)
   ASSERT_TRUE(cone.draw_curves(folder, noisy(1e3), {}));
   EXPECT_EQ(png_size(folder.file("curves.png")), (std::pair{1200, 900}));
   EXPECT_TRUE(fs::exists(folder.file("plots/log_0.dat")));
+  const std::string csv = content_of(folder.file("log.csv"));
+  EXPECT_EQ(csv.substr(0, csv.find('\n')), "z_m,w_m,q_Pa,factor,q_mean_Pa,factor_mean,f_shaft_Pa,s_u_Pa,sigma_v0_Pa");
+  EXPECT_EQ(csv.find("inf"), std::string::npos);
 }
 
 }  // namespace
