@@ -83,7 +83,9 @@ StructureKind kind_of(const problem::Case& c)
   if (!body) return StructureKind::other;
   if (!is_pushed_down(c)) return StructureKind::pipe;
   if (body->disk) return of_disk(c, *body);
-  if (c.geometry != problem::Geometry::axisymmetric) return StructureKind::footing;
+  const bool revolved = c.geometry == problem::Geometry::axisymmetric ||
+                        (c.geometry == problem::Geometry::space && std::holds_alternative<bodies::ProfileSettings>(settings.shape));
+  if (!revolved) return StructureKind::footing;
   if (body->conical) return StructureKind::cone;
   return body->height > slender * body->width ? StructureKind::pile : StructureKind::footing;
 }

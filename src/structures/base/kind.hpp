@@ -25,7 +25,7 @@ std::optional<BodyProfile> body_profile(const bodies::RigidShapeSettings& shape)
 
 /// The structure that the main rigid body of a case is: what the input names, else
 ///   other     no push or drag moves it, or it has no width;
-///   cone      around an axis, pushed down: conical;
+///   cone      around an axis (in space a profile), pushed down: conical;
 ///   ball      a circle on the axis, or a sphere, pushed down;
 ///   pile      around an axis, pushed down: none of these, and higher than 2 D;
 ///   footing   pushed down: all others but disks;

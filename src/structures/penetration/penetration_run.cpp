@@ -50,8 +50,11 @@ void PenetrationRun::take_geometry()
   }
   const bodies::RigidShapeSettings& shape = c.rigid[main_rigid(c)].second.shape;
   if (c.geometry == problem::Geometry::space) {
-    if (const auto* box = std::get_if<bodies::BoxSettings>(&shape)) area_ = box->size[0] * box->size[2];
-    if (std::holds_alternative<bodies::SphereSettings>(shape)) area_ = pi * body.width * body.width / 4;
+    const auto* box = std::get_if<bodies::BoxSettings>(&shape);
+    const auto* sphere = std::get_if<bodies::SphereSettings>(&shape);
+    part_ = part_in_space(record, body, box != nullptr ? box->center[2] : sphere != nullptr ? sphere->center[2] : 0);
+    if (box != nullptr) area_ = part_ * box->size[0] * box->size[2];
+    if (sphere != nullptr || std::holds_alternative<bodies::ProfileSettings>(shape)) area_ = part_ * pi * body.width * body.width / 4;
     return;
   }
   const Walls walls = walls_of(record, body);
@@ -96,7 +99,7 @@ void PenetrationRun::take_rows()
 Real PenetrationRun::displaced(Real z) const
 {
   const Real R = body.width / 2, low = std::clamp(z + body.shoulder, Real(0), body.width), part = area_ / body.width;
-  if (record.settings.force_dimension() == 3) return pi * low * low * (R - low / 3);
+  if (record.settings.force_dimension() == 3) return part_ * pi * low * low * (R - low / 3);
   const Real b = std::acos(std::clamp(1 - low / R, Real(-1), Real(1)));
   return part * R * R * (b - std::sin(b) * std::cos(b));
 }

@@ -82,7 +82,7 @@ private:
   void take_last();
   Measure measure_of_soil() const;
 
-  Real area_ = nan, whole_width_ = nan;
+  Real area_ = nan, whole_width_ = nan, part_ = 1;  ///< part: that is modelled, in space
   Measure measure_ = Measure::none;
   std::vector<Real> z_, q_, friction_;
   record::TravelCurve q_curve_, factor_curve_, friction_curve_;

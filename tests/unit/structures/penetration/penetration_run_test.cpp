@@ -95,6 +95,25 @@ TEST(PenetrationRun, of_half_a_bar_beside_a_wall_divides_by_the_half_that_is_mod
   EXPECT_NEAR(run.factor_at(1), (100e3 - 5e3 * pi * 0.01 / 0.2) / 10e3, 1e-6);
 }
 
+TEST(PenetrationRun, of_a_quarter_of_a_ball_in_space_divides_by_its_quarter)
+{
+  MadePush made;
+  made.shape = bodies::SphereSettings{{0, 0.1, 0}, 0.2};
+  made.geometry = problem::Geometry::space;
+  record::RunRecord record = made.record();
+  record.settings.gravity = {0, -standard_gravity, 0};
+  mesh::BoxMesh box;
+  box.lower = {0, -4, 0};
+  box.size = {4, 4, 4};
+  record.settings.mesh = box;
+  const PenetrationRun run(record, ball::reading());
+  EXPECT_NEAR(run.area(), pi * 0.01 / 4, round_off);
+  EXPECT_NEAR(run.displaced(1), pi * 1e-3 / 3, round_off);
+  box.lower = {0, -4, -2};
+  record.settings.mesh = box;
+  EXPECT_NEAR(PenetrationRun(record, ball::reading()).area(), pi * 0.01 / 2, round_off);
+}
+
 TEST(PenetrationRun, of_a_footing_on_sand_divides_by_half_the_weight_over_its_whole_width)
 {
   MadePush made;
