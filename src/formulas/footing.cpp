@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "formulas/footing.hpp"
 
+#include <array>
+
 namespace berm::formulas {
 namespace {
 
@@ -61,6 +63,50 @@ Formula n_gamma_vesic(Real friction_angle)
 {
   constexpr Source source{Label::fit, "Vesic 1973", code_range};
   return formula(2 * (std::exp(log_n_q(friction_angle)) + 1) * std::tan(friction_angle), source, is_of_codes(friction_angle));
+}
+
+namespace {
+
+/// The straight line through the entries beside x, and beyond the ends that of the last two.
+template <std::size_t n>
+Real in_table(const std::array<Real, n>& x, const std::array<Real, n>& y, Real at)
+{
+  std::size_t k = 0;
+  while (k + 2 < n && at > x[k + 1]) ++k;
+  return y[k] + (at - x[k]) * (y[k + 1] - y[k]) / (x[k + 1] - x[k]);
+}
+
+constexpr std::array growths{0., 1., 2., 4., 8.};
+
+Formula with_growth(Real growth, const std::array<Real, 5>& factors, const char* work)
+{
+  std::array<Real, 5> logs{};
+  for (std::size_t k = 0; k < growths.size(); ++k) logs[k] = std::log1p(growths[k]);
+  return formula(in_table(logs, factors, std::log1p(growth)), {Label::exact, work, "at the surface, 0 <= kD/s_u0 <= 8"},
+                 within(growth, 0, growths.back()));
+}
+
+}  // namespace
+
+Formula n_c_circle(Real kD_over_strength, Base base)
+{
+  constexpr std::array smooth{5.689, 6.246, 6.724, 7.557, 8.994}, rough{6.048, 6.945, 7.643, 8.742, 10.56};
+  return with_growth(kD_over_strength, base == Base::rough ? rough : smooth, "characteristics, round footing");
+}
+
+Formula n_c_strip(Real kB_over_strength, Base base)
+{
+  constexpr std::array smooth{2 + pi, 5.982, 6.661, 7.819, 9.782}, rough{2 + pi, 6.609, 7.596, 9.128, 11.58};
+  return with_growth(kB_over_strength, base == Base::rough ? rough : smooth, "characteristics, strip footing");
+}
+
+Formula n_gamma_circle(Real friction_angle, Base base)
+{
+  constexpr Source source{Label::exact, "characteristics, round footing, associated soil", "20 <= phi <= 35 deg, psi = phi"};
+  constexpr std::array angles{20., 30., 35.};
+  const std::array<Real, 3> logs = base == Base::rough ? std::array{std::log(2.416), std::log(15.53), std::log(41.88)}
+                                                       : std::array{std::log(1.271), std::log(7.11), std::log(18.03)};
+  return formula(std::exp(in_table(angles, logs, friction_angle / degree)), source, within(friction_angle, 20 * degree, 35 * degree));
 }
 
 }  // namespace berm::formulas

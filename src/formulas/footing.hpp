@@ -24,4 +24,15 @@ Formula n_gamma_hansen(Real friction_angle);
 /// The same by N_gamma = 2 (N_q + 1) tan phi, which is larger. Friction angle in rad. [fit: Vesic 1973]
 Formula n_gamma_vesic(Real friction_angle);
 
+/// q/s_u0 of a round footing (diameter D) on clay without weight whose strength grows with depth, s_u = s_u0 + k z; table at k D/s_u0 of 0, 1, 2, 4 and 8, between them
+/// straight in ln(1 + k D/s_u0): 5.689 smooth and 6.048 rough in uniform clay. [exact at the entries: characteristics]
+Formula n_c_circle(Real kD_over_strength, Base base);
+
+/// The same of a strip of width B: 2 + pi in uniform clay. [exact at the entries: characteristics]
+Formula n_c_strip(Real kB_over_strength, Base base);
+
+/// N_gamma of a round footing on associated sand, q = gamma D N_gamma/2, tabulated at 20, 30 and 35 degrees; between them ln N_gamma is linear in phi. Friction angle
+/// in rad. [exact at the entries: characteristics]
+Formula n_gamma_circle(Real friction_angle, Base base);
+
 }  // namespace berm::formulas

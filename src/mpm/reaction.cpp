@@ -8,6 +8,9 @@
 namespace berm::mpm {
 namespace {
 
+/// The part along the axis of the normal of a side that counts as parallel to it: it is within 6 degrees.
+constexpr Real parallel_to_axis = 0.1;
+
 /// What the impulses of a contact add up to.
 template <int dim>
 struct Reaction {
@@ -15,6 +18,7 @@ struct Reaction {
   bodies::Angular<dim> torque = bodies::no_angular<dim>();             ///< on the body, N m s
   Real external = 0, friction = 0;                                     ///< work, J
   Real sum = 0, times_gap = 0;                                         ///< of |impulse|, and of |impulse| times distance
+  Real shaft = 0;                                                      ///< along the axis, of sides parallel to it, N s
 
   /// What goes around the axis balances itself but for the part along it. Of a wall around it, which may widen, the part across it is that of a radian.
   void keep_on_axis(const bodies::RigidShape<dim>& shape)
@@ -29,6 +33,7 @@ struct Reaction {
     impulse += other.impulse, of_support += other.of_support, torque += other.torque;
     external += other.external, friction += other.friction;
     sum += other.sum, times_gap += other.times_gap;
+    shaft += other.shaft;
     return *this;
   }
 };
@@ -53,6 +58,7 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
     reaction.friction -= share.dot(mid_velocity - partner_velocity);
   };
   reaction.impulse = impulse;
+  if (std::abs(point.normal[1]) < parallel_to_axis) reaction.shaft = impulse[1];
   if (contact.other_body != none) {
     add(contact.body, point.nodes[0], impulse, Vec<dim>::Zero());
     add(contact.other_body, point.nodes[0], -impulse, Vec<dim>::Zero());
@@ -93,6 +99,7 @@ void react(const problem::Model<dim>& model, problem::State<dim>& state, const W
     rigid.torque -= all.torque / state.dt;
     rigid.impulse += all.impulse;
     rigid.torque_impulse += all.torque;
+    rigid.shaft_impulse += all.shaft;
     rigid.impulse_sum += all.sum;
     rigid.impulse_times_gap += all.times_gap;
   }

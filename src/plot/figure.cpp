@@ -25,7 +25,12 @@ std::string block(const FigureCurve& curve)
 
 std::string curve_style(std::size_t color, std::size_t dash, Real width)
 {
-  return fmt::format("lines lw {} lc rgb '{}' dt {}", width, colors[color % curve_colors], dashes[dash % curve_dashes]);
+  return fmt::format("lines lw {} lc rgb '{}' dt {}", width, curve_color(color), dashes[dash % curve_dashes]);
+}
+
+const char* curve_color(std::size_t color)
+{
+  return colors[color % curve_colors];
 }
 
 bool draw_figure(const std::filesystem::path& folder, const std::string& name, const Figure& figure, PlotFormat format)

@@ -10,6 +10,8 @@ namespace berm::plot {
 /// A line's style by two numbers, below these counts: colours differ for most eyes, also in their lightness.
 constexpr std::size_t curve_colors = 8, curve_dashes = 4;
 std::string curve_style(std::size_t color, std::size_t dash, Real width = 2);
+/// The colour alone: "#1764ab".
+const char* curve_color(std::size_t color);
 
 /// One line of a figure, broken where a number is NaN.
 struct FigureCurve {

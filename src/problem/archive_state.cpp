@@ -27,7 +27,7 @@ void archive(Archive& k, const std::string& name, bodies::Orientation<3>& orient
 template <int dim>
 void archive(Archive& k, bodies::RigidState<dim>& rigid)
 {
-  static_assert(sizeof(rigid) == (dim == 2 ? 7 * 2 + 8 : 7 * 3 + 3 * 3 + 2 * 4 + 3) * sizeof(Real));
+  static_assert(sizeof(rigid) == (dim == 2 ? 7 * 2 + 9 : 7 * 3 + 3 * 3 + 2 * 4 + 4) * sizeof(Real));
   k("displacement", rigid.displacement);
   archive(k, "orientation", rigid.orientation);
   k("velocity", rigid.velocity);
@@ -40,6 +40,7 @@ void archive(Archive& k, bodies::RigidState<dim>& rigid)
   k("second_impulse", rigid.second_impulse);
   k("impulse_sum", rigid.impulse_sum);
   k("impulse_times_gap", rigid.impulse_times_gap);
+  k("shaft_impulse", rigid.shaft_impulse);
   k("max_overlap", rigid.max_overlap);
   k("near_cells_displacement", rigid.near_cells_displacement);
   archive(k, "near_cells_orientation", rigid.near_cells_orientation);

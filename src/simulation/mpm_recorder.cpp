@@ -85,6 +85,9 @@ void MpmRecorder<dim>::observe_contact_of_main(const problem::Model<dim>& model,
   const bodies::RigidState<dim>& last = last_rigids_[model.main_rigid];
   const Real pressed = now.impulse_sum - last.impulse_sum, time = state.time - last_time_;
   row_.of_main(model.rigid_bodies[model.main_rigid].name);
+  if (model.mesh.metric == mesh::Metric::axisymmetric && has_corners<dim>(model.rigid_bodies[model.main_rigid].shape))
+    row_("V_shaft", time > 0 ? -(now.shaft_impulse - last.shaft_impulse) / time : 0, run_folder::newtons<dim>,
+         "vertical reaction of sides parallel to the axis");
   row_("gap", pressed > 0 ? (now.impulse_times_gap - last.impulse_times_gap) / pressed : nan, run_folder::metres, "gap");
   observe_overlap(row_, now.max_overlap);
   row_("second_impulse", time > 0 ? (now.second_impulse - last.second_impulse).norm() / time : 0, run_folder::newtons<dim>,

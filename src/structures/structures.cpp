@@ -1,8 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/structures.hpp"
 
+#include "structures/anchor/anchor.hpp"
+#include "structures/ball/ball.hpp"
+#include "structures/cone/cone.hpp"
+#include "structures/footing/footing.hpp"
 #include "structures/generic/generic.hpp"
+#include "structures/penetration/penetration.hpp"
+#include "structures/pile/pile.hpp"
 #include "structures/pipe/pipe.hpp"
+#include "structures/t_bar/t_bar.hpp"
 
 #include <algorithm>
 
@@ -10,9 +17,12 @@ namespace berm::structures {
 
 const std::vector<const base::Structure*>& all_structures()
 {
+  static const penetration::Penetration cone(cone::reading()), ball(ball::reading()), t_bar(t_bar::reading()), pile(pile::reading()),
+      footing(footing::reading());
+  static const anchor::Anchor anchor;
   static const pipe::Pipe pipe;
   static const generic::Generic generic;
-  static const std::vector<const base::Structure*> all = {&pipe, &generic};
+  static const std::vector<const base::Structure*> all = {&cone, &ball, &t_bar, &pile, &footing, &anchor, &pipe, &generic};
   return all;
 }
 

@@ -16,8 +16,8 @@ public:
   run_folder::Row& with(Real time, const std::string& stage, const std::vector<Real>& values)
   {
     using namespace run_folder;
-    static constexpr ColumnUnit units[] = {newton_metres<2>, newtons<2>, joules<2>, newton_metre_seconds<2>, metres_per_second, radians,
-                                           pascals,          metres,     seconds};
+    static constexpr ColumnUnit units[] = {
+        newton_metres<2>, newtons<2>, joules<2>, newton_metre_seconds<2>, metres_per_second, radians, pascals, metres, seconds, newtons<3>};
     row_.begin(time, stage);
     for (std::size_t k = 0; k < values.size(); ++k) {
       const std::string name = k < names_.size() ? names_[k] : "one_more";

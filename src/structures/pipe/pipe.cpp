@@ -3,6 +3,7 @@
 #include "structures/pipe/pipe.hpp"
 
 #include "plot/figure.hpp"
+#include "structures/base/kind.hpp"
 #include "structures/pipe/pipe_curves.hpp"
 #include "structures/pipe/published/pipe_envelope.hpp"
 #include "structures/pipe/report/curve_figures.hpp"
@@ -31,7 +32,7 @@ PipeRuns pipe_runs(const base::Runs& runs)
 
 bool Pipe::applies_to(const problem::Case& c) const
 {
-  return base::drives_a_body(c);
+  return base::kind_of(c) != base::StructureKind::other;
 }
 
 std::vector<run_folder::Quantity> Pipe::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const

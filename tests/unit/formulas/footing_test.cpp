@@ -66,5 +66,24 @@ TEST(Footing, a_source_says_how_far_to_trust_it)
   EXPECT_STREQ(word_of(Label::fit), "fit");
 }
 
+TEST(Footing, round_and_strip_on_clay_whose_strength_grows_go_through_their_tables)
+{
+  EXPECT_NEAR(n_c_circle(0, Base::smooth).value, 5.689, 1e-12);
+  EXPECT_NEAR(n_c_circle(0, Base::rough).value, 6.048, 1e-12);
+  EXPECT_NEAR(n_c_circle(4, Base::rough).value, 8.742, 1e-12);
+  EXPECT_NEAR(n_c_circle(8, Base::smooth).value, 8.994, 1e-12);
+  EXPECT_NEAR(n_c_strip(0, Base::rough).value, 2 + pi, 1e-12);
+  EXPECT_NEAR(n_c_strip(2, Base::smooth).value, 6.661, 1e-12);
+  EXPECT_FALSE(n_c_circle(9, Base::smooth).valid);
+}
+
+TEST(Footing, round_on_sand_goes_through_its_table)
+{
+  EXPECT_NEAR(n_gamma_circle(20 * degree, Base::rough).value, 2.416, 1e-9);
+  EXPECT_NEAR(n_gamma_circle(30 * degree, Base::smooth).value, 7.11, 1e-9);
+  EXPECT_NEAR(n_gamma_circle(35 * degree, Base::rough).value, 41.88, 1e-9);
+  EXPECT_FALSE(n_gamma_circle(40 * degree, Base::rough).valid);
+}
+
 }  // namespace
 }  // namespace berm::formulas

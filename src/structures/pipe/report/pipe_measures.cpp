@@ -256,7 +256,7 @@ TrustMeasure particles_of_cells(const std::string& body)
           bare_limit};
 }
 
-TrustMeasures mpm_measures(const std::string& body)
+TrustMeasures mpm_measures(const std::string& body, const Limit* of_cells)
 {
   return joined(
       {{energy_balance(problem::Method::mpm), kinetic("push", pushes, problem::StageKind::push),
@@ -264,8 +264,9 @@ TrustMeasures mpm_measures(const std::string& body)
         noise("V", "push", limits::noise_of_V, pushes, [](Run run) { return quantity_value(run, "V_noise"); }),
         noise("H", "drag", limits::noise_of_H, drags, [](Run run) { return worst_of_drags(run, &DragResults::H_noise); }), shaking(body)},
        soil_volumes(),
-       {contact_gap(body), overlap(body), second_impulse(), momentum_balance(), size_of("cells at the " + body, limits::cells),
-        shear_bands(), particles_of_cells(body), counted("particles", "particles"), counted("cells", "cells")}});
+       {contact_gap(body), overlap(body), second_impulse(), momentum_balance(),
+        size_of("cells at the " + body, of_cells == nullptr ? limits::cells : *of_cells), shear_bands(), particles_of_cells(body),
+        counted("particles", "particles"), counted("cells", "cells")}});
 }
 
 TrustMeasures fem_measures(const std::string& body)
@@ -277,9 +278,9 @@ TrustMeasures fem_measures(const std::string& body)
 
 }  // namespace
 
-base::TrustMeasures pipe_measures(const problem::Case& c)
+base::TrustMeasures pipe_measures(const problem::Case& c, const base::Limit* of_cells)
 {
-  return c.method == problem::Method::mpm ? mpm_measures(body_word(c)) : fem_measures(body_word(c));
+  return c.method == problem::Method::mpm ? mpm_measures(body_word(c), of_cells) : fem_measures(body_word(c));
 }
 
 }  // namespace berm::pipe

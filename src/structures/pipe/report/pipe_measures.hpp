@@ -6,6 +6,6 @@
 namespace berm::pipe {
 
 /// What is looked at in a run of a case, in the order of the page.
-base::TrustMeasures pipe_measures(const problem::Case& c);
+base::TrustMeasures pipe_measures(const problem::Case& c, const base::Limit* of_cells = nullptr);
 
 }  // namespace berm::pipe

@@ -2,6 +2,7 @@
 // Tests: tests/unit/report/results/results_section_test.cpp
 #include "structures/pipe/report/published_table.hpp"
 
+#include "structures/base/printed_range.hpp"
 #include "structures/pipe/published/published.hpp"
 #include "structures/pipe/results/run_points.hpp"
 #include "text/shown_number.hpp"
@@ -13,25 +14,6 @@
 
 namespace berm::pipe {
 namespace {
-
-/// A range of src/formulas, "0 <= w/D <= 0.5", with the signs of print, HTML.
-std::string printed_range(const char* range)
-{
-  constexpr std::pair<const char*, const char*> signs[] = {{"&lt;=", "≤"},
-                                                           {"&gt;=", "≥"},
-                                                           {"phi", "φ"},
-                                                           {"psi", "ψ"},
-                                                           {"delta", "δ"},
-                                                           {" deg", "°"},
-                                                           {"s_u0", "s<sub>u0</sub>"},
-                                                           {"s_u", "s<sub>u</sub>"},
-                                                           {"V_max", "V<sub>max</sub>"}};
-  std::string text = text::html_text(range);
-  for (const auto& [plain, sign] : signs)
-    for (std::size_t at = text.find(plain); at != std::string::npos; at = text.find(plain, at + 1))
-      text.replace(at, std::string(plain).size(), sign);
-  return text;
-}
 
 std::string with_capital(std::string words)
 {
@@ -68,7 +50,7 @@ std::vector<text::HtmlCell> cells_of(const Comparison& c, const PipeRun& run, co
   const bool force = c.unit == Comparison::Unit::force;
   const auto number = [&](Real value) { return text::table_number(force ? shown.in_force_unit(value) : value / run.scale.width); };
   const formulas::Source& source = c.published.source;
-  const std::string range = (c.published.valid ? "" : "out of range: ") + printed_range(source.range);
+  const std::string range = (c.published.valid ? "" : "out of range: ") + base::printed_range(source.range);
   return {{c.quantity},
           {force ? shown.force_unit() : "D"},
           {number(c.berm), true},

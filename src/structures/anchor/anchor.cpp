@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/anchor/anchor.hpp"
+
+#include "plot/figure.hpp"
+#include "structures/anchor/anchor_results.hpp"
+#include "structures/base/general_measures.hpp"
+#include "structures/base/kind.hpp"
+#include "structures/pipe/results/pipe_quantities.hpp"
+#include "text/html.hpp"
+#include "text/quantity_words.hpp"
+#include "text/shown_number.hpp"
+#include "text/tex_math.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::anchor {
+namespace {
+
+constexpr int width = 1000, height = 520;  // pixels
+
+bool is_of_tow(const run_folder::Quantity& quantity)
+{
+  return quantity.name.find("tow_") != std::string::npos;
+}
+
+}  // namespace
+
+bool Anchor::applies_to(const problem::Case& c) const
+{
+  return base::kind_of(c) == base::StructureKind::anchor;
+}
+
+std::vector<run_folder::Quantity> Anchor::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
+{
+  std::vector<run_folder::Quantity> list = Pipe::quantities(run, held_forces);
+  if (list.empty()) return list;
+  const std::vector<run_folder::Quantity> own =
+      quantities_of(tow_results(tow_path(run), base::body_scale(run)), run.settings.force_dimension());
+  list.insert(list.begin(), own.begin(), own.end());
+  return list;
+}
+
+std::string Anchor::table_of(const record::RunRecord& run) const
+{
+  std::vector<run_folder::Quantity> driven = run.quantities;
+  std::erase_if(driven, is_of_tow);
+  std::string table = pipe::key_results_table(driven, base::body_scale(run));
+  for (const run_folder::Quantity& q : run.quantities)
+    if (is_of_tow(q)) table += fmt::format("{:<24}{:>16} {}\n", q.name, fmt::format("{:.4g}", q.value), q.unit);
+  return table;
+}
+
+std::string Anchor::in_words(const record::RunRecord& run, const base::DisplayUnits&) const
+{
+  const TowResults r = tow_results(tow_path(run), base::body_scale(run));
+  const std::string name = text::html_text(base::body_word(run.settings));
+  if (!std::isfinite(r.travel)) return fmt::format("The {} was not dragged.", name);
+  const int dimension = run.settings.force_dimension();
+  const auto length = [](Real metres) { return text::length_words(metres); };
+  const std::string goes_on =
+      std::abs(r.depth_change) < 0.05 * std::max(std::abs(r.depth), r.last_travel)
+          ? "there it stays at its depth"
+          : fmt::format("there it still goes {} {}", length(std::abs(r.depth_change)), r.depth_change > 0 ? "deeper" : "up");
+  return fmt::format("Dragged {}, the lowest point of the {} goes from a depth of {} to {}; it was deepest, {}, after {}. The tow force is "
+                     "{} at most, after {}, and {} on average over the last "
+                     "{}, with V = {}; {}.",
+                     length(r.travel), name, length(r.first_depth), length(r.depth), length(r.max_depth), length(r.at_depth),
+                     text::force_words(r.max_force, dimension), length(r.at_force), text::force_words(r.force, dimension),
+                     length(r.last_travel), text::force_words(r.vertical, dimension), goes_on);
+}
+
+std::string Anchor::key_results(const base::Runs& runs, const base::DisplayUnits& shown) const
+{
+  if (runs.empty()) return "";
+  text::HtmlTable table("anchor-tow", "Tow");
+  const bool plane = runs.front().record->settings.force_dimension() == 2;
+  const char* force = plane ? "kN/m" : "kN";
+  table.columns({{"run"},
+                 {"travel, m", true},
+                 {"depth at begin, m", true},
+                 {"at end, m", true},
+                 {"largest, m", true},
+                 {"after, m", true},
+                 {fmt::format("largest tow force, {}", force), true},
+                 {"after, m", true},
+                 {fmt::format("at end, {}", force), true},
+                 {fmt::format("V at end, {}", force), true},
+                 {plane ? "work, kJ/m" : "work, kJ", true}});
+  for (const auto& [record, number] : runs) {
+    const auto cell = [run = record](const char* name, Real unit) {
+      return text::HtmlCell{text::table_number(base::quantity_value(*run, name) / unit), true};
+    };
+    if (std::isfinite(base::quantity_value(*record, "tow_travel")))
+      table.row({{text::html_text(record->name)},
+                 cell("tow_travel", 1),
+                 cell("tow_depth_begin", 1),
+                 cell("tow_depth_end", 1),
+                 cell("tow_depth_max", 1),
+                 cell("u_at_tow_depth_max", 1),
+                 cell("tow_force_max", 1e3),
+                 cell("u_at_tow_force_max", 1),
+                 cell("tow_force_end", 1e3),
+                 cell("tow_V_end", 1e3),
+                 cell("tow_work", 1e3)});
+  }
+  return (table.empty() ? "" : table.html()) + Pipe::key_results(runs, shown);
+}
+
+std::vector<std::string> Anchor::draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
+                                                    const std::filesystem::path& folder) const
+{
+  std::vector<std::string> drawn = Pipe::draw_report_curves(runs, published, folder);
+  plot::Figure depth{"Depth of the lowest point over travel",     "travel (m)", "depth (m)", {},
+                     "set key below\nset yrange [*:*] reverse\n", width,        height};
+  for (const auto& [record, number] : runs) {
+    const TowPath path = tow_path(*record);
+    depth.curves.push_back({record->name, plot::curve_style(number, number), path.travel, path.depth});
+  }
+  if (!runs.empty() && draw_png_and_svg(folder, "anchor_depth", depth)) drawn.emplace_back("anchor_depth");
+  return drawn;
+}
+
+}  // namespace berm::anchor

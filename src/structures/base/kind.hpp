@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/case.hpp"
+
+namespace berm::base {
+
+using bodies::StructureKind;
+
+/// The part of a rigid body that meets the soil first, from its outline in the plane x-y, whose axis is the middle of the body.
+struct BodyProfile {
+  Real width = 0;            ///< D, m, where it is widest
+  Real height = 0;           ///< m
+  Real shoulder = 0;         ///< m above its lowest point: the lowest level at which it has its full width; 0 of a flat base, D/2 of a disk
+  Real left = 0, right = 0;  ///< m, its ends along x at the start
+  bool conical = false;      ///< straight from a point on its axis to the shoulder, with an apex angle of 120 degrees at most
+  bool disk = false;
+
+  /// Between its two sides, rad.
+  Real apex_angle() const { return 2 * std::atan2(width / 2, shoulder); }
+};
+
+/// Of a shape with corners or a disk; empty for a half-plane.
+std::optional<BodyProfile> body_profile(const bodies::RigidShapeSettings& shape);
+
+/// The structure that the main rigid body of a case is: what the input names, else
+///   other     no push or drag moves it, or it has no width;
+///   cone      around an axis (in space a profile), pushed down: conical;
+///   ball      a circle on the axis, or a sphere, pushed down;
+///   pile      around an axis, pushed down: none of these, and higher than 2 D;
+///   footing   pushed down: all others but disks;
+///   t_bar     a circle in plane strain that a push drives down and whose top is deeper than D below the surface at the start;
+///   pipe      all others.
+/// Never automatic. An anchor and a T-bar that begins at the surface look like other bodies: they are named.
+StructureKind kind_of(const problem::Case& c);
+
+}  // namespace berm::base

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/penetration/depth_log.hpp"
+
+#include "plot/figure.hpp"
+#include "plot/gnuplot.hpp"
+#include "plot/nice_number.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::penetration {
+namespace {
+
+constexpr Real beginning = 0.1;       // of the way: what is averaged over little of it does not set the axis
+constexpr Real margin = 1.05;         // of the axis beyond the largest mean
+constexpr Real begins_deep = 1. / 3;  // of the deepest point
+constexpr Real same_width = 1e-9;
+
+using record::TravelCurve;
+
+plot::PlotUnit stress_unit(Real max)
+{
+  return max < 1e3 ? plot::PlotUnit{1, "Pa"} : max < 2e6 ? plot::PlotUnit{1e-3, "kPa"} : plot::PlotUnit{1e-6, "MPa"};
+}
+
+/// The largest of a mean beyond the beginning of its way.
+Real largest_of(const TravelCurve& mean)
+{
+  Real max = 0;
+  for (std::size_t k = 0; k < mean.travel().size(); ++k)
+    if (mean.travel()[k] >= mean.begin() + beginning * (mean.end() - mean.begin())) max = std::max(max, mean.value()[k]);
+  return max;
+}
+
+void add_run(LogPanel& panel, const PenetrationRun& run, const TravelCurve& rows, Real value_unit, Real depth_unit, const std::string& name)
+{
+  using plot::scaled;
+  if (rows.empty()) return;
+  const TravelCurve mean = rows.smoothed(run.half());
+  if (run.half() > 0)
+    panel.curves.push_back({"", LogCurve::Line::rows, run.number, scaled(rows.value(), value_unit), scaled(rows.travel(), depth_unit)});
+  panel.curves.push_back({name, LogCurve::Line::mean, run.number, scaled(mean.value(), value_unit), scaled(mean.travel(), depth_unit)});
+  panel.max = std::max(panel.max, largest_of(mean) * value_unit);
+}
+
+/// A number of the soil from the surface to the deepest point of a log.
+void add_of_soil(LogPanel& panel, const PenetrationRun& run, Real SoilAt::*member, Real value_unit, Real depth_unit,
+                 const std::string& name)
+{
+  constexpr int points = 60;
+  LogCurve curve{name, LogCurve::Line::level, run.number, {}, {}};
+  for (int k = 0; k <= points; ++k) {
+    const Real from = std::min(run.z().front(), Real(0)), z = from + (run.z_end() - from) * k / points;
+    curve.depth.push_back(z * depth_unit);
+    curve.value.push_back(run.soil.at(z).*member * value_unit);
+    if (std::isfinite(curve.value.back())) panel.max = std::max(panel.max, curve.value.back());
+  }
+  panel.curves.push_back(std::move(curve));
+}
+
+LogPanel resistance_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth)
+{
+  Real max = 0;
+  for (const PenetrationRun& run : runs)
+    if (!run.q_curve().empty()) max = std::max(max, largest_of(run.q_curve().smoothed(run.half())));
+  const plot::PlotUnit unit = stress_unit(max);
+  LogPanel panel{fmt::format("{} ({})", runs.front().reading.resistance.plain, unit.name), {}};
+  for (const PenetrationRun& run : runs) add_run(panel, run, run.q_curve(), unit.per_si, depth.per_si, run.record.name);
+  const auto deep = std::find_if(runs.begin(), runs.end(), [](const PenetrationRun& run) { return !run.z().empty(); });
+  if (deep != runs.end() && !deep->reading.flows_around && deep->soil.at(deep->z_end()).overburden > 0)
+    add_of_soil(panel, *deep, &SoilAt::overburden, unit.per_si, depth.per_si, "σ_v0");
+  return panel;
+}
+
+LogPanel factor_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth, const DepthLog& log)
+{
+  LogPanel panel;
+  const Symbol* symbol = nullptr;
+  for (const PenetrationRun& run : runs) {
+    if (run.symbol() == nullptr || (symbol != nullptr && symbol != run.symbol())) continue;
+    symbol = run.symbol();
+    panel.label = symbol->plain;
+    add_run(panel, run, run.factor_curve(), 1, depth.per_si, "");
+  }
+  if (symbol == nullptr) return panel;
+  const auto first = std::find_if(runs.begin(), runs.end(), [](const PenetrationRun& run) { return run.symbol() != nullptr; });
+  for (const Comparison& c : first->reading.published(*first)) {
+    if (!c.level || c.published.source.label == formulas::Label::recalled || !std::isfinite(c.published.value)) continue;
+    panel.curves.push_back({fmt::format("{:.4g}, {}", c.published.value, c.published.source.work),
+                            LogCurve::Line::level,
+                            first->number,
+                            {c.published.value, c.published.value},
+                            {log.shallowest, log.deepest}});
+    panel.max = std::max(panel.max, c.published.value);
+  }
+  return panel;
+}
+
+/// Mean friction of the shaft; no curves where no run has one that counts.
+LogPanel friction_panel(const PenetrationRuns& runs, const plot::PlotUnit& depth)
+{
+  constexpr Real counts = 1e-3;  // of q
+  Real max = 0, q = 0;
+  for (const PenetrationRun& run : runs) {
+    if (run.friction_curve().empty()) continue;
+    max = std::max(max, largest_of(run.friction_curve().smoothed(run.half())));
+    q = std::max(q, largest_of(run.q_curve().smoothed(run.half())));
+  }
+  const plot::PlotUnit unit = stress_unit(max);
+  LogPanel panel{fmt::format("f ({})", unit.name), {}};
+  if (!(max > counts * q)) return panel;
+  for (const PenetrationRun& run : runs) add_run(panel, run, run.friction_curve(), unit.per_si, depth.per_si, "");
+  return panel;
+}
+
+}  // namespace
+
+DepthLog depth_log(const PenetrationRuns& runs, const std::string& title)
+{
+  DepthLog log{title, "", 0, 0, 0, {}};
+  Real shallowest = infinity, deepest = -infinity, width = 0;
+  bool one_width = true;
+  for (const PenetrationRun& run : runs) {
+    if (run.z().empty() || !std::isfinite(run.area())) continue;
+    deepest = std::max(deepest, run.z_end()), shallowest = std::min(shallowest, run.z().front());
+    one_width = one_width && (width == 0 || std::abs(run.body.width - width) < same_width * width);
+    width = run.body.width;
+  }
+  if (!(deepest > shallowest)) return log;
+  if (shallowest > 0 && shallowest < begins_deep * deepest) shallowest = 0;
+  const plot::PlotUnit depth = plot::length_unit(std::max(deepest, -shallowest));
+  log.depth_label = fmt::format("depth z of the {} ({})", runs.front().reading.level, depth.name);
+  log.shallowest = shallowest * depth.per_si, log.deepest = deepest * depth.per_si;
+  log.per_width = one_width ? width * depth.per_si : 0;
+  log.panels.push_back(resistance_panel(runs, depth));
+  log.panels.push_back(friction_panel(runs, depth));
+  if (LogPanel factor = factor_panel(runs, depth, log); factor.max > 0) log.panels.push_back(std::move(factor));
+  const auto varied = std::find_if(runs.begin(), runs.end(), [](const PenetrationRun& run) {
+    return !run.z().empty() && run.measure() == Measure::strength && run.soil.varies();
+  });
+  if (varied != runs.end()) {
+    const plot::PlotUnit unit = stress_unit(varied->soil.at(varied->z_end()).strength);
+    LogPanel panel{fmt::format("s_u ({})", unit.name), {}};
+    add_of_soil(panel, *varied, &SoilAt::strength, unit.per_si, depth.per_si, "");
+    log.panels.push_back(std::move(panel));
+  }
+  std::erase_if(log.panels, [](const LogPanel& panel) { return !(panel.max > 0); });
+  for (LogPanel& panel : log.panels) panel.max = plot::round_up(margin * panel.max);
+  return log;
+}
+
+}  // namespace berm::penetration

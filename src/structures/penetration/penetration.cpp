@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/penetration/penetration.hpp"
+
+#include "io/atomic_file.hpp"
+#include "plot/gnuplot.hpp"
+#include "record/panels.hpp"
+#include "structures/penetration/depth_log.hpp"
+#include "structures/penetration/penetration_measures.hpp"
+#include "structures/penetration/penetration_page.hpp"
+#include "structures/penetration/penetration_results.hpp"
+#include "structures/pipe/results/pipe_quantities.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::penetration {
+namespace {
+
+constexpr const char *factor_at_z = "factor_at_z", *factor_of_end = "factor_of_end", *z_of_end = "z_of_end";
+
+PenetrationRuns penetration_runs(const base::Runs& runs, const Reading& reading)
+{
+  PenetrationRuns all;
+  for (const auto& [record, number] : runs) all.emplace_back(*record, reading, number);
+  return all;
+}
+
+std::string id_of(const Reading& reading)
+{
+  return bodies::structure_words[static_cast<std::size_t>(reading.kind)];
+}
+
+/// The observables of any driven body, and those of its log.
+class ObservedPenetration : public base::ObservedRun {
+public:
+  ObservedPenetration(std::unique_ptr<base::ObservedRun> driven, const record::RunRecord& run, const Reading& reading)
+      : driven_(std::move(driven)),
+        run_(run, reading)
+  {
+  }
+
+  Real value(const std::string& word, std::optional<Real> at) const override
+  {
+    if (word == factor_at_z) return at ? run_.factor_at(*at * run_.body.width) : nan;
+    if (word == factor_of_end) return run_.last().factor;
+    if (word == z_of_end) return run_.z_end() / run_.body.width;
+    return driven_->value(word, at);
+  }
+  std::optional<Real> begin_of_drag() const override { return driven_->begin_of_drag(); }
+  bool drag_reaches(Real displacement) const override { return driven_->drag_reaches(displacement); }
+
+private:
+  std::unique_ptr<base::ObservedRun> driven_;
+  PenetrationRun run_;
+};
+
+}  // namespace
+
+bool Penetration::applies_to(const problem::Case& c) const
+{
+  return base::kind_of(c) == reading_.kind;
+}
+
+std::vector<run_folder::Quantity> Penetration::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
+{
+  std::vector<run_folder::Quantity> list = Pipe::quantities(run, held_forces);
+  if (list.empty()) return list;
+  if (!reading_.keeps_push)
+    std::erase_if(list, [](const run_folder::Quantity& q) { return q.name.starts_with("V_at_w_") || q.name.starts_with("V_at_travel_"); });
+  const PenetrationRun pushed(run, reading_);
+  std::vector<run_folder::Quantity> own = penetration_quantities(pushed);
+  if (reading_.keeps_push)
+    for (run_folder::Quantity& quantity : failure_point(pushed)) own.push_back(std::move(quantity));
+  list.insert(reading_.keeps_push ? list.end() : list.begin(), own.begin(), own.end());
+  return list;
+}
+
+std::string Penetration::table_of(const record::RunRecord& run) const
+{
+  std::vector<run_folder::Quantity> driven = run.quantities;
+  std::erase_if(driven, [&](const run_folder::Quantity& q) { return is_of_reading(q.name, reading_); });
+  return pipe::key_results_table(driven, base::body_scale(run)) + penetration_table(run.quantities, reading_);
+}
+
+bool Penetration::is_answer(const record::RunRecord& run, const run_folder::Quantity& quantity) const
+{
+  if (!is_of_reading(quantity.name, reading_)) return Pipe::is_answer(run, quantity);
+  return !quantity.name.starts_with("z_") && quantity.name != "area" && !quantity.name.ends_with("_change") &&
+         !quantity.name.ends_with("_scatter");
+}
+
+bool Penetration::draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const
+{
+  PenetrationRuns runs;
+  runs.emplace_back(run, reading_);
+  if (const std::string csv = log_csv(runs.front()); !csv.empty()) io::write_atomically(folder.file("log.csv"), csv);
+  if (reading_.keeps_push) return Pipe::draw_curves(folder, run, bands);
+  const DepthLog log = depth_log(runs, run.settings.title);
+  if (log.panels.empty()) return false;
+  return plot::draw(folder.path(), "curves", record::panels_width, record::panels_height, script_of(log, folder.path(), "log"));
+}
+
+std::string Penetration::in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const
+{
+  const std::string words = penetration_words(PenetrationRun(run, reading_), shown);
+  return reading_.keeps_push ? words + " " + Pipe::in_words(run, shown) : words;
+}
+
+std::string Penetration::key_results(const base::Runs& runs, const base::DisplayUnits& shown) const
+{
+  if (runs.empty()) return "";
+  const std::string own = penetration_key_results(penetration_runs(runs, reading_), id_of(reading_));
+  return reading_.keeps_push ? own + Pipe::key_results(runs, shown) : own;
+}
+
+std::string Penetration::published_values(const base::Runs& runs, const base::DisplayUnits&) const
+{
+  return runs.empty() ? "" : penetration_published(penetration_runs(runs, reading_), id_of(reading_));
+}
+
+base::TrustMeasures Penetration::measures(const problem::Case& c) const
+{
+  return penetration_measures(c, reading_);
+}
+
+std::string Penetration::quality_note(const base::Runs& runs) const
+{
+  if (reading_.keeps_push) return Pipe::quality_note(runs);
+  if (runs.empty()) return "";
+  return "<p>The resistance depends on the mesh: the soil beside the edge of a body moves with it up to a cell beyond it, so that a body "
+         "of width D acts as "
+         "one of D + 2 h at most. N<sub>kt</sub> of a cone is 12.1 with cells of D/8 and 11.35 with D/16 (examples/cone_in_clay); two runs "
+         "with cells of two sizes "
+         "on one page show what is left.</p>\n";
+}
+
+std::vector<std::string> Penetration::draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
+                                                         const std::filesystem::path& folder) const
+{
+  std::vector<std::string> drawn = Pipe::draw_report_curves(runs, published, folder);
+  if (runs.empty()) return drawn;
+  const DepthLog log = depth_log(penetration_runs(runs, reading_), fmt::format("Resistance over the depth of the {}", reading_.level));
+  if (log.panels.empty()) return drawn;
+  const std::string name = id_of(reading_) + "_log", script = script_of(log, folder, name);
+  const bool whole = plot::draw(folder, name, record::panels_width, record::panels_height, script) &&
+                     plot::draw(folder, name, record::panels_width, record::panels_height, script, plot::PlotFormat::svg);
+  if (whole) drawn.push_back(name);
+  return drawn;
+}
+
+base::Observables Penetration::observables() const
+{
+  using Unit = base::ObservableUnit;
+  base::Observables all = Pipe::observables();
+  all.push_back({factor_at_z, Unit::number, Unit::length, true});
+  all.push_back({factor_of_end, Unit::number, Unit::none, false});
+  all.push_back({z_of_end, Unit::length, Unit::none, false});
+  return all;
+}
+
+std::unique_ptr<base::ObservedRun> Penetration::observed(const record::RunRecord& run) const
+{
+  return std::make_unique<ObservedPenetration>(Pipe::observed(run), run, reading_);
+}
+
+}  // namespace berm::penetration

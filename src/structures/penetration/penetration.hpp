@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "structures/penetration/reading.hpp"
+#include "structures/pipe/pipe.hpp"
+
+namespace berm::penetration {
+
+/// A body that is pushed down and read as a site investigation reads it: resistance over an area against depth, a factor of it, and whether it is steady. What it
+/// has in common with any driven body (ends of pushes, drags, charts) is that of pipe::Pipe.
+class Penetration : public pipe::Pipe {
+public:
+  explicit Penetration(const Reading& reading) : reading_(reading) {}
+
+  bool applies_to(const problem::Case& c) const override;
+  std::vector<run_folder::Quantity> quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const override;
+  std::string table_of(const record::RunRecord& run) const override;
+  bool is_answer(const record::RunRecord& run, const run_folder::Quantity& quantity) const override;
+  bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const override;
+  std::string in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const override;
+  std::string key_results(const base::Runs& runs, const base::DisplayUnits& shown) const override;
+  std::string published_values(const base::Runs& runs, const base::DisplayUnits& shown) const override;
+  base::TrustMeasures measures(const problem::Case& c) const override;
+  std::string quality_note(const base::Runs& runs) const override;
+  std::vector<std::string> draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,
+                                              const std::filesystem::path& folder) const override;
+  base::Observables observables() const override;
+  std::unique_ptr<base::ObservedRun> observed(const record::RunRecord& run) const override;
+
+private:
+  const Reading& reading_;
+};
+
+}  // namespace berm::penetration

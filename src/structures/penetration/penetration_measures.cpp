@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/penetration/penetration_test.cpp
+#include "structures/penetration/penetration_measures.hpp"
+
+#include "structures/base/general_measures.hpp"
+#include "structures/penetration/found_walls.hpp"
+#include "structures/penetration/penetration_run.hpp"
+#include "structures/pipe/report/pipe_measures.hpp"
+#include "text/quantity_words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::penetration {
+namespace {
+
+using Run = const record::RunRecord&;
+
+namespace limits {
+
+inline constexpr base::Limit steady{LastTravel::max_change, 0.15,
+                                    "what still changes is a value on the way, and no factor of steady penetration"};
+inline constexpr base::Limit walls{
+    2, 1, "around a cylindrical cavity in clay the plastic zone reaches D/2 sqrt(I_r); a wall within it holds the soil back", true};
+inline constexpr base::Limit below{3, 1, "the soil yields one to two diameters below a body; a base that near carries it", true};
+
+}  // namespace limits
+
+/// The change over the end of the push, of the factor or else the resistance.
+Real change_of(Run run, const Reading& reading)
+{
+  for (const char* symbol : {reading.in_clay.plain, reading.in_sand.plain, reading.resistance.plain})
+    if (const Real change = base::quantity_value(run, fmt::format("{}_change", symbol)); std::isfinite(change)) return std::abs(change);
+  return nan;
+}
+
+/// Distance of the nearest wall that is none of symmetry, m; NaN where it is not known.
+Real nearest_wall(const PenetrationRun& pushed)
+{
+  const Walls walls = walls_of(pushed.record, pushed.body);
+  const Real middle = (pushed.body.left + pushed.body.right) / 2;
+  Real nearest = walls.right - middle;
+  if (walls.left < pushed.body.left - pushed.body.width) nearest = std::min(nearest, middle - walls.left);
+  return std::isfinite(nearest) ? nearest : nan;
+}
+
+/// The same over the radius of the plastic zone around a cavity.
+Real walls_over_plastic(Run run, const Reading& reading)
+{
+  const PenetrationRun pushed(run, reading);
+  if (pushed.z().empty()) return nan;
+  return nearest_wall(pushed) / (pushed.body.width / 2 * std::sqrt(pushed.soil.at(pushed.z_end()).rigidity_index));
+}
+
+/// Whether the body pushes soil aside as a cavity that grows does.
+bool pushes_aside(const Reading& reading)
+{
+  return reading.kind == base::StructureKind::cone || reading.kind == base::StructureKind::pile;
+}
+
+Real walls_over_D(Run run, const Reading& reading)
+{
+  const PenetrationRun pushed(run, reading);
+  return pushed.z().empty() ? nan : nearest_wall(pushed) / pushed.whole_width();
+}
+
+Real base_over_D(Run run, const Reading& reading)
+{
+  const PenetrationRun pushed(run, reading);
+  if (pushed.z().empty()) return nan;
+  const Real base = walls_of(run, pushed.body).base;
+  return std::isfinite(base) ? (run.settings.surface - base - pushed.w_end()) / pushed.body.width : nan;
+}
+
+std::string plain_limit(Real value)
+{
+  return fmt::format("{:g}", value);
+}
+
+}  // namespace
+
+base::TrustMeasures penetration_measures(const problem::Case& c, const Reading& reading)
+{
+  const std::string body = base::body_word(c);
+  base::TrustMeasures own = {
+      {fmt::format("change of {} over the end of the push", reading.in_clay.plain), &limits::steady, base::always,
+       [&reading](Run run) { return change_of(run, reading); }, base::in_percent,
+       [](Run, Real value) {
+         return fmt::format("the resistance still changes by {} over the end of the push: push deeper", text::percent_words(value));
+       },
+       text::percent_words},
+      pushes_aside(reading)
+          ? base::TrustMeasure{
+                "nearest wall, over the plastic radius D/2 √I_r", &limits::walls, base::always,
+                [&reading](Run run) { return walls_over_plastic(run, reading); }, base::as_number,
+                [](Run, Real value) { return fmt::format("the nearest wall is {:.2g} plastic radii away: make the mesh wider", value); },
+                plain_limit}
+          : base::TrustMeasure{"nearest wall from the middle, over D",
+                               nullptr,
+                               base::always,
+                               [&reading](Run run) { return walls_over_D(run, reading); },
+                               base::as_number,
+                               {},
+                               nullptr},
+      {fmt::format("soil below the {} at the end, over D", body), &limits::below, base::always,
+       [&reading](Run run) { return base_over_D(run, reading); }, base::as_number,
+       [body](Run, Real value) { return fmt::format("the base is {:.2g} D below the {}: make the mesh deeper", value, body); },
+       plain_limit}};
+  if (reading.keeps_push) own.erase(own.begin());  // on its way to failure a footing is not steady
+  return base::joined({pipe::pipe_measures(c, reading.cells), own});
+}
+
+}  // namespace berm::penetration

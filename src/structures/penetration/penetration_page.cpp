@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/penetration/penetration_test.cpp
+#include "structures/penetration/penetration_page.hpp"
+
+#include "structures/base/printed_range.hpp"
+#include "structures/penetration/depth_log.hpp"
+#include "structures/penetration/penetration_results.hpp"
+#include "structures/pipe/report/converged.hpp"
+#include "text/html.hpp"
+#include "text/quantity_words.hpp"
+#include "text/shown_number.hpp"
+#include "text/tex_math.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::penetration {
+namespace {
+
+using text::HtmlCell;
+
+std::string in_D(Real length, Real D)
+{
+  return text::short_number(length / D) + " D";
+}
+
+std::string angle_of(Real radians)
+{
+  return text::short_number(radians / degree) + "°";
+}
+
+/// "8.3 ± 1.1" of a quantity that has a band; "" without one.
+std::string converged_of(const PenetrationRun& run, const std::string& quantity)
+{
+  const std::optional<run_folder::RunSummary>& summary = run.record.summary;
+  const run_folder::Band* band = summary && summary->uncertainty ? summary->uncertainty->find(quantity) : nullptr;
+  return band == nullptr ? "" : text::with_half_width(band->converged, band->half_width);
+}
+
+/// The name of its factor, or else of its resistance.
+std::string judged_name(const PenetrationRun& run)
+{
+  return run.symbol() == nullptr ? run.reading.resistance.plain : run.symbol()->plain;
+}
+
+/// "N<sub>kt</sub> = 11.3 (q<sub>t</sub> = 115 kPa), mean of the last 2 D".
+std::string last_words(const PenetrationRun& run)
+{
+  const LastTravel& last = run.last();
+  const std::string q = fmt::format("{} = {}", run.reading.resistance.html, text::stress_words(last.q));
+  const std::string what =
+      run.symbol() == nullptr ? q : fmt::format("{} = {} ({})", run.symbol()->html, text::short_number(last.factor), q);
+  const std::string converged = run.symbol() == nullptr ? "" : converged_of(run, judged_name(run) + "_end");
+  return fmt::format("{}, mean of the last {}{}", what, in_D(last.travel, run.body.width),
+                     converged.empty() ? "" : ", converged " + converged);
+}
+
+std::string steady_words(const PenetrationRun& run)
+{
+  const LastTravel& last = run.last();
+  if (last.steady())
+    return fmt::format("It is steady from z = {} on: over that travel it changes by {}, and its rows scatter by {}.",
+                       in_D(last.steady_from, run.body.width), text::percent_words(std::abs(last.change)),
+                       text::percent_words(last.scatter));
+  return fmt::format("It is <strong>not steady</strong>: over that travel it {} by {} (steady: less than {}).",
+                     last.change > 0 ? "grows" : "falls", text::percent_words(std::abs(last.change)),
+                     text::percent_words(LastTravel::max_change));
+}
+
+/// What the factor is made of, at the end of the way.
+std::string soil_words(const PenetrationRun& run)
+{
+  const SoilAt here = run.soil.at(run.z_end());
+  const std::string q = run.reading.resistance.html;
+  const std::string net = run.reading.flows_around
+                              ? (here.unit_weight > 0 ? q + " less the weight of the soil that the body displaces, over the area" : q)
+                              : (here.overburden > 0 ? fmt::format("{} − σ<sub>v0</sub>", q) : q);
+  switch (run.measure()) {
+  case Measure::none:
+    return "";
+  case Measure::strength: {
+    const std::string overburden =
+        here.overburden > 0 && !run.reading.flows_around ? fmt::format(" σ<sub>v0</sub> = {},", text::stress_words(here.overburden)) : "";
+    std::string words =
+        fmt::format(" {} = ({})/s<sub>u</sub>, all at z. At the end s<sub>u</sub> = {},{} I<sub>r</sub> = G/s<sub>u</sub> = {}",
+                    run.symbol()->html, net, text::stress_words(here.strength), overburden, text::short_number(here.rigidity_index));
+    if (std::isfinite(here.anisotropy))
+      words += fmt::format(", Δ = (σ<sub>v0</sub> − σ<sub>h0</sub>)/2s<sub>u</sub> = {}", text::short_number(here.anisotropy));
+    return words + (std::isfinite(here.interface_ratio) ? fmt::format(", interface α = {}.", text::short_number(here.interface_ratio))
+                                                        : ", an interface with friction.");
+  }
+  case Measure::overburden:
+    return fmt::format(" {} = ({})/σ<sub>v0</sub>, both at z.", run.symbol()->html, net);
+  case Measure::half_weight:
+    return fmt::format(" {} = 2 ({})/(γ′ D).", run.symbol()->html, net);
+  }
+  return "";
+}
+
+std::string area_words(const PenetrationRun& run)
+{
+  const bool plane = run.record.settings.force_dimension() == 2;
+  const Real scale = plane ? 1 : run.area() < 0.1 ? 1e4 : 1;
+  return fmt::format("{} {}", text::short_number(run.area() * scale), plane ? "m² per metre" : scale > 1 ? "cm²" : "m²");
+}
+
+Real value_of(const PenetrationRun& run, const std::string& name)
+{
+  const run_folder::Quantity* quantity = run.record.quantity(name);
+  return quantity == nullptr ? nan : quantity->value;
+}
+
+/// The measures of the body: its area over which V stands, its angle.
+std::string body_words(const PenetrationRun& run)
+{
+  std::string words = fmt::format("D = {}, area {}", text::length_words(run.whole_width()), area_words(run));
+  if (run.whole_width() > 1.5 * run.area() && run.record.settings.force_dimension() == 2) words += " of the half that is modelled";
+  if (run.body.conical) words += fmt::format(", apex angle {}", angle_of(run.body.apex_angle()));
+  return words;
+}
+
+std::string summary_table(const PenetrationRuns& runs, const std::string& id)
+{
+  text::HtmlTable table(id, "At the end of the push");
+  const std::string q = runs.front().reading.resistance.html;
+  const bool shaft = std::any_of(runs.begin(), runs.end(), [](const PenetrationRun& run) { return run.knows_shaft(); });
+  const bool bands = std::any_of(runs.begin(), runs.end(),
+                                 [](const PenetrationRun& run) { return !converged_of(run, judged_name(run) + "_end").empty(); });
+  const auto without = [&](std::vector<HtmlCell> cells) {
+    if (!bands) cells.erase(cells.begin() + 7);
+    if (!shaft) cells.erase(cells.begin() + 4);
+    return cells;
+  };
+  table.columns(without({{"run"},
+                         {"body"},
+                         {"z/D", true},
+                         {q + ", kPa", true},
+                         {"f, kPa", true},
+                         {"factor"},
+                         {"mean", true},
+                         {"converged", true},
+                         {"change", true},
+                         {"scatter", true},
+                         {"steady from z/D", true}}));
+  for (const PenetrationRun& run : runs) {
+    const std::string plain = judged_name(run);
+    const auto number = [&](const std::string& name, Real unit) { return HtmlCell{text::table_number(value_of(run, name) * unit), true}; };
+    const auto part = [&](const std::string& name) {
+      const Real value = value_of(run, name);
+      return HtmlCell{std::isfinite(value) ? text::percent_words(value) : text::no_number, true};
+    };
+    const Real from = value_of(run, fmt::format("z_at_{}_steady_over_D", plain));
+    table.row(without({{text::html_text(run.record.name)},
+                       {body_words(run)},
+                       number("z_end_over_D", 1),
+                       number(std::string(run.reading.resistance.plain) + "_end", 1e-3),
+                       number("f_shaft_end", 1e-3),
+                       {run.symbol() == nullptr ? text::no_number : run.symbol()->html},
+                       number(run.symbol() == nullptr ? "" : plain + "_end", 1),
+                       {run.symbol() == nullptr ? "" : converged_of(run, plain + "_end"), true},
+                       part(plain + "_change"),
+                       part(plain + "_scatter"),
+                       {std::isfinite(from) ? text::table_number(from) : "not steady", true}}));
+  }
+  return table.html();
+}
+
+/// Resistance and factor by depth: of a single run two columns, of several the factor (without one: the resistance) of each.
+std::string depth_table(const PenetrationRuns& runs, const std::string& id)
+{
+  const Reading& reading = runs.front().reading;
+  text::HtmlTable table(id, fmt::format("By depth z of the {}", reading.level));
+  const bool alone = runs.size() == 1;
+  const auto symbol = [](const PenetrationRun& run) { return run.symbol() == nullptr ? run.reading.resistance : *run.symbol(); };
+  std::vector<HtmlCell> columns{{"z/D"}};
+  if (alone) columns.push_back({std::string(reading.resistance.html) + ", kPa", true});
+  for (const PenetrationRun& run : runs)
+    if (!alone || run.symbol() != nullptr)
+      columns.push_back(
+          {alone ? symbol(run).html
+                 : fmt::format("{}{}, {}", symbol(run).html, run.symbol() == nullptr ? " (Pa)" : "", text::html_text(run.record.name)),
+           true});
+  table.columns(columns);
+  for (const Real part : reading.depths) {
+    std::vector<HtmlCell> cells{{text::short_number(part)}};
+    bool any = false;
+    const auto add = [&](Real value) {
+      any = any || std::isfinite(value);
+      cells.push_back({text::table_number(value), true});
+    };
+    if (alone) add(value_of(runs.front(), name_at(reading.resistance.plain, part)) / 1e3);
+    for (const PenetrationRun& run : runs)
+      if (!alone || run.symbol() != nullptr) add(value_of(run, name_at(symbol(run).plain, part)));
+    if (any) table.row(cells);
+  }
+  return table.empty() ? "" : table.html();
+}
+
+}  // namespace
+
+std::string penetration_words(const PenetrationRun& run, const base::DisplayUnits&)
+{
+  const std::string name = text::html_text(base::body_word(run.record.settings));
+  if (run.z().empty() || !std::isfinite(run.area()))
+    return fmt::format("The {} did not come into the soil, or its area is not known.", name);
+  const Real D = run.body.width;
+  std::string words = fmt::format("Pushed until the {} is {} ({}) deep, the {} ({}) meets ", run.reading.level, in_D(run.z_end(), D),
+                                  text::length_words(run.z_end()), name, body_words(run));
+  if (!std::isfinite(run.last().q)) return words + fmt::format("{} = {}.", run.reading.resistance.html, text::stress_words(run.q().back()));
+  return words + last_words(run) + ". " + steady_words(run) + soil_words(run);
+}
+
+std::string penetration_key_results(const PenetrationRuns& runs, const std::string& id)
+{
+  PenetrationRuns known;
+  for (const PenetrationRun& run : runs)
+    if (std::isfinite(value_of(run, "z_end"))) known.push_back(run);
+  if (known.empty()) return "";
+  const Reading& reading = known.front().reading;
+  const std::string title = fmt::format("Resistance over the depth of the {}", reading.level);
+  std::string html = svg_of(depth_log(known, title));
+  const Real half = known.front().half() / known.front().body.width;
+  const char* what = known.front().body.disk ? "V over its largest section"
+                     : known.front().knows_shaft()
+                         ? "V over the area, without the force on sides parallel to the axis: f is that force over the shaft in the soil, "
+                           "its mean friction"
+                         : "V over the area, all of it: what the sides of the body carry by friction is part of it";
+  html += fmt::format("<p class=\"quiet\">{} is {}.{}</p>\n", reading.resistance.html, what,
+                      half > 0 ? fmt::format(" Thin: rows of the history; thick, and in the tables: mean over ±{:.2g} D of travel.", half)
+                               : "");
+  pipe::PipeRuns driven;
+  for (const PenetrationRun& run : known) driven.emplace_back(run.record, run.number);
+  return html + summary_table(known, id + "-end") + depth_table(known, id + "-depth") +
+         (reading.keeps_push ? "" : pipe::converged_notes(driven));
+}
+
+std::string penetration_published(const PenetrationRuns& runs, const std::string& id)
+{
+  std::string html;
+  int place = 0;
+  for (const PenetrationRun& run : runs) {
+    if (run.z().empty() || !std::isfinite(run.last().q)) continue;
+    text::HtmlTable table(fmt::format("{}-published-{}", id, place++),
+                          fmt::format("{}: exact and published values for its soil and depth", run.record.name));
+    table.columns({{"quantity"}, {"berm", true}, {"formula", true}, {"berm/formula", true}, {"source"}, {"kind"}, {"range of validity"}});
+    for (const Comparison& c : run.reading.published(run)) {
+      const formulas::Source& source = c.published.source;
+      if (source.label == formulas::Label::recalled || !std::isfinite(c.published.value)) continue;
+      table.row({{c.quantity},
+                 {text::table_number(c.berm), true},
+                 {text::table_number(c.published.value), true},
+                 {text::table_number(c.berm / c.published.value), true},
+                 {text::html_text(citation(source)) + (c.about.empty() ? "" : "; " + c.about)},
+                 {word_of(source.label)},
+                 {(c.published.valid ? "" : "out of range: ") + base::printed_range(source.range)}},
+                c.published.valid ? "" : "out_of_range");
+    }
+    if (!table.empty()) html += table.html();
+  }
+  const std::string remark =
+      runs.empty() || *runs.front().reading.remark == '\0' ? "" : text::html_paragraph(runs.front().reading.remark, "quiet");
+  if (html.empty() && (remark.empty() || place == 0)) return "";
+  return "<h3>Published values</h3>\n" + html + remark;
+}
+
+}  // namespace berm::penetration

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/structures/penetration/penetration_test.cpp
+#include "structures/penetration/penetration_results.hpp"
+
+#include "structures/pipe/results/pipe_path.hpp"
+#include "text/quantity_words.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::penetration {
+namespace {
+
+constexpr Real reached = 1e-3;  // of D: a stage that ends at a depth may stop this much short of it
+
+}  // namespace
+
+std::string name_at(const std::string& what, Real over_D)
+{
+  return fmt::format("{}_at_z_{:g}D", what, over_D);
+}
+
+std::vector<run_folder::Quantity> penetration_quantities(const PenetrationRun& run)
+{
+  std::vector<run_folder::Quantity> list;
+  if (run.z().empty() || !std::isfinite(run.area())) return list;
+  const Reading& reading = run.reading;
+  const Real D = run.body.width;
+  const std::string q = reading.resistance.plain, N = run.symbol() == nullptr ? "" : run.symbol()->plain;
+  const auto add = [&](const std::string& name, Real value, const char* unit, const std::string& meaning) {
+    if (std::isfinite(value)) list.push_back({name, value, unit, meaning});
+  };
+  const std::string level = fmt::format("z is the depth of the {}", reading.level);
+  for (const Real part : reading.depths) {
+    if (part * D > run.q_curve().end() + reached * D) break;
+    const Real z = std::min(part * D, run.q_curve().end());
+    add(name_at(q, part), run.q_at(z), "Pa", "resistance over the area; " + level);
+    if (!N.empty()) add(name_at(N, part), run.factor_at(z), "1", "factor of the net resistance; " + level);
+  }
+  add("z_end", run.z_end(), "m", fmt::format("depth of the {} at the end of the push", reading.level));
+  add("z_end_over_D", run.z_end() / D, "1", fmt::format("depth of the {} at the end of the push", reading.level));
+  add("area", run.area(), run.record.settings.force_dimension() == 2 ? "m" : "m2", "of the modelled part of the body on a level plane");
+  const LastTravel& last = run.last();
+  const std::string over = fmt::format("over the last {:.3g} D of the push", last.travel / D), judged = N.empty() ? q : N;
+  add(q + "_end", last.q, "Pa", "mean resistance " + over);
+  add("f_shaft_end", last.friction, "Pa", "mean friction of the shaft in the soil, " + over);
+  if (!N.empty()) add(N + "_end", last.factor, "1", "mean factor " + over);
+  add(judged + "_change", last.change, "1", "change of its straight line, over the mean, " + over);
+  add(judged + "_scatter", last.scatter, "1", "standard deviation of the rows about that line, over the mean, " + over);
+  if (!last.steady()) return list;
+  add(judged + "_steady", N.empty() ? last.q : last.factor, N.empty() ? "Pa" : "1", "steady value: it changes by less than 5 % " + over);
+  add(fmt::format("z_at_{}_steady", judged), last.steady_from, "m", "depth from which it stays within 5 % of that");
+  add(fmt::format("z_at_{}_steady_over_D", judged), last.steady_from / D, "1", "depth from which it stays within 5 % of that");
+  return list;
+}
+
+std::vector<run_folder::Quantity> failure_point(const PenetrationRun& run)
+{
+  std::vector<run_folder::Quantity> list;
+  const run_folder::History& history = run.record.history;
+  if (history.rows() == 0 || !history.has_label("M") || run.record.settings.geometry == problem::Geometry::space) return list;
+  const pipe::PipePath path = pipe::pipe_path(history, pipe::pipe_stages(run.record.settings));
+  const pipe::DragPath& drag = path.drag();
+  if (drag.travel.size() < 3) return list;
+  std::vector<Real> moment;
+  for (std::size_t k = 0; k < drag.rows.size(); ++k)
+    moment.push_back(history.by_label("M")[drag.rows[k]] + drag.stage.direction * drag.H[k] * run.body.height / 2);
+  const record::TravelCurve H(drag.travel, drag.H), V(drag.travel, drag.V), M(drag.travel, moment);
+  const Real half = std::min(base::averaging_half(run.scale), (H.end() - H.begin()) / 20);
+  const record::TravelCurve smooth = H.smoothed(half);
+  const auto largest = std::max_element(smooth.value().begin(), smooth.value().end());
+  const Real u = smooth.travel()[largest - smooth.value().begin()], area = run.area(), strength = run.soil.at(run.z_end()).strength;
+  const bool plane = run.record.settings.force_dimension() == 2;
+  list.push_back({"V_at_H_max", V.at(u, half), plane ? "N/m" : "N", "vertical reaction where H of the first drag is largest"});
+  list.push_back(
+      {"M_at_H_max", M.at(u, half), plane ? "N m/m" : "N m", "moment on the body about the middle of its base there, counter-clockwise"});
+  if (!(strength > 0)) return list;
+  list.push_back({"V_at_H_max_over_As_u", V.at(u, half) / (area * strength), "1", "the same over area and strength"});
+  list.push_back({"H_max_over_As_u", *largest / (area * strength), "1", "largest H of the first drag over area and strength"});
+  list.push_back(
+      {"M_at_H_max_over_ADs_u", M.at(u, half) / (area * run.whole_width() * strength), "1", "moment there over area, width and strength"});
+  return list;
+}
+
+bool is_of_reading(const std::string& name, const Reading& reading)
+{
+  const auto begins = [&](const char* symbol) { return name.starts_with(std::string(symbol) + "_"); };
+  return begins(reading.resistance.plain) || begins(reading.in_clay.plain) || begins(reading.in_sand.plain) || name.starts_with("z_") ||
+         name == "area" || name == "f_shaft_end";
+}
+
+std::string log_csv(const PenetrationRun& run)
+{
+  if (run.z().empty() || !std::isfinite(run.area())) return "";
+  const record::TravelCurve q_mean = run.q_curve().smoothed(run.half()), factor_mean = run.factor_curve().smoothed(run.half());
+  std::string csv = "z_m,w_m,q_Pa,factor,q_mean_Pa,factor_mean,f_shaft_Pa,s_u_Pa,sigma_v0_Pa\n";
+  for (std::size_t k = 0; k < run.z().size(); ++k) {
+    const Real z = run.z()[k], q = run.q()[k];
+    const SoilAt soil = run.soil.at(z);
+    csv += fmt::format("{:.7g},{:.7g},{:.7g},{:.6g},{:.7g},{:.6g},{:.6g},{:.6g},{:.6g}\n", z, z + run.body.shoulder, q, run.factor(z, q),
+                       q_mean.at(z, 0), factor_mean.at(z, 0), run.knows_shaft() ? run.friction()[k] : nan, soil.strength, soil.overburden);
+  }
+  return csv;
+}
+
+std::string penetration_table(const std::vector<run_folder::Quantity>& quantities, const Reading& reading)
+{
+  std::string table;
+  for (const run_folder::Quantity& quantity : quantities) {
+    if (!is_of_reading(quantity.name, reading) || quantity.name.ends_with("_over_D")) continue;
+    const std::string value = quantity.unit == "Pa" ? text::stress_words(quantity.value)
+                              : quantity.unit == "m"
+                                  ? text::length_words(quantity.value)
+                                  : fmt::format("{:.4g}{}", quantity.value, quantity.unit == "1" ? "" : " " + quantity.unit);
+    table += fmt::format("{:<32}{:>16}\n", quantity.name, value);
+  }
+  return table.empty() ? "" : table + fmt::format("z: depth of the {}\n", reading.level);
+}
+
+}  // namespace berm::penetration

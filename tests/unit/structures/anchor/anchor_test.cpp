@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/anchor/anchor.hpp"
+
+#include "samples/made_run.hpp"
+#include "structures/anchor/anchor_results.hpp"
+#include "structures/base/general_measures.hpp"
+#include "structures/base/kind.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::anchor {
+namespace {
+
+/// Dragged 10 D, 0.2 m: it sinks from 2 mm with a slope of a half for 0.1 m and then stays, under H that grows to 3 kN/m and stays.
+record::RunRecord dragged()
+{
+  MadeRun made;
+  made.method = problem::Method::fem;
+  made.dragged = 0.2;
+  made.sunk = [](Real u) { return std::min(u, 0.1) / 2; };
+  made.H = [](Real u) { return 3e4 * std::min(u, 0.1); };
+  record::RunRecord run = made.record();
+  run.settings.rigid[0].second.structure = bodies::StructureKind::anchor;
+  run.quantities = structures::structure_of(run.settings).quantities(run, {});
+  return run;
+}
+
+TEST(Anchor, is_named)
+{
+  const record::RunRecord run = dragged();
+  EXPECT_TRUE(Anchor().applies_to(run.settings));
+  EXPECT_FALSE(Anchor().applies_to(MadeRun{}.settings()));
+}
+
+TEST(Anchor, tells_depth_and_tow_force_over_travel)
+{
+  const record::RunRecord run = dragged();
+  const auto value = [&](const char* name) { return base::quantity_value(run, name); };
+  EXPECT_NEAR(value("tow_travel"), 0.2, 1e-9);
+  EXPECT_NEAR(value("tow_depth_begin"), 0.002, 1e-9);
+  EXPECT_NEAR(value("tow_depth_end"), 0.052, 1e-9);
+  EXPECT_NEAR(value("tow_depth_max"), 0.052, 1e-9);
+  EXPECT_NEAR(value("u_at_tow_depth_max"), 0.1, 5e-5);  // rows are 0.04 mm apart
+  EXPECT_NEAR(value("tow_force_max"), 3000, 1e-6);
+  EXPECT_NEAR(value("tow_force_end"), 3000, 1e-6);
+  EXPECT_NEAR(value("tow_V_end"), 800, 1e-6);
+  EXPECT_NEAR(value("tow_depth_change"), 0, 1e-9);
+  EXPECT_NEAR(value("tow_work"), 3000 * 0.05 + 3000 * 0.1, 0.1);
+}
+
+TEST(Anchor, says_in_words_where_it_goes)
+{
+  const record::RunRecord run = dragged();
+  const std::string words = Anchor().in_words(run, base::DisplayUnits({{base::body_scale(run), &run.quantities}}));
+  EXPECT_NE(words.find("from a depth of 2 mm to 52 mm"), std::string::npos) << words;
+  EXPECT_NE(words.find("there it stays at its depth"), std::string::npos) << words;
+  EXPECT_NE(Anchor().key_results({{&run, 0}}, base::DisplayUnits({{base::body_scale(run), &run.quantities}})).find("anchor-tow"),
+            std::string::npos);
+}
+
+TEST(Anchor, that_was_not_dragged_has_no_tow)
+{
+  MadeRun made;
+  made.dragged = 0;
+  const record::RunRecord run = made.record();
+  EXPECT_TRUE(tow_path(run).travel.empty());
+  EXPECT_TRUE(quantities_of(tow_results(tow_path(run), base::body_scale(run)), 2).empty());
+}
+
+}  // namespace
+}  // namespace berm::anchor

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/penetration/depth_log.hpp"
+
+#include "samples/drawn_run.hpp"
+#include "samples/made_push.hpp"
+#include "structures/cone/cone.hpp"
+#include "structures/penetration/penetration.hpp"
+
+namespace berm::penetration {
+namespace {
+
+namespace fs = std::filesystem;
+
+class DepthLogPicture : public DrawnRun {};
+
+record::RunRecord noisy(Real gradient)
+{
+  MadePush made;
+  made.method = problem::Method::mpm;
+  made.law.cohesion_gradient = gradient;
+  return made.record();
+}
+
+DepthLog log_of(const record::RunRecord& record)
+{
+  PenetrationRuns runs;
+  runs.emplace_back(record, cone::reading());
+  return depth_log(runs, "a log");
+}
+
+TEST(DepthLog, has_resistance_and_factor_and_strength_where_it_varies)
+{
+  const record::RunRecord uniform = noisy(0), growing = noisy(1e3);
+  const DepthLog log = log_of(uniform);
+  ASSERT_EQ(log.panels.size(), 2u);
+  EXPECT_EQ(log.panels[0].label, "q_t (kPa)");
+  EXPECT_EQ(log.panels[1].label, "N_kt");
+  EXPECT_EQ(log.depth_label, "depth z of the shoulder of the cone (m)");
+  EXPECT_NEAR(log.deepest / log.per_width, (2 - 0.1 * std::sqrt(3.)) / 0.2, 1e-9);
+  EXPECT_GE(log.panels[0].max, 100);
+  EXPECT_LE(log.panels[0].max, 150);
+  EXPECT_EQ(log_of(growing).panels.size(), 3u);
+}
+
+TEST(DepthLog, has_the_friction_of_a_shaft_that_carries)
+{
+  MadePush made;
+  made.shaft = [](Real z) { return 2e3 * pi * 0.2 * std::max(z, Real(0)); };
+  const record::RunRecord record = made.record();
+  const DepthLog log = log_of(record);
+  ASSERT_EQ(log.panels.size(), 3u);
+  EXPECT_EQ(log.panels[1].label, "f (kPa)");
+}
+
+TEST(DepthLog, shows_nothing_that_is_only_recalled)
+{
+  const record::RunRecord record = noisy(0);
+  for (const LogPanel& panel : log_of(record).panels)
+    for (const LogCurve& curve : panel.curves) EXPECT_EQ(curve.name.find("Houlsby"), std::string::npos) << curve.name;
+}
+
+TEST(DepthLog, of_a_run_without_rows_is_empty)
+{
+  record::RunRecord record = noisy(0);
+  record.history = {};
+  EXPECT_TRUE(log_of(record).panels.empty());
+  EXPECT_EQ(svg_of(log_of(record)), "");
+}
+
+TEST(DepthLog, as_svg_has_depth_downwards_and_axes_on_top)
+{
+  const record::RunRecord record = noisy(0);
+  const std::string svg = svg_of(log_of(record));
+  EXPECT_NE(svg.find("N<tspan dy=\"4\" font-size=\"80%\">kt</tspan>"), std::string::npos);
+  EXPECT_NE(svg.find(">z/D</text>"), std::string::npos);
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+}
+
+TEST_F(DepthLogPicture, is_curves_png_of_a_run)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  const Penetration cone(cone::reading());
+  ASSERT_TRUE(cone.draw_curves(folder, noisy(1e3), {}));
+  EXPECT_EQ(png_size(folder.file("curves.png")), (std::pair{1200, 900}));
+  EXPECT_TRUE(fs::exists(folder.file("plots/log_0.dat")));
+  const std::string csv = content_of(folder.file("log.csv"));
+  EXPECT_EQ(csv.substr(0, csv.find('\n')), "z_m,w_m,q_Pa,factor,q_mean_Pa,factor_mean,f_shaft_Pa,s_u_Pa,sigma_v0_Pa");
+  EXPECT_EQ(csv.find("inf"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace berm::penetration
