@@ -49,8 +49,8 @@ void describe(Describe& d, BoxSettings& box)
   d.value("center", box.center, {.meaning = "centre of the box", .unit = "m", .required = true});
   d.value("size", box.size, {.meaning = "lengths of its sides", .unit = "m", .range = positive, .required = true});
   d.value("angle", box.angle,
-          {.meaning = "rotation of the box in the plane, counter-clockwise; in space see rotation", .unit = "rad", .range = {-pi, pi}});
-  d.value("rotation", box.rotation,
+          {.meaning = "rotation of the box in the plane, counter-clockwise; in space see tilt", .unit = "rad", .range = {-pi, pi}});
+  d.value("tilt", box.rotation,
           {.meaning = "in space: angles by which the box is rotated about the fixed axes x, then y, then z", .unit = "rad"});
   d.value("corner_radius", box.corner_radius,
           {.meaning = "in space: radius of its edges; 0 = sharp, which particles half a width away from it feel as an arc",
@@ -62,9 +62,9 @@ void check(Describe& d, const std::string& path, const BoxSettings& box, int dim
 {
   check_entries(d, path + ".center", box.center, dimension);
   check_entries(d, path + ".size", box.size, dimension);
-  d.check(dimension == 2 || box.angle == 0, path + ".angle", "is for the plane; in space a box has rotation = [about x, about y, about z]");
-  d.check(dimension == 3 || box.rotation.empty(), path + ".rotation", "is for space; in the plane a box has an angle");
-  if (dimension == 3) check_entries(d, path + ".rotation", box.rotation, 3, true);
+  d.check(dimension == 2 || box.angle == 0, path + ".angle", "is for the plane; in space a box has tilt = [about x, about y, about z]");
+  d.check(dimension == 3 || box.rotation.empty(), path + ".tilt", "is for space; in the plane a box has an angle");
+  if (dimension == 3) check_entries(d, path + ".tilt", box.rotation, 3, true);
   d.check(dimension == 3 || box.corner_radius == 0, path + ".corner_radius", "is for space; in the plane shape = \"profile\" has one");
   const Real least = box.size.empty() ? infinity : *std::min_element(box.size.begin(), box.size.end());
   d.check(2 * box.corner_radius <= least, path + ".corner_radius", "must be half the shortest side at most");

@@ -34,7 +34,7 @@ void describe(Describe& d, TriangulatedSettings& surface)
           {.meaning = "file of triangles, beside the case file: STL, as text or binary, or OBJ. They must be closed", .required = true});
   d.value("scale", surface.scale, {.meaning = "length of a unit of the file: \"1 mm\"", .unit = "m", .range = positive});
   d.value("position", surface.position, {.meaning = "where the origin of the file lies; absent = at the origin", .unit = "m"});
-  d.value("rotation", surface.rotation,
+  d.value("tilt", surface.rotation,
           {.meaning = "angles by which it is rotated about the fixed axes x, then y, then z, about the origin of the file", .unit = "rad"});
 }
 
@@ -42,7 +42,7 @@ void check(Describe& d, const std::string& path, const TriangulatedSettings& sur
 {
   d.check(dimension == 3, path + ".shape", "a surface of triangles needs three dimensions; in the plane use shape = \"polygon\"");
   check_entries(d, path + ".position", surface.position, 3, true);
-  check_entries(d, path + ".rotation", surface.rotation, 3, true);
+  check_entries(d, path + ".tilt", surface.rotation, 3, true);
 }
 
 std::string name_of(const TriangulatedSettings& surface)

@@ -213,7 +213,7 @@ TEST(TriangleMesh, distance_is_the_least_of_all_triangles_with_the_sign_of_the_w
       EXPECT_NEAR(at.normal.norm(), 1, 1e-13);
       EXPECT_NEAR(mesh.surface_at(Vec<3>(x - at.distance * at.normal)).distance, 0, 1e-13);
     }
-    EXPECT_GT(inner, 100);
+    EXPECT_GT(inner, 25);  // of the torus: its volume is 0.15 m3 of cubes of 8 and 22 m3
   }
 }
 
