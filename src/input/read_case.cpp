@@ -7,8 +7,25 @@
 #include "input/reader.hpp"
 #include "problem/sweeps.hpp"
 
+#include <fmt/format.h>
+
 namespace berm::input {
 namespace {
+
+/// Reads the surfaces of rigid bodies, whose files lie beside the case file.
+void read_surfaces(std::vector<std::pair<std::string, bodies::RigidSettings>>& rigid_bodies, const std::filesystem::path& folder)
+{
+  for (auto& [name, rigid] : rigid_bodies) {
+    auto* surface = std::get_if<bodies::TriangulatedSettings>(&rigid.shape);
+    if (surface == nullptr) continue;
+    surface->file = std::filesystem::absolute(folder / surface->file).lexically_normal().string();
+    try {
+      read_solid(*surface);
+    } catch (const InputError& error) {
+      throw KeyError(fmt::format("rigid.{}.file: {}", name, error.what()));
+    }
+  }
+}
 
 CaseInFile case_of(Document document, const std::vector<std::string>& overrides, const std::filesystem::path& folder)
 {
@@ -20,6 +37,7 @@ CaseInFile case_of(Document document, const std::vector<std::string>& overrides,
   find_libraries(found.settings.material, folder);
   const Places written(document);
   try {
+    read_surfaces(found.settings.rigid, folder);
     for (std::size_t k = 0; k < found.settings.stage.size(); ++k) read_load_history(found.settings.stage[k], k, folder);
     found.places = Places(std::move(document), problem::expand_sweeps(found.settings));
   } catch (const KeyError& error) {

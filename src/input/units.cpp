@@ -194,7 +194,8 @@ bool is_bare(const std::string& si_unit)
 
 const char* unit_of_whole(const char* si_unit)
 {
-  constexpr const char* pairs[][2] = {{"N/m", "N"}, {"kg/m", "kg"}, {"kg m", "kg m^2"}};
+  constexpr const char* pairs[][2] = {{"N/m", "N"}, {"kg/m", "kg"},   {"kg m", "kg m^2"},
+                                      {"N", "N m"}, {"N/m^2", "N/m"}, {"N/rad", "N m/rad"}};
   for (const auto& [per_metre, in_space] : pairs)
     if (std::strcmp(si_unit, per_metre) == 0) return in_space;
   return si_unit;

@@ -77,6 +77,24 @@ Real stiffest_square(const mesh::Mesh<dim>& mesh, Index cell, const mesh::Shape<
   return stiffest;
 }
 
+/// The time step, s, at which an explicit step of the stiffest spring of the drive is at its limit: 2 sqrt(m / k).
+template <int dim>
+Real limit_of_springs(const problem::Model<dim>& model, const problem::State<dim>& state)
+{
+  const Index driven = model.driven[state.stage.index];
+  Real limit = infinity;
+  for (int f = 0; f < bodies::freedoms<dim> && driven != none; ++f) {
+    const bodies::RigidBody<dim>& body = model.rigid_bodies[driven];
+    Real inertia = body.mass;
+    if constexpr (dim == 2)
+      inertia = f < dim ? inertia : body.inertia;
+    else
+      inertia = f < dim ? inertia : body.inertia.minCoeff();
+    if (const Real stiffness = state.stage.drive[f].spring; stiffness > 0) limit = std::min(limit, 2 * std::sqrt(inertia / stiffness));
+  }
+  return limit;
+}
+
 /// A run with a time step this small beside that of a body at rest has become unstable: soil moves a thousand times faster
 /// than its own waves.
 constexpr Real min_part = 1e-3;
@@ -142,7 +160,8 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
     min = std::min(min, height / (wave_speed + fastest));
     min_at_rest = std::min(min_at_rest, height / wave_speed);
   }
-  const Real dt = std::min(model.mpm.courant, stable_courant(model)) * min;
+  const Real courant = std::min(model.mpm.courant, stable_courant(model));
+  const Real dt = std::min(courant * min, courant * limit_of_springs(model, state));
   if (min < min_part * min_at_rest || state.time + dt == state.time) {
     const auto [of_rank, words] = fastest_of(model, state, work);
     const Real speed = ranks.largest(of_rank);

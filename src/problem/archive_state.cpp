@@ -71,11 +71,13 @@ void archive(Archive& k, const Model<dim>& model, StageState<dim>& stage)
   if (stage.index < 0 || stage.index >= static_cast<Index>(model.stages.size())) k.refuse(fmt::format("there is no stage {}", stage.index));
   k("begin_time", stage.begin_time);
   k("begin_displacement", stage.begin_displacement);
+  archive(k, "begin_orientation", stage.begin_orientation);
   for (int d = 0; d < bodies::freedoms<dim>; ++d)
     k.table(fmt::format("drive_{}", d), [&] {
       k("by_force", stage.drive[d].by_force);
       k("from", stage.drive[d].from);
       k("to", stage.drive[d].to);
+      k("spring", stage.drive[d].spring);
     });
 }
 

@@ -73,10 +73,12 @@ void check_motion(Describe& d, const Case& c)
             "a body around the axis moves along it only: use \"push\", or \"drive\" along y", {"geostatic", "push", "free", "drive"});
     const FreedomSettings& x = stage.drive.x;
     const Index driven = stage.rigid.empty() ? 0 : index_of(c.rigid, stage.rigid);
-    d.check((!x.velocity && !x.force && !x.hold) || driven == none || c.rigid.empty() || is_wall(c.rigid[driven].second.shape),
+    d.check((!x.velocity && !x.force && !x.hold && !x.free && !x.spring) || driven == none || c.rigid.empty() ||
+                is_wall(c.rigid[driven].second.shape),
             path + ".drive.x", "is a freedom around an axis of a wall only, a half_plane with its normal along x; of other bodies y is");
     const TurnSettings& turn = stage.drive.rotation;
-    d.check(!turn.velocity && !turn.moment && !turn.fixed, path + ".drive.rotation", "is no freedom around an axis: y is");
+    d.check(!turn.velocity && !turn.moment && !turn.fixed && !turn.free && !turn.spring, path + ".drive.rotation",
+            "is no freedom around an axis: y is");
   }
 }
 
@@ -121,7 +123,8 @@ Case per_radian(Case c)
   constexpr Real part = 1 / (2 * pi);
   for (auto& entry : c.rigid) entry.second.mass *= part;
   for (StageSettings& stage : c.stage)
-    for (std::optional<Real>* force : {&stage.force, &stage.vertical_force, &stage.until.force, &stage.drive.y.force})
+    for (std::optional<Real>* force :
+         {&stage.force, &stage.vertical_force, &stage.until.force, &stage.drive.y.force, &stage.drive.y.spring})
       if (*force) **force *= part;
   return c;
 }

@@ -171,7 +171,7 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
       inertia = settings.moment_of_inertia.value_or(own[2]);
     else
       inertia = settings.moment_of_inertia ? Vec<3>(Vec<3>::Constant(*settings.moment_of_inertia)) : own;
-    model.rigid_bodies.push_back({name, shape, settings.mass, settings.motion, settings.rotation, inertia});
+    model.rigid_bodies.push_back({name, shape, settings.mass, settings.motion, settings.rotation, inertia, axes_of<dim>(shape)});
   }
   if constexpr (dim == 2) {
     std::vector<bodies::RigidShape<2>> shapes;

@@ -124,6 +124,9 @@ void check_rigids(Describe& d, const Case& c)
   for (const auto& [name, rigid] : c.rigid) {
     const std::string path = "rigid." + name;
     bodies::check(d, path, rigid, c.dimension());
+    const auto* profile = std::get_if<bodies::ProfileSettings>(&rigid.shape);
+    d.check(c.geometry != Geometry::plane_strain || profile == nullptr || !is_ring(*profile), path + ".x",
+            "of a ring, off the axis all around, is for axisymmetry and space; in plane strain use shape = \"polygon\"");
   }
   for (const auto& [name, contact] : c.contact) {
     const std::string path = "contact." + name;
@@ -152,7 +155,7 @@ void check_inertia(Describe& d, const Case& c, const StageSettings& s, const std
     d.check(rigid.mass > 0 || !has_force<dim>(drives), path, fmt::format("a force drives [rigid.{}], which therefore needs a mass", name));
     d.check(rigid.mass > 0 || rigid.moment_of_inertia || !has_moment<dim>(drives), path,
             fmt::format("a moment rotates [rigid.{}], which therefore needs a mass or a moment_of_inertia", name));
-    const auto turns = [](const FreedomDrive& drive) { return drive.by == FreedomDrive::By::force || drive.value != 0; };
+    const auto turns = [](const FreedomDrive& drive) { return drive.by != FreedomDrive::By::velocity || drive.value != 0; };
     d.check(bodies::is_bounded(bodies::make_shape<2>(rigid.shape)) || std::none_of(drives.begin() + dim, drives.end(), turns), path,
             fmt::format("[rigid.{}] is a half-plane, which cannot rotate", name));
   }
@@ -171,11 +174,17 @@ void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::
             plane ? "is no freedom in plane strain: x, y and rotation are" : "is no freedom in space: x, y, z and rotation_x, _y, _z are");
     d.check(ways <= 1, at, "is driven in one way only");
   };
+  const auto spring = [&](const char* key, bool has, bool prescribed, bool there) {
+    if (has) freedom(key, 1, there);
+    d.check(!has || !prescribed, path + ".drive." + key + ".spring", "does not go with what is prescribed; a force, hold or free does");
+  };
   const auto shift = [&](const char* key, const FreedomSettings& f, bool there) {
-    freedom(key, f.velocity.has_value() + f.force.has_value() + f.hold, there);
+    freedom(key, f.velocity.has_value() + f.force.has_value() + f.hold + f.free, there);
+    spring(key, f.spring.has_value(), f.velocity.has_value(), there);
   };
   const auto turn = [&](const char* key, const TurnSettings& f, bool there) {
-    freedom(key, f.velocity.has_value() + f.moment.has_value() + f.fixed, there);
+    freedom(key, f.velocity.has_value() + f.moment.has_value() + f.fixed + f.free, there);
+    spring(key, f.spring.has_value(), f.velocity.has_value() || f.fixed, there);
   };
   shift("x", s.drive.x, true);
   shift("y", s.drive.y, true);

@@ -14,6 +14,9 @@ void set(FreedomDrive& drive, const FreedomSettings& settings)
   if (settings.velocity) drive = {By::velocity, *settings.velocity};
   if (settings.force) drive = {By::force, *settings.force};
   if (settings.hold) drive = {By::hold, 0};
+  if (settings.free) drive = {By::free, 0};
+  if (settings.spring && !settings.force && !settings.hold) drive = {By::force, 0};
+  drive.spring = settings.spring.value_or(0);
 }
 
 void set(FreedomDrive& drive, const TurnSettings& settings)
@@ -21,6 +24,9 @@ void set(FreedomDrive& drive, const TurnSettings& settings)
   if (settings.velocity) drive = {By::velocity, *settings.velocity};
   if (settings.moment) drive = {By::force, *settings.moment};
   if (settings.fixed) drive = {By::velocity, 0};
+  if (settings.free) drive = {By::free, 0};
+  if (settings.spring && !settings.moment) drive = {By::force, 0};
+  drive.spring = settings.spring.value_or(0);
 }
 
 template <int dim>
@@ -78,13 +84,14 @@ StageDrives<dim> drives_of(const StageSettings& stage, const Axes<dim>& axes, bo
 template <int dim>
 bool has_force(const StageDrives<dim>& drives)
 {
-  return std::any_of(drives.begin(), drives.begin() + dim, [](const FreedomDrive& d) { return d.by == By::force || d.by == By::hold; });
+  return std::any_of(drives.begin(), drives.begin() + dim,
+                     [](const FreedomDrive& d) { return d.by == By::force || d.by == By::hold || d.by == By::free; });
 }
 
 template <int dim>
 bool has_moment(const StageDrives<dim>& drives)
 {
-  return std::any_of(drives.begin() + dim, drives.end(), [](const FreedomDrive& d) { return d.by == By::force; });
+  return std::any_of(drives.begin() + dim, drives.end(), [](const FreedomDrive& d) { return d.by == By::force || d.by == By::free; });
 }
 
 template StageDrives<2> drives_of(const StageSettings&, const Axes<2>&, bool);

@@ -132,6 +132,7 @@ struct StageState {
   Index index = 0;
   Real begin_time = 0;
   Vec<dim> begin_displacement = Vec<dim>::Zero();  ///< of the driven rigid body
+  bodies::Orientation<dim> begin_orientation;      ///< and its orientation then
   bodies::Drive drive[bodies::freedoms<dim>] = {};
 };
 

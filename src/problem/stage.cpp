@@ -12,6 +12,11 @@ void describe(Describe& d, FreedomSettings& freedom)
   d.value("velocity", freedom.velocity, {.meaning = "velocity along the axis", .unit = "m/s"});
   d.value("force", freedom.force, {.meaning = "force on the body along the axis, instead of a velocity", .unit = "N/m"});
   d.value("hold", freedom.hold, {.meaning = "hold the force that balances the soil when the stage begins"});
+  d.value("free", freedom.free, {.meaning = "moved by nothing but its contacts and a spring"});
+  d.value("spring", freedom.spring,
+          {.meaning = "stiffness of a spring to where the body was when the stage began, by itself or besides force or hold",
+           .unit = "N/m^2",
+           .range = positive});
 }
 
 void describe(Describe& d, TurnSettings& turn)
@@ -19,6 +24,11 @@ void describe(Describe& d, TurnSettings& turn)
   d.value("velocity", turn.velocity, {.meaning = "angular velocity, counter-clockwise seen from the end of the axis", .unit = "rad/s"});
   d.value("moment", turn.moment, {.meaning = "moment on the body, instead of a velocity", .unit = "N"});
   d.value("fixed", turn.fixed, {.meaning = "does not rotate, whatever [rigid.NAME] says"});
+  d.value("free", turn.free, {.meaning = "rotated by nothing but its contacts and a spring, whatever [rigid.NAME] says"});
+  d.value("spring", turn.spring,
+          {.meaning = "stiffness of a spring to the orientation of the body when the stage began, by itself or besides a moment",
+           .unit = "N/rad",
+           .range = positive});
 }
 
 void describe(Describe& d, DriveSettings& drive)

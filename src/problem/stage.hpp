@@ -35,13 +35,16 @@ struct FreedomSettings {
   std::optional<Real> velocity;  ///< m/s along the axis
   std::optional<Real> force;     ///< N/m (in space: N) along the axis
   bool hold = false;             ///< the force that was there when the stage began
+  bool free = false;             ///< nothing but the contacts
+  std::optional<Real> spring;    ///< N/m2 (in space: N/m), to where it was when the stage began; besides a force or hold
 };
 
 /// How a rotation of the driven body goes; nothing: as the body's own `rotation` says.
 struct TurnSettings {
   std::optional<Real> velocity;  ///< rad/s
   std::optional<Real> moment;    ///< N (in space: N m)
-  bool fixed = false;
+  bool fixed = false, free = false;
+  std::optional<Real> spring;  ///< N/rad (in space: N m/rad), to the orientation when the stage began; besides a moment
 };
 
 /// The degrees of freedom of a rigid body.

@@ -57,6 +57,7 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
 
   const bodies::RigidState<dim>& rigid = state.rigid_bodies[driven];
   now.begin_displacement = rigid.displacement;
+  now.begin_orientation = rigid.orientation;
   const StageDrives<dim> drives = drives_of(stage, model.axes, model.rigid_bodies[driven].rotation == bodies::Rotation::free);
   const auto velocity = [&](int f) -> Real {
     if (f < dim) return rigid.velocity[f];
@@ -92,6 +93,7 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
       now.drive[f] = {true, 0, 0};
       break;
     }
+    now.drive[f].spring = drive.spring;
   }
 }
 
@@ -113,6 +115,22 @@ bool stage_ended(const Model<dim>& model, const State<dim>& state)
   return until.force && resistance(model, state, rigid.smooth_reaction) >= *until.force;
 }
 
+namespace {
+
+/// How far a freedom of the driven body went since the stage began, m or rad.
+template <int dim>
+Real moved_in_stage(const StageState<dim>& stage, const bodies::RigidState<dim>& rigid, int f)
+{
+  if (f < dim) return rigid.displacement[f] - stage.begin_displacement[f];
+  const bodies::Angular<dim> rotation = rotation_between(stage.begin_orientation, rigid.orientation);
+  if constexpr (dim == 2)
+    return rotation;
+  else
+    return rotation[f - dim];
+}
+
+}  // namespace
+
 template <int dim>
 void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
 {
@@ -128,6 +146,8 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
       for (int f = 0; f < bodies::freedoms<dim>; ++f) {
         now.by_force[f] = state.stage.drive[f].by_force;
         now.value[f] = drive_now(model, stage, state.stage.drive[f], f, since);
+        if (const Real stiffness = state.stage.drive[f].spring; stiffness > 0)
+          now.value[f] -= stiffness * moved_in_stage(state.stage, rigid, f);
       }
       drive_body(body, rigid, now, dt);
     } else if (body.motion == bodies::Motion::free && stage.kind != StageKind::geostatic) {

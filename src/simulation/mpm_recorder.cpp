@@ -48,6 +48,10 @@ void MpmRecorder<dim>::observe_rigid(const problem::Model<dim>& model, const pro
   const Vec<dim> impulse = now.impulse - last.impulse;
   const Vec<dim> reaction = time > 0 ? Vec<dim>(-impulse / time) : Vec<dim>(Vec<dim>::Zero());
   Recorder<dim>::observe_rigid(model, state, rigid, reaction);
+  if constexpr (dim == 3) {
+    row_("F", Vec<dim>(reaction + Vec<dim>::Zero()), run_folder::newtons<dim>, "force of the soil on the body");
+    row_("d", now.displacement, run_folder::metres, "displacement of its centre");
+  }
 }
 
 template <int dim>

@@ -1,64 +1,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "bodies/rigid/rotation.hpp"
+#include "bodies/rigid/placement.hpp"
 #include "bodies/rigid/shape_checks.hpp"
-#include "bodies/rigid/surface.hpp"
 
 namespace berm::bodies {
 
-/// A rectangle (2D: may be rotated) or box.
+/// A rectangle (2D: may be rotated) or box; a plate is a thin one.
 struct BoxSettings {
   static constexpr const char* word = "box";
 
-  std::vector<Real> center, size;  ///< m
-  Real angle = 0;                  ///< rad, counter-clockwise; 2D only
+  std::vector<Real> center, size;   ///< m
+  Real angle = 0;                   ///< rad, counter-clockwise; 2D only
+  std::vector<Real> rotation = {};  ///< rad, about the fixed axes x, then y, then z; in space only
+  Real corner_radius = 0;           ///< m, in space only
 };
 
-inline void describe(Describe& d, BoxSettings& box)
-{
-  d.value("center", box.center, {.meaning = "centre of the box", .unit = "m", .required = true});
-  d.value("size", box.size, {.meaning = "lengths of its sides", .unit = "m", .range = positive, .required = true});
-  d.value("angle", box.angle, {.meaning = "rotation of the box, counter-clockwise", .unit = "rad", .range = {-pi, pi}});
-}
+void describe(Describe& d, BoxSettings& box);
+void check(Describe& d, const std::string& path, const BoxSettings& box, int dimension);
+std::string name_of(const BoxSettings& box);
+std::vector<ShapeSize> sizes_of(const BoxSettings& box);
+Outline outline_of(const BoxSettings& box);
 
-inline void check(Describe& d, const std::string& path, const BoxSettings& box, int dimension)
-{
-  check_entries(d, path + ".center", box.center, dimension);
-  check_entries(d, path + ".size", box.size, dimension);
-  d.check(dimension == 2 || box.angle == 0, path + ".angle", "a box can be rotated in two dimensions only");
-}
-
-inline std::string name_of(const BoxSettings&)
-{
-  return "box";
-}
-inline std::vector<ShapeSize> sizes_of(const BoxSettings& box)
-{
-  return {{"width", box.size[0]}, {"height", box.size[1]}};
-}
-inline Outline outline_of(const BoxSettings& box)
-{
-  const Vec<2> center = to_vec<2>(box.center), size = to_vec<2>(box.size);
-  CornersOutline outline;
-  for (const auto& [x, y] : {std::pair{-0.5, -0.5}, {0.5, -0.5}, {0.5, 0.5}, {-0.5, 0.5}})
-    outline.corners.emplace_back(center + turn<2>(box.angle) * Vec<2>(x * size[0], y * size[1]));
-  return outline;
-}
-
+/// In space all that is nearer than the radius of its edges to a smaller box, the core.
 template <int dim>
 struct Box {
   using Settings = BoxSettings;
   static constexpr bool bounded = true, has_corners = true;
 
-  Vec<dim> center, half;
-  Matrix<dim> axes;  ///< columns: the directions of the sides
+  Vec<dim> center, half;  ///< half the sides of the core
+  Matrix<dim> axes;       ///< columns: the directions of the sides
+  Real edge = 0;          ///< m, radius of edges and corners; in the plane 0
 };
 
 template <int dim>
 Box<dim> make_shape(const BoxSettings& s)
 {
-  return {to_vec<dim>(s.center), to_vec<dim>(s.size) / 2, turn<dim>(s.angle)};
+  Box<dim> box{to_vec<dim>(s.center), to_vec<dim>(s.size) / 2, turn<dim>(s.angle)};
+  if constexpr (dim == 3) {
+    box.axes = turned_about_axes(s.rotation);
+    box.half -= Vec<3>::Constant(s.corner_radius);
+    box.edge = s.corner_radius;
+  }
+  return box;
 }
 
 template <int dim>
@@ -66,17 +50,18 @@ SurfacePoint<dim> surface_at(const Box<dim>& box, const Vec<dim>& x)
 {
   const Vec<dim> local = box.axes.transpose() * (x - box.center);
   const Vec<dim> beyond = local.cwiseAbs() - box.half;
+  const Real edge = dim == 2 ? 0 : box.edge;
   Vec<dim> normal = Vec<dim>::Zero();
   int side = 0;
   const Real inside = beyond.maxCoeff(&side);
   if (inside <= 0) {
     normal[side] = local[side] < 0 ? -1 : 1;
-    return {inside, box.axes * normal};
+    return {inside - edge, box.axes * normal};
   }
   const Vec<dim> outside = beyond.cwiseMax(0);
   const Real distance = outside.norm();
   for (int d = 0; d < dim; ++d) normal[d] = (local[d] < 0 ? -outside[d] : outside[d]) / distance;
-  return {distance, box.axes * normal};
+  return {distance - edge, box.axes * normal};
 }
 
 template <int dim>
@@ -87,27 +72,20 @@ Vec<dim> center_of(const Box<dim>& box)
 template <int dim>
 Real lowest_level(const Box<dim>& box, const Vec<dim>& up)
 {
-  return up.dot(box.center) - (box.axes.transpose() * up).cwiseAbs().dot(box.half);
+  return up.dot(box.center) - (box.axes.transpose() * up).cwiseAbs().dot(box.half) - box.edge;
 }
 template <int dim>
 Real width_of(const Box<dim>& box)
 {
-  return 2 * box.half[0];
+  return 2 * (box.half[0] + box.edge);
 }
 template <int dim>
 Real reach_of(const Box<dim>& box)
 {
-  return box.half.norm();
+  return box.half.norm() + box.edge;
 }
 template <int dim>
-Vec<3> inertia_over_mass(const Box<dim>& box)
-{
-  Vec<3> inertia = Vec<3>::Constant(infinity);
-  inertia[2] = box.half.template head<2>().squaredNorm() / 3;
-  if constexpr (dim == 3)
-    for (int d = 0; d < 2; ++d) inertia[d] = (box.half.squaredNorm() - box.half[d] * box.half[d]) / 3;
-  return inertia;
-}
+Vec<3> inertia_over_mass(const Box<dim>& box);
 template <int dim>
 Box<dim> moved(Box<dim> box, const Movement<dim>& m)
 {
@@ -117,18 +95,7 @@ Box<dim> moved(Box<dim> box, const Movement<dim>& m)
 }
 
 template <int dim>
-SurfaceMesh<dim> surface_mesh(const Box<dim>& box, const Vec<dim>&, const Vec<dim>&)
-{
-  SurfaceMesh<dim> s;
-  constexpr int corners[8][3] = {{-1, -1, -1}, {1, -1, -1}, {1, 1, -1}, {-1, 1, -1}, {-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}};
-  for (Index k = 0; k < (dim == 2 ? 4 : 8); ++k) {
-    Vec<dim> local;
-    for (int d = 0; d < dim; ++d) local[d] = corners[k][d] * box.half[d];
-    s.points.push_back(box.center + box.axes * local);
-  }
-  s.add_all_points(dim == 2 ? SurfaceMesh<dim>::Kind::quad : SurfaceMesh<dim>::Kind::hexahedron);
-  return s;
-}
+SurfaceMesh<dim> surface_mesh(const Box<dim>& box, const Vec<dim>& lower, const Vec<dim>& upper);
 
 template <class Visit>
 void visit_sides(const Box<2>& box, const Vec<2>& x, const Visit& visit)

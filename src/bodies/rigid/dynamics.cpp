@@ -2,29 +2,63 @@
 // Tests: tests/unit/problem/stages_test.cpp
 #include "bodies/rigid/dynamics.hpp"
 
+#include <Eigen/QR>
+
 namespace berm::bodies {
 namespace {
 
-/// Increment of the angular velocity by a moment in a step.
-Real angular_velocity_change(const RigidBody<2>& body, const RigidState<2>&, Real moment, Real dt)
+/// The angular momentum halfway through a step with the present angular velocity that begins (sign 1) or has just ended (-1).
+Vec<3> momentum_halfway(const RigidBody<3>& body, const RigidState<3>& state, Real dt, Real sign)
 {
-  return dt * moment / body.inertia;
-}
-Vec<3> angular_velocity_change(const RigidBody<3>& body, const RigidState<3>& state, const Vec<3>& moment, Real dt)
-{
-  const Matrix<3> axes = state.orientation.matrix();
-  const Vec<3> gyroscopic = cross(state.angular_velocity, times_inertia(body, state, state.angular_velocity));
-  const Vec<3> local = axes.transpose() * (moment - gyroscopic);
-  return axes * Vec<3>(dt * local.cwiseQuotient(body.inertia));
+  RigidState<3> halfway = state;
+  halfway.orientation.turn_by(sign * dt / 2 * state.angular_velocity);
+  return times_inertia(body, halfway, state.angular_velocity);
 }
 
-Real angular_of(const DriveNow<2>& drive)
+/// Sets the angular velocity in the coming step by a moment; about the axes that the drive prescribes it is that of the drive.
+void rotate(const RigidBody<2>& body, RigidState<2>& state, Real moment, const DriveNow<2>* drive, Real dt)
 {
-  return drive.value[2];
+  state.angular_velocity = drive != nullptr && !drive->by_force[2] ? drive->value[2] : state.angular_velocity + dt * moment / body.inertia;
 }
-Vec<3> angular_of(const DriveNow<3>& drive)
+void rotate(const RigidBody<3>& body, RigidState<3>& state, const Vec<3>& moment, const DriveNow<3>* drive, Real dt)
 {
-  return {drive.value[3], drive.value[4], drive.value[5]};
+  // The angular momentum changes by the moment, and by what holds the driven axes. It belongs to the middle of the step, whose orientation the angular
+  // velocity makes: some substitutions, each of which takes dt times it from the error.
+  constexpr int substitutions = 8;
+  constexpr Real round_off = 1e-15;
+  const Vec<3> momentum = momentum_halfway(body, state, dt, -1) + dt * moment;
+  Vec<3> given = Vec<3>::Zero(), is_given = Vec<3>::Zero();
+  for (int d = 0; d < 3; ++d)
+    if (drive != nullptr && !drive->by_force[3 + d]) given[d] = drive->value[3 + d], is_given[d] = 1;
+  Vec<3> omega = is_given.minCoeff() > 0 ? given : state.angular_velocity;
+  for (int k = 0; k < substitutions && is_given.minCoeff() == 0; ++k) {
+    Orientation<3> halfway = state.orientation;
+    halfway.turn_by(dt / 2 * omega);
+    const Matrix<3> inverse = inverse_inertia(body, halfway);
+    Vec<3> next = inverse * momentum;
+    // The moments of what drives: they are about the driven axes and give them their angular velocity.
+    Matrix<3> driven = is_given.asDiagonal() * inverse * is_given.asDiagonal();
+    const Vec<3> holding = driven.completeOrthogonalDecomposition().solve(Vec<3>(is_given.cwiseProduct(given - next)));
+    next += inverse * is_given.cwiseProduct(holding);
+    for (int d = 0; d < 3; ++d)
+      if (is_given[d] != 0) next[d] = given[d];
+    const Real change = (next - omega).norm();
+    omega = next;
+    if (change <= round_off * omega.norm()) break;
+  }
+  state.angular_velocity = omega;
+}
+
+template <int dim>
+Angular<dim> moment_on(const RigidState<dim>& state, const DriveNow<dim>& drive)
+{
+  Angular<dim> moment = state.torque;
+  if constexpr (dim == 2) {
+    moment = drive.value[2] + moment;
+  } else {
+    for (int d = 0; d < 3; ++d) moment[d] += drive.by_force[3 + d] ? drive.value[3 + d] : 0;
+  }
+  return moment;
 }
 
 }  // namespace
@@ -34,16 +68,7 @@ void drive_body(const RigidBody<dim>& body, RigidState<dim>& state, const DriveN
 {
   for (int d = 0; d < dim; ++d)
     state.velocity[d] = drive.by_force[d] ? state.velocity[d] + dt * (drive.value[d] + state.reaction[d]) / body.mass : drive.value[d];
-  const Angular<dim> prescribed = angular_of(drive);
-  if constexpr (dim == 2) {
-    state.angular_velocity =
-        drive.by_force[2] ? state.angular_velocity + angular_velocity_change(body, state, prescribed + state.torque, dt) : prescribed;
-  } else {
-    Vec<3> moment = state.torque;
-    for (int d = 0; d < 3; ++d) moment[d] += drive.by_force[3 + d] ? prescribed[d] : 0;
-    const Vec<3> free = state.angular_velocity + angular_velocity_change(body, state, moment, dt);
-    for (int d = 0; d < 3; ++d) state.angular_velocity[d] = drive.by_force[3 + d] ? free[d] : prescribed[d];
-  }
+  rotate(body, state, moment_on<dim>(state, drive), &drive, dt);
 }
 
 template <int dim>
@@ -51,7 +76,7 @@ void free_body(const RigidBody<dim>& body, RigidState<dim>& state, const Vec<dim
 {
   for (int d = 0; d < dim; ++d) state.velocity[d] = state.velocity[d] + dt * (gravity[d] + state.reaction[d] / body.mass);
   if (body.rotation == Rotation::free)
-    state.angular_velocity += angular_velocity_change(body, state, state.torque, dt);
+    rotate(body, state, state.torque, nullptr, dt);
   else
     state.angular_velocity = no_angular<dim>();
 }
@@ -69,8 +94,11 @@ template <int dim>
 Real work_of_outside(const RigidBody<dim>& body, const RigidState<dim>& before, const RigidState<dim>& after, Real dt)
 {
   const Vec<dim> impulse = body.mass * (after.velocity - before.velocity) - dt * after.reaction;
-  const Angular<dim> change = after.angular_velocity - before.angular_velocity;
-  const Angular<dim> torque_impulse = times_inertia(body, before, change) - dt * after.torque;
+  Angular<dim> torque_impulse = no_angular<dim>();
+  if constexpr (dim == 2)
+    torque_impulse = times_inertia(body, before, after.angular_velocity - before.angular_velocity) - dt * after.torque;
+  else
+    torque_impulse = momentum_halfway(body, after, dt, 1) - momentum_halfway(body, before, dt, -1) - dt * after.torque;
   const Angular<dim> sum = after.angular_velocity + before.angular_velocity;
   return impulse.dot(after.velocity + before.velocity) / 2 + dot(torque_impulse, sum) / 2 +
          dt * (after.reaction.dot(before.velocity) + dot(after.torque, before.angular_velocity));

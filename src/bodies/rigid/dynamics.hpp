@@ -14,6 +14,7 @@ constexpr int freedoms = dim == 2 ? 3 : 6;
 struct Drive {
   bool by_force = false;
   Real from = 0, to = 0;  ///< m/s or N/m (in space: N); of a rotation rad/s or N (in space: N m)
+  Real spring = 0;        ///< stiffness of a spring besides a force, N/m2 (in space: N/m); of a rotation N/rad (in space: N m/rad)
 };
 
 /// The drives of one body at a time.
@@ -26,7 +27,10 @@ struct DriveNow {
 /// Velocity of a driven body in the next step; where a force drives it, by Newton's second law with the reaction of the last
 /// step:
 ///
-///   v = prescribed,  or  v + dt (force + reaction) / m;   omega = prescribed,  or  omega + dt I^-1 (moment + torque - omega x I omega).
+///   v = prescribed,  or  v + dt (force + reaction) / m;   omega = prescribed,  or  omega + dt (moment + torque) / I.
+///
+/// In space I turns with the body: the angular momentum I omega of the middle of the step, whose orientation omega makes, is that of the middle of the last step
+/// plus dt (moment + torque). So it is kept to round-off where no moment acts and the step stays, and the energy has no drift.
 template <int dim>
 void drive_body(const RigidBody<dim>& body, RigidState<dim>& state, const DriveNow<dim>& drive, Real dt);
 

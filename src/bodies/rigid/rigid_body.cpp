@@ -20,10 +20,16 @@ RigidShape<dim> placed(const RigidBody<dim>& rigid, const RigidState<dim>& state
 
 Vec<3> times_inertia(const RigidBody<3>& rigid, const RigidState<3>& state, const Vec<3>& angular_velocity)
 {
-  const Matrix<3> axes = state.orientation.matrix();
+  const Matrix<3> axes = state.orientation.matrix() * rigid.axes;
   Vec<3> local = axes.transpose() * angular_velocity;
   for (int d = 0; d < 3; ++d) local[d] = std::isfinite(rigid.inertia[d]) ? rigid.inertia[d] * local[d] : 0;
   return axes * local;
+}
+
+Matrix<3> inverse_inertia(const RigidBody<3>& rigid, const Orientation<3>& orientation)
+{
+  const Matrix<3> axes = orientation.matrix() * rigid.axes;
+  return axes * rigid.inertia.cwiseInverse().asDiagonal() * axes.transpose();
 }
 
 template <int dim>

@@ -14,7 +14,8 @@ struct RigidBody {
   Real mass = 0;  ///< kg/m or kg
   Motion motion = Motion::driven;
   Rotation rotation = Rotation::fixed;
-  Angular<dim> inertia = no_angular<dim>();  ///< about its centre, kg m; in space about its axes at the start, kg m2; may be infinite
+  Angular<dim> inertia = no_angular<dim>();    ///< about its centre, kg m; in space about its axes, kg m2; may be infinite
+  Matrix<dim> axes = Matrix<dim>::Identity();  ///< columns: the directions of these axes at the start
 };
 
 /// Variables of a rigid body.
@@ -54,6 +55,9 @@ inline Real times_inertia(const RigidBody<2>& rigid, const RigidState<2>&, Real 
   return rigid.inertia * angular_velocity;
 }
 Vec<3> times_inertia(const RigidBody<3>& rigid, const RigidState<3>& state, const Vec<3>& angular_velocity);
+
+/// The inverse of its moments of inertia at an orientation, 1/(kg m2); 0 about axes that it cannot rotate about.
+Matrix<3> inverse_inertia(const RigidBody<3>& rigid, const Orientation<3>& orientation);
 
 /// Its kinetic energy, J/m or J.
 template <int dim>

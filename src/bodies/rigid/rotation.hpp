@@ -132,4 +132,16 @@ inline Vec<3> rotation_of(const Orientation<3>& q)
   return sine == 0 ? Vec<3>(Vec<3>::Zero()) : Vec<3>(axis * (2 * std::atan2(sine, q.w) / sine));
 }
 
+/// The rotation from one orientation to another as an angle, or as a rotation vector in the axes of space, rad.
+inline Real rotation_between(const Orientation<2>& from, const Orientation<2>& to)
+{
+  return to.angle - from.angle;
+}
+inline Vec<3> rotation_between(const Orientation<3>& p, const Orientation<3>& q)
+{
+  const Orientation<3> by = {q.w * p.w + q.x * p.x + q.y * p.y + q.z * p.z, q.x * p.w - q.w * p.x + q.z * p.y - q.y * p.z,
+                             q.y * p.w - q.w * p.y + q.x * p.z - q.z * p.x, q.z * p.w - q.w * p.z + q.y * p.x - q.x * p.y};
+  return rotation_of(by.w < 0 ? Orientation<3>{-by.w, -by.x, -by.y, -by.z} : by);
+}
+
 }  // namespace berm::bodies

@@ -14,7 +14,8 @@ std::vector<const char*> words(const std::variant<Ts...>&)
 
 void describe_shape(Describe& d, RigidShapeSettings& shape)
 {
-  d.one_of("shape", shape, words(shape), {.meaning = "exact surface of the body", .required = true});
+  d.one_of("shape", shape, words(shape),
+           {.meaning = "exact surface of the body; in space circle and polygon are endless along z", .required = true});
 }
 
 template <int dim>

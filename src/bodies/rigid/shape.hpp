@@ -3,10 +3,12 @@
 
 #include "bodies/rigid/box.hpp"
 #include "bodies/rigid/circle.hpp"
+#include "bodies/rigid/cylinder.hpp"
 #include "bodies/rigid/half_plane.hpp"
 #include "bodies/rigid/polygon.hpp"
 #include "bodies/rigid/profile.hpp"
 #include "bodies/rigid/sphere.hpp"
+#include "bodies/rigid/triangulated.hpp"
 
 namespace berm::bodies {
 
@@ -20,7 +22,7 @@ struct ShapeList {
 /// The closed list of shapes, one file each: settings with their declaration, checks, name and drawing; the exact surface
 /// with distance and normal, lowest level, width, reach, moments of inertia, moved copy, surface mesh and, in the plane,
 /// sides. A new shape is such a file and its word here.
-using Shapes = ShapeList<Circle, HalfPlane, Box, Polygon, Profile, Sphere>;
+using Shapes = ShapeList<Circle, HalfPlane, Box, Polygon, Profile, Sphere, Cylinder, Triangulated>;
 using RigidShapeSettings = Shapes::Settings;
 template <int dim>
 using RigidShape = Shapes::In<dim>;
@@ -42,7 +44,7 @@ Real lowest_level(const RigidShape<dim>& shape, const Vec<dim>& up);
 template <int dim>
 Vec<dim> center_of(const RigidShape<dim>& shape);
 
-/// Reference length of normalised results: diameter of a circle or sphere, width of a box or polygon, 0 for a half-plane.
+/// Reference length of normalised results: diameter of a circle, sphere, cylinder or profile, width of a box or polygon, 0 for a half-plane.
 template <int dim>
 Real width_of(const RigidShape<dim>& shape);
 
@@ -56,8 +58,22 @@ Real reach_of(const RigidShape<dim>& shape);
 template <int dim>
 Vec<3> inertia_over_mass(const RigidShape<dim>& shape);
 
+/// The directions of these axes, as columns.
+template <int dim>
+Matrix<dim> axes_of(const RigidShape<dim>& shape)
+{
+  return std::visit(
+      [](const auto& s) -> Matrix<dim> {
+        if constexpr (requires { s.axes; })
+          return s.axes;
+        else
+          return Matrix<dim>::Identity();
+      },
+      shape);
+}
+
 /// Its surface for pictures. A circle becomes a polygon of 128 points (in space: 128 quads along z from lower to upper) and, where it has turned, a line
-/// from its centre; a box a quad (hexahedron); a half-plane the part of its line (polygon) in the box from lower to upper: no cell where it misses that.
+/// from its centre; a box a quad (hexahedron, with round edges polygons); a solid of revolution polygons; a half-plane the part of its line (polygon) in the box from lower to upper: no cell where it misses that.
 template <int dim>
 SurfaceMesh<dim> surface_mesh(const RigidShape<dim>& shape, const Vec<dim>& lower, const Vec<dim>& upper)
 {

@@ -33,11 +33,15 @@ std::string freedom_words(const problem::DriveSettings& drive, int dimension)
     if (f.velocity) words.push_back(fmt::format("{} {}", name, text::speed_words(*f.velocity)));
     if (f.force) words.push_back(fmt::format("{} {}", name, text::force_words(*f.force, dimension)));
     if (f.hold) words.push_back(fmt::format("{} held", name));
+    if (f.free) words.push_back(fmt::format("{} free", name));
+    if (f.spring) words.push_back(fmt::format("{} on a spring of {:.4g} N/m{}", name, *f.spring, dimension == 2 ? "2" : ""));
   };
   const auto add_turn = [&](const char* name, const problem::TurnSettings& f) {
     if (f.velocity) words.push_back(fmt::format("{} {:.4g} rad/s", name, *f.velocity));
     if (f.moment) words.push_back(fmt::format("{} by {:.4g} N{}", name, *f.moment, dimension == 2 ? "" : " m"));
     if (f.fixed) words.push_back(fmt::format("{} fixed", name));
+    if (f.free) words.push_back(fmt::format("{} free", name));
+    if (f.spring) words.push_back(fmt::format("{} on a spring of {:.4g} N{}/rad", name, *f.spring, dimension == 2 ? "" : " m"));
   };
   add("x", drive.x);
   add("y", drive.y);

@@ -317,5 +317,44 @@ TEST(DetectBox, nodes_beside_a_corner_take_the_normal_of_the_side_that_the_soil_
   }
 }
 
+TEST(DetectInSpace, all_particles_near_a_solid_are_points_while_it_turns_and_moves)
+{
+  // Long bodies that turn a little each step, about an axis askew: the list of near cells is kept for some of them.
+  using namespace bodies;
+  const Bed<3> bed;
+  const std::pair<const char*, RigidShapeSettings> solids[] = {
+      {"cylinder", CylinderSettings{{0.8, 1, 0.8}, {1, 0, 1}, 0.3, 1.2}},
+      {"cylinder with round ends", CylinderSettings{{0.8, 1, 0.8}, {1, 0.2, 0}, 0.3, 1.2, CylinderEnds::round}},
+      {"plate", BoxSettings{{0.8, 1, 0.8}, {1, 0.1, 0.6}, 0, {0.1, 0.2, 0.3}}},
+      {"box with round edges", BoxSettings{{0.8, 1, 0.8}, {0.8, 0.5, 0.6}, 0, {0.1, 0.2, 0.3}, 0.1}},
+      {"cone", ProfileSettings{{0, 0.3, 0.3, 0}, {-0.3, 0, 0.6, 0.6}, 0, {0.8, 0.9, 0.8}, {0.3, 1, 0}}},
+      {"ring", ProfileSettings{{0.4, 0.5, 0.5, 0.4}, {-0.3, -0.3, 0.3, 0.3}, 0, {0.8, 1, 0.8}, {0, 1, 0.2}}}};
+  for (const auto& [name, settings] : solids) {
+    const RigidBody<3> rigid{name, make_shape<3>(settings)};
+    RigidState<3> state;
+    ContactPoints<3> found;
+    Index listed = 0;
+    for (int n = 0; n < 60; ++n) {
+      state.displacement += Vec<3>(0.002, -0.004, 0.001);
+      state.orientation.turn_by(Vec<3>(0.03, 0.05, -0.04));
+      NodeField<Real> masses = bed.mass;
+      detect(bed.mesh, bed.particles, rigid, state, Detection::particle, masses, found);
+      const auto shape = placed<3>(rigid, state);
+      Index near = 0;
+      bed.particles.visit([&](Index, Index b, int l) {
+        const Particle<3> p = bed.particles.read(b, l);
+        near += surface_at<3>(shape, p.x).distance < 1.5 * std::cbrt(p.volume);
+      });
+      ASSERT_EQ(static_cast<Index>(found.list.size()), near) << name << ", step " << n;
+      for (const auto& point : found.list) {
+        EXPECT_NEAR(surface_at<3>(shape, point.position).distance, 0, 1e-12) << name;
+        EXPECT_NEAR(point.normal.norm(), 1, 1e-13) << name;
+      }
+      listed += near;
+    }
+    EXPECT_GT(listed, 600) << name;
+  }
+}
+
 }  // namespace
 }  // namespace berm::contact

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/bodies/rigid/triangulated_test.cpp
+#include "bodies/rigid/triangle_file.hpp"
+
+#include "core/error.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <fmt/format.h>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace berm::bodies {
+namespace {
+
+/// Triangles whose equal points become one.
+class Collected {
+public:
+  Index point(const Vec<3>& x)
+  {
+    const auto [found, is_new] = number_.try_emplace({x[0] + 0., x[1] + 0., x[2] + 0.}, static_cast<Index>(triangles.points.size()));
+    if (is_new) triangles.points.push_back(x);
+    return found->second;
+  }
+  void triangle(const std::array<Index, 3>& corners) { triangles.corners.push_back(corners); }
+
+  Triangles triangles;
+
+private:
+  std::map<std::array<Real, 3>, Index> number_;
+};
+
+/// The lines of a text, as words, with their number for messages.
+class Lines {
+public:
+  Lines(std::string file, const std::string& text) : file_(std::move(file)), text_(text) {}
+
+  bool next(std::vector<std::string>& words)
+  {
+    std::string line;
+    if (!std::getline(text_, line)) return false;
+    ++number_;
+    std::istringstream parts(line);
+    words.clear();
+    for (std::string word; parts >> word;) words.push_back(word);
+    return true;
+  }
+  [[noreturn]] void refuse(const std::string& message) const { throw InputError(fmt::format("{}:{}: {}", file_, number_, message)); }
+
+  Vec<3> three_numbers(const std::vector<std::string>& words) const
+  {
+    Vec<3> x;
+    for (int d = 0; d < 3; ++d) {
+      const std::string& word = words.size() > static_cast<std::size_t>(d) + 1 ? words[d + 1] : words[0];
+      const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), x[d]);
+      if (error != std::errc() || stop != word.data() + word.size()) refuse(fmt::format("needs three numbers after \"{}\"", words[0]));
+    }
+    return x;
+  }
+
+private:
+  std::string file_;
+  std::istringstream text_;
+  int number_ = 0;
+};
+
+Triangles text_stl(Lines lines)
+{
+  Collected found;
+  std::vector<std::string> words;
+  std::vector<Index> corners;
+  while (lines.next(words)) {
+    if (words.empty()) continue;
+    if (words[0] == "vertex") corners.push_back(found.point(lines.three_numbers(words)));
+    if (words[0] != "endloop") continue;
+    if (corners.size() != 3) lines.refuse(fmt::format("a facet of an STL file has three vertices, and this one {}", corners.size()));
+    found.triangle({corners[0], corners[1], corners[2]});
+    corners.clear();
+  }
+  if (!corners.empty()) lines.refuse("the file ends within a facet");
+  return std::move(found.triangles);
+}
+
+constexpr std::size_t stl_header = 80, stl_facet = 50;
+
+/// Number of facets that a binary STL file says it has.
+std::uint32_t facets_of(const std::string& bytes)
+{
+  std::uint32_t count = 0;
+  if (bytes.size() >= stl_header + sizeof count) std::memcpy(&count, bytes.data() + stl_header, sizeof count);
+  return count;
+}
+
+Triangles binary_stl(const std::string& bytes)
+{
+  Collected found;
+  for (std::uint32_t k = 0; k < facets_of(bytes); ++k) {
+    float numbers[12];  // the normal, which follows from the vertices, and these
+    std::memcpy(numbers, bytes.data() + stl_header + sizeof k + k * stl_facet, sizeof numbers);
+    std::array<Index, 3> corners;
+    for (int c = 0; c < 3; ++c) corners[c] = found.point(Vec<3>(numbers[3 + 3 * c], numbers[4 + 3 * c], numbers[5 + 3 * c]));
+    found.triangle(corners);
+  }
+  return std::move(found.triangles);
+}
+
+Triangles obj(Lines lines)
+{
+  Collected found;
+  std::vector<Index> points;  // numbers in the file, from 1; negative ones count from the last
+  std::vector<std::string> words;
+  while (lines.next(words)) {
+    if (words.empty()) continue;
+    if (words[0] == "v") points.push_back(found.point(lines.three_numbers(words)));
+    if (words[0] != "f") continue;
+    std::vector<Index> corners;
+    for (std::size_t k = 1; k < words.size(); ++k) {
+      const char* const end = words[k].data() + words[k].size();
+      Index number = 0;
+      const auto [stop, error] = std::from_chars(words[k].data(), end, number);
+      const Index count = static_cast<Index>(points.size()), place = number < 0 ? count + number : number - 1;
+      if (error != std::errc() || (stop != end && *stop != '/') || place < 0 || place >= count)
+        lines.refuse(fmt::format("\"{}\" is no vertex before this line, which has {} of them", words[k], count));
+      corners.push_back(points[place]);
+    }
+    if (corners.size() < 3) lines.refuse(fmt::format("a face has three corners or more, and this one {}", corners.size()));
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k) found.triangle({corners[0], corners[k], corners[k + 1]});
+  }
+  return std::move(found.triangles);
+}
+
+}  // namespace
+
+Triangles read_triangles(const std::filesystem::path& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream all;
+  if (!std::filesystem::is_regular_file(file) || !(all << in.rdbuf())) throw InputError(fmt::format("{} cannot be read", file.string()));
+  const std::string bytes = all.str();
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending == ".obj") return obj({file.string(), bytes});
+  if (ending != ".stl") throw InputError(fmt::format("{}: is neither an STL nor an OBJ file by its ending: .stl, .obj", file.string()));
+  const std::size_t of_facets = stl_header + sizeof(std::uint32_t) + facets_of(bytes) * stl_facet;
+  if (bytes.size() >= stl_header + sizeof(std::uint32_t) && bytes.size() == of_facets) return binary_stl(bytes);
+  if (bytes.starts_with("solid")) return text_stl({file.string(), bytes});
+  throw InputError(fmt::format("{}: has {} bytes, and a binary STL file with its {} facets has {}", file.string(), bytes.size(),
+                               facets_of(bytes), of_facets));
+}
+
+}  // namespace berm::bodies
