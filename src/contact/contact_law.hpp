@@ -14,6 +14,16 @@ struct Interface {
   Real allowed_approach;     ///< m/s: max(0, gap) / T
   bool tied = false;         ///< one velocity field: neither slip nor separation
   Real tension_impulse = 0;  ///< N s: the most tension that a bonded point carries (Pa) times area times dt; 0 where it has none
+  Real water_part = 0;       ///< excess pore pressure over total normal stress, 0 to 1: what the water carries of an impulse that presses
+  Real suction_impulse =
+      0;  ///< N s: the suction in the pores (Pa) times area times dt, which presses soil and surface together; at least 0
+
+  /// The most that a point transmits along the surface, N s: friction acts on the effective normal stress.
+  Real limit(Real normal_impulse) const
+  {
+    const Real effective = normal_impulse - water_part * std::max(Real(0), normal_impulse) + suction_impulse;
+    return friction * std::max(Real(0), effective) + adhesion_impulse;
+  }
 };
 
 /// Effective mass of a contact point, kg: impulse over the velocity change that it makes.
@@ -24,10 +34,10 @@ struct EffectiveMass {
 /// The impulse of a contact point of effective mass m (1/m = sum of N^2 / M over what it moves) that carries `before`
 /// already, with the relative velocity `relative` under that:
 ///
-///   j_n = max(0, before_n + m_n (-relative . n - allowed_approach)),   j_t = before_t - m_t relative_t, cut to |j_t| <= mu j_n + adhesion_impulse.
+///   j_n = max(0, before_n + m_n (-relative . n - allowed_approach)),   j_t = before_t - m_t relative_t, cut to |j_t| <= mu max(0, (1 - water_part) j_n + suction_impulse) + adhesion_impulse.
 ///
 /// A bonded point (tension_impulse J > 0) resists separation, too: where j_n above is 0, j_n = max(-J, min(0, before_n - m_n relative . n)),
-/// and |j_t| <= mu max(0, j_n) + adhesion_impulse.
+/// with the same limit of j_t.
 ///
 /// n is the unit normal towards the body that gets the impulse; N s (per metre run). Zero where j_n is zero. With `before` =
 /// 0 and no bond this is one correction of the paper (equations 8-13); with the impulses of the last sweep it is one step of a projected
@@ -44,7 +54,7 @@ Vec<dim> contact_impulse(const Vec<dim>& relative, const Vec<dim>& n, const Effe
     normal_impulse = std::max(-interface.tension_impulse, std::min(Real(0), before_n - m.normal * speed));
   }
   const Vec<dim> sticking = before - before_n * n - m.along * (relative - speed * n);
-  const Real needed = sticking.norm(), limit = interface.friction * std::max(Real(0), normal_impulse) + interface.adhesion_impulse;
+  const Real needed = sticking.norm(), limit = interface.limit(normal_impulse);
   return normal_impulse * n + (needed <= limit ? Real(1) : limit / needed) * sticking;
 }
 
@@ -57,8 +67,8 @@ ContactStatus status_of(const Vec<dim>& impulse, const Vec<dim>& n, const Interf
 {
   const Real normal_impulse = impulse.dot(n);
   if (!(normal_impulse > 0 || interface.tension_impulse > 0)) return ContactStatus::open;
-  const Real limit = interface.friction * std::max(Real(0), normal_impulse) + interface.adhesion_impulse;
-  return (impulse - normal_impulse * n).norm() < (1 - 1e-9) * limit ? ContactStatus::sticking : ContactStatus::slipping;
+  return (impulse - normal_impulse * n).norm() < (1 - 1e-9) * interface.limit(normal_impulse) ? ContactStatus::sticking
+                                                                                              : ContactStatus::slipping;
 }
 
 /// The impulse of a bilateral constraint at a closed contact point that carries `before` already: the gap closes exactly at

@@ -87,12 +87,20 @@ void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& part
   }
 }
 
+namespace {
+
+/// Calls visit(node, N) for the nodes of a contact point or a footprint.
+template <class At, class Visit>
+void for_nodes(const At& at, const Visit& visit)
+{
+  for (int n = 0; n < at.node_count; ++n) visit(at.nodes[n], at.weights[n]);
+}
+
+}  // namespace
+
 template <int dim>
 void share_surface(ContactPoints<dim>& points)
 {
-  const auto for_nodes = [](const auto& at, const auto& visit) {
-    for (int n = 0; n < at.node_count; ++n) visit(at.nodes[n], at.weights[n]);
-  };
   const auto closed = [](const ContactPoint<dim>& point) { return point.bonded || point.impulse.dot(point.normal) > 0; };
   bool same = points.shared_out, any = false;
   points.closed.resize(points.list.size());
@@ -122,6 +130,28 @@ void share_surface(ContactPoints<dim>& points)
   }
 }
 
+template <int dim>
+void find_water_parts(ContactPoints<dim>& points, const mesh::Mesh<dim>& mesh)
+{
+  if (points.node_area.size() == 0) points.node_area = points.node_weight = NodeField<Real>::zeros(mesh.node_count());
+  NodeField<Real>&water = points.node_area, &total = points.node_weight;
+  for (const ContactPoint<dim>& point : points.list) for_nodes(point, [&](Index i, Real) { water[i] = total[i] = 0; });
+  for (const ContactPoint<dim>& point : points.list)
+    if (point.touching)
+      for_nodes(point, [&](Index i, Real N) {
+        water[i] += N * point.pore_pressure;
+        total[i] += N * point.soil_pressure;
+      });
+  for (ContactPoint<dim>& point : points.list) {
+    point.water_part = 0;
+    for_nodes(point, [&](Index i, Real N) {
+      if (water[i] > 0) point.water_part += N * (total[i] > water[i] ? water[i] / total[i] : 1);
+    });
+  }
+}
+
+template void find_water_parts(ContactPoints<2>&, const mesh::Mesh<2>&);
+template void find_water_parts(ContactPoints<3>&, const mesh::Mesh<3>&);
 template void share_surface(ContactPoints<2>&);
 template void share_surface(ContactPoints<3>&);
 

@@ -24,4 +24,12 @@ void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& part
 template <int dim>
 void share_surface(ContactPoints<dim>& points);
 
+/// What the water carries of the force along the normal at each point, whose particles have the excess pore pressure p and the total normal stress s on the surface:
+///
+///   sum_k N_k(x_q) min(1, P_k / S_k),   P_k = max(0, sum_q N_k(x_q) p_q),   S_k = sum_q N_k(x_q) s_q over touching points;   1 where S_k <= P_k > 0.
+///
+/// Stresses, not impulses: these come and go from point to point and from step to step.
+template <int dim>
+void find_water_parts(ContactPoints<dim>& points, const mesh::Mesh<dim>& mesh);
+
 }  // namespace berm::contact

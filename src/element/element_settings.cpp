@@ -248,7 +248,7 @@ bool knows_total_stress_alone(const material::Material& material)
 
 material::Material material_of(const ElementCase& c, const TestSettings& test)
 {
-  return material::at_depth(*material_named(c, test.material), test.depth);
+  return material::drained(material::at_depth(*material_named(c, test.material), test.depth));
 }
 
 ElementCase read_element_case(const std::filesystem::path& file, const std::vector<std::string>& overrides)

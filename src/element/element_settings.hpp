@@ -91,7 +91,7 @@ bool drained(const TestKind& kind);
 /// Whether a law knows total stresses alone: its strength is undrained, and no pore pressure follows from it.
 bool knows_total_stress_alone(const material::Material& material);
 
-/// The material of a test at the depth of its specimen.
+/// The material of a test at the depth of its specimen, without the water in its pores: the test says where it goes.
 material::Material material_of(const ElementCase& c, const TestSettings& test);
 
 /// Reads an input of berm element; overrides KEY=VALUE as for --set, those of a material of materials_from go there. Throws InputError.

@@ -32,10 +32,8 @@ Stiffness elastic_stiffness(const material::Elasticity& elastic)
 template <class Law>
 constexpr bool has_constant_moduli()
 {
-  return !requires
-  {
-    Law::elastic_is_largest;
-  };
+  if constexpr (requires { Law::elastic_is_largest; }) return !Law::elastic_is_largest;
+  return true;
 }
 
 /// The law's stress, mixed with its elastic trial stress.
@@ -139,7 +137,12 @@ Real Assembly::bytes_of_element()
   return static_cast<Real>(here + of_model + of_state);
 }
 
-/// The law at this point for increments that begin with a stress.
+SymTensor<2> Assembly::effective_stress(const SoilPoint& point, Index cell) const
+{
+  return material::effective_stress(model_.soil_of(cell).materials.front(), point.stress, point.law_state.data());
+}
+
+/// The law at this point for increments that begin with an effective stress.
 material::PreparedMaterial Assembly::law_from(const SymTensor<2>& stress, Index cell, int q) const
 {
   return prepare(associated(model_.soil_at(cell, q), stress));
@@ -159,7 +162,7 @@ void Assembly::update_strength()
 {
   laws_before_ = laws_;
   for_each("follow strength", cells_.size(), [&](Index cell) {
-    for (int q = 0; q < triangle_points; ++q) laws_[cell][q].law = law_from(points_[cell][q].stress, cell, q);
+    for (int q = 0; q < triangle_points; ++q) laws_[cell][q].law = law_from(effective_stress(points_[cell][q], cell), cell, q);
   });
 }
 
@@ -176,11 +179,11 @@ StrengthLag Assembly::strength_lag(const FemState& begin, const std::vector<Real
       const material::Material material = model_.soil_at(cell, q);
       const material::Elasticity elastic = elasticity(material);
       const ShapeAtPoint& shape = model_.shape[cell][q];
-      const SymTensor<2>& end = points_[cell][q].stress;
+      const SymTensor<2> end = effective_stress(points_[cell][q], cell);
       const auto [s1, s3] = extreme_stresses(end);
       const std::optional<Real> strength = shear_strength(material, (s1 + s3) / 2, points_[cell][q].law_state.data());
       if (!strength) continue;
-      SymTensor<2> returned = begin.points[cell][q].stress;
+      SymTensor<2> returned = effective_stress(begin.points[cell][q], cell);
       add_elastic_stress(elastic, returned, strain_of(shape, strain_matrix(shape), model_.mesh.nodes[cell], change));
       for (int k = 0; k < 4; ++k) returned[k] -= end[k];
       const auto [r1, r3] = extreme_stresses(returned);
@@ -210,7 +213,7 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
         [&](const auto& law) {
           update_point(law, viscosity, {strain, dt_, begin.state.time, model_.cell_size[cell]}, point);
         },
-        law_of_point(point.stress, cell, q).law);
+        law_of_point(effective_stress(point, cell), cell, q).law);
     for (int k = 0; k < 4; ++k) mean[k] = (begin.points[cell][q].stress[k] + point.stress[k]) / 2;
     work.work += shape.area * double_dot(mean, strain);
     force += shape.area * b.transpose() * Eigen::Vector3d(point.stress[0], point.stress[1], point.stress[3]);
@@ -231,7 +234,7 @@ void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>
         [&](const auto& law) {
           return stiffness_of_point(law, viscosity, {strain, dt_, begin.state.time, model_.cell_size[cell]}, point);
         },
-        law_of_point(point.stress, cell, q).law);
+        law_of_point(effective_stress(point, cell), cell, q).law);
     stiffness += b.transpose() * (shape.area * d.plane * b);
     if (!(shape.per_radius > 0)) continue;
     const HoopStrain h = hoop_strain(shape), across = b.transpose() * Eigen::Vector3d(d.across);

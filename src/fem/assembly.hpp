@@ -88,10 +88,13 @@ private:
   void count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const;
   void prescribe_unknowns(const FemLoads& loads, Index stage);
 
-  /// The law of an integration point for the increments that begin with this stress, prepared once because that is
+  /// Of a point of integration, Pa, tension positive.
+  SymTensor<2> effective_stress(const SoilPoint& point, Index cell) const;
+
+  /// The law of an integration point for the increments that begin with this effective stress, prepared once because that is
   /// expensive. Its strength may be that of another stress (update_strength).
   struct PointLaw {
-    SymTensor<2> begin{{nan}};  ///< Pa
+    SymTensor<2> begin{{nan}};  ///< Pa, effective
     material::PreparedMaterial law;
   };
   material::PreparedMaterial law_from(const SymTensor<2>& stress, Index cell, int q) const;

@@ -22,6 +22,7 @@ struct Clay {
   static constexpr const char* word = "clay";
   static constexpr const char* strength_key = "undrained_strength";
   static constexpr int state_size = 3;
+  static constexpr bool total_stress_alone = true;
 
   Real density = 0;                     ///< kg/m3, gives the weight
   std::optional<Real> inertia_density;  ///< kg/m3, gives the inertia; empty: density
@@ -39,6 +40,7 @@ struct Clay {
   std::optional<Real> softening_length;  ///< m; empty: none
   Real young_modulus_gradient = 0;       ///< Pa/m, increase with depth
   ProfileOf<Clay> profile = {};
+  std::optional<PoreWater> water = {};
 
   bool operator==(const Clay&) const = default;
 };

@@ -5,7 +5,15 @@
 
 namespace berm::material {
 
-/// Declares the densities of a law.
+/// Declares the water in the pores.
+template <class Law>
+void describe_water(Describe& d, Law& law)
+{
+  d.optional_table("water", law.water,
+                   {.meaning = "the water in the pores, of laws of effective stress; left out: drained, or of total stress"});
+}
+
+/// Declares the densities of a law, and the water in its pores.
 template <class Law>
 void describe_density(Describe& d, Law& law)
 {
@@ -15,6 +23,7 @@ void describe_density(Describe& d, Law& law)
                       "saturated one and the added mass of the water",
            .unit = "kg/m^3",
            .range = positive});
+  describe_water(d, law);
 }
 
 /// Declares the parameters of every law with isotropic linear elasticity: densities, Young's modulus, Poisson's ratio; and the profile over depth, which may

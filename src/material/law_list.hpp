@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "material/law_queries.hpp"
+#include "material/undrained.hpp"
 
 #include <algorithm>
 #include <type_traits>
@@ -14,6 +14,10 @@ namespace berm::material {
 /// A law with precomputed constants.
 template <Law L>
 using PreparedLaw = decltype(prepare(std::declval<const L&>()));
+
+/// The same with water in its pores; of a law of total stress the law itself.
+template <Law L>
+using PreparedWithWater = std::conditional_t<total_stress_alone<L>, PreparedLaw<L>, Undrained<PreparedLaw<L>>>;
 
 /// A variant of these types, each of them once.
 template <class Variant, class... Ts>
@@ -33,9 +37,9 @@ struct LawList {
                 "a law and its prepared form must have the same number of state variables");
 
   using Material = std::variant<Ls...>;  ///< one of them, with its parameters
-  /// One of them, with precomputed constants; laws may share a prepared form.
-  using Prepared = typename VariantOf<std::variant<>, PreparedLaw<Ls>...>::Type;
-  static constexpr int max_state = std::max({Ls::state_size...});
+  /// One of them, with precomputed constants, drained or undrained; laws may share a prepared form.
+  using Prepared = typename VariantOf<std::variant<>, PreparedLaw<Ls>..., PreparedWithWater<Ls>...>::Type;
+  static constexpr int max_state = std::max({PreparedWithWater<Ls>::state_size...});
 
   /// Words of the input, in the order of the list.
   static std::vector<const char*> words() { return {Ls::word...}; }

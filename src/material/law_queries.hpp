@@ -4,6 +4,7 @@
 #include "core/describe.hpp"
 #include "core/field_info.hpp"
 #include "core/tensor.hpp"
+#include "material/pore_water.hpp"
 
 #include <concepts>
 #include <string>
@@ -22,6 +23,7 @@ concept Law = requires(const L& law)
     } -> std::convertible_to<int>;
   law.density;
   law.inertia_density;
+  law.water;
 };
 
 /// Strength of undisturbed soil at a negligible strain rate: shear strength = cohesion cos(friction_angle) - mean stress

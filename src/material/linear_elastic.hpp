@@ -20,6 +20,7 @@ struct LinearElastic {
   Real poisson_ratio = 0;
   Real young_modulus_gradient = 0;  ///< Pa/m, increase with depth
   ProfileOf<LinearElastic> profile = {};
+  std::optional<PoreWater> water = {};
 
   bool operator==(const LinearElastic&) const = default;
 };

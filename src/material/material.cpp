@@ -15,6 +15,7 @@ void check(Describe& d, const std::string& path, const Material& material)
       [&](const auto& law) {
         check(d, path, law);
         check_depths(d, path, law);
+        check_water(d, path, law);
       },
       material);
   d.check(inertia_density(material) >= density(material), path + ".inertia_density", "cannot be less than density, which gives the weight");
@@ -22,7 +23,12 @@ void check(Describe& d, const std::string& path, const Material& material)
 
 PreparedMaterial prepare(const Material& material)
 {
-  return std::visit([](const auto& law) { return PreparedMaterial(prepare(law)); }, material);
+  const auto prepared = [](const auto& law) {
+    if constexpr (!total_stress_alone<std::decay_t<decltype(law)>>)
+      if (undrained(law)) return PreparedMaterial(with_water(prepare(law), water_stiffness(law), min_pore_pressure(*law.water)));
+    return PreparedMaterial(prepare(law));
+  };
+  return std::visit(prepared, material);
 }
 
 Real density(const Material& material)
@@ -47,12 +53,33 @@ YoungPoisson young_poisson(const Material& material)
 
 Real p_wave_modulus(const Material& material)
 {
-  return p_wave_modulus(elasticity(material));
+  return p_wave_modulus(elasticity(material)) + water_stiffness(material);
 }
 
 int state_size(const Material& material)
 {
-  return std::visit([](const auto& law) { return state_count(law); }, material);
+  return std::visit([](const auto& law) { return state_count(law) + (undrained(law) ? 1 : 0); }, material);
+}
+
+bool undrained(const Material& material)
+{
+  return std::visit([](const auto& law) { return undrained(law); }, material);
+}
+
+Real water_stiffness(const Material& material)
+{
+  return std::visit([](const auto& law) { return water_stiffness(law); }, material);
+}
+
+int pore_pressure_place(const Material& material)
+{
+  return undrained(material) ? state_size(material) - 1 : none;
+}
+
+Material drained(Material material)
+{
+  std::visit([](auto& law) { law.water.reset(); }, material);
+  return material;
 }
 
 const char* law_word(const Material& material)
@@ -67,7 +94,9 @@ std::string law_name(const Material& material)
 
 std::vector<FieldInfo> state_fields(const Material& material)
 {
-  return std::visit([](const auto& law) { return state_fields(law); }, material);
+  std::vector<FieldInfo> fields = std::visit([](const auto& law) { return state_fields(law); }, material);
+  if (undrained(material)) fields.push_back({"excess_pore_pressure", "excess pore pressure (compression positive)", "Pa"});
+  return fields;
 }
 
 void initial_state(const Material& material, const SymTensor<3>& stress, Real* state)

@@ -38,15 +38,32 @@ Real density(const Material& material);
 /// Density that gives the inertia, kg/m3.
 Real inertia_density(const Material& material);
 
-/// Elastic moduli.
+/// Elastic moduli, of effective stress.
 Elasticity elasticity(const Material& material);
 YoungPoisson young_poisson(const Material& material);
 
-/// P-wave modulus M, Pa; sqrt(M / inertia density) is the speed of pressure waves.
+/// P-wave modulus M, Pa, of the skeleton and of the water that stays in its pores; sqrt(M / inertia density) is the speed of pressure waves.
 Real p_wave_modulus(const Material& material);
 
-/// Number of state variables per particle.
+/// Number of state variables per particle: those of the law, and of undrained soil the excess pore pressure.
 int state_size(const Material& material);
+
+// Water in the pores (material/undrained.hpp).
+bool undrained(const Material& material);
+/// K_w / n, Pa; 0 where the soil is not undrained.
+Real water_stiffness(const Material& material);
+/// Which of the state variables is the excess pore pressure, Pa, compression positive; none where the soil has none.
+int pore_pressure_place(const Material& material);
+/// The same soil, from which water flows freely.
+Material drained(Material material);
+/// stress + p I of a soil with this state: the stress itself where the soil has no excess pore pressure. Pa, tension positive.
+template <int dim>
+SymTensor<dim> effective_stress(const Material& material, SymTensor<dim> stress, const Real* state)
+{
+  if (const int place = pore_pressure_place(material); place != none)
+    for (int k = 0; k < 3; ++k) stress[k] += state[place];
+  return stress;
+}
 
 /// The law's word in the input.
 const char* law_word(const Material& material);

@@ -30,6 +30,7 @@ struct ModifiedCamClay {
   Real poisson_ratio = 0;
   Real min_pressure = 100;  ///< Pa
   Real max_pressure = 0;    ///< Pa
+  std::optional<PoreWater> water = {};
 
   bool operator==(const ModifiedCamClay&) const = default;
 };

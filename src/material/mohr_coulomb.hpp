@@ -35,6 +35,7 @@ struct MohrCoulomb {
   std::optional<Real> max_opening;     ///< upper bound of the opening; empty: 0.2 where the soil dilates, else 0
   Real young_modulus_gradient = 0;     ///< Pa/m, increase with depth
   ProfileOf<MohrCoulomb> profile = {};
+  std::optional<PoreWater> water = {};
 
   bool operator==(const MohrCoulomb&) const = default;
 };

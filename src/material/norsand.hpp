@@ -40,6 +40,7 @@ struct NorSand {
   Real poisson_ratio = 0;
   Real min_pressure = 100;  ///< Pa
   Real max_pressure = 0;    ///< Pa
+  std::optional<PoreWater> water = {};
 
   bool operator==(const NorSand&) const = default;
 };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "material/user_law.hpp"
 
+#include "material/describe_elasticity.hpp"
+
 #include <fmt/format.h>
 #include <stdexcept>
 
@@ -27,6 +29,7 @@ void describe(Describe& d, UserLaw<interface>& law)
           {.meaning = "density that gives the inertia, where it is not `density`, which gives the weight",
            .unit = "kg/m^3",
            .range = positive});
+  describe_water(d, law);
   d.value("young_modulus", law.young_modulus,
           {.meaning =
                "Young's modulus of the stiffest response that the law will ever give: it sets the time step, and in finite elements the "

@@ -57,6 +57,7 @@ struct UserLaw {
   bool can_yield = true;
   enum class ThreadSafe { probed, yes, no } thread_safe = ThreadSafe::probed;
   std::shared_ptr<const PointLaw> loaded;  ///< by user_law::load; null before
+  std::optional<PoreWater> water = {};
 
   bool operator==(const UserLaw&) const = default;
 };

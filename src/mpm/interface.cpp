@@ -2,6 +2,7 @@
 // Tests: tests/physics/interface.cpp
 #include "mpm/interface.hpp"
 
+#include "contact/footprint.hpp"
 #include "contact/strips.hpp"
 #include "mpm/contact_velocity.hpp"
 
@@ -28,13 +29,23 @@ Real adhesion_beside(const problem::Body<dim>& body, const problem::Contact& con
   return law.at(with_own_values(soil, p.extra + state_size(soil)), p.extra, slip);
 }
 
+/// The total normal stress on a surface with this normal, Pa, compression positive.
+template <int dim>
+Real pressure_on(const SymTensor<dim>& stress, const Vec<dim>& n)
+{
+  Real pressure = 0;
+  for (int a = 0; a < dim; ++a)
+    for (int b = 0; b < dim; ++b) pressure -= n[a] * stress[tensor_index(std::min(a, b), std::max(a, b))] * n[b];
+  return pressure;
+}
+
 }  // namespace
 
 template <int dim>
 void recall(const problem::Model<dim>& model, problem::State<dim>& state, const problem::Contact& contact,
             contact::ContactPoints<dim>& points)
 {
-  if (contact.memory.bond == none && !contact.adhesion_law.differs()) return;
+  if (contact.memory.bond == none && !contact.adhesion_law.differs() && contact.pore_pressure == none) return;
   bodies::Particles<dim>& particles = state.particles[contact.body];
   contact::for_each_point(points, [&](contact::ContactPoint<dim>& point) {
     if (point.block == none) return;  // of another rank
@@ -46,20 +57,28 @@ void recall(const problem::Model<dim>& model, problem::State<dim>& state, const 
     }
     if (contact.adhesion_law.differs())
       point.adhesion = adhesion_beside(model.bodies[contact.body], contact, particles.read(point.block, point.lane));
+    if (contact.pore_pressure != none) {
+      const bodies::Particle<dim> p = particles.read(point.block, point.lane);
+      point.pore_pressure = p.extra[contact.pore_pressure];
+      point.soil_pressure = pressure_on(p.stress, point.normal);
+    }
   });
   struct Recalled {
-    Real adhesion;
+    Real adhesion, pore_pressure, soil_pressure;
     bool bonded;
   };
   contact::share_points<Recalled>(
       points,
       [](const contact::ContactPoint<dim>& point, Recalled& recalled) {
-        recalled = {point.adhesion, point.bonded};
+        recalled = {point.adhesion, point.pore_pressure, point.soil_pressure, point.bonded};
       },
       [](const Recalled& recalled, contact::ContactPoint<dim>& point) {
         point.adhesion = recalled.adhesion;
+        point.pore_pressure = recalled.pore_pressure;
+        point.soil_pressure = recalled.soil_pressure;
         point.bonded = recalled.bonded;
       });
+  if (contact.pore_pressure != none) find_water_parts(points, model.mesh);
 }
 
 template <int dim>

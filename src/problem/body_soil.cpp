@@ -127,6 +127,10 @@ void check_soil(Describe& d, const Case& c, const std::string& path, const bodie
             fmt::format("[material.{}] has the law \"{}\", [material.{}] of the same body \"{}\": all materials of a body need one law; "
                         "make another body of it, with a [contact] between them",
                         name, law_word(second), body.material, law_word(first)));
+    d.check(undrained(first) == undrained(second), key,
+            fmt::format("[material.{}] is {}, [material.{}] of the same body is not: give all materials of a body the same water.drainage, "
+                        "or make another body of it",
+                        name, undrained(second) ? "undrained" : "drained", body.material));
     d.check(state_size(first) == state_size(second), key,
             fmt::format("[material.{}] has {} state variables, [material.{}] of the same body {}: they need as many", name,
                         state_size(second), body.material, state_size(first)));

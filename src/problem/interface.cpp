@@ -114,6 +114,18 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
               fmt::format("is a share of the undrained strength of the soil, and that of [body.{}] has none: it needs a law with an "
                           "undrained_strength, or with friction_angle = 0; else give the adhesion in Pa",
                           contact.body));
+  for (const std::string& side : {contact.body, contact.other_body}) {
+    const Index b = index_of(c.body, side);
+    if (b == none || index_of(c.material, c.body[b].second.material) == none || contact.friction_angle == 0) continue;
+    if (!undrained(soil_of(c, c.body[b].second).materials.front())) continue;
+    const std::string why = fmt::format("friction acts on the effective normal stress, and [body.{}] is undrained", side);
+    d.check(contact.other_body.empty(), path + ".friction_angle",
+            why + ": that is for contact with a rigid body; between two bodies take friction_angle = 0 and, if there is one, adhesion");
+    d.check(c.method == Method::mpm, path + ".friction_angle",
+            why + ": that is for method = \"mpm\"; with finite elements take friction_angle = 0");
+    d.check(contact.detection == contact::Detection::automatic || contact.detection == contact::Detection::particle, path + ".detection",
+            why + ": that goes with \"particle\" only, the default at a rigid body", {"automatic", "particle"});
+  }
   int numbers = 0;
   for (const FieldInfo& field : particle_extra(soil_of(c, c.body[body].second))) numbers += field.components;
   for (const FieldInfo& field : memory_fields(c, contact.body)) numbers += field.components;

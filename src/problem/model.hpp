@@ -35,9 +35,10 @@ struct Contact {
   Real tension = 0;  ///< Pa, that bonded points carry
   AdhesionLaw adhesion_law = {};
   InterfaceMemory memory = {};  ///< of the particles
+  int pore_pressure = none;  ///< place of the excess pore pressure, which friction does not feel, among the numbers of a particle; or none
 
   /// Whether points need their share of the surface.
-  bool needs_areas() const { return adhesion > 0 || adhesion_law.differs() || tension > 0; }
+  bool needs_areas() const { return adhesion > 0 || adhesion_law.differs() || tension > 0 || pore_pressure != none; }
 };
 
 /// A traction: when it acts. Its forces are those of the load points.

@@ -58,7 +58,8 @@ Matrix<2> gradient_at(const fem::ShapeAtPoint& shape, const fem::AtSixNodes<Inde
 struct DrawnField {
   FieldInfo info;
   std::vector<int> first;  ///< by body: which of the numbers of a point is its first component, or none
-  std::function<Real(const fem::SoilPoint&, int number)> of;
+  std::function<Real(const fem::SoilPoint&, int first, int component)> of;
+  bool positive = true;  ///< what is drawn out of a single number is cut off at 0
 };
 
 /// What the soil has of its own at the integration points, where it varies: by body, the field's place among the own values.
@@ -81,6 +82,28 @@ std::vector<OwnField> own_fields_of(const problem::Model<2>& model)
   return fields;
 }
 
+/// Adds the effective stress of a body, if it is undrained.
+void add_effective_stress(const problem::Model<2>& model, std::size_t body, std::vector<DrawnField>& fields)
+{
+  const int place = pore_pressure_place(model.bodies[body].soil.materials.front());
+  if (place == none) return;
+  const auto effective = [](const fem::SoilPoint& point, int pressure, int component) {
+    return point.stress[component] + (component < 3 ? point.law_state[pressure] : 0);
+  };
+  const auto mean = [effective](const fem::SoilPoint& point, int pressure, int) {
+    return (effective(point, pressure, 0) + effective(point, pressure, 1) + effective(point, pressure, 2)) / 3;
+  };
+  for (const FieldInfo& info : effective_stress_fields<2>()) {
+    auto found = std::find_if(fields.begin(), fields.end(), [&](const DrawnField& field) { return field.info.name == info.name; });
+    if (found == fields.end()) {
+      const std::vector<int> in_no_body(model.bodies.size(), none);
+      found = fields.insert(found, info.components > 1 ? DrawnField{info, in_no_body, effective, false}
+                                                       : DrawnField{info, in_no_body, mean, false});
+    }
+    found->first[body] = place;
+  }
+}
+
 std::vector<DrawnField> drawn_fields(const problem::Model<2>& model)
 {
   std::vector<DrawnField> fields;
@@ -88,7 +111,7 @@ std::vector<DrawnField> drawn_fields(const problem::Model<2>& model)
   std::apply(
       [&](const auto&... field) {
         (fields.push_back({field.info(), std::vector<int>(bodies, 0),
-                           [&field](const fem::SoilPoint& point, int component) { return field.of(point, component); }}),
+                           [&field](const fem::SoilPoint& point, int, int component) { return field.of(point, component); }}),
          ...);
       },
       point_fields);
@@ -100,10 +123,12 @@ std::vector<DrawnField> drawn_fields(const problem::Model<2>& model)
       if (!info.goes(to_frame)) continue;
       auto found = std::find_if(fields.begin(), fields.end(), [&](const DrawnField& field) { return field.info.name == info.name; });
       if (found == fields.end())
-        found = fields.insert(
-            found, {info, std::vector<int>(bodies, none), [](const fem::SoilPoint& point, int k) { return point.law_state[k]; }});
+        found = fields.insert(found, {info, std::vector<int>(bodies, none),
+                                      [](const fem::SoilPoint& point, int place, int) { return point.law_state[place]; },
+                                      first != pore_pressure_place(model.bodies[b].soil.materials.front())});
       found->first[b] = first;
     }
+    add_effective_stress(model, b, fields);
   }
   return fields;
 }
@@ -148,15 +173,16 @@ NodeField<NodalSums> draw_out(const fem::FemModel& model, const fem::FemState& s
         sum.gradient_since_last += weight * since_last[q];
         for (std::size_t f = 0; f < drawn.size(); ++f)
           for (int c = 0, first = drawn[f].first[mesh.body[cell]]; first != none && c < drawn[f].info.components; ++c)
-            shown[f]->at(node, c) += weight * drawn[f].of(state.points[cell][q], first + c);
+            shown[f]->at(node, c) += weight * drawn[f].of(state.points[cell][q], first, c);
       }
     }
   }
-  for (FieldValues<Real>* field : shown)
+  for (std::size_t f = 0; f < drawn.size(); ++f)
     for (Index node = 0; node < mesh.node_count(); ++node)
-      for (int c = 0; c < field->info.components; ++c) {
-        Real& value = field->at(node, c);
-        value = field->info.components > 1 ? value / sums[node].area : std::max(Real(0), value / sums[node].area);
+      for (int c = 0; c < drawn[f].info.components; ++c) {
+        Real& value = shown[f]->at(node, c);
+        value /= sums[node].area;
+        if (drawn[f].info.components == 1 && drawn[f].positive) value = std::max(Real(0), value);
       }
   return sums;
 }

@@ -49,6 +49,13 @@ std::vector<FieldInfo> common_fields()
   return fields;
 }
 
+template <int dim>
+std::vector<FieldInfo> effective_stress_fields()
+{
+  return {{"effective_stress", "effective stress (tension positive)", "Pa", tensor_size<dim>, to_frame},
+          {"mean_effective_stress", "mean effective stress (tension positive)", "Pa", 1, to_frame}};
+}
+
 bool is_common_field(const std::string& name)
 {
   const std::vector<FieldInfo> fields = common_fields<2>();
@@ -85,6 +92,7 @@ std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>& model, cons
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template struct Frame<dim>;                                                                                                              \
+  template std::vector<FieldInfo> effective_stress_fields<dim>();                                                                          \
   template std::vector<FieldInfo> common_fields<dim>();                                                                                    \
   template std::size_t bytes_of_point<dim>(int);                                                                                           \
   template std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>&, const std::vector<bodies::RigidState<dim>>&);

@@ -37,6 +37,10 @@ struct Frame {
 template <int dim>
 std::vector<FieldInfo> common_fields();
 
+/// The fields of frames with undrained soil, whose `stress` is the total one less the hydrostatic pressure.
+template <int dim>
+std::vector<FieldInfo> effective_stress_fields();
+
 /// Whether every frame has a field of that name; another one belongs to a law or a method.
 bool is_common_field(const std::string& name);
 

@@ -21,7 +21,7 @@ void visit_all(const bodies::Particles<dim>& particles, Index cells, const Visit
 
 /// The fields that a frame of these bodies has: the common ones, then those that only some of the bodies have, each once.
 template <int dim>
-std::vector<FieldInfo> fields_of(const std::vector<bodies::Particles<dim>>& bodies)
+std::vector<FieldInfo> fields_of(const problem::Model<dim>& model, const std::vector<bodies::Particles<dim>>& bodies)
 {
   std::vector<FieldInfo> fields = common_fields<dim>();
   for (const bodies::Particles<dim>& particles : bodies)
@@ -29,6 +29,8 @@ std::vector<FieldInfo> fields_of(const std::vector<bodies::Particles<dim>>& bodi
       const bool known = std::any_of(fields.begin(), fields.end(), [&](const FieldInfo& info) { return info.name == extra.info.name; });
       if (extra.info.goes(to_frame) && !known) fields.push_back(extra.info);
     }
+  if (std::any_of(model.bodies.begin(), model.bodies.end(), [](const auto& body) { return undrained(body.soil.materials.front()); }))
+    for (const FieldInfo& info : effective_stress_fields<dim>()) fields.push_back(info);
   return fields;
 }
 
@@ -89,8 +91,11 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
   frame.time = state.time;
   std::size_t count = 0;
   for (const bodies::Particles<dim>& particles : state.particles) count += static_cast<std::size_t>(particles.size());
-  frame.allocate(count, fields_of(state.particles));
+  frame.allocate(count, fields_of(model_, state.particles));
   FieldValues<Real>&displacement = frame.field("displacement"), &mean_stress = frame.field("mean_stress");
+  const bool undrained = find_field(frame.fields, "effective_stress") != nullptr;
+  FieldValues<Real>* const effective = undrained ? &frame.field("effective_stress") : nullptr;
+  FieldValues<Real>* const mean_effective = undrained ? &frame.field("mean_effective_stress") : nullptr;
   Index next = 0;
   for (std::size_t body = 0; body < state.particles.size(); ++body) {
     const bodies::Particles<dim>& particles = state.particles[body];
@@ -111,6 +116,10 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
       carried.put(p, k);
       for (int d = 0; d < dim; ++d) displacement.at(k, d) = moved_by[d];
       mean_stress.at(k) = trace(p.stress) / 3;
+      if (effective == nullptr) return;
+      const SymTensor<dim> stress = effective_stress(model_.bodies[body].soil.materials.front(), p.stress, p.extra);
+      for (int s = 0; s < tensor_size<dim>; ++s) effective->at(k, s) = stress[s];
+      mean_effective->at(k) = trace(stress) / 3;
     });
     add_strains(particles, known_[body], point, frame);
   }

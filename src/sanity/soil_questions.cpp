@@ -156,7 +156,8 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
     Real weight = 0, modulus = 0, least = infinity;
     Index softest = 0;
     for (int k = 1; k <= parts; ++k) {
-      const Real depth = s.depth_of(b) * k / parts, here = p_wave_modulus(s.material_at(b, depth)), above = s.weight_above(b, depth);
+      const Real depth = s.depth_of(b) * k / parts, here = p_wave_modulus(elasticity(s.material_at(b, depth))),
+                 above = s.weight_above(b, depth);
       if (!yields(s.material_at(b, depth)) || !(above > 0) || here / above >= least) continue;
       least = here / above, weight = above, modulus = here, softest = soil.number_at(s.region_at(b, depth), depth);
     }

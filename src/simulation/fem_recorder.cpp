@@ -35,7 +35,9 @@ void FemRecorder::observe_watches(const fem::FemModel& model, const fem::FemStat
   for (const fem::FemWatch& watch : model.watches) {
     row_.of(watch.name);
     row_("u", displacement_of(state, watch.node), run_folder::metres, "displacement");
-    row_("s", state.points[watch.cell][watch.point].stress, run_folder::pascals, "stress");
+    const fem::SoilPoint& point = state.points[watch.cell][watch.point];
+    row_("s", point.stress, run_folder::pascals, "stress");
+    observe_water(row_, model.soil_of(watch.cell), point.stress, point.law_state.data());
   }
 }
 

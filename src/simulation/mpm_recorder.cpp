@@ -162,6 +162,7 @@ void MpmRecorder<dim>::observe_watches(const problem::Model<dim>& model, const p
     row_("u", Vec<dim>(watched.x - first_watched_[k]), run_folder::metres, "displacement");
     row_("v", watched.v, run_folder::metres_per_second, "velocity");
     row_("s", watched.stress, run_folder::pascals, "stress");
+    observe_water(row_, model.bodies[model.watches[k].body].soil, watched.stress, watched.extra);
   }
 }
 

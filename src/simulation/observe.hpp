@@ -56,6 +56,17 @@ void observe(run_folder::Row& row, const Energies& energies)
   row("energy_error", energies.error, unit, "error of the energy balance");
 }
 
+/// The water of undrained soil at a point with this total stress and these numbers of its own.
+template <int dim>
+void observe_water(run_folder::Row& row, const problem::BodySoil& soil, const SymTensor<dim>& stress, const Real* extra)
+{
+  const material::Material& material = soil.materials.front();
+  const int place = pore_pressure_place(material);
+  if (place == none) return;
+  row("p", extra[place], run_folder::pascals, "excess pore pressure");
+  row("seff", effective_stress(material, stress, extra), run_folder::pascals, "effective stress");
+}
+
 inline void observe_out_of_balance(run_folder::Row& row, Real over_weight)
 {
   row("out_of_balance", over_weight, run_folder::bare, "force out of balance");

@@ -248,6 +248,23 @@ TEST(ContactStatus, follows_from_the_impulse)
             ContactStatus::slipping);
 }
 
+TEST(ContactLaw, has_friction_on_what_the_water_leaves)
+{
+  const Vec<2> up(0, 1), none_yet(0, 0);
+  const auto impulse = [&](const Vec<2>& relative, Real part, Real suction) {
+    return contact_impulse<2>(relative, up, {2, 2}, {0.5, 0.2, 0, false, 4, part, suction}, none_yet);
+  };
+  // 6 N s along the normal, of which the water carries two thirds, or all; or suction adds 2.
+  EXPECT_NEAR((impulse(Vec<2>(9, -3), 2. / 3, 0) - Vec<2>(-1.2, 6)).norm(), 0, 1e-14);
+  EXPECT_NEAR((impulse(Vec<2>(9, -3), 1, 0) - Vec<2>(-0.2, 6)).norm(), 0, 1e-14);
+  EXPECT_NEAR((impulse(Vec<2>(9, -3), 0, 2) - Vec<2>(-4.2, 6)).norm(), 0, 1e-14);
+  // A bond that is pulled at with 3 N s: suction of 5 still presses the grains with 2; one of 1 does not.
+  EXPECT_NEAR((impulse(Vec<2>(9, 1.5), 0, 5) - Vec<2>(-1.2, -3)).norm(), 0, 1e-14);
+  EXPECT_NEAR((impulse(Vec<2>(9, 1.5), 0, 1) - Vec<2>(-0.2, -3)).norm(), 0, 1e-14);
+  EXPECT_EQ(status_of<2>(Vec<2>(-1.2, 6), up, {0.5, 0.2, 0, false, 0, 2. / 3}), ContactStatus::slipping);
+  EXPECT_EQ(status_of<2>(Vec<2>(-1.2, 6), up, {0.5, 0.2, 0, false, 0, 0.5}), ContactStatus::sticking);
+}
+
 TEST(ContactLaw, works_with_a_mass_along_the_surface_of_its_own)
 {
   const Vec<2> impulse = contact_impulse<2>(Vec<2>(0.5, -3), Vec<2>(0, 1), {2, 10}, {1, 0, 0}, Vec<2>::Zero());

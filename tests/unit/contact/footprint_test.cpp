@@ -166,6 +166,37 @@ TEST(Shares, add_up_to_the_covered_surface_whichever_points_press)
   }
 }
 
+TEST(WaterParts, are_pore_pressure_over_normal_stress_between_none_and_all)
+{
+  Bed bed(0.02);
+  bed.covered(plate(0.013));
+  for (const auto& [water, total, part] : {std::tuple{2e3, 8e3, 0.25}, {8e3, 8e3, 1.}, {8e3, -1e3, 1.}, {-2e3, 8e3, 0.}, {0., 0., 0.}}) {
+    for (ContactPoint<2>& point : bed.found.list) {
+      point.touching = true;
+      point.pore_pressure = water;
+      point.soil_pressure = total;
+    }
+    find_water_parts(bed.found, bed.mesh);
+    for (const ContactPoint<2>& point : bed.found.list) EXPECT_NEAR(point.water_part, part, 1e-12);
+  }
+}
+
+TEST(WaterParts, are_those_of_touching_points_around)
+{
+  Bed bed(0.02);
+  bed.covered(plate(0.013));
+  for (std::size_t k = 0; k < bed.found.list.size(); ++k) {
+    ContactPoint<2>& point = bed.found.list[k];
+    point.touching = k % 4 != 0;
+    point.soil_pressure = 1e3 * Real(1 + k % 3);
+    point.pore_pressure = point.touching ? 0.4 * point.soil_pressure : 1e9;
+  }
+  find_water_parts(bed.found, bed.mesh);
+  Real most = 0;
+  for (const ContactPoint<2>& point : bed.found.list) most = std::max(most, point.water_part);
+  EXPECT_NEAR(most, 0.4, 1e-12);
+}
+
 TEST(Shares, go_to_bonded_points_that_carry_nothing_too)
 {
   Bed bed(0.02);

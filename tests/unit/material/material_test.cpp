@@ -152,6 +152,7 @@ struct Plain {
   static constexpr int state_size = 0;
   Real density = 0;
   std::optional<Real> inertia_density;
+  std::optional<PoreWater> water;
 };
 
 TEST(Material, a_law_that_does_not_answer_has_neither_friction_nor_depth_nor_dilation)

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "material/undrained.hpp"
+
+namespace berm::material {
+
+void check_water(Describe& d, const std::string& path, const std::optional<PoreWater>& water, const SoilForWater& soil)
+{
+  if (!water) return;
+  const std::string table = path + ".water";
+  d.check(soil.effective_stress, table,
+          "is for laws of effective stress, and this one has an undrained strength, which is one of total stress: leave the table out, or "
+          "take mohr_coulomb with a friction_angle, modified_cam_clay or norsand");
+  d.check(!water->porosity || water->bulk_modulus, table + ".porosity", "is needed with bulk_modulus only");
+  d.check(!water->porosity || !soil.has_void_ratio, table + ".porosity", "does not go with void_ratio, which gives it");
+  d.check(!water->bulk_modulus || water->porosity || soil.has_void_ratio, table, "needs the porosity, which goes with bulk_modulus");
+  d.check(!water->min_pressure || water->water_depth == 0, table + ".min_pressure", "does not go with water_depth");
+  if (water->drainage == Drainage::drained) return;
+  d.check(!soil.stiffness_varies || water->bulk_modulus, table, "needs bulk_modulus, because the stiffness of the soil varies with depth");
+  d.check(
+      !soil.dilates || water->min_pressure, path + ".dilation_angle",
+      "undrained soil that dilates never fails: the pore pressure falls, and with it the strength grows, until the water cavitates; take "
+      "dilation_angle = 0, or give the pressure of cavitation as water.min_pressure");
+}
+
+}  // namespace berm::material
