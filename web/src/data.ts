@@ -90,6 +90,8 @@ export interface FilmData {
   note: string | null;
   /** Unit of H and V. */
   forces: "N/m" | "N";
+  /** Whether x is the radius around an axis, of which the film holds one half. */
+  around_axis: boolean;
   /** The whole of a run in space, of which the film is a slice; null: it has no room on the page. */
   space?: SpaceData | null;
   /** Codes (16 bits) of all positions. Bytes in planes: [x low][x high][y low][y high], each by frame, then point. Frame 0 holds codes, each later
@@ -146,6 +148,8 @@ export interface RigidData {
   name: string;
   points: number;
   block: string;
+  /** Of the other half around an axis: at -x. */
+  mirrored?: boolean;
 }
 
 /** The row of history.csv that a row of the run's columns is. */

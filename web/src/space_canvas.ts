@@ -76,6 +76,7 @@ export class SpaceCanvas implements SpacePainter {
         const three = [0, 1, 2].map((k) => [...corners.subarray(3 * surface.triangles[t + k], 3 * surface.triangles[t + k] + 3)]);
         const middle = [0, 1, 2].map((d) => (three[0][d] + three[1][d] + three[2][d]) / 3);
         if (look.cut_bodies && !inside(middle, look)) continue;
+        if (same(three[0], three[1]) || same(three[1], three[2]) || same(three[2], three[0])) continue;
         const fill = () => {
           const { context } = this;
           context.beginPath();
@@ -96,6 +97,10 @@ export class SpaceCanvas implements SpacePainter {
 
 function inside(place: number[], look: SpaceLook): boolean {
   return place.every((x, d) => x >= look.kept.lower[d] && x <= look.kept.upper[d]);
+}
+
+function same(a: number[], b: number[]): boolean {
+  return a.every((x, d) => x === b[d]);
 }
 
 /** The colour of a body's triangle: bright where it faces who looks. */

@@ -17,7 +17,7 @@ import { axes_of, closer, type OrbitCamera, seeing, shifted, turned, VIEWS } fro
 import { CutControls, kept_by } from "./space_cuts";
 import { draw_marks } from "./space_marks";
 import type { Bodies, SpaceLook } from "./space_painter";
-import { on_surface, SpaceParts, type SpaceSoil, type Surface } from "./space_parts";
+import { on_surface, seen_box, type SpaceBox, SpaceParts, type SpaceSoil, type Surface } from "./space_parts";
 import { SpaceStage } from "./space_stage";
 
 /** A run in space whose film holds all of it. */
@@ -229,12 +229,16 @@ class SpacePanel {
     this.request_draw();
   }
 
-  private look_from(view: keyof typeof VIEWS, box = this.soil?.box): void {
+  private look_from(view: keyof typeof VIEWS, box = this.whole()): void {
     if (box !== undefined) this.look(seeing(box, VIEWS[view], this.stage.aspect));
   }
 
+  private whole(): SpaceBox | undefined {
+    return this.soil === null ? undefined : seen_box(this.soil, this.surfaces);
+  }
+
   /** The film's region of interest, over as much of z as along x. */
-  private region() {
+  private region(): SpaceBox | undefined {
     if (this.soil === null) return undefined;
     const { view } = this.run.film, { box } = this.soil;
     const half = (view.upper[0] - view.lower[0]) / 2, middle = (box.lower[2] + box.upper[2]) / 2;
@@ -263,7 +267,7 @@ class SpacePanel {
         this.soil = soil;
         this.masks.clear();
         this.cuts.set_box(soil.box);
-        this.camera = seeing(soil.box, VIEWS.iso, this.stage.aspect);
+        this.camera = seeing(seen_box(soil, surfaces), VIEWS.iso, this.stage.aspect);
       }
       Object.assign(this, { values, surfaces });
       if (field !== null) this.colours = colour_table(field);

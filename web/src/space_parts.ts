@@ -69,10 +69,21 @@ function box_of(codes: Uint16Array, sizes: Uint16Array, from: Vector, step: numb
   return { lower, upper };
 }
 
-/** 1 for each particle above which there is none, and for those that lie less than a side below it; columns are as wide as the largest particle. */
+/** The box of the soil at the start, and of what of bodies is seen where they begin and end: above the soil no higher than the soil is deep. */
+export function seen_box(soil: SpaceSoil, surfaces: Surface[]): SpaceBox {
+  const lower: Vector = [...soil.box.lower], upper: Vector = [...soil.box.upper];
+  const highest = 2 * upper[1] - lower[1];
+  for (const { corners } of surfaces)
+    for (const frame of [corners[0], corners[corners.length - 1]])
+      for (let i = 1; i < frame.length; i += 3) upper[1] = Math.max(upper[1], Math.min(highest, frame[i]));
+  return { lower, upper };
+}
+
+/** 1 for each particle above which there is none, and for those that lie less than a side below it; columns are half as wide again as the
+ * largest particle, so that none is empty where the soil has spread. */
 export function on_surface(soil: SpaceSoil, frame: number): Uint8Array {
   const codes = soil.places[frame];
-  const width = Math.max(1, soil.sizes.reduce((a, b) => Math.max(a, b), 1));
+  const width = 1.5 * soil.sizes.reduce((a, b) => Math.max(a, b), 1);
   const column = (p: number) => Math.floor(codes[3 * p] / width) * 65536 + Math.floor(codes[3 * p + 2] / width);
   const highest = new Map<number, number>();
   for (let p = 0; p < soil.count; p++) highest.set(column(p), Math.max(highest.get(column(p)) ?? 0, codes[3 * p + 1]));

@@ -147,6 +147,7 @@ Film encoded_film(const record::RunRecord& run, const FilmFrames& footage, const
                {"view", {{"lower", pair_of(view.lower)}, {"upper", pair_of(view.upper)}}},
                {"surface", surface ? Json(*surface) : Json()},
                {"note", nullptr},
+               {"around_axis", run.settings.geometry == problem::Geometry::axisymmetric},
                {"forces", run.settings.force_dimension() == 2 ? "N/m" : "N"}};
   if (whole) film["lower_z"] = lower_z;
   for (const Vec<2>& corner : run.ground.line.corners) film["ground"].push_back(pair_of(corner));

@@ -3,6 +3,7 @@
 
 #include "samples/film_decoding.hpp"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 #include <set>
 
