@@ -6,6 +6,7 @@
 #include "io/atomic_file.hpp"
 #include "io/scratch_folder.hpp"
 #include "picture/model_picture.hpp"
+#include "picture/space_picture.hpp"
 
 #include <fmt/format.h>
 
@@ -29,9 +30,6 @@ std::vector<Picture> pictures(const CaseOptions& options)
     const fs::path file = named ? request.folder : fs::path(request.folder.string() + ".png");
     if (file.extension() != ".png" && file.extension() != ".svg")
       throw InputError(fmt::format("-o {}: the picture of a case is a .png or an .svg; name it so", options.output));
-    if (request.settings.dimension() != 2)
-      throw InputError(fmt::format("{}: geometry = \"space\": berm draw shows cases in the plane; berm check tells the size of this one",
-                                   request.case_file.string()));
     all.push_back({std::move(request), file, file.extension() == ".svg" ? plot::PlotFormat::svg : plot::PlotFormat::png});
   }
   return all;
@@ -44,13 +42,20 @@ mesh::Mesh<2> mesh_of(const simulation::RunRequest& request, const fs::path& wor
                                                          : mesh::make_mesh<2>(request.settings.mesh, folder, work_folder);
 }
 
+bool drawn(const Picture& picture, const fs::path& folder, const std::string& name)
+{
+  const problem::Case& settings = picture.request.settings;
+  if (settings.dimension() == 2) return picture::draw_model(settings, mesh_of(picture.request, folder), folder, name, picture.format);
+  return picture::draw_space(settings, mesh::make_mesh<3>(settings.mesh, picture.request.case_file.parent_path(), folder), folder, name,
+                             picture.format);
+}
+
 void draw(const Picture& picture)
 {
   const io::ScratchFolder scratch;
   const std::string name = "model";
   try {
-    if (!picture::draw_model(picture.request.settings, mesh_of(picture.request, scratch.path()), scratch.path(), name, picture.format))
-      throw RunError(fmt::format("{} is not drawn", picture.file.string()));
+    if (!drawn(picture, scratch.path(), name)) throw RunError(fmt::format("{} is not drawn", picture.file.string()));
   } catch (const KeyError& error) {
     throw InputError(picture.request.places.located(error.what()));
   }

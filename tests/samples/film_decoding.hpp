@@ -9,11 +9,12 @@ namespace berm {
 /// Decodes what the page's script decodes, from the words of web/src/data.ts alone.
 
 /// The codes of all places by direction, frame and point.
-inline std::array<std::vector<std::vector<int>>, 2> decoded_places(const std::string& bytes, std::size_t frames, std::size_t count)
+inline std::vector<std::vector<std::vector<int>>> decoded_places(const std::string& bytes, std::size_t frames, std::size_t count,
+                                                                 std::size_t axes = 2)
 {
-  EXPECT_EQ(bytes.size(), 4 * frames * count);
-  std::array<std::vector<std::vector<int>>, 2> places;
-  for (std::size_t d = 0; d < 2; ++d)
+  EXPECT_EQ(bytes.size(), 2 * axes * frames * count);
+  std::vector<std::vector<std::vector<int>>> places(axes);
+  for (std::size_t d = 0; d < axes; ++d)
     for (std::size_t f = 0; f < frames; ++f) {
       std::vector<int>& now = places[d].emplace_back();
       for (std::size_t k = 0; k < count; ++k) {
@@ -57,11 +58,13 @@ struct SeenFilm {
   /// m, by frame and point.
   std::vector<std::vector<Real>> places(int d) const
   {
-    const auto codes = decoded_places(bytes(film.json["position"]), frames(), count());
+    const bool in_space = film.json.contains("lower_z");
+    const auto codes = decoded_places(bytes(film.json["position"]), frames(), count(), in_space ? 3 : 2);
+    const Real lower = d == 2 ? film.json["lower_z"] : film.json["lower"][d];
     std::vector<std::vector<Real>> list;
     for (const std::vector<int>& frame : codes[d]) {
       std::vector<Real>& now = list.emplace_back();
-      for (const int code : frame) now.push_back(film.json["lower"][d].get<Real>() + film.json["step"].get<Real>() * code);
+      for (const int code : frame) now.push_back(lower + film.json["step"].get<Real>() * code);
     }
     return list;
   }

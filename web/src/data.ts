@@ -88,6 +88,12 @@ export interface FilmData {
   ground?: [number, number][];
   /** What of the run the film leaves out, for a caption: "every 2nd frame"; null: nothing. */
   note: string | null;
+  /** Unit of H and V. */
+  forces: "N/m" | "N";
+  /** Whether x is the radius around an axis, of which the film holds one half. */
+  around_axis: boolean;
+  /** The whole of a run in space, of which the film is a slice; null: it has no room on the page. */
+  space?: SpaceData | null;
   /** Codes (16 bits) of all positions. Bytes in planes: [x low][x high][y low][y high], each by frame, then point. Frame 0 holds codes, each later
    * one the change since the frame before, modulo 2^16 and folded: 0, -1, 1, -2, ... are 0, 1, 2, 3, ... */
   position: string;
@@ -100,13 +106,29 @@ export interface FilmData {
   rigids: RigidData[];
 }
 
+/** The whole of a run in space: positions have planes [z low][z high], too, and rigid bodies are surfaces. */
+export interface SpaceData extends FilmData {
+  lower_z: number;
+  surfaces: SurfaceData[];
+}
+
+/** The surface of a rigid body: `triangles` (uint32, three corners each) and the codes of its corners by frame, in planes as those of the soil. */
+export interface SurfaceData {
+  name: string;
+  points: number;
+  triangles: string;
+  lower: [number, number, number];
+  step: number;
+  position: string;
+}
+
 export interface FrameData {
   time: number;
   stage: string;
   /** m; null without a driven body. */
   u: number | null;
   w: number | null;
-  /** N/m; null without a driven body. */
+  /** In the unit of the film's forces; null without a driven body. */
   H: number | null;
   V: number | null;
 }
@@ -126,6 +148,8 @@ export interface RigidData {
   name: string;
   points: number;
   block: string;
+  /** Of the other half around an axis: at -x. */
+  mirrored?: boolean;
 }
 
 /** The row of history.csv that a row of the run's columns is. */

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The bytes of a film's blocks become arrays by frame. Planes of low and high bytes, and changes from frame to frame, are what compresses well.
 
-/** Codes x, y of all points, one array per frame; throws where the number of bytes is wrong. */
-export function decode_places(bytes: Uint8Array, frames: number, count: number): Uint16Array[] {
+/** Codes x, y (in space x, y, z) of all points, one array per frame; throws where the number of bytes is wrong. */
+export function decode_places(bytes: Uint8Array, frames: number, count: number, axes: 2 | 3 = 2): Uint16Array[] {
   const n = frames * count;
-  expect_bytes(bytes, 4 * n);
-  const places = Array.from({ length: frames }, () => new Uint16Array(2 * count));
-  for (let axis = 0; axis < 2; axis++) {
+  expect_bytes(bytes, 2 * axes * n);
+  const places = Array.from({ length: frames }, () => new Uint16Array(axes * count));
+  for (let axis = 0; axis < axes; axis++) {
     const low = 2 * axis * n;
     const high = low + n;
     for (let frame = 0; frame < frames; frame++) {
@@ -16,7 +16,7 @@ export function decode_places(bytes: Uint8Array, frames: number, count: number):
       for (let p = 0; p < count; p++) {
         const code = bytes[low + first + p] | (bytes[high + first + p] << 8);
         // Folded changes: 0, -1, 1, -2, ... are stored as 0, 1, 2, 3, ...
-        now[2 * p + axis] = before === null ? code : before[2 * p + axis] + ((code >>> 1) ^ -(code & 1));
+        now[axes * p + axis] = before === null ? code : before[axes * p + axis] + ((code >>> 1) ^ -(code & 1));
       }
     }
   }

@@ -11,6 +11,10 @@ export interface Gestures {
   first(): void;
   last(): void;
   region(): void;
+  /** With Shift held, and by two fingers; without it these are drags. */
+  pan?(right: number, down: number): void;
+  /** What other keys do. */
+  keys?: Record<string, () => void>;
 }
 
 export const KEYS_HELP =
@@ -60,7 +64,7 @@ function key_action(event: KeyboardEvent, gestures: Gestures): (() => void) | un
     "-": () => gestures.zoom(1 / ZOOM_STEP, null),
     "0": () => gestures.region(),
   };
-  return actions[event.key];
+  return actions[event.key] ?? gestures.keys?.[event.key];
 }
 
 function listen_to_pointers(stage: HTMLElement, gestures: Gestures): void {
@@ -77,11 +81,12 @@ function listen_to_pointers(stage: HTMLElement, gestures: Gestures): void {
     const other = [...down].find(([id]) => id !== event.pointerId)?.[1];
     down.set(event.pointerId, now);
     if (other === undefined) {
-      gestures.drag(now.x - before.x, now.y - before.y);
+      if (event.shiftKey && gestures.pan !== undefined) gestures.pan(now.x - before.x, now.y - before.y);
+      else gestures.drag(now.x - before.x, now.y - before.y);
       return;
     }
     const apart = (point: { x: number; y: number }) => Math.max(10, Math.hypot(point.x - other.x, point.y - other.y));
-    gestures.drag((now.x - before.x) / 2, (now.y - before.y) / 2);
+    (gestures.pan ?? gestures.drag)((now.x - before.x) / 2, (now.y - before.y) / 2);
     gestures.zoom(apart(now) / apart(before), { x: (now.x + other.x) / 2, y: (now.y + other.y) / 2 });
   });
   const lift = (event: PointerEvent) => down.delete(event.pointerId);

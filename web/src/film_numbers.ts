@@ -10,8 +10,8 @@ export interface Unit {
 /** The unit that shows values up to `largest` with few digits; a pure number is shown without one. */
 export function display_unit(unit: string, largest: number): Unit {
   if (unit === "1") return { name: "–", factor: 1 };
-  if ((unit === "Pa" || unit === "N/m") && largest >= 1e6) return { name: `M${unit}`, factor: 1e6 };
-  if ((unit === "Pa" || unit === "N/m") && largest >= 1e3) return { name: `k${unit}`, factor: 1e3 };
+  if (["Pa", "N/m", "N"].includes(unit) && largest >= 1e6) return { name: `M${unit}`, factor: 1e6 };
+  if (["Pa", "N/m", "N"].includes(unit) && largest >= 1e3) return { name: `k${unit}`, factor: 1e3 };
   if ((unit === "m" || unit === "m/s") && largest < 0.5) return { name: `m${unit}`, factor: 1e-3 };
   return { name: unit, factor: 1 };
 }

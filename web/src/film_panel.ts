@@ -5,7 +5,7 @@ import { type Box, type Camera, camera_of, panned, REGION, type Window, window_o
 import type { ColourBar } from "./film_colour_bar";
 import { colour_table, type Range } from "./film_colours";
 import { listen } from "./film_gestures";
-import { MARGIN } from "./film_axes";
+import { draw_axes, MARGIN, PAPER } from "./film_axes";
 import { display_unit } from "./film_numbers";
 import type { Look } from "./film_painter";
 import { PanelPage, type Wishes } from "./film_panel_page";
@@ -293,7 +293,14 @@ export class FilmPanel {
     const bar_title = bar === null ? "" : `${this.field!.label} (${bar.unit.name})`;
     const caption = `${this.run.title}. ${sentence(this.run, this.field, at)}.`;
     let picture: HTMLCanvasElement | null = null;
-    this.stage.draw_at(ratio, this.make_look(), (soil) => (picture = compose({ scene, bar, bar_title, caption, ratio }, soil)));
+    const { width, height } = scene;
+    this.stage.draw_at(ratio, this.make_look(), (soil) => {
+      const draw = (context: CanvasRenderingContext2D) => {
+        context.drawImage(soil, MARGIN.left, MARGIN.top, width - MARGIN.left - MARGIN.right, height - MARGIN.top - MARGIN.bottom);
+        draw_axes(context, scene, PAPER);
+      };
+      picture = compose({ width, height, draw, bar, bar_title, caption, ratio });
+    });
     this.at = before;
     return picture;
   }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A panel as a picture for a paper: black on white, with colour bar and caption.
-import { draw_axes, MARGIN, PAPER, type Scene } from "./film_axes";
+import { PAPER } from "./film_axes";
 import { BAR_HEIGHT, type ColourBar, draw_colour_bar } from "./film_colour_bar";
 
 export interface Picture {
-  scene: Scene;
+  /** px of the page, of what is drawn above colour bar and caption. */
+  width: number;
+  height: number;
+  draw(context: CanvasRenderingContext2D): void;
   /** null: the soil has no field. */
   bar: ColourBar | null;
   bar_title: string;
@@ -16,21 +19,20 @@ export interface Picture {
 const LINE = 17;
 const FONT = '12.5px system-ui, "DejaVu Sans", sans-serif';
 
-export function compose(picture: Picture, soil: HTMLCanvasElement): HTMLCanvasElement {
-  const { scene, ratio } = picture;
+export function compose(picture: Picture): HTMLCanvasElement {
+  const { width, ratio } = picture;
   const canvas = document.createElement("canvas");
   const context = canvas.getContext("2d")!;
   context.font = FONT;
-  const lines = wrap(context, picture.caption, scene.width - 2 * 12), titles = wrap(context, picture.bar_title, scene.width - 2 * 12);
-  const height = scene.height + (picture.bar === null ? 0 : LINE * titles.length + BAR_HEIGHT + 10) + LINE * lines.length + 14;
-  canvas.width = Math.round(scene.width * ratio);
+  const lines = wrap(context, picture.caption, width - 2 * 12), titles = wrap(context, picture.bar_title, width - 2 * 12);
+  const height = picture.height + (picture.bar === null ? 0 : LINE * titles.length + BAR_HEIGHT + 10) + LINE * lines.length + 14;
+  canvas.width = Math.round(width * ratio);
   canvas.height = Math.round(height * ratio);
   context.scale(ratio, ratio);
   context.fillStyle = PAPER.ground;
-  context.fillRect(0, 0, scene.width, height);
-  context.drawImage(soil, MARGIN.left, MARGIN.top, scene.width - MARGIN.left - MARGIN.right, scene.height - MARGIN.top - MARGIN.bottom);
-  draw_axes(context, scene, PAPER);
-  let y = scene.height + 4;
+  context.fillRect(0, 0, width, height);
+  picture.draw(context);
+  let y = picture.height + 4;
   const write = (text: string) => {
     context.font = FONT;
     context.fillStyle = PAPER.text;
@@ -41,7 +43,7 @@ export function compose(picture: Picture, soil: HTMLCanvasElement): HTMLCanvasEl
   };
   if (picture.bar !== null) {
     for (const line of titles) write(line);
-    draw_colour_bar(context, picture.bar, 12, y, scene.width - 2 * 12, PAPER);
+    draw_colour_bar(context, picture.bar, 12, y, width - 2 * 12, PAPER);
     y += BAR_HEIGHT + 10;
   }
   for (const line of lines) write(line);

@@ -27,7 +27,7 @@ export function readings(run: FilmedRun, at: number): [name: string, value: stri
   const force = (name: "H" | "V") => {
     const value = quantity(run, at, name);
     if (value === null) return;
-    const unit = display_unit("N/m", Math.max(...run.film.frames.map((frame) => Math.abs(frame[name] ?? 0))));
+    const unit = display_unit(run.film.forces, Math.max(...run.film.frames.map((frame) => Math.abs(frame[name] ?? 0))));
     shown.push([name, `${digits(value / unit.factor)} ${unit.name}`]);
   };
   length("u");

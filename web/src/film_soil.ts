@@ -57,14 +57,15 @@ export class FilmParts {
     return this.once(rigid.block, () => decoded(rigid.block, (bytes) => decode_outline(bytes, this.film.frames.length, rigid.points)));
   }
 
-  private once<T>(key: string, make: () => Promise<T>): Promise<T> {
+  protected once<T>(key: string, make: () => Promise<T>): Promise<T> {
     let made = this.read.get(key) as Promise<T> | undefined;
     if (made === undefined) this.read.set(key, (made = make()));
     return made;
   }
 }
 
-async function decoded<T>(id: string, decode: (bytes: Uint8Array) => T): Promise<T> {
+/** What is decoded of a block. */
+export async function decoded<T>(id: string, decode: (bytes: Uint8Array) => T): Promise<T> {
   const bytes = await read_block(id);
   try {
     return decode(bytes);

@@ -6,6 +6,7 @@ import { Clock } from "./film_clock";
 import { common_range, type Range } from "./film_colours";
 import { button, choice, make, set_options, tick_box } from "./film_elements";
 import { KEYS_HELP } from "./film_gestures";
+import { MirroredParts, mirrored_film } from "./film_mirror";
 import { FilmPanel } from "./film_panel";
 import { FilmParts } from "./film_soil";
 import { FilmCurves, type FilmMoment } from "./film_curves";
@@ -29,7 +30,8 @@ function time_at(run: FilmedRun, at: number): number {
 }
 
 class Films {
-  private parts: FilmParts[];
+  private runs: FilmedRun[] = [];
+  private parts: FilmParts[] = [];
   private panels: FilmPanel[];
   private clocks: Clock[];
   private linked = true;
@@ -41,12 +43,13 @@ class Films {
   private save = button("film-gif", "Save film (GIF)", "Save all frames of the left panel, with the other beside it, as an animated picture", () => void this.save_gif());
   private moved: (moments: FilmMoment[]) => void;
 
-  constructor(section: HTMLElement, private runs: FilmedRun[], curves: FilmCurves, moved: (moments: FilmMoment[]) => void) {
+  constructor(section: HTMLElement, private readonly halves: FilmedRun[], curves: FilmCurves, moved: (moments: FilmMoment[]) => void) {
     this.moved = (moments) => {
       curves.show(moments);
       moved(moments);
     };
-    this.parts = runs.map((run) => new FilmParts(run.film));
+    this.show_halves(true);
+    const { runs } = this;
     const chosen = first_pair(runs);
     this.panels = chosen.map((run, i) => this.make_panel(run, i));
     this.clocks = this.panels.map((panel) => new Clock((seconds) => this.advance(panel, seconds), () => this.show_playing()));
@@ -92,6 +95,7 @@ class Films {
       set_options(this.together.select, Object.entries(JOINS), this.join);
       bar.append(tick_box("film-linked", "Linked", true, (on) => this.link(on)), this.together.label, this.same);
     }
+    if (this.halves.some((run) => run.film.around_axis)) bar.append(tick_box("film-both", "Both halves around the axis", true, (on) => this.mirror(on)));
     bar.append(this.save);
     return bar;
   }
@@ -113,6 +117,21 @@ class Films {
     }).observe(section);
     document.addEventListener("visibilitychange", look_again);
     document.addEventListener("theme", () => this.panels.forEach((panel) => panel.recolour()));
+  }
+
+  /** Takes the runs around an axis with both of their halves, or as they are. */
+  private show_halves(both: boolean): void {
+    const mirrored = (run: FilmedRun) => both && run.film.around_axis;
+    this.runs = this.halves.map((run) => (mirrored(run) ? { ...run, film: mirrored_film(run.film) } : run));
+    this.parts = this.halves.map((run) => (mirrored(run) ? new MirroredParts(run.film) : new FilmParts(run.film)));
+  }
+
+  private mirror(both: boolean): void {
+    this.pause();
+    const shown = this.panels.map((panel) => this.runs.indexOf(panel.run));
+    this.show_halves(both);
+    for (const [i, panel] of this.panels.entries()) panel.show_run(this.runs[shown[i]], this.parts[shown[i]]);
+    this.describe();
   }
 
   private get right(): FilmPanel | undefined {
@@ -155,7 +174,7 @@ class Films {
   }
 
   private tell(): void {
-    this.moved(this.panels.map((panel) => ({ run: panel.run, time: time_at(panel.run, panel.at) })));
+    this.moved(this.panels.map((panel) => ({ run: this.halves[this.runs.indexOf(panel.run)], time: time_at(panel.run, panel.at) })));
   }
 
   private look(panel: FilmPanel, camera: Camera | null): void {

@@ -6,6 +6,7 @@ import { show_films } from "./films";
 import { show_first_look } from "./first_look";
 import { open_details_in_print } from "./print";
 import { sign_scrolling_tables } from "./tables";
+import { show_space } from "./space_panel";
 import { follow_theme } from "./theme";
 
 const data = page_data();
@@ -13,5 +14,6 @@ follow_theme();
 serve_copy_buttons();
 open_details_in_print();
 const curves = [...show_first_look(document.getElementById("first-look"), data), ...show_charts(document.getElementById("curves")!, data)];
+show_space(document.getElementById("soil")!, data.runs);
 show_films(document.getElementById("soil")!, data, (moments) => curves.forEach((each) => each.mark(moments)));
 sign_scrolling_tables();

@@ -4,8 +4,10 @@
 #include "report/animation/film_choice.hpp"
 #include "report/animation/film_encoding.hpp"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <iterator>
 
 namespace berm::report {
 namespace {
@@ -23,6 +25,8 @@ std::string note_of(const FilmFrames& footage, Index step, std::size_t fields)
   std::vector<std::string> words;
   if (footage.slice)
     words.push_back(fmt::format("slice in the middle: what lay within a particle's size of z = {:.3g} m at the start", *footage.slice));
+  if (footage.one_of > 1)
+    words.push_back(fmt::format("one of {} particles, each drawn as large as all that it stands for", footage.one_of));
   if (step > 1) words.push_back(kept_words(step));
   std::vector<std::string> names;
   for (std::size_t f = footage.fields.size(); f-- > fields;) names.push_back(footage.fields[f].label);
@@ -30,11 +34,9 @@ std::string note_of(const FilmFrames& footage, Index step, std::size_t fields)
   return fmt::format("{}", fmt::join(words, "; "));
 }
 
-}  // namespace
-
-Film make_film(const record::RunRecord& run, const std::string& prefix, std::size_t max_bytes)
+/// The film of a footage that takes at most so many bytes.
+Film fitted(const record::RunRecord& run, const FilmFrames& footage, const std::string& prefix, std::size_t max_bytes)
 {
-  const FilmFrames footage = read_footage(run);
   std::vector<std::string> faults;
   if (!footage.fault.empty()) faults.push_back(footage.fault);
   if (footage.frames.empty()) return {nullptr, {}, faults};
@@ -68,6 +70,24 @@ Film make_film(const record::RunRecord& run, const std::string& prefix, std::siz
       return {nullptr, {}, faults};
     }
   }
+}
+
+/// The part of a page's room that the slice of a run in space takes; the rest goes to the whole.
+constexpr std::size_t part_of_slice = 4;
+
+}  // namespace
+
+Film make_film(const record::RunRecord& run, const std::string& prefix, std::size_t max_bytes)
+{
+  if (run.settings.dimension() == 2) return fitted(run, read_footage(run), prefix, max_bytes);
+  Film film = fitted(run, read_footage(run), prefix, max_bytes / part_of_slice);
+  if (film.json.is_null()) return film;
+  Film whole = fitted(run, read_footage(run, max_memory_of_footage, FilmPart::whole), prefix + "-space", max_bytes - size_of(film));
+  film.json["space"] = whole.json;
+  std::move(whole.blocks.begin(), whole.blocks.end(), std::back_inserter(film.blocks));
+  for (const std::string& fault : whole.faults)
+    if (std::find(film.faults.begin(), film.faults.end(), fault) == film.faults.end()) film.faults.push_back(fault);
+  return film;
 }
 
 }  // namespace berm::report

@@ -20,7 +20,8 @@ struct Film {
 };
 
 /// Reads the frames of a run; `most_bytes` is how much the blocks may take together: where they would take more, frames are left out evenly
-/// (never the last of a stage). Ids begin with `prefix`. In space the film shows the slice in the middle.
+/// (never the last of a stage). Ids begin with `prefix`. In space the film shows the
+/// slice in the middle, and has a film of the whole, `space`.
 Film make_film(const record::RunRecord& run, const std::string& prefix, std::size_t max_bytes);
 
 }  // namespace berm::report

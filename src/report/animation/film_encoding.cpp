@@ -5,6 +5,7 @@
 #include "core/for_each_task.hpp"
 #include "report/animation/film_outline.hpp"
 #include "report/animation/film_quantization.hpp"
+#include "report/animation/film_surface.hpp"
 #include "report/animation/film_view.hpp"
 #include "structures/base/driven_body.hpp"
 #include "text/base64_zlib.hpp"
@@ -107,6 +108,16 @@ std::vector<float> increments(const std::vector<const FilmFrame*>& frames, std::
   return all;
 }
 
+/// The lowest z of the frames of a film of the whole of a run in space, m; a grid whose step is not enough along z is made coarser.
+Real take_in_z(FilmGrid& grid, const std::vector<const FilmFrame*>& frames)
+{
+  std::vector<const std::vector<float>*> z;
+  for (const FilmFrame* frame : frames) z.push_back(&frame->z);
+  const auto [lower, upper] = ends_of(z);
+  grid.step = std::max(grid.step, (upper - lower) / max_code);
+  return lower;
+}
+
 std::string name_of(std::int32_t rigid, const problem::Case& settings)
 {
   const bool known = rigid >= 0 && rigid < static_cast<std::int32_t>(settings.rigid.size());
@@ -121,7 +132,9 @@ Film encoded_film(const record::RunRecord& run, const FilmFrames& footage, const
   std::vector<const FilmFrame*> frames;
   for (const Index k : kept) frames.push_back(&footage.frames[k]);
   const FilmBox soil = box_of(frames), view = film_view(run, covered(soil, footage));
-  const FilmGrid grid(soil);
+  FilmGrid grid(soil);
+  const bool whole = !frames.front()->z.empty();
+  const Real lower_z = whole ? take_in_z(grid, frames) : 0;
   const std::optional<Real> surface = film_surface(run);
   const bool particles = footage.triangles.empty();
   Blocks blocks(prefix);
@@ -133,9 +146,12 @@ Film encoded_film(const record::RunRecord& run, const FilmFrames& footage, const
                {"step", grid.step},
                {"view", {{"lower", pair_of(view.lower)}, {"upper", pair_of(view.upper)}}},
                {"surface", surface ? Json(*surface) : Json()},
-               {"note", nullptr}};
+               {"note", nullptr},
+               {"around_axis", run.settings.geometry == problem::Geometry::axisymmetric},
+               {"forces", run.settings.force_dimension() == 2 ? "N/m" : "N"}};
+  if (whole) film["lower_z"] = lower_z;
   for (const Vec<2>& corner : run.ground.line.corners) film["ground"].push_back(pair_of(corner));
-  film["position"] = blocks.add("position", [&] { return position_bytes(frames, grid); });
+  film["position"] = blocks.add("position", [&] { return position_bytes(frames, grid, lower_z); });
   film["size"] = particles ? Json(blocks.add("size", [&] { return size_bytes(footage.sizes, grid); })) : Json();
   film["triangles"] = particles ? Json() : Json(blocks.add("triangles", [&] { return triangle_bytes(footage.triangles); }));
   film["elements"] = particles ? 0 : parts_of_triangle;
@@ -154,10 +170,23 @@ Film encoded_film(const record::RunRecord& run, const FilmFrames& footage, const
         {{"name", field.name}, {"label", field.label}, {"unit", field.unit}, {"low", nullptr}, {"high", nullptr}, {"block", id}});
   }
   film["rigids"] = Json::array();
-  const std::vector<FilmOutline> outlines = film_outlines(frames, run.settings.dimension());
+  const std::vector<FilmOutline> outlines = whole ? std::vector<FilmOutline>() : film_outlines(frames, run.settings.dimension());
   for (const FilmOutline& outline : outlines) {
     const std::string id = blocks.add(fmt::format("rigid-{}", film["rigids"].size()), [&outline] { return bytes_of(outline.corners); });
     film["rigids"].push_back({{"name", name_of(outline.rigid, run.settings)}, {"points", outline.points}, {"block", id}});
+  }
+
+  const std::vector<FilmSurface> surfaces = whole ? film_surfaces(frames) : std::vector<FilmSurface>();
+  if (whole) film["surfaces"] = Json::array();
+  for (const FilmSurface& s : surfaces) {
+    const SurfaceGrid places(s);
+    const std::string number = std::to_string(film["surfaces"].size());
+    film["surfaces"].push_back({{"name", name_of(s.rigid, run.settings)},
+                                {"points", s.points},
+                                {"triangles", blocks.add("surface-" + number, [&s] { return bytes_of(s.triangles); })},
+                                {"lower", Json::array({places.lower[0], places.lower[1], places.lower[2]})},
+                                {"step", places.step},
+                                {"position", blocks.add("surface-position-" + number, [&s, places] { return places.bytes(s); })}});
   }
 
   std::vector<FilmBlock> made = blocks.make();

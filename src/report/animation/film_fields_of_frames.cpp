@@ -16,6 +16,14 @@ float finite(float value)
   return std::isfinite(value) ? value : 0;
 }
 
+/// Whether a particle is among those shown of a run in space: one of `n`, in no order that a lattice of particles could have.
+bool is_shown(std::int32_t id, Index n)
+{
+  std::uint32_t mixed = static_cast<std::uint32_t>(id) * 2654435769u;
+  mixed = (mixed ^ mixed >> 15) * 2246822519u;
+  return (mixed ^ mixed >> 13) % static_cast<std::uint32_t>(n) == 0;
+}
+
 float length(const std::vector<float>& vectors, Index k)
 {
   const Real x = vectors[3 * k], y = vectors[3 * k + 1], z = vectors[3 * k + 2];
@@ -24,19 +32,22 @@ float length(const std::vector<float>& vectors, Index k)
 
 }  // namespace
 
-FilmReader::FilmReader(const run_folder::FrameFiles& first, int dimension, const std::string& body)
+FilmReader::FilmReader(const run_folder::FrameFiles& first, int dimension, const std::string& body, FilmPart part, Index most)
     : first_(run_folder::read_soil(first.soil)),
       fields_(film_fields(first_.fields, body))
 {
   const Index count = static_cast<Index>(first_.x.size());
   if (count == 0) throw RunError(fmt::format("{}: has no particles", first.soil.string()));
+  with_z_ = dimension == 3 && part == FilmPart::whole;
+  if (with_z_) one_of_ = (count + most - 1) / most;
+  const auto stands_for = static_cast<float>(std::cbrt(Real(one_of_)));
   const auto [lowest, highest] = std::minmax_element(first_.z.begin(), first_.z.end());
   middle_ = (Real(*lowest) + Real(*highest)) / 2;
   for (Index k = 0; k < count; ++k) {
     const Real volume = std::max(finite(first_.volume[k]), 0.f), size = dimension == 2 ? std::sqrt(volume) : std::cbrt(volume);
-    if (dimension == 3 && std::abs(first_.z[k] - middle_) > size) continue;
+    if (with_z_ ? !is_shown(first_.id[k], one_of_) : dimension == 3 && std::abs(first_.z[k] - middle_) > size) continue;
     chosen_.push_back(k);
-    sizes_.push_back(static_cast<float>(size));
+    sizes_.push_back(static_cast<float>(size) * stands_for);
   }
   if (chosen_.empty()) throw RunError(fmt::format("{}: has no particles in the middle", first.soil.string()));
 }
@@ -85,6 +96,7 @@ FilmFrame FilmReader::film_frame(const run_folder::SavedSoil& soil) const
   for (const Index k : chosen_) {
     frame.x.push_back(soil.x[k]);
     frame.y.push_back(soil.y[k]);
+    if (with_z_) frame.z.push_back(soil.z[k]);
   }
   for (const FilmField& field : fields_) frame.fields.push_back(values(soil, field));
   return frame;

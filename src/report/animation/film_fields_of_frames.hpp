@@ -8,15 +8,23 @@ namespace berm::report {
 /// What a film needs of a frame. Values by point; one that is not finite is 0.
 struct FilmFrame {
   std::vector<float> x, y;                 ///< m
+  std::vector<float> z;                    ///< m; empty but where all of a run in space is shown
   std::vector<std::vector<float>> fields;  ///< as FilmReader::fields says; those that are summed from the first frame read on
   run_folder::SavedRigids rigid_bodies;
 };
 
-/// Reads the frames of a run as its film shows them: all points in plane strain, in space those of the slice in the middle.
+/// What a film of a run in space shows.
+enum class FilmPart { slice, whole };
+
+/// Most particles of a film of the whole of a run in space; of more, every n-th is shown.
+constexpr Index max_in_space = 40'000;
+
+/// Reads the frames of a run as its film shows them: all points in plane strain; in space those of the slice in the middle, or of the whole as many as `most`.
 class FilmReader {
 public:
   /// `body` is the word of the rigid body that is driven, or "". Reads the first frame, whose points all others must have. Throws RunError where it cannot be read or has no points.
-  FilmReader(const run_folder::FrameFiles& first, int dimension, const std::string& body);
+  FilmReader(const run_folder::FrameFiles& first, int dimension, const std::string& body, FilmPart part = FilmPart::slice,
+             Index most = max_in_space);
 
   /// What the first frame holds of fields.
   const std::vector<FilmField>& fields() const { return fields_; }
@@ -28,6 +36,8 @@ public:
   const std::vector<std::array<Index, 6>>& triangles() const { return first_.triangles; }
   /// z of the slice, m.
   Real middle() const { return middle_; }
+  /// One of so many particles is shown; 1: all.
+  Index one_of() const { return one_of_; }
 
   /// Fields that are summed are those since the frame before it. Throws RunError where a file cannot be read or holds other points. Safe to call from several threads.
   FilmFrame read(const run_folder::FrameFiles& files) const;
@@ -45,6 +55,8 @@ private:
   std::vector<Index> chosen_;  ///< points of the frames that the film shows
   std::vector<float> sizes_;
   Real middle_ = 0;
+  Index one_of_ = 1;
+  bool with_z_ = false;
 };
 
 }  // namespace berm::report

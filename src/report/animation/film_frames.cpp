@@ -81,7 +81,7 @@ std::vector<std::string> FilmFrames::stages() const
   return stages_of(moments);
 }
 
-FilmFrames read_footage(const record::RunRecord& run, std::size_t max_memory)
+FilmFrames read_footage(const record::RunRecord& run, std::size_t max_memory, FilmPart part)
 {
   FilmFrames footage;
   std::vector<run_folder::FrameFiles> files;
@@ -91,11 +91,12 @@ FilmFrames read_footage(const record::RunRecord& run, std::size_t max_memory)
       if (run.history.rows() > 0) footage.fault = "there is no film of the soil: frames/ lists no frames";
       return footage;
     }
-    const FilmReader reader(files.front(), run.settings.dimension(),
-                            base::drives_a_body(run.settings) ? base::body_word(run.settings) : "");
+    const FilmReader reader(files.front(), run.settings.dimension(), base::drives_a_body(run.settings) ? base::body_word(run.settings) : "",
+                            part);
     footage.sizes = reader.sizes();
     footage.triangles = reader.triangles();
-    if (run.settings.dimension() == 3) footage.slice = reader.middle();
+    footage.one_of = reader.one_of();
+    if (run.settings.dimension() == 3 && part == FilmPart::slice) footage.slice = reader.middle();
     read_frames(footage, run, files, reader, max_memory);
   } catch (const RunError& error) {
     footage.fault = files.empty() ? fmt::format("there is no film of the soil: {}", error.what())

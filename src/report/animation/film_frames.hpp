@@ -18,14 +18,18 @@ struct FilmFrames {
   std::vector<float> sizes;                     ///< m, of the square or cube that each particle stands for at the start
   std::vector<std::array<Index, 6>> triangles;  ///< quadratic, of points; none in MPM
   std::optional<Real> slice;                    ///< z of the slice that is shown of a run in space, m
+  Index one_of = 1;                             ///< of the whole of a run in space one of so many particles is shown
   std::string fault;                            ///< why frames are missing, in words, or ""
 
   std::size_t count() const { return sizes.size(); }
   std::vector<std::string> stages() const;
 };
 
+/// bytes
+constexpr std::size_t max_memory_of_footage = 1'000'000'000;
+
 /// Reads the frames of a run up to the first that is missing or damaged; no frames where there are none. They are held in memory until it is known how
 /// many of them the page can take: where all would take more than `most_memory` bytes, they are left out evenly (never the last of a stage).
-FilmFrames read_footage(const record::RunRecord& run, std::size_t max_memory = 1'000'000'000);
+FilmFrames read_footage(const record::RunRecord& run, std::size_t max_memory = max_memory_of_footage, FilmPart part = FilmPart::slice);
 
 }  // namespace berm::report

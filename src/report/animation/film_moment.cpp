@@ -33,8 +33,8 @@ FilmMoment moment_at(const run_folder::History& history, Real time)
   moment.stage = history.stage[nearest];
   if (history.has("u_m")) moment.u = between_rows(times, history["u_m"], after, time);
   if (history.has("w_m")) moment.w = between_rows(times, history["w_m"], after, time);
-  if (history.has("H_N_m")) moment.H = history["H_N_m"][nearest];
-  if (history.has("V_N_m")) moment.V = history["V_N_m"][nearest];
+  if (history.has_label("H")) moment.H = history.by_label("H")[nearest];
+  if (history.has_label("V")) moment.V = history.by_label("V")[nearest];
   return moment;
 }
 

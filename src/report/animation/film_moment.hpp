@@ -9,7 +9,7 @@ namespace berm::report {
 struct FilmMoment {
   std::string stage;    ///< of the row nearest in time
   Real u = nan, w = u;  ///< m, between two rows on the straight line
-  Real H = nan, V = H;  ///< N/m, of the row nearest in time
+  Real H = nan, V = H;  ///< N/m, around an axis and in space N; of the row nearest in time
 };
 
 /// The moment of a time, s; before the first row or behind the last one, that row's.

@@ -9,8 +9,6 @@
 namespace berm::report {
 namespace {
 
-constexpr Real max_code = 65535;
-
 /// A change of a code, such that small changes either way are small numbers: 0, -1, 1, -2, ... are 0, 1, 2, 3, ...
 std::uint16_t folded(std::uint16_t now, std::uint16_t before)
 {
@@ -18,7 +16,20 @@ std::uint16_t folded(std::uint16_t now, std::uint16_t before)
   return static_cast<std::uint16_t>(change << 1 ^ change >> 15);
 }
 
+std::uint16_t code_of(Real x, Real lower, Real step)
+{
+  return static_cast<std::uint16_t>(std::lround(std::clamp((x - lower) / step, 0., max_code)));
+}
+
 }  // namespace
+
+std::pair<Real, Real> ends_of(const std::vector<const std::vector<float>*>& lists)
+{
+  std::pair<Real, Real> ends{infinity, -infinity};
+  for (const std::vector<float>* list : lists)
+    for (const float number : *list) ends = {std::min<Real>(ends.first, number), std::max<Real>(ends.second, number)};
+  return ends;
+}
 
 FilmBox box_of(const std::vector<const FilmFrame*>& frames)
 {
@@ -43,27 +54,31 @@ FilmGrid::FilmGrid(const FilmBox& box) : lower(box.lower), step((box.upper - box
 
 std::uint16_t FilmGrid::code(Real x, int d) const
 {
-  return static_cast<std::uint16_t>(std::lround(std::clamp((x - lower[d]) / step, 0., max_code)));
+  return code_of(x, lower[d], step);
 }
 
-std::string position_bytes(const std::vector<const FilmFrame*>& frames, const FilmGrid& grid)
+std::string axis_bytes(const std::vector<const std::vector<float>*>& frames, Real lower, Real step)
 {
-  const std::size_t count = frames.front()->x.size(), plane = frames.size() * count;
-  std::string bytes(4 * plane, '\0');
+  const std::size_t count = frames.front()->size(), plane = frames.size() * count;
+  std::string bytes(2 * plane, '\0');
   std::vector<std::uint16_t> before(count);
-  for (int d = 0; d < 2; ++d) {
-    char *low = bytes.data() + 2 * static_cast<std::size_t>(d) * plane, *high = low + plane;
-    for (const FilmFrame* frame : frames) {
-      const std::vector<float>& places = d == 0 ? frame->x : frame->y;
-      for (std::size_t k = 0; k < count; ++k) {
-        const std::uint16_t now = grid.code(places[k], d), stored = frame == frames.front() ? now : folded(now, before[k]);
-        before[k] = now;
-        *low++ = static_cast<char>(stored & 255);
-        *high++ = static_cast<char>(stored >> 8);
-      }
+  char *low = bytes.data(), *high = low + plane;
+  for (const std::vector<float>* places : frames)
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::uint16_t now = code_of((*places)[k], lower, step), stored = places == frames.front() ? now : folded(now, before[k]);
+      before[k] = now;
+      *low++ = static_cast<char>(stored & 255);
+      *high++ = static_cast<char>(stored >> 8);
     }
-  }
   return bytes;
+}
+
+std::string position_bytes(const std::vector<const FilmFrame*>& frames, const FilmGrid& grid, Real lower_z)
+{
+  std::vector<const std::vector<float>*> x, y, z;
+  for (const FilmFrame* frame : frames) x.push_back(&frame->x), y.push_back(&frame->y), z.push_back(&frame->z);
+  const std::string plane = axis_bytes(x, grid.lower[0], grid.step) + axis_bytes(y, grid.lower[1], grid.step);
+  return frames.front()->z.empty() ? plane : plane + axis_bytes(z, lower_z, grid.step);
 }
 
 std::string size_bytes(const std::vector<float>& sizes, const FilmGrid& grid)

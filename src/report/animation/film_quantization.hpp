@@ -12,10 +12,16 @@ std::string bytes_of(const std::vector<T>& numbers)
   return {reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(T)};
 }
 
+/// The largest code of a place.
+constexpr Real max_code = 65535;
+
 /// A rectangle, m.
 struct FilmBox {
   Vec<2> lower, upper;
 };
+
+/// The lowest and the highest of lists of numbers; infinity and -infinity of none.
+std::pair<Real, Real> ends_of(const std::vector<const std::vector<float>*>& lists);
 
 /// The box of all points in all frames.
 FilmBox box_of(const std::vector<const FilmFrame*>& frames);
@@ -28,8 +34,12 @@ struct FilmGrid {
   std::uint16_t code(Real x, int d) const;
 };
 
-/// The codes of all places as bytes of the position block of FilmData in web/src/data.ts.
-std::string position_bytes(const std::vector<const FilmFrame*>& frames, const FilmGrid& grid);
+/// Places along one axis, by frame, as codes: bytes [low][high], each by frame, then point. Those of frame 0 as they are, of each later one the change since the
+/// frame before, folded: 0, -1, 1, -2, ... are 0, 1, 2, 3, ...
+std::string axis_bytes(const std::vector<const std::vector<float>*>& frames, Real lower, Real step);
+
+/// The codes of all places, x and then y and, where there is one, z from `lower_z` on, as bytes of the position block of FilmData in web/src/data.ts.
+std::string position_bytes(const std::vector<const FilmFrame*>& frames, const FilmGrid& grid, Real lower_z = 0);
 
 /// Sides of squares (m) in the grid's steps, at least one, as bytes of 16-bit numbers.
 std::string size_bytes(const std::vector<float>& sizes, const FilmGrid& grid);

@@ -188,6 +188,17 @@ void add_path(Sketch& sketch, const problem::Case& c)
   }
 }
 
+/// What the drawing, the plane x-y, does not show of a case in space.
+std::string space_note(const problem::Case& c)
+{
+  std::string words = "The case is in space: drawn are the sides of its mesh and bodies in the plane x-y, y up";
+  if (const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh); box != nullptr && box->size.size() == 3) {
+    const Real from = box->lower.empty() ? 0 : box->lower[2];
+    words += fmt::format("; along z, towards who looks, the mesh goes from {:.4g} m to {:.4g} m", from, from + box->size[2]);
+  }
+  return words + ".";
+}
+
 }  // namespace
 
 Extent around(const Extent& a, const Extent& b)
@@ -227,7 +238,7 @@ Sketch sketch_of(const problem::Case& settings, const problem::Ground& ground)
   sketch.gravity = in_plane(settings.gravity);
   if (settings.geometry == problem::Geometry::axisymmetric)
     sketch.notes.emplace_back("The case is axisymmetric: x is the radius, and the left edge is the axis.");
-  if (settings.dimension() == 3) sketch.notes.emplace_back("The case is in space: this is its plane x-y.");
+  if (settings.dimension() == 3) sketch.notes.push_back(space_note(settings));
   return sketch;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/animation/film.hpp"
 
+#include "report/animation/film_fields_of_frames.hpp"
 #include "samples/film_decoding.hpp"
 #include "samples/sample_film_run.hpp"
 
@@ -368,6 +369,51 @@ TEST(film, of_finite_elements_is_of_triangles_without_speed)
     const auto a = corners[3 * t], b = corners[3 * t + 1], c = corners[3 * t + 2];
     EXPECT_NEAR((x[b] - x[a]) * (y[c] - y[a]) - (x[c] - x[a]) * (y[b] - y[a]), 0.04 / 4, 1e-5);
   }
+}
+
+TEST(film, of_the_whole_in_space_holds_all_particles_and_the_surface_of_the_pipe)
+{
+  const SampleFilmRun<3> sample;
+  const Film film = make_film(sample.run, "f", plenty);
+  ASSERT_TRUE(film.json["space"].is_object());
+  const Film whole{film.json["space"], film.blocks, {}};
+  const SeenFilm seen{whole};
+  ASSERT_EQ(seen.count(), 128u);
+  EXPECT_TRUE(whole.json["note"].is_null());
+  EXPECT_EQ(whole.json["forces"], "N");
+  const Real half_step = whole.json["step"].get<Real>() / 2 * (1 + 1e-6);
+  const std::vector<std::vector<Real>> places[] = {seen.places(0), seen.places(1), seen.places(2)};
+  for (Index f = 0; f < 7; ++f) {
+    const auto particles = particles_of(sample.frame(f));
+    for (std::size_t k = 0; k < 128; ++k)
+      for (int d = 0; d < 3; ++d) EXPECT_NEAR(places[d][f][k], particles[k].particle.x[d], half_step);
+  }
+
+  ASSERT_EQ(whole.json["surfaces"].size(), 1u);
+  const auto& surface = whole.json["surfaces"][0];
+  EXPECT_EQ(surface["name"], "pipe <1>");
+  const std::size_t points = surface["points"];
+  const auto codes = decoded_places(seen.bytes(surface["position"]), 7, points, 3);
+  const Real step = surface["step"];
+  for (Index f = 0; f < 7; ++f)
+    for (std::size_t k = 0; k < points; ++k) {
+      const auto corner = [&](int d) { return surface["lower"][d].get<Real>() + step * codes[d][f][k]; };
+      const Real away = std::hypot(corner(0) - sample.u(f), corner(1) - (sample.D / 2 - sample.w(f)));
+      EXPECT_LE(away, sample.D / 2 + 2 * step);  // the circle's own corners; those of its ends' middles lie inside
+    }
+}
+
+TEST(film, particles_that_are_too_many_in_space_are_thinned_and_stand_for_their_neighbours)
+{
+  const SampleFilmRun<3> sample;
+  const std::vector<run_folder::FrameFiles> files = run_folder::frame_files(sample.folder / "frames");
+  const FilmReader all(files.front(), 3, "", FilmPart::whole), some(files.front(), 3, "", FilmPart::whole, 43);
+  EXPECT_EQ(all.one_of(), 1);
+  EXPECT_EQ(all.count(), 128u);
+  EXPECT_EQ(some.one_of(), 3);
+  EXPECT_NEAR(static_cast<Real>(some.count()), 128. / 3, 3 * std::sqrt(128. * 2 / 9));  // three standard deviations of a choice at random
+  EXPECT_NEAR(some.sizes().front(), all.sizes().front() * std::cbrt(3.), 1e-6);
+  EXPECT_EQ(some.read(files.front()).z.size(), some.count());
 }
 
 }  // namespace

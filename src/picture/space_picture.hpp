@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mesh/mesh.hpp"
+#include "plot/gnuplot.hpp"
+#include "problem/case.hpp"
+
+namespace berm::picture {
+
+/// Where a point is in an isometric picture, seen from the positive side of all axes with y up: m to the right and m up.
+Vec<2> isometric(const Vec<3>& x);
+
+/// FOLDER/NAME.png or .svg: the model of a case in space before its run, isometric: the box of the mesh with its dimensions, the soil's boxes, rigid bodies (drawn
+/// whole, also where soil hides them), the ways that stages drive, and the stages in words. Script and data go to FOLDER/plots. False, with a warning, where gnuplot
+/// does not draw.
+bool draw_space(const problem::Case& c, const mesh::Mesh<3>& mesh, const std::filesystem::path& folder, const std::string& name,
+                plot::PlotFormat format);
+
+}  // namespace berm::picture
