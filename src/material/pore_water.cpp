@@ -13,7 +13,7 @@ void describe(Describe& d, PoreWater& water)
   d.value("bulk_modulus", water.bulk_modulus,
           {.meaning =
                "bulk modulus of the water; absent: so stiff that over the porosity it is 30 times the P-wave modulus of the skeleton "
-               "(undrained Poisson's ratio 0.495). Water has 2.2 GPa, which costs many more time steps and changes little",
+               "(undrained Poisson's ratio 0.495). Water has 2.2 GPa, which costs many more time steps",
            .unit = "Pa",
            .range = positive});
   d.value("porosity", water.porosity,

@@ -9,7 +9,7 @@ namespace berm::input {
 namespace {
 
 /// The message that refuses the good case with these keys for its sand, which does not dilate but for them, and which the pipe meets at particles.
-std::string refusal(std::vector<std::string> keys, bool with_start = true)
+std::string refusal_with(std::vector<std::string> keys, bool with_start = true)
 {
   if (with_start)
     for (const char* key : {"material.sand.water.drainage=undrained", "material.sand.dilation_angle=0 deg"})
@@ -22,30 +22,31 @@ std::string refusal(std::vector<std::string> keys, bool with_start = true)
   return "";
 }
 
-#define EXPECT_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
+#define EXPECT_WATER_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)
 
-const std::string water = "material.sand.water.";
+const std::string in_water = "material.sand.water.";
 
 TEST(Water, needs_no_more_than_its_drainage)
 {
-  EXPECT_EQ(refusal({}), "");
-  EXPECT_EQ(refusal({water + "bulk_modulus=1 GPa", water + "porosity=0.4"}), "");
-  EXPECT_EQ(refusal({water + "drainage=drained", "material.sand.dilation_angle=5 deg"}), "");
-  EXPECT_SAYS(refusal({water + "porosity=0.4"}, false), "drainage");
-  EXPECT_SAYS(refusal({water + "drainage=undrainde"}), "did you mean \"undrained\"?");
+  EXPECT_EQ(refusal_with({}), "");
+  EXPECT_EQ(refusal_with({in_water + "bulk_modulus=1 GPa", in_water + "porosity=0.4"}), "");
+  EXPECT_EQ(refusal_with({in_water + "drainage=drained", "material.sand.dilation_angle=5 deg"}), "");
+  EXPECT_WATER_SAYS(refusal_with({in_water + "porosity=0.4"}, false), "drainage");
+  EXPECT_WATER_SAYS(refusal_with({in_water + "drainage=undrainde"}), "did you mean \"undrained\"?");
 }
 
 TEST(Water, of_a_bulk_modulus_needs_the_porosity_and_the_other_way_round)
 {
-  EXPECT_SAYS(refusal({water + "bulk_modulus=1 GPa"}), "needs the porosity");
-  EXPECT_SAYS(refusal({water + "porosity=0.4"}), "water.porosity: is needed with bulk_modulus only");
-  EXPECT_SAYS(refusal({water + "bulk_modulus=1 GPa", water + "porosity=40"}), "water.porosity");
-  EXPECT_SAYS(refusal({"material.sand.young_modulus_gradient=1 MPa/m"}), "needs bulk_modulus, because the stiffness of the soil varies");
+  EXPECT_WATER_SAYS(refusal_with({in_water + "bulk_modulus=1 GPa"}), "needs the porosity");
+  EXPECT_WATER_SAYS(refusal_with({in_water + "porosity=0.4"}), "water.porosity: is needed with bulk_modulus only");
+  EXPECT_WATER_SAYS(refusal_with({in_water + "bulk_modulus=1 GPa", in_water + "porosity=40"}), "water.porosity");
+  EXPECT_WATER_SAYS(refusal_with({"material.sand.young_modulus_gradient=1 MPa/m"}),
+                    "needs bulk_modulus, because the stiffness of the soil varies");
 }
 
 TEST(Water, is_for_laws_of_effective_stress)
 {
-  EXPECT_SAYS(refusal({"material.sand.friction_angle=0 deg"}), "material.sand.water: is for laws of effective stress");
+  EXPECT_WATER_SAYS(refusal_with({"material.sand.friction_angle=0 deg"}), "material.sand.water: is for laws of effective stress");
   std::string text(test::good_case);
   const std::string from = "law = \"linear_elastic\"",
                     to = "law = \"clay\"\nundrained_strength = \"5 kPa\"\nwater.drainage = \"undrained\"";
@@ -54,23 +55,24 @@ TEST(Water, is_for_laws_of_effective_stress)
     read_case_text("case.toml", text);
     ADD_FAILURE() << "is not refused";
   } catch (const InputError& error) {
-    EXPECT_SAYS(std::string(error.what()), "material.rubber.water: is for laws of effective stress");
+    EXPECT_WATER_SAYS(std::string(error.what()), "material.rubber.water: is for laws of effective stress");
   }
 }
 
 TEST(Water, under_soil_that_dilates_needs_the_pressure_of_cavitation)
 {
-  EXPECT_SAYS(refusal({"material.sand.dilation_angle=5 deg"}), "undrained soil that dilates never fails");
-  EXPECT_EQ(refusal({"material.sand.dilation_angle=5 deg", water + "min_pressure=-100 kPa"}), "");
-  EXPECT_SAYS(refusal({water + "min_pressure=10 kPa"}), "water.min_pressure");
-  EXPECT_SAYS(refusal({water + "min_pressure=-1 MPa", water + "water_depth=100 m"}), "min_pressure: does not go with water_depth");
+  EXPECT_WATER_SAYS(refusal_with({"material.sand.dilation_angle=5 deg"}), "undrained soil that dilates never fails");
+  EXPECT_EQ(refusal_with({"material.sand.dilation_angle=5 deg", in_water + "min_pressure=-100 kPa"}), "");
+  EXPECT_WATER_SAYS(refusal_with({in_water + "min_pressure=10 kPa"}), "water.min_pressure");
+  EXPECT_WATER_SAYS(refusal_with({in_water + "min_pressure=-1 MPa", in_water + "water_depth=100 m"}),
+                    "min_pressure: does not go with water_depth");
 }
 
 TEST(Water, at_a_rough_contact_needs_particles)
 {
-  EXPECT_SAYS(refusal({"contact.pipe_on_bed.detection=gap"}),
-              "contact.pipe_on_bed.detection: friction acts on the effective normal stress");
-  EXPECT_EQ(refusal({"contact.pipe_on_bed.detection=gap", "contact.pipe_on_bed.friction_angle=0 deg"}), "");
+  EXPECT_WATER_SAYS(refusal_with({"contact.pipe_on_bed.detection=gap"}),
+                    "contact.pipe_on_bed.detection: friction acts on the effective normal stress");
+  EXPECT_EQ(refusal_with({"contact.pipe_on_bed.detection=gap", "contact.pipe_on_bed.friction_angle=0 deg"}), "");
 }
 
 TEST(Water, is_the_same_in_all_materials_of_a_body)
@@ -84,9 +86,11 @@ TEST(Water, is_the_same_in_all_materials_of_a_body)
     read_case_text("case.toml", text, {"material.sand.water.drainage=undrained", "material.sand.dilation_angle=0"});
     ADD_FAILURE() << "is not refused";
   } catch (const InputError& error) {
-    EXPECT_SAYS(std::string(error.what()), "[material.deep] is drained, [material.sand] of the same body is not");
+    EXPECT_WATER_SAYS(std::string(error.what()), "[material.deep] is drained, [material.sand] of the same body is not");
   }
 }
+
+#undef EXPECT_WATER_SAYS
 
 }  // namespace
 }  // namespace berm::input

@@ -175,5 +175,38 @@ TEST(FrameMaker, a_bed_at_rest_has_no_strain_however_long_it_rests)
   }
 }
 
+TEST(FrameMaker, shows_pore_pressure_and_effective_stress_where_a_body_is_undrained)
+{
+  problem::Problem<2> problem = block_in_box(2);
+  material::LinearElastic wet = std::get<material::LinearElastic>(problem.model.bodies[1].soil.materials.front());
+  wet.water.emplace();
+  problem.model.bodies[1].soil = problem::soil_of_one(wet);
+  bodies::BlockSettings block;
+  block.center = {0.05, 0};
+  block.size = {0.1, 0.2};
+  block.spacing = 0.025 / 4;
+  bodies::BodySettings body;
+  body.block = block;
+  problem.state.particles[1] = fill<2>(problem.model.mesh, "block", body, {1000, 0, 0, particle_extra(problem.model.bodies[1].soil)});
+  for (bodies::Particles<2>& particles : problem.state.particles)
+    particles.visit([&](Index, Index b, int l) {
+      for (int k = 0; k < 3; ++k) particles.block(b).stress[k][l] = -5e3 - 1e3 * k;
+      if (particles.extra_size() > 0) particles.extra(b)[0][l] = 2e3;
+    });
+  FrameMaker<2> maker(problem.model, problem.state);
+  const Frame<2> frame = maker.make(problem.state);
+  for (std::size_t k = 0; k < frame.points.size(); ++k) {
+    const Real water = frame.body[k] == 1 ? 2e3 : 0;
+    EXPECT_EQ(frame.field("excess_pore_pressure").at(k), water);
+    EXPECT_DOUBLE_EQ(frame.field("effective_stress").at(k, 1), -6e3 + water);
+    EXPECT_DOUBLE_EQ(frame.field("mean_effective_stress").at(k), -6e3 + water);
+    EXPECT_DOUBLE_EQ(frame.field("mean_stress").at(k), -6e3);
+  }
+  problem.model.bodies.pop_back();
+  problem.state.particles.pop_back();
+  FrameMaker<2> of_drained(problem.model, problem.state);
+  EXPECT_EQ(find_field(of_drained.make(problem.state).fields, "effective_stress"), nullptr);
+}
+
 }  // namespace
 }  // namespace berm::run_folder
