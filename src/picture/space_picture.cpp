@@ -16,7 +16,7 @@ namespace berm::picture {
 namespace {
 
 constexpr Real box_left = 90, box_top = 110, box_width = 700, box_height = 560;  // pixels: of what shows the model
-constexpr Real words_left = 880, row_height = 24;                               // pixels: of the words beside it
+constexpr Real words_left = 880, row_height = 24;                                // pixels: of the words beside it
 constexpr int picture_height = 780;                                              // pixels
 
 struct Box {
