@@ -16,7 +16,7 @@ namespace berm::picture {
 namespace {
 
 constexpr Real box_left = 90, box_top = 110, box_width = 700, box_height = 560;  // pixels: of what shows the model
-constexpr Real words_left = 880, row_height = 24;                               // pixels: of the words beside it
+constexpr Real words_left = 880, row_height = 24;                                // pixels: of the words beside it
 constexpr int picture_height = 780;                                              // pixels
 
 struct Box {
@@ -175,7 +175,7 @@ void draw_axes(Canvas& canvas)
   }
 }
 
-void write_words(Canvas& canvas, const problem::Case& c)
+void write_words(Canvas& canvas, const problem::Case& c, const mesh::Mesh<3>& mesh)
 {
   Real level = box_top;
   const auto write = [&](const std::string& words, bool bold = false) {
@@ -190,7 +190,8 @@ void write_words(Canvas& canvas, const problem::Case& c)
     write(fmt::format("{}: {}", name, fmt::join(sizes, ", ")));
   }
   if (!c.support.empty()) write("Held", true);
-  for (const auto& [name, support] : c.support) write(fmt::format("{}: {}", support.boundary, fmt::join(support.fixed, ", ")));
+  for (const auto& [name, support] : c.support)
+    write(fmt::format("{}: {}", mesh.boundary_names[fixed_boundary(mesh, name, support)], fmt::join(support.fixed, ", ")));
   if (!c.stage.empty()) write("Stages", true);
   int number = 0;
   for (const problem::StageSettings& stage : c.stage)
@@ -220,7 +221,7 @@ bool draw_space(const problem::Case& c, const mesh::Mesh<3>& mesh, const std::fi
   draw_path(canvas, at, c);
   draw_dimensions(canvas, at, whole);
   draw_axes(canvas);
-  write_words(canvas, c);
+  write_words(canvas, c, mesh);
   return canvas.draw(folder, name, picture_width, picture_height, format);
 }
 

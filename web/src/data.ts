@@ -109,6 +109,8 @@ export interface FilmData {
 /** The whole of a run in space: positions have planes [z low][z high], too, and rigid bodies are surfaces. */
 export interface SpaceData extends FilmData {
   lower_z: number;
+  /** One of so many particles is in the film; sizes are of all that it stands for. */
+  one_of: number;
   surfaces: SurfaceData[];
 }
 

@@ -43,7 +43,7 @@ export class SpaceParts extends FilmParts {
         decoded(space.size!, (bytes) => decode_sizes(bytes, space.count)),
       ]);
       const lower: Vector = [...space.lower, space.lower_z];
-      return { count: space.count, lower, step: space.step, places, sizes, box: box_of(places[0], sizes, lower, space.step) };
+      return { count: space.count, lower, step: space.step, places, sizes, box: box_of(places[0], sizes, Math.cbrt(space.one_of), lower, space.step) };
     });
   }
 
@@ -59,10 +59,11 @@ export class SpaceParts extends FilmParts {
   }
 }
 
-function box_of(codes: Uint16Array, sizes: Uint16Array, from: Vector, step: number): SpaceBox {
+/** `larger`: how many times the particles' own sides the sizes are. */
+function box_of(codes: Uint16Array, sizes: Uint16Array, larger: number, from: Vector, step: number): SpaceBox {
   const lower: Vector = [Infinity, Infinity, Infinity], upper: Vector = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < codes.length; i++) {
-    const axis = i % 3, half = sizes[(i - axis) / 3] / 2;
+    const axis = i % 3, half = sizes[(i - axis) / 3] / larger / 2;
     lower[axis] = Math.min(lower[axis], from[axis] + step * (codes[i] - half));
     upper[axis] = Math.max(upper[axis], from[axis] + step * (codes[i] + half));
   }

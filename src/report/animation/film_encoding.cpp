@@ -149,7 +149,7 @@ Film encoded_film(const record::RunRecord& run, const FilmFrames& footage, const
                {"note", nullptr},
                {"around_axis", run.settings.geometry == problem::Geometry::axisymmetric},
                {"forces", run.settings.force_dimension() == 2 ? "N/m" : "N"}};
-  if (whole) film["lower_z"] = lower_z;
+  if (whole) film["lower_z"] = lower_z, film["one_of"] = footage.one_of;
   for (const Vec<2>& corner : run.ground.line.corners) film["ground"].push_back(pair_of(corner));
   film["position"] = blocks.add("position", [&] { return position_bytes(frames, grid, lower_z); });
   film["size"] = particles ? Json(blocks.add("size", [&] { return size_bytes(footage.sizes, grid); })) : Json();

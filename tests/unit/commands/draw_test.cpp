@@ -73,6 +73,9 @@ TEST_F(Draw, in_space_shows_box_bodies_and_stages)
     EXPECT_NE(picture.find(words), std::string::npos) << words;
   ASSERT_EQ(berm({"draw", BERM_SOURCE_DIR "/examples/bar/case_3d.toml", "-o", "bar.png"}).status, 0);
   EXPECT_EQ(png_size(folder_ / "bar.png").first, 1400);
+  const Ended floor = berm({"draw", BERM_SOURCE_DIR "/tests/browser/space/sphere.toml", "--set", "support.base.boundary=\"floor\""});
+  EXPECT_EQ(floor.status, 2);
+  EXPECT_NE(floor.err.find("support.base.boundary"), std::string::npos) << floor.err;
 }
 
 TEST_F(Draw, refuses_what_it_cannot_draw)
