@@ -2,10 +2,10 @@
 #include "mesh/box.hpp"
 
 #include "core/error.hpp"
+#include "mesh/kuhn.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
-#include <numeric>
 
 namespace berm::mesh {
 namespace {
@@ -71,23 +71,6 @@ void for_each_point(const std::array<Index, dim>& count, const Visit& visit)
   }
 }
 
-template <int dim>
-void add_kuhn_cells(Mesh<dim>& mesh, const Grid<dim>& grid, std::array<Index, dim> at)
-{
-  std::array<int, dim> axes;
-  std::iota(axes.begin(), axes.end(), 0);
-  do {
-    auto walker = at;
-    typename Mesh<dim>::Corners corner;
-    corner[0] = grid.point(walker);
-    for (int k = 0; k < dim; ++k) {
-      ++walker[axes[k]];
-      corner[k + 1] = grid.point(walker);
-    }
-    mesh.nodes.push_back(corner);
-  } while (std::next_permutation(axes.begin(), axes.end()));
-}
-
 void add_criss_cross_cells(Mesh<2>& mesh, const Grid<2>& grid, const std::array<Index, 2>& at)
 {
   const auto [i, j] = at;
@@ -134,7 +117,7 @@ Mesh<dim> make_box(const BoxMesh& box)
     if constexpr (dim == 2) {
       if (box.pattern == BoxPattern::criss_cross) return add_criss_cross_cells(mesh, grid, at);
     }
-    add_kuhn_cells<dim>(mesh, grid, at);
+    add_kuhn_cells<dim>(mesh, at, [&](const auto& corner) { return grid.point(corner); });
   });
   mesh.region.assign(mesh.cell_count(), 0);
   try {

@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "mesh/gmsh_program.hpp"
+#include "mesh/spatial_seabed.hpp"
 
 #include <fmt/format.h>
 
@@ -14,11 +15,15 @@ namespace fs = std::filesystem;
 template <int dim>
 Mesh<dim> make(const SeabedMesh& seabed, const fs::path&, const fs::path& work_folder)
 {
-  if (dim != 2) throw KeyError("mesh.kind: a mesh of kind \"seabed\" is plane; the case is 3D: use kind \"gmsh\" or \"box\"");
-  const fs::path geo = work_folder / "mesh.geo", msh = work_folder / "mesh.msh";
-  write_geo(seabed, geo);
-  run_gmsh(geo, msh, dim);
-  return read_msh<dim>(msh);
+  refuse_other_dimension(seabed, dim);
+  if constexpr (dim == 3) {
+    return make_spatial_seabed(seabed);
+  } else {
+    const fs::path geo = work_folder / "mesh.geo", msh = work_folder / "mesh.msh";
+    write_geo(seabed, geo);
+    run_gmsh(geo, msh, dim);
+    return read_msh<dim>(msh);
+  }
 }
 
 template <int dim>

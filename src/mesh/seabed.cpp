@@ -2,6 +2,7 @@
 #include "mesh/seabed.hpp"
 
 #include "core/error.hpp"
+#include "mesh/spatial_seabed.hpp"
 #include "mesh/uneven_seabed.hpp"
 
 #include <algorithm>
@@ -230,6 +231,18 @@ void describe(Describe& d, SeabedMesh& bed)
            .unit = "rad"});
   d.optional_table("trench", bed.trench, {.meaning = "a trench in the bed"});
   d.optional_table("step", bed.step, {.meaning = "a step of the bed"});
+  d.value("width", bed.width,
+          {.meaning = "in space, where it is required: width of the bed along z, from the back wall to the front wall",
+           .unit = "m",
+           .range = positive});
+  d.value("back", bed.back,
+          {.meaning = "in space: distance from z = 0 to the back wall; left out: half the width. 0 for half a bed with symmetry = [\"z\"]",
+           .unit = "m",
+           .range = not_negative});
+  d.value("near_back", bed.near_back,
+          {.meaning = "in space, where it is required: z where the fine zone begins, which may be at the back wall", .unit = "m"});
+  d.value("near_front", bed.near_front,
+          {.meaning = "in space, where it is required: z where the fine zone ends, which may be at the front wall", .unit = "m"});
 }
 
 SeabedLayout layout_of(const SeabedMesh& bed)
@@ -274,6 +287,7 @@ void check(const SeabedMesh& bed)
        fmt::format("{:.6g} m must stay above the base and its layer by near_size: at most {:.6g} m", bed.near_depth,
                    bed.depth - bed.layer - h));
   check_ground(bed);
+  check_across(bed);
   fits(expected_cells(bed) <= max_seabed_cells, "near_size",
        fmt::format("about {:.2g} cells would be made; at most {:.0e}: enlarge near_size, growth or far_size", expected_cells(bed),
                    max_seabed_cells));
@@ -295,6 +309,7 @@ std::string size_formula(const SeabedMesh& bed)
 
 Real expected_cells(const SeabedMesh& bed)
 {
+  if (bed.in_space()) return cells_in_space(bed);
   const SeabedLayout at = layout_of(bed);
   const FineZone fine = fine_zone_of(bed);
   std::vector<Interval> across = {{0, fine.right - fine.left}}, down = {{0, fine.upper - fine.lower}};

@@ -61,6 +61,12 @@ struct SeabedMesh {
   Real slope = 0;                ///< rad, of the surface: positive ascends along x
   std::optional<Trench> trench = {};
   std::optional<Step> step = {};
+  // In space, along z: the walls are at z = -back and width - back.
+  std::optional<Real> width = {};                       ///< empty: the bed is plane
+  std::optional<Real> back = {};                        ///< from z = 0 to the back wall; empty: width / 2
+  std::optional<Real> near_back = {}, near_front = {};  ///< z of the fine zone
+
+  bool in_space() const { return width.has_value(); }
 };
 
 void describe(Describe& d, Trench& trench);
@@ -95,7 +101,7 @@ std::string size_formula(const SeabedMesh& seabed);
 /// RunError where the file could not be written.
 void end_geometry(std::ofstream& out, const std::string& size, const std::filesystem::path& path);
 
-/// Estimated number of cells: the integral of 1 / (area of an equilateral triangle of the local size), and a tenth, by which
+/// Estimated number of cells; in space their exact number (mesh/spatial_seabed.hpp). In the plane the integral of 1 / (area of an equilateral triangle of the local size), and a tenth, by which
 /// those of Gmsh are smaller.
 Real expected_cells(const SeabedMesh& seabed);
 /// Meshes with more cells are refused.

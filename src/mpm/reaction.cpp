@@ -28,6 +28,17 @@ struct Reaction {
     torque = bodies::no_angular<dim>();
   }
 
+  /// What a plane of symmetry mirrors: the part across it balances itself, and so do moments but that about its normal.
+  void keep_in_planes(const std::array<bool, dim>& mirrored)
+  {
+    for (int d = 0; d < dim; ++d) {
+      if (!mirrored[d]) continue;
+      impulse[d] = 0;
+      if constexpr (dim == 3)
+        for (int about = 0; about < 3; ++about) torque[about] = about == d ? torque[about] : 0;
+    }
+  }
+
   Reaction& operator+=(const Reaction& other)
   {
     impulse += other.impulse, of_support += other.of_support, torque += other.torque;
@@ -94,6 +105,7 @@ void react(const problem::Model<dim>& model, problem::State<dim>& state, const W
     }
     state.totals.contact_impulse += all.impulse;
     if (model.mesh.metric == mesh::Metric::axisymmetric) all.keep_on_axis(model.rigid_bodies[contact.rigid].shape);
+    all.keep_in_planes(model.mirrored);
     bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
     rigid.reaction -= all.impulse / state.dt;
     rigid.torque -= all.torque / state.dt;

@@ -117,18 +117,6 @@ void hold_axis(Model<dim>& model)
       if (model.mesh.position[node][0] == 0) fixed[node] |= 1;
 }
 
-Case per_radian(Case c)
-{
-  if (c.geometry != Geometry::axisymmetric) return c;
-  constexpr Real part = 1 / (2 * pi);
-  for (auto& entry : c.rigid) entry.second.mass *= part;
-  for (StageSettings& stage : c.stage)
-    for (std::optional<Real>* force :
-         {&stage.force, &stage.vertical_force, &stage.until.force, &stage.drive.y.force, &stage.drive.y.spring})
-      if (*force) **force *= part;
-  return c;
-}
-
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void measure_around_axis(const Case&, mesh::Mesh<dim>&);                                                                        \
   template void hold_axis(Model<dim>&);

@@ -18,7 +18,4 @@ void measure_around_axis(const Case& c, mesh::Mesh<dim>& mesh);
 template <int dim>
 void hold_axis(Model<dim>& model);
 
-/// The case as the model has it: masses and forces per radian in axisymmetry.
-Case per_radian(Case c);
-
 }  // namespace berm::problem

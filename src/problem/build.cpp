@@ -5,6 +5,7 @@
 #include "problem/equilibrium.hpp"
 #include "problem/initial_state.hpp"
 #include "problem/stages.hpp"
+#include "problem/symmetry.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -147,7 +148,7 @@ Real rate_smoothing(const Model<dim>& model)
 template <int dim>
 Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
 {
-  const Case c = per_radian(of_whole);
+  const Case c = part_of_whole(of_whole);
   Model<dim> model;
   model.mesh = std::move(mesh);
   measure_around_axis(c, model.mesh);
@@ -161,6 +162,8 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
   const SupportSets sets = support_sets(c);
   for (const std::vector<char>& holds : sets.holds) model.fixed.push_back(fixed_directions(model.mesh, c, holds));
   hold_axis(model);
+  model.parts = parts_of(c);
+  hold_symmetry_planes(c, model);
   model.fixed_in = sets.of_stage;
 
   for (const auto& [name, settings] : c.rigid) {
@@ -173,6 +176,7 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
       inertia = settings.moment_of_inertia ? Vec<3>(Vec<3>::Constant(*settings.moment_of_inertia)) : own;
     model.rigid_bodies.push_back({name, shape, settings.mass, settings.motion, settings.rotation, inertia, axes_of<dim>(shape)});
   }
+  refuse_off_symmetry_planes(model);
   if constexpr (dim == 2) {
     std::vector<bodies::RigidShape<2>> shapes;
     for (const bodies::RigidBody<2>& rigid : model.rigid_bodies) shapes.push_back(rigid.shape);

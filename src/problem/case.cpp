@@ -8,6 +8,7 @@
 #include "problem/interface.hpp"
 #include "problem/stages.hpp"
 #include "problem/sweeps.hpp"
+#include "problem/symmetry.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -455,6 +456,9 @@ void describe(Describe& d, Case& c)
       "geometry", c.geometry, {"plane_strain", "axisymmetric", "space"},
       {.meaning = "a section of which all is per metre run; all around the axis x = 0, with x the radius and gravity along y; or space",
        .formerly = "dimension"});
+  d.value("symmetry", c.symmetry,
+          {.meaning = "in space: axes across which the mesh ends at a plane of symmetry, at its lowest x or z: [\"z\"] for a half, [\"x\", "
+                      "\"z\"] for a quarter. Input and results are those of the whole"});
   d.value("gravity", c.gravity,
           {.meaning = "gravity, one number per direction, such as [0, \"-50 gravity\"]; absent = none", .unit = "m/s^2"});
   d.value("gravity_ramp", c.gravity_ramp,
@@ -502,6 +506,7 @@ void describe(Describe& d, Case& c)
   check_supports(d, c);
   check_tractions(d, c);
   check_axisymmetry(d, c);
+  check_symmetry(d, c);
   check_fem(d, c);
   check_output(d, c);
 }

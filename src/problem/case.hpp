@@ -83,10 +83,11 @@ struct Case {
   std::string title;
   Method method = Method::mpm;
   Geometry geometry = Geometry::plane_strain;
-  std::vector<Real> gravity;   ///< m/s2, one entry a direction; empty = none
-  Real gravity_ramp = 0;       ///< s from no gravity to all of it, at the start
-  Real surface = 0;            ///< m, level y of the bed's surface at the start
-  bool surface_given = false;  ///< whether the input names that level: then embedment counts from it, whatever the ground
+  std::vector<std::string> symmetry;  ///< axes of the planes that the mesh ends at and the whole is mirrored in: "x", "z"
+  std::vector<Real> gravity;          ///< m/s2, one entry a direction; empty = none
+  Real gravity_ramp = 0;              ///< s from no gravity to all of it, at the start
+  Real surface = 0;                   ///< m, level y of the bed's surface at the start
+  bool surface_given = false;         ///< whether the input names that level: then embedment counts from it, whatever the ground
   InitialState initial_state = InitialState::automatic;
   mesh::MeshSettings mesh;
   std::vector<std::pair<std::string, material::Material>> material;

@@ -88,7 +88,7 @@ Ground ground_of(const Case& c)
   const auto* file = std::get_if<mesh::GmshFile>(&c.mesh);
   const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh);
   if (file != nullptr && file->made_from) bed = &*file->made_from;
-  if (bed == nullptr || c.dimension() != 2) return ground;
+  if (bed == nullptr) return ground;
   ground.line = ground_of(*bed);
   ground.laid_down = ground_before_trench(*bed);
   return ground;

@@ -8,7 +8,7 @@
 
 namespace berm::problem {
 
-/// The surface of a bed that is not level in the plane x-y, up being +y; level() where it is, and in space.
+/// The surface of a bed that is not level in the plane x-y, up being +y; level() where it is, and in space on meshes of other kinds than "seabed".
 struct Ground {
   mesh::GroundLine line;                 ///< at the start, m
   mesh::GroundLine laid_down;            ///< from which depth in the soil counts: without a trench; level: from `surface`

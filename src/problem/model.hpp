@@ -75,11 +75,13 @@ struct Model {
   std::vector<LoadPoint<dim>> load_points;
   std::vector<NodeField<std::uint8_t>> fixed;  ///< by set of supports that hold together; bit d: direction d of the node is held
   std::vector<Index> fixed_in;                 ///< by stage: which set
-  Vec<dim> gravity;                            ///< m/s2
-  Axes<dim> axes;                              ///< which way is up
-  Real gravity_ramp;                           ///< s
-  Real surface;                                ///< m, level of the bed
-  Ground ground;                               ///< where the bed is not level
+  std::array<bool, dim> mirrored = {};  ///< by axis: whether the mesh ends at a plane of symmetry across it, at its lowest coordinate
+  Real parts = 1;     ///< equal ones that the whole has, of which this is one: 2 pi radians around an axis, halves, quarters
+  Vec<dim> gravity;   ///< m/s2
+  Axes<dim> axes;     ///< which way is up
+  Real gravity_ramp;  ///< s
+  Real surface;       ///< m, level of the bed
+  Ground ground;      ///< where the bed is not level
   std::vector<StageSettings> stages;
   std::vector<Index> driven;  ///< the rigid body that each stage drives, or none
   Index main_rigid;           ///< whose u, w, H and V are in the history, or none

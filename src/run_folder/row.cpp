@@ -41,7 +41,7 @@ void Row::component(std::string_view symbol, int d, Real value, const ColumnUnit
 
 void Row::add(std::string_view symbol, std::string_view component, Real value, const ColumnUnit& unit, std::string_view meaning)
 {
-  if (radians_ != 1 && unit.whole != nullptr) return add(symbol, component, radians_ * value, *unit.whole, meaning);
+  if (parts_ != 1 && unit.whole != nullptr) return add(symbol, component, parts_ * value, *unit.whole, meaning);
   name_.clear();
   if (of_in_name_) name_.append(of_).append("_");
   name_.append(symbol).append(component);

@@ -13,24 +13,29 @@ namespace berm::run_folder {
 /// A unit of columns: as UDUNITS-2 spells it ("1" = a bare number), and as the names of its columns end ("" = with nothing).
 struct ColumnUnit {
   const char *name, *ending;
-  const ColumnUnit* whole = nullptr;  ///< of what is counted per metre run: that of the whole
+  const ColumnUnit* whole = nullptr;  ///< of what a part of the whole has a part of: the unit of the whole
 };
 inline constexpr ColumnUnit bare{"1", ""}, seconds{"s", "s"}, metres{"m", "m"}, metres_per_second{"m/s", "m_s"}, radians{"rad", "rad"},
     pascals{"Pa", "Pa"};
 inline constexpr ColumnUnit whole_newtons{"N", "N"}, whole_joules{"J", "J"}, whole_newton_metres{"N m", "Nm"},
     whole_newton_metre_seconds{"N m s", "Nm_s"}, square_metres{"m2", "m2"};
+/// What a model of a part in space has a part of, in the unit of the whole.
+constexpr ColumnUnit of_part(const ColumnUnit& whole)
+{
+  return {whole.name, whole.ending, &whole};
+}
 /// What plane strain counts per metre run, and space as a whole.
 template <int dim>
-inline constexpr ColumnUnit newtons = dim == 2 ? ColumnUnit{"N/m", "N_m", &whole_newtons} : whole_newtons;
+inline constexpr ColumnUnit newtons = dim == 2 ? ColumnUnit{"N/m", "N_m", &whole_newtons} : of_part(whole_newtons);
 template <int dim>
-inline constexpr ColumnUnit joules = dim == 2 ? ColumnUnit{"J/m", "J_m", &whole_joules} : whole_joules;
+inline constexpr ColumnUnit joules = dim == 2 ? ColumnUnit{"J/m", "J_m", &whole_joules} : of_part(whole_joules);
 template <int dim>
-inline constexpr ColumnUnit newton_metres = dim == 2 ? ColumnUnit{"N m/m", "Nm_m", &whole_newton_metres} : whole_newton_metres;
+inline constexpr ColumnUnit newton_metres = dim == 2 ? ColumnUnit{"N m/m", "Nm_m", &whole_newton_metres} : of_part(whole_newton_metres);
 template <int dim>
-inline constexpr ColumnUnit newton_metre_seconds =
-    dim == 2 ? ColumnUnit{"N s", "N_s", &whole_newton_metre_seconds} : whole_newton_metre_seconds;
+inline constexpr ColumnUnit newton_metre_seconds = dim == 2 ? ColumnUnit{"N s", "N_s", &whole_newton_metre_seconds}
+                                                            : of_part(whole_newton_metre_seconds);
 template <int dim>
-inline constexpr ColumnUnit surface = dim == 2 ? ColumnUnit{"m", "m", &square_metres} : square_metres;
+inline constexpr ColumnUnit surface = dim == 2 ? ColumnUnit{"m", "m", &square_metres} : of_part(square_metres);
 
 /// What is said of a column of history.csv where its value is made.
 struct Column {
@@ -52,10 +57,11 @@ struct Column {
 /// The first row fixes the columns; a later one with others is a RunError. The columns time_s and stage come before all others.
 class Row {
 public:
-  /// From here on what has a unit per metre run is counted per radian, and goes into the columns of the whole, 2 pi times as large.
-  void count_per_radian() { radians_ = 2 * pi; }
-  /// What a number per metre run, or per radian, is multiplied with in its column: 1 or 2 pi.
-  Real radians() const { return radians_; }
+  /// From here on forces, moments, energies and areas are those of one of so many equal parts (radians around an axis, halves or quarters in space), and go into
+  /// the columns of the whole.
+  void count_parts(Real parts) { parts_ = parts; }
+  /// What such a number is multiplied with in its column.
+  Real parts() const { return parts_; }
 
   /// Begins a row; what follows is of the run.
   void begin(Real time, const std::string& stage);
@@ -96,7 +102,7 @@ private:
 
   std::vector<Column> columns_;
   std::vector<Real> values_;
-  Real radians_ = 1;
+  Real parts_ = 1;
   bool fixed_ = false, of_in_name_ = false;
   std::string of_, stage_, name_;  ///< name_: of the column being added
 };

@@ -214,12 +214,14 @@ void is_the_bed_held(const Scene& s, Findings& found)
   if (!holds("base", "y"))
     found.refuse("support", "nothing holds the base of the bed, which falls out of the mesh; add [support.base] with boundary = \"base\" "
                             "and fixed = [\"x\", \"y\"]");
-  for (const char* wall : {"left", "right"}) {
-    const bool is_axis = s.c.geometry == problem::Geometry::axisymmetric && std::string_view(wall) == "left";
-    if (is_axis || holds(wall, "x")) continue;
+  const auto mirrors = [&](const char* axis) { return std::count(s.c.symmetry.begin(), s.c.symmetry.end(), axis) > 0; };
+  for (const auto& [wall, axis, is_lowest] :
+       {std::tuple{"left", "x", true}, {"right", "x", false}, {"back", "z", true}, {"front", "z", false}}) {
+    const bool is_axis = s.c.geometry == problem::Geometry::axisymmetric || mirrors(axis);
+    if ((is_lowest && is_axis) || (*axis == 'z' && s.c.dimension() == 2) || holds(wall, axis)) continue;
     const std::string words = fmt::format(
-        "nothing holds the {0} wall of the bed, which flows out there; add [support.{0}] with boundary = \"{0}\" and fixed = [\"x\"]",
-        wall);
+        "nothing holds the {0} wall of the bed, which flows out there; add [support.{0}] with boundary = \"{0}\" and fixed = [\"{1}\"]",
+        wall, axis);
     s.is_mpm() ? found.refuse("support", words) : found.warn("support", words);
   }
 }

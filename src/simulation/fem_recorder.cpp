@@ -47,7 +47,7 @@ void FemRecorder::add_row(const fem::FemModel& model, fem::FemState& state, cons
   const problem::Totals<2>& t = now.totals;
   const bool has_rigid = model.rigid != none;
   const auto of_rigid = [&] { row_.of_main(model.model.rigid_bodies[model.rigid].name); };
-  if (model.model.mesh.metric == mesh::Metric::axisymmetric) row_.count_per_radian();
+  row_.count_parts(model.model.parts);
   row_.begin(now.time, model.model.stages[now.stage.index].name);
   if (has_rigid) of_rigid(), observe_rigid(model.model, now, model.rigid, now.rigid_bodies[model.rigid].reaction);
   row_.of_main("run");

@@ -99,9 +99,9 @@ RunSize min_size(const problem::Case& c)
     size.cells = squares * (dim == 3 ? 6 : crossed ? 4 : 2);
     size.nodes = points + (crossed ? squares : 0);
   } else if (const auto* bed = std::get_if<mesh::SeabedMesh>(&c.mesh)) {
-    constexpr Real surely = 0.5;  // the estimate for a mesh that is not made yet may be wrong
+    const Real surely = bed->in_space() ? 1 : 0.5;  // in the plane it is an estimate for a mesh that is not made yet
     size.cells = surely * expected_cells(*bed);
-    size.nodes = size.cells / 2;
+    size.nodes = size.cells / mesh::patch_cells<dim>;
   }
   const bool is_box = std::holds_alternative<mesh::BoxMesh>(c.mesh);
   size.bodies = min_bodies<dim>(c, [&](const std::string&) { return is_box ? size.cells : 0; });

@@ -18,7 +18,7 @@ MpmRecorder<dim>::MpmRecorder(const problem::Model<dim>& model, const problem::S
       last_rigids_(start.rigid_bodies),
       last_pair_impulses_(start.pair_impulses)
 {
-  if (model.mesh.metric == mesh::Metric::axisymmetric) row_.count_per_radian();
+  row_.count_parts(model.parts);
   for (const bodies::Particles<dim>& particles : start.particles) {
     const mpm::BodySums<dim> sums = mpm::sums_over(particles);
     first_centers_.push_back(sums.center());
@@ -110,7 +110,7 @@ void MpmRecorder<dim>::observe_body(const mpm::BodySums<dim>& sums, const Vec<di
     row_(lower[d], sums.lower[d], run_folder::metres, "where its particles begin");
     row_(upper[d], sums.upper[d], run_folder::metres, "where its particles end");
   }
-  if (row_.radians() != 1) return;  // around an axis there is none
+  if (row_.parts() != 1) return;  // that of a part is not that of the whole
   const Vec<3> angular_momentum = sums.angular_momentum();
   for (int d = dim == 2 ? 2 : 0; d < 3; ++d)
     row_.component("L", d, angular_momentum[d], run_folder::newton_metre_seconds<dim>, "angular momentum about its centre of mass");

@@ -11,7 +11,7 @@ void Recorder<dim>::observe_rigid(const problem::Model<dim>& model, const proble
 {
   const RigidResponse response = response_of(model, state, rigid, reaction);
   observe<dim>(row_, response);
-  if (rigid == model.main_rigid) horizontal_ = row_.radians() * response.H, vertical_ = row_.radians() * response.V;
+  if (rigid == model.main_rigid) horizontal_ = row_.parts() * response.H, vertical_ = row_.parts() * response.V;
 }
 
 template <int dim>

@@ -200,7 +200,7 @@ void Run<Method>::next_stage()
   if (finished_) return;
   const bodies::Drive& vertical = state().stage.drive[model().axes.up];
   if (stage().kind == problem::StageKind::drag && vertical.by_force)
-    held_forces_[static_cast<std::size_t>(state().stage.index)] = -model().axes.sign * vertical.to;
+    held_forces_[static_cast<std::size_t>(state().stage.index)] = -model().axes.sign * model().parts * vertical.to;
 }
 
 /// The part of the run that is done, by the limits that the stages name; NaN where the present one names none.

@@ -49,7 +49,8 @@ problem::Case to_build(const RunRequest& request)
   problem::Case settings = request.settings;
   const fs::path mesh = fs::absolute(request.folder / "mesh.msh");
   const bool from_file = std::holds_alternative<mesh::GmshFile>(settings.mesh);
-  const bool made = std::holds_alternative<mesh::SeabedMesh>(settings.mesh) && settings.method == problem::Method::mpm;
+  const bool made =
+      std::holds_alternative<mesh::SeabedMesh>(settings.mesh) && settings.method == problem::Method::mpm && settings.dimension() == 2;
   std::error_code error;
   if (request.resume && (from_file || made) && fs::exists(mesh, error)) {
     mesh::GmshFile file{mesh.string()};

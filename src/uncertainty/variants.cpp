@@ -26,6 +26,11 @@ void make_coarser(mesh::SeabedMesh& bed, Real times)
   const Real clear = bed.layer + bed.near_size;
   bed.near_left = std::max(bed.near_left, at.left + clear);
   bed.near_right = std::min(bed.near_right, at.right - clear);
+  if (bed.in_space()) {
+    const Real back = 0 - bed.back.value_or(*bed.width / 2), front = back + *bed.width;
+    if (bed.near_back > back) bed.near_back = std::max(*bed.near_back, back + clear);
+    if (bed.near_front < front) bed.near_front = std::min(*bed.near_front, front - clear);
+  }
   bed.near_height = std::max(bed.near_height, bed.near_size);
   const mesh::FineZone fine = mesh::fine_zone_of(bed);
   const Real lowest_surface = fine.lower + bed.near_depth;  // in the fine zone

@@ -236,7 +236,7 @@ TEST(History, of_a_run_that_ended_before_its_first_row_is_empty)
 TEST(Row, per_radian_has_the_columns_of_the_whole_two_pi_times_as_large)
 {
   Row row;
-  row.count_per_radian();
+  row.count_parts(2 * pi);
   row.begin(0.5, "push");
   row("w", 3, metres, "embedment");
   row("V", 5, newtons<2>, "vertical reaction");
@@ -248,6 +248,21 @@ TEST(Row, per_radian_has_the_columns_of_the_whole_two_pi_times_as_large)
   EXPECT_EQ(names, (std::vector<std::string>{"time_s", "w_m", "V_N", "internal_J", "contact_m2"}));
   EXPECT_EQ(units, (std::vector<std::string>{"s", "m", "N", "J", "m2"}));
   EXPECT_EQ(row.values(), (std::vector<Real>{0.5, 3, 2 * pi * 5, 2 * pi * 7, 2 * pi * 2}));
+}
+
+TEST(Row, of_a_quarter_in_space_has_the_same_columns_four_times_as_large)
+{
+  Row row;
+  row.count_parts(4);
+  row.begin(0.5, "push");
+  row("w", 3, metres, "embedment");
+  row("F", Vec<3>(5, 0, 6), newtons<3>, "force");
+  row("internal", 7, joules<3>, "internal energy");
+  row.end();
+  std::vector<std::string> names;
+  for (const Column& column : row.columns()) names.push_back(column.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"time_s", "w_m", "Fx_N", "Fy_N", "Fz_N", "internal_J"}));
+  EXPECT_EQ(row.values(), (std::vector<Real>{0.5, 3, 20, 0, 24, 28}));
 }
 
 }  // namespace

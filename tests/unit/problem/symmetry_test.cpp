@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problem/symmetry.hpp"
+
+#include "core/error.hpp"
+#include "sample_case.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::problem {
+namespace {
+
+/// A quarter of a ball of 0.4 m above a quarter of an elastic block, pushed by a force of 100 N on the whole until the soil bears 50 N.
+Case quarter_of_ball()
+{
+  StageSettings push = stage_of(StageKind::push, "push");
+  push.force = 100;
+  push.until.force = 50;
+  Case c = pipe_over_box({push});
+  c.geometry = Geometry::space;
+  c.symmetry = {"x", "z"};
+  mesh::BoxMesh box;
+  box.lower = {1, 0, 3};
+  box.size = {1, 2, 1};
+  box.cells = {2, 4, 2};
+  c.mesh = box;
+  c.rigid[0].second.shape = bodies::SphereSettings{{1, 1.3, 3}, 0.4};
+  return c;
+}
+
+TEST(Symmetry, masses_and_forces_are_a_quarter_of_the_input)
+{
+  const Model<3> model = build<3>(quarter_of_ball(), ".", ".").model;
+  EXPECT_EQ(model.parts, 4);
+  EXPECT_DOUBLE_EQ(model.rigid_bodies[0].mass, 2. / 4);
+  EXPECT_DOUBLE_EQ(*model.stages[0].force, 100. / 4);
+  EXPECT_DOUBLE_EQ(*model.stages[0].until.force, 50. / 4);
+}
+
+TEST(Symmetry, planes_are_held_across_and_only_across_without_a_support)
+{
+  const Model<3> model = build<3>(quarter_of_ball(), ".", ".").model;
+  for (Index i = 0; i < model.mesh.node_count(); ++i) {
+    const Vec<3>& x = model.mesh.position[i];
+    EXPECT_EQ(model.fixed[0][i], (x[0] == 1 ? 1 : 0) + (x[2] == 3 ? 4 : 0));
+  }
+}
+
+TEST(Symmetry, a_case_without_is_left_as_it_is)
+{
+  Case c = quarter_of_ball();
+  c.symmetry.clear();
+  const Model<3> model = build<3>(c, ".", ".").model;
+  EXPECT_EQ(model.parts, 1);
+  EXPECT_EQ(model.rigid_bodies[0].mass, 2);
+  EXPECT_EQ(model.fixed[0][0], 0);
+}
+
+TEST(Symmetry, refuses_a_rigid_body_that_its_plane_does_not_halve)
+{
+  Case c = quarter_of_ball();
+  std::get<bodies::SphereSettings>(c.rigid[0].second.shape).center[2] = 3.1;
+  EXPECT_THROW(build<3>(c, ".", "."), KeyError);
+  c.symmetry = {"x"};
+  EXPECT_NO_THROW(build<3>(c, ".", "."));
+  c.rigid[0].second.shape = bodies::HalfPlaneSettings{{0, 0, 0}, {0.1, 1, 0}};
+  EXPECT_THROW(build<3>(c, ".", "."), KeyError);
+}
+
+}  // namespace
+}  // namespace berm::problem
