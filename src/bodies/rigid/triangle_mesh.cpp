@@ -19,6 +19,7 @@ constexpr int face = 6;
 /// The triangles of a mesh in boxes within boxes.
 struct TriangleTree {
   Eigen::KdBVH<Real, 3, Index> boxes;
+  mutable std::vector<Index> starts;  ///< by cell of the grid: a triangle that is near, whose distance a search begins with
 
   explicit TriangleTree(const Triangles& t)
   {
@@ -116,23 +117,25 @@ TriangleMesh::Nearest TriangleMesh::on_triangle(const Vec<3>& x, Index triangle)
 
 TriangleMesh::Nearest TriangleMesh::by_tree(const Vec<3>& x) const
 {
-  struct Minimizer {
-    using Scalar = Real;
+  // A box that is farther than what is found so far is left out; the search begins with a triangle that is near.
+  struct Search {
     const TriangleMesh& mesh;
     const Vec<3>& x;
-    Nearest nearest{};
+    Nearest nearest;
 
-    Real minimumOnVolume(const AlignedBox& box) const { return box.squaredExteriorDistance(x); }
-    Real minimumOnObject(Index triangle)
+    bool intersectVolume(const AlignedBox& box) const { return box.squaredExteriorDistance(x) < nearest.square; }
+    bool intersectObject(Index triangle)
     {
-      const Nearest here = mesh.on_triangle(x, triangle);
-      if (here.square < nearest.square) nearest = here;
-      return here.square;
+      if (const Nearest here = mesh.on_triangle(x, triangle); here.square < nearest.square) nearest = here;
+      return false;
     }
   };
-  Minimizer minimizer{*this, x};
-  Eigen::BVMinimize(tree_->boxes, minimizer);
-  return minimizer.nearest;
+  Vec<3> at = (x - lower_) / cell_;
+  for (int d = 0; d < 3; ++d) at[d] = std::clamp(at[d], Real(0), Real(cells_[d]) - Real(0.5));
+  const Index cell = (static_cast<Index>(at[2]) * cells_[1] + static_cast<Index>(at[1])) * cells_[0] + static_cast<Index>(at[0]);
+  Search search{*this, x, on_triangle(x, tree_->starts[cell])};
+  Eigen::BVIntersect(tree_->boxes, search);
+  return search.nearest;
 }
 
 void TriangleMesh::list_candidates()
@@ -161,6 +164,10 @@ void TriangleMesh::list_candidates()
     }
   };
   // The triangle nearest to a point of a cell is at most a diagonal farther from the cell's centre than the one nearest to that.
+  // Cells far from the surface have no list: what lies there is in no contact.
+  constexpr Real band = 6;  // cells
+  tree_->starts.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2], 0);
+  Index before = 0;
   const Real diagonal = 1.0001 * std::sqrt(3.) * cell_;
   std::vector<Index> found;
   first_.push_back(0);
@@ -168,10 +175,14 @@ void TriangleMesh::list_candidates()
     for (Index j = 0; j < cells_[1]; ++j)
       for (Index i = 0; i < cells_[0]; ++i) {
         const Vec<3> center = lower_ + cell_ * Vec<3>(i + 0.5, j + 0.5, k + 0.5);
-        const Real reach = std::sqrt(by_tree(center).square) + diagonal;
+        Index& start = tree_->starts[first_.size() - 1];
+        start = before;
+        const Nearest nearest = by_tree(center);
+        start = before = nearest.triangle;
+        const Real reach = std::sqrt(nearest.square) + diagonal;
         found.clear();
         Collector collector{*this, center, reach * reach, found};
-        Eigen::BVIntersect(tree_->boxes, collector);
+        if (reach < band * cell_) Eigen::BVIntersect(tree_->boxes, collector);
         if (found.size() <= max) candidates_.insert(candidates_.end(), found.begin(), found.end());
         first_.push_back(static_cast<Index>(candidates_.size()));
       }
