@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: src/problem/symmetry.cpp
 #include "core/error.hpp"
 #include "input/read_case.hpp"
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: src/mpm/reaction.cpp
 #include "mpm/step.hpp"
 
 #include <gtest/gtest.h>
