@@ -72,7 +72,9 @@ TEST(Symmetry, half_and_quarter_under_a_plate_take_the_impulse_and_the_work_of_t
     EXPECT_NEAR(impulse[1] / whole[1], 1, 0.01);
     EXPECT_NEAR(part_work / work, 1, 0.01);
     EXPECT_EQ(impulse[2], 0);
-    if (axes.size() == 2) EXPECT_EQ(impulse[0], 0);
+    if (axes.size() == 2) {
+      EXPECT_EQ(impulse[0], 0);
+    }
   }
 }
 
