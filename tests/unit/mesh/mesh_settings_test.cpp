@@ -165,14 +165,16 @@ TEST(MeshSettings, keys_of_a_seabed_stand_for_their_members)
                                                 {"growth", &bed.growth},
                                                 {"layer", &bed.layer},
                                                 {"slope", &bed.slope}};
-  EXPECT_EQ(keys.leaves.size(), members.size() + 2);
+  const std::map<std::string, std::optional<Real>*> optional_members = {{"left", &bed.left},           {"far_size", &bed.far_size},
+                                                                       {"width", &bed.width},         {"back", &bed.back},
+                                                                       {"near_back", &bed.near_back}, {"near_front", &bed.near_front}};
+  EXPECT_EQ(keys.leaves.size(), members.size() + optional_members.size());
   for (const auto& [key, member] : members) {
     EXPECT_EQ(std::get<Real*>(keys.leaves.at(key)), member) << key;
     EXPECT_STREQ(keys.parameters.at(key).unit, key == "growth" ? "" : key == "slope" ? "rad" : "m");
     EXPECT_EQ(keys.parameters.at(key).required, key != "growth" && key != "layer" && key != "slope") << key;
   }
-  EXPECT_EQ(std::get<std::optional<Real>*>(keys.leaves.at("left")), &bed.left);
-  EXPECT_EQ(std::get<std::optional<Real>*>(keys.leaves.at("far_size")), &bed.far_size);
+  for (const auto& [key, member] : optional_members) EXPECT_EQ(std::get<std::optional<Real>*>(keys.leaves.at(key)), member) << key;
 }
 
 TEST(MakeMesh, keeps_a_copy_of_the_users_mesh)
