@@ -166,8 +166,8 @@ TEST(MeshSettings, keys_of_a_seabed_stand_for_their_members)
                                                 {"layer", &bed.layer},
                                                 {"slope", &bed.slope}};
   const std::map<std::string, std::optional<Real>*> optional_members = {{"left", &bed.left},           {"far_size", &bed.far_size},
-                                                                       {"width", &bed.width},         {"back", &bed.back},
-                                                                       {"near_back", &bed.near_back}, {"near_front", &bed.near_front}};
+                                                                        {"width", &bed.width},         {"back", &bed.back},
+                                                                        {"near_back", &bed.near_back}, {"near_front", &bed.near_front}};
   EXPECT_EQ(keys.leaves.size(), members.size() + optional_members.size());
   for (const auto& [key, member] : members) {
     EXPECT_EQ(std::get<Real*>(keys.leaves.at(key)), member) << key;
