@@ -2,7 +2,7 @@
 // Tests: tests/unit/problem/stages_test.cpp
 #include "bodies/rigid/dynamics.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/Cholesky>
 
 namespace berm::bodies {
 namespace {
@@ -36,9 +36,9 @@ void rotate(const RigidBody<3>& body, RigidState<3>& state, const Vec<3>& moment
     halfway.turn_by(dt / 2 * omega);
     const Matrix<3> inverse = inverse_inertia(body, halfway);
     Vec<3> next = inverse * momentum;
-    // The moments of what drives: they are about the driven axes and give them their angular velocity.
+    // The moments of what drives: they are about the driven axes and give them their angular velocity; zero about the others, of which the matrix has nothing.
     Matrix<3> driven = is_given.asDiagonal() * inverse * is_given.asDiagonal();
-    const Vec<3> holding = driven.completeOrthogonalDecomposition().solve(Vec<3>(is_given.cwiseProduct(given - next)));
+    const Vec<3> holding = driven.ldlt().solve(Vec<3>(is_given.cwiseProduct(given - next)));
     next += inverse * is_given.cwiseProduct(holding);
     for (int d = 0; d < 3; ++d)
       if (is_given[d] != 0) next[d] = given[d];
