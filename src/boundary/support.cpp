@@ -13,6 +13,8 @@ void describe(Describe& d, SupportSettings& support)
 {
   d.value("boundary", support.boundary, {.meaning = "boundary of the mesh that is fixed", .required = true});
   d.value("fixed", support.fixed, {.meaning = "directions that are fixed: \"x\", \"y\", \"z\"", .required = true});
+  d.value("drained", support.drained,
+          {.meaning = "the water of consolidating soil crosses the boundary; else it does not in the directions that are fixed"});
   d.value("stages", support.stages, {.meaning = "names of the stages in which it acts; in others it is released; absent or empty = all"});
 }
 

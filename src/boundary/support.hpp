@@ -11,6 +11,7 @@ struct SupportSettings {
   std::string boundary;
   std::vector<std::string> fixed;        ///< "x", "y", "z"
   std::vector<std::string> stages = {};  ///< in which it acts; empty: all
+  bool drained = false;                  ///< water crosses it
 };
 
 void describe(Describe& d, SupportSettings& support);

@@ -12,6 +12,7 @@ struct Increment {
   Real dt = 0;         ///< s, duration; 0: none, so that no strain rate is defined
   Real time = 0;       ///< s, at the beginning
   Real cell_size = 0;  ///< m, root of the cell's area (in space: cube root of its volume); 0 where strain is uniform or no law asks for it
+  Real outflow = 0;    ///< volume of water that leaves the pores, over that of the soil: div(w) dt
   /// Lanes that hold a particle of the law; the others may hold any finite number, and what the law makes of them is not used.
   decltype(T() < T()) active = T() <= T();
 };

@@ -25,7 +25,7 @@ PreparedMaterial prepare(const Material& material)
 {
   const auto prepared = [](const auto& law) {
     if constexpr (!total_stress_alone<std::decay_t<decltype(law)>>)
-      if (undrained(law)) return PreparedMaterial(with_water(prepare(law), water_stiffness(law), min_pore_pressure(*law.water)));
+      if (has_pore_pressure(law)) return PreparedMaterial(with_water(prepare(law), water_stiffness(law), min_pore_pressure(*law.water)));
     return PreparedMaterial(prepare(law));
   };
   return std::visit(prepared, material);
@@ -58,12 +58,17 @@ Real p_wave_modulus(const Material& material)
 
 int state_size(const Material& material)
 {
-  return std::visit([](const auto& law) { return state_count(law) + (undrained(law) ? 1 : 0); }, material);
+  return std::visit([](const auto& law) { return state_count(law) + (has_pore_pressure(law) ? 1 : 0); }, material);
 }
 
-bool undrained(const Material& material)
+bool has_pore_pressure(const Material& material)
 {
-  return std::visit([](const auto& law) { return undrained(law); }, material);
+  return std::visit([](const auto& law) { return has_pore_pressure(law); }, material);
+}
+
+std::optional<Hydraulics> hydraulics(const Material& material)
+{
+  return std::visit([](const auto& law) { return hydraulics(law); }, material);
 }
 
 Real water_stiffness(const Material& material)
@@ -73,7 +78,7 @@ Real water_stiffness(const Material& material)
 
 int pore_pressure_place(const Material& material)
 {
-  return undrained(material) ? state_size(material) - 1 : none;
+  return has_pore_pressure(material) ? state_size(material) - 1 : none;
 }
 
 Material drained(Material material)
@@ -95,7 +100,7 @@ std::string law_name(const Material& material)
 std::vector<FieldInfo> state_fields(const Material& material)
 {
   std::vector<FieldInfo> fields = std::visit([](const auto& law) { return state_fields(law); }, material);
-  if (undrained(material)) fields.push_back({"excess_pore_pressure", "excess pore pressure (compression positive)", "Pa"});
+  if (has_pore_pressure(material)) fields.push_back({"excess_pore_pressure", "excess pore pressure (compression positive)", "Pa"});
   return fields;
 }
 

@@ -42,15 +42,17 @@ Real inertia_density(const Material& material);
 Elasticity elasticity(const Material& material);
 YoungPoisson young_poisson(const Material& material);
 
-/// P-wave modulus M, Pa, of the skeleton and of the water that stays in its pores; sqrt(M / inertia density) is the speed of pressure waves.
+/// P-wave modulus M, Pa, of the skeleton and of the water in its pores; sqrt(M / inertia density) is the speed of pressure waves where the water stays there.
 Real p_wave_modulus(const Material& material);
 
-/// Number of state variables per particle: those of the law, and of undrained soil the excess pore pressure.
+/// Number of state variables per particle: those of the law, and the excess pore pressure where there is one.
 int state_size(const Material& material);
 
 // Water in the pores (material/undrained.hpp).
-bool undrained(const Material& material);
-/// K_w / n, Pa; 0 where the soil is not undrained.
+bool has_pore_pressure(const Material& material);
+/// Of soil whose water flows; else empty.
+std::optional<Hydraulics> hydraulics(const Material& material);
+/// K_w / n, Pa; 0 where the soil has no excess pore pressure.
 Real water_stiffness(const Material& material);
 /// Which of the state variables is the excess pore pressure, Pa, compression positive; none where the soil has none.
 int pore_pressure_place(const Material& material);

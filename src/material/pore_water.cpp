@@ -6,9 +6,9 @@ namespace berm::material {
 
 void describe(Describe& d, PoreWater& water)
 {
-  d.choice("drainage", water.drainage, {"drained", "undrained"},
+  d.choice("drainage", water.drainage, {"drained", "undrained", "consolidation"},
            {.meaning = "drained: no excess pore pressure; undrained: the water stays in the pores, and its pressure follows the volume of "
-                       "the soil",
+                       "the soil; consolidation: it flows by Darcy's law, out of all surfaces of the soil but supports and rigid bodies",
             .required = true});
   d.value("bulk_modulus", water.bulk_modulus,
           {.meaning =
@@ -17,7 +17,12 @@ void describe(Describe& d, PoreWater& water)
            .unit = "Pa",
            .range = positive});
   d.value("porosity", water.porosity,
-          {.meaning = "volume of the pores over that of the soil, for bulk_modulus, of laws without void_ratio", .range = {0.01, 0.99}});
+          {.meaning = "volume of the pores over that of the soil, for bulk_modulus and for consolidation, of laws without void_ratio",
+           .range = {0.01, 0.99}});
+  d.value("permeability", water.permeability,
+          {.meaning = "hydraulic conductivity k of Darcy's law, for consolidation", .unit = "m/s", .range = positive});
+  d.value("kozeny_carman", water.kozeny_carman,
+          {.meaning = "the permeability follows the porosity n as n^3 / (1 - n)^2 does; else it is constant"});
   d.value("water_depth", water.water_depth,
           {.meaning = "depth of the sea, for the pressure at which the water cavitates: -(100 kPa + 9.81 kPa/m times this depth)",
            .unit = "m",
@@ -30,8 +35,16 @@ void describe(Describe& d, PoreWater& water)
 
 Real min_pore_pressure(const PoreWater& water)
 {
-  constexpr Real atmosphere = 1e5, unit_weight = 9810;
-  return water.min_pressure.value_or(-(atmosphere + unit_weight * water.water_depth));
+  constexpr Real atmosphere = 1e5;
+  return water.min_pressure.value_or(-(atmosphere + unit_weight_of_water * water.water_depth));
+}
+
+Real fast_wave_speed(Real skeleton, Real water, Real density, Real porosity)
+{
+  const Real of_water = water_density / porosity;
+  const Real a = density * of_water - water_density * water_density,
+             b = (skeleton + water) * of_water + water * density - 2 * water * water_density, c = skeleton * water;
+  return std::sqrt((b + std::sqrt(b * b - 4 * a * c)) / (2 * a));
 }
 
 }  // namespace berm::material

@@ -28,19 +28,34 @@ std::optional<Real> void_ratio(const L& law)
 
 /// Whether excess pore pressure follows from the deformation of this soil.
 template <Law L>
-bool undrained(const L& law)
+bool has_pore_pressure(const L& law)
 {
-  return !total_stress_alone<L> && law.water && law.water->drainage == Drainage::undrained;
+  return !total_stress_alone<L> && law.water && law.water->drainage != Drainage::drained;
 }
 
-/// K_w / n, Pa; 0 where the soil is not undrained.
+/// The porosity that the input gives.
+template <Law L>
+std::optional<Real> porosity(const L& law)
+{
+  const std::optional<Real> e = void_ratio(law);
+  return e ? *e / (1 + *e) : law.water ? law.water->porosity : std::nullopt;
+}
+
+/// Of soil whose water flows; else empty.
+template <Law L>
+std::optional<Hydraulics> hydraulics(const L& law)
+{
+  if (!has_pore_pressure(law) || law.water->drainage != Drainage::consolidation) return {};
+  return Hydraulics{law.water->permeability.value(), porosity(law).value(), law.water->kozeny_carman};
+}
+
+/// K_w / n, Pa; 0 where the soil has no excess pore pressure.
 template <Law L>
 Real water_stiffness(const L& law)
 {
-  if (!undrained(law)) return 0;
+  if (!has_pore_pressure(law)) return 0;
   if (!law.water->bulk_modulus) return stiffness_over_skeleton * p_wave_modulus(elasticity(law));
-  const std::optional<Real> e = void_ratio(law);
-  return *law.water->bulk_modulus / (e ? *e / (1 + *e) : law.water->porosity.value_or(1));
+  return *law.water->bulk_modulus / porosity(law).value_or(1);
 }
 
 /// What does not depend on the law, and what does: whether it knows effective stress, what its porosity is, and whether it ever fails undrained.
@@ -60,7 +75,7 @@ void check_water(Describe& d, const std::string& path, const L& law)
   check_water(d, path, law.water, {effective, dilates(law), stiffness_varies, void_ratio(law).has_value()});
 }
 
-/// A law of effective stress with water that stays in its pores: precomputed constants. Stresses are total ones less the hydrostatic pressure; the last state
+/// A law of effective stress with water in its pores: precomputed constants. Stresses are total ones less the hydrostatic pressure; the last state
 /// variable is the excess pore pressure p, Pa, compression positive.
 template <class P>
 struct Undrained {
@@ -97,14 +112,14 @@ template <class P, class T>
 
 /// Advances the total stress (Pa, tension positive): with the strain increment e, that of the cell after the volumetric projection,
 ///
-///   sigma' = sigma + p I,   sigma' by the law,   p = max(p - (K_w / n) tr(e), min_pressure),   sigma = sigma' - p I.
+///   sigma' = sigma + p I,   sigma' by the law,   p = max(p - (K_w / n) (tr(e) + outflow), min_pressure),   sigma = sigma' - p I.
 template <int dim, class P, class T>
 [[gnu::always_inline]] inline void update(const Undrained<P>& law, SymTensor<dim, T>& stress, const Increment<dim, T>& increment, T* state)
 {
   T& pressure = state[state_count(law.skeleton)];
   for (int k = 0; k < 3; ++k) stress[k] += pressure;
   update(law.skeleton, stress, increment, state);
-  pressure = larger(pressure - law.stiffness * trace(increment.strain), T{} + law.min_pressure);
+  pressure = larger(pressure - law.stiffness * (trace(increment.strain) + increment.outflow), T{} + law.min_pressure);
   for (int k = 0; k < 3; ++k) stress[k] -= pressure;
 }
 

@@ -45,6 +45,7 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
   const Vec<dim> gravity = model.bodies[body].weight_over_mass * gravity_now(model, state.time);
   const NodeField<std::uint8_t>& fixed = model.fixed[grid.fixed];
   const Real dt = state.dt;
+  const bool flows = grid.water.flows();
   const bool loaded = !model.load_points.empty();
   const std::optional<Real> stage_damping = model.stages[state.stage.index].damping;
   const auto sums = sum_of<NodalSums<dim>>("momentum balance of nodes", grid.chunks, [&](Index n) {
@@ -62,6 +63,14 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
     const Vec<dim> weight = m * gravity;
     force += weight;
     if (loaded) force += grid.traction[i];
+    // The water takes a part of the force, and gives way by a flux that the acceleration makes.
+    Vec<dim> inertia = Vec<dim>::Constant(m);
+    if (flows) {
+      const WaterAtNode<dim>& water = grid.water.nodes[i];
+      inertia = grid.inertia(i);
+      for (int d = 0; d < dim; ++d)
+        if (inertia[d] < m) force[d] -= water.mass / water.inertia * (water.force[d] - water.drag * state.flux[body][i][d]);
+    }
     const Vec<dim>& v = grid.velocity[i];
     const Real factor = grid.touching[i] ? 0 : stage_damping ? *stage_damping : model.bodies[body].damping[i];
     Vec<dim> damping = Vec<dim>::Zero();
@@ -71,13 +80,13 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
       if (!held && !grid.touching[i]) sums_i.unbalanced += std::abs(force[d]);
     }
     const Vec<dim> total = force + damping;
-    a = total / m;
+    a = total.cwiseQuotient(inertia);
     for (int d = 0; d < dim; ++d)
       if (fixed[i] >> d & 1) a[d] = -v[d] / dt;
     const Vec<dim> mid_velocity = v + 0.5 * dt * a;
     sums_i.gravity = weight;
     sums_i.damping = damping;
-    sums_i.support = m * a - total;
+    sums_i.support = inertia.cwiseProduct(a) - total;
     sums_i.gravity_power = weight.dot(mid_velocity);
     if (loaded) {
       sums_i.traction = grid.traction[i];

@@ -67,9 +67,10 @@ Real momentum_error(const problem::State<dim>& state, mesh::Metric metric)
     moving += std::sqrt(2 * sums.mass * sums.kinetic);
   }
   const problem::Totals<dim>& t = state.totals;
-  const Vec<dim> given = t.gravity_impulse + t.traction_impulse + t.contact_impulse + t.support_impulse + t.damping_impulse;
+  const Vec<dim> given =
+      t.gravity_impulse + t.traction_impulse + t.contact_impulse + t.support_impulse + t.damping_impulse + t.flow_impulse;
   const Real size = moving + size_of(t.first_momentum) + size_of(t.gravity_impulse) + size_of(t.traction_impulse) +
-                    size_of(t.contact_impulse) + size_of(t.support_impulse) + size_of(t.damping_impulse);
+                    size_of(t.contact_impulse) + size_of(t.support_impulse) + size_of(t.damping_impulse) + size_of(t.flow_impulse);
   return size > 0 ? size_of(now - t.first_momentum - given) / size : 0;
 }
 

@@ -35,6 +35,18 @@ BodyGrid<dim>::BodyGrid(const mesh::Mesh<dim>& mesh)
 }
 
 template <int dim>
+void WaterGrid<dim>::make_room(const mesh::Mesh<dim>& mesh, const problem::BodySoil& soil)
+{
+  for (const material::Material& material : soil.materials) soils.push_back({hydraulics(material).value(), inertia_density(material)});
+  cells = CellField<WaterCell>::zeros(mesh.cell_count());
+  corners = CellField<std::array<WaterAtNode<dim>, dim + 1>>::zeros(mesh.cell_count());
+  outflow = CellField<VolumeChange>::zeros(mesh.cell_count());
+  nodes = NodeField<WaterAtNode<dim>>::zeros(mesh.node_count());
+  soil_inertia = NodeField<Vec<dim>>::zeros(mesh.node_count());
+  normal = NodeField<Vec<dim>>::zeros(mesh.node_count());
+}
+
+template <int dim>
 void BodyGrid<dim>::enter(const mesh::Mesh<dim>& mesh, Index cell)
 {
   gradients[cell] = mesh.shape(cell).gradients;
@@ -84,6 +96,7 @@ Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& sta
     grids[b].halo = halo;
     find_nodes(model.mesh, state.particles[b], grids[b]);
     const problem::Body<dim>& body = model.bodies[b];
+    if (body.flows()) grids[b].water.make_room(model.mesh, body.soil);
     grids[b].full_cells = model.mpm.quadrature == problem::Quadrature::full_cells;
     if (yields(body.soil.materials.front())) {
       const Real wave_speed = body.waves.mean_speed;
@@ -114,6 +127,8 @@ Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& sta
   for (std::size_t b = 0; b < model.bodies.size(); ++b) sum_moments(model.mesh, state.particles[b], grids[b]);
 }
 
+template struct WaterGrid<2>;
+template struct WaterGrid<3>;
 template struct BodyGrid<2>;
 template struct BodyGrid<3>;
 template void find_nodes(const mesh::Mesh<2>&, const bodies::Particles<2>&, BodyGrid<2>&);

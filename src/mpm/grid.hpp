@@ -49,6 +49,41 @@ struct VolumeChange {
   Real change;  ///< that times div(v) dt
 };
 
+/// Means over the particles of a cell of soil whose water flows.
+struct WaterCell {
+  Real pressure = 0;  ///< p, Pa, compression positive
+  Real inertia = 0;   ///< rho_w / n, kg/m3
+  Real drag = 0;      ///< gamma_w / k, N s/m4
+};
+
+/// The water at a node, and what a cell contributes to it; by flux, which is the velocity times the porosity.
+template <int dim>
+struct WaterAtNode {
+  Vec<dim> force = Vec<dim>::Zero();  ///< sum V p grad N, N
+  Real mass = 0;                      ///< sum rho_w V, kg
+  Real inertia = 0;                   ///< sum rho_w V / n, kg; of a node with the drag over the step
+  Real drag = 0;                      ///< sum gamma_w V / k, kg/s
+};
+
+/// What soil adds whose water flows (mpm/flow.hpp); without memory where none does.
+template <int dim>
+struct WaterGrid {
+  struct Soil {
+    material::Hydraulics water;
+    Real density;  ///< kg/m3, of the saturated soil at the start
+  };
+  std::vector<Soil> soils;  ///< by material
+  CellField<WaterCell> cells;
+  CellField<std::array<WaterAtNode<dim>, dim + 1>> corners;
+  CellField<VolumeChange> outflow;  ///< as the volume change, by div(w) dt
+  NodeField<WaterAtNode<dim>> nodes;
+  NodeField<Vec<dim>> soil_inertia;  ///< kg, what accelerates with the soil where the water gives way
+  NodeField<Vec<dim>> normal;        ///< scratch: zero
+
+  bool flows() const { return cells.size() > 0; }
+  void make_room(const mesh::Mesh<dim>& mesh, const problem::BodySoil& soil);
+};
+
 /// Nodal fields of one body and the cell sums behind them, valid within a step; moments and corners also between steps. Cell sums are zero where a cell has
 /// no particles. Memory is committed only where the body has been.
 template <int dim>
@@ -59,6 +94,7 @@ struct BodyGrid {
   CellField<std::array<CornerSums<dim>, dim + 1>> corners;
   CellField<HoopMoments> hoop;  ///< as the moments; empty but in axisymmetry
   CellField<VolumeChange> volume_change;
+  WaterGrid<dim> water;
   CellField<Real> viscous_stress;  ///< Pa, tension positive; 0 where the body has no bulk viscosity
   Real bulk_viscosity = 0;         ///< Pa s/m: viscous stress over a cell's height and its rate of volume change
   Real filter_rate = 0;            ///< 1/s, rate at which the filter relaxes particle velocities towards the smooth ones; 0: no filter
@@ -101,6 +137,7 @@ struct BodyGrid {
     corners[cell] = {};
     volume_change[cell] = {};
     if (hoop.size() > 0) hoop[cell] = {};
+    if (water.flows()) water.cells[cell] = {}, water.corners[cell] = {}, water.outflow[cell] = {};
     if (bulk_viscosity > 0) viscous_stress[cell] = 0;
   }
   /// Shape functions of a cell that has been entered; the gradients of others are 0.
@@ -117,6 +154,8 @@ struct BodyGrid {
   {
     return dt * acceleration[node][d] + part * smooth_velocity[node][d];
   }
+  /// What accelerates with the soil at a node, by direction, kg: its mass, but for water that gives way.
+  Vec<dim> inertia(Index node) const { return water.flows() ? water.soil_inertia[node] : Vec<dim>(Vec<dim>::Constant(mass[node])); }
   /// Contribution of the cell of a mesh entry to the node.
   const CornerSums<dim>& at(mesh::CornerEntry e) const { return corners.data()->data()[e]; }
 };

@@ -179,14 +179,13 @@ template <int dim>
   if (!in_mesh || found.cell != cell) work.cell_changes[omp_get_thread_num()].push_back({cell, index, in_mesh ? found.cell : none});
 }
 
-/// The dilation that the cells of a patch share, over their volume.
-template <int dim>
-Real patch_dilation(const mesh::Patches& patches, const BodyGrid<dim>& grid, Index cell)
+/// The dilation that the cells of a patch share, over their volume; of their water, or of the soil.
+Real patch_dilation(const mesh::Patches& patches, const CellField<VolumeChange>& of_cells, Index cell)
 {
   Real volume = 0, change = 0;
   mesh::for_each_in_patch(patches, cell, [&](Index member) {
-    volume += grid.volume_change[member].volume;
-    change += grid.volume_change[member].change;
+    volume += of_cells[member].volume;
+    change += of_cells[member].change;
   });
   return change / volume;
 }
@@ -252,9 +251,10 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
     if constexpr (metric == mesh::Metric::axisymmetric && pass != Pass::move)
       cell_strain.add_hoop(dt * hoop_rate(shape, nodes, grid, cell, grid.mapped_velocity));
     if (pass != Pass::move && model.mpm.volumetric_projection)
-      cell_strain.template project<strained_directions<dim, metric>>(patch_dilation(model.patches, grid, cell));
+      cell_strain.template project<strained_directions<dim, metric>>(patch_dilation(model.patches, grid.volume_change, cell));
     const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
 
+    const Real outflow = grid.water.flows() ? patch_dilation(model.patches, grid.water.outflow, cell) : 0;
     Real cell_size = 0;
     if constexpr (requires { law.softening_length; })
       if (law.softening_length > 0) cell_size = dim == 2 ? std::sqrt(mesh.section(cell)) : std::cbrt(mesh.section(cell));
@@ -270,7 +270,8 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
         min_shape = move_part<V>(part, p, q, shape, at_zero, gain, velocity, dt, filtered, unfiltered, done);
       if constexpr (pass != Pass::move) {
         const V mass = part.get(p.mass, q.mass), volume = part.get(p.volume, q.volume);
-        material::Increment<dim, V> increment{.strain = {}, .dt = dt, .time = time, .cell_size = cell_size, .active = alive};
+        material::Increment<dim, V> increment{
+            .strain = {}, .dt = dt, .time = time, .cell_size = cell_size, .outflow = outflow, .active = alive};
         SymTensor<dim, V>& strain = increment.strain;
         SymTensor<dim, V> stress, both_stresses;
         for (int k = 0; k < tensor_size<dim>; ++k) {

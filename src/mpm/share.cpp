@@ -28,6 +28,8 @@ void share_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& pa
         for (const Index cell : side.sent) put_bytes(out, &grid.moments[cell]), put_bytes(out, &grid.corners[cell]);
         for (const Index cell : side.sent)
           if (grid.hoop.size() > 0) put_bytes(out, &grid.hoop[cell]);
+        for (const Index cell : side.sent)
+          if (grid.water.flows()) put_bytes(out, &grid.water.cells[cell]);
       },
       [&](Halo::Side& side, const std::vector<std::byte>& in) {
         for (const Index cell : side.got) {
@@ -35,6 +37,7 @@ void share_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& pa
           grid.corners[cell] = {};
           grid.volume_change[cell] = {};
           if (grid.hoop.size() > 0) grid.hoop[cell] = {};
+          if (grid.water.flows()) grid.water.cells[cell] = {}, grid.water.corners[cell] = {}, grid.water.outflow[cell] = {};
         }
         std::size_t count = 0;
         const std::byte* at = get_bytes(in.data(), &count);
@@ -44,6 +47,8 @@ void share_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& pa
         for (const Index cell : side.got) at = get_bytes(get_bytes(at, &grid.moments[cell]), &grid.corners[cell]);
         for (const Index cell : side.got)
           if (grid.hoop.size() > 0) at = get_bytes(at, &grid.hoop[cell]);
+        for (const Index cell : side.got)
+          if (grid.water.flows()) at = get_bytes(at, &grid.water.cells[cell]);
         other_cells = other_cells || side.got != before;
       });
   if (other_cells) find_nodes(mesh, particles, grid);
@@ -63,6 +68,21 @@ void share_corner_sums(BodyGrid<dim>& grid)
         const std::byte* at = in.data();
         for (const Index cell : side.got)
           for (CornerSums<dim>& corner : grid.corners[cell]) at = get_bytes(at, corner.sum, dim);
+      });
+}
+
+template <int dim>
+void share_water_forces(BodyGrid<dim>& grid)
+{
+  if (!grid.halo.divided() || !grid.water.flows()) return;
+  const Timer timer("ranks");
+  grid.halo.exchange(
+      [&](const Halo::Side& side, std::vector<std::byte>& out) {
+        for (const Index cell : side.sent) put_bytes(out, &grid.water.corners[cell]);
+      },
+      [&](const Halo::Side& side, const std::vector<std::byte>& in) {
+        const std::byte* at = in.data();
+        for (const Index cell : side.got) at = get_bytes(at, &grid.water.corners[cell]);
       });
 }
 
@@ -178,6 +198,7 @@ void list_contact_nodes(const problem::Model<dim>& model, Work<dim>& work)
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void share_moments(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                                      \
   template void share_corner_sums(BodyGrid<dim>&);                                                                                         \
+  template void share_water_forces(BodyGrid<dim>&);                                                                                        \
   template void share_movers(BodyGrid<dim>&, std::vector<bodies::CellChange>&, bodies::Transit<dim>&);                                     \
   template class BorrowedParticles<dim>;                                                                                                   \
   template void list_contact_nodes(const problem::Model<dim>&, Work<dim>&);

@@ -15,6 +15,10 @@ void share_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& pa
 template <int dim>
 void share_corner_sums(BodyGrid<dim>& grid);
 
+/// Gets what the cells in the halo give the water at their corners.
+template <int dim>
+void share_water_forces(BodyGrid<dim>& grid);
+
 /// Sends particles that go to cells of other ranks, and gets those that come. `changes` and transit.particle become those of the particles that go to cells of
 /// this rank, in the order of one process.
 template <int dim>

@@ -5,6 +5,7 @@
 #include "mpm/balance.hpp"
 #include "mpm/change_cells.hpp"
 #include "mpm/contact.hpp"
+#include "mpm/flow.hpp"
 #include "mpm/loads.hpp"
 #include "mpm/move.hpp"
 #include "mpm/quadrature.hpp"
@@ -23,6 +24,7 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
 {
   const Index bodies = static_cast<Index>(model.bodies.size());
   for (Index b = 0; b < bodies; ++b) {
+    average_water(model, state.particles[b], b, work.grids[b]);
     share_moments(model.mesh, state.particles[b], work.grids[b]);
     gather_mass_and_momentum(model.mesh, work.grids[b]);  // 1: (1), and velocities before the step
     integrate_full_cells(model, state.particles[b], work.grids[b]);
@@ -30,6 +32,9 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
     find_viscous_stress(model, state.particles[b], work.grids[b]);
     spread_internal_forces(model, state.particles[b], work.grids[b]);  // 1: (2)
     share_corner_sums(work.grids[b]);
+    spread_water_forces(model, state.particles[b], work.grids[b]);
+    share_water_forces(work.grids[b]);
+    gather_water(model, state.dt, work.grids[b]);
   }
   spread_tractions(model, state, work);                                              // 1: forces on boundaries of the soil
   find_contacts(model, state, work);                                                 // 4: contact detection
@@ -38,6 +43,7 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
   correct_accelerations(model, state, work);  // 4: (8)-(14)
 
   for (Index b = 0; b < bodies; ++b) {
+    advance_flux(model, state, work, b);
     spread_new_momentum(model.mesh, state.particles[b], state.dt, work.grids[b]);  // 5-6: (14)-(16) from the moments
     share_corner_sums(work.grids[b]);
     gather_new_velocities(model, work.grids[b]);  // 7-8: (18), supports
@@ -48,6 +54,7 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
 
   for (Index b = 0; b < bodies; ++b) {
     if (model.mpm.volumetric_projection) sum_volume_changes(model.mesh, state.particles[b], state.dt, work.grids[b]);
+    sum_outflows(model, state, work.grids[b], b);
     move_and_strain(model, state, work, b);  // 5, 9-11: (14), (19)-(23)
     change_cells(model, state, work, b);
   }

@@ -301,6 +301,13 @@ void sum_volume_changes_in(const mesh::Mesh<dim>& mesh, const bodies::Particles<
 }  // namespace
 
 template <int dim>
+Real divergence(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell, const NodeField<Vec<dim>>& field)
+{
+  return with_metric(mesh,
+                     [&](auto metric) { return divergence_in<metric()>(grid.shape(mesh, cell), mesh.nodes[cell], grid, cell, field); });
+}
+
+template <int dim>
 void find_viscous_stress(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   if (!(grid.bulk_viscosity > 0)) return;
@@ -406,6 +413,7 @@ void sum_volume_changes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim
   template void spread_new_momentum(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);                          \
   template void gather_new_velocities(const problem::Model<dim>&, BodyGrid<dim>&);                                                         \
   template void predict_velocities(const problem::Model<dim>&, Real, BodyGrid<dim>&);                                                      \
+  template Real divergence(const mesh::Mesh<dim>&, const BodyGrid<dim>&, Index, const NodeField<Vec<dim>>&);                               \
   template void sum_volume_changes(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

@@ -52,6 +52,10 @@ void gather_new_velocities(const problem::Model<dim>& model, BodyGrid<dim>& grid
 template <int dim>
 void predict_velocities(const problem::Model<dim>& model, Real ahead, BodyGrid<dim>& grid);
 
+/// The divergence of a nodal field in a cell with particles, with its part around an axis, 1/s of m/s.
+template <int dim>
+Real divergence(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell, const NodeField<Vec<dim>>& field);
+
 /// The volume change sum V div(v) dt of each cell, for the projection.
 template <int dim>
 void sum_volume_changes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid);

@@ -21,6 +21,18 @@ void archive(Archive& k, const std::string& name, bodies::Orientation<3>& orient
   orientation = {q[0], q[1], q[2], q[3]};
 }
 
+template <int dim>
+void archive(Archive& k, const std::string& name, NodeField<Vec<dim>>& flux)
+{
+  if (flux.size() == 0) return;
+  std::vector<Real> numbers(static_cast<std::size_t>(flux.size()) * dim);
+  for (Index node = 0; node < flux.size(); ++node)
+    for (int d = 0; d < dim; ++d) numbers[node * dim + d] = flux[node][d];
+  k.fixed(name, numbers);
+  for (Index node = 0; node < flux.size(); ++node)
+    for (int d = 0; d < dim; ++d) flux[node][d] = numbers[node * dim + d];
+}
+
 }  // namespace
 
 // The sizes reveal a member that is not archived yet.
@@ -51,7 +63,7 @@ namespace {
 template <int dim>
 void archive(Archive& k, Totals<dim>& totals)
 {
-  static_assert(sizeof(totals) == (4 + 6 * dim) * sizeof(Real));
+  static_assert(sizeof(totals) == (4 + 7 * dim) * sizeof(Real));
   k("internal", totals.internal);
   k("external", totals.external);
   k("damping", totals.damping);
@@ -62,6 +74,7 @@ void archive(Archive& k, Totals<dim>& totals)
   k("contact_impulse", totals.contact_impulse);
   k("support_impulse", totals.support_impulse);
   k("damping_impulse", totals.damping_impulse);
+  k("flow_impulse", totals.flow_impulse);
 }
 
 template <int dim>
@@ -123,6 +136,7 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
   for (std::size_t c = 0; c < state.pair_impulses.size(); ++c) k(fmt::format("pair_impulse_{}", c), state.pair_impulses[c]);
   for (std::size_t t = 0; t < state.tractions.size(); ++t) k.table(fmt::format("traction_{}", t), [&] { archive(k, state.tractions[t]); });
   if (!state.load_points.empty()) k.table("load_points", [&] { archive(k, model, state.load_points); });
+  for (std::size_t b = 0; b < state.flux.size(); ++b) archive(k, fmt::format("flux_{}", b), state.flux[b]);
   for (std::size_t b = 0; b < state.particles.size(); ++b) k.table(fmt::format("body_{}", b), [&] { state.particles[b].archive(k); });
 }
 

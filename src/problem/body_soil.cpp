@@ -127,10 +127,11 @@ void check_soil(Describe& d, const Case& c, const std::string& path, const bodie
             fmt::format("[material.{}] has the law \"{}\", [material.{}] of the same body \"{}\": all materials of a body need one law; "
                         "make another body of it, with a [contact] between them",
                         name, law_word(second), body.material, law_word(first)));
-    d.check(undrained(first) == undrained(second), key,
-            fmt::format("[material.{}] is {}, [material.{}] of the same body is not: give all materials of a body the same water.drainage, "
-                        "or make another body of it",
-                        name, undrained(second) ? "undrained" : "drained", body.material));
+    d.check(
+        has_pore_pressure(first) == has_pore_pressure(second) && hydraulics(first).has_value() == hydraulics(second).has_value(), key,
+        fmt::format("[material.{}] and [material.{}] of the same body differ in water.drainage: give all materials of a body the same, or "
+                    "make another body of it",
+                    name, body.material));
     d.check(state_size(first) == state_size(second), key,
             fmt::format("[material.{}] has {} state variables, [material.{}] of the same body {}: they need as many", name,
                         state_size(second), body.material, state_size(first)));
@@ -173,7 +174,10 @@ void refuse_no_strength(const BodySoil& soil, const std::string& region, Real de
 SoilWaves waves_of(const material::Material& material)
 {
   const Real density = inertia_density(material), speed = std::sqrt(p_wave_modulus(material) / density);
-  return {speed, speed, speed, density, std::sqrt(p_wave_modulus(material) * density), density};
+  const std::optional<material::Hydraulics> water = hydraulics(material);
+  const Real stiffness = water_stiffness(material);
+  const Real fastest = water ? material::fast_wave_speed(p_wave_modulus(material) - stiffness, stiffness, density, water->porosity) : speed;
+  return {fastest, speed, speed, density, std::sqrt(p_wave_modulus(material) * density), density};
 }
 
 }  // namespace berm::problem

@@ -39,6 +39,20 @@ NodeField<std::uint8_t> fixed_directions(const mesh::Mesh<dim>& mesh, const Case
   return fixed;
 }
 
+/// The directions in which no water crosses a node: those that are held, but for what only drained supports hold.
+template <int dim>
+NodeField<std::uint8_t> closed_directions(const mesh::Mesh<dim>& mesh, const Case& c, const std::vector<char>& holds,
+                                          const NodeField<std::uint8_t>& fixed)
+{
+  std::vector<char> drained = holds, others = holds;
+  for (std::size_t k = 0; k < c.support.size(); ++k) (c.support[k].second.drained ? others : drained)[k] = 0;
+  const NodeField<std::uint8_t> by_drained = fixed_directions(mesh, c, drained), by_others = fixed_directions(mesh, c, others);
+  auto closed = NodeField<std::uint8_t>::zeros(mesh.node_count());
+  for (Index node = 0; node < mesh.node_count(); ++node)
+    closed[node] = static_cast<std::uint8_t>(fixed[node] & ~(by_drained[node] & ~by_others[node]));
+  return closed;
+}
+
 /// The body that fills each region of the mesh, the first where several do, or none.
 template <int dim>
 std::vector<Index> bodies_of_regions(const mesh::Mesh<dim>& mesh, const Case& c)
@@ -187,6 +201,9 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
     const material::Material& first = soil.materials.front();
     model.bodies.push_back({name, soil, nodal_damping(model.mesh, settings), density(first) / inertia_density(first)});
   }
+  if (std::any_of(model.bodies.begin(), model.bodies.end(), [](const Body<dim>& body) { return body.flows(); }))
+    for (std::size_t k = 0; k < sets.holds.size(); ++k)
+      model.closed.push_back(closed_directions(model.mesh, c, sets.holds[k], model.fixed[k]));
   for (const auto& [name, s] : c.contact) {
     const Index body = index_of(c.body, s.body);
     const contact::Detection best = s.rigid.empty() ? contact::Detection::gap : contact::Detection::particle;
@@ -242,6 +259,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
       if (entry.second.body == name && !entry.second.rigid.empty())
         start.holes.push_back(model.rigid_bodies[index_of(c.rigid, entry.second.rigid)].shape);
     state.particles.push_back(fill(model.mesh, name, settings, start));
+    state.flux.push_back(NodeField<Vec<dim>>::zeros(body.flows() ? model.mesh.node_count() : 0));
     for (const Contact& contact : model.contacts)
       if (contact.memory.bond != none && model.bodies[contact.body].name == name)
         bond_at_start(model.mesh.metric, state.particles.back(), model.rigid_bodies[contact.rigid].shape, contact.memory.bond);

@@ -21,6 +21,9 @@ struct Body {
   NodeField<Real> damping;    ///< local damping factor of each node for this body
   Real weight_over_mass = 1;  ///< density over inertia density: the part of gravity that acts on its particles
   SoilWaves waves = waves_of(soil.materials.front());
+
+  /// Whether water flows through its pores.
+  bool flows() const { return hydraulics(soil.materials.front()).has_value(); }
 };
 
 /// A contact with its names looked up.
@@ -75,6 +78,8 @@ struct Model {
   std::vector<LoadPoint<dim>> load_points;
   std::vector<NodeField<std::uint8_t>> fixed;  ///< by set of supports that hold together; bit d: direction d of the node is held
   std::vector<Index> fixed_in;                 ///< by stage: which set
+  /// As `fixed`, of the flux of water; empty where none flows.
+  std::vector<NodeField<std::uint8_t>> closed;
   std::array<bool, dim> mirrored = {};  ///< by axis: whether the mesh ends at a plane of symmetry across it, at its lowest coordinate
   Real parts = 1;     ///< equal ones that the whole has, of which this is one: 2 pi radians around an axis, halves, quarters
   Vec<dim> gravity;   ///< m/s2
@@ -114,6 +119,7 @@ struct Totals {
   Vec<dim> contact_impulse = Vec<dim>::Zero();
   Vec<dim> support_impulse = Vec<dim>::Zero();
   Vec<dim> damping_impulse = Vec<dim>::Zero();
+  Vec<dim> flow_impulse = Vec<dim>::Zero();  ///< of water whose flux changes
 };
 
 /// How a traction grows or falls: the part of it that acts goes from one value to another since `begin_time`.
@@ -146,6 +152,7 @@ struct State {
   BigIndex step = 0;
   Real dt = 0;                                    ///< s, the time step in force
   std::vector<bodies::Particles<dim>> particles;  ///< by body
+  std::vector<NodeField<Vec<dim>>> flux;          ///< by body, at the nodes: of water against the soil (Darcy), m/s; empty where none flows
   std::vector<bodies::RigidState<dim>> rigid_bodies;
   std::vector<Vec<dim>>
       pair_impulses;  ///< by contact: what the other body gave to the body since the start, N s/m or N s; zero at rigid bodies

@@ -293,7 +293,7 @@ void is_tension_that_of_clay(const Scene& s, Findings& found)
   for (const auto& [name, contact] : s.c.contact) {
     if (!(contact.tension > 0)) continue;
     const material::Material& material = s.material_of(problem::index_of(s.c.body, contact.body));
-    if (undrained(material)) continue;
+    if (has_pore_pressure(material)) continue;
     const std::optional<material::Strength> soil = strength_at_rest(material);
     const bool effective = std::visit(
         [](const auto& law) {

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/physics/consolidation.cpp
+#include "mpm/flow.hpp"
+
+#include "mpm/hoop.hpp"
+#include "mpm/transfer.hpp"
+
+namespace berm::mpm {
+
+template <int dim>
+void average_water(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Index body, BodyGrid<dim>& grid)
+{
+  if (!grid.water.flows()) return;
+  const problem::BodySoil& soil = model.bodies[body].soil;
+  const int pressure = pore_pressure_place(soil.materials.front()), number = problem::number_offset(soil);
+  for_each("pore pressure of cells", particles.chunks(), [&](Index c) {
+    const Index cell = particles.occupied()[c];
+    WaterCell sums;
+    Real volume = 0;
+    Index left = particles.count_in(cell);
+    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) {
+      const bodies::Block<dim>& p = particles.block(b);
+      const Lanes* numbers = particles.extra(b);
+      for (int l = 0; l < lanes && l < left; ++l) {
+        const auto of = [&](int k) { return k == none ? 0 : numbers[k][l]; };
+        const auto& [water, density] = grid.water.soils[static_cast<std::size_t>(of(number))];
+        const Real V = p.volume[l], n = water.porosity_at(V * density / p.mass[l]);
+        volume += V;
+        sums.pressure += V * of(pressure);
+        sums.inertia += V * material::water_density / n;
+        sums.drag += V * material::unit_weight_of_water / water.permeability_at(n);
+      }
+    }
+    grid.water.cells[cell] = {sums.pressure / volume, sums.inertia / volume, sums.drag / volume};
+  });
+}
+
+namespace {
+
+template <mesh::Metric metric, int dim>
+void spread_water_forces_in(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+{
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  for_each("water forces of cells", particles.chunks(), [&](Index c) {
+    const Index cell = particles.occupied()[c];
+    const Moments<dim>& t = grid.moments[cell];
+    Real volume = 0, pressure = 0;
+    mesh::for_each_in_patch(model.patches, cell, [&](Index member) {
+      volume += grid.moments[member].volume;
+      pressure += grid.moments[member].volume * grid.water.cells[member].pressure;
+    });
+    pressure /= volume;
+    const WaterCell& water = grid.water.cells[cell];
+    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
+    auto& corners = grid.water.corners[cell];
+    for (int k = 0; k <= dim; ++k) {
+      const Real share = t.volume * grid.corners[cell][k].mass / t.m;
+      const Vec<dim> force = t.volume * pressure * shape.gradient(k);
+      corners[k] = {force, share * material::water_density, share * water.inertia, share * water.drag};
+    }
+    if constexpr (metric == mesh::Metric::axisymmetric)
+      for_each_hoop_share<dim>(shape, t, grid.hoop[cell], [&](int k, Real share) { corners[k].force[0] += share * pressure; });
+  });
+}
+
+}  // namespace
+
+template <int dim>
+void spread_water_forces(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+{
+  if (!grid.water.flows()) return;
+  with_metric(model.mesh, [&](auto metric) { spread_water_forces_in<metric()>(model, particles, grid); });
+}
+
+template <int dim>
+void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid)
+{
+  if (!grid.water.flows()) return;
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  const NodeField<std::uint8_t>& closed = model.closed[grid.fixed];
+  for_each("gather water", grid.chunks, [&](Index n) {
+    const Index i = grid.nodes[n];
+    WaterAtNode<dim>& water = grid.water.nodes[i];
+    water = {};
+    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) {
+      const WaterAtNode<dim>& corner = grid.water.corners[mesh.entries[e] / (dim + 1)][mesh.entries[e] % (dim + 1)];
+      water.force += corner.force;
+      water.mass += corner.mass;
+      water.inertia += corner.inertia;
+      water.drag += corner.drag;
+    }
+    water.inertia += dt * water.drag;
+    for (int d = 0; d < dim; ++d)
+      grid.water.soil_inertia[i][d] =
+          grid.mass[i] - (closed[i] >> d & 1 || !(water.inertia > 0) ? 0 : water.mass * water.mass / water.inertia);
+  });
+}
+
+namespace {
+
+/// Sums of the normals of the points at which a rigid body presses the soil, at their nodes; zero elsewhere.
+template <int dim, class Visit>
+void for_each_node_under_rigid_bodies(const problem::Model<dim>& model, const Work<dim>& work, Index body, const Visit& visit)
+{
+  for (std::size_t k = 0; k < model.contacts.size(); ++k) {
+    if (model.contacts[k].body != body || model.contacts[k].rigid == none) continue;
+    for (const contact::ContactPoint<dim>& point : work.contact_points[k].list)
+      if (!point.impulse.isZero())
+        for (int n = 0; n < point.node_count; ++n) visit(point.nodes[n], point.weights[n] * point.normal);
+  }
+}
+
+template <int dim>
+struct TakenByWater {
+  Vec<dim> impulse = Vec<dim>::Zero();
+  Real work = 0;
+
+  TakenByWater& operator+=(const TakenByWater& other)
+  {
+    impulse += other.impulse;
+    work += other.work;
+    return *this;
+  }
+};
+
+}  // namespace
+
+template <int dim>
+void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
+{
+  BodyGrid<dim>& grid = work.grids[body];
+  if (!grid.water.flows()) return;
+  NodeField<Vec<dim>>& flux = state.flux[body];
+  const NodeField<std::uint8_t>& closed = model.closed[grid.fixed];
+  const Real dt = state.dt;
+  NodeField<Vec<dim>>& normal = grid.water.normal;
+  for_each_node_under_rigid_bodies(model, work, body, [&](Index node, const Vec<dim>& share) { normal[node] += share; });
+  const auto taken = sum_of<TakenByWater<dim>>("flux of water", grid.chunks, [&](Index k) {
+    const Index i = grid.nodes[k];
+    const WaterAtNode<dim>& water = grid.water.nodes[i];
+    const Vec<dim> before = flux[i];
+    if (!(grid.mass[i] > 0) || !(water.inertia > 0)) {
+      flux[i].setZero();
+      return TakenByWater<dim>();
+    }
+    const Vec<dim>& a = grid.acceleration[i];
+    Vec<dim> after = before + dt / water.inertia * (water.force - water.drag * before - water.mass * a);
+    if (const Real square = normal[i].squaredNorm(); square > 0) after -= after.dot(normal[i]) / square * normal[i];
+    flux[i] = boundary::without_fixed<dim>(closed, i, after);
+    const Vec<dim> impulse = water.mass * (flux[i] - before);
+    return TakenByWater<dim>{impulse, impulse.dot(grid.velocity[i] + 0.5 * dt * a)};
+  });
+  for_each_node_under_rigid_bodies(model, work, body, [&](Index node, const Vec<dim>&) { normal[node].setZero(); });
+  state.totals.flow_impulse -= taken.impulse;
+  state.totals.internal += taken.work;
+}
+
+template <int dim>
+void sum_outflows(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid, Index body)
+{
+  if (!grid.water.flows()) return;
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  const bodies::Particles<dim>& particles = state.particles[body];
+  const auto sum = [&](Index cell) {
+    const Real volume = grid.moments[cell].volume;
+    grid.water.outflow[cell] = {volume, volume * divergence(mesh, grid, cell, state.flux[body]) * state.dt};
+  };
+  for_each("outflow of cells", particles.chunks(), [&](Index c) { sum(particles.occupied()[c]); });
+  for (const Index cell : grid.halo.partners)
+    if (grid.moments[cell].m > 0) sum(cell);
+}
+
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void average_water(const problem::Model<dim>&, const bodies::Particles<dim>&, Index, BodyGrid<dim>&);                           \
+  template void spread_water_forces(const problem::Model<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                            \
+  template void gather_water(const problem::Model<dim>&, Real, BodyGrid<dim>&);                                                            \
+  template void advance_flux(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&, Index);                                         \
+  template void sum_outflows(const problem::Model<dim>&, const problem::State<dim>&, BodyGrid<dim>&, Index);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm::mpm

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "mpm/grid.hpp"
+
+namespace berm::mpm {
+
+// Soil whose water flows: velocity v of the soil and flux w of the water against it (Darcy) at the nodes, excess pore pressure p in the particles. With the
+// density rho of the saturated soil, rho_w and gamma_w of the water, porosity n and permeability k (Zienkiewicz, Chang and Bettess 1980):
+//
+//   rho dv/dt + rho_w dw/dt = div(sigma) + rho b,   rho_w dv/dt + (rho_w / n) dw/dt = -grad p - (gamma_w / k) w,   dp/dt = -(K_w / n) (div v + div w).
+//
+// The drag is taken at the end of the step, so that no permeability limits it: each node solves two equations in two unknowns. Open surfaces have p = 0, the
+// natural condition. Nothing happens in bodies whose water does not flow.
+
+/// Means of the pore pressure, of rho_w / n and of gamma_w / k over the particles of each cell, as they are at the start of a step.
+template <int dim>
+void average_water(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Index body, BodyGrid<dim>& grid);
+
+/// What the cells give the water at their corners: its mass, drag and the force of its pressure. With the volumetric projection the pressure is the average over
+/// the patch.
+template <int dim>
+void spread_water_forces(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);
+
+/// The nodes gather that from their cells, for solve_momentum_balance.
+template <int dim>
+void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid);
+
+/// The flux at the end of the step, from the accelerations that contact has corrected; none through supports and rigid bodies. What its change takes of the
+/// soil's momentum and energy goes to the totals.
+template <int dim>
+void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
+
+/// The volume of water that leaves each cell in this step.
+template <int dim>
+void sum_outflows(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid, Index body);
+
+}  // namespace berm::mpm
