@@ -11,7 +11,7 @@ void check_water(Describe& d, const std::string& path, const std::optional<PoreW
           "is for laws of effective stress, and this one has an undrained strength, which is one of total stress: leave the table out, or "
           "take mohr_coulomb with a friction_angle, modified_cam_clay or norsand");
   const bool flows = water->drainage == Drainage::consolidation;
-  d.check(!water->porosity || water->bulk_modulus || water->permeability, table + ".porosity",
+  d.check(!water->porosity || water->bulk_modulus || water->permeability || flows, table + ".porosity",
           "is needed with bulk_modulus and permeability only");
   d.check(!water->porosity || !soil.has_void_ratio, table + ".porosity", "does not go with void_ratio, which gives it");
   d.check(!water->bulk_modulus || water->porosity || soil.has_void_ratio, table, "needs the porosity, which goes with bulk_modulus");
