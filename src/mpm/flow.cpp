@@ -53,10 +53,12 @@ void spread_water_forces_in(const problem::Model<dim>& model, const bodies::Part
     const WaterCell& water = grid.water.cells[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     auto& corners = grid.water.corners[cell];
+    // The force on a corner does not vanish with the shape functions of the particles, so the water's inertia must not either: the corners have equal parts of it.
+    const Real of_corner = t.volume / (dim + 1);
     for (int k = 0; k <= dim; ++k) {
-      const Real share = t.volume * grid.corners[cell][k].mass / t.m;
+      const Real of_soil = t.volume * grid.corners[cell][k].mass / t.m;
       const Vec<dim> force = t.volume * pressure * shape.gradient(k);
-      corners[k] = {force, share * material::water_density, share * water.inertia, share * water.drag};
+      corners[k] = {force, std::min(of_corner, of_soil) * material::water_density, of_corner * water.inertia, of_corner * water.drag};
     }
     if constexpr (metric == mesh::Metric::axisymmetric)
       for_each_hoop_share<dim>(shape, t, grid.hoop[cell], [&](int k, Real share) { corners[k].force[0] += share * pressure; });

@@ -60,7 +60,7 @@ struct WaterCell {
 template <int dim>
 struct WaterAtNode {
   Vec<dim> force = Vec<dim>::Zero();  ///< sum V p grad N, N
-  Real mass = 0;                      ///< sum rho_w V, kg
+  Real mass = 0;                      ///< sum rho_w V, kg: of the part that moves with the soil
   Real inertia = 0;                   ///< sum rho_w V / n, kg; of a node with the drag over the step
   Real drag = 0;                      ///< sum gamma_w V / k, kg/s
 };
