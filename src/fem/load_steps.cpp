@@ -11,17 +11,16 @@ namespace berm::fem {
 namespace {
 
 constexpr Real release_viscosity = 0.1;
-constexpr Real first_travel = 2e-4;     // of the width, in the first increment of a stage
-constexpr Real loose = 10;              // times the tolerance: taken where even the smallest increment comes no nearer, once in a row
-constexpr Real min_growth = 5e-3;       // of the width: an increment of this travel is never too long for the pressure that it brings
-constexpr Real pressure_change = 0.02;  // of the contact force, in one increment
-constexpr Real max_lag = 0.01;          // of what plastic flow dissipates: strength that is less behind its pressure follows no further
-constexpr int max_passes = 4;           // in which the equilibrium of an increment is found, each with the strength of the one before
-constexpr Real max_lag_left = 0.7;      // a pass that leaves more of the lag is the last
-constexpr Real max_pressure_error =
-    1e-4;                              // of an increment, over the largest excess pore pressures of the stage, both as root mean squares
-constexpr Real min_first_dt = 1e-3;    // of an increment of a stage where no water flows
-constexpr Real max_overstress = 0.05;  // of the stress of soil at yield
+constexpr Real first_travel = 2e-4;        // of the width, in the first increment of a stage
+constexpr Real loose = 10;                 // times the tolerance: taken where even the smallest increment comes no nearer, once in a row
+constexpr Real min_growth = 5e-3;          // of the width: an increment of this travel is never too long for the pressure that it brings
+constexpr Real pressure_change = 0.02;     // of the contact force, in one increment
+constexpr Real max_lag = 0.01;             // of what plastic flow dissipates: strength that is less behind its pressure follows no further
+constexpr int max_passes = 4;              // in which the equilibrium of an increment is found, each with the strength of the one before
+constexpr Real max_lag_left = 0.7;         // a pass that leaves more of the lag is the last
+constexpr Real max_pressure_error = 5e-5;  // of an increment, over the largest pressures of the stage, root mean squares of both
+constexpr Real min_first_dt = 1e-3;        // of an increment of a stage where no water flows
+constexpr Real max_overstress = 0.05;      // of the stress of soil at yield
 constexpr int few_iterations = 8, few_enough_iterations = 12;  // iterations
 
 }  // namespace
@@ -38,9 +37,11 @@ LoadSteps::LoadSteps(const FemModel& model, FemState& state)
 
 void LoadSteps::find_first_equilibrium()
 {
-  FemLoads loads = dead_loads(0);
-  loads.drained = true;
-  if (!release_imbalance(loads))
+  const FemLoads loads = dead_loads(0);
+  FemLoads drained = loads;
+  drained.drained = true;
+  for (Real& factor : drained.tractions) factor = 0;
+  if ((model_.flow.count > 0 && !release_imbalance(drained)) || !release_imbalance(loads))
     throw RunError("the soil as it is at the start finds no equilibrium: it cannot carry its weight with these stresses (k0, strength)");
 }
 

@@ -19,7 +19,8 @@ public:
   /// Bytes that the increments take beside what they have had since this was made.
   Real memory_to_come() const { return newton_.memory_to_come(); }
 
-  /// Finds the equilibrium of the first state, the rigid body at rest. Throws RunError where it finds none.
+  /// Finds the equilibrium of the first state, the rigid body at rest: under its weight consolidated soil has no excess pore pressure; tractions of the
+  /// start come at once, and no water has flowed since. Throws RunError where it finds none.
   void find_first_equilibrium();
 
   /// One increment of the present stage, to its end at most. Throws RunError where even the smallest increment finds no equilibrium.

@@ -26,12 +26,19 @@ PointWater water_of(const material::Material& material)
   return water;
 }
 
-/// h^2 / (6 c_v), s, with h^2 twice the area of the element's section.
-Real diffusion_time(const material::Material& material, Real size)
+/// The smallest height of the triangle of the corners, m.
+Real smallest_height(const AtSixNodes<Vec<2>>& nodes)
+{
+  const Vec<2> a = nodes[1] - nodes[0], b = nodes[2] - nodes[0];
+  return std::abs(a[0] * b[1] - a[1] * b[0]) / std::max({a.norm(), b.norm(), (b - a).norm()});
+}
+
+/// h^2 / (6 c_v), s.
+Real diffusion_time(const material::Material& material, Real h)
 {
   const Real stiffness = water_stiffness(material), skeleton = p_wave_modulus(material) - stiffness;
   const Real consolidation = hydraulics(material)->permeability / material::unit_weight_of_water / (1 / skeleton + 1 / stiffness);
-  return 2 * size * size / (6 * consolidation);
+  return h * h / (6 * consolidation);
 }
 
 /// Whether the directions in which the support of a side's middle is closed are across it rather than along it.
@@ -77,7 +84,7 @@ void make_flow(FemModel& model)
     for (int q = 0; q < triangle_points; ++q) {
       const material::Material material = model.soil_at(cell, q);
       flow.water[cell][q] = water_of(material);
-      flow.first_dt = std::min(flow.first_dt, diffusion_time(material, model.cell_size[cell]));
+      flow.first_dt = std::min(flow.first_dt, diffusion_time(material, smallest_height(model.mesh.positions_of(cell))));
     }
   }
   for (const NodeField<std::uint8_t>& closed : model.mesh.closed) flow.open.push_back(open_nodes(model, closed));
