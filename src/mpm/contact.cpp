@@ -79,10 +79,9 @@ void set_responses(const problem::Model<dim>& model, const problem::State<dim>& 
     Real free = 0;
     Vec<dim> compliance = Vec<dim>::Zero();
     const auto response = [&](Index b, Index node, Real N) {
-      const Real m = work.grids[b].mass[node];
-      const Vec<dim> unit = m > 0 ? Vec<dim>(N * work.grids[b].inertia(node).cwiseInverse()) : Vec<dim>(Vec<dim>::Zero());
-      const Vec<dim> of_node = boundary::without_fixed<dim>(model.fixed[work.grids[b].fixed], node, unit);
-      free += N * unit.maxCoeff();
+      const Real m = work.grids[b].mass[node], unit = m > 0 ? N / m : 0;
+      const Vec<dim> of_node = boundary::without_fixed<dim>(model.fixed[work.grids[b].fixed], node, Vec<dim>::Constant(unit));
+      free += N * unit;
       compliance += N * of_node;
       return of_node;
     };

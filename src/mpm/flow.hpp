@@ -26,6 +26,11 @@ void spread_water_forces(const problem::Model<dim>& model, const bodies::Particl
 template <int dim>
 void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid);
 
+/// Lets no water into rigid bodies: at the nodes of points that touch one the flux along the normal is zero. At the nodes of contact points the soil takes the whole
+/// force, so that contact, which changes its velocity twice in a step, keeps its momentum: soil and water do not feel each other's inertia there.
+template <int dim>
+void seal_rigid_bodies(const problem::Model<dim>& model, Work<dim>& work);
+
 /// The flux at the end of the step, from the accelerations that contact has corrected; none through supports and rigid bodies. What its change takes of the
 /// soil's momentum and energy goes to the totals.
 template <int dim>

@@ -78,7 +78,7 @@ struct WaterGrid {
   CellField<VolumeChange> outflow;  ///< as the volume change, by div(w) dt
   NodeField<WaterAtNode<dim>> nodes;
   NodeField<Vec<dim>> soil_inertia;  ///< kg, what accelerates with the soil where the water gives way
-  NodeField<Vec<dim>> normal;        ///< scratch: zero
+  NodeField<Vec<dim>> normal;        ///< of the rigid body that touches the soil there, sum of N times it; else zero
 
   bool flows() const { return cells.size() > 0; }
   void make_room(const mesh::Mesh<dim>& mesh, const problem::BodySoil& soil);

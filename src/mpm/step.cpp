@@ -36,8 +36,9 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
     share_water_forces(work.grids[b]);
     gather_water(model, state.dt, work.grids[b]);
   }
-  spread_tractions(model, state, work);                                              // 1: forces on boundaries of the soil
-  find_contacts(model, state, work);                                                 // 4: contact detection
+  spread_tractions(model, state, work);  // 1: forces on boundaries of the soil
+  find_contacts(model, state, work);     // 4: contact detection
+  seal_rigid_bodies(model, work);
   for (Index b = 0; b < bodies; ++b) solve_momentum_balance(model, state, work, b);  // 1-4: (3), (4), (6), supports
   share_at_contacts(work, &BodyGrid<dim>::acceleration);
   correct_accelerations(model, state, work);  // 4: (8)-(14)

@@ -288,6 +288,25 @@ void check_stage_names(Describe& d, const Case& c, const std::string& path, cons
   for (const std::string& name : names) d.check(among(name, stages), path, fmt::format("there is no stage \"{}\"", name), stages);
 }
 
+void check_consolidation(Describe& d, const Case& c)
+{
+  bool flows = false;
+  for (const auto& [name, material] : c.material) {
+    if (!hydraulics(material)) continue;
+    flows = true;
+    const std::string path = "material." + name + ".water.drainage";
+    d.check(inertia_density(material) > material::water_density, "material." + name,
+            fmt::format("needs inertia_density, that of the saturated soil, where its water flows: more than {:g} kg/m^3",
+                        material::water_density));
+    d.check(c.method == Method::mpm, path, "\"consolidation\" is for method = \"mpm\"; finite elements know \"drained\" and \"undrained\"");
+    d.check(c.contact.empty() || c.contact.front().second.scheme != contact::Scheme::usf, path,
+            "\"consolidation\" does not go with scheme = \"usf\"");
+  }
+  for (const auto& [name, support] : c.support)
+    d.check(!support.drained || flows, "support." + name + ".drained",
+            "no soil has water that flows: give it water.drainage = \"consolidation\", or leave this out");
+}
+
 void check_supports(Describe& d, const Case& c)
 {
   const std::vector<std::string> directions =
@@ -503,6 +522,7 @@ void describe(Describe& d, Case& c)
     bodies::check_entries(d, "watch." + name + ".point", watch.point, c.dimension());
   }
   check_stages(d, c);
+  check_consolidation(d, c);
   check_supports(d, c);
   check_tractions(d, c);
   check_axisymmetry(d, c);

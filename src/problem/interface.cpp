@@ -118,7 +118,8 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
     const Index b = index_of(c.body, side);
     if (b == none || index_of(c.material, c.body[b].second.material) == none || contact.friction_angle == 0) continue;
     if (!has_pore_pressure(soil_of(c, c.body[b].second).materials.front())) continue;
-    const std::string why = fmt::format("friction acts on the effective normal stress, and [body.{}] is undrained", side);
+    const std::string why =
+        fmt::format("friction acts on the effective normal stress, and the soil of [body.{}] has excess pore pressure", side);
     d.check(contact.other_body.empty(), path + ".friction_angle",
             why + ": that is for contact with a rigid body; between two bodies take friction_angle = 0 and, if there is one, adhesion");
     d.check(c.method == Method::mpm, path + ".friction_angle",

@@ -38,10 +38,27 @@ TEST(Water, needs_no_more_than_its_drainage)
 TEST(Water, of_a_bulk_modulus_needs_the_porosity_and_the_other_way_round)
 {
   EXPECT_WATER_SAYS(refusal_with({in_water + "bulk_modulus=1 GPa"}), "needs the porosity");
-  EXPECT_WATER_SAYS(refusal_with({in_water + "porosity=0.4"}), "water.porosity: is needed with bulk_modulus only");
+  EXPECT_WATER_SAYS(refusal_with({in_water + "porosity=0.4"}), "water.porosity: is needed with bulk_modulus and for consolidation only");
   EXPECT_WATER_SAYS(refusal_with({in_water + "bulk_modulus=1 GPa", in_water + "porosity=40"}), "water.porosity");
   EXPECT_WATER_SAYS(refusal_with({"material.sand.young_modulus_gradient=1 MPa/m"}),
                     "needs bulk_modulus, because the stiffness of the soil varies");
+}
+
+TEST(Water, that_flows_needs_porosity_and_permeability)
+{
+  const std::string flows = in_water + "drainage=consolidation", k = in_water + "permeability=1e-5 m/s", n = in_water + "porosity=0.4";
+  EXPECT_EQ(refusal_with({flows, k, n}), "");
+  EXPECT_EQ(refusal_with({flows, k, n, "material.sand.dilation_angle=5 deg"}), "") << "water flows in where soil dilates";
+  EXPECT_WATER_SAYS(refusal_with({flows, n}), "material.sand.water: needs the permeability");
+  EXPECT_WATER_SAYS(refusal_with({flows, k}), "material.sand.water: needs the porosity");
+  EXPECT_WATER_SAYS(refusal_with({k}), "water.permeability: goes with drainage = \"consolidation\" only");
+  EXPECT_WATER_SAYS(refusal_with({in_water + "kozeny_carman=true"}), "water.kozeny_carman: goes with drainage = \"consolidation\" only");
+  EXPECT_WATER_SAYS(refusal_with({flows, n, in_water + "permeability=0"}), "water.permeability");
+  EXPECT_WATER_SAYS(refusal_with({flows, k, n, "method=fem", "contact.pipe_on_bed.friction_angle=0 deg"}),
+                    "water.drainage: \"consolidation\" is for method = \"mpm\"");
+  EXPECT_WATER_SAYS(refusal_with({flows, k, n, "contact.pipe_on_bed.scheme=usf"}), "does not go with scheme = \"usf\"");
+  EXPECT_EQ(refusal_with({flows, k, n, "support.base.drained=true"}), "");
+  EXPECT_WATER_SAYS(refusal_with({"support.base.drained=true"}), "support.base.drained: no soil has water that flows");
 }
 
 TEST(Water, is_for_laws_of_effective_stress)
@@ -86,7 +103,7 @@ TEST(Water, is_the_same_in_all_materials_of_a_body)
     read_case_text("case.toml", text, {"material.sand.water.drainage=undrained", "material.sand.dilation_angle=0"});
     ADD_FAILURE() << "is not refused";
   } catch (const InputError& error) {
-    EXPECT_WATER_SAYS(std::string(error.what()), "[material.deep] is drained, [material.sand] of the same body is not");
+    EXPECT_WATER_SAYS(std::string(error.what()), "[material.deep] and [material.sand] of the same body differ in water.drainage");
   }
 }
 

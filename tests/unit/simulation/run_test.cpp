@@ -35,6 +35,10 @@ protected:
     replace("kind = \"drag\"", "kind = \"push\"");
     replace("until.displacement = \"2 mm\"", "until.embedment = \"4 mm\"");
     folder_.write("axisymmetric.toml", ball);
+    std::string water = test::small_case;  // the same with water that flows
+    const std::string pores = "water.drainage = \"consolidation\"\nwater.permeability = 1e-3\nwater.porosity = 0.4\ninertia_density = 1877\n";
+    water.insert(water.find('\n', water.find("friction_angle =")) + 1, pores);
+    folder_.write("consolidation.toml", water);
     std::string sand = test::small_fem_case;  // whose flow is not associated
     sand.replace(sand.find("friction_angle = 0"), 18, "friction_angle = 0.5");
     folder_.write("fem_sand.toml", sand);
@@ -72,7 +76,7 @@ protected:
 
 constexpr int all = 1 << 30;
 
-INSTANTIATE_TEST_SUITE_P(Methods, RunOf, testing::Values("mpm", "axisymmetric", "fem", "fem_sand", "fem_axisymmetric"),
+INSTANTIATE_TEST_SUITE_P(Methods, RunOf, testing::Values("mpm", "axisymmetric", "consolidation", "fem", "fem_sand", "fem_axisymmetric"),
                          [](const auto& of) { return std::string(of.param); });
 
 TEST_P(RunOf, a_case_that_is_stopped_again_and_again_ends_with_the_same_bytes)

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Water that flows through the pores: waves, consolidation, and the limits of no and of all drainage.
+#include "simulate.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm {
+namespace {
+
+constexpr Real young_modulus = 10e6, poisson_ratio = 0.3, height = 1, load = 10e3;
+constexpr Real skeleton = young_modulus * (1 - poisson_ratio) / ((1 + poisson_ratio) * (1 - 2 * poisson_ratio));
+
+/// A saturated column of 1 m on an impermeable base under a load that grows in 2 ms, its top open.
+template <int dim>
+problem::Case column(int cells, material::PoreWater water)
+{
+  const Real h = height / cells;
+  std::vector<Real> size(dim, h), count(dim, 1);
+  size[1] = height, count[1] = cells;
+  problem::Case c = elastic_box(dim, size, count, young_modulus, poisson_ratio, 1990);
+  std::get<material::LinearElastic>(c.material[0].second).water = water;
+  c.body[0].second.particles_per_cell = dim == 2 ? 9 : 4;
+  c.support = {{"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}, {"bottom", {"bottom", {"y"}}}};
+  if (dim == 3) c.support.push_back({"back", {"back", {"z"}}}), c.support.push_back({"front", {"front", {"z"}}});
+  boundary::TractionSettings traction;
+  traction.boundary = "top";
+  traction.stress = std::vector<Real>(dim, 0);
+  traction.stress[1] = -load;
+  traction.ramp = 2e-3;
+  c.traction = {{"load", traction}};
+  return c;
+}
+
+material::PoreWater flowing(Real permeability, Real bulk_modulus = 100e6)
+{
+  material::PoreWater water;
+  water.drainage = material::Drainage::consolidation;
+  water.bulk_modulus = bulk_modulus;
+  water.porosity = 0.4;
+  water.permeability = permeability;
+  return water;
+}
+
+/// Mean excess pore pressure between two heights, Pa.
+template <int dim>
+Real pressure_between(Simulation<dim>& run, Real low, Real high)
+{
+  const int place = pore_pressure_place(run.model().bodies[0].soil.materials.front());
+  Real sum = 0, count = 0;
+  const bodies::Particles<dim>& particles = run.state().particles[0];
+  particles.visit([&](Index, Index b, int l) {
+    const Real y = particles.block(b).x[1][l];
+    if (y > low && y < high) sum += particles.state(b)[place][l], count += 1;
+  });
+  return sum / count;
+}
+
+template <class Geometry>
+class Consolidation : public testing::Test {
+};
+using Geometries = testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(Consolidation, Geometries);
+
+// Pressures of Biot's equations, by Laplace transform: 9723 Pa at 4 ms, 16025 at 7.5 and 7456 at 10 in the middle, 18123 at 5 ms and 3844 at 10 at the base. A mesh
+// of 40 cells has a tenth of a wave's rise time between cells: 5 % of the largest.
+TYPED_TEST(Consolidation, a_sudden_load_makes_both_waves_of_Biot)
+{
+  constexpr int dim = TypeParam::value, cells = 40;
+  constexpr Real tolerance = 0.05 * 18123;
+  Simulation<dim> run(column<dim>(cells, flowing(1e-3)));
+  const auto middle = [&] { return pressure_between(run, 0.48, 0.52); };
+  const auto base = [&] { return pressure_between(run, 0, 0.025); };
+  run.run_until(4e-3);
+  EXPECT_NEAR(middle(), 9723, tolerance);
+  run.run_until(5e-3);
+  EXPECT_NEAR(base(), 18123, tolerance);
+  run.run_until(7.5e-3);
+  EXPECT_NEAR(middle(), 16025, tolerance);
+  run.run_until(10e-3);
+  EXPECT_NEAR(middle(), 7456, tolerance);
+  EXPECT_NEAR(base(), 3844, tolerance);
+  EXPECT_LT(mpm::momentum_error(run.state()), 1e-12);
+}
+
+// Explicit drag would limit the time step to 2 k (1 / n - rho_w / rho) / g, 4e-9 s here at the least permeability.
+TEST(Consolidation, no_permeability_limits_the_time_step)
+{
+  for (const Real permeability : {1e-8, 1e-6, 1e-4, 1e-2, 1.}) {
+    Simulation<2> run(column<2>(20, flowing(permeability)));
+    run.run_until(0.02);
+    const Real bound = 4 * load;  // waves double the load, and again where they meet
+    EXPECT_LT(std::abs(pressure_between(run, 0, 1)), bound) << permeability;
+    EXPECT_LT(run.state().dt / (0.05 / 400), 1) << "the fast wave runs 399.7 m/s";
+    EXPECT_GT(run.state().dt / (0.05 / 400), 0.3);
+  }
+}
+
+TEST(Consolidation, of_soil_that_is_hardly_permeable_is_that_of_undrained_soil)
+{
+  material::PoreWater undrained;
+  undrained.bulk_modulus = 100e6;
+  undrained.porosity = 0.4;
+  Simulation<2> closed(column<2>(20, undrained)), tight(column<2>(20, flowing(1e-11)));
+  for (Simulation<2>* run : {&closed, &tight}) run->run_until(8e-3);
+  EXPECT_NEAR(pressure_between(tight, 0, 0.5) / pressure_between(closed, 0, 0.5), 1, 0.03) << "the time steps differ";
+}
+
+/// The flux, m/s, at the base of a column that has consolidated for 5 ms.
+Real flux_at_base(bool drained)
+{
+  problem::Case c = column<2>(20, flowing(1e-3));
+  for (auto& [name, support] : c.support) support.drained = drained && name == "bottom";
+  Simulation<2> run(c);
+  run.run_until(5e-3);
+  Real largest = 0;
+  for (const Index node : run.model().mesh.boundary_nodes[run.model().mesh.find_boundary("bottom")])
+    largest = std::max(largest, run.state().flux[0][node].norm());
+  return largest;
+}
+
+TEST(Consolidation, water_crosses_drained_supports_alone)
+{
+  EXPECT_EQ(flux_at_base(false), 0);
+  EXPECT_GT(flux_at_base(true), 1e-3);
+}
+
+TEST(Consolidation, speed_of_the_fast_wave_is_the_larger_root)
+{
+  EXPECT_NEAR(material::fast_wave_speed(skeleton, 250e6, 1990, 0.4), 399.7, 0.1);
+  EXPECT_NEAR(material::fast_wave_speed(skeleton, 2.2e9 / 0.4, 1990, 0.4), 1857, 1);
+}
+
+TEST(Consolidation, permeability_follows_the_porosity_where_it_is_asked_to)
+{
+  material::Hydraulics water{1e-4, 0.5, true};
+  EXPECT_NEAR(water.porosity_at(1.25), 0.6, 1e-15);
+  EXPECT_NEAR(water.permeability_at(0.6) / 1e-4, 0.216 / 0.16 / 0.5, 1e-12);
+  EXPECT_EQ(water.porosity_at(0.1), 0.05) << "bounded";
+  water.kozeny_carman = false;
+  EXPECT_EQ(water.permeability_at(0.6), 1e-4);
+}
+
+}  // namespace
+}  // namespace berm
