@@ -294,7 +294,7 @@ void Assembly::add_contact(const FemState& begin, const std::vector<Real>& chang
                                model_.rigid_unknown() + 2};
     Eigen::Matrix<Real, 5, 1> moved;
     for (int i = 0; i < 5; ++i) moved[i] = change[unknowns[i]];
-    const FemTraction now = update_traction(interface_at(model_, k, begin.contact[k]), point.normal, begin.contact[k], p * moved);
+    const FemTraction now = update_traction(interface_at(model_, k, begin), point.normal, begin.contact[k], p * moved);
     contact_[k] = now.state;
     const Eigen::Matrix<Real, 5, 1> force = point.area * p.transpose() * now.state.traction;
     contact_force_ += point.area * now.state.traction.norm();

@@ -267,10 +267,13 @@ void end_at_once(std::vector<problem::StageSettings>& stages)
 
 }  // namespace
 
-FemInterface interface_at(const FemModel& model, std::size_t point, const FemContactState& begin)
+FemInterface interface_at(const FemModel& model, std::size_t point, const FemState& begin)
 {
   FemInterface interface = model.interface;
-  interface.adhesion = model.contact[point].adhesion * model.adhesion_law.part_left(begin.slip);
+  interface.adhesion = model.contact[point].adhesion * model.adhesion_law.part_left(begin.contact[point].slip);
+  if (model.flow.count > 0)
+    for (const Index unknown : model.flow.at_contact[point])
+      if (unknown != none) interface.pore_pressure += begin.displacement[unknown] / 2;
   return interface;
 }
 

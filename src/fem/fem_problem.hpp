@@ -79,7 +79,7 @@ struct FemState {
 };
 
 /// The interface at a contact point in an increment that begins with this state.
-FemInterface interface_at(const FemModel& model, std::size_t point, const FemContactState& begin);
+FemInterface interface_at(const FemModel& model, std::size_t point, const FemState& begin);
 
 struct FemProblem {
   FemModel model;

@@ -26,8 +26,9 @@ struct FlowModel {
   NodeField<Index> unknown;                                  ///< of each node's pressure, or none
   CellField<std::array<PointWater, triangle_points>> water;  ///< by cell and integration point
   CellField<std::array<Index, pressure_entries>> entries;    ///< in the pattern
-  std::vector<NodeField<char>> open;  ///< by set of supports: whether water leaves the soil at the node, at no excess pressure
-  Real first_dt = 0;                  ///< s, h^2 / (6 c_v) of the element where it is smallest (Vermeer and Verruijt 1981)
+  std::vector<NodeField<char>> open;             ///< by set of supports: whether water leaves the soil at the node, at no excess pressure
+  std::vector<std::array<Index, 2>> at_contact;  ///< by contact point: the unknowns whose mean is the pressure there
+  Real first_dt = 0;                             ///< s, h^2 / (6 c_v) of the element where it is smallest (Vermeer and Verruijt 1981)
 
   /// Whether it flows in this cell.
   bool in(Index cell) const { return count > 0 && water[cell][0].hydraulics.permeability > 0; }

@@ -19,9 +19,24 @@ constexpr Real max_lag = 0.01;             // of what plastic flow dissipates: s
 constexpr int max_passes = 4;              // in which the equilibrium of an increment is found, each with the strength of the one before
 constexpr Real max_lag_left = 0.7;         // a pass that leaves more of the lag is the last
 constexpr Real max_pressure_error = 5e-5;  // of an increment, over the largest pressures of the stage, root mean squares of both
-constexpr Real min_first_dt = 1e-3;        // of an increment of a stage where no water flows
-constexpr Real max_overstress = 0.05;      // of the stress of soil at yield
+constexpr Real min_first_dt = 1e-3;  // of an increment where no water flows; none where the body moves, whose travel limits the increments
+constexpr Real max_overstress = 0.05;                          // of the stress of soil at yield
 constexpr int few_iterations = 8, few_enough_iterations = 12;  // iterations
+
+/// Throws RunError where water cavitates: the pressure of finite elements has no such limit.
+void refuse_cavitation(const FemModel& model, const FemState& state)
+{
+  for (Index cell = 0; cell < model.flow.water.size(); ++cell) {
+    if (!model.flow.in(cell)) continue;
+    const int place = pore_pressure_place(model.soil_of(cell).materials.front());
+    for (int q = 0; q < triangle_points; ++q)
+      if (const Real p = state.points[cell][q].law_state[place], least = model.flow.water[cell][q].min_pressure; p < least)
+        throw RunError(
+            fmt::format("the water of {} cavitates at t = {:.6g} s: an excess pore pressure of {:.4g} kPa where {:.4g} kPa is the least; "
+                        "finite elements cannot carry on from there: take method = \"mpm\", or a larger water_depth",
+                        model.model.bodies[model.mesh.body[cell]].name, state.state.time, p / 1e3, least / 1e3));
+  }
+}
 
 }  // namespace
 
@@ -74,7 +89,8 @@ void LoadSteps::begin()
   const bool moves = driven() != none && speed > 0;
   first_dt_ = moves ? first_travel * model_.width / speed + (now.ramp > 0 ? now.ramp / 100 : 0)
                     : (now.ramp > 0 ? now.ramp : now.until.time.value_or(1)) / 50;
-  dt_ = model_.flow.count > 0 ? std::clamp(model_.flow.first_dt, min_first_dt * first_dt_, first_dt_) : first_dt_;
+  shortest_dt_ = (moves || model_.flow.count == 0 ? 1 : min_first_dt) * first_dt_;
+  dt_ = model_.flow.count > 0 ? std::clamp(model_.flow.first_dt, shortest_dt_, first_dt_) : first_dt_;
   last_dt_ = 0;
   largest_pressure_ = 0;
 }
@@ -178,7 +194,7 @@ IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::ve
 
 IncrementEnd LoadSteps::advance()
 {
-  const Real largest_dt = first_dt_ * std::max(Real(1), model_.settings.largest_step / first_travel);
+  const Real largest_dt = shortest_dt_ < first_dt_ ? infinity : first_dt_ * std::max(Real(1), model_.settings.largest_step / first_travel);
   Real shortest = 1;  // where a limit of force cuts the increment
   for (;;) {
     const Real dt = up_to_the_end(std::min(dt_, largest_dt) * shortest);
@@ -197,6 +213,7 @@ IncrementEnd LoadSteps::advance()
       newton_.assembly().accept(state_, change, loads);
       const Real force = newton_.assembly().contact_force();
       accept(change, dt, end, force > 0 ? (newton_.assembly().reaction() - before).norm() / force : 0);
+      refuse_cavitation(model_, state_);
       if (state_.overstress > max_overstress && driven() != none) refuse_overstress();
       return end;
     }
@@ -228,7 +245,7 @@ Real LoadSteps::next_dt_of_flow(const std::vector<Real>& change, Real dt)
 
 void LoadSteps::accept(const std::vector<Real>& change, Real dt, const IncrementEnd& end, Real force_change)
 {
-  const Real longest = model_.flow.count > 0 ? std::max(next_dt_of_flow(change, dt), min_first_dt * first_dt_) : infinity;
+  const Real longest = model_.flow.count > 0 ? std::max(next_dt_of_flow(change, dt), shortest_dt_) : infinity;
   state_.state.time += dt;
   ++state_.state.step;
   last_change_ = change;
@@ -268,6 +285,7 @@ void LoadSteps::archive(Archive& k)
 {
   k("relaxation", relaxation_);
   k("first_dt", first_dt_);
+  k("shortest_dt", shortest_dt_);
   k("dt", dt_);
   k("last_dt", last_dt_);
   k("last_iterations", last_iterations_);

@@ -56,6 +56,7 @@ private:
   Newton newton_;
   Real min_relaxation_, relaxation_;       ///< travel over which overstress fades, over the width: at least, and of the next increment
   Real first_dt_ = 0, dt_ = 0;             ///< s, of the first and of the next increment of the stage
+  Real shortest_dt_ = 0;                   ///< s, of the increments that the error of the pressures limits
   Real last_dt_ = 0;                       ///< s, of the last increment in this stage; 0 = none
   int last_iterations_ = 0;                ///< of Newton, where the equilibrium of an increment was found the last time
   bool accepted_above_tolerance_ = false;  ///< the last increment was taken though it stayed above the tolerance

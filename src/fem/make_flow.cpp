@@ -67,6 +67,17 @@ NodeField<char> open_nodes(const FemModel& model, const NodeField<std::uint8_t>&
   return open;
 }
 
+std::vector<std::array<Index, 2>> pressures_at_contact(const FemModel& model)
+{
+  NodeField<std::array<Index, 2>> ends(model.mesh.node_count());
+  for (Index node = 0; node < model.mesh.node_count(); ++node) ends[node] = {model.flow.unknown[node], model.flow.unknown[node]};
+  for (const BoundarySide& side : model.mesh.boundary_sides)
+    ends[side.middle] = {model.flow.unknown[side.from], model.flow.unknown[side.to]};
+  std::vector<std::array<Index, 2>> pressures;
+  for (const FemContactPoint& point : model.contact) pressures.push_back(ends[point.node]);
+  return pressures;
+}
+
 }  // namespace
 
 void make_flow(FemModel& model)
@@ -87,6 +98,7 @@ void make_flow(FemModel& model)
       flow.first_dt = std::min(flow.first_dt, diffusion_time(material, smallest_height(model.mesh.positions_of(cell))));
     }
   }
+  flow.at_contact = pressures_at_contact(model);
   for (const NodeField<std::uint8_t>& closed : model.mesh.closed) flow.open.push_back(open_nodes(model, closed));
 }
 

@@ -193,5 +193,14 @@ TEST(Flow, does_not_cross_a_rigid_plate)
   EXPECT_NEAR(least, material::stiffness_over_skeleton * oedometer_modulus * 1e-4 / 0.5, 0.02 * least);  // the contact's springs
 }
 
+TEST(Flow, of_water_that_cavitates_is_refused)
+{
+  material::LinearElastic soil = wet_soil();
+  soil.water->min_pressure = -1e3;
+  problem::Case c = column(soil, 1);
+  c.traction[0].second.stress = {0, 10e3};
+  EXPECT_THROW(run(c), RunError);
+}
+
 }  // namespace
 }  // namespace berm::fem
