@@ -10,6 +10,7 @@ constexpr int max_iterations = 25;
 constexpr int max_chords = 12;
 constexpr Real gentle_slope = 0.1;          // of the first slope: ends the line search
 constexpr Real max_unbalanced_flow = 1e-6;  // of the water: its balance is linear, and holds after a whole step but for rounding
+constexpr Real tolerance_of_flow = 0.1;     // of that without water that flows
 constexpr Real fast = 0.3;                  // a matrix that brings the unbalanced forces down to this part is kept for the next step
 
 }  // namespace
@@ -86,6 +87,10 @@ void Newton::search_line(const FemState& begin, const FemLoads& loads, Real visc
 
 IncrementEnd Newton::find_equilibrium(const FemState& begin, const FemLoads& loads, Real viscosity, std::vector<Real>& change)
 {
+  // The error of the pressures in time, which is found from their changes, must not be that of the equilibrium.
+  const bool flows = model_.flow.count > 0;
+  const int least_iterations = flows && loads.dt > 0 ? 1 : 0;
+  const Real tolerance = model_.settings.tolerance * (flows ? tolerance_of_flow : 1);
   IncrementEnd end;
   Real last = 0;
   step_.resize(change.size());
@@ -93,7 +98,7 @@ IncrementEnd Newton::find_equilibrium(const FemState& begin, const FemLoads& loa
   for (;; ++end.iterations) {
     const bool linear_done = set_step(begin, loads, change) && assembly_.unbalanced_flow() <= max_unbalanced_flow;
     end.unbalance = assembly_.unbalanced() / std::max(assembly_.contact_force(), min_force_);
-    end.converged = linear_done && end.unbalance <= model_.settings.tolerance;
+    end.converged = linear_done && end.unbalance <= tolerance && end.iterations >= least_iterations;
     if (end.converged || end.iterations == max_iterations || !std::isfinite(end.unbalance)) return end;
     if (!(end.unbalance < fast * last)) {
       assembly_.differentiate(begin, change, viscosity);

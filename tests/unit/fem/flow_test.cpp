@@ -202,5 +202,27 @@ TEST(Flow, of_water_that_cavitates_is_refused)
   EXPECT_THROW(run(c), RunError);
 }
 
+TEST(Flow, lets_friction_grow_while_water_leaves)
+{
+  const auto drag_after = [](Real time) {
+    problem::Case c = plate_on_block(wet_soil(1e-6), 0.5, {8, 4});
+    c.contact[0].second.friction_angle = std::atan(0.3);
+    c.stage = {pushing(), dragging(problem::Vertical::hold)};
+    c.stage[0].velocity.reset();
+    c.stage[0].force = 1e3;
+    c.stage[0].ramp = 1e-3;
+    c.stage[0].until.time = time;
+    c.stage[1].until.displacement = 0.01;
+    const FemProblem problem = run(c);
+    const Vec<2>& reaction = problem.state.state.rigid_bodies[0].reaction;
+    EXPECT_NEAR(reaction[1], 1e3, 1);
+    return std::abs(reaction[0]) / reaction[1];
+  };
+  constexpr Real drained = 0.3, days = 1e5;
+  EXPECT_LT(drag_after(1e-2), 0.5 * drained);
+  EXPECT_GT(drag_after(days), 0.85 * drained);  // the drag itself is too fast for the water
+  EXPECT_LE(drag_after(days), 1.001 * drained);
+}
+
 }  // namespace
 }  // namespace berm::fem
