@@ -17,10 +17,10 @@ void describe(Describe& d, PoreWater& water)
            .unit = "Pa",
            .range = positive});
   d.value("porosity", water.porosity,
-          {.meaning = "volume of the pores over that of the soil, for bulk_modulus and for consolidation, of laws without void_ratio",
+          {.meaning = "volume of the pores over that of the soil, for bulk_modulus and permeability, of laws without void_ratio",
            .range = {0.01, 0.99}});
   d.value("permeability", water.permeability,
-          {.meaning = "hydraulic conductivity k of Darcy's law, for consolidation", .unit = "m/s", .range = positive});
+          {.meaning = "hydraulic conductivity k of Darcy's law; without effect unless drainage is consolidation", .unit = "m/s", .range = positive});
   d.value("kozeny_carman", water.kozeny_carman,
           {.meaning = "the permeability follows the porosity n as n^3 / (1 - n)^2 does; else it is constant"});
   d.value("water_depth", water.water_depth,

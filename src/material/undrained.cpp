@@ -11,13 +11,13 @@ void check_water(Describe& d, const std::string& path, const std::optional<PoreW
           "is for laws of effective stress, and this one has an undrained strength, which is one of total stress: leave the table out, or "
           "take mohr_coulomb with a friction_angle, modified_cam_clay or norsand");
   const bool flows = water->drainage == Drainage::consolidation;
-  d.check(!water->porosity || water->bulk_modulus || flows, table + ".porosity", "is needed with bulk_modulus and for consolidation only");
+  d.check(!water->porosity || water->bulk_modulus || water->permeability || flows, table + ".porosity",
+          "is needed with bulk_modulus and permeability only");
   d.check(!water->porosity || !soil.has_void_ratio, table + ".porosity", "does not go with void_ratio, which gives it");
   d.check(!water->bulk_modulus || water->porosity || soil.has_void_ratio, table, "needs the porosity, which goes with bulk_modulus");
   d.check(!flows || water->porosity || soil.has_void_ratio, table, "needs the porosity, which goes with drainage = \"consolidation\"");
   d.check(!flows || water->permeability, table, "needs the permeability, which goes with drainage = \"consolidation\"");
-  d.check(flows || !water->permeability, table + ".permeability", "goes with drainage = \"consolidation\" only");
-  d.check(flows || !water->kozeny_carman, table + ".kozeny_carman", "goes with drainage = \"consolidation\" only");
+  d.check(water->permeability || !water->kozeny_carman, table + ".kozeny_carman", "is a law of the permeability, which is missing");
   d.check(!water->min_pressure || water->water_depth == 0, table + ".min_pressure", "does not go with water_depth");
   if (water->drainage == Drainage::drained) return;
   d.check(!soil.stiffness_varies || water->bulk_modulus, table, "needs bulk_modulus, because the stiffness of the soil varies with depth");

@@ -29,7 +29,8 @@ std::vector<FieldInfo> fields_of(const problem::Model<dim>& model, const std::ve
       const bool known = std::any_of(fields.begin(), fields.end(), [&](const FieldInfo& info) { return info.name == extra.info.name; });
       if (extra.info.goes(to_frame) && !known) fields.push_back(extra.info);
     }
-  if (std::any_of(model.bodies.begin(), model.bodies.end(), [](const auto& body) { return has_pore_pressure(body.soil.materials.front()); }))
+  if (std::any_of(model.bodies.begin(), model.bodies.end(),
+                  [](const auto& body) { return has_pore_pressure(body.soil.materials.front()); }))
     for (const FieldInfo& info : effective_stress_fields<dim>()) fields.push_back(info);
   return fields;
 }

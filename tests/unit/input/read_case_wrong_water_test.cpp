@@ -38,7 +38,7 @@ TEST(Water, needs_no_more_than_its_drainage)
 TEST(Water, of_a_bulk_modulus_needs_the_porosity_and_the_other_way_round)
 {
   EXPECT_WATER_SAYS(refusal_with({in_water + "bulk_modulus=1 GPa"}), "needs the porosity");
-  EXPECT_WATER_SAYS(refusal_with({in_water + "porosity=0.4"}), "water.porosity: is needed with bulk_modulus and for consolidation only");
+  EXPECT_WATER_SAYS(refusal_with({in_water + "porosity=0.4"}), "water.porosity: is needed with bulk_modulus and permeability only");
   EXPECT_WATER_SAYS(refusal_with({in_water + "bulk_modulus=1 GPa", in_water + "porosity=40"}), "water.porosity");
   EXPECT_WATER_SAYS(refusal_with({"material.sand.young_modulus_gradient=1 MPa/m"}),
                     "needs bulk_modulus, because the stiffness of the soil varies");
@@ -51,8 +51,9 @@ TEST(Water, that_flows_needs_porosity_and_permeability)
   EXPECT_EQ(refusal_with({flows, k, n, "material.sand.dilation_angle=5 deg"}), "") << "water flows in where soil dilates";
   EXPECT_WATER_SAYS(refusal_with({flows, n}), "material.sand.water: needs the permeability");
   EXPECT_WATER_SAYS(refusal_with({flows, k}), "material.sand.water: needs the porosity");
-  EXPECT_WATER_SAYS(refusal_with({k}), "water.permeability: goes with drainage = \"consolidation\" only");
-  EXPECT_WATER_SAYS(refusal_with({in_water + "kozeny_carman=true"}), "water.kozeny_carman: goes with drainage = \"consolidation\" only");
+  for (const char* limit : {"drained", "undrained"})
+    EXPECT_EQ(refusal_with({in_water + "drainage=" + limit, k, n}), "") << "the limits of a case are one word away";
+  EXPECT_WATER_SAYS(refusal_with({in_water + "kozeny_carman=true"}), "water.kozeny_carman: is a law of the permeability, which is missing");
   EXPECT_WATER_SAYS(refusal_with({flows, n, in_water + "permeability=0"}), "water.permeability");
   EXPECT_EQ(refusal_with({flows, k, n, "method=fem"}), "");
   EXPECT_WATER_SAYS(refusal_with({flows, k, n, "contact.pipe_on_bed.scheme=usf"}), "does not go with scheme = \"usf\"");

@@ -36,7 +36,8 @@ protected:
     replace("until.displacement = \"2 mm\"", "until.embedment = \"4 mm\"");
     folder_.write("axisymmetric.toml", ball);
     std::string water = test::small_case;  // the same with water that flows
-    const std::string pores = "water.drainage = \"consolidation\"\nwater.permeability = 1e-3\nwater.porosity = 0.4\ninertia_density = 1877\n";
+    const std::string pores =
+        "water.drainage = \"consolidation\"\nwater.permeability = 1e-3\nwater.porosity = 0.4\ninertia_density = 1877\n";
     water.insert(water.find('\n', water.find("friction_angle =")) + 1, pores);
     folder_.write("consolidation.toml", water);
     std::string sand = test::small_fem_case;  // whose flow is not associated
