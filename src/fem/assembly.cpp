@@ -115,6 +115,8 @@ Assembly::Assembly(const FemModel& model)
     : model_(model),
       cells_(model.mesh.nodes.size()),
       stiffness_(model.mesh.nodes.size()),
+      flow_(model.flow.water.size()),
+      flow_stiffness_(model.flow.water.size()),
       points_(model.mesh.nodes.size()),
       laws_(model.mesh.nodes.size()),
       laws_before_(model.mesh.nodes.size()),
@@ -145,7 +147,39 @@ SymTensor<2> Assembly::effective_stress(const SoilPoint& point, Index cell) cons
 /// The law at this point for increments that begin with an effective stress.
 material::PreparedMaterial Assembly::law_from(const SymTensor<2>& stress, Index cell, int q) const
 {
-  return prepare(associated(model_.soil_at(cell, q), stress));
+  const material::Material soil = model_.soil_at(cell, q);
+  return prepare(associated(model_.flow.in(cell) ? material::drained(soil) : soil, stress));
+}
+
+FlowIncrement Assembly::flow_increment(const FemState& begin, const std::vector<Real>& change, Index cell) const
+{
+  const AtSixNodes<Index>& nodes = model_.mesh.nodes[cell];
+  FlowIncrement increment;
+  increment.dt = dt_;
+  for (int k = 0; k < 12; ++k) {
+    increment.moved_before[k] = begin.displacement[2 * nodes[k / 2] + k % 2];
+    increment.moved[k] = change[2 * nodes[k / 2] + k % 2];
+  }
+  for (int k = 0; k < 3; ++k) {
+    const Index unknown = model_.flow.unknown[nodes[k]];
+    increment.pressure_before[k] = begin.displacement[unknown];
+    increment.added[k] = change[unknown];
+  }
+  return increment;
+}
+
+/// Gives the point its total stress, from the effective one.
+void Assembly::set_pressure(SoilPoint& point, Real pressure, Index cell) const
+{
+  point.law_state[pore_pressure_place(model_.soil_of(cell).materials.front())] = pressure;
+  for (int k = 0; k < 3; ++k) point.stress[k] -= pressure;
+}
+
+/// The point for the law of the skeleton alone, where water flows.
+SoilPoint Assembly::with_effective_stress(SoilPoint point, Index cell) const
+{
+  if (model_.flow.in(cell)) point.stress = effective_stress(point, cell);
+  return point;
 }
 
 const Assembly::PointLaw& Assembly::law_of_point(const SymTensor<2>& begin, Index cell, int q)
@@ -207,19 +241,21 @@ void Assembly::evaluate_cell(const FemState& begin, const std::vector<Real>& cha
     const StrainMatrix b = strain_matrix(shape);
     const SymTensor<2> strain = strain_of(shape, b, model_.mesh.nodes[cell], change);
     SoilPoint& point = points_[cell][q];
-    point = begin.points[cell][q];
+    point = with_effective_stress(begin.points[cell][q], cell);
     SymTensor<2> mean;
     std::visit(
         [&](const auto& law) {
           update_point(law, viscosity, {strain, dt_, begin.state.time, model_.cell_size[cell]}, point);
         },
-        law_of_point(effective_stress(point, cell), cell, q).law);
+        law_of_point(effective_stress(begin.points[cell][q], cell), cell, q).law);
+    if (model_.flow.in(cell)) set_pressure(point, pressure_at_end(corner_shape(shape), flow_increment(begin, change, cell)), cell);
     for (int k = 0; k < 4; ++k) mean[k] = (begin.points[cell][q].stress[k] + point.stress[k]) / 2;
     work.work += shape.area * double_dot(mean, strain);
     force += shape.area * b.transpose() * Eigen::Vector3d(point.stress[0], point.stress[1], point.stress[3]);
     if (shape.per_radius > 0) force += shape.area * point.stress[2] * hoop_strain(shape);
     for (int k = 0; k < 6; ++k) force.segment<2>(2 * k) -= shape.area * shape.value[k] * weight;
   }
+  if (model_.flow.in(cell)) flow_[cell] = water_balance(model_.shape[cell], model_.flow.water[cell], flow_increment(begin, change, cell));
 }
 
 void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>& change, Real viscosity, Index cell)
@@ -232,7 +268,8 @@ void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>
     const SoilPoint& point = begin.points[cell][q];
     const PointStiffness d = std::visit(
         [&](const auto& law) {
-          return stiffness_of_point(law, viscosity, {strain, dt_, begin.state.time, model_.cell_size[cell]}, point);
+          return stiffness_of_point(law, viscosity, {strain, dt_, begin.state.time, model_.cell_size[cell]},
+                                    with_effective_stress(point, cell));
         },
         law_of_point(effective_stress(point, cell), cell, q).law);
     stiffness += b.transpose() * (shape.area * d.plane * b);
@@ -243,6 +280,8 @@ void Assembly::differentiate_cell(const FemState& begin, const std::vector<Real>
   int k = 0;
   for (int i = 0; i < 12; ++i)
     for (int j = 0; j <= i; ++j) stiffness_[cell][k++] = stiffness(i, j);
+  if (model_.flow.in(cell))
+    flow_stiffness_[cell] = balance_derivatives(model_.shape[cell], model_.flow.water[cell], flow_increment(begin, change, cell));
 }
 
 void Assembly::add_contact(const FemState& begin, const std::vector<Real>& change)
@@ -255,7 +294,7 @@ void Assembly::add_contact(const FemState& begin, const std::vector<Real>& chang
                                model_.rigid_unknown() + 2};
     Eigen::Matrix<Real, 5, 1> moved;
     for (int i = 0; i < 5; ++i) moved[i] = change[unknowns[i]];
-    const FemTraction now = update_traction(interface_at(model_, k, begin.contact[k]), point.normal, begin.contact[k], p * moved);
+    const FemTraction now = update_traction(interface_at(model_, k, begin), point.normal, begin.contact[k], p * moved);
     contact_[k] = now.state;
     const Eigen::Matrix<Real, 5, 1> force = point.area * p.transpose() * now.state.traction;
     contact_force_ += point.area * now.state.traction.norm();
@@ -274,6 +313,26 @@ void Assembly::prescribe_unknowns(const FemLoads& loads, Index stage)
       prescribed_[unknown] = static_cast<char>(!loads.rigid[d].by_force);
       if (loads.rigid[d].by_force) residual_[unknown] -= loads.rigid[d].value;
     }
+  if (model_.flow.count == 0) return;
+  const NodeField<char>& open = model_.flow.open[model_.model.fixed_in[stage]];
+  for (Index node = 0; node < open.size(); ++node)
+    if (const Index unknown = model_.flow.unknown[node]; unknown != none)
+      prescribed_[unknown] = static_cast<char>(loads.drained || open[node] != 0);
+}
+
+/// Adds the balance of the water to the residual.
+void Assembly::add_flow()
+{
+  if (model_.flow.count == 0) return;
+  Real volume = 0, unbalanced = 0;
+  for (Index cell = 0; cell < cells_.size(); ++cell) {
+    if (!model_.flow.in(cell)) continue;
+    volume += flow_[cell].volume;
+    for (int k = 0; k < 3; ++k) residual_[model_.flow.unknown[model_.mesh.nodes[cell][k]]] += flow_[cell].residual[k];
+  }
+  for (Index unknown = model_.pressure_unknown(); unknown < model_.unknowns(); ++unknown)
+    if (!prescribed_[unknown]) unbalanced += std::abs(residual_[unknown]);
+  unbalanced_flow_ = unbalanced / volume;
 }
 
 void Assembly::evaluate(const FemState& begin, const std::vector<Real>& change, const FemLoads& loads, Real viscosity)
@@ -290,6 +349,7 @@ void Assembly::evaluate(const FemState& begin, const std::vector<Real>& change, 
     for (const NodalLoad& load : model_.loads[t])
       for (int d = 0; d < 2; ++d) residual_[2 * load.node + d] -= loads.tractions[t] * load.force[d];
   prescribe_unknowns(loads, begin.state.stage.index);
+  add_flow();
   soil_residual_ = residual_;
   add_contact(begin, change);
 
@@ -299,7 +359,7 @@ void Assembly::evaluate(const FemState& begin, const std::vector<Real>& change, 
     for (int d = 0; d < 2; ++d) force[d] = prescribed_[2 * node + d] ? 0 : residual_[2 * node + d];
     unbalanced_ += force.norm();
   }
-  for (Index unknown = model_.rigid_unknown(); unknown < std::min(model_.rigid_unknown() + 2, model_.unknowns()); ++unknown)
+  for (Index unknown = model_.rigid_unknown(); unknown < std::min(model_.rigid_unknown() + 2, model_.pressure_unknown()); ++unknown)
     if (!prescribed_[unknown]) unbalanced_ += std::abs(residual_[unknown]);
 }
 
@@ -310,6 +370,9 @@ void Assembly::differentiate(const FemState& begin, const std::vector<Real>& cha
   std::fill(matrix_.begin(), matrix_.end(), 0.);
   for (Index cell = 0; cell < cells_.size(); ++cell)
     for (int k = 0; k < 78; ++k) matrix_[model_.cell_entries[cell][k]] += stiffness_[cell][k];
+  for (Index cell = 0; cell < model_.flow.entries.size(); ++cell)
+    if (model_.flow.in(cell))
+      for (int k = 0; k < pressure_entries; ++k) matrix_[model_.flow.entries[cell][k]] += flow_stiffness_[cell][k];
   const SparsePattern& pattern = model_.pattern;
   for (Index row = 0; row < pattern.size(); ++row)
     for (Index k = pattern.first[row]; k < pattern.first[row + 1]; ++k)

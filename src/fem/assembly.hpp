@@ -10,7 +10,8 @@ struct FemLoads {
   Vec<2> gravity = Vec<2>::Zero();    ///< m/s2
   std::vector<Real> tractions;        ///< load factor of each; none where empty
   Real initial_imbalance_factor = 0;  ///< fraction of the initial unbalanced forces that fictitious forces still balance
-  Real dt = 0;                        ///< s, duration of the increment; 0: none, so that no strain rate is defined
+  Real dt = 0;                        ///< s, duration of the increment; 0: none, so that no strain rate is defined, and no water flows
+  bool drained = false;               ///< there is no excess pore pressure
   struct Direction {
     bool by_force = false;
     Real value = 0;  ///< m (rad): prescribed movement in this increment; or N/m (N m/m): force on the body
@@ -42,7 +43,7 @@ public:
   /// Computes the soil's tangent matrix at the last evaluation, from the same arguments.
   void differentiate(const FemState& begin, const std::vector<Real>& change, Real viscosity);
 
-  /// internal - external forces by unknown, N/m; not zeroed where the unknown is prescribed.
+  /// internal - external forces by unknown, N/m, and the balance of the water (water_balance); not zeroed where the unknown is prescribed.
   const std::vector<Real>& residual() const { return residual_; }
   /// The residual without the forces of the contact points.
   const std::vector<Real>& soil_residual() const { return soil_residual_; }
@@ -53,6 +54,8 @@ public:
   bool prescribed(Index unknown) const { return prescribed_[unknown]; }
   /// Sum over the nodes of the unbalanced forces' magnitudes, and over the contact points of the forces', N/m.
   Real unbalanced() const { return unbalanced_; }
+  /// The unbalanced part of the water's volume.
+  Real unbalanced_flow() const { return unbalanced_flow_; }
   Real contact_force() const { return contact_force_; }
 
   /// Updates the strength of the associated laws to the stresses last evaluated, for the next evaluations from the same
@@ -87,6 +90,10 @@ private:
   void add_contact(const FemState& begin, const std::vector<Real>& change);
   void count_work(FemState& state, const std::vector<Real>& change, const FemLoads& loads) const;
   void prescribe_unknowns(const FemLoads& loads, Index stage);
+  FlowIncrement flow_increment(const FemState& begin, const std::vector<Real>& change, Index cell) const;
+  SoilPoint with_effective_stress(SoilPoint point, Index cell) const;
+  void set_pressure(SoilPoint& point, Real pressure, Index cell) const;
+  void add_flow();
 
   /// Of a point of integration, Pa, tension positive.
   SymTensor<2> effective_stress(const SoilPoint& point, Index cell) const;
@@ -107,12 +114,14 @@ private:
   const FemModel& model_;
   CellField<CellWork> cells_;
   CellField<std::array<Real, 78>> stiffness_;  ///< of each element: its lower triangle, row by row
+  CellField<CellFlow> flow_;
+  CellField<std::array<Real, pressure_entries>> flow_stiffness_;
   CellField<std::array<SoilPoint, triangle_points>> points_;
   CellField<std::array<PointLaw, triangle_points>> laws_, laws_before_;
   std::vector<FemContactState> contact_;
   std::vector<Real> soil_residual_, residual_, matrix_, initial_imbalance_;
   std::vector<char> prescribed_;
-  Real unbalanced_ = 0, contact_force_ = 0;
+  Real unbalanced_ = 0, contact_force_ = 0, unbalanced_flow_ = 0;
   Real dt_ = 0;  ///< s, of what was evaluated last
 };
 

@@ -6,6 +6,7 @@
 #include "fem/cut_mesh.hpp"
 #include "fem/fem_problem.hpp"
 #include "fem/gravity_loading.hpp"
+#include "fem/make_flow.hpp"
 #include "problem/initial_state.hpp"
 #include "problem/stages.hpp"
 
@@ -53,10 +54,21 @@ std::array<Index, 12> unknowns_of(const AtSixNodes<Index>& nodes)
   return unknowns;
 }
 
+std::array<Index, 15> unknowns_with_pressures(const FemModel& model, Index cell)
+{
+  const AtSixNodes<Index>& nodes = model.mesh.nodes[cell];
+  std::array<Index, 15> unknowns;
+  for (int k = 0; k < 12; ++k) unknowns[k] = 2 * nodes[k / 2] + k % 2;
+  for (int k = 0; k < 3; ++k) unknowns[12 + k] = model.flow.unknown[nodes[k]];
+  return unknowns;
+}
+
 void number_unknowns(FemModel& model)
 {
   PatternMaker maker(model.unknowns());
   for (const auto& nodes : model.mesh.nodes) maker.couple(unknowns_of(nodes));
+  for (Index cell = 0; cell < model.flow.water.size(); ++cell)
+    if (model.flow.in(cell)) maker.couple(unknowns_with_pressures(model, cell));
   for (Index unknown = model.rigid_unknown(); unknown < model.unknowns(); ++unknown) maker.couple(std::array{unknown});
   model.pattern = maker.pattern();
   model.cell_entries.assign(model.mesh.nodes.size());
@@ -66,6 +78,15 @@ void number_unknowns(FemModel& model)
     for (int i = 0; i < 12; ++i)
       for (int j = 0; j <= i; ++j)
         model.cell_entries[cell][k++] = model.pattern.index_of(std::max(unknowns[i], unknowns[j]), std::min(unknowns[i], unknowns[j]));
+  }
+  model.flow.entries.assign(model.flow.water.size());
+  for (Index cell = 0; cell < model.flow.water.size(); ++cell) {
+    if (!model.flow.in(cell)) continue;
+    const std::array<Index, 15> unknowns = unknowns_with_pressures(model, cell);
+    int k = 0;
+    for (int i = 12; i < 15; ++i)
+      for (int j = 0; j <= i; ++j)
+        model.flow.entries[cell][k++] = model.pattern.index_of(std::max(unknowns[i], unknowns[j]), std::min(unknowns[i], unknowns[j]));
   }
 }
 
@@ -213,6 +234,20 @@ void set_law_state(const FemModel& model, FemState& state)
     }
 }
 
+/// Width of the rigid body, m; of a half plane that of the soil it meets.
+Real width_at_contact(const FemModel& model)
+{
+  const Real width = width_of<2>(model.model.rigid_bodies[model.rigid].shape);
+  if (std::isfinite(width)) return width;
+  Real first = infinity, last = -infinity;
+  for (const FemContactPoint& point : model.contact) {
+    const Real along = model.mesh.position[point.node].dot(Vec<2>(-point.normal[1], point.normal[0]));
+    first = std::min(first, along);
+    last = std::max(last, along);
+  }
+  return last - first;
+}
+
 /// Holds the nodes on the axis across it, those in the middle of sides too.
 void hold_axis(FemModel& model)
 {
@@ -232,10 +267,13 @@ void end_at_once(std::vector<problem::StageSettings>& stages)
 
 }  // namespace
 
-FemInterface interface_at(const FemModel& model, std::size_t point, const FemContactState& begin)
+FemInterface interface_at(const FemModel& model, std::size_t point, const FemState& begin)
 {
   FemInterface interface = model.interface;
-  interface.adhesion = model.contact[point].adhesion * model.adhesion_law.part_left(begin.slip);
+  interface.adhesion = model.contact[point].adhesion * model.adhesion_law.part_left(begin.contact[point].slip);
+  if (model.flow.count > 0)
+    for (const Index unknown : model.flow.at_contact[point])
+      if (unknown != none) interface.pore_pressure += begin.displacement[unknown] / 2;
   return interface;
 }
 
@@ -264,7 +302,8 @@ FemProblem build_fem(const problem::Case& c, const std::string& case_folder, con
         side_loads(model.mesh, model.mesh.loaded_sides[t], c.traction[t].first, c.traction[t].second, model.model.mesh.metric));
   refuse_other_drives(model);
   fill_points(c, model, state);
-  if (model.rigid != none) model.width = width_of<2>(model.model.rigid_bodies[model.rigid].shape);
+  if (model.rigid != none) model.width = width_at_contact(model);
+  make_flow(model);
   number_unknowns(model);
   if (by_gravity) load_by_gravity(c, model, state);
   set_law_state(model, state);

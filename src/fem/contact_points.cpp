@@ -26,8 +26,9 @@ FemTraction update_traction(const FemInterface& interface, const Vec<2>& normal,
   const Vec<2> tangent(-normal[1], normal[0]);
   const Real status = bonded ? interface.adhesion : std::min(interface.adhesion, adhesion_per_pressure * pressure);
   const Real trial = before.traction.dot(tangent) - k * movement.dot(tangent),
-             limit = interface.friction * std::max(Real(0), pressure) + status;
-  const Real rise = (pressure >= 0 ? interface.friction : 0) + (status < interface.adhesion ? adhesion_per_pressure : 0);
+             limit = interface.friction * std::max(Real(0), pressure - interface.pore_pressure) + status;
+  const Real rise =
+      (pressure >= interface.pore_pressure ? interface.friction : 0) + (status < interface.adhesion ? adhesion_per_pressure : 0);
   const bool slides = std::abs(trial) > limit;
   const Real sign = trial < 0 ? -1 : 1, shear = slides ? sign * limit : trial;
   now.state.traction = pressure * normal + shear * tangent;

@@ -30,11 +30,12 @@ struct FemContactState {
 /// shear does not jump where a point opens. The overlap is the error of the springs. A point that has not parted is bonded where
 /// there is `tension`: its normal spring also pulls, with that stress at most, and its adhesion is whole.
 struct FemInterface {
-  Real friction = 0;   ///< coefficient
-  Real adhesion = 0;   ///< Pa
-  bool tied = false;   ///< neither slip nor separation
-  Real stiffness = 0;  ///< Pa/m
-  Real tension = 0;    ///< Pa; infinite: the surface never parts
+  Real friction = 0;       ///< coefficient
+  Real adhesion = 0;       ///< Pa
+  bool tied = false;       ///< neither slip nor separation
+  Real stiffness = 0;      ///< Pa/m
+  Real tension = 0;        ///< Pa; infinite: the surface never parts
+  Real pore_pressure = 0;  ///< Pa, of the water at the surface: friction acts on the rest of the pressure
 };
 
 /// Whether a point that was bonded parts: its opening is more than what its tension stretches the spring by.

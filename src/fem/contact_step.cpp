@@ -39,7 +39,7 @@ void ContactStep::evaluate(const FemState& begin, const Vector& step, bool with_
     const Eigen::Matrix<Real, 2, 5> p = relative_movement(point);
     Eigen::Matrix<Real, 5, 1> moved;
     for (int i = 0; i < 5; ++i) moved[i] = change_[at[i]] + step[at[i]];
-    const FemTraction now = update_traction(interface_at(model_, k, begin.contact[k]), point.normal, begin.contact[k], p * moved);
+    const FemTraction now = update_traction(interface_at(model_, k, begin), point.normal, begin.contact[k], p * moved);
     const Eigen::Matrix<Real, 5, 1> force = point.area * p.transpose() * now.state.traction;
     const Eigen::Matrix<Real, 5, 5> stiffness = point.area * p.transpose() * now.stiffness * p;
     for (int i = 0; i < 5; ++i) {

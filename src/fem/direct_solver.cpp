@@ -31,7 +31,8 @@ struct DirectSolver::Mumps {
   }
 };
 
-DirectSolver::DirectSolver(const SparsePattern& pattern, const std::vector<Index>& kept) : mumps_(std::make_unique<Mumps>())
+DirectSolver::DirectSolver(const SparsePattern& pattern, const std::vector<Index>& kept, MatrixKind kind)
+    : mumps_(std::make_unique<Mumps>())
 {
   const Timer timer("order equations");
   Mumps& m = *mumps_;
@@ -42,7 +43,7 @@ DirectSolver::DirectSolver(const SparsePattern& pattern, const std::vector<Index
     }
   m.entries.resize(m.row.size());
   m.call.par = 1;
-  m.call.sym = 1;
+  m.call.sym = kind == MatrixKind::indefinite ? 2 : 1;
   m.call.comm_fortran = -987654;  // MPI_COMM_WORLD
   m.run(-1);
   for (const int stream : {1, 2, 3}) m.control(stream) = 0;  // no messages

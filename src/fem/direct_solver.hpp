@@ -20,16 +20,19 @@ struct SparsePattern {
   Index index_of(Index row, Index col) const;
 };
 
-/// Solves A x = b for symmetric, positive definite matrices of one pattern with MUMPS (Amestoy, Duff, L'Excellent and
+/// A matrix with positive and negative eigenvalues is indefinite.
+enum class MatrixKind { positive_definite, indefinite };
+
+/// Solves A x = b for symmetric matrices of one pattern with MUMPS (Amestoy, Duff, L'Excellent and
 /// Koster, SIAM J. Matrix Anal. Appl. 23, 2001), sequential. The order of elimination is computed once. Some unknowns may be
 /// kept to the end, for which the caller solves
 ///
 ///   S y = c,  S = A_kk - A_ko inv(A_oo) A_ok,  c = b_k - A_ko inv(A_oo) b_o
 ///
-/// (k: kept, o: the others). Only A_oo has to be positive definite then.
+/// (k: kept, o: the others). Of a matrix that is not indefinite only A_oo has to be positive definite then.
 class DirectSolver {
 public:
-  explicit DirectSolver(const SparsePattern& pattern, const std::vector<Index>& kept = {});
+  explicit DirectSolver(const SparsePattern& pattern, const std::vector<Index>& kept = {}, MatrixKind kind = MatrixKind::positive_definite);
   ~DirectSolver();
   DirectSolver(const DirectSolver&) = delete;
   DirectSolver& operator=(const DirectSolver&) = delete;

@@ -4,6 +4,7 @@
 #include "fem/contact_points.hpp"
 #include "fem/direct_solver.hpp"
 #include "fem/element.hpp"
+#include "fem/flow.hpp"
 #include "fem/quadratic_mesh.hpp"
 #include "fem/side_loads.hpp"
 #include "problem/model.hpp"
@@ -34,9 +35,10 @@ struct FemModel {
   problem::FemSettings settings;
   bool non_associated = false;  ///< the flow of some soil is non-associated
   std::vector<FemWatch> watches;
+  FlowModel flow;
 
-  // Unknowns: 2 i and 2 i + 1 are the displacements (x, y) of node i; those of the rigid body, where there is one, are the
-  // last three (x, y, angle).
+  // Unknowns: 2 i and 2 i + 1 are the displacements (x, y) of node i; then those of the rigid body, where there is one: three (x, y, angle); then the
+  // excess pore pressures, where water flows.
   SparsePattern pattern;                          ///< of the soil alone
   CellField<std::array<Index, 78>> cell_entries;  ///< in the pattern, of the lower triangle of each element's 12 x 12 entries, row by row
   /// The material at an integration point of a cell, with its strength and stiffness there.
@@ -50,8 +52,9 @@ struct FemModel {
   const problem::BodySoil& soil_of(Index cell) const { return model.bodies[mesh.body[cell]].soil; }
   const std::string& region_of(Index cell) const { return model.mesh.region_names[mesh.region[cell]]; }
 
-  Index unknowns() const { return 2 * mesh.position.size() + (rigid == none ? 0 : 3); }
+  Index unknowns() const { return pressure_unknown() + flow.count; }
   Index rigid_unknown() const { return 2 * mesh.position.size(); }
+  Index pressure_unknown() const { return rigid_unknown() + (rigid == none ? 0 : 3); }
 };
 
 /// State of the soil at an integration point.
@@ -65,7 +68,7 @@ struct SoilPoint {
 /// Everything that changes during a finite element run.
 struct FemState {
   problem::State<2> state;         ///< time, stage, rigid bodies, totals; no particles
-  std::vector<Real> displacement;  ///< by unknown: m, and rad for the angle
+  std::vector<Real> displacement;  ///< by unknown: m, rad for the angle, and Pa for excess pore pressures
   CellField<std::array<SoilPoint, triangle_points>> points;
   std::vector<FemContactState> contact;
   Vec<2> gravity = Vec<2>::Zero();    ///< m/s2, acting
@@ -76,7 +79,7 @@ struct FemState {
 };
 
 /// The interface at a contact point in an increment that begins with this state.
-FemInterface interface_at(const FemModel& model, std::size_t point, const FemContactState& begin);
+FemInterface interface_at(const FemModel& model, std::size_t point, const FemState& begin);
 
 struct FemProblem {
   FemModel model;

@@ -11,15 +11,32 @@ namespace berm::fem {
 namespace {
 
 constexpr Real release_viscosity = 0.1;
-constexpr Real first_travel = 2e-4;     // of the width, in the first increment of a stage
-constexpr Real loose = 10;              // times the tolerance: taken where even the smallest increment comes no nearer, once in a row
-constexpr Real min_growth = 5e-3;       // of the width: an increment of this travel is never too long for the pressure that it brings
-constexpr Real pressure_change = 0.02;  // of the contact force, in one increment
-constexpr Real max_lag = 0.01;          // of what plastic flow dissipates: strength that is less behind its pressure follows no further
-constexpr int max_passes = 4;           // in which the equilibrium of an increment is found, each with the strength of the one before
-constexpr Real max_lag_left = 0.7;      // a pass that leaves more of the lag is the last
-constexpr Real max_overstress = 0.05;   // of the stress of soil at yield
+constexpr Real first_travel = 2e-4;        // of the width, in the first increment of a stage
+constexpr Real loose = 10;                 // times the tolerance: taken where even the smallest increment comes no nearer, once in a row
+constexpr Real min_growth = 5e-3;          // of the width: an increment of this travel is never too long for the pressure that it brings
+constexpr Real pressure_change = 0.02;     // of the contact force, in one increment
+constexpr Real max_lag = 0.01;             // of what plastic flow dissipates: strength that is less behind its pressure follows no further
+constexpr int max_passes = 4;              // in which the equilibrium of an increment is found, each with the strength of the one before
+constexpr Real max_lag_left = 0.7;         // a pass that leaves more of the lag is the last
+constexpr Real max_pressure_error = 5e-5;  // of an increment, over the largest pressures of the stage, root mean squares of both
+constexpr Real min_first_dt = 1e-3;  // of an increment where no water flows; none where the body moves, whose travel limits the increments
+constexpr Real max_overstress = 0.05;                          // of the stress of soil at yield
 constexpr int few_iterations = 8, few_enough_iterations = 12;  // iterations
+
+/// Throws RunError where water cavitates: the pressure of finite elements has no such limit.
+void refuse_cavitation(const FemModel& model, const FemState& state)
+{
+  for (Index cell = 0; cell < model.flow.water.size(); ++cell) {
+    if (!model.flow.in(cell)) continue;
+    const int place = pore_pressure_place(model.soil_of(cell).materials.front());
+    for (int q = 0; q < triangle_points; ++q)
+      if (const Real p = state.points[cell][q].law_state[place], least = model.flow.water[cell][q].min_pressure; p < least)
+        throw RunError(
+            fmt::format("the water of {} cavitates at t = {:.6g} s: an excess pore pressure of {:.4g} kPa where {:.4g} kPa is the least; "
+                        "finite elements cannot carry on from there: take method = \"mpm\", or a larger water_depth",
+                        model.model.bodies[model.mesh.body[cell]].name, state.state.time, p / 1e3, least / 1e3));
+  }
+}
 
 }  // namespace
 
@@ -35,7 +52,11 @@ LoadSteps::LoadSteps(const FemModel& model, FemState& state)
 
 void LoadSteps::find_first_equilibrium()
 {
-  if (!release_imbalance(dead_loads(0)))
+  const FemLoads loads = dead_loads(0);
+  FemLoads drained = loads;
+  drained.drained = true;
+  for (Real& factor : drained.tractions) factor = 0;
+  if ((model_.flow.count > 0 && !release_imbalance(drained)) || !release_imbalance(loads))
     throw RunError("the soil as it is at the start finds no equilibrium: it cannot carry its weight with these stresses (k0, strength)");
 }
 
@@ -68,8 +89,10 @@ void LoadSteps::begin()
   const bool moves = driven() != none && speed > 0;
   first_dt_ = moves ? first_travel * model_.width / speed + (now.ramp > 0 ? now.ramp / 100 : 0)
                     : (now.ramp > 0 ? now.ramp : now.until.time.value_or(1)) / 50;
-  dt_ = first_dt_;
+  shortest_dt_ = (moves || model_.flow.count == 0 ? 1 : min_first_dt) * first_dt_;
+  dt_ = model_.flow.count > 0 ? std::clamp(model_.flow.first_dt, shortest_dt_, first_dt_) : first_dt_;
   last_dt_ = 0;
+  largest_pressure_ = 0;
 }
 
 Real LoadSteps::travel(int direction, Real from, Real to) const
@@ -171,7 +194,7 @@ IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::ve
 
 IncrementEnd LoadSteps::advance()
 {
-  const Real largest_dt = first_dt_ * std::max(Real(1), model_.settings.largest_step / first_travel);
+  const Real largest_dt = shortest_dt_ < first_dt_ ? infinity : first_dt_ * std::max(Real(1), model_.settings.largest_step / first_travel);
   Real shortest = 1;  // where a limit of force cuts the increment
   for (;;) {
     const Real dt = up_to_the_end(std::min(dt_, largest_dt) * shortest);
@@ -190,6 +213,7 @@ IncrementEnd LoadSteps::advance()
       newton_.assembly().accept(state_, change, loads);
       const Real force = newton_.assembly().contact_force();
       accept(change, dt, end, force > 0 ? (newton_.assembly().reaction() - before).norm() / force : 0);
+      refuse_cavitation(model_, state_);
       if (state_.overstress > max_overstress && driven() != none) refuse_overstress();
       return end;
     }
@@ -204,8 +228,24 @@ IncrementEnd LoadSteps::advance()
   }
 }
 
+/// The increment to follow one of dt (s) as far as the water is concerned: backward Euler errs by half of how much the change of pressure differs from that of
+/// the increment before, scaled to the same duration, and the square of dt. To be called before the change replaces the last one.
+Real LoadSteps::next_dt_of_flow(const std::vector<Real>& change, Real dt)
+{
+  if (last_dt_ == 0) return dt;
+  Real pressure = 0, error = 0;
+  for (Index k = model_.pressure_unknown(); k < model_.unknowns(); ++k) {
+    pressure += state_.displacement[k] * state_.displacement[k];
+    const Real bend = (change[k] - last_change_[k] * (dt / last_dt_)) / 2;
+    error += bend * bend;
+  }
+  largest_pressure_ = std::max(largest_pressure_, pressure);
+  return error > 0 ? dt * std::sqrt(max_pressure_error * std::sqrt(largest_pressure_ / error)) : infinity;
+}
+
 void LoadSteps::accept(const std::vector<Real>& change, Real dt, const IncrementEnd& end, Real force_change)
 {
+  const Real longest = model_.flow.count > 0 ? std::max(next_dt_of_flow(change, dt), shortest_dt_) : infinity;
   state_.state.time += dt;
   ++state_.state.step;
   last_change_ = change;
@@ -213,6 +253,7 @@ void LoadSteps::accept(const std::vector<Real>& change, Real dt, const Increment
   if (last_iterations_ <= few_iterations) relaxation_ = std::max(relaxation_ / 4, min_relaxation_);
   if (last_iterations_ <= few_enough_iterations) dt_ = std::max(dt_, dt * 1.5);
   if (model_.non_associated) dt_ = std::min(dt_, std::max(dt * pressure_change / force_change, first_dt_ * min_growth / first_travel));
+  dt_ = std::min(dt_, longest);
   accepted_above_tolerance_ = !end.converged;
   if (accepted_above_tolerance_) dt_ = first_dt_;
 }
@@ -244,10 +285,12 @@ void LoadSteps::archive(Archive& k)
 {
   k("relaxation", relaxation_);
   k("first_dt", first_dt_);
+  k("shortest_dt", shortest_dt_);
   k("dt", dt_);
   k("last_dt", last_dt_);
   k("last_iterations", last_iterations_);
   k("accepted_above_tolerance", accepted_above_tolerance_);
+  k("largest_pressure", largest_pressure_);
   k("last_change", last_change_);
   if (!(relaxation_ > 0 && first_dt_ > 0 && dt_ > 0 && last_dt_ >= 0)) k.refuse("its increments have no length");
   if (last_dt_ > 0 && static_cast<Index>(last_change_.size()) != model_.unknowns()) k.refuse("its last increment is of another mesh");

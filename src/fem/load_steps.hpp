@@ -11,7 +11,7 @@ namespace berm::fem {
 /// travel, so that the overstress belongs to the speed of the strain and not to the size of the increments; the relaxation falls while increments
 /// converge quickly, and rises where they do not. Where the strength follows the pressure (associated()), the equilibrium of an increment is found again
 /// with the strength at its end until that lags by a hundredth at most (StrengthLag), and an increment in which the contact force changes by more than a
-/// fiftieth makes the next shorter.
+/// fiftieth makes the next shorter. Where water flows, the error of the pressures in an increment limits the next.
 class LoadSteps {
 public:
   LoadSteps(const FemModel& model, FemState& state);
@@ -19,7 +19,8 @@ public:
   /// Bytes that the increments take beside what they have had since this was made.
   Real memory_to_come() const { return newton_.memory_to_come(); }
 
-  /// Finds the equilibrium of the first state, the rigid body at rest. Throws RunError where it finds none.
+  /// Finds the equilibrium of the first state, the rigid body at rest: under its weight consolidated soil has no excess pore pressure; tractions of the
+  /// start come at once, and no water has flowed since. Throws RunError where it finds none.
   void find_first_equilibrium();
 
   /// One increment of the present stage, to its end at most. Throws RunError where even the smallest increment finds no equilibrium.
@@ -46,6 +47,7 @@ private:
   FemLoads loads_after(Real dt) const;
   Real part_within_force(const IncrementEnd& end) const;
   IncrementEnd find_equilibrium(const FemLoads& loads, Real dt, std::vector<Real>& change);
+  Real next_dt_of_flow(const std::vector<Real>& change, Real dt);
   void accept(const std::vector<Real>& change, Real dt, const IncrementEnd& end, Real force_change);
   [[noreturn]] void refuse_overstress() const;
 
@@ -54,10 +56,12 @@ private:
   Newton newton_;
   Real min_relaxation_, relaxation_;       ///< travel over which overstress fades, over the width: at least, and of the next increment
   Real first_dt_ = 0, dt_ = 0;             ///< s, of the first and of the next increment of the stage
+  Real shortest_dt_ = 0;                   ///< s, of the increments that the error of the pressures limits
   Real last_dt_ = 0;                       ///< s, of the last increment in this stage; 0 = none
   int last_iterations_ = 0;                ///< of Newton, where the equilibrium of an increment was found the last time
   bool accepted_above_tolerance_ = false;  ///< the last increment was taken though it stayed above the tolerance
-  std::vector<Real> last_change_;          ///< of displacement in it
+  Real largest_pressure_ = 0;              ///< Pa2, of the excess pore pressures of the stage: largest sum of their squares
+  std::vector<Real> last_change_;          ///< by unknown, in it
 };
 
 }  // namespace berm::fem

@@ -8,8 +8,10 @@ namespace {
 
 constexpr int max_iterations = 25;
 constexpr int max_chords = 12;
-constexpr Real gentle_slope = 0.1;  // of the first slope: ends the line search
-constexpr Real fast = 0.3;          // a matrix that brings the unbalanced forces down to this part is kept for the next step
+constexpr Real gentle_slope = 0.1;          // of the first slope: ends the line search
+constexpr Real max_unbalanced_flow = 1e-6;  // of the water: its balance is linear, and holds after a whole step but for rounding
+constexpr Real tolerance_of_flow = 0.1;     // of that without water that flows
+constexpr Real fast = 0.3;                  // a matrix that brings the unbalanced forces down to this part is kept for the next step
 
 }  // namespace
 
@@ -17,7 +19,7 @@ Newton::Newton(const FemModel& model)
     : model_(model),
       assembly_(model),
       contact_(model),
-      solver_(model.pattern, contact_.unknowns()),
+      solver_(model.pattern, contact_.unknowns(), model.flow.count > 0 ? MatrixKind::indefinite : MatrixKind::positive_definite),
       min_force_(std::max(1e-3 * model.weight, 1e-300))
 {
   for (const std::vector<NodalLoad>& loads : model.loads)
@@ -25,7 +27,7 @@ Newton::Newton(const FemModel& model)
 }
 
 /// The right-hand side of the equations of the step; whether the prescribed unknowns have moved as prescribed.
-bool Newton::set_step(const FemLoads& loads, const std::vector<Real>& change)
+bool Newton::set_step(const FemState& begin, const FemLoads& loads, const std::vector<Real>& change)
 {
   bool moves_as_prescribed = true;
   for (Index k = 0; k < model_.unknowns(); ++k) {
@@ -33,7 +35,11 @@ bool Newton::set_step(const FemLoads& loads, const std::vector<Real>& change)
       step_[k] = -assembly_.soil_residual()[k];
       continue;
     }
-    const Real prescribed = k >= model_.rigid_unknown() ? loads.rigid[k - model_.rigid_unknown()].value : 0;
+    Real prescribed = 0;
+    if (k >= model_.pressure_unknown())
+      prescribed = -begin.displacement[k];
+    else if (k >= model_.rigid_unknown())
+      prescribed = loads.rigid[k - model_.rigid_unknown()].value;
     step_[k] = prescribed - change[k];
     moves_as_prescribed = moves_as_prescribed && std::abs(step_[k]) <= 1e-12 * std::abs(prescribed);
   }
@@ -51,7 +57,7 @@ void Newton::find_step(const FemState& begin, const std::vector<Real>& change)
 Real Newton::slope() const
 {
   Real sum = 0;
-  for (Index k = 0; k < model_.unknowns(); ++k)
+  for (Index k = 0; k < model_.pressure_unknown(); ++k)
     if (!assembly_.prescribed(k)) sum += step_[k] * assembly_.residual()[k];
   return sum;
 }
@@ -81,14 +87,18 @@ void Newton::search_line(const FemState& begin, const FemLoads& loads, Real visc
 
 IncrementEnd Newton::find_equilibrium(const FemState& begin, const FemLoads& loads, Real viscosity, std::vector<Real>& change)
 {
+  // The error of the pressures in time, which is found from their changes, must not be that of the equilibrium.
+  const bool flows = model_.flow.count > 0;
+  const int least_iterations = flows && loads.dt > 0 ? 1 : 0;
+  const Real tolerance = model_.settings.tolerance * (flows ? tolerance_of_flow : 1);
   IncrementEnd end;
   Real last = 0;
   step_.resize(change.size());
   assembly_.evaluate(begin, change, loads, viscosity);
   for (;; ++end.iterations) {
-    const bool moves_as_prescribed = set_step(loads, change);
+    const bool linear_done = set_step(begin, loads, change) && assembly_.unbalanced_flow() <= max_unbalanced_flow;
     end.unbalance = assembly_.unbalanced() / std::max(assembly_.contact_force(), min_force_);
-    end.converged = moves_as_prescribed && end.unbalance <= model_.settings.tolerance;
+    end.converged = linear_done && end.unbalance <= tolerance && end.iterations >= least_iterations;
     if (end.converged || end.iterations == max_iterations || !std::isfinite(end.unbalance)) return end;
     if (!(end.unbalance < fast * last)) {
       assembly_.differentiate(begin, change, viscosity);
@@ -96,7 +106,7 @@ IncrementEnd Newton::find_equilibrium(const FemState& begin, const FemLoads& loa
     }
     last = end.unbalance;
     find_step(begin, change);
-    if (moves_as_prescribed) {
+    if (linear_done) {
       search_line(begin, loads, viscosity, change);
     } else {
       for (Index k = 0; k < model_.unknowns(); ++k) change[k] += step_[k];

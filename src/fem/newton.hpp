@@ -17,6 +17,9 @@ struct IncrementEnd {
 /// Newton's iteration with the consistent tangent of the soil for one increment; the contact is solved within each step (ContactStep). Each increment is a
 /// convex problem but for the friction of the interface, so a line search along the step, on the slope of the energy, keeps the iteration from cycling
 /// between states of soil without tension. A decomposed matrix serves as long as it brings the unbalanced forces down fast.
+///
+/// Where water flows the equations are a saddle point. The balance of the water is linear: the first whole step satisfies it, and parts of later steps keep
+/// it. The slope over the displacements is then that of the convex energy in which the pressures are functions of the displacements.
 class Newton {
 public:
   explicit Newton(const FemModel& model);
@@ -31,7 +34,7 @@ public:
   const Assembly& assembly() const { return assembly_; }
 
 private:
-  bool set_step(const FemLoads& loads, const std::vector<Real>& change);
+  bool set_step(const FemState& begin, const FemLoads& loads, const std::vector<Real>& change);
   void find_step(const FemState& begin, const std::vector<Real>& change);
   Real slope() const;
   void search_line(const FemState& begin, const FemLoads& loads, Real viscosity, std::vector<Real>& change);

@@ -153,11 +153,16 @@ QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const problem::Case& c, 
 {
   Maker maker(mesh, c);
   for (const std::vector<char>& holds : support_sets(c).holds) {
-    NodeField<std::uint8_t> fixed(maker.made.node_count(), 0);
-    for (std::size_t k = 0; k < c.support.size(); ++k)
-      if (const Index boundary = fixed_boundary(mesh, c.support[k].first, c.support[k].second); holds[k])
-        maker.hold(fixed, boundary, fixed_directions(c.support[k].second));
+    NodeField<std::uint8_t> fixed(maker.made.node_count(), 0), closed = fixed;
+    for (std::size_t k = 0; k < c.support.size(); ++k) {
+      const auto& [name, support] = c.support[k];
+      const Index boundary = fixed_boundary(mesh, name, support);
+      if (!holds[k]) continue;
+      maker.hold(fixed, boundary, fixed_directions(support));
+      if (!support.drained) maker.hold(closed, boundary, fixed_directions(support));
+    }
     maker.made.fixed.push_back(std::move(fixed));
+    maker.made.closed.push_back(std::move(closed));
   }
   for (const auto& [name, traction] : c.traction) maker.made.loaded_sides.push_back(maker.sides_at(loaded_boundary(mesh, name, traction)));
   for (const bodies::RigidShape<2>& shape : shapes) bend_onto(maker.made, shape);

@@ -122,8 +122,9 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
         fmt::format("friction acts on the effective normal stress, and the soil of [body.{}] has excess pore pressure", side);
     d.check(contact.other_body.empty(), path + ".friction_angle",
             why + ": that is for contact with a rigid body; between two bodies take friction_angle = 0 and, if there is one, adhesion");
-    d.check(c.method == Method::mpm, path + ".friction_angle",
-            why + ": that is for method = \"mpm\"; with finite elements take friction_angle = 0");
+    d.check(c.method == Method::mpm || hydraulics(soil_of(c, c.body[b].second).materials.front()), path + ".friction_angle",
+            why + ": finite elements have its pressure at the surface with water.drainage = \"consolidation\" only; with another take "
+                  "friction_angle = 0");
     d.check(contact.detection == contact::Detection::automatic || contact.detection == contact::Detection::particle, path + ".detection",
             why + ": that goes with \"particle\" only, the default at a rigid body", {"automatic", "particle"});
   }

@@ -56,6 +56,17 @@ TEST(UpdateTraction, slides_both_ways_at_friction_times_pressure)
   }
 }
 
+TEST(UpdateTraction, friction_acts_on_what_the_water_does_not_carry)
+{
+  for (const Real share : {-0.5, 0., 0.4, 1.2}) {
+    FemInterface wet = rough;
+    wet.pore_pressure = share * 2000;
+    const FemTraction now = update_traction(wet, normal, {}, -2e-3 * normal + 5e-3 * tangent);
+    EXPECT_NEAR(pressure(now), 2000, rounding);
+    EXPECT_NEAR(shear(now), -1000 * std::max(0., 1 - share), rounding);
+  }
+}
+
 TEST(UpdateTraction, adhesion_adds_to_the_friction_of_closed_points_alone)
 {
   FemInterface adhesive = rough;

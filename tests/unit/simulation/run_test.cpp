@@ -43,6 +43,9 @@ protected:
     std::string sand = test::small_fem_case;  // whose flow is not associated
     sand.replace(sand.find("friction_angle = 0"), 18, "friction_angle = 0.5");
     folder_.write("fem_sand.toml", sand);
+    sand.replace(sand.find("friction_angle = 0.5"), 20, "friction_angle = 0.5\n" + pores);
+    sand.replace(sand.find("friction_angle = 0\n"), 19, "friction_angle = 0.3\n");  // of the interface
+    folder_.write("fem_consolidation.toml", sand);
     std::string half = test::small_fem_case;  // a ball in clay, pushed in both stages
     const auto in_half = [&](const std::string& from, const std::string& to) { half.replace(half.find(from), from.size(), to); };
     in_half("method = \"fem\"", "method = \"fem\"\ngeometry = \"axisymmetric\"");
@@ -77,7 +80,9 @@ protected:
 
 constexpr int all = 1 << 30;
 
-INSTANTIATE_TEST_SUITE_P(Methods, RunOf, testing::Values("mpm", "axisymmetric", "consolidation", "fem", "fem_sand", "fem_axisymmetric"),
+INSTANTIATE_TEST_SUITE_P(Methods, RunOf,
+                         testing::Values("mpm", "axisymmetric", "consolidation", "fem", "fem_sand", "fem_consolidation",
+                                         "fem_axisymmetric"),
                          [](const auto& of) { return std::string(of.param); });
 
 TEST_P(RunOf, a_case_that_is_stopped_again_and_again_ends_with_the_same_bytes)
