@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/commands/draw_test.cpp
 #include "picture/space_picture.hpp"
 
 #include "bodies/rigid/rigid_body.hpp"
 #include "picture/canvas.hpp"
 #include "picture/model_picture.hpp"
+#include "plot/isometric.hpp"
 #include "report/setup/sketch.hpp"
 #include "report/setup/stage_words.hpp"
 #include "text/quantity_words.hpp"
@@ -14,6 +16,8 @@
 
 namespace berm::picture {
 namespace {
+
+using plot::isometric;
 
 constexpr Real box_left = 90, box_top = 110, box_width = 700, box_height = 560;  // pixels: of what shows the model
 constexpr Real words_left = 880, row_height = 24;                                // pixels: of the words beside it
@@ -199,11 +203,6 @@ void write_words(Canvas& canvas, const problem::Case& c, const mesh::Mesh<3>& me
 }
 
 }  // namespace
-
-Vec<2> isometric(const Vec<3>& x)
-{
-  return {(x[0] - x[2]) / std::sqrt(2.), (2 * x[1] - x[0] - x[2]) / std::sqrt(6.)};
-}
 
 bool draw_space(const problem::Case& c, const mesh::Mesh<3>& mesh, const std::filesystem::path& folder, const std::string& name,
                 plot::PlotFormat format)

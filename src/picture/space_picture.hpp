@@ -7,9 +7,6 @@
 
 namespace berm::picture {
 
-/// Where a point is in an isometric picture, seen from the positive side of all axes with y up: m to the right and m up.
-Vec<2> isometric(const Vec<3>& x);
-
 /// FOLDER/NAME.png or .svg: the model of a case in space before its run, isometric: the box of the mesh with its dimensions, the soil's boxes, rigid bodies (drawn
 /// whole, also where soil hides them), the ways that stages drive, and the stages in words. Script and data go to FOLDER/plots. False, with a warning, where gnuplot
 /// does not draw. Throws KeyError where a support refers to no boundary of the mesh.

@@ -3,8 +3,8 @@
 #include "record/soil_plot.hpp"
 #include "io/atomic_file.hpp"
 #include "plot/gnuplot.hpp"
-#include "plot/nice_number.hpp"
 #include "plot/raster.hpp"
+#include "plot/viridis.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -14,10 +14,6 @@ namespace {
 
 constexpr int width = 1200, left = 95, right = 175, bottom = 80, top = 70;  // pixels; the plot's height follows from the view
 constexpr int plot_width = width - left - right;
-// Ten equally spaced colours of viridis, which is even to the eye and in grey.
-constexpr const char* palette =
-    "set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 '#35b779', "
-    "7 '#6ece58', 8 '#b5de2b', 9 '#fde725')\n";
 
 /// A picture in the making: what it shows and in which unit.
 struct Picture {
@@ -106,16 +102,11 @@ std::string outlines(const Picture& picture)
   return data;
 }
 
-/// Where the colours begin and end: at zero, and beyond it where one point in a hundred lies farther; at the farthest where all but those are zero.
 std::pair<Real, Real> range_of(const Picture& picture, const std::vector<Index>& points)
 {
   std::vector<Real> values;
   for (const Index k : points) values.push_back(picture.value(k));
-  std::sort(values.begin(), values.end());
-  const std::size_t part = values.size() / 100;
-  const auto end = [](Real hundredth, Real farthest) { return hundredth > 0 ? hundredth : std::max(Real(0), farthest); };
-  const Real above = end(values[values.size() - 1 - part], values.back()), below = end(-values[part], -values.front());
-  return {below > 0 ? -plot::round_up(below) : 0, above > 0 || below == 0 ? plot::round_up(above) : 0};
+  return plot::color_range(std::move(values));
 }
 
 /// Axes, colours and the line of the surface.
@@ -133,7 +124,7 @@ std::string axes(const Picture& picture, const std::pair<Real, Real>& range, con
                         view.upper[0] * unit.per_si, view.lower[1] * unit.per_si, view.upper[1] * unit.per_si);
   script += fmt::format("set xlabel 'x ({0})'\nset ylabel 'y ({0})'\nset tics out nomirror\nset border lc rgb '#444444'\n", unit.name);
   script += fmt::format("set cblabel {}\nset cbrange [{:g}:{:g}]\n", plot::gnuplot_text(picture.words()), range.first, range.second);
-  script += palette;
+  script += plot::viridis_palette();
   script += "unset key\nset style fill solid noborder\n";
   mesh::GroundLine line = view.ground;
   if (line.level() && view.surface) line.corners = {Vec<2>(view.lower[0], *view.surface), Vec<2>(view.upper[0], *view.surface)};

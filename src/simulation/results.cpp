@@ -7,6 +7,7 @@
 #include "problem/cells_at_body.hpp"
 #include "problem/stages.hpp"
 #include "record/soil_plot.hpp"
+#include "record/space_plot.hpp"
 #include "run_folder/build.hpp"
 #include "run_folder/progress.hpp"
 #include "structures/structures.hpp"
@@ -36,9 +37,16 @@ void draw_soil(const problem::Case& settings, const run_folder::RunFolder& folde
   draw_one("soil_increment", "incremental_deviatoric_strain");
   for (const std::string& field : own_fields(last)) draw_one("soil_" + field, field);
 }
-void draw_soil(const problem::Case&, const run_folder::RunFolder&, const problem::Model<3>&, const std::vector<bodies::RigidState<3>>&,
-               const run_folder::Frame<3>&)
+void draw_soil(const problem::Case& settings, const run_folder::RunFolder& folder, const problem::Model<3>& model,
+               const std::vector<bodies::RigidState<3>>&, const run_folder::Frame<3>& last)
 {
+  const bool mirrored = std::find(settings.symmetry.begin(), settings.symmetry.end(), "z") != settings.symmetry.end();
+  const Vec<3>&lower = model.mesh.lower, &upper = model.mesh.upper;
+  const Real width = base::body_scale(settings).width;
+  const record::SpaceView view = width > 0 ? record::view_around(last.rigid_bodies[model.main_rigid].surface, width, lower, upper, mirrored)
+                                           : record::view_of_all(lower, upper, mirrored);
+  for (const auto& [name, field] : {std::pair{"soil", "deviatoric_strain"}, {"soil_increment", "incremental_deviatoric_strain"}})
+    record::draw_soil(folder.path(), last, {name, field, view, settings.title});
 }
 
 std::string words_of(const run_folder::RunTiming& timing, const run_folder::MpmCounts& counts)

@@ -63,6 +63,14 @@ StructureKind of_disk(const problem::Case& c, const BodyProfile& disk)
   return deep ? StructureKind::t_bar : StructureKind::pipe;
 }
 
+/// Lying it is a pipe; standing, a pile or a footing.
+StructureKind of_cylinder(const bodies::CylinderSettings& cylinder)
+{
+  const Vec<3> axis = Vec<3>(cylinder.axis[0], cylinder.axis[1], cylinder.axis[2]).normalized();
+  if (std::abs(axis[1]) < std::sqrt(0.5)) return StructureKind::pipe;
+  return cylinder.length > slender * cylinder.diameter ? StructureKind::pile : StructureKind::footing;
+}
+
 }  // namespace
 
 std::optional<BodyProfile> body_profile(const bodies::RigidShapeSettings& shape)
@@ -83,6 +91,7 @@ StructureKind kind_of(const problem::Case& c)
   if (!body) return StructureKind::other;
   if (!is_pushed_down(c)) return StructureKind::pipe;
   if (body->disk) return of_disk(c, *body);
+  if (const auto* cylinder = std::get_if<bodies::CylinderSettings>(&settings.shape)) return of_cylinder(*cylinder);
   const bool revolved = c.geometry == problem::Geometry::axisymmetric ||
                         (c.geometry == problem::Geometry::space && std::holds_alternative<bodies::ProfileSettings>(settings.shape));
   if (!revolved) return StructureKind::footing;
