@@ -50,8 +50,6 @@ std::pair<Real, std::string> fastest_of(const problem::Model<dim>& model, const 
   return fastest;
 }
 
-constexpr Real most_with_flow = 0.35;
-
 /// The largest Courant number at which explicit steps with the bulk viscosity b are stable: the shortest wave has the damping ratio b, which leaves
 /// sqrt(1 + b^2) - b of the limit without it (Belytschko, Liu, Moran and Elkhodary 2014, section 6.3).
 template <int dim>
@@ -60,9 +58,7 @@ Real stable_courant(const problem::Model<dim>& model)
   const bool viscous = std::any_of(model.bodies.begin(), model.bodies.end(),
                                    [](const problem::Body<dim>& body) { return yields(body.soil.materials.front()); });
   const Real b = viscous ? model.mpm.bulk_viscosity : 0;
-  // Bulk viscosity and filter act on the soil alone where water flows: sand under a fast pipe was stable up to 0.4 of the fast wave, and not at 0.45.
-  const bool flows = std::any_of(model.bodies.begin(), model.bodies.end(), [](const problem::Body<dim>& body) { return body.flows(); });
-  return flows && viscous ? most_with_flow : std::sqrt(1 + b * b) - b;
+  return std::sqrt(1 + b * b) - b;
 }
 
 /// Inverse square of the height, 1/m2, that limits the time step of a cell: that of the smallest. In axisymmetry a node at the radius r has the part (R + r) /
