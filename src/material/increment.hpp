@@ -13,6 +13,8 @@ struct Increment {
   Real time = 0;       ///< s, at the beginning
   Real cell_size = 0;  ///< m, root of the cell's area (in space: cube root of its volume); 0 where strain is uniform or no law asks for it
   Real outflow = 0;    ///< volume of water that leaves the pores, over that of the soil: div(w) dt
+  Real exchange = 0;   ///< 1/Pa: times K_w / n, how far the water in a cell's pores levels its pressure in the step
+  Real level = 0;      ///< Pa, mean excess pore pressure of the cell
   /// Lanes that hold a particle of the law; the others may hold any finite number, and what the law makes of them is not used.
   decltype(T() < T()) active = T() <= T();
 };

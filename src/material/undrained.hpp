@@ -112,14 +112,18 @@ template <class P, class T>
 
 /// Advances the total stress (Pa, tension positive): with the strain increment e, that of the cell after the volumetric projection,
 ///
-///   sigma' = sigma + p I,   sigma' by the law,   p = max(p - (K_w / n) (tr(e) + outflow), min_pressure),   sigma = sigma' - p I.
+///   sigma' = sigma + p I,   sigma' by the law,   p = max(p - (K_w / n) (tr(e) + outflow + out), min_pressure),   sigma = sigma' - p I,
+///
+/// where `out` goes to the other particles of the cell: (K_w / n) out = x / (1 + x) (p - level), x = (K_w / n) exchange.
 template <int dim, class P, class T>
 [[gnu::always_inline]] inline void update(const Undrained<P>& law, SymTensor<dim, T>& stress, const Increment<dim, T>& increment, T* state)
 {
   T& pressure = state[state_count(law.skeleton)];
   for (int k = 0; k < 3; ++k) stress[k] += pressure;
   update(law.skeleton, stress, increment, state);
-  pressure = larger(pressure - law.stiffness * (trace(increment.strain) + increment.outflow), T{} + law.min_pressure);
+  const T x = law.stiffness * increment.exchange + T{};
+  pressure += x / (1 + x) * (increment.level - pressure) - law.stiffness * (trace(increment.strain) + increment.outflow);
+  pressure = larger(pressure, T{} + law.min_pressure);
   for (int k = 0; k < 3; ++k) stress[k] -= pressure;
 }
 

@@ -17,6 +17,15 @@ namespace berm::mpm {
 template <int dim>
 void average_water(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, Index body, BodyGrid<dim>& grid);
 
+/// Rate, 1/(Pa s), at which water levels the pressures of the particles of one cell, over K_w / n: by Darcy's law a wave of pressure as long as two cells decays
+/// with pi^2 / (drag h^2) K_w / n in soil that is strained uniformly; h^2 the section of the cell, m2 (in space its volume, to the power 2/3).
+template <int dim>
+Real leveling_rate(const WaterCell& water, Real section)
+{
+  const Real square = dim == 2 ? section : std::cbrt(section * section);
+  return pi * pi / (water.drag * square);
+}
+
 /// What the cells give the water at their corners: its mass, drag and the force of its pressure. With the volumetric projection the pressure is the average over
 /// the patch.
 template <int dim>

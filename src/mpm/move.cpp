@@ -2,6 +2,7 @@
 #include "mpm/move.hpp"
 
 #include "core/rotate.hpp"
+#include "mpm/flow.hpp"
 #include "mpm/hoop.hpp"
 #include "mpm/linear_field.hpp"
 #include "mpm/transfer.hpp"
@@ -254,7 +255,12 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
       cell_strain.template project<strained_directions<dim, metric>>(patch_dilation(model.patches, grid.volume_change, cell));
     const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
 
-    const Real outflow = grid.water.flows() ? patch_dilation(model.patches, grid.water.outflow, cell) : 0;
+    Real outflow = 0, exchange = 0, level = 0;
+    if (grid.water.flows()) {
+      outflow = patch_dilation(model.patches, grid.water.outflow, cell);
+      exchange = dt * leveling_rate<dim>(grid.water.cells[cell], mesh.section(cell));
+      level = grid.water.cells[cell].pressure;
+    }
     Real cell_size = 0;
     if constexpr (requires { law.softening_length; })
       if (law.softening_length > 0) cell_size = dim == 2 ? std::sqrt(mesh.section(cell)) : std::cbrt(mesh.section(cell));
@@ -270,8 +276,14 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
         min_shape = move_part<V>(part, p, q, shape, at_zero, gain, velocity, dt, filtered, unfiltered, done);
       if constexpr (pass != Pass::move) {
         const V mass = part.get(p.mass, q.mass), volume = part.get(p.volume, q.volume);
-        material::Increment<dim, V> increment{
-            .strain = {}, .dt = dt, .time = time, .cell_size = cell_size, .outflow = outflow, .active = alive};
+        material::Increment<dim, V> increment{.strain = {},
+                                              .dt = dt,
+                                              .time = time,
+                                              .cell_size = cell_size,
+                                              .outflow = outflow,
+                                              .exchange = exchange,
+                                              .level = level,
+                                              .active = alive};
         SymTensor<dim, V>& strain = increment.strain;
         SymTensor<dim, V> stress, both_stresses;
         for (int k = 0; k < tensor_size<dim>; ++k) {

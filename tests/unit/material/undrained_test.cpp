@@ -60,6 +60,26 @@ struct Specimen {
   SymTensor<3> effective() const { return effective_stress(material, stress, state.data()); }
 };
 
+TEST(Undrained, water_levels_the_pressures_of_a_cell_and_leaves_the_effective_stress)
+{
+  LinearElastic law;
+  law.density = 1000;
+  law.young_modulus = 1e7;
+  law.poisson_ratio = 0.3;
+  const Material material = with_pores(law, 5e7);
+  Increment<3, Real> increment;
+  increment.level = 3e3;
+  increment.exchange = 1 / (5e7 / 0.5);  // x = 1: half of the difference
+  for (const Real before : {1e3, 5e3}) {
+    Specimen soil(material, {{-1e4, -1e4, -1e4}});
+    soil.state[static_cast<std::size_t>(pore_pressure_place(material))] = before;
+    const SymTensor<3> effective = soil.effective();
+    std::visit([&](const auto& prepared) { update(prepared, soil.stress, increment, soil.state.data()); }, soil.law);
+    EXPECT_NEAR(soil.pressure(), (before + 3e3) / 2, 1e-9);
+    for (int k = 0; k < 6; ++k) EXPECT_NEAR(soil.effective()[k], effective[k], 1e-9);
+  }
+}
+
 TEST(Undrained, oedometer_shares_the_load_by_the_stiffnesses)
 {
   LinearElastic law;
