@@ -134,12 +134,14 @@ std::vector<DrawnField> drawn_fields(const problem::Model<2>& model)
 }
 
 /// A frame with room for what nodes carry.
-Frame<2> empty_frame(const fem::QuadraticMesh& mesh, const std::vector<DrawnField>& drawn, const std::vector<OwnField>& own)
+Frame<2> empty_frame(const fem::QuadraticMesh& mesh, const std::vector<DrawnField>& drawn, const std::vector<OwnField>& own,
+                     bool with_ratio)
 {
   std::vector<FieldInfo> infos = common_fields<2>();
   for (const DrawnField& field : drawn)
     if (!is_common_field(field.info.name)) infos.push_back(field.info);
   for (const OwnField& field : own) infos.push_back(field.info);
+  if (with_ratio) infos.push_back(pore_pressure_ratio_field());
   Frame<2> frame;
   frame.allocate(static_cast<std::size_t>(mesh.node_count()), infos);
   frame.triangles.assign(mesh.nodes.begin(), mesh.nodes.end());
@@ -204,6 +206,28 @@ void set_own(const fem::FemModel& model, const std::vector<OwnField>& own, Frame
     }
 }
 
+/// Gives each node that water has a pressure at r_u, with the mean of what rests on the points of its elements.
+void set_pore_pressure_ratio(const fem::FemModel& model, Frame<2>& frame)
+{
+  const std::string name = pore_pressure_ratio_field().name;
+  if (find_field(frame.fields, name) == nullptr) return;
+  struct Mean {
+    Real sum = 0;
+    int count = 0;
+  };
+  NodeField<Mean> at_rest(model.mesh.node_count());
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
+    if (pore_pressure_place(model.soil_of(cell).materials.front()) == none) continue;
+    for (int q = 0; q < fem::triangle_points; ++q) {
+      const Real above = overburden(model.model, model.mesh.body[cell], model.region_of(cell), model.depth[cell][q]);
+      for (const Index node : model.mesh.nodes[cell]) at_rest[node].sum += above, ++at_rest[node].count;
+    }
+  }
+  for (Index node = 0; node < model.mesh.node_count(); ++node)
+    if (at_rest[node].sum > 0)
+      frame.field(name).at(node) = frame.field("excess_pore_pressure").at(node) * at_rest[node].count / at_rest[node].sum;
+}
+
 /// What the nodes' own motion and the gradients of their elements say.
 void set_motion(const fem::FemModel& model, const fem::FemState& state, const std::vector<Real>& last_displacement,
                 const NodeField<NodalSums>& sums, Frame<2>& frame)
@@ -244,11 +268,16 @@ Frame<2> FemFrameMaker::make(const fem::FemState& state)
 {
   const std::vector<DrawnField> drawn = drawn_fields(model_.model);
   const std::vector<OwnField> own = own_fields_of(model_.model);
-  Frame<2> frame = empty_frame(model_.mesh, drawn, own);
+  const auto& bodies = model_.model.bodies;
+  const bool with_ratio = model_.model.gravity.norm() > 0 && std::any_of(bodies.begin(), bodies.end(), [](const auto& body) {
+                            return has_pore_pressure(body.soil.materials.front());
+                          });
+  Frame<2> frame = empty_frame(model_.mesh, drawn, own, with_ratio);
   frame.time = state.state.time;
   set_motion(model_, state, last_displacement_, draw_out(model_, state, last_displacement_, drawn, frame), frame);
   last_displacement_ = state.displacement;
   set_own(model_, own, frame);
+  set_pore_pressure_ratio(model_, frame);
   frame.rigid_bodies = frame_rigids(model_.model, state.state.rigid_bodies);
   return frame;
 }

@@ -56,6 +56,17 @@ std::vector<FieldInfo> effective_stress_fields()
           {"mean_effective_stress", "mean effective stress (tension positive)", "Pa", 1, to_frame}};
 }
 
+FieldInfo pore_pressure_ratio_field()
+{
+  return {"pore_pressure_ratio", "r_u: excess pore pressure over the effective vertical stress at rest", "", 1, to_frame};
+}
+
+template <int dim>
+Real overburden(const problem::Model<dim>& model, Index body, const std::string& region, Real depth)
+{
+  return model.gravity.norm() * model.bodies[body].soil.mass_above(region, std::max(Real(0), depth));
+}
+
 bool is_common_field(const std::string& name)
 {
   const std::vector<FieldInfo> fields = common_fields<2>();
@@ -93,6 +104,7 @@ std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>& model, cons
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template struct Frame<dim>;                                                                                                              \
   template std::vector<FieldInfo> effective_stress_fields<dim>();                                                                          \
+  template Real overburden(const problem::Model<dim>&, Index, const std::string&, Real);                                                   \
   template std::vector<FieldInfo> common_fields<dim>();                                                                                    \
   template std::size_t bytes_of_point<dim>(int);                                                                                           \
   template std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>&, const std::vector<bodies::RigidState<dim>>&);

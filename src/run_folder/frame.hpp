@@ -41,6 +41,13 @@ std::vector<FieldInfo> common_fields();
 template <int dim>
 std::vector<FieldInfo> effective_stress_fields();
 
+/// What such frames have in a ground with weight: r_u, the excess pore pressure over the effective vertical stress at rest; 1: the soil is liquefied.
+FieldInfo pore_pressure_ratio_field();
+
+/// The effective vertical stress at rest, Pa, compression positive: the weight of the soil of a body above a depth, m, at the start.
+template <int dim>
+Real overburden(const problem::Model<dim>& model, Index body, const std::string& region, Real depth);
+
 /// Whether every frame has a field of that name; another one belongs to a law or a method.
 bool is_common_field(const std::string& name);
 

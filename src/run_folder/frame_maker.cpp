@@ -30,8 +30,10 @@ std::vector<FieldInfo> fields_of(const problem::Model<dim>& model, const std::ve
       if (extra.info.goes(to_frame) && !known) fields.push_back(extra.info);
     }
   if (std::any_of(model.bodies.begin(), model.bodies.end(),
-                  [](const auto& body) { return has_pore_pressure(body.soil.materials.front()); }))
+                  [](const auto& body) { return has_pore_pressure(body.soil.materials.front()); })) {
     for (const FieldInfo& info : effective_stress_fields<dim>()) fields.push_back(info);
+    if (model.gravity.norm() > 0) fields.push_back(pore_pressure_ratio_field());
+  }
   return fields;
 }
 
@@ -97,6 +99,7 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
   const bool undrained = find_field(frame.fields, "effective_stress") != nullptr;
   FieldValues<Real>* const effective = undrained ? &frame.field("effective_stress") : nullptr;
   FieldValues<Real>* const mean_effective = undrained ? &frame.field("mean_effective_stress") : nullptr;
+  FieldValues<Real>* const ratio = undrained && model_.gravity.norm() > 0 ? &frame.field(pore_pressure_ratio_field().name) : nullptr;
   Index next = 0;
   for (std::size_t body = 0; body < state.particles.size(); ++body) {
     const bodies::Particles<dim>& particles = state.particles[body];
@@ -118,9 +121,16 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
       for (int d = 0; d < dim; ++d) displacement.at(k, d) = moved_by[d];
       mean_stress.at(k) = trace(p.stress) / 3;
       if (effective == nullptr) return;
-      const SymTensor<dim> stress = effective_stress(model_.bodies[body].soil.materials.front(), p.stress, p.extra);
+      const material::Material& material = model_.bodies[body].soil.materials.front();
+      const SymTensor<dim> stress = effective_stress(material, p.stress, p.extra);
       for (int s = 0; s < tensor_size<dim>; ++s) effective->at(k, s) = stress[s];
       mean_effective->at(k) = trace(stress) / 3;
+      const int pressure = pore_pressure_place(material);
+      if (ratio == nullptr || pressure == none) return;
+      const Known& known = known_[body][p.id];
+      const std::string& region = model_.mesh.region_names[model_.mesh.region[known.first_cell]];
+      const Real at_rest = overburden(model_, static_cast<Index>(body), region, model_.soil_depth(known.first));
+      if (at_rest > 0) ratio->at(k) = p.extra[pressure] / at_rest;
     });
     add_strains(particles, known_[body], point, frame);
   }

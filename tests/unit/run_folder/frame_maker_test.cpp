@@ -193,9 +193,14 @@ TEST(FrameMaker, shows_pore_pressure_and_effective_stress_where_a_body_is_undrai
       for (int k = 0; k < 3; ++k) particles.block(b).stress[k][l] = -5e3 - 1e3 * k;
       if (particles.extra_size() > 0) particles.extra(b)[0][l] = 2e3;
     });
+  problem.model.surface = 0.2;
+  problem.model.gravity = {0, -10};
   FrameMaker<2> maker(problem.model, problem.state);
   const Frame<2> frame = maker.make(problem.state);
+  const Real unit_weight = density(problem.model.bodies[1].soil.materials.front()) * problem.model.gravity.norm();
+  ASSERT_GT(unit_weight, 0);
   for (std::size_t k = 0; k < frame.points.size(); ++k) {
+    EXPECT_NEAR(frame.field("pore_pressure_ratio").at(k), frame.body[k] == 1 ? 2e3 / (unit_weight * (0.2 - frame.points[k][1])) : 0, 1e-12);
     const Real water = frame.body[k] == 1 ? 2e3 : 0;
     EXPECT_EQ(frame.field("excess_pore_pressure").at(k), water);
     EXPECT_DOUBLE_EQ(frame.field("effective_stress").at(k, 1), -6e3 + water);
