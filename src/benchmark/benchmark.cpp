@@ -144,6 +144,22 @@ problem::Case probe_in(const material::Material& soil)
   return c;
 }
 
+/// The same probe in sand that does not dilate, with water that stays in its pores or flows through them.
+problem::Case probe_in_water(material::Drainage drainage)
+{
+  material::MohrCoulomb soil = sand(877);
+  soil.inertia_density = 1900;
+  soil.dilation_angle = 0;
+  soil.water.emplace();
+  soil.water->drainage = drainage;
+  soil.water->water_depth = 100;
+  if (drainage == material::Drainage::consolidation) {
+    soil.water->porosity = 0.4;
+    soil.water->permeability = 1e-4;
+  }
+  return probe_in(soil);
+}
+
 /// A column of sand that collapses over a rigid floor: all of it moves and yields.
 problem::Case column(Real particles)
 {
@@ -275,6 +291,8 @@ constexpr BenchProblem problems[] = {
     {"clay_D20", [] { return probe_in(clay()); }},
     {"cam_clay_D20", [] { return probe_in(cam_clay()); }},
     {"norsand_D20", [] { return probe_in(norsand()); }},
+    {"undrained_D20", [] { return probe_in_water(material::Drainage::undrained); }},
+    {"flow_D20", [] { return probe_in_water(material::Drainage::consolidation); }},
     {"elastic_D20", elastic_probe},
     {"umat_D20", probe_in_umat},
     {"column_1e6", [] { return column(1e6); }},
@@ -307,9 +325,13 @@ Demand demand_of(const bodies::Particles<dim>& particles, const mpm::BodyGrid<di
   for (const Index cell : particles.occupied()) blocks += std::ceil(static_cast<Real>(particles.count_in(cell)) / lanes);
   const Real cells = static_cast<Real>(particles.occupied().size()), nodes = static_cast<Real>(grid.nodes.size());
   const Real of_block = static_cast<Real>(2 * sizeof(bodies::Block<dim>) + 2 * sizeof(StoredLanes) * particles.extra_size());
-  const Real of_cell = 4 * sizeof(mpm::Moments<dim>) + 6 * corners * sizeof(mpm::CornerSums<dim>) +
-                       4 * (sizeof(mesh::Gradients<dim>) + corners * sizeof(Index)) + 4 * sizeof(Real);
-  const Real of_node = 2 * sizeof(Real) + 6 * sizeof(Vec<dim>);
+  Real of_cell = 4 * sizeof(mpm::Moments<dim>) + 6 * corners * sizeof(mpm::CornerSums<dim>) +
+                 4 * (sizeof(mesh::Gradients<dim>) + corners * sizeof(Index)) + 4 * sizeof(Real);
+  Real of_node = 2 * sizeof(Real) + 6 * sizeof(Vec<dim>);
+  if (grid.water.flows()) {
+    of_cell += 4 * sizeof(mpm::WaterCell) + 2 * corners * sizeof(mpm::WaterAtNode<dim>) + 2 * sizeof(mpm::VolumeChange);
+    of_node += 2 * sizeof(mpm::WaterAtNode<dim>) + 6 * sizeof(Vec<dim>);
+  }
   const Real count = static_cast<Real>(particles.size());
   const Real bytes = (blocks * of_block + cells * of_cell + nodes * of_node) / count;
   return {bytes, dim == 2 ? flops_of_lane + cells * flops_of_cell / count : nan};
