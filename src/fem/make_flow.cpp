@@ -33,6 +33,14 @@ Real smallest_height(const AtSixNodes<Vec<2>>& nodes)
   return std::abs(a[0] * b[1] - a[1] * b[0]) / std::max({a.norm(), b.norm(), (b - a).norm()});
 }
 
+/// h^2 / (6 c_v), s.
+Real diffusion_time(const material::Material& material, Real h)
+{
+  const Real stiffness = water_stiffness(material), skeleton = p_wave_modulus(material) - stiffness;
+  const Real consolidation = hydraulics(material)->permeability / material::unit_weight_of_water / (1 / skeleton + 1 / stiffness);
+  return h * h / (6 * consolidation);
+}
+
 /// Whether the directions in which the support of a side's middle is closed are across it rather than along it.
 bool closed_across(const FemModel& model, const BoundarySide& side, std::uint8_t directions)
 {
@@ -87,8 +95,7 @@ void make_flow(FemModel& model)
     for (int q = 0; q < triangle_points; ++q) {
       const material::Material material = model.soil_at(cell, q);
       flow.water[cell][q] = water_of(material);
-      const Real h = smallest_height(model.mesh.positions_of(cell));
-      flow.first_dt = std::min(flow.first_dt, h * h / (6 * consolidation_coefficient(material)));
+      flow.first_dt = std::min(flow.first_dt, diffusion_time(material, smallest_height(model.mesh.positions_of(cell))));
     }
   }
   flow.at_contact = pressures_at_contact(model);

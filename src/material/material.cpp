@@ -76,14 +76,6 @@ Real water_stiffness(const Material& material)
   return std::visit([](const auto& law) { return water_stiffness(law); }, material);
 }
 
-Real consolidation_coefficient(const Material& material)
-{
-  const std::optional<Hydraulics> water = hydraulics(material);
-  if (!water) return 0;
-  const Real skeleton = p_wave_modulus(elasticity(material));
-  return water->permeability / unit_weight_of_water / (1 / skeleton + 1 / water_stiffness(material));
-}
-
 int pore_pressure_place(const Material& material)
 {
   return has_pore_pressure(material) ? state_size(material) - 1 : none;

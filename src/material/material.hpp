@@ -54,8 +54,6 @@ bool has_pore_pressure(const Material& material);
 std::optional<Hydraulics> hydraulics(const Material& material);
 /// K_w / n, Pa; 0 where the soil has no excess pore pressure.
 Real water_stiffness(const Material& material);
-/// c_v = k / (gamma_w (1/M + n/K_w)), m2/s, of the skeleton as stiff as `elasticity` says and the permeability of the start; 0 where no water flows.
-Real consolidation_coefficient(const Material& material);
 /// Which of the state variables is the excess pore pressure, Pa, compression positive; none where the soil has none.
 int pore_pressure_place(const Material& material);
 /// The same soil, from which water flows freely.

@@ -38,8 +38,6 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           do_tractions_press,
                                                           is_the_drive_slow,
                                                           does_the_drive_begin_gently,
-                                                          does_water_flow_while_bodies_rest,
-                                                          does_drag_rather_than_inertia_hold_the_water,
                                                           is_there_time_for_equilibrium,
                                                           is_the_mass_that_of_a_pipe,
                                                           is_damping_small,

@@ -4,7 +4,6 @@
 
 #include "report/setup/parameter_table.hpp"
 #include "report/setup/stage_words.hpp"
-#include "structures/base/drainage_words.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/near_mesh.hpp"
 #include "structures/base/soil_words.hpp"
@@ -196,10 +195,8 @@ void add_stages(Rows& rows)
     const int dimension = rows.settings().force_dimension();
     const std::string until = rows.with_prototype(until_words(stage, dimension), until_words(stage, dimension, rows.level()));
     const bool driven = problem::drives(stage.kind);
-    const std::string drainage = base::drainage_in_words(rows.settings(), stage);
     rows.add(fmt::format("stage {}", ++number),
-             fmt::format("{}: {}{}{}", stage.name, driven ? drive_words(stage, dimension) + ", until " : "", until,
-                         drainage.empty() ? "" : "; " + drainage));
+             fmt::format("{}: {}{}", stage.name, driven ? drive_words(stage, dimension) + ", until " : "", until));
   }
 }
 
