@@ -8,6 +8,7 @@
 #include "samples/program.hpp"
 #include "samples/small_case.hpp"
 #include "samples/small_fem_case.hpp"
+#include "samples/small_space_case.hpp"
 
 #include <gtest/gtest.h>
 #include <omp.h>
@@ -26,6 +27,7 @@ protected:
   {
     folder_.write("mpm.toml", test::small_case);
     folder_.write("fem.toml", test::small_fem_case);
+    folder_.write("space.toml", test::small_space_case);
     std::string ball = test::small_case;  // the same around an axis, pushed twice
     const auto replace = [&](const std::string& from, const std::string& to) { ball.replace(ball.find(from), from.size(), to); };
     replace("gravity =", "geometry = \"axisymmetric\"\ngravity =");
@@ -81,7 +83,7 @@ protected:
 constexpr int all = 1 << 30;
 
 INSTANTIATE_TEST_SUITE_P(Methods, RunOf,
-                         testing::Values("mpm", "axisymmetric", "consolidation", "fem", "fem_sand", "fem_consolidation",
+                         testing::Values("mpm", "axisymmetric", "space", "consolidation", "fem", "fem_sand", "fem_consolidation",
                                          "fem_axisymmetric"),
                          [](const auto& of) { return std::string(of.param); });
 
@@ -130,8 +132,8 @@ TEST_P(RunOf, a_case_takes_threads_messages_and_times_of_its_context_and_leaves_
 TEST_P(RunOf, a_case_refuses_a_checkpoint_of_another_case)
 {
   ASSERT_FALSE(run("parts", 5));
-  folder_.write(std::string(GetParam()) + ".toml", folder_.read(std::string(GetParam()) + ".toml") + "[watch.more]\nbody = \"" +
-                                                       (is_fem() ? "clay" : "sand") + "\"\npoint = [0.01, 0]\n");
+  const std::string file = std::string(GetParam()) + ".toml", more = std::string("[watch.more]\nbody = \"") + (is_fem() ? "clay" : "sand");
+  folder_.write(file, folder_.read(file) + more + "\"\npoint = [0.01, 0" + (file == "space.toml" ? ", 0]\n" : "]\n"));
   EXPECT_THROW(run("parts", all, true), RunError);
 }
 
