@@ -111,6 +111,21 @@ TEST_P(RunOf, a_case_that_is_stopped_again_and_again_ends_with_the_same_bytes)
   EXPECT_FALSE(fs::exists(folder_ / "parts/checkpoint")) << "a run that is finished has none";
 }
 
+/// Runs around an axis and in space.
+class RunOfWholeBodies : public RunOf {};
+
+INSTANTIATE_TEST_SUITE_P(Geometries, RunOfWholeBodies, testing::Values("axisymmetric", "space", "fem_axisymmetric"),
+                         [](const auto& of) { return std::string(of.param); });
+
+TEST_P(RunOfWholeBodies, tells_forces_energies_and_moments_of_the_whole_and_none_per_metre)
+{
+  ASSERT_TRUE(run("whole", all));
+  for (const char* file : {"history.csv", "history.schema.json", "summary.json", "run.log", "plots/curves.dat", "plots/curves.gp"})
+    for (const char* per_metre : {"N/m\"", "N/m)", "N/m ", "N_m,", "J/m\"", "J_m,", "N m/m", "Nm_m,", "kg/m\""})
+      EXPECT_EQ(folder_.read(std::string("whole/") + file).find(per_metre), std::string::npos) << per_metre << " in " << file;
+  EXPECT_NE(folder_.read("whole/history.csv").find("V_N,"), std::string::npos);
+}
+
 TEST_P(RunOf, a_case_takes_threads_messages_and_times_of_its_context_and_leaves_the_caller_as_it_was)
 {
   std::ostringstream messages;
