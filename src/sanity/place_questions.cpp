@@ -32,6 +32,24 @@ std::string stage_name(const Scene& s, std::size_t k)
   return s.c.stage[k].name;
 }
 
+constexpr int across_in_space = 2;  // z
+
+bool in_space(const Scene& s)
+{
+  return s.c.geometry == problem::Geometry::space;
+}
+/// The level axes along which the body ends and walls can be near, the first is that of the plane. Circles and polygons are endless along z.
+std::vector<int> axes_of_walls(const Scene& s, Index rigid)
+{
+  const bodies::RigidShapeSettings& shape = s.c.rigid[rigid].second.shape;
+  const bool endless = std::holds_alternative<bodies::CircleSettings>(shape) || std::holds_alternative<bodies::PolygonSettings>(shape);
+  return in_space(s) && !endless ? std::vector{s.along, across_in_space} : std::vector{s.along};
+}
+const char* wall_name(bool along, bool lower)
+{
+  return along ? (lower ? "left wall" : "right wall") : lower ? "back wall" : "front wall";
+}
+
 /// Whether the way meets the soil along an axis, as far as it is known.
 bool may_meet(const Scene& s, const Way& way, const BodyScene& soil, int d)
 {
@@ -112,7 +130,9 @@ void does_the_path_stay_in_the_mesh(const Scene& s, Findings& found)
   for (std::size_t k = 0; k < s.ways.size(); ++k) {
     const Way& way = s.ways[k];
     if (way.rigid == none || !s.rigids[way.rigid].bounded) continue;
-    for (const int d : {s.along, s.up}) {
+    std::vector<int> axes = axes_of_walls(s, way.rigid);
+    axes.insert(axes.begin() + 1, s.up);
+    for (const int d : axes) {
       const Move& move = way.axis[d];
       const Span &first = s.rigids[way.rigid].space[d], &mesh = s.mesh[d];
       const Span path = swept(s, way, d);
@@ -181,6 +201,27 @@ void are_cells_small_enough(const Scene& s, Findings& found)
   }
 }
 
+void do_walls_cut_a_body(const Scene& s, Findings& found)
+{
+  constexpr Real middle = 0.05;  // of its width: a wall there is a plane of symmetry
+  std::vector<char> asked(s.rigids.size(), 0);
+  for (const Way& way : s.ways) {
+    if (way.rigid == none || std::exchange(asked[way.rigid], 1) != 0 || !s.rigids[way.rigid].bounded || !in_space(s)) continue;
+    for (const int d : axes_of_walls(s, way.rigid)) {
+      const Span &body = s.rigids[way.rigid].space[d], &mesh = s.mesh[d];
+      const bool below = body.from<mesh.from, above = body.to> mesh.to;
+      if (below == above || body.to <= mesh.from || body.from >= mesh.to) continue;
+      const Real wall = below ? mesh.from : mesh.to;
+      if (std::abs(wall - (body.from + body.to) / 2) < middle * (body.to - body.from)) continue;
+      const std::string& name = s.c.rigid[way.rigid].first;
+      found.warn("rigid." + name,
+                 fmt::format("the {0} cuts it: it reaches {1} = {2:.4g} m, where the mesh ends at {3:.4g} m, and what is beyond meets no "
+                             "soil; move it, or make the mesh wider, or put its middle onto the wall as a plane of symmetry",
+                             wall_name(d == s.along, below), axis_names[d], below ? body.from : body.to, wall));
+    }
+  }
+}
+
 void are_walls_far_enough(const Scene& s, Findings& found)
 {
   constexpr Real clear = 0.75;  // widths
@@ -198,6 +239,13 @@ void are_walls_far_enough(const Scene& s, Findings& found)
                            words_of(rounded_up(3 * width), "m")));
     };
     if (way.axis[s.along].known && side > 0 && side < clear * width) return tell("mesh.length", "wall", side);
+    for (const int d : in_space(s) ? axes_of_walls(s, way.rigid) : std::vector<int>{})
+      for (const bool lower : {true, false}) {  // one by one: the other may be a plane of symmetry
+        const Span path = swept(s, way, d);
+        const Real distance = lower ? path.from - s.mesh[d].from : s.mesh[d].to - path.to;
+        if (way.axis[d].known && distance > 0 && distance < clear * width)
+          return tell(d == s.along ? "mesh.length" : "mesh.width", wall_name(d == s.along, lower), distance);
+      }
     if (way.axis[s.up].known && base > 0 && base < clear * width) return tell("mesh.depth", "base", base);
   }
 }

@@ -22,6 +22,7 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           is_the_bed_held,
                                                           does_the_path_stay_on_fine_cells,
                                                           are_cells_small_enough,
+                                                          do_walls_cut_a_body,
                                                           are_walls_far_enough,
                                                           does_soil_fill_the_bed,
                                                           is_there_soil_at_a_watch,

@@ -151,6 +151,23 @@ void expect_balances(const problem::Case& c, int steps)
   EXPECT_LT(t.contact_impulse[1], 0);  // the body pushes the soil down
 }
 
+// As in the plane: a body that begins in the bed is wished in place there.
+TEST(Space, soil_is_left_out_where_a_body_lies_at_the_start)
+{
+  bodies::CylinderSettings pile;
+  pile.center = {0, 0, 0};
+  pile.axis = {0, 1, 0};
+  pile.diameter = 0.12, pile.length = 0.2;
+  bodies::SphereSettings buried{{0, -0.1, 0}, 0.16};
+  for (const bodies::RigidShapeSettings& shape : {bodies::RigidShapeSettings(pile), bodies::RigidShapeSettings(buried), cone()}) {
+    const Simulation<3> whole(pushed_into_clay(ball())), run(pushed_into_clay(shape));
+    EXPECT_LE(deepest(run), 0);  // a centre of a cell may lie on the surface
+    const auto count = [](const Simulation<3>& of) { return of.problem.state.particles[0].size(); };
+    EXPECT_LT(count(run), count(whole));
+    EXPECT_GT(count(run), 0.8 * count(whole));
+  }
+}
+
 TEST(Space, momentum_and_energy_balance_and_no_particle_is_in_a_body_that_is_pushed_and_dragged)
 {
   for (const auto& [name, shape] : shapes) {

@@ -12,7 +12,7 @@ struct SenselessInput {
   enum class Answer { warned, refused, either };  // either: it depends on the machine
 
   const char* name;
-  const char* base;  ///< bed: the coarse probe test; elements: its finite elements; box: the small case
+  const char* base;  ///< bed: the coarse probe test; elements: its finite elements; box: the small case; space: that in space
   Answer answer;
   std::vector<std::string> says;       ///< the key, and parts of the message
   std::vector<std::string> overrides;  ///< KEY=VALUE, as for --set
@@ -124,6 +124,28 @@ inline const std::vector<SenselessInput>& senseless_inputs()
        "",
        ""},
       {"wall_beside_the_path", "bed", warned, {"mesh.length", "the wall is", "or more"}, {"stage.drag.until.displacement=303 mm"}, "", ""},
+      {"wall_across_the_path", "space", warned, {"mesh.width", "the front wall is", "or more"}, {}, "", ""},
+      {"wall_beside_a_plane_of_symmetry",
+       "space",
+       warned,
+       {"mesh.length", "the right wall is", "or more"},
+       {"rigid.pipe.length=0.45 m"},
+       "",
+       ""},
+      {"wall_that_cuts_a_body",
+       "space",
+       warned,
+       {"rigid.pipe", "the front wall cuts it: it reaches z = 0.23 m", "plane of symmetry"},
+       {"rigid.pipe.center=[0, \"80 mm\", \"0.15 m\"]"},
+       "",
+       ""},
+      {"path_out_of_the_mesh_in_space",
+       "space",
+       refused,
+       {"stage.drag.until", "reaches z = 0.38 m", "where the mesh ends at 0.2 m"},
+       {"stage.drag.until.displacement=0.3 m"},
+       "",
+       ""},
       {"base_below_the_path",
        "bed",
        warned,

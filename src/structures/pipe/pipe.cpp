@@ -14,6 +14,7 @@
 #include "structures/pipe/report/published_table.hpp"
 #include "structures/pipe/report/soil_figures.hpp"
 #include "structures/pipe/results/mechanism.hpp"
+#include "structures/pipe/results/moments_in_space.hpp"
 #include "structures/pipe/results/prescribed.hpp"
 
 #include <algorithm>
@@ -41,7 +42,9 @@ std::vector<run_folder::Quantity> Pipe::quantities(const record::RunRecord& run,
   const base::BodyScale scale = base::body_scale(run);
   PipeResults results = pipe_results(run.history, scale, pipe_stages(run.settings, held_forces));
   take_berms(results, PipeRun(run));
-  return quantities_of(results, scale);
+  std::vector<run_folder::Quantity> list = quantities_of(results, scale);
+  for (run_folder::Quantity& moment : moments_in_space(run)) list.push_back(std::move(moment));
+  return list;
 }
 
 std::string Pipe::table_of(const record::RunRecord& run) const

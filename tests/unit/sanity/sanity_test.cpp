@@ -3,6 +3,7 @@
 #include "samples/program.hpp"
 #include "samples/senseless_inputs.hpp"
 #include "samples/small_case.hpp"
+#include "samples/small_space_case.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +16,7 @@ using test::SenselessInput;
 std::string base_of(const std::string& name)
 {
   const fs::path probe_test = fs::path(BERM_SOURCE_DIR) / "examples/probe_test";
+  if (name == "space") return test::small_space_case;
   return name == "box" ? test::small_case : text_of_file(probe_test / (name == "bed" ? "case.toml" : "wip_10.toml"));
 }
 

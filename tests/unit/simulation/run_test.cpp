@@ -8,6 +8,7 @@
 #include "samples/program.hpp"
 #include "samples/small_case.hpp"
 #include "samples/small_fem_case.hpp"
+#include "samples/small_space_case.hpp"
 
 #include <gtest/gtest.h>
 #include <omp.h>
@@ -26,6 +27,7 @@ protected:
   {
     folder_.write("mpm.toml", test::small_case);
     folder_.write("fem.toml", test::small_fem_case);
+    folder_.write("space.toml", test::small_space_case);
     std::string ball = test::small_case;  // the same around an axis, pushed twice
     const auto replace = [&](const std::string& from, const std::string& to) { ball.replace(ball.find(from), from.size(), to); };
     replace("gravity =", "geometry = \"axisymmetric\"\ngravity =");
@@ -81,7 +83,7 @@ protected:
 constexpr int all = 1 << 30;
 
 INSTANTIATE_TEST_SUITE_P(Methods, RunOf,
-                         testing::Values("mpm", "axisymmetric", "consolidation", "fem", "fem_sand", "fem_consolidation",
+                         testing::Values("mpm", "axisymmetric", "space", "consolidation", "fem", "fem_sand", "fem_consolidation",
                                          "fem_axisymmetric"),
                          [](const auto& of) { return std::string(of.param); });
 
@@ -109,6 +111,21 @@ TEST_P(RunOf, a_case_that_is_stopped_again_and_again_ends_with_the_same_bytes)
   EXPECT_FALSE(fs::exists(folder_ / "parts/checkpoint")) << "a run that is finished has none";
 }
 
+/// Runs around an axis and in space.
+class RunOfWholeBodies : public RunOf {};
+
+INSTANTIATE_TEST_SUITE_P(Geometries, RunOfWholeBodies, testing::Values("axisymmetric", "space", "fem_axisymmetric"),
+                         [](const auto& of) { return std::string(of.param); });
+
+TEST_P(RunOfWholeBodies, tells_forces_energies_and_moments_of_the_whole_and_none_per_metre)
+{
+  ASSERT_TRUE(run("whole", all));
+  for (const char* file : {"history.csv", "history.schema.json", "summary.json", "run.log", "plots/curves.dat", "plots/curves.gp"})
+    for (const char* per_metre : {"N/m\"", "N/m)", "N/m ", "N_m,", "J/m\"", "J_m,", "N m/m", "Nm_m,", "kg/m\""})
+      EXPECT_EQ(folder_.read(std::string("whole/") + file).find(per_metre), std::string::npos) << per_metre << " in " << file;
+  EXPECT_NE(folder_.read("whole/history.csv").find("V_N,"), std::string::npos);
+}
+
 TEST_P(RunOf, a_case_takes_threads_messages_and_times_of_its_context_and_leaves_the_caller_as_it_was)
 {
   std::ostringstream messages;
@@ -130,8 +147,8 @@ TEST_P(RunOf, a_case_takes_threads_messages_and_times_of_its_context_and_leaves_
 TEST_P(RunOf, a_case_refuses_a_checkpoint_of_another_case)
 {
   ASSERT_FALSE(run("parts", 5));
-  folder_.write(std::string(GetParam()) + ".toml", folder_.read(std::string(GetParam()) + ".toml") + "[watch.more]\nbody = \"" +
-                                                       (is_fem() ? "clay" : "sand") + "\"\npoint = [0.01, 0]\n");
+  const std::string file = std::string(GetParam()) + ".toml", more = std::string("[watch.more]\nbody = \"") + (is_fem() ? "clay" : "sand");
+  folder_.write(file, folder_.read(file) + more + "\"\npoint = [0.01, 0" + (file == "space.toml" ? ", 0]\n" : "]\n"));
   EXPECT_THROW(run("parts", all, true), RunError);
 }
 

@@ -226,10 +226,12 @@ std::string key_results_table(const std::vector<run_folder::Quantity>& quantitie
     if (q.name.ends_with("_over_gammaD2") || q.name.ends_with("_over_D")) continue;
     const bool force = q.unit == "N/m" || q.unit == "N", length = q.unit == "m";
     const auto twin = find(q.name + (force ? "_over_gammaD2" : "_over_D"));
+    const bool moment = q.unit == "N m";
     const std::string model = force    ? four_digits(q.value) + (q.unit == "N" ? " N   " : " N/m ")
                               : length ? four_digits(1000 * q.value) + " mm  "
+                              : moment ? four_digits(q.value) + " N m "
                                        : "";
-    const std::string bare = !force && !length ? four_digits(q.value) : twin != quantities.end() ? four_digits(twin->value) : "";
+    const std::string bare = !force && !length && !moment ? four_digits(q.value) : twin != quantities.end() ? four_digits(twin->value) : "";
     table += fmt::format("{:<24}{:>18}{:>16}", q.name, model, bare);
     const Real scaled = q.value * scale.gravity_level;
     if (prototype && q.unit == "N/m") table += fmt::format("{:>20}", four_digits(scaled / 1000) + " kN/m");
