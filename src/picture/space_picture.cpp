@@ -57,16 +57,22 @@ Box soil_of(const bodies::BodySettings& body, const mesh::Mesh<3>& mesh)
   return box;
 }
 
-/// From metres of the isometric picture to pixels, such that all of a box is seen.
+/// From metres of the isometric picture to pixels, such that all of a mesh is seen, and of bodies beyond it as much as half its size.
 class Placing {
 public:
-  explicit Placing(const Box& box)
+  Placing(const problem::Case& c, const mesh::Mesh<3>& mesh)
   {
+    const Box box{mesh.lower, mesh.upper};
     Vec<2> lower = Vec<2>::Constant(infinity), upper = Vec<2>::Constant(-infinity);
-    for (int k = 0; k < 8; ++k) {
-      lower = lower.cwiseMin(isometric(box.corner(k)));
-      upper = upper.cwiseMax(isometric(box.corner(k)));
-    }
+    const auto take = [&](const Vec<3>& x) {
+      lower = lower.cwiseMin(isometric(x));
+      upper = upper.cwiseMax(isometric(x));
+    };
+    for (int k = 0; k < 8; ++k) take(box.corner(k));
+    const Vec<3> half = (mesh.upper - mesh.lower) / 2;
+    for (const auto& [name, rigid] : c.rigid)
+      for (const Vec<3>& x : surface_mesh<3>(bodies::make_shape<3>(rigid.shape), mesh.lower, mesh.upper).points)
+        take(x.cwiseMax(mesh.lower - half).cwiseMin(mesh.upper + half));
     scale_ = std::min(box_width / (upper[0] - lower[0]), box_height / (upper[1] - lower[1]));
     middle_ = 0.5 * (lower + upper);
   }
@@ -193,6 +199,11 @@ void write_words(Canvas& canvas, const problem::Case& c, const mesh::Mesh<3>& me
       sizes.push_back(fmt::format("{} {}", size.name, text::length_words(size.size)));
     write(fmt::format("{}: {}", name, fmt::join(sizes, ", ")));
   }
+  if (!c.symmetry.empty()) {
+    write("Symmetry", true);
+    write(
+        fmt::format("a {} of the whole, mirrored across {}", c.symmetry.size() == 1 ? "half" : "quarter", fmt::join(c.symmetry, " and ")));
+  }
   if (!c.support.empty()) write("Held", true);
   for (const auto& [name, support] : c.support)
     write(fmt::format("{}: {}", mesh.boundary_names[fixed_boundary(mesh, name, support)], fmt::join(support.fixed, ", ")));
@@ -208,7 +219,7 @@ bool draw_space(const problem::Case& c, const mesh::Mesh<3>& mesh, const std::fi
                 plot::PlotFormat format)
 {
   const Box whole{mesh.lower, mesh.upper};
-  const Placing at(whole);
+  const Placing at(c, mesh);
   Canvas canvas;
   canvas.text({40, 34}, c.title.empty() ? name : c.title, {.size = 17, .bold = true});
   canvas.text({40, 62}, fmt::format("in space, {} cells; isometric", mesh.cell_count()), {.size = 11, .color = "#555555"});

@@ -18,7 +18,7 @@ export function show_charts(section: HTMLElement, data: PageData): ChartView[] {
     views.push(made);
     return made;
   };
-  const [forces, noise] = parted([...push_plans(data), ...drag_plans(data)], (plan) => plan.id.endsWith("_noise"));
+  const [forces, noise] = parted([...push_plans(data), ...drag_plans(data)], (plan) => plan.id.includes("_noise"));
   section.append(chart_controls(data, settings, () => views.forEach((each) => each.show(settings))));
   section.append(element("p", { class: "quiet chart_hint" }, hint(forces)));
   const thinned = data.runs.flatMap((run) => (run.row === null ? [] : `${run.name} (${run.row.length} of ${run.row.at(-1)! + 1})`));

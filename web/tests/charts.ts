@@ -3,6 +3,7 @@
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import type { Locator, Page } from "playwright-core";
+import { column_of_label } from "../src/charts/quantity";
 import { history_row, type PageData, type RunData } from "../src/data";
 import { read_history, report_data } from "./browser";
 
@@ -33,7 +34,8 @@ export function charts_of_report(): ChartsOfReport {
   const with_path = (path: "push" | "drag") => data.runs.filter((run) => run.diameter !== null && run[path].rows.length > 1);
   const [pushed, dragged] = [with_path("push"), with_path("drag")];
   const main_chart = dragged.length > 0 ? "H_u" : pushed.length > 0 ? "V_w" : "any";
-  return { data, pushed, dragged, main_chart, main_column: { H_u: "H_N_m", V_w: "V_N_m", any: "" }[main_chart] };
+  const column = (label: string) => data.runs.map((run) => column_of_label(run, label)).find((name) => name !== undefined) ?? "";
+  return { data, pushed, dragged, main_chart, main_column: { H_u: column("H"), V_w: column("V"), any: "" }[main_chart] };
 }
 
 export function chart_of(page: Page, id: string): Locator {

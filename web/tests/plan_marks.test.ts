@@ -2,7 +2,7 @@
 // Where published numbers and axes are, by the data alone.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { drag_plans } from "../src/charts/path_charts";
+import { drag_plans, push_plans } from "../src/charts/path_charts";
 import { published_marks } from "../src/charts/plan";
 import { make_scene } from "../src/charts/scene";
 import type { PageData, RunData } from "../src/data";
@@ -45,4 +45,30 @@ test("only_runs_whose_V_changes_have_a_path_of_H_against_V", () => {
   const falls = run_to(0.022, [0, 100], [100, 20]);
   const plan = drag_plans(page_of(run_to(0.022), falls)).find((each) => each.id === "H_V")!;
   assert.deepEqual(plan.traces.map((trace) => trace.run), [falls]);
+});
+
+/** The same run with ends: its forces are whole. */
+function in_space(run: RunData): RunData {
+  const { V_N_m, H_N_m, ...columns } = run.columns;
+  const { V_N_m: V, H_N_m: H, ...quantities } = run.quantities;
+  return { ...run, columns: { ...columns, V_N: V_N_m, H_N: H_N_m }, quantities: { ...quantities, V_N: { ...V, unit: "N" }, H_N: { ...H, unit: "N" } } };
+}
+
+test("runs_in_space_have_the_charts_of_a_drag_in_newtons", () => {
+  const run = in_space(run_to(0.022, [0, 100], [100, 20])), plans = drag_plans(page_of(run));
+  for (const id of ["H_u", "H_over_V", "H_V", "H_noise"]) assert.deepEqual(plans.find((each) => each.id === id)!.traces.map((trace) => trace.run), [run], id);
+  assert.equal(plans.find((each) => each.id === "H_u")!.value.unit, "N");
+  assert.equal(plans.find((each) => each.id === "H_V")!.argument.unit, "N");
+});
+
+test("forces_per_metre_and_whole_forces_have_charts_of_their_own", () => {
+  const plane = run_to(0.022, [0, 100], [100, 20]), space = in_space(plane), data = page_of(space, plane);
+  const of = (id: string) => [...drag_plans(data), ...push_plans(data)].find((each) => each.id === id)!;
+  for (const [id, run, unit] of [["H_u", space, "N"], ["H_u_2", plane, "N/m"], ["H_V", space, "N"], ["H_V_2", plane, "N/m"]] as const) {
+    assert.deepEqual(of(id).traces.map((trace) => trace.run), [run], id);
+    assert.equal(of(id).value.unit, unit);
+  }
+  assert.deepEqual(of("H_over_V").traces.map((trace) => trace.run), [space, plane]);
+  assert.equal(of("V_w").value.unit, "N");
+  assert.equal(of("V_w_2").value.unit, "N/m");
 });

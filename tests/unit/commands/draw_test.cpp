@@ -73,6 +73,8 @@ TEST_F(Draw, in_space_shows_box_bodies_and_stages)
     EXPECT_NE(picture.find(words), std::string::npos) << words;
   ASSERT_EQ(berm({"draw", BERM_SOURCE_DIR "/examples/bar/case_3d.toml", "-o", "bar.png"}).status, 0);
   EXPECT_EQ(png_size(folder_ / "bar.png").first, 1400);
+  ASSERT_EQ(berm({"draw", BERM_SOURCE_DIR "/examples/circular_footing/space.toml", "-o", "quarter.svg"}).status, 0);
+  EXPECT_NE(content_of(folder_ / "quarter.svg").find("a quarter of the whole, mirrored across x and z"), std::string::npos);
   const Ended floor = berm({"draw", BERM_SOURCE_DIR "/tests/browser/space/sphere.toml", "--set", "support.base.boundary=\"floor\""});
   EXPECT_EQ(floor.status, 2);
   EXPECT_NE(floor.err.find("support.base.boundary"), std::string::npos) << floor.err;

@@ -11,41 +11,55 @@ const travel_column = "u_m - u_begin";
 
 type CurveOf = (run: RunData) => Curve | null;
 
+/** The columns that the runs have of a force: per metre in plane strain, whole around an axis and in space. Each has charts of its own; the first keeps its id. */
+function force_columns(data: PageData, label: string): { name: string; suffix: string; title: string }[] {
+  const names = data.runs.map((run) => column_of_label(run, label)).filter((name) => name !== undefined);
+  const distinct = [...new Set(names)];
+  if (distinct.length === 0) distinct.push(`${label}_N_m`);
+  return distinct.map((name, i) => ({
+    name, suffix: i === 0 ? "" : `_${i + 1}`, title: distinct.length === 1 ? "" : `, ${name.endsWith("_m") ? "per metre" : "whole bodies"}`,
+  }));
+}
+
 /** The charts of the push. */
 export function push_plans(data: PageData): Plan[] {
-  const V = data.runs.map((run) => column_of_label(run, "V")).find((each) => each !== undefined) ?? "V_N_m"; // V_N around an axis and in space
-  const embedment = quantity_of_column(data.runs, "w_m"), vertical = quantity_of_column(data.runs, V);
-  const traces = (curve: CurveOf) => run_traces(data.runs, curve);
-  const over_depth = (run: RunData, value: Numbers | null, value_column: string, mean: Numbers | null) =>
-    curve_of(run, run.push, at_rows(run, "w_m", run.push.rows), "w_m", value, value_column, mean);
-  return [
-    plan({
-      id: "V_w", title: "Push: V(w)", argument: embedment, value: vertical, upright: true, zero: true,
-      traces: traces((run) => with_band(over_depth(run, at_rows(run, V, run.push.rows), V, run.push.V_mean), run, "V_w")),
-      marks: published_marks(data, "V_w"),
-    }),
-    plan({
-      id: "V_noise", title: "Noise of V in the push", argument: embedment, value: { ...vertical, words: "vertical reaction less its mean", symbol: "\u0394V" },
-      traces: traces((run) => over_depth(run, noise(at_rows(run, V, run.push.rows), run.push.V_mean), `${V} - V_mean`, null)),
-    }),
-  ];
+  return force_columns(data, "V").flatMap(({ name: V, suffix, title }) => {
+    const embedment = quantity_of_column(data.runs, "w_m"), vertical = quantity_of_column(data.runs, V);
+    const traces = (curve: CurveOf) => run_traces(data.runs, curve);
+    const over_depth = (run: RunData, value: Numbers | null, value_column: string, mean: Numbers | null) =>
+      curve_of(run, run.push, at_rows(run, "w_m", run.push.rows), "w_m", value, value_column, mean);
+    return [
+      plan({
+        id: `V_w${suffix}`, title: `Push: V(w)${title}`, argument: embedment, value: vertical, upright: true, zero: true,
+        traces: traces((run) => with_band(over_depth(run, at_rows(run, V, run.push.rows), V, run.push.V_mean), run, "V_w")),
+        marks: published_marks(data, "V_w"),
+      }),
+      plan({
+        id: `V_noise${suffix}`, title: `Noise of V in the push${title}`, argument: embedment,
+        value: { ...vertical, words: "vertical reaction less its mean", symbol: "\u0394V" },
+        traces: traces((run) => over_depth(run, noise(at_rows(run, V, run.push.rows), run.push.V_mean), `${V} - V_mean`, null)),
+      }),
+    ];
+  });
 }
 
 /** The charts of the drag. */
 export function drag_plans(data: PageData): Plan[] {
-  const embedment = quantity_of_column(data.runs, "w_m"), vertical = quantity_of_column(data.runs, "V_N_m");
-  const horizontal = quantity_of_column(data.runs, "H_N_m");
+  const embedment = quantity_of_column(data.runs, "w_m");
   const traces = (curve: CurveOf) => run_traces(data.runs, curve);
   const over_travel = (run: RunData, value: Numbers | null, value_column: string, mean: Numbers | null) =>
     curve_of(run, run.drag, travelled(run), travel_column, value, value_column, mean);
   const column = (run: RunData, name: string) => at_rows(run, name, run.drag.rows);
+  const of_label = (run: RunData, label: string) => column_of_label(run, label) ?? "";
   const common = { argument: travel, zero: true };
+  const forces = force_columns(data, "H");
+  const horizontal = (H: string) => quantity_of_column(data.runs, H);
   return [
-    plan({
-      ...common, id: "H_u", title: "Drag: H(u)", value: horizontal,
-      traces: traces((run) => with_band(over_travel(run, column(run, "H_N_m"), "H_N_m", run.drag.H_mean), run, "H_u")),
+    ...forces.map(({ name: H, suffix, title }) => plan({
+      ...common, id: `H_u${suffix}`, title: `Drag: H(u)${title}`, value: horizontal(H),
+      traces: traces((run) => with_band(over_travel(run, column(run, H), H, run.drag.H_mean), run, "H_u")),
       marks: published_marks(data, "H_u"),
-    }),
+    })),
     plan({
       ...common, id: "w_u", title: "Drag: w(u)", value: embedment, value_downwards: true,
       traces: traces((run) => with_band(over_travel(run, column(run, "w_m"), "w_m", null), run, "w_u")),
@@ -53,17 +67,22 @@ export function drag_plans(data: PageData): Plan[] {
     }),
     plan({
       ...common, id: "H_over_V", title: "Drag: H/V", value: ratio("ratio of forces", "H/V"),
+      traces: traces((run) => {
+        const H = of_label(run, "H"), V = of_label(run, "V");
+        return over_travel(run, quotient(column(run, H), column(run, V)), `${H}/${V}`, quotient(run.drag.H_mean, run.drag.V_mean));
+      }),
+    }),
+    ...forces.map(({ name: H, suffix, title }) => plan({
+      id: `H_V${suffix}`, title: `Drag: path of H against V${title}`, argument: quantity_of_column(data.runs, H.replace("H", "V")), value: horizontal(H),
+      zero: true, in_plane: true,
       traces: traces((run) =>
-        over_travel(run, quotient(column(run, "H_N_m"), column(run, "V_N_m")), "H_N_m/V_N_m", quotient(run.drag.H_mean, run.drag.V_mean))),
-    }),
-    plan({
-      id: "H_V", title: "Drag: path of H against V", argument: vertical, value: horizontal, zero: true, in_plane: true,
-      traces: traces((run) => (V_varies(run.drag) ? curve_of(run, run.drag, run.drag.V_mean, "V_mean", run.drag.H_mean, "H_mean", null) : null)),
-    }),
-    plan({
-      ...common, id: "H_noise", title: "Noise of H in the drag", zero: false, value: { ...horizontal, words: "horizontal resistance less its mean", symbol: "\u0394H" },
-      traces: traces((run) => over_travel(run, noise(column(run, "H_N_m"), run.drag.H_mean), "H_N_m - H_mean", null)),
-    }),
+        of_label(run, "H") === H && V_varies(run.drag) ? curve_of(run, run.drag, run.drag.V_mean, "V_mean", run.drag.H_mean, "H_mean", null) : null),
+    })),
+    ...forces.map(({ name: H, suffix, title }) => plan({
+      ...common, id: `H_noise${suffix}`, title: `Noise of H in the drag${title}`, zero: false,
+      value: { ...horizontal(H), words: "horizontal resistance less its mean", symbol: "\u0394H" },
+      traces: traces((run) => over_travel(run, noise(column(run, H), run.drag.H_mean), `${H} - H_mean`, null)),
+    })),
   ];
 }
 
