@@ -71,7 +71,8 @@ void draw(const problem::Case& c, const std::vector<EnvelopeRow>& rows, const st
   const base::PublishedEnvelope published = published_for(c, rows);
   const base::EmbeddedBody body = embedded_body(c);
   const EnvelopeExtremes extremes = extremes_of(rows);
-  const plot::PlotUnit shown = published.unit > 0 ? plot::PlotUnit{1 / published.unit, ""} : plot::force_unit(extremes.V_max);
+  const plot::PlotUnit shown =
+      published.unit > 0 ? plot::PlotUnit{1 / published.unit, ""} : plot::force_unit(extremes.V_max, c.force_dimension());
   const std::string unit = published.unit > 0 ? " / " + published.unit_name : fmt::format(" ({})", shown.name);
   plot::Figure figure;
   figure.title = fmt::format("{}: w/D = {:.3g}", c.title.empty() ? "Envelope" : c.title, body.embedment / body.width);

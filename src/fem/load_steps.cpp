@@ -38,6 +38,14 @@ void refuse_cavitation(const FemModel& model, const FemState& state)
   }
 }
 
+/// The largest magnitude of the excess pore pressure, Pa.
+Real largest_pressure(const FemModel& model, const std::vector<Real>& unknowns)
+{
+  Real largest = 0;
+  for (Index k = model.pressure_unknown(); k < model.unknowns(); ++k) largest = std::max(largest, std::abs(unknowns[k]));
+  return largest;
+}
+
 }  // namespace
 
 LoadSteps::LoadSteps(const FemModel& model, FemState& state)
@@ -248,6 +256,7 @@ void LoadSteps::accept(const std::vector<Real>& change, Real dt, const Increment
   const Real longest = model_.flow.count > 0 ? std::max(next_dt_of_flow(change, dt), shortest_dt_) : infinity;
   state_.state.time += dt;
   ++state_.state.step;
+  if (model_.flow.count > 0) note_excess_pressure(state_.state.stage, largest_pressure(model_, state_.displacement));
   last_change_ = change;
   last_dt_ = dt;
   if (last_iterations_ <= few_iterations) relaxation_ = std::max(relaxation_ / 4, min_relaxation_);

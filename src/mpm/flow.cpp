@@ -37,6 +37,18 @@ void average_water(const problem::Model<dim>& model, const bodies::Particles<dim
 
 namespace {
 
+/// Mean of the excess pore pressure over the patch of a cell, Pa.
+template <int dim>
+Real patch_pressure(const problem::Model<dim>& model, const BodyGrid<dim>& grid, Index cell)
+{
+  Real volume = 0, pressure = 0;
+  mesh::for_each_in_patch(model.patches, cell, [&](Index member) {
+    volume += grid.moments[member].volume;
+    pressure += grid.moments[member].volume * grid.water.cells[member].pressure;
+  });
+  return pressure / volume;
+}
+
 template <mesh::Metric metric, int dim>
 void spread_water_forces_in(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
@@ -44,12 +56,7 @@ void spread_water_forces_in(const problem::Model<dim>& model, const bodies::Part
   for_each("water forces of cells", particles.chunks(), [&](Index c) {
     const Index cell = particles.occupied()[c];
     const Moments<dim>& t = grid.moments[cell];
-    Real volume = 0, pressure = 0;
-    mesh::for_each_in_patch(model.patches, cell, [&](Index member) {
-      volume += grid.moments[member].volume;
-      pressure += grid.moments[member].volume * grid.water.cells[member].pressure;
-    });
-    pressure /= volume;
+    const Real pressure = patch_pressure(model, grid, cell);
     const WaterCell& water = grid.water.cells[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     auto& corners = grid.water.corners[cell];
@@ -171,6 +178,39 @@ void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, 
   state.totals.internal += taken.work;
 }
 
+namespace {
+
+constexpr Real least_filled = 0.5;  // of a cell: less may be a single particle, squeezed between others and a body
+
+struct Largest {
+  Real value = 0;
+
+  Largest& operator+=(const Largest& other)
+  {
+    value = std::max(value, other.value);
+    return *this;
+  }
+};
+
+}  // namespace
+
+template <int dim>
+void note_pressures(const problem::Model<dim>& model, problem::State<dim>& state, const Work<dim>& work)
+{
+  Largest largest;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyGrid<dim>& grid = work.grids[b];
+    if (!grid.water.flows()) continue;
+    const bodies::Particles<dim>& particles = state.particles[b];
+    largest += sum_of<Largest>("largest pore pressure", particles.chunks(), [&](Index c) {
+      const Index cell = particles.occupied()[c];
+      const bool is_soil = grid.moments[cell].volume > least_filled * model.mesh.volume(cell);
+      return Largest{is_soil ? std::abs(patch_pressure(model, grid, cell)) : 0};
+    });
+  }
+  note_excess_pressure(state.stage, largest.value);
+}
+
 template <int dim>
 void sum_outflows(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid, Index body)
 {
@@ -192,6 +232,7 @@ void sum_outflows(const problem::Model<dim>& model, const problem::State<dim>& s
   template void gather_water(const problem::Model<dim>&, Real, BodyGrid<dim>&);                                                            \
   template void seal_rigid_bodies(const problem::Model<dim>&, Work<dim>&);                                                                 \
   template void advance_flux(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&, Index);                                         \
+  template void note_pressures(const problem::Model<dim>&, problem::State<dim>&, const Work<dim>&);                                        \
   template void sum_outflows(const problem::Model<dim>&, const problem::State<dim>&, BodyGrid<dim>&, Index);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

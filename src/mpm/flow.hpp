@@ -45,6 +45,10 @@ void seal_rigid_bodies(const problem::Model<dim>& model, Work<dim>& work);
 template <int dim>
 void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
 
+/// Takes note of the largest excess pore pressure that acts, averaged over a patch, as it was when the step began: of cells at least half of which is soil.
+template <int dim>
+void note_pressures(const problem::Model<dim>& model, problem::State<dim>& state, const Work<dim>& work);
+
 /// The volume of water that leaves each cell in this step.
 template <int dim>
 void sum_outflows(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid, Index body);

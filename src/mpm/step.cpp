@@ -39,6 +39,7 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
   spread_tractions(model, state, work);  // 1: forces on boundaries of the soil
   find_contacts(model, state, work);     // 4: contact detection
   seal_rigid_bodies(model, work);
+  if (!model.closed.empty() && state.step % steps_between_time_steps == 0) note_pressures(model, state, work);
   for (Index b = 0; b < bodies; ++b) solve_momentum_balance(model, state, work, b);  // 1-4: (3), (4), (6), supports
   share_at_contacts(work, &BodyGrid<dim>::acceleration);
   correct_accelerations(model, state, work);  // 4: (8)-(14)

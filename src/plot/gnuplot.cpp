@@ -74,9 +74,10 @@ PlotUnit length_unit(Real size)
   return size < 1 ? PlotUnit{1000, "mm"} : PlotUnit{1, "m"};
 }
 
-PlotUnit force_unit(Real size)
+PlotUnit force_unit(Real size, int dimension)
 {
-  return size < 100 ? PlotUnit{1, "N/m"} : PlotUnit{1e-3, "kN/m"};
+  if (size < 100) return {1, dimension == 2 ? "N/m" : "N"};
+  return {1e-3, dimension == 2 ? "kN/m" : "kN"};
 }
 
 bool draw(const std::filesystem::path& folder, const std::string& name, int width, int height, const std::string& script, PlotFormat format)

@@ -16,8 +16,8 @@ struct PlotUnit {
   Real per_si;  ///< numbers in the plot per number in SI
   const char* name;
 };
-PlotUnit length_unit(Real size);  ///< mm below 1 m, else m
-PlotUnit force_unit(Real size);   ///< N/m below 100 N/m, else kN/m
+PlotUnit length_unit(Real size);                ///< mm below 1 m, else m
+PlotUnit force_unit(Real size, int dimension);  ///< below 100 N/m N/m, else kN/m; of whole forces (dimension 3) N or kN
 
 /// What a plot is written as.
 enum class PlotFormat { png, svg };

@@ -85,6 +85,8 @@ void archive(Archive& k, const Model<dim>& model, StageState<dim>& stage)
   k("begin_time", stage.begin_time);
   k("begin_displacement", stage.begin_displacement);
   archive(k, "begin_orientation", stage.begin_orientation);
+  k("excess_pressure", stage.excess_pressure);
+  k("largest_excess_pressure", stage.largest_excess_pressure);
   for (int d = 0; d < bodies::freedoms<dim>; ++d)
     k.table(fmt::format("drive_{}", d), [&] {
       k("by_force", stage.drive[d].by_force);

@@ -210,7 +210,8 @@ void check_sweep(Describe& d, const StageSettings& s, const std::string& path)
   d.check(sweep || s.pause == 0, path + ".pause", "only a sweep has pauses");
   d.check(!sweep || s.pause > 0 || s.strength_recovery == 0, path + ".strength_recovery", "of a sweep needs a pause between its drags");
   const Until& u = s.until;
-  d.check(!sweep || (!u.time && !u.displacement && !u.embedment && !u.force), path + ".until", "a sweep ends after its drags");
+  d.check(!sweep || (!u.time && !u.displacement && !u.embedment && !u.force && !u.consolidation), path + ".until",
+          "a sweep ends after its drags");
 }
 
 void check_load_history(Describe& d, const StageSettings& s, const std::string& path)
@@ -272,8 +273,8 @@ void check_stages(Describe& d, const Case& c)
     const Until& u = s.until;
     d.check(!drive || !u.force, path + ".until.force", "is V of a push or H of a drag");
     d.check(sweep || ends_at_equilibrium(s) || !s.load_history.empty() || !s.load_times.empty() || u.time || u.displacement ||
-                u.embedment || u.force,
-            path + ".until", "needs at least one of time, displacement, embedment, force");
+                u.embedment || u.force || u.consolidation,
+            path + ".until", "needs at least one of time, displacement, embedment, force, consolidation");
     check_equilibrium(d, c, s, path);
     d.check(driven || (!u.displacement && !u.embedment && !u.force), path + ".until",
             "a stage that drives nothing ends at a time, or at equilibrium if it is geostatic");
@@ -300,6 +301,13 @@ void check_consolidation(Describe& d, const Case& c)
                         material::water_density));
     d.check(c.contact.empty() || c.contact.front().second.scheme != contact::Scheme::usf, path,
             "\"consolidation\" does not go with scheme = \"usf\"");
+  }
+  for (std::size_t k = 0; k < c.stage.size(); ++k) {
+    if (!c.stage[k].until.consolidation) continue;
+    const std::string path = fmt::format("stage[{}].until.consolidation", k);
+    d.check(flows, path, "no soil has water that flows: give it water.drainage = \"consolidation\", or end the stage otherwise");
+    d.check(c.stage[k].kind != StageKind::geostatic, path, "is for the stages after it: a geostatic stage ends at equilibrium");
+    d.check(speed_of(c.stage[k]) == 0, path, "needs a body at rest or under a force: as long as it is moved, pressure does not fall");
   }
   for (const auto& [name, support] : c.support)
     d.check(!support.drained || flows, "support." + name + ".drained",

@@ -143,7 +143,24 @@ struct StageState {
   Vec<dim> begin_displacement = Vec<dim>::Zero();  ///< of the driven rigid body
   bodies::Orientation<dim> begin_orientation;      ///< and its orientation then
   bodies::Drive drive[bodies::freedoms<dim>] = {};
+  Real excess_pressure = 0;          ///< Pa, the largest magnitude of excess pore pressure in soil whose water flows
+  Real largest_excess_pressure = 0;  ///< Pa, of that in this stage
 };
+
+/// Takes note of the largest magnitude of excess pore pressure, Pa, at this moment.
+template <int dim>
+void note_excess_pressure(StageState<dim>& stage, Real pressure)
+{
+  stage.excess_pressure = pressure;
+  stage.largest_excess_pressure = std::max(stage.largest_excess_pressure, pressure);
+}
+
+/// Degree of consolidation U since the stage began, 0 to 1: 1 - p/p_max of the largest excess pore pressures in the soil, now and in the stage; 0 without any.
+template <int dim>
+Real degree_of_consolidation(const StageState<dim>& stage)
+{
+  return stage.largest_excess_pressure > 0 ? 1 - stage.excess_pressure / stage.largest_excess_pressure : 0;
+}
 
 /// Everything that changes during a run; a checkpoint is exactly this.
 template <int dim>

@@ -51,6 +51,10 @@ void describe(Describe& d, Until& until)
            .range = positive});
   d.value("embedment", until.embedment, {.meaning = "depth of the rigid body's lowest point below the surface", .unit = "m"});
   d.value("force", until.force, {.meaning = "soil reaction: V in a push, H in a drag", .unit = "N/m", .range = positive});
+  d.value("consolidation", until.consolidation,
+          {.meaning = "degree of consolidation U where water flows: 1 - the largest excess pore pressure in the soil now, over the largest "
+                      "in this stage",
+           .range = {0.01, 0.999}});
   d.value("equilibrium", until.equilibrium,
           {.meaning =
                "geostatic: the soil is in equilibrium and at rest, as `equilibrium` of the stage says; of a geostatic stage that names no "

@@ -23,11 +23,12 @@ enum class Vertical {
 
 /// A stage ends when the first of the limits that are given is reached.
 struct Until {
-  std::optional<Real> time;          ///< s since the stage began
-  std::optional<Real> displacement;  ///< m, |u - u at the stage's begin|; of a drive the distance from there
-  std::optional<Real> embedment;     ///< m, w
-  std::optional<Real> force;         ///< N per metre: V in a push, H in a drag
-  bool equilibrium = false;          ///< geostatic: as soon as the soil is at rest and in balance
+  std::optional<Real> time;           ///< s since the stage began
+  std::optional<Real> displacement;   ///< m, |u - u at the stage's begin|; of a drive the distance from there
+  std::optional<Real> embedment;      ///< m, w
+  std::optional<Real> force;          ///< N per metre: V in a push, H in a drag
+  std::optional<Real> consolidation;  ///< degree of consolidation
+  bool equilibrium = false;           ///< geostatic: as soon as the soil is at rest and in balance
 };
 
 /// How a displacement of the driven body goes; nothing: it is fixed.

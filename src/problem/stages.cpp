@@ -47,6 +47,7 @@ void begin_stage(const Model<dim>& model, State<dim>& state)
   const auto before = std::to_array(now.drive);
   const Real since = state.time - now.begin_time;
   now.begin_time = state.time;
+  now.largest_excess_pressure = now.excess_pressure;
   for (bodies::Drive& drive : now.drive) drive = {};
   for (std::size_t k = 0; k < state.tractions.size(); ++k) {
     TractionState& traction = state.tractions[k];
@@ -105,6 +106,7 @@ bool stage_ended(const Model<dim>& model, const State<dim>& state)
   const Until& until = stage.until;
   // The slack is for the round-off in the sum of time steps.
   if (until.time && state.time - now.begin_time >= *until.time * (1 - 1e-12)) return true;
+  if (until.consolidation && degree_of_consolidation(now) >= *until.consolidation) return true;
   const Index driven = model.driven[now.index];
   if (driven == none) return false;
   const bodies::RigidState<dim>& rigid = state.rigid_bodies[driven];

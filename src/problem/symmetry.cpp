@@ -11,6 +11,8 @@ namespace {
 
 constexpr Real round_off = 1e-9;
 constexpr const char* axis_names[] = {"x", "y", "z"};
+/// Difference of distances at points that mirror each other, over the reach of the body, that a surface of triangles may have: a tilt of half a degree makes one.
+constexpr Real of_triangles = 0.01;
 
 bool mirrors(const Case& c, int axis)
 {
@@ -24,6 +26,26 @@ bool moves(const FreedomSettings& along)
 bool turns(const TurnSettings& about)
 {
   return about.velocity || about.moment || about.spring;
+}
+
+/// The largest difference of a shape's distances from points around it and their mirror images across an axis through its centre, over its reach.
+template <int dim>
+Real asymmetry(const bodies::RigidShape<dim>& shape, int axis)
+{
+  constexpr int a_side = 6;
+  const Vec<dim> center = center_of<dim>(shape);
+  const Real reach = reach_of<dim>(shape);
+  Real largest = 0;
+  for (int n = 0; n < a_side * a_side * a_side; ++n) {
+    Vec<dim> from;
+    for (int d = 0, place = n; d < dim; ++d, place /= a_side)
+      from[d] = reach * (2.4 * ((place % a_side) + 0.5 + 0.1 * d) / a_side - 1.2);  // in no plane of symmetry
+    Vec<dim> mirrored = from;
+    mirrored[axis] *= -1;
+    largest =
+        std::max(largest, std::abs(surface_at<dim>(shape, center + from).distance - surface_at<dim>(shape, center + mirrored).distance));
+  }
+  return largest / reach;
 }
 
 void check_bodies_mirrored(Describe& d, const Case& c, int axis)
@@ -135,6 +157,11 @@ void refuse_off_symmetry_planes(const Model<dim>& model)
         throw KeyError(fmt::format("rigid.{0}.center: lies at {1} = {2:.6g} m, and the plane of symmetry is where the mesh begins, {1} = "
                                    "{3:.6g} m: move the centre onto it, or the mesh",
                                    rigid.name, axis_names[d], center, plane));
+      const bool of_file = std::holds_alternative<bodies::Triangulated<dim>>(rigid.shape);
+      if (asymmetry<dim>(rigid.shape, d) > (of_file ? of_triangles : round_off))
+        throw KeyError(fmt::format("rigid.{0}: is not its own mirror image across the plane of symmetry {1} = {2:.6g} m: turn it, or leave "
+                                   "\"{1}\" out of symmetry",
+                                   rigid.name, axis_names[d], plane));
     }
   }
 }

@@ -19,7 +19,7 @@ Case part_of_whole(Case c);
 template <int dim>
 void hold_symmetry_planes(const Case& c, Model<dim>& model);
 
-/// Throws KeyError where a rigid body is not its own mirror image: its centre must lie on the planes, and a half-space must go along them.
+/// Throws KeyError where a rigid body is not its own mirror image: its centre must lie on the planes, it must not lean, and a half-space must go along them.
 template <int dim>
 void refuse_off_symmetry_planes(const Model<dim>& model);
 

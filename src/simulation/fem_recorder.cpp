@@ -73,6 +73,7 @@ void FemRecorder::add_row(const fem::FemModel& model, fem::FemState& state, cons
   }
   row_.of_main("run");
   observe_solution(state, end);
+  if (model.flow.count > 0) observe_consolidation(row_, now.stage);
   observe_tractions(model, state);
   observe_watches(model, state);
   file.add(row_);

@@ -185,6 +185,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, problem::State<
   observe_energies(model, state, kinetic);
   out_of_balance_ = work.weight > 0 ? work.unbalanced / work.weight : nan;
   observe_out_of_balance(row_, out_of_balance_);
+  if (!model.closed.empty()) observe_consolidation(row_, state.stage);
   if (model.main_rigid != none) observe_contact_of_main(model, state);
   for (Index r = 0; r < static_cast<Index>(model.rigid_bodies.size()); ++r) {
     if (r == model.main_rigid) continue;

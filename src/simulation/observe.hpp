@@ -67,6 +67,14 @@ void observe_water(run_folder::Row& row, const problem::BodySoil& soil, const Sy
   row("seff", effective_stress(material, stress, extra), run_folder::pascals, "effective stress");
 }
 
+/// How far the excess pore pressure of this stage has gone, of soil whose water flows.
+template <int dim>
+void observe_consolidation(run_folder::Row& row, const problem::StageState<dim>& stage)
+{
+  row("p_max", stage.excess_pressure, run_folder::pascals, "largest excess pore pressure");
+  row("U", degree_of_consolidation(stage), run_folder::bare, "degree of consolidation");
+}
+
 inline void observe_out_of_balance(run_folder::Row& row, Real over_weight)
 {
   row("out_of_balance", over_weight, run_folder::bare, "force out of balance");

@@ -186,7 +186,7 @@ plot::PlotUnit unit_for(const std::string& unit, const std::vector<plot::FigureC
   for (const plot::FigureCurve& curve : curves)
     for (const Real value : curve.*values) max = std::isfinite(value) ? std::max(max, std::abs(value)) : max;
   if (unit == "m") return plot::length_unit(max);
-  if (unit == "N/m") return plot::force_unit(max);
+  if (unit == "N/m" || unit == "N") return plot::force_unit(max, unit == "N" ? 3 : 2);
   return {1, ""};
 }
 

@@ -146,6 +146,26 @@ TEST(Consolidation, pressure_has_no_checkerboard)
   EXPECT_LT(pressure_from_cell_to_cell(run, 1. / squares, squares, squares - 4), 0.02 * load);
 }
 
+// Terzaghi: the largest pressure is at the base, p = q sum (2 / M) sin(M) exp(-M^2 T), M = pi/2, 3 pi/2 ... 2 %: half a cell of the height, and waves.
+TEST(Consolidation, of_a_given_degree_ends_a_stage)
+{
+  problem::Case c = column<2>(40, flowing(1e-3));
+  c.body[0].second.damping = 0.8;
+  c.traction[0].second.ramp = 40e-3;
+  c.stage[0].until.consolidation = 0.5;
+  Simulation<2> run(c);
+  while (!stage_ended(run.model(), run.state()) && run.state().time < 1) run.run_until(run.state().time + 1e-4);
+  const Real c_v = 1e-3 / material::unit_weight_of_water / (1 / skeleton + 1 / 250e6),
+             T = c_v * (run.state().time - 20e-3) / (height * height);
+  Real at_base = 0;
+  for (int m = 1; m < 20; m += 2) {
+    const Real M = m * pi / 2;
+    at_base += 2 / M * std::sin(M) * std::exp(-M * M * T);
+  }
+  EXPECT_NEAR(degree_of_consolidation(run.state().stage), 0.5, 5e-3);
+  EXPECT_NEAR(1 - at_base, 0.5, 0.02);
+}
+
 TEST(Consolidation, of_soil_that_is_hardly_permeable_is_that_of_undrained_soil)
 {
   material::PoreWater undrained;

@@ -64,6 +64,7 @@ std::string until_words(const problem::StageSettings& stage, int dimension, Real
   if (until.force)
     limits.push_back(
         fmt::format("{} = {}", stage.kind == problem::StageKind::drag ? "H" : "V", text::force_words(scale * *until.force, dimension)));
+  if (until.consolidation) limits.push_back(fmt::format("U = {:.3g} %", 100 * *until.consolidation));
   if (ends_at_equilibrium(stage)) limits.emplace_back("equilibrium");
   if (until.time) limits.push_back(text::time_words(*until.time));
   return fmt::format("{}", fmt::join(limits, " or "));

@@ -51,8 +51,8 @@ public:
   /// What the prototype is, and at which depth s_u is taken where it varies, as paragraphs; "" without either.
   std::string scale_words() const;
 
-  /// The unit of forces per metre.
-  const char* force_unit() const { return force_.plane.name; }
+  /// The unit of the forces of a run.
+  const char* force_unit(const BodyScale& scale) const { return force_.of(scale).name; }
   /// A force (N/m or N) in its unit.
   Real in_force_unit(Real force) const { return force / force_.plane.size; }
 

@@ -63,11 +63,15 @@ StructureKind of_disk(const problem::Case& c, const BodyProfile& disk)
   return deep ? StructureKind::t_bar : StructureKind::pipe;
 }
 
+bool stands(const bodies::CylinderSettings& cylinder)
+{
+  return std::abs(bodies::to_vec<3>(cylinder.axis).normalized()[1]) >= std::sqrt(0.5);
+}
+
 /// Lying it is a pipe; standing, a pile or a footing.
 StructureKind of_cylinder(const bodies::CylinderSettings& cylinder)
 {
-  const Vec<3> axis = Vec<3>(cylinder.axis[0], cylinder.axis[1], cylinder.axis[2]).normalized();
-  if (std::abs(axis[1]) < std::sqrt(0.5)) return StructureKind::pipe;
+  if (!stands(cylinder)) return StructureKind::pipe;
   return cylinder.length > slender * cylinder.diameter ? StructureKind::pile : StructureKind::footing;
 }
 
@@ -79,6 +83,13 @@ std::optional<BodyProfile> body_profile(const bodies::RigidShapeSettings& shape)
   if (const auto* disk = std::get_if<bodies::DiskOutline>(&outline)) return profile_of(*disk);
   if (const auto* corners = std::get_if<bodies::CornersOutline>(&outline)) return profile_of(corners->corners);
   return {};
+}
+
+bool is_round_from_above(const bodies::RigidShapeSettings& shape)
+{
+  const auto* cylinder = std::get_if<bodies::CylinderSettings>(&shape);
+  return std::holds_alternative<bodies::SphereSettings>(shape) || std::holds_alternative<bodies::ProfileSettings>(shape) ||
+         (cylinder != nullptr && stands(*cylinder));
 }
 
 StructureKind kind_of(const problem::Case& c)

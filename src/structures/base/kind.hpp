@@ -23,11 +23,14 @@ struct BodyProfile {
 /// Of a shape with corners or a disk; empty for a half-plane.
 std::optional<BodyProfile> body_profile(const bodies::RigidShapeSettings& shape);
 
+/// Whether a shape in space is round seen from above: a sphere, a profile, or a cylinder that stands.
+bool is_round_from_above(const bodies::RigidShapeSettings& shape);
+
 /// The structure that the main rigid body of a case is: what the input names, else
 ///   other     no push or drag moves it, or it has no width;
 ///   cone      around an axis (in space a profile), pushed down: conical;
 ///   ball      a circle on the axis, or a sphere, pushed down;
-///   pile      around an axis, pushed down: none of these, and higher than 2 D;
+///   pile      around an axis (in space a profile, or a cylinder that stands), pushed down: none of these, and higher than 2 D;
 ///   footing   pushed down: all others but disks;
 ///   t_bar     a circle in plane strain that a push drives down and whose top is deeper than D below the surface at the start;
 ///   pipe      all others.

@@ -60,10 +60,12 @@ Real part_in_space(const record::RunRecord& run, const base::BodyProfile& body, 
     along = in_first_frame(run, middle, body.width, &run_folder::SavedSoil::x);
     across = in_first_frame(run, z, body.width, &run_folder::SavedSoil::z);
   }
-  const auto cut = [&](const Walls& walls, Real at) {
-    return std::min(std::abs(walls.left - at), std::abs(walls.right - at)) < near_middle * body.width;
+  const std::vector<std::string>& whole_across = run.settings.symmetry;
+  const auto cut = [&](const Walls& walls, Real at, const char* axis) {
+    const bool mirrored = std::find(whole_across.begin(), whole_across.end(), axis) != whole_across.end();
+    return !mirrored && std::min(std::abs(walls.left - at), std::abs(walls.right - at)) < near_middle * body.width;
   };
-  return (cut(along, middle) ? 0.5 : 1) * (cut(across, z) ? 0.5 : 1);
+  return (cut(along, middle, "x") ? 0.5 : 1) * (cut(across, z, "z") ? 0.5 : 1);
 }
 
 }  // namespace berm::penetration

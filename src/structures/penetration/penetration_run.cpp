@@ -51,10 +51,9 @@ void PenetrationRun::take_geometry()
   const bodies::RigidShapeSettings& shape = c.rigid[main_rigid(c)].second.shape;
   if (c.geometry == problem::Geometry::space) {
     const auto* box = std::get_if<bodies::BoxSettings>(&shape);
-    const auto* sphere = std::get_if<bodies::SphereSettings>(&shape);
-    part_ = part_in_space(record, body, box != nullptr ? box->center[2] : sphere != nullptr ? sphere->center[2] : 0);
+    part_ = part_in_space(record, body, bodies::center_of<3>(bodies::make_shape<3>(shape))[2]);
     if (box != nullptr) area_ = part_ * box->size[0] * box->size[2];
-    if (sphere != nullptr || std::holds_alternative<bodies::ProfileSettings>(shape)) area_ = part_ * pi * body.width * body.width / 4;
+    if (base::is_round_from_above(shape)) area_ = part_ * pi * body.width * body.width / 4;
     return;
   }
   const Walls walls = walls_of(record, body);

@@ -279,7 +279,7 @@ bool draw_pipe_curves(const run_folder::RunFolder& folder, const run_folder::His
 {
   PipePath path = pipe_path(history, stages);
   leave_out_the_way_down(path.push);
-  const plot::PlotUnit force = plot::force_unit(largest_force(path));
+  const plot::PlotUnit force = plot::force_unit(largest_force(path), scale.dimension);
   const Curves curves{std::move(path), scale, plot::length_unit(scale.width), force, bands};
   if (!curves.has_push() && !curves.has_drag()) return false;
   folder.subfolder("plots");

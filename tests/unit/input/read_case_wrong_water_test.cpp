@@ -61,6 +61,16 @@ TEST(Water, that_flows_needs_porosity_and_permeability)
   EXPECT_WATER_SAYS(refusal_with({"support.base.drained=true"}), "support.base.drained: no soil has water that flows");
 }
 
+TEST(Water, degree_of_consolidation_ends_stages_in_which_water_flows)
+{
+  const std::string end = "stage.push.until.consolidation=0.5", flows = in_water + "drainage=consolidation",
+                    k = in_water + "permeability=1e-5 m/s", n = in_water + "porosity=0.4";
+  EXPECT_WATER_SAYS(refusal_with({end}), "until.consolidation: no soil has water that flows");
+  EXPECT_WATER_SAYS(refusal_with({flows, k, n, end}), "needs a body at rest or under a force");
+  EXPECT_WATER_SAYS(refusal_with({flows, k, n, "stage.drag.until.consolidation=0.5", end}), "as long as it is moved");
+  EXPECT_WATER_SAYS(refusal_with({flows, k, n, "stage.push.until.consolidation=1.5"}), "from 0.01 to 0.999");
+}
+
 TEST(Water, is_for_laws_of_effective_stress)
 {
   EXPECT_WATER_SAYS(refusal_with({"material.sand.friction_angle=0 deg"}), "material.sand.water: is for laws of effective stress");

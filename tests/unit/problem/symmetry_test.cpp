@@ -66,5 +66,48 @@ TEST(Symmetry, refuses_a_rigid_body_that_its_plane_does_not_halve)
   EXPECT_THROW(build<3>(c, ".", "."), KeyError);
 }
 
+TEST(Symmetry, refuses_a_rigid_body_that_leans_and_takes_one_that_does_not)
+{
+  const auto refusal = [](const bodies::RigidShapeSettings& shape) {
+    Case c = quarter_of_ball();
+    c.symmetry = {"z"};
+    c.rigid[0].second.shape = shape;
+    try {
+      build<3>(c, ".", ".");
+    } catch (const KeyError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto cylinder = [](Vec<3> axis) {
+    bodies::CylinderSettings s;
+    s.center = {1, 1.5, 3};
+    s.axis = {axis[0], axis[1], axis[2]};
+    s.diameter = 0.2, s.length = 0.6;
+    return s;
+  };
+  const auto box = [](std::vector<Real> rotation) {
+    bodies::BoxSettings s;
+    s.center = {1, 1.5, 3};
+    s.size = {0.2, 0.3, 0.4};
+    s.rotation = rotation;
+    return s;
+  };
+  for (const Vec<3>& axis : {Vec<3>(0, 0, 1), Vec<3>(1, 0, 0), Vec<3>(1, 2, 0)}) EXPECT_EQ(refusal(cylinder(axis)), "") << axis.transpose();
+  EXPECT_EQ(refusal(box({})), "");
+  EXPECT_EQ(refusal(box({0, 0, 0.3})), "");
+  bodies::ProfileSettings cone;
+  cone.x = {0, 0.2, 0};
+  cone.y = {0, 0.3, 0.3};
+  cone.position = {1, 1.3, 3};
+  EXPECT_EQ(refusal(cone), "");
+  cone.axis = {1, 1, 0};
+  EXPECT_EQ(refusal(cone), "");
+  for (const std::string& message :
+       {refusal(cylinder({0, 0.01, 1})), refusal(cylinder({1, 0, 1})), refusal(box({0.01, 0, 0})), refusal(box({0, 0.3, 0}))})
+    EXPECT_NE(message.find("rigid.pipe: is not its own mirror image across the plane of symmetry z = 3 m: turn it"), std::string::npos)
+        << message;
+}
+
 }  // namespace
 }  // namespace berm::problem

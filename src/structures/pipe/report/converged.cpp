@@ -36,7 +36,7 @@ bool some_have_bands(const PipeRuns& runs)
 std::string converged_words(const PipeRun& run, const std::string& quantity, const base::DisplayUnits& shown)
 {
   const std::string words = with_half_width(run, quantity, shown);
-  return words.empty() ? "" : fmt::format(", converged {} {}", words, shown.force_unit());
+  return words.empty() ? "" : fmt::format(", converged {} {}", words, shown.force_unit(run.scale));
 }
 
 std::vector<text::HtmlCell> converged_column(const PipeRuns& runs, const std::string& symbol, const base::DisplayUnits& shown)

@@ -19,13 +19,17 @@ constexpr int width = 1000, height = 660;  // pixels
 /// What a figure shows: V over w of the push, or a column of all drags over u from where the first began.
 struct Chart {
   const char *name, *title, *x_label, *y_label;
-  std::vector<Real> (*of_drag)(const DragPath&);  ///< null: of the push
-  plot::PlotUnit (*unit)(Real max);               ///< of y
+  std::vector<Real> (*of_drag)(const DragPath&);    ///< null: of the push
+  plot::PlotUnit (*unit)(Real max, int dimension);  ///< of y
 };
 
-plot::PlotUnit no_unit(Real)
+plot::PlotUnit no_unit(Real, int)
 {
   return {1, "1"};
+}
+plot::PlotUnit length_unit(Real max, int)
+{
+  return plot::length_unit(max);
 }
 
 /// H along x, so that sweeps make a loop.
@@ -44,8 +48,7 @@ std::vector<Real> H_over_V(const DragPath& drag)
 const Chart charts[] = {
     {"V_w", "Vertical resistance in the push", "embedment w", "vertical resistance V", nullptr, plot::force_unit},
     {"H_u", "Horizontal resistance in the drag", "horizontal displacement u", "horizontal resistance H", H_along_x, plot::force_unit},
-    {"w_u", "Embedment in the drag", "horizontal displacement u", "embedment w", [](const DragPath& drag) { return drag.w; },
-     plot::length_unit},
+    {"w_u", "Embedment in the drag", "horizontal displacement u", "embedment w", [](const DragPath& drag) { return drag.w; }, length_unit},
     {"H_over_V_u", "Ratio of forces in the drag", "horizontal displacement u", "H/V", H_over_V, no_unit}};
 
 /// A line of a chart: by row, and freed from noise.
@@ -93,6 +96,17 @@ void add_run(plot::Figure& figure, const std::vector<Line>& lines, const PipeRun
 }
 
 /// A figure of all runs over one another, with what is published; false where no run has the curve.
+/// With the unit, or those of the plane and of space where the runs are of both.
+std::string y_label(const Chart& chart, Real max, const PipeRuns& runs)
+{
+  const auto is_of = [&](int dimension) {
+    return std::any_of(runs.begin(), runs.end(), [&](const PipeRun& run) { return run.scale.dimension == dimension; });
+  };
+  const plot::PlotUnit plane = chart.unit(max, 2), space = chart.unit(max, 3);
+  if (!is_of(2) || !is_of(3) || std::string(plane.name) == space.name) return label_with(chart.y_label, is_of(2) ? plane : space);
+  return fmt::format("{} ({}, in space {})", chart.y_label, plane.name, space.name);
+}
+
 bool draw_chart(const PipeRuns& runs, const base::PublishedPoints& published, const Chart& chart, const fs::path& folder)
 {
   std::vector<std::vector<Line>> lines;
@@ -105,9 +119,8 @@ bool draw_chart(const PipeRuns& runs, const base::PublishedPoints& published, co
     }
   }
   if (max == 0) return false;
-  const plot::PlotUnit x_unit = plot::length_unit(longest), y_unit = chart.unit(max);
-  plot::Figure figure{chart.title, label_with(chart.x_label, x_unit), label_with(chart.y_label, y_unit), {}, plot::from_zero, width,
-                      height};
+  const plot::PlotUnit x_unit = plot::length_unit(longest), y_unit = chart.unit(max, runs.front().scale.dimension);
+  plot::Figure figure{chart.title, label_with(chart.x_label, x_unit), y_label(chart, max, runs), {}, plot::from_zero, width, height};
   for (std::size_t k = 0; k < runs.size(); ++k) add_run(figure, lines[k], runs[k], x_unit, y_unit);
   for (const base::PublishedPoint& point : published) {
     if (std::string(word_of(point.chart)) != chart.name) continue;

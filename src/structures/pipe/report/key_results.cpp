@@ -104,7 +104,7 @@ std::string drag_table(const PipeRuns& runs, const base::DisplayUnits& shown, bo
 std::string stages_table(const PipeRuns& runs, const base::DisplayUnits& shown)
 {
   text::HtmlTable table("key-stages", "Drags (sweeps) and unloading, one by one");
-  const auto force = [&](const char* symbol) { return text::HtmlCell{fmt::format("{}, {}", symbol, shown.force_unit()), true}; };
+  const auto force = [&](const char* symbol) { return shown.force_columns(symbol).front(); };
   const bool softens = std::any_of(runs.begin(), runs.end(), [](const PipeRun& run) {
     const auto& drags = run.results().drags;
     return std::any_of(drags.begin(), drags.end(), [](const DragResults& drag) { return drag.remoulded_depth.has_value(); });

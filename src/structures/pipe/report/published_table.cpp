@@ -26,7 +26,7 @@ std::string state_words(const ComparedState& state, const PipeRun& run, const ba
   const Real D = run.scale.width;
   std::string w = fmt::format("w = {} D", text::short_number(state.w / D));
   if (std::isfinite(state.strength)) w += fmt::format(" (s<sub>u</sub> = {} kPa at the invert)", text::short_number(state.strength / 1e3));
-  const std::string V = fmt::format("V = {} {}", text::short_number(shown.in_force_unit(state.V)), shown.force_unit());
+  const std::string V = fmt::format("V = {} {}", text::short_number(shown.in_force_unit(state.V)), shown.force_unit(run.scale));
   switch (state.kind) {
   case ComparedState::Kind::push:
     return fmt::format("Pushed to {}", w);
@@ -52,7 +52,7 @@ std::vector<text::HtmlCell> cells_of(const Comparison& c, const PipeRun& run, co
   const formulas::Source& source = c.published.source;
   const std::string range = (c.published.valid ? "" : "out of range: ") + base::printed_range(source.range);
   return {{c.quantity},
-          {force ? shown.force_unit() : "D"},
+          {force ? shown.force_unit(run.scale) : "D"},
           {number(c.berm), true},
           {number(c.published.value), true},
           {text::table_number(c.ratio()), true},

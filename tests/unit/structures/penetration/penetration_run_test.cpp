@@ -114,6 +114,26 @@ TEST(PenetrationRun, of_a_quarter_of_a_ball_in_space_divides_by_its_quarter)
   EXPECT_NEAR(PenetrationRun(record, ball::reading()).area(), pi * 0.01 / 2, round_off);
 }
 
+TEST(PenetrationRun, of_a_part_between_planes_of_symmetry_has_the_force_of_the_whole_and_its_area)
+{
+  MadePush made;
+  made.geometry = problem::Geometry::space;
+  const auto area_of = [&](const bodies::RigidShapeSettings& shape, const Reading& reading) {
+    made.shape = shape;
+    record::RunRecord record = made.record();
+    mesh::BoxMesh box;
+    box.lower = {0, -4, 0};
+    box.size = {4, 4, 4};
+    record.settings.mesh = box;
+    record.settings.symmetry = {"x", "z"};
+    return PenetrationRun(record, reading).area();
+  };
+  EXPECT_NEAR(area_of(bodies::SphereSettings{{0, 0.1, 0}, 0.2}, ball::reading()), pi * 0.01, round_off);
+  EXPECT_NEAR(area_of(MadePush::cone(), cone::reading()), pi * 0.01, round_off);
+  EXPECT_NEAR(area_of(bodies::CylinderSettings{{0, 0.05, 0}, {0, 1, 0}, 0.2, 0.1}, footing::reading()), pi * 0.01, round_off);
+  EXPECT_NEAR(area_of(bodies::BoxSettings{{0, 0.05, 0}, {0.2, 0.1, 0.3}}, footing::reading()), 0.06, round_off);
+}
+
 TEST(PenetrationRun, of_a_footing_on_sand_divides_by_half_the_weight_over_its_whole_width)
 {
   MadePush made;

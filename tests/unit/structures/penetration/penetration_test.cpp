@@ -143,6 +143,19 @@ TEST(Penetration, of_a_footing_has_its_exact_factors)
   EXPECT_NE(published(half_rough).find("6.048"), std::string::npos);
 }
 
+TEST(Penetration, of_a_round_footing_in_space_has_the_factors_of_a_circle)
+{
+  MadePush made = footing();
+  made.geometry = problem::Geometry::space;
+  made.shape = bodies::CylinderSettings{{0, 0.05, 0}, {0, 1, 0}, 0.2, 0.1};
+  made.contact.adhesion = 10e3;
+  const record::RunRecord run = made.record();
+  EXPECT_NEAR(base::quantity_value(run, "N_c_end"), 6.048, 1e-6);
+  EXPECT_NE(published(run).find("6.048</td>"), std::string::npos) << published(run);
+  made.shape = bodies::BoxSettings{{0, 0.05, 0}, {0.2, 0.1, 0.2}};
+  EXPECT_EQ(published(made.record()).find("6.048</td>"), std::string::npos);
+}
+
 TEST(Penetration, of_a_footing_that_is_dragged_tells_V_H_and_M_of_its_failure)
 {
   MadePush made = footing();

@@ -40,6 +40,19 @@ TEST_F(PipeCurves, bands_are_filled_under_the_curves)
   EXPECT_EQ(png_size(folder.file("curves.png")), (std::pair{1200, 900}));
 }
 
+TEST_F(PipeCurves, of_a_body_with_ends_have_forces_and_not_forces_per_metre)
+{
+  if (!gnuplot_is_there()) GTEST_SKIP() << "gnuplot is not installed";
+  BodyScale in_space = scale;
+  for (const auto& [dimension, ours, theirs] : {std::tuple{2, "N/m)", "N)"}, {3, "N)", "N/m)"}}) {
+    in_space.dimension = dimension;
+    ASSERT_TRUE(draw_pipe_curves(folder, pipe_history(0.01), in_space, stages, "a pipe", {}));
+    const std::string script = content_of(folder.file("plots/curves.gp"));
+    EXPECT_NE(script.find(ours), std::string::npos) << script;
+    EXPECT_EQ(script.find(theirs), std::string::npos) << script;
+  }
+}
+
 TEST_F(PipeCurves, of_nothing_there_is_no_picture)
 {
   EXPECT_FALSE(draw_pipe_curves(folder, empty_history(), scale, stages, "nothing", {}));
