@@ -46,6 +46,9 @@ void is_the_mass_that_of_a_pipe(const Scene& s, Findings& found);
 void is_damping_small(const Scene& s, Findings& found);
 void do_forces_press_down(const Scene& s, Findings& found);
 
+// The water.
+void does_water_have_time_to_flow(const Scene& s, Findings& found);
+
 // The run.
 void does_it_take_days(const Scene& s, Findings& found);
 void does_it_fit_on_the_disk(const Scene& s, Findings& found);

@@ -43,6 +43,7 @@ constexpr void (*questions[])(const Scene&, Findings&) = {does_gravity_point_dow
                                                           is_the_mass_that_of_a_pipe,
                                                           is_damping_small,
                                                           do_forces_press_down,
+                                                          does_water_have_time_to_flow,
                                                           does_it_take_days,
                                                           does_it_fit_on_the_disk,
                                                           is_the_history_fine_enough,

@@ -10,6 +10,7 @@
 #include "record/space_plot.hpp"
 #include "run_folder/build.hpp"
 #include "run_folder/progress.hpp"
+#include "structures/base/drainage_words.hpp"
 #include "structures/structures.hpp"
 
 #include <algorithm>
@@ -104,7 +105,9 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
       run.summary.emplace().text[base::region_entry] = region;
 
   run_folder::Summary summary;
-  summary.quantities = run.quantities = structure.quantities(run, outcome.held_forces);
+  run.quantities = structure.quantities(run, outcome.held_forces);
+  for (run_folder::Quantity& quantity : base::dissipation_quantities(run)) run.quantities.push_back(std::move(quantity));
+  summary.quantities = run.quantities;
   summary.timing = timing;
   summary.text = {{"title", settings.title},
                   {"case", request.case_file.filename().string()},

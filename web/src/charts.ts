@@ -5,7 +5,7 @@ import { follow_size } from "./charts/follow_size";
 import { drag_plans, push_plans } from "./charts/path_charts";
 import type { Plan } from "./charts/plan";
 import type { Settings } from "./charts/scene";
-import { column_names, contact_plans, energy_plan, free_plan, quiet_plans, runs_with_energies } from "./charts/time_charts";
+import { column_names, contact_plans, energy_plan, free_plan, quiet_plans, runs_with_energies, water_plans } from "./charts/time_charts";
 import type { PageData } from "./data";
 import { element } from "./element";
 
@@ -26,6 +26,7 @@ export function show_charts(section: HTMLElement, data: PageData): ChartView[] {
   const paths = with_data(forces).map((plan) => view(plan));
   section.append(
     ...group("Push and drag", paths),
+    ...group("Water in the pores", with_data(water_plans(data.runs)).map((plan) => view(plan))),
     ...group(data.runs.some((run) => run.diameter !== null) ? "Energy, equilibrium, contact and noise" : "Energy and equilibrium", [
       ...energy_views(data, view),
       ...with_data([...quiet_plans(data.runs), ...contact_plans(data.runs), ...noise]).map((plan) => view(plan)),

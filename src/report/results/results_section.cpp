@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/results/results_section.hpp"
 
+#include "report/results/consolidation_table.hpp"
 #include "structures/structures.hpp"
 #include "text/html.hpp"
 #include "text/tex_math.hpp"
@@ -70,7 +71,7 @@ std::string results_section(const Runs& runs, const std::string& first_look)
     published += structure->published_values(of_structure, shown);
   }
   if (!key.empty()) html += "<h3>Key results</h3>\n" + key;
-  html += published;
+  html += consolidation_table(runs) + published;
   for (std::size_t k = 0; k < runs.size(); ++k)
     html += structures::structure_of(runs[k].settings).other_results(runs[k], fmt::format("results-{}", k));
   return text::html_section("answer", "Answer", html);

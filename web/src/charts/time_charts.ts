@@ -61,6 +61,24 @@ export function quiet_plans(runs: RunData[]): Plan[] {
   ];
 }
 
+/** Pressure of the water in the pores: the largest of the run, that at each point that is watched, and the degree of consolidation since each stage began. */
+export function water_plans(runs: RunData[]): Plan[] {
+  const time = quantity_of_column(runs, "time_s");
+  const marks = runs.length === 1 ? stage_marks(runs[0]) : [];
+  const watched = column_names(runs).filter((name) => / p$/.test(label_of(runs, name)));
+  const pressures = watched.map((name): [string, string] => [name, `Excess pore pressure at ${label_of(runs, name).replace(/ p$/, "")}`]);
+  return [...pressures, ["p_max_Pa", "Largest excess pore pressure"], ["U", "Degree of consolidation U, of each stage"]].map(([name, title]) =>
+    plan({
+      id: `water_${name}`, title, argument: time, zero: true, marks,
+      value: watched.includes(name) ? { ...quantity_of_column(runs, name), words: "excess pore pressure", symbol: "p" } : quantity_of_column(runs, name),
+      traces: run_traces(runs, (run) => over(run, "time_s", run.columns[name] ?? null, name)),
+    }));
+}
+
+function label_of(runs: RunData[], column: string): string {
+  return runs.find((run) => column in run.quantities)?.quantities[column].label ?? "";
+}
+
 /** How well the soil lies against the rigid body. */
 export function contact_plans(runs: RunData[]): Plan[] {
   const titles = { gap: "Gap between body and soil", overlap: "Overlap of soil and body", "second impulse": "Second contact correction" };

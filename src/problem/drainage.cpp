@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "problem/drainage.hpp"
+
+#include "bodies/initial_stress.hpp"
+#include "problem/body_soil.hpp"
+
+namespace berm::problem {
+namespace {
+
+/// Stress over strain, Pa, of a skeleton that is compressed by a millionth from this stress; of the elastic constants where that is none.
+Real oedometer_modulus(const material::Material& soil, const SymTensor<3>& stress)
+{
+  constexpr Real strain = 1e-6;
+  const material::Material skeleton = drained(soil);
+  std::vector<Real> state(static_cast<std::size_t>(state_size(skeleton)), 0.);
+  initial_state(skeleton, stress, state.data());
+  SymTensor<3> after = stress;
+  const material::Increment<3, Real> increment{SymTensor<3>{{0, -strain, 0}}, 1, 0};
+  std::visit([&](const auto& law) { material::update(law, after, increment, state.data()); }, prepare(skeleton));
+  const Real modulus = (stress[1] - after[1]) / strain;
+  return modulus > 0 && std::isfinite(modulus) ? modulus : p_wave_modulus(skeleton);
+}
+
+SymTensor<3> stress_at_start(const Case& c, const bodies::BodySettings& body, Real depth)
+{
+  Real gravity = 0;
+  for (const Real g : c.gravity) gravity = std::hypot(gravity, g);
+  const SymTensor<2> plane = bodies::stress_at_rest<2>(body, gravity * soil_of(c, body).mass_above("", depth));
+  return {{plane[0], plane[1], plane[2]}};
+}
+
+}  // namespace
+
+std::vector<Consolidation> consolidation_of(const Case& c, Real depth)
+{
+  std::vector<Consolidation> found;
+  for (const auto& [name, body] : c.body) {
+    const BodySoil soil = soil_of(c, body);
+    const material::Material here = soil.at("", depth);
+    const std::optional<material::Hydraulics> water = hydraulics(here);
+    if (!water) continue;
+    const Real modulus = oedometer_modulus(here, stress_at_start(c, body, depth));
+    found.push_back({soil.names[static_cast<std::size_t>(soil.number_at("", depth))], depth, modulus,
+                     water->permeability / (material::unit_weight_of_water * (1 / modulus + 1 / water_stiffness(here)))});
+  }
+  return found;
+}
+
+std::vector<StageDrainage> drainage_of_stages(const Case& c, Real width, Real c_v)
+{
+  std::vector<StageDrainage> found;
+  for (std::size_t k = 0; k < c.stage.size(); ++k) {
+    const StageSettings& stage = c.stage[k];
+    if (stage.kind == StageKind::geostatic || stage.kind == StageKind::sweep || !stage.load_history.empty() || !stage.load_times.empty())
+      continue;
+    const Real speed = speed_of(stage);
+    found.push_back({k, speed > 0, speed > 0 ? speed * width / c_v : stage.until.time ? c_v * *stage.until.time / (width * width) : nan});
+  }
+  return found;
+}
+
+}  // namespace berm::problem

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "report/results/consolidation_table.hpp"
+
+#include "problem/drainage.hpp"
+#include "structures/base/drainage_words.hpp"
+#include "text/html.hpp"
+#include "text/quantity_words.hpp"
+#include "text/tex_math.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace berm::report {
+namespace {
+
+std::string known(Real value, const std::string& words)
+{
+  return std::isnan(value) ? "–" : words;
+}
+
+std::string sentence_of(const record::RunRecord& run, const problem::Consolidation& soil)
+{
+  return text::html_text(fmt::format("{}: \"{}\"{} has c_v = {:.3g} m2/s, with the modulus of one-dimensional compression M = {}.",
+                                     run.name, soil.material,
+                                     soil.depth > 0 ? fmt::format(", {} below the surface,", text::length_words(soil.depth)) : "", soil.c_v,
+                                     text::stress_words(soil.modulus)));
+}
+
+void add_rows(const record::RunRecord& run, Real width, const problem::Consolidation& soil, text::HtmlTable& table)
+{
+  const std::vector<base::Dissipation> rests = base::dissipation_of(run);
+  for (const problem::StageDrainage& stage : drainage_of_stages(run.settings, width, soil.c_v)) {
+    const std::string& name = run.settings.stage[stage.stage].name;
+    const auto rest = std::find_if(rests.begin(), rests.end(), [&](const base::Dissipation& d) { return d.stage == name; });
+    const base::Dissipation d = rest != rests.end() ? *rest : base::Dissipation{name, nan, nan, nan, nan, nan};
+    const Real T = std::isnan(d.T) && !stage.moves ? stage.number : d.T, v = stage.moves && width > 0 ? stage.number : nan;
+    table.row({{text::html_text(run.name)},
+               {text::html_text(name)},
+               {known(v, fmt::format("{:.3g}", v)), true},
+               {std::isnan(v) ? "–" : base::drainage_word(v)},
+               {width > 0 ? known(T, fmt::format("{:.3g}", T)) : "–", true},
+               {known(d.degree, text::percent_words(d.degree)), true},
+               {known(d.t50, text::time_words(d.t50)), true},
+               {known(d.T50, fmt::format("{:.3g}", d.T50)), true}});
+  }
+}
+
+}  // namespace
+
+std::string consolidation_table(const std::vector<record::RunRecord>& runs)
+{
+  text::HtmlTable table("consolidation", "How the water drained, stage by stage");
+  table.columns({{"run"},
+                 {"stage"},
+                 {"<i>v D</i>/<i>c</i><sub>v</sub>", true},
+                 {""},
+                 {"<i>T</i> = <i>c</i><sub>v</sub> <i>t</i>/<i>D</i>²", true},
+                 {"<i>U</i> at the end", true},
+                 {"<i>t</i><sub>50</sub>", true},
+                 {"<i>T</i><sub>50</sub>", true}});
+  std::string soils;
+  for (const record::RunRecord& run : runs) {
+    const Real width = base::body_scale(run).width;
+    const std::vector<problem::Consolidation> found = consolidation_of(run.settings, width);
+    if (found.empty()) continue;
+    for (const problem::Consolidation& soil : found) soils += sentence_of(run, soil) + "<br>\n";
+    add_rows(run, width, found.front(), table);
+  }
+  if (soils.empty()) return "";
+  const std::string how = fmt::format("Soil is drained up to v D/c_v = {:g} and undrained from {:g} on, within 5 %. U is 1 less the "
+                                      "largest excess pore pressure in the soil over "
+                                      "the largest of the stage; t50 is the time until U = 50 %.",
+                                      problem::drained_up_to, problem::undrained_from);
+  return "<h3>Consolidation</h3>\n<p>" + soils + "</p>\n" + text::html_paragraph(how, "quiet") + (table.empty() ? "" : table.html());
+}
+
+}  // namespace berm::report

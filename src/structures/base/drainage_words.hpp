@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "structures/base/driven_body.hpp"
+
+namespace berm::base {
+
+/// What `berm check` says of a case whose water flows, line by line: c_v, and v D / c_v or T = c_v t / D^2 of each stage.
+std::vector<std::string> drainage_words(const problem::Case& c);
+
+/// "drained", "partially drained" or "undrained" at v D / c_v.
+const char* drainage_word(Real number);
+
+/// How a stage at rest consolidated, as the history tells.
+struct Dissipation {
+  std::string stage;
+  Real time;    ///< s, how long it took
+  Real degree;  ///< U at its end
+  Real t50;     ///< s since its begin, when U was 0.5 first; NaN where it was not
+  Real T, T50;  ///< c_v t / D^2 of the two; NaN without a body of width D
+};
+/// Of all stages that move nothing and have an excess pore pressure.
+std::vector<Dissipation> dissipation_of(const record::RunRecord& run);
+
+/// The same for the summary: U_of_STAGE and, where they are known, t50_of_STAGE and T50_of_STAGE.
+std::vector<run_folder::Quantity> dissipation_quantities(const record::RunRecord& run);
+
+}  // namespace berm::base
