@@ -136,7 +136,7 @@ void hold_symmetry_planes(const Case& c, Model<dim>& model)
     const Real plane = mesh.lower[d] + round_off * (mesh.upper[d] - mesh.lower[d]);
     for (NodeField<std::uint8_t>& fixed : model.fixed)
       for (Index node = 0; node < mesh.node_count(); ++node)
-        if (mesh.position[node][d] <= plane) fixed[node] |= 1 << d;
+        if (mesh.position[node][d] <= plane) fixed[node] |= static_cast<std::uint8_t>(1 << d);
   }
 }
 
