@@ -195,7 +195,8 @@ TEST(TwiceTheSpeed, goes_the_same_way_in_half_the_time)
   drag.velocity = -0.2;
   drag.vertical_velocity = 0.1;
   drag.ramp = 1;
-  drag.until = {3, 0.5, {}, {}};
+  drag.until.time = 3;
+  drag.until.displacement = 0.5;
   drag.load_times = {0, 2};
   c.stage.push_back(drag);
   c.output.history_time = 0.1;
