@@ -135,7 +135,7 @@ void add_effective_width(const OnSoil& on, Real slides_at, PublishedEnvelope& pu
   for (const Real level : base::section_levels) {
     const Real v = level * v_max;
     const Real most = largest_h(v);
-    PublishedCurve section{titled(fmt::format("the same with H, V = {:g} Vmax", level), any), {}, {}};
+    PublishedCurve section{titled(fmt::format("effective width, a lower bound, V = {:g} Vmax", level), any), {}, {}};
     for (int k = -curve_points; k <= curve_points; ++k) {
       const Real h = most * k / curve_points;
       section.H.push_back(unit * h);

@@ -46,13 +46,6 @@ BaseMotion base_motion(const problem::StageSettings& stage)
   return {-stage.drive.y.velocity.value_or(0) / speed, (stage.drive.x.velocity.value_or(0) - arm * theta) / speed, theta * D / speed};
 }
 
-const Probe& named(const std::vector<Probe>& probes, const std::string& name)
-{
-  const auto found = std::find_if(probes.begin(), probes.end(), [&](const Probe& probe) { return probe.name == name; });
-  if (found == probes.end()) throw std::runtime_error("no probe " + name);
-  return *found;
-}
-
 TEST(FootingProbes, go_down_towards_sideways_turn_and_swipe)
 {
   std::vector<std::string> names;
@@ -72,10 +65,14 @@ TEST(FootingProbes, move_the_middle_of_the_base_in_their_direction_at_the_speed_
       EXPECT_NEAR(moves.w, std::sin(a), 1e-12) << probe.name;
       EXPECT_NEAR(moves.turn, std::cos(a) * std::sin(b), 1e-12) << probe.name;
       EXPECT_EQ(probe.settings.stage.back().drive.x.free, probe.free_sideways) << probe.name;
-      if (!probe.free_sideways) EXPECT_NEAR(moves.u, std::cos(a) * std::cos(b), 1e-12) << probe.name;
+      if (!probe.free_sideways) {
+        EXPECT_NEAR(moves.u, std::cos(a) * std::cos(b), 1e-12) << probe.name;
+      }
       EXPECT_NEAR(*probe.settings.stage.back().until.time, 1, 1e-12);  // 0.1 D at 0.1 m/s
       ASSERT_EQ(probe.settings.stage.size(), probe.kind == ProbeKind::swipe ? 2u : 1u) << probe.name;
-      if (probe.kind == ProbeKind::swipe) EXPECT_EQ(base_motion(probe.settings.stage[0]).w, 1) << "a swipe pushes first";
+      if (probe.kind == ProbeKind::swipe) {
+        EXPECT_EQ(base_motion(probe.settings.stage[0]).w, 1) << "a swipe pushes first";
+      }
     }
 }
 
@@ -194,24 +191,24 @@ TEST(FootingFormulas, are_those_of_a_strip_on_uniform_clay_and_say_where_they_do
   EXPECT_NE(published(footing({"material.clay.cohesion_gradient=10e3"})).remark, "");
 }
 
-/// Coarse elements of B/20 at the base carry up to 8 % more than exact, as in examples/wip_footing (1.3 % with B/50 at one smooth edge; first order; a rough footing has two jumps of the stress at each of
-/// two edges), and Newton's tolerance takes 0.5 % at most.
-TEST(FootingEnvelope, of_a_strip_that_sticks_to_clay_is_that_of_Green_and_below_that_of_an_arc)
+/// The base carries as much shear as the clay and parts from it. Elements of B/20 at the base widen it by a part d: wip_footing has 1.3 % with B/50 at a smooth edge, to first order, and a
+/// rough one has two jumps of the stress there: 8 % at most. V grows with 1 + d, M with its square. H is that of the interface, within Newton's tolerance.
+TEST(FootingEnvelope, of_a_rough_strip_on_clay_is_that_of_Green_and_above_that_on_its_effective_width)
 {
   const TemporaryFolder folder;
   folder.write("footing.toml", coarse_footing);
-  const Ended ended = run_program(
-      folder.path(), {"envelope", "footing.toml", "-o", "found", "--points", "2", "--turns", "1", "--threads", "2", "--travel", "0.05"});
+  const Ended ended =
+      run_program(folder.path(), {"envelope", "footing.toml", "-o", "found", "--points", "2", "--turns", "1", "--threads", "2", "--travel",
+                                  "0.05", "--set", "contact.base.scheme=musl_coupled", "--set", "contact.base.adhesion=10e3"});
   ASSERT_EQ(ended.status, 0) << ended.err;
   const auto summary = nlohmann::json::parse(text_of_file(folder / "found/summary.json"));
   const auto value = [&](const char* name) { return summary["quantities"][name]["value"].get<Real>(); };
+  constexpr Real wider = 1.08;
   EXPECT_GT(value("V_max_over_unit"), 0.995 * (2 + pi));
-  EXPECT_LT(value("V_max_over_unit"), 1.08 * (2 + pi));
-  EXPECT_GT(value("H_max_over_unit"), 0.995);
-  EXPECT_LT(value("H_max_over_unit"), 1.08);
-  EXPECT_GT(value("M_max_over_unit_D"), (2 + pi) / 8) << "on its effective width a strip carries as much, even if it parts";
-  EXPECT_LT(value("M_max_over_unit_D"), 1.08 * 0.690);
-  EXPECT_GT(value("M_largest"), 0);
+  EXPECT_LT(value("V_max_over_unit"), wider * (2 + pi));
+  EXPECT_NEAR(value("H_max_over_unit"), 1, 0.005);
+  EXPECT_GT(value("M_max_over_unit_D"), (2 + pi) / 8);
+  EXPECT_LT(value("M_max_over_unit_D"), wider * wider * (2 + pi) / 8);
   for (const char* file : {"envelope.png", "moments.png", "sections.png"})
     EXPECT_TRUE(std::filesystem::exists(folder / "found" / file)) << file;
 }
