@@ -38,6 +38,7 @@ size = ["1 m", "0.5 m"]
 [contact.base]
 body = "clay"
 rigid = "footing"
+friction_angle = "0 deg"
 scheme = "tied"
 [support.left]
 boundary = "left"
