@@ -12,7 +12,8 @@ namespace berm::envelope {
 namespace {
 
 constexpr std::size_t max_path_points = 100;
-constexpr Real last_part = 0.25;  // of the travel, over which growth is told
+constexpr Real last_part = 0.25;     // of the travel, over which growth is told
+constexpr Real largest_half = 0.05;  // of the travel of a footing, which may be as short as what noise is averaged over
 
 /// V, H, M and w of a stage over its travel, from where it began: the row before its first.
 struct StagePath {
@@ -76,7 +77,8 @@ ProbeResult result_of(const Probe& probe, const run_folder::History& history, co
   const StageRows rows(history, probe.stage);
   const StagePath path = body.arm ? path_of_base(rows, body, probe.settings) : path_of(rows);
   if (path.V.empty() || path.H.empty()) return result;
-  const Real half = probe.settings.method == problem::Method::fem ? 0 : base::averaging_half_width * body.width;
+  Real half = probe.settings.method == problem::Method::fem ? 0 : base::averaging_half_width * body.width;
+  if (body.arm) half = std::min(half, largest_half * path.V.end());
   const auto at = [&](Real travel) {
     return EnvelopePoint{path.V.at(travel, half), path.H.at(travel, half), path.w.at(travel, half), path.M.at(travel, half)};
   };

@@ -22,7 +22,7 @@ struct ProbeResult {
   std::vector<EnvelopePoint> path;             ///< of a swipe: its rows, at most 100
 };
 
-/// The result of a probe of this body from its run's history. Those of the material point method are freed from noise over +-0.01 D of travel (TravelCurve::at), which is that
+/// The result of a probe of this body from its run's history. Those of the material point method are freed from noise over +-0.01 D of travel, of a footing +-0.05 of its travel at most (TravelCurve::at), which is that
 /// of (u, w), of a footing of (u, w, theta D) of the middle of its base. The history has the moment of the soil about the centre of the body, counter-clockwise: the load turns against it.
 ProbeResult result_of(const Probe& probe, const run_folder::History& history, const base::EmbeddedBody& body);
 

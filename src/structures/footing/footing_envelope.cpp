@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/envelope/footing_envelope_test.cpp
+// Tests: tests/unit/envelope/envelope_footing_test.cpp
 #include "structures/footing/footing_envelope.hpp"
 
 #include "core/error.hpp"
