@@ -195,7 +195,12 @@ void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::
   turn("rotation_y", s.drive.rotation_y, !plane);
   turn("rotation_z", s.drive.rotation_z, !plane);
   d.check(!drive || any, path + ".drive", "a drive needs at least one freedom: x, y, z or a rotation");
-  d.check(!drive || c.method == Method::mpm, path + ".kind", "the finite element method supports push and drag");
+  const auto no_spring = [&](const char* key, const std::optional<Real>& stiffness) {
+    d.check(!stiffness || c.method == Method::mpm, path + ".drive." + key + ".spring", "finite elements have no springs: leave it out");
+  };
+  no_spring("x", s.drive.x.spring);
+  no_spring("y", s.drive.y.spring);
+  no_spring("rotation", s.drive.rotation.spring);
 }
 
 void check_sweep(Describe& d, const StageSettings& s, const std::string& path)
