@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/input/active_distance_test.cpp
+// Tests: tests/unit/input/read_case_active_distance_test.cpp
 #include "problem/active_distance.hpp"
 
 #include <algorithm>
