@@ -80,7 +80,7 @@ void set_responses(const problem::Model<dim>& model, const problem::State<dim>& 
     Vec<dim> compliance = Vec<dim>::Zero();
     const auto response = [&](Index b, Index node, Real N) {
       const Real m = work.grids[b].mass[node], unit = m > 0 ? N / m : 0;
-      const Vec<dim> of_node = boundary::without_fixed<dim>(model.fixed[work.grids[b].fixed], node, Vec<dim>::Constant(unit));
+      const Vec<dim> of_node = boundary::without_fixed<dim>(work.grids[b].supports(model), node, Vec<dim>::Constant(unit));
       free += N * unit;
       compliance += N * of_node;
       return of_node;

@@ -61,7 +61,7 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
   // taken; supports take the components in fixed directions.
   const auto add = [&](Index b, Index node, const Vec<dim>& share, const Vec<dim>& partner_velocity) {
     const BodyGrid<dim>& grid = work.grids[b];
-    const Vec<dim> taken = boundary::without_fixed<dim>(model.fixed[grid.fixed], node, share);
+    const Vec<dim> taken = boundary::without_fixed<dim>(grid.supports(model), node, share);
     reaction.of_support += taken - share;
     reaction.external += 0.5 * dt * model.bodies[b].weight_over_mass * gravity.dot(taken);
     if (!model.load_points.empty() && grid.mass[node] > 0) reaction.external += 0.5 * dt * grid.traction[node].dot(taken) / grid.mass[node];

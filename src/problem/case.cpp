@@ -2,6 +2,7 @@
 // Tests: tests/unit/input/read_case_wrong_inputs_test.cpp
 #include "problem/case.hpp"
 
+#include "problem/active_distance.hpp"
 #include "problem/axisymmetry.hpp"
 #include "problem/body_soil.hpp"
 #include "problem/drives.hpp"
@@ -424,6 +425,12 @@ void describe(Describe& d, MpmSettings& mpm)
           {.meaning = "in soil that can yield: viscous mean stress over density x wave speed x height of a cell x rate of volume change; "
                       "damps the pressure waves that take strength from soil without cohesion",
            .range = {0, 1}});
+  d.value("active_distance", mpm.active_distance,
+          {.meaning =
+               "while a stage drives a rigid body, soil farther than that from the surface of every rigid body (but half-planes) rests "
+               "and takes no time: it is held, and keeps its stress; absent: no soil rests",
+           .unit = "m",
+           .range = positive});
 }
 
 void describe(Describe& d, FemSettings& fem)
@@ -535,6 +542,7 @@ void describe(Describe& d, Case& c)
   }
   check_stages(d, c);
   check_consolidation(d, c);
+  check_active_distance(d, c);
   check_supports(d, c);
   check_tractions(d, c);
   check_axisymmetry(d, c);

@@ -162,6 +162,16 @@ Real degree_of_consolidation(const StageState<dim>& stage)
   return stage.largest_excess_pressure > 0 ? 1 - stage.excess_pressure / stage.largest_excess_pressure : 0;
 }
 
+/// Which soil takes part in the steps, where the case has MpmSettings::active_distance.
+template <int dim>
+struct ActiveSoil {
+  bool everywhere = true;
+  // Of each rigid body when the active soil was last found around it; empty where it is everywhere.
+  std::vector<Vec<dim>> displacement;
+  std::vector<bodies::Orientation<dim>> orientation;
+  Real stopped = 0;  ///< J/m or J, kinetic energy of soil that still moved when it came to rest: a part of Totals::damping
+};
+
 /// Everything that changes during a run; a checkpoint is exactly this.
 template <int dim>
 struct State {
@@ -176,6 +186,7 @@ struct State {
   std::vector<TractionState> tractions;
   std::vector<LoadPointState<dim>> load_points;
   StageState<dim> stage;
+  ActiveSoil<dim> active_soil;
   Totals<dim> totals;
 };
 
