@@ -1,3 +1,3 @@
 // SPDX-License-Identifier: BSD-3-Clause
-n = 160;
+n = 120;
 Include "box.geo";
