@@ -19,7 +19,7 @@ struct Reaction {
   Real external = 0, friction = 0;                                     ///< work, J
   Real sum = 0, times_gap = 0;                                         ///< of |impulse|, and of |impulse| times distance
   Real shaft = 0;                                                      ///< along the axis, of sides parallel to it, N s
-  Real effective = 0;                                                  ///< along the normals, on the soil's skeleton, N s
+  Real effective = 0;                                                  ///< along the normals less the pressure of the water, N s
 
   /// What goes around the axis balances itself but for the part along it. Of a wall around it, which may widen, the part across it is that of a radian.
   void keep_on_axis(const bodies::RigidShape<dim>& shape)
@@ -80,8 +80,7 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
   for (int n = 0; n < point.node_count; ++n) add(contact.body, point.nodes[n], point.weights[n] * impulse, point.surface_velocity);
   reaction.torque = bodies::moment_of(Vec<dim>(point.position - center_now(model.rigid_bodies[contact.rigid], rigid)), impulse);
   reaction.external += impulse.dot(point.surface_velocity);
-  if (problem::rubs_in_water(contact, model.bodies))
-    reaction.effective = contact::effective_impulse(impulse.dot(point.normal), point.water_part, point.suction_impulse(dt));
+  if (problem::rubs_in_water(contact, model.bodies)) reaction.effective = impulse.dot(point.normal) - point.pore_pressure * point.area * dt;
   if (point.distance < infinity) reaction.sum = impulse.norm(), reaction.times_gap = reaction.sum * point.distance;
   return reaction;
 }

@@ -177,7 +177,7 @@ void MpmRecorder<dim>::observe_effective_normals(const problem::Model<dim>& mode
     else
       row_.of(model.rigid_bodies[r].name);
     const Real impulse = state.rigid_bodies[r].effective_impulse - last_rigids_[r].effective_impulse;
-    observe_effective_normal<dim>(row_, time > 0 ? impulse / time : 0);
+    observe_effective_normal<dim>(row_, time > 0 ? std::max(Real(0), impulse / time) : 0);
   }
 }
 
