@@ -39,7 +39,7 @@ void archive(Archive& k, const std::string& name, NodeField<Vec<dim>>& flux)
 template <int dim>
 void archive(Archive& k, bodies::RigidState<dim>& rigid)
 {
-  static_assert(sizeof(rigid) == (dim == 2 ? 7 * 2 + 9 : 7 * 3 + 3 * 3 + 2 * 4 + 4) * sizeof(Real));
+  static_assert(sizeof(rigid) == (dim == 2 ? 7 * 2 + 10 : 7 * 3 + 3 * 3 + 2 * 4 + 5) * sizeof(Real));
   k("displacement", rigid.displacement);
   archive(k, "orientation", rigid.orientation);
   k("velocity", rigid.velocity);
@@ -53,6 +53,7 @@ void archive(Archive& k, bodies::RigidState<dim>& rigid)
   k("impulse_sum", rigid.impulse_sum);
   k("impulse_times_gap", rigid.impulse_times_gap);
   k("shaft_impulse", rigid.shaft_impulse);
+  k("effective_impulse", rigid.effective_impulse);
   k("max_overlap", rigid.max_overlap);
   k("near_cells_displacement", rigid.near_cells_displacement);
   archive(k, "near_cells_orientation", rigid.near_cells_orientation);

@@ -318,6 +318,17 @@ void check_consolidation(Describe& d, const Case& c)
   for (const auto& [name, support] : c.support)
     d.check(!support.drained || flows, "support." + name + ".drained",
             "no soil has water that flows: give it water.drainage = \"consolidation\", or leave this out");
+  for (const auto& [name, contact] : c.contact) {
+    if (!contact.drained) continue;
+    const std::string path = "contact." + name + ".drained";
+    d.check(contact.other_body.empty(), path,
+            "is for contact with a rigid body: the water of one deformable body does not cross to another");
+    const Index body = index_of(c.body, contact.body);
+    if (body == none || index_of(c.material, c.body[body].second.material) == none) continue;
+    d.check(hydraulics(soil_of(c, c.body[body].second).materials.front()).has_value(), path,
+            fmt::format("the water of [body.{}] does not flow: give its material water.drainage = \"consolidation\", or leave this out",
+                        contact.body));
+  }
 }
 
 void check_supports(Describe& d, const Case& c)

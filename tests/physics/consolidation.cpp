@@ -195,6 +195,73 @@ TEST(Consolidation, water_crosses_drained_supports_alone)
   EXPECT_GT(flux_at_base(true), 1e-3);
 }
 
+/// A column under a plate that is pressed on it by a force that grows to the load in 2 ms; the base is open where the plate is closed.
+problem::Case column_under_plate(int cells, bool drained)
+{
+  problem::Case c = column<2>(cells, flowing(1e-3));
+  c.traction.clear();
+  c.surface = height;
+  for (auto& [name, support] : c.support) support.drained = !drained && name == "bottom";
+  c.body[0].second.damping = 0.3;
+  bodies::RigidSettings plate;
+  bodies::HalfPlaneSettings half;
+  half.point = {0, height}, half.normal = {0, -1};
+  plate.shape = half;
+  plate.mass = 10;
+  c.rigid = {{"plate", plate}};
+  contact::ContactSettings skin;
+  skin.body = "body";
+  skin.rigid = "plate";
+  skin.friction_angle = 20 * degree;
+  skin.drained = drained;
+  c.contact = {{"skin", skin}};
+  problem::StageSettings& stage = c.stage[0];
+  stage.kind = problem::StageKind::push;
+  stage.force = load * height / cells;
+  stage.ramp = 2e-3;
+  return c;
+}
+
+/// The largest flux through the plate, m/s, in 10 ms.
+Real flux_through_plate(bool drained)
+{
+  Simulation<2> run(column_under_plate(20, drained));
+  Real largest = 0;
+  run.run_until(10e-3, [&] {
+    for (const Index node : run.model().mesh.boundary_nodes[run.model().mesh.find_boundary("top")])
+      largest = std::max(largest, std::abs(run.state().flux[0][node][1]));
+  });
+  return largest;
+}
+
+TEST(Consolidation, water_crosses_drained_rigid_bodies_alone)
+{
+  EXPECT_EQ(flux_through_plate(false), 0);
+  EXPECT_GT(flux_through_plate(true), 1e-3);
+}
+
+// At T = 0.13 of Terzaghi's layer: all of the load rests on the skeleton at an open plate, and at a closed one the part 1 - p/q that the pressure at the end of the
+// drainage path leaves. Means over 20 ms: 0.03 of the load is the swinging of the column and half a cell of its open end.
+TEST(Consolidation, normal_force_on_a_plate_is_effective_less_the_water_s_part)
+{
+  constexpr int cells = 20;
+  const Real force = load * height / cells, c_v = 1e-3 / material::unit_weight_of_water / (1 / skeleton + 1 / 250e6);
+  for (const bool drained : {true, false}) {
+    Simulation<2> run(column_under_plate(cells, drained));
+    run.run_until(0.09);
+    const auto impulse = [&] { return run.state().rigid_bodies[0].effective_impulse; };
+    const Real before = impulse(), begin = run.state().time;
+    run.run_until(0.11);
+    Real pressure = 0;
+    for (int m = 0; m < 40; ++m) {
+      const Real M = pi * (m + 0.5), T = c_v * (0.1 - 1e-3) / (height * height);
+      pressure += (m % 2 == 0 ? 2 : -2) / M * std::exp(-M * M * T);
+    }
+    const Real expected = drained ? 1 : 1 - pressure / (1 + skeleton / 250e6);
+    EXPECT_NEAR((impulse() - before) / (run.state().time - begin) / force, expected, 0.03) << drained;
+  }
+}
+
 TEST(Consolidation, speed_of_the_fast_wave_is_the_larger_root)
 {
   EXPECT_NEAR(material::fast_wave_speed(skeleton, 250e6, 1990, 0.4), 399.7, 0.1);
