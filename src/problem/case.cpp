@@ -167,11 +167,11 @@ void check_inertia(Describe& d, const Case& c, const StageSettings& s, const std
 void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::string& path)
 {
   const bool drive = s.kind == StageKind::drive, plane = c.dimension() == 2;
+  const bool turned = drive || ((s.kind == StageKind::push || s.kind == StageKind::drag) && c.method == Method::mpm);
   bool any = false;
   const auto freedom = [&](const char* key, int ways, bool there) {
     const std::string at = path + ".drive." + key;
     any = any || ways > 0;
-    d.check(ways == 0 || drive, at, "is for kind = \"drive\"; a push or a drag has velocity, force and vertical");
     d.check(ways == 0 || there, at,
             plane ? "is no freedom in plane strain: x, y and rotation are" : "is no freedom in space: x, y, z and rotation_x, _y, _z are");
     d.check(ways <= 1, at, "is driven in one way only");
@@ -181,11 +181,17 @@ void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::
     d.check(!has || !prescribed, path + ".drive." + key + ".spring", "does not go with what is prescribed; a force, hold or free does");
   };
   const auto shift = [&](const char* key, const FreedomSettings& f, bool there) {
-    freedom(key, f.velocity.has_value() + f.force.has_value() + f.hold + f.free, there);
+    const int ways = f.velocity.has_value() + f.force.has_value() + f.hold + f.free;
+    d.check(drive || (ways == 0 && !f.spring), path + ".drive." + key,
+            "is for kind = \"drive\"; a push or a drag has velocity, force and vertical");
+    freedom(key, ways, there);
     spring(key, f.spring.has_value(), f.velocity.has_value(), there);
   };
   const auto turn = [&](const char* key, const TurnSettings& f, bool there) {
-    freedom(key, f.velocity.has_value() + f.moment.has_value() + f.fixed + f.free, there);
+    const int ways = f.velocity.has_value() + f.moment.has_value() + f.fixed + f.free;
+    d.check(turned || (ways == 0 && !f.spring), path + ".drive." + key,
+            "is for kind = \"drive\", \"push\" and \"drag\" of method = \"mpm\"");
+    freedom(key, ways, there);
     spring(key, f.spring.has_value(), f.velocity.has_value() || f.fixed, there);
   };
   shift("x", s.drive.x, true);
