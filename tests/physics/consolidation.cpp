@@ -236,7 +236,7 @@ Real flux_through_plate(bool drained)
 
 TEST(Consolidation, water_crosses_drained_rigid_bodies_alone)
 {
-  EXPECT_EQ(flux_through_plate(false), 0);
+  EXPECT_LT(flux_through_plate(false), 1e-15);  // the rounding of a projection
   EXPECT_GT(flux_through_plate(true), 1e-3);
 }
 
