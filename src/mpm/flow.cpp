@@ -123,26 +123,6 @@ struct TakenByWater {
 
 }  // namespace
 
-namespace {
-
-/// How far from the surface of a rigid body the nodes of a point's cell may lie that are sealed, m: all in the body or on it, and as far into the soil as the nearest of
-/// them and some of the rest. Were the next row sealed too, the water of the cells at the body could not leave them.
-template <int dim>
-Real sealed_up_to(const mesh::Mesh<dim>& mesh, const contact::ContactPoint<dim>& point)
-{
-  constexpr Real some = 0.3;
-  Real nearest = infinity, farthest = -infinity;
-  for (int n = 0; n < point.node_count; ++n) {
-    const Real distance = (mesh.position[point.nodes[n]] - point.position).dot(point.normal);
-    nearest = std::min(nearest, distance);
-    farthest = std::max(farthest, distance);
-  }
-  nearest = std::max(Real(0), nearest);
-  return nearest + some * std::max(Real(0), farthest - nearest);
-}
-
-}  // namespace
-
 template <int dim>
 void seal_rigid_bodies(const problem::Model<dim>& model, Work<dim>& work)
 {
@@ -151,16 +131,12 @@ void seal_rigid_bodies(const problem::Model<dim>& model, Work<dim>& work)
       if (b == none || !work.grids[b].water.flows()) continue;
       BodyGrid<dim>& grid = work.grids[b];
       const bool seals = model.contacts[k].rigid != none && !model.contacts[k].drained;
-      for (const contact::ContactPoint<dim>& point : work.contact_points[k].list) {
-        const bool sealed = seals && point.touching;
-        const Real up_to = sealed && point.node_count > 1 ? sealed_up_to(model.mesh, point) : infinity;
+      for (const contact::ContactPoint<dim>& point : work.contact_points[k].list)
         for (int n = 0; n < point.node_count; ++n) {
           const Index node = point.nodes[n];
           grid.water.soil_inertia[node].setConstant(grid.mass[node]);
-          if (sealed && (model.mesh.position[node] - point.position).dot(point.normal) <= up_to)
-            grid.water.normal[node] += point.weights[n] * point.normal;
+          if (seals && point.touching) grid.water.normal[node] += point.weights[n] * point.normal;
         }
-      }
     }
 }
 
