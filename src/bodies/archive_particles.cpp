@@ -77,7 +77,7 @@ void Particles<dim>::lay_out(const std::vector<Index>& cells, const std::vector<
 template <int dim>
 void Particles<dim>::archive(Archive& k)
 {
-  std::vector<Index> cells = occupied_, counts;
+  std::vector<Index> cells = occupied(), counts;
   for (const Index cell : cells) counts.push_back(count_[cell]);
   k("cells", cells);
   k("counts", counts);

@@ -17,7 +17,8 @@ struct PackedCell {
 template <int dim>
 void Particles<dim>::pack(Index first, Index end, std::vector<std::byte>& bytes) const
 {
-  for (auto cell = std::lower_bound(occupied_.begin(), occupied_.end(), first); cell != occupied_.end() && *cell < end; ++cell) {
+  const std::vector<Index>& cells = occupied();
+  for (auto cell = std::lower_bound(cells.begin(), cells.end(), first); cell != cells.end() && *cell < end; ++cell) {
     const PackedCell packed{*cell, count_[*cell]};
     put_bytes(bytes, &packed, 1);
     const auto for_blocks = [&](const auto& visit) {

@@ -29,7 +29,7 @@ Particles<dim>::Particles(const mesh::Mesh<dim>& mesh, Index max, const std::vec
   // A cell wastes less than one block, so this many blocks are never exceeded.
   // At least as many are used as if all cells were full.
   make_room(static_cast<std::size_t>(max / lanes) + std::min(max, mesh.cell_count()) + 1, static_cast<std::size_t>(max / lanes));
-  occupied_.reserve(std::min(max, mesh.cell_count()));
+  active_.reserve(std::min(max, mesh.cell_count()));
 }
 
 /// For at most max_blocks blocks, of which min_blocks will be used.
@@ -202,9 +202,24 @@ bool Particles<dim>::sort_occupied()
 {
   if (!changed_) return false;
   changed_ = false;
+  const auto is_occupied = [&](Index cell) { return count_[cell] > 0; };
+  if (!resting_) {
+    select("change cells: occupied", chunk_bounds_, is_occupied, active_, active_chunks_);
+    return true;
+  }
+  select("change cells: occupied", chunk_bounds_, is_occupied, occupied_, chunks_);
   select(
-      "change cells: occupied", chunk_bounds_, [&](Index cell) { return count_[cell] > 0; }, occupied_, chunks_);
+      "change cells: occupied", chunk_bounds_, [&](Index cell) { return count_[cell] > 0 && (*resting_)[cell] == 0; }, active_,
+      active_chunks_);
   return true;
+}
+
+template <int dim>
+void Particles<dim>::set_resting(std::shared_ptr<const CellField<std::uint8_t>> resting)
+{
+  resting_ = std::move(resting);
+  changed_ = true;
+  sort_occupied();
 }
 
 template struct Transit<2>;

@@ -7,6 +7,7 @@
 #include "core/lane_parts.hpp"
 #include "mesh/mesh.hpp"
 
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -102,21 +103,31 @@ public:
         head_[cell], count_[cell], [&](Index b) { return blocks_[b].next; }, visit);
   }
 
-  /// Prefetches the first three blocks of the cell four entries after occupied()[c]: the processor cannot predict the
+  /// Prefetches the first three blocks of the cell four entries after active()[c]: the processor cannot predict the
   /// addresses of cells with different numbers of blocks (docs/performance.md).
   [[gnu::always_inline]] void prefetch_after(Index c) const
   {
     constexpr std::size_t ahead = 4;
-    if (c + ahead >= occupied_.size()) return;
-    const auto* bytes = reinterpret_cast<const char*>(&blocks_[head_[occupied_[c + ahead]]]);
+    if (c + ahead >= active_.size()) return;
+    const auto* bytes = reinterpret_cast<const char*>(&blocks_[head_[active_[c + ahead]]]);
     prefetch_lines(bytes, std::make_index_sequence<3 * sizeof(Block<dim>) / cache_line>());
   }
 
-  /// Cells that hold particles, ascending. sort_occupied() brings it up to date and is true where it changed.
-  const std::vector<Index>& occupied() const { return occupied_; }
+  /// Cells that hold particles, ascending. sort_occupied() brings it up to date, and active(), and is true where it changed.
+  const std::vector<Index>& occupied() const { return resting_ ? occupied_ : active_; }
   /// The chunks of occupied().
-  const Chunks& chunks() const { return chunks_; }
+  const Chunks& chunks() const { return resting_ ? chunks_ : active_chunks_; }
+  /// Those of occupied() that do not rest: the cells that a step goes over.
+  const std::vector<Index>& active() const { return active_; }
+  /// The chunks of active().
+  const Chunks& active_chunks() const { return active_chunks_; }
   bool sort_occupied();
+
+  /// Which cells of the mesh rest (1): steps leave them out. Null: none does.
+  void set_resting(std::shared_ptr<const CellField<std::uint8_t>> resting);
+  /// Whether any cell rests; whether this one does.
+  bool some_rest() const { return resting_ != nullptr; }
+  bool rests(Index cell) const { return resting_ != nullptr && (*resting_)[cell] != 0; }
 
   void insert(Index cell, const Particle<dim>& particle);
   /// Removes the particle with this index (0 ... count - 1) from a cell; the cell's last particle gets its index.
@@ -143,7 +154,7 @@ public:
   template <class Visit>
   void visit(const Visit& visit) const
   {
-    for (Index cell : occupied_)
+    for (Index cell : occupied())
       for (Index left = count_[cell], b = head_[cell]; left > 0; b = blocks_[b].next, left -= lanes)
         for (int l = 0; l < lanes && l < left; ++l) visit(cell, b, l);
   }
@@ -170,8 +181,9 @@ private:
   std::vector<Block<dim>, LazyZeroAllocator<Block<dim>>> blocks_;
   std::vector<StoredLanes, LazyZeroAllocator<StoredLanes>> extra_;
   CellField<Index> head_, count_;  ///< not written, and so without memory, where there never was a particle
-  std::vector<Index> occupied_;
-  Chunks chunks_;
+  std::shared_ptr<const CellField<std::uint8_t>> resting_;
+  std::vector<Index> active_, occupied_;  ///< the second only where some cells rest
+  Chunks active_chunks_, chunks_;
   std::vector<Index> chunk_bounds_;  ///< of the mesh's cells
   Index free_ = none;                ///< chain of free blocks
   Index size_ = 0;

@@ -18,13 +18,17 @@ Command add_envelope(CLI::App& program)
     envelope::EnvelopeSettings how;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App* app = program.add_subcommand("envelope", "find the V-H yield envelope of the pipe of a case, where it lies");
+  CLI::App* app =
+      program.add_subcommand("envelope", "find the yield envelope of the pipe (V-H) or footing (V-H-M) of a case, where it lies");
   options->take_cases(*app);
   options->take_jobs(*app);
   options->take_runner(*app);
   app->add_option("-o,--output", options->output, "folder for the envelope and its runs (default: out/envelope/CASE)");
-  app->add_option("--points", options->how.directions, "directions between straight down and 45 degrees upwards (default: 10)")
+  app->add_option("--points", options->how.directions,
+                  "directions between straight down and 45 degrees upwards, of a footing between straight down and sideways (default: 10)")
       ->check(CLI::Range(2, 50));
+  app->add_option("--turns", options->how.turns, "of a footing: directions with rotation, and swipes with it (default: 5; 0: V-H only)")
+      ->check(CLI::Range(0, 50));
   app->add_option("--travel", options->how.travel, "travel of each probe over the diameter (default: 0.1)")->check(CLI::Range(1e-3, 1.));
   return {app, [options] {
             catch_interrupts();

@@ -48,6 +48,9 @@ void describe(Describe& d, ContactSettings& contact)
           {.meaning = "time steps over which a gap may close, with detection by gap or particle",
            .range = {1, 1000},
            .formerly = "approach_steps"});
+  d.value("drained", contact.drained,
+          {.meaning = "the water of consolidating soil crosses the surface of the rigid body, at which there is no excess pore pressure; "
+                      "else it does not cross it"});
 }
 
 }  // namespace berm::contact

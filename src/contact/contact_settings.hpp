@@ -37,6 +37,7 @@ struct ContactSettings {
   Scheme scheme = Scheme::musl_coupled;
   Detection detection = Detection::automatic;
   Real gap_closing_steps = 20;  ///< T/dt: a gap closes over this many steps
+  bool drained = false;         ///< the water of consolidating soil crosses the surface of the rigid body
 };
 
 void describe(Describe& d, ContactSettings& contact);

@@ -62,9 +62,9 @@ jobs::Outcome find_envelope(const EnvelopeRequest& request)
     fmt::print(stderr, "{}/{} {}: {}\n", ++done, jobs.size(), row.probe.name,
                fails ? "FAILED: " + end.reason : run_folder::words_of_duration(jobs::wall_time_of(jobs[job].folder)));
   });
-  const Real width = embedded_body(settings).width;
+  const base::EmbeddedBody body = embedded_body(settings);
   for (EnvelopeRow& row : rows)
-    if (row.state == "finished") row.result = result_of(row.probe, run_folder::read_history(runs / row.probe.name / "history.csv"), width);
+    if (row.state == "finished") row.result = result_of(row.probe, run_folder::read_history(runs / row.probe.name / "history.csv"), body);
   write_envelope_report(settings, rows, request.folder);
   fmt::print("{}", envelope_words(settings, rows));
   if (failed > 0) fmt::print(stderr, "{} of {} probes failed; envelope.csv says which\n", failed, rows.size());

@@ -17,8 +17,8 @@ struct EnvelopeRequest {
   jobs::Runner runner;
 };
 
-/// Runs the probes of an envelope that have no result yet, FOLDER/runs/PROBE.toml into FOLDER/runs/PROBE, and writes envelope.csv, envelope.png and
-/// summary.json. Ctrl-C stops it and leaves what is there. Throws InputError where the case has no
+/// Runs the probes of an envelope that have no result yet, FOLDER/runs/PROBE.toml into FOLDER/runs/PROBE, and writes envelope.csv, envelope.png (of a
+/// footing also moments.png and sections.png) and summary.json. Ctrl-C stops it and leaves what is there. Throws InputError where the case has no
 /// body in the bed whose envelope is known, or does not fit its mesh, before anything is written.
 jobs::Outcome find_envelope(const EnvelopeRequest& request);
 

@@ -11,7 +11,9 @@
 namespace berm::envelope {
 namespace {
 
-constexpr Real steepest = 90, flattest = -45;  // degrees below the horizontal
+constexpr Real steepest = 90, flattest = -45;            // degrees below the horizontal
+constexpr Real steepest_turn = 60, flattest_turn = -20;  // of a footing that turns
+constexpr int usual_turns = 5;
 
 bool drives(const problem::StageSettings& stage)
 {
@@ -34,7 +36,7 @@ std::string unused_name(std::string name, const std::vector<problem::StageSettin
 /// Makes the stages of the probes of one case.
 class ProbeMaker {
 public:
-  ProbeMaker(const problem::Case& c, Real travel) : case_(c), travel_(travel)
+  ProbeMaker(const problem::Case& c, const base::EmbeddedBody& body, Real travel) : case_(c), body_(body), travel_(travel * body.width)
   {
     const auto first = first_drive(c);
     if (first == c.stage.end() || !first->velocity || *first->velocity == 0)
@@ -44,6 +46,7 @@ public:
     drive_.ramp = first->ramp;
     speed_ = std::abs(*first->velocity);
     case_.stage.erase(case_.stage.begin() + (first - c.stage.begin()), case_.stage.end());
+    if (body.arm) prepare_turning(main_rigid(c));
   }
 
   Probe direction(Real angle) const
@@ -75,7 +78,51 @@ public:
     return probe;
   }
 
+  /// Down and turning, free to move sideways.
+  Probe turn(Real angle) const
+  {
+    Probe probe{fmt::format("turn_{:.4g}", angle), ProbeKind::direction, angle, case_, "", 90, true};
+    add(probe, turning("probe", angle, 90, true));
+    return probe;
+  }
+
+  /// A push, then sideways and turning at that depth: for 90 degrees and free sideways turning alone.
+  Probe swipe(Real turn, bool free_sideways) const
+  {
+    Probe probe{free_sideways ? "swipe_turn" : fmt::format("swipe_{:.4g}", turn), ProbeKind::swipe, nan, case_, "", turn, free_sideways};
+    problem::StageSettings push = drive_for("push");
+    push.kind = problem::StageKind::push;
+    push.velocity = speed_;
+    add(probe, push);
+    add(probe, turning("swipe", 0, turn, free_sideways));
+    return probe;
+  }
+
 private:
+  /// The displacements are those of the point that moments are about; the body's centre lies above it, and is driven.
+  problem::StageSettings turning(const char* name, Real angle, Real turn, bool free_sideways) const
+  {
+    problem::StageSettings stage = drive_for(name);
+    stage.kind = problem::StageKind::drive;
+    const Real flat = speed_ * std::cos(angle * degree), clockwise = flat * std::sin(turn * degree) / body_.width;
+    if (angle != 0) stage.drive.y.velocity = -speed_ * std::sin(angle * degree);
+    if (free_sideways)
+      stage.drive.x.free = true;
+    else
+      stage.drive.x.velocity = flat * std::cos(turn * degree) + clockwise * *body_.arm;
+    (case_.dimension() == 2 ? stage.drive.rotation : stage.drive.rotation_z).velocity = -clockwise;
+    return stage;
+  }
+  /// A footing turns when a probe says so, and one that moves freely has inertia, which finite elements do not know.
+  void prepare_turning(Index footing)
+  {
+    auto& [name, rigid] = case_.rigid[footing];
+    rigid.rotation = bodies::Rotation::fixed;
+    if (rigid.mass > 0) return;
+    if (case_.method == problem::Method::mpm)
+      throw KeyError(fmt::format("rigid.{}.mass: is needed: probes that turn the footing leave it free to move sideways", name));
+    rigid.mass = 1;
+  }
   problem::StageSettings drive_for(const char* name) const
   {
     problem::StageSettings stage = drive_;
@@ -90,6 +137,7 @@ private:
   }
 
   problem::Case case_;
+  base::EmbeddedBody body_;
   Real travel_, speed_ = 0;  ///< m, m/s
   problem::StageSettings drive_;
 };
@@ -103,11 +151,20 @@ base::EmbeddedBody embedded_body(const problem::Case& c)
 
 std::vector<Probe> choose_probes(const problem::Case& c, const EnvelopeSettings& settings)
 {
-  const ProbeMaker maker(c, settings.travel * embedded_body(c).width);
+  const base::EmbeddedBody body = embedded_body(c);
+  if (settings.turns && !body.arm) throw KeyError("rigid: a pipe has no moments to look for: turns are those of a footing");
+  const ProbeMaker maker(c, body, settings.travel);
   std::vector<Probe> probes;
-  for (int k = 0; k < settings.directions; ++k)
-    probes.push_back(maker.direction(steepest - (steepest - flattest) * k / (settings.directions - 1)));
+  const int n = settings.directions;
+  for (int k = 0; k < n; ++k)
+    probes.push_back(maker.direction(body.arm ? steepest * (n - k) / n : steepest - (steepest - flattest) * k / (n - 1)));
   probes.push_back(maker.swipe());
+  if (!body.arm) return probes;
+  const int turns = settings.turns.value_or(usual_turns);
+  for (int k = 0; k < turns; ++k)
+    probes.push_back(maker.turn(turns == 1 ? 0 : steepest_turn - (steepest_turn - flattest_turn) * k / (turns - 1)));
+  if (turns > 0) probes.push_back(maker.swipe(90, true));
+  for (int k = 1; k <= turns; ++k) probes.push_back(maker.swipe(Real(180) * k / (turns + 1), false));
   return probes;
 }
 

@@ -12,24 +12,56 @@ namespace berm::envelope {
 namespace {
 
 constexpr std::size_t max_path_points = 100;
-constexpr Real last_part = 0.25;  // of the travel, over which growth is told
+constexpr Real last_part = 0.25;     // of the travel, over which growth is told
+constexpr Real largest_half = 0.05;  // of the travel of a footing, which may be as short as what noise is averaged over
 
-/// V, H and w of a stage over its travel, from where it began: the row before its first.
+/// V, H, M and w of a stage over its travel, from where it began: the row before its first.
 struct StagePath {
-  record::TravelCurve V, H, w;
+  record::TravelCurve V, H, w, M;
 };
 
-StagePath path_of(const run_folder::History& history, const std::string& stage)
+/// Columns of a history from the row before the first of a stage.
+class StageRows {
+public:
+  StageRows(const run_folder::History& history, const std::string& stage)
+      : history_(history),
+        first_(std::max<std::ptrdiff_t>(0, std::find(history.stage.begin(), history.stage.end(), stage) - history.stage.begin() - 1))
+  {
+  }
+  std::vector<Real> operator[](const char* label) const
+  {
+    const std::vector<Real>& column = history_.by_label(label);
+    return {column.begin() + first_, column.end()};
+  }
+
+private:
+  const run_folder::History& history_;
+  std::ptrdiff_t first_;
+};
+
+StagePath path_of(const StageRows& rows)
 {
-  const auto first = std::find(history.stage.begin(), history.stage.end(), stage) - history.stage.begin();
-  const auto part = [&](const char* label) {
-    const std::vector<Real>& column = history.by_label(label);
-    return std::vector<Real>(column.begin() + std::max<std::ptrdiff_t>(0, first - 1), column.end());
-  };
-  const std::vector<Real> u = part("u"), w = part("w");
+  const std::vector<Real> u = rows["u"], w = rows["w"];
   std::vector<Real> travel;
   for (std::size_t k = 0; k < u.size(); ++k) travel.push_back(std::hypot(u[k] - u[0], w[k] - w[0]));
-  return {record::TravelCurve(travel, part("V")), record::TravelCurve(travel, part("H")), record::TravelCurve(travel, w)};
+  return {{travel, rows["V"]}, {travel, rows["H"]}, {travel, w}, {{}, {}}};
+}
+
+/// The same of the middle of the flat base of a footing, at `arm` below the centre that the history is about. In the history w is that of the lowest corner.
+/// Finite elements of small strain keep the arms of their forces.
+StagePath path_of_base(const StageRows& rows, const base::EmbeddedBody& body, const problem::Case& c)
+{
+  const bool plane = c.dimension() == 2, small_strain = c.method == problem::Method::fem;
+  const std::vector<Real> V = rows["V"], H = rows["H"], moment = rows[plane ? "M" : "Mz"], angle = rows[plane ? "angle" : "anglez"];
+  std::vector<Real> u = rows["u"], w = rows["w"], M, travel;
+  for (std::size_t k = 0; k < u.size(); ++k) {
+    const Real theta = -angle[k], arm = *body.arm;
+    u[k] -= arm * std::sin(theta);
+    w[k] -= body.width / 2 * std::abs(std::sin(theta));
+    M.push_back(moment[k] + (small_strain ? arm * H[k] : arm * (H[k] * std::cos(theta) + V[k] * std::sin(theta))));
+    travel.push_back(std::hypot(u[k] - u[0], w[k] - w[0], body.width * (angle[k] - angle[0])));
+  }
+  return {{travel, V}, {travel, H}, {travel, w}, {travel, M}};
 }
 
 std::string cell(Real value)
@@ -39,15 +71,22 @@ std::string cell(Real value)
 
 }  // namespace
 
-ProbeResult result_of(const Probe& probe, const run_folder::History& history, Real width)
+ProbeResult result_of(const Probe& probe, const run_folder::History& history, const base::EmbeddedBody& body)
 {
   ProbeResult result;
-  const StagePath path = path_of(history, probe.stage);
+  const StageRows rows(history, probe.stage);
+  const StagePath path = body.arm ? path_of_base(rows, body, probe.settings) : path_of(rows);
   if (path.V.empty() || path.H.empty()) return result;
-  const Real half = probe.settings.method == problem::Method::fem ? 0 : base::averaging_half_width * width;
-  const auto at = [&](Real travel) { return EnvelopePoint{path.V.at(travel, half), path.H.at(travel, half), path.w.at(travel, half)}; };
-  const Real angle = probe.kind == ProbeKind::swipe ? 0 : probe.angle * degree;
-  const auto resistance = [&](const EnvelopePoint& p) { return p.V * std::sin(angle) + p.H * std::cos(angle); };
+  Real half = probe.settings.method == problem::Method::fem ? 0 : base::averaging_half_width * body.width;
+  if (body.arm) half = std::min(half, largest_half * path.V.end());
+  const auto at = [&](Real travel) {
+    return EnvelopePoint{path.V.at(travel, half), path.H.at(travel, half), path.w.at(travel, half), path.M.at(travel, half)};
+  };
+  const Real angle = probe.kind == ProbeKind::swipe ? 0 : probe.angle * degree, turn = probe.turn * degree;
+  const auto resistance = [&](const EnvelopePoint& p) {
+    const Real flat = probe.turn == 0 ? p.H : p.H * std::cos(turn) + p.M / body.width * std::sin(turn);
+    return p.V * std::sin(angle) + flat * std::cos(angle);
+  };
   result.end = at(path.V.end());
   result.growth = 1 - resistance(at((1 - last_part) * path.V.end())) / resistance(result.end);
   if (history.has("unbalance")) result.unbalance = history["unbalance"].back();
@@ -62,31 +101,58 @@ ProbeResult result_of(const Probe& probe, const run_folder::History& history, Re
 
 EnvelopeExtremes extremes_of(const std::vector<EnvelopeRow>& rows)
 {
-  EnvelopeExtremes extremes{nan, nan, nan};
-  const auto take = [&](const EnvelopePoint& p) {
-    if (std::isfinite(p.H) && !(p.H <= extremes.H_max)) extremes.H_max = p.H, extremes.V_at_H_max = p.V;
+  EnvelopeExtremes extremes;
+  const auto take = [&](const Probe& probe, const EnvelopePoint& p) {
+    const auto larger = [](Real value, Real than) { return std::isfinite(value) && !(value <= than); };
+    if (probe.turn == 0 && larger(p.H, extremes.H_max)) extremes.H_max = p.H, extremes.V_at_H_max = p.V;
+    if (probe.free_sideways && larger(p.M, extremes.M_max)) extremes.M_max = p.M, extremes.V_at_M_max = p.V;
+    if (larger(p.M, extremes.M_largest)) extremes.M_largest = p.M, extremes.H_at_M_largest = p.H;
   };
   for (const EnvelopeRow& row : rows) {
     if (row.probe.angle == 90) extremes.V_max = row.result.end.V;
-    take(row.result.end);
-    for (const EnvelopePoint& point : row.result.path) take(point);
+    take(row.probe, row.result.end);
+    for (const EnvelopePoint& point : row.result.path) take(row.probe, point);
   }
   return extremes;
 }
 
-std::string envelope_csv(const std::vector<EnvelopeRow>& rows)
+std::vector<EnvelopePoint> section_at(Real V, const std::vector<EnvelopeRow>& rows)
+{
+  std::vector<EnvelopePoint> section;
+  for (const EnvelopeRow& row : rows) {
+    const std::vector<EnvelopePoint>& path = row.result.path;
+    if (row.probe.free_sideways) continue;
+    for (std::size_t k = 1; k < path.size(); ++k) {
+      if ((path[k - 1].V - V) * (path[k].V - V) > 0 || path[k - 1].V == path[k].V) continue;
+      const Real part = (V - path[k - 1].V) / (path[k].V - path[k - 1].V);
+      const auto between = [&](Real EnvelopePoint::*value) { return std::lerp(path[k - 1].*value, path[k].*value, part); };
+      section.push_back({V, between(&EnvelopePoint::H), between(&EnvelopePoint::w), between(&EnvelopePoint::M)});
+      break;
+    }
+  }
+  return section;
+}
+
+std::string envelope_csv(const std::vector<EnvelopeRow>& rows, bool with_moments, int force_dimension)
 {
   const EnvelopeExtremes extremes = extremes_of(rows);
-  std::string text = "probe,kind,angle_deg,V_N_m,H_N_m,V_over_Vmax,H_over_Hmax,w_m,growth,unbalance,overstress,state\n";
+  const char *force = force_dimension == 2 ? "N_m" : "N", *moment = force_dimension == 2 ? "Nm_m" : "Nm";
+  std::string text = fmt::format("probe,kind,angle_deg,V_{0},H_{0},V_over_Vmax,H_over_Hmax,w_m,growth,unbalance,overstress,state{1}\n",
+                                 force, with_moments ? fmt::format(",turn_deg,free_sideways,M_{},M_over_Mmax", moment) : "");
   const auto point = [&](const EnvelopePoint& p) {
     return fmt::format("{},{},{},{},{}", cell(p.V), cell(p.H), cell(p.V / extremes.V_max), cell(p.H / extremes.H_max), cell(p.w));
   };
+  const auto turning = [&](const Probe& probe, const EnvelopePoint& p) {
+    if (!with_moments) return std::string();
+    return fmt::format(",{},{:d},{},{}", cell(probe.turn), probe.free_sideways, cell(p.M), cell(p.M / extremes.M_max));
+  };
   for (const EnvelopeRow& row : rows)
-    text += fmt::format("{},{},{},{},{},{},{},{}\n", row.probe.name, row.probe.kind == ProbeKind::swipe ? "swipe" : "direction",
+    text += fmt::format("{},{},{},{},{},{},{},{}{}\n", row.probe.name, row.probe.kind == ProbeKind::swipe ? "swipe" : "direction",
                         cell(row.probe.angle), point(row.result.end), cell(row.result.growth), cell(row.result.unbalance),
-                        cell(row.result.overstress), row.state);
+                        cell(row.result.overstress), row.state, turning(row.probe, row.result.end));
   for (const EnvelopeRow& row : rows)
-    for (const EnvelopePoint& p : row.result.path) text += fmt::format("{},path,,{},,,,{}\n", row.probe.name, point(p), row.state);
+    for (const EnvelopePoint& p : row.result.path)
+      text += fmt::format("{},path,,{},,,,{}{}\n", row.probe.name, point(p), row.state, turning(row.probe, p));
   return text;
 }
 

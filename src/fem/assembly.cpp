@@ -361,6 +361,8 @@ void Assembly::evaluate(const FemState& begin, const std::vector<Real>& change, 
   }
   for (Index unknown = model_.rigid_unknown(); unknown < std::min(model_.rigid_unknown() + 2, model_.pressure_unknown()); ++unknown)
     if (!prescribed_[unknown]) unbalanced_ += std::abs(residual_[unknown]);
+  if (const FemLoads::Direction& angle = loads.rigid[2]; model_.rigid != none && angle.by_force && angle.value != 0)
+    unbalanced_ += std::abs(residual_[model_.rigid_unknown() + 2]) / model_.width;
 }
 
 void Assembly::differentiate(const FemState& begin, const std::vector<Real>& change, Real viscosity)

@@ -4,10 +4,10 @@
 namespace berm::fem {
 namespace {
 
-/// k / gamma_w, m2/(Pa s), of the porosity before the increment.
-Real mobility(const PointWater& water, const VolumeStrain& volume, const FlowIncrement& increment)
+/// k / gamma_w, m2/(Pa s), of the porosity that this displacement of the nodes has made.
+Real mobility(const PointWater& water, const VolumeStrain& volume, const VolumeStrain& displacement)
 {
-  const Real n = water.hydraulics.porosity_at(1 + volume.dot(increment.moved_before));
+  const Real n = water.hydraulics.porosity_at(1 + volume.dot(displacement));
   return water.hydraulics.permeability_at(n) / material::unit_weight_of_water;
 }
 
@@ -41,6 +41,14 @@ Real pressure_at_end(const CornerShape& corners, const FlowIncrement& increment)
   return p;
 }
 
+Vec<2> water_flux(const ShapeAtPoint& shape, const PointWater& water, const VolumeStrain& displacement, const std::array<Real, 3>& pressure)
+{
+  const CornerShape corners = corner_shape(shape);
+  Vec<2> slope = Vec<2>::Zero();
+  for (int k = 0; k < 3; ++k) slope += pressure[k] * corners.gradient[k];
+  return -mobility(water, volume_strain(shape), displacement) * slope;
+}
+
 CellFlow water_balance(const std::array<ShapeAtPoint, triangle_points>& shapes, const std::array<PointWater, triangle_points>& water,
                        const FlowIncrement& increment)
 {
@@ -56,7 +64,7 @@ CellFlow water_balance(const std::array<ShapeAtPoint, triangle_points>& shapes, 
       added += corners.value[k] * increment.added[k];
     }
     const Real area = shapes[q].area, widened = volume.dot(increment.moved), compressed = water[q].compressibility * added;
-    const Vec<2> path = increment.dt * mobility(water[q], volume, increment) * slope;  // of the water, against its flux
+    const Vec<2> path = increment.dt * mobility(water[q], volume, increment.moved_before) * slope;  // of the water, against its flux
     flow.volume += area * (std::abs(widened) + std::abs(compressed) + smallest_strain);
     for (int k = 0; k < 3; ++k) {
       flow.residual[k] -= area * (corners.value[k] * (widened + compressed) + corners.gradient[k].dot(path));
@@ -73,7 +81,7 @@ std::array<Real, pressure_entries> balance_derivatives(const std::array<ShapeAtP
   for (int q = 0; q < triangle_points; ++q) {
     const CornerShape corners = corner_shape(shapes[q]);
     const VolumeStrain volume = volume_strain(shapes[q]);
-    const Real area = shapes[q].area, conductance = increment.dt * mobility(water[q], volume, increment);
+    const Real area = shapes[q].area, conductance = increment.dt * mobility(water[q], volume, increment.moved_before);
     int entry = 0;
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 12; ++j) entries[entry++] -= area * corners.value[i] * volume[j];

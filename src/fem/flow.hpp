@@ -45,6 +45,11 @@ CornerShape corner_shape(const ShapeAtPoint& shape);
 using VolumeStrain = Eigen::Matrix<Real, 12, 1>;
 VolumeStrain volume_strain(const ShapeAtPoint& shape);
 
+/// Darcy's flux at an integration point, m/s: -(k / gamma_w) grad p, with the permeability of the porosity that the displacement of the nodes (m) has made, and the
+/// pressures at the corners, Pa.
+Vec<2> water_flux(const ShapeAtPoint& shape, const PointWater& water, const VolumeStrain& displacement,
+                  const std::array<Real, 3>& pressure);
+
 /// The water of an element in an increment.
 struct CellFlow {
   std::array<Real, 3> residual{};  ///< m3 per metre run (around an axis per radian), by corner

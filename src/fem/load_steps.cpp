@@ -90,11 +90,22 @@ bool LoadSteps::release_imbalance(FemLoads loads)
   return true;
 }
 
+/// The prescribed speed of the driven body in this stage, m/s: of its centre, and of its sides where it turns.
+Real LoadSteps::speed_of_body() const
+{
+  if (driven() == none) return 0;
+  const auto prescribed = [&](int freedom) {
+    const bodies::Drive& drive = state_.state.stage.drive[freedom];
+    return drive.by_force ? 0 : drive.to;
+  };
+  return std::hypot(std::hypot(prescribed(0), prescribed(1)), prescribed(2) * model_.width / 2);
+}
+
 void LoadSteps::begin()
 {
   const problem::StageSettings& now = stage();
-  const Real speed = std::hypot(now.velocity.value_or(0), now.vertical_velocity.value_or(0));
-  const bool moves = driven() != none && speed > 0;
+  const Real speed = speed_of_body();
+  const bool moves = speed > 0;
   first_dt_ = moves ? first_travel * model_.width / speed + (now.ramp > 0 ? now.ramp / 100 : 0)
                     : (now.ramp > 0 ? now.ramp : now.until.time.value_or(1)) / 50;
   shortest_dt_ = (moves || model_.flow.count == 0 ? 1 : min_first_dt) * first_dt_;
@@ -103,9 +114,9 @@ void LoadSteps::begin()
   largest_pressure_ = 0;
 }
 
-Real LoadSteps::travel(int direction, Real from, Real to) const
+Real LoadSteps::travel(int freedom, Real from, Real to) const
 {
-  const bodies::Drive& drive = state_.state.stage.drive[direction];
+  const bodies::Drive& drive = state_.state.stage.drive[freedom];
   const Real ramp = stage().ramp;
   const auto until = [&](Real t) { return t < ramp ? drive.to * t * t / (2 * ramp) : drive.to * (t - ramp / 2); };
   return drive.by_force ? 0 : until(to) - until(from);
@@ -118,18 +129,26 @@ Real LoadSteps::up_to_the_end(Real dt) const
   const Real since = state_.state.time - now.begin_time;
   if (until.time) dt = std::min(dt, *until.time - since);
   if (driven() == none) return dt;
-  const auto cut = [&](int direction, Real left) {
+  const auto cut = [&](const auto& gone_after, Real left) {
     Real low = 0, high = dt;
-    if (std::abs(travel(direction, since, since + dt)) <= left) return;
+    if (gone_after(dt) <= left) return;
     for (int k = 0; k < 60; ++k) {
       const Real middle = (low + high) / 2;
-      (std::abs(travel(direction, since, since + middle)) < left ? low : high) = middle;
+      (gone_after(middle) < left ? low : high) = middle;
     }
     dt = high;
   };
-  if (until.displacement)
-    cut(0, *until.displacement - std::abs(state_.state.rigid_bodies[driven()].displacement[0] - now.begin_displacement[0]));
-  if (until.embedment && travel(1, since, since + dt) < 0) cut(1, *until.embedment - travel_of(model_.model, state_.state, driven()).w);
+  const auto along = [&](int direction) { return [&, direction](Real step) { return std::abs(travel(direction, since, since + step)); }; };
+  const Vec<2> moved = state_.state.rigid_bodies[driven()].displacement - now.begin_displacement;
+  const auto distance = [&](Real step) {
+    return Vec<2>(moved[0] + travel(0, since, since + step), moved[1] + travel(1, since, since + step)).norm();
+  };
+  if (until.displacement && stage().kind == problem::StageKind::drive)
+    cut(distance, *until.displacement);
+  else if (until.displacement)
+    cut(along(0), *until.displacement - std::abs(moved[0]));
+  if (until.embedment && travel(1, since, since + dt) < 0)
+    cut(along(1), *until.embedment - travel_of(model_.model, state_.state, driven()).w);
   return dt;
 }
 
@@ -150,11 +169,10 @@ FemLoads LoadSteps::loads_after(Real dt) const
   if (driven() == none) return loads;
   const problem::StageState<2>& now = state_.state.stage;
   const Real since = state_.state.time - now.begin_time;
-  for (int d = 0; d < 2; ++d) {
-    const bodies::Drive& drive = now.drive[d];
-    loads.rigid[d] = {drive.by_force, drive.by_force ? ramped(stage(), drive, since + dt) : travel(d, since, since + dt)};
+  for (int f = 0; f < bodies::freedoms<2>; ++f) {
+    const bodies::Drive& drive = now.drive[f];
+    loads.rigid[f] = {drive.by_force, drive.by_force ? ramped(stage(), drive, since + dt) : travel(f, since, since + dt)};
   }
-  loads.rigid[2].by_force = model_.model.rigid_bodies[driven()].rotation == bodies::Rotation::free;
   return loads;
 }
 

@@ -41,7 +41,8 @@ private:
   Index driven() const { return model_.model.driven[state_.state.stage.index]; }
   void begin();
   bool release_imbalance(FemLoads loads);
-  Real travel(int direction, Real from, Real to) const;
+  Real speed_of_body() const;
+  Real travel(int freedom, Real from, Real to) const;
   Real up_to_the_end(Real dt) const;
   FemLoads dead_loads(Real time) const;
   FemLoads loads_after(Real dt) const;

@@ -51,11 +51,19 @@ bool closed_across(const FemModel& model, const BoundarySide& side, std::uint8_t
   return across >= along.squaredNorm() / 2;
 }
 
+/// Whether the rigid body keeps the water in.
+bool seals(const FemModel& model)
+{
+  const auto& contacts = model.model.contacts;
+  return model.rigid != none && std::none_of(contacts.begin(), contacts.end(),
+                                             [&](const auto& contact) { return contact.rigid == model.rigid && contact.drained; });
+}
+
 NodeField<char> open_nodes(const FemModel& model, const NodeField<std::uint8_t>& closed)
 {
   NodeField<char> open(model.mesh.node_count(), false);
   NodeField<char> at_body(model.mesh.node_count(), false);
-  if (model.rigid != none)
+  if (seals(model))
     for (const BoundarySide& side : contact_sides(model.mesh, model.model.rigid_bodies[model.rigid].shape)) at_body[side.middle] = true;
   for (const BoundarySide& side : model.mesh.boundary_sides) {
     const bool on_axis = model.model.mesh.metric == mesh::Metric::axisymmetric && model.mesh.position[side.middle][0] == 0;

@@ -100,6 +100,38 @@ Formula n_c_strip(Real kB_over_strength, Base base)
   return with_growth(kB_over_strength, base == Base::rough ? rough : smooth, "characteristics, strip footing");
 }
 
+Formula n_c_inclined(Real h)
+{
+  constexpr Source source{Label::exact, "Green 1954", "uniform clay, at the surface, 0 <= H <= B s_u"};
+  return formula(1 + pi / 2 + std::acos(h) + std::sqrt(1 - h * h), source, within(h, 0, 1));
+}
+
+Formula strip_moment_on_effective_width(Real v, Real h)
+{
+  constexpr Source source{Label::exact, "Green's load on the effective width B - 2 M/V, a lower bound",
+                          "uniform clay, at the surface, V and H that the whole width carries"};
+  constexpr int halvings = 60;
+  if (!(h >= 0 && h <= 1 && v >= 0)) return formula(nan, source, false);
+  // The load that a width carries grows with it.
+  const auto carried = [&](Real width) { return width > 0 ? width * n_c_inclined(std::min(Real(1), h / width)).value : 0; };
+  Real low = h, high = 1;
+  if (carried(low) >= v) high = low;
+  for (int k = 0; k < halvings; ++k) {
+    const Real middle = (low + high) / 2;
+    (carried(middle) < v ? low : high) = middle;
+  }
+  return formula(v * (1 - high) / 2, source, v <= carried(1) * (1 + 1e-9));
+}
+
+Formula strip_moment_of_arc()
+{
+  constexpr Source source{Label::exact, "circular arc through both edges, an upper bound",
+                          "uniform clay, at the surface, V = H = 0, the base sticks"};
+  constexpr Real half_angle = 1.16556118520721;  // tan a = 2 a
+  const Real sine = std::sin(half_angle);
+  return formula(half_angle / (2 * sine * sine), source, true);
+}
+
 Formula n_gamma_circle(Real friction_angle, Base base)
 {
   constexpr Source source{Label::exact, "characteristics, round footing, associated soil", "20 <= phi <= 35 deg, psi = phi"};

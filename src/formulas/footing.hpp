@@ -31,6 +31,21 @@ Formula n_c_circle(Real kD_over_strength, Base base);
 /// The same of a strip of width B: 2 + pi in uniform clay. [exact at the entries: characteristics]
 Formula n_c_strip(Real kB_over_strength, Base base);
 
+/// V/(B s_u) of a rough strip on uniform clay without weight under a horizontal load h = H/(B s_u) in the middle of its base,
+///
+///   1 + pi/2 + acos h + sqrt(1 - h^2),
+///
+/// from 2 + pi to half of it, below which it slides. Where the base carries less than s_u it slides at that h. [exact: Green 1954]
+Formula n_c_inclined(Real h);
+
+/// M/(B^2 s_u) of the same strip under v = V/(B s_u) and h together, about the middle of the base: v (1 - b)/2, where n_c_inclined on the effective width b B carries v and h, and
+/// b = h where the base slides. A lower bound, for a base that carries no tension too. [exact, as a bound: a stress field on a part of the base]
+Formula strip_moment_on_effective_width(Real v, Real h);
+
+/// M/(B^2 s_u) of a strip that sticks to its base, for V = H = 0: the smallest a/(2 sin^2 a), which is that of tan a = 2 a, of a circular arc with half the angle a through both edges. An upper
+/// bound. [exact, as a bound: a mechanism]
+Formula strip_moment_of_arc();
+
 /// N_gamma of a round footing on associated sand, q = gamma D N_gamma/2, tabulated at 20, 30 and 35 degrees; between them ln N_gamma is linear in phi. Friction angle
 /// in rad. [exact at the entries: characteristics]
 Formula n_gamma_circle(Real friction_angle, Base base);

@@ -43,7 +43,7 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
   const mesh::Mesh<dim>& mesh = model.mesh;
   BodyGrid<dim>& grid = work.grids[body];
   const Vec<dim> gravity = model.bodies[body].weight_over_mass * gravity_now(model, state.time);
-  const NodeField<std::uint8_t>& fixed = model.fixed[grid.fixed];
+  const NodeField<std::uint8_t>& fixed = grid.supports(model);
   const Real dt = state.dt;
   const bool flows = grid.water.flows();
   const bool loaded = !model.load_points.empty();

@@ -55,6 +55,9 @@ void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, 
   for (std::size_t t = 1; t < work.cell_changes.size(); ++t)
     cell_changes.insert(cell_changes.end(), work.cell_changes[t].begin(), work.cell_changes[t].end());
   if (cell_changes.empty() && !grid.halo.divided()) return;
+  // At the nodes of soil that rests nothing moves: a particle that comes so far was put there by round-off, and keeps its cell.
+  if (particles.some_rest())
+    std::erase_if(cell_changes, [&](const auto& change) { return change.to != none && particles.rests(change.to); });
   // Threads share a large body's cells in several rounds, so their lists laid end to end are not in the order of the cells yet.
   std::sort(cell_changes.begin(), cell_changes.end(), [](const bodies::CellChange& a, const bodies::CellChange& b) {
     return a.from != b.from ? a.from < b.from : a.index < b.index;

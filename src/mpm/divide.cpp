@@ -34,9 +34,9 @@ std::vector<Real> costs_of(const problem::Model<dim>& model, const problem::Stat
   constexpr Real of_cell = 3;  // what a cell with particles costs, in particles
   std::vector<Real> costs(model.mesh.cell_chunks.size() - 1, 0);
   for (const bodies::Particles<dim>& particles : state.particles)
-    for (Index k = 0; k < particles.chunks().count(); ++k)
-      for (Index c = particles.chunks().begin[k]; c < particles.chunks().begin[k + 1]; ++c)
-        costs[particles.chunks().number[k]] += particles.count_in(particles.occupied()[c]) + of_cell;
+    for (Index k = 0; k < particles.active_chunks().count(); ++k)
+      for (Index c = particles.active_chunks().begin[k]; c < particles.active_chunks().begin[k + 1]; ++c)
+        costs[particles.active_chunks().number[k]] += particles.count_in(particles.active()[c]) + of_cell;
   return costs;
 }
 

@@ -130,7 +130,7 @@ void seal_rigid_bodies(const problem::Model<dim>& model, Work<dim>& work)
     for (const Index b : {model.contacts[k].body, model.contacts[k].other_body}) {
       if (b == none || !work.grids[b].water.flows()) continue;
       BodyGrid<dim>& grid = work.grids[b];
-      const bool seals = model.contacts[k].rigid != none;
+      const bool seals = model.contacts[k].rigid != none && !model.contacts[k].drained;
       for (const contact::ContactPoint<dim>& point : work.contact_points[k].list)
         for (int n = 0; n < point.node_count; ++n) {
           const Index node = point.nodes[n];

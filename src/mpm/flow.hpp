@@ -35,7 +35,7 @@ void spread_water_forces(const problem::Model<dim>& model, const bodies::Particl
 template <int dim>
 void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid);
 
-/// Lets no water into rigid bodies: at the nodes of points that touch one the flux along the normal is zero. At the nodes of contact points the soil takes the whole
+/// Lets no water into rigid bodies that are not drained: at the nodes of points that touch one the flux along the normal is zero. Drained ones are as open as a free surface. At the nodes of contact points the soil takes the whole
 /// force, so that contact, which changes its velocity twice in a step, keeps its momentum: soil and water do not feel each other's inertia there.
 template <int dim>
 void seal_rigid_bodies(const problem::Model<dim>& model, Work<dim>& work);

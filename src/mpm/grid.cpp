@@ -64,16 +64,16 @@ void BodyGrid<dim>::enter(const mesh::Mesh<dim>& mesh, Index cell)
 template <int dim>
 void find_nodes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
-  const std::vector<Index>& occupied = particles.occupied();
+  const std::vector<Index>& active = particles.active();
   for_each("change cells: nodes", grid.chunks, [&](Index k) { grid.mass[grid.nodes[k]] = 0; });
-  for_each("change cells: nodes", particles.chunks(), [&](Index c) {
-    for (Index node : mesh.nodes[occupied[c]]) std::atomic_ref<Real>(grid.mass[node]).store(1, std::memory_order_relaxed);
+  for_each("change cells: nodes", particles.active_chunks(), [&](Index c) {
+    for (Index node : mesh.nodes[active[c]]) std::atomic_ref<Real>(grid.mass[node]).store(1, std::memory_order_relaxed);
   });
   const Halo& halo = grid.halo;
   for (const Halo::Side& side : halo.sides)
     for (const Index cell : side.got)
       for (const Index node : mesh.nodes[cell])
-        if (halo.is_complete[node] != 0) grid.mass[node] = 1;
+        if (halo.is_complete[node] != 0 && !particles.rests(cell)) grid.mass[node] = 1;
   for_each("change cells: nodes", grid.chunks, [&](Index k) {
     if (!(grid.mass[grid.nodes[k]] > 0)) grid.mapped_velocity[grid.nodes[k]].setZero();
   });

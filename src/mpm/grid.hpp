@@ -118,8 +118,11 @@ struct BodyGrid {
   NodeField<std::uint8_t> contact_points;  ///< 1: a contact point of this step moves the node
 
   Index fixed = 0;  ///< the set of supports that acts in this step, an index into Model::fixed
+  NodeField<std::uint8_t>
+      held;                ///< these supports and, in all directions, the nodes of cells that rest (mpm/rest.hpp); empty where none does
+  Index held_with = none;  ///< the set of supports that `held` was made with
 
-  std::vector<Index> nodes;  ///< that have a cell with particles (of them those that are complete, Halo), ascending
+  std::vector<Index> nodes;  ///< that have an active cell with particles (of them those that are complete, Halo), ascending
   Chunks chunks;             ///< of `nodes`
 
   Halo halo;                         ///< of the cells that other ranks have
@@ -139,6 +142,19 @@ struct BodyGrid {
     if (hoop.size() > 0) hoop[cell] = {};
     if (water.flows()) water.cells[cell] = {}, water.corners[cell] = {}, water.outflow[cell] = {};
     if (bulk_viscosity > 0) viscous_stress[cell] = 0;
+  }
+  /// Leaves of the sums of a cell that rests the volume of its particles, by which its neighbours know that they lie within the body.
+  void rest(Index cell)
+  {
+    std::array<CornerSums<dim>, dim + 1> sums{};
+    for (int k = 0; k <= dim; ++k) sums[k].volume = corners[cell][k].volume;
+    leave(cell);
+    corners[cell] = sums;
+  }
+  /// The directions that are held at each node, as in Model::fixed.
+  const NodeField<std::uint8_t>& supports(const problem::Model<dim>& model) const
+  {
+    return held.size() > 0 ? held : model.fixed[static_cast<std::size_t>(fixed)];
   }
   /// Shape functions of a cell that has been entered; the gradients of others are 0.
   [[gnu::always_inline]] mesh::Shape<dim> shape(const mesh::Mesh<dim>& mesh, Index cell) const

@@ -239,7 +239,7 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
                                             work.number_offset[body]};
 
   const auto move_in_cell = [&](Index c) {
-    const Index cell = particles.occupied()[c];
+    const Index cell = particles.active()[c];
     particles.prefetch_after(c);
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
@@ -327,8 +327,8 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
     return done;
   };
   // The particles are in the cache still where their moments follow at once.
-  const WorkDone work_done = sum_of<WorkDone>("move and strain particles", particles.chunks(), move_in_cell,
-                                              [&](Index c) { sum_moments_of(mesh, particles, particles.occupied()[c], grid); });
+  const WorkDone work_done = sum_of<WorkDone>("move and strain particles", particles.active_chunks(), move_in_cell,
+                                              [&](Index c) { sum_moments_of(mesh, particles, particles.active()[c], grid); });
   state.totals.internal += work_done.internal;
   state.totals.damping += work_done.filtered;
 }

@@ -36,10 +36,10 @@ void fill_hoop(const mesh::Mesh<dim>& mesh, Index cell, Real zeta, Real weight, 
 template <int dim>
 void integrate_full_cells(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
-  const auto& occupied = particles.occupied();
+  const auto& active = particles.active();
   if (!grid.full_cells) return;
-  for_each("quadrature of full cells", particles.chunks(), [&](Index c) {
-    const Index cell = occupied[c];
+  for_each("quadrature of full cells", particles.active_chunks(), [&](Index c) {
+    const Index cell = active[c];
     Moments<dim>& t = grid.moments[cell];
     const Real zeta = fullness(model.mesh, grid, cell), weight = 1 - zeta + zeta * grid.volume[cell] / t.volume;
     grid.weight[cell] = weight;

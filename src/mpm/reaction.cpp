@@ -19,6 +19,7 @@ struct Reaction {
   Real external = 0, friction = 0;                                     ///< work, J
   Real sum = 0, times_gap = 0;                                         ///< of |impulse|, and of |impulse| times distance
   Real shaft = 0;                                                      ///< along the axis, of sides parallel to it, N s
+  Real effective = 0;                                                  ///< along the normals less the pressure of the water, N s
 
   /// What goes around the axis balances itself but for the part along it. Of a wall around it, which may widen, the part across it is that of a radian.
   void keep_on_axis(const bodies::RigidShape<dim>& shape)
@@ -44,7 +45,7 @@ struct Reaction {
     impulse += other.impulse, of_support += other.of_support, torque += other.torque;
     external += other.external, friction += other.friction;
     sum += other.sum, times_gap += other.times_gap;
-    shaft += other.shaft;
+    shaft += other.shaft, effective += other.effective;
     return *this;
   }
 };
@@ -61,7 +62,7 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
   // taken; supports take the components in fixed directions.
   const auto add = [&](Index b, Index node, const Vec<dim>& share, const Vec<dim>& partner_velocity) {
     const BodyGrid<dim>& grid = work.grids[b];
-    const Vec<dim> taken = boundary::without_fixed<dim>(model.fixed[grid.fixed], node, share);
+    const Vec<dim> taken = boundary::without_fixed<dim>(grid.supports(model), node, share);
     reaction.of_support += taken - share;
     reaction.external += 0.5 * dt * model.bodies[b].weight_over_mass * gravity.dot(taken);
     if (!model.load_points.empty() && grid.mass[node] > 0) reaction.external += 0.5 * dt * grid.traction[node].dot(taken) / grid.mass[node];
@@ -79,6 +80,7 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
   for (int n = 0; n < point.node_count; ++n) add(contact.body, point.nodes[n], point.weights[n] * impulse, point.surface_velocity);
   reaction.torque = bodies::moment_of(Vec<dim>(point.position - center_now(model.rigid_bodies[contact.rigid], rigid)), impulse);
   reaction.external += impulse.dot(point.surface_velocity);
+  if (problem::rubs_in_water(contact, model.bodies)) reaction.effective = impulse.dot(point.normal) - point.pore_pressure * point.area * dt;
   if (point.distance < infinity) reaction.sum = impulse.norm(), reaction.times_gap = reaction.sum * point.distance;
   return reaction;
 }
@@ -112,6 +114,7 @@ void react(const problem::Model<dim>& model, problem::State<dim>& state, const W
     rigid.impulse += all.impulse;
     rigid.torque_impulse += all.torque;
     rigid.shaft_impulse += all.shaft;
+    rigid.effective_impulse += all.effective;
     rigid.impulse_sum += all.sum;
     rigid.impulse_times_gap += all.times_gap;
   }

@@ -9,6 +9,7 @@
 #include "mpm/loads.hpp"
 #include "mpm/move.hpp"
 #include "mpm/quadrature.hpp"
+#include "mpm/rest.hpp"
 #include "mpm/share.hpp"
 #include "mpm/time_step.hpp"
 #include "mpm/transfer.hpp"
@@ -104,8 +105,12 @@ void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& 
 template <int dim>
 void step(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
 {
-  if (state.step % steps_between_time_steps == 0) state.dt = stable_time_step(model, state, work);
+  if (state.step % steps_between_time_steps == 0) {
+    update_resting_soil(model, state, work);
+    state.dt = stable_time_step(model, state, work);
+  }
   for (BodyGrid<dim>& grid : work.grids) grid.fixed = model.fixed_in[state.stage.index];
+  hold_resting_soil(model, state, work);
   drive_rigids(model, state, state.dt);
   if (model.update_stress_first)
     update_stress_first(model, state, work);

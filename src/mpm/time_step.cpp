@@ -123,10 +123,10 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyGrid<dim>& grid = work.grids[b];
     // A comparison with NaN is false, so NaN is replaced by infinity to be detected.
-    const auto& occupied = state.particles[b].occupied();
-    fastest = largest_of("fastest node", static_cast<Index>(occupied.size()), fastest, [&](Index c) {
+    const auto& active = state.particles[b].active();
+    fastest = largest_of("fastest node", static_cast<Index>(active.size()), fastest, [&](Index c) {
       Real of_cell = 0;
-      for (const Index node : model.mesh.nodes[occupied[c]]) {
+      for (const Index node : model.mesh.nodes[active[c]]) {
         const Real speed = grid.mapped_velocity[node].norm();
         of_cell = std::max(of_cell, std::isfinite(speed) ? speed : infinity);
       }
@@ -152,7 +152,7 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
   Real min = infinity, min_at_rest = infinity;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Real wave_speed = model.bodies[b].waves.fastest;
-    const auto& occupied = state.particles[b].occupied();
+    const auto& occupied = state.particles[b].occupied();  // the time step does not depend on which soil rests
     const Real steepest = ranks.largest(largest_of("smallest height", static_cast<Index>(occupied.size()), 0, [&](Index c) {
       return stiffest_square(model.mesh, occupied[c], work.grids[b].shape(model.mesh, occupied[c]));
     }));

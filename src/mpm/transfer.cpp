@@ -159,8 +159,9 @@ template <int dim>
 void sum_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   for_each("sum moments of cells", particles.chunks(), [&](Index c) {
-    particles.prefetch_after(c);
-    sum_moments_of(mesh, particles, particles.occupied()[c], grid);
+    const Index cell = particles.occupied()[c];
+    sum_moments_of(mesh, particles, cell, grid);
+    if (particles.rests(cell)) grid.rest(cell);
   });
 }
 
@@ -231,10 +232,10 @@ template <mesh::Metric metric, int dim>
 void find_viscous_stress_in(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
-  const auto& occupied = particles.occupied();
-  for_each("viscous stress of cells", particles.chunks(), [&](Index c) {
+  const auto& active = particles.active();
+  for_each("viscous stress of cells", particles.active_chunks(), [&](Index c) {
     Real volume = 0, height = 0, divergence = 0;
-    mesh::for_each_in_patch(model.patches, occupied[c], [&](Index member) {
+    mesh::for_each_in_patch(model.patches, active[c], [&](Index member) {
       const Real of_cell = grid.moments[member].volume;
       volume += of_cell;
       height += of_cell * grid.height[member];
@@ -242,7 +243,7 @@ void find_viscous_stress_in(const problem::Model<dim>& model, const bodies::Part
       if (metric == mesh::Metric::cartesian || of_cell > 0)
         divergence += of_cell * divergence_in<metric>(grid.shape(mesh, member), mesh.nodes[member], grid, member, grid.velocity);
     });
-    grid.viscous_stress[occupied[c]] = grid.bulk_viscosity * (height / volume) * (divergence / volume);
+    grid.viscous_stress[active[c]] = grid.bulk_viscosity * (height / volume) * (divergence / volume);
   });
 }
 
@@ -250,10 +251,10 @@ template <mesh::Metric metric, int dim>
 void spread_internal_forces_in(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
-  const auto& occupied = particles.occupied();
+  const auto& active = particles.active();
   const bool project = model.mpm.volumetric_projection;
-  for_each("internal forces of cells", particles.chunks(), [&](Index c) {
-    const Index cell = occupied[c];
+  for_each("internal forces of cells", particles.active_chunks(), [&](Index c) {
+    const Index cell = active[c];
     const Moments<dim>& t = grid.moments[cell];
     Real change = 0;  // of volume times mean stress
     if (project) {
@@ -287,13 +288,13 @@ void spread_internal_forces_in(const problem::Model<dim>& model, const bodies::P
 template <mesh::Metric metric, int dim>
 void sum_volume_changes_in(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
-  const auto& occupied = particles.occupied();
+  const auto& active = particles.active();
   const auto sum = [&](Index cell) {
     const Real divergence = divergence_in<metric>(grid.shape(mesh, cell), mesh.nodes[cell], grid, cell, grid.mapped_velocity);
     const Real volume = grid.moments[cell].volume;
     grid.volume_change[cell] = {volume, volume * divergence * dt};
   };
-  for_each("volume change of cells", particles.chunks(), [&](Index c) { sum(occupied[c]); });
+  for_each("volume change of cells", particles.active_chunks(), [&](Index c) { sum(active[c]); });
   for (const Index cell : grid.halo.partners)
     if (grid.moments[cell].m > 0) sum(cell);
 }
@@ -324,9 +325,9 @@ template <int dim>
 void smooth_velocities(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   if (!(grid.filter_rate > 0)) return;
-  const auto& occupied = particles.occupied();
-  for_each("momentum of nodal velocities", particles.chunks(), [&](Index c) {
-    const Index cell = occupied[c];
+  const auto& active = particles.active();
+  for_each("momentum of nodal velocities", particles.active_chunks(), [&](Index c) {
+    const Index cell = active[c];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     const LinearField<dim> velocity(shape, mesh.nodes[cell], grid.velocity);
     auto& corners = grid.corners[cell];
@@ -349,10 +350,10 @@ void smooth_velocities(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>
 template <int dim>
 void spread_new_momentum(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
 {
-  const auto& occupied = particles.occupied();
+  const auto& active = particles.active();
   const Real part = grid.filtered_part(dt);
-  for_each("momentum after the forces", particles.chunks(), [&](Index c) {
-    const Index cell = occupied[c];
+  for_each("momentum after the forces", particles.active_chunks(), [&](Index c) {
+    const Index cell = active[c];
     const Moments<dim>& t = grid.moments[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     const LinearField<dim> gain(shape, mesh.nodes[cell], [&](Index i, int d) { return grid.gain(i, d, dt, part); });
@@ -370,6 +371,7 @@ template <int dim>
 void gather_new_velocities(const problem::Model<dim>& model, BodyGrid<dim>& grid)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
+  const NodeField<std::uint8_t>& fixed = grid.supports(model);
   for_each("gather new velocities", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
     Vec<dim> momentum = Vec<dim>::Zero();
@@ -381,17 +383,18 @@ void gather_new_velocities(const problem::Model<dim>& model, BodyGrid<dim>& grid
       return sum;
     };
     grid.mapped_velocity[i] = boundary::without_fixed<dim>(
-        model.fixed[grid.fixed], i, grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
+        fixed, i, grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
   });
 }
 
 template <int dim>
 void predict_velocities(const problem::Model<dim>& model, Real ahead, BodyGrid<dim>& grid)
 {
+  const NodeField<std::uint8_t>& fixed = grid.supports(model);
   for_each("predict velocities", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
     const auto momentum_of = [&](Index cell) { return Eigen::Map<const Vec<dim>>(grid.moments[cell].mv); };
-    grid.mapped_velocity[i] = boundary::without_fixed<dim>(model.fixed[grid.fixed], i,
+    grid.mapped_velocity[i] = boundary::without_fixed<dim>(fixed, i,
                                                            grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
                                                                             : velocity_of_cells(model.mesh, grid, i, momentum_of));
   });

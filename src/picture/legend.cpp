@@ -153,6 +153,7 @@ std::string contact_words(const std::string& name, const contact::ContactSetting
   if (contact.adhesion_factor > 0) words += fmt::format(", α = {:.3g}", contact.adhesion_factor);
   if (contact.tension > 0)
     words += ", tension " + (contact.tension < infinity ? text::stress_words(contact.tension) : std::string("unlimited"));
+  if (contact.drained) words += ", drained";
   return words;
 }
 

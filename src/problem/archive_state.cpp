@@ -39,7 +39,7 @@ void archive(Archive& k, const std::string& name, NodeField<Vec<dim>>& flux)
 template <int dim>
 void archive(Archive& k, bodies::RigidState<dim>& rigid)
 {
-  static_assert(sizeof(rigid) == (dim == 2 ? 7 * 2 + 9 : 7 * 3 + 3 * 3 + 2 * 4 + 4) * sizeof(Real));
+  static_assert(sizeof(rigid) == (dim == 2 ? 7 * 2 + 10 : 7 * 3 + 3 * 3 + 2 * 4 + 5) * sizeof(Real));
   k("displacement", rigid.displacement);
   archive(k, "orientation", rigid.orientation);
   k("velocity", rigid.velocity);
@@ -53,6 +53,7 @@ void archive(Archive& k, bodies::RigidState<dim>& rigid)
   k("impulse_sum", rigid.impulse_sum);
   k("impulse_times_gap", rigid.impulse_times_gap);
   k("shaft_impulse", rigid.shaft_impulse);
+  k("effective_impulse", rigid.effective_impulse);
   k("max_overlap", rigid.max_overlap);
   k("near_cells_displacement", rigid.near_cells_displacement);
   archive(k, "near_cells_orientation", rigid.near_cells_orientation);
@@ -105,6 +106,20 @@ void archive(Archive& k, TractionState& traction)
 }
 
 template <int dim>
+void archive(Archive& k, ActiveSoil<dim>& active, std::size_t rigid_bodies)
+{
+  k("everywhere", active.everywhere);
+  k("stopped", active.stopped);
+  if (active.everywhere) return;
+  active.displacement.resize(rigid_bodies);
+  active.orientation.resize(rigid_bodies);
+  for (std::size_t r = 0; r < rigid_bodies; ++r) {
+    k(fmt::format("displacement_{}", r), active.displacement[r]);
+    archive(k, fmt::format("orientation_{}", r), active.orientation[r]);
+  }
+}
+
+template <int dim>
 void archive(Archive& k, const Model<dim>& model, std::vector<LoadPointState<dim>>& points)
 {
   std::vector<Index> cells;
@@ -132,6 +147,7 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
   if (k.reads() && (state.step < 0 || state.step > max_steps)) k.refuse(fmt::format("there is no step {}", state.step));
   k("dt", state.dt);
   k.table("stage", [&] { archive(k, model, state.stage); });
+  if (model.mpm.active_distance) k.table("active_soil", [&] { archive(k, state.active_soil, state.rigid_bodies.size()); });
   k.table("totals", [&] { archive(k, state.totals); });
   for (std::size_t r = 0; r < state.rigid_bodies.size(); ++r)
     k.table(fmt::format("rigid_{}", r), [&] { archive(k, state.rigid_bodies[r]); });

@@ -2,6 +2,7 @@
 // Tests: tests/unit/input/read_case_wrong_inputs_test.cpp
 #include "problem/case.hpp"
 
+#include "problem/active_distance.hpp"
 #include "problem/axisymmetry.hpp"
 #include "problem/body_soil.hpp"
 #include "problem/drives.hpp"
@@ -166,11 +167,11 @@ void check_inertia(Describe& d, const Case& c, const StageSettings& s, const std
 void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::string& path)
 {
   const bool drive = s.kind == StageKind::drive, plane = c.dimension() == 2;
+  const bool turned = drive || ((s.kind == StageKind::push || s.kind == StageKind::drag) && c.method == Method::mpm);
   bool any = false;
   const auto freedom = [&](const char* key, int ways, bool there) {
     const std::string at = path + ".drive." + key;
     any = any || ways > 0;
-    d.check(ways == 0 || drive, at, "is for kind = \"drive\"; a push or a drag has velocity, force and vertical");
     d.check(ways == 0 || there, at,
             plane ? "is no freedom in plane strain: x, y and rotation are" : "is no freedom in space: x, y, z and rotation_x, _y, _z are");
     d.check(ways <= 1, at, "is driven in one way only");
@@ -180,11 +181,17 @@ void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::
     d.check(!has || !prescribed, path + ".drive." + key + ".spring", "does not go with what is prescribed; a force, hold or free does");
   };
   const auto shift = [&](const char* key, const FreedomSettings& f, bool there) {
-    freedom(key, f.velocity.has_value() + f.force.has_value() + f.hold + f.free, there);
+    const int ways = f.velocity.has_value() + f.force.has_value() + f.hold + f.free;
+    d.check(drive || (ways == 0 && !f.spring), path + ".drive." + key,
+            "is for kind = \"drive\"; a push or a drag has velocity, force and vertical");
+    freedom(key, ways, there);
     spring(key, f.spring.has_value(), f.velocity.has_value(), there);
   };
   const auto turn = [&](const char* key, const TurnSettings& f, bool there) {
-    freedom(key, f.velocity.has_value() + f.moment.has_value() + f.fixed + f.free, there);
+    const int ways = f.velocity.has_value() + f.moment.has_value() + f.fixed + f.free;
+    d.check(turned || (ways == 0 && !f.spring), path + ".drive." + key,
+            "is for kind = \"drive\", \"push\" and \"drag\" of method = \"mpm\"");
+    freedom(key, ways, there);
     spring(key, f.spring.has_value(), f.velocity.has_value() || f.fixed, there);
   };
   shift("x", s.drive.x, true);
@@ -195,7 +202,12 @@ void check_drive(Describe& d, const Case& c, const StageSettings& s, const std::
   turn("rotation_y", s.drive.rotation_y, !plane);
   turn("rotation_z", s.drive.rotation_z, !plane);
   d.check(!drive || any, path + ".drive", "a drive needs at least one freedom: x, y, z or a rotation");
-  d.check(!drive || c.method == Method::mpm, path + ".kind", "the finite element method supports push and drag");
+  const auto no_spring = [&](const char* key, const std::optional<Real>& stiffness) {
+    d.check(!stiffness || c.method == Method::mpm, path + ".drive." + key + ".spring", "finite elements have no springs: leave it out");
+  };
+  no_spring("x", s.drive.x.spring);
+  no_spring("y", s.drive.y.spring);
+  no_spring("rotation", s.drive.rotation.spring);
 }
 
 void check_sweep(Describe& d, const StageSettings& s, const std::string& path)
@@ -312,6 +324,17 @@ void check_consolidation(Describe& d, const Case& c)
   for (const auto& [name, support] : c.support)
     d.check(!support.drained || flows, "support." + name + ".drained",
             "no soil has water that flows: give it water.drainage = \"consolidation\", or leave this out");
+  for (const auto& [name, contact] : c.contact) {
+    if (!contact.drained) continue;
+    const std::string path = "contact." + name + ".drained";
+    d.check(contact.other_body.empty(), path,
+            "is for contact with a rigid body: the water of one deformable body does not cross to another");
+    const Index body = index_of(c.body, contact.body);
+    if (body == none || index_of(c.material, c.body[body].second.material) == none) continue;
+    d.check(hydraulics(soil_of(c, c.body[body].second).materials.front()).has_value(), path,
+            fmt::format("the water of [body.{}] does not flow: give its material water.drainage = \"consolidation\", or leave this out",
+                        contact.body));
+  }
 }
 
 void check_supports(Describe& d, const Case& c)
@@ -419,6 +442,12 @@ void describe(Describe& d, MpmSettings& mpm)
           {.meaning = "in soil that can yield: viscous mean stress over density x wave speed x height of a cell x rate of volume change; "
                       "damps the pressure waves that take strength from soil without cohesion",
            .range = {0, 1}});
+  d.value("active_distance", mpm.active_distance,
+          {.meaning =
+               "while a stage drives a rigid body, soil farther than that from the surface of every rigid body (but half-planes) rests "
+               "and takes no time: it is held, and keeps its stress; absent: no soil rests",
+           .unit = "m",
+           .range = positive});
 }
 
 void describe(Describe& d, FemSettings& fem)
@@ -530,6 +559,7 @@ void describe(Describe& d, Case& c)
   }
   check_stages(d, c);
   check_consolidation(d, c);
+  check_active_distance(d, c);
   check_supports(d, c);
   check_tractions(d, c);
   check_axisymmetry(d, c);

@@ -36,6 +36,8 @@ struct MpmSettings {
   Real velocity_filter = 0.1;
   /// Of soil that can yield: viscous mean stress over density, wave speed, height and rate of volume change.
   Real bulk_viscosity = 0.06;
+  /// m: while a stage drives a rigid body, soil farther than that from every bounded one rests; empty: no soil does.
+  std::optional<Real> active_distance;
 };
 
 /// What computes a case.

@@ -31,6 +31,16 @@ SymTensor<3> stress_at_start(const Case& c, const bodies::BodySettings& body, Re
 
 }  // namespace
 
+std::optional<Real> strength_under(const material::Material& material, Real depth, Real pressure)
+{
+  if (!yields(material)) return {};
+  const material::Material there = at_depth(material, depth);
+  if (const std::optional<material::Strength> soil = strength_at_rest(there))
+    return soil->cohesion * std::cos(soil->friction_angle) + pressure * std::sin(soil->friction_angle);
+  const std::vector<Real> undisturbed(static_cast<std::size_t>(state_size(material)), 0);
+  return shear_strength(there, -pressure, undisturbed.data());
+}
+
 std::vector<Consolidation> consolidation_of(const Case& c, Real depth)
 {
   std::vector<Consolidation> found;
@@ -39,9 +49,11 @@ std::vector<Consolidation> consolidation_of(const Case& c, Real depth)
     const material::Material here = soil.at("", depth);
     const std::optional<material::Hydraulics> water = hydraulics(here);
     if (!water) continue;
-    const Real modulus = oedometer_modulus(here, stress_at_start(c, body, depth));
+    const SymTensor<3> stress = stress_at_start(c, body, depth);
+    const Real modulus = oedometer_modulus(here, stress);
     found.push_back({soil.names[static_cast<std::size_t>(soil.number_at("", depth))], depth, modulus,
-                     water->permeability / (material::unit_weight_of_water * (1 / modulus + 1 / water_stiffness(here)))});
+                     water->permeability / (material::unit_weight_of_water * (1 / modulus + 1 / water_stiffness(here))),
+                     inertia_density(here), strength_under(here, 0, -stress[1]).value_or(0)});
   }
   return found;
 }
@@ -57,6 +69,16 @@ std::vector<StageDrainage> drainage_of_stages(const Case& c, Real width, Real c_
     found.push_back({k, speed > 0, speed > 0 ? speed * width / c_v : stage.until.time ? c_v * *stage.until.time / (width * width) : nan});
   }
   return found;
+}
+
+std::optional<StageInertia> inertia_in(const Case& c, const StageDrainage& stage, const Consolidation& soil, Real width)
+{
+  constexpr Real T50 = 0.1;  // of a pipe: examples/pipe_consolidation
+  if (c.method != Method::mpm) return {};
+  if (!stage.moves) return StageInertia{StageInertia::Measure::rest, soil.c_v / (T50 * width * soil.wave())};
+  const Real speed = speed_of(c.stage[stage.stage]);
+  if (soil.strength > 0) return StageInertia{StageInertia::Measure::strength, soil.density * speed * speed / soil.strength};
+  return StageInertia{StageInertia::Measure::wave, speed / soil.wave()};
 }
 
 }  // namespace berm::problem

@@ -8,10 +8,18 @@ namespace berm::problem {
 /// How fast the soil of a body whose water flows consolidates.
 struct Consolidation {
   std::string material;
-  Real depth;    ///< m below the surface, where its stiffness is taken
-  Real modulus;  ///< M, Pa: of one-dimensional compression of the skeleton, from the stress at the start
-  Real c_v;      ///< m2/s, coefficient of consolidation
+  Real depth;     ///< m below the surface, where its stiffness is taken
+  Real modulus;   ///< M, Pa: of one-dimensional compression of the skeleton, from the stress at the start
+  Real c_v;       ///< m2/s, coefficient of consolidation
+  Real density;   ///< kg/m3, of the saturated soil, which has the inertia
+  Real strength;  ///< Pa, shear strength there, undisturbed; 0 where it has none
+
+  /// Speed of pressure waves in the skeleton, m/s.
+  Real wave() const { return std::sqrt(modulus / density); }
 };
+
+/// The shear strength of undisturbed soil at a depth (m) under a vertical stress, Pa; empty where it does not yield.
+std::optional<Real> strength_under(const material::Material& material, Real depth, Real pressure);
 
 /// c_v = k / (gamma_w (1/M + n/K_w)) of each body whose water flows, at a depth below its surface, m.
 std::vector<Consolidation> consolidation_of(const Case& c, Real depth);
@@ -25,6 +33,23 @@ struct StageDrainage {
 
 // v D / c_v, c_v of soil that does not yield: to 5 % drained below the one and undrained above the other (examples/pipe_consolidation).
 constexpr Real drained_up_to = 0.01, undrained_from = 30;
+
+/// How much the inertia of the soil counts in a stage of an explicit run, whose time is scaled.
+struct StageInertia {
+  enum class Measure {
+    strength,  ///< density v^2 over the strength, of a stage that moves a body
+    wave,      ///< v over the speed of waves, of one in soil without a strength
+    rest       ///< the time in which a wave crosses the body over that in which half of the pressure goes (T = 0.1), of a stage at rest
+  };
+  Measure measure;
+  Real part;
+
+  bool is_small() const { return part <= (measure == Measure::strength ? 0.003 : measure == Measure::wave ? 0.03 : 0.1); }
+  bool is_large() const { return part > (measure == Measure::strength ? 0.03 : 0.1); }
+};
+
+/// Inertia in a stage; empty in finite elements, which have none.
+std::optional<StageInertia> inertia_in(const Case& c, const StageDrainage& stage, const Consolidation& soil, Real width);
 
 /// All stages but geostatic ones, load histories and sweeps.
 std::vector<StageDrainage> drainage_of_stages(const Case& c, Real width, Real c_v);

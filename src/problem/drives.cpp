@@ -56,6 +56,7 @@ StageDrives<dim> drives_of(const StageSettings& stage, const Axes<dim>& axes, bo
   };
   const Real down = -axes.sign;
   FreedomDrive& vertical = drives[axes.up];
+  if (problem::drives(stage.kind)) set_rotations<dim>(stage, drives);
   switch (stage.kind) {
   case StageKind::push:
     along_axis(vertical, stage.velocity, stage.force, down);
@@ -71,7 +72,6 @@ StageDrives<dim> drives_of(const StageSettings& stage, const Axes<dim>& axes, bo
   case StageKind::drive: {
     const FreedomSettings* settings[3] = {&stage.drive.x, &stage.drive.y, &stage.drive.z};
     for (int d = 0; d < dim; ++d) set(drives[d], *settings[d]);
-    set_rotations<dim>(stage, drives);
     break;
   }
   case StageKind::geostatic:

@@ -11,6 +11,8 @@
 #include "problem/ground.hpp"
 #include "problem/interface.hpp"
 
+#include <algorithm>
+
 namespace berm::problem {
 
 /// A deformable body: all of it that does not change.
@@ -39,10 +41,18 @@ struct Contact {
   AdhesionLaw adhesion_law = {};
   InterfaceMemory memory = {};  ///< of the particles
   int pore_pressure = none;  ///< place of the excess pore pressure, which friction does not feel, among the numbers of a particle; or none
+  bool drained = false;      ///< water crosses the rigid body's surface: there is no excess pore pressure at it
 
   /// Whether points need their share of the surface.
   bool needs_areas() const { return adhesion > 0 || adhesion_law.differs() || tension > 0 || pore_pressure != none; }
 };
+
+/// Whether a rigid body rubs on soil with water by this contact, so that its friction comes of the effective normal stress.
+template <int dim>
+bool rubs_in_water(const Contact& contact, const std::vector<Body<dim>>& bodies)
+{
+  return contact.rigid != none && contact.friction > 0 && has_pore_pressure(bodies[contact.body].soil.materials.front());
+}
 
 /// A traction: when it acts. Its forces are those of the load points.
 struct Traction {
@@ -162,6 +172,16 @@ Real degree_of_consolidation(const StageState<dim>& stage)
   return stage.largest_excess_pressure > 0 ? 1 - stage.excess_pressure / stage.largest_excess_pressure : 0;
 }
 
+/// Which soil takes part in the steps, where the case has MpmSettings::active_distance.
+template <int dim>
+struct ActiveSoil {
+  bool everywhere = true;
+  // Of each rigid body when the active soil was last found around it; empty where it is everywhere.
+  std::vector<Vec<dim>> displacement;
+  std::vector<bodies::Orientation<dim>> orientation;
+  Real stopped = 0;  ///< J/m or J, kinetic energy of soil that still moved when it came to rest: a part of Totals::damping
+};
+
 /// Everything that changes during a run; a checkpoint is exactly this.
 template <int dim>
 struct State {
@@ -176,6 +196,7 @@ struct State {
   std::vector<TractionState> tractions;
   std::vector<LoadPointState<dim>> load_points;
   StageState<dim> stage;
+  ActiveSoil<dim> active_soil;
   Totals<dim> totals;
 };
 
@@ -189,6 +210,14 @@ struct Problem {
 /// All of the model that follows from the case and this mesh; patches and watches stay empty. Throws InputError where a name refers to nothing in the mesh.
 template <int dim>
 Model<dim> make_model(const Case& c, mesh::Mesh<dim> mesh);
+
+/// Whether some contact lets this rigid body rub on soil with water.
+template <int dim>
+bool rubs_in_water(const Model<dim>& model, Index rigid)
+{
+  return std::any_of(model.contacts.begin(), model.contacts.end(),
+                     [&](const Contact& contact) { return contact.rigid == rigid && rubs_in_water(contact, model.bodies); });
+}
 
 /// Builds patches, particles and rigid bodies on this mesh. Throws InputError where a name refers to nothing in the mesh or a body has no particles.
 template <int dim>

@@ -81,7 +81,9 @@ void describe(Describe& d, StageSettings& stage)
           {.meaning = "in a drag: downward speed, instead of holding a force; less than 0 = upwards", .unit = "m/s"});
   d.value("ramp", stage.ramp,
           {.meaning = "time in which the drive goes from what it was to its value", .unit = "s", .range = not_negative});
-  d.table("drive", stage.drive, {.meaning = "degrees of freedom of the driven body, in a stage of kind drive; what is left out is fixed"});
+  d.table("drive", stage.drive,
+          {.meaning = "degrees of freedom of the driven body, in a stage of kind drive; what is left out is fixed. Its rotations also in a "
+                      "push or a drag"});
   d.value("amplitude", stage.amplitude, {.meaning = "in a sweep: travel of each drag, out and back", .unit = "m", .range = positive});
   d.value("sweeps", stage.sweeps, {.meaning = "in a sweep: number of drags; two make a cycle", .range = {0, 10000}});
   d.value("pause", stage.pause,

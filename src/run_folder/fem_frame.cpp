@@ -135,13 +135,14 @@ std::vector<DrawnField> drawn_fields(const problem::Model<2>& model)
 
 /// A frame with room for what nodes carry.
 Frame<2> empty_frame(const fem::QuadraticMesh& mesh, const std::vector<DrawnField>& drawn, const std::vector<OwnField>& own,
-                     bool with_ratio)
+                     bool with_ratio, bool with_flux)
 {
   std::vector<FieldInfo> infos = common_fields<2>();
   for (const DrawnField& field : drawn)
     if (!is_common_field(field.info.name)) infos.push_back(field.info);
   for (const OwnField& field : own) infos.push_back(field.info);
   if (with_ratio) infos.push_back(pore_pressure_ratio_field());
+  if (with_flux) infos.push_back(water_flux_field<2>());
   Frame<2> frame;
   frame.allocate(static_cast<std::size_t>(mesh.node_count()), infos);
   frame.triangles.assign(mesh.nodes.begin(), mesh.nodes.end());
@@ -228,6 +229,35 @@ void set_pore_pressure_ratio(const fem::FemModel& model, Frame<2>& frame)
       frame.field(name).at(node) = frame.field("excess_pore_pressure").at(node) * at_rest[node].count / at_rest[node].sum;
 }
 
+/// Draws the flux of the water out to the nodes and averages it over those of their elements in which it flows, by their area.
+void set_water_flux(const fem::FemModel& model, const fem::FemState& state, Frame<2>& frame)
+{
+  FieldValues<Real>& flux = frame.field(water_flux_field<2>().name);
+  NodeField<Real> areas(model.mesh.node_count(), 0);
+  for (Index cell = 0; cell < model.mesh.cell_count(); ++cell) {
+    if (!model.flow.in(cell)) continue;
+    const fem::AtSixNodes<Index>& nodes = model.mesh.nodes[cell];
+    fem::VolumeStrain displacement;
+    for (int k = 0; k < 12; ++k) displacement[k] = state.displacement[2 * nodes[k / 2] + k % 2];
+    std::array<Real, 3> pressure;
+    for (int k = 0; k < 3; ++k) pressure[k] = state.displacement[model.flow.unknown[nodes[k]]];
+    std::array<Vec<2>, fem::triangle_points> at_points;
+    Real area = 0;
+    for (int q = 0; q < fem::triangle_points; ++q) {
+      const fem::ShapeAtPoint& shape = model.shape[cell][q];
+      at_points[q] = fem::water_flux(shape, model.flow.water[cell][q], displacement, pressure);
+      area += shape.per_radius > 0 ? shape.area * shape.per_radius : shape.area;
+    }
+    for (int k = 0; k < 6; ++k) {
+      areas[nodes[k]] += area;
+      for (int q = 0; q < fem::triangle_points; ++q)
+        for (int d = 0; d < 2; ++d) flux.at(nodes[k], d) += area * drawn_out(k, q) * at_points[q][d];
+    }
+  }
+  for (Index node = 0; node < model.mesh.node_count(); ++node)
+    for (int d = 0; d < 2 && areas[node] > 0; ++d) flux.at(node, d) /= areas[node];
+}
+
 /// What the nodes' own motion and the gradients of their elements say.
 void set_motion(const fem::FemModel& model, const fem::FemState& state, const std::vector<Real>& last_displacement,
                 const NodeField<NodalSums>& sums, Frame<2>& frame)
@@ -272,12 +302,13 @@ Frame<2> FemFrameMaker::make(const fem::FemState& state)
   const bool with_ratio = model_.model.gravity.norm() > 0 && std::any_of(bodies.begin(), bodies.end(), [](const auto& body) {
                             return has_pore_pressure(body.soil.materials.front());
                           });
-  Frame<2> frame = empty_frame(model_.mesh, drawn, own, with_ratio);
+  Frame<2> frame = empty_frame(model_.mesh, drawn, own, with_ratio, model_.flow.count > 0);
   frame.time = state.state.time;
   set_motion(model_, state, last_displacement_, draw_out(model_, state, last_displacement_, drawn, frame), frame);
   last_displacement_ = state.displacement;
   set_own(model_, own, frame);
   set_pore_pressure_ratio(model_, frame);
+  if (model_.flow.count > 0) set_water_flux(model_, state, frame);
   frame.rigid_bodies = frame_rigids(model_.model, state.state.rigid_bodies);
   return frame;
 }

@@ -62,6 +62,12 @@ FieldInfo pore_pressure_ratio_field()
 }
 
 template <int dim>
+FieldInfo water_flux_field()
+{
+  return {"water_flux", "flow of the water (Darcy's flux)", "m/s", dim, to_frame};
+}
+
+template <int dim>
 Real overburden(const problem::Model<dim>& model, Index body, const std::string& region, Real depth)
 {
   return model.gravity.norm() * model.bodies[body].soil.mass_above(region, std::max(Real(0), depth));
@@ -104,6 +110,7 @@ std::vector<FrameRigid<dim>> frame_rigids(const problem::Model<dim>& model, cons
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template struct Frame<dim>;                                                                                                              \
   template std::vector<FieldInfo> effective_stress_fields<dim>();                                                                          \
+  template FieldInfo water_flux_field<dim>();                                                                                              \
   template Real overburden(const problem::Model<dim>&, Index, const std::string&, Real);                                                   \
   template std::vector<FieldInfo> common_fields<dim>();                                                                                    \
   template std::size_t bytes_of_point<dim>(int);                                                                                           \

@@ -44,6 +44,10 @@ std::vector<FieldInfo> effective_stress_fields();
 /// What such frames have in a ground with weight: r_u, the excess pore pressure over the effective vertical stress at rest; 1: the soil is liquefied.
 FieldInfo pore_pressure_ratio_field();
 
+/// The flux of the water, of frames with soil whose water flows: its volume in a second through a square metre of soil, against the soil (Darcy).
+template <int dim>
+FieldInfo water_flux_field();
+
 /// The effective vertical stress at rest, Pa, compression positive: the weight of the soil of a body above a depth, m, at the start.
 template <int dim>
 Real overburden(const problem::Model<dim>& model, Index body, const std::string& region, Real depth);

@@ -34,7 +34,19 @@ std::vector<FieldInfo> fields_of(const problem::Model<dim>& model, const std::ve
     for (const FieldInfo& info : effective_stress_fields<dim>()) fields.push_back(info);
     if (model.gravity.norm() > 0) fields.push_back(pore_pressure_ratio_field());
   }
+  if (std::any_of(model.bodies.begin(), model.bodies.end(), [](const auto& body) { return body.flows(); }))
+    fields.push_back(water_flux_field<dim>());
   return fields;
+}
+
+/// A nodal field at a point of a cell.
+template <int dim>
+Vec<dim> interpolated(const mesh::Mesh<dim>& mesh, Index cell, const NodeField<Vec<dim>>& at_nodes, const Vec<dim>& x)
+{
+  const mesh::Shape<dim> shape = mesh.shape(cell);
+  Vec<dim> value = Vec<dim>::Zero();
+  for (int k = 0; k <= dim; ++k) value += shape.value(k, x) * at_nodes[mesh.nodes[cell][k]];
+  return value;
 }
 
 /// Puts what particles carry into a frame.
@@ -109,7 +121,8 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
     for (Index& k : point)
       if (k != none) k = next++;
     const CarriedFields<dim> carried(frame, particles);
-    visit_all<dim>(particles, model_.mesh.cell_count(), [&](Index, Index b, int l) {
+    FieldValues<Real>* const flux = model_.bodies[body].flows() ? &frame.field("water_flux") : nullptr;
+    visit_all<dim>(particles, model_.mesh.cell_count(), [&](Index cell, Index b, int l) {
       const bodies::Particle<dim> p = particles.read(b, l);
       const Index k = point[p.id];
       const Vec<dim> moved_by = p.x - known_[body][p.id].first;
@@ -120,6 +133,10 @@ Frame<dim> FrameMaker<dim>::make(const problem::State<dim>& state)
       carried.put(p, k);
       for (int d = 0; d < dim; ++d) displacement.at(k, d) = moved_by[d];
       mean_stress.at(k) = trace(p.stress) / 3;
+      if (flux != nullptr) {
+        const Vec<dim> w = interpolated(model_.mesh, cell, state.flux[body], p.x);
+        for (int d = 0; d < dim; ++d) flux->at(k, d) = w[d];
+      }
       if (effective == nullptr) return;
       const material::Material& material = model_.bodies[body].soil.materials.front();
       const SymTensor<dim> stress = effective_stress(material, p.stress, p.extra);

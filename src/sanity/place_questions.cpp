@@ -38,6 +38,10 @@ bool in_space(const Scene& s)
 {
   return s.c.geometry == problem::Geometry::space;
 }
+bool around_axis(const Scene& s)
+{
+  return s.c.geometry == problem::Geometry::axisymmetric;
+}
 /// The level axes along which the body ends and walls can be near, the first is that of the plane. Circles and polygons are endless along z.
 std::vector<int> axes_of_walls(const Scene& s, Index rigid)
 {
@@ -185,6 +189,28 @@ void does_the_path_stay_on_fine_cells(const Scene& s, Findings& found)
   }
 }
 
+void do_fine_cells_reach_the_ends(const Scene& s, Findings& found)
+{
+  const auto* bed = std::get_if<mesh::SeabedMesh>(&s.c.mesh);
+  if (bed == nullptr || !in_space(s) || !s.is_mpm()) return;
+  std::vector<char> asked(s.rigids.size(), 0);
+  for (const Way& way : s.ways) {
+    if (way.rigid == none || std::exchange(asked[way.rigid], 1) != 0 || !s.rigids[way.rigid].bounded) continue;
+    if (axes_of_walls(s, way.rigid).back() != across_in_space) continue;
+    const Span &body = s.rigids[way.rigid].space[across_in_space], &mesh = s.mesh[across_in_space];
+    for (const bool front : {true, false}) {
+      const Real end = front ? std::min(body.to, mesh.to) : std::max(body.from, mesh.from),
+                 fine = front ? *bed->near_front : *bed->near_back;
+      if ((front ? end - fine : fine - end) <= bed->near_size) continue;
+      const char* key = front ? "mesh.near_front" : "mesh.near_back";
+      found.warn(key,
+                 fmt::format("ends the fine zone at z = {:.4g} m, and \"{}\" reaches {:.4g} m: resistance grows with the cells at its end; "
+                             "let the fine zone reach beyond it",
+                             fine, s.c.rigid[way.rigid].first, end));
+    }
+  }
+}
+
 void are_cells_small_enough(const Scene& s, Findings& found)
 {
   constexpr Real wanted = 5;
@@ -230,7 +256,8 @@ void are_walls_far_enough(const Scene& s, Findings& found)
     if (way.rigid == none || !s.rigids[way.rigid].bounded || !s.is_mpm() || !std::holds_alternative<mesh::SeabedMesh>(s.c.mesh)) continue;
     const Real width = s.rigids[way.rigid].width;
     const Span along = swept(s, way, s.along), high = swept(s, way, s.up);
-    const Real side = std::min(along.from - s.mesh[s.along].from, s.mesh[s.along].to - along.to),
+    const Real right = s.mesh[s.along].to - along.to;
+    const Real side = around_axis(s) ? right : std::min(along.from - s.mesh[s.along].from, right),
                base = high.from - base_below(s, (along.from + along.to) / 2);
     const auto tell = [&](const char* key, const char* what, Real distance) {
       found.warn(
@@ -247,6 +274,33 @@ void are_walls_far_enough(const Scene& s, Findings& found)
           return tell(d == s.along ? "mesh.length" : "mesh.width", wall_name(d == s.along, lower), distance);
       }
     if (way.axis[s.up].known && base > 0 && base < clear * width) return tell("mesh.depth", "base", base);
+  }
+}
+
+void is_the_wall_beyond_the_plastic_zone(const Scene& s, Findings& found)
+{
+  if (!around_axis(s) || !s.is_mpm()) return;
+  for (const Way& way : s.ways) {
+    if (way.rigid == none || !s.rigids[way.rigid].bounded || !way.axis[s.up].known) continue;
+    const RigidScene& rigid = s.rigids[way.rigid];
+    const Real travel = s.up_sign * (way.axis[s.up].begin - way.axis[s.up].end);
+    // Soil flows around a ball; what is pushed in by less than its width heaves soil up instead of pushing it aside.
+    if (std::holds_alternative<bodies::CircleSettings>(s.c.rigid[way.rigid].second.shape) || !(travel > rigid.width)) continue;
+    const Index body = s.touched_by(way.rigid);
+    if (body == none) continue;
+    const material::Material soil = s.material_at(body, way.begin_embedment + travel);
+    const std::optional<material::Strength> strength = strength_at_rest(soil);
+    if (!strength || strength->friction_angle > 0 || !(strength->cohesion > 0)) continue;
+    const material::YoungPoisson elastic = young_poisson(soil);
+    const Real index = elastic.young_modulus / (2 * (1 + elastic.poisson_ratio) * strength->cohesion);
+    const Real zone = rigid.width / 2 * std::sqrt(index), wall = s.mesh[s.along].to;
+    if (!(wall < zone)) continue;
+    found.warn("mesh.length",
+               fmt::format("puts the wall at a radius of {}, and the soil that \"{}\" pushes aside yields up to {} (its radius "
+                           "times the root of G/s_u = {:.3g}): the wall holds it back; make the mesh {} long or longer",
+                           words_of(wall, "m"), s.c.rigid[way.rigid].first, words_of(zone, "m"), index,
+                           words_of(rounded_up(2 * zone), "m")));
+    return;
   }
 }
 

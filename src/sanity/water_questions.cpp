@@ -10,7 +10,7 @@ namespace berm::sanity {
 
 void does_water_have_time_to_flow(const Scene& s, Findings& found)
 {
-  constexpr Real nothing_drains = 0.01, drained = 10, most = 0.01;
+  constexpr Real nothing_drains = 0.01, drained = 10, most = 0.01;  // most: c_v over wave speed times width, of StageInertia::rest 0.1
   const Index rigid = main_rigid(s.c);
   const Real width = rigid == none ? 0 : s.rigids[rigid].width;
   if (!(width > 0)) return;
@@ -18,7 +18,7 @@ void does_water_have_time_to_flow(const Scene& s, Findings& found)
   if (soils.empty()) return;
   const problem::Consolidation& soil = soils.front();
   const material::Material& material = s.c.material[problem::index_of(s.c.material, soil.material)].second;
-  const Real wave = std::sqrt(soil.modulus / inertia_density(material)), all = width * width / soil.c_v;
+  const Real wave = soil.wave(), all = width * width / soil.c_v;
   for (const problem::StageDrainage& stage : drainage_of_stages(s.c, width, soil.c_v)) {
     const problem::StageKind kind = s.c.stage[stage.stage].kind;
     if (kind != problem::StageKind::drive && kind != problem::StageKind::free) continue;  // what a force loads does not rest
@@ -29,7 +29,8 @@ void does_water_have_time_to_flow(const Scene& s, Findings& found)
           fmt::format("is T = c_v t/D2 = {:.2g}: next to nothing drains; half of the pressure takes T = 0.1 or so, {}, all of it T = "
                       "10: take more time or, as time may be scaled, a larger permeability and a larger velocity",
                       stage.number, words_of(all / 10, "s")));
-    else if (s.is_mpm() && !(stage.number > drained) && soil.c_v > most * wave * width)
+    else if (const std::optional<problem::StageInertia> inertia = inertia_in(s.c, stage, soil, width);
+             inertia && inertia->is_large() && !(stage.number > drained))
       found.warn(
           "material." + soil.material + ".water.permeability",
           fmt::format("gives c_v = {:.3g} m2/s: in stage \"{}\" half of the pressure below the body goes within {}, and waves, which take "

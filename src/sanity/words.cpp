@@ -2,6 +2,8 @@
 // Tests: tests/unit/sanity/sanity_test.cpp
 #include "sanity/words.hpp"
 
+#include "problem/drainage.hpp"
+
 #include <fmt/format.h>
 
 namespace berm::sanity {
@@ -33,12 +35,7 @@ Real rounded_up(Real value)
 
 std::optional<Real> strength_of(const material::Material& material, Real depth, Real pressure)
 {
-  if (!yields(material)) return {};
-  const material::Material there = at_depth(material, depth);
-  if (const std::optional<material::Strength> soil = strength_at_rest(there))
-    return soil->cohesion * std::cos(soil->friction_angle) + pressure * std::sin(soil->friction_angle);
-  const std::vector<Real> undisturbed(static_cast<std::size_t>(state_size(material)), 0);
-  return shear_strength(there, -pressure, undisturbed.data());
+  return problem::strength_under(material, depth, pressure);
 }
 
 Real unit_weight_of(const Scene& s, Index body)

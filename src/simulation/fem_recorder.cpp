@@ -10,6 +10,17 @@ Vec<2> displacement_of(const fem::FemState& state, Index node)
   return {state.displacement[2 * node], state.displacement[2 * node + 1]};
 }
 
+/// The sum of the effective normal forces of the contact points, N/m (around an axis per radian).
+Real effective_normal_force(const fem::FemModel& model, const fem::FemState& state)
+{
+  Real sum = 0;
+  for (std::size_t k = 0; k < model.contact.size(); ++k) {
+    const Real pressure = state.contact[k].traction.dot(model.contact[k].normal);
+    sum += model.contact[k].area * std::max(Real(0), pressure - fem::interface_at(model, k, state).pore_pressure);
+  }
+  return sum;
+}
+
 }  // namespace
 
 void FemRecorder::observe_solution(const fem::FemState& state, const fem::IncrementEnd& end)
@@ -76,6 +87,10 @@ void FemRecorder::add_row(const fem::FemModel& model, fem::FemState& state, cons
   if (model.flow.count > 0) observe_consolidation(row_, now.stage);
   observe_tractions(model, state);
   observe_watches(model, state);
+  if (has_rigid && rubs_in_water(model.model, model.rigid)) {
+    of_rigid();
+    observe_effective_normal<2>(row_, effective_normal_force(model, state));
+  }
   file.add(row_);
 }
 

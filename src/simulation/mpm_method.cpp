@@ -7,6 +7,7 @@
 #include "core/ranks.hpp"
 #include "mpm/condition.hpp"
 #include "mpm/diagnose.hpp"
+#include "mpm/rest.hpp"
 #include "mpm/step.hpp"
 #include "mpm/time_step.hpp"
 #include "problem/archive_state.hpp"
@@ -25,7 +26,7 @@
 namespace berm::simulation {
 namespace {
 
-constexpr Real max_shaking = 0.15, max_mass = 0.01, max_contact_work = 0.01;  // above them a warning
+constexpr Real max_shaking = 0.15, max_mass = 0.01, max_contact_work = 0.01, max_stopped = 0.01;  // above them a warning
 
 /// What a stage of unknown duration is taken to last, s: as long as its body needs to go its width, or a wave to cross that a hundred times.
 Real typical_time(const problem::Case& c, const problem::StageSettings& stage)
@@ -126,6 +127,7 @@ template <int d>
 void MpmMethod<d>::begin(bool)
 {
   refuse_other_problem();
+  mpm::set_resting_soil(model(), problem_.state);
   mpm::divide(model(), problem_.state);
   work_.emplace(model(), state());
   if (model().update_stress_first)
@@ -266,6 +268,7 @@ run_folder::Summary::Checks MpmMethod<d>::checks() const
   checks.emplace_back("friction_work_is_loss", state().totals.friction >= 0);
   if (std::isfinite(recorder_.shaking())) checks.emplace_back("shaking_at_body", recorder_.shaking());
   const mpm::SoilCondition soil = mpm::soil_condition(model(), state());
+  if (model().mpm.active_distance) checks.emplace_back("energy_of_soil_that_came_to_rest", stopped_over_work());
   checks.emplace_back("mass_at_min_volume", soil.at_min_volume);
   checks.emplace_back("mass_at_max_volume", soil.at_max_volume);
   checks.emplace_back("mass_in_the_air", soil.in_the_air);
@@ -275,6 +278,14 @@ run_folder::Summary::Checks MpmMethod<d>::checks() const
     cells_.warn(model().rigid_bodies[main].name, width_of<d>(model().rigid_bodies[main].shape));
   warn_of(soil);
   return checks;
+}
+
+/// Kinetic energy of soil that still moved when it came to rest, over the largest work so far.
+template <int d>
+Real MpmMethod<d>::stopped_over_work() const
+{
+  const Real work = recorder_.largest_work();
+  return work > 0 ? state().active_soil.stopped / work : 0;
 }
 
 template <int d>
@@ -290,6 +301,9 @@ void MpmMethod<d>::warn_of(const mpm::SoilCondition& soil) const
         "contact gave {:.2g} J instead of taking energy: use scheme = \"musl_coupled\" or a smaller mpm.courant, and let no rigid body "
         "scrape over a boundary that is held",
         -state().totals.friction);
+  if (model().mpm.active_distance && stopped_over_work() > max_stopped)
+    spdlog::warn("soil still moved when it came to rest: {:.2g} of the work; enlarge mpm.active_distance (now {:g} m)", stopped_over_work(),
+                 *model().mpm.active_distance);
   const auto warn_of_bound = [&](Real part, const char* which, const char* key, Real ratio) {
     if (part > max_mass)
       spdlog::warn("{:.2g} % of the soil is at its {} volume, {} of the first: change mpm.{} if it should change further", 100 * part,

@@ -68,6 +68,7 @@ private:
   void divide_anew();
   bool is_at_rest() const;
   void tell_equilibrium(const problem::StageSettings& stage) const;
+  Real stopped_over_work() const;
   void warn_of(const mpm::SoilCondition& soil) const;
 
   Real memory_before_;  ///< bytes in use before the problem was built

@@ -167,6 +167,21 @@ void MpmRecorder<dim>::observe_watches(const problem::Model<dim>& model, const p
 }
 
 template <int dim>
+void MpmRecorder<dim>::observe_effective_normals(const problem::Model<dim>& model, const problem::State<dim>& state)
+{
+  const Real time = state.time - last_time_;
+  for (Index r = 0; r < static_cast<Index>(model.rigid_bodies.size()); ++r) {
+    if (!rubs_in_water(model, r)) continue;
+    if (r == model.main_rigid)
+      row_.of_main(model.rigid_bodies[r].name);
+    else
+      row_.of(model.rigid_bodies[r].name);
+    const Real impulse = state.rigid_bodies[r].effective_impulse - last_rigids_[r].effective_impulse;
+    observe_effective_normal<dim>(row_, time > 0 ? std::max(Real(0), impulse / time) : 0);
+  }
+}
+
+template <int dim>
 void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, problem::State<dim>& state, const mpm::Work<dim>& work,
                                run_folder::HistoryFile& file)
 {
@@ -200,6 +215,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, problem::State<
   observe_contacts(model, state, work);
   observe_tractions(model, state);
   observe_watches(model, state);
+  observe_effective_normals(model, state);
   file.add(row_);
   if (model.main_rigid != none && model.driven[state.stage.index] == model.main_rigid)
     if (const Real now = mpm::shaking(model, state, work); std::isfinite(now)) shaking_ += now, shaken_rows_ += 1;

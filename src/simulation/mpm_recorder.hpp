@@ -37,6 +37,7 @@ private:
   void observe_body(const mpm::BodySums<dim>& sums, const Vec<dim>& first_center);
   void observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Work<dim>& work);
   void observe_tractions(const problem::Model<dim>& model, const problem::State<dim>& state);
+  void observe_effective_normals(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_watches(const problem::Model<dim>& model, const problem::State<dim>& state);
 
   Real last_time_ = 0;

@@ -30,6 +30,14 @@ void observe(run_folder::Row& row, const RigidResponse& response)
   row("V", response.V, run_folder::newtons<dim>, "vertical reaction");
 }
 
+/// The resultant of what presses a rigid body's surface, where it rubs on soil with water: the integral of the effective normal stress. Times the friction coefficient
+/// it is the axial resistance of a pipe.
+template <int dim>
+void observe_effective_normal(run_folder::Row& row, Real force)
+{
+  row("N_eff", force, run_folder::newtons<dim>, "effective normal force on the surface");
+}
+
 /// Its rotation, counter-clockwise: the moment of the soil on it about its centre (N m/m or N m), and its rotation since the start (rad). In space both are
 /// vectors: Mx_Nm, anglex_rad ...
 template <int dim>

@@ -17,8 +17,8 @@ namespace berm::structures {
 
 const std::vector<const base::Structure*>& all_structures()
 {
-  static const penetration::Penetration cone(cone::reading()), ball(ball::reading()), t_bar(t_bar::reading()), pile(pile::reading()),
-      footing(footing::reading());
+  static const penetration::Penetration cone(cone::reading()), ball(ball::reading()), t_bar(t_bar::reading()), pile(pile::reading());
+  static const footing::Footing footing;
   static const anchor::Anchor anchor;
   static const pipe::Pipe pipe;
   static const generic::Generic generic;

@@ -44,6 +44,18 @@ struct MadeRunInWater {
     }
     return run;
   }
+
+  /// The same with an effective normal force of 100 N/m in the push, 400 N/m in the rest and 550 N/m in its last row, where V is 500 N/m.
+  record::RunRecord record_with_normal_force() const
+  {
+    record::RunRecord run = record();
+    run_folder::History& h = run.history;
+    h.columns.push_back(columns_named({"N_eff_N_m"}).front());
+    h.values.emplace_back();
+    for (const std::string& stage : h.stage) h.values.back().push_back(stage == "rest" ? 400 : 100);
+    h.values.back().back() = 550;
+    return run;
+  }
 };
 
 }  // namespace berm

@@ -12,7 +12,8 @@ struct SenselessInput {
   enum class Answer { warned, refused, either };  // either: it depends on the machine
 
   const char* name;
-  const char* base;  ///< bed: the coarse probe test; elements: its finite elements; box: the small case; space: that in space
+  const char*
+      base;  ///< bed: the coarse probe test; elements: its finite elements; box: the small case; space: that in space; cone: a cone in clay
   Answer answer;
   std::vector<std::string> says;       ///< the key, and parts of the message
   std::vector<std::string> overrides;  ///< KEY=VALUE, as for --set
@@ -575,6 +576,27 @@ inline const std::vector<SenselessInput>& senseless_inputs()
        {"body.sand.soil_layer[0].top", "1 mm below it, less than a cell, 4 mm", "mesh.near_size = 0.5 mm"},
        {"body.sand.soil_layer=[{top=0.02, material=\"dense\"}, {top=0.021, material=\"sand\"}]",
         "material.dense={law=\"mohr_coulomb\", density=900, young_modulus=9e6, poisson_ratio=0.25, friction_angle=\"38 deg\"}"},
+       "",
+       ""},
+      {"fine_zone_that_ends_before_the_body",
+       "space",
+       warned,
+       {"mesh.near_front", "\"pipe\" reaches 0.1 m", "let the fine zone reach beyond it"},
+       {"mesh.near_front=0.04", "rigid.pipe.axis=[0, 0, 1]"},
+       "",
+       ""},
+      {"wall_around_the_axis_at_the_body",
+       "cone",
+       warned,
+       {"mesh.length", "the wall is 22", "carries a part of the force"},
+       {"mesh.length=40 mm"},
+       "",
+       ""},
+      {"wall_in_the_plastic_zone_of_a_cone",
+       "cone",
+       warned,
+       {"mesh.length", "yields up to 178 mm", "G/s_u = 100", "make the mesh 400 mm long"},
+       {"mesh.length=0.1 m"},
        "",
        ""},
       {"layer_that_flows",

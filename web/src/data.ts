@@ -104,6 +104,22 @@ export interface FilmData {
   elements: number;
   fields: FieldData[];
   rigids: RigidData[];
+  /** The flow of the water, of runs that have it. */
+  flow?: FlowData;
+}
+
+/** Darcy's flux by frame on a grid of squares. Signed bytes x, y of each square, row by row from below, frame by frame: flux = largest of the frame * byte / 127. */
+export interface FlowData {
+  /** m, the lower left corner of the grid, and the side of a square. */
+  lower: [number, number];
+  side: number;
+  columns: number;
+  rows: number;
+  /** m/s, by frame. */
+  largest: number[];
+  block: string;
+  /** Of both halves around an axis: the same at -x, too. */
+  mirrored?: boolean;
 }
 
 /** The whole of a run in space: positions have planes [z low][z high], too, and rigid bodies are surfaces. */

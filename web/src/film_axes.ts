@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What lies around and over the soil: axes in mm (m, where the soil is large), the original surface, rigid bodies.
 import type { Window } from "./film_camera";
+import { type Arrows, draw_arrows, draw_scale } from "./film_flow";
 import { tick_text, ticks } from "./film_numbers";
 
 /** px of the page around the plot. */
@@ -40,6 +41,8 @@ export interface Scene {
   ground?: [number, number][];
   /** Corners x, y in m. */
   outlines: Float32Array[];
+  /** The flow of the water; null: not shown. */
+  arrows: Arrows | null;
 }
 
 /** Draws over a picture of `width` by `height` px of the page, whose plot (inside of MARGIN) shows the window. */
@@ -54,6 +57,7 @@ export function draw_axes(context: CanvasRenderingContext2D, scene: Scene, ink: 
   context.beginPath();
   context.rect(plot.x, plot.y, plot.width, plot.height);
   context.clip();
+  if (scene.arrows !== null) draw_arrows(context, scene.arrows, scale, at_x, at_y);
   for (const outline of scene.outlines) draw_body(context, outline, at_x, at_y);
   const level = scene.surface;
   if (scene.ground !== undefined) draw_surface(context, scene.ground.map(([x, y]) => [at_x(x), at_y(y)]));
@@ -94,6 +98,7 @@ export function draw_axes(context: CanvasRenderingContext2D, scene: Scene, ink: 
   context.textAlign = "left";
   context.textBaseline = "top";
   context.fillText(`y (${unit.name})`, 2, 2);
+  if (scene.arrows !== null) draw_scale(context, scene.arrows, scale, plot.x + plot.width, plot.y / 2, ink.text);
 }
 
 function draw_body(context: CanvasRenderingContext2D, outline: Float32Array, at_x: (x: number) => number, at_y: (y: number) => number): void {

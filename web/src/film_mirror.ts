@@ -14,6 +14,7 @@ export function mirrored_film(half: FilmData): FilmData {
     lower: [-radius, half.lower[1]],
     step: (2 * radius) / MOST,
     view: { lower: [-half.view.upper[0], half.view.lower[1]], upper: half.view.upper },
+    flow: half.flow && { ...half.flow, mirrored: true },
     rigids: [...half.rigids, ...half.rigids.map((rigid) => ({ ...rigid, mirrored: true }))],
   };
 }

@@ -5,7 +5,8 @@ import { type Box, type Camera, camera_of, panned, REGION, type Window, window_o
 import type { ColourBar } from "./film_colour_bar";
 import { colour_table, type Range } from "./film_colours";
 import { listen } from "./film_gestures";
-import { draw_axes, MARGIN, PAPER } from "./film_axes";
+import { draw_axes, MARGIN, PAPER, type Scene } from "./film_axes";
+import { type Arrows, arrows_of } from "./film_flow";
 import { display_unit } from "./film_numbers";
 import type { Look } from "./film_painter";
 import { PanelPage, type Wishes } from "./film_panel_page";
@@ -32,6 +33,8 @@ export class FilmPanel {
   private soil: Soil | null = null;
   private values: Values | null = null;
   private outlines: Float32Array[][] = [];
+  private flow: Int8Array[] | null = null;
+  private with_arrows = true;
   private default_range: Range = { from: 0, to: 1 };
   private range: Range = this.default_range;
   private colours: Uint8Array = new Uint8Array(4 * 256);
@@ -107,6 +110,11 @@ export class FilmPanel {
   show_field(name: FieldData["name"]): void {
     this.field_name = name;
     void this.load();
+  }
+
+  show_arrows(on: boolean): void {
+    this.with_arrows = on;
+    this.request_draw();
   }
 
   go_to(at: number): void {
@@ -198,15 +206,17 @@ export class FilmPanel {
     this.set_state("loading");
     this.stage.tell("Loading the film …");
     try {
-      const [soil, values, outlines] = await Promise.all([
+      const [soil, values, outlines, flow] = await Promise.all([
         parts.soil(),
         field === null ? null : parts.values(field),
         Promise.all(film.rigids.map((rigid) => parts.outline(rigid))),
+        film.flow === undefined ? null : parts.flow(film.flow),
       ]);
       if (mine !== this.loading) return;
       this.soil = soil;
       this.values = values;
       this.outlines = outlines;
+      this.flow = flow;
       if (field !== null) this.colours = colour_table(field);
       this.arm_painter();
       this.bar_of = "";
@@ -239,7 +249,7 @@ export class FilmPanel {
   private draw(): void {
     this.page.show_moment(this.run, this.at);
     if (this.soil === null) return;
-    this.stage.draw(this.make_look(), { window: this.window, surface: this.film.surface, ground: this.film.ground, outlines: this.outlines_now() });
+    this.stage.draw(this.make_look(), this.scene());
     const label = sentence(this.run, this.field, this.at);
     this.stage.over.setAttribute("aria-label", label);
     const bar = this.colour_bar();
@@ -252,8 +262,20 @@ export class FilmPanel {
     dataset.run = this.run.name;
     dataset.frame = String(Number(this.at.toFixed(4)));
     dataset.field = this.field?.name ?? "";
+    dataset.arrows = String(this.arrows_now()?.list.length ?? 0);
     dataset.painter = this.stage.painter.kind;
     dataset.framesDrawn = String(++this.frames_drawn);
+  }
+
+  private scene(): Omit<Scene, "width" | "height"> {
+    return { window: this.window, surface: this.film.surface, ground: this.film.ground, outlines: this.outlines_now(), arrows: this.arrows_now() };
+  }
+
+  /** Those of the nearest frame. */
+  private arrows_now(): Arrows | null {
+    if (!this.with_arrows || this.flow === null || this.film.flow === undefined) return null;
+    const frame = Math.round(this.at);
+    return arrows_of(this.film.flow, this.flow[frame], frame);
   }
 
   private outlines_now(): Float32Array[] {
@@ -289,7 +311,7 @@ export class FilmPanel {
     this.at = at;
     const { element } = this.stage;
     const bar = this.colour_bar();
-    const scene = { window: this.window, surface: this.film.surface, ground: this.film.ground, outlines: this.outlines_now(), width: element.clientWidth, height: element.clientHeight };
+    const scene = { ...this.scene(), width: element.clientWidth, height: element.clientHeight };
     const bar_title = bar === null ? "" : `${this.field!.label} (${bar.unit.name})`;
     const caption = `${this.run.title}. ${sentence(this.run, this.field, at)}.`;
     let picture: HTMLCanvasElement | null = null;

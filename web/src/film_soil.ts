@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The unpacked parts of one run's film; each block is read once, when first asked for.
-import type { FieldData, FilmData, RigidData } from "./data";
+import type { FieldData, FilmData, FlowData, RigidData } from "./data";
 import { damaged, read_block } from "./film_blocks";
+import { decode_flow } from "./film_flow";
 import { decode_outline, decode_places, decode_sizes, decode_triangles, decode_values } from "./film_decode";
 
 /** Where the soil is, by frame: x = lower + step * code. */
@@ -55,6 +56,10 @@ export class FilmParts {
 
   outline(rigid: RigidData): Promise<Float32Array[]> {
     return this.once(rigid.block, () => decoded(rigid.block, (bytes) => decode_outline(bytes, this.film.frames.length, rigid.points)));
+  }
+
+  flow({ block, columns, rows }: FlowData): Promise<Int8Array[]> {
+    return this.once(block, () => decoded(block, (bytes) => decode_flow(bytes, this.film.frames.length, columns * rows)));
   }
 
   protected once<T>(key: string, make: () => Promise<T>): Promise<T> {

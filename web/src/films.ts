@@ -96,6 +96,8 @@ class Films {
       bar.append(tick_box("film-linked", "Linked", true, (on) => this.link(on)), this.together.label, this.same);
     }
     if (this.halves.some((run) => run.film.around_axis)) bar.append(tick_box("film-both", "Both halves around the axis", true, (on) => this.mirror(on)));
+    if (this.halves.some((run) => run.film.flow !== undefined))
+      bar.append(tick_box("film-arrows", "Arrows of the water's flow", true, (on) => this.panels.forEach((panel) => panel.show_arrows(on))));
     bar.append(this.save);
     return bar;
   }

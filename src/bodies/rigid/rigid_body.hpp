@@ -35,7 +35,9 @@ struct RigidState {
   Real impulse_times_gap =
       0;  ///< the same, each times the distance of the node's nearest particle from the surface; over impulse_sum: the contact gap
   Real shaft_impulse = 0;  ///< around an axis: the part along it, given to the soil by sides parallel to it, N s
-  Real max_overlap = 0;    ///< m, maximum depth of a particle in the body since the last row of the history
+  Real effective_impulse =
+      0;  ///< of all points the part of the normal impulse that the soil's skeleton carries, since the start, N s/m or N s; where friction acts in soil with water
+  Real max_overlap = 0;  ///< m, maximum depth of a particle in the body since the last row of the history
   Vec<dim> near_cells_displacement =
       Vec<dim>::Constant(infinity);         ///< displacement when the cells near it were last listed (contact/detect.hpp), m
   Orientation<dim> near_cells_orientation;  ///< and its orientation then

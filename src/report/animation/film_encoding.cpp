@@ -3,6 +3,7 @@
 #include "report/animation/film_encoding.hpp"
 
 #include "core/for_each_task.hpp"
+#include "report/animation/film_flow.hpp"
 #include "report/animation/film_outline.hpp"
 #include "report/animation/film_quantization.hpp"
 #include "report/animation/film_surface.hpp"
@@ -169,6 +170,11 @@ Film encoded_film(const record::RunRecord& run, const FilmFrames& footage, const
     film["fields"].push_back(
         {{"name", field.name}, {"label", field.label}, {"unit", field.unit}, {"low", nullptr}, {"high", nullptr}, {"block", id}});
   }
+  const std::optional<FilmFlow> flow = film_flow(frames, footage.sizes, view);
+  if (flow)
+    film["flow"] = {{"lower", pair_of(flow->box.lower)}, {"side", flow->side},
+                    {"columns", flow->columns},          {"rows", flow->rows},
+                    {"largest", flow->largest},          {"block", blocks.add("flow", [&flow] { return bytes_of(flow->codes); })}};
   film["rigids"] = Json::array();
   const std::vector<FilmOutline> outlines = whole ? std::vector<FilmOutline>() : film_outlines(frames, run.settings.dimension());
   for (const FilmOutline& outline : outlines) {

@@ -3,6 +3,7 @@
 #include "report/animation/film_fields_of_frames.hpp"
 
 #include "core/error.hpp"
+#include "run_folder/frame.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -10,6 +11,8 @@
 
 namespace berm::report {
 namespace {
+
+const std::string flow_field = run_folder::water_flux_field<2>().name;
 
 float finite(float value)
 {
@@ -39,6 +42,7 @@ FilmReader::FilmReader(const run_folder::FrameFiles& first, int dimension, const
   const Index count = static_cast<Index>(first_.x.size());
   if (count == 0) throw RunError(fmt::format("{}: has no particles", first.soil.string()));
   with_z_ = dimension == 3 && part == FilmPart::whole;
+  has_flow_ = !with_z_ && run_folder::find_field(first_.fields, flow_field) != nullptr;
   if (with_z_) one_of_ = (count + most - 1) / most;
   const auto stands_for = static_cast<float>(std::cbrt(Real(one_of_)));
   const auto [lowest, highest] = std::minmax_element(first_.z.begin(), first_.z.end());
@@ -99,6 +103,12 @@ FilmFrame FilmReader::film_frame(const run_folder::SavedSoil& soil) const
     if (with_z_) frame.z.push_back(soil.z[k]);
   }
   for (const FilmField& field : fields_) frame.fields.push_back(values(soil, field));
+  if (!has_flow_) return frame;
+  const std::vector<float>& flow = soil[flow_field];
+  for (const Index k : chosen_) {
+    frame.flow_x.push_back(finite(flow[3 * k]));
+    frame.flow_y.push_back(finite(flow[3 * k + 1]));
+  }
   return frame;
 }
 

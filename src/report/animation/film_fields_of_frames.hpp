@@ -9,6 +9,7 @@ namespace berm::report {
 struct FilmFrame {
   std::vector<float> x, y;                 ///< m
   std::vector<float> z;                    ///< m; empty but where all of a run in space is shown
+  std::vector<float> flow_x, flow_y;       ///< m/s, flux of the water; empty where none flows, and where all of a run in space is shown
   std::vector<std::vector<float>> fields;  ///< as FilmReader::fields says; those that are summed from the first frame read on
   run_folder::SavedRigids rigid_bodies;
 };
@@ -34,6 +35,8 @@ public:
   const std::vector<float>& sizes() const { return sizes_; }
   /// Quadratic triangles of points; none in MPM.
   const std::vector<std::array<Index, 6>>& triangles() const { return first_.triangles; }
+  /// Whether the frames have the flow of the water.
+  bool has_flow() const { return has_flow_; }
   /// z of the slice, m.
   Real middle() const { return middle_; }
   /// One of so many particles is shown; 1: all.
@@ -56,7 +59,7 @@ private:
   std::vector<float> sizes_;
   Real middle_ = 0;
   Index one_of_ = 1;
-  bool with_z_ = false;
+  bool with_z_ = false, has_flow_ = false;
 };
 
 }  // namespace berm::report

@@ -26,6 +26,13 @@ std::string sentence_of(const record::RunRecord& run, const problem::Consolidati
                                      text::stress_words(soil.modulus)));
 }
 
+std::string inertia_cell(const problem::Case& c, const problem::StageDrainage& stage, const problem::Consolidation& soil, Real width)
+{
+  if (!(width > 0)) return "–";
+  const std::optional<problem::StageInertia> inertia = inertia_in(c, stage, soil, width);
+  return inertia ? text::html_text(base::inertia_words(*inertia)) : "none";
+}
+
 void add_rows(const record::RunRecord& run, Real width, const problem::Consolidation& soil, text::HtmlTable& table)
 {
   const std::vector<base::Dissipation> rests = base::dissipation_of(run);
@@ -38,6 +45,7 @@ void add_rows(const record::RunRecord& run, Real width, const problem::Consolida
                {text::html_text(name)},
                {known(v, fmt::format("{:.3g}", v)), true},
                {std::isnan(v) ? "–" : base::drainage_word(v)},
+               {inertia_cell(run.settings, stage, soil, width)},
                {width > 0 ? known(T, fmt::format("{:.3g}", T)) : "–", true},
                {known(d.degree, text::percent_words(d.degree)), true},
                {known(d.t50, text::time_words(d.t50)), true},
@@ -54,6 +62,7 @@ std::string consolidation_table(const std::vector<record::RunRecord>& runs)
                  {"stage"},
                  {"<i>v D</i>/<i>c</i><sub>v</sub>", true},
                  {""},
+                 {"inertia"},
                  {"<i>T</i> = <i>c</i><sub>v</sub> <i>t</i>/<i>D</i>²", true},
                  {"<i>U</i> at the end", true},
                  {"<i>t</i><sub>50</sub>", true},

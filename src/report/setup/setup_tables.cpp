@@ -158,6 +158,7 @@ void add_contact(Rows& rows, const std::string& prefix, const std::string& name,
     rows.add(prefix + "sensitivity of the adhesion",
              fmt::format("{:.3g}, 95 % lost after {}", contact.adhesion_sensitivity, text::length_words(contact.adhesion_ductility)));
   if (contact.tension > 0) rows.add(prefix + "tension", contact.tension < infinity ? text::stress_words(contact.tension) : "unlimited");
+  if (contact.drained) rows.add(prefix + "water", "crosses it (drained)");
   if (rows.settings().method == problem::Method::mpm)
     for (const char* key : {"scheme", "detection"})
       rows.add(prefix + key, word_of(rows.settings(), fmt::format("contact.{}.{}", name, key)));

@@ -53,6 +53,14 @@ std::string freedom_words(const problem::DriveSettings& drive, int dimension)
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+/// ", rotation about z on a spring of 3e+05 N m/rad" of a push or a drag.
+std::string turn_words(const problem::StageSettings& stage, int dimension)
+{
+  if (stage.kind != problem::StageKind::push && stage.kind != problem::StageKind::drag) return "";
+  const std::string words = freedom_words(stage.drive, dimension);
+  return words.empty() ? "" : ", " + words;
+}
+
 }  // namespace
 
 std::string until_words(const problem::StageSettings& stage, int dimension, Real scale)
@@ -78,12 +86,12 @@ std::string drive_words(const problem::StageSettings& stage, int dimension)
   case problem::StageKind::free:
     return "time goes on";
   case problem::StageKind::push:
-    return rate_words(stage, dimension) + " down";
+    return rate_words(stage, dimension) + " down" + turn_words(stage, dimension);
   case problem::StageKind::drive:
     return freedom_words(stage.drive, dimension);
   case problem::StageKind::drag:
   case problem::StageKind::sweep:
-    return rate_words(stage, dimension) + " along x" + vertical_words(stage, dimension);
+    return rate_words(stage, dimension) + " along x" + vertical_words(stage, dimension) + turn_words(stage, dimension);
   }
   return "";
 }
@@ -96,7 +104,7 @@ std::string stage_words(const problem::StageSettings& stage, int dimension)
   const std::string called = stage.name == kind ? kind : fmt::format("{} ({})", kind, stage.name);
   const bool drive = stage.kind == problem::StageKind::drive;
   const std::string rate = drive ? freedom_words(stage.drive, dimension) : rate_words(stage, dimension),
-                    vertical = vertical_words(stage, dimension);
+                    vertical = vertical_words(stage, dimension) + turn_words(stage, dimension);
   const bool to_a_level = stage.until.embedment.has_value();
   return fmt::format("{}{}{}{}{}", called, rate.empty() ? "" : " " + rate, vertical, to_a_level ? " to " : ", ",
                      until_words(stage, dimension));

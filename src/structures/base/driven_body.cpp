@@ -19,6 +19,13 @@ const contact::ContactSettings* contact_of_body(const problem::Case& c)
   return found;
 }
 
+Real interface_ratio(const contact::ContactSettings& contact, Real strength)
+{
+  if (contact.scheme == contact::Scheme::tied) return 1;
+  if (contact.friction_angle > 0 || !(strength > 0)) return nan;
+  return std::min(Real(1), contact.adhesion_factor > 0 ? contact.adhesion_factor : contact.adhesion / strength);
+}
+
 std::optional<problem::BodySoil> touched_soil(const problem::Case& c)
 {
   const contact::ContactSettings* contact = contact_of_body(c);

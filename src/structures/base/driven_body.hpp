@@ -34,6 +34,9 @@ std::string body_word(const problem::Case& c);
 /// The contact of a deformable body with the main rigid body, the last where there are several; null where there is none.
 const contact::ContactSettings* contact_of_body(const problem::Case& c);
 
+/// The shear strength of an interface with adhesion over this strength of the soil, Pa; 1 where it is tied, NaN where it has friction or the soil no such strength.
+Real interface_ratio(const contact::ContactSettings& contact, Real strength);
+
 /// The soil of that deformable body; empty where none touches.
 std::optional<problem::BodySoil> touched_soil(const problem::Case& c);
 

@@ -4,6 +4,7 @@
 
 #include "formulas/footing.hpp"
 #include "formulas/penetrometer.hpp"
+#include "structures/footing/footing_envelope.hpp"
 #include "structures/penetration/penetration_run.hpp"
 
 namespace berm::footing {
@@ -97,6 +98,16 @@ const penetration::Reading& reading()
                                             .published = published,
                                             .remark = ""};
   return footing;
+}
+
+base::EmbeddedBody Footing::embedded(const problem::Case& c) const
+{
+  return embedded_footing(c);
+}
+
+base::PublishedEnvelope Footing::published_envelope(const problem::Case& c, const base::EnvelopeEnds&) const
+{
+  return footing_envelope(c);
 }
 
 }  // namespace berm::footing

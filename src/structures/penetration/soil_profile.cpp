@@ -6,18 +6,6 @@
 #include <algorithm>
 
 namespace berm::penetration {
-namespace {
-
-/// alpha of a contact in soil of this strength: adhesion alone slips at it.
-Real ratio_of(const contact::ContactSettings& contact, Real strength)
-{
-  if (contact.scheme == contact::Scheme::tied) return 1;
-  if (contact.friction_angle > 0 || !(strength > 0)) return nan;
-  return std::min(Real(1), contact.adhesion_factor > 0 ? contact.adhesion_factor : contact.adhesion / strength);
-}
-
-}  // namespace
-
 SoilProfile::SoilProfile(const record::RunRecord& run)
     : run_(run),
       soil_(base::touched_soil(run)),
@@ -48,7 +36,7 @@ SoilAt SoilProfile::at(Real depth) const
   soil.anisotropy = (soil.overburden - horizontal) / (2 * soil.strength);
   const material::YoungPoisson elastic = young_poisson(material);
   soil.rigidity_index = elastic.young_modulus / (2 * (1 + elastic.poisson_ratio) * soil.strength);
-  soil.interface_ratio = ratio_of(*base::contact_of_body(run_.settings), soil.strength);
+  soil.interface_ratio = base::interface_ratio(*base::contact_of_body(run_.settings), soil.strength);
   return soil;
 }
 

@@ -6,6 +6,7 @@
 #include "structures/base/kind.hpp"
 #include "structures/pipe/pipe_curves.hpp"
 #include "structures/pipe/published/pipe_envelope.hpp"
+#include "structures/pipe/report/axial_table.hpp"
 #include "structures/pipe/report/curve_figures.hpp"
 #include "structures/pipe/report/in_words.hpp"
 #include "structures/pipe/report/key_results.hpp"
@@ -13,6 +14,7 @@
 #include "structures/pipe/report/pipe_observables.hpp"
 #include "structures/pipe/report/published_table.hpp"
 #include "structures/pipe/report/soil_figures.hpp"
+#include "structures/pipe/results/axial_results.hpp"
 #include "structures/pipe/results/mechanism.hpp"
 #include "structures/pipe/results/moments_in_space.hpp"
 #include "structures/pipe/results/prescribed.hpp"
@@ -44,6 +46,7 @@ std::vector<run_folder::Quantity> Pipe::quantities(const record::RunRecord& run,
   take_berms(results, PipeRun(run));
   std::vector<run_folder::Quantity> list = quantities_of(results, scale);
   for (run_folder::Quantity& moment : moments_in_space(run)) list.push_back(std::move(moment));
+  for (run_folder::Quantity& axial : axial_quantities(run)) list.push_back(std::move(axial));
   return list;
 }
 
@@ -90,7 +93,7 @@ std::string Pipe::in_words(const record::RunRecord& run, const base::DisplayUnit
 
 std::string Pipe::key_results(const base::Runs& runs, const base::DisplayUnits& shown) const
 {
-  return pipe::key_results(pipe_runs(runs), shown);
+  return pipe::key_results(pipe_runs(runs), shown) + axial_table(pipe_runs(runs), shown);
 }
 
 std::string Pipe::published_values(const base::Runs& runs, const base::DisplayUnits& shown) const

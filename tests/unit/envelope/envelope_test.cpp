@@ -106,7 +106,7 @@ TEST(EnvelopeTable, takes_the_last_forces_of_a_probe_and_their_growth_along_its_
   // Travel 4 m along 3:4; the resistance at 3/4 of it is 0.8 x 40 + 0.6 x 20 = 44, at the end 0.8 x 50 + 0.6 x 30 = 58.
   const Real angle = std::atan2(4., 3.) * 180 / pi;
   const run_folder::History history = history_of({0.6, 1.2, 1.8, 2.4}, {1.8, 2.6, 3.4, 4.2}, {10, 30, 40, 50}, {0, 10, 20, 30});
-  const ProbeResult result = result_of(probe_of(ProbeKind::direction, angle), history, 1);
+  const ProbeResult result = result_of(probe_of(ProbeKind::direction, angle), history, {1});
   EXPECT_EQ(result.end.V, 50);
   EXPECT_EQ(result.end.H, 30);
   EXPECT_EQ(result.end.w, 4.2);
@@ -118,7 +118,7 @@ TEST(EnvelopeTable, takes_the_last_forces_of_a_probe_and_their_growth_along_its_
 
 TEST(EnvelopeTable, keeps_the_whole_path_of_a_swipe_from_where_the_push_ended)
 {
-  const ProbeResult result = result_of(probe_of(ProbeKind::swipe, nan), history_of({1, 2, 3}, {1, 1, 1}, {4, 3, 2}, {1, 2, 3}), 1);
+  const ProbeResult result = result_of(probe_of(ProbeKind::swipe, nan), history_of({1, 2, 3}, {1, 1, 1}, {4, 3, 2}, {1, 2, 3}), {1});
   ASSERT_EQ(result.path.size(), 4u);
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_EQ(result.path[k].V, 5 - static_cast<Real>(k));

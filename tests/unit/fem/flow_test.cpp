@@ -193,6 +193,24 @@ TEST(Flow, does_not_cross_a_rigid_plate)
   EXPECT_NEAR(least, material::stiffness_over_skeleton * oedometer_modulus * 1e-4 / 0.5, 0.02 * least);  // the contact's springs
 }
 
+// As a layer under a load; 2 %: increments, long elements, and the springs of the contact.
+TEST(Flow, crosses_a_drained_rigid_plate)
+{
+  constexpr Real k = 1e-6, T = 0.5;
+  problem::Case c = plate_on_block(wet_soil(k), 1, {4, 20});
+  c.support[2].second.fixed = {"y"};
+  c.contact[0].second.drained = true;
+  c.stage = {pushing()};
+  c.stage[0].velocity.reset();
+  c.stage[0].force = 10e3;
+  c.stage[0].ramp = 1e-3;
+  c.stage[0].until.time = T * 0.25 / consolidation_coefficient(k);
+  const FemProblem problem = run(c);
+  constexpr Real first = 10e3 * material::stiffness_over_skeleton / (1 + material::stiffness_over_skeleton);
+  EXPECT_NEAR(pressure_at(problem, {0.5, 0}) / first, terzaghi_at_base(T), 0.02 * terzaghi_at_base(T));
+  EXPECT_EQ(pressure_at(problem, {0.5, 0.5}), 0);
+}
+
 TEST(Flow, of_water_that_cavitates_is_refused)
 {
   material::LinearElastic soil = wet_soil();

@@ -46,6 +46,37 @@ TEST(Footing, the_factor_of_design_codes_is_near_that_of_a_rough_base)
   }
 }
 
+TEST(Footing, a_horizontal_load_takes_half_of_the_vertical_one_before_the_base_slides)
+{
+  EXPECT_NEAR(n_c_inclined(0).value, n_c(0).value, 1e-12);
+  EXPECT_NEAR(n_c_inclined(1).value, n_c(0).value / 2, 1e-12);
+  // d/dh (acos h + sqrt(1 - h^2)) = -(1 + h) / sqrt(1 - h^2).
+  for (const Real h : {0.2, 0.5, 0.8})
+    EXPECT_NEAR((n_c_inclined(h + 1e-6).value - n_c_inclined(h - 1e-6).value) / 2e-6, -std::sqrt((1 + h) / (1 - h)), 1e-6) << h;
+}
+
+TEST(Footing, a_moment_leaves_the_effective_width_to_the_load)
+{
+  // Without H: v = b (2 + pi), the largest moment (2 + pi)/8 at half the load.
+  for (const Real v : {0.5, 2.57, 5.}) EXPECT_NEAR(strip_moment_on_effective_width(v, 0).value, v * (1 - v / (2 + pi)) / 2, 1e-12) << v;
+  EXPECT_NEAR(strip_moment_on_effective_width((2 + pi) / 2, 0).value, (2 + pi) / 8, 1e-12);
+  // On the envelope of V and H no moment is left, and a base that slides leaves what slides: b = h.
+  for (const Real h : {0.3, 0.7, 1.}) EXPECT_NEAR(strip_moment_on_effective_width(n_c_inclined(h).value, h).value, 0, 1e-9) << h;
+  EXPECT_NEAR(strip_moment_on_effective_width(1, 0.6).value, 0.2, 1e-12);
+  const Real b = 0.8, h = 0.4, v = b * n_c_inclined(h / b).value;
+  EXPECT_NEAR(strip_moment_on_effective_width(v, h).value, v * (1 - b) / 2, 1e-12);
+  EXPECT_FALSE(strip_moment_on_effective_width(5, 0.9).valid);
+}
+
+TEST(Footing, the_arc_through_both_edges_is_the_one_that_carries_least)
+{
+  const auto moment = [](Real a) { return a / (2 * std::sin(a) * std::sin(a)); };
+  const Real least = strip_moment_of_arc().value;
+  EXPECT_NEAR(least, 0.690, 0.0005);
+  for (Real a = 0.2; a < 3; a += 0.01) EXPECT_GE(moment(a), least - 1e-12) << a;
+  EXPECT_GT(least, (2 + pi) / 8) << "a base that sticks carries more than one on its effective width";
+}
+
 TEST(Footing, values_out_of_range_are_told)
 {
   EXPECT_TRUE(n_q(0).valid);

@@ -138,5 +138,15 @@ TEST(DrivesInSpace, are_velocity_force_free_held_or_spring_and_one_of_them)
     EXPECT_NE(refusal_in_space(space_case(box, drive)).find(says), std::string::npos) << refusal_in_space(space_case(box, drive));
 }
 
+TEST(DrivesInSpace, of_a_push_are_its_rotations_only)
+{
+  const auto pushed = [](const std::string& drive) {
+    std::string text = space_case(box, "velocity = 0.1\n" + drive);
+    return refusal_in_space(text.replace(text.find("\"drive\"\nuntil"), 7, "\"push\""));
+  };
+  EXPECT_EQ(pushed("drive.rotation_z.spring = 2"), "");
+  EXPECT_NE(pushed("drive.z.spring = 2").find("a push or a drag has velocity, force and vertical"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace berm::input

@@ -61,6 +61,15 @@ TEST(Water, that_flows_needs_porosity_and_permeability)
   EXPECT_WATER_SAYS(refusal_with({"support.base.drained=true"}), "support.base.drained: no soil has water that flows");
 }
 
+TEST(Water, crosses_rigid_bodies_that_are_drained_where_it_flows)
+{
+  const std::string flows = in_water + "drainage=consolidation", k = in_water + "permeability=1e-5 m/s", n = in_water + "porosity=0.4",
+                    open = "contact.pipe_on_bed.drained=true";
+  EXPECT_EQ(refusal_with({flows, k, n, open}), "");
+  EXPECT_WATER_SAYS(refusal_with({open}), "contact.pipe_on_bed.drained: the water of [body.");
+  EXPECT_WATER_SAYS(refusal_with({open}), "] does not flow: give its material water.drainage = \"consolidation\"");
+}
+
 TEST(Water, degree_of_consolidation_ends_stages_in_which_water_flows)
 {
   const std::string end = "stage.push.until.consolidation=0.5", flows = in_water + "drainage=consolidation",

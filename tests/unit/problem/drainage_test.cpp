@@ -86,5 +86,32 @@ TEST(Drainage, of_stages_is_told_by_their_speed_or_their_time)
   EXPECT_TRUE(std::isnan(found[2].number));
 }
 
+TEST(Drainage, tells_how_much_inertia_counts_by_strength_waves_or_the_time_of_a_rest)
+{
+  Case c;
+  StageSettings push;
+  push.kind = StageKind::push;
+  push.velocity = -0.2;
+  c.stage = {push};
+  Consolidation soil{"silt", 0, 1.8e6, 4e-3, 1800, 24e3};  // waves of 31.6 m/s
+  const StageInertia slow = *inertia_in(c, {0, true, 10}, soil, 0.2);
+  EXPECT_EQ(slow.measure, StageInertia::Measure::strength);
+  EXPECT_NEAR(slow.part, 0.003, 1e-12);  // 1800 * 0.04 / 24e3
+  soil.strength = 0;
+  const StageInertia elastic = *inertia_in(c, {0, true, 10}, soil, 0.2);
+  EXPECT_EQ(elastic.measure, StageInertia::Measure::wave);
+  EXPECT_NEAR(elastic.part, 0.2 / std::sqrt(1000.), 1e-12);
+  EXPECT_TRUE(elastic.is_small());
+  // Half of the pressure goes in 0.1 D^2 / c_v = 1 s, and a wave takes 0.2 m / 31.6 m/s.
+  const StageInertia rest = *inertia_in(c, {0, false, 0.3}, soil, 0.2);
+  EXPECT_EQ(rest.measure, StageInertia::Measure::rest);
+  EXPECT_NEAR(rest.part, 0.2 / std::sqrt(1000.), 1e-12);
+  EXPECT_TRUE(rest.is_small());
+  soil.c_v *= 20;
+  EXPECT_TRUE(inertia_in(c, {0, false, 0.3}, soil, 0.2)->is_large());
+  c.method = Method::fem;
+  EXPECT_FALSE(inertia_in(c, {0, true, 10}, soil, 0.2)) << "finite elements have none";
+}
+
 }  // namespace
 }  // namespace berm::problem

@@ -432,6 +432,22 @@ TEST(Drive, is_what_push_and_drag_are_short_for)
   same(drag(0.2), along);
 }
 
+TEST(Drive, turns_the_body_of_a_push_or_a_drag_as_well)
+{
+  const Axes<2> axes;
+  for (StageSettings stage : {push(0.5), drag(0.2)}) {
+    EXPECT_EQ(drives_of(stage, axes, true)[2].by, FreedomDrive::By::free) << "as [rigid] says";
+    stage.drive.rotation.spring = 3;
+    const StageDrives<2> sprung = drives_of(stage, axes, false);
+    EXPECT_EQ(sprung[2].by, FreedomDrive::By::force);
+    EXPECT_EQ(sprung[2].value, 0);
+    EXPECT_EQ(sprung[2].spring, 3);
+    stage.drive.rotation = {};
+    stage.drive.rotation.fixed = true;
+    EXPECT_EQ(drives_of(stage, axes, true)[2].by, FreedomDrive::By::velocity);
+  }
+}
+
 TEST(Drive, ends_at_a_distance_whatever_its_direction)
 {
   StageSettings stage = drive();

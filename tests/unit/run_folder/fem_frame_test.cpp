@@ -77,5 +77,27 @@ TEST(FemFrame, nodes_share_the_area_of_the_soil)
   EXPECT_NEAR(area, 0.5, 1e-14);
 }
 
+// -(k / gamma_w) grad p of a linear pressure: differences of pressures of 1e3 Pa over a tenth of a metre, 1e-12 of the flux.
+TEST(FemFrame, shows_the_flux_of_the_water_down_the_slope_of_its_pressure)
+{
+  material::LinearElastic soil = elastic_soil();
+  soil.water.emplace().drainage = material::Drainage::consolidation;
+  soil.water->porosity = 0.4;
+  soil.water->permeability = 1e-5;
+  fem::FemProblem problem = fem_problem_of(plate_on_block(soil));
+  const fem::FemModel& model = problem.model;
+  for (Index node = 0; node < model.mesh.node_count(); ++node)
+    if (const Index unknown = model.flow.unknown[node]; unknown != none)
+      problem.state.displacement[unknown] = 300 * model.mesh.position[node][0] - 1000 * model.mesh.position[node][1];
+  const Frame<2> frame = FemFrameMaker(model).make(problem.state);
+  const FieldValues<Real>& flux = frame.field("water_flux");
+  const Real mobility = 1e-5 / material::unit_weight_of_water;
+  for (Index node = 0; node < model.mesh.node_count(); ++node) {
+    EXPECT_NEAR(flux.at(node, 0), -300 * mobility, 1e-10 * 300 * mobility);
+    EXPECT_NEAR(flux.at(node, 1), 1000 * mobility, 1e-10 * 1000 * mobility);
+  }
+  EXPECT_EQ(find_field(FemFrameMaker(Stressed{}.problem.model).make(Stressed{}.problem.state).fields, "water_flux"), nullptr);
+}
+
 }  // namespace
 }  // namespace berm::run_folder

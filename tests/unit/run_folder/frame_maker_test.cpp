@@ -213,5 +213,29 @@ TEST(FrameMaker, shows_pore_pressure_and_effective_stress_where_a_body_is_undrai
   EXPECT_EQ(find_field(of_drained.make(problem.state).fields, "effective_stress"), nullptr);
 }
 
+// The shape functions are linear: sums of four products of numbers up to 1 have an error of 1e-15.
+TEST(FrameMaker, shows_the_flux_of_the_water_at_the_particles)
+{
+  problem::Problem<2> problem = block_in_box();
+  material::LinearElastic soil;
+  soil.density = 1000;
+  soil.young_modulus = 1e6;
+  soil.water.emplace().drainage = material::Drainage::consolidation;
+  soil.water->porosity = 0.4;
+  soil.water->permeability = 1e-5;
+  FrameMaker<2> dry(problem.model, problem.state);
+  EXPECT_EQ(find_field(dry.make(problem.state).fields, "water_flux"), nullptr);
+  problem.model.bodies[0].soil = problem::soil_of_one(soil);
+  const auto flux = [](const Vec<2>& x) { return Vec<2>(1 + 2 * x[0] - x[1], -0.5 * x[0] + 3 * x[1]); };
+  problem.state.flux = {NodeField<Vec<2>>::zeros(problem.model.mesh.node_count())};
+  for (Index node = 0; node < problem.model.mesh.node_count(); ++node)
+    problem.state.flux[0][node] = flux(problem.model.mesh.position[node]);
+  const Frame<2> frame = FrameMaker<2>(problem.model, problem.state).make(problem.state);
+  const FieldValues<Real>& shown = frame.field("water_flux");
+  EXPECT_EQ(shown.info.unit, "m/s");
+  for (std::size_t k = 0; k < frame.points.size(); ++k)
+    for (int d = 0; d < 2; ++d) EXPECT_NEAR(shown.at(k, d), flux(frame.points[k])[d], 1e-14);
+}
+
 }  // namespace
 }  // namespace berm::run_folder

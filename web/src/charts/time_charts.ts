@@ -61,13 +61,14 @@ export function quiet_plans(runs: RunData[]): Plan[] {
   ];
 }
 
-/** Pressure of the water in the pores: the largest of the run, that at each point that is watched, and the degree of consolidation since each stage began. */
+/** Pressure of the water in the pores: the largest of the run, that at each point that is watched, the degree of consolidation since each stage began, and what presses the body. */
 export function water_plans(runs: RunData[]): Plan[] {
   const time = quantity_of_column(runs, "time_s");
   const marks = runs.length === 1 ? stage_marks(runs[0]) : [];
   const watched = column_names(runs).filter((name) => / p$/.test(label_of(runs, name)));
   const pressures = watched.map((name): [string, string] => [name, `Excess pore pressure at ${label_of(runs, name).replace(/ p$/, "")}`]);
-  return [...pressures, ["p_max_Pa", "Largest excess pore pressure"], ["U", "Degree of consolidation U, of each stage"]].map(([name, title]) =>
+  const normal = column_names(runs).filter((name) => label_of(runs, name) === "N eff").map((name): [string, string] => [name, "Effective normal force on the body"]);
+  return [...pressures, ...normal, ["p_max_Pa", "Largest excess pore pressure"], ["U", "Degree of consolidation U, of each stage"]].map(([name, title]) =>
     plan({
       id: `water_${name}`, title, argument: time, zero: true, marks,
       value: watched.includes(name) ? { ...quantity_of_column(runs, name), words: "excess pore pressure", symbol: "p" } : quantity_of_column(runs, name),

@@ -57,21 +57,13 @@ std::string titled(const std::string& title, const formulas::Formula& formula)
   return fmt::format("{} [{}{}]", title, word_of(formula.source.label), where);
 }
 
-/// The shear strength of the interface over that of the clay; NaN where it is a friction.
-Real roughness_of(const PipeInSoil& soil)
-{
-  if (soil.contact->scheme == contact::Scheme::tied) return 1;
-  if (soil.contact->friction_angle > 0) return nan;
-  if (soil.contact->adhesion_factor > 0) return soil.contact->adhesion_factor;
-  return std::min(Real(1), soil.contact->adhesion / soil.strength->cohesion);
-}
-
 PublishedEnvelope for_clay(const PipeInSoil& soil)
 {
   PublishedEnvelope published;
   const formulas::PipeInClay around = ClayAround{soil.pipe.width, soil.unit_weight, *soil.soil, 0, soil.above}.at(soil.pipe.embedment);
-  const formulas::PipeInClay pipe{soil.pipe.width,    soil.pipe.embedment,      around.strength,
-                                  roughness_of(soil), around.strength_gradient, soil.unit_weight};
+  const formulas::PipeInClay pipe{soil.pipe.width,          soil.pipe.embedment,
+                                  around.strength,          base::interface_ratio(*soil.contact, soil.strength->cohesion),
+                                  around.strength_gradient, soil.unit_weight};
   published.unit = pipe.diameter * pipe.strength;
   published.unit_name = "(D sᵤ)";
   if (std::isnan(pipe.roughness)) {
@@ -149,7 +141,7 @@ PublishedEnvelope with_ground(const PipeInSoil& soil, PublishedEnvelope publishe
 base::EmbeddedBody embedded_pipe(const problem::Case& c)
 {
   if (c.geometry != problem::Geometry::plane_strain)
-    throw KeyError("geometry: an envelope is that of a pipe in plane strain; it needs geometry = \"plane_strain\"");
+    throw KeyError("geometry: the envelope of a pipe is that in plane strain; it needs geometry = \"plane_strain\"");
   const auto drive = std::find_if(c.stage.begin(), c.stage.end(), [](const problem::StageSettings& stage) {
     return stage.kind == problem::StageKind::push || stage.kind == problem::StageKind::drag;
   });
@@ -159,7 +151,9 @@ base::EmbeddedBody embedded_pipe(const problem::Case& c)
   if (main == none) throw KeyError("rigid: an envelope needs a pipe: a rigid body with shape = \"circle\"");
   const auto& [name, rigid] = c.rigid[main];
   const auto* circle = std::get_if<bodies::CircleSettings>(&rigid.shape);
-  if (circle == nullptr) throw KeyError(fmt::format("rigid.{}.shape: an envelope is that of a pipe; it needs \"circle\"", name));
+  if (circle == nullptr)
+    throw KeyError(
+        fmt::format("rigid.{}.shape: an envelope is that of a pipe, \"circle\", or of a footing, which a push drives first", name));
   const base::EmbeddedBody pipe{circle->diameter,
                                 problem::ground_of(c).level_at(circle->center[0], c.surface) - (circle->center[1] - circle->diameter / 2)};
   if (!(pipe.embedment > 0))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/results/results_section.hpp"
-#include "samples/made_run.hpp"
+#include "samples/made_run_in_water.hpp"
 #include "text/quantity_words.hpp"
 #include "text/shown_number.hpp"
 
@@ -358,6 +358,16 @@ TEST(answer, a_run_without_a_driven_body_tells_its_quantities_and_what_it_watche
   run.quantities.clear();
   run.summary = run_folder::RunSummary{{}, {}, {{"momentum_error", 1e-3}}, {}, {}};
   EXPECT_TRUE(holds(results_section({run}), "<th scope=\"row\">momentum_error</th><td class=\"number\">0.001000</td>"));
+}
+
+// w = 0.1 D: the contact reaches to 36.9 degrees from the invert, 2 sin b / (b + sin b cos b) = 1.068.
+TEST(axial, resistance_by_friction_stands_beside_that_of_the_wedging_factor)
+{
+  EXPECT_FALSE(holds(results_section({MadeRunInWater{}.record()}), "Axial resistance"));
+  const std::string html = results_section({MadeRunInWater{}.record_with_normal_force()});
+  const std::size_t table = html.find("Axial resistance by friction");
+  ASSERT_NE(table, std::string::npos);
+  for (const char* number : {">1.1", ">1.07", "White and Randolph 2007"}) EXPECT_NE(html.find(number, table), std::string::npos) << number;
 }
 
 }  // namespace

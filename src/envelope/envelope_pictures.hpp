@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "envelope/envelope_table.hpp"
+
+#include <filesystem>
+
+namespace berm::envelope {
+
+/// What is published of the structure, for the ends of the probes.
+base::PublishedEnvelope published_for(const problem::Case& c, const std::vector<EnvelopeRow>& rows);
+
+/// Draws FOLDER/envelope.png, V and H; of a footing also moments.png, V and M without H, and sections.png, H and M where V is half and three quarters of V_max.
+void draw_envelope(const problem::Case& c, const std::vector<EnvelopeRow>& rows, const std::filesystem::path& folder);
+
+}  // namespace berm::envelope

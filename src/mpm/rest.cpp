@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/physics/resting_soil.cpp
+#include "mpm/rest.hpp"
+
+#include "mpm/transfer.hpp"
+
+namespace berm::mpm {
+namespace {
+
+/// What a rigid body goes before the active soil is found anew, over the active distance.
+constexpr Real part_of_distance = 0.1;
+
+/// Whether soil may rest far from this body: around one without bounds none is far.
+template <int dim>
+bool is_bounded(const bodies::RigidBody<dim>& rigid)
+{
+  return bodies::is_bounded<dim>(rigid.shape);
+}
+
+/// The largest distance that a point of a bounded rigid body has gone since the active soil was found, m: at most.
+template <int dim>
+Real gone_since(const problem::Model<dim>& model, const problem::State<dim>& state)
+{
+  const problem::ActiveSoil<dim>& active = state.active_soil;
+  Real farthest = 0;
+  for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
+    if (is_bounded(model.rigid_bodies[r])) {
+      const bodies::RigidState<dim>& now = state.rigid_bodies[r];
+      farthest = std::max(farthest, (now.displacement - active.displacement[r]).norm() +
+                                        angle_between(now.orientation, active.orientation[r]) * reach_of<dim>(model.rigid_bodies[r].shape));
+    }
+  return farthest;
+}
+
+/// 1 for each cell of a patch that has no centroid within the active distance of a bounded rigid body, as these were when the active soil was found.
+template <int dim>
+CellField<std::uint8_t> far_cells(const problem::Model<dim>& model, const problem::ActiveSoil<dim>& active)
+{
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  const Real distance = *model.mpm.active_distance;
+  std::vector<bodies::RigidShape<dim>> shapes;
+  for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r) {
+    if (!is_bounded(model.rigid_bodies[r])) continue;
+    bodies::RigidState<dim> then;
+    then.displacement = active.displacement[r];
+    then.orientation = active.orientation[r];
+    shapes.push_back(placed<dim>(model.rigid_bodies[r], then));
+  }
+  auto is_far = CellField<std::uint8_t>::zeros(mesh.cell_count());
+  for_each("resting soil", mesh.cell_count(), [&](Index cell) {
+    const Vec<dim> center = mesh.centroid(cell);
+    is_far[cell] =
+        std::all_of(shapes.begin(), shapes.end(), [&](const auto& shape) { return !(surface_at<dim>(shape, center).distance < distance); })
+            ? 1
+            : 0;
+  });
+  auto far_patches = CellField<std::uint8_t>::zeros(mesh.cell_count());
+  for_each("resting soil", mesh.cell_count(), [&](Index cell) {
+    bool all = true;
+    mesh::for_each_in_patch(model.patches, cell, [&](Index member) { all = all && is_far[member] != 0; });
+    far_patches[cell] = all ? 1 : 0;
+  });
+  return far_patches;
+}
+
+template <int dim>
+struct Stopped {
+  Vec<dim> momentum = Vec<dim>::Zero();
+  Real kinetic = 0;
+
+  Stopped& operator+=(const Stopped& other)
+  {
+    momentum += other.momentum;
+    kinetic += other.kinetic;
+    return *this;
+  }
+};
+
+/// Takes the velocity of all particles that rest.
+template <int dim>
+Stopped<dim> stop(bodies::Particles<dim>& particles)
+{
+  return sum_of<Stopped<dim>>("resting soil", particles.chunks(), [&](Index c) {
+    Stopped<dim> stopped;
+    const Index cell = particles.occupied()[c];
+    if (!particles.rests(cell)) return stopped;
+    Index left = particles.count_in(cell);
+    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) {
+      bodies::Block<dim>& p = particles.block(b);
+      for (int d = 0; d < dim; ++d) {
+        stopped.momentum[d] += sum(p.mass * p.v[d]);
+        stopped.kinetic += 0.5 * sum(p.mass * p.v[d] * p.v[d]);
+        p.v[d] = Lanes{};
+      }
+    }
+    return stopped;
+  });
+}
+
+}  // namespace
+
+template <int dim>
+void set_resting_soil(const problem::Model<dim>& model, problem::State<dim>& state)
+{
+  if (!model.mpm.active_distance) return;
+  std::shared_ptr<const CellField<std::uint8_t>> resting;
+  if (!state.active_soil.everywhere) resting = std::make_shared<CellField<std::uint8_t>>(far_cells(model, state.active_soil));
+  for (bodies::Particles<dim>& particles : state.particles) particles.set_resting(resting);
+}
+
+template <int dim>
+void update_resting_soil(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
+{
+  if (!model.mpm.active_distance) return;
+  problem::ActiveSoil<dim>& active = state.active_soil;
+  const bool everywhere = model.driven[static_cast<std::size_t>(state.stage.index)] == none;
+  if (everywhere == active.everywhere && (everywhere || !(gone_since(model, state) > part_of_distance * *model.mpm.active_distance)))
+    return;
+  active.everywhere = everywhere;
+  active.displacement.clear();
+  active.orientation.clear();
+  for (const bodies::RigidState<dim>& rigid : state.rigid_bodies) {
+    active.displacement.push_back(rigid.displacement);
+    active.orientation.push_back(rigid.orientation);
+  }
+  set_resting_soil(model, state);
+  for (std::size_t b = 0; b < state.particles.size(); ++b) {
+    bodies::Particles<dim>& particles = state.particles[b];
+    BodyGrid<dim>& grid = work.grids[b];
+    const Stopped<dim> stopped = particles.some_rest() ? stop(particles) : Stopped<dim>();
+    state.totals.support_impulse -= stopped.momentum;
+    state.totals.damping += stopped.kinetic;
+    active.stopped += stopped.kinetic;
+    sum_moments(model.mesh, particles, grid);
+    find_nodes(model.mesh, particles, grid);
+    grid.held_with = none;
+  }
+}
+
+template <int dim>
+void hold_resting_soil(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work)
+{
+  if (!model.mpm.active_distance) return;
+  constexpr std::uint8_t all_directions = (1 << dim) - 1;
+  for (std::size_t b = 0; b < state.particles.size(); ++b) {
+    const bodies::Particles<dim>& particles = state.particles[b];
+    BodyGrid<dim>& grid = work.grids[b];
+    if (!particles.some_rest()) {
+      grid.held = {};
+      grid.held_with = none;
+      continue;
+    }
+    if (grid.held_with == grid.fixed) continue;
+    grid.held = model.fixed[static_cast<std::size_t>(grid.fixed)];
+    grid.held_with = grid.fixed;
+    for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
+      if (particles.rests(cell))
+        for (const Index node : model.mesh.nodes[cell]) grid.held[node] = all_directions;
+  }
+}
+
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void set_resting_soil(const problem::Model<dim>&, problem::State<dim>&);                                                        \
+  template void update_resting_soil(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&);                                         \
+  template void hold_resting_soil(const problem::Model<dim>&, const problem::State<dim>&, Work<dim>&);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm::mpm

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/pipe/results/axial_results.hpp"
+
+#include "structures/base/drainage_words.hpp"
+
+namespace berm::pipe {
+
+std::vector<AxialState> axial_states(const record::RunRecord& run)
+{
+  std::vector<AxialState> states;
+  const Index rigid = main_rigid(run.settings);
+  const contact::ContactSettings* contact = base::contact_of_body(run.settings);
+  if (rigid == none || contact == nullptr || run.settings.geometry != problem::Geometry::plane_strain) return states;
+  if (!std::holds_alternative<bodies::CircleSettings>(run.settings.rigid[rigid].second.shape)) return states;
+  for (const base::SurfaceForce& force : base::surface_forces_of(run))
+    if (force.V > 0) states.push_back({force.stage, force.w, force.N_eff, force.V, std::tan(contact->friction_angle)});
+  return states;
+}
+
+std::vector<run_folder::Quantity> axial_quantities(const record::RunRecord& run)
+{
+  std::vector<run_folder::Quantity> quantities;
+  for (const AxialState& state : axial_states(run)) {
+    quantities.push_back({"wedging_of_" + state.stage, state.wedging(), "1", "effective normal force over V at the end of " + state.stage});
+    quantities.push_back({"axial_friction_of_" + state.stage, state.resistance(), "N/m",
+                          "friction coefficient times the effective normal force at the end of " + state.stage});
+  }
+  return quantities;
+}
+
+}  // namespace berm::pipe
