@@ -19,7 +19,6 @@ constexpr base::Limit cells{100, 20,
                             true};
 constexpr Real deep = 3;       // of D: the base is deeper than what footings on the surface tell
 constexpr Real little = 0.01;  // of gamma D: cohesion of a sand that formulas leave out
-constexpr Real associated = 1e-3;
 
 /// The bases whose factors lie around that of a run: of what part of the soil's strength the interface carries.
 std::vector<Base> bases_of(Real ratio)

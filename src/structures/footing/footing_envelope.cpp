@@ -21,7 +21,6 @@ using formulas::Base, formulas::Formula;
 
 constexpr Real round_off = 1e-6;  // of D
 constexpr int curve_points = 60;
-constexpr Real associated = 1e-3;
 
 /// The footing in the plane of the load, or in space, before the first stage.
 template <int dim>

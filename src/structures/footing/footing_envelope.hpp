@@ -6,6 +6,9 @@
 
 namespace berm::footing {
 
+/// rad: sand whose angles of friction and dilation differ by less has associated flow.
+inline constexpr Real associated = 1e-3;
+
 /// The footing that the case drives. Throws InputError around an axis, where a plane of symmetry forbids to drag and turn it, where its base is not flat, or lies above the bed
 /// or beyond the walls.
 base::EmbeddedBody embedded_footing(const problem::Case& c);

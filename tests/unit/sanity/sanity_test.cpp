@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Whether a case makes sense: what is asked of check and run, in lines that name the key; and that no example is doubted.
 #include "samples/program.hpp"
-#include "samples/senseless_inputs.hpp"
+#include "samples/senseless_inputs_in_space.hpp"
 #include "samples/small_case.hpp"
 #include "samples/small_space_case.hpp"
 
@@ -74,8 +74,13 @@ TEST_P(SenselessInputs, are_warned_of_or_refused_with_place_and_advice_before_an
   EXPECT_EQ(names_in(folder_.path()), std::vector<std::string>{"case.toml"}) << "something was written";
 }
 
-INSTANTIATE_TEST_SUITE_P(Table, SenselessInputs, testing::ValuesIn(test::senseless_inputs()),
-                         [](const auto& row) { return std::string(row.param.name); });
+std::string name_of(const testing::TestParamInfo<SenselessInput>& row)
+{
+  return row.param.name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, SenselessInputs, testing::ValuesIn(test::senseless_inputs()), name_of);
+INSTANTIATE_TEST_SUITE_P(InSpace, SenselessInputs, testing::ValuesIn(test::senseless_inputs_in_space()), name_of);
 
 class Examples : public testing::TestWithParam<fs::path> {};
 

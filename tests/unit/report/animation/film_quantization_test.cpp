@@ -57,7 +57,7 @@ TEST(film_codes, small_moves_either_way_leave_the_plane_of_high_bytes_empty)
 
 TEST(film_codes, a_single_point_that_rests_has_a_grid)
 {
-  const FilmFrame frame{.x = {1}, .y = {2}, .z = {}, .fields = {}, .rigid_bodies = {}};
+  const FilmFrame frame{.x = {1}, .y = {2}, .z = {}, .flow_x = {}, .flow_y = {}, .fields = {}, .rigid_bodies = {}};
   const FilmGrid grid(box_of({&frame}));
   EXPECT_GT(grid.step, 0);
   EXPECT_EQ(grid.code(1, 0), 0);
