@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/error.hpp"
 #include "envelope/envelope_table.hpp"
 #include "samples/clay_footing.hpp"
 #include "samples/clay_pipe.hpp"
 #include "samples/history_columns.hpp"
 #include "samples/program.hpp"
+#include "samples/refused_probes.hpp"
 #include "structures/structures.hpp"
 
 #include <gtest/gtest.h>
@@ -13,17 +13,7 @@
 namespace berm::envelope {
 namespace {
 
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-
-std::string refusal_of(const problem::Case& c, const EnvelopeSettings& how = {})
-{
-  try {
-    choose_probes(c, how);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+using test::refusal_of;
 
 void expect_refusal(const problem::Case& c, const char* part, const EnvelopeSettings& how = {})
 {

@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "core/error.hpp"
 #include "envelope/envelope_table.hpp"
 #include "samples/clay_pipe.hpp"
 #include "samples/history_columns.hpp"
 #include "samples/program.hpp"
+#include "samples/refused_probes.hpp"
 
 #include <gtest/gtest.h>
 
 namespace berm::envelope {
 namespace {
 
-constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
-
-std::string refusal_of(const problem::Case& c)
-{
-  try {
-    choose_probes(c, {});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
-}
+using test::refusal_of;
 
 TEST(EnvelopeProbes, go_down_then_ever_flatter_to_45_degrees_upwards_and_swipe)
 {
