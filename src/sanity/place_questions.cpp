@@ -284,8 +284,9 @@ void is_the_wall_beyond_the_plastic_zone(const Scene& s, Findings& found)
     if (way.rigid == none || !s.rigids[way.rigid].bounded || !way.axis[s.up].known) continue;
     const RigidScene& rigid = s.rigids[way.rigid];
     const Real travel = s.up_sign * (way.axis[s.up].begin - way.axis[s.up].end);
-    // Soil flows around a ball; what is pushed in by less than its width heaves soil up instead of pushing it aside.
-    if (std::holds_alternative<bodies::CircleSettings>(s.c.rigid[way.rigid].second.shape) || !(travel > rigid.width)) continue;
+    // Soil flows around a ball; what is pushed in by a few of its widths heaves soil up instead of pushing it aside.
+    constexpr Real deep = 3;
+    if (std::holds_alternative<bodies::CircleSettings>(s.c.rigid[way.rigid].second.shape) || !(travel > deep * rigid.width)) continue;
     const Index body = s.touched_by(way.rigid);
     if (body == none) continue;
     const material::Material soil = s.material_at(body, way.begin_embedment + travel);

@@ -49,7 +49,7 @@ inline const std::vector<SenselessInput>& senseless_inputs_in_space()
       {"wall_in_the_plastic_zone_of_a_cone",
        "cone",
        warned,
-       {"mesh.length", "yields up to 178 mm", "G/s_u = 100", "make the mesh 400 mm long"},
+       {"mesh.length", "yields up to 0.179 m", "G/s_u = 100", "make the mesh 0.4 m long"},
        {"mesh.length=0.1 m"},
        "",
        ""},
