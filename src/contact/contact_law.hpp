@@ -7,13 +7,6 @@
 
 namespace berm::contact {
 
-/// What the skeleton of the soil carries of a normal impulse, at least 0, N s: without the part of one that presses which the water carries, and with the suction in
-/// the pores, which presses soil and surface together.
-inline Real effective_impulse(Real normal_impulse, Real water_part, Real suction_impulse)
-{
-  return std::max(Real(0), normal_impulse - water_part * std::max(Real(0), normal_impulse) + suction_impulse);
-}
-
 /// The interface at a contact point in one step.
 struct Interface {
   Real friction;             ///< coefficient mu
@@ -28,7 +21,8 @@ struct Interface {
   /// The most that a point transmits along the surface, N s: friction acts on the effective normal stress.
   Real limit(Real normal_impulse) const
   {
-    return friction * effective_impulse(normal_impulse, water_part, suction_impulse) + adhesion_impulse;
+    const Real effective = normal_impulse - water_part * std::max(Real(0), normal_impulse) + suction_impulse;
+    return friction * std::max(Real(0), effective) + adhesion_impulse;
   }
 };
 

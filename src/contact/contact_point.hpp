@@ -36,9 +36,6 @@ struct ContactPoint {
   Vec<dim> surface_velocity = Vec<dim>::Zero();   ///< m/s, of the rigid body in this step
   Vec<dim> impulse = Vec<dim>::Zero();            ///< on the body, in the present correction
   ContactStatus status = ContactStatus::open;     ///< in step 4
-
-  /// What the suction in the pores presses with in a step, N s.
-  Real suction_impulse(Real dt) const { return std::max(Real(0), -pore_pressure) * area * dt; }
 };
 
 /// A part of the surface in contact, and the nodes that it belongs to.
