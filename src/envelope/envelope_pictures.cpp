@@ -33,7 +33,7 @@ Shown shown_for(const problem::Case& c, const base::PublishedEnvelope& published
   shown.method = c.method == problem::Method::fem ? "fem" : "mpm";
   if (published.unit > 0) {
     shown.force = 1 / published.unit, shown.moment = 1 / (published.unit * body.width);
-    shown.force_words = " / " + published.unit_name, shown.moment_words = " / D " + published.unit_name;
+    shown.force_words = " / " + published.unit_name, shown.moment_words = " / " + published.unit_name + " / D";
   } else {
     const plot::PlotUnit unit = plot::force_unit(extremes.V_max, c.force_dimension());
     shown.force = shown.moment = unit.per_si;

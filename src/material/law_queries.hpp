@@ -38,6 +38,9 @@ struct Strength {
 struct YoungPoisson {
   Real young_modulus = 0;  ///< Pa
   Real poisson_ratio = 0;
+
+  /// G, Pa.
+  Real shear_modulus() const { return young_modulus / (2 * (1 + poisson_ratio)); }
 };
 
 // Queries of a law, with their defaults; a law overrides one by a function of the same name, declared beside it.

@@ -121,9 +121,13 @@ void correct_point(const problem::State<dim>& state, Work<dim>& work, const prob
   const Vec<dim> relative = relative_velocity(work, contact, point, field);
   const Real allowed_approach = std::max(Real(0), point.gap) / (contact.gap_closing_steps * state.dt);
   const Real adhesion = contact.adhesion_law.differs() ? point.adhesion : contact.adhesion;
-  const contact::Interface interface = {
-      contact.friction, adhesion * point.area * state.dt, allowed_approach, tied, most_tension(contact, point, state.dt),
-      point.water_part, point.suction_impulse(state.dt)};
+  const contact::Interface interface = {contact.friction,
+                                        adhesion * point.area * state.dt,
+                                        allowed_approach,
+                                        tied,
+                                        most_tension(contact, point, state.dt),
+                                        point.water_part,
+                                        std::max(Real(0), -point.pore_pressure) * point.area * state.dt};
   const bool bilateral =
       !Field::is_force && contact.scheme == contact::Scheme::musl_coupled && point.status != contact::ContactStatus::open;
   const Vec<dim> impulse = bilateral ? bilateral_impulse<dim>(relative, point.normal, point.mass, interface, point.status, point.impulse)

@@ -34,6 +34,9 @@ struct StageDrainage {
 // v D / c_v, c_v of soil that does not yield: to 5 % drained below the one and undrained above the other (examples/pipe_consolidation).
 constexpr Real drained_up_to = 0.01, undrained_from = 30;
 
+/// Density v^2 over the strength of the soil that a body moves through at v: inertia is small up to the one, and counts above the other.
+constexpr Real small_inertia = 0.003, large_inertia = 0.03;
+
 /// How much the inertia of the soil counts in a stage of an explicit run, whose time is scaled.
 struct StageInertia {
   enum class Measure {
@@ -41,11 +44,15 @@ struct StageInertia {
     wave,      ///< v over the speed of waves, of one in soil without a strength
     rest       ///< the time in which a wave crosses the body over that in which half of the pressure goes (T = 0.1), of a stage at rest
   };
+  static constexpr Real largest_at_rest = 0.1;  ///< up to here the soil consolidates as it does in nature; of waves, too
   Measure measure;
   Real part;
 
-  bool is_small() const { return part <= (measure == Measure::strength ? 0.003 : measure == Measure::wave ? 0.03 : 0.1); }
-  bool is_large() const { return part > (measure == Measure::strength ? 0.03 : 0.1); }
+  bool is_small() const
+  {
+    return part <= (measure == Measure::strength ? small_inertia : measure == Measure::wave ? 0.03 : largest_at_rest);
+  }
+  bool is_large() const { return part > (measure == Measure::strength ? large_inertia : largest_at_rest); }
 };
 
 /// Inertia in a stage; empty in finite elements, which have none.

@@ -27,6 +27,15 @@ Real base_below(const Scene& s, Real x)
   return bed == nullptr || bed->slope == 0 ? s.mesh[s.up].from : -bed->depth + std::tan(bed->slope) * x;
 }
 
+/// Each bounded body that some stage drives, once: visit(rigid).
+template <class Visit>
+void for_each_driven(const Scene& s, const Visit& visit)
+{
+  std::vector<char> asked(s.rigids.size(), 0);
+  for (const Way& way : s.ways)
+    if (way.rigid != none && std::exchange(asked[way.rigid], 1) == 0 && s.rigids[way.rigid].bounded) visit(way.rigid);
+}
+
 std::string stage_name(const Scene& s, std::size_t k)
 {
   return s.c.stage[k].name;
@@ -193,11 +202,9 @@ void do_fine_cells_reach_the_ends(const Scene& s, Findings& found)
 {
   const auto* bed = std::get_if<mesh::SeabedMesh>(&s.c.mesh);
   if (bed == nullptr || !in_space(s) || !s.is_mpm()) return;
-  std::vector<char> asked(s.rigids.size(), 0);
-  for (const Way& way : s.ways) {
-    if (way.rigid == none || std::exchange(asked[way.rigid], 1) != 0 || !s.rigids[way.rigid].bounded) continue;
-    if (axes_of_walls(s, way.rigid).back() != across_in_space) continue;
-    const Span &body = s.rigids[way.rigid].space[across_in_space], &mesh = s.mesh[across_in_space];
+  for_each_driven(s, [&](Index rigid) {
+    if (axes_of_walls(s, rigid).back() != across_in_space) return;
+    const Span &body = s.rigids[rigid].space[across_in_space], &mesh = s.mesh[across_in_space];
     for (const bool front : {true, false}) {
       const Real end = front ? std::min(body.to, mesh.to) : std::max(body.from, mesh.from),
                  fine = front ? *bed->near_front : *bed->near_back;
@@ -206,46 +213,43 @@ void do_fine_cells_reach_the_ends(const Scene& s, Findings& found)
       found.warn(key,
                  fmt::format("ends the fine zone at z = {:.4g} m, and \"{}\" reaches {:.4g} m: resistance grows with the cells at its end; "
                              "let the fine zone reach beyond it",
-                             fine, s.c.rigid[way.rigid].first, end));
+                             fine, s.c.rigid[rigid].first, end));
     }
-  }
+  });
 }
 
 void are_cells_small_enough(const Scene& s, Findings& found)
 {
   constexpr Real wanted = 5;
-  std::vector<char> asked(s.rigids.size(), 0);
-  for (const Way& way : s.ways) {
-    if (way.rigid == none || std::exchange(asked[way.rigid], 1) != 0 || !s.rigids[way.rigid].bounded) continue;
-    const Real size = s.cell_size(way.rigid, {}), width = s.rigids[way.rigid].width;
-    if (!(width < 0.85 * wanted * size)) continue;
+  for_each_driven(s, [&](Index rigid) {
+    const Real size = s.cell_size(rigid, {}), width = s.rigids[rigid].width;
+    if (!(width < 0.85 * wanted * size)) return;
     const std::string key = s.places.has("mesh.near_size") ? "mesh.near_size" : s.places.has("mesh.cells") ? "mesh.cells" : "mesh";
     found.warn(key, fmt::format("cells at \"{}\" are {}, and it is {} wide: {:.2g} cells; at least {:g} are needed, and 20 for a good "
                                 "answer: make them {} or smaller",
-                                s.c.rigid[way.rigid].first, words_of(size, "m"), words_of(width, "m"), width / size, wanted,
+                                s.c.rigid[rigid].first, words_of(size, "m"), words_of(width, "m"), width / size, wanted,
                                 words_of(rounded_down(width / 10), "m")));
-  }
+  });
 }
 
 void do_walls_cut_a_body(const Scene& s, Findings& found)
 {
   constexpr Real middle = 0.05;  // of its width: a wall there is a plane of symmetry
-  std::vector<char> asked(s.rigids.size(), 0);
-  for (const Way& way : s.ways) {
-    if (way.rigid == none || std::exchange(asked[way.rigid], 1) != 0 || !s.rigids[way.rigid].bounded || !in_space(s)) continue;
-    for (const int d : axes_of_walls(s, way.rigid)) {
-      const Span &body = s.rigids[way.rigid].space[d], &mesh = s.mesh[d];
+  if (!in_space(s)) return;
+  for_each_driven(s, [&](Index rigid) {
+    for (const int d : axes_of_walls(s, rigid)) {
+      const Span &body = s.rigids[rigid].space[d], &mesh = s.mesh[d];
       const bool below = body.from<mesh.from, above = body.to> mesh.to;
       if (below == above || body.to <= mesh.from || body.from >= mesh.to) continue;
       const Real wall = below ? mesh.from : mesh.to;
       if (std::abs(wall - (body.from + body.to) / 2) < middle * (body.to - body.from)) continue;
-      const std::string& name = s.c.rigid[way.rigid].first;
+      const std::string& name = s.c.rigid[rigid].first;
       found.warn("rigid." + name,
                  fmt::format("the {0} cuts it: it reaches {1} = {2:.4g} m, where the mesh ends at {3:.4g} m, and what is beyond meets no "
                              "soil; move it, or make the mesh wider, or put its middle onto the wall as a plane of symmetry",
                              wall_name(d == s.along, below), axis_names[d], below ? body.from : body.to, wall));
     }
-  }
+  });
 }
 
 void are_walls_far_enough(const Scene& s, Findings& found)
@@ -292,8 +296,7 @@ void is_the_wall_beyond_the_plastic_zone(const Scene& s, Findings& found)
     const material::Material soil = s.material_at(body, way.begin_embedment + travel);
     const std::optional<material::Strength> strength = strength_at_rest(soil);
     if (!strength || strength->friction_angle > 0 || !(strength->cohesion > 0)) continue;
-    const material::YoungPoisson elastic = young_poisson(soil);
-    const Real index = elastic.young_modulus / (2 * (1 + elastic.poisson_ratio) * strength->cohesion);
+    const Real index = young_poisson(soil).shear_modulus() / strength->cohesion;
     const Real zone = rigid.width / 2 * std::sqrt(index), wall = s.mesh[s.along].to;
     if (!(wall < zone)) continue;
     found.warn("mesh.length",
@@ -320,7 +323,7 @@ void is_the_bed_held(const Scene& s, Findings& found)
   const auto mirrors = [&](const char* axis) { return std::count(s.c.symmetry.begin(), s.c.symmetry.end(), axis) > 0; };
   for (const auto& [wall, axis, is_lowest] :
        {std::tuple{"left", "x", true}, {"right", "x", false}, {"back", "z", true}, {"front", "z", false}}) {
-    const bool is_axis = s.c.geometry == problem::Geometry::axisymmetric || mirrors(axis);
+    const bool is_axis = around_axis(s) || mirrors(axis);
     if ((is_lowest && is_axis) || (*axis == 'z' && s.c.dimension() == 2) || holds(wall, axis)) continue;
     const std::string words = fmt::format(
         "nothing holds the {0} wall of the bed, which flows out there; add [support.{0}] with boundary = \"{0}\" and fixed = [\"{1}\"]",

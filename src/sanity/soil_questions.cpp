@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
+#include "problem/drainage.hpp"
 #include "sanity/questions.hpp"
 #include "sanity/words.hpp"
 
@@ -82,7 +83,7 @@ void does_gravity_point_down(const Scene& s, Findings& found)
             fmt::format("body.{}.k0", name),
             "without gravity there is no stress at rest, and k0 does nothing; add gravity = [0, \"-9.81 m/s^2\"], or leave k0 out");
     for (const auto& [b, name, material] : yielding(s))
-      if (const auto at_rest = strength_of(material, 0, 0);
+      if (const auto at_rest = problem::strength_under(material, 0, 0);
           !any_k0 && at_rest && *at_rest == 0 && s.c.body[b].second.initial_stress.empty() && s.c.traction.empty())
         found.warn(
             "gravity",
@@ -236,7 +237,7 @@ void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found)
     const material::Material& material = s.material_of(b);
     const std::string path = "body." + s.c.body[b].first;
     const auto beyond = [&](Real depth, Real largest, Real smallest) -> std::optional<std::pair<Real, Real>> {
-      const std::optional<Real> strength = strength_of(s.material_at(b, depth), depth, -(largest + smallest) / 2);
+      const std::optional<Real> strength = problem::strength_under(s.material_at(b, depth), depth, -(largest + smallest) / 2);
       const Real shear = (largest - smallest) / 2;
       if (!strength || (*strength >= 0 && shear <= *strength * (1 + rounding) + 1e-9)) return {};
       return std::pair(shear, std::max(Real(0), *strength));

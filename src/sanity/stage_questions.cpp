@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
+#include "problem/drainage.hpp"
 #include "sanity/questions.hpp"
 #include "sanity/words.hpp"
 
@@ -99,14 +100,13 @@ void can_the_limits_be_reached(const Scene& s, Findings& found)
 
 void is_the_drive_slow(const Scene& s, Findings& found)
 {
-  constexpr Real doubtful = 0.03, wanted = 0.003;  // rho v^2 over the strength at a depth of D
   if (!s.is_mpm()) return;
   for (Index rigid = 0; rigid < static_cast<Index>(s.rigids.size()); ++rigid) {
     const Index body = s.touched_by(rigid);
     if (body == none) continue;
     const Real density = inertia_density(s.material_of(body)), width = s.rigids[rigid].width;
     const Real strength = width > 0 ? strength_at_depth_of(s, body, width).value_or(0) : 0;
-    const Real limit = strength > 0 ? std::sqrt(doubtful * strength / density) : 0.1 * s.bodies[body].wave_speed;
+    const Real limit = strength > 0 ? std::sqrt(problem::large_inertia * strength / density) : 0.1 * s.bodies[body].wave_speed;
     // One warning, at the fastest stage.
     std::size_t fastest = 0;
     std::vector<std::size_t> fast;
@@ -127,7 +127,7 @@ void is_the_drive_slow(const Scene& s, Findings& found)
                fmt::format("is {}: so fast that the inertia of the soil carries a part of the force (density v^2 = {:.3g} Pa{}; waves in "
                            "the soil run at {:.3g} m/s); {} or less is slow enough{}",
                            words_of(speed, "m/s"), inertia, part, s.bodies[body].wave_speed,
-                           words_of(rounded_down(limit * std::sqrt(wanted / doubtful)), "m/s"), others));
+                           words_of(rounded_down(limit * std::sqrt(problem::small_inertia / problem::large_inertia)), "m/s"), others));
   }
 }
 

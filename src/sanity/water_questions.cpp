@@ -10,7 +10,7 @@ namespace berm::sanity {
 
 void does_water_have_time_to_flow(const Scene& s, Findings& found)
 {
-  constexpr Real nothing_drains = 0.01, drained = 10, most = 0.01;  // most: c_v over wave speed times width, of StageInertia::rest 0.1
+  constexpr Real nothing_drains = 0.01, drained = 10;
   const Index rigid = main_rigid(s.c);
   const Real width = rigid == none ? 0 : s.rigids[rigid].width;
   if (!(width > 0)) return;
@@ -33,10 +33,11 @@ void does_water_have_time_to_flow(const Scene& s, Findings& found)
              inertia && inertia->is_large() && !(stage.number > drained))
       found.warn(
           "material." + soil.material + ".water.permeability",
-          fmt::format("gives c_v = {:.3g} m2/s: in stage \"{}\" half of the pressure below the body goes within {}, and waves, which take "
-                      "{} across it, decide how; up to {} the soil consolidates as it does in nature",
-                      soil.c_v, s.c.stage[stage.stage].name, words_of(all / 10, "s"), words_of(width / wave, "s"),
-                      words_of(rounded_down(hydraulics(material)->permeability * most * wave * width / soil.c_v), "m/s")));
+          fmt::format(
+              "gives c_v = {:.3g} m2/s: in stage \"{}\" half of the pressure below the body goes within {}, and waves, which take "
+              "{} across it, decide how; up to {} the soil consolidates as it does in nature",
+              soil.c_v, s.c.stage[stage.stage].name, words_of(all / 10, "s"), words_of(width / wave, "s"),
+              words_of(rounded_down(hydraulics(material)->permeability * problem::StageInertia::largest_at_rest / inertia->part), "m/s")));
   }
 }
 

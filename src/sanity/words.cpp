@@ -33,11 +33,6 @@ Real rounded_up(Real value)
   return std::ceil(value / ten - 1e-9) * ten;
 }
 
-std::optional<Real> strength_of(const material::Material& material, Real depth, Real pressure)
-{
-  return problem::strength_under(material, depth, pressure);
-}
-
 Real unit_weight_of(const Scene& s, Index body)
 {
   return density(s.material_of(body)) * s.gravity;
@@ -45,7 +40,7 @@ Real unit_weight_of(const Scene& s, Index body)
 
 std::optional<Real> strength_at_depth_of(const Scene& s, Index body, Real width)
 {
-  return strength_of(s.material_at(body, width), width, s.weight_above(body, width));
+  return problem::strength_under(s.material_at(body, width), width, s.weight_above(body, width));
 }
 
 std::string strength_key(const material::Material& material)

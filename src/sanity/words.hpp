@@ -18,10 +18,6 @@ std::string stage_key(std::size_t stage, const std::string& key);
 Real rounded_down(Real value);
 Real rounded_up(Real value);
 
-/// The shear strength of undisturbed soil of a body at a depth below the surface where both principal stresses in the plane are minus `pressure`, Pa; empty where its
-/// law has none.
-std::optional<Real> strength_of(const material::Material& material, Real depth, Real pressure);
-
 /// Weight of the soil of a body, N/m3.
 Real unit_weight_of(const Scene& s, Index body);
 

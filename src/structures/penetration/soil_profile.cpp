@@ -34,8 +34,7 @@ SoilAt SoilProfile::at(Real depth) const
   if (!law || law->friction_angle > 0 || !(law->cohesion > 0)) return soil;
   soil.strength = law->cohesion;
   soil.anisotropy = (soil.overburden - horizontal) / (2 * soil.strength);
-  const material::YoungPoisson elastic = young_poisson(material);
-  soil.rigidity_index = elastic.young_modulus / (2 * (1 + elastic.poisson_ratio) * soil.strength);
+  soil.rigidity_index = young_poisson(material).shear_modulus() / soil.strength;
   soil.interface_ratio = base::interface_ratio(*base::contact_of_body(run_.settings), soil.strength);
   return soil;
 }
