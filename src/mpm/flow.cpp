@@ -56,7 +56,7 @@ void spread_water_forces_in(const problem::Model<dim>& model, const bodies::Part
   for_each("water forces of cells", particles.chunks(), [&](Index c) {
     const Index cell = particles.occupied()[c];
     const Moments<dim>& t = grid.moments[cell];
-    const Real pressure = patch_pressure(model, grid, cell);
+    const Real pressure = grid.water.pressure[cell] = patch_pressure(model, grid, cell);
     const WaterCell& water = grid.water.cells[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     auto& corners = grid.water.corners[cell];
@@ -100,6 +100,7 @@ void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid
     }
     water.inertia += dt * water.drag;
     grid.water.normal[i].setZero();
+    grid.water.held_back[i] = 0;
     for (int d = 0; d < dim; ++d)
       grid.water.soil_inertia[i][d] =
           grid.mass[i] - (closed[i] >> d & 1 || !(water.inertia > 0) ? 0 : water.mass * water.mass / water.inertia);
@@ -140,6 +141,39 @@ void seal_rigid_bodies(const problem::Model<dim>& model, Work<dim>& work)
     }
 }
 
+namespace {
+
+/// What constant pressure of 1 Pa in the soil around a node does there, and the mean of the pressure that acts.
+template <int dim>
+struct Surroundings {
+  Vec<dim> area = Vec<dim>::Zero();  ///< m (per metre run) or m2: sum V grad N, that of the surface of the soil
+  Real volume = 0, pressure = 0;
+};
+
+template <mesh::Metric metric, int dim>
+Surroundings<dim> surroundings_of(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
+{
+  Surroundings<dim> around;
+  for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
+    const Index cell = mesh.entries[e] / (dim + 1);
+    const int corner = static_cast<int>(mesh.entries[e] % (dim + 1));
+    const Moments<dim>& t = grid.moments[cell];
+    if (!(t.volume > 0)) continue;
+    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
+    around.area += t.volume * shape.gradient(corner);
+    if constexpr (metric == mesh::Metric::axisymmetric)
+      for_each_hoop_share<dim>(shape, t, grid.hoop[cell], [&](int k, Real share) {
+        if (k == corner) around.area[0] += share;
+      });
+    around.volume += t.volume;
+    around.pressure += t.volume * grid.water.pressure[cell];
+  }
+  around.pressure /= around.volume;
+  return around;
+}
+
+}  // namespace
+
 template <int dim>
 void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
 {
@@ -148,7 +182,6 @@ void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, 
   NodeField<Vec<dim>>& flux = state.flux[body];
   const NodeField<std::uint8_t>& closed = model.closed[grid.fixed];
   const Real dt = state.dt;
-  const NodeField<Vec<dim>>& normal = grid.water.normal;
   // At contact points neither feels the other's inertia, so that the equations stay symmetric, and stable; with four times its inertia there the water makes no
   // wave faster than that of waves_of.
   constexpr Real heavier = 3;
@@ -163,13 +196,18 @@ void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, 
     const Vec<dim>& a = grid.acceleration[i];
     const bool at_contact = grid.contact_points[i] != 0;
     const Real inertia = at_contact ? water.inertia + heavier * (water.inertia - dt * water.drag) : water.inertia;
-    Vec<dim> after = before + dt / inertia * (water.force - water.drag * before);
-    if (!at_contact) after -= dt / inertia * water.mass * a;
-    const Real square = normal[i].squaredNorm();
-    if (square > 0) after -= after.dot(normal[i]) / square * normal[i];
+    Vec<dim> force = water.force - water.drag * before, through = Vec<dim>::Zero();
+    if (const Real square = grid.water.normal[i].squaredNorm(); square > 0) {
+      const Surroundings<dim> around = with_metric(model.mesh, [&](auto metric) { return surroundings_of<metric()>(model.mesh, grid, i); });
+      through = around.area.dot(grid.water.normal[i]) / (square * around.volume) * grid.water.normal[i];
+      force -= around.volume * around.pressure * through;
+    }
+    Vec<dim> after = before + dt / inertia * force;
+    if (!at_contact) after -= water.mass / inertia * (grid.mapped_velocity[i] - grid.velocity[i]);
     flux[i] = boundary::without_fixed<dim>(closed, i, after);
+    grid.water.held_back[i] = through.dot(flux[i]);
     if (at_contact) return TakenByWater<dim>();
-    Vec<dim> impulse = water.mass * (flux[i] - before);
+    Vec<dim> impulse = water.mass * (flux[i] - before + water.mass / inertia * (grid.mapped_velocity[i] - grid.velocity[i] - dt * a));
     for (int d = 0; d < dim; ++d)
       if (!(grid.water.soil_inertia[i][d] < grid.mass[i])) impulse[d] = 0;
     return TakenByWater<dim>{impulse, impulse.dot(grid.velocity[i] + 0.5 * dt * a)};
@@ -219,7 +257,9 @@ void sum_outflows(const problem::Model<dim>& model, const problem::State<dim>& s
   const bodies::Particles<dim>& particles = state.particles[body];
   const auto sum = [&](Index cell) {
     const Real volume = grid.moments[cell].volume;
-    grid.water.outflow[cell] = {volume, volume * divergence(mesh, grid, cell, state.flux[body]) * state.dt};
+    Real rate = divergence(mesh, grid, cell, state.flux[body]);
+    for (const Index node : mesh.nodes[cell]) rate -= grid.water.held_back[node];
+    grid.water.outflow[cell] = {volume, volume * rate * state.dt};
   };
   for_each("outflow of cells", particles.chunks(), [&](Index c) { sum(particles.occupied()[c]); });
   for (const Index cell : grid.halo.partners)

@@ -74,11 +74,13 @@ struct WaterGrid {
   };
   std::vector<Soil> soils;  ///< by material
   CellField<WaterCell> cells;
+  CellField<Real> pressure;  ///< Pa, that acts: averaged over the patch of the cell
   CellField<std::array<WaterAtNode<dim>, dim + 1>> corners;
   CellField<VolumeChange> outflow;  ///< as the volume change, by div(w) dt
   NodeField<WaterAtNode<dim>> nodes;
   NodeField<Vec<dim>> soil_inertia;  ///< kg, what accelerates with the soil where the water gives way
   NodeField<Vec<dim>> normal;        ///< of the rigid body that touches the soil there, sum of N times it; else zero
+  NodeField<Real> held_back;         ///< 1/s: what the flux along that normal would take out of the soil around the node, over its volume
 
   bool flows() const { return cells.size() > 0; }
   void make_room(const mesh::Mesh<dim>& mesh, const problem::BodySoil& soil);

@@ -78,11 +78,11 @@ void share_water_forces(BodyGrid<dim>& grid)
   const Timer timer("ranks");
   grid.halo.exchange(
       [&](const Halo::Side& side, std::vector<std::byte>& out) {
-        for (const Index cell : side.sent) put_bytes(out, &grid.water.corners[cell]);
+        for (const Index cell : side.sent) put_bytes(out, &grid.water.corners[cell]), put_bytes(out, &grid.water.pressure[cell]);
       },
       [&](const Halo::Side& side, const std::vector<std::byte>& in) {
         const std::byte* at = in.data();
-        for (const Index cell : side.got) at = get_bytes(at, &grid.water.corners[cell]);
+        for (const Index cell : side.got) at = get_bytes(get_bytes(at, &grid.water.corners[cell]), &grid.water.pressure[cell]);
       });
 }
 

@@ -46,10 +46,10 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
   correct_accelerations(model, state, work);  // 4: (8)-(14)
 
   for (Index b = 0; b < bodies; ++b) {
-    advance_flux(model, state, work, b);
     spread_new_momentum(model.mesh, state.particles[b], state.dt, work.grids[b]);  // 5-6: (14)-(16) from the moments
     share_corner_sums(work.grids[b]);
     gather_new_velocities(model, work.grids[b]);  // 7-8: (18), supports
+    advance_flux(model, state, work, b);
   }
   share_at_contacts(work, &BodyGrid<dim>::mapped_velocity);
   correct_velocities(model, state, work);  // 8: (8)-(13) again
