@@ -37,16 +37,28 @@ void average_water(const problem::Model<dim>& model, const bodies::Particles<dim
 
 namespace {
 
-/// Mean of the excess pore pressure over the patch of a cell, Pa.
+/// Means over the patch of a cell, weighted by the volume of its soil.
 template <int dim>
-Real patch_pressure(const problem::Model<dim>& model, const BodyGrid<dim>& grid, Index cell)
+struct PatchOfWater {
+  Real pressure = 0;                   ///< excess pore pressure, Pa
+  Vec<dim> centre = Vec<dim>::Zero();  ///< of the cells, m
+};
+
+template <int dim>
+PatchOfWater<dim> patch_of_water(const problem::Model<dim>& model, const BodyGrid<dim>& grid, Index cell)
 {
-  Real volume = 0, pressure = 0;
+  PatchOfWater<dim> patch;
+  Real volume = 0;
   mesh::for_each_in_patch(model.patches, cell, [&](Index member) {
-    volume += grid.moments[member].volume;
-    pressure += grid.moments[member].volume * grid.water.cells[member].pressure;
+    const Real V = grid.moments[member].volume;
+    if (!(V > 0)) return;
+    volume += V;
+    patch.pressure += V * grid.water.cells[member].pressure;
+    patch.centre += V * model.mesh.centroid(member);
   });
-  return pressure / volume;
+  patch.pressure /= volume;
+  patch.centre /= volume;
+  return patch;
 }
 
 template <mesh::Metric metric, int dim>
@@ -56,19 +68,22 @@ void spread_water_forces_in(const problem::Model<dim>& model, const bodies::Part
   for_each("water forces of cells", particles.chunks(), [&](Index c) {
     const Index cell = particles.occupied()[c];
     const Moments<dim>& t = grid.moments[cell];
-    const Real pressure = grid.water.pressure[cell] = patch_pressure(model, grid, cell);
-    const WaterCell& water = grid.water.cells[cell];
+    const PatchOfWater<dim> patch = patch_of_water(model, grid, cell);
+    grid.water.pressure[cell] = patch.pressure;
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
     auto& corners = grid.water.corners[cell];
-    // The force on a corner does not vanish with the shape functions of the particles, so the water's inertia must not either: the corners have equal parts of it.
+    const auto add = [&](int k, const Vec<dim>& unit_force) {
+      corners[k].force += patch.pressure * unit_force;
+      corners[k].volume -= unit_force.dot(patch.centre - mesh.position[mesh.nodes[cell][k]]) / dim;
+    };
     const Real of_corner = t.volume / (dim + 1);
     for (int k = 0; k <= dim; ++k) {
       const Real of_soil = t.volume * grid.corners[cell][k].mass / t.m;
-      const Vec<dim> force = t.volume * pressure * shape.gradient(k);
-      corners[k] = {force, std::min(of_corner, of_soil) * material::water_density, of_corner * water.inertia, of_corner * water.drag};
+      corners[k] = {.mass = std::min(of_corner, of_soil) * material::water_density};
+      add(k, t.volume * shape.gradient(k));
     }
     if constexpr (metric == mesh::Metric::axisymmetric)
-      for_each_hoop_share<dim>(shape, t, grid.hoop[cell], [&](int k, Real share) { corners[k].force[0] += share * pressure; });
+      for_each_hoop_share<dim>(shape, t, grid.hoop[cell], [&](int k, Real share) { add(k, Vec<dim>(share, 0)); });
   });
 }
 
@@ -87,16 +102,26 @@ void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid
   if (!grid.water.flows()) return;
   const mesh::Mesh<dim>& mesh = model.mesh;
   const NodeField<std::uint8_t>& closed = model.closed[grid.fixed];
+  constexpr Real least = 0.5, most = 2;  // of equal parts
   for_each("gather water", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
     WaterAtNode<dim>& water = grid.water.nodes[i];
     water = {};
+    Real equal_parts = 0, volume = 0;
     for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) {
-      const WaterAtNode<dim>& corner = grid.water.corners[mesh.entries[e] / (dim + 1)][mesh.entries[e] % (dim + 1)];
+      const Index cell = mesh.entries[e] / (dim + 1);
+      const WaterAtCorner<dim>& corner = grid.water.corners[cell][mesh.entries[e] % (dim + 1)];
+      const Real part = grid.moments[cell].volume / (dim + 1);
       water.force += corner.force;
       water.mass += corner.mass;
-      water.inertia += corner.inertia;
-      water.drag += corner.drag;
+      water.inertia += part * grid.water.cells[cell].inertia;
+      water.drag += part * grid.water.cells[cell].drag;
+      volume += corner.volume;
+      equal_parts += part;
+    }
+    if (equal_parts > 0) {
+      const Real factor = std::clamp(volume / equal_parts, least, most);
+      water.mass *= factor, water.inertia *= factor, water.drag *= factor;
     }
     water.inertia += dt * water.drag;
     grid.water.normal[i].setZero();
@@ -243,7 +268,7 @@ void note_pressures(const problem::Model<dim>& model, problem::State<dim>& state
     largest += sum_of<Largest>("largest pore pressure", particles.chunks(), [&](Index c) {
       const Index cell = particles.occupied()[c];
       const bool is_soil = grid.moments[cell].volume > least_filled * model.mesh.volume(cell);
-      return Largest{is_soil ? std::abs(patch_pressure(model, grid, cell)) : 0};
+      return Largest{is_soil ? std::abs(grid.water.pressure[cell]) : 0};
     });
   }
   note_excess_pressure(state.stage, largest.value);

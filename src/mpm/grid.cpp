@@ -39,7 +39,7 @@ void WaterGrid<dim>::make_room(const mesh::Mesh<dim>& mesh, const problem::BodyS
 {
   for (const material::Material& material : soil.materials) soils.push_back({hydraulics(material).value(), inertia_density(material)});
   cells = CellField<WaterCell>::zeros(mesh.cell_count());
-  corners = CellField<std::array<WaterAtNode<dim>, dim + 1>>::zeros(mesh.cell_count());
+  corners = CellField<std::array<WaterAtCorner<dim>, dim + 1>>::zeros(mesh.cell_count());
   pressure = CellField<Real>::zeros(mesh.cell_count());
   outflow = CellField<VolumeChange>::zeros(mesh.cell_count());
   nodes = NodeField<WaterAtNode<dim>>::zeros(mesh.node_count());

@@ -56,7 +56,15 @@ struct WaterCell {
   Real drag = 0;      ///< gamma_w / k, N s/m4
 };
 
-/// The water at a node, and what a cell contributes to it; by flux, which is the velocity times the porosity.
+/// What a cell gives the water at one of its corners.
+template <int dim>
+struct WaterAtCorner {
+  Vec<dim> force = Vec<dim>::Zero();  ///< V p grad N, N
+  Real mass = 0;                      ///< rho_w V, kg, of an equal part of the volume, and at most that of the shape function
+  Real volume = 0;                    ///< the part of the volume that the force of a linear pressure moves by Darcy's law; may be negative
+};
+
+/// The water at a node; by flux, which is the velocity times the porosity.
 template <int dim>
 struct WaterAtNode {
   Vec<dim> force = Vec<dim>::Zero();  ///< sum V p grad N, N
@@ -75,7 +83,7 @@ struct WaterGrid {
   std::vector<Soil> soils;  ///< by material
   CellField<WaterCell> cells;
   CellField<Real> pressure;  ///< Pa, that acts: averaged over the patch of the cell
-  CellField<std::array<WaterAtNode<dim>, dim + 1>> corners;
+  CellField<std::array<WaterAtCorner<dim>, dim + 1>> corners;
   CellField<VolumeChange> outflow;  ///< as the volume change, by div(w) dt
   NodeField<WaterAtNode<dim>> nodes;
   NodeField<Vec<dim>> soil_inertia;  ///< kg, what accelerates with the soil where the water gives way
