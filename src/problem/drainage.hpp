@@ -18,6 +18,9 @@ struct Consolidation {
   Real wave() const { return std::sqrt(modulus / density); }
 };
 
+/// Whether water flows through the pores of a body.
+bool has_flowing_water(const Case& c);
+
 /// The shear strength of undisturbed soil at a depth (m) under a vertical stress, Pa; empty where it does not yield.
 std::optional<Real> strength_under(const material::Material& material, Real depth, Real pressure);
 

@@ -68,6 +68,14 @@ until.displacement = "20 mm"
                                changes);
 }
 
+/// The same in sand whose water flows.
+inline problem::Case sample_case_in_water(std::vector<std::string> changes = {})
+{
+  changes.insert(changes.end(), {"material.sand.inertia_density=1877", "material.sand.water.drainage=consolidation",
+                                 "material.sand.water.permeability=1e-5", "material.sand.water.porosity=0.4"});
+  return sample_case(changes);
+}
+
 /// A record of a run of a case, with a summary in which all is well, and no history.
 inline record::RunRecord sample_record(const problem::Case& settings, const std::string& name = "sample")
 {

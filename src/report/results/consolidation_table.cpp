@@ -61,7 +61,7 @@ std::string consolidation_table(const std::vector<record::RunRecord>& runs)
   table.columns({{"run"},
                  {"stage"},
                  {"<i>v D</i>/<i>c</i><sub>v</sub>", true},
-                 {""},
+                 {"drainage"},
                  {"inertia"},
                  {"<i>T</i> = <i>c</i><sub>v</sub> <i>t</i>/<i>D</i>²", true},
                  {"<i>U</i> at the end", true},
@@ -76,10 +76,11 @@ std::string consolidation_table(const std::vector<record::RunRecord>& runs)
     add_rows(run, width, found.front(), table);
   }
   if (soils.empty()) return "";
-  const std::string how = fmt::format("Soil is drained up to v D/c_v = {:g} and undrained from {:g} on, within 5 %. U is 1 less the "
-                                      "largest excess pore pressure in the soil over "
-                                      "the largest of the stage; t50 is the time until U = 50 %.",
-                                      problem::drained_up_to, problem::undrained_from);
+  const std::string how = fmt::format(
+      "Soil is drained up to v D/c_v = {:g} and undrained from {:g} on, within 5 %, and partially drained between. U is 1 less the "
+      "largest excess pore pressure in the soil over "
+      "the largest of the stage; t50 is the time until U = 50 %.",
+      problem::drained_up_to, problem::undrained_from);
   return "<h3>Consolidation</h3>\n<p>" + soils + "</p>\n" + text::html_paragraph(how, "quiet") + (table.empty() ? "" : table.html());
 }
 

@@ -2,6 +2,7 @@
 // Tests: tests/unit/report/setup/setup_section_test.cpp
 #include "report/setup/setup_tables.hpp"
 
+#include "problem/drainage.hpp"
 #include "report/setup/parameter_table.hpp"
 #include "report/setup/stage_words.hpp"
 #include "structures/base/driven_body.hpp"
@@ -91,6 +92,27 @@ void add_law(Rows& rows, const std::string& prefix, const Law& law)
   if constexpr (requires { law.library; }) rows.add(prefix + "library", law.library);
 }
 
+/// Where the water in the pores goes, of a law of effective stress that is told.
+void add_water(Rows& rows, const std::string& prefix, const material::Material& material)
+{
+  const std::optional<material::PoreWater> water = std::visit(
+      [](const auto& law) -> std::optional<material::PoreWater> {
+        if constexpr (requires { law.water; }) return law.water;
+        return {};
+      },
+      material);
+  if (!water) return;
+  using enum material::Drainage;
+  rows.add(prefix + "water in the pores", water->drainage == drained     ? "drained: no excess pore pressure"
+                                          : water->drainage == undrained ? "undrained: it stays"
+                                                                         : "flows (consolidation)");
+  if (const std::optional<material::Hydraulics> flow = hydraulics(material)) {
+    rows.add(prefix + "permeability k",
+             fmt::format("{:.3g} m/s{}", flow->permeability, flow->kozeny_carman ? ", follows the porosity" : ""));
+    rows.add(prefix + "porosity n", text::number_words(flow->porosity));
+  }
+}
+
 void add_material(Rows& rows, const std::string& prefix, const material::Material& material)
 {
   const problem::Case& c = rows.settings();
@@ -115,6 +137,7 @@ void add_material(Rows& rows, const std::string& prefix, const material::Materia
     if (body.k0 && &c.material[problem::index_of(c.material, body.material)].second == &material)
       rows.add(prefix + "K0", text::number_words(*body.k0));
   std::visit([&](const auto& law) { add_law(rows, prefix, law); }, material);
+  add_water(rows, prefix, material);
 }
 
 /// Layers and regions of other materials, and the strength that forces are divided by where it varies.
@@ -158,7 +181,10 @@ void add_contact(Rows& rows, const std::string& prefix, const std::string& name,
     rows.add(prefix + "sensitivity of the adhesion",
              fmt::format("{:.3g}, 95 % lost after {}", contact.adhesion_sensitivity, text::length_words(contact.adhesion_ductility)));
   if (contact.tension > 0) rows.add(prefix + "tension", contact.tension < infinity ? text::stress_words(contact.tension) : "unlimited");
-  if (contact.drained) rows.add(prefix + "water", "crosses it (drained)");
+  if (contact.drained)
+    rows.add(prefix + "water", "crosses it (drained)");
+  else if (problem::has_flowing_water(rows.settings()))
+    rows.add(prefix + "water", "closed to it");
   if (rows.settings().method == problem::Method::mpm)
     for (const char* key : {"scheme", "detection"})
       rows.add(prefix + key, word_of(rows.settings(), fmt::format("contact.{}.{}", name, key)));

@@ -3,6 +3,7 @@
 #include "report/setup/sketch.hpp"
 
 #include "bodies/rigid/rigid_body.hpp"
+#include "problem/drainage.hpp"
 #include "report/setup/convex.hpp"
 
 #include <algorithm>
@@ -129,23 +130,27 @@ void add_supports(Sketch& sketch, const problem::Case& c)
       {{"right"}, {corners[1], corners[2], Vec<2>(1, 0), false, ""}},
       {{"base", "bottom"}, {corners[0], corners[1], Vec<2>(0, -1), false, ""}},
       {{"top"}, {corners[3], corners[2], Vec<2>(0, 1), false, ""}}};
+  const bool water_flows = problem::has_flowing_water(c);
   for (const auto& [names, edge] : edges) {
     int held = 0;
+    bool drained = false;
     for (const auto& [name, support] : c.support)
-      if (std::find(names.begin(), names.end(), support.boundary) != names.end()) held |= fixed_directions(support);
+      if (std::find(names.begin(), names.end(), support.boundary) != names.end())
+        held |= fixed_directions(support), drained = drained || support.drained;
     if (held == 0) continue;
     std::vector<char> directions;
     for (int d = 0; d < 3; ++d)
       if ((held >> d & 1) != 0) directions.push_back(static_cast<char>('x' + d));
     HeldEdge copy = edge;
     copy.wholly = (held & 3) == 3;
-    copy.words = fmt::format("{} fixed", fmt::join(directions, ", "));
+    copy.words = fmt::format("{} fixed{}", fmt::join(directions, ", "), !water_flows ? "" : drained ? ", drained" : ", no flow");
     sketch.held.push_back(copy);
   }
   for (const auto& [name, support] : c.support)
     if (support.boundary == "back" || support.boundary == "front")
       sketch.notes.push_back(
           fmt::format("Held at the boundary \"{}\", parallel to the drawing: {}.", support.boundary, fmt::join(support.fixed, ", ")));
+  if (water_flows) sketch.notes.push_back("Water leaves the soil at its free surface and at drained boundaries.");
 }
 
 /// How far a drive goes in its time: it grows evenly from nothing within the ramp.

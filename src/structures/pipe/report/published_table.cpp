@@ -93,6 +93,7 @@ std::string published_values(const PipeRuns& runs, const base::DisplayUnits& sho
   int place = 0;
   for (const PipeRun& run : runs) {
     const std::string table = published_table(run, shown, fmt::format("published-{}", place));
+    if (table.empty()) continue;
     html += runs.size() == 1 ? table
                              : fmt::format("<details{}>\n<summary>{}</summary>\n{}</details>\n", place == 0 ? " open" : "",
                                            text::html_text(run.name), table);

@@ -106,6 +106,13 @@ TEST(drawing, gravity_supports_and_dimensions_are_told)
     EXPECT_TRUE(contains(svg, words)) << words;
 }
 
+TEST(drawing, where_water_leaves_is_told_if_it_flows)
+{
+  const std::string svg = draw_case(sample_case_in_water({"support.base.drained=true"}), "x").svgs;
+  for (const char* words : {">x fixed, no flow<", ">x, y fixed, drained<"}) EXPECT_TRUE(contains(svg, words)) << words;
+  EXPECT_FALSE(contains(draw_case(sample_case(), "x").svgs, "drained"));
+}
+
 TEST(drawing, embedment_of_a_pipe_wished_in_place_is_told)
 {
   EXPECT_FALSE(contains(draw_case(sample_case(), "x").svgs, "w = 5 mm"));
