@@ -329,8 +329,9 @@ Demand demand_of(const bodies::Particles<dim>& particles, const mpm::BodyGrid<di
                  4 * (sizeof(mesh::Gradients<dim>) + corners * sizeof(Index)) + 4 * sizeof(Real);
   Real of_node = 2 * sizeof(Real) + 6 * sizeof(Vec<dim>);
   if (grid.water.flows()) {
-    of_cell += 4 * sizeof(mpm::WaterCell) + 2 * corners * sizeof(mpm::WaterAtCorner<dim>) + 2 * sizeof(mpm::VolumeChange) + 2 * sizeof(Real);
-    of_node += 2 * sizeof(mpm::WaterAtNode<dim>) + 6 * sizeof(Vec<dim>) + 2 * sizeof(Real);
+    of_cell +=
+        4 * sizeof(mpm::WaterCell) + 2 * corners * sizeof(mpm::WaterAtCorner<dim>) + 2 * sizeof(mpm::VolumeChange) + 2 * sizeof(Real);
+    of_node += 2 * sizeof(mpm::WaterAtNode<dim>) + 6 * sizeof(Vec<dim>) + 2 * sizeof(mpm::ClosedFlux);
   }
   const Real count = static_cast<Real>(particles.size());
   const Real bytes = (blocks * of_block + cells * of_cell + nodes * of_node) / count;

@@ -20,15 +20,13 @@ namespace {
 template <int dim>
 Real surface_area(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
 {
-  Vec<dim> gradient = Vec<dim>::Zero();
+  Vec<dim> area = Vec<dim>::Zero();
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
     const Index cell = mesh.entries[e] / (dim + 1), corner = mesh.entries[e] % (dim + 1);
-    gradient += grid.moments[cell].volume * grid.shape(mesh, cell).gradient(corner);
-    if (grid.hoop.size() > 0)
-      for_each_hoop_share<dim>(grid.shape(mesh, cell), grid.moments[cell], grid.hoop[cell],
-                               [&](int k, Real share) { gradient[0] += k == corner ? share : 0; });
+    if (!(grid.moments[cell].volume > 0)) continue;
+    area += with_metric(mesh, [&](auto metric) { return forces_of_pressure<metric()>(mesh, grid, cell)[corner]; });
   }
-  return gradient.norm();
+  return area.norm();
 }
 
 /// The surface in contact, for adhesion: that of the rigid body, in the plane; else that of the body around the nodes of the

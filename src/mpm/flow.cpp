@@ -70,20 +70,14 @@ void spread_water_forces_in(const problem::Model<dim>& model, const bodies::Part
     const Moments<dim>& t = grid.moments[cell];
     const PatchOfWater<dim> patch = patch_of_water(model, grid, cell);
     grid.water.pressure[cell] = patch.pressure;
-    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
+    const std::array<Vec<dim>, dim + 1> forces = forces_of_pressure<metric>(mesh, grid, cell);
     auto& corners = grid.water.corners[cell];
-    const auto add = [&](int k, const Vec<dim>& unit_force) {
-      corners[k].force += patch.pressure * unit_force;
-      corners[k].volume -= unit_force.dot(patch.centre - mesh.position[mesh.nodes[cell][k]]) / dim;
-    };
     const Real of_corner = t.volume / (dim + 1);
     for (int k = 0; k <= dim; ++k) {
       const Real of_soil = t.volume * grid.corners[cell][k].mass / t.m;
-      corners[k] = {.mass = std::min(of_corner, of_soil) * material::water_density};
-      add(k, t.volume * shape.gradient(k));
+      corners[k] = {patch.pressure * forces[k], std::min(of_corner, of_soil) * material::water_density,
+                    forces[k].cwiseProduct(mesh.position[mesh.nodes[cell][k]] - patch.centre)};
     }
-    if constexpr (metric == mesh::Metric::axisymmetric)
-      for_each_hoop_share<dim>(shape, t, grid.hoop[cell], [&](int k, Real share) { add(k, Vec<dim>(share, 0)); });
   });
 }
 
@@ -107,7 +101,8 @@ void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid
     const Index i = grid.nodes[n];
     WaterAtNode<dim>& water = grid.water.nodes[i];
     water = {};
-    Real equal_parts = 0, volume = 0;
+    Real equal_parts = 0;
+    Vec<dim> share = Vec<dim>::Zero();
     for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e) {
       const Index cell = mesh.entries[e] / (dim + 1);
       const WaterAtCorner<dim>& corner = grid.water.corners[cell][mesh.entries[e] % (dim + 1)];
@@ -116,16 +111,21 @@ void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid
       water.mass += corner.mass;
       water.inertia += part * grid.water.cells[cell].inertia;
       water.drag += part * grid.water.cells[cell].drag;
-      volume += corner.volume;
+      share += corner.share;
       equal_parts += part;
     }
-    if (equal_parts > 0) {
-      const Real factor = std::clamp(volume / equal_parts, least, most);
+    // The mean over the directions in which water can flow: along the radius it cannot on the axis.
+    int directions = 0;
+    Real volume = 0;
+    for (int d = 0; d < dim; ++d)
+      if (!(closed[i] >> d & 1)) volume += share[d], ++directions;
+    if (equal_parts > 0 && directions > 0) {
+      const Real factor = std::clamp(volume / (directions * equal_parts), least, most);
       water.mass *= factor, water.inertia *= factor, water.drag *= factor;
     }
     water.inertia += dt * water.drag;
     grid.water.normal[i].setZero();
-    grid.water.held_back[i] = 0;
+    grid.water.closed[i] = {};
     for (int d = 0; d < dim; ++d)
       grid.water.soil_inertia[i][d] =
           grid.mass[i] - (closed[i] >> d & 1 || !(water.inertia > 0) ? 0 : water.mass * water.mass / water.inertia);
@@ -168,33 +168,29 @@ void seal_rigid_bodies(const problem::Model<dim>& model, Work<dim>& work)
 
 namespace {
 
-/// What constant pressure of 1 Pa in the soil around a node does there, and the mean of the pressure that acts.
-template <int dim>
-struct Surroundings {
-  Vec<dim> area = Vec<dim>::Zero();  ///< m (per metre run) or m2: sum V grad N, that of the surface of the soil
-  Real volume = 0, pressure = 0;
+/// The cells around a node on one side of it along a normal.
+struct Side {
+  Real area = 0;   ///< m (per metre run) or m2: sum of the forces of 1 Pa along the normal
+  Real force = 0;  ///< N: that of the excess pore pressure that acts
+  void add(Real part, Real pressure) { area += part, force += part * pressure; }
 };
 
+/// What a closed body changes of the force on the water at a node along its normal, N, and of the outflow. The mean pressures of the cells on both sides of the
+/// node act on the geometric mean of their areas: full cells of soil keep what they have; without soil on the side of the body nothing is left; and however
+/// little soil there is, no wave through it is faster.
 template <mesh::Metric metric, int dim>
-Surroundings<dim> surroundings_of(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node)
+Real close(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node, const Vec<dim>& normal, ClosedFlux& closed)
 {
-  Surroundings<dim> around;
+  Side body, soil;
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
     const Index cell = mesh.entries[e] / (dim + 1);
-    const int corner = static_cast<int>(mesh.entries[e] % (dim + 1));
-    const Moments<dim>& t = grid.moments[cell];
-    if (!(t.volume > 0)) continue;
-    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    around.area += t.volume * shape.gradient(corner);
-    if constexpr (metric == mesh::Metric::axisymmetric)
-      for_each_hoop_share<dim>(shape, t, grid.hoop[cell], [&](int k, Real share) {
-        if (k == corner) around.area[0] += share;
-      });
-    around.volume += t.volume;
-    around.pressure += t.volume * grid.water.pressure[cell];
+    if (!(grid.moments[cell].volume > 0)) continue;
+    const Real part = normal.dot(forces_of_pressure<metric>(mesh, grid, cell)[mesh.entries[e] % (dim + 1)]);
+    (part > 0 ? body : soil).add(std::abs(part), grid.water.pressure[cell]);
   }
-  around.pressure /= around.volume;
-  return around;
+  const Real area = std::sqrt(body.area * soil.area);
+  closed = {body.area > 0 ? area / body.area - 1 : 0, soil.area > 0 ? area / soil.area - 1 : 0};
+  return closed.at_body * body.force - closed.at_soil * soil.force;
 }
 
 }  // namespace
@@ -221,16 +217,20 @@ void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, 
     const Vec<dim>& a = grid.acceleration[i];
     const bool at_contact = grid.contact_points[i] != 0;
     const Real inertia = at_contact ? water.inertia + heavier * (water.inertia - dt * water.drag) : water.inertia;
-    Vec<dim> force = water.force - water.drag * before, through = Vec<dim>::Zero();
-    if (const Real square = grid.water.normal[i].squaredNorm(); square > 0) {
-      const Surroundings<dim> around = with_metric(model.mesh, [&](auto metric) { return surroundings_of<metric()>(model.mesh, grid, i); });
-      through = around.area.dot(grid.water.normal[i]) / (square * around.volume) * grid.water.normal[i];
-      force -= around.volume * around.pressure * through;
+    Vec<dim> force = water.force - water.drag * before;
+    // Where a support stops the water as well, only what is left of the normal counts.
+    Vec<dim>& normal = grid.water.normal[i];
+    normal = boundary::without_fixed<dim>(closed, i, normal);
+    ClosedFlux& at_body = grid.water.closed[i];
+    if (const Real length = normal.norm(); length > 0) {
+      normal /= length;
+      force += with_metric(model.mesh, [&](auto metric) { return close<metric()>(model.mesh, grid, i, normal, at_body); }) * normal;
     }
     Vec<dim> after = before + dt / inertia * force;
     if (!at_contact) after -= water.mass / inertia * (grid.mapped_velocity[i] - grid.velocity[i]);
     flux[i] = boundary::without_fixed<dim>(closed, i, after);
-    grid.water.held_back[i] = through.dot(flux[i]);
+    const Real outward = flux[i].dot(normal);
+    at_body = {outward * at_body.at_body, outward * at_body.at_soil};
     if (at_contact) return TakenByWater<dim>();
     Vec<dim> impulse = water.mass * (flux[i] - before + water.mass / inertia * (grid.mapped_velocity[i] - grid.velocity[i] - dt * a));
     for (int d = 0; d < dim; ++d)
@@ -274,6 +274,25 @@ void note_pressures(const problem::Model<dim>& model, problem::State<dim>& state
   note_excess_pressure(state.stage, largest.value);
 }
 
+namespace {
+
+/// What closed bodies change of the water that leaves a cell, m3/s (per metre run: m2/s).
+template <mesh::Metric metric, int dim>
+Real held_back(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell)
+{
+  Real rate = 0;
+  for (int k = 0; k <= dim; ++k) {
+    const Index node = mesh.nodes[cell][k];
+    const ClosedFlux& closed = grid.water.closed[node];
+    if (closed.at_body == 0 && closed.at_soil == 0) continue;
+    const Real part = grid.water.normal[node].dot(forces_of_pressure<metric>(mesh, grid, cell)[k]);
+    rate += part * (part > 0 ? closed.at_body : closed.at_soil);
+  }
+  return rate;
+}
+
+}  // namespace
+
 template <int dim>
 void sum_outflows(const problem::Model<dim>& model, const problem::State<dim>& state, BodyGrid<dim>& grid, Index body)
 {
@@ -282,9 +301,8 @@ void sum_outflows(const problem::Model<dim>& model, const problem::State<dim>& s
   const bodies::Particles<dim>& particles = state.particles[body];
   const auto sum = [&](Index cell) {
     const Real volume = grid.moments[cell].volume;
-    Real rate = divergence(mesh, grid, cell, state.flux[body]);
-    for (const Index node : mesh.nodes[cell]) rate -= grid.water.held_back[node];
-    grid.water.outflow[cell] = {volume, volume * rate * state.dt};
+    const Real change = with_metric(mesh, [&](auto metric) { return held_back<metric()>(mesh, grid, cell); });
+    grid.water.outflow[cell] = {volume, (volume * divergence(mesh, grid, cell, state.flux[body]) + change) * state.dt};
   };
   for_each("outflow of cells", particles.chunks(), [&](Index c) { sum(particles.occupied()[c]); });
   for (const Index cell : grid.halo.partners)

@@ -35,14 +35,16 @@ void spread_water_forces(const problem::Model<dim>& model, const bodies::Particl
 template <int dim>
 void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid);
 
-/// Marks the nodes of points that touch a rigid body which is not drained, by its normal: advance_flux lets no water into it. Drained ones are as open as a free surface. At the nodes of contact points the soil takes the whole
-/// force, so that contact, which changes its velocity twice in a step, keeps its momentum: soil and water do not feel each other's inertia there.
+/// Marks the nodes of points that touch a rigid body which is not drained by its normal, for advance_flux. Drained ones are as open as a free surface. At the nodes
+/// of contact points the soil takes the whole force, so that contact, which changes its velocity twice in a step, keeps its momentum: soil and water do not feel
+/// each other's inertia there.
 template <int dim>
 void seal_rigid_bodies(const problem::Model<dim>& model, Work<dim>& work);
 
-/// The flux at the end of the step, from the change of the nodal velocity that the particles carry: that of the accelerations would leave soil and water each with energy that the other
-/// has not lost. None through supports. Along the normal of a closed body the water feels what its pressure differs from the mean of the cells around, and what of its flux would leave them all
-/// is held back: constant pressure moves no water, and none is lost, however the body cuts the cells. What the change of the flux takes of the soil's momentum and energy goes to the totals.
+/// The flux at the end of the step, from the change of the nodal velocity that the particles carry; that of the accelerations would give soil and water energy that
+/// neither has lost. None through supports. Along the normal of a closed body only the difference between the pressures on both sides of a node moves water, and
+/// it goes from the cells on the one side to those on the other: none goes into the body, where it lies between the nodes, too. What the change of the flux takes
+/// of the soil's momentum and energy goes to the totals.
 template <int dim>
 void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
 

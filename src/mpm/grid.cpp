@@ -45,7 +45,7 @@ void WaterGrid<dim>::make_room(const mesh::Mesh<dim>& mesh, const problem::BodyS
   nodes = NodeField<WaterAtNode<dim>>::zeros(mesh.node_count());
   soil_inertia = NodeField<Vec<dim>>::zeros(mesh.node_count());
   normal = NodeField<Vec<dim>>::zeros(mesh.node_count());
-  held_back = NodeField<Real>::zeros(mesh.node_count());
+  closed = NodeField<ClosedFlux>::zeros(mesh.node_count());
 }
 
 template <int dim>

@@ -61,7 +61,7 @@ template <int dim>
 struct WaterAtCorner {
   Vec<dim> force = Vec<dim>::Zero();  ///< V p grad N, N
   Real mass = 0;                      ///< rho_w V, kg, of an equal part of the volume, and at most that of the shape function
-  Real volume = 0;                    ///< the part of the volume that the force of a linear pressure moves by Darcy's law; may be negative
+  Vec<dim> share = Vec<dim>::Zero();  ///< by direction, the volume whose drag lets a linear pressure drive Darcy's flux; may be negative
 };
 
 /// The water at a node; by flux, which is the velocity times the porosity.
@@ -71,6 +71,12 @@ struct WaterAtNode {
   Real mass = 0;                      ///< sum rho_w V, kg: of the part that moves with the soil
   Real inertia = 0;                   ///< sum rho_w V / n, kg; of a node with the drag over the step
   Real drag = 0;                      ///< sum gamma_w V / k, kg/s
+};
+
+/// What the flux along the normal of a closed body changes of the outflow of the cells around a node, m/s: times the force of 1 Pa along the normal, of cells on
+/// the side of the body and of those on the side of the soil.
+struct ClosedFlux {
+  Real at_body = 0, at_soil = 0;
 };
 
 /// What soil adds whose water flows (mpm/flow.hpp); without memory where none does.
@@ -87,8 +93,8 @@ struct WaterGrid {
   CellField<VolumeChange> outflow;  ///< as the volume change, by div(w) dt
   NodeField<WaterAtNode<dim>> nodes;
   NodeField<Vec<dim>> soil_inertia;  ///< kg, what accelerates with the soil where the water gives way
-  NodeField<Vec<dim>> normal;        ///< of the rigid body that touches the soil there, sum of N times it; else zero
-  NodeField<Real> held_back;         ///< 1/s: what the flux along that normal would take out of the soil around the node, over its volume
+  NodeField<Vec<dim>> normal;        ///< of the closed rigid body that touches the soil there; else zero
+  NodeField<ClosedFlux> closed;      ///< of the nodes with a normal; else zero
 
   bool flows() const { return cells.size() > 0; }
   void make_room(const mesh::Mesh<dim>& mesh, const problem::BodySoil& soil);

@@ -43,6 +43,20 @@ template <int dim, class Act>
   return act(std::integral_constant<mesh::Metric, cartesian>());
 }
 
+/// What a pressure of 1 Pa in the soil of a cell does at its corners, N: V grad N_k, and a_k along the radius around an axis.
+template <mesh::Metric metric, int dim>
+[[gnu::always_inline]] inline std::array<Vec<dim>, dim + 1> forces_of_pressure(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid,
+                                                                               Index cell)
+{
+  const Moments<dim>& t = grid.moments[cell];
+  const mesh::Shape<dim> shape = grid.shape(mesh, cell);
+  std::array<Vec<dim>, dim + 1> forces;
+  for (int k = 0; k <= dim; ++k) forces[k] = t.volume * shape.gradient(k);
+  if constexpr (metric == mesh::Metric::axisymmetric)
+    for_each_hoop_share<dim>(shape, t, grid.hoop[cell], [&](int k, Real share) { forces[k][0] += share; });
+  return forces;
+}
+
 /// Directions with a strain of their own in the volume change that patches share.
 template <int dim, mesh::Metric metric>
 constexpr int strained_directions = metric == mesh::Metric::axisymmetric ? 3 : dim;

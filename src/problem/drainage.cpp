@@ -31,10 +31,11 @@ SymTensor<3> stress_at_start(const Case& c, const bodies::BodySettings& body, Re
 
 }  // namespace
 
-bool has_flowing_water(const Case& c)
+bool has_flowing_water(const Case& c, const std::string& name)
 {
-  return std::any_of(c.body.begin(), c.body.end(),
-                     [&](const auto& body) { return hydraulics(soil_of(c, body.second).materials.front()).has_value(); });
+  return std::any_of(c.body.begin(), c.body.end(), [&](const auto& body) {
+    return (name.empty() || body.first == name) && hydraulics(soil_of(c, body.second).materials.front()).has_value();
+  });
 }
 
 std::optional<Real> strength_under(const material::Material& material, Real depth, Real pressure)

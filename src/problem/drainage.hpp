@@ -18,8 +18,8 @@ struct Consolidation {
   Real wave() const { return std::sqrt(modulus / density); }
 };
 
-/// Whether water flows through the pores of a body.
-bool has_flowing_water(const Case& c);
+/// Whether water flows through the pores of a body (by name; "": of any).
+bool has_flowing_water(const Case& c, const std::string& name = "");
 
 /// The shear strength of undisturbed soil at a depth (m) under a vertical stress, Pa; empty where it does not yield.
 std::optional<Real> strength_under(const material::Material& material, Real depth, Real pressure);

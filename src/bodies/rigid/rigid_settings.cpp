@@ -8,8 +8,8 @@ void describe(Describe& d, RigidSettings& rigid)
   describe_shape(d, rigid.shape);
   d.value("mass", rigid.mass,
           {.meaning =
-               "mass per metre run (around an axis and in space: mass in kg); a direction that a force moves needs it: more than the "
-               "soil has of the cells that the body presses on, else the force swings from step to step",
+               "mass per metre run (around an axis and in space: mass in kg); a direction that a force moves needs it: more than that "
+               "of the soil in the cells under the body, else the force swings from step to step",
            .unit = "kg/m",
            .range = not_negative});
   d.choice("motion", rigid.motion, {"driven", "free"},

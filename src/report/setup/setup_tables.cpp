@@ -92,7 +92,7 @@ void add_law(Rows& rows, const std::string& prefix, const Law& law)
   if constexpr (requires { law.library; }) rows.add(prefix + "library", law.library);
 }
 
-/// Where the water in the pores goes, of a law of effective stress that is told.
+/// Where the water in the pores goes.
 void add_water(Rows& rows, const std::string& prefix, const material::Material& material)
 {
   const std::optional<material::PoreWater> water = std::visit(
@@ -181,10 +181,8 @@ void add_contact(Rows& rows, const std::string& prefix, const std::string& name,
     rows.add(prefix + "sensitivity of the adhesion",
              fmt::format("{:.3g}, 95 % lost after {}", contact.adhesion_sensitivity, text::length_words(contact.adhesion_ductility)));
   if (contact.tension > 0) rows.add(prefix + "tension", contact.tension < infinity ? text::stress_words(contact.tension) : "unlimited");
-  if (contact.drained)
-    rows.add(prefix + "water", "crosses it (drained)");
-  else if (problem::has_flowing_water(rows.settings()))
-    rows.add(prefix + "water", "closed to it");
+  if (problem::has_flowing_water(rows.settings(), contact.body) && !contact.rigid.empty())
+    rows.add(prefix + "water", contact.drained ? "crosses it (drained)" : "does not cross it");
   if (rows.settings().method == problem::Method::mpm)
     for (const char* key : {"scheme", "detection"})
       rows.add(prefix + key, word_of(rows.settings(), fmt::format("contact.{}.{}", name, key)));

@@ -132,25 +132,32 @@ void add_supports(Sketch& sketch, const problem::Case& c)
       {{"top"}, {corners[3], corners[2], Vec<2>(0, 1), false, ""}}};
   const bool water_flows = problem::has_flowing_water(c);
   for (const auto& [names, edge] : edges) {
-    int held = 0;
-    bool drained = false;
+    int held = 0, closed = 0;
     for (const auto& [name, support] : c.support)
       if (std::find(names.begin(), names.end(), support.boundary) != names.end())
-        held |= fixed_directions(support), drained = drained || support.drained;
+        held |= fixed_directions(support), closed |= support.drained ? 0 : fixed_directions(support);
     if (held == 0) continue;
     std::vector<char> directions;
     for (int d = 0; d < 3; ++d)
       if ((held >> d & 1) != 0) directions.push_back(static_cast<char>('x' + d));
+    const int across = edge.outward[0] != 0 ? 0 : 1;
     HeldEdge copy = edge;
     copy.wholly = (held & 3) == 3;
-    copy.words = fmt::format("{} fixed{}", fmt::join(directions, ", "), !water_flows ? "" : drained ? ", drained" : ", no flow");
+    copy.words = fmt::format("{} fixed{}", fmt::join(directions, ", "),
+                             !water_flows                  ? ""
+                             : (closed >> across & 1) != 0 ? ", no flow"
+                                                           : ", drained");
     sketch.held.push_back(copy);
   }
   for (const auto& [name, support] : c.support)
     if (support.boundary == "back" || support.boundary == "front")
       sketch.notes.push_back(
           fmt::format("Held at the boundary \"{}\", parallel to the drawing: {}.", support.boundary, fmt::join(support.fixed, ", ")));
-  if (water_flows) sketch.notes.push_back("Water leaves the soil at its free surface and at drained boundaries.");
+  if (!water_flows) return;
+  std::string open = "Water leaves the soil at its free surface";
+  for (const auto& [name, contact] : c.contact)
+    if (contact.drained) open += fmt::format(" and through \"{}\"", contact.rigid);
+  sketch.notes.push_back(open + ".");
 }
 
 /// How far a drive goes in its time: it grows evenly from nothing within the ramp.

@@ -21,7 +21,7 @@ const ParameterEntry& entry_of(const std::vector<ParameterEntry>& all, const std
 TEST(model_table, water_that_flows_is_told_with_its_permeability_and_where_it_is_stopped)
 {
   const std::string html = compact_table({sample_record(sample_case_in_water(), "a")}).html();
-  for (const char* words : {"flows (consolidation)", "1e-05 m/s", "porosity n", "closed to it"})
+  for (const char* words : {"flows (consolidation)", "1e-05 m/s", "porosity n", "does not cross it"})
     EXPECT_TRUE(contains(html, words)) << words;
   EXPECT_FALSE(contains(compact_table({sample_record(sample_case(), "a")}).html(), "water"));
 }
