@@ -114,13 +114,11 @@ void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid
       share += corner.share;
       equal_parts += part;
     }
-    // The mean over the directions in which water can flow: along the radius it cannot on the axis.
-    int directions = 0;
-    Real volume = 0;
-    for (int d = 0; d < dim; ++d)
-      if (!(closed[i] >> d & 1)) volume += share[d], ++directions;
-    if (equal_parts > 0 && directions > 0) {
-      const Real factor = std::clamp(volume / (directions * equal_parts), least, most);
+    // The mean over the directions, but on the axis, where nothing flows along the radius.
+    const bool on_axis = mesh.metric == mesh::Metric::axisymmetric && mesh.position[i][0] == 0;
+    if (equal_parts > 0) {
+      const Real volume = on_axis ? share[1] : share.sum() / dim;
+      const Real factor = std::clamp(volume / equal_parts, least, most);
       water.mass *= factor, water.inertia *= factor, water.drag *= factor;
     }
     water.inertia += dt * water.drag;
