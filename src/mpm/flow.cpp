@@ -72,6 +72,7 @@ void spread_water_forces_in(const problem::Model<dim>& model, const bodies::Part
     grid.water.pressure[cell] = patch.pressure;
     const std::array<Vec<dim>, dim + 1> forces = forces_of_pressure<metric>(mesh, grid, cell);
     auto& corners = grid.water.corners[cell];
+    // Equal parts: the force on a corner does not vanish with the shape functions of the particles, so the water's inertia must not either.
     const Real of_corner = t.volume / (dim + 1);
     for (int k = 0; k <= dim; ++k) {
       const Real of_soil = t.volume * grid.corners[cell][k].mass / t.m;
