@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# One target a room, a folder of src/ or an inner folder (structures/pipe). A room sees its own headers and those of the rooms that it USES, so a
-# wrong include does not build.
+# One target a room, a folder of a district (src/engine/mpm), a district that is one room (src/fem) or an inner folder (src/structures/pipe). A room sees its own
+# headers and those of the rooms that it USES, so a wrong include does not build. Includes and names of rooms do without their district, but for those of structures.
 #
 # Rooms outside the engine are compiled with -O1, which takes two thirds of the time of -O3, but for those marked HOT. Files of a room are compiled several at a
 # time (CMAKE_UNITY_BUILD), which takes half of the time; not those of HOT rooms of the engine, whose loops the compiler would inline otherwise, and change the last bits.
 #
-#   berm_room(NAME [ENGINE] [HOT] [OPENED] [OFFERED] [USES room...] [LINKS library...])
+#   berm_room(PATH [ENGINE] [HOT] [OPENED] [OFFERED] [USES room...] [LINKS library...])
 #                            OPENED: a shared library by itself, which the program opens while it runs
 #                            OFFERED: a shared library for programs of users, which see what its headers in include/ declare and nothing else
 #   berm_engine()            links all ENGINE rooms into libberm_engine.so, once for every vector unit
@@ -18,6 +18,7 @@ if(BERM_VECTOR_UNITS AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND NOT BERM_S
   list(APPEND BERM_UNITS x86-64-v3 x86-64-v4)
 endif()
 set_property(GLOBAL PROPERTY BERM_ENGINE_ROOMS "")
+set(BERM_DISTRICTS engine case run pages studies)
 
 function(berm_compile_for unit target)
   if(NOT unit STREQUAL "baseline")
@@ -41,14 +42,15 @@ function(berm_place_for unit target name)
   set_target_properties(${target} PROPERTIES OUTPUT_NAME ${name} LIBRARY_OUTPUT_DIRECTORY ${place})
 endfunction()
 
-function(berm_room name)
+function(berm_room folder)
   cmake_parse_arguments(PARSE_ARGV 1 F "ENGINE;HOT;OPENED;OFFERED" "" "USES;LINKS")
-  set(path ${name})
+  list(JOIN BERM_DISTRICTS "|" districts)
+  string(REGEX REPLACE "^(${districts})/" "" path ${folder})
   string(REPLACE "/" "_" name ${path})
   set(tree ${CMAKE_BINARY_DIR}/include/${name})
   cmake_path(GET path PARENT_PATH parent)
   file(MAKE_DIRECTORY ${tree}/${parent})
-  file(CREATE_LINK ${CMAKE_SOURCE_DIR}/src/${path} ${tree}/${path} SYMBOLIC)
+  file(CREATE_LINK ${CMAKE_SOURCE_DIR}/src/${folder} ${tree}/${path} SYMBOLIC)
   add_library(berm_${name}_headers INTERFACE)
   target_include_directories(berm_${name}_headers INTERFACE ${tree})
   target_link_libraries(berm_${name}_headers INTERFACE berm_flags)
@@ -57,7 +59,7 @@ function(berm_room name)
     target_link_libraries(berm_${name}_headers INTERFACE berm_${used}_headers)
   endforeach()
 
-  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${path}/*.cpp)
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${folder}/*.cpp)
   if(F_ENGINE)
     set_property(GLOBAL APPEND PROPERTY BERM_ENGINE_ROOMS ${name})
     if(sources)

@@ -27,6 +27,8 @@ MOST_LINES, MANY_LINES = 600, 400
 MOST_LETTERS = 140  # in a line of the Python package and its tests
 # clang-format lays code out a little differently in every version; the house uses the one of Debian 12.
 CLANG_FORMAT = "14."
+# Folders of src/ that hold rooms and are none; BERM_DISTRICTS of cmake/Rooms.cmake.
+DISTRICTS = "engine/|case/|run/|pages/|studies/"
 
 
 class Skip(Exception):
@@ -149,17 +151,17 @@ def names(tree):
 
 
 def rooms_of(cmake):
-    """The rooms that CMakeLists.txt declares with berm_room, each with the rooms it uses, in their order."""
+    """The rooms that CMakeLists.txt declares with berm_room, each with the rooms it uses, in their order; without their districts."""
     rooms = {}
-    for name, rest in re.findall(r"^\s*berm_room\(([\w/]+)\s*([^)]*)\)", cmake, re.M):
+    for name, rest in re.findall(rf"^\s*berm_room\((?:{DISTRICTS})?([\w/]+)\s*([^)]*)\)", cmake, re.M):
         used = re.search(r"USES\s+(.*?)(?:\bLINKS\b|\bENGINE\b|$)", rest, re.S)
         rooms[name] = used.group(1).split() if used else []
     return rooms
 
 
 def room_of(path):
-    """The room of a file of src/, or of the tests that mirror it: its folder there; "" for main.cpp."""
-    return os.path.dirname(re.sub(r"^(?:src|tests/unit)/", "", path))
+    """The room of a file of src/, or of the tests that mirror it: its folder in a district or a district itself; "" for main.cpp."""
+    return os.path.dirname(re.sub(rf"^(?:src|tests/unit)/(?:{DISTRICTS})?", "", path))
 
 
 def tiers(tree):
@@ -294,7 +296,8 @@ def examples(tree):
 
 def silence(tree):
     """Only what runs cases, main.cpp, the progress line and the run log write to the terminal."""
-    allowed = ("src/commands/", "src/benchmark/", "src/envelope/", "src/jobs/", "src/simulation/", "src/study/", "src/uncertainty/", "src/verification/", "src/main.cpp", "src/run_folder/progress", "src/run_folder/run_log")
+    studies = tuple(f"src/studies/{room}/" for room in ("benchmark", "envelope", "jobs", "study", "uncertainty", "verification"))
+    allowed = ("src/commands/", "src/run/simulation/", *studies, "src/main.cpp", "src/run/run_folder/progress", "src/run/run_folder/run_log")
     paths = [path for path in tree.ending(CPP, "src/") if not path.startswith(allowed)]
     pattern = r"\bstd::(?:cout|cerr|clog)\b|\b(?:v?printf|puts|putchar)\s*\(|\b(?:fprintf|fputs|print)\s*\([^;]*\bstd(?:out|err)\b"
     yield from code_matching(tree, paths, pattern, "writes to the terminal")
@@ -303,7 +306,7 @@ def silence(tree):
 
 def allocation(tree):
     """The step and the contact take no memory by hand."""
-    paths = tree.ending(CPP, ("src/mpm/", "src/contact/"))
+    paths = tree.ending(CPP, ("src/engine/mpm/", "src/engine/contact/"))
     yield from code_matching(tree, paths, r"\bnew\b|\b(?:malloc|calloc|realloc)\s*\(", "takes memory")
 
 
@@ -353,7 +356,7 @@ def links(tree):
 
 
 SPDX = "// " + LICENCE + "\n"
-TIERS = "berm_room(core ENGINE)\nberm_room(mesh ENGINE USES core)\nberm_room(mpm ENGINE USES core mesh)\nberm_room(input/inner USES mpm LINKS toml)\n"
+TIERS = "berm_room(engine/core ENGINE)\nberm_room(engine/mesh ENGINE USES core)\nberm_room(engine/mpm ENGINE USES core mesh)\nberm_room(case/input/inner USES mpm LINKS toml)\n"
 CELL = '{"cell_type": "code", "source": ["sticky = 1"], "outputs": []}'
 NOTEBOOK = f'{{"metadata": {{"license": "{LICENCE}"}}, "cells": [{CELL}]}}'
 EXAMPLE = {"examples/slope/README.md": "a", "examples/slope/case.toml": "a", "examples/slope/expected.toml": "a"}
@@ -375,37 +378,37 @@ CHECKS = {
     ),
     width: ([{"python/berm/a.py": "a" * 141}, {"tests/python/a.py": "\n" + "a" * 141}], [{"python/a.py": "a" * 140, "scripts/a.py": "a" * 141}]),
     length: ([{"a.cpp": "\n" * 601}, {"a.py": "\n" * 700}], [{"a.cpp": "\n" * 600, "a.md": "\n" * 900}]),
-    names: ([{"src/string_utils.hpp": ""}, {"src/common/a.hpp": ""}], [{"src/mesh/locate.hpp": ""}]),
+    names: ([{"src/string_utils.hpp": ""}, {"src/common/a.hpp": ""}], [{"src/engine/mesh/locate.hpp": ""}]),
     tiers: (
         [
-            {"CMakeLists.txt": TIERS, "src/core/a.hpp": '#include "mesh/mesh.hpp"\n'},
-            {"CMakeLists.txt": TIERS, "src/mesh/a.cpp": '#include "../core/a.hpp"\n'},
+            {"CMakeLists.txt": TIERS, "src/engine/core/a.hpp": '#include "mesh/mesh.hpp"\n'},
+            {"CMakeLists.txt": TIERS, "src/engine/mesh/a.cpp": '#include "../core/a.hpp"\n'},
             {"CMakeLists.txt": TIERS, "src/fem/a.cpp": ""},
-            {"CMakeLists.txt": TIERS, "src/input/a.cpp": ""},
+            {"CMakeLists.txt": TIERS, "src/case/input/a.cpp": ""},
             {"CMakeLists.txt": "berm_room(core USES mesh)\nberm_room(mesh)\n"},
         ],
-        [{"CMakeLists.txt": TIERS, "src/input/inner/a.cpp": '#include "core/a.hpp"\n#include "mpm/b.hpp"\n#include <vector>\n', "src/main.cpp": '#include "commands/a.hpp"\n'}],
+        [{"CMakeLists.txt": TIERS, "src/case/input/inner/a.cpp": '#include "core/a.hpp"\n#include "mpm/b.hpp"\n#include <vector>\n', "src/main.cpp": '#include "commands/a.hpp"\n'}],
     ),
     namespaces: (
-        [{"src/mesh/a.hpp": "namespace berm {\n}\n"}, {"src/report/page/a.cpp": "namespace berm::page {\n}\n"}],
-        [{"src/mesh/a.hpp": "namespace berm::mesh {\nnamespace {\n}\n}\n", "src/core/a.hpp": "namespace berm {\n}\n", "src/structures/pipe/a.hpp": "namespace berm::pipe {\n}\n"}],
+        [{"src/engine/mesh/a.hpp": "namespace berm {\n}\n"}, {"src/pages/report/page/a.cpp": "namespace berm::page {\n}\n"}],
+        [{"src/engine/mesh/a.hpp": "namespace berm::mesh {\nnamespace {\n}\n}\n", "src/engine/core/a.hpp": "namespace berm {\n}\n", "src/structures/pipe/a.hpp": "namespace berm::pipe {\n}\n"}],
     ),
     type_names: (
         [
-            {"src/mesh/a.hpp": "namespace berm::mesh {\nstruct A {\n};\n}\n", "src/mesh/b.cpp": "namespace berm::mesh {\nclass A {\n};\n}\n"},
+            {"src/engine/mesh/a.hpp": "namespace berm::mesh {\nstruct A {\n};\n}\n", "src/engine/mesh/b.cpp": "namespace berm::mesh {\nclass A {\n};\n}\n"},
             {"tests/a.hpp": "namespace berm {\nstruct A {\n};\n}\n", "tests/b.hpp": "namespace berm {\nenum class A { one };\n}\n"},
         ],
         [
             {
-                "src/mesh/a.hpp": "namespace berm::mesh {\nstruct A {\n};\nstruct B;\n}\n",
-                "src/mesh/b.cpp": "namespace berm::mesh {\nnamespace {\nstruct A {\n};\n}  // namespace\nstruct B {\n};\n}\n",
+                "src/engine/mesh/a.hpp": "namespace berm::mesh {\nstruct A {\n};\nstruct B;\n}\n",
+                "src/engine/mesh/b.cpp": "namespace berm::mesh {\nnamespace {\nstruct A {\n};\n}  // namespace\nstruct B {\n};\n}\n",
                 "src/fem/a.hpp": "namespace berm::fem {\nstruct A {\n};\n}\n",
             }
         ],
     ),
     test_files: (
-        [{"src/mesh/a.cpp": ""}, {"src/mesh/a.cpp": "\n// Tests: tests/b.cpp\n"}, {"tests/unit/mesh/a_test.cpp": ""}, {"src/mesh/a.hpp": "", "tests/unit/mesh/test_a.cpp": ""}],
-        [{"src/mesh/a.cpp": "", "tests/unit/mesh/a_of_tests_test.cpp": "", "src/mesh/b.cpp": "\n// Tests: tests/b.cpp\n", "tests/b.cpp": ""}],
+        [{"src/engine/mesh/a.cpp": ""}, {"src/engine/mesh/a.cpp": "\n// Tests: tests/b.cpp\n"}, {"tests/unit/mesh/a_test.cpp": ""}, {"src/engine/mesh/a.hpp": "", "tests/unit/mesh/test_a.cpp": ""}],
+        [{"src/engine/mesh/a.cpp": "", "tests/unit/mesh/a_of_tests_test.cpp": "", "src/engine/mesh/b.cpp": "\n// Tests: tests/b.cpp\n", "tests/b.cpp": ""}],
     ),
     places: (
         [{"a.md": "see /ho" + "me/me/x"}, {"a.sh": "cd /wo" + "rk/main"}, {"a.lock": "https://registry." + "npmjs.org/x"}],
@@ -426,16 +429,16 @@ CHECKS = {
     ),
     silence: (
         [
-            {"src/mpm/a.cpp": "std::cout << 1;\n"},
-            {"src/mesh/a.cpp": 'printf("x");\n'},
-            {"src/io/table.cpp": 'std::fprintf(stderr, "x");\n'},
-            {"src/mpm/b.cpp": 'fmt::print("{}", 1);\n'},
+            {"src/engine/mpm/a.cpp": "std::cout << 1;\n"},
+            {"src/engine/mesh/a.cpp": 'printf("x");\n'},
+            {"src/run/io/table.cpp": 'std::fprintf(stderr, "x");\n'},
+            {"src/engine/mpm/b.cpp": 'fmt::print("{}", 1);\n'},
         ],
-        [{"src/commands/a.cpp": "std::cout << 1;\n", "src/io/table.cpp": 'std::fprintf(file, "x"); // not printf( here\n', "src/mpm/a.cpp": 'snprintf(s, 3, "a");\n'}],
+        [{"src/commands/a.cpp": "std::cout << 1;\n", "src/run/io/table.cpp": 'std::fprintf(file, "x"); // not printf( here\n', "src/engine/mpm/a.cpp": 'snprintf(s, 3, "a");\n'}],
     ),
     allocation: (
-        [{"src/mpm/a.cpp": "int* a = new int;\n"}, {"src/contact/a.hpp": "void* p = std::malloc(3);\n"}],
-        [{"src/mpm/a.cpp": '// a new step\nthrow RunError("no new one");\n', "src/io/a.cpp": "new int;\n"}],
+        [{"src/engine/mpm/a.cpp": "int* a = new int;\n"}, {"src/engine/contact/a.hpp": "void* p = std::malloc(3);\n"}],
+        [{"src/engine/mpm/a.cpp": '// a new step\nthrow RunError("no new one");\n', "src/run/io/a.cpp": "new int;\n"}],
     ),
     dialect: (
         [

@@ -2,9 +2,9 @@
 // Tests: tests/unit/structures/penetration/penetration_test.cpp
 #include "structures/footing/footing.hpp"
 
-#include "formulas/footing.hpp"
-#include "formulas/penetrometer.hpp"
 #include "structures/footing/footing_envelope.hpp"
+#include "structures/formulas/footing.hpp"
+#include "structures/formulas/penetrometer.hpp"
 #include "structures/penetration/penetration_run.hpp"
 
 namespace berm::footing {

@@ -3,12 +3,12 @@
 #include "structures/footing/footing_envelope.hpp"
 
 #include "core/error.hpp"
-#include "formulas/footing.hpp"
 #include "mesh/seabed.hpp"
 #include "problem/axes.hpp"
 #include "problem/ground.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/kind.hpp"
+#include "structures/formulas/footing.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

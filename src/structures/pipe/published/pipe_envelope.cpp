@@ -3,11 +3,11 @@
 #include "structures/pipe/published/pipe_envelope.hpp"
 
 #include "core/error.hpp"
-#include "formulas/f114_vertical.hpp"
-#include "formulas/pipe_in_clay.hpp"
-#include "formulas/pipe_in_sand.hpp"
 #include "mesh/seabed.hpp"
 #include "structures/base/driven_body.hpp"
+#include "structures/formulas/f114_vertical.hpp"
+#include "structures/formulas/pipe_in_clay.hpp"
+#include "structures/formulas/pipe_in_sand.hpp"
 #include "structures/pipe/published/pipe_soil.hpp"
 
 #include <algorithm>

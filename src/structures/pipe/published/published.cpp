@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/pipe/published/published.hpp"
 
-#include "formulas/f114_lateral.hpp"
+#include "structures/formulas/f114_lateral.hpp"
 #include "structures/pipe/published/published_clay.hpp"
 #include "structures/pipe/published/published_sand.hpp"
 #include "structures/pipe/results/resistance.hpp"

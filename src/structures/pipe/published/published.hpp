@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "formulas/formula.hpp"
+#include "structures/formulas/formula.hpp"
 #include "structures/pipe/results/pipe_run.hpp"
 
 namespace berm::pipe {

@@ -2,9 +2,9 @@
 // Tests: tests/unit/structures/pipe/published/published_test.cpp
 #include "structures/pipe/published/published_clay.hpp"
 
-#include "formulas/clay_sweeps.hpp"
-#include "formulas/f114_lateral.hpp"
-#include "formulas/f114_vertical.hpp"
+#include "structures/formulas/clay_sweeps.hpp"
+#include "structures/formulas/f114_lateral.hpp"
+#include "structures/formulas/f114_vertical.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 // Tests: tests/unit/report/results/results_section_test.cpp
 #include "structures/pipe/report/axial_table.hpp"
 
-#include "formulas/axial.hpp"
+#include "structures/formulas/axial.hpp"
 #include "structures/pipe/results/axial_results.hpp"
 #include "text/shown_number.hpp"
 #include "text/tex_math.hpp"

@@ -2,8 +2,8 @@
 // Tests: tests/unit/report/claims/claims_test.cpp
 #include "structures/pipe/report/pipe_observables.hpp"
 
-#include "formulas/f114_vertical.hpp"
 #include "record/travel_curve.hpp"
+#include "structures/formulas/f114_vertical.hpp"
 #include "structures/pipe/results/mechanism.hpp"
 
 #include <algorithm>

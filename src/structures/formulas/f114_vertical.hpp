@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "structures/formulas/pipe_in_clay.hpp"
+#include "structures/formulas/pipe_in_sand.hpp"
+
+// Vertical resistance of exposed pipes by DNV-RP-F114, section 4.2, as implemented in public programs.
+
+namespace berm::formulas {
+
+/// Bearing width of the pipe, m: B = 2 sqrt(D w - w^2) for w < D/2, else D. Zero at w = 0, NaN above the surface. (equation 4.3)
+Real f114_contact_width(Real diameter, Real embedment);
+
+/// Area of the soil that the pipe displaces, m2: with sin a = B/D, A_bm = a D^2/4 - (B D/4) cos a for w < D/2, else pi D^2/8
+/// + D (w - D/2): above its centre the pipe counts as a vertical wall. NaN above the surface. (equation 4.7)
+Real f114_penetrated_area(Real diameter, Real embedment);
+
+/// The factor F >= 1 for strength that grows with depth, over x = k B/s_u0, of an interface from smooth (0) to rough (1), linear in the roughness between: in ln(1 + x)
+/// linear between entries of a table, exact for a strip footing up to x = 8, of the figure at x = 16. [fit: DNV-RP-F114, figure 4-4; Davis and Booker 1973]
+Formula f114_strength_factor(Real x, Real roughness);
+
+/// The bearing capacity factor of a pipe whose contact has the width B = D sin t, of the roughness r:
+/// N_c = [(2 + r)(1 - cos t)]/sin t + 1 + asin r + pi + sqrt(1 - r^2) - 2 t. 2 + pi for a smooth one that barely touches; times B s_u exactly the slip lines of a
+/// smooth pipe. NaN unless 0 <= B <= D. [fit: Gao and others 2017, to which the recommended practice refers for N_c]
+Formula gao_n_c(Real width_over_diameter, Real roughness);
+
+/// The undrained vertical resistance by bearing capacity (model 1), N/m, upwards: Q_v = Q_v0 (1 + d) + gamma' A_bm,
+/// Q_v0 = F (N_c s_u0 + k B/4) B, k the strength gradient, d = 0.3 (s_u1/s_u2) atan(z/B), s_u0 the strength at z, F of k B/s_u0,
+/// s_u1 the mean of those at the surface and at z, s_u2 = Q_v0/(B N_c), z = 0 for w < (D/2)(1 - sqrt(2)/2), else w + (D/2)(sqrt(2) - 1) - B/2.
+/// [fit: DNV-RP-F114]
+Formula f114_undrained_model_1(const PipeInClay& pipe, Real N_c = 2 + pi);
+
+/// The undrained vertical resistance of a pushed pipe, with heave (model 2), N/m, upwards, s_u that at the invert: Q_v =
+/// min(6 (w/D)^0.25, 3.4 (10 w/D)^0.5) D s_u + 1.5 gamma' A_bm. [fit: DNV-RP-F114]
+Formula f114_undrained_model_2(const PipeInClay& pipe);
+
+/// Whose N_gamma a drained resistance takes: the recommended practice leaves it to the theory of footings.
+enum class SelfWeight : std::uint8_t { hansen, vesic };
+
+/// The drained vertical resistance, N/m, upwards: Q_v = gamma' N_gamma B^2/2 + z0 gamma' N_q d_q B, d_q = 1 + 1.2 (z0/B) tan phi (1 - sin phi)^2.
+/// With a = pi/4 + phi/2, z0 = 0 for w < (D/2)(1 - cos a), else w - D/2 + [(D/2)/sin a - B/2] tan a. [fit: DNV-RP-F114]
+Formula f114_drained_vertical(const PipeInSand& pipe, SelfWeight self_weight = SelfWeight::hansen);
+
+/// A pipe as it is laid.
+struct LaidPipe {
+  Real weight;   ///< W, N/m: submerged
+  Real EI;       ///< N m2
+  Real tension;  ///< T_0, N, at the seabed
+};
+
+/// By how much the largest vertical load at the touchdown exceeds the weight, where the bed carries Q_v (N/m) at the embedment (m) that is so found:
+/// k_lay = 0.6 + 0.4 [EI Q_v/(w T_0^2)]^(1/4), at least 1. [fit: DNV-RP-F114]
+Formula f114_lay_factor(const LaidPipe& pipe, Real Q_v, Real embedment);
+
+}  // namespace berm::formulas

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/formulas/pipe_in_clay.hpp"
+
+namespace berm::formulas {
+namespace {
+
+Real relative_embedment(const PipeInClay& pipe)
+{
+  return pipe.embedment / pipe.diameter;
+}
+
+/// Uniform strength, embedment of at most D/2.
+bool in_common_range(const PipeInClay& pipe)
+{
+  return pipe.diameter > 0 && pipe.strength >= 0 && pipe.strength_gradient == 0 && within(relative_embedment(pipe), 0, 0.5) &&
+         within(pipe.roughness, 0, 1);
+}
+
+/// a (w/D)^p D s_u
+struct Power {
+  Real a, p;
+  Real of(const PipeInClay& pipe) const { return a * std::pow(relative_embedment(pipe), p) * pipe.diameter * pipe.strength; }
+};
+
+Real between(const Power& smooth, const Power& rough, const PipeInClay& pipe)
+{
+  return std::lerp(smooth.of(pipe), rough.of(pipe), pipe.roughness);
+}
+
+struct Exponents {
+  Real b1, b2;
+};
+
+Exponents envelope_exponents(const PipeInClay& pipe)
+{
+  const Real w = relative_embedment(pipe);
+  return {(0.8 - 0.15 * pipe.roughness) * (1.2 - w), 0.35 * (2.5 - w)};
+}
+
+constexpr const char* common_range = "uniform s_u, 0 <= w/D <= 0.5";
+
+}  // namespace
+
+Formula clay_vertical_smooth(const PipeInClay& pipe)
+{
+  constexpr Source source{Label::exact, "slip lines, weightless clay", "smooth, uniform s_u, 0 <= w/D <= 0.5"};
+  const Real theta = std::acos(1 - 2 * relative_embedment(pipe));
+  const Real factor = (2 + pi - 2 * theta) * std::sin(theta) + 2 * (1 - std::cos(theta));
+  return formula(factor * pipe.diameter * pipe.strength, source, in_common_range(pipe) && pipe.roughness == 0);
+}
+
+Formula clay_vertical(const PipeInClay& pipe)
+{
+  constexpr Source source{Label::fit, "Merifield, White and Randolph 2008", common_range};
+  return formula(between({5.66, 0.32}, {7.40, 0.40}, pipe), source, in_common_range(pipe));
+}
+
+Formula clay_horizontal(const PipeInClay& pipe)
+{
+  constexpr Source source{Label::fit, "Merifield, White and Randolph 2008", common_range};
+  return formula(between({2.72, 0.78}, {3.26, 0.82}, pipe), source, in_common_range(pipe));
+}
+
+Formula clay_envelope(const PipeInClay& pipe, Real V, Real V_max, Real H_max)
+{
+  constexpr Source source{Label::fit, "Merifield, White and Randolph 2008", "uniform s_u, 0 <= w/D <= 0.5, 0 <= V <= V_max"};
+  const auto [b1, b2] = envelope_exponents(pipe);
+  const Real b = std::pow(b1 + b2, b1 + b2) / (std::pow(b1, b1) * std::pow(b2, b2)), v = V / V_max;
+  return formula(H_max * b * std::pow(v, b1) * std::pow(1 - v, b2), source, in_common_range(pipe) && V_max > 0 && v >= 0 && v <= 1);
+}
+
+Real clay_envelope_apex(const PipeInClay& pipe)
+{
+  const auto [b1, b2] = envelope_exponents(pipe);
+  return b1 / (b1 + b2);
+}
+
+Formula clay_vertical_with_heave(const PipeInClay& pipe)
+{
+  constexpr Source source{Label::recalled, "Merifield, White and Randolph 2009", common_range};
+  return formula(between({5.3, 0.25}, {7.1, 0.33}, pipe), source, in_common_range(pipe));
+}
+
+Formula clay_deep(const PipeInClay& pipe)
+{
+  const bool ends = pipe.roughness == 0 || pipe.roughness == 1;
+  const Source source{ends ? Label::exact : Label::recalled, "Randolph and Houlsby 1984",
+                      "uniform s_u, so deep that the soil flows around the pipe: w > D at least"};
+  const Real d = std::asin(pipe.roughness), half = (pi / 2 - d) / 2;
+  const Real factor = pi + 2 * d + 4 * std::cos(half) * (std::sqrt(2.) + std::sin(half));
+  const bool in_range = pipe.diameter > 0 && pipe.strength >= 0 && pipe.strength_gradient == 0 && pipe.embedment > pipe.diameter;
+  return formula(factor * pipe.diameter * pipe.strength, source, in_range);
+}
+
+}  // namespace berm::formulas

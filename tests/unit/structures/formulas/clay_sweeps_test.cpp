@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/formulas/clay_sweeps.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::formulas {
+namespace {
+
+PipeInClay pipe_of(Real strength, Real embedment = 0.25)
+{
+  return {.diameter = 0.5, .embedment = 0.5 * embedment, .strength = strength, .unit_weight = 6e3};
+}
+
+TEST(ClaySweeps, residual_resistance_falls_with_the_strength_as_tabulated)
+{
+  const Real table[][2] = {{0.5, 0.856}, {1, 0.744}, {2, 0.589}, {4, 0.438}};  // s_u/(gamma' D), H/V
+  for (const auto& [strength, ratio] : table) {
+    const Formula residual = clay_residual(pipe_of(strength * 6e3 * 0.5), 1000);
+    EXPECT_NEAR(residual.value / 1000, ratio, 0.0005) << strength;
+    EXPECT_TRUE(residual.valid);
+  }
+  PipeInClay weightless = pipe_of(2000);
+  weightless.unit_weight = 0;
+  EXPECT_FALSE(clay_residual(weightless, 1000).valid);
+}
+
+TEST(ClaySweeps, a_sweep_between_berms_meets_a_share_of_V_that_grows_where_the_pipe_is_deep)
+{
+  const Estimates shallow = safebuck_mid_sweep(pipe_of(2000, 0.5), 1000), deep = safebuck_mid_sweep(pipe_of(2000, 1), 1000);
+  EXPECT_NEAR(shallow.low.value, 250, 1e-9);
+  EXPECT_NEAR(shallow.high.value, 900, 1e-9);
+  EXPECT_NEAR(deep.low.value, 310, 1e-9);
+  EXPECT_NEAR(deep.high.value, 1350, 1e-9);
+}
+
+TEST(ClaySweeps, a_berm_is_as_strong_as_its_clay_and_as_high_as_the_pipe_is_deep)
+{
+  const Estimates H = safebuck_berm(pipe_of(2000, 0.4));
+  EXPECT_NEAR(H.low.value, 0.9 * 0.4 * 1000, 1e-9);
+  EXPECT_NEAR(H.high.value, 4.5 * 0.69314 * 1000, 0.05);  // 0.4^0.4 = 0.69314
+  EXPECT_NEAR(H.best.value, (H.low.value + H.high.value) / 2, 1e-9);
+  EXPECT_FALSE(safebuck_berm(pipe_of(0)).low.valid);
+}
+
+TEST(ClaySweeps, each_sweep_sinks_the_pipe_by_a_power_of_its_load)
+{
+  const PipeInClay pipe = pipe_of(2000);  // D s_u = 1000 N/m
+  EXPECT_NEAR(clay_sinking(pipe, 1000).value, 0.5 * 0.015, 1e-12);
+  EXPECT_NEAR(clay_sinking(pipe, 2000).value / clay_sinking(pipe, 1000).value, std::pow(2, 2.3), 1e-9);
+  EXPECT_NEAR(safebuck_sinking(pipe, 500).low.value, 0.5 * 0.01 / 8, 1e-12);
+  EXPECT_NEAR(safebuck_sinking(pipe, 500).high.value, 0.5 * 0.15 / 4, 1e-12);
+  for (const Real V : {300., 1000., 1400.}) {
+    EXPECT_GT(clay_sinking(pipe, V).value, safebuck_sinking(pipe, V).low.value) << "between the estimates of the guideline";
+    EXPECT_LT(clay_sinking(pipe, V).value, safebuck_sinking(pipe, V).high.value);
+  }
+  EXPECT_FALSE(clay_sinking(pipe, -1).valid);
+}
+
+TEST(ClaySweeps, a_berm_grows_with_what_a_sweep_scrapes_together)
+{
+  // 1.5 m long and 6 mm deep: s_u D (0.009/D^2)^0.5 = s_u 0.0948683.
+  EXPECT_NEAR(clay_berm_growth(pipe_of(2000), 1.5, 0.006).value, 2000 * 0.0948683, 1e-3);
+  EXPECT_EQ(clay_berm_growth(pipe_of(2000), 1.5, 0).value, 0);
+  EXPECT_FALSE(clay_berm_growth(pipe_of(2000), -1, 0.006).valid);
+}
+
+TEST(ClaySweeps, the_breakout_of_2006_is_friction_and_a_wedge_and_is_only_recalled)
+{
+  // gamma' D = s_u: 0.2 V + 3 (w/D) D s_u.
+  const Formula H = clay_breakout_bruton(pipe_of(3000, 0.4), 1000);
+  EXPECT_NEAR(H.value, 200 + 3 * 0.4 * 1500, 1e-9);
+  EXPECT_EQ(H.source.label, Label::recalled);
+}
+
+}  // namespace
+}  // namespace berm::formulas

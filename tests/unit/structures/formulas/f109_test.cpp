@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "structures/formulas/f109.hpp"
+
+#include <gtest/gtest.h>
+
+namespace berm::formulas {
+namespace {
+
+PipeInSand sand_at(Real relative_embedment)
+{
+  return {.diameter = 0.02, .embedment = 0.02 * relative_embedment, .unit_weight = 430e3, .friction_angle = 35 * degree};
+}
+
+constexpr Real weight = 430e3 * 0.02 * 0.02;
+
+TEST(F109, a_light_pipe_has_less_passive_resistance_for_its_weight)
+{
+  const Real deep = std::pow(0.2, 1.25);
+  EXPECT_NEAR(f109_sand_lateral(sand_at(0.2), weight / 10).value, weight / 10 * (0.6 + (50 - 15) * deep), 1e-10);
+  EXPECT_NEAR(f109_sand_lateral(sand_at(0.2), weight / 27).value, weight / 27 * (0.6 + 2 * 27 * deep), 1e-10);
+  EXPECT_NEAR(f109_sand_lateral(sand_at(0.2), 0).value, 2 * weight * deep, 1e-10);
+  EXPECT_DOUBLE_EQ(f109_sand_lateral(sand_at(0), 100).value, 60);
+  EXPECT_FALSE(f109_sand_lateral(sand_at(0.2), -1).valid);
+  EXPECT_TRUE(std::isnan(f109_sand_lateral(sand_at(-0.2), 100).value));
+}
+
+TEST(F109, the_two_branches_of_passive_resistance_meet)
+{
+  const Real heavy = f109_sand_lateral(sand_at(0.2), weight / (20 - 1e-9)).value,
+             light = f109_sand_lateral(sand_at(0.2), weight / (20 + 1e-9)).value;
+  EXPECT_NEAR(heavy / light, 1, 1e-9);  // 5 - 0.15 x 20 = 2
+}
+
+// superman1408/seawater_outflow, Operation_ContentFilled.py: for its inputs (3.4 m, 13.5 kN/m3, a weight of 49.408 kN/m) it finds, rounded to 1 mm and 1 N/m,
+// an initial penetration of 0.058 m and a passive resistance of 4.355 kN/m.
+TEST(F109, is_that_of_a_public_program)
+{
+  PipeInSand pipe{.diameter = 3.4, .embedment = 0.058, .unit_weight = 13.5e3, .friction_angle = 30 * degree};
+  const Real V = 49407.9;
+  EXPECT_NEAR(sand_embedment(pipe, V).value, 0.058, 5e-4);
+  EXPECT_NEAR(f109_sand_lateral(pipe, V).value - 0.6 * V, 4355, 1) << "its k is rounded to three digits";
+}
+
+TEST(F109, clay_resists_by_friction_and_by_its_strength_over_the_embedded_height)
+{
+  // G = 4000/(8000 x 0.5) = 1: 4.1 D s_u (w/D)^1.31 beside 0.2 V, and w = D (0.0071 + 0.062) under V = D s_u.
+  const PipeInClay pipe{.diameter = 0.5, .embedment = 0.5, .strength = 4000, .unit_weight = 8000};
+  EXPECT_NEAR(f109_clay_lateral(pipe, 1000).value, 200 + 4.1 * 2000, 1e-9);
+  EXPECT_NEAR(f109_clay_embedment(pipe, 2000).value, 0.5 * 0.0691, 1e-12);
+  EXPECT_EQ(f109_clay_embedment(pipe, 0).value, 0);
+  EXPECT_EQ(f109_clay_lateral(pipe, 1000).source.label, Label::recalled);
+  PipeInClay weightless = pipe;
+  weightless.unit_weight = 0;
+  EXPECT_FALSE(f109_clay_lateral(weightless, 1000).valid);
+  EXPECT_FALSE(f109_clay_embedment(weightless, 1000).valid);
+}
+
+}  // namespace
+}  // namespace berm::formulas
