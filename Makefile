@@ -3,7 +3,7 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help setup configure build probe test verify bench packages site debug fuzz sanitize threads tidy clean
+.PHONY: help setup configure configure_tests build probe test verify bench packages site debug fuzz sanitize threads tidy clean
 
 cores := $(shell env -u OMP_NUM_THREADS nproc)
 release := build/release
@@ -14,8 +14,15 @@ help: ## this list
 setup: ## install the packages that are missing
 	@scripts/setup
 
+# Tests are configured where they are asked for, and stay.
 configure: setup
-	@test -f $(release)/build.ninja || { echo 'configuring $(release)'; mkdir -p $(release); cmake --preset release > $(release)/configure.log; }
+	@test -f $(release)/build.ninja || { echo 'configuring $(release)'; mkdir -p $(release); cmake --preset release -DBERM_TESTS=OFF > $(release)/configure.log; }
+
+configure_tests:
+	@scripts/setup tests
+	@scripts/setup python || echo 'make: the packages of the Python module are not installed; its tests are skipped'
+	@mkdir -p $(release)
+	@grep -qs '^BERM_TESTS:BOOL=ON' $(release)/CMakeCache.txt && grep -q '^build berm_python:' $(release)/build.ninja || { echo 'configuring $(release) with its tests'; cmake --preset release -DBERM_TESTS=ON > $(release)/configure.log; }
 
 empty :=
 space := $(empty) $(empty)
@@ -37,9 +44,7 @@ probe: build ## run every case of examples/probe_test; results go to out/probe_t
 sanitized = core mesh input
 
 # Tests run side by side, so each takes one thread unless it asks for more.
-test: configure ## build and run all tests, some of them with sanitizers once more, and the probe test without optimization
-	@scripts/setup python || echo 'make test: the packages of the Python module are not installed; its tests are skipped'
-	@grep -q '^build berm_python:' $(release)/build.ninja || cmake --preset release > $(release)/configure.log
+test: configure_tests ## build and run all tests, some of them with sanitizers once more, and the probe test without optimization
 	@PATH=$$PATH:/usr/sbin scripts/setup slurm || echo 'make test: Slurm is not installed; the test that needs it is skipped'
 	@ninja -C $(release) | $(only_news)
 	@OMP_NUM_THREADS=$${OMP_NUM_THREADS:-1} OMP_WAIT_POLICY=passive ctest --preset release --parallel $(cores) --output-log $(release)/tests.log
@@ -48,18 +53,21 @@ test: configure ## build and run all tests, some of them with sanitizers once mo
 	@$(MAKE) --no-print-directory debug
 
 verify: build ## run the whole verification book; it is out/verification/index.html
+	@scripts/setup tests
 	@$(MAKE) --silent --no-print-directory -C examples/user_law
 	@$(release)/berm verify
 
-bench: build ## how fast a step is, and its single kernels: some minutes on a machine that does nothing else
+bench: configure_tests build ## how fast a step is, and its single kernels: some minutes on a machine that does nothing else
 	@$(release)/berm bench
 	@ninja -C $(release) bench_kernels | $(only_news)
 	@$(release)/tests/kernels/bench_kernels
 
-packages: configure ## Debian packages in build/release/packages, tried on a bare Debian that is made for it: needs root and mmdebstrap
-	@ninja -C $(release) | $(only_news)
-	@cd $(release) && cpack >packages.log 2>&1 || { cat packages.log; exit 1; }
-	@tests/installed/clean_root $(release)/packages
+packages: setup ## Debian packages in build/packages, for all processors, tried on a bare Debian that is made for it: needs root and mmdebstrap
+	@scripts/setup ranks && scripts/setup python
+	@cmake --preset all_units >/dev/null
+	@ninja -C build/all_units | $(only_news)
+	@cd build/all_units && cpack >packages.log 2>&1 || { cat packages.log; exit 1; }
+	@tests/installed/clean_root build/packages
 
 site: ## the documentation as a site that needs no network: build/site/index.html
 	@scripts/setup site

@@ -6,7 +6,7 @@ set(BERM_PRIVATE_LIBRARIES ${CMAKE_INSTALL_LIBDIR}/berm)
 file(RELATIVE_PATH from_program /${CMAKE_INSTALL_BINDIR} /${BERM_PRIVATE_LIBRARIES})
 
 # In the build folder: the libraries beside the program, wherever the folder was moved; of a copy of the program alone those that it was built with.
-set_target_properties(berm PROPERTIES BUILD_RPATH_USE_ORIGIN OFF BUILD_RPATH "$ORIGIN/lib" INSTALL_RPATH "$ORIGIN/${from_program}")
+set_target_properties(berm PROPERTIES BUILD_RPATH_USE_ORIGIN OFF BUILD_RPATH "$ORIGIN/lib;${CMAKE_BINARY_DIR}/lib" INSTALL_RPATH "$ORIGIN/${from_program}")
 set_target_properties(berm_library PROPERTIES OUTPUT_NAME berm VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH "$ORIGIN/berm")
 
 install(TARGETS berm RUNTIME COMPONENT berm)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Debian packages, by `cpack` in the build folder:
+# Debian packages, by `cpack` in a build folder; they run on any processor where it was configured with BERM_VECTOR_UNITS=all, as by `make packages`:
 #   berm           the program with its engine
 #   berm-mpi       runs on several processes of an MPI launcher
 #   libberm-dev    the library, its headers and the file for find_package
@@ -11,7 +11,7 @@ set(CPACK_PACKAGE_VENDOR "berm developers")
 set(BERM_MAINTAINER "berm developers <developers@berm.invalid>" CACHE STRING "who answers for the Debian packages: name <address>")
 set(CPACK_PACKAGE_CONTACT ${BERM_MAINTAINER})
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "pipe-soil interaction at large deformation by the material point method")
-set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
+set(CPACK_PACKAGE_DIRECTORY ${CMAKE_SOURCE_DIR}/build/packages)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEB_COMPONENT_INSTALL ON)

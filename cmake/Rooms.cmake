@@ -8,14 +8,27 @@
 #   berm_room(PATH [ENGINE] [HOT] [OPENED] [OFFERED] [USES room...] [LINKS library...])
 #                            OPENED: a shared library by itself, which the program opens while it runs
 #                            OFFERED: a shared library for programs of users, which see what its headers in include/ declare and nothing else
-#   berm_engine()            links all ENGINE rooms into libberm_engine.so, once for every vector unit
+#   berm_engine()            links all ENGINE rooms into libberm_engine.so, once for every vector unit of BERM_UNITS
 #   berm_compile_for(UNIT TARGET)       compiles a target for a vector unit
 #   berm_folder_of(UNIT LIBRARIES VARIABLE)   the folder where the loader looks for the version for a vector unit, in one where it looks for libraries
+#   berm_any_unit(NAME)                 the target NAME, to be linked by what uses a library that targets NAME_UNIT are
 #   berm_place_for(UNIT TARGET NAME)    puts a shared library where the loader finds the version for the processor that it runs on
 
+set(BERM_ALL_UNITS baseline x86-64-v3 x86-64-v4)
+if(NOT BERM_VECTOR_UNITS MATCHES "^(native|all|baseline)$")
+  message(FATAL_ERROR "BERM_VECTOR_UNITS is native, all or baseline, not '${BERM_VECTOR_UNITS}'")
+endif()
 set(BERM_UNITS baseline)
-if(BERM_VECTOR_UNITS AND CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND NOT BERM_SANITIZE)
-  list(APPEND BERM_UNITS x86-64-v3 x86-64-v4)
+if(CMAKE_SYSTEM_PROCESSOR STREQUAL "x86_64" AND NOT BERM_SANITIZE)
+  if(BERM_VECTOR_UNITS STREQUAL "all")
+    set(BERM_UNITS ${BERM_ALL_UNITS})
+  elseif(BERM_VECTOR_UNITS STREQUAL "native")
+    # The loader lists its folders of libraries, the best first, and which of them it searches on this machine.
+    execute_process(COMMAND /lib64/ld-linux-x86-64.so.2 --help OUTPUT_VARIABLE loader ERROR_QUIET)
+    if(loader MATCHES "(x86-64-v[34]) \\(supported, searched\\)")
+      set(BERM_UNITS ${CMAKE_MATCH_1})
+    endif()
+  endif()
 endif()
 set_property(GLOBAL PROPERTY BERM_ENGINE_ROOMS "")
 set(BERM_DISTRICTS engine case run pages studies)
@@ -34,6 +47,29 @@ function(berm_folder_of unit libraries folder)
     string(APPEND libraries /glibc-hwcaps/${unit})
   endif()
   set(${folder} ${libraries} PARENT_SCOPE)
+endfunction()
+
+# One that an earlier build made and this one does not would be loaded on a machine with another vector unit.
+foreach(unit IN LISTS BERM_ALL_UNITS)
+  berm_folder_of(${unit} ${CMAKE_BINARY_DIR}/lib folder)
+  if(NOT unit IN_LIST BERM_UNITS)
+    file(REMOVE ${folder}/libberm_engine.so)
+  endif()
+endforeach()
+
+# Programs and libraries look for shared libraries in lib/, never in its folders for vector units: there only the loader chooses.
+set(CMAKE_BUILD_RPATH ${CMAKE_BINARY_DIR}/lib)
+
+# What to link to use NAME, which NAME_UNIT of each unit is: linked as one of them, since all have the same symbols.
+function(berm_any_unit name)
+  list(GET BERM_UNITS 0 unit)
+  berm_folder_of(${unit} ${CMAKE_BINARY_DIR}/lib folder)
+  add_library(${name} INTERFACE)
+  target_link_directories(${name} INTERFACE ${folder})
+  target_link_libraries(${name} INTERFACE -l$<TARGET_FILE_BASE_NAME:${name}_${unit}>)
+  foreach(unit IN LISTS BERM_UNITS)
+    add_dependencies(${name} ${name}_${unit})
+  endforeach()
 endfunction()
 
 function(berm_place_for unit target name)
@@ -92,7 +128,7 @@ function(berm_room folder)
       target_compile_options(berm_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
       berm_precompile(rooms berm_${name})
     endif()
-    target_link_libraries(berm_${name} PUBLIC berm_${name}_headers berm_engine_baseline ${F_LINKS})
+    target_link_libraries(berm_${name} PUBLIC berm_${name}_headers berm_engine ${F_LINKS})
     foreach(used IN LISTS F_USES)
       if(TARGET berm_${used})
         target_link_libraries(berm_${name} PUBLIC berm_${used})
@@ -113,8 +149,6 @@ function(berm_engine)
     add_library(berm_engine_${unit} SHARED ${objects})
     target_link_libraries(berm_engine_${unit} PUBLIC berm_flags)
     berm_place_for(${unit} berm_engine_${unit} berm_engine)
-    if(NOT unit STREQUAL "baseline")
-      add_dependencies(berm_engine_baseline berm_engine_${unit})
-    endif()
   endforeach()
+  berm_any_unit(berm_engine)
 endfunction()

@@ -11,7 +11,8 @@ if(NOT CMAKE_BUILD_TYPE)
 endif()
 
 option(BERM_TESTS "build the tests" ON)
-option(BERM_VECTOR_UNITS "compile the engine once more for each vector unit (x86-64-v3, x86-64-v4)" ON)
+set(BERM_VECTOR_UNITS native CACHE STRING "what the engine is compiled for: native (the vector unit that the loader takes on this machine), all (baseline, x86-64-v3 and x86-64-v4) or baseline")
+set_property(CACHE BERM_VECTOR_UNITS PROPERTY STRINGS native all baseline)
 set(BERM_SANITIZE "" CACHE STRING "sanitizers, as for -fsanitize=")
 option(BERM_FUZZ "make the targets of tests/fuzz programs of clang's libFuzzer" OFF)
 
