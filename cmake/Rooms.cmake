@@ -11,7 +11,7 @@
 #   berm_engine()            links all ENGINE rooms into libberm_engine.so, once for every vector unit of BERM_UNITS
 #   berm_compile_for(UNIT TARGET)       compiles a target for a vector unit
 #   berm_folder_of(UNIT LIBRARIES VARIABLE)   the folder where the loader looks for the version for a vector unit, in one where it looks for libraries
-#   berm_any_unit(NAME)                 the target NAME, to be linked by what uses a library that targets NAME_UNIT are
+#   berm_any_unit(TARGET NAME)          makes a target to link for what uses a shared library NAME that there is for each unit
 #   berm_place_for(UNIT TARGET NAME)    puts a shared library where the loader finds the version for the processor that it runs on
 
 set(BERM_ALL_UNITS baseline x86-64-v3 x86-64-v4)
@@ -60,15 +60,16 @@ endforeach()
 # Programs and libraries look for shared libraries in lib/, never in its folders for vector units: there only the loader chooses.
 set(CMAKE_BUILD_RPATH ${CMAKE_BINARY_DIR}/lib)
 
-# What to link to use NAME, which NAME_UNIT of each unit is: linked as one of them, since all have the same symbols.
-function(berm_any_unit name)
+# What to link to use the library NAME: that for the first unit, since all have the same symbols. A link waits for those of all units, the compilation of what is linked does not.
+function(berm_any_unit name library)
   list(GET BERM_UNITS 0 unit)
   berm_folder_of(${unit} ${CMAKE_BINARY_DIR}/lib folder)
   add_library(${name} INTERFACE)
   target_link_directories(${name} INTERFACE ${folder})
-  target_link_libraries(${name} INTERFACE -l$<TARGET_FILE_BASE_NAME:${name}_${unit}>)
+  target_link_libraries(${name} INTERFACE -l${library})
   foreach(unit IN LISTS BERM_UNITS)
-    add_dependencies(${name} ${name}_${unit})
+    berm_folder_of(${unit} ${CMAKE_BINARY_DIR}/lib folder)
+    set_property(TARGET ${name} APPEND PROPERTY INTERFACE_LINK_DEPENDS ${folder}/lib${library}.so)
   endforeach()
 endfunction()
 
@@ -150,5 +151,5 @@ function(berm_engine)
     target_link_libraries(berm_engine_${unit} PUBLIC berm_flags)
     berm_place_for(${unit} berm_engine_${unit} berm_engine)
   endforeach()
-  berm_any_unit(berm_engine)
+  berm_any_unit(berm_engine berm_engine)
 endfunction()
