@@ -456,7 +456,6 @@ void Assembly::accept(FemState& state, const std::vector<Real>& change, const Fe
   bodies::RigidState<2>& rigid = state.state.rigid_bodies[model_.rigid];
   rigid.reaction = rigid.smooth_reaction = reaction();
   rigid.torque = torque();
-  for (const FemContactState& point : contact_) rigid.max_overlap = std::max(rigid.max_overlap, -point.gap);
   const Index first = model_.rigid_unknown();
   rigid.displacement = Vec<2>(state.displacement[first], state.displacement[first + 1]);
   rigid.orientation.angle = state.displacement[first + 2];

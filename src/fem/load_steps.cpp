@@ -60,6 +60,7 @@ LoadSteps::LoadSteps(const FemModel& model, FemState& state)
 
 void LoadSteps::find_first_equilibrium()
 {
+  max_overlap_ = 0;
   const FemLoads loads = dead_loads(0);
   FemLoads drained = loads;
   drained.drained = true;
@@ -81,13 +82,19 @@ bool LoadSteps::release_imbalance(FemLoads loads)
     std::vector<Real> change(model_.unknowns(), 0.);
     const IncrementEnd end = newton_.find_equilibrium(state_, loads, release_viscosity, change);
     if (end.converged) {
-      newton_.assembly().accept(state_, change, loads);
+      accept_equilibrium(change, loads);
       part *= 1.5;
     } else if ((part /= 2) < 1e-4) {
       return false;
     }
   }
   return true;
+}
+
+void LoadSteps::accept_equilibrium(const std::vector<Real>& change, const FemLoads& loads)
+{
+  newton_.assembly().accept(state_, change, loads);
+  for (const FemContactState& point : state_.contact) max_overlap_ = std::max(max_overlap_, -point.gap);
 }
 
 /// The prescribed speed of the driven body in this stage, m/s: of its centre, and of its sides where it turns.
@@ -220,6 +227,7 @@ IncrementEnd LoadSteps::find_equilibrium(const FemLoads& loads, Real dt, std::ve
 
 IncrementEnd LoadSteps::advance()
 {
+  max_overlap_ = 0;
   const Real largest_dt = shortest_dt_ < first_dt_ ? infinity : first_dt_ * std::max(Real(1), model_.settings.largest_step / first_travel);
   Real shortest = 1;  // where a limit of force cuts the increment
   for (;;) {
@@ -236,7 +244,7 @@ IncrementEnd LoadSteps::advance()
     const bool last_resort = !accepted_above_tolerance_ && dt < 2e-4 * first_dt_ && end.unbalance <= loose * model_.settings.tolerance;
     if (end.converged || last_resort) {
       const Vec<2> before = driven() == none ? Vec<2>(Vec<2>::Zero()) : state_.state.rigid_bodies[driven()].reaction;
-      newton_.assembly().accept(state_, change, loads);
+      accept_equilibrium(change, loads);
       const Real force = newton_.assembly().contact_force();
       accept(change, dt, end, force > 0 ? (newton_.assembly().reaction() - before).norm() / force : 0);
       refuse_cavitation(model_, state_);
@@ -295,6 +303,7 @@ void LoadSteps::refuse_overstress() const
 
 bool LoadSteps::next_stage()
 {
+  max_overlap_ = 0;
   if (state_.state.stage.index + 1 == static_cast<Index>(model_.model.stages.size())) return false;
   const Index held = model_.model.fixed_in[state_.state.stage.index];
   ++state_.state.stage.index;

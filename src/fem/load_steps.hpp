@@ -30,6 +30,9 @@ public:
   /// Throws RunError where the soil finds no equilibrium without them.
   bool next_stage();
 
+  /// How deep the rigid body's contact points were in the soil at most, m, in the equilibria that the last of these three found.
+  Real max_overlap() const { return max_overlap_; }
+
   /// The iteration that finds the equilibria.
   Newton& newton() { return newton_; }
 
@@ -50,6 +53,7 @@ private:
   IncrementEnd find_equilibrium(const FemLoads& loads, Real dt, std::vector<Real>& change);
   Real next_dt_of_flow(const std::vector<Real>& change, Real dt);
   void accept(const std::vector<Real>& change, Real dt, const IncrementEnd& end, Real force_change);
+  void accept_equilibrium(const std::vector<Real>& change, const FemLoads& loads);
   [[noreturn]] void refuse_overstress() const;
 
   const FemModel& model_;
@@ -63,6 +67,7 @@ private:
   bool accepted_above_tolerance_ = false;  ///< the last increment was taken though it stayed above the tolerance
   Real largest_pressure_ = 0;              ///< Pa2, of the excess pore pressures of the stage: largest sum of their squares
   std::vector<Real> last_change_;          ///< by unknown, in it
+  Real max_overlap_ = 0;                   ///< m
 };
 
 }  // namespace berm::fem

@@ -54,9 +54,9 @@ TEST(Damping, hardly_adds_to_the_reaction_of_a_block_that_is_moved_at_constant_s
     c.stage[0].ramp = 0.2;
     Simulation<2> run(c);
     run.run_until(1);
-    const Real impulse = run.state().rigid_bodies[0].impulse[1], begin = run.state().time;
+    const Real impulse = run.state().contact_sums[0].impulse[1], begin = run.state().time;
     run.run_until(3);
-    return (run.state().rigid_bodies[0].impulse[1] - impulse) / (run.state().time - begin) /
+    return (run.state().contact_sums[0].impulse[1] - impulse) / (run.state().time - begin) /
            (10 * mpm::sums_over(run.state().particles[0]).mass);
   };
   EXPECT_NEAR(reaction_over_weight(0), 1, 0.002);

@@ -289,7 +289,7 @@ TEST(Consolidation, an_open_plate_rests_on_the_skeleton_alone)
   constexpr int cells = 20;
   Simulation<2> run(column_under_plate(cells, true));
   run.run_until(0.09);
-  const auto impulse = [&] { return run.state().rigid_bodies[0].effective_impulse; };
+  const auto impulse = [&] { return run.state().contact_sums[0].effective_impulse; };
   const Real before = impulse(), begin = run.state().time;
   run.run_until(0.11);
   EXPECT_NEAR((impulse() - before) / (run.state().time - begin), load * height / cells, 0.01 * load * height / cells);

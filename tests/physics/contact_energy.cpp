@@ -59,7 +59,7 @@ TEST(Reaction, has_all_of_the_impulse_where_soil_is_pressed_against_a_support_on
   c.stage[0].ramp = 0.05;
   Simulation<2> run(c);
   run.run_until(0.15);
-  const Vec<2> before = run.state().rigid_bodies[0].impulse, support_before = run.state().totals.support_impulse;
+  const Vec<2> before = run.state().contact_sums[0].impulse, support_before = run.state().totals.support_impulse;
   const Real begin = run.state().time;
   Real stresses = 0, top = 0;
   run.run_until(0.25, [&] {
@@ -68,7 +68,7 @@ TEST(Reaction, has_all_of_the_impulse_where_soil_is_pressed_against_a_support_on
     stresses -= sum / row * run.state().dt;
     top = row;
   });
-  const Real impulse = run.state().rigid_bodies[0].impulse[1] - before[1],
+  const Real impulse = run.state().contact_sums[0].impulse[1] - before[1],
              support = run.state().totals.support_impulse[1] - support_before[1];
   ASSERT_GT(top, 0.08);
   ASSERT_GT(stresses / (run.state().time - begin), 100);

@@ -96,8 +96,8 @@ TEST(Detection, by_overlap_holds_soil_farther_off_than_by_gap_and_by_particle)
     c.contact[0].second.detection = detection;
     Simulation<2> run(c);
     take_steps(run, 200);
-    const bodies::RigidState<2>& pipe = run.state().rigid_bodies[0];
-    return pipe.impulse_times_gap / pipe.impulse_sum;
+    const contact::ContactSums<2>& sums = run.state().contact_sums[0];
+    return sums.impulse_times_gap / sums.impulse_sum;
   };
   const Real overlap = gap_of(contact::Detection::overlap);
   EXPECT_LT(gap_of(contact::Detection::gap), 0.8 * overlap);

@@ -65,10 +65,11 @@ Outcome outcome(const problem::Case& c, int threads)
     result.numbers.insert(result.numbers.end(), p.v.begin(), p.v.end());
     result.numbers.insert(result.numbers.end(), p.extra, p.extra + particles.extra_size());
   });
-  for (const bodies::RigidState<dim>& rigid : run.state().rigid_bodies) {
+  for (const bodies::RigidState<dim>& rigid : run.state().rigid_bodies)
     result.numbers.insert(result.numbers.end(), rigid.reaction.begin(), rigid.reaction.end());
-    result.numbers.insert(result.numbers.end(), rigid.impulse.begin(), rigid.impulse.end());
-    result.numbers.push_back(rigid.impulse_times_gap);
+  for (const contact::ContactSums<dim>& sums : run.state().contact_sums) {
+    result.numbers.insert(result.numbers.end(), sums.impulse.begin(), sums.impulse.end());
+    result.numbers.push_back(sums.impulse_times_gap);
   }
   for (const Vec<dim>& impulse : run.state().pair_impulses) result.numbers.insert(result.numbers.end(), impulse.begin(), impulse.end());
   result.numbers.push_back(run.state().totals.friction);

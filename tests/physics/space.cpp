@@ -258,7 +258,7 @@ TEST(Space, a_free_ball_gets_the_angular_momentum_that_friction_gives)
   EXPECT_GT(state.angular_velocity[0], 0.1);   // and along z
   // I omega, and the moment that its contacts gave to the bed, but for the last step's, which acts in the next.
   const Vec<3> got = times_inertia(run.model().rigid_bodies[0], state, state.angular_velocity),
-               given = state.torque_impulse + run.state().dt * state.torque;
+               given = run.state().contact_sums[0].torque_impulse + run.state().dt * state.torque;
   EXPECT_LT((got + given).norm(), 1e-3 * got.norm());
 }
 

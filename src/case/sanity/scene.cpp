@@ -145,9 +145,9 @@ Scene scene_of(const problem::Case& c, const input::Places& places, const proble
   scene.ways = ways_of(model);
   scene.stages = model.stages;
   scene.cell_size = [&model, start = std::make_shared<Index>(0)](Index rigid, const Place& moved) {
-    bodies::RigidState<dim> state;
-    for (int d = 0; d < dim; ++d) state.displacement[d] = moved[d];
-    return problem::cell_size_at<dim>(model, placed<dim>(model.rigid_bodies[rigid], state), *start);
+    bodies::Pose<dim> pose;
+    for (int d = 0; d < dim; ++d) pose.displacement[d] = moved[d];
+    return problem::cell_size_at<dim>(model, placed(model.rigid_bodies[rigid], pose), *start);
   };
   scene.region = [&model](const Place& place) {
     Vec<dim> x;

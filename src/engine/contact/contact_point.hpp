@@ -67,13 +67,12 @@ struct ContactPoints {
   Real nearest_particle = infinity;         ///< m, distance of the nearest particle from the rigid surface, negative inside
 
   // At a rigid body:
-  std::vector<Index> near_cells;                              ///< cells that the surface can reach until it has moved `reach`
-  std::vector<Index> first_near_cell;                         ///< where points are particles: of each strip, in near_cells; then the end
-  std::vector<Index> near_nodes;                              ///< where points are nodes: those of near_cells, ascending
-  CellField<Index> near_index;                                ///< 1 + index in near_cells (before they are strips) of a cell; 0 for others
-  Vec<dim> near_displacement = Vec<dim>::Constant(infinity);  ///< RigidState::near_cells_displacement that near_cells is of
-  bodies::Orientation<dim> near_orientation;                  ///< and RigidState::near_cells_orientation
-  Real reach = 0;                                             ///< m, the smallest height of all cells; 0 before the first step
+  std::vector<Index> near_cells;                            ///< cells that the surface can reach until it has moved `reach`
+  std::vector<Index> first_near_cell;                       ///< where points are particles: of each strip, in near_cells; then the end
+  std::vector<Index> near_nodes;                            ///< where points are nodes: those of near_cells, ascending
+  CellField<Index> near_index;                              ///< 1 + index in near_cells (before they are strips) of a cell; 0 for others
+  bodies::Pose<dim> listed = bodies::Pose<dim>::nowhere();  ///< of the rigid body, that near_cells is of
+  Real reach = 0;                                           ///< m, the smallest height of all cells; 0 before the first step
   struct CellContact {
     Real gap = infinity, distance = infinity, half_width = 0;
     Vec<dim> normal = Vec<dim>::Zero();  ///< at the particle with the smallest gap

@@ -11,29 +11,20 @@ namespace berm::contact {
 namespace {
 
 /// The cells that the surface, or the body behind it, can reach before it has moved by `reach` from the listed pose. They
-/// follow from the state alone, so that a resumed run lists the same ones.
+/// follow from that pose alone, so that a resumed run lists the same ones.
 template <int dim>
-void find_near_cells(const mesh::Mesh<dim>& mesh, const bodies::RigidBody<dim>& rigid, bodies::RigidState<dim>& state, Detection detection,
-                     ContactPoints<dim>& found)
+void find_near_cells(const mesh::Mesh<dim>& mesh, const bodies::RigidBody<dim>& rigid, const bodies::Pose<dim>& pose,
+                     bodies::Pose<dim>& listed, Detection detection, ContactPoints<dim>& found)
 {
   if (found.reach == 0) {
     found.reach = -largest_of("contact: near cells", mesh.cell_count(), -infinity, [&](Index cell) { return -mesh.height(cell); });
     found.near_index = CellField<Index>::zeros(mesh.cell_count());
   }
-  const Real moved = (state.displacement - state.near_cells_displacement).norm() +
-                     angle_between(state.orientation, state.near_cells_orientation) * reach_of<dim>(rigid.shape);
-  if (!(moved < found.reach)) {
-    state.near_cells_displacement = state.displacement;
-    state.near_cells_orientation = state.orientation;
-  }
-  if (found.near_displacement == state.near_cells_displacement && found.near_orientation == state.near_cells_orientation) return;
-  found.near_displacement = state.near_cells_displacement;
-  found.near_orientation = state.near_cells_orientation;
+  if (!(distance_between(rigid, listed, pose) < found.reach)) listed = pose;
+  if (found.listed == listed) return;
+  found.listed = listed;
   for (Index cell : found.near_cells) found.near_index[cell] = 0;
-  bodies::RigidState<dim> then;
-  then.displacement = state.near_cells_displacement;
-  then.orientation = state.near_cells_orientation;
-  const bodies::RigidShape<dim> shape = placed<dim>(rigid, then);
+  const bodies::RigidShape<dim> shape = placed(rigid, listed);
   for_each("contact: near cells", mesh.cell_count(), [&](Index cell) {
     const Vec<dim> center = mesh.centroid(cell);
     Real radius = 0;
@@ -183,10 +174,10 @@ void share_particles(ContactPoints<dim>& found)
 
 template <int dim>
 void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, const bodies::RigidBody<dim>& rigid,
-            bodies::RigidState<dim>& state, Detection detection, NodeField<Real>& mass, ContactPoints<dim>& found)
+            const bodies::Pose<dim>& pose, bodies::Pose<dim>& listed, Detection detection, NodeField<Real>& mass, ContactPoints<dim>& found)
 {
-  const bodies::RigidShape<dim> shape = placed<dim>(rigid, state);
-  find_near_cells(mesh, rigid, state, detection, found);
+  const bodies::RigidShape<dim> shape = placed(rigid, pose);
+  find_near_cells(mesh, rigid, pose, listed, detection, found);
 
   for_each("contact: distances", static_cast<Index>(found.near_cells.size()), [&](Index k) {
     const Index cell = found.near_cells[k];
@@ -228,8 +219,8 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void detect(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, const bodies::RigidBody<dim>&, bodies::RigidState<dim>&,     \
-                       Detection, NodeField<Real>&, ContactPoints<dim>&);
+  template void detect(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, const bodies::RigidBody<dim>&, const bodies::Pose<dim>&,     \
+                       bodies::Pose<dim>&, Detection, NodeField<Real>&, ContactPoints<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

@@ -237,9 +237,8 @@ void find_contacts(const problem::Model<dim>& model, problem::State<dim>& state,
     BodyGrid<dim>& grid = work.grids[contact.body];
     contact::ContactPoints<dim>& points = work.contact_points[k];
     if (contact.rigid != none) {
-      bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
-      detect(model.mesh, state.particles[contact.body], model.rigid_bodies[contact.rigid], rigid, contact.detection, grid.mass, points);
-      rigid.max_overlap = std::max(rigid.max_overlap, -points.nearest_particle);
+      detect<dim>(model.mesh, state.particles[contact.body], model.rigid_bodies[contact.rigid], state.rigid_bodies[contact.rigid],
+                  state.listed_poses[contact.rigid], contact.detection, grid.mass, points);
     } else {
       const BodyGrid<dim>& other = work.grids[contact.other_body];
       const BorrowedParticles<dim> borrowed(model.mesh, state.particles, work.grids, contact.body, contact.other_body);
@@ -306,7 +305,7 @@ void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& s
     for (std::size_t k = 0; k < model.contacts.size(); ++k) {
       const problem::Contact& contact = model.contacts[k];
       if (contact.rigid == none || !takes_part(contact)) continue;
-      state.rigid_bodies[contact.rigid].second_impulse += sign * impulse_of(work.contact_points[k]);
+      state.contact_sums[contact.rigid].second_impulse += sign * impulse_of(work.contact_points[k]);
     }
   };
   const auto completes = [](const problem::Contact& contact) {

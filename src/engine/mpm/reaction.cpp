@@ -111,12 +111,13 @@ void react(const problem::Model<dim>& model, problem::State<dim>& state, const W
     bodies::RigidState<dim>& rigid = state.rigid_bodies[contact.rigid];
     rigid.reaction -= all.impulse / state.dt;
     rigid.torque -= all.torque / state.dt;
-    rigid.impulse += all.impulse;
-    rigid.torque_impulse += all.torque;
-    rigid.shaft_impulse += all.shaft;
-    rigid.effective_impulse += all.effective;
-    rigid.impulse_sum += all.sum;
-    rigid.impulse_times_gap += all.times_gap;
+    contact::ContactSums<dim>& sums = state.contact_sums[contact.rigid];
+    sums.impulse += all.impulse;
+    sums.torque_impulse += all.torque;
+    sums.shaft_impulse += all.shaft;
+    sums.effective_impulse += all.effective;
+    sums.impulse_sum += all.sum;
+    sums.impulse_times_gap += all.times_gap;
   }
 }
 

@@ -24,11 +24,8 @@ Real gone_since(const problem::Model<dim>& model, const problem::State<dim>& sta
   const problem::ActiveSoil<dim>& active = state.active_soil;
   Real farthest = 0;
   for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
-    if (is_bounded(model.rigid_bodies[r])) {
-      const bodies::RigidState<dim>& now = state.rigid_bodies[r];
-      farthest = std::max(farthest, (now.displacement - active.displacement[r]).norm() +
-                                        angle_between(now.orientation, active.orientation[r]) * reach_of<dim>(model.rigid_bodies[r].shape));
-    }
+    if (is_bounded(model.rigid_bodies[r]))
+      farthest = std::max(farthest, distance_between<dim>(model.rigid_bodies[r], active.poses[r], state.rigid_bodies[r]));
   return farthest;
 }
 
@@ -39,13 +36,8 @@ CellField<std::uint8_t> far_cells(const problem::Model<dim>& model, const proble
   const mesh::Mesh<dim>& mesh = model.mesh;
   const Real distance = *model.mpm.active_distance;
   std::vector<bodies::RigidShape<dim>> shapes;
-  for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r) {
-    if (!is_bounded(model.rigid_bodies[r])) continue;
-    bodies::RigidState<dim> then;
-    then.displacement = active.displacement[r];
-    then.orientation = active.orientation[r];
-    shapes.push_back(placed<dim>(model.rigid_bodies[r], then));
-  }
+  for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
+    if (is_bounded(model.rigid_bodies[r])) shapes.push_back(placed(model.rigid_bodies[r], active.poses[r]));
   auto is_far = CellField<std::uint8_t>::zeros(mesh.cell_count());
   for_each("resting soil", mesh.cell_count(), [&](Index cell) {
     const Vec<dim> center = mesh.centroid(cell);
@@ -117,12 +109,7 @@ void update_resting_soil(const problem::Model<dim>& model, problem::State<dim>& 
   if (everywhere == active.everywhere && (everywhere || !(gone_since(model, state) > part_of_distance * *model.mpm.active_distance)))
     return;
   active.everywhere = everywhere;
-  active.displacement.clear();
-  active.orientation.clear();
-  for (const bodies::RigidState<dim>& rigid : state.rigid_bodies) {
-    active.displacement.push_back(rigid.displacement);
-    active.orientation.push_back(rigid.orientation);
-  }
+  active.poses.assign(state.rigid_bodies.begin(), state.rigid_bodies.end());
   set_resting_soil(model, state);
   for (std::size_t b = 0; b < state.particles.size(); ++b) {
     bodies::Particles<dim>& particles = state.particles[b];

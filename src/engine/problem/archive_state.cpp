@@ -33,30 +33,39 @@ void archive(Archive& k, const std::string& name, NodeField<Vec<dim>>& flux)
     for (int d = 0; d < dim; ++d) flux[node][d] = numbers[node * dim + d];
 }
 
-}  // namespace
+template <int dim>
+void archive(Archive& k, bodies::Pose<dim>& pose)
+{
+  k("displacement", pose.displacement);
+  archive(k, "orientation", pose.orientation);
+}
 
 // The sizes reveal a member that is not archived yet.
 template <int dim>
 void archive(Archive& k, bodies::RigidState<dim>& rigid)
 {
-  static_assert(sizeof(rigid) == (dim == 2 ? 7 * 2 + 10 : 7 * 3 + 3 * 3 + 2 * 4 + 5) * sizeof(Real));
-  k("displacement", rigid.displacement);
-  archive(k, "orientation", rigid.orientation);
+  static_assert(sizeof(rigid) == (dim == 2 ? 4 * 2 + 3 : 6 * 3 + 4) * sizeof(Real));
+  archive(k, static_cast<bodies::Pose<dim>&>(rigid));
   k("velocity", rigid.velocity);
   k("angular_velocity", rigid.angular_velocity);
   k("reaction", rigid.reaction);
   k("smooth_reaction", rigid.smooth_reaction);
   k("torque", rigid.torque);
-  k("impulse", rigid.impulse);
-  k("torque_impulse", rigid.torque_impulse);
-  k("second_impulse", rigid.second_impulse);
-  k("impulse_sum", rigid.impulse_sum);
-  k("impulse_times_gap", rigid.impulse_times_gap);
-  k("shaft_impulse", rigid.shaft_impulse);
-  k("effective_impulse", rigid.effective_impulse);
-  k("max_overlap", rigid.max_overlap);
-  k("near_cells_displacement", rigid.near_cells_displacement);
-  archive(k, "near_cells_orientation", rigid.near_cells_orientation);
+}
+
+}  // namespace
+
+template <int dim>
+void archive(Archive& k, contact::ContactSums<dim>& sums)
+{
+  static_assert(sizeof(sums) == (dim == 2 ? 2 * 2 + 5 : 3 * 3 + 4) * sizeof(Real));
+  k("impulse", sums.impulse);
+  k("torque_impulse", sums.torque_impulse);
+  k("second_impulse", sums.second_impulse);
+  k("impulse_sum", sums.impulse_sum);
+  k("impulse_times_gap", sums.impulse_times_gap);
+  k("shaft_impulse", sums.shaft_impulse);
+  k("effective_impulse", sums.effective_impulse);
 }
 
 namespace {
@@ -111,12 +120,8 @@ void archive(Archive& k, ActiveSoil<dim>& active, std::size_t rigid_bodies)
   k("everywhere", active.everywhere);
   k("stopped", active.stopped);
   if (active.everywhere) return;
-  active.displacement.resize(rigid_bodies);
-  active.orientation.resize(rigid_bodies);
-  for (std::size_t r = 0; r < rigid_bodies; ++r) {
-    k(fmt::format("displacement_{}", r), active.displacement[r]);
-    archive(k, fmt::format("orientation_{}", r), active.orientation[r]);
-  }
+  active.poses.resize(rigid_bodies);
+  for (std::size_t r = 0; r < rigid_bodies; ++r) k.table(fmt::format("pose_{}", r), [&] { archive(k, active.poses[r]); });
 }
 
 template <int dim>
@@ -151,6 +156,10 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
   k.table("totals", [&] { archive(k, state.totals); });
   for (std::size_t r = 0; r < state.rigid_bodies.size(); ++r)
     k.table(fmt::format("rigid_{}", r), [&] { archive(k, state.rigid_bodies[r]); });
+  for (std::size_t r = 0; r < state.contact_sums.size(); ++r)
+    k.table(fmt::format("contact_sums_{}", r), [&] { archive(k, state.contact_sums[r]); });
+  for (std::size_t r = 0; r < state.listed_poses.size(); ++r)
+    k.table(fmt::format("listed_pose_{}", r), [&] { archive(k, state.listed_poses[r]); });
   for (std::size_t c = 0; c < state.pair_impulses.size(); ++c) k(fmt::format("pair_impulse_{}", c), state.pair_impulses[c]);
   for (std::size_t t = 0; t < state.tractions.size(); ++t) k.table(fmt::format("traction_{}", t), [&] { archive(k, state.tractions[t]); });
   if (!state.load_points.empty()) k.table("load_points", [&] { archive(k, model, state.load_points); });
@@ -158,8 +167,8 @@ void archive(Archive& k, const Model<dim>& model, State<dim>& state)
   for (std::size_t b = 0; b < state.particles.size(); ++b) k.table(fmt::format("body_{}", b), [&] { state.particles[b].archive(k); });
 }
 
-template void archive(Archive&, bodies::RigidState<2>&);
-template void archive(Archive&, bodies::RigidState<3>&);
+template void archive(Archive&, contact::ContactSums<2>&);
+template void archive(Archive&, contact::ContactSums<3>&);
 template void archive(Archive&, const Model<2>&, State<2>&);
 template void archive(Archive&, const Model<3>&, State<3>&);
 

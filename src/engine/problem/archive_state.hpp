@@ -11,8 +11,8 @@ namespace berm::problem {
 template <int dim>
 void archive(Archive& k, const Model<dim>& model, State<dim>& state);
 
-/// One rigid body.
+/// What the contacts of one rigid body have added up to.
 template <int dim>
-void archive(Archive& k, bodies::RigidState<dim>& rigid);
+void archive(Archive& k, contact::ContactSums<dim>& sums);
 
 }  // namespace berm::problem

@@ -245,6 +245,8 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
   model = make_model(c, std::move(mesh));
   model.patches = make_patches(model.mesh, model.mpm.volumetric_projection ? mesh::patch_cells<dim> : 1);
   state.rigid_bodies.resize(model.rigid_bodies.size());
+  state.contact_sums.resize(model.rigid_bodies.size());
+  state.listed_poses.assign(model.rigid_bodies.size(), bodies::Pose<dim>::nowhere());
   const bool by_gravity = loads_by_gravity(c, model.ground);
   if (!by_gravity) refuse_k0_below_uneven_ground(c, model);
   for (const auto& [name, settings] : c.body) {

@@ -4,6 +4,7 @@
 #include "bodies/particles.hpp"
 #include "bodies/rigid/dynamics.hpp"
 #include "boundary/support.hpp"
+#include "contact/contact_sums.hpp"
 #include "mesh/patches.hpp"
 #include "problem/axes.hpp"
 #include "problem/body_soil.hpp"
@@ -176,9 +177,7 @@ Real degree_of_consolidation(const StageState<dim>& stage)
 template <int dim>
 struct ActiveSoil {
   bool everywhere = true;
-  // Of each rigid body when the active soil was last found around it; empty where it is everywhere.
-  std::vector<Vec<dim>> displacement;
-  std::vector<bodies::Orientation<dim>> orientation;
+  std::vector<bodies::Pose<dim>> poses;  ///< of the rigid bodies when it was last found around them; empty where it is everywhere
   Real stopped = 0;  ///< J/m or J, kinetic energy of soil that still moved when it came to rest: a part of Totals::damping
 };
 
@@ -191,6 +190,9 @@ struct State {
   std::vector<bodies::Particles<dim>> particles;  ///< by body
   std::vector<NodeField<Vec<dim>>> flux;          ///< by body, at the nodes: of water against the soil (Darcy), m/s; empty where none flows
   std::vector<bodies::RigidState<dim>> rigid_bodies;
+  std::vector<contact::ContactSums<dim>> contact_sums;  ///< by rigid body
+  /// By rigid body: its pose when the cells near it were last listed (contact/detect.hpp), on which the order of sums depends.
+  std::vector<bodies::Pose<dim>> listed_poses;
   std::vector<Vec<dim>>
       pair_impulses;  ///< by contact: what the other body gave to the body since the start, N s/m or N s; zero at rigid bodies
   std::vector<TractionState> tractions;

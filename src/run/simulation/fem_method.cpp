@@ -62,17 +62,27 @@ sanity::Scene FemMethod::scene(const RunRequest& request, int) const
 
 void FemMethod::begin(bool at_start)
 {
-  if (at_start) steps_.find_first_equilibrium();
+  if (!at_start) return;
+  steps_.find_first_equilibrium();
+  recorder_.observe_steps(steps_);
 }
 
 void FemMethod::step()
 {
   last_ = steps_.advance();
+  recorder_.observe_steps(steps_);
   iterations_ += last_.iterations;
   if (last_.converged) return;
   ++accepted_above_tolerance_;
   spdlog::warn("t = {:.6g} s: the increment is loosely converged only, with unbalanced forces of {:.2g} of the contact forces",
                state().time, last_.unbalance);
+}
+
+bool FemMethod::next_stage()
+{
+  if (!steps_.next_stage()) return false;
+  recorder_.observe_steps(steps_);
+  return true;
 }
 
 void FemMethod::archive(Archive& k)

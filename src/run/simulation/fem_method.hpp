@@ -41,7 +41,7 @@ public:
   run_folder::Frame<2> make_frame() { return frame_maker_.make(problem_.state); }
   /// False after the last one.
   bool stage_ended() const { return problem::stage_ended(model(), state()); }
-  bool next_stage() { return steps_.next_stage(); }
+  bool next_stage();
   bool at_checkpoint_boundary() const { return true; }
   void archive(Archive& k);
   /// One process has all.

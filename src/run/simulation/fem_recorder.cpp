@@ -52,7 +52,8 @@ void FemRecorder::observe_watches(const fem::FemModel& model, const fem::FemStat
   }
 }
 
-void FemRecorder::add_row(const fem::FemModel& model, fem::FemState& state, const fem::IncrementEnd& end, run_folder::HistoryFile& file)
+void FemRecorder::add_row(const fem::FemModel& model, const fem::FemState& state, const fem::IncrementEnd& end,
+                          run_folder::HistoryFile& file)
 {
   const problem::State<2>& now = state.state;
   const problem::Totals<2>& t = now.totals;
@@ -71,9 +72,8 @@ void FemRecorder::add_row(const fem::FemModel& model, fem::FemState& state, cons
   if (model.weight > 0) observe_out_of_balance(row_, state.unbalanced / model.weight);
   if (has_rigid) {
     of_rigid();
-    bodies::RigidState<2>& rigid = state.state.rigid_bodies[model.rigid];
-    observe_overlap(row_, rigid.max_overlap);
-    rigid.max_overlap = 0;
+    const bodies::RigidState<2>& rigid = now.rigid_bodies[model.rigid];
+    observe_overlap();
     observe_rotation<2>(row_, rigid.torque, rigid.orientation.angle);
   }
   if (model.model.driven[now.stage.index] != none && end.iterations > 0) {

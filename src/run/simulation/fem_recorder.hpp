@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "fem/newton.hpp"
+#include "fem/load_steps.hpp"
 #include "run_folder/history.hpp"
 #include "simulation/recorder.hpp"
 
@@ -12,8 +12,10 @@ namespace berm::simulation {
 /// flow dissipates that is missing because the strength lags behind its pressure).
 class FemRecorder : public Recorder<2> {
 public:
+  /// What a row has of the equilibria before it (LoadSteps::max_overlap); to be called after each call that finds some.
+  void observe_steps(const fem::LoadSteps& steps) { note_overlap(steps.max_overlap()); }
   /// Throws RunError where a number is not finite that must be.
-  void add_row(const fem::FemModel& model, fem::FemState& state, const fem::IncrementEnd& end, run_folder::HistoryFile& file);
+  void add_row(const fem::FemModel& model, const fem::FemState& state, const fem::IncrementEnd& end, run_folder::HistoryFile& file);
 
   void archive(Archive& k);
 

@@ -140,6 +140,7 @@ void MpmMethod<d>::step()
 {
   if (Ranks::of_run().divided()) divide_anew();
   mpm::step(model(), problem_.state, *work_);
+  recorder_.observe_step(model(), *work_);
   mpm::refuse_rigid_outside_mesh(model(), state());
 }
 
@@ -174,7 +175,7 @@ mpm::WholeState<d> MpmMethod<d>::whole_state()
 template <int d>
 void MpmMethod<d>::add_row(run_folder::HistoryFile& file)
 {
-  recorder_.add_row(model(), problem_.state, *work_, file);
+  recorder_.add_row(model(), state(), *work_, file);
   cells_.observe(model(), state());
 }
 

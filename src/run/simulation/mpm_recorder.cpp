@@ -15,7 +15,7 @@ namespace berm::simulation {
 template <int dim>
 MpmRecorder<dim>::MpmRecorder(const problem::Model<dim>& model, const problem::State<dim>& start)
     : last_time_(start.time),
-      last_rigids_(start.rigid_bodies),
+      last_sums_(start.contact_sums),
       last_pair_impulses_(start.pair_impulses)
 {
   row_.count_parts(model.parts);
@@ -33,7 +33,8 @@ void MpmRecorder<dim>::archive(Archive& k)
 {
   Recorder<dim>::archive(k);
   k("last_time", last_time_);
-  for (std::size_t r = 0; r < last_rigids_.size(); ++r) k.table(fmt::format("rigid_{}", r), [&] { problem::archive(k, last_rigids_[r]); });
+  for (std::size_t r = 0; r < last_sums_.size(); ++r)
+    k.table(fmt::format("contact_sums_{}", r), [&] { problem::archive(k, last_sums_[r]); });
   for (std::size_t c = 0; c < last_pair_impulses_.size(); ++c) k(fmt::format("pair_impulse_{}", c), last_pair_impulses_[c]);
   k("out_of_balance", out_of_balance_);
   k("shaking", shaking_);
@@ -41,32 +42,38 @@ void MpmRecorder<dim>::archive(Archive& k)
 }
 
 template <int dim>
+void MpmRecorder<dim>::observe_step(const problem::Model<dim>& model, const mpm::Work<dim>& work)
+{
+  for (std::size_t k = 0; k < model.contacts.size(); ++k)
+    if (const Index rigid = model.contacts[k].rigid; rigid != none && rigid == model.main_rigid)
+      Recorder<dim>::note_overlap(-work.contact_points[k].nearest_particle);
+}
+
+template <int dim>
 void MpmRecorder<dim>::observe_rigid(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid)
 {
-  const bodies::RigidState<dim>&now = state.rigid_bodies[rigid], &last = last_rigids_[rigid];
   const Real time = state.time - last_time_;
-  const Vec<dim> impulse = now.impulse - last.impulse;
+  const Vec<dim> impulse = state.contact_sums[rigid].impulse - last_sums_[rigid].impulse;
   const Vec<dim> reaction = time > 0 ? Vec<dim>(-impulse / time) : Vec<dim>(Vec<dim>::Zero());
   Recorder<dim>::observe_rigid(model, state, rigid, reaction);
   if constexpr (dim == 3) {
     row_("F", Vec<dim>(reaction + Vec<dim>::Zero()), run_folder::newtons<dim>, "force of the soil on the body");
-    row_("d", now.displacement, run_folder::metres, "displacement of its centre");
+    row_("d", state.rigid_bodies[rigid].displacement, run_folder::metres, "displacement of its centre");
   }
 }
 
 template <int dim>
 void MpmRecorder<dim>::observe_rotation_of(const problem::State<dim>& state, Index rigid)
 {
-  const bodies::RigidState<dim>&now = state.rigid_bodies[rigid], &last = last_rigids_[rigid];
   const Real time = state.time - last_time_;
-  const bodies::Angular<dim> impulse = now.torque_impulse - last.torque_impulse;
+  const bodies::Angular<dim> impulse = state.contact_sums[rigid].torque_impulse - last_sums_[rigid].torque_impulse;
   const auto moment_of = [&](Real component) { return time > 0 ? -component / time + 0. : 0; };
   bodies::Angular<dim> moment;
   if constexpr (dim == 2)
     moment = moment_of(impulse);
   else
     moment = impulse.unaryExpr(moment_of);
-  observe_rotation<dim>(row_, moment, rotation_of(now.orientation));
+  observe_rotation<dim>(row_, moment, rotation_of(state.rigid_bodies[rigid].orientation));
 }
 
 template <int dim>
@@ -83,20 +90,18 @@ void MpmRecorder<dim>::observe_energies(const problem::Model<dim>& model, const 
 }
 
 template <int dim>
-void MpmRecorder<dim>::observe_contact_of_main(const problem::Model<dim>& model, problem::State<dim>& state)
+void MpmRecorder<dim>::observe_contact_of_main(const problem::Model<dim>& model, const problem::State<dim>& state)
 {
-  bodies::RigidState<dim>& now = state.rigid_bodies[model.main_rigid];
-  const bodies::RigidState<dim>& last = last_rigids_[model.main_rigid];
+  const contact::ContactSums<dim>&now = state.contact_sums[model.main_rigid], &last = last_sums_[model.main_rigid];
   const Real pressed = now.impulse_sum - last.impulse_sum, time = state.time - last_time_;
   row_.of_main(model.rigid_bodies[model.main_rigid].name);
   if (model.mesh.metric == mesh::Metric::axisymmetric && has_corners<dim>(model.rigid_bodies[model.main_rigid].shape))
     row_("V_shaft", time > 0 ? -(now.shaft_impulse - last.shaft_impulse) / time : 0, run_folder::newtons<dim>,
          "vertical reaction of sides parallel to the axis");
   row_("gap", pressed > 0 ? (now.impulse_times_gap - last.impulse_times_gap) / pressed : nan, run_folder::metres, "gap");
-  observe_overlap(row_, now.max_overlap);
+  Recorder<dim>::observe_overlap();
   row_("second_impulse", time > 0 ? (now.second_impulse - last.second_impulse).norm() / time : 0, run_folder::newtons<dim>,
        "second contact correction");
-  now.max_overlap = 0;
   observe_rotation_of(state, model.main_rigid);
 }
 
@@ -176,13 +181,13 @@ void MpmRecorder<dim>::observe_effective_normals(const problem::Model<dim>& mode
       row_.of_main(model.rigid_bodies[r].name);
     else
       row_.of(model.rigid_bodies[r].name);
-    const Real impulse = state.rigid_bodies[r].effective_impulse - last_rigids_[r].effective_impulse;
+    const Real impulse = state.contact_sums[r].effective_impulse - last_sums_[r].effective_impulse;
     observe_effective_normal<dim>(row_, time > 0 ? std::max(Real(0), impulse / time) : 0);
   }
 }
 
 template <int dim>
-void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, problem::State<dim>& state, const mpm::Work<dim>& work,
+void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Work<dim>& work,
                                run_folder::HistoryFile& file)
 {
   Real kinetic = 0;
@@ -220,7 +225,7 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, problem::State<
   if (model.main_rigid != none && model.driven[state.stage.index] == model.main_rigid)
     if (const Real now = mpm::shaking(model, state, work); std::isfinite(now)) shaking_ += now, shaken_rows_ += 1;
   last_time_ = state.time;
-  last_rigids_ = state.rigid_bodies;
+  last_sums_ = state.contact_sums;
   last_pair_impulses_ = state.pair_impulses;
 }
 

@@ -16,8 +16,11 @@ public:
   /// Remembers the start, from which displacements and energies count.
   MpmRecorder(const problem::Model<dim>& model, const problem::State<dim>& start);
 
+  /// What a row has of the steps before it; to be called after each.
+  void observe_step(const problem::Model<dim>& model, const mpm::Work<dim>& work);
   /// Throws RunError where a number is not finite that must be.
-  void add_row(const problem::Model<dim>& model, problem::State<dim>& state, const mpm::Work<dim>& work, run_folder::HistoryFile& file);
+  void add_row(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Work<dim>& work,
+               run_folder::HistoryFile& file);
 
   /// What the next row takes from those before it. What is remembered of the start is not kept.
   void archive(Archive& k);
@@ -33,7 +36,7 @@ private:
   void observe_rigid(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid);
   void observe_rotation_of(const problem::State<dim>& state, Index rigid);
   void observe_energies(const problem::Model<dim>& model, const problem::State<dim>& state, Real kinetic);
-  void observe_contact_of_main(const problem::Model<dim>& model, problem::State<dim>& state);
+  void observe_contact_of_main(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_body(const mpm::BodySums<dim>& sums, const Vec<dim>& first_center);
   void observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Work<dim>& work);
   void observe_tractions(const problem::Model<dim>& model, const problem::State<dim>& state);
@@ -41,7 +44,7 @@ private:
   void observe_watches(const problem::Model<dim>& model, const problem::State<dim>& state);
 
   Real last_time_ = 0;
-  std::vector<bodies::RigidState<dim>> last_rigids_;
+  std::vector<contact::ContactSums<dim>> last_sums_;
   std::vector<Vec<dim>> last_pair_impulses_;
   std::vector<Vec<dim>> first_centers_;  ///< of mass, by body
   std::vector<Vec<dim>> first_watched_;

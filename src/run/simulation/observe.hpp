@@ -88,11 +88,6 @@ inline void observe_out_of_balance(run_folder::Row& row, Real over_weight)
   row("out_of_balance", over_weight, run_folder::bare, "force out of balance");
 }
 
-inline void observe_overlap(run_folder::Row& row, Real overlap)
-{
-  row("overlap", overlap, run_folder::metres, "overlap");
-}
-
 /// A traction: its force now, and the mean displacement of where it acts. Summed over points and divided by their area.
 template <int dim>
 class LoadedArea {

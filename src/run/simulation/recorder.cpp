@@ -2,8 +2,6 @@
 // Tests: tests/unit/simulation/run_test.cpp
 #include "simulation/recorder.hpp"
 
-#include <algorithm>
-
 namespace berm::simulation {
 
 template <int dim>
@@ -23,12 +21,20 @@ void Recorder<dim>::observe_energies(const Energies& energies, Real at_least)
 }
 
 template <int dim>
+void Recorder<dim>::observe_overlap()
+{
+  row_("overlap", max_overlap_, run_folder::metres, "overlap");
+  max_overlap_ = 0;
+}
+
+template <int dim>
 void Recorder<dim>::archive(Archive& k)
 {
   k("vertical", vertical_);
   k("horizontal", horizontal_);
   k("largest_error", largest_error_);
   k("largest_work", largest_work_);
+  k("max_overlap", max_overlap_);
 }
 
 template class Recorder<2>;

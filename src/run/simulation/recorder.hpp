@@ -6,6 +6,8 @@
 #include "run_folder/row.hpp"
 #include "simulation/observe.hpp"
 
+#include <algorithm>
+
 namespace berm::simulation {
 
 /// What the rows of history.csv have in common, whatever the method: the recorder of a method adds a column where it observes its value.
@@ -22,10 +24,13 @@ public:
   /// The largest work done so far, J/m or J.
   Real largest_work() const { return largest_work_; }
 
-  /// What the next row takes from those before it.
+  /// What the next row takes from those before it, and from the steps since the last one.
   void archive(Archive& k);
 
 protected:
+  /// A depth of the soil in the main rigid body, m, of which the next row has the maximum.
+  void note_overlap(Real depth) { max_overlap_ = std::max(max_overlap_, depth); }
+  void observe_overlap();
   /// u, w, H and V of a rigid body with this force of the soil on it.
   void observe_rigid(const problem::Model<dim>& model, const problem::State<dim>& state, Index rigid, const Vec<dim>& reaction);
   /// The energy error of the run is compared with the largest work, of which `at_least` (J/m or J) is one.
@@ -35,6 +40,7 @@ protected:
 
 private:
   Real vertical_ = 0, horizontal_ = 0, largest_error_ = 0, largest_work_ = 0;
+  Real max_overlap_ = 0;  ///< m, since the last row
 };
 
 }  // namespace berm::simulation

@@ -36,10 +36,9 @@ struct Bed {
   }
   void find_again(const bodies::RigidBody<dim>& rigid, const Vec<dim>& displacement, Detection detection, ContactPoints<dim>& result) const
   {
-    bodies::RigidState<dim> state;
-    state.displacement = displacement;
+    bodies::Pose<dim> listed = bodies::Pose<dim>::nowhere();
     NodeField<Real> masses = mass;
-    detect(mesh, particles, rigid, state, detection, masses, result);
+    detect<dim>(mesh, particles, rigid, {displacement, {}}, listed, detection, masses, result);
   }
 
   Real min_height() const
@@ -102,17 +101,9 @@ std::map<Index, ContactPoint<dim>> by_node(const ContactPoints<dim>& found)
 }
 
 template <int dim>
-bodies::RigidState<dim> moved_by(const Vec<dim>& displacement)
-{
-  bodies::RigidState<dim> state;
-  state.displacement = displacement;
-  return state;
-}
-
-template <int dim>
 void expect_gaps(const Bed<dim>& bed, const bodies::RigidBody<dim>& rigid, const Vec<dim>& displacement, const ContactPoints<dim>& found)
 {
-  const auto shape = placed<dim>(rigid, moved_by<dim>(displacement));
+  const auto shape = placed<dim>(rigid, {displacement, {}});
   const auto expected = brute_force(bed, shape);
   const auto nodes = by_node(found);
   Real nearest = infinity, min = infinity;
@@ -213,7 +204,7 @@ TYPED_TEST(Detect, overlap_lists_the_nodes_with_mass_of_all_cells_that_the_body_
     for (int n = 0; n <= 10; ++n) {
       const Vec<dim> displacement = at<dim>(0.02 * n, -0.02 * n);
       bed.find_again(rigid, displacement, Detection::overlap, found);
-      const auto shape = placed<dim>(rigid, moved_by<dim>(displacement));
+      const auto shape = placed<dim>(rigid, {displacement, {}});
       // Certainly in: a corner lies in the body. Certainly out: none of many points does.
       std::vector<bool> surely(bed.mesh.node_count(), false), perhaps(bed.mesh.node_count(), false);
       for (Index cell = 0; cell < bed.mesh.cell_count(); ++cell) {
@@ -268,9 +259,7 @@ TYPED_TEST(Detect, particle_lists_each_particle_whose_gap_is_less_than_its_width
   for (const auto& rigid : rigid_bodies<dim>()) {
     const Vec<dim> displacement = at<dim>(0.01, -0.05);
     const auto found = bed.found(rigid, displacement, Detection::particle);
-    bodies::RigidState<dim> state;
-    state.displacement = displacement;
-    const auto shape = placed<dim>(rigid, state);
+    const auto shape = placed<dim>(rigid, {displacement, {}});
     std::size_t expected = 0;
     bed.particles.visit([&](Index, Index b, int l) {
       const bodies::Particle<dim> p = bed.particles.read(b, l);
@@ -331,15 +320,15 @@ TEST(DetectInSpace, all_particles_near_a_solid_are_points_while_it_turns_and_mov
       {"ring", ProfileSettings{{0.4, 0.5, 0.5, 0.4}, {-0.3, -0.3, 0.3, 0.3}, 0, {0.8, 1, 0.8}, {0, 1, 0.2}}}};
   for (const auto& [name, settings] : solids) {
     const RigidBody<3> rigid{name, make_shape<3>(settings)};
-    RigidState<3> state;
+    Pose<3> pose, last_listed = Pose<3>::nowhere();
     ContactPoints<3> found;
     Index listed = 0;
     for (int n = 0; n < 60; ++n) {
-      state.displacement += Vec<3>(0.002, -0.004, 0.001);
-      state.orientation.turn_by(Vec<3>(0.03, 0.05, -0.04));
+      pose.displacement += Vec<3>(0.002, -0.004, 0.001);
+      pose.orientation.turn_by(Vec<3>(0.03, 0.05, -0.04));
       NodeField<Real> masses = bed.mass;
-      detect(bed.mesh, bed.particles, rigid, state, Detection::particle, masses, found);
-      const auto shape = placed<3>(rigid, state);
+      detect(bed.mesh, bed.particles, rigid, pose, last_listed, Detection::particle, masses, found);
+      const auto shape = placed(rigid, pose);
       Index near = 0;
       bed.particles.visit([&](Index, Index b, int l) {
         const Particle<3> p = bed.particles.read(b, l);

@@ -37,11 +37,9 @@ struct Bed {
   {
     bodies::RigidBody<2> rigid;
     rigid.shape = shape;
-    bodies::RigidState<2> state;
-    found.near_displacement.setConstant(infinity);
-    state.near_cells_displacement.setConstant(infinity);
+    bodies::Pose<2> listed = found.listed = bodies::Pose<2>::nowhere();
     NodeField<Real> mass(mesh.node_count(), 1);
-    detect<2>(mesh, particles, rigid, state, detection, mass, found);
+    detect<2>(mesh, particles, rigid, {}, listed, detection, mass, found);
     find_footprints(mesh, particles, shape, found);
     return std::accumulate(found.footprints.begin(), found.footprints.end(), Real(0), [](Real sum, const auto& f) { return sum + f.area; });
   }

@@ -60,7 +60,7 @@ std::pair<Vec<3>, Real> impulse_and_work(const std::vector<std::string>& symmetr
   problem::Problem<3> problem = problem::build<3>(plate_on_block(symmetry), ".", ".");
   Work<3> work(problem.model, problem.state);
   while (problem.state.time < 0.02) step(problem.model, problem.state, work);
-  return {problem.model.parts * problem.state.rigid_bodies[0].impulse, problem.model.parts * problem.state.totals.external};
+  return {problem.model.parts * problem.state.contact_sums[0].impulse, problem.model.parts * problem.state.totals.external};
 }
 
 TEST(Symmetry, half_and_quarter_under_a_plate_take_the_impulse_and_the_work_of_the_whole)

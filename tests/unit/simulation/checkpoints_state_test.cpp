@@ -69,7 +69,7 @@ TYPED_TEST(StateCheckpoint, gives_the_same_bits_back)
   const problem::State<dim>& state = first.problem.state;
   ASSERT_FALSE(same_blocks(state.particles[0], second.problem.state.particles[0]));
   ASSERT_NE(state.particles[0].occupied(), second.problem.state.particles[0].occupied());
-  ASSERT_GT(state.rigid_bodies[0].impulse_sum, 0);
+  ASSERT_GT(state.contact_sums[0].impulse_sum, 0);
   ASSERT_GT(state.pair_impulses[1].norm(), 0);
   bool law_state = false;
   state.particles[0].visit([&](Index, Index b, int l) { law_state = law_state || state.particles[0].state(b)[0][l] != 0; });
@@ -134,6 +134,8 @@ TYPED_TEST(StateCheckpoint, leaves_no_number_out)
   fill(state.dt, next);
   state.step = 123456789012;
   fill(state.rigid_bodies[0], next);
+  fill(state.contact_sums[0], next);
+  fill(state.listed_poses[0], next);
   fill(state.totals, next);
   for (Vec<dim>& impulse : state.pair_impulses) fill(impulse, next);
   fill(state.stage.begin_time, next);
@@ -151,6 +153,8 @@ TYPED_TEST(StateCheckpoint, leaves_no_number_out)
   EXPECT_EQ(found.dt, state.dt);
   EXPECT_EQ(found.step, state.step);
   EXPECT_TRUE(same(found.rigid_bodies[0], state.rigid_bodies[0]));
+  EXPECT_TRUE(same(found.contact_sums[0], state.contact_sums[0]));
+  EXPECT_TRUE(same(found.listed_poses[0], state.listed_poses[0]));
   EXPECT_TRUE(same(found.totals, state.totals));
   EXPECT_EQ(found.pair_impulses, state.pair_impulses);
   EXPECT_EQ(found.stage.begin_time, state.stage.begin_time);

@@ -10,7 +10,7 @@ namespace {
 /// The angular momentum halfway through a step with the present angular velocity that begins (sign 1) or has just ended (-1).
 Vec<3> momentum_halfway(const RigidBody<3>& body, const RigidState<3>& state, Real dt, Real sign)
 {
-  RigidState<3> halfway = state;
+  Pose<3> halfway = state;
   halfway.orientation.turn_by(sign * dt / 2 * state.angular_velocity);
   return times_inertia(body, halfway, state.angular_velocity);
 }

@@ -18,45 +18,48 @@ struct RigidBody {
   Matrix<dim> axes = Matrix<dim>::Identity();  ///< columns: the directions of these axes at the start
 };
 
-/// Variables of a rigid body.
+/// Where a rigid body is: what it has moved since the start.
 template <int dim>
-struct RigidState {
-  Vec<dim> displacement = Vec<dim>::Zero();           ///< since the start, m
-  Orientation<dim> orientation;                       ///< since the start, about the centre
+struct Pose {
+  Vec<dim> displacement = Vec<dim>::Zero();  ///< of the centre, m
+  Orientation<dim> orientation;              ///< about the centre
+
+  /// That of no body: infinitely far.
+  static Pose nowhere() { return {Vec<dim>::Constant(infinity), {}}; }
+  bool operator==(const Pose&) const = default;
+};
+
+/// How a rigid body moves, and what moves it.
+template <int dim>
+struct RigidState : Pose<dim> {
   Vec<dim> velocity = Vec<dim>::Zero();               ///< of the centre during the step, m/s
   Angular<dim> angular_velocity = no_angular<dim>();  ///< rad/s, during the step
   Vec<dim> reaction = Vec<dim>::Zero();               ///< force of the soil on it in the last step, N/m or N
   Vec<dim> smooth_reaction = Vec<dim>::Zero();        ///< the same, averaged over about a hundred steps
   Angular<dim> torque = no_angular<dim>();            ///< of the soil on it about its centre in the last step, N m/m or N m
-  Vec<dim> impulse = Vec<dim>::Zero();                ///< given by its contacts to the soil since the start (step 4), N s/m or N s
-  Angular<dim> torque_impulse = no_angular<dim>();    ///< the same, about the centre at that time, N s or N m s
-  Vec<dim> second_impulse = Vec<dim>::Zero();         ///< the same for the correction of step 8, which is no force
-  Real impulse_sum = 0;                               ///< sum of the magnitudes of all nodal impulses since the start, N s/m or N s
-  Real impulse_times_gap =
-      0;  ///< the same, each times the distance of the node's nearest particle from the surface; over impulse_sum: the contact gap
-  Real shaft_impulse = 0;  ///< around an axis: the part along it, given to the soil by sides parallel to it, N s
-  Real effective_impulse =
-      0;  ///< of all points the part of the normal impulse that the soil's skeleton carries, since the start, N s/m or N s; where friction acts in soil with water
-  Real max_overlap = 0;  ///< m, maximum depth of a particle in the body since the last row of the history
-  Vec<dim> near_cells_displacement =
-      Vec<dim>::Constant(infinity);         ///< displacement when the cells near it were last listed (contact/detect.hpp), m
-  Orientation<dim> near_cells_orientation;  ///< and its orientation then
 };
 
-/// Its present centre (of a half-plane: its point).
+/// The largest distance that a point of a rigid body goes from one pose to another, m: at most.
 template <int dim>
-Vec<dim> center_now(const RigidBody<dim>& rigid, const RigidState<dim>& state);
+Real distance_between(const RigidBody<dim>& rigid, const Pose<dim>& from, const Pose<dim>& to)
+{
+  return (to.displacement - from.displacement).norm() + angle_between(to.orientation, from.orientation) * reach_of<dim>(rigid.shape);
+}
 
-/// Its shape at its present position and rotation.
+/// Its centre there (of a half-plane: its point).
 template <int dim>
-RigidShape<dim> placed(const RigidBody<dim>& rigid, const RigidState<dim>& state);
+Vec<dim> center_now(const RigidBody<dim>& rigid, const Pose<dim>& pose);
+
+/// Its shape there.
+template <int dim>
+RigidShape<dim> placed(const RigidBody<dim>& rigid, const Pose<dim>& pose);
 
 /// Its angular momentum at an angular velocity, N s or N m s. In space: 0 about axes that it cannot rotate about.
-inline Real times_inertia(const RigidBody<2>& rigid, const RigidState<2>&, Real angular_velocity)
+inline Real times_inertia(const RigidBody<2>& rigid, const Pose<2>&, Real angular_velocity)
 {
   return rigid.inertia * angular_velocity;
 }
-Vec<3> times_inertia(const RigidBody<3>& rigid, const RigidState<3>& state, const Vec<3>& angular_velocity);
+Vec<3> times_inertia(const RigidBody<3>& rigid, const Pose<3>& pose, const Vec<3>& angular_velocity);
 
 /// The inverse of its moments of inertia at an orientation, 1/(kg m2); 0 about axes that it cannot rotate about.
 Matrix<3> inverse_inertia(const RigidBody<3>& rigid, const Orientation<3>& orientation);
