@@ -49,15 +49,18 @@ std::string shown(const std::string& field)
 
 }  // namespace
 
-HistoryFile::HistoryFile(const std::filesystem::path& path, BigIndex kept_bytes) : path_(path), goes_on_(kept_bytes > 0)
+HistoryFile::HistoryFile(const std::filesystem::path& path, BigIndex kept_bytes) : path_(path)
 {
   file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (file_ < 0) io::throw_errno(fmt::format("cannot write {}", path.string()));
-  if (::lseek(file_, 0, SEEK_END) <= kept_bytes || ::ftruncate(file_, kept_bytes) == 0) return;
-  const int reason = errno;
-  ::close(file_);
-  errno = reason;
-  io::throw_errno(fmt::format("cannot write {}", path.string()));
+  try {
+    if (::lseek(file_, 0, SEEK_END) > kept_bytes && ::ftruncate(file_, kept_bytes) != 0)
+      io::throw_errno(fmt::format("cannot write {}", path.string()));
+    if (kept_bytes > 0) history_ = read_history(path);
+  } catch (...) {
+    ::close(file_);
+    throw;
+  }
 }
 
 HistoryFile::~HistoryFile()
@@ -76,14 +79,9 @@ void HistoryFile::write(const std::string& line)
   io::throw_errno(fmt::format("cannot write {}", path_.string()));
 }
 
-std::string HistoryFile::header(const std::vector<Column>& columns)
+/// Before the first row.
+std::string HistoryFile::header(const std::vector<Column>& columns) const
 {
-  if (goes_on_) {
-    if (read_schema(path_) != columns)
-      throw RunError(
-          fmt::format("{}: the resumed run has other columns than {} lists", path_.string(), schema_path(path_).filename().string()));
-    return "";
-  }
   write_schema(path_, columns);
   std::string line = columns[0].name + ',' + stage_column;
   for (std::size_t k = 1; k < columns.size(); ++k) line += ',' + csv_field(columns[k].name);
@@ -93,11 +91,20 @@ std::string HistoryFile::header(const std::vector<Column>& columns)
 void HistoryFile::add(Row& row)
 {
   row.end();
-  std::string line = begun_ ? "" : header(row.columns());
+  const bool first = history_.columns.empty();
+  if (!first && history_.columns != row.columns())
+    throw RunError(
+        fmt::format("{}: the resumed run has other columns than {} lists", path_.string(), schema_path(path_).filename().string()));
+  std::string line = first ? header(row.columns()) : "";
   line += csv_number(row.values()[0]) + ',' + csv_field(row.stage());
   for (std::size_t k = 1; k < row.values().size(); ++k) line += ',' + csv_number(row.values()[k]);
   write(line + '\n');
-  begun_ = true;
+  if (first) {
+    history_.columns = row.columns();
+    history_.values.resize(history_.columns.size());
+  }
+  history_.stage.push_back(row.stage());
+  for (std::size_t k = 0; k < row.values().size(); ++k) history_.values[k].push_back(row.values()[k]);
 }
 
 BigIndex HistoryFile::sync()

@@ -9,36 +9,7 @@
 
 namespace berm::run_folder {
 
-/// history.csv on its way to the disk: a header, then one line a row, each handed to the system whole, so that a reader at any time
-/// sees whole rows but perhaps the last. Numbers are written in the shortest form that reads back to the same number, NaN as "nan". The first row
-/// brings the columns: the header, and history.schema.json beside the file (history_schema.hpp).
-class HistoryFile {
-public:
-  /// A resumed history keeps its first `kept_bytes` bytes and its schema, and what was written after them is
-  /// cut off; with none the file begins anew, and is empty until its first row. Throws RunError.
-  explicit HistoryFile(const std::filesystem::path& path, BigIndex kept_bytes = 0);
-  ~HistoryFile();
-  HistoryFile(const HistoryFile&) = delete;
-  HistoryFile& operator=(const HistoryFile&) = delete;
-
-  /// Ends a row and writes it. Throws RunError where it cannot be written, and where its columns are not those of the rows before.
-  void add(Row& row);
-
-  /// Forces all rows to the disk and gives the length of the file. Throws RunError.
-  BigIndex sync();
-
-private:
-  void write(const std::string& line);
-
-  /// The first row after the file was opened: what comes before it.
-  std::string header(const std::vector<Column>& columns);
-
-  std::filesystem::path path_;
-  bool goes_on_, begun_ = false;  ///< begun: by this
-  int file_;
-};
-
-/// A history read back: columns of numbers with what is said of them, and the name of the stage of each row.
+/// The rows of a run: columns of numbers with what is said of them, and the name of the stage of each row.
 struct History {
   std::vector<Column> columns;            ///< all but the stage, in the order of the file
   std::vector<std::vector<Real>> values;  ///< by column, then row
@@ -57,6 +28,36 @@ struct History {
   const Column& column_by_label(const std::string& label) const;
 
   std::vector<std::string> names() const;
+};
+
+/// history.csv on its way to the disk: a header, then one line a row, each handed to the system whole, so that a reader at any time
+/// sees whole rows but perhaps the last. Numbers are written in the shortest form that reads back to the same number, NaN as "nan". The first row
+/// brings the columns: the header, and history.schema.json beside the file (history_schema.hpp).
+class HistoryFile {
+public:
+  /// A resumed history keeps its first `kept_bytes` bytes and its schema, and what was written after them is
+  /// cut off; with none the file begins anew, and is empty until its first row. Throws RunError.
+  explicit HistoryFile(const std::filesystem::path& path, BigIndex kept_bytes = 0);
+  ~HistoryFile();
+  HistoryFile(const HistoryFile&) = delete;
+  HistoryFile& operator=(const HistoryFile&) = delete;
+
+  /// Ends a row and writes it. Throws RunError where it cannot be written, and where its columns are not those of the rows before.
+  void add(Row& row);
+
+  /// All rows, as read_history() has them; those of a resumed history, too.
+  const History& history() const { return history_; }
+
+  /// Forces all rows to the disk and gives the length of the file. Throws RunError.
+  BigIndex sync();
+
+private:
+  void write(const std::string& line);
+  std::string header(const std::vector<Column>& columns) const;
+
+  std::filesystem::path path_;
+  int file_;
+  History history_;
 };
 
 /// Reads a history.csv and its schema. A last line without its end is left out; an empty file is a history without columns: the run ended before its first

@@ -95,7 +95,7 @@ std::string write_results(const RunRequest& request, const run_folder::RunFolder
   run.folder = folder.path();
   run.settings = settings;
   run.ground = model.ground;
-  run.history = run_folder::read_history(folder.file("history.csv"));
+  run.history = outcome.history;
   const base::Structure& structure = structures::structure_of(settings);
 
   // Forces are measured by the soil below the body, as in the report, which reads the region in the summary.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "run_folder/frame.hpp"
+#include "run_folder/history.hpp"
 #include "run_folder/run_folder.hpp"
 #include "run_folder/summary.hpp"
 #include "simulation/simulate.hpp"
@@ -10,13 +11,14 @@ namespace berm::simulation {
 
 /// What a run found out about itself.
 struct RunOutcome {
+  const run_folder::History& history;  ///< all rows, those before it was resumed, too
   bool finished;
   std::vector<Real> held_forces;       ///< N/m, V that each stage holds; NaN where none
   run_folder::Summary::Checks checks;  ///< others than "finished"
   std::vector<std::string> warnings;   ///< what was doubtful of the case before it ran
 };
 
-/// Reads the history back and writes what follows from it and from the last frame: summary.json, curves, pictures; logs the time by loop and gives the
+/// Writes what follows from the history and from the last frame: summary.json, curves, pictures; logs the time by loop and gives the
 /// key results in words, "" where there is none. `rigid_bodies` says where the rigid bodies are at the end.
 template <int dim>
 std::string write_results(const RunRequest& request, const run_folder::RunFolder& folder, const problem::Model<dim>& model,

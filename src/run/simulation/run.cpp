@@ -237,13 +237,14 @@ void Run<Method>::report_progress()
 template <class Method>
 void Run<Method>::leave_results()
 {
+  if (!history_) return;
   const run_folder::Summary::Checks checks = method_.checks();
   frame();
   const std::vector<Real> memory = Ranks::of_run().all_of(largest_memory_in_use());
   if (!Ranks::of_run().is_first()) return;
   const run_folder::RunTiming timing{
       clock_.wall(), context_.threads(), model().mesh.cell_count(), state().step, method_.counts(), clock_.loops(), memory};
-  const RunOutcome outcome{finished_, held_forces_, checks, warnings_};
+  const RunOutcome outcome{history_->history(), finished_, held_forces_, checks, warnings_};
   const std::string results = write_results(request_, folder_, model(), state().rigid_bodies, frames_.last(), outcome, timing);
   if (!results.empty()) log_.result(results);
   spdlog::info("everything is in {}", folder_.path().string());

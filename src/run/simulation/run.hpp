@@ -29,7 +29,7 @@ public:
   bool advance();
   /// After the last step.
   void end();
-  /// Writes what follows from the history and from the last frame; also of a run that failed.
+  /// Writes what follows from the history and from the last frame; also of a run that failed after it began.
   void leave_results();
   /// Once its results are there, a finished run needs none.
   void remove_checkpoints() const;

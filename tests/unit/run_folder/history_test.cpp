@@ -207,6 +207,33 @@ TEST(HistoryFile, that_goes_on_keeps_its_schema_and_refuses_other_columns)
   EXPECT_EQ(read_history(path)["u_m"], (std::vector<Real>{1, 2}));
 }
 
+TEST(HistoryFile, hands_on_the_rows_that_can_be_read_from_it_those_before_it_went_on_too)
+{
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "history.csv";
+  const auto expect_as_read = [&](const History& history) {
+    const History read = read_history(path);
+    EXPECT_EQ(history.columns, read.columns);
+    EXPECT_EQ(history.values, read.values);
+    EXPECT_EQ(history.stage, read.stage);
+  };
+  NamedRow row({"u_m", "V_N_m"});
+  BigIndex bytes = 0;
+  {
+    HistoryFile file(path);
+    EXPECT_EQ(file.history().rows(), 0);
+    file.add(row.with(0, "a \"push\", slow", {1. / 3, -0.}));
+    bytes = file.sync();
+    file.add(row.with(1, "drag", {1e-310, infinity}));
+    expect_as_read(file.history());
+  }
+  HistoryFile file(path, bytes);
+  expect_as_read(file.history());
+  file.add(row.with(2, "drag", {5e300, 7}));
+  expect_as_read(file.history());
+  EXPECT_EQ(file.history().rows(), 2);
+}
+
 TEST(History, without_a_schema_or_with_that_of_another_is_refused)
 {
   const TemporaryFolder folder;

@@ -238,13 +238,14 @@ TEST_F(Resume, uses_the_older_checkpoint_where_the_last_is_damaged_and_none_wher
       << ended.err;
   expect_same("whole", "parts");
 
-  const std::string history = text("lost/history.csv");
+  const std::string history = text("lost/history.csv"), summary = text("lost/summary.json");
   for (const std::string& name : checkpoints("lost")) folder_.write("lost/checkpoint/" + name, "no checkpoint");
   const Ended refused = berm(on("lost"));
   EXPECT_EQ(refused.status, 1);
   EXPECT_NE(refused.err.find("it is not a checkpoint of berm"), std::string::npos) << refused.err;
   EXPECT_NE(refused.err.find("berm: none of the checkpoints in lost/checkpoint can be used"), std::string::npos) << refused.err;
   EXPECT_EQ(text("lost/history.csv"), history) << "what was computed is still there";
+  EXPECT_EQ(text("lost/summary.json"), summary);
 }
 
 TEST_F(Resume, takes_another_report_table_which_changes_no_result)
