@@ -10,16 +10,17 @@ from bisect import bisect_left
 from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple, overload
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from .errors import InputError, RunError
 from .frames import Frame, frames_in
 from .history import History
 from .program import PathLike, call, report, settings, springs
-from .travel import Drag, Push, pushes_and_drags
+from .travel import HALF_WIDTH, Drag, Push, pushes_and_drags
 
 if TYPE_CHECKING:
-    from .study import Study
+    import numpy as np
+    from numpy.typing import NDArray
 
 
 class Quantity(NamedTuple):
@@ -120,6 +121,15 @@ class Run:
         value = self.case.get("rigid", {}).get(of, {}).get("diameter")
         return None if value is None else float(value)
 
+    @property
+    def averaging(self) -> float:
+        """Half the travel over which noise is averaged, m: 0.01 D of the material point method; 0 where there is none."""
+        return HALF_WIDTH * (self.diameter or 0) if self.case["method"] == "mpm" else 0.0
+
+    @property
+    def title(self) -> str:
+        return str(self.case.get("title", self.folder.name))
+
     @cached_property
     def springs(self) -> dict[str, Any]:
         """Springs of the run, as `berm export --to json` writes them. Throws RunError where it has none."""
@@ -132,40 +142,64 @@ class Run:
     def plot(self) -> Any:
         """V over w of the push, and H and w over u of drags, as in curves.png: a matplotlib Figure. Needs python3-matplotlib. Throws
         InputError where nothing is driven."""
-        from .curves_plot import plot_curves
+        from .curves_plot import Curves, plot_curves
 
-        return plot_curves(self)
+        if not (self.push.w >= 0).any() and not self.drags:
+            raise InputError(f"{self.folder}: nothing has been pushed or dragged; draw columns of its history")
+        summary = self.summary if (self.folder / "summary.json").exists() else {}
+        bands = summary.get("uncertainty", {}).get("curves", [])
+        return plot_curves(Curves(self.title, self.push, self.drags, self.diameter, self.averaging, force_measure(self), bands))
 
     def plot_soil(self, frame: int = -1, field: str = "deviatoric_strain", *, whole: bool = False) -> Any:
         """The soil of a frame in the plane around the rigid body (whole: all of it), coloured by a field, of a vector or a stress by its
         size: a matplotlib Figure. Needs python3-matplotlib. Throws InputError."""
         from .soil_plot import plot_soil
 
-        return plot_soil(self, frame, field, whole)
+        if self.case["geometry"] == "space":
+            raise InputError(f"{self.folder} is a run in space: berm report shows a slice of it, frames[k].to_pyvista() all")
+        if not self.frames:
+            raise InputError(f"{self.folder} has no frames")
+        if not -len(self.frames) <= frame < len(self.frames):
+            raise InputError(f"frame {frame}: there are {len(self.frames)}, 0 to {len(self.frames) - 1}")
+        return plot_soil(self.frames[frame], field, self.title, self._ground(), whole)
+
+    def _ground(self) -> NDArray[np.float64] | float:
+        """The ground as it was: corners of its line of shape (corners, 2), or its level where that is the same all along, m."""
+        import numpy as np
+
+        file = self.folder / "ground.csv"
+        if not file.exists():
+            return float(self.case.get("surface", 0))
+        try:
+            return np.loadtxt(file, delimiter=",", skiprows=1, ndmin=2)
+        except (OSError, ValueError) as error:
+            raise RunError(f"{file}: {error}") from None
 
 
-@overload
-def open(folder: PathLike) -> Run | Study:
-    ...
-
-
-@overload
-def open(folder: PathLike, kind: type[Run]) -> Run:
-    ...
-
-
-@overload
-def open(folder: PathLike, kind: type[Study]) -> Study:
-    ...
-
-
-def open(folder: PathLike, kind: type[Run] | type[Study] | None = None) -> Run | Study:
-    """The run or the study in a folder. Throws InputError where there is neither, or not that of `kind`."""
-    from .study import Study
-
-    if kind is None:
-        kind = Study if (Path(folder) / "study.json").is_file() else Run
-    return kind(folder)
+def force_measure(run: Run) -> tuple[float, str] | None:
+    """What forces per metre are shown over, N/m, and its letters: gamma' D^2 of soil with friction, D s_u of clay where the push ended.
+    None where case and key results alone do not tell it: layers, profiles, ground that is not level, other laws."""
+    if not (run.folder / "summary.json").exists():
+        return None
+    case, results, of = run.case, run.quantities, run.history.column("w").of
+    contact = [each for each in case.get("contact", {}).values() if each.get("rigid") == of]
+    body = case["body"].get(contact[-1].get("body"), {}) if contact else {}
+    soil, mesh = case["material"].get(body.get("material"), {}), case["mesh"]
+    if soil.get("law") != "mohr_coulomb":
+        return None
+    if soil["friction_angle"] > 0:
+        for name, result in results.items():
+            over = results.get(f"{name}_over_gammaD2")
+            if over is not None and abs(over.value) > 0:
+                return result.value / over.value, "γ′D²"
+        return None
+    sloping = mesh.get("slope") or "trench" in mesh or "step" in mesh
+    layered = "profile" in soil or body.get("soil_layer") or body.get("region_material")
+    gradient, depth = float(soil.get("cohesion_gradient", 0)), results.get("w_end_of_push")
+    if sloping or layered or run.diameter is None or (gradient and depth is None):
+        return None
+    strength = float(soil["cohesion"]) + (gradient * depth.value if depth is not None else 0)
+    return (run.diameter * strength, "D $s_u$") if strength > 0 else None
 
 
 def run(

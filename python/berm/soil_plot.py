@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .errors import InputError, RunError
+from .errors import InputError
 from .history import imported
 from .picture import GROUND, RIGID, RIGID_EDGE, Unit, add_axes, length_unit, new_figure, round_up
 
@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from numpy.typing import NDArray
 
     from .frames import Frame
-    from .run import Run
 
 PARTS = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))  # of a quadratic triangle, between corners and middles of sides
 
@@ -45,19 +44,6 @@ def view_around(outline: NDArray[Any], soil: NDArray[Any]) -> tuple[NDArray[Any]
     return lower, upper
 
 
-def ground_of(run: Run) -> NDArray[np.float64] | None:
-    """The ground as it was: corners of shape (corners, 2), m; None where it is level. Throws RunError where ground.csv is damaged."""
-    import numpy as np
-
-    file = run.folder / "ground.csv"
-    if not file.exists():
-        return None
-    try:
-        return np.loadtxt(file, delimiter=",", skiprows=1, ndmin=2)
-    except (OSError, ValueError) as error:
-        raise RunError(f"{file}: {error}") from None
-
-
 def paint(axes: Any, frame: Frame, values: NDArray[Any], shown: NDArray[Any], unit: Unit) -> Any:
     """Triangles filled, or particles as disks that close the ground between them; returns what a colour bar explains."""
     import numpy as np
@@ -75,18 +61,11 @@ def paint(axes: Any, frame: Frame, values: NDArray[Any], shown: NDArray[Any], un
     return axes.add_collection(disks)
 
 
-def plot_soil(run: Run, number: int, name: str, whole: bool) -> Any:
-    """The figure; run.plot_soil says what it takes."""
+def plot_soil(frame: Frame, name: str, title: str, ground: NDArray[np.float64] | float, whole: bool) -> Any:
+    """The figure of a field. ground: the corners of its line, of shape (corners, 2), or the level all along, m; whole: not only what lies
+    around the rigid body."""
     import numpy as np
 
-    if run.case["geometry"] == "space":
-        raise InputError(f"{run.folder} is a run in space: berm report shows a slice of it, frames[k].to_pyvista() all")
-    if not run.frames:
-        raise InputError(f"{run.folder} has no frames")
-    try:
-        frame = run.frames[number]
-    except IndexError:
-        raise InputError(f"frame {number}: there are {len(run.frames)}, 0 to {len(run.frames) - 1}") from None
     field, position = frame.field(name), frame.position[:, :2]
     values = field.values if field.values.ndim == 1 else np.linalg.norm(field.values, axis=1)
     outlines = [outline[:, :2] for outline in frame.rigid_bodies]
@@ -96,7 +75,7 @@ def plot_soil(run: Run, number: int, name: str, whole: bool) -> Any:
     reach = np.sqrt(frame["volume"])[:, None]
     shown = ((position >= lower - reach) & (position <= upper + reach)).all(axis=1)
     if not shown.any():
-        raise InputError(f"frame {number}: no soil lies around the rigid body; whole=True shows all of it")
+        raise InputError(f"no soil lies around the rigid body at {frame.time:.4g} s; whole=True shows all of it")
     unit = length_unit(float((upper - lower).max()))
     aspect = float((upper[1] - lower[1]) / (upper[0] - lower[0]))
     figure = new_figure(10, min(max(8 * aspect + 1.1, 3.0), 12.0))
@@ -105,14 +84,11 @@ def plot_soil(run: Run, number: int, name: str, whole: bool) -> Any:
     painted = paint(axes, frame, values, shown, unit)
     for outline in outlines:
         axes.fill(*(outline * unit.per_si).T, facecolor=RIGID, edgecolor=RIGID_EDGE, linewidth=1.5)
-    ground = ground_of(run)
-    if ground is None:
-        surface = float(run.case.get("surface", 0))
-        ground = np.array([[lower[0], surface], [upper[0], surface]])
-    axes.plot(*(ground[:, :2] * unit.per_si).T, color=GROUND, linewidth=0.8, dashes=(5, 5))
+    line = np.array([[lower[0], ground], [upper[0], ground]]) if isinstance(ground, float) else ground
+    axes.plot(*(line[:, :2] * unit.per_si).T, color=GROUND, linewidth=0.8, dashes=(5, 5))
     axes.set(xlim=np.array([lower[0], upper[0]]) * unit.per_si, ylim=np.array([lower[1], upper[1]]) * unit.per_si, aspect="equal")
     axes.set(xlabel=f"x ({unit.name})", ylabel=f"y ({unit.name})")
-    axes.set_title(f"{run.case.get('title', run.folder.name)}: {frame.stage}, {frame.time:.4g} s")
+    axes.set_title(f"{title}: {frame.stage}, {frame.time:.4g} s")
     words = ("" if field.values.ndim == 1 else "size of ") + field.label
     figure.colorbar(painted, ax=axes, label=f"{words} ({field.unit})" if field.unit else words, fraction=0.03)
     return figure

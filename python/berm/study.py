@@ -9,12 +9,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 from .errors import InputError, RunError
 from .history import imported
 from .program import PathLike, call, springs
 from .run import Quantity, Run
+from .travel import freed_from_noise
 
 if TYPE_CHECKING:
     import numpy as np
@@ -153,9 +154,63 @@ class Study:
     def plot_springs(self) -> Any:
         """Lateral springs, low, best and high, over the curves of all runs of the sample, as in springs.png: a matplotlib Figure. Needs
         python3-matplotlib. Throws InputError where there are none."""
-        from .springs_plot import plot_springs
+        from .springs_plot import Panel, plot_springs
 
-        return plot_springs(self)
+        panels = []
+        for design in self.designs:
+            names = next(row.names for row in self.rows if ".".join(row.names) == design["name"])
+            for stage in [lateral["stage"] for lateral in design["springs"]["best"]["lateral"]]:
+                sets = {
+                    name: columns_of(lateral["spring"])
+                    for name, springs in design["springs"].items()
+                    for lateral in springs["lateral"]
+                    if lateral["stage"] == stage
+                }
+                scale = design["prototype_over_model"]  # a centrifuge's results are those of its prototype
+                sample, best = ([computed(run, stage, scale) for run in self.runs(kind, names)] for kind in ("draw", "best"))
+                panels.append(Panel(f"{design['name']}, {stage}", design["diameter_m"], sets, sample, best))
+        if not panels:
+            raise InputError(f"{self.folder}: its runs have no drag, so that there are no lateral springs")
+        return plot_springs(panels)
+
+
+def columns_of(points: Any) -> tuple[Any, Any]:
+    import numpy as np
+
+    u, H = np.array(points, dtype=float).T
+    return u, H
+
+
+def computed(run: Run, stage: str, scale: float) -> tuple[Any, Any]:
+    """Travel and H of a drag times this scale, freed from noise; empty where the run has no such drag."""
+    import numpy as np
+
+    for drag in run.drags:
+        if drag.stage == stage:
+            return drag.travel * scale, freed_from_noise(drag.travel, drag.H, run.averaging, whole_window=True) * scale
+    return np.array([]), np.array([])
+
+
+@overload
+def open(folder: PathLike) -> Run | Study:
+    ...
+
+
+@overload
+def open(folder: PathLike, kind: type[Run]) -> Run:
+    ...
+
+
+@overload
+def open(folder: PathLike, kind: type[Study]) -> Study:
+    ...
+
+
+def open(folder: PathLike, kind: type[Run] | type[Study] | None = None) -> Run | Study:
+    """The run or the study in a folder. Throws InputError where there is neither, or not that of `kind`."""
+    if kind is None:
+        kind = Study if (Path(folder) / "study.json").is_file() else Run
+    return kind(folder)
 
 
 def study(file: PathLike, folder: PathLike, *, threads: int | None = None, quiet: bool = False, program: PathLike | None = None) -> Study:

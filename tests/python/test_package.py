@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The package as a whole: what its import costs, its types, its installation, and the scripts of its page."""
 
+import ast
 import os
 import re
 import shutil
@@ -33,6 +34,18 @@ def test_import_loads_neither_numpy_nor_what_draws() -> None:
 
 def test_all_names_of_the_package_are_there() -> None:
     assert sorted(berm.__all__) == berm.__all__ and all(hasattr(berm, name) for name in berm.__all__)
+
+
+def test_modules_import_one_another_in_one_direction() -> None:
+    package = SOURCE / "python" / "berm"
+    uses = {
+        file.stem: {node.module for node in ast.walk(ast.parse(file.read_text())) if isinstance(node, ast.ImportFrom) and node.level == 1}
+        for file in package.glob("*.py")
+    }
+    while leaves := [name for name, used in uses.items() if not used & uses.keys()]:
+        for name in leaves:
+            del uses[name]
+    assert not uses, "these import one another, for types or within functions, too"
 
 
 def test_types_hold() -> None:

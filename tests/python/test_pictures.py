@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 pytest.importorskip("matplotlib")
-from berm.curves_plot import force_measure  # noqa: E402
 from berm.picture import drag_color, round_up  # noqa: E402
+from berm.run import force_measure  # noqa: E402
 from berm.soil_plot import color_range, view_around  # noqa: E402
 
 DIGITS = 1e-5  # the program writes six
