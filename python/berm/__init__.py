@@ -18,7 +18,8 @@ from .history import Column, History
 from .macro_element import macro_element
 from .parameters import Parameter, parameters
 from .program import check, export, find_program, include_folder, new, report, springs, version
-from .run import Quantity, Run, run
+from .quantity import Quantity
+from .run import Run, run
 from .study import Estimate, Row, Study, open, study
 from .travel import Drag, Push
 

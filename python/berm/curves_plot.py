@@ -11,6 +11,7 @@ from .picture import add_axes, drag_color, force_unit, length_unit, new_figure, 
 from .travel import HALF_WIDTH, freed_from_noise
 
 if TYPE_CHECKING:
+    from .quantity import Quantity
     from .travel import Drag, Push
 
 MOST_NAMES = 6  # drags with a name in the key
@@ -18,15 +19,15 @@ MOST_NAMES = 6  # drags with a name in the key
 
 @dataclass(frozen=True)
 class Curves:
-    """What is drawn of a run. half: of the window in which noise is averaged, m; 0: there is none. measure: what forces are shown over,
-    N/m, and its letters. bands: those of --uncertainty, as summary.json has them."""
+    """What is drawn of a run. half: of the window in which noise is averaged, m; 0: there is none. measure: what forces are divided by,
+    N/m, with its letters as meaning. bands: those of --uncertainty, as summary.json has them."""
 
     title: str
     push: Push
     drags: list[Drag]
     diameter: float | None
     half: float
-    measure: tuple[float, str] | None
+    measure: Quantity | None
     bands: list[dict[str, Any]]
 
     def bands_of(self, chart: str) -> list[list[Any]]:
@@ -50,7 +51,8 @@ class Shown:
         unit = self.force if of_force else self.length
         axes.set(**{f"{letter}label": f"{words} {symbol} ({unit.name})"})
         if second and of_force and measure:
-            second_axis(axes, letter, 1 / (measure[0] * unit.per_si), f"{symbol}/({measure[1]})")
+            letters = measure.meaning.replace("s_u", "$s_u$")
+            second_axis(axes, letter, 1 / (measure.value * unit.per_si), f"{symbol}/({letters})")
         if second and not of_force and D:
             second_axis(axes, letter, 1 / (D * unit.per_si), f"{symbol}/D")
 

@@ -10,25 +10,18 @@ from bisect import bisect_left
 from collections.abc import Mapping
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 from .errors import InputError, RunError
 from .frames import Frame, frames_in
 from .history import History
 from .program import PathLike, call, report, settings, springs
+from .quantity import Quantity
 from .travel import HALF_WIDTH, Drag, Push, pushes_and_drags
 
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
-
-
-class Quantity(NamedTuple):
-    """A key result: value in SI (NaN: not found), unit ("1": a bare number) and meaning."""
-
-    value: float
-    unit: str
-    meaning: str
 
 
 class Run:
@@ -121,6 +114,13 @@ class Run:
         value = self.case.get("rigid", {}).get(of, {}).get("diameter")
         return None if value is None else float(value)
 
+    @cached_property
+    def force_measure(self) -> Quantity | None:
+        """What forces per metre are divided by, N/m, with its letters as meaning: D s_u of clay, gamma' D^2 of other soil. None where summary.json
+        has none: in space, in weightless sand, where nothing is pushed or dragged."""
+        found = self.summary.get("force_measure") if (self.folder / "summary.json").exists() else None
+        return Quantity(float(found["value"]), found["unit"], found["meaning"]) if found else None
+
     @property
     def averaging(self) -> float:
         """Half the travel over which noise is averaged, m: 0.01 D of the material point method; 0 where there is none."""
@@ -148,7 +148,7 @@ class Run:
             raise InputError(f"{self.folder}: nothing has been pushed or dragged; draw columns of its history")
         summary = self.summary if (self.folder / "summary.json").exists() else {}
         bands = summary.get("uncertainty", {}).get("curves", [])
-        return plot_curves(Curves(self.title, self.push, self.drags, self.diameter, self.averaging, force_measure(self), bands))
+        return plot_curves(Curves(self.title, self.push, self.drags, self.diameter, self.averaging, self.force_measure, bands))
 
     def plot_soil(self, frame: int = -1, field: str = "deviatoric_strain", *, whole: bool = False) -> Any:
         """The soil of a frame in the plane around the rigid body (whole: all of it), coloured by a field, of a vector or a stress by its
@@ -174,32 +174,6 @@ class Run:
             return np.loadtxt(file, delimiter=",", skiprows=1, ndmin=2)
         except (OSError, ValueError) as error:
             raise RunError(f"{file}: {error}") from None
-
-
-def force_measure(run: Run) -> tuple[float, str] | None:
-    """What forces per metre are shown over, N/m, and its letters: gamma' D^2 of soil with friction, D s_u of clay where the push ended.
-    None where case and key results alone do not tell it: layers, profiles, ground that is not level, other laws."""
-    if not (run.folder / "summary.json").exists():
-        return None
-    case, results, of = run.case, run.quantities, run.history.column("w").of
-    contact = [each for each in case.get("contact", {}).values() if each.get("rigid") == of]
-    body = case["body"].get(contact[-1].get("body"), {}) if contact else {}
-    soil, mesh = case["material"].get(body.get("material"), {}), case["mesh"]
-    if soil.get("law") != "mohr_coulomb":
-        return None
-    if soil["friction_angle"] > 0:
-        for name, result in results.items():
-            over = results.get(f"{name}_over_gammaD2")
-            if over is not None and abs(over.value) > 0:
-                return result.value / over.value, "γ′D²"
-        return None
-    sloping = mesh.get("slope") or "trench" in mesh or "step" in mesh
-    layered = "profile" in soil or body.get("soil_layer") or body.get("region_material")
-    gradient, depth = float(soil.get("cohesion_gradient", 0)), results.get("w_end_of_push")
-    if sloping or layered or run.diameter is None or (gradient and depth is None):
-        return None
-    strength = float(soil["cohesion"]) + (gradient * depth.value if depth is not None else 0)
-    return (run.diameter * strength, "D $s_u$") if strength > 0 else None
 
 
 def run(

@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any, overload
 from .errors import InputError, RunError
 from .history import imported
 from .program import PathLike, call, springs
-from .run import Quantity, Run
+from .quantity import Quantity
+from .run import Run
 from .travel import freed_from_noise
 
 if TYPE_CHECKING:

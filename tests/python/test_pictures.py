@@ -10,7 +10,6 @@ import pytest
 
 pytest.importorskip("matplotlib")
 from berm.picture import drag_color, round_up  # noqa: E402
-from berm.run import force_measure  # noqa: E402
 from berm.soil_plot import color_range, view_around  # noqa: E402
 
 DIGITS = 1e-5  # the program writes six
@@ -42,11 +41,13 @@ def test_curves_are_those_of_the_program(which: str, request: pytest.FixtureRequ
 @pytest.mark.parametrize("which", ["finished", "finite_elements"])
 def test_forces_are_over_what_the_program_divides_them_by(which: str, request: pytest.FixtureRequest) -> None:
     run: berm.Run = request.getfixturevalue(which)
-    measure = force_measure(run)
-    assert measure is not None
+    measure = run.force_measure
+    assert measure is not None and measure.unit == "N/m"
     springs = run.springs
-    expected = springs["suD_N_m" if "s_u" in measure[1] else "gammaD2_N_m"] / springs["prototype_over_model"]
-    assert np.isclose(measure[0], expected, rtol=1e-9)
+    assert np.isclose(measure.value, springs[f"{run.summary['force_measure']['name']}_N_m"] / springs["prototype_over_model"], rtol=1e-9)
+    assert measure.meaning == ("D s_u" if which == "finite_elements" else "γ′ D²")
+    labels = [second.get_xlabel() for axes in run.plot().axes for second in axes.child_axes]
+    assert f"V/({measure.meaning.replace('s_u', '$s_u$')})" in labels
 
 
 def test_bands_of_an_uncertainty_are_under_the_curves(finished: berm.Run) -> None:

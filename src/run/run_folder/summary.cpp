@@ -50,6 +50,8 @@ std::string Summary::json() const
     Json& entry = root["quantities"][q.name] = {{"value", q.value}, {"unit", q.unit}};
     if (!q.meaning.empty()) entry["meaning"] = q.meaning;
   }
+  if (const std::optional<Quantity>& m = force_measure)
+    root["force_measure"] = {{"name", m->name}, {"value", m->value}, {"unit", m->unit}, {"meaning", m->meaning}};
   Json& t = root["timing"];
   t = std::visit([&](const auto& counts) { return json_of(timing, counts); }, timing.counts);
   t["ranks"] = timing.memory.size();

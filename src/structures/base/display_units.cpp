@@ -30,6 +30,14 @@ ForceMeasure force_measure(const BodyScale& scale)
   return {};
 }
 
+std::optional<run_folder::Quantity> measure_quantity(const BodyScale& scale)
+{
+  const ForceMeasure measure = force_measure(scale);
+  if (!(measure.size > 0)) return {};
+  const bool by_strength = measure.kind == ForceMeasure::Kind::strength;
+  return run_folder::Quantity{by_strength ? "suD" : "gammaD2", measure.size, "N/m", by_strength ? "D s_u" : "γ′ D²"};
+}
+
 std::string letters_of(ForceMeasure::Kind kind)
 {
   return kind == ForceMeasure::Kind::strength ? "D s<sub>u</sub>" : kind == ForceMeasure::Kind::weight ? "γ′ D²" : "";

@@ -6,6 +6,8 @@
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 
+#include <optional>
+
 namespace berm::base {
 
 /// What forces per metre are made dimensionless with; those in space are not.
@@ -20,6 +22,9 @@ struct ForceMeasure {
 };
 
 ForceMeasure force_measure(const BodyScale& scale);
+
+/// The same as summary.json has it, "suD" or "gammaD2" with its letters; empty where there is none.
+std::optional<run_folder::Quantity> measure_quantity(const BodyScale& scale);
 
 /// The same in letters, as HTML.
 std::string letters_of(ForceMeasure::Kind kind);

@@ -13,6 +13,7 @@ Summary sample_summary()
 {
   Summary summary;
   summary.quantities = {{"V_at_w_0.1D", 764.25, "N/m"}, {"H_max", std::numeric_limits<Real>::quiet_NaN(), "N/m"}};
+  summary.force_measure = {"gammaD2", 172, "N/m", "γ′ D²"};
   summary.timing = {.wall_s = 12.5,
                     .threads = 2,
                     .cells = 800,
@@ -32,6 +33,9 @@ TEST(Summary, has_the_form_that_readers_rely_on)
   const auto json = nlohmann::json::parse(content_of(folder.path() / "summary.json"));
   EXPECT_EQ(json["quantities"]["V_at_w_0.1D"]["value"].get<double>(), 764.25);
   EXPECT_EQ(json["quantities"]["V_at_w_0.1D"]["unit"], "N/m");
+  EXPECT_EQ(json["force_measure"]["name"], "gammaD2");
+  EXPECT_EQ(json["force_measure"]["value"].get<double>(), 172);
+  EXPECT_EQ(json["force_measure"]["unit"], "N/m");
   EXPECT_EQ(json["timing"]["particle_steps_per_s"].get<double>(), 3.6e12);
   EXPECT_EQ(json["timing"]["particles"].get<int>(), 9000);
   EXPECT_EQ(json["timing"]["wall_s"].get<double>(), 12.5);

@@ -28,6 +28,19 @@ TEST(DisplayUnits, tell_forces_in_space_in_newtons_and_in_the_prototype_by_the_s
   EXPECT_EQ(force_measure(space).kind, ForceMeasure::Kind::unknown);
 }
 
+TEST(ForceMeasure, is_an_entry_of_the_summary_where_there_is_one)
+{
+  const auto entry = [](const BodyScale& scale) {
+    const auto found = measure_quantity(scale).value_or(run_folder::Quantity{"none", 0, ""});
+    return std::pair(found.name, found.value);
+  };
+  EXPECT_EQ(entry(plane), std::pair(std::string("gammaD2"), 430e3 * 0.02 * 0.02));
+  EXPECT_EQ(entry({.width = 0.5, .unit_weight = 7e3, .strength = 2e3}), std::pair(std::string("suD"), 1e3));
+  EXPECT_EQ(entry(space).first, "none");
+  EXPECT_EQ(entry({.width = 0, .unit_weight = 7e3, .strength = 2e3}).first, "none") << "no push or drag moves the body";
+  EXPECT_EQ(entry({.width = 0.5, .unit_weight = 0}).first, "none");
+}
+
 TEST(DisplayUnits, name_both_units_on_a_page_of_both)
 {
   const DisplayUnits shown({{plane, &pushed}, {space, &pushed_in_space}});

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A number with its unit and meaning."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Quantity(NamedTuple):
+    """A key result: value in SI (NaN: not found), unit ("1": a bare number) and meaning."""
+
+    value: float
+    unit: str
+    meaning: str
