@@ -4,7 +4,7 @@
 
 #include "core/error.hpp"
 #include "core/threads.hpp"
-#include "input/read_case.hpp"
+#include "structures/structures.hpp"
 
 #include <fmt/format.h>
 #include <spdlog/sinks/stdout_color_sinks.h>
@@ -80,7 +80,7 @@ std::vector<simulation::RunRequest> requests(const CaseOptions& options)
     for (const simulation::RunRequest& other : all)
       if (other.folder == folder)
         throw InputError(fmt::format("{} and {} would both be written to {}", other.case_file.string(), file, folder.string()));
-    auto [settings, places] = input::read_case_in_file(file, options.overrides);
+    auto [settings, places] = structures::read_case(file, options.overrides);
     all.push_back({std::move(settings), file, folder, false, std::move(places)});
   }
   return all;

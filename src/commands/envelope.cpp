@@ -6,7 +6,7 @@
 #include "commands/command.hpp"
 #include "core/error.hpp"
 #include "core/interrupt.hpp"
-#include "input/read_case.hpp"
+#include "structures/structures.hpp"
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ Command add_envelope(CLI::App& program)
             const std::filesystem::path file = options->files[0], folder = options->output.empty()
                                                                                ? std::filesystem::path("out/envelope") / file.stem()
                                                                                : std::filesystem::path(options->output);
-            auto [settings, places] = input::read_case_in_file(file, options->overrides);
+            auto [settings, places] = structures::read_case(file, options->overrides);
             try {
               return status_of(envelope::find_envelope({std::move(settings), file, folder, options->how, options->runner()}));
             } catch (const KeyError& error) {

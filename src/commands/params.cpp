@@ -2,6 +2,7 @@
 #include "commands/command.hpp"
 #include "element/element_settings.hpp"
 #include "input/parameters.hpp"
+#include "structures/structures.hpp"
 
 #include <fmt/format.h>
 
@@ -15,7 +16,8 @@ Command add_params(CLI::App& program)
   return {app, [markdown] {
             const std::vector<input::OtherInput> others = {
                 {"Element tests, the input of berm element (beside the materials, as in a case)", element::element_catalogue()}};
-            fmt::print("{}", *markdown ? input::parameter_page(others) : input::parameter_table(others));
+            const input::Listed of_case = structures::case_catalogue();
+            fmt::print("{}", *markdown ? input::parameter_page(of_case, others) : input::parameter_table(of_case, others));
             return 0;
           }};
 }

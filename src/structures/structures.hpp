@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "input/catalogue.hpp"
+#include "input/read_case.hpp"
 #include "structures/base/structure.hpp"
 
 namespace berm::structures {
@@ -10,6 +12,13 @@ const std::vector<const base::Structure*>& all_structures();
 
 /// The structure of a case: the first that applies to it.
 const base::Structure& structure_of(const problem::Case& c);
+
+/// Reads a case file (input::read_case_in_file). Throws InputError, with file and line, also where rigid.NAME.structure is no structure's word, or that of one that
+/// the geometry cannot have.
+input::CaseInFile read_case(const std::filesystem::path& file, const std::vector<std::string>& overrides = {});
+
+/// All parameters of a case, with the words of the structures.
+input::Listed case_catalogue();
 
 /// Those of the runs that are of a structure.
 base::Runs runs_of(const base::Structure& structure, const std::vector<record::RunRecord>& runs);

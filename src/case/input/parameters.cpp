@@ -3,7 +3,6 @@
 
 #include "input/message_text.hpp"
 #include "input/units.hpp"
-#include "problem/case.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -59,10 +58,10 @@ void collect(const Listed& table, const std::string& path, const std::string& he
   }
 }
 
-std::vector<Section> sections(const std::vector<OtherInput>& others)
+std::vector<Section> sections(const Listed& of_case, const std::vector<OtherInput>& others)
 {
   std::vector<Section> all;
-  collect(catalogue_of<problem::Case>(), "", "The case", all);
+  collect(of_case, "", "The case", all);
   for (const OtherInput& other : others) collect(other.keys, "", other.heading, all);
   return all;
 }
@@ -86,10 +85,10 @@ std::string cell(const std::string& text)
 
 }  // namespace
 
-std::string parameter_table(const std::vector<OtherInput>& others)
+std::string parameter_table(const Listed& of_case, const std::vector<OtherInput>& others)
 {
   std::string text = "Numbers are in SI units (angles in radians), or texts with any unit of the same dimension: \"20 mm\", \"35 deg\".\n";
-  for (const Section& section : sections(others)) {
+  for (const Section& section : sections(of_case, others)) {
     text += fmt::format("\n{}{}{}\n", section.heading, section.meaning.empty() ? "" : "   ", section.meaning);
     std::vector<int> widths(6);
     for (const Group& group : section.groups)
@@ -108,7 +107,7 @@ std::string parameter_table(const std::vector<OtherInput>& others)
   return text;
 }
 
-std::string parameter_page(const std::vector<OtherInput>& others)
+std::string parameter_page(const Listed& of_case, const std::vector<OtherInput>& others)
 {
   std::string text =
       "# Parameters\n\n"
@@ -121,7 +120,7 @@ std::string parameter_page(const std::vector<OtherInput>& others)
       "space they "
       "are in N,\n"
       "kg and the like.\n";
-  for (const Section& section : sections(others)) {
+  for (const Section& section : sections(of_case, others)) {
     const bool is_table = section.heading.starts_with("[");
     const std::size_t end = section.heading.find_last_of(']');
     const std::string heading =

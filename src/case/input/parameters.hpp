@@ -12,9 +12,9 @@ struct OtherInput {
 };
 
 /// All parameters of a case, then those of other inputs, as aligned plain text, for `berm params`.
-std::string parameter_table(const std::vector<OtherInput>& others = {});
+std::string parameter_table(const Listed& of_case, const std::vector<OtherInput>& others = {});
 
 /// The same as Markdown: docs/parameters.md, for `berm params --markdown`.
-std::string parameter_page(const std::vector<OtherInput>& others = {});
+std::string parameter_page(const Listed& of_case, const std::vector<OtherInput>& others = {});
 
 }  // namespace berm::input

@@ -105,22 +105,6 @@ void check_initial_state(Describe& d, const Case& c)
           "\"gravity_loading\" needs gravity");
 }
 
-/// Structures are named that the geometry can have.
-void check_structures(Describe& d, const Case& c)
-{
-  using bodies::StructureKind;
-  for (const auto& [name, rigid] : c.rigid) {
-    const std::string path = "rigid." + name;
-    const bool round =
-        rigid.structure == StructureKind::cone || rigid.structure == StructureKind::ball || rigid.structure == StructureKind::pile;
-    d.check(!round || c.geometry != Geometry::plane_strain, path + ".structure",
-            "is round: it needs geometry = \"axisymmetric\" or \"space\"; in plane strain a body is a bar or a strip",
-            {"t_bar", "footing", "pipe"});
-    d.check(rigid.structure != StructureKind::t_bar || c.geometry == Geometry::plane_strain, path + ".structure",
-            "a T-bar is pushed across itself: it needs geometry = \"plane_strain\"", {"ball", "pipe"});
-  }
-}
-
 void check_rigids(Describe& d, const Case& c)
 {
   for (const auto& [name, rigid] : c.rigid) {
@@ -551,7 +535,6 @@ void describe(Describe& d, Case& c)
   for (const auto& [name, material] : c.material) check(d, "material." + name, material);
   check_bodies(d, c);
   check_initial_state(d, c);
-  check_structures(d, c);
   check_rigids(d, c);
   for (const auto& [name, watch] : c.watch) {
     check_name(d, "watch." + name + ".body", watch.body, "body", names_of(c.body));

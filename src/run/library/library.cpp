@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/error.hpp"
-#include "input/read_case.hpp"
 #include "library/message_sink.hpp"
 #include "library/particle_views.hpp"
 #include "simulation/open_run.hpp"
 #include "simulation/resume.hpp"
+#include "structures/structures.hpp"
 
 #include <berm/berm.hpp>
 
@@ -27,7 +27,7 @@ fs::path folder_for(const RunOptions& options, const io::ScratchFolder& scratch)
 
 simulation::RunRequest request_for(const std::string& case_file, const RunOptions& options, const io::ScratchFolder& scratch)
 {
-  auto [settings, places] = input::read_case_in_file(case_file, options.set);
+  auto [settings, places] = structures::read_case(case_file, options.set);
   return {std::move(settings), case_file, folder_for(options, scratch), false, std::move(places), options.laws};
 }
 

@@ -2,7 +2,6 @@
 #include "simulation/resume.hpp"
 
 #include "core/error.hpp"
-#include "input/read_case.hpp"
 #include "io/atomic_file.hpp"
 #include "run_folder/summary_file.hpp"
 #include "simulation/checkpoints.hpp"
@@ -51,13 +50,13 @@ std::optional<RunRequest> run_to_resume(const fs::path& folder)
   if (!fs::exists(note_of_case(folder)) && is_finished(folder)) return std::nullopt;
   must_hold(note_of_case(folder));
   const std::string noted = io::read_text_file(note_of_case(folder));
-  auto [settings, places] = input::read_case_in_file(folder / "resolved.toml");
+  auto [settings, places] = structures::read_case(folder / "resolved.toml");
   return RunRequest{std::move(settings), noted.empty() ? folder / "case.toml" : fs::path(noted), folder, true, std::move(places)};
 }
 
 RunRequest finished_run(const fs::path& folder)
 {
-  auto [settings, places] = input::read_case_in_file(folder / "resolved.toml");
+  auto [settings, places] = structures::read_case(folder / "resolved.toml");
   return {std::move(settings), folder / "case.toml", folder, false, std::move(places)};
 }
 

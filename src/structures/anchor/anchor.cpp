@@ -26,11 +26,6 @@ bool is_of_tow(const run_folder::Quantity& quantity)
 
 }  // namespace
 
-bool Anchor::applies_to(const problem::Case& c) const
-{
-  return base::kind_of(c) == base::StructureKind::anchor;
-}
-
 std::vector<run_folder::Quantity> Anchor::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
 {
   std::vector<run_folder::Quantity> list = Pipe::quantities(run, held_forces);

@@ -9,7 +9,7 @@ namespace berm::anchor {
 /// of pipe::Pipe. It is named in the input.
 class Anchor : public pipe::Pipe {
 public:
-  bool applies_to(const problem::Case& c) const override;
+  const char* word() const override { return "anchor"; }
   std::vector<run_folder::Quantity> quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const override;
   std::string table_of(const record::RunRecord& run) const override;
   std::string in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const override;

@@ -33,7 +33,8 @@ std::vector<penetration::Comparison> published(const penetration::PenetrationRun
 
 const penetration::Reading& reading()
 {
-  static const penetration::Reading ball{.kind = base::StructureKind::ball,
+  static const penetration::Reading ball{.word = "ball",
+                                         .geometries = base::Geometries::round,
                                          .level = "centre of the ball",
                                          .resistance = {"q_ball", "q<sub>ball</sub>"},
                                          .in_clay = {"N_ball", "N<sub>ball</sub>"},

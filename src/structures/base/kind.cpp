@@ -52,15 +52,14 @@ bool is_pushed_down(const problem::Case& c)
   });
 }
 
-StructureKind of_disk(const problem::Case& c, const BodyProfile& disk)
+std::string of_disk(const problem::Case& c, const BodyProfile& disk)
 {
-  if (c.geometry == problem::Geometry::axisymmetric)
-    return std::abs(disk.left + disk.right) <= round_off * disk.width ? StructureKind::ball : StructureKind::pipe;
+  if (c.geometry == problem::Geometry::axisymmetric) return std::abs(disk.left + disk.right) <= round_off * disk.width ? "ball" : "pipe";
   if (c.geometry == problem::Geometry::space)
-    return std::holds_alternative<bodies::SphereSettings>(c.rigid[main_rigid(c)].second.shape) ? StructureKind::ball : StructureKind::pipe;
+    return std::holds_alternative<bodies::SphereSettings>(c.rigid[main_rigid(c)].second.shape) ? "ball" : "pipe";
   const Real top = center_of<2>(make_shape<2>(c.rigid[main_rigid(c)].second.shape))[1] + disk.width / 2;
   const bool deep = problem::ground_of(c).line.level() && top < c.surface - buried * disk.width;
-  return deep ? StructureKind::t_bar : StructureKind::pipe;
+  return deep ? "t_bar" : "pipe";
 }
 
 bool stands(const bodies::CylinderSettings& cylinder)
@@ -69,10 +68,10 @@ bool stands(const bodies::CylinderSettings& cylinder)
 }
 
 /// Lying it is a pipe; standing, a pile or a footing.
-StructureKind of_cylinder(const bodies::CylinderSettings& cylinder)
+std::string of_cylinder(const bodies::CylinderSettings& cylinder)
 {
-  if (!stands(cylinder)) return StructureKind::pipe;
-  return cylinder.length > slender * cylinder.diameter ? StructureKind::pile : StructureKind::footing;
+  if (!stands(cylinder)) return "pipe";
+  return cylinder.length > slender * cylinder.diameter ? "pile" : "footing";
 }
 
 }  // namespace
@@ -92,22 +91,22 @@ bool is_round_from_above(const bodies::RigidShapeSettings& shape)
          (cylinder != nullptr && stands(*cylinder));
 }
 
-StructureKind kind_of(const problem::Case& c)
+std::string kind_of(const problem::Case& c)
 {
   const Index rigid = main_rigid(c);
-  if (rigid == none || !drives_a_body(c)) return StructureKind::other;
+  if (rigid == none || !drives_a_body(c)) return "other";
   const bodies::RigidSettings& settings = c.rigid[rigid].second;
-  if (settings.structure != StructureKind::automatic) return settings.structure;
+  if (settings.structure != "automatic") return settings.structure;
   const std::optional<BodyProfile> body = body_profile(settings.shape);
-  if (!body) return StructureKind::other;
-  if (!is_pushed_down(c)) return StructureKind::pipe;
+  if (!body) return "other";
+  if (!is_pushed_down(c)) return "pipe";
   if (body->disk) return of_disk(c, *body);
   if (const auto* cylinder = std::get_if<bodies::CylinderSettings>(&settings.shape)) return of_cylinder(*cylinder);
   const bool revolved = c.geometry == problem::Geometry::axisymmetric ||
                         (c.geometry == problem::Geometry::space && std::holds_alternative<bodies::ProfileSettings>(settings.shape));
-  if (!revolved) return StructureKind::footing;
-  if (body->conical) return StructureKind::cone;
-  return body->height > slender * body->width ? StructureKind::pile : StructureKind::footing;
+  if (!revolved) return "footing";
+  if (body->conical) return "cone";
+  return body->height > slender * body->width ? "pile" : "footing";
 }
 
 }  // namespace berm::base

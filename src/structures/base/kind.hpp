@@ -5,7 +5,8 @@
 
 namespace berm::base {
 
-using bodies::StructureKind;
+/// The geometries that a structure can be in: all, all but plane strain, or that alone.
+enum class Geometries { any, round, plane };
 
 /// The part of a rigid body that meets the soil first, from its outline in the plane x-y, whose axis is the middle of the body.
 struct BodyProfile {
@@ -26,7 +27,7 @@ std::optional<BodyProfile> body_profile(const bodies::RigidShapeSettings& shape)
 /// Whether a shape in space is round seen from above: a sphere, a profile, or a cylinder that stands.
 bool is_round_from_above(const bodies::RigidShapeSettings& shape);
 
-/// The structure that the main rigid body of a case is: what the input names, else
+/// The word of the structure that the main rigid body of a case is: what the input names, else
 ///   other     no push or drag moves it, or it has no width;
 ///   cone      around an axis (in space a profile), pushed down: conical;
 ///   ball      a circle on the axis, or a sphere, pushed down;
@@ -35,6 +36,6 @@ bool is_round_from_above(const bodies::RigidShapeSettings& shape);
 ///   t_bar     a circle in plane strain that a push drives down and whose top is deeper than D below the surface at the start;
 ///   pipe      all others.
 /// Never automatic. An anchor and a T-bar that begins at the surface look like other bodies: they are named.
-StructureKind kind_of(const problem::Case& c);
+std::string kind_of(const problem::Case& c);
 
 }  // namespace berm::base

@@ -4,6 +4,7 @@
 #include "record/travel_curve.hpp"
 #include "run_folder/run_folder.hpp"
 #include "structures/base/display_units.hpp"
+#include "structures/base/kind.hpp"
 #include "structures/base/observable.hpp"
 #include "structures/base/published_envelope.hpp"
 #include "structures/base/published_point.hpp"
@@ -46,8 +47,12 @@ class Structure {
 public:
   virtual ~Structure() = default;
 
+  /// What the input calls it: rigid.NAME.structure.
+  virtual const char* word() const = 0;
+  /// The geometries that it can be in.
+  virtual Geometries geometries() const { return Geometries::any; }
   /// Whether a case is of this structure.
-  virtual bool applies_to(const problem::Case& c) const = 0;
+  virtual bool applies_to(const problem::Case& c) const { return kind_of(c) == word(); }
 
   /// The key results of a run (its folder with the frames, case and history, which may be without rows). `held_forces`: V that each stage of the case was to
   /// hold, N/m, NaN where none; empty where they are not known.

@@ -29,7 +29,8 @@ std::vector<penetration::Comparison> published(const penetration::PenetrationRun
 
 const penetration::Reading& reading()
 {
-  static const penetration::Reading cone{.kind = base::StructureKind::cone,
+  static const penetration::Reading cone{.word = "cone",
+                                         .geometries = base::Geometries::round,
                                          .level = "shoulder of the cone",
                                          .resistance = {"q_t", "q<sub>t</sub>"},
                                          .in_clay = {"N_kt", "N<sub>kt</sub>"},
@@ -44,7 +45,8 @@ const penetration::Reading& reading()
                                          .published = published,
                                          .remark = "Published formulas of the cone factor (strain path, finite elements) are known to berm "
                                                    "from memory alone and not shown: docs/formulas.md. "
-                                                   "The cavities are exact, and lower ends."};
+                                                   "The cavities are exact, and lower ends.",
+                                         .pushes_aside = true};
   return cone;
 }
 

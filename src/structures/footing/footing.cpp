@@ -82,7 +82,8 @@ std::vector<Comparison> published(const PenetrationRun& run)
 
 const penetration::Reading& reading()
 {
-  static const penetration::Reading footing{.kind = base::StructureKind::footing,
+  static const penetration::Reading footing{.word = "footing",
+                                            .geometries = base::Geometries::any,
                                             .level = "base of the footing",
                                             .resistance = {"q", "q"},
                                             .in_clay = {"N_c", "N<sub>c</sub>"},

@@ -8,6 +8,7 @@ namespace berm::generic {
 /// Any case that is of no other structure: it has no key results; what it watches, its own quantities and its checks are told.
 class Generic : public base::Structure {
 public:
+  const char* word() const override { return "other"; }
   bool applies_to(const problem::Case& c) const override;
   bool draw_curves(const run_folder::RunFolder& folder, const record::RunRecord& run, const base::CurveBands& bands) const override;
   std::string in_words(const record::RunRecord& run, const base::DisplayUnits& shown) const override;

@@ -56,11 +56,6 @@ private:
 
 }  // namespace
 
-bool Penetration::applies_to(const problem::Case& c) const
-{
-  return base::kind_of(c) == reading_.kind;
-}
-
 std::vector<run_folder::Quantity> Penetration::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
 {
   std::vector<run_folder::Quantity> list = Pipe::quantities(run, held_forces);

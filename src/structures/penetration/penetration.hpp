@@ -12,7 +12,8 @@ class Penetration : public pipe::Pipe {
 public:
   explicit Penetration(const Reading& reading) : reading_(reading) {}
 
-  bool applies_to(const problem::Case& c) const override;
+  const char* word() const override { return reading_.word; }
+  base::Geometries geometries() const override { return reading_.geometries; }
   std::vector<run_folder::Quantity> quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const override;
   std::string table_of(const record::RunRecord& run) const override;
   bool is_answer(const record::RunRecord& run, const run_folder::Quantity& quantity) const override;

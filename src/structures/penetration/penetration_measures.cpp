@@ -52,12 +52,6 @@ Real walls_over_plastic(Run run, const Reading& reading)
   return nearest_wall(pushed) / (pushed.body.width / 2 * std::sqrt(pushed.soil.at(pushed.z_end()).rigidity_index));
 }
 
-/// Whether the body pushes soil aside as a cavity that grows does.
-bool pushes_aside(const Reading& reading)
-{
-  return reading.kind == base::StructureKind::cone || reading.kind == base::StructureKind::pile;
-}
-
 Real walls_over_D(Run run, const Reading& reading)
 {
   const PenetrationRun pushed(run, reading);
@@ -89,7 +83,7 @@ base::TrustMeasures penetration_measures(const problem::Case& c, const Reading& 
          return fmt::format("the resistance still changes by {} over the end of the push: push deeper", text::percent_words(value));
        },
        text::percent_words},
-      pushes_aside(reading)
+      reading.pushes_aside
           ? base::TrustMeasure{
                 "nearest wall, over the plastic radius D/2 √I_r", &limits::walls, base::always,
                 [&reading](Run run) { return walls_over_plastic(run, reading); }, base::as_number,

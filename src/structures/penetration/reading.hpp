@@ -31,10 +31,11 @@ enum class SandMeasure {
 
 /// How practice reads the resistance of a body that is pushed down: q = V/A over the depth z of its level of full width.
 struct Reading {
-  base::StructureKind kind;
-  const char* level;        ///< what z is the depth of: "shoulder of the cone"
-  Symbol resistance;        ///< q, Pa
-  Symbol in_clay, in_sand;  ///< net resistance over s_u; over the measure of sand
+  const char* word;             ///< that the input calls it
+  base::Geometries geometries;  ///< that it can be in
+  const char* level;            ///< what z is the depth of: "shoulder of the cone"
+  Symbol resistance;            ///< q, Pa
+  Symbol in_clay, in_sand;      ///< net resistance over s_u; over the measure of sand
   SandMeasure sand_measure;
   bool flows_around;         ///< soil closes above the body: net of the weight of the soil that it displaces, else of sigma_v0
   Real averaging;            ///< over D: half of the travel over which q is averaged; a twentieth of a short way
@@ -43,7 +44,8 @@ struct Reading {
   bool keeps_push;           ///< whether the results of any push (V_at_w, V_at_travel) are told, too
   const base::Limit* cells;  ///< of D over the size of the cells at the body
   std::vector<Comparison> (*published)(const PenetrationRun& run);
-  const char* remark;  ///< on what is published, plain; "" = none
+  const char* remark;         ///< on what is published, plain; "" = none
+  bool pushes_aside = false;  ///< whether soil is pushed aside as by a cavity that grows
 };
 
 }  // namespace berm::penetration

@@ -25,7 +25,8 @@ std::vector<penetration::Comparison> published(const penetration::PenetrationRun
 
 const penetration::Reading& reading()
 {
-  static const penetration::Reading pile{.kind = base::StructureKind::pile,
+  static const penetration::Reading pile{.word = "pile",
+                                         .geometries = base::Geometries::round,
                                          .level = "base of the pile",
                                          .resistance = {"q_b", "q<sub>b</sub>"},
                                          .in_clay = {"N_c", "N<sub>c</sub>"},
@@ -38,7 +39,8 @@ const penetration::Reading& reading()
                                          .keeps_push = false,
                                          .cells = &cells,
                                          .published = published,
-                                         .remark = ""};
+                                         .remark = "",
+                                         .pushes_aside = true};
   return pile;
 }
 

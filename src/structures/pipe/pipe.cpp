@@ -35,7 +35,7 @@ PipeRuns pipe_runs(const base::Runs& runs)
 
 bool Pipe::applies_to(const problem::Case& c) const
 {
-  return base::kind_of(c) != base::StructureKind::other;
+  return base::kind_of(c) != "other";
 }
 
 std::vector<run_folder::Quantity> Pipe::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const

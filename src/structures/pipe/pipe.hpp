@@ -9,6 +9,7 @@ namespace berm::pipe {
 /// by the same numbers, without the formulas, which are those of a circle.
 class Pipe : public base::Structure {
 public:
+  const char* word() const override { return "pipe"; }
   bool applies_to(const problem::Case& c) const override;
   std::vector<run_folder::Quantity> quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const override;
   std::string table_of(const record::RunRecord& run) const override;

@@ -30,7 +30,8 @@ std::vector<penetration::Comparison> published(const penetration::PenetrationRun
 const penetration::Reading& reading()
 {
   static const penetration::Reading t_bar{
-      .kind = base::StructureKind::t_bar,
+      .word = "t_bar",
+      .geometries = base::Geometries::plane,
       .level = "axis of the bar",
       .resistance = {"q_Tbar", "q<sub>T-bar</sub>"},
       .in_clay = {"N_Tbar", "N<sub>T-bar</sub>"},

@@ -2,9 +2,9 @@
 #include "study/study.hpp"
 
 #include "core/error.hpp"
-#include "input/read_case.hpp"
 #include "io/atomic_file.hpp"
 #include "run_folder/progress.hpp"
+#include "structures/structures.hpp"
 #include "study/estimates.hpp"
 #include "study/study_report.hpp"
 
@@ -73,7 +73,7 @@ std::string at_its_place(const Study& study, const StudyRow& row, const std::str
 problem::Case read_row(const fs::path& file, const Study& study, const StudyRow& row)
 {
   try {
-    return input::read_case(row.job.case_file, row.job.set);
+    return structures::read_case(row.job.case_file, row.job.set).settings;
   } catch (const InputError& error) {
     const std::string which = fmt::format("{}: {}", file.string(), name_of(row.names)), place = at_its_place(study, row, error.what());
     throw InputError(place.empty() ? fmt::format("{}: {}", which, error.what()) : fmt::format("{} ({})", place, which));

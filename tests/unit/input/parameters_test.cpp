@@ -21,9 +21,10 @@ void for_each_value(const Listed& table, const std::string& path, const std::fun
 
 TEST(Parameters, of_the_case_are_all_in_the_table_and_on_the_page)
 {
-  const std::string table = parameter_table(), page = parameter_page();
+  const Listed of_case = catalogue_of<problem::Case>();
+  const std::string table = parameter_table(of_case), page = parameter_page(of_case);
   int count = 0;
-  for_each_value(catalogue_of<problem::Case>(), "", [&](const Listed& entry, const std::string& path) {
+  for_each_value(of_case, "", [&](const Listed& entry, const std::string& path) {
     ++count;
     EXPECT_NE(table.find("  " + entry.key + " "), std::string::npos) << path;
     EXPECT_NE(page.find("| `" + entry.key + "` |"), std::string::npos) << path;

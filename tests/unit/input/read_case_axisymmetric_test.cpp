@@ -61,15 +61,6 @@ TEST(Axisymmetric, case_is_taken_with_whole_masses_and_forces)
   EXPECT_EQ(resolved_toml(read_case_text("resolved.toml", once)), once);
 }
 
-TEST(Axisymmetric, structure_is_one_that_the_geometry_can_have)
-{
-  EXPECT_EQ(refusal_of_ball({"rigid.pipe.structure=ball"}), "");
-  EXPECT_SAYS(refusal_of_ball({"rigid.pipe.structure=t_bar"}), "rigid.pipe.structure: a T-bar is pushed across itself");
-  EXPECT_SAYS(refusal_of_ball({"rigid.pipe.structure=bal"}), "did you mean \"ball\"");
-  EXPECT_SAYS(refusal_of_ball({"rigid.pipe.structure=cone"}, std::string(test::good_case)), "rigid.pipe.structure: is round");
-  EXPECT_EQ(refusal_of_ball({"rigid.pipe.structure=t_bar"}, std::string(test::good_case)), "");
-}
-
 TEST(Axisymmetric, motion_is_along_the_axis_only)
 {
   EXPECT_SAYS(refusal_of_ball({}, with("kind = \"push\"\nvelocity = \"0.1 m/s\"\nramp", "kind = \"drag\"\nvelocity = \"0.1 m/s\"\nramp")),

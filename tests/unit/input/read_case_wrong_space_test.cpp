@@ -61,7 +61,6 @@ const WrongGeometry in_space[] = {
     {"rotation_of_the_plane", "stage.drag.drive.rotation.velocity=1", {"rotation", "is no freedom in space"}},
     {"direction_that_is_none", "support.base.fixed=[\"w\"]", {"support.base.fixed", "\"w\" is no direction (allowed: x, y, z)"}},
     {"finite_elements", "method=fem", {"method", "need geometry = \"plane_strain\" or \"axisymmetric\""}},
-    {"structure_of_the_plane", "rigid.pipe.structure=t_bar", {"rigid.pipe.structure", "needs geometry = \"plane_strain\""}},
     {"width_of_nothing", "mesh.width=0 m", {"mesh.width", "must be more than 0 m"}},
     {"plane_of_symmetry_across_gravity", "symmetry=[\"y\"]", {"symmetry", "no axis with a plane of symmetry", "allowed: x, z"}},
     {"misspelt_key_of_space", "mesh.near_fornt=0.1 m", {"mesh.near_fornt", "near_front"}},

@@ -4,9 +4,11 @@
 #include "core/error.hpp"
 #include "samples/made_run.hpp"
 #include "samples/temporary_folder.hpp"
+#include "samples/wrong_inputs.hpp"
 #include "structures/base/driven_body.hpp"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 namespace berm::structures {
@@ -35,6 +37,58 @@ TEST(Structures, one_applies_to_each_case_and_the_last_to_every_case)
   EXPECT_NE(&structure_of(footing()), &structure_of(MadeRun{}.settings()));
   EXPECT_EQ(&structure_of(free_bodies()), all.back());
   for (const problem::Case& c : {MadeRun{}.settings(), footing(), free_bodies(), problem::Case{}}) EXPECT_TRUE(all.back()->applies_to(c));
+}
+
+/// The message that refuses a case of a pipe in plane strain, or of a ball around an axis, whose body is called this; "" where it is taken.
+std::string refusal(const std::string& word, bool around_an_axis)
+{
+  std::string text(test::good_case);
+  const auto replace = [&](const std::string& from, const std::string& to) { text.replace(text.find(from), from.size(), to); };
+  if (around_an_axis) {
+    replace("gravity = [0", "geometry = \"axisymmetric\"\ngravity = [0");
+    replace("center = [1.0, \"1.4 m\"]", "center = [0, \"1.4 m\"]");
+    replace("mass = \"430 kg/m\"", "mass = \"430 kg\"");
+    replace("kind = \"drag\"\nvelocity", "kind = \"push\"\nvelocity");
+  }
+  replace("[rigid.pipe]\n", "[rigid.pipe]\nstructure = \"" + word + "\"\n");
+  const TemporaryFolder folder;
+  try {
+    EXPECT_EQ(read_case(folder.write("case.toml", text)).settings.rigid[0].second.structure, word);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Structures, the_input_names_one_that_there_is_and_that_the_geometry_can_have)
+{
+  for (const base::Structure* structure : all_structures()) {
+    EXPECT_EQ(refusal(structure->word(), true).empty(), structure->geometries() != base::Geometries::plane) << structure->word();
+    EXPECT_EQ(refusal(structure->word(), false).empty(), structure->geometries() != base::Geometries::round) << structure->word();
+  }
+  EXPECT_EQ(refusal("automatic", false), "");
+  const auto expect = [](const std::string& message, const std::vector<std::string>& parts) {
+    for (const std::string& part : parts) EXPECT_NE(message.find(part), std::string::npos) << message;
+  };
+  const std::string line = std::string(test::good_case.substr(0, test::good_case.find("[rigid.pipe]")));
+  const std::string place = fmt::format("case.toml:{}: rigid.pipe.structure: ", std::count(line.begin(), line.end(), '\n') + 2);
+  expect(refusal("bal", false),
+         {place, "did you mean \"ball\"", "allowed: automatic, cone, ball, t_bar, pile, footing, anchor, pipe, other"});
+  expect(refusal("t_bar", true), {"is pushed across itself", "needs geometry = \"plane_strain\""});
+  expect(refusal("cone", false), {place, "is round: it needs geometry"});
+}
+
+TEST(Structures, have_words_among_which_are_those_that_berm_finds_itself_and_which_params_lists)
+{
+  const input::Listed all = case_catalogue();
+  const auto of = [](const input::Listed& table, const std::string& key) {
+    return *std::ranges::find(table.children, key, &input::Listed::key);
+  };
+  const input::Listed listed = of(of(all, "rigid"), "structure");
+  EXPECT_EQ(listed.words.size(), all_structures().size() + 1);
+  EXPECT_EQ(listed.default_text, "automatic");
+  for (const problem::Case& c : {MadeRun{}.settings(), footing(), free_bodies()})
+    EXPECT_NE(std::ranges::find(listed.words, base::kind_of(c)), listed.words.end());
 }
 
 TEST(Structures, tell_what_they_have_of_a_run_and_nothing_of_one_without_rows)

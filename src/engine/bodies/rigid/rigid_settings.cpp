@@ -20,8 +20,8 @@ void describe(Describe& d, RigidSettings& rigid)
                       "of this shape and mass",
            .unit = "kg m",
            .range = positive});
-  d.choice("structure", rigid.structure, structure_words,
-           {.meaning = "structure whose results it has: automatic takes it from shape, ground and stages (docs/how_to/penetrate.md)"});
+  d.value("structure", rigid.structure,
+          {.meaning = "structure whose results it has: automatic takes it from shape, ground and stages (docs/how_to/penetrate.md)"});
 }
 
 void check(Describe& d, const std::string& path, const RigidSettings& rigid, int dimension)

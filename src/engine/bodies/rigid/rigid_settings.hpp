@@ -17,11 +17,6 @@ enum class Rotation {
   free  ///< about its centre, by the moment of its contacts
 };
 
-/// What a rigid body is to the reader of its results (structures/base/kind.hpp).
-enum class StructureKind { automatic, pipe, cone, ball, t_bar, pile, footing, anchor, other };
-inline const std::vector<const char*> structure_words = {"automatic", "pipe",    "cone",   "ball", "t_bar",
-                                                         "pile",      "footing", "anchor", "other"};
-
 /// Input of a rigid body.
 struct RigidSettings {
   RigidShapeSettings shape;
@@ -30,7 +25,7 @@ struct RigidSettings {
   Rotation rotation = Rotation::fixed;
   std::optional<Real>
       moment_of_inertia;  ///< kg m (in space: kg m2, about every axis) about its centre; absent: that of a solid of this shape and mass
-  StructureKind structure = StructureKind::automatic;
+  std::string structure = "automatic";  ///< what it is to the reader of its results (structures/structures.hpp)
 };
 
 void describe(Describe& d, RigidSettings& rigid);

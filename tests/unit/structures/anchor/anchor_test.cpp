@@ -20,7 +20,7 @@ record::RunRecord dragged()
   made.sunk = [](Real u) { return std::min(u, 0.1) / 2; };
   made.H = [](Real u) { return 3e4 * std::min(u, 0.1); };
   record::RunRecord run = made.record();
-  run.settings.rigid[0].second.structure = bodies::StructureKind::anchor;
+  run.settings.rigid[0].second.structure = "anchor";
   run.quantities = structures::structure_of(run.settings).quantities(run, {});
   return run;
 }
