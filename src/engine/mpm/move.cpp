@@ -159,13 +159,6 @@ Real kinetic_gain(const LinearField<dim>& acceleration, const Moments<dim>& t, R
   return dt * (acceleration.dot(t.mv, t.mvx) + 0.5 * dt * acceleration.dot(ma, max));
 }
 
-/// What a pass over the particles does; the steps of the paper that are meant.
-enum class Pass {
-  both,    ///< 5, 9-11
-  move,    ///< 5, 9
-  strain,  ///< 10, 11
-};
-
 /// Finds the new cell of a particle that has left its own, and notes the change. A call here would change what the compiler does to the loop around it, and
 /// the last bits.
 template <int dim>
@@ -180,6 +173,17 @@ template <int dim>
   if (!in_mesh || found.cell != cell) work.cell_changes[omp_get_thread_num()].push_back({cell, index, in_mesh ? found.cell : none});
 }
 
+/// Notes which particles of a part have left their cell: those whose smallest shape function is negative.
+template <class P, class V, int dim>
+[[gnu::always_inline]] inline void note_cell_changes(const P& part, const V& min_shape, const mesh::Mesh<dim>& mesh, Work<dim>& work,
+                                                     Index cell, bodies::Block<dim>& p, bodies::Block<dim>& q)
+{
+  const typename Part<V>::Mask leaves = part.alive() & (min_shape < V{});
+  if (any(leaves)) [[unlikely]]
+    for (int l = 0; l < part.size; ++l)
+      if (leaves[l]) note_cell_change(mesh, work, cell, part.index + l, l < lanes ? p : q, (part.first + l) % lanes);
+}
+
 /// The dilation that the cells of a patch share, over their volume; of their water, or of the soil.
 Real patch_dilation(const mesh::Patches& patches, const CellField<VolumeChange>& of_cells, Index cell)
 {
@@ -189,6 +193,14 @@ Real patch_dilation(const mesh::Patches& patches, const CellField<VolumeChange>&
     change += of_cells[member].change;
   });
   return change / volume;
+}
+
+/// N_k of a cell where all coordinates are zero.
+template <int dim>
+[[gnu::always_inline]] inline void shape_at_zero(const mesh::Shape<dim>& shape, Real (&at_zero)[dim])
+{
+  for (int k = 0; k < dim; ++k)
+    for (int d = 0; d < dim; ++d) at_zero[k] -= shape.gradients[k][d] * shape.origin[d];
 }
 
 // Numbers are handed to these parts of the pass by reference: by value the compiler fuses other multiplications with additions, and the last bits change.
@@ -223,17 +235,17 @@ template <class V, int dim, class P>
   return smaller(min_shape, of_corner_0);
 }
 
-/// law_without_dilation is null where the law does not dilate. Where particles keep their own soil, both are not used.
-template <Pass pass, bool own_soil, mesh::Metric metric, int dim, class Law>
-void move_and_strain_with(const Law& law, const Law* law_without_dilation, const problem::Model<dim>& model, problem::State<dim>& state,
-                          Work<dim>& work, Index body)
+/// law_without_dilation is null where the law does not dilate. Where particles keep their own soil, both are not used. Particles move for the time `motion` (s).
+template <bool own_soil, mesh::Metric metric, int dim, class Law>
+void move_and_strain_with(const Law& law, const Law* law_without_dilation, Real motion, const problem::Model<dim>& model,
+                          problem::State<dim>& state, Work<dim>& work, Index body)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
   BodyGrid<dim>& grid = work.grids[body];
   bodies::Particles<dim>& particles = state.particles[body];
   const Real dt = state.dt, time = state.time, per_density = 1 / model.bodies[body].waves.mean_density;
   const Real min_volume = model.mpm.min_volume_ratio * per_density, max_volume = model.mpm.max_volume_ratio * per_density;
-  const Real filtered = pass == Pass::both ? grid.filtered_part(dt) : 0, unfiltered = 1 - filtered;
+  const Real filtered = grid.filtered_part(motion), unfiltered = 1 - filtered;
   for (auto& list : work.cell_changes) list.clear();
   [[maybe_unused]] const OwnSoil<Law> soils{work.laws[body], work.laws_without_dilation[body], work.volume_rules[body],
                                             work.number_offset[body]};
@@ -243,15 +255,14 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
     particles.prefetch_after(c);
     const auto& nodes = mesh.nodes[cell];
     const mesh::Shape<dim> shape = grid.shape(mesh, cell);
-    Real at_zero[dim] = {};  // N_k where all coordinates are zero
-    for (int k = 0; k < dim; ++k)
-      for (int d = 0; d < dim; ++d) at_zero[k] -= shape.gradients[k][d] * shape.origin[d];
-    const LinearField<dim> gain(shape, nodes, [&](Index i, int d) { return grid.gain(i, d, dt, filtered); }),
+    Real at_zero[dim] = {};
+    shape_at_zero(shape, at_zero);
+    const LinearField<dim> gain(shape, nodes, [&](Index i, int d) { return grid.gain(i, d, motion, filtered); }),
         velocity(shape, nodes, grid.mapped_velocity);
     CellStrain<dim> cell_strain(velocity, dt);
-    if constexpr (metric == mesh::Metric::axisymmetric && pass != Pass::move)
+    if constexpr (metric == mesh::Metric::axisymmetric)
       cell_strain.add_hoop(dt * hoop_rate(shape, nodes, grid, cell, grid.mapped_velocity));
-    if (pass != Pass::move && model.mpm.volumetric_projection)
+    if (model.mpm.volumetric_projection)
       cell_strain.template project<strained_directions<dim, metric>>(patch_dilation(model.patches, grid.volume_change, cell));
     const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
 
@@ -271,59 +282,52 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
       using Mask = typename Part<V>::Mask;
       bodies::Block<dim>&p = particles.block(part.block), &q = particles.block(part.other);
       const Mask alive = part.alive();
-      V min_shape = 1 - V{};
-      if constexpr (pass != Pass::strain)
-        min_shape = move_part<V>(part, p, q, shape, at_zero, gain, velocity, dt, filtered, unfiltered, done);
-      if constexpr (pass != Pass::move) {
-        const V mass = part.get(p.mass, q.mass), volume = part.get(p.volume, q.volume);
-        material::Increment<dim, V> increment{.strain = {},
-                                              .dt = dt,
-                                              .time = time,
-                                              .cell_size = cell_size,
-                                              .outflow = outflow,
-                                              .exchange = exchange,
-                                              .level = level,
-                                              .active = alive};
-        SymTensor<dim, V>& strain = increment.strain;
-        SymTensor<dim, V> stress, both_stresses;
-        for (int k = 0; k < tensor_size<dim>; ++k) {
-          strain[k] = cell_strain.strain[k] - V{};
-          stress[k] = both_stresses[k] = part.get(p.stress[k], q.stress[k]);
-        }
-        rotate(stress, cell_strain.rotation);
-        [[maybe_unused]] VolumeBounds<V> bounds;
-        if constexpr (own_soil) {
-          const Lanes *low = particles.extra(part.block), *high = particles.extra(part.other);
-          part.template change<Law::state_size>(
-              particles.state(part.block), particles.state(part.other), state_count(law),
-              [&](V* law_state) { bounds = update_by_own_soil<dim>(soils, part, low, high, mass, volume, stress, increment, law_state); });
-        } else {
-          const Mask fully_dilated = alive & (volume >= mass * max_volume);
-          part.template change<Law::state_size>(
-              particles.state(part.block), particles.state(part.other), state_count(law),
-              [&](V* law_state) { update_stress_of<dim>(law, law_without_dilation, fully_dilated, stress, increment, law_state); });
-        }
-        for (int k = 0; k < tensor_size<dim>; ++k) {
-          const V kept = alive ? stress[k] : V{};
-          both_stresses[k] += kept;
-          part.set(p.stress[k], q.stress[k], kept);
-        }
-        done.internal += sum(0.5 * volume * double_dot(both_stresses, strain));
-        if constexpr (own_soil)
-          part.set(p.volume, q.volume, smaller(larger(volume * stretch, bounds.min), bounds.max));
-        else
-          part.set(p.volume, q.volume, smaller(larger(volume * stretch, mass * min_volume), mass * max_volume));
-        part.set(p.deviatoric_strain, q.deviatoric_strain, part.get(p.deviatoric_strain, q.deviatoric_strain) + deviatoric);
+      const V min_shape = move_part<V>(part, p, q, shape, at_zero, gain, velocity, motion, filtered, unfiltered, done);
+      const V mass = part.get(p.mass, q.mass), volume = part.get(p.volume, q.volume);
+      material::Increment<dim, V> increment{.strain = {},
+                                            .dt = dt,
+                                            .time = time,
+                                            .cell_size = cell_size,
+                                            .outflow = outflow,
+                                            .exchange = exchange,
+                                            .level = level,
+                                            .active = alive};
+      SymTensor<dim, V>& strain = increment.strain;
+      SymTensor<dim, V> stress, both_stresses;
+      for (int k = 0; k < tensor_size<dim>; ++k) {
+        strain[k] = cell_strain.strain[k] - V{};
+        stress[k] = both_stresses[k] = part.get(p.stress[k], q.stress[k]);
       }
+      rotate(stress, cell_strain.rotation);
+      [[maybe_unused]] VolumeBounds<V> bounds;
+      if constexpr (own_soil) {
+        const Lanes *low = particles.extra(part.block), *high = particles.extra(part.other);
+        part.template change<Law::state_size>(
+            particles.state(part.block), particles.state(part.other), state_count(law),
+            [&](V* law_state) { bounds = update_by_own_soil<dim>(soils, part, low, high, mass, volume, stress, increment, law_state); });
+      } else {
+        const Mask fully_dilated = alive & (volume >= mass * max_volume);
+        part.template change<Law::state_size>(
+            particles.state(part.block), particles.state(part.other), state_count(law),
+            [&](V* law_state) { update_stress_of<dim>(law, law_without_dilation, fully_dilated, stress, increment, law_state); });
+      }
+      for (int k = 0; k < tensor_size<dim>; ++k) {
+        const V kept = alive ? stress[k] : V{};
+        both_stresses[k] += kept;
+        part.set(p.stress[k], q.stress[k], kept);
+      }
+      done.internal += sum(0.5 * volume * double_dot(both_stresses, strain));
+      if constexpr (own_soil)
+        part.set(p.volume, q.volume, smaller(larger(volume * stretch, bounds.min), bounds.max));
+      else
+        part.set(p.volume, q.volume, smaller(larger(volume * stretch, mass * min_volume), mass * max_volume));
+      part.set(p.deviatoric_strain, q.deviatoric_strain, part.get(p.deviatoric_strain, q.deviatoric_strain) + deviatoric);
 
-      const Mask leaves = alive & (min_shape < V{});
-      if (any(leaves)) [[unlikely]]
-        for (int l = 0; l < part.size; ++l)
-          if (leaves[l]) note_cell_change(mesh, work, cell, part.index + l, l < lanes ? p : q, (part.first + l) % lanes);
+      if (motion > 0) note_cell_changes(part, min_shape, mesh, work, cell, p, q);
     });
-    if (filtered > 0) done.filtered += kinetic_gain(LinearField<dim>(shape, nodes, grid.acceleration), grid.moments[cell], dt);
+    if (filtered > 0) done.filtered += kinetic_gain(LinearField<dim>(shape, nodes, grid.acceleration), grid.moments[cell], motion);
     if (grid.full_cells) done.internal *= grid.weight[cell];
-    if (pass != Pass::move) done.internal += grid.moments[cell].volume * grid.viscous_stress[cell] * cell_strain.dilation;
+    done.internal += grid.moments[cell].volume * grid.viscous_stress[cell] * cell_strain.dilation;
     return done;
   };
   // The particles are in the cache still where their moments follow at once.
@@ -333,8 +337,9 @@ void move_and_strain_with(const Law& law, const Law* law_without_dilation, const
   state.totals.damping += work_done.filtered;
 }
 
-template <Pass pass, int dim>
-void pass_over_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
+/// Steps 5 and 9-11 of the paper; 10 and 11 alone where particles move for no time.
+template <int dim>
+void pass_over_particles(Real motion, const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
 {
   const bool own_soil = work.own_soil[body] != 0, dilates = material::dilates(model.bodies[body].soil.materials.front());
   std::visit(
@@ -343,9 +348,9 @@ void pass_over_particles(const problem::Model<dim>& model, problem::State<dim>& 
         const auto* without_dilation = dilates ? &law_without_dilation : nullptr;
         with_metric(model.mesh, [&](auto metric) {
           if (own_soil)
-            move_and_strain_with<pass, true, metric(), dim>(law, without_dilation, model, state, work, body);
+            move_and_strain_with<true, metric(), dim>(law, without_dilation, motion, model, state, work, body);
           else
-            move_and_strain_with<pass, false, metric(), dim>(law, without_dilation, model, state, work, body);
+            move_and_strain_with<false, metric(), dim>(law, without_dilation, motion, model, state, work, body);
         });
       },
       work.laws[body].front());
@@ -356,19 +361,40 @@ void pass_over_particles(const problem::Model<dim>& model, problem::State<dim>& 
 template <int dim>
 void move_and_strain(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
 {
-  pass_over_particles<Pass::both>(model, state, work, body);
+  pass_over_particles(state.dt, model, state, work, body);
 }
 
 template <int dim>
 void strain_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
 {
-  pass_over_particles<Pass::strain>(model, state, work, body);
+  pass_over_particles(0, model, state, work, body);
 }
 
 template <int dim>
 void move_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
 {
-  pass_over_particles<Pass::move>(model, state, work, body);
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  BodyGrid<dim>& grid = work.grids[body];
+  bodies::Particles<dim>& particles = state.particles[body];
+  for (auto& list : work.cell_changes) list.clear();
+  const auto move_in_cell = [&](Index c) {
+    const Index cell = particles.active()[c];
+    const auto& nodes = mesh.nodes[cell];
+    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
+    Real at_zero[dim] = {};
+    shape_at_zero(shape, at_zero);
+    const LinearField<dim> gain(shape, nodes, [&](Index i, int d) { return grid.gain(i, d, state.dt, 0); }),
+        velocity(shape, nodes, grid.mapped_velocity);
+    WorkDone done;
+    particles.parts(cell, [&](const auto& part) {
+      using V = typename std::decay_t<decltype(part)>::Vector;
+      bodies::Block<dim>&p = particles.block(part.block), &q = particles.block(part.other);
+      const V min_shape = move_part<V>(part, p, q, shape, at_zero, gain, velocity, state.dt, 0, 1, done);
+      note_cell_changes(part, min_shape, mesh, work, cell, p, q);
+    });
+    sum_moments_of(mesh, particles, cell, grid);
+  };
+  for_each("move particles", particles.active_chunks(), move_in_cell);
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \

@@ -12,7 +12,8 @@ namespace berm::mpm {
 template <int dim>
 void move_and_strain(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
 
-/// Its parts for update stress first: steps 10 and 11 (strain, stress, volume), and steps 5 and 9 (velocity, position). Each leaves the moments so, too.
+/// Its parts for update stress first: steps 10 and 11 (strain, stress, volume), which is the same pass without motion, and steps 5 and 9 (velocity, position),
+/// which need no law. Each leaves the moments so, too.
 template <int dim>
 void strain_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
 template <int dim>
