@@ -23,7 +23,7 @@ void archive_numbers(Archive& k, const std::string& name, Points& points, const 
 // The sizes reveal a member that is not archived yet.
 void archive(Archive& k, const FemModel& model, FemState& state)
 {
-  static_assert(sizeof(SoilPoint) == (tensor_size<2> + material::Laws::max_state + 2) * sizeof(Real));
+  static_assert(sizeof(SoilPoint) == (tensor_size<2> + material::max_state + 2) * sizeof(Real));
   static_assert(sizeof(FemContactState) == 5 * sizeof(Real));
   static_assert(sizeof(FemState) == sizeof(problem::State<2>) + 4 * sizeof(std::vector<Real>) + sizeof(Vec<2>) + 3 * sizeof(Real));
   k.table("state", [&] { problem::archive(k, model.model, state.state); });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "fem/fem_problem.hpp"
+#include "material/laws.hpp"
 
 namespace berm::fem {
 

@@ -60,7 +60,7 @@ struct FemModel {
 /// State of the soil at an integration point.
 struct SoilPoint {
   SymTensor<2> stress;                                      ///< Pa, tension positive
-  std::array<Real, material::Laws::max_state> law_state{};  ///< state variables of the law: material::state_fields
+  std::array<Real, material::max_state> law_state{};  ///< state variables of the law: material::state_fields
   Real deviatoric_strain = 0;                               ///< accumulated
   Real overstress = 0;                                      ///< Pa, distance of the stress from the yield surface, in the norm of a tensor
 };

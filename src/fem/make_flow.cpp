@@ -21,7 +21,7 @@ PointWater water_of(const material::Material& material)
 {
   PointWater water;
   water.compressibility = 1 / water_stiffness(material);
-  water.min_pressure = std::visit([](const auto& law) { return min_pore_pressure(law.water.value()); }, material);
+  water.min_pressure = min_pore_pressure(pore_water(material).value());
   water.hydraulics = hydraulics(material).value();
   return water;
 }

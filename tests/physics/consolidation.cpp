@@ -20,7 +20,7 @@ problem::Case column(int cells, material::PoreWater water)
   std::vector<Real> size(dim, h), count(dim, 1);
   size[1] = height, count[1] = cells;
   problem::Case c = elastic_box(dim, size, count, young_modulus, poisson_ratio, 1990);
-  std::get<material::LinearElastic>(c.material[0].second).water = water;
+  c.material[0].second.get<material::LinearElastic>().water = water;
   c.body[0].second.particles_per_cell = dim == 2 ? 9 : 4;
   c.support = {{"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}, {"bottom", {"bottom", {"y"}}}};
   if (dim == 3) c.support.push_back({"back", {"back", {"z"}}}), c.support.push_back({"front", {"front", {"z"}}});
@@ -144,7 +144,7 @@ TEST(Consolidation, pressure_has_no_checkerboard)
 {
   constexpr int squares = 20;
   problem::Case c = elastic_box(2, {1, 1}, {squares, squares}, young_modulus, poisson_ratio, 1990);
-  std::get<material::LinearElastic>(c.material[0].second).water = flowing(1e-8, 2.2e9);
+  c.material[0].second.get<material::LinearElastic>().water = flowing(1e-8, 2.2e9);
   c.body[0].second.particles_per_cell = 9;
   c.body[0].second.damping = 0.5;
   c.support = {{"left", {"left", {"x"}}}, {"right", {"right", {"x"}}}, {"bottom", {"bottom", {"y"}}}};

@@ -102,7 +102,7 @@ TEST(GravityLoading, leaves_a_slope_in_balance)
 TEST(GravityLoading, carries_layers_that_a_contact_joins)
 {
   problem::Case c = bed<2>(0.5);
-  material::LinearElastic heavy = std::get<material::LinearElastic>(c.material[0].second);
+  material::LinearElastic heavy = c.material[0].second.get<material::LinearElastic>();
   heavy.density = 2500;
   c.material.push_back({"heavy", heavy});
   c.body.push_back({"upper", c.body[0].second});

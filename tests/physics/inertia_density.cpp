@@ -12,7 +12,7 @@ constexpr Real weight_density = 900, inertia = 2400, gravity = 10;
 problem::Case submerged_block(bool held)
 {
   problem::Case c = elastic_box(2, {1, 1}, {8, 8}, 1e6, 0.2, weight_density);
-  std::get<material::LinearElastic>(c.material[0].second).inertia_density = inertia;
+  c.material[0].second.get<material::LinearElastic>().inertia_density = inertia;
   c.gravity = {0, -gravity};
   c.body[0].second.regions.clear();
   bodies::BlockSettings block;
@@ -55,7 +55,7 @@ TEST(InertiaDensity, slows_the_waves_that_the_time_step_comes_from)
   step(run.model(), run.state(), run.work);
   const Real slow = run.state().dt;
   problem::Case c = submerged_block(true);
-  std::get<material::LinearElastic>(c.material[0].second).inertia_density.reset();
+  c.material[0].second.get<material::LinearElastic>().inertia_density.reset();
   Simulation<2> quick(c);
   step(quick.model(), quick.state(), quick.work);
   EXPECT_NEAR(slow / quick.state().dt, std::sqrt(inertia / weight_density), 1e-12);

@@ -2,6 +2,7 @@
 // Suction and adhesion of an interface.
 #include "simulate.hpp"
 
+#include "material/mohr_coulomb.hpp"
 #include "mpm/interface.hpp"
 
 #include <gtest/gtest.h>
@@ -142,7 +143,7 @@ TEST(SlidingPlate, shears_clay_by_the_share_of_its_strength)
 TEST(SlidingPlate, shears_by_the_strength_that_each_particle_has_for_itself)
 {
   problem::Case c = sliding_plate();
-  auto& clay = std::get<material::MohrCoulomb>(c.material[0].second);
+  auto& clay = c.material[0].second.get<material::MohrCoulomb>();
   clay.cohesion_gradient = 20e3;
   c.gravity = {0, 0};
   c.surface = height + 0.1;  // the plate is 0.1 m deep: 12 kPa, and 0.17 kPa more half a particle below

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "material/mohr_coulomb.hpp"
 #include "simulate.hpp"
 
 namespace berm {

@@ -4,6 +4,7 @@
 #include "core/error.hpp"
 #include "fem/cut_mesh.hpp"
 #include "fem/quadratic_mesh.hpp"
+#include "material/linear_elastic.hpp"
 #include "samples/temporary_folder.hpp"
 
 namespace berm {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "fem/load_steps.hpp"
+#include "material/linear_elastic.hpp"
+#include "material/mohr_coulomb.hpp"
 #include "problem/stages.hpp"
 #include "samples/temporary_folder.hpp"
 

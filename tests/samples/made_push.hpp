@@ -4,6 +4,7 @@
 #include "structures/base/kind.hpp"
 #include "structures/structures.hpp"
 
+#include "material/mohr_coulomb.hpp"
 #include "samples/history_columns.hpp"
 #include <functional>
 

@@ -3,6 +3,7 @@
 
 #include "structures/structures.hpp"
 
+#include "material/mohr_coulomb.hpp"
 #include "samples/history_columns.hpp"
 #include <functional>
 

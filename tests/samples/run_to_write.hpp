@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "material/linear_elastic.hpp"
 #include "mesh/box.hpp"
 #include "run_folder/frame_maker.hpp"
 #include "run_folder/frames.hpp"

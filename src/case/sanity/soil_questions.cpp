@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/sanity/sanity_test.cpp
+#include "material/laws.hpp"
 #include "problem/drainage.hpp"
 #include "sanity/questions.hpp"
 #include "sanity/words.hpp"
@@ -148,7 +149,7 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
         if (law.rigidity_index) return "rigidity_index";
       return "young_modulus";
     };
-    return fmt::format("material.{}.{}", name, std::visit(word, s.c.material[problem::index_of(s.c.material, name)].second));
+    return fmt::format("material.{}.{}", name, material::visit(word, s.c.material[problem::index_of(s.c.material, name)].second));
   };
   for (Index b = 0; b < static_cast<Index>(s.bodies.size()); ++b) {
     const problem::BodySoil soil = soil_of(s.c, s.c.body[b].second);
@@ -182,7 +183,7 @@ void is_the_strain_rate_smooth(const Scene& s, Findings& found)
   const bool none_by_speed = std::all_of(s.c.stage.begin(), s.c.stage.end(),
                                          [](const problem::StageSettings& stage) { return !drives(stage.kind) || speed_of(stage) == 0; });
   for (const Soil& soil : yielding(s)) {
-    const auto* clay = std::get_if<material::Clay>(&soil.material);
+    const auto* clay = soil.material.get_if<material::Clay>();
     if (clay == nullptr || !knows_rate(*clay) || clay->rate_smoothing || !none_by_speed) continue;
     found.warn(
         soil.key("rate_parameter"),
@@ -195,7 +196,7 @@ void is_softening_free_of_the_cells(const Scene& s, Findings& found)
 {
   constexpr Real brittle = 2;  // flow around a pipe shears clay by about 4 a passage: that softens bands before it softens flow
   for (const Soil& soil : yielding(s)) {
-    const auto* clay = std::get_if<material::Clay>(&soil.material);
+    const auto* clay = soil.material.get_if<material::Clay>();
     if (clay == nullptr || clay->sensitivity == 1 || clay->ductility >= brittle || clay->softening_length) continue;
     const Real cell = smallest_cell(s.c);
     found.warn(soil.key("ductility"),
@@ -296,7 +297,7 @@ void is_tension_that_of_clay(const Scene& s, Findings& found)
     const material::Material& material = s.material_of(problem::index_of(s.c.body, contact.body));
     if (has_pore_pressure(material)) continue;
     const std::optional<material::Strength> soil = strength_at_rest(material);
-    const bool effective = std::visit(
+    const bool effective = material::visit(
         [](const auto& law) {
           return requires
           {

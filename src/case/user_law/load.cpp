@@ -3,6 +3,7 @@
 
 #include "core/error.hpp"
 #include "io/sha256.hpp"
+#include "material/user_law.hpp"
 #include "user_law/library.hpp"
 #include "user_law/trial.hpp"
 
@@ -23,10 +24,8 @@ template <class List, class Act>
 void for_each_law(List& materials, const Act& act)
 {
   for (auto& [name, material] : materials) {
-    const auto act_on_name = [&act, &own_name = name](auto& law) {
-      if constexpr (requires { law.library; }) act(own_name, law);
-    };
-    std::visit(act_on_name, material);
+    if (auto* law = material.template get_if<UserLaw<Interface::own>>()) act(name, *law);
+    if (auto* law = material.template get_if<UserLaw<Interface::umat>>()) act(name, *law);
   }
 }
 
@@ -103,7 +102,7 @@ void refuse_unused(const GivenLaws& given, const Materials& materials)
 {
   for (const auto& [wanted, function] : given) {
     const bool used = std::any_of(materials.begin(), materials.end(), [&](const auto& material) {
-      return material.first == wanted && std::holds_alternative<UserLaw<Interface::own>>(material.second);
+      return material.first == wanted && material.second.template get_if<UserLaw<Interface::own>>() != nullptr;
     });
     if (!used) throw KeyError(fmt::format("material.{}: the program gives a law for it, but there is none of law = \"user\"", wanted));
   }

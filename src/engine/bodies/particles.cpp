@@ -11,7 +11,7 @@
 
 namespace berm::bodies {
 
-static_assert(material::Laws::max_state <= Particle<2>::max_extra && material::Laws::max_state <= Particle<3>::max_extra,
+static_assert(material::max_state <= Particle<2>::max_extra && material::max_state <= Particle<3>::max_extra,
               "a law keeps more numbers than a particle has room for");
 
 template <int dim>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "material/material.hpp"
 #include "material/undrained.hpp"
 
 #include <algorithm>
@@ -36,13 +37,32 @@ struct LawList {
   static_assert(((Ls::state_size == PreparedLaw<Ls>::state_size) && ...),
                 "a law and its prepared form must have the same number of state variables");
 
-  using Material = std::variant<Ls...>;  ///< one of them, with its parameters
+  using Any = std::variant<Ls...>;  ///< one of them, with its parameters
   /// One of them, with precomputed constants, drained or undrained; laws may share a prepared form.
   using Prepared = typename VariantOf<std::variant<>, PreparedLaw<Ls>..., PreparedWithWater<Ls>...>::Type;
   static constexpr int max_state = std::max({PreparedWithWater<Ls>::state_size...});
 
   /// Words of the input, in the order of the list.
   static std::vector<const char*> words() { return {Ls::word...}; }
+
+  /// act(law) with the law of a material.
+  template <class Act, class M>
+  static decltype(auto) visit(const Act& act, M& material)
+  {
+    return visit_among<Ls...>(act, material);
+  }
+
+private:
+  template <class L, class... Rest, class Act, class M>
+  static decltype(auto) visit_among(const Act& act, M& material)
+  {
+    if constexpr (sizeof...(Rest) == 0) {
+      return act(material.template get<L>());
+    } else {
+      if (auto* law = material.template get_if<L>()) return act(*law);
+      return visit_among<Rest...>(act, material);
+    }
+  }
 };
 
 }  // namespace berm::material

@@ -1,17 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "material/material.hpp"
 
+#include "material/laws.hpp"
+
 namespace berm::material {
+
+Material::Material() : Material(LinearElastic{}) {}
+
+bool Material::operator==(const Material& other) const
+{
+  return visit(
+      [&](const auto& law) {
+        const auto* same = other.get_if<std::decay_t<decltype(law)>>();
+        return same != nullptr && law == *same;
+      },
+      *this);
+}
 
 void describe(Describe& d, Material& material)
 {
-  d.one_of("law", material, Laws::words(),
+  Laws::Any law = visit([](const auto& own) { return Laws::Any(own); }, material);
+  d.one_of("law", law, Laws::words(),
            {.meaning = "constitutive law", .required = true, .former_words = {{"rate_dependent_tresca", "clay"}}});
+  material = std::visit([](const auto& chosen) { return Material(chosen); }, law);
 }
 
 void check(Describe& d, const std::string& path, const Material& material)
 {
-  std::visit(
+  visit(
       [&](const auto& law) {
         check(d, path, law);
         check_depths(d, path, law);
@@ -28,27 +44,27 @@ PreparedMaterial prepare(const Material& material)
       if (has_pore_pressure(law)) return PreparedMaterial(with_water(prepare(law), water_stiffness(law), min_pore_pressure(*law.water)));
     return PreparedMaterial(prepare(law));
   };
-  return std::visit(prepared, material);
+  return visit(prepared, material);
 }
 
 Real density(const Material& material)
 {
-  return std::visit([](const auto& law) { return law.density; }, material);
+  return visit([](const auto& law) { return law.density; }, material);
 }
 
 Real inertia_density(const Material& material)
 {
-  return std::visit([](const auto& law) { return law.inertia_density.value_or(law.density); }, material);
+  return visit([](const auto& law) { return law.inertia_density.value_or(law.density); }, material);
 }
 
 Elasticity elasticity(const Material& material)
 {
-  return std::visit([](const auto& law) { return elasticity(law); }, material);
+  return visit([](const auto& law) { return elasticity(law); }, material);
 }
 
 YoungPoisson young_poisson(const Material& material)
 {
-  return std::visit([](const auto& law) { return young_poisson(law); }, material);
+  return visit([](const auto& law) { return young_poisson(law); }, material);
 }
 
 Real p_wave_modulus(const Material& material)
@@ -58,22 +74,27 @@ Real p_wave_modulus(const Material& material)
 
 int state_size(const Material& material)
 {
-  return std::visit([](const auto& law) { return state_count(law) + (has_pore_pressure(law) ? 1 : 0); }, material);
+  return visit([](const auto& law) { return state_count(law) + (has_pore_pressure(law) ? 1 : 0); }, material);
+}
+
+std::optional<PoreWater> pore_water(const Material& material)
+{
+  return visit([](const auto& law) { return law.water; }, material);
 }
 
 bool has_pore_pressure(const Material& material)
 {
-  return std::visit([](const auto& law) { return has_pore_pressure(law); }, material);
+  return visit([](const auto& law) { return has_pore_pressure(law); }, material);
 }
 
 std::optional<Hydraulics> hydraulics(const Material& material)
 {
-  return std::visit([](const auto& law) { return hydraulics(law); }, material);
+  return visit([](const auto& law) { return hydraulics(law); }, material);
 }
 
 Real water_stiffness(const Material& material)
 {
-  return std::visit([](const auto& law) { return water_stiffness(law); }, material);
+  return visit([](const auto& law) { return water_stiffness(law); }, material);
 }
 
 int pore_pressure_place(const Material& material)
@@ -83,105 +104,110 @@ int pore_pressure_place(const Material& material)
 
 Material drained(Material material)
 {
-  std::visit([](auto& law) { law.water.reset(); }, material);
+  visit([](auto& law) { law.water.reset(); }, material);
   return material;
 }
 
 const char* law_word(const Material& material)
 {
-  return std::visit([](const auto& law) { return law.word; }, material);
+  return visit([](const auto& law) { return law.word; }, material);
+}
+
+bool same_law(const Material& material, const Material& other)
+{
+  return std::string_view(law_word(material)) == law_word(other);
 }
 
 std::string law_name(const Material& material)
 {
-  return std::visit([](const auto& law) { return law_name(law); }, material);
+  return visit([](const auto& law) { return law_name(law); }, material);
 }
 
 std::vector<FieldInfo> state_fields(const Material& material)
 {
-  std::vector<FieldInfo> fields = std::visit([](const auto& law) { return state_fields(law); }, material);
+  std::vector<FieldInfo> fields = visit([](const auto& law) { return state_fields(law); }, material);
   if (has_pore_pressure(material)) fields.push_back({"excess_pore_pressure", "excess pore pressure (compression positive)", "Pa"});
   return fields;
 }
 
 void initial_state(const Material& material, const SymTensor<3>& stress, Real* state)
 {
-  std::visit([&](const auto& law) { initial_state(law, stress, state); }, material);
+  visit([&](const auto& law) { initial_state(law, stress, state); }, material);
 }
 
 bool yields(const Material& material)
 {
-  return std::visit([](const auto& law) { return yields(law); }, material);
+  return visit([](const auto& law) { return yields(law); }, material);
 }
 
 std::optional<Strength> strength_at_rest(const Material& material)
 {
-  return std::visit([](const auto& law) { return strength_at_rest(law); }, material);
+  return visit([](const auto& law) { return strength_at_rest(law); }, material);
 }
 
 std::optional<Real> shear_strength(const Material& material, Real middle, const Real* state)
 {
-  return std::visit([&](const auto& law) { return shear_strength(law, middle, state); }, material);
+  return visit([&](const auto& law) { return shear_strength(law, middle, state); }, material);
 }
 
 bool knows_rate(const Material& material)
 {
-  return std::visit([](const auto& law) { return knows_rate(law); }, material);
+  return visit([](const auto& law) { return knows_rate(law); }, material);
 }
 
 Material with_rate_smoothing(const Material& material, Real time)
 {
-  return std::visit([&](const auto& law) { return Material(with_rate_smoothing(law, time)); }, material);
+  return visit([&](const auto& law) { return Material(with_rate_smoothing(law, time)); }, material);
 }
 
 void recover(const Material& material, Real share, Real* state)
 {
-  std::visit([&](const auto& law) { recover(law, share, state); }, material);
+  visit([&](const auto& law) { recover(law, share, state); }, material);
 }
 
 bool dilates(const Material& material)
 {
-  return std::visit([](const auto& law) { return dilates(law); }, material);
+  return visit([](const auto& law) { return dilates(law); }, material);
 }
 
 Material without_dilation(const Material& material)
 {
-  return std::visit([](const auto& law) { return Material(without_dilation(law)); }, material);
+  return visit([](const auto& law) { return Material(without_dilation(law)); }, material);
 }
 
 bool varies(const Material& material)
 {
-  return std::visit([](const auto& law) { return varies(law); }, material);
+  return visit([](const auto& law) { return varies(law); }, material);
 }
 
 std::vector<Real> own_values(const Material& material)
 {
-  return std::visit([](const auto& law) { return own_values(law); }, material);
+  return visit([](const auto& law) { return own_values(law); }, material);
 }
 
 std::vector<FieldInfo> own_fields(const Material& material)
 {
-  return std::visit([](const auto& law) { return own_fields(law); }, material);
+  return visit([](const auto& law) { return own_fields(law); }, material);
 }
 
 Material with_own_values(const Material& material, const Real* own)
 {
-  return std::visit([&](const auto& law) { return Material(with_own_values(law, own)); }, material);
+  return visit([&](const auto& law) { return Material(with_own_values(law, own)); }, material);
 }
 
 Material at_depth(const Material& material, Real depth)
 {
-  return std::visit([&](const auto& law) { return Material(at_depth(law, depth)); }, material);
+  return visit([&](const auto& law) { return Material(at_depth(law, depth)); }, material);
 }
 
 bool non_associated(const Material& material)
 {
-  return std::visit([](const auto& law) { return non_associated(law); }, material);
+  return visit([](const auto& law) { return non_associated(law); }, material);
 }
 
 Material associated(const Material& material, const SymTensor<2>& stress)
 {
-  return std::visit([&](const auto& law) { return Material(associated(law, stress)); }, material);
+  return visit([&](const auto& law) { return Material(associated(law, stress)); }, material);
 }
 
 }  // namespace berm::material

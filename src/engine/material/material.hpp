@@ -1,27 +1,59 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "material/clay.hpp"
-#include "material/law_list.hpp"
-#include "material/linear_elastic.hpp"
-#include "material/modified_cam_clay.hpp"
-#include "material/mohr_coulomb.hpp"
-#include "material/norsand.hpp"
-#include "material/user_law.hpp"
+#include "material/elasticity.hpp"
+#include "material/law_queries.hpp"
+
+#include <any>
+#include <concepts>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace berm::material {
 
-/// The closed list of laws. Each law L has its word and parameters (`describe`), elasticity(L), prepare(L), and
-///
-///   update(prepared, stress, increment, state)
-///
-/// for T = Real, T = Lanes and, in plane strain, T = Dual, and with_own(prepared, own), the law of particles that keep
-/// strength and stiffness for themselves; it overrides the queries of law_queries.hpp whose default does
-/// not apply. Choose once per body with std::visit, outside the loop over particles.
-using Laws = LawList<LinearElastic, MohrCoulomb, Clay, ModifiedCamClay, NorSand, UserLaw<Interface::umat>, UserLaw<Interface::own>>;
+constexpr int max_state = 33;  ///< state variables that a law may have, with the excess pore pressure
 
-using Material = Laws::Material;
-using PreparedMaterial = Laws::Prepared;
+/// A law with its parameters. What does not look into it needs no header of a law, and is not compiled again where one changes; what does includes that law's
+/// header (get, get_if) or all of them (visit of material/laws.hpp).
+class Material {
+public:
+  Material();
+  template <Law L>
+  Material(L law) : law_(std::move(law))
+  {
+  }
+
+  /// The law of this type; null, or an exception, where it is another.
+  template <Law L>
+  const L* get_if() const
+  {
+    return std::any_cast<L>(&law_);
+  }
+  template <Law L>
+  L* get_if()
+  {
+    return std::any_cast<L>(&law_);
+  }
+  template <Law L>
+  const L& get() const
+  {
+    return std::any_cast<const L&>(law_);
+  }
+  template <Law L>
+  L& get()
+  {
+    return std::any_cast<L&>(law_);
+  }
+
+  bool operator==(const Material& other) const;
+
+private:
+  std::any law_;
+};
+
+/// A law with precomputed constants, one of a closed list (material/laws.hpp).
+struct PreparedMaterial;
 
 void describe(Describe& d, Material& material);
 
@@ -49,6 +81,7 @@ Real p_wave_modulus(const Material& material);
 int state_size(const Material& material);
 
 // Water in the pores (material/undrained.hpp).
+std::optional<PoreWater> pore_water(const Material& material);
 bool has_pore_pressure(const Material& material);
 /// Of soil whose water flows; else empty.
 std::optional<Hydraulics> hydraulics(const Material& material);
@@ -69,6 +102,8 @@ SymTensor<dim> effective_stress(const Material& material, SymTensor<dim> stress,
 
 /// The law's word in the input.
 const char* law_word(const Material& material);
+/// Whether both have the same law.
+bool same_law(const Material& material, const Material& other);
 
 // The queries of law_queries.hpp.
 std::string law_name(const Material& material);

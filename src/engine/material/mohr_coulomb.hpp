@@ -90,15 +90,6 @@ MohrCoulomb without_dilation(MohrCoulomb law);
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<2>& stress);
 Real yield_value(const PreparedMohrCoulomb& law, const SymTensor<3>& stress);
 
-/// The law with the cohesion own[0] and Young's modulus own[1], Pa, of each lane.
-template <class T>
-[[gnu::always_inline]] inline PreparedMohrCoulombOf<T> with_own(const PreparedMohrCoulomb& law, const T* own)
-{
-  PreparedMohrCoulombOf<T> made{static_cast<const MohrCoulombConstants&>(law), scaled(law.elastic, own[1] * law.per_young_modulus)};
-  made.set_cohesion(own[0]);
-  return made;
-}
-
 /// The associated law that replaces this one in an increment from a stress on (Krabbenhoft, Karim, Lyamin and Sloan, Int. J.
 /// Numer. Meth. Engng 90, 2012): its friction angle is the dilation angle, its cohesion gives the same shear strength at the
 /// present (s1 + s3)/2, and the tension cut-off is the same. Their steady flows coincide. The law itself where its flow is

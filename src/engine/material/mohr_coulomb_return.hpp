@@ -53,6 +53,15 @@ struct PreparedMohrCoulombOf : MohrCoulombConstants {
 };
 using PreparedMohrCoulomb = PreparedMohrCoulombOf<Real>;
 
+/// The law with the cohesion own[0] and Young's modulus own[1], Pa, of each lane.
+template <class T>
+[[gnu::always_inline]] inline PreparedMohrCoulombOf<T> with_own(const PreparedMohrCoulomb& law, const T* own)
+{
+  PreparedMohrCoulombOf<T> made{static_cast<const MohrCoulombConstants&>(law), scaled(law.elastic, own[1] * law.per_young_modulus)};
+  made.set_cohesion(own[0]);
+  return made;
+}
+
 /// Returns principal trial stresses to the yield surface and gives the volumetric plastic strain of returns to the apex, 0
 /// elsewhere. Stresses on or inside the surface are unchanged. Without branches over the lanes: face, two edges and apex of
 /// the cone; then, where the tension exceeds the cut-off, its planes and their intersection with the cone. `strength`, Pa,

@@ -108,18 +108,7 @@ Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& sta
     for (Index cell : state.particles[b].occupied()) grids[b].enter(model.mesh, cell);
     for (Index cell : grids[b].halo.outer) grids[b].enter(model.mesh, cell);
     grids[b].total_mass = sums_over(state.particles[b]).mass;
-    laws.emplace_back();
-    laws_without_dilation.emplace_back();
-    own_soil.push_back(varies(body.soil));
-    number_offset.push_back(problem::number_offset(body.soil));
-    volume_rules.emplace_back();
-    for (const material::Material& material : body.soil.materials) {
-      laws.back().push_back(prepare(material));
-      laws_without_dilation.back().push_back(prepare(without_dilation(material)));
-      const Real per_density = 1 / inertia_density(material);
-      volume_rules.back().push_back(
-          {model.mpm.min_volume_ratio * per_density, model.mpm.max_volume_ratio * per_density, material::dilates(material)});
-    }
+    laws.push_back(laws_of(body.soil, model.mpm));
     max = std::max<std::size_t>(max, state.particles[b].size());
   }
   // A sixteenth of all particles: far more than change cell in one step of a stable run.

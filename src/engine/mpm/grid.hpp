@@ -5,6 +5,8 @@
 #include "mpm/halo.hpp"
 #include "problem/model.hpp"
 
+#include <memory>
+
 namespace berm::mpm {
 
 /// Sums over the particles of one body in one cell; sufficient for the nodes, because shape functions are linear.
@@ -202,6 +204,10 @@ struct VolumeRule {
   bool dilates;
 };
 
+/// The prepared laws of a body (mpm/body_laws.hpp, which only what looks into laws includes).
+struct BodyLaws;
+std::shared_ptr<const BodyLaws> laws_of(const problem::BodySoil& soil, const problem::MpmSettings& settings);
+
 /// Work arrays of a step beside Model and State; allocated once, with the sums of the particles as they are then.
 template <int dim>
 struct Work {
@@ -210,15 +216,10 @@ struct Work {
   bool contacts_share_nodes = false;                          ///< some node is moved by more than one contact point
   std::vector<std::vector<bodies::CellChange>> cell_changes;  ///< by thread
   bodies::Transit<dim> transit;
-  std::vector<Index> changed_cells;                           ///< that particles left or entered
-  std::vector<std::array<Real, dim + 1>> load_shares;         ///< of each load point: what the corners of its cell get
-  std::vector<int> load_owner;                                ///< of each load point: the rank that has its cell
-  std::vector<std::vector<VolumeRule>> volume_rules;          ///< by body and material
-  std::vector<std::vector<material::PreparedMaterial>> laws;  ///< by body and material
-  std::vector<std::vector<material::PreparedMaterial>>
-      laws_without_dilation;       ///< the same without dilation, for particles at their maximum volume
-  std::vector<char> own_soil;      ///< by body: whether its particles differ in strength, stiffness or material
-  std::vector<int> number_offset;  ///< by body: of the material's number among the extra numbers of a particle, or none
+  std::vector<Index> changed_cells;                    ///< that particles left or entered
+  std::vector<std::array<Real, dim + 1>> load_shares;  ///< of each load point: what the corners of its cell get
+  std::vector<int> load_owner;                         ///< of each load point: the rank that has its cell
+  std::vector<std::shared_ptr<const BodyLaws>> laws;   ///< by body
   Real unbalanced = 0,
        weight = 0;  ///< N, sums over the nodes of |unbalanced force| (away from contacts); of m g and of tractions, last step
 

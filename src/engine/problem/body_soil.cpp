@@ -123,7 +123,7 @@ void check_soil(Describe& d, const Case& c, const std::string& path, const bodie
     d.check(other != none, key, fmt::format("there is no [material.{}]", name), known);
     if (own == none || other == none) return;
     const material::Material &first = c.material[own].second, &second = c.material[other].second;
-    d.check(first.index() == second.index(), key,
+    d.check(same_law(first, second), key,
             fmt::format("[material.{}] has the law \"{}\", [material.{}] of the same body \"{}\": all materials of a body need one law; "
                         "make another body of it, with a [contact] between them",
                         name, law_word(second), body.material, law_word(first)));

@@ -119,7 +119,7 @@ void set_law_state(const Model<dim>& model, const BodySoil& soil, bodies::Partic
     const bodies::Particle<dim> p = particles.read(b, l);
     SymTensor<3> stress;
     std::copy_n(p.stress.c, tensor_size<dim>, stress.c);
-    std::array<Real, material::Laws::max_state> state{};
+    std::array<Real, material::max_state> state{};
     if (own)
       initial_state(soil.at(model.mesh.region_names[model.mesh.region[cell]], model.soil_depth(p.x)), stress, state.data());
     else

@@ -2,6 +2,7 @@
 #include "problem/drainage.hpp"
 
 #include "bodies/initial_stress.hpp"
+#include "material/laws.hpp"
 #include "problem/body_soil.hpp"
 
 namespace berm::problem {

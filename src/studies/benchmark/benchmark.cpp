@@ -6,6 +6,7 @@
 #include "core/timer.hpp"
 #include "io/atomic_file.hpp"
 #include "io/scratch_folder.hpp"
+#include "material/laws.hpp"
 #include "mpm/divide.hpp"
 #include "mpm/step.hpp"
 #include "roofline/roofline_kernel.hpp"
@@ -265,7 +266,7 @@ problem::Case elastic_probe()
 problem::Case probe_in_umat()
 {
   problem::Case c = elastic_probe();
-  const auto& elastic = std::get<material::LinearElastic>(c.material[0].second);
+  const auto& elastic = c.material[0].second.get<material::LinearElastic>();
   material::UserLaw<material::Interface::umat> law;
   law.density = elastic.density;
   law.young_modulus = elastic.young_modulus;

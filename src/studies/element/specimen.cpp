@@ -2,6 +2,8 @@
 // Tests: tests/unit/element/run_test_test.cpp
 #include "element/specimen.hpp"
 
+#include "material/laws.hpp"
+
 namespace berm::element {
 namespace {
 
@@ -16,7 +18,7 @@ std::vector<Real> state_at_start(const material::Material& material, const SymTe
 }  // namespace
 
 Specimen::Specimen(const material::Material& material, const SymTensor<3>& stress)
-    : law_(material::prepare(material)),
+    : law_(std::make_shared<material::PreparedMaterial>(material::prepare(material))),
       stress_(stress),
       state_(state_at_start(material, stress))
 {
@@ -25,7 +27,7 @@ Specimen::Specimen(const material::Material& material, const SymTensor<3>& stres
 void Specimen::update(SymTensor<3>& stress, const SymTensor<3>& strain, Real dt, std::vector<Real>& state) const
 {
   const material::Increment<3, Real> increment{strain, dt, time_};
-  std::visit([&](const auto& law) { material::update(law, stress, increment, state.data()); }, law_);
+  std::visit([&](const auto& law) { material::update(law, stress, increment, state.data()); }, *law_);
 }
 
 SymTensor<3> Specimen::stress_after(const SymTensor<3>& strain, Real dt) const

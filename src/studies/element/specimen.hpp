@@ -3,6 +3,8 @@
 
 #include "material/material.hpp"
 
+#include <memory>
+
 namespace berm::element {
 
 /// A piece of soil of uniform stress: what a law makes of strains. Tensors as in the engine: tension positive, y upwards.
@@ -23,7 +25,7 @@ public:
 private:
   void update(SymTensor<3>& stress, const SymTensor<3>& strain, Real dt, std::vector<Real>& state) const;
 
-  material::PreparedMaterial law_;
+  std::shared_ptr<const material::PreparedMaterial> law_;
   SymTensor<3> stress_, strain_;
   std::vector<Real> state_;
   Real time_ = 0;

@@ -2,6 +2,7 @@
 // What is refused of an input of element tests: each names the line and the key, and says what is allowed.
 #include "core/error.hpp"
 #include "element/element_settings.hpp"
+#include "material/mohr_coulomb.hpp"
 #include "samples/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -152,7 +153,7 @@ TEST(ElementInput, takes_materials_from_a_case_and_changes_of_them)
   folder.write("run.toml", "surface = 0\n" + good_input.substr(good_input.find("[material"), tests - good_input.find("[material")));
   folder.write("case.toml", "materials_from = \"run.toml\"\n" + good_input.substr(tests));
   const ElementCase c = read_element_case(folder.path() / "case.toml", {"material.clay.cohesion=12 kPa", "test.cd.strain_path=[0.2]"});
-  EXPECT_EQ(std::get<material::MohrCoulomb>(material_of(c, c.test[1])).cohesion, 12e3);
+  EXPECT_EQ(material_of(c, c.test[1]).get<material::MohrCoulomb>().cohesion, 12e3);
   EXPECT_EQ(c.test[0].strain_path, std::vector<Real>{0.2});
   folder.write("case.toml", "materials_from = \"rum.toml\"\n" + good_input.substr(tests));
   EXPECT_THROW(read_element_case(folder.path() / "case.toml"), InputError);
@@ -166,7 +167,7 @@ TEST(ElementInput, takes_the_soil_at_the_depth_of_the_specimen)
   text += "depth = \"3 m\"\n";
   folder.write("case.toml", text);
   const ElementCase c = read_element_case(folder.path() / "case.toml");
-  EXPECT_EQ(std::get<material::MohrCoulomb>(material_of(c, c.test[1])).cohesion, 16e3);
+  EXPECT_EQ(material_of(c, c.test[1]).get<material::MohrCoulomb>().cohesion, 16e3);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/key_results.hpp"
+#include "material/linear_elastic.hpp"
 #include "sample_tests.hpp"
 
 #include <algorithm>

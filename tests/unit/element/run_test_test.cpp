@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "element/run_test.hpp"
+#include "material/clay.hpp"
 #include "sample_tests.hpp"
 
 #include <gtest/gtest.h>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "element/run_test.hpp"
+#include "material/mohr_coulomb.hpp"
 
 namespace berm::element {
 

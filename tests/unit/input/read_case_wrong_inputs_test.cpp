@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/error.hpp"
 #include "input/read_case.hpp"
+#include "material/linear_elastic.hpp"
+#include "material/mohr_coulomb.hpp"
 #include "samples/wrong_inputs.hpp"
 
 #include <gtest/gtest.h>
@@ -47,8 +49,8 @@ TEST(ReadCase, takes_the_good_case)
   EXPECT_DOUBLE_EQ(read.gravity[1], -standard_gravity);
   ASSERT_EQ(read.material.size(), 2u);
   EXPECT_EQ(read.material[0].first, "sand");
-  EXPECT_DOUBLE_EQ(std::get<material::MohrCoulomb>(read.material[0].second).friction_angle, 35 * pi / 180);
-  EXPECT_DOUBLE_EQ(std::get<material::LinearElastic>(read.material[1].second).young_modulus, 2e6);
+  EXPECT_DOUBLE_EQ(read.material[0].second.get<material::MohrCoulomb>().friction_angle, 35 * pi / 180);
+  EXPECT_DOUBLE_EQ(read.material[1].second.get<material::LinearElastic>().young_modulus, 2e6);
   EXPECT_EQ(read.body[0].second.region_damping, (std::map<std::string, Real>{{"box", 0.05}}));
   EXPECT_FALSE(read.body[0].second.block.has_value());
   ASSERT_EQ(read.stage.size(), 2u);

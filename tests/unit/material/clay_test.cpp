@@ -2,7 +2,7 @@
 #include "material/clay.hpp"
 
 #include "clay_cases.hpp"
-#include "material/material.hpp"
+#include "material/laws.hpp"
 #include "material/tangent.hpp"
 #include "mohr_coulomb_cases.hpp"
 

@@ -2,7 +2,7 @@
 #include "material/undrained.hpp"
 
 #include "critical_state_paths.hpp"
-#include "material/material.hpp"
+#include "material/laws.hpp"
 
 namespace berm::material {
 namespace {
@@ -153,7 +153,7 @@ TEST(Undrained, without_bulk_modulus_water_is_30_times_as_stiff_as_the_skeleton)
 TEST(Undrained, soil_has_one_state_variable_more_than_drained_soil)
 {
   for (const Material& material : {Material(sand(0.5)), Material(sample_cam_clay()), Material(sample_norsand())}) {
-    const Material wet = std::visit([](const auto& law) { return Material(with_pores(law, 1e8)); }, material);
+    const Material wet = visit([](const auto& law) { return Material(with_pores(law, 1e8)); }, material);
     EXPECT_EQ(state_size(wet), state_size(material) + 1);
     EXPECT_EQ(state_fields(wet).back().name, "excess_pore_pressure");
     EXPECT_EQ(state_fields(wet).size(), state_fields(material).size() + 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "material/user_law.hpp"
 
-#include "material/material.hpp"
+#include "material/laws.hpp"
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ TEST(UserLaw, both_interfaces_share_what_a_step_needs)
   EXPECT_TRUE((std::is_same_v<PreparedLaw<Own>, PreparedLaw<UserLaw<Interface::umat>>>));
   EXPECT_STREQ(Own::word, "user");
   EXPECT_STREQ(UserLaw<Interface::umat>::word, "umat");
-  EXPECT_EQ(std::variant_size_v<PreparedMaterial>, 2 * (std::variant_size_v<Material> - 1) - 1)
+  EXPECT_EQ(std::variant_size_v<Laws::Prepared>, 2 * (std::variant_size_v<Laws::Any> - 1) - 1)
       << "each drained and, but for clay, undrained";
 }
 

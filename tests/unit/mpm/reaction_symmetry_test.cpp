@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "material/linear_elastic.hpp"
 #include "mpm/step.hpp"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,8 @@
 #include "bodies/fill.hpp"
 #include "mpm/grid.hpp"
 
+#include "material/linear_elastic.hpp"
+#include "material/mohr_coulomb.hpp"
 #include "samples/sample_meshes.hpp"
 
 namespace berm::mpm {

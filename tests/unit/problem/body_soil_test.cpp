@@ -2,6 +2,7 @@
 #include "problem/body_soil.hpp"
 
 #include "core/error.hpp"
+#include "material/mohr_coulomb.hpp"
 #include "sample_case.hpp"
 
 #include <gtest/gtest.h>
@@ -70,7 +71,7 @@ TEST(Build, gives_each_particle_mass_strength_stiffness_and_stress_of_its_layer)
   Case c = layered();
   c.gravity = {0, -10};
   c.body[0].second.k0 = 0.5;
-  auto* stiff = std::get_if<material::MohrCoulomb>(&c.material[1].second);
+  auto* stiff = c.material[1].second.get_if<material::MohrCoulomb>();
   stiff->cohesion_gradient = 2e3;
   const Problem<2> problem = build<2>(c, mesh::make_box<2>(std::get<mesh::BoxMesh>(c.mesh)));
   const bodies::Particles<2>& particles = problem.state.particles[0];
@@ -100,7 +101,7 @@ TEST(Build, refuses_soil_whose_strength_is_negative_where_the_body_reaches)
 {
   Case c = layered();
   c.body[0].second.soil_layer.clear();
-  std::get_if<material::MohrCoulomb>(&c.material[0].second)->cohesion_gradient = -800;  // nothing is left at 1.25 m
+  c.material[0].second.get_if<material::MohrCoulomb>()->cohesion_gradient = -800;  // nothing is left at 1.25 m
   try {
     build<2>(c, mesh::make_box<2>(std::get<mesh::BoxMesh>(c.mesh)));
     FAIL() << "it was accepted";

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "material/linear_elastic.hpp"
+#include "material/modified_cam_clay.hpp"
 #include "problem/drainage.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "problem/interface.hpp"
 
+#include "material/clay.hpp"
 #include "problem/body_soil.hpp"
 #include "problem/case.hpp"
 
@@ -75,7 +76,7 @@ TEST(AdhesionLaw, of_an_adhesion_in_pascals_falls_too)
 TEST(MemoryOfParticles, is_there_for_the_contacts_that_need_it_and_follows_the_numbers_of_the_soil)
 {
   Case c;
-  material::Clay growing = std::get<material::Clay>(clay(5e3, 0.1));
+  material::Clay growing = clay(5e3, 0.1).get<material::Clay>();
   growing.undrained_strength_gradient = 1e3;
   c.material = {{"clay", growing}};
   bodies::BodySettings body;

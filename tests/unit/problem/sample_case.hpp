@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "material/linear_elastic.hpp"
 #include "problem/model.hpp"
 #include "problem/stages.hpp"
 

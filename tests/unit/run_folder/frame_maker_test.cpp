@@ -2,6 +2,8 @@
 #include "run_folder/frame_maker.hpp"
 
 #include "bodies/fill.hpp"
+#include "material/linear_elastic.hpp"
+#include "material/mohr_coulomb.hpp"
 #include "mesh/box.hpp"
 #include "mpm/step.hpp"
 #include "samples/frame_particles.hpp"
@@ -178,7 +180,7 @@ TEST(FrameMaker, a_bed_at_rest_has_no_strain_however_long_it_rests)
 TEST(FrameMaker, shows_pore_pressure_and_effective_stress_where_a_body_is_undrained)
 {
   problem::Problem<2> problem = block_in_box(2);
-  material::LinearElastic wet = std::get<material::LinearElastic>(problem.model.bodies[1].soil.materials.front());
+  material::LinearElastic wet = problem.model.bodies[1].soil.materials.front().get<material::LinearElastic>();
   wet.water.emplace();
   problem.model.bodies[1].soil = problem::soil_of_one(wet);
   bodies::BlockSettings block;

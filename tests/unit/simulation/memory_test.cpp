@@ -2,6 +2,7 @@
 #include "simulation/memory.hpp"
 
 #include "core/error.hpp"
+#include "material/mohr_coulomb.hpp"
 #include "mpm/step.hpp"
 #include "run_folder/frame_maker.hpp"
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "material/linear_elastic.hpp"
+#include "material/mohr_coulomb.hpp"
 #include "mpm/step.hpp"
 #include "problem/stages.hpp"
 

@@ -2,6 +2,7 @@
 #include "uncertainty/variants.hpp"
 
 #include "core/error.hpp"
+#include "material/clay.hpp"
 #include "samples/clay_pipe.hpp"
 
 #include <gtest/gtest.h>

@@ -30,7 +30,7 @@ problem::Case case_with(const std::string& symbol)
 
 OwnLaw& law_of(problem::Case& c)
 {
-  return std::get<OwnLaw>(c.material[0].second);
+  return c.material[0].second.get<OwnLaw>();
 }
 
 std::string refusal_of(problem::Case c)

@@ -2,6 +2,7 @@
 // Tests: tests/unit/report/setup/setup_section_test.cpp
 #include "report/setup/setup_tables.hpp"
 
+#include "material/laws.hpp"
 #include "problem/drainage.hpp"
 #include "report/setup/parameter_table.hpp"
 #include "report/setup/stage_words.hpp"
@@ -95,12 +96,7 @@ void add_law(Rows& rows, const std::string& prefix, const Law& law)
 /// Where the water in the pores goes.
 void add_water(Rows& rows, const std::string& prefix, const material::Material& material)
 {
-  const std::optional<material::PoreWater> water = std::visit(
-      [](const auto& law) -> std::optional<material::PoreWater> {
-        if constexpr (requires { law.water; }) return law.water;
-        return {};
-      },
-      material);
+  const std::optional<material::PoreWater> water = pore_water(material);
   if (!water) return;
   using enum material::Drainage;
   rows.add(prefix + "water in the pores", water->drainage == drained     ? "drained: no excess pore pressure"
@@ -123,7 +119,7 @@ void add_material(Rows& rows, const std::string& prefix, const material::Materia
     rows.add(prefix + "unit weight", rows.with_prototype(text::unit_weight_words(density(material) * gravity),
                                                          text::unit_weight_words(density(material) * standard_gravity)));
   const auto [E, nu] = young_poisson(material);
-  const bool by_pressure = std::visit(
+  const bool by_pressure = visit(
       [](const auto& law) {
         return requires
         {
@@ -136,7 +132,7 @@ void add_material(Rows& rows, const std::string& prefix, const material::Materia
   for (const auto& [name, body] : c.body)
     if (body.k0 && &c.material[problem::index_of(c.material, body.material)].second == &material)
       rows.add(prefix + "K0", text::number_words(*body.k0));
-  std::visit([&](const auto& law) { add_law(rows, prefix, law); }, material);
+  visit([&](const auto& law) { add_law(rows, prefix, law); }, material);
   add_water(rows, prefix, material);
 }
 

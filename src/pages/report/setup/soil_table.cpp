@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/setup/soil_table.hpp"
 
+#include "material/laws.hpp"
 #include "problem/body_soil.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
@@ -16,7 +17,7 @@ namespace {
 /// Depths (m) at which a profile of the material has an entry.
 std::vector<Real> profile_depths(const material::Material& material)
 {
-  return std::visit(
+  return visit(
       [](const auto& law) -> std::vector<Real> {
         if constexpr (requires { law.profile.depth; }) return law.profile.depth;
         return {};

@@ -2,6 +2,7 @@
 // Tests: tests/unit/structures/pipe/published/published_test.cpp
 #include "structures/pipe/published/published_clay.hpp"
 
+#include "material/clay.hpp"
 #include "structures/formulas/clay_sweeps.hpp"
 #include "structures/formulas/f114_lateral.hpp"
 #include "structures/formulas/f114_vertical.hpp"
@@ -123,7 +124,7 @@ std::vector<std::string> remarks_on(const ClayAround& clay)
     remarks.emplace_back(
         "The strength of this run's clay varies with depth; formulas for uniform clay take its strength at the pipe's lowest point.");
   for (const material::Material& material : clay.soil.materials)
-    if (const auto* law = std::get_if<material::Clay>(&material); law != nullptr && (law->sensitivity > 1 || law->rate_parameter > 0))
+    if (const auto* law = material.get_if<material::Clay>(); law != nullptr && (law->sensitivity > 1 || law->rate_parameter > 0))
       remarks.push_back(
           fmt::format("The clay of this run changes its strength: sensitivity {:.3g}{}{}. The formulas take the intact strength s_u at the "
                       "reference rate.",

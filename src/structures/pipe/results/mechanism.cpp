@@ -3,6 +3,7 @@
 
 #include "bodies/rigid/rigid_body.hpp"
 #include "core/error.hpp"
+#include "material/clay.hpp"
 
 #include <algorithm>
 #include <map>
@@ -35,7 +36,7 @@ Real half_remoulded(const PipeRun& run)
 {
   const std::optional<problem::BodySoil> soil = base::touched_soil(run.record);
   if (!soil || soil->materials.size() > 1) return 0;
-  const auto* clay = std::get_if<material::Clay>(&soil->materials.front());
+  const auto* clay = soil->materials.front().get_if<material::Clay>();
   return clay != nullptr && clay->sensitivity > 1 ? clay->ductility * std::log(2.) / 3 : 0;
 }
 

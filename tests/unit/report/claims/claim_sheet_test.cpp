@@ -64,7 +64,7 @@ TEST(ClaimSheet, a_run_is_of_the_test_where_one_table_of_its_case_has_all_that_i
   two.settings.material[0].second = MadeRun::clay_law();
   two.settings.material[1].first = "sand";
   EXPECT_TRUE(is_of_test(two, sheet));
-  std::get<material::MohrCoulomb>(two.settings.material[1].second).young_modulus = 8e6;
+  two.settings.material[1].second.get<material::MohrCoulomb>().young_modulus = 8e6;
   EXPECT_FALSE(is_of_test(two, sheet)) << "the friction of one and the stiffness of the other";
 }
 

@@ -38,7 +38,7 @@ TEST(DrivenBody, has_the_strength_of_its_lowest_point_at_the_end_of_the_push)
   MadeRun run;
   run.law = MadeRun::clay_law();
   problem::Case c = run.settings();
-  std::get_if<material::MohrCoulomb>(&c.material[0].second)->cohesion_gradient = 5e4;
+  c.material[0].second.get_if<material::MohrCoulomb>()->cohesion_gradient = 5e4;
   for (problem::StageSettings& stage : c.stage)
     if (stage.kind == problem::StageKind::push) stage.until.embedment = 0.01;
   EXPECT_DOUBLE_EQ(reference_depth(c), 0.01);
@@ -52,7 +52,7 @@ TEST(DrivenBody, in_a_trench_has_the_strength_of_the_soil_as_it_was_laid_down)
   MadeRun made;
   made.law = MadeRun::clay_law();
   record::RunRecord run = made.record();
-  std::get_if<material::MohrCoulomb>(&run.settings.material[0].second)->cohesion_gradient = 5e4;
+  run.settings.material[0].second.get_if<material::MohrCoulomb>()->cohesion_gradient = 5e4;
   for (problem::StageSettings& stage : run.settings.stage)
     if (stage.kind == problem::StageKind::push) stage.until.embedment = 0.01;
   run.ground.line.corners = {{-1, 0}, {-0.05, 0}, {-0.05, -0.04}, {0.05, -0.04}, {0.05, 0}, {1, 0}};

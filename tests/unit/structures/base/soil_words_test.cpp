@@ -16,9 +16,9 @@ TEST(SoilWords, say_layers_and_the_strength_at_the_surface_and_where_the_push_en
   EXPECT_TRUE(soil_words(c).empty());
   auto stiff = c.material[0];
   stiff.first = "stiff";
-  std::get_if<material::MohrCoulomb>(&stiff.second)->cohesion = 3e3;
+  stiff.second.get_if<material::MohrCoulomb>()->cohesion = 3e3;
   c.material.push_back(stiff);
-  std::get_if<material::MohrCoulomb>(&c.material[0].second)->cohesion_gradient = 5e4;
+  c.material[0].second.get_if<material::MohrCoulomb>()->cohesion_gradient = 5e4;
   c.body[0].second.soil_layer = {{0.05, "stiff"}};
   for (problem::StageSettings& stage : c.stage)
     if (stage.kind == problem::StageKind::push) stage.until.embedment = 0.01;

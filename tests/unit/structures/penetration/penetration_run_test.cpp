@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "structures/penetration/penetration_run.hpp"
 
+#include "material/linear_elastic.hpp"
 #include "samples/made_push.hpp"
 #include "structures/ball/ball.hpp"
 #include "structures/cone/cone.hpp"

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Tests: tests/unit/mpm/move_test.cpp
+#pragma once
+
+#include "core/rotate.hpp"
+#include "material/law_list.hpp"
+#include "mpm/flow.hpp"
+#include "mpm/hoop.hpp"
+#include "mpm/move_by_law.hpp"
+#include "mpm/particle_motion.hpp"
+#include "mpm/transfer.hpp"
+
+#include <tuple>
+
+namespace berm::mpm {
+
+/// Increments of strain, rotation and dilation, uniform in a cell.
+template <int dim>
+struct CellStrain {
+  SymTensor<dim> strain{};
+  Real rotation[dim][dim] = {};
+  Real dilation = 0;
+
+  [[gnu::always_inline]] CellStrain(const LinearField<dim>& velocity, Real dt)
+  {
+    for (int a = 0; a < dim; ++a) {
+      dilation += velocity.slope[a][a] * dt;
+      for (int b = a; b < dim; ++b) strain[tensor_index(a, b)] = 0.5 * dt * (velocity.slope[a][b] + velocity.slope[b][a]);
+      for (int b = 0; b < dim; ++b) rotation[a][b] = 0.5 * dt * (velocity.slope[a][b] - velocity.slope[b][a]);
+    }
+  }
+  /// Adds the strain around the axis.
+  [[gnu::always_inline]] void add_hoop(Real hoop)
+  {
+    strain[2] = hoop;
+    dilation += hoop;
+  }
+  /// Takes over the projected dilation: the change is shared by as many directions, so that plane strain stays plane.
+  template <int directions>
+  [[gnu::always_inline]] void project(Real projected)
+  {
+    for (int a = 0; a < directions; ++a) strain[a] += (projected - dilation) / directions;
+    dilation = projected;
+  }
+};
+
+/// The law, but for particles that have grown to their largest volume: these dilate no more.
+template <int dim, class Law, class V>
+[[gnu::always_inline]] inline void update_stress_of(const Law& law, const Law* law_without_dilation, typename Part<V>::Mask fully_dilated,
+                                                    SymTensor<dim, V>& stress, const material::Increment<dim, V>& increment, V* state)
+{
+  if (law_without_dilation == nullptr || !any(fully_dilated)) {
+    update(law, stress, increment, state);
+    return;
+  }
+  SymTensor<dim, V> dilated_stress = stress;
+  const int state_variables = state_count(law);
+  V dilated_state[std::max(Law::state_size, 1)];
+  std::copy_n(state, state_variables, dilated_state);
+  update(law, stress, increment, state);
+  update(*law_without_dilation, dilated_stress, increment, dilated_state);
+  for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = fully_dilated ? dilated_stress[k] : stress[k];
+  for (int k = 0; k < state_variables; ++k) state[k] = fully_dilated ? dilated_state[k] : state[k];
+}
+
+/// Bounds of the particles' volume over their mass.
+template <class V>
+struct VolumeBounds {
+  V min{}, max{};
+};
+
+/// The law of each particle: its material's, with its own strength and stiffness. One pass for each material in the part, which is one but at the edges of
+/// layers.
+template <int dim, class Law, class P, class V>
+[[gnu::always_inline]] inline VolumeBounds<V>
+update_by_own_soil(const SoilOf<Law>& soil, const P& part, const Lanes* low, const Lanes* high, const V& mass, const V& volume,
+                   SymTensor<dim, V>& stress, material::Increment<dim, V>& increment, V* state)
+{
+  using Mask = typename Part<V>::Mask;
+  constexpr int own_size = SoilOf<Law>::own_size, first_own = SoilOf<Law>::first_own;
+  V own[own_size + 1], number{};
+  for (int k = 0; k < own_size; ++k) own[k] = part.get(low[first_own + k], high[first_own + k]);
+  if (soil.number_offset != none) number = part.get(low[soil.number_offset], high[soil.number_offset]);
+  const SymTensor<dim, V> begin = stress;
+  V begin_state[Law::state_size + 1];
+  const int state_variables = state_count(*soil.laws.front());
+  std::copy_n(state, state_variables, begin_state);
+  VolumeBounds<V> bounds;
+  for (Mask left = part.alive(); any(left);) {
+    int first = 0;
+    while (!left[first]) ++first;
+    const auto n = static_cast<std::size_t>(number[first]);
+    const Mask these = left & (number == number[first]);
+    left &= ~these;
+    const VolumeRule& rule = soil.rules[n];
+    SymTensor<dim, V> s = begin;
+    V of_law[Law::state_size + 1];
+    std::copy_n(begin_state, state_variables, of_law);
+    increment.active = these;
+    const auto& here = with_own(*soil.laws[n], own);
+    const Mask fully_dilated = these & (volume >= mass * rule.max_volume);
+    if (rule.dilates && any(fully_dilated)) {
+      const auto& without_dilation = with_own(*soil.laws_without_dilation[n], own);
+      update_stress_of<dim>(here, &without_dilation, fully_dilated, s, increment, of_law);
+    } else {
+      update(here, s, increment, of_law);
+    }
+    for (int k = 0; k < tensor_size<dim>; ++k) stress[k] = these ? s[k] : stress[k];
+    for (int k = 0; k < state_variables; ++k) state[k] = these ? of_law[k] : state[k];
+    bounds.min = these ? mass * rule.min_volume : bounds.min;
+    bounds.max = these ? mass * rule.max_volume : bounds.max;
+  }
+  return bounds;
+}
+
+/// The kinetic energy that the particles of a cell have gained once they have the velocity v + dt a.
+template <int dim>
+Real kinetic_gain(const LinearField<dim>& acceleration, const Moments<dim>& t, Real dt)
+{
+  Real ma[dim], max[dim][dim];
+  for (int d = 0; d < dim; ++d) ma[d] = acceleration.momentum(d, t, max[d]);
+  return dt * (acceleration.dot(t.mv, t.mvx) + 0.5 * dt * acceleration.dot(ma, max));
+}
+
+/// The dilation that the cells of a patch share, over their volume; of their water, or of the soil.
+inline Real patch_dilation(const mesh::Patches& patches, const CellField<VolumeChange>& of_cells, Index cell)
+{
+  Real volume = 0, change = 0;
+  mesh::for_each_in_patch(patches, cell, [&](Index member) {
+    volume += of_cells[member].volume;
+    change += of_cells[member].change;
+  });
+  return change / volume;
+}
+
+/// Particles move for the time `motion` (s).
+template <bool own_soil, mesh::Metric metric, int dim, class Law>
+void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::Model<dim>& model, problem::State<dim>& state,
+                          Work<dim>& work, Index body)
+{
+  const Law& law = *soil.laws.front();
+  [[maybe_unused]] const Law* law_without_dilation = soil.dilates ? soil.laws_without_dilation.front() : nullptr;
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  BodyGrid<dim>& grid = work.grids[body];
+  bodies::Particles<dim>& particles = state.particles[body];
+  const Real dt = state.dt, time = state.time, per_density = 1 / model.bodies[body].waves.mean_density;
+  const Real min_volume = model.mpm.min_volume_ratio * per_density, max_volume = model.mpm.max_volume_ratio * per_density;
+  const Real filtered = grid.filtered_part(motion), unfiltered = 1 - filtered;
+  for (auto& list : work.cell_changes) list.clear();
+
+  const auto move_in_cell = [&](Index c) {
+    const Index cell = particles.active()[c];
+    particles.prefetch_after(c);
+    const auto& nodes = mesh.nodes[cell];
+    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
+    Real at_zero[dim] = {};
+    shape_at_zero(shape, at_zero);
+    const LinearField<dim> gain(shape, nodes, [&](Index i, int d) { return grid.gain(i, d, motion, filtered); }),
+        velocity(shape, nodes, grid.mapped_velocity);
+    CellStrain<dim> cell_strain(velocity, dt);
+    if constexpr (metric == mesh::Metric::axisymmetric)
+      cell_strain.add_hoop(dt * hoop_rate(shape, nodes, grid, cell, grid.mapped_velocity));
+    if (model.mpm.volumetric_projection)
+      cell_strain.template project<strained_directions<dim, metric>>(patch_dilation(model.patches, grid.volume_change, cell));
+    const Real deviatoric = equivalent_deviatoric_strain(cell_strain.strain), stretch = 1 + cell_strain.dilation;
+
+    Real outflow = 0, exchange = 0, level = 0;
+    if (grid.water.flows()) {
+      outflow = patch_dilation(model.patches, grid.water.outflow, cell);
+      exchange = dt * leveling_rate<dim>(grid.water.cells[cell], mesh.section(cell));
+      level = grid.water.cells[cell].pressure;
+    }
+    Real cell_size = 0;
+    if constexpr (requires { law.softening_length; })
+      if (law.softening_length > 0) cell_size = dim == 2 ? std::sqrt(mesh.section(cell)) : std::cbrt(mesh.section(cell));
+
+    WorkDone done;
+    particles.parts(cell, [&](const auto& part) {
+      using V = typename std::decay_t<decltype(part)>::Vector;
+      using Mask = typename Part<V>::Mask;
+      bodies::Block<dim>&p = particles.block(part.block), &q = particles.block(part.other);
+      const Mask alive = part.alive();
+      const V min_shape = move_part<V>(part, p, q, shape, at_zero, gain, velocity, motion, filtered, unfiltered, done);
+      const V mass = part.get(p.mass, q.mass), volume = part.get(p.volume, q.volume);
+      material::Increment<dim, V> increment{.strain = {},
+                                            .dt = dt,
+                                            .time = time,
+                                            .cell_size = cell_size,
+                                            .outflow = outflow,
+                                            .exchange = exchange,
+                                            .level = level,
+                                            .active = alive};
+      SymTensor<dim, V>& strain = increment.strain;
+      SymTensor<dim, V> stress, both_stresses;
+      for (int k = 0; k < tensor_size<dim>; ++k) {
+        strain[k] = cell_strain.strain[k] - V{};
+        stress[k] = both_stresses[k] = part.get(p.stress[k], q.stress[k]);
+      }
+      rotate(stress, cell_strain.rotation);
+      [[maybe_unused]] VolumeBounds<V> bounds;
+      if constexpr (own_soil) {
+        const Lanes *low = particles.extra(part.block), *high = particles.extra(part.other);
+        part.template change<Law::state_size>(
+            particles.state(part.block), particles.state(part.other), state_count(law),
+            [&](V* law_state) { bounds = update_by_own_soil<dim>(soil, part, low, high, mass, volume, stress, increment, law_state); });
+      } else {
+        const Mask fully_dilated = alive & (volume >= mass * max_volume);
+        part.template change<Law::state_size>(
+            particles.state(part.block), particles.state(part.other), state_count(law),
+            [&](V* law_state) { update_stress_of<dim>(law, law_without_dilation, fully_dilated, stress, increment, law_state); });
+      }
+      for (int k = 0; k < tensor_size<dim>; ++k) {
+        const V kept = alive ? stress[k] : V{};
+        both_stresses[k] += kept;
+        part.set(p.stress[k], q.stress[k], kept);
+      }
+      done.internal += sum(0.5 * volume * double_dot(both_stresses, strain));
+      if constexpr (own_soil)
+        part.set(p.volume, q.volume, smaller(larger(volume * stretch, bounds.min), bounds.max));
+      else
+        part.set(p.volume, q.volume, smaller(larger(volume * stretch, mass * min_volume), mass * max_volume));
+      part.set(p.deviatoric_strain, q.deviatoric_strain, part.get(p.deviatoric_strain, q.deviatoric_strain) + deviatoric);
+
+      if (motion > 0) note_cell_changes(part, min_shape, mesh, work, cell, p, q);
+    });
+    if (filtered > 0) done.filtered += kinetic_gain(LinearField<dim>(shape, nodes, grid.acceleration), grid.moments[cell], motion);
+    if (grid.full_cells) done.internal *= grid.weight[cell];
+    done.internal += grid.moments[cell].volume * grid.viscous_stress[cell] * cell_strain.dilation;
+    return done;
+  };
+  // The particles are in the cache still where their moments follow at once.
+  const WorkDone work_done = sum_of<WorkDone>("move and strain particles", particles.active_chunks(), move_in_cell,
+                                              [&](Index c) { sum_moments_of(mesh, particles, particles.active()[c], grid); });
+  state.totals.internal += work_done.internal;
+  state.totals.damping += work_done.filtered;
+}
+
+template <int dim, class Law>
+void move_by_law(const SoilOf<Law>& soil, Real motion, const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work,
+                 Index body)
+{
+  with_metric(model.mesh, [&](auto metric) {
+    if (soil.own_soil)
+      move_and_strain_with<true, metric(), dim>(soil, motion, model, state, work, body);
+    else
+      move_and_strain_with<false, metric(), dim>(soil, motion, model, state, work, body);
+  });
+}
+
+/// Its explicit instantiation compiles the passes of these laws, without and with water in their pores; some have the same for both.
+template <material::Law... Ls>
+struct MovesOf {
+  template <int dim>
+  static constexpr auto in_space = std::tuple(&move_by_law<dim, material::PreparedLaw<Ls>>...,
+                                              &move_by_law<dim, material::PreparedWithWater<Ls>>...);
+  static constexpr auto all = std::tuple_cat(in_space<2>, in_space<3>);
+};
+
+}  // namespace berm::mpm
