@@ -267,7 +267,7 @@ void does_the_soil_bear_its_initial_stress(const Scene& s, Findings& found)
 void is_the_interface_weaker_than_the_soil(const Scene& s, Findings& found)
 {
   for (const auto& [name, contact] : s.c.contact) {
-    if (contact.scheme == contact::Scheme::tied) continue;
+    if (rules_of(contact.scheme).tied) continue;
     const Index body = problem::index_of(s.c.body, contact.body);
     const material::Material at_surface = s.material_at(body, 0);
     const std::optional<material::Strength> soil = strength_at_rest(at_surface);

@@ -14,8 +14,7 @@ std::vector<Index> blocks_in_order(const Particles<dim>& particles)
 {
   std::vector<Index> order;
   for (const Index cell : particles.occupied())
-    for (Index left = particles.count_in(cell), b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
-      order.push_back(b);
+    for (const auto& block : particles.blocks_in(cell)) order.push_back(block.index);
   return order;
 }
 

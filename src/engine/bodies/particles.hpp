@@ -67,6 +67,44 @@ struct ExtraField {
   int offset;  ///< of its first number among the extra numbers of a particle
 };
 
+/// A block of the chain of a cell.
+template <class B>
+struct CellBlock {
+  B& block;
+  Index index;  ///< of the block
+  int count;    ///< of its lanes that hold a particle: the first ones
+};
+
+/// The chain of blocks of a cell, to go over: for (const auto& [p, b, count] : particles.blocks_in(cell)).
+template <class B>
+class CellBlocks {
+public:
+  struct End {};
+  class Iterator {
+  public:
+    Iterator(B* blocks, Index first, Index left) : blocks_(blocks), index_(first), left_(left) {}
+    CellBlock<B> operator*() const { return {blocks_[index_], index_, left_ < lanes ? left_ : lanes}; }
+    Iterator& operator++()
+    {
+      index_ = blocks_[index_].next;
+      left_ -= lanes;
+      return *this;
+    }
+    bool operator!=(End) const { return left_ > 0; }
+
+  private:
+    B* blocks_;
+    Index index_, left_;
+  };
+
+  CellBlocks(B* blocks, Index first, Index count) : begin_(blocks, first, count) {}
+  Iterator begin() const { return begin_; }
+  End end() const { return {}; }
+
+private:
+  Iterator begin_;
+};
+
 /// The particles of one body, sorted by cell: each cell owns a chain of blocks, all full but the last. Memory is reserved once; particles that
 /// change cell allocate nothing.
 template <int dim>
@@ -84,6 +122,8 @@ public:
 
   Index count_in(Index cell) const { return count_[cell]; }
   Index first_block(Index cell) const { return count_[cell] > 0 ? head_[cell] : none; }
+  CellBlocks<Block<dim>> blocks_in(Index cell) { return {blocks_.data(), head_[cell], count_[cell]}; }
+  CellBlocks<const Block<dim>> blocks_in(Index cell) const { return {blocks_.data(), head_[cell], count_[cell]}; }
   /// Blocks that have been in use so far; some may be empty now.
   Index block_count() const { return static_cast<Index>(blocks_.size()); }
   Block<dim>& block(Index b) { return blocks_[b]; }
@@ -155,8 +195,8 @@ public:
   void visit(const Visit& visit) const
   {
     for (Index cell : occupied())
-      for (Index left = count_[cell], b = head_[cell]; left > 0; b = blocks_[b].next, left -= lanes)
-        for (int l = 0; l < lanes && l < left; ++l) visit(cell, b, l);
+      for (const auto& [block, b, count] : blocks_in(cell))
+        for (int l = 0; l < count; ++l) visit(cell, b, l);
   }
 
 private:

@@ -29,7 +29,9 @@ void describe(Describe& d, ContactSettings& contact)
            .unit = "Pa",
            .range = not_negative,
            .words = {{"none", 0}, {"unlimited", infinity}}});
-  d.choice("scheme", contact.scheme, {"musl_coupled", "musl_double", "musl_single", "hybrid_usl", "usf", "tied"},
+  std::vector<const char*> schemes;
+  for (const SchemeRules& rules : scheme_rules) schemes.push_back(rules.word);
+  d.choice("scheme", contact.scheme, schemes,
            {.meaning = "modified update stress last (MUSL) with one impulse, which step 4 of the algorithm begins and step 8 completes (at "
                        "nodes: step 8 keeps closed points together); MUSL with independent corrections in steps 4 and 8 (as published); "
                        "MUSL with a correction in step 4 only; the same with update stress last at nodes in contact; update stress "

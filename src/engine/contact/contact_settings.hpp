@@ -3,6 +3,8 @@
 
 #include "core/describe.hpp"
 
+#include <array>
+
 namespace berm::contact {
 
 /// Algorithm of contact within a step (docs/theory.md, section 4); steps as in the paper, section 2.
@@ -14,6 +16,31 @@ enum class Scheme {
   usf,           ///< update stress first: the velocities before the step, which strain, and those after it, which move
   tied           ///< one velocity field where the gap is closed: neither slip nor separation
 };
+
+/// What a scheme does. All contacts of a case have the same `stress_first`.
+struct SchemeRules {
+  const char* word;                   ///< of the input
+  bool completes = false;             ///< step 8 completes the impulse of step 4 (at nodes: keeps closed points together)
+  bool corrects_velocities = false;   ///< step 8 corrects what step 4 has not completed
+  bool moves_with_predicted = false;  ///< nodes in contact move and strain with the velocity of step 4
+  bool stress_first = false;          ///< the step is that of update stress first
+  bool tied = false;
+};
+
+/// A row a scheme, in their order.
+constexpr std::array scheme_rules{
+    SchemeRules{.word = "musl_coupled", .completes = true, .corrects_velocities = true},
+    SchemeRules{.word = "musl_double", .corrects_velocities = true},
+    SchemeRules{.word = "musl_single"},
+    SchemeRules{.word = "hybrid_usl", .moves_with_predicted = true},
+    SchemeRules{.word = "usf", .corrects_velocities = true, .stress_first = true},
+    SchemeRules{.word = "tied", .corrects_velocities = true, .tied = true},
+};
+
+constexpr const SchemeRules& rules_of(Scheme scheme)
+{
+  return scheme_rules[static_cast<std::size_t>(scheme)];
+}
 
 /// How contact between two bodies is detected.
 enum class Detection {
@@ -42,14 +69,10 @@ struct ContactSettings {
 
 void describe(Describe& d, ContactSettings& contact);
 
-/// Whether adhesion differs from particle to particle, and whether it falls with slip.
+/// Whether adhesion falls with slip.
 inline bool softens(const ContactSettings& contact)
 {
   return contact.adhesion_sensitivity > 1;
-}
-inline bool adhesion_differs(const ContactSettings& contact)
-{
-  return contact.adhesion_factor > 0 || softens(contact);
 }
 
 }  // namespace berm::contact

@@ -127,11 +127,10 @@ void list_particles(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& p
     const Index cell = found.near_cells[k];
     if (found.cells[k].points == 0 || !Ranks::of_run().owns_cell(cell)) return;
     const mesh::Shape<dim> functions = mesh.shape(cell);
-    Index left = particles.count_in(cell), at = found.cells[k].first_point;
+    Index at = found.cells[k].first_point;
     const Index end = at + found.cells[k].points;
-    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
-      for (int l = 0; l < lanes && l < left && at < end; ++l) {
-        const bodies::Block<dim>& p = particles.block(b);
+    for (const auto& [p, b, in_block] : particles.blocks_in(cell))
+      for (int l = 0; l < in_block && at < end; ++l) {
         const Vec<dim> x = position_of(p, l);
         const bodies::SurfacePoint<dim> surface = surface_at(shape, x);
         const Real section = section_of(mesh.metric, p.volume[l], x);
@@ -183,10 +182,8 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
     const Index cell = found.near_cells[k];
     auto& result = found.cells[k];
     result = {};
-    Index left = particles.count_in(cell);
-    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) {
-      const bodies::Block<dim>& p = particles.block(b);
-      for (int l = 0; l < lanes && l < left; ++l) {
+    for (const auto& [p, b, count] : particles.blocks_in(cell))
+      for (int l = 0; l < count; ++l) {
         const Vec<dim> x = position_of(p, l);
         const bodies::SurfacePoint<dim> surface = surface_at(shape, x);
         result.distance = std::min(result.distance, surface.distance);
@@ -197,7 +194,6 @@ void detect(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles
         const Real half = half_width<dim>(section), gap = surface.distance - half;
         if (gap < result.gap) result.gap = gap, result.normal = surface.normal, result.half_width = half;
       }
-    }
     if (detection == Detection::overlap) result.cut = reaches_into(shape, mesh, cell);
   });
 

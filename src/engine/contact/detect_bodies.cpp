@@ -17,15 +17,12 @@ Real reach(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles,
   Lanes farthest = all_lanes(-infinity);
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
     const Index cell = mesh.entries[e] / (dim + 1);
-    Index left = particles.count_in(cell);
-    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) {
-      const bodies::Block<dim>& p = particles.block(b);
+    for (const auto& [p, b, count] : particles.blocks_in(cell)) {
       Lanes along = direction[0] * p.x[0];
       for (int d = 1; d < dim; ++d) along += direction[d] * p.x[d];
       if (rims)
-        for (int l = 0; l < std::min<Index>(lanes, left); ++l)
-          along[l] += half_width<dim>(section_of(mesh.metric, p.volume[l], position_of(p, l)));
-      farthest = lane_numbers < all_lanes(left) ? larger(farthest, along) : farthest;
+        for (int l = 0; l < count; ++l) along[l] += half_width<dim>(section_of(mesh.metric, p.volume[l], position_of(p, l)));
+      farthest = lane_numbers < all_lanes(count) ? larger(farthest, along) : farthest;
     }
   }
   Real max = farthest[0];

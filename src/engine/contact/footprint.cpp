@@ -41,10 +41,8 @@ void find_footprints(const mesh::Mesh<2>& mesh, const bodies::Particles<2>& part
     if (!(found.cells[k].gap < found.cells[k].half_width)) continue;
     const Index cell = found.near_cells[k];
     const mesh::Shape<2> functions = mesh.shape(cell);
-    Index left = particles.count_in(cell);
-    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
-      for (int l = 0; l < lanes && l < left; ++l) {
-        const bodies::Block<2>& p = particles.block(b);
+    for (const auto& [p, b, count] : particles.blocks_in(cell))
+      for (int l = 0; l < count; ++l) {
         const Vec<2> x(p.x[0][l], p.x[1][l]);
         const Real half = half_width<2>(section_of(mesh.metric, p.volume[l], x));
         const auto add = [&](int side, const bodies::OnSide& at) {

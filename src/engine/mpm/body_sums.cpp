@@ -25,16 +25,14 @@ BodySums<dim> sums_over(const bodies::Particles<dim>& particles)
   const auto& occupied = particles.occupied();
   return sum_of<BodySums<dim>>("measure", particles.chunks(), [&](Index c) {
     BodySums<dim> sums;
-    Index left = particles.count_in(occupied[c]);
-    for (Index b = particles.first_block(occupied[c]); left > 0; b = particles.block(b).next, left -= lanes) {
-      const bodies::Block<dim>& p = particles.block(b);
+    for (const auto& [p, b, count] : particles.blocks_in(occupied[c])) {
       Lanes square{};
       for (int d = 0; d < dim; ++d) {
         square += p.v[d] * p.v[d];
         sums.momentum[d] += sum(p.mass * p.v[d]);
         sums.moment[d] += sum(p.mass * p.x[d]);
         // Lanes without a particle have a finite position, which is no part of the body.
-        for (int l = 0; l < std::min<Index>(lanes, left); ++l) {
+        for (int l = 0; l < count; ++l) {
           sums.lower[d] = std::min(sums.lower[d], p.x[d][l]);
           sums.upper[d] = std::max(sums.upper[d], p.x[d][l]);
         }

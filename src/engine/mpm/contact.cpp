@@ -92,7 +92,7 @@ void set_responses(const problem::Model<dim>& model, const problem::State<dim>& 
     point.mass = {};
     if (!(along_normal > immovable * free)) return;
     point.mass.normal = 1 / along_normal;
-    if (along_surface > immovable * free || contact.scheme != contact::Scheme::tied)
+    if (along_surface > immovable * free || !rules_of(contact.scheme).tied)
       point.mass.along = 1 / std::max(along_surface, immovable * free);
   });
 }
@@ -114,7 +114,7 @@ template <int dim, class Field>
 void correct_point(const problem::State<dim>& state, Work<dim>& work, const problem::Contact& contact, const Field& field,
                    contact::ContactPoint<dim>& point, typename contact::ContactPoints<dim>::SweepSums& sums)
 {
-  const bool tied = contact.scheme == contact::Scheme::tied;
+  const bool tied = rules_of(contact.scheme).tied;
   if (!(point.mass.normal > 0) || (tied && point.gap > 0)) return;
   const Vec<dim> relative = relative_velocity(work, contact, point, field);
   const Real allowed_approach = std::max(Real(0), point.gap) / (contact.gap_closing_steps * state.dt);
@@ -126,8 +126,7 @@ void correct_point(const problem::State<dim>& state, Work<dim>& work, const prob
                                         most_tension(contact, point, state.dt),
                                         point.water_part,
                                         std::max(Real(0), -point.pore_pressure) * point.area * state.dt};
-  const bool bilateral =
-      !Field::is_force && contact.scheme == contact::Scheme::musl_coupled && point.status != contact::ContactStatus::open;
+  const bool bilateral = !Field::is_force && rules_of(contact.scheme).completes && point.status != contact::ContactStatus::open;
   const Vec<dim> impulse = bilateral ? bilateral_impulse<dim>(relative, point.normal, point.mass, interface, point.status, point.impulse)
                                      : contact_impulse<dim>(relative, point.normal, point.mass, interface, point.impulse);
   if (Field::is_force) point.status = status_of<dim>(impulse, point.normal, interface);
@@ -299,7 +298,7 @@ void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& s
 {
   const Timer timer("contact: step 8");
   for (std::size_t k = 0; k < model.contacts.size(); ++k)
-    if (model.contacts[k].scheme == contact::Scheme::hybrid_usl) move_with_predicted(model, state, work, static_cast<Index>(k));
+    if (rules_of(model.contacts[k].scheme).moves_with_predicted) move_with_predicted(model, state, work, static_cast<Index>(k));
 
   const auto note_second = [&](const auto& takes_part, Real sign) {
     for (std::size_t k = 0; k < model.contacts.size(); ++k) {
@@ -309,10 +308,10 @@ void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& s
     }
   };
   const auto completes = [](const problem::Contact& contact) {
-    return contact.scheme == contact::Scheme::musl_coupled && contact.detection == contact::Detection::particle;
+    return rules_of(contact.scheme).completes && contact.detection == contact::Detection::particle;
   };
   const auto corrects = [&](const problem::Contact& contact) {
-    return !completes(contact) && contact.scheme != contact::Scheme::musl_single && contact.scheme != contact::Scheme::hybrid_usl;
+    return !completes(contact) && rules_of(contact.scheme).corrects_velocities;
   };
   if (!model.update_stress_first) {
     note_second(completes, -1);

@@ -17,11 +17,9 @@ void average_water(const problem::Model<dim>& model, const bodies::Particles<dim
     const Index cell = particles.occupied()[c];
     WaterCell sums;
     Real volume = 0;
-    Index left = particles.count_in(cell);
-    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) {
-      const bodies::Block<dim>& p = particles.block(b);
+    for (const auto& [p, b, count] : particles.blocks_in(cell)) {
       const Lanes* numbers = particles.extra(b);
-      for (int l = 0; l < lanes && l < left; ++l) {
+      for (int l = 0; l < count; ++l) {
         const auto of = [&](int k) { return k == none ? 0 : numbers[k][l]; };
         const auto& [water, density] = grid.water.soils[static_cast<std::size_t>(of(number))];
         const Real V = p.volume[l], n = water.porosity_at(V * density / p.mass[l]);

@@ -76,9 +76,7 @@ Stopped<dim> stop(bodies::Particles<dim>& particles)
     Stopped<dim> stopped;
     const Index cell = particles.occupied()[c];
     if (!particles.rests(cell)) return stopped;
-    Index left = particles.count_in(cell);
-    for (Index b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes) {
-      bodies::Block<dim>& p = particles.block(b);
+    for (const auto& [p, b, count] : particles.blocks_in(cell)) {
       for (int d = 0; d < dim; ++d) {
         stopped.momentum[d] += sum(p.mass * p.v[d]);
         stopped.kinetic += 0.5 * sum(p.mass * p.v[d] * p.v[d]);

@@ -63,7 +63,7 @@ void update_stress_last(const problem::Model<dim>& model, problem::State<dim>& s
   }
 }
 
-// Scheme::usf (Bardenhagen and others 2000, 2001): stress comes first, from the corrected velocities before the step.
+// SchemeRules::stress_first (Bardenhagen and others 2000, 2001): stress comes first, from the corrected velocities before the step.
 template <int dim>
 void update_stress_first(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
 {

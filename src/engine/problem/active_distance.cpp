@@ -25,7 +25,7 @@ void check_active_distance(Describe& d, const Case& c)
   d.check(c.traction.empty(), key, "does not go with tractions, which load soil that rests");
   for (const auto& [name, contact] : c.contact) {
     d.check(contact.other_body.empty(), key, fmt::format("does not go with [contact.{}] between two deformable bodies", name));
-    d.check(contact.scheme != contact::Scheme::usf, key, "does not go with scheme = \"usf\"");
+    d.check(!rules_of(contact.scheme).stress_first, key, fmt::format("does not go with scheme = \"{}\"", rules_of(contact.scheme).word));
   }
   for (const auto& [name, body] : c.body)
     d.check(body.initial_velocity.empty() && body.initial_angular_velocity == 0, key,

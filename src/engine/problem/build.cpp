@@ -218,7 +218,7 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
     for (const StageSettings& stage : c.stage)
       model.tractions.back().acts.push_back(s.stages.empty() || std::find(s.stages.begin(), s.stages.end(), stage.name) != s.stages.end());
   }
-  model.update_stress_first = !c.contact.empty() && c.contact.front().second.scheme == contact::Scheme::usf;
+  model.update_stress_first = !c.contact.empty() && rules_of(c.contact.front().second.scheme).stress_first;
   model.stages = c.stage;
   model.main_rigid = main_rigid(c);
   for (const StageSettings& stage : c.stage) {

@@ -123,7 +123,7 @@ void check_rigids(Describe& d, const Case& c)
     d.check(contact.other_body != contact.body, path + ".other_body", "a body is in no contact with itself");
     d.check(contact.other_body.empty() || contact.detection != contact::Detection::particle, path + ".detection",
             "\"particle\" is for contact with a rigid body", {"automatic", "gap", "overlap", "distance"});
-    d.check((contact.scheme == contact::Scheme::usf) == (c.contact.front().second.scheme == contact::Scheme::usf), path + ".scheme",
+    d.check(rules_of(contact.scheme).stress_first == rules_of(c.contact.front().second.scheme).stress_first, path + ".scheme",
             "\"usf\" is another order of the step, so all contacts must have it, or none");
     check_interface(d, c, path, contact);
   }
@@ -295,7 +295,7 @@ void check_consolidation(Describe& d, const Case& c)
     d.check(c.method == Method::fem || inertia_density(material) > material::water_density, "material." + name,
             fmt::format("needs inertia_density, that of the saturated soil, where its water flows: more than {:g} kg/m^3",
                         material::water_density));
-    d.check(c.contact.empty() || c.contact.front().second.scheme != contact::Scheme::usf, path,
+    d.check(c.contact.empty() || !rules_of(c.contact.front().second.scheme).stress_first, path,
             "\"consolidation\" does not go with scheme = \"usf\"");
   }
   for (std::size_t k = 0; k < c.stage.size(); ++k) {

@@ -108,10 +108,8 @@ private:
   template <class Visit>
   void for_each_particle(const Element<dim>& element, const Visit& visit) const
   {
-    bodies::Particles<dim>& all = particles_[element.body];
-    Index left = all.count_in(element.cell);
-    for (Index b = all.first_block(element.cell); left > 0; b = all.block(b).next, left -= lanes)
-      for (int l = 0; l < std::min<Index>(lanes, left); ++l) visit(all.block(b), l);
+    for (const auto& [block, b, count] : particles_[element.body].blocks_in(element.cell))
+      for (int l = 0; l < count; ++l) visit(block, l);
   }
 
   void add_body(const Case& c, Index body)

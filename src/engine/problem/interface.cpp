@@ -92,8 +92,8 @@ void check_interface(Describe& d, const Case& c, const std::string& path, const 
   const auto needs_particles = [&](bool wanted, const std::string& key) {
     if (!wanted) return;
     d.check(contact.other_body.empty(), path + key, "is for contact with a rigid body");
-    d.check(contact.scheme == contact::Scheme::musl_coupled, path + ".scheme",
-            fmt::format("{} goes with \"musl_coupled\" only", key.substr(1)), {"musl_coupled"});
+    d.check(rules_of(contact.scheme).completes, path + ".scheme", fmt::format("{} goes with \"musl_coupled\" only", key.substr(1)),
+            {"musl_coupled"});
     d.check(contact.detection == contact::Detection::automatic || contact.detection == contact::Detection::particle, path + ".detection",
             fmt::format("{} goes with \"particle\" only, the default at a rigid body", key.substr(1)), {"automatic", "particle"});
   };

@@ -103,7 +103,7 @@ struct Model {
   Index main_rigid;           ///< whose u, w, H and V are in the history, or none
   std::vector<Watch> watches;
   MpmSettings mpm;
-  bool update_stress_first = false;  ///< Scheme::usf
+  bool update_stress_first = false;  ///< contact::SchemeRules::stress_first
   Real longest_period = 0;           ///< s, of the soil's swings; where a stage ends at equilibrium
 
   /// The level from which the embedment of a rigid body counts whose axis is there, m along the vertical axis.

@@ -147,7 +147,7 @@ std::string rigid_words(const std::string& name, const bodies::RigidSettings& ri
 std::string contact_words(const std::string& name, const contact::ContactSettings& contact)
 {
   std::string words = fmt::format("{}: {} on {}", name, contact.body, contact.rigid.empty() ? contact.other_body : contact.rigid);
-  if (contact.scheme == contact::Scheme::tied) return words + ", tied";
+  if (rules_of(contact.scheme).tied) return words + ", tied";
   words += ", δ = " + text::angle_words(contact.friction_angle);
   if (contact.adhesion > 0) words += ", adhesion " + text::stress_words(contact.adhesion);
   if (contact.adhesion_factor > 0) words += fmt::format(", α = {:.3g}", contact.adhesion_factor);

@@ -15,8 +15,8 @@ template <int dim, class Visit>
 void visit_all(const bodies::Particles<dim>& particles, Index cells, const Visit& visit)
 {
   for (Index cell = 0; cell < cells; ++cell)
-    for (Index left = particles.count_in(cell), b = particles.first_block(cell); left > 0; b = particles.block(b).next, left -= lanes)
-      for (int l = 0; l < std::min<Index>(lanes, left); ++l) visit(cell, b, l);
+    for (const auto& [block, b, count] : particles.blocks_in(cell))
+      for (int l = 0; l < count; ++l) visit(cell, b, l);
 }
 
 /// The fields that a frame of these bodies has: the common ones, then those that only some of the bodies have, each once.

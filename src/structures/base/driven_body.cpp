@@ -21,7 +21,7 @@ const contact::ContactSettings* contact_of_body(const problem::Case& c)
 
 Real interface_ratio(const contact::ContactSettings& contact, Real strength)
 {
-  if (contact.scheme == contact::Scheme::tied) return 1;
+  if (rules_of(contact.scheme).tied) return 1;
   if (contact.friction_angle > 0 || !(strength > 0)) return nan;
   return std::min(Real(1), contact.adhesion_factor > 0 ? contact.adhesion_factor : contact.adhesion / strength);
 }

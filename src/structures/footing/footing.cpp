@@ -56,7 +56,7 @@ std::vector<Comparison> on_sand(const PenetrationRun& run, bool round)
   const std::optional<material::Strength> law = material ? strength_at_rest(*material) : std::nullopt;
   if (!law || law->cohesion > little * run.soil.at(0).unit_weight * run.whole_width()) return {};
   const contact::ContactSettings& contact = *base::contact_of_body(c);
-  const Real ratio = contact.scheme == contact::Scheme::tied ? 1 : std::tan(contact.friction_angle) / std::tan(law->friction_angle);
+  const Real ratio = rules_of(contact.scheme).tied ? 1 : std::tan(contact.friction_angle) / std::tan(law->friction_angle);
   std::vector<Comparison> list;
   for (const Base base : bases_of(ratio)) {
     formulas::Formula N = round ? formulas::n_gamma_circle(law->friction_angle, base) : formulas::n_gamma(law->friction_angle, base);

@@ -183,7 +183,7 @@ PublishedEnvelope for_clay(const OnSoil& on)
   if (!on.strip || growth != 0) return published;
   add_inclined(on, ratio, published);
   add_effective_width(on, ratio, published);
-  const bool sticks = on.contact->scheme == contact::Scheme::tied || std::isinf(on.contact->tension);
+  const bool sticks = rules_of(on.contact->scheme).tied || std::isinf(on.contact->tension);
   if (!sticks) return published;
   const Formula arc = times(on.here(formulas::strip_moment_of_arc()), published.unit * on.footing.width);
   published.numbers.push_back({"M_max_arc", arc, true});
@@ -199,7 +199,7 @@ PublishedEnvelope for_sand(const OnSoil& on, Real unit_weight)
   published.remark = "no formula is shown for horizontal load and moment on sand";
   if (!on.strip && !on.round) return published;
   const Real phi = on.strength.friction_angle;
-  const bool tied = on.contact->scheme == contact::Scheme::tied;
+  const bool tied = rules_of(on.contact->scheme).tied;
   const Base base = tied || on.contact->friction_angle >= phi ? Base::rough : Base::smooth;
   Formula N = on.round ? formulas::n_gamma_circle(phi, base) : formulas::n_gamma(phi, base);
   N.valid = N.valid && std::abs(on.strength.dilation_angle - phi) < associated && (base == Base::rough || on.contact->friction_angle == 0);

@@ -62,7 +62,7 @@ PipeSoil pipe_soil(const record::RunRecord& run)
   const std::optional<material::Strength> law = touched ? strength_at_rest(touched->at("", depth)) : std::nullopt;
   if (!law) return NoFormula{"No formula is known for this soil: its strength is none of cohesion and friction."};
   const contact::ContactSettings& contact = *base::contact_of_body(c);
-  const bool sticks = contact.scheme == contact::Scheme::tied;
+  const bool sticks = rules_of(contact.scheme).tied;
   const Real unit_weight = base::body_scale(run).unit_weight;
   const problem::BodySoil& soil = *touched;
   const bool cohesive = law->cohesion > 0 || std::any_of(soil.materials.begin(), soil.materials.end(), [](const material::Material& one) {
