@@ -38,7 +38,7 @@ Outcome run_cases(const std::vector<simulation::RunRequest>& all, const CaseOpti
     simulation::Context context(options.threads, interrupted);
     // A case that does not fit its mesh is refused before the first one runs.
     if (all.size() > 1)
-      for (const simulation::RunRequest& request : all) try_to_build(request);
+      for (const simulation::RunRequest& request : all) check_buildable(request);
     for (const simulation::RunRequest& request : all)
       if (!(side_by_side && is_fem(request)) && !run_case(request, context)) return outcome_of_stopped(request.folder);
   }

@@ -47,7 +47,7 @@ struct FemModel {
   Real density_at(Index cell, int q) const
   {
     const problem::BodySoil& soil = soil_of(cell);
-    return density(soil.materials[soil.number_at(region_of(cell), depth[cell][q])]);
+    return density(soil.materials[soil.material_index_at(region_of(cell), depth[cell][q])]);
   }
   const problem::BodySoil& soil_of(Index cell) const { return model.bodies[mesh.body[cell]].soil; }
   const std::string& region_of(Index cell) const { return model.mesh.region_names[mesh.region[cell]]; }
@@ -59,10 +59,10 @@ struct FemModel {
 
 /// State of the soil at an integration point.
 struct SoilPoint {
-  SymTensor<2> stress;                                      ///< Pa, tension positive
+  SymTensor<2> stress;                                ///< Pa, tension positive
   std::array<Real, material::max_state> law_state{};  ///< state variables of the law: material::state_fields
-  Real deviatoric_strain = 0;                               ///< accumulated
-  Real overstress = 0;                                      ///< Pa, distance of the stress from the yield surface, in the norm of a tensor
+  Real deviatoric_strain = 0;                         ///< accumulated
+  Real overstress = 0;                                ///< Pa, distance of the stress from the yield surface, in the norm of a tensor
 };
 
 /// Everything that changes during a finite element run.

@@ -107,7 +107,7 @@ void make_flow(FemModel& model)
     }
   }
   flow.at_contact = pressures_at_contact(model);
-  for (const NodeField<std::uint8_t>& closed : model.mesh.closed) flow.open.push_back(open_nodes(model, closed));
+  for (const NodeField<std::uint8_t>& closed : model.mesh.impermeable) flow.open.push_back(open_nodes(model, closed));
 }
 
 }  // namespace berm::fem

@@ -162,7 +162,7 @@ QuadraticMesh make_quadratic(const mesh::Mesh<2>& mesh, const problem::Case& c, 
       if (!support.drained) maker.hold(closed, boundary, fixed_directions(support));
     }
     maker.made.fixed.push_back(std::move(fixed));
-    maker.made.closed.push_back(std::move(closed));
+    maker.made.impermeable.push_back(std::move(closed));
   }
   for (const auto& [name, traction] : c.traction) maker.made.loaded_sides.push_back(maker.sides_at(loaded_boundary(mesh, name, traction)));
   for (const bodies::RigidShape<2>& shape : shapes) bend_onto(maker.made, shape);

@@ -329,8 +329,8 @@ class SmallRun {
 public:
   SmallRun()
   {
-    mpm::Work<dim> work(problem_.model, problem_.state);
-    for (int n = 0; n < 37; ++n) step(problem_.model, problem_.state, work);
+    mpm::Workspace<dim> workspace(problem_.model, problem_.state);
+    for (int n = 0; n < 37; ++n) step(problem_.model, problem_.state, workspace);
     frame_maker_.make(problem_.state);
     ToLists to;
     archive(to);
@@ -360,9 +360,9 @@ private:
   {
     problem::State<dim> state = problem_.state;
     run_folder::FrameMaker<dim> frames = frame_maker_;
-    mpm::Work<dim> work(problem_.model, state);
+    mpm::Workspace<dim> workspace(problem_.model, state);
     for (int n = 0; n < 2; ++n) {
-      step(problem_.model, state, work);
+      step(problem_.model, state, workspace);
       mpm::refuse_rigid_outside_mesh(problem_.model, state);
       if (stage_ended(problem_.model, state)) break;
     }

@@ -49,10 +49,10 @@ template <int dim>
 void make_steps(const problem::Case& c)
 {
   problem::Problem<dim> problem = build<dim>(c, "", scratch);
-  mpm::Work<dim> work(problem.model, problem.state);
-  stable_time_step(problem.model, problem.state, work);
+  mpm::Workspace<dim> workspace(problem.model, problem.state);
+  stable_time_step(problem.model, problem.state, workspace);
   for (int n = 0; n < 3; ++n) {
-    step(problem.model, problem.state, work);
+    step(problem.model, problem.state, workspace);
     stage_ended(problem.model, problem.state);
   }
 }

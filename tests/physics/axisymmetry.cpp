@@ -32,7 +32,7 @@ void scatter(Simulation<2>& run, Real by)
     for (int d = 0; d < 2; ++d) block.x[d][l] += by * std::sin(1. + 7 * n + 3 * d) * (middle[d] - block.x[d][l]);
     block.volume[l] *= 1 + 0.1 * std::sin(2. + 5 * n++);
   });
-  mpm::sum_moments(mesh, particles, run.work.grids[0]);
+  mpm::sum_moments(mesh, particles, run.workspace.grids[0]);
 }
 
 TEST(Axisymmetry, gives_particles_the_volume_and_mass_of_a_radian)
@@ -50,7 +50,7 @@ TEST(Axisymmetry, strains_exactly_where_the_radial_velocity_is_proportional_to_t
     problem::Case c = elastic_ring(0, 1, 1, 4, 4);
     Simulation<2> run(c);
     if (scattered > 0) scatter(run, scattered);
-    mpm::BodyGrid<2>& grid = run.work.grids[0];
+    mpm::BodyGrid<2>& grid = run.workspace.grids[0];
     problem::State<2>& state = run.state();
     state.dt = 1e-6;
     mpm::gather_mass_and_momentum(run.model().mesh, grid);
@@ -58,7 +58,7 @@ TEST(Axisymmetry, strains_exactly_where_the_radial_velocity_is_proportional_to_t
     for (const Index i : grid.nodes)
       grid.mapped_velocity[i] = Vec<2>(3 * run.model().mesh.position[i][0], -run.model().mesh.position[i][1]);
     mpm::sum_volume_changes(run.model().mesh, state.particles[0], state.dt, grid);
-    mpm::move_and_strain(run.model(), state, run.work, 0);
+    mpm::move_and_strain(run.model(), state, run.workspace, 0);
     const Real G = 1e6 / 2.6, K = 1e6 / (3 * 0.4), dilation = 5e-6, expected[] = {3e-6, -1e-6, 3e-6};
     for (const auto& p : all_particles(state)) {
       for (int k = 0; k < 3; ++k) EXPECT_NEAR(p.stress[k], K * dilation + 2 * G * (expected[k] - dilation / 3), 1e-9) << k;
@@ -77,7 +77,7 @@ TEST(Axisymmetry, uniform_stress_leaves_no_force_at_inner_nodes)
       Simulation<2> run(c);
       if (scattered > 0) scatter(run, scattered);
       const mesh::Mesh<2>& mesh = run.model().mesh;
-      mpm::BodyGrid<2>& grid = run.work.grids[0];
+      mpm::BodyGrid<2>& grid = run.workspace.grids[0];
       mpm::gather_mass_and_momentum(mesh, grid);
       mpm::integrate_full_cells(run.model(), run.state().particles[0], grid);
       mpm::spread_internal_forces(run.model(), run.state().particles[0], grid);
@@ -127,9 +127,9 @@ TEST(Axisymmetry, the_axis_neither_moves_nor_is_crossed)
   Real nearest = infinity;
   for (const auto& p : all_particles(run.state())) nearest = std::min(nearest, p.x[0]);
   EXPECT_GT(nearest, 0);
-  for (const Index i : run.work.grids[0].nodes) {
+  for (const Index i : run.workspace.grids[0].nodes) {
     const bool on_axis = run.model().mesh.position[i][0] == 0;
-    EXPECT_EQ(on_axis ? run.work.grids[0].mapped_velocity[i][0] : 0, 0);
+    EXPECT_EQ(on_axis ? run.workspace.grids[0].mapped_velocity[i][0] : 0, 0);
   }
 }
 

@@ -45,7 +45,7 @@ Real largest_state(const problem::State<2>& state, int variable)
 void shake(Simulation<2>& run, Real speed, int steps)
 {
   run.set_velocities([&](const Vec<2>& x, const Vec<2>& v) { return Vec<2>(speed * std::sin(pi / 2 * x[1]), v[1]); });
-  for (int n = 0; n < steps; ++n) step(run.model(), run.state(), run.work);
+  for (int n = 0; n < steps; ++n) step(run.model(), run.state(), run.workspace);
 }
 
 TEST(ClayAtRest, shaken_below_its_strength_for_100_000_steps_it_neither_softens_nor_hardens)

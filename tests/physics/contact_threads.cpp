@@ -54,8 +54,8 @@ Outcome outcome(const problem::Case& c, int threads)
   Simulation<dim> run(c);
   Outcome result;
   for (int k = 0; k < 60; ++k) {
-    step(run.model(), run.state(), run.work);
-    result.most_points = std::max(result.most_points, run.work.contact_points[0].list.size());
+    step(run.model(), run.state(), run.workspace);
+    result.most_points = std::max(result.most_points, run.workspace.contact_points[0].list.size());
   }
   omp_set_num_threads(before);
   const bodies::Particles<dim>& particles = run.state().particles[0];

@@ -43,9 +43,9 @@ mesh::Mesh<dim> mesh_of_bed(const problem::Case& c, Real slope)
 template <int dim>
 Real out_of_balance(problem::Problem<dim>& problem)
 {
-  mpm::Work<dim> work(problem.model, problem.state);
-  step(problem.model, problem.state, work);
-  return work.unbalanced / work.weight;
+  mpm::Workspace<dim> workspace(problem.model, problem.state);
+  step(problem.model, problem.state, workspace);
+  return workspace.unbalanced / workspace.weight;
 }
 
 template <int dim>

@@ -52,12 +52,12 @@ TEST(InertiaDensity, leaves_the_weight_on_the_ground_as_it_is)
 TEST(InertiaDensity, slows_the_waves_that_the_time_step_comes_from)
 {
   Simulation<2> run(submerged_block(true));
-  step(run.model(), run.state(), run.work);
+  step(run.model(), run.state(), run.workspace);
   const Real slow = run.state().dt;
   problem::Case c = submerged_block(true);
   c.material[0].second.get<material::LinearElastic>().inertia_density.reset();
   Simulation<2> quick(c);
-  step(quick.model(), quick.state(), quick.work);
+  step(quick.model(), quick.state(), quick.workspace);
   EXPECT_NEAR(slow / quick.state().dt, std::sqrt(inertia / weight_density), 1e-12);
 }
 

@@ -100,8 +100,8 @@ TEST(SecondCorrection, at_nodes_moves_particles_and_never_changes_their_momentum
   const auto one_step = [&](contact::Scheme scheme, problem::State<2> state) {
     problem::Model<2> model = run.model();
     model.contacts[0].scheme = scheme;
-    mpm::Work<2> work(model, state);
-    step(model, state, work);
+    mpm::Workspace<2> workspace(model, state);
+    step(model, state, workspace);
     return state;
   };
   const problem::State<2> once = one_step(contact::Scheme::musl_single, run.state()),

@@ -109,7 +109,7 @@ std::vector<bodies::Particle<dim>> all_particles(const problem::State<dim>& stat
 template <int dim>
 void take_steps(Simulation<dim>& run, int count)
 {
-  for (int n = 0; n < count; ++n) step(run.model(), run.state(), run.work);
+  for (int n = 0; n < count; ++n) step(run.model(), run.state(), run.workspace);
 }
 
 template <int dim>

@@ -3,8 +3,8 @@
 
 #include "material/linear_elastic.hpp"
 #include "mpm/body_sums.hpp"
+#include "mpm/moments.hpp"
 #include "mpm/step.hpp"
-#include "mpm/transfer.hpp"
 #include "problem/stages.hpp"
 
 namespace berm {
@@ -12,7 +12,7 @@ namespace berm {
 /// A case, built and stepped without files.
 template <int dim>
 struct Simulation {
-  explicit Simulation(const problem::Case& c) : problem(build<dim>(c, ".", ".")), work(problem.model, problem.state) {}
+  explicit Simulation(const problem::Case& c) : problem(build<dim>(c, ".", ".")), workspace(problem.model, problem.state) {}
 
   problem::Model<dim>& model() { return problem.model; }
   problem::State<dim>& state() { return problem.state; }
@@ -27,7 +27,7 @@ struct Simulation {
       const Vec<dim> v = velocity(p.x, p.v);
       for (int d = 0; d < dim; ++d) particles.block(b).v[d][l] = v[d];
     });
-    mpm::sum_moments(model().mesh, particles, work.grids[0]);
+    mpm::sum_moments(model().mesh, particles, workspace.grids[0]);
   }
 
   /// Steps until `end` (s); calls after_step() after each step.
@@ -35,7 +35,7 @@ struct Simulation {
   void run_until(Real end, const After& after_step)
   {
     while (state().time < end) {
-      step(model(), state(), work);
+      step(model(), state(), workspace);
       after_step();
     }
   }
@@ -45,7 +45,7 @@ struct Simulation {
   }
 
   problem::Problem<dim> problem;
-  mpm::Work<dim> work;
+  mpm::Workspace<dim> workspace;
 };
 
 /// A case with one linear elastic body that fills a box mesh.

@@ -36,11 +36,11 @@ mesh::Mesh<2> mesh_of_quarter(const problem::Case& c)
 /// 0.15 s: the soil goes through more than a cell.
 struct PulledSoil {
   problem::Problem<2> problem;
-  mpm::Work<2> work;
-  explicit PulledSoil(const problem::Case& c) : problem(build<2>(c, mesh_of_quarter(c))), work(problem.model, problem.state) {}
+  mpm::Workspace<2> workspace;
+  explicit PulledSoil(const problem::Case& c) : problem(build<2>(c, mesh_of_quarter(c))), workspace(problem.model, problem.state) {}
   void run_until(Real end)
   {
-    while (problem.state.time < end) step(problem.model, problem.state, work);
+    while (problem.state.time < end) step(problem.model, problem.state, workspace);
   }
 };
 

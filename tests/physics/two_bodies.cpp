@@ -99,10 +99,10 @@ Real worst_approach(Simulation<2>& run)
   for (std::size_t k = 0; k < model.contacts.size(); ++k) {
     const problem::Contact& contact = model.contacts[k];
     const auto velocity = [&](Index b, Index node) {
-      const mpm::BodyGrid<2>& grid = run.work.grids[b];
+      const mpm::BodyGrid<2>& grid = run.workspace.grids[b];
       return Vec<2>(grid.velocity[node] + state.dt * grid.acceleration[node]);
     };
-    for (const contact::ContactPoint<2>& point : run.work.contact_points[k].list) {
+    for (const contact::ContactPoint<2>& point : run.workspace.contact_points[k].list) {
       const Index node = point.nodes[0];
       const Real approach = -(velocity(contact.body, node) - velocity(contact.other_body, node)).dot(point.normal);
       worst = std::max(worst, approach - std::max(Real(0), point.gap) / (contact.gap_closing_steps * state.dt));
@@ -128,7 +128,7 @@ TEST(ThreeBodies, that_meet_at_a_node_press_on_each_other_consistently)
   run.run_until(0.05, [&] {
     worst = std::max(worst, worst_approach(run));
     for (Index node = 0; node < run.model().mesh.node_count(); ++node) {
-      const auto has = [&](Index b) { return run.work.grids[b].mass[node] > 0; };
+      const auto has = [&](Index b) { return run.workspace.grids[b].mass[node] > 0; };
       shared_by_three += has(0) && has(1) && has(2);
     }
   });

@@ -161,7 +161,7 @@ void is_the_stiffness_that_of_soil(const Scene& s, Findings& found)
       const Real depth = s.depth_of(b) * k / parts, here = p_wave_modulus(elasticity(s.material_at(b, depth))),
                  above = s.weight_above(b, depth);
       if (!yields(s.material_at(b, depth)) || !(above > 0) || here / above >= least) continue;
-      least = here / above, weight = above, modulus = here, softest = soil.number_at(s.region_at(b, depth), depth);
+      least = here / above, weight = above, modulus = here, softest = soil.material_index_at(s.region_at(b, depth), depth);
     }
     if (weight == 0 || modulus >= 3 * weight) continue;
     const std::string words =

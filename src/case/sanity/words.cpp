@@ -45,7 +45,7 @@ std::optional<Real> strength_at_depth_of(const Scene& s, Index body, Real width)
 
 std::string strength_key(const material::Material& material)
 {
-  const std::vector<FieldInfo> own = own_fields(material);
+  const std::vector<FieldInfo> own = local_fields(material);
   return own.size() > 1 ? own.front().name : "cohesion";
 }
 

@@ -260,7 +260,7 @@ Particles<dim> fill(const mesh::Mesh<dim>& mesh, const std::string& name, const 
       const SoilAtPoint soil = start.soil_at(seed.cell, seed.x);
       p.mass = soil.density * p.volume;
       p.stress = stress_at_rest<dim>(body, soil.vertical_stress);
-      std::copy(soil.own.begin(), soil.own.end(), p.extra + start.first_own);
+      std::copy(soil.own.begin(), soil.own.end(), p.extra + start.first_local);
     }
     p.id = id++;
     particles.insert(seed.cell, p);

@@ -38,7 +38,7 @@ struct StartState {
   Real vertical_gravity;                    ///< m/s2, positive downwards
   Real surface;                             ///< m, level of the bed's surface
   std::vector<FieldInfo> extra = {};        ///< extra fields of its particles; the law's state variables come first
-  int first_own = 0;                        ///< where among their numbers SoilAtPoint::own begins
+  int first_local = 0;                      ///< where among their numbers SoilAtPoint::own begins
   std::vector<RigidShape<dim>> holes = {};  ///< rigid bodies in contact with it, which displace its particles
   /// Of soil that varies, at a point in a cell; replaces density and stress.
   std::function<SoilAtPoint(Index cell, const Vec<dim>& x)> soil_at = {};

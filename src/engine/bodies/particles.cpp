@@ -203,21 +203,21 @@ bool Particles<dim>::sort_occupied()
   if (!changed_) return false;
   changed_ = false;
   const auto is_occupied = [&](Index cell) { return count_[cell] > 0; };
-  if (!resting_) {
+  if (!inactive_) {
     select("change cells: occupied", chunk_bounds_, is_occupied, active_, active_chunks_);
     return true;
   }
   select("change cells: occupied", chunk_bounds_, is_occupied, occupied_, chunks_);
   select(
-      "change cells: occupied", chunk_bounds_, [&](Index cell) { return count_[cell] > 0 && (*resting_)[cell] == 0; }, active_,
+      "change cells: occupied", chunk_bounds_, [&](Index cell) { return count_[cell] > 0 && (*inactive_)[cell] == 0; }, active_,
       active_chunks_);
   return true;
 }
 
 template <int dim>
-void Particles<dim>::set_resting(std::shared_ptr<const CellField<std::uint8_t>> resting)
+void Particles<dim>::set_inactive(std::shared_ptr<const CellField<std::uint8_t>> inactive)
 {
-  resting_ = std::move(resting);
+  inactive_ = std::move(inactive);
   changed_ = true;
   sort_occupied();
 }

@@ -154,20 +154,20 @@ public:
   }
 
   /// Cells that hold particles, ascending. sort_occupied() brings it up to date, and active(), and is true where it changed.
-  const std::vector<Index>& occupied() const { return resting_ ? occupied_ : active_; }
+  const std::vector<Index>& occupied() const { return inactive_ ? occupied_ : active_; }
   /// The chunks of occupied().
-  const Chunks& chunks() const { return resting_ ? chunks_ : active_chunks_; }
-  /// Those of occupied() that do not rest: the cells that a step goes over.
+  const Chunks& chunks() const { return inactive_ ? chunks_ : active_chunks_; }
+  /// Those of occupied() that are not inactive: the cells that a step goes over.
   const std::vector<Index>& active() const { return active_; }
   /// The chunks of active().
   const Chunks& active_chunks() const { return active_chunks_; }
   bool sort_occupied();
 
-  /// Which cells of the mesh rest (1): steps leave them out. Null: none does.
-  void set_resting(std::shared_ptr<const CellField<std::uint8_t>> resting);
-  /// Whether any cell rests; whether this one does.
-  bool some_rest() const { return resting_ != nullptr; }
-  bool rests(Index cell) const { return resting_ != nullptr && (*resting_)[cell] != 0; }
+  /// Which cells of the mesh are inactive (1): steps leave them out. Null: none is.
+  void set_inactive(std::shared_ptr<const CellField<std::uint8_t>> inactive);
+  /// Whether any cell is inactive; whether this one is.
+  bool some_inactive() const { return inactive_ != nullptr; }
+  bool is_inactive(Index cell) const { return inactive_ != nullptr && (*inactive_)[cell] != 0; }
 
   void insert(Index cell, const Particle<dim>& particle);
   /// Removes the particle with this index (0 ... count - 1) from a cell; the cell's last particle gets its index.
@@ -221,8 +221,8 @@ private:
   std::vector<Block<dim>, LazyZeroAllocator<Block<dim>>> blocks_;
   std::vector<StoredLanes, LazyZeroAllocator<StoredLanes>> extra_;
   CellField<Index> head_, count_;  ///< not written, and so without memory, where there never was a particle
-  std::shared_ptr<const CellField<std::uint8_t>> resting_;
-  std::vector<Index> active_, occupied_;  ///< the second only where some cells rest
+  std::shared_ptr<const CellField<std::uint8_t>> inactive_;
+  std::vector<Index> active_, occupied_;  ///< the second only where some cells are inactive
   Chunks active_chunks_, chunks_;
   std::vector<Index> chunk_bounds_;  ///< of the mesh's cells
   Index free_ = none;                ///< chain of free blocks

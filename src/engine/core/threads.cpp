@@ -75,7 +75,7 @@ int processor_count()
   return processors.empty() ? omp_get_num_procs() : static_cast<int>(processors.size());
 }
 
-void take_part_of_processors(int index, int count)
+void bind_to_cores(int index, int count)
 {
   std::vector<int>& all = allowed_processors();
   const int size = static_cast<int>(all.size()) / count;

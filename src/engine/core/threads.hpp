@@ -9,7 +9,7 @@ namespace berm {
 int processor_count();
 
 /// From now on this process may use one of `count` equal parts of them, that of this index; all, where there are fewer than parts.
-void take_part_of_processors(int index, int count);
+void bind_to_cores(int index, int count);
 
 /// The threads of the loops of for_each, while it lives: more than one are bound to a processor each, unless OMP_PROC_BIND=false (threads that
 /// wander can be slower together than one alone), and numbers below 2e-308 count as zero in them. After it the calling thread has its processors, its

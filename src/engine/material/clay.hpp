@@ -88,7 +88,7 @@ struct ClayConstants {
 /// Precomputed constants; N is a vector where particles have a strength and a Young's modulus of their own.
 template <class N>
 struct PreparedClayOf : ClayConstants {
-  static constexpr int state_size = 3, own_size = 2;
+  static constexpr int state_size = 3, local_size = 2;
 
   ElasticityOf<N> elastic;
   PreparedMohrCoulombOf<N> tresca;  ///< intact, up to the reference rate
@@ -99,9 +99,9 @@ PreparedClay prepare(const Clay& law);
 
 /// The law with the strength own[0] and Young's modulus own[1], Pa, of each lane.
 template <class T>
-[[gnu::always_inline]] inline PreparedClayOf<T> with_own(const PreparedClay& law, const T* own)
+[[gnu::always_inline]] inline PreparedClayOf<T> with_local(const PreparedClay& law, const T* own)
 {
-  const PreparedMohrCoulombOf<T> tresca = with_own(law.tresca, own);
+  const PreparedMohrCoulombOf<T> tresca = with_local(law.tresca, own);
   return {static_cast<const ClayConstants&>(law), tresca.elastic, tresca};
 }
 

@@ -15,7 +15,7 @@ Real value_at(const DepthProfile& profile, const std::vector<Real>& values, Real
   return std::lerp(values[k - 1], values[k], (depth - profile.depth[k - 1]) / (profile.depth[k] - profile.depth[k - 1]));
 }
 
-std::vector<FieldInfo> own_fields(const char* strength_key)
+std::vector<FieldInfo> local_fields(const char* strength_key)
 {
   std::vector<FieldInfo> fields;
   if (strength_key != nullptr) {

@@ -92,7 +92,7 @@ Law at_depth(Law law, [[maybe_unused]] Real depth)
 
 /// What a particle keeps for itself where the soil varies, of a law at one depth, Pa: the strength, if the law has one, and Young's modulus.
 template <class Law>
-std::vector<Real> own_values([[maybe_unused]] Law law)
+std::vector<Real> local_values([[maybe_unused]] Law law)
 {
   if constexpr (KnowsDepth<Law>) {
     const StrengthAtDepth strength = strength_at_depth(law);
@@ -103,7 +103,7 @@ std::vector<Real> own_values([[maybe_unused]] Law law)
 
 /// The law with these values, without its profile.
 template <class Law>
-Law with_own_values(Law law, [[maybe_unused]] const Real* own)
+Law with_local_values(Law law, [[maybe_unused]] const Real* own)
 {
   if constexpr (KnowsDepth<Law>) {
     if (const StrengthAtDepth strength = strength_at_depth(law); strength.value != nullptr) *strength.value = *own++;
@@ -114,27 +114,27 @@ Law with_own_values(Law law, [[maybe_unused]] const Real* own)
 }
 
 /// Name, label and unit of these values, as fields of particles.
-std::vector<FieldInfo> own_fields(const char* strength_key);
+std::vector<FieldInfo> local_fields(const char* strength_key);
 template <class Law>
-std::vector<FieldInfo> own_fields(const Law&)
+std::vector<FieldInfo> local_fields(const Law&)
 {
-  if constexpr (KnowsDepth<Law>) return own_fields(Law::strength_key);
+  if constexpr (KnowsDepth<Law>) return local_fields(Law::strength_key);
   return {};
 }
 
 /// The number of these values.
 template <class Prepared>
-constexpr int own_size()
+constexpr int local_size()
 {
-  if constexpr (requires { Prepared::own_size; })
-    return Prepared::own_size;
+  if constexpr (requires { Prepared::local_size; })
+    return Prepared::local_size;
   else
     return 0;
 }
 
 /// A law that keeps none is the same for all particles.
 template <class Prepared, class T>
-[[gnu::always_inline]] inline const Prepared& with_own(const Prepared& law, const T* /*own*/)
+[[gnu::always_inline]] inline const Prepared& with_local(const Prepared& law, const T* /*own*/)
 {
   return law;
 }

@@ -15,7 +15,7 @@ namespace berm::material {
 ///
 ///   update(prepared, stress, increment, state)
 ///
-/// for T = Real, T = Lanes and, in plane strain, T = Dual, and with_own(prepared, own), the law of particles that keep
+/// for T = Real, T = Lanes and, in plane strain, T = Dual, and with_local(prepared, own), the law of particles that keep
 /// strength and stiffness for themselves; it overrides the queries of law_queries.hpp whose default does
 /// not apply. Choose once per body, outside the loop over particles.
 using Laws = LawList<LinearElastic, MohrCoulomb, Clay, ModifiedCamClay, NorSand, UserLaw<Interface::umat>, UserLaw<Interface::own>>;

@@ -35,7 +35,7 @@ inline StrengthAtDepth strength_at_depth(LinearElastic&)
 /// Precomputed constants; N is a vector where particles have a Young's modulus of their own.
 template <class N>
 struct PreparedLinearElasticOf {
-  static constexpr int state_size = 0, own_size = 1;
+  static constexpr int state_size = 0, local_size = 1;
 
   ElasticityOf<N> elastic;
   Real per_young_modulus = 0;  ///< 1/Pa
@@ -59,7 +59,7 @@ inline PreparedLinearElastic prepare(const LinearElastic& law)
 
 /// The law with Young's modulus own[0], Pa, of each lane.
 template <class T>
-[[gnu::always_inline]] inline PreparedLinearElasticOf<T> with_own(const PreparedLinearElastic& law, const T* own)
+[[gnu::always_inline]] inline PreparedLinearElasticOf<T> with_local(const PreparedLinearElastic& law, const T* own)
 {
   return {scaled(law.elastic, own[0] * law.per_young_modulus), law.per_young_modulus};
 }

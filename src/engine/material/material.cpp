@@ -180,19 +180,19 @@ bool varies(const Material& material)
   return visit([](const auto& law) { return varies(law); }, material);
 }
 
-std::vector<Real> own_values(const Material& material)
+std::vector<Real> local_values(const Material& material)
 {
-  return visit([](const auto& law) { return own_values(law); }, material);
+  return visit([](const auto& law) { return local_values(law); }, material);
 }
 
-std::vector<FieldInfo> own_fields(const Material& material)
+std::vector<FieldInfo> local_fields(const Material& material)
 {
-  return visit([](const auto& law) { return own_fields(law); }, material);
+  return visit([](const auto& law) { return local_fields(law); }, material);
 }
 
-Material with_own_values(const Material& material, const Real* own)
+Material with_local_values(const Material& material, const Real* own)
 {
-  return visit([&](const auto& law) { return Material(with_own_values(law, own)); }, material);
+  return visit([&](const auto& law) { return Material(with_local_values(law, own)); }, material);
 }
 
 Material at_depth(const Material& material, Real depth)

@@ -121,9 +121,9 @@ Material without_dilation(const Material& material);
 // Variation with depth (material/depth_profile.hpp).
 bool varies(const Material& material);
 Material at_depth(const Material& material, Real depth);
-std::vector<Real> own_values(const Material& material);
-std::vector<FieldInfo> own_fields(const Material& material);
-Material with_own_values(const Material& material, const Real* own);
+std::vector<Real> local_values(const Material& material);
+std::vector<FieldInfo> local_fields(const Material& material);
+Material with_local_values(const Material& material, const Real* own);
 
 bool non_associated(const Material& material);
 Material associated(const Material& material, const SymTensor<2>& stress);

@@ -29,7 +29,7 @@ struct MohrCoulombConstants {
 /// All of them; N is a vector where particles have a cohesion and a Young's modulus of their own.
 template <class N>
 struct PreparedMohrCoulombOf : MohrCoulombConstants {
-  static constexpr int state_size = 1, own_size = 2;
+  static constexpr int state_size = 1, local_size = 2;
 
   ElasticityOf<N> elastic;
   N strength{};                  ///< c cos phi, Pa
@@ -55,7 +55,7 @@ using PreparedMohrCoulomb = PreparedMohrCoulombOf<Real>;
 
 /// The law with the cohesion own[0] and Young's modulus own[1], Pa, of each lane.
 template <class T>
-[[gnu::always_inline]] inline PreparedMohrCoulombOf<T> with_own(const PreparedMohrCoulomb& law, const T* own)
+[[gnu::always_inline]] inline PreparedMohrCoulombOf<T> with_local(const PreparedMohrCoulomb& law, const T* own)
 {
   PreparedMohrCoulombOf<T> made{static_cast<const MohrCoulombConstants&>(law), scaled(law.elastic, own[1] * law.per_young_modulus)};
   made.set_cohesion(own[0]);

@@ -79,7 +79,7 @@ void check_water(Describe& d, const std::string& path, const L& law)
 /// variable is the excess pore pressure p, Pa, compression positive.
 template <class P>
 struct Undrained {
-  static constexpr int state_size = P::state_size + 1, own_size = material::own_size<P>();
+  static constexpr int state_size = P::state_size + 1, local_size = material::local_size<P>();
   static constexpr bool elastic_is_largest = requires { P::elastic_is_largest; };
 
   P skeleton;
@@ -105,9 +105,9 @@ Undrained<P> with_water(const P& skeleton, Real stiffness, Real min_pressure)
 }
 
 template <class P, class T>
-[[gnu::always_inline]] inline auto with_own(const Undrained<P>& law, const T* own)
+[[gnu::always_inline]] inline auto with_local(const Undrained<P>& law, const T* own)
 {
-  return with_water(with_own(law.skeleton, own), law.stiffness, law.min_pressure);
+  return with_water(with_local(law.skeleton, own), law.stiffness, law.min_pressure);
 }
 
 /// Advances the total stress (Pa, tension positive): with the strain increment e, that of the cell after the volumetric projection,

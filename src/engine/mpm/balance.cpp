@@ -38,10 +38,10 @@ struct NodalSums {
 }  // namespace
 
 template <int dim>
-void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
+void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
-  BodyGrid<dim>& grid = work.grids[body];
+  BodyGrid<dim>& grid = workspace.grids[body];
   const Vec<dim> gravity = model.bodies[body].weight_over_mass * gravity_now(model, state.time);
   const NodeField<std::uint8_t>& fixed = grid.supports(model);
   const Real dt = state.dt;
@@ -105,11 +105,11 @@ void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim
   totals.support_impulse += dt * sums.support;
   totals.external += dt * (sums.gravity_power + sums.traction_power);
   totals.damping -= dt * sums.damping_power;
-  work.unbalanced = (body == 0 ? 0 : work.unbalanced) + sums.unbalanced;
-  work.weight = (body == 0 ? 0 : work.weight) + sums.gravity.norm() + sums.traction_size;
+  workspace.unbalanced = (body == 0 ? 0 : workspace.unbalanced) + sums.unbalanced;
+  workspace.weight = (body == 0 ? 0 : workspace.weight) + sums.gravity.norm() + sums.traction_size;
 }
 
-template void solve_momentum_balance(const problem::Model<2>&, problem::State<2>&, Work<2>&, Index);
-template void solve_momentum_balance(const problem::Model<3>&, problem::State<3>&, Work<3>&, Index);
+template void solve_momentum_balance(const problem::Model<2>&, problem::State<2>&, Workspace<2>&, Index);
+template void solve_momentum_balance(const problem::Model<3>&, problem::State<3>&, Workspace<3>&, Index);
 
 }  // namespace berm::mpm

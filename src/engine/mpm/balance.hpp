@@ -10,6 +10,6 @@ namespace berm::mpm {
 /// unbalanced force, except at nodes near a contact, where it would replace part of the reaction. Adds to the totals of work
 /// and impulse. Throws RunError where a velocity or an internal force is not finite, before anything has changed.
 template <int dim>
-void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
+void solve_momentum_balance(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body);
 
 }  // namespace berm::mpm

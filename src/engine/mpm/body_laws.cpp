@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/mpm/move_own_soil_test.cpp
+// Tests: tests/unit/mpm/move_local_strength_test.cpp
 #include "mpm/body_laws.hpp"
 
 namespace berm::mpm {
@@ -10,8 +10,8 @@ std::shared_ptr<const BodyLaws> laws_of(const problem::BodySoil& soil, const pro
                .laws_without_dilation = {},
                .volume_rules = {},
                .dilates = dilates(soil.materials.front()),
-               .own_soil = varies(soil),
-               .number_offset = problem::number_offset(soil)};
+               .local_strength = varies(soil),
+               .material_index_offset = problem::material_index_offset(soil)};
   for (const material::Material& material : soil.materials) {
     all.laws.push_back(prepare(material));
     all.laws_without_dilation.push_back(prepare(without_dilation(material)));

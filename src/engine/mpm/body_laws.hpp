@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/mpm/move_own_soil_test.cpp
+// Tests: tests/unit/mpm/move_local_strength_test.cpp
 #pragma once
 
 #include "material/laws.hpp"
@@ -12,8 +12,8 @@ struct BodyLaws {
   std::vector<material::PreparedMaterial> laws, laws_without_dilation;  ///< by material; the second for particles at their maximum volume
   std::vector<VolumeRule> volume_rules;                                 ///< by material
   bool dilates;                                                         ///< the first material
-  bool own_soil;                                                        ///< particles differ in strength, stiffness or material
-  int number_offset;  ///< of the material's number among the extra numbers of a particle, or none
+  bool local_strength;                                                  ///< particles differ in strength, stiffness or material
+  int material_index_offset;  ///< of the material's number among the extra numbers of a particle, or none
 };
 
 }  // namespace berm::mpm

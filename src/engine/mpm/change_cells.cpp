@@ -5,8 +5,8 @@
 #include "core/error.hpp"
 #include "core/for_each_run.hpp"
 #include "mpm/diagnose.hpp"
-#include "mpm/share.hpp"
-#include "mpm/transfer.hpp"
+#include "mpm/exchange.hpp"
+#include "mpm/moments.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -46,18 +46,18 @@ void sum_changed_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<di
 }  // namespace
 
 template <int dim>
-void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
+void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body)
 {
   const Timer timer("change cells");
   bodies::Particles<dim>& particles = state.particles[body];
-  BodyGrid<dim>& grid = work.grids[body];
-  std::vector<bodies::CellChange>& cell_changes = work.cell_changes.front();
-  for (std::size_t t = 1; t < work.cell_changes.size(); ++t)
-    cell_changes.insert(cell_changes.end(), work.cell_changes[t].begin(), work.cell_changes[t].end());
+  BodyGrid<dim>& grid = workspace.grids[body];
+  std::vector<bodies::CellChange>& cell_changes = workspace.cell_changes.front();
+  for (std::size_t t = 1; t < workspace.cell_changes.size(); ++t)
+    cell_changes.insert(cell_changes.end(), workspace.cell_changes[t].begin(), workspace.cell_changes[t].end());
   if (cell_changes.empty() && !grid.halo.divided()) return;
-  // At the nodes of soil that rests nothing moves: a particle that comes so far was put there by round-off, and keeps its cell.
-  if (particles.some_rest())
-    std::erase_if(cell_changes, [&](const auto& change) { return change.to != none && particles.rests(change.to); });
+  // At the nodes of inactive cells nothing moves: a particle that comes so far was put there by round-off, and keeps its cell.
+  if (particles.some_inactive())
+    std::erase_if(cell_changes, [&](const auto& change) { return change.to != none && particles.is_inactive(change.to); });
   // Threads share a large body's cells in several rounds, so their lists laid end to end are not in the order of the cells yet.
   std::sort(cell_changes.begin(), cell_changes.end(), [](const bodies::CellChange& a, const bodies::CellChange& b) {
     return a.from != b.from ? a.from < b.from : a.index < b.index;
@@ -66,23 +66,23 @@ void change_cells(const problem::Model<dim>& model, problem::State<dim>& state, 
   const auto left = std::find_if(cell_changes.begin(), cell_changes.end(), [](const auto& change) { return change.to == none; });
   const bool has_left = left != cell_changes.end();
   if (Ranks::of_run().any(has_left)) refuse(model, state, has_left ? &*left : nullptr, body);
-  particles.take_out(cell_changes, work.transit);
-  work.changed_cells.clear();
+  particles.take_out(cell_changes, workspace.transit);
+  workspace.changed_cells.clear();
   for (const bodies::CellChange& change : cell_changes) {
-    work.changed_cells.push_back(change.from);
+    workspace.changed_cells.push_back(change.from);
     if (particles.count_in(change.from) == 0) grid.leave(change.from);
   }
-  share_movers(grid, cell_changes, work.transit);
-  particles.put_in(cell_changes, work.transit);
+  exchange_movers(grid, cell_changes, workspace.transit);
+  particles.put_in(cell_changes, workspace.transit);
   for (std::size_t m = 0; m < cell_changes.size(); ++m) {
-    work.changed_cells.push_back(cell_changes[m].to);
-    if (work.transit.index[m] == 0) grid.enter(model.mesh, cell_changes[m].to);
+    workspace.changed_cells.push_back(cell_changes[m].to);
+    if (workspace.transit.index[m] == 0) grid.enter(model.mesh, cell_changes[m].to);
   }
-  sum_changed_moments(model.mesh, particles, work.changed_cells, grid);
+  sum_changed_moments(model.mesh, particles, workspace.changed_cells, grid);
   if (particles.sort_occupied()) find_nodes(model.mesh, particles, grid);
 }
 
-template void change_cells(const problem::Model<2>&, problem::State<2>&, Work<2>&, Index);
-template void change_cells(const problem::Model<3>&, problem::State<3>&, Work<3>&, Index);
+template void change_cells(const problem::Model<2>&, problem::State<2>&, Workspace<2>&, Index);
+template void change_cells(const problem::Model<3>&, problem::State<3>&, Workspace<3>&, Index);
 
 }  // namespace berm::mpm

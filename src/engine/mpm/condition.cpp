@@ -112,7 +112,7 @@ SoilCondition soil_condition(const problem::Model<dim>& model, const problem::St
 }
 
 template <int dim>
-Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work)
+Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state, const Workspace<dim>& workspace)
 {
   if (model.main_rigid == none) return nan;
   const bodies::RigidShape<dim> shape = placed<dim>(model.rigid_bodies[model.main_rigid], state.rigid_bodies[model.main_rigid]);
@@ -121,7 +121,7 @@ Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state,
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     if (!yields(model.bodies[b].soil.materials.front())) continue;
     const bodies::Particles<dim>& particles = state.particles[b];
-    const BodyGrid<dim>& grid = work.grids[b];
+    const BodyGrid<dim>& grid = workspace.grids[b];
     const Real impedance = model.bodies[b].waves.mean_impedance;
     all += sum_of<ShakenSoil>("shaking", particles.chunks(), [&](Index c) {
       const Index cell = particles.occupied()[c];
@@ -154,7 +154,7 @@ Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state,
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template SoilCondition soil_condition(const problem::Model<dim>&, const problem::State<dim>&);                                           \
-  template Real shaking(const problem::Model<dim>&, const problem::State<dim>&, const Work<dim>&);
+  template Real shaking(const problem::Model<dim>&, const problem::State<dim>&, const Workspace<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

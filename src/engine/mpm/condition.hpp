@@ -21,6 +21,6 @@ SoilCondition soil_condition(const problem::Model<dim>& model, const problem::St
 ///
 /// At 1, sand has lost its strength. NaN where there is no such body or soil, or no pressure.
 template <int dim>
-Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work);
+Real shaking(const problem::Model<dim>& model, const problem::State<dim>& state, const Workspace<dim>& workspace);
 
 }  // namespace berm::mpm

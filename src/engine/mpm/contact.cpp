@@ -6,10 +6,10 @@
 #include "contact/footprint.hpp"
 #include "contact/strips.hpp"
 #include "mpm/contact_velocity.hpp"
+#include "mpm/exchange.hpp"
 #include "mpm/hoop.hpp"
 #include "mpm/interface.hpp"
 #include "mpm/reaction.hpp"
-#include "mpm/share.hpp"
 
 #include <atomic>
 
@@ -32,7 +32,7 @@ Real surface_area(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index 
 /// The surface in contact, for adhesion: that of the rigid body, in the plane; else that of the body around the nodes of the
 /// points.
 template <int dim>
-void find_surface(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work,
+void find_surface(const problem::Model<dim>& model, const problem::State<dim>& state, const Workspace<dim>& workspace,
                   const problem::Contact& contact, contact::ContactPoints<dim>& points)
 {
   if (points.node_area.size() == 0) points.node_area = points.node_weight = NodeField<Real>::zeros(model.mesh.node_count());
@@ -59,7 +59,7 @@ void find_surface(const problem::Model<dim>& model, const problem::State<dim>& s
   });
   for_each("contact: surface", static_cast<Index>(points.footprints.size()), [&](Index k) {
     contact::Footprint<dim>& footprint = points.footprints[k];
-    footprint.area = surface_area(model.mesh, work.grids[contact.body], footprint.nodes[0]);
+    footprint.area = surface_area(model.mesh, workspace.grids[contact.body], footprint.nodes[0]);
   });
   Ranks& ranks = Ranks::of_run();
   ranks.share<Real>(
@@ -69,7 +69,7 @@ void find_surface(const problem::Model<dim>& model, const problem::State<dim>& s
 
 /// What impulses do to the nodes of the points of one contact, and effective masses. In a direction that a support fixes, a node has infinite mass.
 template <int dim>
-void set_responses(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work,
+void set_responses(const problem::Model<dim>& model, const problem::State<dim>& state, const Workspace<dim>& workspace,
                    const problem::Contact& contact, contact::ContactPoints<dim>& points)
 {
   constexpr Real immovable = 1e-4;  // of the compliance of a point without supports
@@ -77,8 +77,8 @@ void set_responses(const problem::Model<dim>& model, const problem::State<dim>& 
     Real free = 0;
     Vec<dim> compliance = Vec<dim>::Zero();
     const auto response = [&](Index b, Index node, Real N) {
-      const Real m = work.grids[b].mass[node], unit = m > 0 ? N / m : 0;
-      const Vec<dim> of_node = boundary::without_fixed<dim>(work.grids[b].supports(model), node, Vec<dim>::Constant(unit));
+      const Real m = workspace.grids[b].mass[node], unit = m > 0 ? N / m : 0;
+      const Vec<dim> of_node = boundary::without_fixed<dim>(workspace.grids[b].supports(model), node, Vec<dim>::Constant(unit));
       free += N * unit;
       compliance += N * of_node;
       return of_node;
@@ -100,23 +100,23 @@ void set_responses(const problem::Model<dim>& model, const problem::State<dim>& 
 /// Gives the nodes of a point an impulse, and those of the other body the opposite. Supports take the components in fixed
 /// directions.
 template <int dim, class Field>
-void push(Work<dim>& work, const problem::Contact& contact, const contact::ContactPoint<dim>& point, const Vec<dim>& impulse,
+void push(Workspace<dim>& workspace, const problem::Contact& contact, const contact::ContactPoint<dim>& point, const Vec<dim>& impulse,
           const Field& field)
 {
-  BodyGrid<dim>& grid = work.grids[contact.body];
+  BodyGrid<dim>& grid = workspace.grids[contact.body];
   for (int n = 0; n < point.node_count; ++n) field.change(grid, point.nodes[n], point.response.col(n).cwiseProduct(impulse));
   if (contact.other_body != none)
-    field.change(work.grids[contact.other_body], point.nodes[0], -point.response_of_other.cwiseProduct(impulse));
+    field.change(workspace.grids[contact.other_body], point.nodes[0], -point.response_of_other.cwiseProduct(impulse));
 }
 
 /// One step of the Gauss-Seidel iteration at a point; adds to the sums.
 template <int dim, class Field>
-void correct_point(const problem::State<dim>& state, Work<dim>& work, const problem::Contact& contact, const Field& field,
+void correct_point(const problem::State<dim>& state, Workspace<dim>& workspace, const problem::Contact& contact, const Field& field,
                    contact::ContactPoint<dim>& point, typename contact::ContactPoints<dim>::SweepSums& sums)
 {
   const bool tied = rules_of(contact.scheme).tied;
   if (!(point.mass.normal > 0) || (tied && point.gap > 0)) return;
-  const Vec<dim> relative = relative_velocity(work, contact, point, field);
+  const Vec<dim> relative = relative_velocity(workspace, contact, point, field);
   const Real allowed_approach = std::max(Real(0), point.gap) / (contact.gap_closing_steps * state.dt);
   const Real adhesion = contact.adhesion_law.differs() ? point.adhesion : contact.adhesion;
   const contact::Interface interface = {contact.friction,
@@ -132,7 +132,7 @@ void correct_point(const problem::State<dim>& state, Work<dim>& work, const prob
   if (Field::is_force) point.status = status_of<dim>(impulse, point.normal, interface);
   const Vec<dim> change = impulse - point.impulse;
   point.impulse = impulse;
-  push(work, contact, point, change, field);
+  push(workspace, contact, point, change, field);
   sums.changed += change.norm();
   sums.carried += impulse.norm();
 }
@@ -140,10 +140,11 @@ void correct_point(const problem::State<dim>& state, Work<dim>& work, const prob
 /// One Gauss-Seidel sweep over the points of a contact, by all threads of the parallel region that it is called in. Returns to each of them the sum of the
 /// changes of the impulses over the sum of the impulses; 0 where they carry none.
 template <int dim, class Field>
-Real sweep(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work, Index k, const Field& field, int number)
+Real sweep(const problem::Model<dim>& model, const problem::State<dim>& state, Workspace<dim>& workspace, Index k, const Field& field,
+           int number)
 {
   const problem::Contact& contact = model.contacts[k];
-  contact::ContactPoints<dim>& points = work.contact_points[k];
+  contact::ContactPoints<dim>& points = workspace.contact_points[k];
   if (contact.needs_areas()) {
 #pragma omp single
     share_surface(points);
@@ -153,7 +154,7 @@ Real sweep(const problem::Model<dim>& model, const problem::State<dim>& state, W
   contact::for_each_strip(points, [&](Index s) {
     typename contact::ContactPoints<dim>::SweepSums sums;
     for (Index p = points.strip_begin[s]; p < points.strip_begin[s + 1]; ++p)
-      correct_point(state, work, contact, field, points.list[p], sums);
+      correct_point(state, workspace, contact, field, points.list[p], sums);
     points.sweep_sums[s][place] = sums;
   });
   Real changed = 0, carried = 0;
@@ -167,21 +168,21 @@ Real sweep(const problem::Model<dim>& model, const problem::State<dim>& state, W
 
 /// Impulses at all points of the contacts that take part, by projected Gauss-Seidel sweeps until convergence.
 template <int dim, class Field, class TakesPart>
-void solve(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work, const Field& field,
+void solve(const problem::Model<dim>& model, const problem::State<dim>& state, Workspace<dim>& workspace, const Field& field,
            const TakesPart& takes_part)
 {
   constexpr int max_sweeps = 20;
   constexpr Real tolerance = 1e-3;  // relative to the sum of all impulses
-  const int sweeps = work.contacts_share_nodes ? max_sweeps : 1;
+  const int sweeps = workspace.contacts_share_nodes ? max_sweeps : 1;
   Index count = 0;
   for (std::size_t k = 0; k < model.contacts.size(); ++k)
-    if (takes_part(model.contacts[k])) count += static_cast<Index>(work.contact_points[k].list.size());
+    if (takes_part(model.contacts[k])) count += static_cast<Index>(workspace.contact_points[k].list.size());
   if (count == 0) return;
 #pragma omp parallel if (count >= contact::min_points_for_threads)
   for (int n = 0; n < sweeps; ++n) {
     Real changed = 0;
     for (Index k = 0; k < static_cast<Index>(model.contacts.size()); ++k)
-      if (takes_part(model.contacts[k])) changed = std::max(changed, sweep(model, state, work, k, field, n));
+      if (takes_part(model.contacts[k])) changed = std::max(changed, sweep(model, state, workspace, k, field, n));
     if (changed <= tolerance) break;
   }
 }
@@ -189,19 +190,19 @@ void solve(const problem::Model<dim>& model, const problem::State<dim>& state, W
 /// Update stress last at the nodes in contact: the velocity of step 4 moves and strains the particles, too. A node with
 /// little mass keeps the re-mapped velocity: its acceleration is large and not representative of the particles around it.
 template <int dim>
-void move_with_predicted(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work, Index k)
+void move_with_predicted(const problem::Model<dim>& model, const problem::State<dim>& state, Workspace<dim>& workspace, Index k)
 {
   constexpr Real min_mass_ratio = 0.05;  // of the mass of a node whose cells are evenly filled
   const problem::Contact& contact = model.contacts[k];
   const auto use = [&](Index b, Index node) {
-    BodyGrid<dim>& grid = work.grids[b];
+    BodyGrid<dim>& grid = workspace.grids[b];
     Real volume = 0;
     for (Index e = model.mesh.first_entry[node]; e < model.mesh.first_entry[node + 1]; ++e)
       volume += model.mesh.volume(model.mesh.entries[e] / (dim + 1));
     if (grid.mass[node] > min_mass_ratio * model.bodies[b].waves.min_density * volume / (dim + 1))
       grid.mapped_velocity[node] = grid.velocity[node] + state.dt * grid.acceleration[node];
   };
-  contact::for_each_point(work.contact_points[k], [&](const contact::ContactPoint<dim>& point) {
+  contact::for_each_point(workspace.contact_points[k], [&](const contact::ContactPoint<dim>& point) {
     if (!point.touching) return;
     for (int n = 0; n < point.node_count; ++n) use(contact.body, point.nodes[n]);
     if (contact.other_body != none) use(contact.other_body, point.nodes[0]);
@@ -211,51 +212,51 @@ void move_with_predicted(const problem::Model<dim>& model, const problem::State<
 }  // namespace
 
 template <int dim>
-void find_contacts(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
+void find_contacts(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace)
 {
   const Index contacts = static_cast<Index>(model.contacts.size());
   const auto mark = [&](Index k, std::uint8_t touching, std::uint8_t points) {
     const problem::Contact& contact = model.contacts[k];
-    contact::for_each_point(work.contact_points[k], [&](const contact::ContactPoint<dim>& point) {
+    contact::for_each_point(workspace.contact_points[k], [&](const contact::ContactPoint<dim>& point) {
       for (int n = 0; n < point.node_count; ++n)
         for (Index b : {contact.body, contact.other_body}) {
           if (b == none) continue;
-          BodyGrid<dim>& grid = work.grids[b];
+          BodyGrid<dim>& grid = workspace.grids[b];
           const Index node = point.nodes[n];
           if (points != 0 && grid.contact_points[node] != 0)
-            std::atomic_ref<bool>(work.contacts_share_nodes).store(true, std::memory_order_relaxed);
+            std::atomic_ref<bool>(workspace.contacts_share_nodes).store(true, std::memory_order_relaxed);
           grid.contact_points[node] = points;
           if (touching == 0 || point.touching) grid.touching[node] = touching;
         }
     });
   };
   for (Index k = 0; k < contacts; ++k) mark(k, 0, 0);
-  work.contacts_share_nodes = false;
+  workspace.contacts_share_nodes = false;
   for (Index k = 0; k < contacts; ++k) {
     const problem::Contact& contact = model.contacts[k];
-    BodyGrid<dim>& grid = work.grids[contact.body];
-    contact::ContactPoints<dim>& points = work.contact_points[k];
+    BodyGrid<dim>& grid = workspace.grids[contact.body];
+    contact::ContactPoints<dim>& points = workspace.contact_points[k];
     if (contact.rigid != none) {
       detect<dim>(model.mesh, state.particles[contact.body], model.rigid_bodies[contact.rigid], state.rigid_bodies[contact.rigid],
                   state.listed_poses[contact.rigid], contact.detection, grid.mass, points);
     } else {
-      const BodyGrid<dim>& other = work.grids[contact.other_body];
-      const BorrowedParticles<dim> borrowed(model.mesh, state.particles, work.grids, contact.body, contact.other_body);
+      const BodyGrid<dim>& other = workspace.grids[contact.other_body];
+      const BorrowedParticles<dim> borrowed(model.mesh, state.particles, workspace.grids, contact.body, contact.other_body);
       detect<dim>(model.mesh, {state.particles[contact.body], grid.mass, grid.nodes},
                   {state.particles[contact.other_body], other.mass, other.nodes}, contact.detection, points);
     }
     points.sweep_sums.resize(points.strip_begin.size());
     points.shared_out = false;
   }
-  list_contact_nodes(model, work);
-  share_at_contacts(work, &BodyGrid<dim>::mass);
-  share_at_contacts(work, &BodyGrid<dim>::velocity);
+  list_contact_nodes(model, workspace);
+  exchange_at_contacts(workspace, &BodyGrid<dim>::mass);
+  exchange_at_contacts(workspace, &BodyGrid<dim>::velocity);
   for (Index k = 0; k < contacts; ++k) {
     const problem::Contact& contact = model.contacts[k];
-    contact::ContactPoints<dim>& points = work.contact_points[k];
-    set_responses(model, state, work, contact, points);
+    contact::ContactPoints<dim>& points = workspace.contact_points[k];
+    set_responses(model, state, workspace, contact, points);
     recall(model, state, contact, points);
-    if (contact.needs_areas()) find_surface(model, state, work, contact, points);
+    if (contact.needs_areas()) find_surface(model, state, workspace, contact, points);
     mark(k, 1, 1);
   }
 }
@@ -265,18 +266,18 @@ namespace {
 /// Moves particles whose centres are in a rigid body out of it, at a speed proportional to their depth but at most a
 /// thousandth of that of a pressure wave. Their own velocities do not change.
 template <int dim>
-void push_out(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work)
+void push_out(const problem::Model<dim>& model, const problem::State<dim>& state, Workspace<dim>& workspace)
 {
   constexpr Real of_wave = 1e-3;
   for (std::size_t k = 0; k < model.contacts.size(); ++k) {
     const problem::Contact& contact = model.contacts[k];
-    if (contact.rigid == none || !(work.contact_points[k].nearest_particle < 0)) continue;
+    if (contact.rigid == none || !(workspace.contact_points[k].nearest_particle < 0)) continue;
     const Real max = of_wave * model.bodies[contact.body].waves.slowest;
-    contact::for_each_point(work.contact_points[k], [&](const contact::ContactPoint<dim>& point) {
+    contact::for_each_point(workspace.contact_points[k], [&](const contact::ContactPoint<dim>& point) {
       if (!(point.distance < 0) || !(point.mass.normal > 0)) return;
       const Real wanted = std::min(-point.distance / (contact.gap_closing_steps * state.dt), max);
-      const Real lacking = wanted - relative_velocity(work, contact, point, Moved<dim>{}).dot(point.normal);
-      if (lacking > 0) push(work, contact, point, Vec<dim>(point.mass.normal * lacking * point.normal), Moved<dim>{});
+      const Real lacking = wanted - relative_velocity(workspace, contact, point, Moved<dim>{}).dot(point.normal);
+      if (lacking > 0) push(workspace, contact, point, Vec<dim>(point.mass.normal * lacking * point.normal), Moved<dim>{});
     });
   }
 }
@@ -284,27 +285,27 @@ void push_out(const problem::Model<dim>& model, const problem::State<dim>& state
 }  // namespace
 
 template <int dim>
-void correct_accelerations(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
+void correct_accelerations(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace)
 {
   const Timer timer("contact: step 4");
-  for (contact::ContactPoints<dim>& points : work.contact_points)
+  for (contact::ContactPoints<dim>& points : workspace.contact_points)
     contact::for_each_point(points, [](contact::ContactPoint<dim>& point) { point.impulse.setZero(); });
-  solve(model, state, work, Predicted<dim>{state.dt}, [](const problem::Contact&) { return true; });
-  if (model.update_stress_first) react(model, state, work);
+  solve(model, state, workspace, Predicted<dim>{state.dt}, [](const problem::Contact&) { return true; });
+  if (model.update_stress_first) react(model, state, workspace);
 }
 
 template <int dim>
-void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
+void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace)
 {
   const Timer timer("contact: step 8");
   for (std::size_t k = 0; k < model.contacts.size(); ++k)
-    if (rules_of(model.contacts[k].scheme).moves_with_predicted) move_with_predicted(model, state, work, static_cast<Index>(k));
+    if (rules_of(model.contacts[k].scheme).moves_with_predicted) move_with_predicted(model, state, workspace, static_cast<Index>(k));
 
   const auto note_second = [&](const auto& takes_part, Real sign) {
     for (std::size_t k = 0; k < model.contacts.size(); ++k) {
       const problem::Contact& contact = model.contacts[k];
       if (contact.rigid == none || !takes_part(contact)) continue;
-      state.contact_sums[contact.rigid].second_impulse += sign * impulse_of(work.contact_points[k]);
+      state.contact_sums[contact.rigid].second_impulse += sign * impulse_of(workspace.contact_points[k]);
     }
   };
   const auto completes = [](const problem::Contact& contact) {
@@ -315,30 +316,23 @@ void correct_velocities(const problem::Model<dim>& model, problem::State<dim>& s
   };
   if (!model.update_stress_first) {
     note_second(completes, -1);
-    solve(model, state, work, MovedWithParticles<dim>{state.dt}, completes);
+    solve(model, state, workspace, MovedWithParticles<dim>{state.dt}, completes);
     note_second(completes, 1);
-    react(model, state, work);
+    react(model, state, workspace);
   }
   for (std::size_t k = 0; k < model.contacts.size(); ++k)
     if (corrects(model.contacts[k]))
-      contact::for_each_point(work.contact_points[k], [](contact::ContactPoint<dim>& point) { point.impulse.setZero(); });
-  solve(model, state, work, Moved<dim>{}, corrects);
+      contact::for_each_point(workspace.contact_points[k], [](contact::ContactPoint<dim>& point) { point.impulse.setZero(); });
+  solve(model, state, workspace, Moved<dim>{}, corrects);
   note_second(corrects, 1);
-  if (!model.update_stress_first) push_out(model, state, work);
-  remember(model, state, work);
-}
-
-template <int dim>
-void move_rigids(problem::State<dim>& state)
-{
-  for (bodies::RigidState<dim>& rigid : state.rigid_bodies) move_body(rigid, state.dt);
+  if (!model.update_stress_first) push_out(model, state, workspace);
+  remember(model, state, workspace);
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void find_contacts(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&);                                               \
-  template void correct_accelerations(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&);                                       \
-  template void correct_velocities(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&);                                          \
-  template void move_rigids(problem::State<dim>&);
+  template void find_contacts(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&);                                          \
+  template void correct_accelerations(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&);                                  \
+  template void correct_velocities(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

@@ -33,12 +33,12 @@ struct MovedWithParticles {  ///< step 8: the same, and the velocity that the pa
 
 /// The velocity of the body at a point relative to the other side.
 template <int dim, class Field>
-Vec<dim> relative_velocity(const Work<dim>& work, const problem::Contact& contact, const contact::ContactPoint<dim>& point,
+Vec<dim> relative_velocity(const Workspace<dim>& workspace, const problem::Contact& contact, const contact::ContactPoint<dim>& point,
                            const Field& field)
 {
-  Vec<dim> relative =
-      contact.rigid != none ? Vec<dim>(-point.surface_velocity) : Vec<dim>(-field.velocity(work.grids[contact.other_body], point.nodes[0]));
-  for (int n = 0; n < point.node_count; ++n) relative += point.weights[n] * field.velocity(work.grids[contact.body], point.nodes[n]);
+  Vec<dim> relative = contact.rigid != none ? Vec<dim>(-point.surface_velocity)
+                                            : Vec<dim>(-field.velocity(workspace.grids[contact.other_body], point.nodes[0]));
+  for (int n = 0; n < point.node_count; ++n) relative += point.weights[n] * field.velocity(workspace.grids[contact.body], point.nodes[n]);
   return relative;
 }
 

@@ -14,7 +14,7 @@ template <int dim>
 void divide(const problem::Model<dim>& model, problem::State<dim>& state);
 
 /// Divides the cells anew, each rank of which took so many s for its own; false, and nothing, where that would gain little. No result depends on how they are
-/// divided. What was made for the old division (Work) is to be made again.
+/// divided. What was made for the old division (Workspace) is to be made again.
 template <int dim>
 bool divide_anew(const problem::Model<dim>& model, problem::State<dim>& state, Real busy);
 

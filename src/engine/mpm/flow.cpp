@@ -3,7 +3,7 @@
 #include "mpm/flow.hpp"
 
 #include "mpm/hoop.hpp"
-#include "mpm/transfer.hpp"
+#include "mpm/internal_forces.hpp"
 
 namespace berm::mpm {
 
@@ -12,7 +12,7 @@ void average_water(const problem::Model<dim>& model, const bodies::Particles<dim
 {
   if (!grid.water.flows()) return;
   const problem::BodySoil& soil = model.bodies[body].soil;
-  const int pressure = pore_pressure_place(soil.materials.front()), number = problem::number_offset(soil);
+  const int pressure = pore_pressure_place(soil.materials.front()), number = problem::material_index_offset(soil);
   for_each("pore pressure of cells", particles.chunks(), [&](Index c) {
     const Index cell = particles.occupied()[c];
     WaterCell sums;
@@ -94,7 +94,7 @@ void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid
 {
   if (!grid.water.flows()) return;
   const mesh::Mesh<dim>& mesh = model.mesh;
-  const NodeField<std::uint8_t>& closed = model.closed[grid.fixed];
+  const NodeField<std::uint8_t>& impermeable = model.impermeable[grid.fixed];
   constexpr Real least = 0.5, most = 2;  // of equal parts
   for_each("gather water", grid.chunks, [&](Index n) {
     const Index i = grid.nodes[n];
@@ -122,10 +122,10 @@ void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid
     }
     water.inertia += dt * water.drag;
     grid.water.normal[i].setZero();
-    grid.water.closed[i] = {};
+    grid.water.impermeable[i] = {};
     for (int d = 0; d < dim; ++d)
       grid.water.soil_inertia[i][d] =
-          grid.mass[i] - (closed[i] >> d & 1 || !(water.inertia > 0) ? 0 : water.mass * water.mass / water.inertia);
+          grid.mass[i] - (impermeable[i] >> d & 1 || !(water.inertia > 0) ? 0 : water.mass * water.mass / water.inertia);
   });
 }
 
@@ -147,14 +147,14 @@ struct TakenByWater {
 }  // namespace
 
 template <int dim>
-void seal_rigid_bodies(const problem::Model<dim>& model, Work<dim>& work)
+void mark_impermeable_surfaces(const problem::Model<dim>& model, Workspace<dim>& workspace)
 {
   for (std::size_t k = 0; k < model.contacts.size(); ++k)
     for (const Index b : {model.contacts[k].body, model.contacts[k].other_body}) {
-      if (b == none || !work.grids[b].water.flows()) continue;
-      BodyGrid<dim>& grid = work.grids[b];
+      if (b == none || !workspace.grids[b].water.flows()) continue;
+      BodyGrid<dim>& grid = workspace.grids[b];
       const bool seals = model.contacts[k].rigid != none && !model.contacts[k].drained;
-      for (const contact::ContactPoint<dim>& point : work.contact_points[k].list)
+      for (const contact::ContactPoint<dim>& point : workspace.contact_points[k].list)
         for (int n = 0; n < point.node_count; ++n) {
           const Index node = point.nodes[n];
           grid.water.soil_inertia[node].setConstant(grid.mass[node]);
@@ -172,11 +172,11 @@ struct Side {
   void add(Real part, Real pressure) { area += part, force += part * pressure; }
 };
 
-/// What a closed body changes of the force on the water at a node along its normal, N, and of the outflow. The mean pressures of the cells on both sides of the
+/// What an impermeable body changes of the force on the water at a node along its normal, N, and of the outflow. The mean pressures of the cells on both sides of the
 /// node act on the geometric mean of their areas: full cells of soil keep what they have; without soil on the side of the body nothing is left; and however
 /// little soil there is, no wave through it is faster.
 template <mesh::Metric metric, int dim>
-Real close(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node, const Vec<dim>& normal, ClosedFlux& closed)
+Real close(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node, const Vec<dim>& normal, ImpermeableFlux& impermeable)
 {
   Side body, soil;
   for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
@@ -186,19 +186,19 @@ Real close(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node, c
     (part > 0 ? body : soil).add(std::abs(part), grid.water.pressure[cell]);
   }
   const Real area = std::sqrt(body.area * soil.area);
-  closed = {body.area > 0 ? area / body.area - 1 : 0, soil.area > 0 ? area / soil.area - 1 : 0};
-  return closed.at_body * body.force - closed.at_soil * soil.force;
+  impermeable = {body.area > 0 ? area / body.area - 1 : 0, soil.area > 0 ? area / soil.area - 1 : 0};
+  return impermeable.at_body * body.force - impermeable.at_soil * soil.force;
 }
 
 }  // namespace
 
 template <int dim>
-void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
+void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body)
 {
-  BodyGrid<dim>& grid = work.grids[body];
+  BodyGrid<dim>& grid = workspace.grids[body];
   if (!grid.water.flows()) return;
   NodeField<Vec<dim>>& flux = state.flux[body];
-  const NodeField<std::uint8_t>& closed = model.closed[grid.fixed];
+  const NodeField<std::uint8_t>& impermeable = model.impermeable[grid.fixed];
   const Real dt = state.dt;
   // At contact points neither feels the other's inertia, so that the equations stay symmetric, and stable; with four times its inertia there the water makes no
   // wave faster than that of waves_of.
@@ -217,15 +217,15 @@ void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, 
     Vec<dim> force = water.force - water.drag * before;
     // Where a support stops the water as well, only what is left of the normal counts.
     Vec<dim>& normal = grid.water.normal[i];
-    normal = boundary::without_fixed<dim>(closed, i, normal);
-    ClosedFlux& at_body = grid.water.closed[i];
+    normal = boundary::without_fixed<dim>(impermeable, i, normal);
+    ImpermeableFlux& at_body = grid.water.impermeable[i];
     if (const Real length = normal.norm(); length > 0) {
       normal /= length;
       force += with_metric(model.mesh, [&](auto metric) { return close<metric()>(model.mesh, grid, i, normal, at_body); }) * normal;
     }
     Vec<dim> after = before + dt / inertia * force;
     if (!at_contact) after -= water.mass / inertia * (grid.mapped_velocity[i] - grid.velocity[i]);
-    flux[i] = boundary::without_fixed<dim>(closed, i, after);
+    flux[i] = boundary::without_fixed<dim>(impermeable, i, after);
     const Real outward = flux[i].dot(normal);
     at_body = {outward * at_body.at_body, outward * at_body.at_soil};
     if (at_contact) return TakenByWater<dim>();
@@ -255,11 +255,11 @@ struct Largest {
 }  // namespace
 
 template <int dim>
-void note_pressures(const problem::Model<dim>& model, problem::State<dim>& state, const Work<dim>& work)
+void note_pressures(const problem::Model<dim>& model, problem::State<dim>& state, const Workspace<dim>& workspace)
 {
   Largest largest;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const BodyGrid<dim>& grid = work.grids[b];
+    const BodyGrid<dim>& grid = workspace.grids[b];
     if (!grid.water.flows()) continue;
     const bodies::Particles<dim>& particles = state.particles[b];
     largest += sum_of<Largest>("largest pore pressure", particles.chunks(), [&](Index c) {
@@ -273,17 +273,17 @@ void note_pressures(const problem::Model<dim>& model, problem::State<dim>& state
 
 namespace {
 
-/// What closed bodies change of the water that leaves a cell, m3/s (per metre run: m2/s).
+/// What impermeable bodies change of the water that leaves a cell, m3/s (per metre run: m2/s).
 template <mesh::Metric metric, int dim>
 Real held_back(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell)
 {
   Real rate = 0;
   for (int k = 0; k <= dim; ++k) {
     const Index node = mesh.nodes[cell][k];
-    const ClosedFlux& closed = grid.water.closed[node];
-    if (closed.at_body == 0 && closed.at_soil == 0) continue;
+    const ImpermeableFlux& impermeable = grid.water.impermeable[node];
+    if (impermeable.at_body == 0 && impermeable.at_soil == 0) continue;
     const Real part = grid.water.normal[node].dot(forces_of_pressure<metric>(mesh, grid, cell)[k]);
-    rate += part * (part > 0 ? closed.at_body : closed.at_soil);
+    rate += part * (part > 0 ? impermeable.at_body : impermeable.at_soil);
   }
   return rate;
 }
@@ -310,9 +310,9 @@ void sum_outflows(const problem::Model<dim>& model, const problem::State<dim>& s
   template void average_water(const problem::Model<dim>&, const bodies::Particles<dim>&, Index, BodyGrid<dim>&);                           \
   template void spread_water_forces(const problem::Model<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                            \
   template void gather_water(const problem::Model<dim>&, Real, BodyGrid<dim>&);                                                            \
-  template void seal_rigid_bodies(const problem::Model<dim>&, Work<dim>&);                                                                 \
-  template void advance_flux(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&, Index);                                         \
-  template void note_pressures(const problem::Model<dim>&, problem::State<dim>&, const Work<dim>&);                                        \
+  template void mark_impermeable_surfaces(const problem::Model<dim>&, Workspace<dim>&);                                                    \
+  template void advance_flux(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&, Index);                                    \
+  template void note_pressures(const problem::Model<dim>&, problem::State<dim>&, const Workspace<dim>&);                                   \
   template void sum_outflows(const problem::Model<dim>&, const problem::State<dim>&, BodyGrid<dim>&, Index);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

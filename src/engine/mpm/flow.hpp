@@ -39,18 +39,18 @@ void gather_water(const problem::Model<dim>& model, Real dt, BodyGrid<dim>& grid
 /// of contact points the soil takes the whole force, so that contact, which changes its velocity twice in a step, keeps its momentum: soil and water do not feel
 /// each other's inertia there.
 template <int dim>
-void seal_rigid_bodies(const problem::Model<dim>& model, Work<dim>& work);
+void mark_impermeable_surfaces(const problem::Model<dim>& model, Workspace<dim>& workspace);
 
 /// The flux at the end of the step, from the change of the nodal velocity that the particles carry; that of the accelerations would give soil and water energy that
-/// neither has lost. None through supports. Along the normal of a closed body only the difference between the pressures on both sides of a node moves water, and
+/// neither has lost. None through supports. Along the normal of a impermeable body only the difference between the pressures on both sides of a node moves water, and
 /// it goes from the cells on the one side to those on the other: none goes into the body, where it lies between the nodes, too. What the change of the flux takes
 /// of the soil's momentum and energy goes to the totals.
 template <int dim>
-void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
+void advance_flux(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body);
 
 /// Takes note of the largest excess pore pressure that acts, averaged over a patch, as it was when the step began: of cells at least half of which is soil.
 template <int dim>
-void note_pressures(const problem::Model<dim>& model, problem::State<dim>& state, const Work<dim>& work);
+void note_pressures(const problem::Model<dim>& model, problem::State<dim>& state, const Workspace<dim>& workspace);
 
 /// The volume of water that leaves each cell in this step.
 template <int dim>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/mpm/transfer_test.cpp
+// Tests: tests/unit/mpm/moments_test.cpp
 #include "mpm/grid.hpp"
 
 #include "mpm/body_sums.hpp"
-#include "mpm/transfer.hpp"
+#include "mpm/moments.hpp"
 
 #include <atomic>
 
@@ -45,7 +45,7 @@ void WaterGrid<dim>::make_room(const mesh::Mesh<dim>& mesh, const problem::BodyS
   nodes = NodeField<WaterAtNode<dim>>::zeros(mesh.node_count());
   soil_inertia = NodeField<Vec<dim>>::zeros(mesh.node_count());
   normal = NodeField<Vec<dim>>::zeros(mesh.node_count());
-  closed = NodeField<ClosedFlux>::zeros(mesh.node_count());
+  impermeable = NodeField<ImpermeableFlux>::zeros(mesh.node_count());
 }
 
 template <int dim>
@@ -75,7 +75,7 @@ void find_nodes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& parti
   for (const Halo::Side& side : halo.sides)
     for (const Index cell : side.got)
       for (const Index node : mesh.nodes[cell])
-        if (halo.is_complete[node] != 0 && !particles.rests(cell)) grid.mass[node] = 1;
+        if (halo.is_complete[node] != 0 && !particles.is_inactive(cell)) grid.mass[node] = 1;
   for_each("change cells: nodes", grid.chunks, [&](Index k) {
     if (!(grid.mass[grid.nodes[k]] > 0)) grid.mapped_velocity[grid.nodes[k]].setZero();
   });
@@ -85,7 +85,7 @@ void find_nodes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& parti
 }
 
 template <int dim>
-Work<dim>::Work(const problem::Model<dim>& model, const problem::State<dim>& state)
+Workspace<dim>::Workspace(const problem::Model<dim>& model, const problem::State<dim>& state)
     : contact_points(model.contacts.size()),
       cell_changes(omp_get_max_threads())
 {
@@ -124,7 +124,7 @@ template struct BodyGrid<2>;
 template struct BodyGrid<3>;
 template void find_nodes(const mesh::Mesh<2>&, const bodies::Particles<2>&, BodyGrid<2>&);
 template void find_nodes(const mesh::Mesh<3>&, const bodies::Particles<3>&, BodyGrid<3>&);
-template struct Work<2>;
-template struct Work<3>;
+template struct Workspace<2>;
+template struct Workspace<3>;
 
 }  // namespace berm::mpm

@@ -75,9 +75,9 @@ struct WaterAtNode {
   Real drag = 0;                      ///< sum gamma_w V / k, kg/s
 };
 
-/// What the flux along the normal of a closed body changes of the outflow of the cells around a node, m/s: times the force of 1 Pa along the normal, of cells on
+/// What the flux along the normal of an impermeable body changes of the outflow of the cells around a node, m/s: times the force of 1 Pa along the normal, of cells on
 /// the side of the body and of those on the side of the soil.
-struct ClosedFlux {
+struct ImpermeableFlux {
   Real at_body = 0, at_soil = 0;
 };
 
@@ -94,9 +94,9 @@ struct WaterGrid {
   CellField<std::array<WaterAtCorner<dim>, dim + 1>> corners;
   CellField<VolumeChange> outflow;  ///< as the volume change, by div(w) dt
   NodeField<WaterAtNode<dim>> nodes;
-  NodeField<Vec<dim>> soil_inertia;  ///< kg, what accelerates with the soil where the water gives way
-  NodeField<Vec<dim>> normal;        ///< of the closed rigid body that touches the soil there; else zero
-  NodeField<ClosedFlux> closed;      ///< of the nodes with a normal; else zero
+  NodeField<Vec<dim>> soil_inertia;        ///< kg, what accelerates with the soil where the water gives way
+  NodeField<Vec<dim>> normal;              ///< of the impermeable rigid body that touches the soil there; else zero
+  NodeField<ImpermeableFlux> impermeable;  ///< of the nodes with a normal; else zero
 
   bool flows() const { return cells.size() > 0; }
   void make_room(const mesh::Mesh<dim>& mesh, const problem::BodySoil& soil);
@@ -107,7 +107,7 @@ struct WaterGrid {
 template <int dim>
 struct BodyGrid {
   /// Between steps, with their contributions to the corners, of the particles as they are: what changes a particle's x, v, mass, volume or stress sums its cell
-  /// again (mpm/transfer.hpp). In cells of other ranks as they were when those last shared them.
+  /// again (mpm/moments.hpp). In cells of other ranks as they were at the last exchange.
   CellField<Moments<dim>> moments;
   CellField<std::array<CornerSums<dim>, dim + 1>> corners;
   CellField<HoopMoments> hoop;  ///< as the moments; empty but in axisymmetry
@@ -137,7 +137,7 @@ struct BodyGrid {
 
   Index fixed = 0;  ///< the set of supports that acts in this step, an index into Model::fixed
   NodeField<std::uint8_t>
-      held;                ///< these supports and, in all directions, the nodes of cells that rest (mpm/rest.hpp); empty where none does
+      held;                ///< these supports and, in all directions, the nodes of inactive cells (mpm/inactive.hpp); empty where none does
   Index held_with = none;  ///< the set of supports that `held` was made with
 
   std::vector<Index> nodes;  ///< that have an active cell with particles (of them those that are complete, Halo), ascending
@@ -161,8 +161,8 @@ struct BodyGrid {
     if (water.flows()) water.cells[cell] = {}, water.corners[cell] = {}, water.outflow[cell] = {};
     if (bulk_viscosity > 0) viscous_stress[cell] = 0;
   }
-  /// Leaves of the sums of a cell that rests the volume of its particles, by which its neighbours know that they lie within the body.
-  void rest(Index cell)
+  /// Leaves of the sums of an inactive cell the volume of its particles, by which its neighbours know that they lie within the body.
+  void deactivate(Index cell)
   {
     std::array<CornerSums<dim>, dim + 1> sums{};
     for (int k = 0; k <= dim; ++k) sums[k].volume = corners[cell][k].volume;
@@ -208,9 +208,9 @@ struct VolumeRule {
 struct BodyLaws;
 std::shared_ptr<const BodyLaws> laws_of(const problem::BodySoil& soil, const problem::MpmSettings& settings);
 
-/// Work arrays of a step beside Model and State; allocated once, with the sums of the particles as they are then.
+/// Workspace of a step beside Model and State; allocated once, with the sums of the particles as they are then.
 template <int dim>
-struct Work {
+struct Workspace {
   std::vector<BodyGrid<dim>> grids;                           ///< by body
   std::vector<contact::ContactPoints<dim>> contact_points;    ///< by contact
   bool contacts_share_nodes = false;                          ///< some node is moved by more than one contact point
@@ -223,7 +223,7 @@ struct Work {
   Real unbalanced = 0,
        weight = 0;  ///< N, sums over the nodes of |unbalanced force| (away from contacts); of m g and of tractions, last step
 
-  Work(const problem::Model<dim>& model, const problem::State<dim>& state);
+  Workspace(const problem::Model<dim>& model, const problem::State<dim>& state);
 };
 
 }  // namespace berm::mpm

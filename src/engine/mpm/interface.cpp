@@ -23,10 +23,10 @@ Real adhesion_beside(const problem::Body<dim>& body, const problem::Contact& con
   const problem::AdhesionLaw& law = contact.adhesion_law;
   const Real slip = contact.memory.slip == none ? 0 : p.extra[contact.memory.slip];
   if (law.soils.empty()) return law.adhesion * law.part_left(slip);
-  const int number = problem::number_offset(body.soil);
+  const int number = problem::material_index_offset(body.soil);
   const material::Material& soil = law.soils[number == none ? 0 : static_cast<std::size_t>(p.extra[number])];
   if (!problem::varies(body.soil)) return law.at(soil, p.extra, slip);
-  return law.at(with_own_values(soil, p.extra + state_size(soil)), p.extra, slip);
+  return law.at(with_local_values(soil, p.extra + state_size(soil)), p.extra, slip);
 }
 
 /// The total normal stress on a surface with this normal, Pa, compression positive.
@@ -82,20 +82,20 @@ void recall(const problem::Model<dim>& model, problem::State<dim>& state, const 
 }
 
 template <int dim>
-void remember(const problem::Model<dim>& model, problem::State<dim>& state, const Work<dim>& work)
+void remember(const problem::Model<dim>& model, problem::State<dim>& state, const Workspace<dim>& workspace)
 {
   for (std::size_t k = 0; k < model.contacts.size(); ++k) {
     const problem::Contact& contact = model.contacts[k];
     const Index bond = contact.memory.bond, slip = contact.memory.slip;
     if (bond == none && slip == none) continue;
     bodies::Particles<dim>& particles = state.particles[contact.body];
-    contact::for_each_point(work.contact_points[k], [&](const contact::ContactPoint<dim>& point) {
+    contact::for_each_point(workspace.contact_points[k], [&](const contact::ContactPoint<dim>& point) {
       if (point.block == none) return;
       Lanes* extra = particles.extra(point.block);
       if (bond != none && point.impulse.dot(point.normal) > 0 && extra[bond][point.lane] == number_of(Bond::never))
         extra[bond][point.lane] = number_of(Bond::bonded);
       if (slip == none || !point.touching || point.status == contact::ContactStatus::sticking) return;
-      const Vec<dim> relative = relative_velocity(work, contact, point, Moved<dim>{});
+      const Vec<dim> relative = relative_velocity(workspace, contact, point, Moved<dim>{});
       extra[slip][point.lane] += state.dt * (relative - relative.dot(point.normal) * point.normal).norm();
     });
   }
@@ -117,7 +117,7 @@ SurfaceInContact surface_in_contact(const problem::Contact& contact, const conta
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
   template void recall(const problem::Model<dim>&, problem::State<dim>&, const problem::Contact&, contact::ContactPoints<dim>&);           \
-  template void remember(const problem::Model<dim>&, problem::State<dim>&, const Work<dim>&);                                              \
+  template void remember(const problem::Model<dim>&, problem::State<dim>&, const Workspace<dim>&);                                         \
   template SurfaceInContact surface_in_contact(const problem::Contact&, const contact::ContactPoints<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

@@ -14,7 +14,7 @@ void recall(const problem::Model<dim>& model, problem::State<dim>& state, const 
 /// Ends a step: points that pressed are bonded from now on, unless they have parted before; and the slip of particles that touch
 /// and do not stick grows by their distance along the surface.
 template <int dim>
-void remember(const problem::Model<dim>& model, problem::State<dim>& state, const Work<dim>& work);
+void remember(const problem::Model<dim>& model, problem::State<dim>& state, const Workspace<dim>& workspace);
 
 /// The most tension that a point carries in a step, N s.
 template <int dim>

@@ -54,46 +54,47 @@ std::array<Real, dim + 1> shares_of(const problem::Model<dim>& model, const prob
 
 /// Gives all ranks the values of the load points that others have.
 template <int dim, class Value>
-void share_load_points(Work<dim>& work, std::vector<Value>& values)
+void share_load_points(Workspace<dim>& workspace, std::vector<Value>& values)
 {
   Ranks::of_run().share<Value>(
-      static_cast<Index>(values.size()), [&](Index l) { return work.load_owner[l]; }, [&](Index l, Value& value) { value = values[l]; },
-      [&](Index l, const Value& value) { values[l] = value; });
+      static_cast<Index>(values.size()), [&](Index l) { return workspace.load_owner[l]; },
+      [&](Index l, Value& value) { value = values[l]; }, [&](Index l, const Value& value) { values[l] = value; });
 }
 
 }  // namespace
 
 template <int dim>
-void spread_tractions(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work)
+void spread_tractions(const problem::Model<dim>& model, const problem::State<dim>& state, Workspace<dim>& workspace)
 {
   if (model.load_points.empty()) return;
   const Timer timer("tractions");
   Ranks& ranks = Ranks::of_run();
   const std::size_t count = model.load_points.size();
-  work.load_shares.resize(count);
-  work.load_owner.resize(count);
+  workspace.load_shares.resize(count);
+  workspace.load_owner.resize(count);
   ranks.together([&] {
-    for (std::size_t l = 0; l < count; ++l) work.load_owner[l] = ranks.divided() ? ranks.owner_of_cell(state.load_points[l].cell) : 0;
+    for (std::size_t l = 0; l < count; ++l) workspace.load_owner[l] = ranks.divided() ? ranks.owner_of_cell(state.load_points[l].cell) : 0;
     for (std::size_t l = 0; l < count; ++l)
-      if (work.load_owner[l] == ranks.rank()) work.load_shares[l] = shares_of(model, state, work.grids[model.load_points[l].body], l);
+      if (workspace.load_owner[l] == ranks.rank())
+        workspace.load_shares[l] = shares_of(model, state, workspace.grids[model.load_points[l].body], l);
   });
-  share_load_points(work, work.load_shares);
+  share_load_points(workspace, workspace.load_shares);
   for (std::size_t l = 0; l < count; ++l) {
     const problem::LoadPoint<dim>& point = model.load_points[l];
-    BodyGrid<dim>& grid = work.grids[point.body];
+    BodyGrid<dim>& grid = workspace.grids[point.body];
     const Real part = part_of_traction(model.tractions[point.traction], state.tractions[point.traction], state.time);
     const auto& nodes = model.mesh.nodes[state.load_points[l].cell];
-    for (int k = 0; k <= dim; ++k) grid.traction[nodes[k]] += work.load_shares[l][k] * part * point.force;
+    for (int k = 0; k <= dim; ++k) grid.traction[nodes[k]] += workspace.load_shares[l][k] * part * point.force;
   }
 }
 
 template <int dim>
-void move_load_points(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
+void move_load_points(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace)
 {
   if (model.load_points.empty()) return;
   const Timer timer("tractions");
   const auto move = [&](std::size_t l) {
-    const BodyGrid<dim>& grid = work.grids[model.load_points[l].body];
+    const BodyGrid<dim>& grid = workspace.grids[model.load_points[l].body];
     problem::LoadPointState<dim>& point = state.load_points[l];
     const auto& nodes = model.mesh.nodes[point.cell];
     const std::array<Real, dim + 1> shares = shares_of(model, state, grid, l);
@@ -110,17 +111,18 @@ void move_load_points(const problem::Model<dim>& model, problem::State<dim>& sta
   };
   Ranks& ranks = Ranks::of_run();
   for (std::size_t l = 0; l < model.load_points.size(); ++l)
-    for (const Index node : model.mesh.nodes[state.load_points[l].cell]) work.grids[model.load_points[l].body].traction[node].setZero();
+    for (const Index node : model.mesh.nodes[state.load_points[l].cell])
+      workspace.grids[model.load_points[l].body].traction[node].setZero();
   ranks.together([&] {
     for (std::size_t l = 0; l < model.load_points.size(); ++l)
-      if (work.load_owner[l] == ranks.rank()) move(l);
+      if (workspace.load_owner[l] == ranks.rank()) move(l);
   });
-  share_load_points(work, state.load_points);
+  share_load_points(workspace, state.load_points);
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void spread_tractions(const problem::Model<dim>&, const problem::State<dim>&, Work<dim>&);                                      \
-  template void move_load_points(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&);
+  template void spread_tractions(const problem::Model<dim>&, const problem::State<dim>&, Workspace<dim>&);                                 \
+  template void move_load_points(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

@@ -2,22 +2,22 @@
 #include "mpm/move.hpp"
 
 #include "mpm/body_laws.hpp"
+#include "mpm/moments.hpp"
 #include "mpm/move_by_law.hpp"
 #include "mpm/particle_motion.hpp"
-#include "mpm/transfer.hpp"
 
 namespace berm::mpm {
 namespace {
 
 template <int dim>
-void pass_over_particles(Real motion, const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
+void pass_over_particles(Real motion, const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body)
 {
-  const BodyLaws& all = *work.laws[body];
+  const BodyLaws& all = *workspace.laws[body];
   const auto by_law = [&]<class Law>(const Law&) {
-    SoilOf<Law> soil{{}, {}, all.volume_rules, all.dilates, all.own_soil, all.number_offset};
+    SoilOf<Law> soil{{}, {}, all.volume_rules, all.dilates, all.local_strength, all.material_index_offset};
     for (const material::PreparedMaterial& law : all.laws) soil.laws.push_back(&std::get<Law>(law));
     for (const material::PreparedMaterial& law : all.laws_without_dilation) soil.laws_without_dilation.push_back(&std::get<Law>(law));
-    move_by_law<dim>(soil, motion, model, state, work, body);
+    move_by_law<dim>(soil, motion, model, state, workspace, body);
   };
   std::visit(by_law, all.laws.front());
 }
@@ -25,24 +25,24 @@ void pass_over_particles(Real motion, const problem::Model<dim>& model, problem:
 }  // namespace
 
 template <int dim>
-void move_and_strain(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
+void move_and_strain(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body)
 {
-  pass_over_particles(state.dt, model, state, work, body);
+  pass_over_particles(state.dt, model, state, workspace, body);
 }
 
 template <int dim>
-void strain_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
+void strain_particles(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body)
 {
-  pass_over_particles(0, model, state, work, body);
+  pass_over_particles(0, model, state, workspace, body);
 }
 
 template <int dim>
-void move_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body)
+void move_particles(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body)
 {
   const mesh::Mesh<dim>& mesh = model.mesh;
-  BodyGrid<dim>& grid = work.grids[body];
+  BodyGrid<dim>& grid = workspace.grids[body];
   bodies::Particles<dim>& particles = state.particles[body];
-  for (auto& list : work.cell_changes) list.clear();
+  for (auto& list : workspace.cell_changes) list.clear();
   const auto move_in_cell = [&](Index c) {
     const Index cell = particles.active()[c];
     const auto& nodes = mesh.nodes[cell];
@@ -56,7 +56,7 @@ void move_particles(const problem::Model<dim>& model, problem::State<dim>& state
       using V = typename std::decay_t<decltype(part)>::Vector;
       bodies::Block<dim>&p = particles.block(part.block), &q = particles.block(part.other);
       const V min_shape = move_part<V>(part, p, q, shape, at_zero, gain, velocity, state.dt, 0, 1, done);
-      note_cell_changes(part, min_shape, mesh, work, cell, p, q);
+      note_cell_changes(part, min_shape, mesh, workspace, cell, p, q);
     });
     sum_moments_of(mesh, particles, cell, grid);
   };
@@ -64,9 +64,9 @@ void move_particles(const problem::Model<dim>& model, problem::State<dim>& state
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void move_and_strain(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&, Index);                                      \
-  template void strain_particles(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&, Index);                                     \
-  template void move_particles(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&, Index);
+  template void move_and_strain(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&, Index);                                 \
+  template void strain_particles(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&, Index);                                \
+  template void move_particles(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&, Index);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

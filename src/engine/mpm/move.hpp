@@ -10,13 +10,13 @@ namespace berm::mpm {
 /// stress, constitutive law (22, 23), volume, accumulated deviatoric strain; and records the particles that have changed
 /// cell. The moments of the cells are then those of the particles as they are.
 template <int dim>
-void move_and_strain(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
+void move_and_strain(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body);
 
 /// Its parts for update stress first: steps 10 and 11 (strain, stress, volume), which is the same pass without motion, and steps 5 and 9 (velocity, position),
 /// which need no law. Each leaves the moments so, too.
 template <int dim>
-void strain_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
+void strain_particles(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body);
 template <int dim>
-void move_particles(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work, Index body);
+void move_particles(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace, Index body);
 
 }  // namespace berm::mpm

@@ -12,14 +12,14 @@ struct SoilOf {
   std::vector<const Law*> laws, laws_without_dilation;  ///< by material; the second for particles at their maximum volume
   const std::vector<VolumeRule>& rules;                 ///< by material
   bool dilates;                                         ///< the first material
-  bool own_soil;                                        ///< particles keep strength, stiffness or material for themselves
-  int number_offset;                                    ///< of the material's number among a particle's extra numbers, or none
-  static constexpr int own_size = material::own_size<Law>(), first_own = Law::state_size;  ///< its strength and stiffness there
+  bool local_strength;                                  ///< particles keep strength, stiffness or material for themselves
+  int material_index_offset;                            ///< of the material's number among a particle's extra numbers, or none
+  static constexpr int local_size = material::local_size<Law>(), first_local = Law::state_size;  ///< its strength and stiffness there
 };
 
 /// Steps 5 and 9-11 of the paper for particles of one law, which move for the time `motion` (s). Compiled in a file of its own for each law (move_law.cpp.in).
 template <int dim, class Law>
-void move_by_law(const SoilOf<Law>& soil, Real motion, const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work,
-                 Index body);
+void move_by_law(const SoilOf<Law>& soil, Real motion, const problem::Model<dim>& model, problem::State<dim>& state,
+                 Workspace<dim>& workspace, Index body);
 
 }  // namespace berm::mpm

@@ -6,9 +6,9 @@
 #include "material/law_list.hpp"
 #include "mpm/flow.hpp"
 #include "mpm/hoop.hpp"
+#include "mpm/moments.hpp"
 #include "mpm/move_by_law.hpp"
 #include "mpm/particle_motion.hpp"
-#include "mpm/transfer.hpp"
 
 #include <tuple>
 
@@ -73,14 +73,14 @@ struct VolumeBounds {
 /// layers.
 template <int dim, class Law, class P, class V>
 [[gnu::always_inline]] inline VolumeBounds<V>
-update_by_own_soil(const SoilOf<Law>& soil, const P& part, const Lanes* low, const Lanes* high, const V& mass, const V& volume,
-                   SymTensor<dim, V>& stress, material::Increment<dim, V>& increment, V* state)
+update_by_local_strength(const SoilOf<Law>& soil, const P& part, const Lanes* low, const Lanes* high, const V& mass, const V& volume,
+                         SymTensor<dim, V>& stress, material::Increment<dim, V>& increment, V* state)
 {
   using Mask = typename Part<V>::Mask;
-  constexpr int own_size = SoilOf<Law>::own_size, first_own = SoilOf<Law>::first_own;
-  V own[own_size + 1], number{};
-  for (int k = 0; k < own_size; ++k) own[k] = part.get(low[first_own + k], high[first_own + k]);
-  if (soil.number_offset != none) number = part.get(low[soil.number_offset], high[soil.number_offset]);
+  constexpr int local_size = SoilOf<Law>::local_size, first_local = SoilOf<Law>::first_local;
+  V own[local_size + 1], number{};
+  for (int k = 0; k < local_size; ++k) own[k] = part.get(low[first_local + k], high[first_local + k]);
+  if (soil.material_index_offset != none) number = part.get(low[soil.material_index_offset], high[soil.material_index_offset]);
   const SymTensor<dim, V> begin = stress;
   V begin_state[Law::state_size + 1];
   const int state_variables = state_count(*soil.laws.front());
@@ -97,10 +97,10 @@ update_by_own_soil(const SoilOf<Law>& soil, const P& part, const Lanes* low, con
     V of_law[Law::state_size + 1];
     std::copy_n(begin_state, state_variables, of_law);
     increment.active = these;
-    const auto& here = with_own(*soil.laws[n], own);
+    const auto& here = with_local(*soil.laws[n], own);
     const Mask fully_dilated = these & (volume >= mass * rule.max_volume);
     if (rule.dilates && any(fully_dilated)) {
-      const auto& without_dilation = with_own(*soil.laws_without_dilation[n], own);
+      const auto& without_dilation = with_local(*soil.laws_without_dilation[n], own);
       update_stress_of<dim>(here, &without_dilation, fully_dilated, s, increment, of_law);
     } else {
       update(here, s, increment, of_law);
@@ -134,19 +134,19 @@ inline Real patch_dilation(const mesh::Patches& patches, const CellField<VolumeC
 }
 
 /// Particles move for the time `motion` (s).
-template <bool own_soil, mesh::Metric metric, int dim, class Law>
+template <bool local_strength, mesh::Metric metric, int dim, class Law>
 void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::Model<dim>& model, problem::State<dim>& state,
-                          Work<dim>& work, Index body)
+                          Workspace<dim>& workspace, Index body)
 {
   const Law& law = *soil.laws.front();
   [[maybe_unused]] const Law* law_without_dilation = soil.dilates ? soil.laws_without_dilation.front() : nullptr;
   const mesh::Mesh<dim>& mesh = model.mesh;
-  BodyGrid<dim>& grid = work.grids[body];
+  BodyGrid<dim>& grid = workspace.grids[body];
   bodies::Particles<dim>& particles = state.particles[body];
   const Real dt = state.dt, time = state.time, per_density = 1 / model.bodies[body].waves.mean_density;
   const Real min_volume = model.mpm.min_volume_ratio * per_density, max_volume = model.mpm.max_volume_ratio * per_density;
   const Real filtered = grid.filtered_part(motion), unfiltered = 1 - filtered;
-  for (auto& list : work.cell_changes) list.clear();
+  for (auto& list : workspace.cell_changes) list.clear();
 
   const auto move_in_cell = [&](Index c) {
     const Index cell = particles.active()[c];
@@ -198,11 +198,12 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
       }
       rotate(stress, cell_strain.rotation);
       [[maybe_unused]] VolumeBounds<V> bounds;
-      if constexpr (own_soil) {
+      if constexpr (local_strength) {
         const Lanes *low = particles.extra(part.block), *high = particles.extra(part.other);
         part.template change<Law::state_size>(
-            particles.state(part.block), particles.state(part.other), state_count(law),
-            [&](V* law_state) { bounds = update_by_own_soil<dim>(soil, part, low, high, mass, volume, stress, increment, law_state); });
+            particles.state(part.block), particles.state(part.other), state_count(law), [&](V* law_state) {
+              bounds = update_by_local_strength<dim>(soil, part, low, high, mass, volume, stress, increment, law_state);
+            });
       } else {
         const Mask fully_dilated = alive & (volume >= mass * max_volume);
         part.template change<Law::state_size>(
@@ -215,13 +216,13 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
         part.set(p.stress[k], q.stress[k], kept);
       }
       done.internal += sum(0.5 * volume * double_dot(both_stresses, strain));
-      if constexpr (own_soil)
+      if constexpr (local_strength)
         part.set(p.volume, q.volume, smaller(larger(volume * stretch, bounds.min), bounds.max));
       else
         part.set(p.volume, q.volume, smaller(larger(volume * stretch, mass * min_volume), mass * max_volume));
       part.set(p.deviatoric_strain, q.deviatoric_strain, part.get(p.deviatoric_strain, q.deviatoric_strain) + deviatoric);
 
-      if (motion > 0) note_cell_changes(part, min_shape, mesh, work, cell, p, q);
+      if (motion > 0) note_cell_changes(part, min_shape, mesh, workspace, cell, p, q);
     });
     if (filtered > 0) done.filtered += kinetic_gain(LinearField<dim>(shape, nodes, grid.acceleration), grid.moments[cell], motion);
     if (grid.full_cells) done.internal *= grid.weight[cell];
@@ -236,14 +237,14 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
 }
 
 template <int dim, class Law>
-void move_by_law(const SoilOf<Law>& soil, Real motion, const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work,
-                 Index body)
+void move_by_law(const SoilOf<Law>& soil, Real motion, const problem::Model<dim>& model, problem::State<dim>& state,
+                 Workspace<dim>& workspace, Index body)
 {
   with_metric(model.mesh, [&](auto metric) {
-    if (soil.own_soil)
-      move_and_strain_with<true, metric(), dim>(soil, motion, model, state, work, body);
+    if (soil.local_strength)
+      move_and_strain_with<true, metric(), dim>(soil, motion, model, state, workspace, body);
     else
-      move_and_strain_with<false, metric(), dim>(soil, motion, model, state, work, body);
+      move_and_strain_with<false, metric(), dim>(soil, motion, model, state, workspace, body);
   });
 }
 

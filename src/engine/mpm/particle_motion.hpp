@@ -41,7 +41,7 @@ struct WorkDone {
 /// Finds the new cell of a particle that has left its own, and notes the change. A call here would change what the compiler does to the loop around it, and
 /// the last bits.
 template <int dim>
-[[gnu::always_inline]] inline void note_cell_change(const mesh::Mesh<dim>& mesh, Work<dim>& work, Index cell, Index index,
+[[gnu::always_inline]] inline void note_cell_change(const mesh::Mesh<dim>& mesh, Workspace<dim>& workspace, Index cell, Index index,
                                                     bodies::Block<dim>& block, int lane)
 {
   Vec<dim> at;
@@ -49,18 +49,18 @@ template <int dim>
   const mesh::Location found = locate(mesh, at, cell);
   const bool in_mesh = found.inside || clamp_to_cell(mesh, found.cell, at);
   for (int d = 0; d < dim; ++d) block.x[d][lane] = at[d];
-  if (!in_mesh || found.cell != cell) work.cell_changes[omp_get_thread_num()].push_back({cell, index, in_mesh ? found.cell : none});
+  if (!in_mesh || found.cell != cell) workspace.cell_changes[omp_get_thread_num()].push_back({cell, index, in_mesh ? found.cell : none});
 }
 
 /// Notes which particles of a part have left their cell: those whose smallest shape function is negative.
 template <class P, class V, int dim>
-[[gnu::always_inline]] inline void note_cell_changes(const P& part, const V& min_shape, const mesh::Mesh<dim>& mesh, Work<dim>& work,
-                                                     Index cell, bodies::Block<dim>& p, bodies::Block<dim>& q)
+[[gnu::always_inline]] inline void note_cell_changes(const P& part, const V& min_shape, const mesh::Mesh<dim>& mesh,
+                                                     Workspace<dim>& workspace, Index cell, bodies::Block<dim>& p, bodies::Block<dim>& q)
 {
   const typename Part<V>::Mask leaves = part.alive() & (min_shape < V{});
   if (any(leaves)) [[unlikely]]
     for (int l = 0; l < part.size; ++l)
-      if (leaves[l]) note_cell_change(mesh, work, cell, part.index + l, l < lanes ? p : q, (part.first + l) % lanes);
+      if (leaves[l]) note_cell_change(mesh, workspace, cell, part.index + l, l < lanes ? p : q, (part.first + l) % lanes);
 }
 
 /// N_k of a cell where all coordinates are zero.

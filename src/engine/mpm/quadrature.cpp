@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/quadrature.hpp"
 
-#include "mpm/share.hpp"
+#include "mpm/exchange.hpp"
 
 namespace berm::mpm {
 namespace {
@@ -47,7 +47,7 @@ void integrate_full_cells(const problem::Model<dim>& model, const bodies::Partic
     for (Real& stress : t.stress) stress *= weight;
     if (grid.hoop.size() > 0) fill_hoop(model.mesh, cell, zeta, weight, grid.hoop[cell]);
   });
-  share_moments(model.mesh, particles, grid);
+  exchange_moments(model.mesh, particles, grid);
 }
 
 template void integrate_full_cells(const problem::Model<2>&, const bodies::Particles<2>&, BodyGrid<2>&);

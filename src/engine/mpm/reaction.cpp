@@ -51,7 +51,7 @@ struct Reaction {
 };
 
 template <int dim>
-Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work,
+Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State<dim>& state, const Workspace<dim>& workspace,
                           const problem::Contact& contact, const contact::ContactPoint<dim>& point, const Vec<dim>& gravity)
 {
   Reaction<dim> reaction;
@@ -61,7 +61,7 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
   // A node's share of an impulse. It also changes the mid-step velocity at which the work of gravity and tractions was
   // taken; supports take the components in fixed directions.
   const auto add = [&](Index b, Index node, const Vec<dim>& share, const Vec<dim>& partner_velocity) {
-    const BodyGrid<dim>& grid = work.grids[b];
+    const BodyGrid<dim>& grid = workspace.grids[b];
     const Vec<dim> taken = boundary::without_fixed<dim>(grid.supports(model), node, share);
     reaction.of_support += taken - share;
     reaction.external += 0.5 * dt * model.bodies[b].weight_over_mass * gravity.dot(taken);
@@ -88,16 +88,16 @@ Reaction<dim> reaction_at(const problem::Model<dim>& model, const problem::State
 }  // namespace
 
 template <int dim>
-void react(const problem::Model<dim>& model, problem::State<dim>& state, const Work<dim>& work)
+void react(const problem::Model<dim>& model, problem::State<dim>& state, const Workspace<dim>& workspace)
 {
   const Vec<dim> gravity = gravity_now(model, state.time);
   for (bodies::RigidState<dim>& rigid : state.rigid_bodies) rigid.reaction.setZero(), rigid.torque = bodies::no_angular<dim>();
   for (std::size_t k = 0; k < model.contacts.size(); ++k) {
     const problem::Contact& contact = model.contacts[k];
-    const auto& list = work.contact_points[k].list;
+    const auto& list = workspace.contact_points[k].list;
     Reaction<dim> all = sum_of<Reaction<dim>>(
         "contact: reaction", static_cast<Index>(list.size()),
-        [&](Index p) { return reaction_at(model, state, work, contact, list[p], gravity); }, contact::min_points_for_threads);
+        [&](Index p) { return reaction_at(model, state, workspace, contact, list[p], gravity); }, contact::min_points_for_threads);
     state.totals.support_impulse += all.of_support;
     state.totals.external += all.external;
     state.totals.friction += all.friction;
@@ -137,7 +137,7 @@ Vec<dim> impulse_of(const contact::ContactPoints<dim>& points)
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void react(const problem::Model<dim>&, problem::State<dim>&, const Work<dim>&);                                                 \
+  template void react(const problem::Model<dim>&, problem::State<dim>&, const Workspace<dim>&);                                            \
   template Vec<dim> impulse_of(const contact::ContactPoints<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

@@ -7,7 +7,7 @@ namespace berm::mpm {
 
 /// Adds the impulses of all points to the totals, and their opposites to the rigid bodies.
 template <int dim>
-void react(const problem::Model<dim>& model, problem::State<dim>& state, const Work<dim>& work);
+void react(const problem::Model<dim>& model, problem::State<dim>& state, const Workspace<dim>& workspace);
 
 /// The sum of the impulses of all points on the body, N s.
 template <int dim>

@@ -23,7 +23,7 @@ Real speed_of_drive(const problem::Model<dim>& model, const problem::State<dim>&
 
 /// Speed and description of what moves fastest: rigid body, drive, node, or particle at the start.
 template <int dim>
-std::pair<Real, std::string> fastest_of(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work)
+std::pair<Real, std::string> fastest_of(const problem::Model<dim>& model, const problem::State<dim>& state, const Workspace<dim>& workspace)
 {
   std::pair<Real, std::string> fastest{0, "the stiffness of the bodies"};
   const auto take = [&](Real speed, const auto& words) {
@@ -42,9 +42,9 @@ std::pair<Real, std::string> fastest_of(const problem::Model<dim>& model, const 
       take(p.v.norm(), [&] { return fmt::format("body \"{}\", particle {}", model.bodies[b].name, p.id); });
     });
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    for (const Index i : work.grids[b].nodes) {
+    for (const Index i : workspace.grids[b].nodes) {
       const Vec<dim>& x = model.mesh.position[i];
-      take(work.grids[b].mapped_velocity[i].norm(),
+      take(workspace.grids[b].mapped_velocity[i].norm(),
            [&] { return fmt::format("body \"{}\" at the node at ({:.6g}) m", model.bodies[b].name, fmt::join(x.begin(), x.end(), ", ")); });
     }
   return fastest;
@@ -102,7 +102,7 @@ constexpr Real min_part = 1e-3;
 }  // namespace
 
 template <int dim>
-Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work)
+Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim>& state, const Workspace<dim>& workspace)
 {
   Real fastest = 0;
   for (std::size_t r = 0; r < state.rigid_bodies.size(); ++r) {
@@ -121,7 +121,7 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
       });
     }
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const BodyGrid<dim>& grid = work.grids[b];
+    const BodyGrid<dim>& grid = workspace.grids[b];
     // A comparison with NaN is false, so NaN is replaced by infinity to be detected.
     const auto& active = state.particles[b].active();
     fastest = largest_of("fastest node", static_cast<Index>(active.size()), fastest, [&](Index c) {
@@ -141,7 +141,7 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
     for (Index b = bodies; b-- > 0;)
       for (const Index cell : state.particles[b].occupied())
         for (const Index node : model.mesh.nodes[cell])
-          if (!work.grids[b].mapped_velocity[node].allFinite()) body = b;
+          if (!workspace.grids[b].mapped_velocity[node].allFinite()) body = b;
     body = -static_cast<Index>(ranks.largest(-body));
     if (body < bodies) throw_not_finite(model, state, body);
   }
@@ -154,7 +154,7 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
     const Real wave_speed = model.bodies[b].waves.fastest;
     const auto& occupied = state.particles[b].occupied();  // the time step does not depend on which soil rests
     const Real steepest = ranks.largest(largest_of("smallest height", static_cast<Index>(occupied.size()), 0, [&](Index c) {
-      return stiffest_square(model.mesh, occupied[c], work.grids[b].shape(model.mesh, occupied[c]));
+      return stiffest_square(model.mesh, occupied[c], workspace.grids[b].shape(model.mesh, occupied[c]));
     }));
     const Real height = 1 / std::sqrt(steepest);
     min = std::min(min, height / (wave_speed + fastest));
@@ -163,7 +163,7 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
   const Real courant = std::min(model.mpm.courant, stable_courant(model));
   const Real dt = std::min(courant * min, courant * limit_of_springs(model, state));
   if (min < min_part * min_at_rest || state.time + dt == state.time) {
-    const auto [of_rank, words] = fastest_of(model, state, work);
+    const auto [of_rank, words] = fastest_of(model, state, workspace);
     const Real speed = ranks.largest(of_rank);
     const std::string what = ranks.text_of_largest(of_rank, words);
     throw RunError(fmt::format("the time step has fallen to {:.3g} s (at rest it is {:.3g} s) at t = {:.6g} s (step {}), because of {}, "
@@ -173,7 +173,7 @@ Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim
   return dt;
 }
 
-template Real stable_time_step(const problem::Model<2>&, const problem::State<2>&, const Work<2>&);
-template Real stable_time_step(const problem::Model<3>&, const problem::State<3>&, const Work<3>&);
+template Real stable_time_step(const problem::Model<2>&, const problem::State<2>&, const Workspace<2>&);
+template Real stable_time_step(const problem::Model<3>&, const problem::State<3>&, const Workspace<3>&);
 
 }  // namespace berm::mpm

@@ -12,6 +12,6 @@ constexpr BigIndex steps_between_time_steps = 16;
 /// pressure waves, v the maximum speed of a node or rigid body. Throws RunError where speeds are not finite, or so large
 /// that the time step is less than a thousandth of that at rest.
 template <int dim>
-Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim>& state, const Work<dim>& work);
+Real stable_time_step(const problem::Model<dim>& model, const problem::State<dim>& state, const Workspace<dim>& workspace);
 
 }  // namespace berm::mpm

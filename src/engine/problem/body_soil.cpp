@@ -23,7 +23,7 @@ Index add(BodySoil& soil, const Case& c, const std::string& name)
 
 }  // namespace
 
-Index BodySoil::number_at(const std::string& region, Real depth) const
+Index BodySoil::material_index_at(const std::string& region, Real depth) const
 {
   if (const auto found = of_region.find(region); found != of_region.end()) return found->second;
   Index number = 0;
@@ -34,12 +34,12 @@ Index BodySoil::number_at(const std::string& region, Real depth) const
 
 material::Material BodySoil::at(const std::string& region, Real depth) const
 {
-  return at_depth(materials[number_at(region, depth)], depth);
+  return at_depth(materials[material_index_at(region, depth)], depth);
 }
 
 Real BodySoil::mass_above(const std::string& region, Real depth) const
 {
-  if (layers.empty()) return density(materials[number_at(region, depth)]) * depth;
+  if (layers.empty()) return density(materials[material_index_at(region, depth)]) * depth;
   Real sum = 0, top = 0, of_layer = density(materials.front());
   for (const SoilLayer& layer : layers) {
     if (layer.top >= depth) break;
@@ -72,32 +72,32 @@ bool varies(const BodySoil& soil)
   return soil.materials.size() > 1 || varies(soil.materials.front());
 }
 
-std::vector<FieldInfo> own_fields(const BodySoil& soil)
+std::vector<FieldInfo> local_fields(const BodySoil& soil)
 {
   if (!varies(soil)) return {};
-  std::vector<FieldInfo> fields = own_fields(soil.materials.front());
+  std::vector<FieldInfo> fields = local_fields(soil.materials.front());
   if (soil.materials.size() > 1) fields.push_back({"material", "number of the material in its body, from 0", ""});
   return fields;
 }
 
-std::vector<Real> own_values(const BodySoil& soil, const std::string& region, Real depth)
+std::vector<Real> local_values(const BodySoil& soil, const std::string& region, Real depth)
 {
   if (!varies(soil)) return {};
-  const Index number = soil.number_at(region, depth);
-  std::vector<Real> values = own_values(at_depth(soil.materials[number], depth));
+  const Index number = soil.material_index_at(region, depth);
+  std::vector<Real> values = local_values(at_depth(soil.materials[number], depth));
   if (soil.materials.size() > 1) values.push_back(static_cast<Real>(number));
   return values;
 }
 
-int number_offset(const BodySoil& soil)
+int material_index_offset(const BodySoil& soil)
 {
   if (soil.materials.size() < 2) return none;
-  return state_size(soil.materials.front()) + static_cast<int>(own_fields(soil.materials.front()).size());
+  return state_size(soil.materials.front()) + static_cast<int>(local_fields(soil.materials.front()).size());
 }
 
 const material::Material& material_of(const BodySoil& soil, const Real* extra)
 {
-  const int offset = number_offset(soil);
+  const int offset = material_index_offset(soil);
   return offset == none ? soil.materials.front() : soil.materials[static_cast<std::size_t>(extra[offset])];
 }
 
@@ -109,7 +109,7 @@ std::vector<FieldInfo> particle_extra(const BodySoil& soil)
     const std::vector<FieldInfo> own = state_fields(material);
     for (std::size_t k = 0; k < fields.size(); ++k) fields[k].travel |= own[k].travel;
   }
-  const std::vector<FieldInfo> own = own_fields(soil);
+  const std::vector<FieldInfo> own = local_fields(soil);
   fields.insert(fields.end(), own.begin(), own.end());
   return fields;
 }
@@ -158,10 +158,10 @@ void check_soil(Describe& d, const Case& c, const std::string& path, const bodie
 
 void refuse_no_strength(const BodySoil& soil, const std::string& region, Real depth, const std::string& body)
 {
-  const Index number = soil.number_at(region, depth);
+  const Index number = soil.material_index_at(region, depth);
   const material::Material there = at_depth(soil.materials[number], depth);
-  const std::vector<FieldInfo> fields = own_fields(there);
-  const std::vector<Real> values = own_values(there);
+  const std::vector<FieldInfo> fields = local_fields(there);
+  const std::vector<Real> values = local_values(there);
   for (std::size_t k = 0; k < values.size(); ++k) {
     const bool stiffness = fields[k].name == "young_modulus";
     if (stiffness ? values[k] > 0 : values[k] >= 0) continue;

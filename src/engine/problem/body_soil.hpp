@@ -22,7 +22,7 @@ struct BodySoil {
   std::map<std::string, Index> of_region = {};
 
   /// The number of the material in a region of the mesh and at a depth (m) below the bed's surface.
-  Index number_at(const std::string& region, Real depth) const;
+  Index material_index_at(const std::string& region, Real depth) const;
   /// The material there, with its strength and stiffness.
   material::Material at(const std::string& region, Real depth) const;
   /// Mass of the soil above a depth over area, kg/m2, that gives the weight: of the layers; in bodies without layers of the material there alone.
@@ -39,13 +39,13 @@ BodySoil soil_of(const Case& c, const bodies::BodySettings& body);
 bool varies(const BodySoil& soil);
 
 /// What these particles keep, after the state variables of the law: strength, stiffness, and the material's number where there are several.
-std::vector<FieldInfo> own_fields(const BodySoil& soil);
-std::vector<Real> own_values(const BodySoil& soil, const std::string& region, Real depth);
+std::vector<FieldInfo> local_fields(const BodySoil& soil);
+std::vector<Real> local_values(const BodySoil& soil, const std::string& region, Real depth);
 
 /// The material of a particle, from its extra numbers.
 const material::Material& material_of(const BodySoil& soil, const Real* extra);
 /// Where its number is among them; none where there is one material.
-int number_offset(const BodySoil& soil);
+int material_index_offset(const BodySoil& soil);
 
 /// All extra fields of a body's particles: those of its law, then what each keeps of its own.
 std::vector<FieldInfo> particle_extra(const BodySoil& soil);

@@ -84,7 +84,7 @@ bodies::SoilAtPoint soil_at(const Model<dim>& model, const Body<dim>& body, Inde
   const Real depth = model.soil_depth(x), gravity = -model.axes.sign * model.gravity[model.axes.up];
   refuse_no_strength(body.soil, region, depth, body.name);
   return {inertia_density(body.soil.at(region, depth)), gravity * body.soil.mass_above(region, std::max(Real(0), depth)),
-          own_values(body.soil, region, depth)};
+          local_values(body.soil, region, depth)};
 }
 
 /// Over the particles where they are at the start, means by their volume.
@@ -203,7 +203,7 @@ Model<dim> make_model(const Case& of_whole, mesh::Mesh<dim> mesh)
   }
   if (std::any_of(model.bodies.begin(), model.bodies.end(), [](const Body<dim>& body) { return body.flows(); }))
     for (std::size_t k = 0; k < sets.holds.size(); ++k)
-      model.closed.push_back(closed_directions(model.mesh, c, sets.holds[k], model.fixed[k]));
+      model.impermeable.push_back(closed_directions(model.mesh, c, sets.holds[k], model.fixed[k]));
   for (const auto& [name, s] : c.contact) {
     const Index body = index_of(c.body, s.body);
     const contact::Detection best = s.rigid.empty() ? contact::Detection::gap : contact::Detection::particle;
@@ -255,7 +255,7 @@ Problem<dim> build(const Case& c, mesh::Mesh<dim> mesh)
     const Real inertia = inertia_density(material);
     bodies::StartState<dim> start{inertia, -model.axes.sign * model.gravity[model.axes.up] * density(material) / inertia, c.surface,
                                   particle_extra(body.soil)};
-    start.first_own = state_size(material);
+    start.first_local = state_size(material);
     for (const FieldInfo& field : memory_fields(c, name)) start.extra.push_back(field);
     if (varies(body.soil)) start.soil_at = [&](Index cell, const Vec<dim>& x) { return soil_at(model, body, cell, x); };
     for (const auto& entry : c.contact)

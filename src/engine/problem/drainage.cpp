@@ -59,7 +59,7 @@ std::vector<Consolidation> consolidation_of(const Case& c, Real depth)
     if (!water) continue;
     const SymTensor<3> stress = stress_at_start(c, body, depth);
     const Real modulus = oedometer_modulus(here, stress);
-    found.push_back({soil.names[static_cast<std::size_t>(soil.number_at("", depth))], depth, modulus,
+    found.push_back({soil.names[static_cast<std::size_t>(soil.material_index_at("", depth))], depth, modulus,
                      water->permeability / (material::unit_weight_of_water * (1 / modulus + 1 / water_stiffness(here))),
                      inertia_density(here), strength_under(here, 0, -stress[1]).value_or(0)});
   }

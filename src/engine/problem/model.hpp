@@ -90,7 +90,7 @@ struct Model {
   std::vector<NodeField<std::uint8_t>> fixed;  ///< by set of supports that hold together; bit d: direction d of the node is held
   std::vector<Index> fixed_in;                 ///< by stage: which set
   /// As `fixed`, of the flux of water; empty where none flows.
-  std::vector<NodeField<std::uint8_t>> closed;
+  std::vector<NodeField<std::uint8_t>> impermeable;
   std::array<bool, dim> mirrored = {};  ///< by axis: whether the mesh ends at a plane of symmetry across it, at its lowest coordinate
   Real parts = 1;     ///< equal ones that the whole has, of which this is one: 2 pi radians around an axis, halves, quarters
   Vec<dim> gravity;   ///< m/s2

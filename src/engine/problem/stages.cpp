@@ -155,10 +155,16 @@ void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt)
     } else if (body.motion == bodies::Motion::free && stage.kind != StageKind::geostatic) {
       free_body(body, rigid, gravity, dt);
     } else {
-      rest(rigid);
+      stop(rigid);
     }
     if (body.motion == bodies::Motion::free) state.totals.external += work_of_outside(body, before, rigid, dt);
   }
+}
+
+template <int dim>
+void move_rigids(State<dim>& state)
+{
+  for (bodies::RigidState<dim>& rigid : state.rigid_bodies) move_body(rigid, state.dt);
 }
 
 Real expected_time(const StageSettings& stage)
@@ -193,6 +199,7 @@ Real expected_time(const std::vector<StageSettings>& stages)
   template Real drag_direction(const Model<dim>&, const State<dim>&);                                                                      \
   template void begin_stage(const Model<dim>&, State<dim>&);                                                                               \
   template bool stage_ended(const Model<dim>&, const State<dim>&);                                                                         \
+  template void move_rigids(State<dim>&);                                                                                                  \
   template void drive_rigids(const Model<dim>&, State<dim>&, Real);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)

@@ -56,6 +56,10 @@ bool stage_ended(const Model<dim>& model, const State<dim>& state);
 template <int dim>
 void drive_rigids(const Model<dim>& model, State<dim>& state, Real dt);
 
+/// Moves the rigid bodies by the velocities of this step and averages their reactions over about a hundred steps.
+template <int dim>
+void move_rigids(State<dim>& state);
+
 /// The time that a stage is expected to take, s; 0 where its input does not determine it.
 Real expected_time(const StageSettings& stage);
 /// The sum over stages.

@@ -42,7 +42,7 @@ void add_pieces(const BodyKinds& body, const std::string& region, const problem:
                 const Points& corners, std::vector<Piece>& pieces)
 {
   const problem::BodySoil& soil = body.soil;
-  if (soil.layers.empty()) return pieces.push_back({corners, body.first + soil.number_at(region, 0)});
+  if (soil.layers.empty()) return pieces.push_back({corners, body.first + soil.material_index_at(region, 0)});
   Vec<2> middle = Vec<2>::Zero();
   for (const Vec<2>& corner : corners) middle += corner / static_cast<Real>(corners.size());
   // At a vertical face the level is that on the cell's side of it.

@@ -72,7 +72,7 @@ std::vector<OwnField> own_fields_of(const problem::Model<2>& model)
 {
   std::vector<OwnField> fields;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const std::vector<FieldInfo> own = own_fields(model.bodies[b].soil);
+    const std::vector<FieldInfo> own = local_fields(model.bodies[b].soil);
     for (std::size_t k = 0; k < own.size(); ++k) {
       auto found = std::find_if(fields.begin(), fields.end(), [&](const OwnField& field) { return field.info.name == own[k].name; });
       if (found == fields.end()) found = fields.insert(found, {own[k], std::vector<int>(model.bodies.size(), none)});
@@ -197,7 +197,7 @@ void set_own(const fem::FemModel& model, const std::vector<OwnField>& own, Frame
   for (Index cell = 0; cell < model.mesh.cell_count() && !own.empty(); ++cell)
     for (const Index node : model.mesh.nodes[cell]) {
       const problem::BodySoil& soil = model.soil_of(cell);
-      const std::vector<Real> values = own_values(soil, model.region_of(cell), model.model.soil_depth(model.mesh.position[node]));
+      const std::vector<Real> values = local_values(soil, model.region_of(cell), model.model.soil_depth(model.mesh.position[node]));
       ++cells[node];
       for (const OwnField& field : own)
         if (const int place = field.place[model.mesh.body[cell]]; place != none && !values.empty()) {

@@ -23,7 +23,7 @@ public:
   /// Where it cannot be written the run continues with a warning: the one before it is still there.
   void write(BigIndex step, const checkpoint::Contents& contents);
   /// Another rank writes it.
-  void leave_to_other() { last_ = Clock::now(), asked_ = false; }
+  void skip_checkpoint() { last_ = Clock::now(), asked_ = false; }
   /// Reads the last one that can be used and says which; the others are reported with what is wrong with them. False where there is none. Throws
   /// RunError where there are some and none can be used.
   bool read(const checkpoint::Contents& contents);

@@ -29,7 +29,7 @@ Real min_elements(problem::Case c)
 
 fem::FemProblem build_for(const RunRequest& request, const io::ScratchFolder& scratch)
 {
-  const problem::Case c = to_build(request);
+  const problem::Case c = case_to_run(request);
   const Real elements = min_elements(c);
   refuse_without_memory(elements * fem::Assembly::bytes_of_element(), memory_in_use(), fmt::format("{:.4g} elements", elements),
                         larger_elements);

@@ -7,7 +7,7 @@
 #include "core/ranks.hpp"
 #include "mpm/condition.hpp"
 #include "mpm/diagnose.hpp"
-#include "mpm/rest.hpp"
+#include "mpm/inactive.hpp"
 #include "mpm/step.hpp"
 #include "mpm/time_step.hpp"
 #include "problem/archive_state.hpp"
@@ -61,7 +61,7 @@ template <int dim>
 problem::Problem<dim> build_for(const RunRequest& request, const io::ScratchFolder& scratch)
 {
   interval_of(request.settings);  // refuses a case in which it is not known
-  const problem::Case c = to_build(request);
+  const problem::Case c = case_to_run(request);
   const Real in_use = memory_in_use();
   refuse_without_memory<dim>(min_size<dim>(c), in_use);
   mesh::Mesh<dim> mesh = make_mesh<dim>(c.mesh, request.case_file.parent_path().string(), scratch.path().string());
@@ -127,9 +127,9 @@ template <int d>
 void MpmMethod<d>::begin(bool)
 {
   refuse_other_problem();
-  mpm::set_resting_soil(model(), problem_.state);
+  mpm::set_inactive_cells(model(), problem_.state);
   mpm::divide(model(), problem_.state);
-  work_.emplace(model(), state());
+  workspace_.emplace(model(), state());
   if (model().update_stress_first)
     spdlog::warn(
         "scheme = \"usf\" is there to compare with: a body that rests on soil under a load gains energy (docs/theory.md, section 4)");
@@ -139,8 +139,8 @@ template <int d>
 void MpmMethod<d>::step()
 {
   if (Ranks::of_run().divided()) divide_anew();
-  mpm::step(model(), problem_.state, *work_);
-  recorder_.observe_step(model(), *work_);
+  mpm::step(model(), problem_.state, *workspace_);
+  recorder_.observe_step(model(), *workspace_);
   mpm::refuse_rigid_outside_mesh(model(), state());
 }
 
@@ -162,7 +162,7 @@ void MpmMethod<d>::divide_anew()
   const bool measured = measured_since_.time_since_epoch().count() > 0;
   measured_since_ = now;
   waited_ = waited;
-  if (measured && mpm::divide_anew(model(), problem_.state, busy)) work_.emplace(model(), state());
+  if (measured && mpm::divide_anew(model(), problem_.state, busy)) workspace_.emplace(model(), state());
 }
 
 template <int d>
@@ -175,7 +175,7 @@ mpm::WholeState<d> MpmMethod<d>::whole_state()
 template <int d>
 void MpmMethod<d>::add_row(run_folder::HistoryFile& file)
 {
-  recorder_.add_row(model(), state(), *work_, file);
+  recorder_.add_row(model(), state(), *workspace_, file);
   cells_.observe(model(), state());
 }
 
@@ -185,7 +185,7 @@ sanity::Scene MpmMethod<d>::scene(const RunRequest& request, int threads)
   constexpr Real of_a_thread = d == 2 ? 15e6 : 4e6;  // particle-steps/s, of a usual machine
   sanity::Cost cost;
   try {
-    cost.time_step = stable_time_step(model(), state(), mpm::Work<d>(model(), state()));
+    cost.time_step = stable_time_step(model(), state(), mpm::Workspace<d>(model(), state()));
   } catch (const RunError&) {
     cost.time_step = 0;  // the run says why there is none
   }
@@ -211,11 +211,12 @@ bool MpmMethod<d>::stage_ended() const
 {
   constexpr BigIndex steps = 16;  // between two looks at all particles
   if (problem::stage_ended(model(), state())) return true;
-  return state().step % steps == 0 && work_->weight > 0 && in_balance(model(), state(), work_->unbalanced / work_->weight) && is_at_rest();
+  return state().step % steps == 0 && workspace_->weight > 0 && in_balance(model(), state(), workspace_->unbalanced / workspace_->weight) &&
+         is_at_rest();
 }
 
 template <int d>
-void MpmMethod<d>::tell_equilibrium(const problem::StageSettings& stage) const
+void MpmMethod<d>::log_equilibrium(const problem::StageSettings& stage) const
 {
   const bool at_rest = !ends_at_equilibrium(stage) || is_at_rest();
   const char* verdict = equilibrium_ <= stage.equilibrium && at_rest ? "in equilibrium" : "NOT in equilibrium";
@@ -236,7 +237,7 @@ bool MpmMethod<d>::next_stage()
   const problem::StageSettings& stage = model().stages[state().stage.index];
   if (stage.kind == problem::StageKind::geostatic) {
     equilibrium_ = recorder_.out_of_balance();
-    tell_equilibrium(stage);
+    log_equilibrium(stage);
   }
   if (state().stage.index + 1 == static_cast<Index>(model().stages.size())) return false;
   ++problem_.state.stage.index;
@@ -322,8 +323,8 @@ void MpmMethod<d>::print_check(const Context& context)
   for (const bodies::Particles<d>& of_body : state().particles) particles.push_back(of_body.size());
   const Real memory = memory_before_ + memory_of<d>(size_of(problem_));
   mpm::divide(model(), problem_.state);
-  mpm::Work<d>& work = work_.emplace(model(), state());
-  const Real dt = stable_time_step(model(), problem_.state, work);
+  mpm::Workspace<d>& workspace = workspace_.emplace(model(), state());
+  const Real dt = stable_time_step(model(), problem_.state, workspace);
   fmt::print("  cells        {}\n  nodes        {}\n", model().mesh.cell_count(), model().mesh.node_count());
   for (std::size_t b = 0; b < model().bodies.size(); ++b)
     fmt::print("  particles    {} in body \"{}\"\n", particles[b], model().bodies[b].name);

@@ -67,7 +67,7 @@ private:
   void refuse_other_problem() const;
   void divide_anew();
   bool is_at_rest() const;
-  void tell_equilibrium(const problem::StageSettings& stage) const;
+  void log_equilibrium(const problem::StageSettings& stage) const;
   Real stopped_over_work() const;
   void warn_of(const mpm::SoilCondition& soil) const;
 
@@ -77,7 +77,7 @@ private:
   Real history_interval_;
   MpmRecorder<d> recorder_;
   run_folder::FrameMaker<d> frame_maker_;
-  std::optional<mpm::Work<d>> work_;  ///< made of the state that the run begins with or is resumed from
+  std::optional<mpm::Workspace<d>> workspace_;  ///< made of the state that the run begins with or is resumed from
   // Since when it is measured how long this rank works without waiting, 0 where it is not; and s that it had waited for others until then.
   std::chrono::steady_clock::time_point measured_since_;
   Real waited_ = 0;

@@ -42,11 +42,11 @@ void MpmRecorder<dim>::archive(Archive& k)
 }
 
 template <int dim>
-void MpmRecorder<dim>::observe_step(const problem::Model<dim>& model, const mpm::Work<dim>& work)
+void MpmRecorder<dim>::observe_step(const problem::Model<dim>& model, const mpm::Workspace<dim>& workspace)
 {
   for (std::size_t k = 0; k < model.contacts.size(); ++k)
     if (const Index rigid = model.contacts[k].rigid; rigid != none && rigid == model.main_rigid)
-      Recorder<dim>::note_overlap(-work.contact_points[k].nearest_particle);
+      Recorder<dim>::note_overlap(-workspace.contact_points[k].nearest_particle);
 }
 
 template <int dim>
@@ -122,13 +122,14 @@ void MpmRecorder<dim>::observe_body(const mpm::BodySums<dim>& sums, const Vec<di
 }
 
 template <int dim>
-void MpmRecorder<dim>::observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Work<dim>& work)
+void MpmRecorder<dim>::observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state,
+                                        const mpm::Workspace<dim>& workspace)
 {
   const Real time = state.time - last_time_;
   for (std::size_t k = 0; k < model.contacts.size(); ++k) {
     const bool bonds = model.contacts[k].tension > 0, differs = model.contacts[k].adhesion_law.differs();
     if (bonds || differs) {
-      const mpm::SurfaceInContact surface = mpm::surface_in_contact(model.contacts[k], work.contact_points[k]);
+      const mpm::SurfaceInContact surface = mpm::surface_in_contact(model.contacts[k], workspace.contact_points[k]);
       row_.of(model.contacts[k].name);
       if (bonds) {
         row_("contact", surface.area, run_folder::surface<dim>, "surface in contact");
@@ -187,7 +188,7 @@ void MpmRecorder<dim>::observe_effective_normals(const problem::Model<dim>& mode
 }
 
 template <int dim>
-void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Work<dim>& work,
+void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Workspace<dim>& workspace,
                                run_folder::HistoryFile& file)
 {
   Real kinetic = 0;
@@ -203,9 +204,9 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
   }
   row_.of_main("run");
   observe_energies(model, state, kinetic);
-  out_of_balance_ = work.weight > 0 ? work.unbalanced / work.weight : nan;
+  out_of_balance_ = workspace.weight > 0 ? workspace.unbalanced / workspace.weight : nan;
   observe_out_of_balance(row_, out_of_balance_);
-  if (!model.closed.empty()) observe_consolidation(row_, state.stage);
+  if (!model.impermeable.empty()) observe_consolidation(row_, state.stage);
   if (model.main_rigid != none) observe_contact_of_main(model, state);
   for (Index r = 0; r < static_cast<Index>(model.rigid_bodies.size()); ++r) {
     if (r == model.main_rigid) continue;
@@ -217,13 +218,13 @@ void MpmRecorder<dim>::add_row(const problem::Model<dim>& model, const problem::
     row_.of(model.bodies[b].name);
     observe_body(sums[b], first_centers_[b]);
   }
-  observe_contacts(model, state, work);
+  observe_contacts(model, state, workspace);
   observe_tractions(model, state);
   observe_watches(model, state);
   observe_effective_normals(model, state);
   file.add(row_);
   if (model.main_rigid != none && model.driven[state.stage.index] == model.main_rigid)
-    if (const Real now = mpm::shaking(model, state, work); std::isfinite(now)) shaking_ += now, shaken_rows_ += 1;
+    if (const Real now = mpm::shaking(model, state, workspace); std::isfinite(now)) shaking_ += now, shaken_rows_ += 1;
   last_time_ = state.time;
   last_sums_ = state.contact_sums;
   last_pair_impulses_ = state.pair_impulses;

@@ -17,9 +17,9 @@ public:
   MpmRecorder(const problem::Model<dim>& model, const problem::State<dim>& start);
 
   /// What a row has of the steps before it; to be called after each.
-  void observe_step(const problem::Model<dim>& model, const mpm::Work<dim>& work);
+  void observe_step(const problem::Model<dim>& model, const mpm::Workspace<dim>& workspace);
   /// Throws RunError where a number is not finite that must be.
-  void add_row(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Work<dim>& work,
+  void add_row(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Workspace<dim>& workspace,
                run_folder::HistoryFile& file);
 
   /// What the next row takes from those before it. What is remembered of the start is not kept.
@@ -38,7 +38,7 @@ private:
   void observe_energies(const problem::Model<dim>& model, const problem::State<dim>& state, Real kinetic);
   void observe_contact_of_main(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_body(const mpm::BodySums<dim>& sums, const Vec<dim>& first_center);
-  void observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Work<dim>& work);
+  void observe_contacts(const problem::Model<dim>& model, const problem::State<dim>& state, const mpm::Workspace<dim>& workspace);
   void observe_tractions(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_effective_normals(const problem::Model<dim>& model, const problem::State<dim>& state);
   void observe_watches(const problem::Model<dim>& model, const problem::State<dim>& state);

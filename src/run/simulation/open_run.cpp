@@ -43,7 +43,7 @@ auto OpenRun<Method>::leaving_results(const Act& act)
   } catch (const KeyError& error) {
     throw InputError(request_.places.located(error.what()));
   } catch (const RunError& error) {
-    end_all_unless_failed_together(error.what());
+    abort_ranks(error.what());
     try {
       run_.leave_results();
     } catch (const RunError& another) {

@@ -131,7 +131,7 @@ template <class Method>
 void Run<Method>::write_checkpoint()
 {
   [[maybe_unused]] const auto whole = method_.whole_state();
-  if (!Ranks::of_run().is_first()) return checkpoints_.leave_to_other();
+  if (!Ranks::of_run().is_first()) return checkpoints_.skip_checkpoint();
   history_bytes_ = history_->sync();  // a history that the disk does not take ends the run, a checkpoint does not
   checkpoints_.write(state().step, [&](Archive& k) { archive(k); });
 }

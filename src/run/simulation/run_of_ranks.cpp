@@ -83,7 +83,7 @@ void share_machine(Ranks& ranks)
     ++sharing;
   }
   ranks.set_count_here(here);
-  take_part_of_processors(index, sharing);
+  bind_to_cores(index, sharing);
 }
 
 void print_nothing()
@@ -184,7 +184,7 @@ void on_first_rank(const std::function<void()>& act)
   if (ranks.messenger()->largest(0) > 0) throw InputError("the first rank refuses");
 }
 
-void end_all_unless_failed_together(const std::string& why)
+void abort_ranks(const std::string& why)
 {
   Ranks& ranks = Ranks::of_run();
   if (ranks.count() == 1) return;

@@ -19,7 +19,7 @@ int leave_ranks(int status, const std::string& why);
 void on_first_rank(const std::function<void()>& act);
 
 /// Returns where all ranks have failed, or where there is one. Where the others do not come here, this one has failed alone: it says why, and all are ended.
-void end_all_unless_failed_together(const std::string& why);
+void abort_ranks(const std::string& why);
 
 /// Whether it holds on some rank, at the end of a run that all ranks end: from here on they wait for each other as long as it takes.
 bool ends_on_any_rank_with(bool of_rank);

@@ -44,7 +44,7 @@ run_folder::RunFolder folder_of(const RunRequest& request, const io::ScratchFold
 
 }  // namespace
 
-problem::Case to_build(const RunRequest& request)
+problem::Case case_to_run(const RunRequest& request)
 {
   problem::Case settings = request.settings;
   const fs::path mesh = fs::absolute(request.folder / "mesh.msh");

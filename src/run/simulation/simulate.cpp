@@ -16,7 +16,7 @@ bool run_case(const RunRequest& request, Context& context)
   return std::visit([](const auto& run) { return run->to_the_end(); }, open_run(request, context));
 }
 
-void try_to_build(const RunRequest& to_build)
+void check_buildable(const RunRequest& to_build)
 {
   with_method(to_build, [&](auto of, const RunRequest& request) {
     const io::ScratchFolder scratch;

@@ -13,8 +13,8 @@ namespace {
 /// "cohesion 2 kPa, Young's modulus 1 MPa".
 std::string values_in_words(const material::Material& material)
 {
-  const std::vector<FieldInfo> fields = own_fields(material);
-  const std::vector<Real> values = own_values(material);
+  const std::vector<FieldInfo> fields = local_fields(material);
+  const std::vector<Real> values = local_values(material);
   std::vector<std::string> words;
   for (std::size_t k = 0; k < fields.size(); ++k) words.push_back(fmt::format("{} {}", fields[k].label, text::stress_words(values[k])));
   return fmt::format("{}", fmt::join(words, ", "));

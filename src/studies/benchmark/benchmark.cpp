@@ -310,7 +310,7 @@ struct Demand {
 };
 
 // About, counted in the code: additions and multiplications of one lane that holds a particle, and of one cell.
-constexpr Real flops_of_moments = 30, flops_of_motion = 34, flops_of_stress = 54;  // mpm/transfer.cpp; mpm/move.cpp, elastic
+constexpr Real flops_of_moments = 30, flops_of_motion = 34, flops_of_stress = 54;  // mpm/moments.cpp; mpm/move_kernel.hpp, elastic
 // Of a cell, in the same places.
 constexpr Real flops_of_corners = 36, flops_of_forces = 36, flops_of_momentum = 90, flops_of_fields = 128;
 
@@ -332,7 +332,7 @@ Demand demand_of(const bodies::Particles<dim>& particles, const mpm::BodyGrid<di
   if (grid.water.flows()) {
     of_cell +=
         4 * sizeof(mpm::WaterCell) + 2 * corners * sizeof(mpm::WaterAtCorner<dim>) + 2 * sizeof(mpm::VolumeChange) + 2 * sizeof(Real);
-    of_node += 2 * sizeof(mpm::WaterAtNode<dim>) + 6 * sizeof(Vec<dim>) + 2 * sizeof(mpm::ClosedFlux);
+    of_node += 2 * sizeof(mpm::WaterAtNode<dim>) + 6 * sizeof(Vec<dim>) + 2 * sizeof(mpm::ImpermeableFlux);
   }
   const Real count = static_cast<Real>(particles.size());
   const Real bytes = (blocks * of_block + cells * of_cell + nodes * of_node) / count;
@@ -370,14 +370,14 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, s
   const BigIndex particles = problem.state.particles[0].size();
   const Division<dim> division(problem);
   ::malloc_trim(0);  // as a run does
-  mpm::Work<dim> work(problem.model, problem.state);
+  mpm::Workspace<dim> workspace(problem.model, problem.state);
   Ranks& ranks = Ranks::of_run();
   const auto seconds = [&](Real min, BigIndex min_steps) {
     const Clock::time_point start = Clock::now();
     Real passed = 0;
     constexpr BigIndex steps_of_ranks = 16;  // between two looks at the clock, on which they must agree
     for (BigIndex k = 0; k < min_steps || passed < min; ++k) {
-      step(problem.model, problem.state, work);
+      step(problem.model, problem.state, workspace);
       if (ranks.divided() && k % steps_of_ranks != 0) continue;
       passed = ranks.largest(std::chrono::duration<Real>(Clock::now() - start).count());
     }
@@ -399,7 +399,7 @@ nlohmann::ordered_json measure_speed(const char* name, const problem::Case& c, s
   const std::vector<Timing> loops = context.timings().table();
   const Real ceiling =
       sum_of_ranks(roofline::run_roofline_kernel<dim>(body.size(), static_cast<int>(std::lround(per_cell)), 1).particle_steps_per_s());
-  const Demand demand = demand_of(body, work.grids[0]);
+  const Demand demand = demand_of(body, workspace.grids[0]);
 
   fmt::print("{:<12} {:>10} {:>9} {:>7} {:>8} {:>9.2f} {:>9} {:>8} {:>6.0f} {:>6} {:>9.2f} {:>9.0f}\n", name, particles,
              problem.model.mesh.cell_count(), steps,

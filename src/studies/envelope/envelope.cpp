@@ -30,7 +30,7 @@ jobs::Outcome find_envelope(const EnvelopeRequest& request)
   const problem::Case settings = with_whole_path(request.settings, request.case_file);
   std::vector<EnvelopeRow> rows;
   for (const Probe& probe : choose_probes(settings, request.how)) rows.push_back({probe, "finished", {}});
-  simulation::try_to_build({.settings = rows[0].probe.settings, .case_file = request.case_file, .folder = request.folder});
+  simulation::check_buildable({.settings = rows[0].probe.settings, .case_file = request.case_file, .folder = request.folder});
 
   const fs::path runs = request.folder / "runs";
   io::make_folder(runs);

@@ -98,7 +98,7 @@ void try_to_plan(const simulation::RunRequest& request)
   const VariantPlan plan = plan_of(request);
   for (const Variant& variant : plan.variants) {
     try {
-      simulation::try_to_build({.settings = variant.settings, .case_file = request.case_file, .folder = request.folder});
+      simulation::check_buildable({.settings = variant.settings, .case_file = request.case_file, .folder = request.folder});
     } catch (const InputError& error) {
       throw InputError(
           fmt::format("{}: --uncertainty: with cells {:.3g} times as large: {}", request.case_file.string(), variant.size, error.what()));

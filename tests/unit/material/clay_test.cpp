@@ -306,11 +306,11 @@ TEST(Clay, stiffness_follows_the_strength_with_depth_by_the_rigidity_index)
   EXPECT_EQ(deep.undrained_strength, 1e4);
   EXPECT_NEAR(elasticity(Material(deep)).shear, 1e6, 1e-6);
   EXPECT_NEAR(elasticity(Material(law)).shear, 4e5, 1e-6);
-  EXPECT_EQ(own_values(Material(deep)), (std::vector<Real>{1e4, deep.young_modulus}));
+  EXPECT_EQ(local_values(Material(deep)), (std::vector<Real>{1e4, deep.young_modulus}));
   EXPECT_TRUE(varies(law));
   EXPECT_FALSE(varies(deep));
   const Real own[2] = {1e4, deep.young_modulus};
-  const PreparedClayOf<Real> prepared = with_own(prepare(law), own);
+  const PreparedClayOf<Real> prepared = with_local(prepare(law), own);
   EXPECT_NEAR(prepared.elastic.shear, 1e6, 1e-6);
   EXPECT_NEAR(prepared.tresca.strength, 1e4, 1e-9);
 }

@@ -78,9 +78,9 @@ Real worst_difference(const L& law, Real depth)
   const L there = at_depth(law, depth);
   const auto exact = prepare(there);
   Real own[2] = {}, worst = 0;
-  const std::vector<Real> values = own_values(there);
+  const std::vector<Real> values = local_values(there);
   std::copy(values.begin(), values.end(), own);
-  const auto kept = with_own(prepare(law), own);
+  const auto kept = with_local(prepare(law), own);
   for (int n = 0; n < 2000; ++n) {
     SymTensor<dim> a, b;
     Increment<dim, Real> increment{.strain = {}, .dt = 1e-3, .time = 0};
@@ -126,14 +126,14 @@ TEST(WithOwn, takes_values_lane_by_lane)
   Increment<2, Lanes> increment{.strain = {}, .dt = 1e-3, .time = 0};
   for (int k = 0; k < 4; ++k) increment.strain[k] = all_lanes(k == 1 ? -0.02 : 0.004);
   Lanes state[1] = {};
-  update(with_own(prepared, own), stress, increment, state);
+  update(with_local(prepared, own), stress, increment, state);
   for (int l = 0; l < lanes; ++l) {
     const Real one[2] = {own[0][l], own[1][l]};
     SymTensor<2> alone{};
     Increment<2, Real> same{.strain = {}, .dt = 1e-3, .time = 0};
     for (int k = 0; k < 4; ++k) same.strain[k] = increment.strain[k][l];
     Real state_alone[1] = {};
-    update(with_own(prepared, one), alone, same, state_alone);
+    update(with_local(prepared, one), alone, same, state_alone);
     for (int k = 0; k < 4; ++k) EXPECT_NEAR(stress[k][l], alone[k], 1e-12 * 1e5);
   }
 }

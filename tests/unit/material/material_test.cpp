@@ -171,7 +171,7 @@ TEST(Material, a_law_that_does_not_answer_has_neither_friction_nor_depth_nor_dil
   EXPECT_FALSE(strength_at_rest(law));
   EXPECT_FALSE(shear_strength(law, 0, nullptr));
   EXPECT_FALSE(varies(law));
-  EXPECT_TRUE(own_values(law).empty());
+  EXPECT_TRUE(local_values(law).empty());
 }
 
 TEST(Material, each_law_has_a_word_and_a_name_and_names_what_it_keeps)

@@ -177,7 +177,7 @@ TEST(Undrained, lanes_give_what_single_numbers_give_with_strengths_of_their_own)
     own[1][l] = 1e7 * (l + 1);
     increment.strain[1][l] = -1e-3 * (l + 1);
   }
-  update(with_own(prepared, own), stress, increment, state);
+  update(with_local(prepared, own), stress, increment, state);
   for (int l = 0; l < lanes_of<LanePart>; ++l) {
     law.cohesion = 1e3 * (l + 1);
     law.young_modulus = 1e7 * (l + 1);

@@ -29,10 +29,10 @@ Real shaking_of(const Velocity& velocity_at, const NodeVelocity& node_velocity)
 {
   problem::Problem<2> problem = pressed_box();
   for_each_particle(problem.state.particles[0], [&](bodies::Block<2>& p, int l) { set_velocity<2>(p, l, velocity_at(position<2>(p, l))); });
-  Work<2> work(problem.model, problem.state);
+  Workspace<2> workspace(problem.model, problem.state);
   for (Index i = 0; i < problem.model.mesh.node_count(); ++i)
-    work.grids[0].mapped_velocity[i] = node_velocity(problem.model.mesh.position[i]);
-  return shaking(problem.model, problem.state, work);
+    workspace.grids[0].mapped_velocity[i] = node_velocity(problem.model.mesh.position[i]);
+  return shaking(problem.model, problem.state, workspace);
 }
 
 TEST(Shaking, is_the_pressure_of_random_velocities_over_the_mean_pressure)

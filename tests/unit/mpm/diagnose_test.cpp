@@ -2,8 +2,8 @@
 #include "mpm/diagnose.hpp"
 
 #include "core/error.hpp"
+#include "mpm/moments.hpp"
 #include "mpm/step.hpp"
-#include "mpm/transfer.hpp"
 #include "sample_problem.hpp"
 
 #include <fmt/format.h>
@@ -37,14 +37,14 @@ void expect_named(bool update_stress_first, const char* what, const Spoil& spoil
 {
   auto problem = problem_on<dim>(shaken_box<dim>(), sample_solid(), 0);
   problem.model.update_stress_first = update_stress_first;
-  Work<dim> work(problem.model, problem.state);
-  for (int n = 0; n < 3; ++n) step(problem.model, problem.state, work);
+  Workspace<dim> workspace(problem.model, problem.state);
+  for (int n = 0; n < 3; ++n) step(problem.model, problem.state, workspace);
   bodies::Particles<dim>& particles = problem.state.particles[0];
   const Index cell = particles.occupied()[particles.occupied().size() / 2], block = particles.first_block(cell);
   const int id = particles.block(block).id[0];
   spoil(particles.block(block));
-  sum_moments(problem.model.mesh, particles, work.grids[0]);  // as the step that had spoilt it
-  const std::string message = refusal([&] { step(problem.model, problem.state, work); });
+  sum_moments(problem.model.mesh, particles, workspace.grids[0]);  // as the step that had spoilt it
+  const std::string message = refusal([&] { step(problem.model, problem.state, workspace); });
   for (const std::string& part : {fmt::format("particle {} of body \"body\"", id), fmt::format("in cell {}", cell), std::string(what),
                                   fmt::format("t = {:.6g} s (step 3)", problem.state.time), std::string("mpm.courant")})
     EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
@@ -73,9 +73,9 @@ TYPED_TEST(Sound, a_body_that_moves_and_strains_is_not_refused)
   constexpr int dim = TypeParam::value;
   auto problem = problem_on<dim>(shaken_box<dim>(), sample_solid(), 0);
   for_each_particle(problem.state.particles[0], [](bodies::Block<dim>& p, int l) { p.v[0][l] = 1e-3 * p.x[1][l]; });
-  Work<dim> work(problem.model, problem.state);
+  Workspace<dim> workspace(problem.model, problem.state);
   EXPECT_EQ(refusal([&] {
-              for (int n = 0; n < 20; ++n) step(problem.model, problem.state, work);
+              for (int n = 0; n < 20; ++n) step(problem.model, problem.state, workspace);
             }),
             "");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/moments.hpp"
 #include "mpm/move.hpp"
-#include "mpm/transfer.hpp"
 #include "sample_problem.hpp"
 
 #include <gtest/gtest.h>
@@ -14,12 +14,12 @@ void move_once(problem::Problem<dim>& problem, Real dt, const Velocity& velocity
 {
   problem.model.mpm.volumetric_projection = false;
   problem.state.dt = dt;
-  Work<dim> work(problem.model, problem.state);
+  Workspace<dim> workspace(problem.model, problem.state);
   const mesh::Mesh<dim>& mesh = problem.model.mesh;
-  sum_moments(mesh, problem.state.particles[0], work.grids[0]);
-  gather_mass_and_momentum(mesh, work.grids[0]);
-  for (Index i = 0; i < mesh.node_count(); ++i) work.grids[0].mapped_velocity[i] = velocity_at(mesh.position[i]);
-  move_and_strain(problem.model, problem.state, work, 0);
+  sum_moments(mesh, problem.state.particles[0], workspace.grids[0]);
+  gather_mass_and_momentum(mesh, workspace.grids[0]);
+  for (Index i = 0; i < mesh.node_count(); ++i) workspace.grids[0].mapped_velocity[i] = velocity_at(mesh.position[i]);
+  move_and_strain(problem.model, problem.state, workspace, 0);
 }
 
 TEST(Dilation, ends_where_a_particle_has_its_largest_volume)

@@ -3,7 +3,8 @@
 #include "mpm/move.hpp"
 
 #include "core/error.hpp"
-#include "mpm/transfer.hpp"
+#include "mpm/internal_forces.hpp"
+#include "mpm/moments.hpp"
 #include "sample_problem.hpp"
 
 #include <Eigen/Geometry>
@@ -17,10 +18,10 @@ namespace {
 template <int dim>
 struct Moved {
   problem::Problem<dim> problem;
-  Work<dim> work;
+  Workspace<dim> workspace;
   std::vector<std::array<CornerSums<dim>, dim + 1>> forces;  ///< internal forces of the cells on their corners before the move
 
-  Moved(problem::Problem<dim> given, bool project) : problem(std::move(given)), work(problem.model, problem.state)
+  Moved(problem::Problem<dim> given, bool project) : problem(std::move(given)), workspace(problem.model, problem.state)
   {
     problem.model.mpm.volumetric_projection = project;
   }
@@ -30,7 +31,7 @@ struct Moved {
   }
   bodies::Particles<dim>& particles() { return problem.state.particles[0]; }
   const mesh::Mesh<dim>& mesh() const { return problem.model.mesh; }
-  BodyGrid<dim>& grid() { return work.grids[0]; }
+  BodyGrid<dim>& grid() { return workspace.grids[0]; }
 
   /// Moves all nodes with velocity(x) for a time dt.
   template <class Velocity>
@@ -44,9 +45,9 @@ struct Moved {
     for (Index cell = 0; cell < mesh().cell_count(); ++cell) forces.push_back(grid().corners[cell]);
     for (Index i = 0; i < mesh().node_count(); ++i) grid().mapped_velocity[i] = velocity_at(mesh().position[i]);
     if (problem.model.mpm.volumetric_projection) sum_volume_changes(mesh(), particles(), dt, grid());
-    move_and_strain(problem.model, problem.state, work, 0);
+    move_and_strain(problem.model, problem.state, workspace, 0);
   }
-  void change_cells() { mpm::change_cells(problem.model, problem.state, work, 0); }
+  void change_cells() { mpm::change_cells(problem.model, problem.state, workspace, 0); }
 };
 
 template <int dim>
@@ -245,11 +246,11 @@ TYPED_TEST(Move, a_cell_that_gets_its_first_particle_gets_its_shape)
   const Index empty = 0, next = std::max(mesh.neighbor(empty, 0), mesh.neighbor(empty, 1));
   while (particles.count_in(empty) > 0) particles.take(empty, 0);
   particles.sort_occupied();
-  Work<dim> work(problem.model, problem.state);
-  work.cell_changes[0].push_back({next, 0, empty});
-  mpm::change_cells(problem.model, problem.state, work, 0);
+  Workspace<dim> workspace(problem.model, problem.state);
+  workspace.cell_changes[0].push_back({next, 0, empty});
+  mpm::change_cells(problem.model, problem.state, workspace, 0);
   ASSERT_EQ(particles.count_in(empty), 1);
-  for (const Index cell : particles.occupied()) EXPECT_EQ(work.grids[0].gradients[cell], mesh.shape(cell).gradients) << cell;
+  for (const Index cell : particles.occupied()) EXPECT_EQ(workspace.grids[0].gradients[cell], mesh.shape(cell).gradients) << cell;
 }
 
 TYPED_TEST(Move, leaves_the_sums_of_the_particles_as_they_are_then_also_where_particles_changed_cell)
@@ -277,7 +278,7 @@ TYPED_TEST(Move, leaves_the_sums_of_the_particles_as_they_are_then_also_where_pa
     for (std::size_t cell = 0; cell < before.size(); ++cell) emptied += before[cell] > 0 && after[cell] == 0;
     EXPECT_GT(emptied, 0);
     EXPECT_GT(after[hole], 0);
-    const Work<dim> fresh(body.problem.model, body.problem.state);
+    const Workspace<dim> fresh(body.problem.model, body.problem.state);
     for (Index cell = 0; cell < body.mesh().cell_count(); ++cell) {
       const BodyGrid<dim>& anew = fresh.grids[0];
       EXPECT_TRUE(after[cell] > 0 || body.grid().volume_change[cell].change == 0) << cell;
@@ -376,7 +377,7 @@ TYPED_TEST(Move, stress_turns_with_the_body_and_keeps_its_invariants)
         arm.template head<dim>() = x - middle;
         return Vec<dim>(angle * axis.cross(arm).template head<dim>());
       });
-      body.work.cell_changes.front().clear();  // where the particles are does not matter here
+      body.workspace.cell_changes.front().clear();  // where the particles are does not matter here
     }
     Matrix<3> was = Matrix<3>::Zero();
     const Matrix<3> turn = Eigen::AngleAxis<Real>(theta, axis).toRotationMatrix();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/quadrature.hpp"
 
+#include "mpm/internal_forces.hpp"
+#include "mpm/moments.hpp"
 #include "mpm/move.hpp"
-#include "mpm/transfer.hpp"
 #include "sample_problem.hpp"
 
 #include <gtest/gtest.h>
@@ -14,13 +15,13 @@ namespace {
 template <int dim>
 struct Uneven {
   problem::Problem<dim> problem;
-  Work<dim> work;
+  Workspace<dim> workspace;
 
   /// keep(x) says which particles of the filled box are there, volume(x) how large they are over their first volume.
   template <class Stress, class Keep>
   Uneven(problem::Quadrature quadrature, const Stress& stress, const Keep& keep)
       : problem(prepared(quadrature, stress, keep)),
-        work(problem.model, problem.state)
+        workspace(problem.model, problem.state)
   {
     sum_moments(mesh(), particles(), grid());
     gather_mass_and_momentum(mesh(), grid());
@@ -46,7 +47,7 @@ struct Uneven {
   }
   const mesh::Mesh<dim>& mesh() const { return problem.model.mesh; }
   bodies::Particles<dim>& particles() { return problem.state.particles[0]; }
-  BodyGrid<dim>& grid() { return work.grids[0]; }
+  BodyGrid<dim>& grid() { return workspace.grids[0]; }
 
   Vec<dim> force(Index node)
   {
@@ -139,7 +140,7 @@ TYPED_TEST(FullCells, do_the_work_of_the_nodal_forces)
     power += soil.force(i).dot(soil.grid().mapped_velocity[i]);
   }
   sum_volume_changes(soil.mesh(), soil.particles(), soil.problem.state.dt, soil.grid());
-  move_and_strain(soil.problem.model, soil.problem.state, soil.work, 0);
+  move_and_strain(soil.problem.model, soil.problem.state, soil.workspace, 0);
   EXPECT_NEAR(soil.problem.state.totals.internal / soil.problem.state.dt, -power, 1e-4 * std::abs(power));
 }
 

@@ -59,8 +59,8 @@ problem::Case plate_on_block(const std::vector<std::string>& symmetry)
 std::pair<Vec<3>, Real> impulse_and_work(const std::vector<std::string>& symmetry)
 {
   problem::Problem<3> problem = problem::build<3>(plate_on_block(symmetry), ".", ".");
-  Work<3> work(problem.model, problem.state);
-  while (problem.state.time < 0.02) step(problem.model, problem.state, work);
+  Workspace<3> workspace(problem.model, problem.state);
+  while (problem.state.time < 0.02) step(problem.model, problem.state, workspace);
   return {problem.model.parts * problem.state.contact_sums[0].impulse, problem.model.parts * problem.state.totals.external};
 }
 

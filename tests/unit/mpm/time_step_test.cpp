@@ -36,23 +36,23 @@ TYPED_TEST(TimeStep, is_courant_times_the_least_height_over_the_speeds_of_wave_a
 
   // M = E (1 - nu) / ((1 + nu)(1 - 2 nu)).
   const Real wave = std::sqrt(2e6 * 0.8 / (1.2 * 0.6) / 1500);
-  Work<dim> work(problem.model, problem.state);
-  EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / wave), 1, 1e-14);
+  Workspace<dim> workspace(problem.model, problem.state);
+  EXPECT_NEAR(stable_time_step(problem.model, problem.state, workspace) / (0.4 * height / wave), 1, 1e-14);
 
-  work.grids[0].mapped_velocity[work.grids[0].nodes.back()] = 3 * Vec<dim>::UnitX() - 4 * Vec<dim>::UnitY();
-  EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / (wave + 5)), 1, 1e-14);
+  workspace.grids[0].mapped_velocity[workspace.grids[0].nodes.back()] = 3 * Vec<dim>::UnitX() - 4 * Vec<dim>::UnitY();
+  EXPECT_NEAR(stable_time_step(problem.model, problem.state, workspace) / (0.4 * height / (wave + 5)), 1, 1e-14);
 
   problem.model.rigid_bodies.push_back({"pipe", make_shape<dim>(bodies::CircleSettings{std::vector<Real>(dim, 0), 0.5})});
   problem.state.rigid_bodies.emplace_back();
   problem.state.rigid_bodies[0].velocity = 7 * Vec<dim>::UnitX();
-  EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / (wave + 7)), 1, 1e-14);
+  EXPECT_NEAR(stable_time_step(problem.model, problem.state, workspace) / (0.4 * height / (wave + 7)), 1, 1e-14);
 
   if constexpr (dim == 2)
     problem.state.rigid_bodies[0].angular_velocity = -8;
   else
     problem.state.rigid_bodies[0].angular_velocity = {0, 0, -8};
   // Its rim is 0.25 m away.
-  EXPECT_NEAR(stable_time_step(problem.model, problem.state, work) / (0.4 * height / (wave + 9)), 1, 1e-14);
+  EXPECT_NEAR(stable_time_step(problem.model, problem.state, workspace) / (0.4 * height / (wave + 9)), 1, 1e-14);
 }
 
 TYPED_TEST(TimeStep, a_velocity_that_is_not_finite_ends_the_run_with_time_step_and_advice)
@@ -61,10 +61,10 @@ TYPED_TEST(TimeStep, a_velocity_that_is_not_finite_ends_the_run_with_time_step_a
   auto problem = problem_on<dim>(shaken_box<dim>(), sample_solid(), 0);
   problem.state.time = 0.5;
   problem.state.step = 33;
-  Work<dim> work(problem.model, problem.state);
-  work.grids[0].mapped_velocity[work.grids[0].nodes[3]][0] = std::numeric_limits<Real>::quiet_NaN();
+  Workspace<dim> workspace(problem.model, problem.state);
+  workspace.grids[0].mapped_velocity[workspace.grids[0].nodes[3]][0] = std::numeric_limits<Real>::quiet_NaN();
   try {
-    stable_time_step(problem.model, problem.state, work);
+    stable_time_step(problem.model, problem.state, workspace);
     FAIL() << "nothing was thrown";
   } catch (const RunError& error) {
     const std::string message = error.what();
@@ -77,16 +77,16 @@ TYPED_TEST(TimeStep, of_less_than_a_thousandth_of_that_at_rest_ends_the_run_with
 {
   constexpr int dim = TypeParam::value;
   auto problem = problem_on<dim>(shaken_box<dim>(), sample_solid(), 0);
-  Work<dim> work(problem.model, problem.state);
+  Workspace<dim> workspace(problem.model, problem.state);
   problem.state.time = 0.5;
   problem.state.step = 32;
   const Real wave = std::sqrt(p_wave_modulus(sample_solid()) / 1500);
-  const Index node = work.grids[0].nodes[3];
-  work.grids[0].mapped_velocity[node] = 990 * wave * Vec<dim>::UnitX();
-  EXPECT_NO_THROW(stable_time_step(problem.model, problem.state, work));
+  const Index node = workspace.grids[0].nodes[3];
+  workspace.grids[0].mapped_velocity[node] = 990 * wave * Vec<dim>::UnitX();
+  EXPECT_NO_THROW(stable_time_step(problem.model, problem.state, workspace));
   const auto expect_refused = [&](const std::string& what) {
     try {
-      stable_time_step(problem.model, problem.state, work);
+      stable_time_step(problem.model, problem.state, workspace);
       FAIL() << "nothing was thrown";
     } catch (const RunError& error) {
       const std::string message = error.what();
@@ -94,7 +94,7 @@ TYPED_TEST(TimeStep, of_less_than_a_thousandth_of_that_at_rest_ends_the_run_with
         EXPECT_NE(message.find(part), std::string::npos) << part << " is not in: " << message;
     }
   };
-  work.grids[0].mapped_velocity[node] = 1010 * wave * Vec<dim>::UnitX();
+  workspace.grids[0].mapped_velocity[node] = 1010 * wave * Vec<dim>::UnitX();
   expect_refused(fmt::format("body \"body\" at the node at ({:.6g}, ", problem.model.mesh.position[node][0]));
   problem.model.rigid_bodies.push_back({"pipe", make_shape<dim>(bodies::CircleSettings{std::vector<Real>(dim, 0), 0.5})});
   problem.state.rigid_bodies.emplace_back();

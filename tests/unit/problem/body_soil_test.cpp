@@ -39,7 +39,7 @@ TEST(BodySoil, has_each_material_once_and_knows_it_by_depth)
   ASSERT_EQ(soil.materials.size(), 2u);
   EXPECT_TRUE(varies(soil));
   const std::pair<Real, Index> expected[] = {{-1, 0}, {0.49, 0}, {0.5, 1}, {1.24, 1}, {1.25, 0}, {9, 0}};
-  for (const auto& [depth, number] : expected) EXPECT_EQ(soil.number_at("box", depth), number) << depth;
+  for (const auto& [depth, number] : expected) EXPECT_EQ(soil.material_index_at("box", depth), number) << depth;
   EXPECT_NEAR(soil.mass_above("box", 1.5), 0.5 * 1500 + 0.75 * 2000 + 0.25 * 1500, 1e-9);
 }
 
@@ -50,7 +50,7 @@ TEST(BodySoil, of_equal_layers_is_that_of_one_material)
   const BodySoil soil = soil_of(c, c.body[0].second);
   EXPECT_EQ(soil.materials.size(), 1u);
   EXPECT_FALSE(varies(soil));
-  EXPECT_TRUE(own_fields(soil).empty());
+  EXPECT_TRUE(local_fields(soil).empty());
 }
 
 TEST(BodySoil, takes_materials_of_regions)
@@ -61,8 +61,8 @@ TEST(BodySoil, takes_materials_of_regions)
   body.regions = {"box", "pit"};
   body.region_material = {{"pit", "stiff"}};
   const BodySoil soil = soil_of(c, body);
-  EXPECT_EQ(soil.number_at("box", 3), 0);
-  EXPECT_EQ(soil.number_at("pit", 3), 1);
+  EXPECT_EQ(soil.material_index_at("box", 3), 0);
+  EXPECT_EQ(soil.material_index_at("pit", 3), 1);
   EXPECT_EQ(soil.mass_above("pit", 3), 3 * 2000);
 }
 

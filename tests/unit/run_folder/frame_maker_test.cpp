@@ -164,9 +164,9 @@ TEST(FrameMaker, a_bed_at_rest_has_no_strain_however_long_it_rests)
   const problem::Case c = bed_at_rest();
   problem::Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
   FrameMaker<2> maker(problem.model, problem.state);
-  mpm::Work<2> work(problem.model, problem.state);
+  mpm::Workspace<2> workspace(problem.model, problem.state);
   for (int frames = 0; frames < 4; ++frames) {
-    for (int n = 0; n < 1500; ++n) step(problem.model, problem.state, work);
+    for (int n = 0; n < 1500; ++n) step(problem.model, problem.state, workspace);
     Real max = 0, max_increment = 0;
     for (const FrameParticle<2>& f : particles_of(maker.make(problem.state))) {
       max = std::max(max, f.strain.deviatoric);

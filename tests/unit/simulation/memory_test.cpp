@@ -51,8 +51,8 @@ TEST(Memory, is_estimated_as_it_is_taken)
   const problem::Case c = bed(150, false);
   const Real before = memory_of_data();
   problem::Problem<2> problem = build(c, make_mesh<2>(c.mesh, ".", "."));
-  mpm::Work<2> work(problem.model, problem.state);
-  step(problem.model, problem.state, work);
+  mpm::Workspace<2> workspace(problem.model, problem.state);
+  step(problem.model, problem.state, workspace);
   run_folder::FrameMaker<2> maker(problem.model, problem.state);
   const run_folder::Frame<2> first = maker.make(problem.state), second = maker.make(problem.state);
   EXPECT_NEAR(memory_of<2>(size_of(problem)) / (memory_of_data() - before), 1, 0.1);

@@ -82,15 +82,15 @@ problem::Case two_bodies(contact::Scheme scheme)
 template <int dim>
 struct SampleRun {
   problem::Problem<dim> problem;
-  std::optional<mpm::Work<dim>> work;
+  std::optional<mpm::Workspace<dim>> workspace;
 
   explicit SampleRun(contact::Scheme scheme = contact::ContactSettings{}.scheme) : SampleRun(two_bodies<dim>(scheme)) {}
   explicit SampleRun(const problem::Case& c) : problem(build<dim>(c, ".", ".")) {}
 
   void steps(int count)
   {
-    if (!work) work.emplace(problem.model, problem.state);
-    for (int n = 0; n < count; ++n) step(problem.model, problem.state, *work);
+    if (!workspace) workspace.emplace(problem.model, problem.state);
+    for (int n = 0; n < count; ++n) step(problem.model, problem.state, *workspace);
   }
 };
 

@@ -38,8 +38,9 @@ void drive_body(const RigidBody<dim>& body, RigidState<dim>& state, const DriveN
 template <int dim>
 void free_body(const RigidBody<dim>& body, RigidState<dim>& state, const Vec<dim>& gravity, Real dt);
 
+/// Takes the velocity of a body.
 template <int dim>
-void rest(RigidState<dim>& state)
+void stop(RigidState<dim>& state)
 {
   state.velocity.setZero();
   state.angular_velocity = no_angular<dim>();

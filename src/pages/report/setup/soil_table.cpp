@@ -65,7 +65,7 @@ std::vector<text::HtmlCell> row_of(const problem::BodySoil& soil, const std::str
   const auto angle = [&](auto of) { return text::angle_words(of(*strength_at_rest(upper))); };
   const bool yields = strength_at_rest(upper).has_value();
   return {{depth},
-          {text::html_text(soil.names[soil.number_at(region, top)])},
+          {text::html_text(soil.names[soil.material_index_at(region, top)])},
           {yields ? stress([](const material::Material& m) { return strength_at_rest(m)->cohesion; }) : "–"},
           {yields ? angle([](const material::Strength& s) { return s.friction_angle; }) : "–"},
           {stress([](const material::Material& m) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/ranks/run
-#include "mpm/share.hpp"
+#include "mpm/exchange.hpp"
 
 #include "core/bytes.hpp"
 #include "core/error.hpp"
@@ -11,7 +11,7 @@
 namespace berm::mpm {
 
 template <int dim>
-void share_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+void exchange_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
 {
   if (!grid.halo.divided()) return;
   const Timer timer("ranks");
@@ -55,7 +55,7 @@ void share_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& pa
 }
 
 template <int dim>
-void share_corner_sums(BodyGrid<dim>& grid)
+void exchange_corner_sums(BodyGrid<dim>& grid)
 {
   if (!grid.halo.divided()) return;
   const Timer timer("ranks");
@@ -72,7 +72,7 @@ void share_corner_sums(BodyGrid<dim>& grid)
 }
 
 template <int dim>
-void share_water_forces(BodyGrid<dim>& grid)
+void exchange_water_forces(BodyGrid<dim>& grid)
 {
   if (!grid.halo.divided() || !grid.water.flows()) return;
   const Timer timer("ranks");
@@ -87,7 +87,7 @@ void share_water_forces(BodyGrid<dim>& grid)
 }
 
 template <int dim>
-void share_movers(BodyGrid<dim>& grid, std::vector<bodies::CellChange>& changes, bodies::Transit<dim>& transit)
+void exchange_movers(BodyGrid<dim>& grid, std::vector<bodies::CellChange>& changes, bodies::Transit<dim>& transit)
 {
   if (!grid.halo.divided()) return;
   const Timer timer("ranks");
@@ -179,29 +179,29 @@ BorrowedParticles<dim>::~BorrowedParticles()
 }
 
 template <int dim>
-void list_contact_nodes(const problem::Model<dim>& model, Work<dim>& work)
+void list_contact_nodes(const problem::Model<dim>& model, Workspace<dim>& workspace)
 {
   if (!Ranks::of_run().divided()) return;
-  for (BodyGrid<dim>& grid : work.grids) grid.contact_nodes.clear();
+  for (BodyGrid<dim>& grid : workspace.grids) grid.contact_nodes.clear();
   for (std::size_t k = 0; k < model.contacts.size(); ++k)
-    for (const contact::ContactPoint<dim>& point : work.contact_points[k].list)
+    for (const contact::ContactPoint<dim>& point : workspace.contact_points[k].list)
       for (const Index b : {model.contacts[k].body, model.contacts[k].other_body})
         if (b != none)
-          work.grids[b].contact_nodes.insert(work.grids[b].contact_nodes.end(), point.nodes.begin(),
-                                             point.nodes.begin() + point.node_count);
-  for (BodyGrid<dim>& grid : work.grids) {
+          workspace.grids[b].contact_nodes.insert(workspace.grids[b].contact_nodes.end(), point.nodes.begin(),
+                                                  point.nodes.begin() + point.node_count);
+  for (BodyGrid<dim>& grid : workspace.grids) {
     std::sort(grid.contact_nodes.begin(), grid.contact_nodes.end());
     grid.contact_nodes.erase(std::unique(grid.contact_nodes.begin(), grid.contact_nodes.end()), grid.contact_nodes.end());
   }
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void share_moments(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                                      \
-  template void share_corner_sums(BodyGrid<dim>&);                                                                                         \
-  template void share_water_forces(BodyGrid<dim>&);                                                                                        \
-  template void share_movers(BodyGrid<dim>&, std::vector<bodies::CellChange>&, bodies::Transit<dim>&);                                     \
+  template void exchange_moments(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                                   \
+  template void exchange_corner_sums(BodyGrid<dim>&);                                                                                      \
+  template void exchange_water_forces(BodyGrid<dim>&);                                                                                     \
+  template void exchange_movers(BodyGrid<dim>&, std::vector<bodies::CellChange>&, bodies::Transit<dim>&);                                  \
   template class BorrowedParticles<dim>;                                                                                                   \
-  template void list_contact_nodes(const problem::Model<dim>&, Work<dim>&);
+  template void list_contact_nodes(const problem::Model<dim>&, Workspace<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

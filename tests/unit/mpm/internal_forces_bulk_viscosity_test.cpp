@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "mpm/transfer.hpp"
+#include "mpm/internal_forces.hpp"
+#include "mpm/moments.hpp"
 #include "sample_problem.hpp"
 
 #include <gtest/gtest.h>
@@ -18,27 +19,27 @@ material::MohrCoulomb sand(Real dilation_angle)
 template <int dim>
 struct Moving {
   problem::Problem<dim> problem;
-  Work<dim> work;
+  Workspace<dim> workspace;
 
   template <class Velocity>
   Moving(const material::Material& material, bool project, const Velocity& velocity_at)
       : problem(problem_on<dim>(shaken_box<dim>(), material, dim == 2 ? 9 : 8)),
-        work(problem.model, problem.state)
+        workspace(problem.model, problem.state)
   {
     problem.model.mpm.volumetric_projection = project;
     if (!project) problem.model.patches = make_patches(problem.model.mesh, 1);
     bodies::Particles<dim>& particles = problem.state.particles[0];
     for_each_particle(particles, [&](bodies::Block<dim>& p, int l) { set_velocity<dim>(p, l, velocity_at(position(p, l))); });
-    sum_moments(problem.model.mesh, particles, work.grids[0]);
-    gather_mass_and_momentum(problem.model.mesh, work.grids[0]);
-    find_viscous_stress(problem.model, particles, work.grids[0]);
-    spread_internal_forces(problem.model, particles, work.grids[0]);
+    sum_moments(problem.model.mesh, particles, workspace.grids[0]);
+    gather_mass_and_momentum(problem.model.mesh, workspace.grids[0]);
+    find_viscous_stress(problem.model, particles, workspace.grids[0]);
+    spread_internal_forces(problem.model, particles, workspace.grids[0]);
   }
 
   Real largest_force() const
   {
     Real largest = 0;
-    for (const auto& corners : work.grids[0].corners)
+    for (const auto& corners : workspace.grids[0].corners)
       for (const auto& corner : corners) largest = std::max(largest, Eigen::Map<const Vec<dim>>(corner.sum).norm());
     return largest;
   }
@@ -49,14 +50,14 @@ struct Moving {
     const mesh::Mesh<dim>& mesh = problem.model.mesh;
     for (Index cell = 0; cell < mesh.cell_count(); ++cell)
       for (int k = 0; k <= dim; ++k)
-        sum += Eigen::Map<const Vec<dim>>(work.grids[0].corners[cell][k].sum).dot(work.grids[0].velocity[mesh.nodes[cell][k]]);
+        sum += Eigen::Map<const Vec<dim>>(workspace.grids[0].corners[cell][k].sum).dot(workspace.grids[0].velocity[mesh.nodes[cell][k]]);
     return sum;
   }
   Real divergence(Index cell) const
   {
     Real sum = 0;
     const mesh::Mesh<dim>& mesh = problem.model.mesh;
-    for (int k = 0; k <= dim; ++k) sum += mesh.shape(cell).gradient(k).dot(work.grids[0].velocity[mesh.nodes[cell][k]]);
+    for (int k = 0; k <= dim; ++k) sum += mesh.shape(cell).gradient(k).dot(workspace.grids[0].velocity[mesh.nodes[cell][k]]);
     return sum;
   }
 };

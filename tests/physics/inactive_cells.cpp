@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Soil far from a driven body rests (mpm.active_distance): what is left out of the steps keeps its state, and what is counted stays whole.
-#include "mpm/rest.hpp"
+#include "mpm/inactive.hpp"
 #include "pipe_in_sand.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ void push_and_drag(Simulation<2>& run, int steps_of_drag = 700)
 std::vector<char> rests(const bodies::Particles<2>& particles)
 {
   std::vector<char> all(static_cast<std::size_t>(particles.size()));
-  particles.visit([&](Index cell, Index b, int l) { all.at(particles.block(b).id[l]) = particles.rests(cell) ? 1 : 0; });
+  particles.visit([&](Index cell, Index b, int l) { all.at(particles.block(b).id[l]) = particles.is_inactive(cell) ? 1 : 0; });
   return all;
 }
 Index resting_particles(const bodies::Particles<2>& particles)
@@ -161,11 +161,11 @@ TEST(RestingSoil, goes_on_from_the_state_alone)
   while (run.state().step % 16 != 5) take_steps(run, 1);
   ASSERT_NE(run.state().rigid_bodies[0].displacement, run.state().active_soil.poses[0].displacement);
   problem::State<2> state = run.state();
-  for (auto& particles : state.particles) particles.set_resting(nullptr);
-  mpm::set_resting_soil(run.model(), state);
-  mpm::Work<2> work(run.model(), state);
+  for (auto& particles : state.particles) particles.set_inactive(nullptr);
+  mpm::set_inactive_cells(run.model(), state);
+  mpm::Workspace<2> workspace(run.model(), state);
   for (int n = 0; n < 200; ++n) {
-    step(run.model(), state, work);
+    step(run.model(), state, workspace);
     take_steps(run, 1);
   }
   expect_same(state, run.state());
@@ -180,7 +180,7 @@ TEST(RestingSoil, gives_away_its_momentum_and_energy_when_it_comes_to_rest)
   run.set_velocities([](const Vec<2>& x, const Vec<2>&) { return Vec<2>(0.1 + x[1], 0.2 * x[0]); });
   const auto before = mpm::sums_over(run.state().particles[0]);
   const problem::Totals<2> totals = run.state().totals;
-  mpm::update_resting_soil(run.model(), run.state(), run.work);
+  mpm::update_inactive_cells(run.model(), run.state(), run.workspace);
   const auto after = mpm::sums_over(run.state().particles[0]);
   EXPECT_GT(resting_particles(run.state().particles[0]), 0);
   EXPECT_LT(after.kinetic, 0.6 * before.kinetic);

@@ -9,20 +9,20 @@ namespace berm::mpm {
 
 /// Gets moments and corner sums of the cells in the halo, and lists the nodes anew where other cells of it have particles than before.
 template <int dim>
-void share_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);
+void exchange_moments(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid);
 
 /// Gets CornerSums::sum of the cells in the halo.
 template <int dim>
-void share_corner_sums(BodyGrid<dim>& grid);
+void exchange_corner_sums(BodyGrid<dim>& grid);
 
 /// Gets what the cells in the halo give the water at their corners.
 template <int dim>
-void share_water_forces(BodyGrid<dim>& grid);
+void exchange_water_forces(BodyGrid<dim>& grid);
 
 /// Sends particles that go to cells of other ranks, and gets those that come. `changes` and transit.particle become those of the particles that go to cells of
 /// this rank, in the order of one process.
 template <int dim>
-void share_movers(BodyGrid<dim>& grid, std::vector<bodies::CellChange>& changes, bodies::Transit<dim>& transit);
+void exchange_movers(BodyGrid<dim>& grid, std::vector<bodies::CellChange>& changes, bodies::Transit<dim>& transit);
 
 /// Position and volume of the particles in the halo around nodes where both bodies have mass, while this lives, as particles of their bodies.
 template <int dim>
@@ -40,15 +40,15 @@ private:
 
 /// The nodes that the points of the contacts of each body move.
 template <int dim>
-void list_contact_nodes(const problem::Model<dim>& model, Work<dim>& work);
+void list_contact_nodes(const problem::Model<dim>& model, Workspace<dim>& workspace);
 
 /// Gives all ranks a nodal field at those nodes.
 template <int dim, class Field>
-void share_at_contacts(Work<dim>& work, Field BodyGrid<dim>::*field)
+void exchange_at_contacts(Workspace<dim>& workspace, Field BodyGrid<dim>::*field)
 {
   Ranks& ranks = Ranks::of_run();
   if (!ranks.divided()) return;
-  for (BodyGrid<dim>& grid : work.grids) {
+  for (BodyGrid<dim>& grid : workspace.grids) {
     const auto& nodes = grid.contact_nodes;
     Field& values = grid.*field;
     using Value = std::decay_t<decltype(values[0])>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/moments.hpp"
 #include "mpm/move.hpp"
-#include "mpm/transfer.hpp"
 #include "sample_problem.hpp"
 
 #include <gtest/gtest.h>
@@ -36,7 +36,7 @@ problem::Problem<2> body_of_two(const material::Material& first, const material:
     bodies::Particle<2> p = problem.state.particles[0].read(b, l);
     const std::size_t n = number(p);
     p.mass = p.volume * inertia_density(soil.materials[n]);
-    const std::vector<Real> own = own_values(soil.materials[n]);
+    const std::vector<Real> own = local_values(soil.materials[n]);
     std::copy(own.begin(), own.end(), p.extra + 1);
     p.extra[3] = static_cast<Real>(n);
     made.insert(cell, p);
@@ -54,13 +54,13 @@ void shear_once(problem::Problem<2>& problem)
   });
   problem.model.mpm.volumetric_projection = false;
   problem.state.dt = 1e-3;
-  Work<2> work(problem.model, problem.state);
+  Workspace<2> workspace(problem.model, problem.state);
   const mesh::Mesh<2>& mesh = problem.model.mesh;
-  sum_moments(mesh, problem.state.particles[0], work.grids[0]);
-  gather_mass_and_momentum(mesh, work.grids[0]);
+  sum_moments(mesh, problem.state.particles[0], workspace.grids[0]);
+  gather_mass_and_momentum(mesh, workspace.grids[0]);
   for (Index i = 0; i < mesh.node_count(); ++i)
-    work.grids[0].mapped_velocity[i] = Vec<2>(20 * mesh.position[i][1], 5 * mesh.position[i][1]);
-  move_and_strain(problem.model, problem.state, work, 0);
+    workspace.grids[0].mapped_velocity[i] = Vec<2>(20 * mesh.position[i][1], 5 * mesh.position[i][1]);
+  move_and_strain(problem.model, problem.state, workspace, 0);
 }
 
 /// What a particle has after the step, by id.

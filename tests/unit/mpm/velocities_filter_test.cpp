@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mpm/body_sums.hpp"
 #include "mpm/change_cells.hpp"
+#include "mpm/moments.hpp"
 #include "mpm/move.hpp"
-#include "mpm/transfer.hpp"
+#include "mpm/velocities.hpp"
 #include "sample_problem.hpp"
 
 #include <gtest/gtest.h>
@@ -14,12 +15,12 @@ namespace {
 template <int dim>
 struct Drifting {
   problem::Problem<dim> problem;
-  Work<dim> work;
+  Workspace<dim> workspace;
 
   template <class Velocity>
   Drifting(const material::Material& material, const Velocity& velocity_at, Real filter = problem::MpmSettings{}.velocity_filter)
       : problem(filtered(problem_on<dim>(shaken_box<dim>(), material, dim == 2 ? 9 : 8), filter)),
-        work(problem.model, problem.state)
+        workspace(problem.model, problem.state)
   {
     problem.model.mpm.volumetric_projection = false;
     problem.state.dt = 1e-3;  // a particle moves by some thousandths of a cell
@@ -31,7 +32,7 @@ struct Drifting {
     return made;
   }
   bodies::Particles<dim>& particles() { return problem.state.particles[0]; }
-  BodyGrid<dim>& grid() { return work.grids[0]; }
+  BodyGrid<dim>& grid() { return workspace.grids[0]; }
 
   void step()
   {
@@ -41,8 +42,8 @@ struct Drifting {
     smooth_velocities(mesh, particles(), grid());
     spread_new_momentum(mesh, particles(), problem.state.dt, grid());
     gather_new_velocities(problem.model, grid());
-    move_and_strain(problem.model, problem.state, work, 0);
-    change_cells(problem.model, problem.state, work, 0);
+    move_and_strain(problem.model, problem.state, workspace, 0);
+    change_cells(problem.model, problem.state, workspace, 0);
   }
 };
 

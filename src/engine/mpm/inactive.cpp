@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/physics/resting_soil.cpp
-#include "mpm/rest.hpp"
+// Tests: tests/physics/inactive_cells.cpp
+#include "mpm/inactive.hpp"
 
-#include "mpm/transfer.hpp"
+#include "mpm/moments.hpp"
 
 namespace berm::mpm {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 /// What a rigid body goes before the active soil is found anew, over the active distance.
 constexpr Real part_of_distance = 0.1;
 
-/// Whether soil may rest far from this body: around one without bounds none is far.
+/// Whether soil may be inactive far from this body: around one without bounds none is far.
 template <int dim>
 bool is_bounded(const bodies::RigidBody<dim>& rigid)
 {
@@ -39,7 +39,7 @@ CellField<std::uint8_t> far_cells(const problem::Model<dim>& model, const proble
   for (std::size_t r = 0; r < model.rigid_bodies.size(); ++r)
     if (is_bounded(model.rigid_bodies[r])) shapes.push_back(placed(model.rigid_bodies[r], active.poses[r]));
   auto is_far = CellField<std::uint8_t>::zeros(mesh.cell_count());
-  for_each("resting soil", mesh.cell_count(), [&](Index cell) {
+  for_each("inactive cells", mesh.cell_count(), [&](Index cell) {
     const Vec<dim> center = mesh.centroid(cell);
     is_far[cell] =
         std::all_of(shapes.begin(), shapes.end(), [&](const auto& shape) { return !(surface_at<dim>(shape, center).distance < distance); })
@@ -47,7 +47,7 @@ CellField<std::uint8_t> far_cells(const problem::Model<dim>& model, const proble
             : 0;
   });
   auto far_patches = CellField<std::uint8_t>::zeros(mesh.cell_count());
-  for_each("resting soil", mesh.cell_count(), [&](Index cell) {
+  for_each("inactive cells", mesh.cell_count(), [&](Index cell) {
     bool all = true;
     mesh::for_each_in_patch(model.patches, cell, [&](Index member) { all = all && is_far[member] != 0; });
     far_patches[cell] = all ? 1 : 0;
@@ -68,14 +68,14 @@ struct Stopped {
   }
 };
 
-/// Takes the velocity of all particles that rest.
+/// Takes the velocity of all particles in inactive cells.
 template <int dim>
 Stopped<dim> stop(bodies::Particles<dim>& particles)
 {
-  return sum_of<Stopped<dim>>("resting soil", particles.chunks(), [&](Index c) {
+  return sum_of<Stopped<dim>>("inactive cells", particles.chunks(), [&](Index c) {
     Stopped<dim> stopped;
     const Index cell = particles.occupied()[c];
-    if (!particles.rests(cell)) return stopped;
+    if (!particles.is_inactive(cell)) return stopped;
     for (const auto& [p, b, count] : particles.blocks_in(cell)) {
       for (int d = 0; d < dim; ++d) {
         stopped.momentum[d] += sum(p.mass * p.v[d]);
@@ -90,16 +90,16 @@ Stopped<dim> stop(bodies::Particles<dim>& particles)
 }  // namespace
 
 template <int dim>
-void set_resting_soil(const problem::Model<dim>& model, problem::State<dim>& state)
+void set_inactive_cells(const problem::Model<dim>& model, problem::State<dim>& state)
 {
   if (!model.mpm.active_distance) return;
-  std::shared_ptr<const CellField<std::uint8_t>> resting;
-  if (!state.active_soil.everywhere) resting = std::make_shared<CellField<std::uint8_t>>(far_cells(model, state.active_soil));
-  for (bodies::Particles<dim>& particles : state.particles) particles.set_resting(resting);
+  std::shared_ptr<const CellField<std::uint8_t>> inactive;
+  if (!state.active_soil.everywhere) inactive = std::make_shared<CellField<std::uint8_t>>(far_cells(model, state.active_soil));
+  for (bodies::Particles<dim>& particles : state.particles) particles.set_inactive(inactive);
 }
 
 template <int dim>
-void update_resting_soil(const problem::Model<dim>& model, problem::State<dim>& state, Work<dim>& work)
+void update_inactive_cells(const problem::Model<dim>& model, problem::State<dim>& state, Workspace<dim>& workspace)
 {
   if (!model.mpm.active_distance) return;
   problem::ActiveSoil<dim>& active = state.active_soil;
@@ -108,11 +108,11 @@ void update_resting_soil(const problem::Model<dim>& model, problem::State<dim>& 
     return;
   active.everywhere = everywhere;
   active.poses.assign(state.rigid_bodies.begin(), state.rigid_bodies.end());
-  set_resting_soil(model, state);
+  set_inactive_cells(model, state);
   for (std::size_t b = 0; b < state.particles.size(); ++b) {
     bodies::Particles<dim>& particles = state.particles[b];
-    BodyGrid<dim>& grid = work.grids[b];
-    const Stopped<dim> stopped = particles.some_rest() ? stop(particles) : Stopped<dim>();
+    BodyGrid<dim>& grid = workspace.grids[b];
+    const Stopped<dim> stopped = particles.some_inactive() ? stop(particles) : Stopped<dim>();
     state.totals.support_impulse -= stopped.momentum;
     state.totals.damping += stopped.kinetic;
     active.stopped += stopped.kinetic;
@@ -123,14 +123,14 @@ void update_resting_soil(const problem::Model<dim>& model, problem::State<dim>& 
 }
 
 template <int dim>
-void hold_resting_soil(const problem::Model<dim>& model, const problem::State<dim>& state, Work<dim>& work)
+void hold_inactive_cells(const problem::Model<dim>& model, const problem::State<dim>& state, Workspace<dim>& workspace)
 {
   if (!model.mpm.active_distance) return;
   constexpr std::uint8_t all_directions = (1 << dim) - 1;
   for (std::size_t b = 0; b < state.particles.size(); ++b) {
     const bodies::Particles<dim>& particles = state.particles[b];
-    BodyGrid<dim>& grid = work.grids[b];
-    if (!particles.some_rest()) {
+    BodyGrid<dim>& grid = workspace.grids[b];
+    if (!particles.some_inactive()) {
       grid.held = {};
       grid.held_with = none;
       continue;
@@ -139,15 +139,15 @@ void hold_resting_soil(const problem::Model<dim>& model, const problem::State<di
     grid.held = model.fixed[static_cast<std::size_t>(grid.fixed)];
     grid.held_with = grid.fixed;
     for (Index cell = 0; cell < model.mesh.cell_count(); ++cell)
-      if (particles.rests(cell))
+      if (particles.is_inactive(cell))
         for (const Index node : model.mesh.nodes[cell]) grid.held[node] = all_directions;
   }
 }
 
 #define BERM_INSTANTIATE(dim)                                                                                                              \
-  template void set_resting_soil(const problem::Model<dim>&, problem::State<dim>&);                                                        \
-  template void update_resting_soil(const problem::Model<dim>&, problem::State<dim>&, Work<dim>&);                                         \
-  template void hold_resting_soil(const problem::Model<dim>&, const problem::State<dim>&, Work<dim>&);
+  template void set_inactive_cells(const problem::Model<dim>&, problem::State<dim>&);                                                      \
+  template void update_inactive_cells(const problem::Model<dim>&, problem::State<dim>&, Workspace<dim>&);                                  \
+  template void hold_inactive_cells(const problem::Model<dim>&, const problem::State<dim>&, Workspace<dim>&);
 BERM_INSTANTIATE(2)
 BERM_INSTANTIATE(3)
 #undef BERM_INSTANTIATE

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/internal_forces.hpp"
+
+#include "mpm/hoop.hpp"
+
+namespace berm::mpm {
+namespace {
+
+/// The divergence of a nodal field in a cell.
+template <mesh::Metric metric, int dim>
+[[gnu::always_inline]] inline Real divergence_in(const mesh::Shape<dim>& shape, const std::array<Index, dim + 1>& nodes,
+                                                 const BodyGrid<dim>& grid, Index cell, const NodeField<Vec<dim>>& field)
+{
+  Real divergence = 0;
+  for (int k = 1; k <= dim; ++k)
+    for (int d = 0; d < dim; ++d) divergence += shape.gradients[k - 1][d] * (field[nodes[k]][d] - field[nodes[0]][d]);
+  if constexpr (metric == mesh::Metric::axisymmetric) divergence += hoop_rate(shape, nodes, grid, cell, field);
+  return divergence;
+}
+
+/// The sum of V times the mean stress of a cell's particles, N m.
+template <mesh::Metric metric, int dim>
+[[gnu::always_inline]] inline Real volume_times_mean_stress(const BodyGrid<dim>& grid, Index cell)
+{
+  const Moments<dim>& t = grid.moments[cell];
+  Real trace = 0;
+  for (int d = 0; d < dim; ++d) trace += t.stress[Moments<dim>::pair(d, d)];
+  if constexpr (metric == mesh::Metric::axisymmetric) trace += grid.hoop[cell].stress;
+  return trace / strained_directions<dim, metric>;
+}
+
+template <mesh::Metric metric, int dim>
+void find_viscous_stress_in(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+{
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  const auto& active = particles.active();
+  for_each("viscous stress of cells", particles.active_chunks(), [&](Index c) {
+    Real volume = 0, height = 0, divergence = 0;
+    mesh::for_each_in_patch(model.patches, active[c], [&](Index member) {
+      const Real of_cell = grid.moments[member].volume;
+      volume += of_cell;
+      height += of_cell * grid.height[member];
+      // An empty cell has no hoop strain, which is a mean over its volume.
+      if (metric == mesh::Metric::cartesian || of_cell > 0)
+        divergence += of_cell * divergence_in<metric>(grid.shape(mesh, member), mesh.nodes[member], grid, member, grid.velocity);
+    });
+    grid.viscous_stress[active[c]] = grid.bulk_viscosity * (height / volume) * (divergence / volume);
+  });
+}
+
+template <mesh::Metric metric, int dim>
+void spread_internal_forces_in(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+{
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  const auto& active = particles.active();
+  const bool project = model.mpm.volumetric_projection;
+  for_each("internal forces of cells", particles.active_chunks(), [&](Index c) {
+    const Index cell = active[c];
+    const Moments<dim>& t = grid.moments[cell];
+    Real change = 0;  // of volume times mean stress
+    if (project) {
+      Real volume = 0, volume_stress = 0;
+      mesh::for_each_in_patch(model.patches, cell, [&](Index member) {
+        volume += grid.moments[member].volume;
+        volume_stress += volume_times_mean_stress<metric>(grid, member);
+      });
+      change = volume_stress / volume * t.volume - volume_times_mean_stress<metric>(grid, cell);
+    }
+    change += t.volume * grid.viscous_stress[cell];
+    Matrix<dim> stress;
+    for (int a = 0; a < dim; ++a)
+      for (int b = 0; b < dim; ++b) stress(a, b) = t.stress[Moments<dim>::pair(std::min(a, b), std::max(a, b))] + (a == b ? change : 0);
+    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
+    auto& corners = grid.corners[cell];
+    Vec<dim> of_others = Vec<dim>::Zero();
+    for (int k = 1; k <= dim; ++k) {
+      const Vec<dim> force = stress * shape.gradient(k);
+      Eigen::Map<Vec<dim>>(corners[k].sum) = -force;
+      of_others += force;
+    }
+    Eigen::Map<Vec<dim>>(corners[0].sum) = of_others;
+    if constexpr (metric == mesh::Metric::axisymmetric) {
+      const Real hoop_stress = (grid.hoop[cell].stress + change) / t.volume;
+      for_each_hoop_share<dim>(shape, t, grid.hoop[cell], [&](int k, Real share) { corners[k].sum[0] -= share * hoop_stress; });
+    }
+  });
+}
+
+template <mesh::Metric metric, int dim>
+void sum_volume_changes_in(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
+{
+  const auto& active = particles.active();
+  const auto sum = [&](Index cell) {
+    const Real divergence = divergence_in<metric>(grid.shape(mesh, cell), mesh.nodes[cell], grid, cell, grid.mapped_velocity);
+    const Real volume = grid.moments[cell].volume;
+    grid.volume_change[cell] = {volume, volume * divergence * dt};
+  };
+  for_each("volume change of cells", particles.active_chunks(), [&](Index c) { sum(active[c]); });
+  for (const Index cell : grid.halo.partners)
+    if (grid.moments[cell].m > 0) sum(cell);
+}
+
+}  // namespace
+
+template <int dim>
+Real divergence(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index cell, const NodeField<Vec<dim>>& field)
+{
+  return with_metric(mesh,
+                     [&](auto metric) { return divergence_in<metric()>(grid.shape(mesh, cell), mesh.nodes[cell], grid, cell, field); });
+}
+
+template <int dim>
+void find_viscous_stress(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+{
+  if (!(grid.bulk_viscosity > 0)) return;
+  with_metric(model.mesh, [&](auto metric) { find_viscous_stress_in<metric()>(model, particles, grid); });
+}
+
+template <int dim>
+void spread_internal_forces(const problem::Model<dim>& model, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+{
+  with_metric(model.mesh, [&](auto metric) { spread_internal_forces_in<metric()>(model, particles, grid); });
+}
+
+template <int dim>
+void sum_volume_changes(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
+{
+  with_metric(mesh, [&](auto metric) { sum_volume_changes_in<metric()>(mesh, particles, dt, grid); });
+}
+
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void find_viscous_stress(const problem::Model<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                            \
+  template void spread_internal_forces(const problem::Model<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                         \
+  template Real divergence(const mesh::Mesh<dim>&, const BodyGrid<dim>&, Index, const NodeField<Vec<dim>>&);                               \
+  template void sum_volume_changes(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm::mpm

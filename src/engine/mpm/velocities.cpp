@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "mpm/velocities.hpp"
+
+#include "mpm/exchange.hpp"
+#include "mpm/linear_field.hpp"
+#include "mpm/moments.hpp"
+
+namespace berm::mpm {
+namespace {
+
+/// Mean velocity of all particles in a node's cells: for a node without mass, which then strains nothing in rigid motion.
+/// momentum_of(cell) gives the momentum of a cell.
+template <int dim, class MomentumOf>
+Vec<dim> velocity_of_cells(const mesh::Mesh<dim>& mesh, const BodyGrid<dim>& grid, Index node, const MomentumOf& momentum_of)
+{
+  Vec<dim> momentum = Vec<dim>::Zero();
+  Real mass = 0;
+  for (Index e = mesh.first_entry[node]; e < mesh.first_entry[node + 1]; ++e) {
+    const Index cell = mesh.entries[e] / (dim + 1);
+    mass += grid.moments[cell].m;
+    momentum += momentum_of(cell);
+  }
+  return mass > 0 ? Vec<dim>(momentum / mass) : Vec<dim>(Vec<dim>::Zero());
+}
+
+}  // namespace
+
+template <int dim>
+void smooth_velocities(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, BodyGrid<dim>& grid)
+{
+  if (!(grid.filter_rate > 0)) return;
+  const auto& active = particles.active();
+  for_each("momentum of nodal velocities", particles.active_chunks(), [&](Index c) {
+    const Index cell = active[c];
+    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
+    const LinearField<dim> velocity(shape, mesh.nodes[cell], grid.velocity);
+    auto& corners = grid.corners[cell];
+    for (int d = 0; d < dim; ++d) {
+      Real times_x[dim];
+      const Real momentum = velocity.momentum(d, grid.moments[cell], times_x);
+      share_among_corners<dim>(shape, momentum, times_x, [&](int k, Real sum) { corners[k].sum[d] = sum; });
+    }
+  });
+  exchange_corner_sums(grid);
+  for_each("smooth velocities", grid.chunks, [&](Index n) {
+    const Index i = grid.nodes[n];
+    Vec<dim> momentum = Vec<dim>::Zero();
+    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e)
+      momentum += Eigen::Map<const Vec<dim>>(grid.at(mesh.entries[e]).sum);
+    grid.smooth_velocity[i] = grid.mass[i] > 0 ? Vec<dim>(2 * grid.velocity[i] - momentum / grid.mass[i]) : Vec<dim>(Vec<dim>::Zero());
+  });
+}
+
+template <int dim>
+void spread_new_momentum(const mesh::Mesh<dim>& mesh, const bodies::Particles<dim>& particles, Real dt, BodyGrid<dim>& grid)
+{
+  const auto& active = particles.active();
+  const Real part = grid.filtered_part(dt);
+  for_each("momentum after the forces", particles.active_chunks(), [&](Index c) {
+    const Index cell = active[c];
+    const Moments<dim>& t = grid.moments[cell];
+    const mesh::Shape<dim> shape = grid.shape(mesh, cell);
+    const LinearField<dim> gain(shape, mesh.nodes[cell], [&](Index i, int d) { return grid.gain(i, d, dt, part); });
+    auto& corners = grid.corners[cell];
+    for (int d = 0; d < dim; ++d) {
+      Real times_x[dim];
+      const Real momentum = (1 - part) * t.mv[d] + gain.momentum(d, t, times_x);
+      for (int a = 0; a < dim; ++a) times_x[a] += (1 - part) * t.mvx[d][a];
+      share_among_corners<dim>(shape, momentum, times_x, [&](int k, Real sum) { corners[k].sum[d] = sum; });
+    }
+  });
+}
+
+template <int dim>
+void gather_new_velocities(const problem::Model<dim>& model, BodyGrid<dim>& grid)
+{
+  const mesh::Mesh<dim>& mesh = model.mesh;
+  const NodeField<std::uint8_t>& fixed = grid.supports(model);
+  for_each("gather new velocities", grid.chunks, [&](Index n) {
+    const Index i = grid.nodes[n];
+    Vec<dim> momentum = Vec<dim>::Zero();
+    for (Index e = mesh.first_entry[i]; e < mesh.first_entry[i + 1]; ++e)
+      momentum += Eigen::Map<const Vec<dim>>(grid.at(mesh.entries[e]).sum);
+    const auto momentum_of = [&](Index cell) {
+      Vec<dim> sum = Vec<dim>::Zero();
+      for (const CornerSums<dim>& corner : grid.corners[cell]) sum += Eigen::Map<const Vec<dim>>(corner.sum);
+      return sum;
+    };
+    grid.mapped_velocity[i] = boundary::without_fixed<dim>(
+        fixed, i, grid.mass[i] > 0 ? Vec<dim>(momentum / grid.mass[i]) : velocity_of_cells(mesh, grid, i, momentum_of));
+  });
+}
+
+template <int dim>
+void predict_velocities(const problem::Model<dim>& model, Real ahead, BodyGrid<dim>& grid)
+{
+  const NodeField<std::uint8_t>& fixed = grid.supports(model);
+  for_each("predict velocities", grid.chunks, [&](Index n) {
+    const Index i = grid.nodes[n];
+    const auto momentum_of = [&](Index cell) { return Eigen::Map<const Vec<dim>>(grid.moments[cell].mv); };
+    grid.mapped_velocity[i] = boundary::without_fixed<dim>(fixed, i,
+                                                           grid.mass[i] > 0 ? Vec<dim>(grid.velocity[i] + ahead * grid.acceleration[i])
+                                                                            : velocity_of_cells(model.mesh, grid, i, momentum_of));
+  });
+}
+
+#define BERM_INSTANTIATE(dim)                                                                                                              \
+  template void smooth_velocities(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, BodyGrid<dim>&);                                  \
+  template void spread_new_momentum(const mesh::Mesh<dim>&, const bodies::Particles<dim>&, Real, BodyGrid<dim>&);                          \
+  template void gather_new_velocities(const problem::Model<dim>&, BodyGrid<dim>&);                                                         \
+  template void predict_velocities(const problem::Model<dim>&, Real, BodyGrid<dim>&);
+BERM_INSTANTIATE(2)
+BERM_INSTANTIATE(3)
+#undef BERM_INSTANTIATE
+
+}  // namespace berm::mpm
