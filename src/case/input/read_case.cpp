@@ -5,6 +5,7 @@
 #include "input/load_history.hpp"
 #include "input/override.hpp"
 #include "input/reader.hpp"
+#include "material/user_law.hpp"
 #include "problem/sweeps.hpp"
 
 #include <fmt/format.h>
@@ -50,13 +51,13 @@ CaseInFile case_of(Document document, const std::vector<std::string>& overrides,
 
 void find_libraries(std::vector<std::pair<std::string, material::Material>>& materials, const std::filesystem::path& folder)
 {
-  for (auto& entry : materials)
-    std::visit(
-        [&](auto& law) {
-          if constexpr (requires { law.library; })
-            law.library = std::filesystem::absolute(folder / law.library).lexically_normal().string();
-        },
-        entry.second);
+  const auto find_library = [&](auto* law) {
+    if (law != nullptr) law->library = std::filesystem::absolute(folder / law->library).lexically_normal().string();
+  };
+  for (auto& entry : materials) {
+    find_library(entry.second.get_if<material::UserLaw<material::Interface::own>>());
+    find_library(entry.second.get_if<material::UserLaw<material::Interface::umat>>());
+  }
 }
 
 CaseInFile read_case_in_file(const std::filesystem::path& file, const std::vector<std::string>& overrides)
