@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 constexpr Real round_off = 1e-12;
@@ -196,4 +196,4 @@ TEST(Axisymmetry, a_tube_under_pressure_widens_as_lame_found)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

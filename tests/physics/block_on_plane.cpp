@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 /// A block of 0.4 m x 0.4 m, 1000 kg/m3, whose lower rim is at y = 0.2 m, and a plane at y = level; cells of 0.1 m.
@@ -94,4 +94,4 @@ TEST(Bounce, energy_is_kept_stored_or_lost_at_the_contact)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

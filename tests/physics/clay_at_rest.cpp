@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 constexpr Real density = 1700, strength = 5e3;
@@ -64,4 +64,4 @@ TEST(ClayAtRest, shaken_beyond_its_strength_it_softens)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 constexpr Real young_modulus = 10e6, poisson_ratio = 0.3, height = 1, load = 10e3;
@@ -313,4 +313,4 @@ TEST(Consolidation, permeability_follows_the_porosity_where_it_is_asked_to)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 /// An elastic column of 0.1 m x `height`, 1000 kg/m3, E = 500 kPa, nu = 0.25, on a support, with a smooth plate on it.
@@ -96,4 +96,4 @@ TEST(Overlap, is_given_back_slowly)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 /// A block of 0.4 m x 0.2 m with 4 particles a square on a plane that leans by `angle` against the mesh; gravity of 10 m/s2 grows within 0.1 s.
@@ -126,4 +126,4 @@ TEST(UpdateStressFirst, keeps_the_energy_of_a_free_block_that_swings)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

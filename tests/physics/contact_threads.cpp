@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 /// A soft block that drops onto a plane that leans, with friction and adhesion; in space it is 0.8 m wide.
@@ -131,4 +131,4 @@ TEST(ContactOnThreads, has_the_same_bits_between_two_bodies_beside_a_rigid_one)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 boundary::SupportSettings held(const char* boundary, std::vector<std::string> directions)
@@ -91,4 +91,4 @@ TEST(Column, settles_under_its_own_weight_in_tetrahedra)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

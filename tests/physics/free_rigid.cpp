@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 /// A free cylinder of 0.4 m and 200 kg/m, 5 mm above an elastic bed of 2 m x 0.5 m on a fixed base.
@@ -86,4 +86,4 @@ TEST(FreeCylinder, is_turned_by_friction_as_much_as_the_bed_is_turned_back)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

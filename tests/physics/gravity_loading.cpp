@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 constexpr Real gravity = 10, density_of_all = 1000;
@@ -160,4 +160,4 @@ TEST(LevelGround, is_asked_of_k0)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 constexpr Real round_off = 1e-12;  // as in momentum.cpp
@@ -192,4 +192,4 @@ TEST(RestingSoil, gives_away_its_momentum_and_energy_when_it_comes_to_rest)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

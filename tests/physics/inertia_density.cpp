@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 constexpr Real weight_density = 900, inertia = 2400, gravity = 10;
@@ -62,4 +62,4 @@ TEST(InertiaDensity, slows_the_waves_that_the_time_step_comes_from)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

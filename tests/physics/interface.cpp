@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 constexpr Real width = 0.5, height = 0.4, modulus = 1e6, speed = 0.02;
@@ -193,4 +193,4 @@ TEST(InterfaceMemory, is_the_same_to_the_last_bit_for_any_number_of_threads)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 // Some 1e3 additions of forces that nearly cancel: 1e-16 times their number, with a wide margin.
@@ -163,4 +163,4 @@ TEST(Threads, do_not_change_one_bit_of_the_state)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

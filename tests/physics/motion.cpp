@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 /// An elastic block of 0.4 m a side somewhere in an empty box of 1 m a side with cells of 0.1 m.
@@ -121,4 +121,4 @@ TEST(Rotation, a_free_square_keeps_its_angular_momentum_and_makes_little_stress)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

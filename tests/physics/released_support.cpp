@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 constexpr Real young_modulus = 1e6, poisson_ratio = 0.3, height = 0.5, length = 1, pressure = 1e3;
@@ -78,4 +78,4 @@ TEST(ReleasedSupport, takes_the_stress_along_x_away_and_lets_the_soil_settle_as_
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

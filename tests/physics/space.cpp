@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 // Some 1e3 additions of forces that nearly cancel: 1e-16 times their number, with a wide margin.
@@ -263,4 +263,4 @@ TEST(Space, a_free_ball_gets_the_angular_momentum_that_friction_gives)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 constexpr Real round_off = 1e-12;  // some hundred additions of forces
@@ -127,4 +127,4 @@ TEST(Traction, is_the_same_to_the_last_bit_for_any_number_of_threads)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 bodies::BodySettings block_at(std::vector<Real> center, std::vector<Real> size, std::vector<Real> velocity)
@@ -163,4 +163,4 @@ TEST(BlockOnBlock, slides_with_the_friction_of_the_interface)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

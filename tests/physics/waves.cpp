@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 constexpr Real density = 1000, young_modulus = 1e6, poisson_ratio = 0.3;
@@ -93,4 +93,4 @@ TEST(Waves, of_pressure_converge_in_tetrahedra)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::bodies {
+namespace berm::bodies::this_file {
 namespace {
 
 template <class Dimension>
@@ -79,4 +79,4 @@ TYPED_TEST(PointsInSimplex, integrate_products_with_an_error_that_falls_with_the
 }
 
 }  // namespace
-}  // namespace berm::bodies
+}  // namespace berm::bodies::this_file

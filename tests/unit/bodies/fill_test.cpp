@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::bodies {
+namespace berm::bodies::this_file {
 namespace {
 
 template <int dim>
@@ -328,4 +328,4 @@ TEST(FillBlock, may_be_turned)
 }
 
 }  // namespace
-}  // namespace berm::bodies
+}  // namespace berm::bodies::this_file

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm::bodies {
+namespace berm::bodies::this_file {
 namespace {
 
 template <int dim>
@@ -88,4 +88,4 @@ TEST(PackedParticles, can_be_changed_as_before)
 }
 
 }  // namespace
-}  // namespace berm::bodies
+}  // namespace berm::bodies::this_file

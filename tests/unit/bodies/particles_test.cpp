@@ -10,7 +10,7 @@
 #include <set>
 #include <tuple>
 
-namespace berm::bodies {
+namespace berm::bodies::this_file {
 namespace {
 
 /// Fields of so many numbers.
@@ -240,4 +240,4 @@ TEST(Particles, tell_whether_the_occupied_cells_changed)
 }
 
 }  // namespace
-}  // namespace berm::bodies
+}  // namespace berm::bodies::this_file

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::boundary {
+namespace berm::boundary::this_file {
 namespace {
 
 /// 2 m x 1 m (x 1 m), of which only y < 0.5 m is soil; boundary "surface" lies between soil and the rest.
@@ -111,4 +111,4 @@ TEST(Traction, names_the_boundaries_there_are_and_refuses_those_without_soil)
 }
 
 }  // namespace
-}  // namespace berm::boundary
+}  // namespace berm::boundary::this_file

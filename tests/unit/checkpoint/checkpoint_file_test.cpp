@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-namespace berm::checkpoint {
+namespace berm::checkpoint::this_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -304,4 +304,4 @@ TEST_F(InCheckpointFolder, other_files_are_left_alone)
 }
 
 }  // namespace
-}  // namespace berm::checkpoint
+}  // namespace berm::checkpoint::this_file

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::commands {
+namespace berm::commands::this_file {
 namespace {
 
 class Draw : public testing::Test {
@@ -103,4 +103,4 @@ TEST_F(Draw, fails_where_gnuplot_is_missing)
 }
 
 }  // namespace
-}  // namespace berm::commands
+}  // namespace berm::commands::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::commands {
+namespace berm::commands::this_file {
 namespace {
 
 constexpr const char* input = R"([material.sand]
@@ -67,4 +67,4 @@ TEST(Element, is_named_where_its_input_is_taken_for_a_case)
 }
 
 }  // namespace
-}  // namespace berm::commands
+}  // namespace berm::commands::this_file

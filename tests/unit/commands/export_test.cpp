@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace berm::commands {
+namespace berm::commands::this_file {
 namespace {
 
 using Json = nlohmann::json;
@@ -103,4 +103,4 @@ TEST_F(Export, says_what_it_takes_where_it_is_given_something_else)
 }
 
 }  // namespace
-}  // namespace berm::commands
+}  // namespace berm::commands::this_file

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 /// What a line of bash prints, and its status.
@@ -69,4 +69,4 @@ TEST(Manual, has_a_page_for_each_command_which_man_takes_without_a_warning)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

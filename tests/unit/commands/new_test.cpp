@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::commands {
+namespace berm::commands::this_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,4 +70,4 @@ TEST_F(New, refuses_a_kind_that_it_does_not_know)
 }
 
 }  // namespace
-}  // namespace berm::commands
+}  // namespace berm::commands::this_file

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-namespace berm::commands {
+namespace berm::commands::this_file {
 namespace {
 
 TEST(Params, have_the_keys_of_a_case_and_of_element_tests)
@@ -28,4 +28,4 @@ TEST(Params, page_in_the_manual_is_up_to_date)
 }
 
 }  // namespace
-}  // namespace berm::commands
+}  // namespace berm::commands::this_file

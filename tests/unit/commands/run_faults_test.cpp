@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace berm::commands {
+namespace berm::commands::this_file {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -154,4 +154,4 @@ TEST(Faults, a_full_standard_output_is_an_error)
 }
 
 }  // namespace
-}  // namespace berm::commands
+}  // namespace berm::commands::this_file

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace berm::commands {
+namespace berm::commands::this_file {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -224,4 +224,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& row) { return row.param.name; });
 
 }  // namespace
-}  // namespace berm::commands
+}  // namespace berm::commands::this_file

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace berm::commands {
+namespace berm::commands::this_file {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -215,4 +215,4 @@ figure = [{name = "..", x = "time_s", y = "stone_vy_m_s"}, {name = "-persist", x
 }
 
 }  // namespace
-}  // namespace berm::commands
+}  // namespace berm::commands::this_file

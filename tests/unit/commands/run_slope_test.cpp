@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 
-namespace berm::commands {
+namespace berm::commands::this_file {
 namespace {
 
 constexpr Real slope = -10 * std::numbers::pi / 180, radius = 0.075;
@@ -228,4 +228,4 @@ TEST(RunOnSlope, says_so_where_one_side_of_a_trench_slides)
 }
 
 }  // namespace
-}  // namespace berm::commands
+}  // namespace berm::commands::this_file

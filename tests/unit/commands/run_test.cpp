@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <sched.h>
 
-namespace berm::commands {
+namespace berm::commands::this_file {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -362,4 +362,4 @@ TEST(VectorUnits, the_engine_for_the_plainest_processor_finds_the_same_forces)
 }
 
 }  // namespace
-}  // namespace berm::commands
+}  // namespace berm::commands::this_file

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace berm::commands {
+namespace berm::commands::this_file {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -177,4 +177,4 @@ TEST(Uncertainty, of_material_points_holds_noise_and_speed)
 }
 
 }  // namespace
-}  // namespace berm::commands
+}  // namespace berm::commands::this_file

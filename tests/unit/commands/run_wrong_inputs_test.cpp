@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::commands {
+namespace berm::commands::this_file {
 namespace {
 
 using test::WrongInput;
@@ -112,4 +112,4 @@ TEST(WrongInput, of_the_command_line_ends_with_status_2)
 }
 
 }  // namespace
-}  // namespace berm::commands
+}  // namespace berm::commands::this_file

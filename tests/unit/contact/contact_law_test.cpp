@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace berm::contact {
+namespace berm::contact::this_file {
 namespace {
 
 /// A number between two others; the ends are likely.
@@ -279,4 +279,4 @@ BERM_IN_PLANE_AND_SPACE(held_points_keep_their_distance_and_stuck_ones_their_pla
 #undef BERM_IN_PLANE_AND_SPACE
 
 }  // namespace
-}  // namespace berm::contact
+}  // namespace berm::contact::this_file

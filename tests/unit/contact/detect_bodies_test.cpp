@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::contact {
+namespace berm::contact::this_file {
 namespace {
 
 constexpr Real spacing = 0.05;
@@ -150,4 +150,4 @@ TEST(DetectBodies2, far_apart_share_no_node)
 }
 
 }  // namespace
-}  // namespace berm::contact
+}  // namespace berm::contact::this_file

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <map>
 
-namespace berm::contact {
+namespace berm::contact::this_file {
 namespace {
 
 /// Particles fill the cells below y = 0.8 m of a mesh without two equal cells, 0.2 m ... 1.4 m high.
@@ -346,4 +346,4 @@ TEST(DetectInSpace, all_particles_near_a_solid_are_points_while_it_turns_and_mov
 }
 
 }  // namespace
-}  // namespace berm::contact
+}  // namespace berm::contact::this_file

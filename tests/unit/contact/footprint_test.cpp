@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
-namespace berm::contact {
+namespace berm::contact::this_file {
 namespace {
 
 /// A bed of cells of 0.1 m below y = 0, filled by a lattice, with a rigid body on it.
@@ -214,4 +214,4 @@ TEST(Shares, go_to_bonded_points_that_carry_nothing_too)
 }
 
 }  // namespace
-}  // namespace berm::contact
+}  // namespace berm::contact::this_file

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <set>
 
-namespace berm::contact {
+namespace berm::contact::this_file {
 namespace {
 
 /// A mesh of many strips.
@@ -99,4 +99,4 @@ TEST(StripsOfNodes, are_none_before_the_first_step)
 }
 
 }  // namespace
-}  // namespace berm::contact
+}  // namespace berm::contact::this_file

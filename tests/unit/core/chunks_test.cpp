@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 struct List {
@@ -120,4 +120,4 @@ TEST(SumOfChunks, of_nothing_is_zero)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

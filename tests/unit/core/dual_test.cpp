@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
@@ -115,4 +115,4 @@ TEST(Dual, the_root_of_zero_has_no_slope)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

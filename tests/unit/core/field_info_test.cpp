@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 TEST(FieldInfo, components_are_named_as_numbers_vectors_and_tensors_are)
@@ -25,4 +25,4 @@ TEST(FieldInfo, goes_where_its_set_says)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 TEST(Field, of_zeros_is_zero_also_in_memory_that_was_used_before)
@@ -34,4 +34,4 @@ TEST(Field, keeps_its_numbers_when_it_grows)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

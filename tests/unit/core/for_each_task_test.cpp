@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 TEST(for_each_task, runs_every_task_once_on_any_number_of_threads)
@@ -22,4 +22,4 @@ TEST(for_each_task, runs_every_task_once_on_any_number_of_threads)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 /// Sets the number of threads for one scope.
@@ -85,4 +85,4 @@ TEST(ForEach, runs_each_index_once)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

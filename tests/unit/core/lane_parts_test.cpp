@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 /// A chain of blocks 1, 2, 3, ... of numbers 0, 1, 2, ..., one for each lane.
@@ -61,4 +61,4 @@ TEST(LaneParts, write_where_they_read)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
@@ -114,4 +114,4 @@ TYPED_TEST(Vectors, sums_at_once_are_those_one_by_one_to_the_last_bit)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 /// Speaks for the second of three ranks; the others have what `of_others` says.
@@ -139,4 +139,4 @@ TEST(Ranks, of_one_process_own_everything_and_ask_nobody)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

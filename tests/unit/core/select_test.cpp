@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 TEST(Select, lists_what_is_kept_ascending_on_any_number_of_threads)
@@ -31,4 +31,4 @@ TEST(Select, lists_what_is_kept_ascending_on_any_number_of_threads)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 /// The tensor as a 3 x 3 matrix; out-of-plane shear is zero in plane strain.
@@ -100,4 +100,4 @@ TYPED_TEST(SymTensors, equivalent_strain_of_known_states)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -5,7 +5,7 @@
 #include <omp.h>
 #include <sched.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 int processors_of_this_thread()
@@ -62,4 +62,4 @@ TEST(Threads, take_the_smallest_numbers_for_zero_while_they_live)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 class Timers : public testing::Test {
@@ -111,4 +111,4 @@ TEST_F(Timers, count_the_loops_by_their_label)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

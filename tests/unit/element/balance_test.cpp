@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::element {
+namespace berm::element::this_file {
 namespace {
 
 constexpr Real tolerance = 1e-9;
@@ -40,4 +40,4 @@ TEST(Balance, is_empty_where_no_strain_gives_the_stress)
 }
 
 }  // namespace
-}  // namespace berm::element
+}  // namespace berm::element::this_file

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::element {
+namespace berm::element::this_file {
 namespace {
 
 constexpr const char* input = R"([material.sand]
@@ -145,4 +145,4 @@ TEST(TestWords, say_kind_drainage_material_and_start)
 }
 
 }  // namespace
-}  // namespace berm::element
+}  // namespace berm::element::this_file

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::element {
+namespace berm::element::this_file {
 namespace {
 
 /// Its first line is line 1.
@@ -171,4 +171,4 @@ TEST(ElementInput, takes_the_soil_at_the_depth_of_the_specimen)
 }
 
 }  // namespace
-}  // namespace berm::element
+}  // namespace berm::element::this_file

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm::element {
+namespace berm::element::this_file {
 namespace {
 
 Real result(const TestRecord& record, const std::string& name)
@@ -94,4 +94,4 @@ TEST(KeyResults, are_shown_in_the_units_of_the_laboratory)
 }
 
 }  // namespace
-}  // namespace berm::element
+}  // namespace berm::element::this_file

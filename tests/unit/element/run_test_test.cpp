@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::element {
+namespace berm::element::this_file {
 namespace {
 
 // The stress that is held is found to 1e-10 of the stresses; sums over 200 steps lose some digits more.
@@ -160,4 +160,4 @@ TEST(TestThatFails, says_where_and_keeps_what_came_before)
 }
 
 }  // namespace
-}  // namespace berm::element
+}  // namespace berm::element::this_file

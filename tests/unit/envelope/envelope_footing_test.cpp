@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace berm::envelope {
+namespace berm::envelope::this_file {
 namespace {
 
 using test::refusal_of;
@@ -205,4 +205,4 @@ TEST(FootingEnvelope, of_a_rough_strip_on_clay_is_that_of_Green_and_above_that_o
 }
 
 }  // namespace
-}  // namespace berm::envelope
+}  // namespace berm::envelope::this_file

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::envelope {
+namespace berm::envelope::this_file {
 namespace {
 
 using test::refusal_of;
@@ -203,4 +203,4 @@ TEST_F(EnvelopeCommand, refuses_what_is_no_pipe_in_a_bed_with_one_line_and_write
 }
 
 }  // namespace
-}  // namespace berm::envelope
+}  // namespace berm::envelope::this_file

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace berm::fem {
+namespace berm::fem::this_file {
 namespace {
 
 /// One state of soil at which the matrix is looked at: it moves by `strain` (xx, yy, xy) and a little at random. No soil is at the border of yield.
@@ -377,4 +377,4 @@ TEST(Assembly, held_back_forces_keep_the_first_state_in_balance)
 }
 
 }  // namespace
-}  // namespace berm::fem
+}  // namespace berm::fem::this_file

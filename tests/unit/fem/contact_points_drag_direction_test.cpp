@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::fem {
+namespace berm::fem::this_file {
 namespace {
 
 TEST(DragOfFiniteElements, with_a_vertical_velocity_goes_straight_in_that_direction)
@@ -32,4 +32,4 @@ TEST(DragOfFiniteElements, with_a_vertical_velocity_goes_straight_in_that_direct
 }
 
 }  // namespace
-}  // namespace berm::fem
+}  // namespace berm::fem::this_file

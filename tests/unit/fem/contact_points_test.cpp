@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::fem {
+namespace berm::fem::this_file {
 namespace {
 
 const FemInterface rough{0.5, 0, false, 1e6};
@@ -210,4 +210,4 @@ TEST(ContactPoints, at_the_corner_of_a_box_have_the_normal_of_both_sides_by_thei
 }
 
 }  // namespace
-}  // namespace berm::fem
+}  // namespace berm::fem::this_file

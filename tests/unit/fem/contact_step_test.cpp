@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::fem {
+namespace berm::fem::this_file {
 namespace {
 
 /// A plate on a block of soil that has moved a little at random: what the contact's step solves, with the whole matrix beside.
@@ -182,4 +182,4 @@ TEST(ContactStep, has_no_unknowns_where_nothing_touches)
 }
 
 }  // namespace
-}  // namespace berm::fem
+}  // namespace berm::fem::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::fem {
+namespace berm::fem::this_file {
 namespace {
 
 mesh::SeabedMesh& bed_of(problem::Case& c)
@@ -295,4 +295,4 @@ TEST(CutMesh, refuses_sizes_that_do_not_fit)
 }
 
 }  // namespace
-}  // namespace berm::fem
+}  // namespace berm::fem::this_file

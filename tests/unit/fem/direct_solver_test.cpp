@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <malloc.h>
 
-namespace berm::fem {
+namespace berm::fem::this_file {
 namespace {
 
 //  4 -1  0     2     x = (1, 2, 3)
@@ -114,4 +114,4 @@ TEST(SparsePattern, finds_the_place_of_an_entry)
 }
 
 }  // namespace
-}  // namespace berm::fem
+}  // namespace berm::fem::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::fem {
+namespace berm::fem::this_file {
 namespace {
 
 AtSixNodes<Vec<2>> straight(const Vec<2>& a, const Vec<2>& b, const Vec<2>& c)
@@ -100,4 +100,4 @@ TEST(Element, points_integrate_quadratic_functions_exactly)
 }
 
 }  // namespace
-}  // namespace berm::fem
+}  // namespace berm::fem::this_file

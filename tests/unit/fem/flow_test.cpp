@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::fem {
+namespace berm::fem::this_file {
 namespace {
 
 material::LinearElastic wet_soil(Real permeability = 1e-6)
@@ -243,4 +243,4 @@ TEST(Flow, lets_friction_grow_while_water_leaves)
 }
 
 }  // namespace
-}  // namespace berm::fem
+}  // namespace berm::fem::this_file

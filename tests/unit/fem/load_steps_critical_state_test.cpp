@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::fem {
+namespace berm::fem::this_file {
 namespace {
 
 /// A block of soil of 1 m x 1 m without weight between smooth sides and on a smooth base, under K0 and 10 kPa on its top, which grow by 30 kPa within 1 s.
@@ -93,4 +93,4 @@ TEST(LoadStepsCriticalState, points_of_norsand_get_the_state_of_soil_at_rest)
 }
 
 }  // namespace
-}  // namespace berm::fem
+}  // namespace berm::fem::this_file

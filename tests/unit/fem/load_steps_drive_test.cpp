@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::fem {
+namespace berm::fem::this_file {
 namespace {
 
 /// A plate of 0.4 m that sticks to the middle of an elastic block, so that all answers are linear.
@@ -102,4 +102,4 @@ TEST(LoadStepsDrive, holds_a_force_while_it_drags)
 }
 
 }  // namespace
-}  // namespace berm::fem
+}  // namespace berm::fem::this_file

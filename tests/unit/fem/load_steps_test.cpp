@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::fem {
+namespace berm::fem::this_file {
 namespace {
 
 /// A case on its way: each call of to_end_of_stage() goes through one stage.
@@ -319,4 +319,4 @@ TEST(LoadSteps, fail_with_the_stage_the_time_and_what_may_help)
 }
 
 }  // namespace
-}  // namespace berm::fem
+}  // namespace berm::fem::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::fem {
+namespace berm::fem::this_file {
 namespace {
 
 FemLoads plate_moves_down_by(Real way)
@@ -70,4 +70,4 @@ TEST(Newton, says_that_there_is_no_equilibrium)
 }
 
 }  // namespace
-}  // namespace berm::fem
+}  // namespace berm::fem::this_file

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-namespace berm::fem {
+namespace berm::fem::this_file {
 namespace {
 
 class PipeInBed : public testing::TestWithParam<Real> {
@@ -220,4 +220,4 @@ TEST(QuadraticMesh, refuses_elements_that_a_circle_folds)
 }
 
 }  // namespace
-}  // namespace berm::fem
+}  // namespace berm::fem::this_file

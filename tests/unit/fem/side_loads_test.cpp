@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::fem {
+namespace berm::fem::this_file {
 namespace {
 
 struct Loaded {
@@ -112,4 +112,4 @@ TEST(GravityLoading, is_the_k0_state_of_a_level_bed)
 }
 
 }  // namespace
-}  // namespace berm::fem
+}  // namespace berm::fem::this_file

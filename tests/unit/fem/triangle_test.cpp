@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::fem {
+namespace berm::fem::this_file {
 namespace {
 
 TEST(Triangle, shape_functions_are_one_at_their_node_and_zero_at_the_others)
@@ -34,4 +34,4 @@ TEST(Triangle, jacobian_maps_the_reference_triangle_to_the_nodes)
 }
 
 }  // namespace
-}  // namespace berm::fem
+}  // namespace berm::fem::this_file

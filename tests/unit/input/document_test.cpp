@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm::input {
+namespace berm::input::this_file {
 namespace {
 
 std::string message_of(const std::string& text)
@@ -201,4 +201,4 @@ TEST(Override, cannot_bring_a_second_key)
 }
 
 }  // namespace
-}  // namespace berm::input
+}  // namespace berm::input::this_file

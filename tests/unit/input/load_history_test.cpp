@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::input {
+namespace berm::input::this_file {
 namespace {
 
 using problem::load_factor;
@@ -70,4 +70,4 @@ TEST_F(LoadHistory, that_is_wrong_is_refused_with_its_line)
 }
 
 }  // namespace
-}  // namespace berm::input
+}  // namespace berm::input::this_file

@@ -8,7 +8,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-namespace berm::input {
+namespace berm::input::this_file {
 namespace {
 
 void for_each_value(const Listed& table, const std::string& path, const std::function<void(const Listed&, const std::string&)>& visit)
@@ -77,4 +77,4 @@ TEST(Words, for_a_range_show_angles_in_degrees)
 }
 
 }  // namespace
-}  // namespace berm::input
+}  // namespace berm::input::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::input {
+namespace berm::input::this_file {
 namespace {
 
 constexpr const char* text = R"(title = "a"
@@ -63,4 +63,4 @@ TEST(Places, of_a_case_without_a_file_are_keys_alone)
 }
 
 }  // namespace
-}  // namespace berm::input
+}  // namespace berm::input::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::input {
+namespace berm::input::this_file {
 namespace {
 
 /// What refuses the good case with an active distance and these keys; "" where nothing does.
@@ -61,4 +61,4 @@ TEST(ActiveDistance, is_refused_without_a_body_that_soil_can_be_far_from)
 }
 
 }  // namespace
-}  // namespace berm::input
+}  // namespace berm::input::this_file

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::input {
+namespace berm::input::this_file {
 namespace {
 
 /// The good case around an axis: a ball is pushed.
@@ -96,4 +96,4 @@ TEST(Axisymmetric, what_is_not_made_for_it_is_refused)
 }
 
 }  // namespace
-}  // namespace berm::input
+}  // namespace berm::input::this_file

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::input {
+namespace berm::input::this_file {
 namespace {
 
 /// The message that refuses the sample footing with a stage of this drive instead of its push; "" where it is not refused.
@@ -34,4 +34,4 @@ TEST(FiniteElements, drive_each_freedom_by_velocity_force_or_moment_and_have_no_
 }
 
 }  // namespace
-}  // namespace berm::input
+}  // namespace berm::input::this_file

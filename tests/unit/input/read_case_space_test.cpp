@@ -6,7 +6,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-namespace berm::input {
+namespace berm::input::this_file {
 namespace {
 
 /// A case in space with this body; what stands in `drive` drives it.
@@ -149,4 +149,4 @@ TEST(DrivesInSpace, of_a_push_are_its_rotations_only)
 }
 
 }  // namespace
-}  // namespace berm::input
+}  // namespace berm::input::this_file

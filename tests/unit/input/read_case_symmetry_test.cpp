@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::input {
+namespace berm::input::this_file {
 namespace {
 
 /// A quarter of a ball that is pushed into a bed in space.
@@ -88,4 +88,4 @@ TEST(Symmetry, what_its_planes_do_not_mirror_is_refused_with_what_to_change)
 }
 
 }  // namespace
-}  // namespace berm::input
+}  // namespace berm::input::this_file

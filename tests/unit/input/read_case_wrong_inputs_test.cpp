@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm::input {
+namespace berm::input::this_file {
 namespace {
 
 using test::WrongInput;
@@ -104,4 +104,4 @@ TEST(ReadCase, survives_random_damage)
 }
 
 }  // namespace
-}  // namespace berm::input
+}  // namespace berm::input::this_file

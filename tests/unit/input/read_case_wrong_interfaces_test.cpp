@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::input {
+namespace berm::input::this_file {
 namespace {
 
 /// The message that refuses the good case with these keys in its contact, which has the default scheme but for them.
@@ -70,4 +70,4 @@ TEST(Interface, softens_where_there_is_an_adhesion_and_a_slip_to_lose_it_over)
 }
 
 }  // namespace
-}  // namespace berm::input
+}  // namespace berm::input::this_file

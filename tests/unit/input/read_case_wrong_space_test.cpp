@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::input {
+namespace berm::input::this_file {
 namespace {
 
 /// A key with a value that is for another geometry, and what the message says.
@@ -95,4 +95,4 @@ const WrongGeometry of_space[] = {
 INSTANTIATE_TEST_SUITE_P(Table, WrongInThePlane, testing::ValuesIn(of_space), [](const auto& row) { return std::string(row.param.name); });
 
 }  // namespace
-}  // namespace berm::input
+}  // namespace berm::input::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::input {
+namespace berm::input::this_file {
 namespace {
 
 /// The message that refuses the good case with these keys for its sand, which does not dilate but for them, and which the pipe meets at particles.
@@ -129,4 +129,4 @@ TEST(Water, is_the_same_in_all_materials_of_a_body)
 #undef EXPECT_WATER_SAYS
 
 }  // namespace
-}  // namespace berm::input
+}  // namespace berm::input::this_file

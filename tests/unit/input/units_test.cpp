@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-namespace berm::input {
+namespace berm::input::this_file {
 namespace {
 
 struct Quantity {
@@ -136,4 +136,4 @@ TEST(Units, keep_every_number_that_is_written_in_SI)
 }
 
 }  // namespace
-}  // namespace berm::input
+}  // namespace berm::input::this_file

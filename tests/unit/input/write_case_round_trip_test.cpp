@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-namespace berm::input {
+namespace berm::input::this_file {
 
 /// One parameter of every kind.
 struct Inner {
@@ -251,4 +251,4 @@ TEST(resolved_case, without_its_report_is_the_same_whoever_signed_it)
 }
 
 }  // namespace
-}  // namespace berm::input
+}  // namespace berm::input::this_file

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::io {
+namespace berm::io::this_file {
 namespace {
 
 constexpr int here = 0;
@@ -36,4 +36,4 @@ TEST(BuildId, is_the_same_of_a_copy_and_none_of_a_part_or_of_what_is_no_program)
 }
 
 }  // namespace
-}  // namespace berm::io
+}  // namespace berm::io::this_file

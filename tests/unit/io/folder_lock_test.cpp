@@ -9,7 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace berm::io {
+namespace berm::io::this_file {
 namespace {
 
 std::string refusal(const std::filesystem::path& folder)
@@ -63,4 +63,4 @@ TEST(FolderLock, dies_with_its_process)
 }
 
 }  // namespace
-}  // namespace berm::io
+}  // namespace berm::io::this_file

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <regex>
 
-namespace berm::io {
+namespace berm::io::this_file {
 namespace {
 
 TEST(machine, processor_is_read_from_cpuinfo)
@@ -32,4 +32,4 @@ TEST(machine, date_is_iso_in_utc)
 }
 
 }  // namespace
-}  // namespace berm::io
+}  // namespace berm::io::this_file

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <regex>
 
-namespace berm::io {
+namespace berm::io::this_file {
 namespace {
 
 TEST(Revision, is_a_commit_and_stands_behind_the_version)
@@ -14,4 +14,4 @@ TEST(Revision, is_a_commit_and_stands_behind_the_version)
 }
 
 }  // namespace
-}  // namespace berm::io
+}  // namespace berm::io::this_file

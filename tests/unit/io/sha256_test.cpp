@@ -11,7 +11,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-namespace berm::io {
+namespace berm::io::this_file {
 namespace {
 
 /// Of the examples of FIPS 180-2, appendix B.
@@ -87,4 +87,4 @@ TEST(program_files, read_the_program_also_where_its_file_is_gone)
 }
 
 }  // namespace
-}  // namespace berm::io
+}  // namespace berm::io::this_file

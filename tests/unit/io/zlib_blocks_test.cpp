@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm::io {
+namespace berm::io::this_file {
 namespace {
 
 constexpr std::size_t block = 1 << 17;
@@ -80,4 +80,4 @@ TEST(ZlibBlocks, a_block_of_another_length_is_refused)
 }
 
 }  // namespace
-}  // namespace berm::io
+}  // namespace berm::io::this_file

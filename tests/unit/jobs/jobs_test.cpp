@@ -4,7 +4,7 @@
 #include "samples/small_case.hpp"
 #include "study_by_runner.hpp"
 
-namespace berm::jobs {
+namespace berm::jobs::this_file {
 namespace {
 
 /// What a scheduler does, one line after the other.
@@ -149,4 +149,4 @@ TEST_F(Runners, take_several_cases_of_run)
 }
 
 }  // namespace
-}  // namespace berm::jobs
+}  // namespace berm::jobs::this_file

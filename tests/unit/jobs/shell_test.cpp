@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::jobs {
+namespace berm::jobs::this_file {
 namespace {
 
 TEST(Shell, gets_each_word_back_as_it_was)
@@ -38,4 +38,4 @@ TEST(Shell, takes_the_last_line_that_says_something)
 }
 
 }  // namespace
-}  // namespace berm::jobs
+}  // namespace berm::jobs::this_file

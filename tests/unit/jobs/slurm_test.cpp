@@ -4,7 +4,7 @@
 
 #include "study_by_runner.hpp"
 
-namespace berm::jobs {
+namespace berm::jobs::this_file {
 namespace {
 
 TEST(SlurmWords, of_an_array_count_its_tasks_and_pass_options_on)
@@ -79,4 +79,4 @@ TEST_F(StandIn, that_is_not_there_is_an_input_error)
 }
 
 }  // namespace
-}  // namespace berm::jobs
+}  // namespace berm::jobs::this_file

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <gtest/gtest.h>
 
-namespace berm {
+namespace berm::this_file {
 namespace {
 
 using OneRun = Run;  // the fixture has a Run of its own
@@ -290,4 +290,4 @@ TEST_F(Library, hands_messages_to_the_program)
 }
 
 }  // namespace
-}  // namespace berm
+}  // namespace berm::this_file

@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace berm::macro_element {
+namespace berm::macro_element::this_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -92,4 +92,4 @@ TEST(MacroElementFiles, the_table_names_each_run_and_whether_it_was_fitted)
 }
 
 }  // namespace
-}  // namespace berm::macro_element
+}  // namespace berm::macro_element::this_file

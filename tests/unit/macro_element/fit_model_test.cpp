@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace berm::macro_element {
+namespace berm::macro_element::this_file {
 namespace {
 
 using State = berm_macro_element_state;
@@ -181,4 +181,4 @@ TEST(MacroElement, refuses_what_makes_no_sense_and_leaves_the_state)
 }
 
 }  // namespace
-}  // namespace berm::macro_element
+}  // namespace berm::macro_element::this_file

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-namespace berm::macro_element {
+namespace berm::macro_element::this_file {
 namespace {
 
 /// What the macro-element itself does: pushed to 0.1 m, unloaded to V (N/m), dragged by `way` (m), and back where it is to return.
@@ -81,4 +81,4 @@ TEST(Fit, refuses_paths_that_do_not_determine_it)
 }
 
 }  // namespace
-}  // namespace berm::macro_element
+}  // namespace berm::macro_element::this_file

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::macro_element {
+namespace berm::macro_element::this_file {
 namespace {
 
 /// Pushed, and dragged under a force that is held.
@@ -47,4 +47,4 @@ TEST(Path, refuses_a_run_that_has_not_come_to_its_end_and_folders_without_runs)
 }
 
 }  // namespace
-}  // namespace berm::macro_element
+}  // namespace berm::macro_element::this_file

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 Real size_of(const SymTensor<3>& a)
@@ -114,4 +114,4 @@ TEST(CosineOfThird, is_that_of_a_third_of_the_angle)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

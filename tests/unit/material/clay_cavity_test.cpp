@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 /// Pressure in excess of the first one over s_u in a cavity that grows from a radius of 1 to `radius` in incompressible soil; `power` is 2 of a cylinder, 3
@@ -75,4 +75,4 @@ TEST(ClayCavity, pressures_of_cavities_that_grow_at_a_rate_are_exact)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

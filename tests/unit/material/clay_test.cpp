@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 /// (s1 - s3)/2 once clay flows at a rate.
@@ -334,4 +334,4 @@ TEST(Clay, answers_what_a_soil_without_friction_answers)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

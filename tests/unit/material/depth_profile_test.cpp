@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 MohrCoulomb soil(Real friction_degrees, std::optional<Real> cutoff = {})
@@ -139,4 +139,4 @@ TEST(WithOwn, takes_values_lane_by_lane)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 // Some roundings of 1.1e-16 each in a polynomial and a product.
@@ -71,4 +71,4 @@ TEST(Exponential, derivatives_are_those_of_the_functions)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 const LinearElastic law{.density = 2000, .inertia_density = {}, .young_modulus = 7e6, .poisson_ratio = 0.25};
@@ -57,4 +57,4 @@ TEST(LinearElastic, plane_strain_and_space_and_lanes_agree)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 /// Chooses one law, and keeps what is said of every key.
@@ -204,4 +204,4 @@ TEST(Material, opening_goes_to_frames_where_soil_can_come_apart)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

@@ -4,7 +4,7 @@
 #include "critical_state_paths.hpp"
 #include "material/material.hpp"
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 constexpr Real p0 = 1e5;
@@ -241,4 +241,4 @@ TEST(ModifiedCamClay, answers_the_queries)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 /// The greatest shear stress that a law carries at this mean of the extreme principal stresses: radius of Mohr's circle at yield, Pa.
@@ -83,4 +83,4 @@ TEST(MohrCoulombAtDepth, has_the_cohesion_of_its_depth_and_that_of_the_surface_a
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 /// Strains a particle under a constant stress in x or y: the free strain that keeps it is found from the elastic response, corrected until it holds.
@@ -154,4 +154,4 @@ TEST(MohrCoulomb, soil_without_strength_is_a_fluid)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

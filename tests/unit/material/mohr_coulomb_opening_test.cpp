@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 const SymTensor<2> expansion{{1e-3, 1e-3, 1e-3, 0}}, compression{{-1e-3, -1e-3, -1e-3, 0}}, uniaxial{{0, 2e-3, 0, 0}},
@@ -172,4 +172,4 @@ TEST(MohrCoulombOpening, random_cycles_make_no_energy)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

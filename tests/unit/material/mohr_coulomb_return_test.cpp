@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 // Rounding: some tens of operations on numbers of the trial's size, whose factors are of the order of one.
@@ -163,4 +163,4 @@ TEST(MohrCoulomb, return_is_continuous_across_all_regions)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 Matrix<3> matrix(const SymTensor<3>& a)
@@ -99,4 +99,4 @@ TEST(MohrCoulomb, rotated_trial_gives_rotated_stress)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

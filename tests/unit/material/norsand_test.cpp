@@ -4,7 +4,7 @@
 #include "critical_state_paths.hpp"
 #include "material/material.hpp"
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 constexpr Real p0 = 1e5, slope = 1.25, gamma = 0.9, lambda = 0.03;
@@ -225,4 +225,4 @@ TEST(NorSand, answers_the_queries)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

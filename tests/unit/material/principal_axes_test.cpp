@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <numeric>
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 TEST(PrincipalAxes, give_the_tensor_back_with_right_angles_between_them)
@@ -27,4 +27,4 @@ TEST(PrincipalAxes, give_the_tensor_back_with_right_angles_between_them)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 /// Shear over normal stress on the line that does not change its length while soil without cohesion flows: the plane of a shear band.
@@ -38,4 +38,4 @@ TEST(ShearBand, loses_nothing_where_flow_is_associated)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <map>
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 /// A particle and an increment of it.
@@ -289,4 +289,4 @@ TEST(Tangent, of_no_stress_no_strength_and_huge_strains_is_finite)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

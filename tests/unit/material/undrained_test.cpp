@@ -4,7 +4,7 @@
 #include "critical_state_paths.hpp"
 #include "material/laws.hpp"
 
-namespace berm::material {
+namespace berm::material::this_file {
 namespace {
 
 /// Soil with a bulk modulus of the water, Pa, and a porosity where the law has no void ratio.
@@ -215,4 +215,4 @@ TEST(Undrained, tangent_is_that_of_finite_differences)
 }
 
 }  // namespace
-}  // namespace berm::material
+}  // namespace berm::material::this_file

@@ -5,9 +5,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace berm;
-using namespace berm::material;
-
+namespace berm::material::this_file {
 namespace {
 
 using Own = UserLaw<Interface::own>;
@@ -57,3 +55,4 @@ TEST(UserLaw, yields_unless_the_input_says_that_it_cannot)
 }
 
 }  // namespace
+}  // namespace berm::material::this_file

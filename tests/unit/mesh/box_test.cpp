@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::mesh {
+namespace berm::mesh::this_file {
 namespace {
 
 TEST(BoxMesh, has_the_cells_its_pattern_promises)
@@ -74,4 +74,4 @@ TEST(BoxMesh, entries_that_do_not_fit_are_refused)
 }
 
 }  // namespace
-}  // namespace berm::mesh
+}  // namespace berm::mesh::this_file

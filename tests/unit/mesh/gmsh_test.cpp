@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm::mesh {
+namespace berm::mesh::this_file {
 namespace {
 
 // The unit square of two triangles, "upper" and "lower", with its left side named; node tags have gaps, a curve and a point have no name.
@@ -255,4 +255,4 @@ TEST(ReadMsh, survives_any_cut_and_any_changed_byte)
 }
 
 }  // namespace
-}  // namespace berm::mesh
+}  // namespace berm::mesh::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::mesh {
+namespace berm::mesh::this_file {
 namespace {
 
 constexpr Real round_off = 1e-14;
@@ -71,4 +71,4 @@ TEST(GroundLine, is_cut_at_the_edges_of_a_rectangle)
 }
 
 }  // namespace
-}  // namespace berm::mesh
+}  // namespace berm::mesh::this_file

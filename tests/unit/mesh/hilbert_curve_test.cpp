@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace berm::mesh {
+namespace berm::mesh::this_file {
 namespace {
 
 // The points of a small cube at the origin, in the order of the curve.
@@ -58,4 +58,4 @@ TEST(HilbertCurve, far_corners_have_places_inside_the_range)
 }
 
 }  // namespace
-}  // namespace berm::mesh
+}  // namespace berm::mesh::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::mesh {
+namespace berm::mesh::this_file {
 namespace {
 
 template <int dim>
@@ -112,4 +112,4 @@ TEST(Locate, finds_points_behind_a_hole)
 }
 
 }  // namespace
-}  // namespace berm::mesh
+}  // namespace berm::mesh::this_file

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::mesh {
+namespace berm::mesh::this_file {
 namespace {
 
 constexpr const char* square = R"(
@@ -227,4 +227,4 @@ TEST(MakeMesh, says_when_the_run_folder_cannot_be_made)
 }
 
 }  // namespace
-}  // namespace berm::mesh
+}  // namespace berm::mesh::this_file

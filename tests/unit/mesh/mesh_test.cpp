@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace berm::mesh {
+namespace berm::mesh::this_file {
 namespace {
 
 template <class Dim>
@@ -237,4 +237,4 @@ TYPED_TEST(MeshIn, overlapping_cells_are_refused)
 }
 
 }  // namespace
-}  // namespace berm::mesh
+}  // namespace berm::mesh::this_file

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm::mesh {
+namespace berm::mesh::this_file {
 namespace {
 
 /// The cells of a patch, beginning with `cell`; cut off where its ring does not close.
@@ -145,4 +145,4 @@ TEST(Patches, are_single_cells_where_one_is_asked_for)
 }
 
 }  // namespace
-}  // namespace berm::mesh
+}  // namespace berm::mesh::this_file

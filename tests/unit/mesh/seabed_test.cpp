@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::mesh {
+namespace berm::mesh::this_file {
 namespace {
 
 SeabedMesh sample_bed()
@@ -238,4 +238,4 @@ TEST(SeabedMesh, lengths_that_do_not_fit_are_refused)
 }
 
 }  // namespace
-}  // namespace berm::mesh
+}  // namespace berm::mesh::this_file

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::mesh {
+namespace berm::mesh::this_file {
 namespace {
 
 /// Half a bed: its back wall is a plane of symmetry.
@@ -172,4 +172,4 @@ TEST(SpatialSeabed, a_plane_case_refuses_its_keys_and_one_in_space_asks_for_them
 }
 
 }  // namespace
-}  // namespace berm::mesh
+}  // namespace berm::mesh::this_file

@@ -8,7 +8,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-namespace berm::mesh {
+namespace berm::mesh::this_file {
 namespace {
 
 SeabedMesh sample_bed()
@@ -173,4 +173,4 @@ TEST(UnevenSeabed, refuses_what_does_not_fit_with_key_and_advice)
 }
 
 }  // namespace
-}  // namespace berm::mesh
+}  // namespace berm::mesh::this_file

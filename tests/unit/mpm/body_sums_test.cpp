@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::mpm {
+namespace berm::mpm::this_file {
 namespace {
 
 /// Gives each particle v = drift + rate cross (x - center of mass).
@@ -94,4 +94,4 @@ TEST(Measure, finds_a_particle_by_its_id_and_refuses_an_id_that_there_is_not)
 }
 
 }  // namespace
-}  // namespace berm::mpm
+}  // namespace berm::mpm::this_file

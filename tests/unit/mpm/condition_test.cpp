@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::mpm {
+namespace berm::mpm::this_file {
 namespace {
 
 /// A box of sand under 10 kPa, and a circle so large that half its width reaches all of it.
@@ -84,4 +84,4 @@ TEST(SoilCondition, counts_grains_in_the_air_and_at_the_bounds_of_volume)
 }
 
 }  // namespace
-}  // namespace berm::mpm
+}  // namespace berm::mpm::this_file

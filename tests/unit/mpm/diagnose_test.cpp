@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace berm::mpm {
+namespace berm::mpm::this_file {
 namespace {
 
 constexpr Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
@@ -127,4 +127,4 @@ TYPED_TEST(Sound, a_rigid_body_that_began_beyond_a_side_may_stay_there)
 }
 
 }  // namespace
-}  // namespace berm::mpm
+}  // namespace berm::mpm::this_file

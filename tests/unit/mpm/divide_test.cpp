@@ -5,7 +5,7 @@
 #include <numeric>
 #include <random>
 
-namespace berm::mpm {
+namespace berm::mpm::this_file {
 namespace {
 
 TEST(EqualShares, of_equal_chunks_are_equal)
@@ -51,4 +51,4 @@ TEST(EqualShares, of_nothing_are_still_all_chunks)
 }
 
 }  // namespace
-}  // namespace berm::mpm
+}  // namespace berm::mpm::this_file

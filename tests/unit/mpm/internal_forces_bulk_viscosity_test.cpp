@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::mpm {
+namespace berm::mpm::this_file {
 namespace {
 
 material::MohrCoulomb sand(Real dilation_angle)
@@ -118,4 +118,4 @@ TYPED_TEST(BulkViscosity, is_not_in_elastic_bodies)
 }
 
 }  // namespace
-}  // namespace berm::mpm
+}  // namespace berm::mpm::this_file

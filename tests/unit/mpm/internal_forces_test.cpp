@@ -4,7 +4,7 @@
 #include "mpm/moments.hpp"
 #include "random_body.hpp"
 
-namespace berm::mpm {
+namespace berm::mpm::this_file {
 namespace {
 
 template <class Dimension>
@@ -69,4 +69,4 @@ TEST(UniformStress, makes_no_force_inside_an_irregular_mesh_of_tetrahedra)
 }
 
 }  // namespace
-}  // namespace berm::mpm
+}  // namespace berm::mpm::this_file

@@ -3,7 +3,7 @@
 
 #include "random_body.hpp"
 
-namespace berm::mpm {
+namespace berm::mpm::this_file {
 namespace {
 
 template <class Dimension>
@@ -92,4 +92,4 @@ TYPED_TEST(Moments, a_node_of_light_particles_beside_a_heavy_body_has_their_mass
 }
 
 }  // namespace
-}  // namespace berm::mpm
+}  // namespace berm::mpm::this_file

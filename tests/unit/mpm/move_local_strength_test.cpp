@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::mpm {
+namespace berm::mpm::this_file {
 namespace {
 
 material::MohrCoulomb weak_sand(Real friction_angle, Real cohesion, Real density)
@@ -104,4 +104,4 @@ TEST(OwnSoil, has_its_own_bounds_of_volume)
 }
 
 }  // namespace
-}  // namespace berm::mpm
+}  // namespace berm::mpm::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::mpm {
+namespace berm::mpm::this_file {
 namespace {
 
 /// Moves all nodes by velocity(x) for one step, projection off.
@@ -47,4 +47,4 @@ TEST(Dilation, ends_where_a_particle_has_its_largest_volume)
 }
 
 }  // namespace
-}  // namespace berm::mpm
+}  // namespace berm::mpm::this_file

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <gtest/gtest.h>
 
-namespace berm::mpm {
+namespace berm::mpm::this_file {
 namespace {
 
 /// A body whose nodes move as the test says.
@@ -397,4 +397,4 @@ TYPED_TEST(Move, stress_turns_with_the_body_and_keeps_its_invariants)
 }
 
 }  // namespace
-}  // namespace berm::mpm
+}  // namespace berm::mpm::this_file

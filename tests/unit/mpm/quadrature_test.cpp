@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::mpm {
+namespace berm::mpm::this_file {
 namespace {
 
 /// A box of solid whose cells hold unequal numbers of particles, up to the nodal forces of step 1.
@@ -145,4 +145,4 @@ TYPED_TEST(FullCells, do_the_work_of_the_nodal_forces)
 }
 
 }  // namespace
-}  // namespace berm::mpm
+}  // namespace berm::mpm::this_file

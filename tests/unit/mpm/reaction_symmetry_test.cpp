@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::mpm {
+namespace berm::mpm::this_file {
 namespace {
 
 /// A plate that presses an elastic block of 2 m x 0.5 m x 2 m between rigid walls, or a half or a quarter of it.
@@ -80,4 +80,4 @@ TEST(Symmetry, half_and_quarter_under_a_plate_take_the_impulse_and_the_work_of_t
 }
 
 }  // namespace
-}  // namespace berm::mpm
+}  // namespace berm::mpm::this_file

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::mpm {
+namespace berm::mpm::this_file {
 namespace {
 
 /// Steps 1 to 9 of soil without stress and forces, so that only the filter changes velocities.
@@ -114,4 +114,4 @@ TYPED_TEST(VelocityFilter, is_not_in_elastic_bodies)
 }
 
 }  // namespace
-}  // namespace berm::mpm
+}  // namespace berm::mpm::this_file

@@ -3,7 +3,7 @@
 
 #include "random_body.hpp"
 
-namespace berm::mpm {
+namespace berm::mpm::this_file {
 namespace {
 
 template <class Dimension>
@@ -47,4 +47,4 @@ TYPED_TEST(Velocities, held_directions_have_no_new_velocity)
 }
 
 }  // namespace
-}  // namespace berm::mpm
+}  // namespace berm::mpm::this_file

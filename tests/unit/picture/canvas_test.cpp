@@ -4,7 +4,7 @@
 #include "samples/drawn_run.hpp"
 #include "samples/pixel_color.hpp"
 
-namespace berm::picture {
+namespace berm::picture::this_file {
 namespace {
 
 const Window window{Vec<2>(10, 20), Vec<2>(30, 60)};
@@ -78,4 +78,4 @@ TEST(Canvas, words_keep_their_quotes)
 }
 
 }  // namespace
-}  // namespace berm::picture
+}  // namespace berm::picture::this_file

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::picture {
+namespace berm::picture::this_file {
 namespace {
 
 Real area_of(const Points& points)
@@ -121,4 +121,4 @@ TEST(Ground, a_boundary_that_the_mesh_does_not_have_is_refused)
 }
 
 }  // namespace
-}  // namespace berm::picture
+}  // namespace berm::picture::this_file

@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 #include <regex>
 
-namespace berm::picture {
+namespace berm::picture::this_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -114,4 +114,4 @@ TEST_F(ModelPicture, a_title_with_quotes_is_no_command)
 }
 
 }  // namespace
-}  // namespace berm::picture
+}  // namespace berm::picture::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::plot {
+namespace berm::plot::this_file {
 namespace {
 
 constexpr Rgb red = {255, 0, 0}, blue = {0, 0, 255};
@@ -82,4 +82,4 @@ TEST(ColorRange, begins_at_zero_and_leaves_one_value_in_a_hundred_beyond_its_end
 }
 
 }  // namespace
-}  // namespace berm::plot
+}  // namespace berm::plot::this_file

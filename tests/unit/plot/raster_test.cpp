@@ -4,7 +4,7 @@
 #include <cstring>
 #include <gtest/gtest.h>
 
-namespace berm::plot {
+namespace berm::plot::this_file {
 namespace {
 
 constexpr Real digits = 1e-12;  // a few roundings of numbers near 1
@@ -59,4 +59,4 @@ TEST(Raster, as_floats_goes_row_by_row_from_the_lowest_up)
 }
 
 }  // namespace
-}  // namespace berm::plot
+}  // namespace berm::plot::this_file

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::problem {
+namespace berm::problem::this_file {
 namespace {
 
 /// A ball of 0.4 m above the axis of an elastic cylinder, pushed by a force of 100 N until the soil bears 50 N.
@@ -71,4 +71,4 @@ TEST(Metric, of_the_mesh_weighs_cells_with_the_radius_and_their_sections_without
 }
 
 }  // namespace
-}  // namespace berm::problem
+}  // namespace berm::problem::this_file

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::problem {
+namespace berm::problem::this_file {
 namespace {
 
 material::MohrCoulomb clay_of(Real strength, Real density = 1500)
@@ -114,4 +114,4 @@ TEST(Build, refuses_soil_whose_strength_is_negative_where_the_body_reaches)
 }
 
 }  // namespace
-}  // namespace berm::problem
+}  // namespace berm::problem::this_file

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::problem {
+namespace berm::problem::this_file {
 namespace {
 
 /// The box of pipe_over_box() filled with Cam clay up to its surface, 1 m, under gravity.
@@ -68,4 +68,4 @@ TEST(BuildLawState, gravity_loading_gives_it_after_its_own_stress)
 }
 
 }  // namespace
-}  // namespace berm::problem
+}  // namespace berm::problem::this_file

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::problem {
+namespace berm::problem::this_file {
 namespace {
 
 StageSettings rest()
@@ -167,4 +167,4 @@ TEST(MainRigid, is_the_first_that_a_stage_names_else_the_first_there_is)
 }
 
 }  // namespace
-}  // namespace berm::problem
+}  // namespace berm::problem::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::problem {
+namespace berm::problem::this_file {
 namespace {
 
 /// A box of 2 m with squares of 0.1 m.
@@ -92,4 +92,4 @@ TEST(CellsAtBody, are_below_the_ground_where_the_body_is)
 }
 
 }  // namespace
-}  // namespace berm::problem
+}  // namespace berm::problem::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::problem {
+namespace berm::problem::this_file {
 namespace {
 
 constexpr Real step = 1e-4;  // s
@@ -111,4 +111,4 @@ TEST(RotationBetween, orientations_is_the_rotation_vector_that_takes_one_to_the_
 }
 
 }  // namespace
-}  // namespace berm::problem
+}  // namespace berm::problem::this_file

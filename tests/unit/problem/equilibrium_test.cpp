@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-namespace berm::problem {
+namespace berm::problem::this_file {
 namespace {
 
 constexpr Real depth = 2, density = 1000, young = 1e6, g = 10;  // of the box of pipe_over_box
@@ -96,4 +96,4 @@ TEST(Equilibrium, is_no_sooner_than_all_of_gravity_acts)
 }
 
 }  // namespace
-}  // namespace berm::problem
+}  // namespace berm::problem::this_file

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::problem {
+namespace berm::problem::this_file {
 namespace {
 
 constexpr Real incline = 0.17632698070846498;  // tan 10 deg
@@ -133,4 +133,4 @@ TEST(Strength, counts_its_depth_from_the_ground_before_the_trench)
 }
 
 }  // namespace
-}  // namespace berm::problem
+}  // namespace berm::problem::this_file

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::problem {
+namespace berm::problem::this_file {
 namespace {
 
 material::Material clay(Real strength, Real rate_parameter)
@@ -99,4 +99,4 @@ TEST(MemoryOfParticles, is_there_for_the_contacts_that_need_it_and_follows_the_n
 }
 
 }  // namespace
-}  // namespace berm::problem
+}  // namespace berm::problem::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::problem {
+namespace berm::problem::this_file {
 namespace {
 
 constexpr Real dt = 1e-3;
@@ -548,4 +548,4 @@ TEST(Gravity, grows_from_nothing_over_its_ramp)
 }
 
 }  // namespace
-}  // namespace berm::problem
+}  // namespace berm::problem::this_file

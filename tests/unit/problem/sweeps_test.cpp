@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::problem {
+namespace berm::problem::this_file {
 namespace {
 
 Case swept(int sweeps, Real pause)
@@ -73,4 +73,4 @@ TEST(sweeps, have_names_that_no_other_stage_has)
 }
 
 }  // namespace
-}  // namespace berm::problem
+}  // namespace berm::problem::this_file

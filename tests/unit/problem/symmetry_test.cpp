@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::problem {
+namespace berm::problem::this_file {
 namespace {
 
 /// A quarter of a ball of 0.4 m above a quarter of an elastic block, pushed by a force of 100 N on the whole until the soil bears 50 N.
@@ -110,4 +110,4 @@ TEST(Symmetry, refuses_a_rigid_body_that_leans_and_takes_one_that_does_not)
 }
 
 }  // namespace
-}  // namespace berm::problem
+}  // namespace berm::problem::this_file

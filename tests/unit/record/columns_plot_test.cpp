@@ -3,7 +3,7 @@
 
 #include "samples/drawn_run.hpp"
 
-namespace berm::record {
+namespace berm::record::this_file {
 namespace {
 
 using ColumnsPlot = DrawnRun;
@@ -22,4 +22,4 @@ TEST_F(ColumnsPlot, of_nothing_there_is_no_picture)
 }
 
 }  // namespace
-}  // namespace berm::record
+}  // namespace berm::record::this_file

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <fmt/format.h>
 
-namespace berm::record {
+namespace berm::record::this_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -165,4 +165,4 @@ TEST(GnuplotText, cannot_leave_its_quotes)
 }
 
 }  // namespace
-}  // namespace berm::record
+}  // namespace berm::record::this_file

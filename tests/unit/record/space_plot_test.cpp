@@ -4,7 +4,7 @@
 #include "samples/drawn_run.hpp"
 #include "samples/pixel_color.hpp"
 
-namespace berm::record {
+namespace berm::record::this_file {
 namespace {
 
 class SpacePlot : public DrawnRun {
@@ -67,4 +67,4 @@ TEST(SpaceView, a_body_is_cut_along_its_middle_and_seen_with_the_soil_beside_it_
 }
 
 }  // namespace
-}  // namespace berm::record
+}  // namespace berm::record::this_file

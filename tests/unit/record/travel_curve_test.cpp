@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace berm::record {
+namespace berm::record::this_file {
 namespace {
 
 RC_GTEST_PROP(TravelCurve, follows_a_straight_line_exactly_for_any_spacing_of_rows, ())
@@ -48,4 +48,4 @@ TEST(TravelCurve, leaves_out_rows_that_go_back_and_does_not_reach_beyond_its_end
 }
 
 }  // namespace
-}  // namespace berm::record
+}  // namespace berm::record::this_file

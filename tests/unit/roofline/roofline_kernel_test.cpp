@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-namespace berm::roofline {
+namespace berm::roofline::this_file {
 namespace {
 
 TEST(Ceiling, has_the_particles_that_were_asked_for_in_blocks_of_eight)
@@ -42,4 +42,4 @@ TEST(Ceiling, of_one_state_is_the_same_for_any_number_of_threads)
 }
 
 }  // namespace
-}  // namespace berm::roofline
+}  // namespace berm::roofline::this_file

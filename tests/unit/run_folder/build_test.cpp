@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::run_folder {
+namespace berm::run_folder::this_file {
 namespace {
 
 RunSummary summary_of_this()
@@ -42,4 +42,4 @@ TEST(Build, of_the_executable_matters_to_finite_elements_alone)
 }
 
 }  // namespace
-}  // namespace berm::run_folder
+}  // namespace berm::run_folder::this_file

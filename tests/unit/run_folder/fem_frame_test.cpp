@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::run_folder {
+namespace berm::run_folder::this_file {
 namespace {
 
 /// A block whose stress (Pa) and strain are linear in the place.
@@ -100,4 +100,4 @@ TEST(FemFrame, shows_the_flux_of_the_water_down_the_slope_of_its_pressure)
 }
 
 }  // namespace
-}  // namespace berm::run_folder
+}  // namespace berm::run_folder::this_file

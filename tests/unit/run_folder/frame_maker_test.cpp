@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::run_folder {
+namespace berm::run_folder::this_file {
 namespace {
 
 /// A square of 0.2 m in the middle of a box of 0.4 m with 16 x 16 squares: cells of nine particles, or two halves that are two bodies.
@@ -240,4 +240,4 @@ TEST(FrameMaker, shows_the_flux_of_the_water_at_the_particles)
 }
 
 }  // namespace
-}  // namespace berm::run_folder
+}  // namespace berm::run_folder::this_file

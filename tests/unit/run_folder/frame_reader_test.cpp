@@ -9,7 +9,7 @@
 #include <map>
 #include <random>
 
-namespace berm::run_folder {
+namespace berm::run_folder::this_file {
 namespace {
 
 std::string refusal_of(const std::filesystem::path& file)
@@ -314,4 +314,4 @@ TEST(FrameReader, collection_that_is_damaged_is_refused_with_its_name)
 }
 
 }  // namespace
-}  // namespace berm::run_folder
+}  // namespace berm::run_folder::this_file

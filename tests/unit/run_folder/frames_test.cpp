@@ -9,7 +9,7 @@
 #include <map>
 #include <regex>
 
-namespace berm::run_folder {
+namespace berm::run_folder::this_file {
 namespace {
 
 /// A .vtu file read back without the writer's code: the arrays by name, their types, and whether the blocks lie end to end.
@@ -263,4 +263,4 @@ TEST(Frames, rigid_bodies_have_their_velocities)
 }
 
 }  // namespace
-}  // namespace berm::run_folder
+}  // namespace berm::run_folder::this_file

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm::run_folder {
+namespace berm::run_folder::this_file {
 namespace {
 
 Matrix<2> turn(Real angle)
@@ -129,4 +129,4 @@ TYPED_TEST(NodalGradientIn, is_zero_where_points_do_not_tell_one)
 }
 
 }  // namespace
-}  // namespace berm::run_folder
+}  // namespace berm::run_folder::this_file

@@ -9,7 +9,7 @@
 #include <rapidcheck/gtest.h>
 #include <sys/resource.h>
 
-namespace berm::run_folder {
+namespace berm::run_folder::this_file {
 namespace {
 
 RC_GTEST_PROP(History, numbers_come_back_to_the_last_bit, (const std::vector<double>& numbers))
@@ -293,4 +293,4 @@ TEST(Row, of_a_quarter_in_space_has_the_same_columns_four_times_as_large)
 }
 
 }  // namespace
-}  // namespace berm::run_folder
+}  // namespace berm::run_folder::this_file

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <regex>
 
-namespace berm::run_folder {
+namespace berm::run_folder::this_file {
 namespace {
 
 TEST(origin, holds_the_digests_of_the_input_that_is_there_and_the_program)
@@ -77,4 +77,4 @@ TEST(origin, of_an_earlier_version_is_unknown_and_a_damaged_one_is_refused)
 }
 
 }  // namespace
-}  // namespace berm::run_folder
+}  // namespace berm::run_folder::this_file

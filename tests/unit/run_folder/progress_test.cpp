@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <spdlog/spdlog.h>
 
-namespace berm::run_folder {
+namespace berm::run_folder::this_file {
 namespace {
 
 TEST(Duration, is_said_in_words)
@@ -110,4 +110,4 @@ TEST(RunLog, a_file_that_cannot_be_written_is_an_error)
 }
 
 }  // namespace
-}  // namespace berm::run_folder
+}  // namespace berm::run_folder::this_file

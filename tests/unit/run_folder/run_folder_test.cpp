@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 
-namespace berm::run_folder {
+namespace berm::run_folder::this_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -151,4 +151,4 @@ TEST(WholeFile, a_missing_folder_is_named)
 }
 
 }  // namespace
-}  // namespace berm::run_folder
+}  // namespace berm::run_folder::this_file

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace berm::run_folder {
+namespace berm::run_folder::this_file {
 namespace {
 
 Summary sample_summary()
@@ -165,4 +165,4 @@ TEST(Summary, quantities_keep_their_order)
 }
 
 }  // namespace
-}  // namespace berm::run_folder
+}  // namespace berm::run_folder::this_file

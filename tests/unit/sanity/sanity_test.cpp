@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::sanity {
+namespace berm::sanity::this_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -138,4 +138,4 @@ TEST(Doubts, stand_in_the_log_and_in_the_summary_and_a_resumed_run_keeps_them)
 }
 
 }  // namespace
-}  // namespace berm::sanity
+}  // namespace berm::sanity::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::simulation {
+namespace berm::simulation::this_file {
 namespace {
 
 /// A circle that a stage drives over squares of 0.1 m, and over cells of twice that size right of x = 1.5 m.
@@ -64,4 +64,4 @@ TEST(CellWatch, looks_at_no_body_that_rests)
 }
 
 }  // namespace
-}  // namespace berm::simulation
+}  // namespace berm::simulation::this_file

@@ -11,7 +11,7 @@
 #include <cstring>
 #include <gtest/gtest.h>
 
-namespace berm::simulation {
+namespace berm::simulation::this_file {
 namespace {
 
 template <int dim>
@@ -262,4 +262,4 @@ TYPED_TEST(StateCheckpoint, of_a_step_that_no_run_comes_to_is_refused)
 }
 
 }  // namespace
-}  // namespace berm::simulation
+}  // namespace berm::simulation::this_file

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::simulation {
+namespace berm::simulation::this_file {
 namespace {
 
 TEST(CheckpointOfHistory, is_refused_with_a_length_that_the_file_has_not)
@@ -54,4 +54,4 @@ TEST(Checkpoints, that_cannot_be_written_end_no_run_and_the_next_one_is_written)
 }
 
 }  // namespace
-}  // namespace berm::simulation
+}  // namespace berm::simulation::this_file

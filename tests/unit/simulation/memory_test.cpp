@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::simulation {
+namespace berm::simulation::this_file {
 namespace {
 
 /// A bed that fills the lower half of a box of 2 n x n squares, of 9 particles a cell in regions or of a block.
@@ -114,4 +114,4 @@ TEST(Memory, that_was_in_use_is_known_when_it_has_been_given_back)
 }
 
 }  // namespace
-}  // namespace berm::simulation
+}  // namespace berm::simulation::this_file

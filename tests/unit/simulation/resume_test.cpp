@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-namespace berm::simulation {
+namespace berm::simulation::this_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -310,4 +310,4 @@ TEST_F(Resume, a_new_run_over_an_unfinished_one_says_what_it_replaces)
 }
 
 }  // namespace
-}  // namespace berm::simulation
+}  // namespace berm::simulation::this_file

@@ -16,7 +16,7 @@
 #include <spdlog/spdlog.h>
 #include <sstream>
 
-namespace berm::simulation {
+namespace berm::simulation::this_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -153,4 +153,4 @@ TEST_P(RunOf, a_case_refuses_a_checkpoint_of_another_case)
 }
 
 }  // namespace
-}  // namespace berm::simulation
+}  // namespace berm::simulation::this_file

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::springs {
+namespace berm::springs::this_file {
 namespace {
 
 /// A finite element run with a peak of `peak` N/m at 0.05 D and two thirds of it from 0.15 D on.
@@ -115,4 +115,4 @@ TEST(Design, is_refused_of_a_folder_that_is_neither_run_nor_study_and_of_a_study
 }
 
 }  // namespace
-}  // namespace berm::springs
+}  // namespace berm::springs::this_file

@@ -11,7 +11,7 @@
 #include <set>
 #include <sstream>
 
-namespace berm::springs {
+namespace berm::springs::this_file {
 namespace {
 
 using Lines = std::vector<std::string>;
@@ -213,4 +213,4 @@ TEST(Formats, picture_shows_the_sample_and_the_estimates)
 }
 
 }  // namespace
-}  // namespace berm::springs
+}  // namespace berm::springs::this_file

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm::springs {
+namespace berm::springs::this_file {
 namespace {
 
 TEST(Lognormal, finds_the_distribution_that_its_values_are_quantiles_of)
@@ -51,4 +51,4 @@ TEST(Lognormal, is_unknown_of_few_values_of_equal_ones_and_where_one_is_not_posi
 }
 
 }  // namespace
-}  // namespace berm::springs
+}  // namespace berm::springs::this_file

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::springs {
+namespace berm::springs::this_file {
 namespace {
 
 /// H of a finite element run, which has no noise: straight to its peak of 60 N/m at 0.05 D, straight down to 40 N/m at 0.15 D, level from there.
@@ -138,4 +138,4 @@ TEST(Springs, are_refused_of_a_run_without_a_pipe)
 }
 
 }  // namespace
-}  // namespace berm::springs
+}  // namespace berm::springs::this_file

@@ -11,7 +11,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace berm::structures {
+namespace berm::structures::this_file {
 namespace {
 
 /// Cases of a pipe, of a footing, and of one whose bodies nothing drives.
@@ -153,4 +153,4 @@ TEST(Structures, have_no_envelope_where_they_know_none)
 }
 
 }  // namespace
-}  // namespace berm::structures
+}  // namespace berm::structures::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::study {
+namespace berm::study::this_file {
 namespace {
 
 using enum DistributionKind;
@@ -66,4 +66,4 @@ TEST(Distribution, that_is_cut_keeps_its_shape_within)
 }
 
 }  // namespace
-}  // namespace berm::study
+}  // namespace berm::study::this_file

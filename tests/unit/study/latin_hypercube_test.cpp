@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm::study {
+namespace berm::study::this_file {
 namespace {
 
 using Shares = std::vector<std::vector<Real>>;
@@ -43,4 +43,4 @@ TEST(LatinHypercube, pairs_its_parameters_at_random)
 }
 
 }  // namespace
-}  // namespace berm::study
+}  // namespace berm::study::this_file

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm::study {
+namespace berm::study::this_file {
 namespace {
 
 constexpr Real rounding = 1e-12;  // of sums and products of some units
@@ -101,4 +101,4 @@ TEST(SampleStatistics, rank_correlation_knows_order_alone)
 }
 
 }  // namespace
-}  // namespace berm::study
+}  // namespace berm::study::this_file

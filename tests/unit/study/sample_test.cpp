@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::study {
+namespace berm::study::this_file {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -64,4 +64,4 @@ TEST(Sample, as_a_table_is_the_same_rows)
 }
 
 }  // namespace
-}  // namespace berm::study
+}  // namespace berm::study::this_file

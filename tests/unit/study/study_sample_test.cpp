@@ -2,7 +2,7 @@
 #include "core/types.hpp"
 #include "samples/study_of_falls.hpp"
 
-namespace berm::study {
+namespace berm::study::this_file {
 namespace {
 
 /// A stone that falls for a time that is not known well. The measure is that time, on which its stiffness has no part.
@@ -155,4 +155,4 @@ TEST_F(StudySampleCommand, refuses_wrong_input_and_runs_nothing)
 }
 
 }  // namespace
-}  // namespace berm::study
+}  // namespace berm::study::this_file

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "samples/study_of_falls.hpp"
 
-namespace berm::study {
+namespace berm::study::this_file {
 namespace {
 
 /// A stone that falls with the gravity of each row.
@@ -67,4 +67,4 @@ TEST_F(StudyTables, have_names_of_their_own_and_one_sample)
 }
 
 }  // namespace
-}  // namespace berm::study
+}  // namespace berm::study::this_file

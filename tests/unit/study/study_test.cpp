@@ -2,7 +2,7 @@
 #include "samples/small_case.hpp"
 #include "samples/study_of_falls.hpp"
 
-namespace berm::study {
+namespace berm::study::this_file {
 namespace {
 
 /// Two places and two gravities, one of which is left out in one place.
@@ -203,4 +203,4 @@ TEST_F(StudyCommand, refuses_wrong_input_at_its_line_and_runs_nothing)
 }
 
 }  // namespace
-}  // namespace berm::study
+}  // namespace berm::study::this_file

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::study {
+namespace berm::study::this_file {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -77,4 +77,4 @@ TEST_F(Table, that_is_wrong_is_refused_with_file_and_line)
 }
 
 }  // namespace
-}  // namespace berm::study
+}  // namespace berm::study::this_file

@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace berm::text {
+namespace berm::text::this_file {
 namespace {
 
 TEST(packed, base64_is_that_of_the_standard)
@@ -33,4 +33,4 @@ TEST(packed, bytes_unpack_to_what_they_were)
 }
 
 }  // namespace
-}  // namespace berm::text
+}  // namespace berm::text::this_file

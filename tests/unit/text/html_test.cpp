@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::text {
+namespace berm::text::this_file {
 namespace {
 
 TEST(html, table_escapes_its_caption_and_marks_numbers)
@@ -29,4 +29,4 @@ TEST(html, a_row_of_one_cell_goes_over_all_columns)
 }
 
 }  // namespace
-}  // namespace berm::text
+}  // namespace berm::text::this_file

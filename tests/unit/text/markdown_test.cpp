@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::text {
+namespace berm::text::this_file {
 namespace {
 
 std::string html(const std::string& text)
@@ -72,4 +72,4 @@ TEST(Math, that_is_not_known_or_broken_is_shown_as_it_is_written)
 }
 
 }  // namespace
-}  // namespace berm::text
+}  // namespace berm::text::this_file

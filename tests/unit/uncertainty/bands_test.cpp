@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::uncertainty {
+namespace berm::uncertainty::this_file {
 namespace {
 
 constexpr Real sizes[] = {1.4, 1.6, 1.8, 2, 2.2};
@@ -170,4 +170,4 @@ TEST(Bands, need_runs_of_different_cells)
 }
 
 }  // namespace
-}  // namespace berm::uncertainty
+}  // namespace berm::uncertainty::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::uncertainty {
+namespace berm::uncertainty::this_file {
 namespace {
 
 constexpr Real nan = std::numeric_limits<Real>::quiet_NaN();
@@ -115,4 +115,4 @@ TEST(Student, is_wide_for_few_numbers_and_comes_near_to_two)
 }
 
 }  // namespace
-}  // namespace berm::uncertainty
+}  // namespace berm::uncertainty::this_file

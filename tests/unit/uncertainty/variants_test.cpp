@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::uncertainty {
+namespace berm::uncertainty::this_file {
 namespace {
 
 std::string refusal_of(const problem::Case& c)
@@ -227,4 +227,4 @@ TEST(Variants, of_soil_that_knows_speed_leave_it_out_and_say_so)
 }
 
 }  // namespace
-}  // namespace berm::uncertainty
+}  // namespace berm::uncertainty::this_file

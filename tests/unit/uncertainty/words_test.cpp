@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::uncertainty {
+namespace berm::uncertainty::this_file {
 namespace {
 
 TEST(Words, tell_the_number_the_converged_one_and_what_it_is_uncertain_by)
@@ -21,4 +21,4 @@ TEST(Words, tell_the_number_the_converged_one_and_what_it_is_uncertain_by)
 }
 
 }  // namespace
-}  // namespace berm::uncertainty
+}  // namespace berm::uncertainty::this_file

@@ -7,11 +7,10 @@
 #include <gtest/gtest.h>
 #include <thread>
 
-using namespace berm;
-using namespace berm::user_law;
-using samples::trial_law;
-
+namespace berm::user_law::this_file {
 namespace {
+
+using samples::trial_law;
 
 class CrashGuardTest : public testing::Test {
 protected:
@@ -69,3 +68,4 @@ TEST_F(CrashGuardTest, signals_are_as_before_once_no_law_is_loaded)
 }
 
 }  // namespace
+}  // namespace berm::user_law::this_file

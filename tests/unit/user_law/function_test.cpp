@@ -3,11 +3,10 @@
 
 #include <gtest/gtest.h>
 
-using namespace berm;
-using namespace berm::user_law;
-using material::UserIncrement;
-
+namespace berm::user_law::this_file {
 namespace {
+
+using material::UserIncrement;
 
 UserIncrement numbered(int dimension)
 {
@@ -178,3 +177,4 @@ TEST(Umat, asks_for_a_smaller_increment_by_pnewdt)
 }
 
 }  // namespace
+}  // namespace berm::user_law::this_file

@@ -8,9 +8,7 @@
 #include <fstream>
 #include <gtest/gtest.h>
 
-using namespace berm;
-using namespace berm::user_law;
-
+namespace berm::user_law::this_file {
 namespace {
 
 std::string message_of(const std::function<void()>& act)
@@ -69,3 +67,4 @@ TEST(Library, that_is_cut_off_anywhere_is_read_without_a_crash)
 }
 
 }  // namespace
+}  // namespace berm::user_law::this_file

@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace berm;
-
+namespace berm::user_law::this_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,3 +104,4 @@ TEST_F(UserLawRun, without_its_library_is_refused_with_the_line)
 }
 
 }  // namespace
+}  // namespace berm::user_law::this_file

@@ -7,11 +7,10 @@
 
 #include <gtest/gtest.h>
 
-using namespace berm;
-using namespace berm::user_law;
-using OwnLaw = material::UserLaw<material::Interface::own>;
-
+namespace berm::user_law::this_file {
 namespace {
+
+using OwnLaw = material::UserLaw<material::Interface::own>;
 
 problem::Case case_with(const std::string& symbol)
 {
@@ -90,3 +89,4 @@ TEST(Load, tells_of_a_law_that_fails_later_until_that_is_forgotten)
 }
 
 }  // namespace
+}  // namespace berm::user_law::this_file

@@ -7,12 +7,11 @@
 
 #include <gtest/gtest.h>
 
-using namespace berm;
-using namespace berm::user_law;
+namespace berm::user_law::this_file {
+namespace {
+
 using material::UserIncrement;
 using samples::trial_law;
-
-namespace {
 
 const material::LinearElastic elastic{.density = 2000, .inertia_density = {}, .young_modulus = 1e7, .poisson_ratio = 0.25};
 
@@ -131,3 +130,4 @@ TEST(LoadedLaw, may_say_that_it_failed)
 }
 
 }  // namespace
+}  // namespace berm::user_law::this_file

@@ -6,11 +6,10 @@
 
 #include <gtest/gtest.h>
 
-using namespace berm;
-using namespace berm::user_law;
-using samples::trial_law;
-
+namespace berm::user_law::this_file {
 namespace {
+
+using samples::trial_law;
 
 const TrialStart start{3, 1e4, {0}};
 
@@ -78,3 +77,4 @@ TEST(Trial, refuses_a_umat_that_uses_what_berm_does_not_know)
 }
 
 }  // namespace
+}  // namespace berm::user_law::this_file

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::verification {
+namespace berm::verification::this_file {
 namespace {
 
 /// What reading an expected.toml complains of, or "".
@@ -169,4 +169,4 @@ TEST(Expectation, says_what_is_promised_or_the_file_does)
 }
 
 }  // namespace
-}  // namespace berm::verification
+}  // namespace berm::verification::this_file

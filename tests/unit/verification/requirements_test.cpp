@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::verification {
+namespace berm::verification::this_file {
 namespace {
 
 ExpectationResult result(Verdict verdict)
@@ -60,4 +60,4 @@ TEST(Requirements, are_there_for_all_examples_of_the_manual)
 }
 
 }  // namespace
-}  // namespace berm::verification
+}  // namespace berm::verification::this_file

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm::verification {
+namespace berm::verification::this_file {
 namespace {
 
 using Words = std::vector<std::string>;
@@ -213,4 +213,4 @@ TEST_F(Verify, that_is_interrupted_ends_its_runs_and_tells_what_is_done)
 }
 
 }  // namespace
-}  // namespace berm::verification
+}  // namespace berm::verification::this_file

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm::bodies {
+namespace berm::bodies::this_file {
 namespace {
 
 struct NamedSolid {
@@ -269,4 +269,4 @@ TEST(DrivenBody, whose_rotation_is_given_about_one_axis_turns_freely_about_the_o
 }
 
 }  // namespace
-}  // namespace berm::bodies
+}  // namespace berm::bodies::this_file

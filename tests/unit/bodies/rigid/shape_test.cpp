@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm::bodies {
+namespace berm::bodies::this_file {
 namespace {
 
 constexpr Real edge = 1e-6;
@@ -406,4 +406,4 @@ TEST(RigidShape, a_circle_in_space_is_a_cylinder_along_z)
 }
 
 }  // namespace
-}  // namespace berm::bodies
+}  // namespace berm::bodies::this_file

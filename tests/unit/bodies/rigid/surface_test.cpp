@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-namespace berm::bodies {
+namespace berm::bodies::this_file {
 namespace {
 
 using Kind = SurfaceMesh<2>::Kind;
@@ -143,4 +143,4 @@ TEST(SurfaceMesh, of_a_turned_box_has_its_corners)
 }
 
 }  // namespace
-}  // namespace berm::bodies
+}  // namespace berm::bodies::this_file

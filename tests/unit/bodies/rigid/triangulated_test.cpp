@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-namespace berm::bodies {
+namespace berm::bodies::this_file {
 namespace {
 
 /// A folder of its own for the files of a test.
@@ -258,4 +258,4 @@ TEST_F(SurfaceFile, as_a_rigid_body_is_where_and_as_heavy_as_the_box_that_it_is)
 }
 
 }  // namespace
-}  // namespace berm::bodies
+}  // namespace berm::bodies::this_file

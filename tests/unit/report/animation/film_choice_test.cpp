@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 const std::vector<std::string> stages = {"settle", "settle", "push", "push", "push", "push", "drag", "drag", "drag"};
@@ -30,4 +30,4 @@ TEST(film_choice, is_told_in_words)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

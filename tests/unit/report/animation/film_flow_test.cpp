@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 /// Points in the middles of squares of 1 m that fill the lower half of a view of 36 m x 2 m, four in each square of the arrows' grid.
@@ -67,4 +67,4 @@ TEST(film_flow, is_not_there_where_no_water_flows)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

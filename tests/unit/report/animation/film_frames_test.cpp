@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 constexpr std::size_t bytes_of_frame = 32 * 28;  // 32 particles of seven numbers
@@ -47,4 +47,4 @@ TEST(film_footage, counts_the_frames_of_the_run_in_what_it_says)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

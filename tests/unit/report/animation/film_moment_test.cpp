@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 /// A pipe that goes 3 m along x and 4 m down from t = 1 to 2 s, back the same way until 3 s.
@@ -61,4 +61,4 @@ TEST(film_moment, way_is_the_length_of_the_path_not_the_distance)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 FilmFrame with(run_folder::SavedRigids rigid_bodies)
@@ -47,4 +47,4 @@ TEST(film_outline, in_space_is_one_end_of_what_is_extruded_and_nothing_of_the_re
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 struct Moving {
@@ -99,4 +99,4 @@ TEST(film_codes, range_of_nothing_is_not_empty)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

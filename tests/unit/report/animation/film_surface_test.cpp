@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 /// A unit cube, as a hexahedron whose corners are not the first points, and a lid of another body.
@@ -75,4 +75,4 @@ TEST(film_surface, corners_decode_within_half_a_step)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <omp.h>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 constexpr std::size_t plenty = 10'000'000;
@@ -417,4 +417,4 @@ TEST(film, particles_that_are_too_many_in_space_are_thinned_and_stand_for_their_
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 const FilmBox wide{Vec<2>(-9, -9), Vec<2>(9, 0)};
@@ -78,4 +78,4 @@ TEST(film_view, surface_is_known_of_a_flat_bed)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

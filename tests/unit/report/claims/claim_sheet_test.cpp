@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 /// The claims of a test of pipes of 20 mm, of which V at 0.05 D is 400 N/m.
@@ -99,4 +99,4 @@ TEST(ClaimSheet, each_test_has_a_section_of_its_own)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

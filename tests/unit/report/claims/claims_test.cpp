@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 using test::PaperRun;
@@ -203,4 +203,4 @@ TEST(Claims, names_of_runs_are_no_markup)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

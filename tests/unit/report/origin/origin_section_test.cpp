@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 record::RunRecord sample_run(const std::vector<std::string>& changes = {})
@@ -88,4 +88,4 @@ TEST(origin_section, of_a_run_without_a_note_says_so_and_tells_local_time)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

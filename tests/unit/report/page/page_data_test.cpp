@@ -7,8 +7,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace berm;
-
+namespace berm::report::this_file {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -36,8 +35,6 @@ Index history_row(const Json& data, Index row)
 {
   return data["row"].is_null() ? row : data["row"][row].get<Index>();
 }
-
-}  // namespace
 
 TEST(PageData, short_history_has_all_its_rows)
 {
@@ -143,3 +140,6 @@ TEST(PageData, forces_have_the_measure_of_the_tables)
   made.law.cohesion = 0;
   EXPECT_TRUE(measure().is_null());
 }
+
+}  // namespace
+}  // namespace berm::report::this_file

@@ -9,7 +9,7 @@
 #include <functional>
 #include <gtest/gtest.h>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -82,4 +82,4 @@ TEST(print_pdf, takes_what_the_browser_prints_and_refuses_what_is_no_pdf)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 void set_gap(record::RunRecord& run, Real metres)
@@ -203,4 +203,4 @@ TEST(trust, cells_of_a_mesh_of_the_user_are_those_that_the_run_found)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

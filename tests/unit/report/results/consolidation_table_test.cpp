@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 TEST(ConsolidationTable, has_a_row_for_each_stage_of_runs_whose_water_flows)
@@ -20,4 +20,4 @@ TEST(ConsolidationTable, has_a_row_for_each_stage_of_runs_whose_water_flows)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 bool holds(const std::string& html, const std::string& part)
@@ -371,4 +371,4 @@ TEST(axial, resistance_by_friction_stands_beside_that_of_the_wedging_factor)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 #include <regex>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 /// The numbers of the attributes of the first element of that kind and class in an SVG.
@@ -185,4 +185,4 @@ TEST(drawing, half_plane_is_cut_at_the_edge_of_the_mesh)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 const ParameterEntry& entry_of(const std::vector<ParameterEntry>& all, const std::string& path)
@@ -145,4 +145,4 @@ TEST(asked, names_of_the_user_are_escaped)
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

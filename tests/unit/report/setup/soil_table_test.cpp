@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::report {
+namespace berm::report::this_file {
 namespace {
 
 record::RunRecord run_of(const std::string& name, const std::vector<std::string>& changes)
@@ -73,4 +73,4 @@ TEST(soil_over_depth, of_regions_has_their_materials_and_runs_of_one_soil_stand_
 }
 
 }  // namespace
-}  // namespace berm::report
+}  // namespace berm::report::this_file

@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::anchor {
+namespace berm::anchor::this_file {
 namespace {
 
 /// Dragged 10 D, 0.2 m: it sinks from 2 mm with a slope of a half for 0.1 m and then stays, under H that grows to 3 kN/m and stays.
@@ -68,4 +68,4 @@ TEST(Anchor, that_was_not_dragged_has_no_tow)
 }
 
 }  // namespace
-}  // namespace berm::anchor
+}  // namespace berm::anchor::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::base {
+namespace berm::base::this_file {
 namespace {
 
 using Quantities = std::vector<run_folder::Quantity>;
@@ -49,4 +49,4 @@ TEST(DisplayUnits, name_both_units_on_a_page_of_both)
 }
 
 }  // namespace
-}  // namespace berm::base
+}  // namespace berm::base::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::base {
+namespace berm::base::this_file {
 namespace {
 
 TEST(DrainageWords, tell_the_velocity_of_each_stage_over_that_of_the_water)
@@ -50,4 +50,4 @@ TEST(Dissipation, has_no_t50_before_half_of_the_pressure_is_gone)
 }
 
 }  // namespace
-}  // namespace berm::base
+}  // namespace berm::base::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::base {
+namespace berm::base::this_file {
 namespace {
 
 TEST(DrivenBody, is_measured_by_its_width_its_soil_and_gravity)
@@ -93,4 +93,4 @@ TEST(DrivenBody, has_a_prototype_under_another_gravity_than_the_earths)
 }
 
 }  // namespace
-}  // namespace berm::base
+}  // namespace berm::base::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::base {
+namespace berm::base::this_file {
 namespace {
 
 std::string kind_with(const bodies::RigidShapeSettings& shape, problem::Geometry geometry = problem::Geometry::axisymmetric)
@@ -73,4 +73,4 @@ TEST(Kind, a_cone_has_its_angle_and_the_height_of_its_shoulder)
 }
 
 }  // namespace
-}  // namespace berm::base
+}  // namespace berm::base::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::base {
+namespace berm::base::this_file {
 namespace {
 
 TEST(SoilWords, say_layers_and_the_strength_at_the_surface_and_where_the_push_ends)
@@ -30,4 +30,4 @@ TEST(SoilWords, say_layers_and_the_strength_at_the_surface_and_where_the_push_en
 }
 
 }  // namespace
-}  // namespace berm::base
+}  // namespace berm::base::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::formulas {
+namespace berm::formulas::this_file {
 namespace {
 
 TEST(Axial, wedging_is_the_normal_force_over_V_for_a_stress_that_falls_with_the_cosine)
@@ -76,4 +76,4 @@ TEST(Axial, displacements_are_those_of_the_table)
 }
 
 }  // namespace
-}  // namespace berm::formulas
+}  // namespace berm::formulas::this_file

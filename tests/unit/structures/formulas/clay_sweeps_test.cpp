@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::formulas {
+namespace berm::formulas::this_file {
 namespace {
 
 PipeInClay pipe_of(Real strength, Real embedment = 0.25)
@@ -73,4 +73,4 @@ TEST(ClaySweeps, the_breakout_of_2006_is_friction_and_a_wedge_and_is_only_recall
 }
 
 }  // namespace
-}  // namespace berm::formulas
+}  // namespace berm::formulas::this_file

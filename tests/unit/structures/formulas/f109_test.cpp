@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::formulas {
+namespace berm::formulas::this_file {
 namespace {
 
 PipeInSand sand_at(Real relative_embedment)
@@ -56,4 +56,4 @@ TEST(F109, clay_resists_by_friction_and_by_its_strength_over_the_embedded_height
 }
 
 }  // namespace
-}  // namespace berm::formulas
+}  // namespace berm::formulas::this_file

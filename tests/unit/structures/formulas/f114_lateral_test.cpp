@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::formulas {
+namespace berm::formulas::this_file {
 namespace {
 
 constexpr Real D = 0.4;
@@ -131,4 +131,4 @@ TEST(F114Lateral, work_edition_and_clause_are_told)
 }
 
 }  // namespace
-}  // namespace berm::formulas
+}  // namespace berm::formulas::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::formulas {
+namespace berm::formulas::this_file {
 namespace {
 
 constexpr Real D = 0.4;
@@ -217,4 +217,4 @@ TEST(F114Vertical, values_out_of_range_are_told)
 }
 
 }  // namespace
-}  // namespace berm::formulas
+}  // namespace berm::formulas::this_file

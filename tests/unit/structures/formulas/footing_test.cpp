@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::formulas {
+namespace berm::formulas::this_file {
 namespace {
 
 // Tabulated values have five digits: half a unit of the last.
@@ -117,4 +117,4 @@ TEST(Footing, round_on_sand_goes_through_its_table)
 }
 
 }  // namespace
-}  // namespace berm::formulas
+}  // namespace berm::formulas::this_file

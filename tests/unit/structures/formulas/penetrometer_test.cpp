@@ -4,7 +4,7 @@
 #include <array>
 #include <gtest/gtest.h>
 
-namespace berm::formulas {
+namespace berm::formulas::this_file {
 namespace {
 
 // Tabulated values have four digits: half a unit of the last.
@@ -73,4 +73,4 @@ TEST(Penetrometer, deep_factors_go_from_smooth_to_rough)
 }
 
 }  // namespace
-}  // namespace berm::formulas
+}  // namespace berm::formulas::this_file

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::formulas {
+namespace berm::formulas::this_file {
 namespace {
 
 PipeInClay pipe_at(Real relative_embedment, Real roughness = 0)
@@ -122,4 +122,4 @@ TEST(PipeInClay, values_out_of_range_are_told)
 }
 
 }  // namespace
-}  // namespace berm::formulas
+}  // namespace berm::formulas::this_file

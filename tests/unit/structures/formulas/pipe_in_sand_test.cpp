@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <vector>
 
-namespace berm::formulas {
+namespace berm::formulas::this_file {
 namespace {
 
 PipeInSand pipe_at(Real relative_embedment, Real interface_angle = 0)
@@ -115,4 +115,4 @@ TEST(YieldSurface, cannot_be_found_from_points_at_one_load)
 }
 
 }  // namespace
-}  // namespace berm::formulas
+}  // namespace berm::formulas::this_file

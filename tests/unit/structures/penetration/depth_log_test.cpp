@@ -6,7 +6,7 @@
 #include "structures/cone/cone.hpp"
 #include "structures/penetration/penetration.hpp"
 
-namespace berm::penetration {
+namespace berm::penetration::this_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -89,4 +89,4 @@ TEST_F(DepthLogPicture, is_curves_png_of_a_run)
 }
 
 }  // namespace
-}  // namespace berm::penetration
+}  // namespace berm::penetration::this_file

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::penetration {
+namespace berm::penetration::this_file {
 namespace {
 
 // Sums of exact numbers.
@@ -211,4 +211,4 @@ TEST(SoilProfile, knows_what_formulas_want)
 }
 
 }  // namespace
-}  // namespace berm::penetration
+}  // namespace berm::penetration::this_file

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm::penetration {
+namespace berm::penetration::this_file {
 namespace {
 
 const base::Structure& structure_of(const record::RunRecord& run)
@@ -258,4 +258,4 @@ TEST(Penetration, of_a_run_without_rows_says_nothing)
 }
 
 }  // namespace
-}  // namespace berm::penetration
+}  // namespace berm::penetration::this_file

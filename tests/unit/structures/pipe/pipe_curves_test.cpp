@@ -3,7 +3,7 @@
 
 #include "samples/drawn_run.hpp"
 
-namespace berm::pipe {
+namespace berm::pipe::this_file {
 namespace {
 
 namespace fs = std::filesystem;
@@ -59,4 +59,4 @@ TEST_F(PipeCurves, of_nothing_there_is_no_picture)
 }
 
 }  // namespace
-}  // namespace berm::pipe
+}  // namespace berm::pipe::this_file

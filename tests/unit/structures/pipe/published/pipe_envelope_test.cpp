@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::pipe {
+namespace berm::pipe::this_file {
 namespace {
 
 const base::EnvelopeEnds no_probes{{}, {}, std::numeric_limits<Real>::quiet_NaN()};
@@ -77,4 +77,4 @@ TEST(PipeEnvelope, is_a_parabola_through_the_probes_in_sand)
 }
 
 }  // namespace
-}  // namespace berm::pipe
+}  // namespace berm::pipe::this_file

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm::pipe {
+namespace berm::pipe::this_file {
 namespace {
 
 using Kind = ComparedState::Kind;
@@ -116,4 +116,4 @@ TEST(published_breakout, the_end_of_a_long_drag_stands_beside_the_residual_and_t
 }
 
 }  // namespace
-}  // namespace berm::pipe
+}  // namespace berm::pipe::this_file

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm::pipe {
+namespace berm::pipe::this_file {
 namespace {
 
 /// Dragged 1.2 D in clay of 1 kPa, where H = 3e4 u and w = 0.1 D + u/20; and dragged back 1.2 D once more, where H is half of that.
@@ -69,4 +69,4 @@ TEST(published_sweeps, a_drag_of_less_than_a_diameter_has_no_residual)
 }
 
 }  // namespace
-}  // namespace berm::pipe
+}  // namespace berm::pipe::this_file

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-namespace berm::pipe {
+namespace berm::pipe::this_file {
 namespace {
 
 using Kind = ComparedState::Kind;
@@ -339,4 +339,4 @@ TEST(published, what_is_no_whole_pipe_has_no_formulas)
 }
 
 }  // namespace
-}  // namespace berm::pipe
+}  // namespace berm::pipe::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::pipe {
+namespace berm::pipe::this_file {
 namespace {
 
 TEST(AxialResults, are_the_effective_normal_force_over_V_and_times_the_friction_coefficient)
@@ -26,4 +26,4 @@ TEST(AxialResults, are_the_effective_normal_force_over_V_and_times_the_friction_
 }
 
 }  // namespace
-}  // namespace berm::pipe
+}  // namespace berm::pipe::this_file

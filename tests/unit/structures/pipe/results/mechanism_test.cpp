@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::pipe {
+namespace berm::pipe::this_file {
 namespace {
 
 constexpr Real D = 0.02, side = 0.001;
@@ -100,4 +100,4 @@ TEST(Mechanism, heaped_soil_that_moves_with_the_pipe_is_dragged)
 }
 
 }  // namespace
-}  // namespace berm::pipe
+}  // namespace berm::pipe::this_file

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::pipe {
+namespace berm::pipe::this_file {
 namespace {
 
 /// A box in space that is pushed, with moments that grow with its way.
@@ -43,4 +43,4 @@ TEST(MomentsInSpace, are_of_space_only)
 }
 
 }  // namespace
-}  // namespace berm::pipe
+}  // namespace berm::pipe::this_file

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::pipe {
+namespace berm::pipe::this_file {
 namespace {
 
 using problem::StageKind;
@@ -182,4 +182,4 @@ TEST(PipeStages, follow_the_case)
 }
 
 }  // namespace
-}  // namespace berm::pipe
+}  // namespace berm::pipe::this_file

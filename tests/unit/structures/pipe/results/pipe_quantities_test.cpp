@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-namespace berm::pipe {
+namespace berm::pipe::this_file {
 namespace {
 
 const BodyScale scale{.width = 0.02, .unit_weight = 430e3, .gravity_level = 50};
@@ -283,4 +283,4 @@ TEST(KeyResults, give_model_dimensionless_and_prototype_values)
 }
 
 }  // namespace
-}  // namespace berm::pipe
+}  // namespace berm::pipe::this_file

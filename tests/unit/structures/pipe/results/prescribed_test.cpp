@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::pipe {
+namespace berm::pipe::this_file {
 namespace {
 
 using problem::StageKind;
@@ -84,4 +84,4 @@ TEST(Prescribed, is_known_for_a_case_without_a_drag)
 }
 
 }  // namespace
-}  // namespace berm::pipe
+}  // namespace berm::pipe::this_file

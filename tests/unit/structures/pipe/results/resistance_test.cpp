@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace berm::pipe {
+namespace berm::pipe::this_file {
 namespace {
 
 constexpr Real D = 0.02;
@@ -133,4 +133,4 @@ TEST(resistance, a_run_without_a_drag_has_none)
 }
 
 }  // namespace
-}  // namespace berm::pipe
+}  // namespace berm::pipe::this_file
