@@ -2,7 +2,7 @@
 // `berm draw`, from outside.
 #include "samples/drawn_run.hpp"
 #include "samples/program.hpp"
-#include "samples/small_case.hpp"
+#include "samples/small_cases.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // `berm export`, from outside.
 #include "samples/program.hpp"
-#include "samples/small_fem_case.hpp"
+#include "samples/small_cases.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // berm report from outside: what it reads, where it writes, runs that broke off.
 #include "samples/program.hpp"
-#include "samples/small_case.hpp"
+#include "samples/small_cases.hpp"
 
 #include <fstream>
 #include <gtest/gtest.h>

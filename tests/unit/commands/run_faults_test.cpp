@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The built program where something goes wrong: what it says, how it ends, what it leaves.
 #include "samples/program.hpp"
-#include "samples/small_case.hpp"
+#include "samples/small_cases.hpp"
 
 #include "io/folder_lock.hpp"
 #include "run_folder/history.hpp"
@@ -106,7 +106,7 @@ TEST(Faults, forces_beyond_all_numbers_name_particle_cell_and_time_and_leave_a_f
 TEST(Faults, a_time_step_that_falls_to_nothing_ends_the_run_with_what_made_it_small)
 {
   const Place place;
-  place.folder.write("small.toml", std::string(test::small_case) + "[[body.sand.initial_velocity]]\namplitude = [1e7, 0]\n");
+  place.folder.write("small.toml", test::small_case + "[[body.sand.initial_velocity]]\namplitude = [1e7, 0]\n");
   const Ended ended = place.run({});
   EXPECT_EQ(ended.status, 1);
   expect_parts(ended.err, {"the time step has fallen to ", "(at rest it is ", "at t = 0 s", "body \"sand\"", "1e+07 m/s"});

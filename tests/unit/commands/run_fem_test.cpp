@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The built program on a case of finite elements, from outside.
 #include "samples/program.hpp"
-#include "samples/small_fem_case.hpp"
+#include "samples/small_cases.hpp"
 
 #include "run_folder/history.hpp"
 #include "structures/base/driven_body.hpp"

@@ -2,7 +2,7 @@
 // The program under attack: texts that no hand writes, names that would leave the run folder or reach a shell, sizes that no machine holds.
 #include "samples/falling_stone.hpp"
 #include "samples/program.hpp"
-#include "samples/small_case.hpp"
+#include "samples/small_cases.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -105,7 +105,7 @@ TEST_F(Hostile, sizes_that_no_machine_holds_are_refused_at_once)
   expect_refused(small_case_with("\"0.05 ms\"", "1e-30"), "output.history_time");
   expect_refused(small_case_with("frame_travel = \"1 mm\"", "frame_time = 1e-30"), "output.frame_time");
   expect_refused(small_case_with("\"1 mm\"", "1e-30"), "output.frame_travel");
-  expect_refused(test::small_case + std::string("[mpm]\ncourant = 1e-300\n"), "mpm.courant");
+  expect_refused(test::small_case + "[mpm]\ncourant = 1e-300\n", "mpm.courant");
   const std::string comb = fmt::format("[rigid.comb]\nshape = \"polygon\"\nx = [{0}]\ny = [{0}]\n", repeated("0, 1, ", 25'000));
   expect_refused(test::small_case + comb, "1000 corners at most");
   const std::string bed = "kind = \"seabed\"\nlength = 1\ndepth = 1\nheadroom = 1\nnear_left = -0.1\nnear_right = 0.1\nnear_depth = 0.1\n"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The built program from outside: commands, run folder, threads, interrupts, vector units.
 #include "samples/program.hpp"
-#include "samples/small_case.hpp"
+#include "samples/small_cases.hpp"
 
 #include "run_folder/history.hpp"
 
@@ -140,8 +140,8 @@ TEST(Run, history_has_the_promised_columns_and_a_row_for_each_interval_and_stage
 TEST(Run, history_has_extents_and_angular_momentum_of_a_body_and_motion_and_stress_of_a_watched_particle)
 {
   const Place place;
-  place.folder.write("small.toml", std::string(test::small_case) + "[watch.deep]\nbody = \"sand\"\npoint = [0.0006, 0.0006]\n"
-                                                                   "[[body.sand.initial_velocity]]\namplitude = [0.1, -0.2]\n");
+  place.folder.write("small.toml", test::small_case + "[watch.deep]\nbody = \"sand\"\npoint = [0.0006, 0.0006]\n"
+                                                      "[[body.sand.initial_velocity]]\namplitude = [0.1, -0.2]\n");
   ASSERT_EQ(place.berm({"run", "small.toml", "--threads", "1"}).status, 0);
   const run_folder::History history = run_folder::read_history(place.folder / "out/small/history.csv");
   const auto first = [&](const char* column) { return history[column].at(0); };
@@ -226,7 +226,7 @@ TEST(Run, with_a_report_table_writes_the_same_history_and_notes_where_it_comes_f
 {
   const Place place;
   ASSERT_EQ(place.berm({"run", "small.toml", "--threads", "1", "-o", "one"}).status, 0);
-  place.folder.write("signed.toml", test::small_case + std::string("\n[report]\nproject = \"P\"\nchecker = \"C\"\nnote = \"checked\"\n"));
+  place.folder.write("signed.toml", test::small_case + "\n[report]\nproject = \"P\"\nchecker = \"C\"\nnote = \"checked\"\n");
   const Ended ended = place.berm({"run", "signed.toml", "--threads", "1", "-o", "two"});
   ASSERT_EQ(ended.status, 0) << ended.err;
   EXPECT_GT(place.text("one/history.csv").size(), 1000u);

@@ -3,8 +3,7 @@
 #include "io/folder_lock.hpp"
 #include "run_folder/summary_file.hpp"
 #include "samples/program.hpp"
-#include "samples/small_case.hpp"
-#include "samples/small_fem_case.hpp"
+#include "samples/small_cases.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the program does with wrong input: status 2, one line, nothing written.
 #include "samples/program.hpp"
-#include "samples/small_case.hpp"
+#include "samples/small_cases.hpp"
 #include "samples/wrong_inputs.hpp"
 
 #include <gtest/gtest.h>
@@ -84,7 +84,7 @@ TEST(WrongInput, of_the_second_case_keeps_the_first_from_running)
   std::string text = test::small_case;
   text.replace(text.find("mohr_coulomb"), 4, "more");
   folder.write("second.toml", text);
-  expect_refused(folder, {"run", "first.toml", "second.toml", "-o", "results"}, {"second.toml:11: "});
+  expect_refused(folder, {"run", "first.toml", "second.toml", "-o", "results"}, {"second.toml:12: "});
 }
 
 TEST(WrongInput, of_two_cases_that_would_share_a_folder)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "core/error.hpp"
 #include "input/read_case.hpp"
-#include "samples/small_space_case.hpp"
+#include "samples/small_cases.hpp"
 #include "samples/wrong_inputs.hpp"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
 #include "input/read_case.hpp"
 #include "input/reader.hpp"
 #include "input/write_case.hpp"
-#include "samples/small_case.hpp"
+#include "samples/small_cases.hpp"
 #include "samples/wrong_inputs.hpp"
 
 #include <gtest/gtest.h>

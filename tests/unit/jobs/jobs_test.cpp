@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "jobs/jobs.hpp"
 
-#include "samples/small_case.hpp"
+#include "samples/small_cases.hpp"
 #include "study_by_runner.hpp"
 
 namespace berm::jobs::this_file {

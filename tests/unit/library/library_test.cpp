@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // berm as a library, by nothing but its public header.
 #include "samples/program.hpp"
-#include "samples/small_case.hpp"
-#include "samples/small_fem_case.hpp"
+#include "samples/small_cases.hpp"
 
 #include <berm/berm.hpp>
 
@@ -263,7 +262,7 @@ TEST_F(Library, says_what_is_wrong_with_a_case)
   text.replace(text.find("young_modulus"), 13, "young_modulos");
   folder_.write("wrong.toml", text);
   const std::string error = error_of<InputError>([&] { OneRun(path("wrong.toml")); });
-  EXPECT_NE(error.find("wrong.toml:13"), std::string::npos) << error;
+  EXPECT_NE(error.find("wrong.toml:14"), std::string::npos) << error;
   EXPECT_NE(error.find("young_modulus"), std::string::npos) << error;
   RunOptions options;
   options.set = {"stage.drag.velocity=-"};

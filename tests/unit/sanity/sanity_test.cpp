@@ -2,8 +2,7 @@
 // Whether a case makes sense: what is asked of check and run, in lines that name the key; and that no example is doubted.
 #include "samples/program.hpp"
 #include "samples/senseless_inputs_in_space.hpp"
-#include "samples/small_case.hpp"
-#include "samples/small_space_case.hpp"
+#include "samples/small_cases.hpp"
 
 #include <gtest/gtest.h>
 

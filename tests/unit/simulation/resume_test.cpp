@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A run that was stopped or killed and goes on leaves the same files as one that was not, byte for byte.
 #include "samples/program.hpp"
-#include "samples/small_case.hpp"
+#include "samples/small_cases.hpp"
 
 #include "mpm/time_step.hpp"
 

@@ -6,9 +6,7 @@
 #include "input/read_case.hpp"
 #include "run_folder/summary_file.hpp"
 #include "samples/program.hpp"
-#include "samples/small_case.hpp"
-#include "samples/small_fem_case.hpp"
-#include "samples/small_space_case.hpp"
+#include "samples/small_cases.hpp"
 
 #include <gtest/gtest.h>
 #include <omp.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "samples/small_case.hpp"
+#include "samples/small_cases.hpp"
 #include "samples/study_of_falls.hpp"
 
 namespace berm::study::this_file {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "samples/program.hpp"
-#include "samples/small_case.hpp"
+#include "samples/small_cases.hpp"
 
 #include <gtest/gtest.h>
 
@@ -100,7 +100,7 @@ TEST_F(UserLawRun, without_its_library_is_refused_with_the_line)
   const Ended ended = berm({"check", "cases/case.toml"});
   EXPECT_EQ(ended.status, 2);
   EXPECT_NE(ended.err.find("material.sand.library: there is no "), std::string::npos) << ended.err;
-  EXPECT_NE(ended.err.find("case.toml:12"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("case.toml:13"), std::string::npos) << ended.err;
 }
 
 }  // namespace
