@@ -3,13 +3,13 @@
 SHELL := /bin/bash
 .SHELLFLAGS := -euo pipefail -c
 .DEFAULT_GOAL := help
-.PHONY: help setup configure configure_tests build probe test verify bench packages site debug fuzz sanitize threads tidy clean
+.PHONY: help setup configure configure_tests build probe test test-all slowest verify bench packages site debug fuzz sanitize threads tidy clean
 
 cores := $(shell env -u OMP_NUM_THREADS nproc)
 release := build/release
 
 help: ## this list
-	@sed -nE 's/^([a-z]+):.*## (.*)/make \1|\2/p' Makefile | while IFS='|' read -r what does; do printf '  %-12s %s\n' "$$what" "$$does"; done
+	@sed -nE 's/^([a-z-]+):.*## (.*)/make \1|\2/p' Makefile | while IFS='|' read -r what does; do printf '  %-12s %s\n' "$$what" "$$does"; done
 
 setup: ## install the packages that are missing
 	@scripts/setup
@@ -40,17 +40,31 @@ probe: build ## run every case of examples/probe_test; results go to out/probe_t
 	@$(release)/berm run $(probe_cases) -o out/probe_test --force
 	@$(release)/berm report $(probe_runs)
 
-# What reads files that may be damaged is tested with sanitizers at every change.
+# Tests run side by side, so each takes one thread unless it asks for more. The last line counts them.
+ctest = OMP_NUM_THREADS=$${OMP_NUM_THREADS:-1} OMP_WAIT_POLICY=passive ctest --preset release --parallel $(cores) --output-log $(release)/tests.log
+count = grep 'tests passed' $(release)/tests.log | sed 's/^/make $@: /'
+
+test: configure_tests ## build and run the quick tests, which a change must pass: some minutes after the build
+	@ninja -C $(release) quick_tests | $(only_news)
+	@$(ctest) --label-regex quick
+	@$(count)
+
+# What reads files that may be damaged is tested with sanitizers, too.
 sanitized = core mesh input
 
-# Tests run side by side, so each takes one thread unless it asks for more.
-test: configure_tests ## build and run all tests, some of them with sanitizers once more, and the probe test without optimization
-	@PATH=$$PATH:/usr/sbin scripts/setup slurm || echo 'make test: Slurm is not installed; the test that needs it is skipped'
+test-all: configure_tests ## all tests, some of them with sanitizers once more, and the program without optimization: before a release, and where the change is to what `make test` leaves out
+	@PATH=$$PATH:/usr/sbin scripts/setup slurm || echo 'make test-all: Slurm is not installed; the test that needs it is skipped'
 	@ninja -C $(release) | $(only_news)
-	@OMP_NUM_THREADS=$${OMP_NUM_THREADS:-1} OMP_WAIT_POLICY=passive ctest --preset release --parallel $(cores) --output-log $(release)/tests.log
-	@grep 'tests passed' $(release)/tests.log | sed 's/^/make test: /'
+	@$(ctest)
 	@$(MAKE) --no-print-directory sanitize folders='$(sanitized)'
 	@$(MAKE) --no-print-directory debug
+	@$(count)
+
+# Those inside a program of many tests by what it says of each.
+slowest: ## the thirty tests that took longest when ctest ran last, in seconds
+	@awk '/^[0-9]+\/[0-9]+ Test: / { name = $$3; single = 1 } \
+	  /^\[ +OK \]/ { single = 0; print substr($$(NF - 1), 2) / 1000, name (name ~ /\./ ? "" : "." $$4) } \
+	  /^Test time =/ && single { print $$4, name }' $(release)/Testing/Temporary/LastTest.log | sort -rn | head -n 30
 
 verify: build ## run the whole verification book; it is out/verification/index.html
 	@scripts/setup tests
@@ -90,7 +104,7 @@ fuzz: ## look for inputs that break berm, with clang: ten million for each targe
 sanitize: setup ## unit tests with address and undefined-behaviour sanitizers, of all folders (long) or of folders='mesh input'
 	@cmake --preset sanitize >/dev/null
 	@cmake --build --preset sanitize $(if $(folders),--target $(folders:%=test_%)) | $(only_news)
-	@ctest --preset sanitize --parallel $(cores) $(if $(folders),-R '^($(subst $(space),|,$(strip $(folders))))\.') --output-log build/sanitize/tests.log
+	@ctest --preset sanitize --parallel $(cores) $(if $(folders),-R '^($(subst $(space),|,$(strip $(folders))))($$|\.)') --output-log build/sanitize/tests.log
 	@grep 'tests passed' build/sanitize/tests.log | sed 's/^/make sanitize: /'
 
 threads: ## tests of what runs in threads, with clang's thread sanitizer

@@ -194,12 +194,15 @@ def namespace_of(room):
 
 
 def namespaces(tree):
-    """What a room declares stands in the room's namespace."""
+    """What a room declares stands in the room's namespace, and what a test file does in one of its own."""
     for path in tree.ending(CPP, "src/"):
         room = room_of(path)
         opened = set(re.findall(r"^namespace (berm[\w:]*) \{", without_words(tree.read(path)), re.M))
         if room and opened - {namespace_of(room)}:
             yield f"{path}: namespace {', '.join(sorted(opened))}; it is {namespace_of(room)} in {room}"
+    for path in tree.ending(".cpp", "tests/unit/") + tree.ending(".cpp", "tests/physics/"):
+        if not re.search(r"^namespace berm[\w:]*::this_file \{", tree.read(path), re.M):
+            yield f"{path}: the namespace of a test file ends with ::this_file"
 
 
 def types_in(text):
@@ -390,8 +393,8 @@ CHECKS = {
         [{"CMakeLists.txt": TIERS, "src/case/input/inner/a.cpp": '#include "core/a.hpp"\n#include "mpm/b.hpp"\n#include <vector>\n', "src/main.cpp": '#include "commands/a.hpp"\n'}],
     ),
     namespaces: (
-        [{"src/engine/mesh/a.hpp": "namespace berm {\n}\n"}, {"src/pages/report/page/a.cpp": "namespace berm::page {\n}\n"}],
-        [{"src/engine/mesh/a.hpp": "namespace berm::mesh {\nnamespace {\n}\n}\n", "src/engine/core/a.hpp": "namespace berm {\n}\n", "src/structures/pipe/a.hpp": "namespace berm::pipe {\n}\n"}],
+        [{"src/engine/mesh/a.hpp": "namespace berm {\n}\n"}, {"src/pages/report/page/a.cpp": "namespace berm::page {\n}\n"}, {"tests/unit/mesh/a.cpp": "namespace berm::mesh {\n}\n"}],
+        [{"src/engine/mesh/a.hpp": "namespace berm::mesh {\nnamespace {\n}\n}\n", "src/engine/core/a.hpp": "namespace berm {\n}\n", "src/structures/pipe/a.hpp": "namespace berm::pipe {\n}\n", "tests/physics/a.cpp": "namespace berm::this_file {\n}\n"}],
     ),
     type_names: (
         [
