@@ -14,6 +14,9 @@
 
 namespace berm::mpm {
 
+// Of one file each: with names that other files may share, the compiler would inline otherwise, and the last bits change.
+namespace {
+
 /// Increments of strain, rotation and dilation, uniform in a cell.
 template <int dim>
 struct CellStrain {
@@ -235,6 +238,8 @@ void move_and_strain_with(const SoilOf<Law>& soil, Real motion, const problem::M
   state.totals.internal += work_done.internal;
   state.totals.damping += work_done.filtered;
 }
+
+}  // namespace
 
 template <int dim, class Law>
 void move_by_law(const SoilOf<Law>& soil, Real motion, const problem::Model<dim>& model, problem::State<dim>& state,
