@@ -18,7 +18,6 @@ namespace fs = std::filesystem;
 struct Picture {
   simulation::RunRequest request;
   fs::path file;
-  plot::PlotFormat format;
 };
 
 /// Where each picture goes: beside its run folder, of one case to the file that -o names, of several to files of their names in the folder that it names.
@@ -30,7 +29,7 @@ std::vector<Picture> pictures(const CaseOptions& options)
     const fs::path file = named ? request.folder : fs::path(request.folder.string() + ".png");
     if (file.extension() != ".png" && file.extension() != ".svg")
       throw InputError(fmt::format("-o {}: the picture of a case is a .png or an .svg; name it so", options.output));
-    all.push_back({std::move(request), file, file.extension() == ".svg" ? plot::PlotFormat::svg : plot::PlotFormat::png});
+    all.push_back({std::move(request), file});
   }
   return all;
 }
@@ -42,25 +41,19 @@ mesh::Mesh<2> mesh_of(const simulation::RunRequest& request, const fs::path& wor
                                                          : mesh::make_mesh<2>(request.settings.mesh, folder, work_folder);
 }
 
-bool drawn(const Picture& picture, const fs::path& folder, const std::string& name)
-{
-  const problem::Case& settings = picture.request.settings;
-  if (settings.dimension() == 2) return picture::draw_model(settings, mesh_of(picture.request, folder), folder, name, picture.format);
-  return picture::draw_space(settings, mesh::make_mesh<3>(settings.mesh, picture.request.case_file.parent_path(), folder), folder, name,
-                             picture.format);
-}
-
 void draw(const Picture& picture)
 {
   const io::ScratchFolder scratch;
-  const std::string name = "model";
+  const problem::Case& settings = picture.request.settings;
   try {
-    if (!drawn(picture, scratch.path(), name)) throw RunError(fmt::format("{} is not drawn", picture.file.string()));
+    if (settings.dimension() == 2)
+      picture::draw_model(settings, mesh_of(picture.request, scratch.path()), picture.file);
+    else
+      picture::draw_space(settings, mesh::make_mesh<3>(settings.mesh, picture.request.case_file.parent_path(), scratch.path()),
+                          picture.file);
   } catch (const KeyError& error) {
     throw InputError(picture.request.places.located(error.what()));
   }
-  if (picture.file.has_parent_path()) io::make_folder(picture.file.parent_path());
-  io::copy_atomically(scratch.path() / (name + picture.file.extension().string()), picture.file);
   fmt::print("{}\n", picture.file.string());
 }
 

@@ -11,6 +11,12 @@ namespace berm {
 
 using Color = std::array<int, 3>;
 
+/// Whether pictures can be made and looked at here.
+inline bool draws_png()
+{
+  return std::system("rsvg-convert --version > /dev/null 2>&1 && gnuplot --version > /dev/null 2>&1") == 0;
+}
+
 /// Red, green and blue of a pixel of a PNG, counted from the upper left corner, as gnuplot reads it.
 inline Color color_at(const std::filesystem::path& picture, int column, int row)
 {

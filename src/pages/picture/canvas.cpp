@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "picture/canvas.hpp"
 
+#include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/run_and_wait.hpp"
+#include "io/scratch_folder.hpp"
+#include "text/html.hpp"
 
+#include <cerrno>
+#include <cstring>
 #include <fmt/format.h>
 
 namespace berm::picture {
@@ -12,67 +18,69 @@ constexpr Real head_length = 11, head_half = 4.2;  // of an arrow, pixels
 
 }  // namespace
 
-Points part_inside(const Points& convex, const Window& window)
+std::string Canvas::shown(const std::string& color) const
 {
-  Points part = convex;
-  for (int d = 0; d < 2; ++d) {
-    part = report::cut(part, [&](const Vec<2>& x) { return x[d] - window.upper_left[d]; });
-    part = report::cut(part, [&](const Vec<2>& x) { return window.lower_right[d] - x[d]; });
+  if (place_ == Place::page || !color.starts_with("var(")) return color;
+  const std::size_t begin = color.find(',') + 1;
+  return color.substr(begin, color.size() - 1 - begin);
+}
+
+/// Shapes of one look that are drawn one after the other become one path: no seam shows between cells.
+void Canvas::add(const std::string& look, const Points& points, const char* end)
+{
+  if (points.size() < 2) return;
+  if (look != look_) {
+    end_path();
+    look_ = look;
+    shapes_ += fmt::format("<path {} d=\"", look);
   }
-  return part.size() < 3 ? Points{} : part;
+  for (std::size_t k = 0; k < points.size(); ++k)
+    fmt::format_to(std::back_inserter(shapes_), "{}{:.2f} {:.2f}", k == 0 ? 'M' : ' ', points[k][0], points[k][1]);
+  shapes_ += end;
 }
 
-std::optional<std::pair<Vec<2>, Vec<2>>> part_inside(const Vec<2>& from, const Vec<2>& to, const Window& window)
+void Canvas::end_path()
 {
-  Real begin = 0, end = 1;
-  const Vec<2> way = to - from;
-  for (int d = 0; d < 2; ++d)
-    for (const auto& [way_out, room] :
-         {std::pair{-way[d], from[d] - window.upper_left[d]}, std::pair{way[d], window.lower_right[d] - from[d]}}) {
-      if (way_out == 0 && room < 0) return {};
-      if (way_out > 0) end = std::min(end, room / way_out);
-      if (way_out < 0) begin = std::max(begin, room / way_out);
-    }
-  if (begin >= end) return {};
-  return std::pair{Vec<2>(from + begin * way), Vec<2>(from + end * way)};
+  if (!look_.empty()) shapes_ += "\"/>\n";
+  look_.clear();
 }
 
-void Canvas::add(const std::string& look, const Points& points)
+void Canvas::open(const Window& window)
 {
-  if (layers_.empty() || layers_.back().look != look) layers_.push_back({look, ""});
-  for (const Vec<2>& x : points) fmt::format_to(std::back_inserter(layers_.back().data), "{:.2f} {:.2f}\n", x[0], x[1]);
-  layers_.back().data += '\n';
+  end_path();
+  window_ = window;
+  const Vec<2>&at = window.upper_left, size = window.size();
+  shapes_ +=
+      fmt::format("<svg x=\"{0:.2f}\" y=\"{1:.2f}\" width=\"{2:.2f}\" height=\"{3:.2f}\" viewBox=\"{0:.2f} {1:.2f} {2:.2f} {3:.2f}\">\n",
+                  at[0], at[1], size[0], size[1]);
 }
 
-void Canvas::polygon(const Points& convex, const std::string& color)
+void Canvas::close()
 {
-  const Points part = window_ ? part_inside(convex, *window_) : convex;
-  if (part.size() >= 3) add(fmt::format("filledcurves closed lc rgb '{}' fs solid 1", color), part);
+  end_path();
+  window_.reset();
+  shapes_ += "</svg>\n";
+}
+
+void Canvas::polygon(const Points& points, const std::string& color)
+{
+  add(fmt::format("fill=\"{}\"", shown(color)), points, "z");
 }
 
 void Canvas::line(const Points& points, const LineStyle& style)
 {
-  const std::string look = fmt::format("lines lc rgb '{}' lw {:g} dt {}", style.color, style.width, style.dash);
-  if (!window_) return add(look, points);
-  Points part;
-  const auto finish = [&] {
-    if (part.size() > 1) add(look, part);
-    part.clear();
-  };
-  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    const auto inside = part_inside(points[k], points[k + 1], *window_);
-    if (!inside) continue;
-    if (part.empty() || part.back() != inside->first) finish(), part.push_back(inside->first);
-    part.push_back(inside->second);
-  }
-  finish();
+  add(look_of(style), points, "");
 }
 
-void Canvas::outline(Points points, const LineStyle& style)
+void Canvas::outline(const Points& points, const LineStyle& style)
 {
-  if (points.empty()) return;
-  points.push_back(points.front());
-  line(points, style);
+  add(look_of(style), points, "z");
+}
+
+std::string Canvas::look_of(const LineStyle& style) const
+{
+  return fmt::format("fill=\"none\" stroke=\"{}\" stroke-width=\"{:g}\"{}", shown(style.color), style.width,
+                     style.dash.empty() ? "" : fmt::format(" stroke-dasharray=\"{}\"", style.dash));
 }
 
 void Canvas::arrow(const Vec<2>& from, const Vec<2>& to, const LineStyle& style)
@@ -87,7 +95,7 @@ void Canvas::arrow(const Vec<2>& from, const Vec<2>& to, const LineStyle& style)
 
 void Canvas::dimension(const Vec<2>& from, const Vec<2>& to, const std::string& words)
 {
-  const LineStyle style{"#555555", 1};
+  const LineStyle style{quiet_color, 1};
   const Vec<2> middle = 0.5 * (from + to);
   arrow(middle, from, style);
   arrow(middle, to, style);
@@ -101,10 +109,15 @@ void Canvas::dimension(const Vec<2>& from, const Vec<2>& to, const std::string& 
 void Canvas::text(const Vec<2>& at, const std::string& words, const TextStyle& style)
 {
   if (words.empty() || (window_ && !window_->holds(at))) return;
-  constexpr const char* anchors[] = {"left", "center", "right"};
-  fmt::format_to(std::back_inserter(labels_), "set label {} at {:.1f},{:.1f} {}{} font 'DejaVu Sans{},{:g}' tc rgb '{}' front\n",
-                 plot::gnuplot_text(words), at[0], at[1], anchors[static_cast<int>(style.anchor)], style.upright ? " rotate by 90" : "",
-                 style.bold ? ":Bold" : "", style.size, style.color);
+  constexpr const char* anchors[] = {"start", "middle", "end"};
+  const Real below = 0.47 * style.size;  // of its middle is the base line of a letter, pixels
+  words_ +=
+      fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"{}\"", at[0], at[1] + below, anchors[static_cast<int>(style.anchor)]);
+  if (style.upright) words_ += fmt::format(" transform=\"rotate(-90 {:.1f} {:.1f})\"", at[0], at[1]);
+  words_ += fmt::format(" font-size=\"{:g}pt\" fill=\"{}\"", style.size, shown(style.color));
+  if (style.bold) words_ += " font-weight=\"bold\"";
+  if (style.halo) words_ += fmt::format(" stroke=\"{}\" stroke-width=\"3\" paint-order=\"stroke\"", shown(ground_color));
+  words_ += '>' + text::html_text(words) + "</text>\n";
 }
 
 Points Canvas::circle(const Vec<2>& center, Real radius)
@@ -125,21 +138,32 @@ Real Canvas::width_of(const std::string& words, Real size)
   return 0.8 * size * static_cast<Real>(letters);
 }
 
-bool Canvas::draw(const std::filesystem::path& folder, const std::string& name, int width, int height, plot::PlotFormat format) const
+std::string Canvas::svg(const Vec<2>& size, const std::string& title, const std::string& description, Real scale) const
 {
-  io::make_folder(folder / "plots");
-  std::string data, plot;
-  for (std::size_t k = 0; k < layers_.size(); ++k) {
-    data += layers_[k].data + "\n\n";
-    plot += fmt::format("{} index {} using 1:2 with {} notitle",
-                        k == 0 ? "plot " + plot::gnuplot_text("./" + name + ".dat") : ", \\\n     ''", k, layers_[k].look);
-  }
-  io::write_atomically(folder / "plots" / (name + ".dat"), data);
-  const std::string script =
-      fmt::format("set lmargin at screen 0\nset rmargin at screen 1\nset bmargin at screen 0\nset tmargin at screen 1\n"
-                  "set xrange [0:{}]\nset yrange [{}:0]\nunset border\nunset tics\nunset key\n{}{}\n",
-                  width, height, labels_, plot);
-  return plot::draw(folder, name, width, height, script, format);
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" width=\"{:.0f}\" height=\"{:.0f}\" viewBox=\"0 0 {:.0f} {:.0f}\" "
+      "font-family=\"DejaVu Sans, sans-serif\" stroke-linejoin=\"round\">\n<title>{}</title>\n<desc>{}</desc>\n{}{}{}{}</svg>\n",
+      scale * size[0], scale * size[1], size[0], size[1], text::html_text(title), text::html_text(description),
+      place_ == Place::file ? "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" : "", shapes_, look_.empty() ? "" : "\"/>\n",
+      words_);
+}
+
+void Canvas::write(const std::filesystem::path& file, const Vec<2>& size, const std::string& title, const std::string& description) const
+{
+  if (file.has_parent_path()) io::make_folder(file.parent_path());
+  if (file.extension() == ".svg") return io::write_atomically(file, svg(size, title, description));
+  const io::ScratchFolder scratch;
+  const std::filesystem::path drawn = scratch.path() / "picture.svg", made = scratch.path() / "picture.png",
+                              messages = scratch.path() / "messages";
+  io::write_atomically(drawn, svg(size, title, description));
+  const int status = io::run_and_wait({"rsvg-convert", "--output", made.string(), drawn.string()}, messages);
+  if (status != 0)
+    throw RunError(fmt::format(
+        "{} is not drawn: {}", file.string(),
+        status > 0
+            ? "rsvg-convert says: " + io::last_message(messages)
+            : fmt::format("the program rsvg-convert, which a .png needs and a .svg does not, did not start ({})", std::strerror(errno))));
+  io::copy_atomically(made, file);
 }
 
 }  // namespace berm::picture

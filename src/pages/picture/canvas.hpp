@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "plot/gnuplot.hpp"
-#include "report/setup/convex.hpp"
+#include "picture/convex.hpp"
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
 namespace berm::picture {
-
-using report::Points;
 
 /// A rectangle of the canvas, pixels.
 struct Window {
@@ -19,37 +17,38 @@ struct Window {
   Vec<2> size() const { return lower_right - upper_left; }
 };
 
-/// The part of a convex polygon inside a window; without points where there is none.
-Points part_inside(const Points& convex, const Window& window);
-/// The part of a straight line inside a window.
-std::optional<std::pair<Vec<2>, Vec<2>>> part_inside(const Vec<2>& from, const Vec<2>& to, const Window& window);
-
+/// A colour is one of CSS. "var(--text,#222222)" is --text of the report's page, in light or dark, and #222222 in a file.
 struct LineStyle {
   std::string color;
   Real width = 1;
-  int dash = 1;  ///< of gnuplot: 1 is solid
-  bool operator==(const LineStyle&) const = default;
+  std::string dash = "";  ///< lengths of dashes and gaps, pixels
 };
+constexpr const char *dashed = "7 4", *dotted = "2 3";
+constexpr const char *text_color = "var(--text,#222222)", *quiet_color = "var(--quiet,#555555)", *ground_color = "var(--ground,#ffffff)";
 
 enum class Anchor { left, center, right };
 
 struct TextStyle {
-  Real size = 11;
+  Real size = 11;  ///< 1/72 inch, 4/3 of a pixel
   Anchor anchor = Anchor::left;
-  std::string color = "#222222";
+  std::string color = text_color;
   bool bold = false, upright = false;  ///< upright: turned by 90 degrees, from below
+  bool halo = true;                    ///< of the colour of the ground, which separates words from lines below them
 };
 
-/// A drawing in pixels from its upper left corner, y down. What is drawn later lies above; words lie above all. Within a window shapes are cut at its sides, and
-/// words whose place is outside are left out.
+/// A drawing as SVG, in pixels from its upper left corner, y down. What is drawn later lies above; words lie above all, at the middle of their height. Within
+/// a window shapes are cut at its sides, and words whose place is outside are left out.
 class Canvas {
 public:
-  void open(const Window& window) { window_ = window; }
-  void close() { window_.reset(); }
+  enum class Place { page, file };
+  explicit Canvas(Place place) : place_(place) {}
 
-  void polygon(const Points& convex, const std::string& color);
+  void open(const Window& window);
+  void close();
+
+  void polygon(const Points& points, const std::string& color);
   void line(const Points& points, const LineStyle& style);
-  void outline(Points points, const LineStyle& style);
+  void outline(const Points& points, const LineStyle& style);
   void disk(const Vec<2>& center, Real radius, const std::string& color) { polygon(circle(center, radius), color); }
   /// With a head at `to`.
   void arrow(const Vec<2>& from, const Vec<2>& to, const LineStyle& style);
@@ -61,20 +60,20 @@ public:
   /// How wide words are, pixels, by the mean width of a letter.
   static Real width_of(const std::string& words, Real size);
 
-  /// FOLDER/NAME.png or .svg; see plot::draw.
-  bool draw(const std::filesystem::path& folder, const std::string& name, int width, int height, plot::PlotFormat format) const;
+  /// An SVG element, `scale` times as large as drawn; title and description (plain text) are for those who cannot see it.
+  std::string svg(const Vec<2>& size, const std::string& title, const std::string& description, Real scale = 1) const;
+  /// Writes a .svg, or a .png by the program rsvg-convert. Throws RunError where that fails.
+  void write(const std::filesystem::path& file, const Vec<2>& size, const std::string& title, const std::string& description) const;
 
 private:
-  /// Shapes of one look that were drawn one after the other: a block of the data file.
-  struct Layer {
-    std::string look;  ///< as gnuplot's `with` takes it
-    std::string data;
-  };
-  void add(const std::string& look, const Points& points);
+  void add(const std::string& look, const Points& points, const char* end);
+  void end_path();
+  std::string look_of(const LineStyle& style) const;
+  std::string shown(const std::string& color) const;
 
+  Place place_;
   std::optional<Window> window_;
-  std::vector<Layer> layers_;
-  std::string labels_;
+  std::string look_, shapes_, words_;  ///< look: of the path that is still open
 };
 
 }  // namespace berm::picture

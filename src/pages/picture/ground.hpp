@@ -2,12 +2,9 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
-#include "problem/ground.hpp"
-#include "report/setup/convex.hpp"
+#include "picture/sketch.hpp"
 
 namespace berm::picture {
-
-using report::Points;
 
 /// A material of a body, which has one colour.
 struct SoilKind {
@@ -28,7 +25,7 @@ struct Side {
 
 /// The sides that a support holds.
 struct HeldSides {
-  std::string words;  ///< "x, y fixed"
+  std::string words;  ///< "x, y fixed"; where water flows also whether it crosses
   std::string boundary;
   int directions;  ///< bit 0: x, bit 1: y
   std::vector<Side> sides;
@@ -48,11 +45,13 @@ struct Ground {
   std::vector<HeldSides> held;
   std::vector<LoadedSpot> loaded;
   Vec<2> lower, upper;  ///< of the mesh, m
-  Index cells;
+  Index cells = 0;      ///< 0: the pieces are those of regions
 };
 
 /// `bed`: the surface, from which layers count. Throws KeyError where a name of the case refers to nothing in the mesh.
 Ground ground_of(const problem::Case& c, const mesh::Mesh<2>& mesh, const problem::Ground& bed);
+/// The same without a mesh, as far as the case tells: regions of a bed and of a box, no loads; of a mesh from a file its surface alone.
+Ground ground_of(const problem::Case& c, const Sketch& sketch);
 
 /// The first kind of a body: of a block or disk all of it.
 Index kind_of(const Ground& ground, const std::string& body);

@@ -3,7 +3,7 @@
 #include "picture/legend.hpp"
 
 #include "picture/path_marks.hpp"
-#include "report/setup/stage_words.hpp"
+#include "picture/stage_words.hpp"
 #include "structures/base/near_mesh.hpp"
 #include "text/quantity_words.hpp"
 
@@ -98,11 +98,15 @@ std::string together(const std::string& words)
   return kept;
 }
 
+std::string name_of(const SoilKind& kind)
+{
+  return kind.material == kind.body ? kind.material : fmt::format("{} (body {})", kind.material, kind.body);
+}
+
 std::string soil_words(const problem::Case& c, const SoilKind& kind)
 {
   const material::Material& material = c.material[problem::index_of(c.material, kind.material)].second;
-  std::string words = kind.material == kind.body ? kind.material : fmt::format("{} (body {})", kind.material, kind.body);
-  words += ": " + law_name(material);
+  std::string words = name_of(kind) + ": " + law_name(material);
   if (const std::optional<material::Strength> strength = strength_at_rest(material)) {
     const std::string c_words = with_depth(strength->cohesion, strength->cohesion_gradient);
     if (strength->friction_angle > 0)
@@ -118,23 +122,23 @@ std::string soil_words(const problem::Case& c, const SoilKind& kind)
   return together(words);
 }
 
-void soils(Column& column, const Model& model)
+/// Of what is drawn.
+void soils(Column& column, const Model& model, const std::function<std::string(const SoilKind&)>& words)
 {
   std::set<Index> seen;
   for (const Piece& piece : model.ground.pieces) seen.insert(piece.kind);
-  for (const report::NamedOutline& body : model.sketch.bodies) seen.insert(kind_of(model.ground, body.name));
-  column.heading("Soil");
+  for (const NamedOutline& body : model.sketch.bodies) seen.insert(kind_of(model.ground, body.name));
   for (Index kind = 0; kind < static_cast<Index>(model.ground.kinds.size()); ++kind)
-    if (seen.contains(kind)) column.swatch(soil_words(model.settings, model.ground.kinds[kind]), soil_color(kind), {surface_color, 1});
+    if (seen.contains(kind)) column.swatch(words(model.ground.kinds[kind]), soil_color(kind), {surface_color, 1});
 }
 
-std::string rigid_words(const std::string& name, const bodies::RigidSettings& rigid, const report::Outline& outline)
+std::string rigid_words(const std::string& name, const bodies::RigidSettings& rigid, const Outline& outline)
 {
-  const report::Extent extent = report::extent_of(outline);
+  const Extent extent = extent_of(outline);
   std::string words = name + ": ";
-  if (std::holds_alternative<report::DiskOutline>(outline))
+  if (std::holds_alternative<DiskOutline>(outline))
     words += "circle, D = " + text::length_words(extent.size()[0]);
-  else if (std::holds_alternative<report::PlaneOutline>(outline))
+  else if (std::holds_alternative<PlaneOutline>(outline))
     words += "half-plane";
   else
     words += fmt::format("{} × {}", text::length_words(extent.size()[0]), text::length_words(extent.size()[1]));
@@ -172,18 +176,16 @@ void mesh(Column& column, Canvas& canvas, const Model& model)
   column.heading("Mesh and boundaries");
   const Real size = base::near_cell_size(model.settings);
   const std::string cells = std::isnan(size) ? "" : "cells of " + text::length_words(size);
-  const auto* bed = std::get_if<mesh::SeabedMesh>(&model.settings.mesh);
-  if (bed != nullptr && model.sketch.fine) {
-    Vec<2> zone = model.sketch.fine->size();
-    if (!model.sketch.uneven.empty())
-      zone[1] = model.sketch.uneven[2][3][1] - model.sketch.uneven[2][0][1];  // upright, of what lies along the slope
-    std::string words = fmt::format("fine zone{}, {} × {}{}", bed->slope != 0 ? " along the slope" : "", text::length_words(zone[0]),
-                                    text::length_words(zone[1]), cells.empty() ? "" : ", " + cells);
+  if (const auto* bed = std::get_if<mesh::SeabedMesh>(&model.settings.mesh); bed != nullptr) {
+    const Points& zone = model.sketch.fine;
+    std::string words =
+        fmt::format("fine zone{}, {} × {}{}", bed->slope != 0 ? " along the slope" : "", text::length_words(zone[1][0] - zone[0][0]),
+                    text::length_words(zone[3][1] - zone[0][1]), cells.empty() ? "" : ", " + cells);
     if (const Real far = layout_of(*bed).far_size; std::isfinite(far))
       words += fmt::format("; up to {} far from it", text::length_words(far));
-    column.swatch(words, "#ffffff", {fine_color, 1.4, 2});
+    column.swatch(words, "none", {fine_color, 1.4, dashed});
   } else if (!cells.empty()) {
-    column.swatch(cells, "#ffffff", {"#b0b4ba", 0.8});
+    column.swatch(cells, "none", {"#b0b4ba", 0.8});
   }
   bool hatched = false, wheels = false, along = false;
   for (const HeldSides& held : model.ground.held)
@@ -211,9 +213,20 @@ void mesh(Column& column, Canvas& canvas, const Model& model)
 Real draw_legend(Canvas& canvas, const Model& model, const Vec<2>& at, Real width)
 {
   Column column(canvas, at, width);
-  soils(column, model);
+  column.heading("Soil");
+  soils(column, model, [&](const SoilKind& kind) { return soil_words(model.settings, kind); });
   rigid_bodies(column, model);
   mesh(column, canvas, model);
+  return column.level();
+}
+
+Real draw_names(Canvas& canvas, const Model& model, const Vec<2>& at, Real width)
+{
+  Column column(canvas, at, width);
+  soils(column, model, name_of);
+  for (const NamedOutline& rigid : model.sketch.rigid_bodies) column.swatch(rigid.name, rigid_color, {rim_color, 1});
+  if (!model.ground.surface.empty()) column.bar("surface", surface_color);
+  if (!model.sketch.fine.empty()) column.swatch("fine zone", "none", {fine_color, 1.4, dashed});
   return column.level();
 }
 
@@ -224,9 +237,9 @@ Real draw_stages(Canvas& canvas, const Model& model, const Vec<2>& at, Real widt
   if (stages.empty()) return at[1];
   column.heading("Stages");
   for (std::size_t k = 0; k < stages.size() && k < max_stages; ++k)
-    column.entry(report::stage_words(stages[k], 2),
+    column.entry(stage_words(stages[k], model.settings.force_dimension()),
                  [&](const Vec<2>& c) { number_mark(canvas, c, fmt::format("{}", k + 1), stage_color(stages[k].kind)); });
-  if (std::any_of(model.sketch.path.begin(), model.sketch.path.end(), [](const report::PathStep& step) { return !step.known; }))
+  if (std::any_of(model.sketch.path.begin(), model.sketch.path.end(), [](const PathStep& step) { return !step.known; }))
     column.entry("dashed arrow: how far it goes is found by the run", [](const Vec<2>&) {});
   if (stages.size() > max_stages) column.entry(fmt::format("and {} more", stages.size() - max_stages), [](const Vec<2>&) {});
   return column.level();

@@ -9,6 +9,9 @@ namespace berm::picture {
 /// gives the level where it ends, pixels.
 Real draw_legend(Canvas& canvas, const Model& model, const Vec<2>& at, Real width);
 
+/// The names of soils and rigid bodies alone, which runs that differ in numbers share; the same.
+Real draw_names(Canvas& canvas, const Model& model, const Vec<2>& at, Real width);
+
 /// The stages in words, each with its number; the same.
 Real draw_stages(Canvas& canvas, const Model& model, const Vec<2>& at, Real width);
 

@@ -2,18 +2,28 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
-#include "plot/gnuplot.hpp"
-#include "problem/case.hpp"
+#include "problem/ground.hpp"
+
+#include <filesystem>
 
 namespace berm::picture {
 
 /// Width of the picture, pixels; its height follows from what it shows.
 constexpr int picture_width = 1400;
 
-/// FOLDER/NAME.png or .svg: the model of a case in the plane before its run, to scale. The mesh with the soils that fill it, supports, tractions, rigid bodies with
-/// their dimensions, contacts, the ways that stages drive, and what all of that is in words. Script and data go to FOLDER/plots. False, with a warning, where
-/// gnuplot does not draw. Throws KeyError where a name of the case refers to nothing in the mesh.
-bool draw_model(const problem::Case& c, const mesh::Mesh<2>& mesh, const std::filesystem::path& folder, const std::string& name,
-                plot::PlotFormat format);
+/// Writes a .png or .svg: the model of a case in the plane before its run, to scale. The mesh with the soils that fill it, supports, tractions, rigid bodies with
+/// their dimensions, contacts, the ways that stages drive, and what all of that is in words. Throws RunError where it cannot be written, KeyError where a name of the
+/// case refers to nothing in the mesh.
+void draw_model(const problem::Case& c, const mesh::Mesh<2>& mesh, const std::filesystem::path& file);
+
+/// A case on a page, from what its file says alone; of one in space the plane x-y.
+struct PageDrawing {
+  std::string svgs;                ///< one or two SVG elements: the whole and, where the driven body is small in it, what is around its way
+  std::vector<std::string> notes;  ///< what is not drawn, in words (plain text)
+};
+
+/// The same without cells and numbers of soils. `bed`: that of a run, where more is known of it than the case says; `title` (plain text) is for those who cannot see
+/// it. Cases that look the same are drawn the same.
+PageDrawing draw_on_page(const problem::Case& c, const problem::Ground& bed, const std::string& title);
 
 }  // namespace berm::picture

@@ -11,9 +11,6 @@
 namespace berm::picture {
 namespace {
 
-using report::Extent;
-using report::extent_of;
-
 constexpr Real small_part = 0.3;       // of the whole: a driven body below this is drawn once more, enlarged
 constexpr Real beyond = 0.5;           // of the mesh's size: so much of rigid bodies outside of it is drawn
 constexpr Real smallest_cell = 3.5;    // pixels: of smaller cells no sides are drawn
@@ -37,17 +34,6 @@ void surface(Canvas& canvas, const Model& model, const Scale& scale)
   for (const Side& side : model.ground.surface) canvas.line({scale(side.from), scale(side.to)}, {surface_color, 1.8});
 }
 
-Points outline_points(const report::Outline& outline, const Scale& scale, const Vec<2>& moved)
-{
-  if (const auto* disk = std::get_if<report::DiskOutline>(&outline))
-    return Canvas::circle(scale(disk->center + moved), scale.length(disk->radius));
-  if (const auto* plane = std::get_if<report::PlaneOutline>(&outline))
-    return in_pixels(scale, report::part_inside({plane->point + moved, plane->normal}, scale.extent()));
-  Points points;
-  for (const Vec<2>& corner : std::get<report::CornersOutline>(outline).corners) points.push_back(scale(corner + moved));
-  return points;
-}
-
 bool touches_soil(const Model& model, const std::string& rigid)
 {
   const auto& contacts = model.settings.contact;
@@ -56,7 +42,7 @@ bool touches_soil(const Model& model, const std::string& rigid)
 
 void blocks_and_disks(Canvas& canvas, const Model& model, const Scale& scale)
 {
-  for (const report::NamedOutline& body : model.sketch.bodies) {
+  for (const NamedOutline& body : model.sketch.bodies) {
     const Points points = outline_points(body.outline, scale, Vec<2>::Zero());
     canvas.polygon(points, soil_color(kind_of(model.ground, body.name)));
     canvas.outline(points, {surface_color, 1.8});
@@ -83,43 +69,27 @@ void sides(Canvas& canvas, const Model& model, const Scale& scale, bool soil, co
 
 void cells(Canvas& canvas, const Model& model, const Scale& scale)
 {
-  for (Index kind = 0; kind < static_cast<Index>(model.ground.kinds.size()); ++kind) {
-    const auto each = [&](const auto& draw) {
-      for (const Piece& piece : model.ground.pieces)
-        if (piece.kind == kind) draw(in_pixels(scale, piece.corners));
-    };
-    each([&](const Points& points) { canvas.polygon(points, soil_color(kind)); });
-    // A seam between two cells would be lighter than both.
-    each([&](const Points& points) { canvas.outline(points, {soil_color(kind), 1}); });
-  }
+  for (Index kind = 0; kind < static_cast<Index>(model.ground.kinds.size()); ++kind)
+    for (const Piece& piece : model.ground.pieces)
+      if (piece.kind == kind) canvas.polygon(in_pixels(scale, piece.corners), soil_color(kind));
   blocks_and_disks(canvas, model, scale);
-  sides(canvas, model, scale, false, {"#a0a0a8b0", 0.35});
-  sides(canvas, model, scale, true, {mesh_color, 0.35});
+  sides(canvas, model, scale, false, {"#a0a0a880", 0.8});
+  if (model.ground.cells > 0) sides(canvas, model, scale, true, {mesh_color, 0.6});
 }
 
-/// Their rim has the colour of contacts where there is one. The outline of a polygon may be concave: the canvas cuts convex ones only, at its window.
+/// Their rim has the colour of contacts where there is one.
 void rigid_bodies(Canvas& canvas, const Model& model, const Scale& scale)
 {
-  for (const report::NamedOutline& rigid : model.sketch.rigid_bodies) {
+  for (const NamedOutline& rigid : model.sketch.rigid_bodies) {
     const Points points = outline_points(rigid.outline, scale, Vec<2>::Zero());
     canvas.polygon(points, rigid_color);
     canvas.outline(points, {touches_soil(model, rigid.name) ? contact_color : rim_color, 2.4});
   }
 }
 
-void frame(Canvas& canvas, const Extent& extent, const Scale& scale, const LineStyle& style)
+void frame(Canvas& canvas, const Extent& extent, const Scale& scale)
 {
-  const Vec<2>&a = extent.lower, &b = extent.upper;
-  canvas.outline({scale(a), scale({b[0], a[1]}), scale(b), scale({a[0], b[1]})}, style);
-}
-
-void fine_zone(Canvas& canvas, const Model& model, const Scale& scale)
-{
-  const LineStyle style{fine_color, 1.6, 2};
-  if (!model.sketch.uneven.empty())
-    canvas.outline(in_pixels(scale, model.sketch.uneven[2]), style);
-  else if (model.sketch.fine)
-    frame(canvas, *model.sketch.fine, scale, style);
+  canvas.outline(in_pixels(scale, corners_of(extent)), {text_color, 1.4});
 }
 
 /// Whether a place is far enough from all earlier ones, which it joins then.
@@ -182,7 +152,7 @@ void loads(Canvas& canvas, const Model& model, const Scale& scale)
 /// Velocities at the start.
 void flights(Canvas& canvas, const Model& model, const Scale& scale)
 {
-  for (const report::Flight& flight : model.sketch.flights) {
+  for (const Flight& flight : model.sketch.flights) {
     const Vec<2> at = scale(flight.at), along = in_pixels(flight.velocity).normalized();
     canvas.arrow(at - 24 * along, at + 24 * along, {rim_color, 2});
     canvas.text(at + Vec<2>(0, along[1] > 0 ? -36 : 36), text::speed_words(flight.velocity.norm()), {.anchor = Anchor::center});
@@ -214,8 +184,8 @@ void scale_bar(Canvas& canvas, const Scale& scale, const Vec<2>& at)
 {
   const Real metres = bar_length(scale.extent().size()[0]);
   const Vec<2> end = at + Vec<2>(scale.length(metres), 0);
-  canvas.line({at, end}, {"#222222", 2});
-  for (const Vec<2>& x : {at, end}) canvas.line({Vec<2>(x - Vec<2>(0, 4)), Vec<2>(x + Vec<2>(0, 4))}, {"#222222", 2});
+  canvas.line({at, end}, {text_color, 2});
+  for (const Vec<2>& x : {at, end}) canvas.line({Vec<2>(x - Vec<2>(0, 4)), Vec<2>(x + Vec<2>(0, 4))}, {text_color, 2});
   canvas.text(end + Vec<2>(8, 0), text::length_words(metres), {.size = 10});
 }
 
@@ -240,6 +210,7 @@ std::pair<Real, Real> left_wall(const Ground& ground)
 /// Length of the mesh below it; depth of the bed and headroom at the left wall, or its whole height there.
 void mesh_dimensions(Canvas& canvas, const Model& model, const Scale& scale)
 {
+  if (model.ground.pieces.empty()) return;
   const Vec<2>&low = model.ground.lower, &high = model.ground.upper;
   const Vec<2> below(0, 48), aside(std::min(Real(0), scale.window().upper_left[0] - scale(low)[0]) - 42, 0);
   canvas.dimension(scale(low) + below, scale({high[0], low[1]}) + below, text::length_words(high[0] - low[0]));
@@ -263,8 +234,8 @@ void embedment(Canvas& canvas, const Scale& scale, const Extent& body, Real surf
   const bool at_left = scale(body.lower)[0] > room;
   const Real x = at_left ? body.lower[0] : body.upper[0], axis = 0.5 * (body.lower[0] + body.upper[0]);
   const Vec<2> beside(at_left ? -16 : 16, 0), lowest = scale({x, body.lower[1]}) + beside, level = scale({x, surface}) + beside;
-  canvas.line({lowest, scale({axis, body.lower[1]})}, {"#555555", 0.8, 3});
-  canvas.line({level, scale({axis, surface})}, {"#555555", 0.8, 3});
+  canvas.line({lowest, scale({axis, body.lower[1]})}, {quiet_color, 0.8, dotted});
+  canvas.line({level, scale({axis, surface})}, {quiet_color, 0.8, dotted});
   canvas.dimension(lowest, level, "");
   canvas.text(0.5 * (lowest + level) + 0.6 * beside, "w = " + text::length_words(surface - body.lower[1]),
               {.anchor = at_left ? Anchor::right : Anchor::left});
@@ -273,13 +244,19 @@ void embedment(Canvas& canvas, const Scale& scale, const Extent& body, Real surf
 /// The width of each rigid body above it, and its embedment where it begins below the surface.
 void rigid_dimensions(Canvas& canvas, const Model& model, const Scale& scale)
 {
-  for (const report::NamedOutline& rigid : model.sketch.rigid_bodies) {
+  for (const NamedOutline& rigid : model.sketch.rigid_bodies) {
     const Extent extent = extent_of(rigid.outline);
     if (extent.size()[0] <= 0) continue;
-    const bool round = std::holds_alternative<report::DiskOutline>(rigid.outline);
-    const Vec<2> above(0, -14);
-    canvas.dimension(scale({extent.lower[0], extent.upper[1]}) + above, scale(extent.upper) + above,
-                     fmt::format("{} = {}", round ? "D" : "B", text::length_words(extent.size()[0])));
+    const Vec<2> left = scale({extent.lower[0], std::min(extent.upper[1], scale.extent().upper[1])}),
+                 right(scale(extent.upper)[0], left[1]);
+    const std::string words =
+        fmt::format("{} = {}", std::holds_alternative<DiskOutline>(rigid.outline) ? "D" : "B", text::length_words(extent.size()[0]));
+    if (left[0] < scale.window().upper_left[0] || right[0] > scale.window().lower_right[0]) {  // not all of it is seen
+      const Real middle = 0.5 * (std::max(left[0], scale.window().upper_left[0]) + std::min(right[0], scale.window().lower_right[0]));
+      canvas.text({middle, left[1] + 20}, words, {.anchor = Anchor::center});
+      continue;
+    }
+    canvas.dimension(left - Vec<2>(0, 14), right - Vec<2>(0, 14), words);
     const problem::Ground& bed = model.sketch.ground;
     if (!model.sketch.surface && bed.line.level()) continue;
     const Real surface = bed.level_at(0.5 * (extent.lower[0] + extent.upper[0]), model.sketch.surface.value_or(model.settings.surface));
@@ -293,7 +270,7 @@ void ground(Canvas& canvas, const Model& model, const Scale& scale)
   cells(canvas, model, scale);
   surface(canvas, model, scale);
   rigid_bodies(canvas, model, scale);
-  fine_zone(canvas, model, scale);
+  canvas.outline(in_pixels(scale, model.sketch.fine), {fine_color, 1.6, dashed});
   watches(canvas, model, scale);
   flights(canvas, model, scale);
 }
@@ -302,7 +279,8 @@ void ground(Canvas& canvas, const Model& model, const Scale& scale)
 
 std::string soil_color(Index kind)
 {
-  constexpr const char* colors[] = {"#e6d3a3", "#c9b59b", "#b7c9a8", "#a9c1cf", "#d9b3a0", "#c8bcd8", "#9fc5b8", "#d8c6c0"};
+  // Half of the ground below them is seen through them, white or dark.
+  constexpr const char* colors[] = {"#cda74780", "#936b3780", "#6f935180", "#53839f80", "#b3674180", "#9179b180", "#3f8b7180", "#b18d8180"};
   return colors[static_cast<std::size_t>(kind < 0 ? 0 : kind) % std::size(colors)];
 }
 
@@ -326,6 +304,16 @@ void support_sign(Canvas& canvas, const Vec<2>& at, const Vec<2>& outward, int d
   }
 }
 
+Points outline_points(const Outline& outline, const Scale& scale, const Vec<2>& moved)
+{
+  if (const auto* disk = std::get_if<DiskOutline>(&outline)) return Canvas::circle(scale(disk->center + moved), scale.length(disk->radius));
+  if (const auto* plane = std::get_if<PlaneOutline>(&outline))
+    return in_pixels(scale, part_inside({plane->point + moved, plane->normal}, scale.extent()));
+  Points points;
+  for (const Vec<2>& corner : std::get<CornersOutline>(outline).corners) points.push_back(scale(corner + moved));
+  return points;
+}
+
 Scale::Scale(const Extent& extent, const Window& box)
     : extent_(extent),
       upper_left_(box.upper_left),
@@ -345,7 +333,7 @@ void draw_whole(Canvas& canvas, const Model& model, const Scale& scale, bool wit
   if (with_path) rigid_dimensions(canvas, model, scale);
   scale_bar(canvas, scale, Vec<2>(scale.window().upper_left[0], scale.window().lower_right[1] + 78));
   if (const std::optional<Extent> detail = detail_extent(model); detail && !with_path) {
-    frame(canvas, *detail, scale, {"#222222", 1.4});
+    frame(canvas, *detail, scale);
     canvas.text(scale({detail->upper[0], detail->upper[1]}) + Vec<2>(5, 8), "enlarged", {.size = 10});
   }
 }
@@ -357,7 +345,7 @@ void draw_detail(Canvas& canvas, const Model& model, const Scale& scale)
   path_marks(canvas, model, scale);
   rigid_dimensions(canvas, model, scale);
   canvas.close();
-  frame(canvas, scale.extent(), scale, {"#222222", 1.4});
+  frame(canvas, scale.extent(), scale);
   scale_bar(canvas, scale, Vec<2>(scale.window().upper_left[0], scale.window().lower_right[1] + 18));
 }
 
@@ -366,7 +354,7 @@ Extent whole_extent(const Model& model)
   Extent extent{model.ground.lower, model.ground.upper};
   const Vec<2> max = beyond * extent.size();
   const Extent limit{extent.lower - max, extent.upper + max};
-  for (const report::NamedOutline& rigid : model.sketch.rigid_bodies) {
+  for (const NamedOutline& rigid : model.sketch.rigid_bodies) {
     const Extent body = extent_of(rigid.outline);
     extent = around(extent, {body.lower.cwiseMax(limit.lower), body.upper.cwiseMin(limit.upper)});
   }
@@ -377,7 +365,7 @@ std::optional<Extent> detail_extent(const Model& model)
 {
   std::optional<Extent> way;
   Real size = 0;
-  for (const report::PathStep& step : model.sketch.path) {
+  for (const PathStep& step : model.sketch.path) {
     const Extent start = extent_of(model.sketch.rigid_bodies[step.rigid].outline);
     const Vec<2> half = 0.5 * start.size();
     size = std::max(size, start.size().maxCoeff());

@@ -10,16 +10,16 @@ namespace {
 
 /// A way and the stages that go it.
 struct Way {
-  report::PathStep step;
+  PathStep step;
   std::string numbers;
   int count = 0;
 };
 
-std::vector<Way> ways_of(const report::Sketch& sketch)
+std::vector<Way> ways_of(const Sketch& sketch)
 {
   constexpr int max_numbers = 3;
   std::vector<Way> ways;
-  for (const report::PathStep& step : sketch.path) {
+  for (const PathStep& step : sketch.path) {
     auto same = std::find_if(ways.begin(), ways.end(), [&](const Way& way) {
       return way.step.rigid == step.rigid && (way.step.from - step.from).norm() + (way.step.to - step.to).norm() < 1e-9;
     });
@@ -28,17 +28,6 @@ std::vector<Way> ways_of(const report::Sketch& sketch)
     if (same->count++ == max_numbers) same->numbers += ", ...";
   }
   return ways;
-}
-
-Points there(const report::Outline& outline, const Vec<2>& center, const Scale& scale)
-{
-  if (const auto* disk = std::get_if<report::DiskOutline>(&outline)) return Canvas::circle(scale(center), scale.length(disk->radius));
-  Points points;
-  if (const auto* corners = std::get_if<report::CornersOutline>(&outline)) {
-    const report::Extent extent = report::extent_of(outline);
-    for (const Vec<2>& corner : corners->corners) points.push_back(scale(corner + center - 0.5 * (extent.lower + extent.upper)));
-  }
-  return points;
 }
 
 }  // namespace
@@ -69,16 +58,20 @@ void number_mark(Canvas& canvas, const Vec<2>& center, const std::string& number
   canvas.polygon({Vec<2>(center - side - Vec<2>(0, 10)), Vec<2>(center + side - Vec<2>(0, 10)), Vec<2>(center + side + Vec<2>(0, 10)),
                   Vec<2>(center - side + Vec<2>(0, 10))},
                  color);
-  canvas.text(center, number, {.size = 10, .anchor = Anchor::center, .color = "#ffffff", .bold = true});
+  canvas.text(center, number, {.size = 10, .anchor = Anchor::center, .color = ground_color, .bold = true, .halo = false});
 }
 
 void path_marks(Canvas& canvas, const Model& model, const Scale& scale)
 {
   const std::vector<Way> ways = ways_of(model.sketch);
   for (const Way& way : ways)
-    if (way.step.known) canvas.outline(there(model.sketch.rigid_bodies[way.step.rigid].outline, way.step.to, scale), {rim_color, 1.3, 2});
+    if (way.step.known) {
+      const Outline& outline = model.sketch.rigid_bodies[way.step.rigid].outline;
+      const Extent extent = extent_of(outline);
+      canvas.outline(outline_points(outline, scale, way.step.to - 0.5 * (extent.lower + extent.upper)), {rim_color, 1.3, dashed});
+    }
   for (std::size_t k = 0; k < ways.size(); ++k) {
-    const report::PathStep& step = ways[k].step;
+    const PathStep& step = ways[k].step;
     const std::string color = stage_color(model.settings.stage[step.stage].kind);
     // The middle of a half-plane may lie at the rim, or anywhere: the arrow is moved to where it is seen.
     const Vec<2> rim(30, 30), way = scale(step.to) - scale(step.from), along = way.normalized();
@@ -89,7 +82,7 @@ void path_marks(Canvas& canvas, const Model& model, const Scale& scale)
       return (other.step.from - step.to).norm() + (other.step.to - step.from).norm() < 1e-9;
     });
     const Vec<2> beside = back ? Vec<2>(18 * Vec<2>(-along[1], along[0])) : Vec<2>(Vec<2>::Zero());
-    canvas.arrow(from + beside, to + beside, {color, 2.6, step.known ? 1 : 2});
+    canvas.arrow(from + beside, to + beside, {color, 2.6, step.known ? "" : dashed});
     const Vec<2> middle = 0.5 * (from + to) + beside;
     const bool upright = std::abs(along[1]) > std::abs(along[0]);
     const bool room = (to - from).norm() > 50;

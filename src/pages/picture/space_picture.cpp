@@ -5,9 +5,9 @@
 #include "bodies/rigid/rigid_body.hpp"
 #include "picture/canvas.hpp"
 #include "picture/model_picture.hpp"
+#include "picture/sketch.hpp"
+#include "picture/stage_words.hpp"
 #include "plot/isometric.hpp"
-#include "report/setup/sketch.hpp"
-#include "report/setup/stage_words.hpp"
 #include "text/quantity_words.hpp"
 
 #include <algorithm>
@@ -91,7 +91,8 @@ void draw_edges(Canvas& canvas, const Placing& at, const Box& box, bool hidden)
 {
   for (int k = 0; k < 8; ++k)
     for (int bit = 1; bit < 8; bit *= 2)
-      if ((k & bit) == 0 && (k == 0) == hidden) canvas.line({at(box.corner(k)), at(box.corner(k | bit))}, {"#7d8791", 1, hidden ? 3 : 1});
+      if ((k & bit) == 0 && (k == 0) == hidden)
+        canvas.line({at(box.corner(k)), at(box.corner(k | bit))}, {"#7d8791", 1, hidden ? dotted : ""});
 }
 
 /// The three sides of a box that are seen.
@@ -156,7 +157,7 @@ void draw_bodies(Canvas& canvas, const Placing& at, const problem::Case& c, cons
 
 void draw_path(Canvas& canvas, const Placing& at, const problem::Case& c)
 {
-  for (const report::PathStep& step : report::sketch_of(c).path) {
+  for (const PathStep& step : sketch_of(c).path) {
     const Real z = center_of<3>(bodies::make_shape<3>(c.rigid[step.rigid].second.shape))[2];
     canvas.arrow(at({step.from[0], step.from[1], z}), at({step.to[0], step.to[1], z}), {"#d9480f", 2});
   }
@@ -209,20 +210,20 @@ void write_words(Canvas& canvas, const problem::Case& c, const mesh::Mesh<3>& me
     write(fmt::format("{}: {}", mesh.boundary_names[fixed_boundary(mesh, name, support)], fmt::join(support.fixed, ", ")));
   if (!c.stage.empty()) write("Stages", true);
   int number = 0;
-  for (const problem::StageSettings& stage : c.stage)
-    write(fmt::format("{}  {}", ++number, report::stage_words(stage, c.force_dimension())));
+  for (const problem::StageSettings& stage : c.stage) write(fmt::format("{}  {}", ++number, stage_words(stage, c.force_dimension())));
 }
 
 }  // namespace
 
-bool draw_space(const problem::Case& c, const mesh::Mesh<3>& mesh, const std::filesystem::path& folder, const std::string& name,
-                plot::PlotFormat format)
+void draw_space(const problem::Case& c, const mesh::Mesh<3>& mesh, const std::filesystem::path& file)
 {
   const Box whole{mesh.lower, mesh.upper};
   const Placing at(c, mesh);
-  Canvas canvas;
-  canvas.text({40, 34}, c.title.empty() ? name : c.title, {.size = 17, .bold = true});
-  canvas.text({40, 62}, fmt::format("in space, {} cells; isometric", mesh.cell_count()), {.size = 11, .color = "#555555"});
+  const std::string title = c.title.empty() ? file.stem().string() : c.title;
+  Canvas canvas(Canvas::Place::file);
+  canvas.text({40, 34}, title, {.size = 17, .bold = true});
+  const std::string words = fmt::format("in space, {} cells; isometric", mesh.cell_count());
+  canvas.text({40, 62}, words, {.color = quiet_color});
   draw_edges(canvas, at, whole, true);
   for (const auto& [body_name, body] : c.body)
     if (const Box box = soil_of(body, mesh); !box.empty()) draw_soil(canvas, at, box);
@@ -232,7 +233,7 @@ bool draw_space(const problem::Case& c, const mesh::Mesh<3>& mesh, const std::fi
   draw_dimensions(canvas, at, whole);
   draw_axes(canvas);
   write_words(canvas, c, mesh);
-  return canvas.draw(folder, name, picture_width, picture_height, format);
+  canvas.write(file, {picture_width, picture_height}, title, words);
 }
 
 }  // namespace berm::picture

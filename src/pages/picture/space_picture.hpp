@@ -2,15 +2,15 @@
 #pragma once
 
 #include "mesh/mesh.hpp"
-#include "plot/gnuplot.hpp"
 #include "problem/case.hpp"
+
+#include <filesystem>
 
 namespace berm::picture {
 
-/// FOLDER/NAME.png or .svg: the model of a case in space before its run, isometric: the box of the mesh with its dimensions, the soil's boxes, rigid bodies (drawn
-/// whole, also where soil hides them), the ways that stages drive, and the stages in words. Script and data go to FOLDER/plots. False, with a warning, where gnuplot
-/// does not draw. Throws KeyError where a support refers to no boundary of the mesh.
-bool draw_space(const problem::Case& c, const mesh::Mesh<3>& mesh, const std::filesystem::path& folder, const std::string& name,
-                plot::PlotFormat format);
+/// Writes a .png or .svg: the model of a case in space before its run, isometric: the box of the mesh with its dimensions, the soil's boxes, rigid bodies (drawn
+/// whole, also where soil hides them), the ways that stages drive, and the stages in words. Throws RunError where it cannot be written, KeyError where a support refers
+/// to no boundary of the mesh.
+void draw_space(const problem::Case& c, const mesh::Mesh<3>& mesh, const std::filesystem::path& file);
 
 }  // namespace berm::picture

@@ -4,52 +4,15 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/run_and_wait.hpp"
 
 #include <cerrno>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <fstream>
-#include <spawn.h>
 #include <spdlog/spdlog.h>
-#include <sys/wait.h>
 #include <system_error>
-#include <unistd.h>
 
 namespace berm::plot {
 namespace {
-
-/// Runs gnuplot in the folder on the script, which draws into `picture`; its messages go into a file there. The exit status; -1, and errno says why, where it did not start.
-int run_gnuplot(const std::filesystem::path& folder, std::string script, const std::string& picture, const std::string& messages)
-{
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  std::string program = "gnuplot", option = "-e", command = "picture = " + gnuplot_text(picture);
-  char* arguments[] = {program.data(), option.data(), command.data(), script.data(), nullptr};
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, program.c_str(), &actions, nullptr, arguments, environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) {
-    errno = error;
-    return -1;
-  }
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-}
-
-std::string last_message(const std::filesystem::path& file)
-{
-  std::ifstream lines(file);
-  std::string line, last;
-  while (std::getline(lines, line))
-    if (line.find_first_not_of(" \t^") != std::string::npos) last = line;
-  return last;
-}
 
 /// Whether a picture ends as pictures of its kind do: gnuplot does not tell when the disk does not take all of it.
 bool is_whole(const std::filesystem::path& picture, PlotFormat format)
@@ -93,7 +56,8 @@ bool draw(const std::filesystem::path& folder, const std::string& name, int widt
                                        picture, stem, vector ? "svg" : "pngcairo", width, height, gnuplot_text("../" + picture));
   io::write_atomically(plots / (stem + ".gp"), head + script);
   // A name that begins with - is no option.
-  const int status = run_gnuplot(plots, "./" + stem + ".gp", "../" + io::part_of(picture).string(), messages.filename().string());
+  const int status = io::run_and_wait(
+      {"gnuplot", "-e", "picture = " + gnuplot_text("../" + io::part_of(picture).string()), "./" + stem + ".gp"}, messages, plots);
   const int reason = errno;
   if (status == 0) {
     std::filesystem::remove(messages, ignored);
@@ -111,7 +75,7 @@ bool draw(const std::filesystem::path& folder, const std::string& name, int widt
     spdlog::warn("{} is not drawn: the program gnuplot did not start ({}); its script is {}", picture,
                  std::generic_category().message(errno), (plots / (stem + ".gp")).string());
   else
-    spdlog::warn("{} is not drawn: gnuplot says: {}", picture, last_message(messages));
+    spdlog::warn("{} is not drawn: gnuplot says: {}", picture, io::last_message(messages));
   std::filesystem::remove(messages, ignored);
   std::filesystem::remove(folder / picture, ignored);
   return false;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "text/html.hpp"
 
-#include "text/tex_math.hpp"
-
 #include <array>
 #include <fmt/format.h>
 
@@ -15,6 +13,16 @@ std::string class_attribute(const std::string& name)
 }
 
 }  // namespace
+
+std::string html_text(const std::string& text)
+{
+  std::string html;
+  for (const char c : text) {
+    const char* escaped = c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : nullptr;
+    escaped == nullptr ? static_cast<void>(html += c) : static_cast<void>(html += escaped);
+  }
+  return html;
+}
 
 void HtmlTable::row(std::vector<HtmlCell> cells, std::string row_class)
 {

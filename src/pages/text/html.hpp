@@ -6,6 +6,9 @@
 
 namespace berm::text {
 
+/// A text as HTML shows it: &, <, > and " escaped.
+std::string html_text(const std::string& text);
+
 /// One cell of a table. The content is HTML: text of the user's goes through html_text first.
 struct HtmlCell {
   std::string content;

@@ -2,7 +2,7 @@
 // Tests: tests/unit/verification/verify_test.cpp
 #include "text/plain_page.hpp"
 
-#include "text/tex_math.hpp"
+#include "text/html.hpp"
 
 #include <fmt/format.h>
 

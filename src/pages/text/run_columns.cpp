@@ -2,7 +2,7 @@
 // Tests: tests/unit/report/setup/setup_section_test.cpp
 #include "text/run_columns.hpp"
 
-#include "text/tex_math.hpp"
+#include "text/html.hpp"
 
 #include <algorithm>
 

@@ -2,6 +2,8 @@
 // Tests: tests/unit/text/markdown_test.cpp
 #include "text/tex_math.hpp"
 
+#include "text/html.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
@@ -223,16 +225,6 @@ private:
 };
 
 }  // namespace
-
-std::string html_text(const std::string& text)
-{
-  std::string html;
-  for (const char c : text) {
-    const char* escaped = c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '"' ? "&quot;" : nullptr;
-    escaped == nullptr ? static_cast<void>(html += c) : static_cast<void>(html += escaped);
-  }
-  return html;
-}
 
 std::string html_math(const std::string& tex, bool block)
 {

@@ -5,9 +5,6 @@
 
 namespace berm::text {
 
-/// A text as HTML shows it: &, <, > and " escaped.
-std::string html_text(const std::string& text);
-
 /// A formula in the TeX of the manual as MathML, which browsers render natively; `block` for a displayed formula. Supported
 /// are letters, numbers, Greek, the usual signs, sub- and superscripts, fractions, roots, accents, named functions, words
 /// and brackets; a formula with anything else is shown as its source: <code class="tex">.

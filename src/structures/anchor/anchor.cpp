@@ -9,7 +9,6 @@
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
 #include "text/shown_number.hpp"
-#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 // Tests: tests/unit/report/results/results_section_test.cpp
 #include "structures/base/printed_range.hpp"
 
-#include "text/tex_math.hpp"
+#include "text/html.hpp"
 
 namespace berm::base {
 

@@ -4,8 +4,8 @@
 
 #include "record/columns_plot.hpp"
 #include "structures/base/general_measures.hpp"
+#include "text/html.hpp"
 #include "text/shown_number.hpp"
-#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

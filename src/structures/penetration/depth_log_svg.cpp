@@ -3,8 +3,8 @@
 #include "structures/penetration/depth_log.hpp"
 
 #include "plot/figure.hpp"
+#include "text/html.hpp"
 #include "text/shown_number.hpp"
-#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -6,8 +6,8 @@
 #include "element/element_table.hpp"
 #include "io/atomic_file.hpp"
 #include "text/base64_zlib.hpp"
+#include "text/html.hpp"
 #include "text/plain_page.hpp"
-#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

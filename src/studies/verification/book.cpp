@@ -4,9 +4,9 @@
 
 #include "io/atomic_file.hpp"
 #include "run_folder/progress.hpp"
+#include "text/html.hpp"
 #include "text/markdown.hpp"
 #include "text/plain_page.hpp"
-#include "text/tex_math.hpp"
 #include "verification/book_figures.hpp"
 #include "verification/book_html.hpp"
 #include "verification/requirements.hpp"

@@ -3,7 +3,7 @@
 #include "verification/book_html.hpp"
 
 #include "io/atomic_file.hpp"
-#include "text/tex_math.hpp"
+#include "text/html.hpp"
 
 #include <array>
 #include <fmt/format.h>

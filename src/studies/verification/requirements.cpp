@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "verification/requirements.hpp"
 
+#include "text/html.hpp"
 #include "text/plain_page.hpp"
-#include "text/tex_math.hpp"
 #include "verification/book_html.hpp"
 
 #include <algorithm>

@@ -13,7 +13,7 @@ class Draw : public testing::Test {
 protected:
   void SetUp() override
   {
-    if (std::system("gnuplot --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "gnuplot is not installed";
+    if (std::system("rsvg-convert --version > /dev/null 2>&1") != 0) GTEST_SKIP() << "rsvg-convert is not installed";
     folder_.write("case.toml", test::small_case);
   }
   Ended berm(const std::vector<std::string>& arguments) const { return run_program(folder_.path(), arguments); }
@@ -94,11 +94,11 @@ TEST_F(Draw, refuses_what_it_cannot_draw)
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
-TEST_F(Draw, fails_where_gnuplot_is_missing)
+TEST_F(Draw, fails_where_the_program_for_png_is_missing)
 {
   const Ended ended = run_program(folder_.path(), {"draw", "case.toml"}, {"PATH=/nowhere"});
   EXPECT_EQ(ended.status, 1);
-  EXPECT_NE(ended.err.find("gnuplot"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("rsvg-convert"), std::string::npos) << ended.err;
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/case.png"));
 }
 

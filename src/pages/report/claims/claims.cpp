@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/claims/claims.hpp"
 #include "report/claims/claim_evidence.hpp"
-#include "text/tex_math.hpp"
+#include "text/html.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

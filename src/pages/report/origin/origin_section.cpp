@@ -2,8 +2,8 @@
 #include "report/origin/origin_section.hpp"
 
 #include "structures/base/driven_body.hpp"
+#include "text/html.hpp"
 #include "text/run_columns.hpp"
-#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -4,9 +4,9 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
-#include "report/setup/stage_words.hpp"
+#include "picture/stage_words.hpp"
 #include "text/base64_zlib.hpp"
-#include "text/tex_math.hpp"
+#include "text/html.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -21,7 +21,7 @@ std::string stages_in_a_line(const problem::Case& c)
   std::vector<std::string> stages;
   for (const problem::StageSettings& stage : c.stage) {
     if (stages.size() == max_stages) break;
-    stages.push_back(text::html_text(stage_words(stage, c.force_dimension())));
+    stages.push_back(text::html_text(picture::stage_words(stage, c.force_dimension())));
   }
   const std::size_t more = c.stage.size() - stages.size();
   return fmt::format("{}{}", fmt::join(stages, "; "), more == 0 ? "" : fmt::format("; {} more", more));

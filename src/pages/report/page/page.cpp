@@ -10,7 +10,6 @@
 #include "report/results/results_section.hpp"
 #include "report/setup/setup_section.hpp"
 #include "text/html.hpp"
-#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -3,16 +3,14 @@
 
 #include "core/error.hpp"
 #include "io/atomic_file.hpp"
+#include "io/run_and_wait.hpp"
 #include "io/scratch_folder.hpp"
 
 #include <algorithm>
 #include <cstdlib>
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <spawn.h>
 #include <sstream>
-#include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
 
@@ -50,37 +48,6 @@ std::string address_of(const fs::path& file)
   return address;
 }
 
-/// Exit status of a program whose messages go into a file; -1 where it does not start.
-int run_browser(std::vector<std::string> words, const fs::path& messages)
-{
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, messages.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
-  posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  pid_t child = 0;
-  const int error = posix_spawn(&child, words.front().c_str(), &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) return -1;
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-}
-
-/// The last line that says something, for an error.
-std::string last_line(const fs::path& file)
-{
-  std::istringstream lines(io::read_text_file(file));
-  std::string last;
-  for (std::string line; std::getline(lines, line);)
-    if (line.find_first_not_of(" \t") != std::string::npos) last = line;
-  return last;
-}
-
 }  // namespace
 
 fs::path printing_browser()
@@ -113,10 +80,10 @@ void print_pdf(const fs::path& browser, const fs::path& page, const fs::path& pd
                                     "--print-to-pdf=" + made.string(),
                                     address_of(page)};
   if (::geteuid() == 0) words.insert(words.begin() + 1, "--no-sandbox");  // which it cannot have as root
-  const int status = run_browser(words, messages);
+  const int status = io::run_and_wait(words, messages);
   if (status != 0 || !io::read_text_file(made).starts_with("%PDF"))
-    throw RunError(
-        fmt::format("--pdf: {} could not print {} (exit status {}): {}", browser.string(), page.string(), status, last_line(messages)));
+    throw RunError(fmt::format("--pdf: {} could not print {} (exit status {}): {}", browser.string(), page.string(), status,
+                               io::last_message(messages)));
   io::copy_atomically(made, pdf);
 }
 

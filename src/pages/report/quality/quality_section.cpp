@@ -2,8 +2,8 @@
 #include "report/quality/quality_section.hpp"
 #include "structures/base/general_measures.hpp"
 #include "structures/structures.hpp"
+#include "text/html.hpp"
 #include "text/run_columns.hpp"
-#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,6 @@
 #include "report/results/consolidation_table.hpp"
 #include "structures/structures.hpp"
 #include "text/html.hpp"
-#include "text/tex_math.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

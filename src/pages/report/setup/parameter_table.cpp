@@ -2,8 +2,8 @@
 // Tests: tests/unit/report/setup/setup_section_test.cpp
 #include "report/setup/parameter_table.hpp"
 
+#include "text/html.hpp"
 #include "text/run_columns.hpp"
-#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "report/setup/setup_section.hpp"
-#include "report/setup/drawing.hpp"
+#include "picture/model_picture.hpp"
 #include "report/setup/parameter_table.hpp"
 #include "report/setup/setup_tables.hpp"
 #include "report/setup/soil_table.hpp"
 #include "text/html.hpp"
-#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -27,7 +26,7 @@ std::vector<Alike> alike(const std::vector<record::RunRecord>& runs)
 {
   std::vector<Alike> groups;
   for (const record::RunRecord& run : runs) {
-    const std::string look = draw_case(run.settings, "", run.ground).svgs;
+    const std::string look = picture::draw_on_page(run.settings, run.ground, "").svgs;
     const auto same = std::find_if(groups.begin(), groups.end(), [&](const Alike& group) { return group.look == look; });
     if (same == groups.end())
       groups.push_back({look, &run, {run.name}});
@@ -40,7 +39,7 @@ std::vector<Alike> alike(const std::vector<record::RunRecord>& runs)
 std::string figure_of(const Alike& group)
 {
   const std::string names = fmt::format("{}", fmt::join(group.names, ", "));
-  const Drawing drawing = draw_case(group.first->settings, "Drawing to scale: " + names, group.first->ground);
+  const picture::PageDrawing drawing = picture::draw_on_page(group.first->settings, group.first->ground, "Drawing to scale: " + names);
   std::string words = fmt::format("<strong>{}</strong>, to scale.", text::html_text(names));
   for (const std::string& note : drawing.notes) words += fmt::format(" {}", text::html_text(note));
   return fmt::format("<figure>\n<div class=\"drawing\">\n{}</div>\n<figcaption>{}</figcaption>\n</figure>\n", drawing.svgs, words);

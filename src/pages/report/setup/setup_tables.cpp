@@ -3,15 +3,15 @@
 #include "report/setup/setup_tables.hpp"
 
 #include "material/laws.hpp"
+#include "picture/stage_words.hpp"
 #include "problem/drainage.hpp"
 #include "report/setup/parameter_table.hpp"
-#include "report/setup/stage_words.hpp"
 #include "structures/base/driven_body.hpp"
 #include "structures/base/near_mesh.hpp"
 #include "structures/base/soil_words.hpp"
+#include "text/html.hpp"
 #include "text/quantity_words.hpp"
 #include "text/run_columns.hpp"
-#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -214,10 +214,11 @@ void add_stages(Rows& rows)
   int number = 0;
   for (const problem::StageSettings& stage : rows.settings().stage) {
     const int dimension = rows.settings().force_dimension();
-    const std::string until = rows.with_prototype(until_words(stage, dimension), until_words(stage, dimension, rows.level()));
+    const std::string until =
+        rows.with_prototype(picture::until_words(stage, dimension), picture::until_words(stage, dimension, rows.level()));
     const bool driven = problem::drives(stage.kind);
     rows.add(fmt::format("stage {}", ++number),
-             fmt::format("{}: {}{}", stage.name, driven ? drive_words(stage, dimension) + ", until " : "", until));
+             fmt::format("{}: {}{}", stage.name, driven ? picture::drive_words(stage, dimension) + ", until " : "", until));
   }
 }
 

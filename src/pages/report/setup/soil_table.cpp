@@ -5,7 +5,6 @@
 #include "problem/body_soil.hpp"
 #include "text/html.hpp"
 #include "text/quantity_words.hpp"
-#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -4,8 +4,8 @@
 
 #include "structures/formulas/axial.hpp"
 #include "structures/pipe/results/axial_results.hpp"
+#include "text/html.hpp"
 #include "text/shown_number.hpp"
-#include "text/tex_math.hpp"
 
 #include <fmt/format.h>
 

@@ -5,8 +5,8 @@
 #include "structures/base/printed_range.hpp"
 #include "structures/pipe/published/published.hpp"
 #include "structures/pipe/results/run_points.hpp"
+#include "text/html.hpp"
 #include "text/shown_number.hpp"
-#include "text/tex_math.hpp"
 
 #include <algorithm>
 #include <cctype>

@@ -3,7 +3,7 @@
 
 #include "problem/case.hpp"
 
-namespace berm::report {
+namespace berm::picture {
 
 /// A stage in words: "push 0.1 m/s to w = 2 mm", "drag 0.1 m/s, V held, 20 mm". Lengths are of the model; where several limits are given, all
 /// stand there with "or" between them.
@@ -15,4 +15,4 @@ std::string drive_words(const problem::StageSettings& stage, int dimension);
 /// Until when it lasts: "w = 2 mm or V = 4 kN/m"; lengths times `scale` and forces per metre times it, as the prototype has them. Times are not scaled.
 std::string until_words(const problem::StageSettings& stage, int dimension, Real scale = 1);
 
-}  // namespace berm::report
+}  // namespace berm::picture

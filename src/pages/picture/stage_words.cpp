@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests: tests/unit/report/setup/setup_section_test.cpp
-#include "report/setup/stage_words.hpp"
+#include "picture/stage_words.hpp"
 
 #include "text/quantity_words.hpp"
 
@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm::report {
+namespace berm::picture {
 namespace {
 
 std::string vertical_words(const problem::StageSettings& stage, int dimension)
@@ -110,4 +110,4 @@ std::string stage_words(const problem::StageSettings& stage, int dimension)
                      until_words(stage, dimension));
 }
 
-}  // namespace berm::report
+}  // namespace berm::picture

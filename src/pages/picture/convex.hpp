@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/report/setup/drawing_test.cpp
+// Tests: tests/unit/picture/model_picture_page_test.cpp
 #pragma once
 
 #include "core/types.hpp"
 
 #include <vector>
 
-namespace berm::report {
+namespace berm::picture {
 
 using Points = std::vector<Vec<2>>;
 
@@ -24,4 +24,4 @@ Points cut(const Points& convex, const Inside& inside)
   return part;
 }
 
-}  // namespace berm::report
+}  // namespace berm::picture

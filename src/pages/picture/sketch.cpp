@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests: tests/unit/report/setup/drawing_test.cpp
-#include "report/setup/sketch.hpp"
+// Tests: tests/unit/picture/model_picture_page_test.cpp
+#include "picture/sketch.hpp"
 
 #include "bodies/rigid/rigid_body.hpp"
 #include "problem/drainage.hpp"
-#include "report/setup/convex.hpp"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace berm::report {
+namespace berm::picture {
 namespace {
 
 Vec<2> in_plane(const std::vector<Real>& entries)
@@ -25,55 +23,24 @@ Vec<2> middle_of(const Outline& outline)
   return 0.5 * (extent.lower + extent.upper);
 }
 
-bool fills(const problem::Case& c, const std::string& region)
-{
-  return std::any_of(c.body.begin(), c.body.end(), [&](const auto& body) {
-    const std::vector<std::string>& regions = body.second.regions;
-    return std::find(regions.begin(), regions.end(), region) != regions.end();
-  });
-}
-
-/// Of a bed that is not level.
-void add_uneven(Sketch& sketch, const mesh::SeabedMesh& bed)
-{
-  const mesh::SeabedLayout at = layout_of(bed);
-  const mesh::FineZone fine = fine_zone_of(bed);
-  const auto point = [&](Real x, Real level) { return Vec<2>(x, level + std::tan(bed.slope) * x); };
-  const auto part = [&](Real left, Real right, Real lower, Real upper) {
-    return std::vector<Vec<2>>{point(left, lower), point(right, lower), point(right, upper), point(left, upper)};
-  };
-  const std::vector<Vec<2>> whole = part(at.left, at.right, -bed.depth, bed.headroom);
-  std::vector<Vec<2>> soil = sketch.ground.line.corners;
-  soil.insert(soil.end(), {whole[1], whole[0]});
-  sketch.uneven = {soil, whole, part(fine.left, fine.right, fine.lower, fine.upper)};
-  sketch.domain = extent_of(CornersOutline{whole});
-  sketch.fine = extent_of(CornersOutline{sketch.uneven.back()});
-  sketch.surface.reset();
-  sketch.filled.clear();
-}
-
 void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::SeabedMesh& bed)
 {
   const mesh::SeabedLayout at = layout_of(bed);
-  sketch.domain = {Vec<2>(at.left, -bed.depth), Vec<2>(at.right, bed.headroom)};
-  sketch.domain_known = true;
-  sketch.fine = Extent{Vec<2>(bed.near_left, -bed.near_depth), Vec<2>(bed.near_right, bed.near_height)};
-  sketch.surface = c.surface;
-  const Extent near{sketch.fine->lower, Vec<2>(bed.near_right, 0)};
-  const Extent soil{Vec<2>(at.left + bed.layer, -bed.depth + bed.layer), Vec<2>(at.right - bed.layer, 0)};
-  if (fills(c, "headroom")) sketch.filled.push_back({{Vec<2>(at.left, 0), sketch.domain.upper}, {}});
-  if (bed.layer > 0 && fills(c, "layer")) sketch.filled.push_back({{sketch.domain.lower, Vec<2>(at.right, 0)}, soil});
-  if (fills(c, "bed")) sketch.filled.push_back({soil, near});
-  if (fills(c, "near")) sketch.filled.push_back({near, {}});
-  if (!sketch.ground.line.level()) add_uneven(sketch, bed);
+  const auto part = [&](Real left, Real right, Real lower, Real upper) {
+    Points corners = corners_of({Vec<2>(left, lower), Vec<2>(right, upper)});
+    for (Vec<2>& corner : corners) corner[1] += std::tan(bed.slope) * corner[0];
+    return corners;
+  };
+  const mesh::FineZone fine = fine_zone_of(bed);
+  sketch.outline = part(at.left, at.right, -bed.depth, bed.headroom);
+  sketch.fine = part(fine.left, fine.right, fine.lower, fine.upper);
+  if (sketch.ground.line.level()) sketch.surface = c.surface;
 }
 
-void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::BoxMesh& box)
+void add_mesh(Sketch& sketch, const problem::Case& /*c*/, const mesh::BoxMesh& box)
 {
-  sketch.domain.lower = in_plane(box.lower);
-  sketch.domain.upper = sketch.domain.lower + in_plane(box.size);
-  sketch.domain_known = true;
-  if (fills(c, "box")) sketch.filled.push_back({sketch.domain, {}});
+  const Vec<2> lower = in_plane(box.lower);
+  sketch.outline = corners_of({lower, lower + in_plane(box.size)});
 }
 
 void add_mesh(Sketch& sketch, const problem::Case& c, const mesh::GmshFile& mesh)
@@ -89,7 +56,6 @@ void add_bodies(Sketch& sketch, const problem::Case& c)
     if (body.block)
       sketch.bodies.push_back({name, outline_of(bodies::BoxSettings{body.block->center, body.block->size, body.block->angle})});
     if (body.disk) sketch.bodies.push_back({name, DiskOutline{in_plane(body.disk->center), body.disk->diameter / 2}});
-    if (!body.regions.empty()) sketch.filled_by += (sketch.filled_by.empty() ? "" : ", ") + name;
     if (body.k0 && sketch.ground.line.level()) sketch.surface = c.surface;
     if (body.regions.empty()) {
       Vec<2> velocity = Vec<2>::Zero();
@@ -119,45 +85,32 @@ void take_domain_from_bodies(Sketch& sketch)
   sketch.domain.upper += Vec<2>(rim, rim);
 }
 
-void add_supports(Sketch& sketch, const problem::Case& c)
+/// What the drawing, the plane x-y, does not show of a case in space.
+std::string space_note(const problem::Case& c)
 {
-  if (!sketch.domain_known) return;
-  const Vec<2>&low = sketch.domain.lower, &high = sketch.domain.upper;
-  std::array<Vec<2>, 4> corners = {low, Vec<2>(high[0], low[1]), high, Vec<2>(low[0], high[1])};
-  if (!sketch.uneven.empty()) std::copy_n(sketch.uneven[1].begin(), 4, corners.begin());
-  const std::vector<std::pair<std::vector<std::string>, HeldEdge>> edges = {
-      {{"left"}, {corners[0], corners[3], Vec<2>(-1, 0), false, ""}},
-      {{"right"}, {corners[1], corners[2], Vec<2>(1, 0), false, ""}},
-      {{"base", "bottom"}, {corners[0], corners[1], Vec<2>(0, -1), false, ""}},
-      {{"top"}, {corners[3], corners[2], Vec<2>(0, 1), false, ""}}};
-  const bool water_flows = problem::has_flowing_water(c);
-  for (const auto& [names, edge] : edges) {
-    int held = 0, closed = 0;
-    for (const auto& [name, support] : c.support)
-      if (std::find(names.begin(), names.end(), support.boundary) != names.end())
-        held |= fixed_directions(support), closed |= support.drained ? 0 : fixed_directions(support);
-    if (held == 0) continue;
-    std::vector<char> directions;
-    for (int d = 0; d < 3; ++d)
-      if ((held >> d & 1) != 0) directions.push_back(static_cast<char>('x' + d));
-    const int across = edge.outward[0] != 0 ? 0 : 1;
-    HeldEdge copy = edge;
-    copy.wholly = (held & 3) == 3;
-    copy.words = fmt::format("{} fixed{}", fmt::join(directions, ", "),
-                             !water_flows                  ? ""
-                             : (closed >> across & 1) != 0 ? ", no flow"
-                                                           : ", drained");
-    sketch.held.push_back(copy);
+  std::string words = "The case is in space: drawn are the sides of its mesh and bodies in the plane x-y, y up";
+  if (const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh); box != nullptr && box->size.size() == 3) {
+    const Real from = box->lower.empty() ? 0 : box->lower[2];
+    words += fmt::format("; along z, towards who looks, the mesh goes from {:.4g} m to {:.4g} m", from, from + box->size[2]);
   }
+  return words + ".";
+}
+
+void add_notes(Sketch& sketch, const problem::Case& c)
+{
   for (const auto& [name, support] : c.support)
-    if (support.boundary == "back" || support.boundary == "front")
+    if (!sketch.outline.empty() && (support.boundary == "back" || support.boundary == "front"))
       sketch.notes.push_back(
           fmt::format("Held at the boundary \"{}\", parallel to the drawing: {}.", support.boundary, fmt::join(support.fixed, ", ")));
-  if (!water_flows) return;
-  std::string open = "Water leaves the soil at its free surface";
-  for (const auto& [name, contact] : c.contact)
-    if (contact.drained) open += fmt::format(" and through \"{}\"", contact.rigid);
-  sketch.notes.push_back(open + ".");
+  if (problem::has_flowing_water(c) && !sketch.outline.empty()) {
+    std::string open = "Water leaves the soil at its free surface";
+    for (const auto& [name, contact] : c.contact)
+      if (contact.drained) open += fmt::format(" and through \"{}\"", contact.rigid);
+    sketch.notes.push_back(open + ".");
+  }
+  if (c.geometry == problem::Geometry::axisymmetric)
+    sketch.notes.emplace_back("The case is axisymmetric: x is the radius, and the left edge is the axis.");
+  if (c.dimension() == 3) sketch.notes.push_back(space_note(c));
 }
 
 /// How far a drive goes in its time: it grows evenly from nothing within the ramp.
@@ -200,18 +153,12 @@ void add_path(Sketch& sketch, const problem::Case& c)
   }
 }
 
-/// What the drawing, the plane x-y, does not show of a case in space.
-std::string space_note(const problem::Case& c)
-{
-  std::string words = "The case is in space: drawn are the sides of its mesh and bodies in the plane x-y, y up";
-  if (const auto* box = std::get_if<mesh::BoxMesh>(&c.mesh); box != nullptr && box->size.size() == 3) {
-    const Real from = box->lower.empty() ? 0 : box->lower[2];
-    words += fmt::format("; along z, towards who looks, the mesh goes from {:.4g} m to {:.4g} m", from, from + box->size[2]);
-  }
-  return words + ".";
-}
-
 }  // namespace
+
+Points corners_of(const Extent& extent)
+{
+  return {extent.lower, Vec<2>(extent.upper[0], extent.lower[1]), extent.upper, Vec<2>(extent.lower[0], extent.upper[1])};
+}
 
 Extent around(const Extent& a, const Extent& b)
 {
@@ -231,11 +178,9 @@ Extent extent_of(const Outline& outline)
   return extent;
 }
 
-std::vector<Vec<2>> part_inside(const PlaneOutline& plane, const Extent& extent)
+Points part_inside(const PlaneOutline& plane, const Extent& extent)
 {
-  const std::vector<Vec<2>> corners = {extent.lower, Vec<2>(extent.upper[0], extent.lower[1]), extent.upper,
-                                       Vec<2>(extent.lower[0], extent.upper[1])};
-  return cut(corners, [&](const Vec<2>& x) { return (plane.point - x).dot(plane.normal); });
+  return cut(corners_of(extent), [&](const Vec<2>& x) { return (plane.point - x).dot(plane.normal); });
 }
 
 Sketch sketch_of(const problem::Case& settings, const problem::Ground& ground)
@@ -244,14 +189,14 @@ Sketch sketch_of(const problem::Case& settings, const problem::Ground& ground)
   sketch.ground = ground;
   std::visit([&](const auto& mesh) { add_mesh(sketch, settings, mesh); }, settings.mesh);
   add_bodies(sketch, settings);
-  if (!sketch.domain_known) take_domain_from_bodies(sketch);
-  add_supports(sketch, settings);
+  if (sketch.outline.empty())
+    take_domain_from_bodies(sketch);
+  else
+    sketch.domain = extent_of(CornersOutline{sketch.outline});
   add_path(sketch, settings);
   sketch.gravity = in_plane(settings.gravity);
-  if (settings.geometry == problem::Geometry::axisymmetric)
-    sketch.notes.emplace_back("The case is axisymmetric: x is the radius, and the left edge is the axis.");
-  if (settings.dimension() == 3) sketch.notes.push_back(space_note(settings));
+  add_notes(sketch, settings);
   return sketch;
 }
 
-}  // namespace berm::report
+}  // namespace berm::picture
