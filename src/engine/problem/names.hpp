@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "core/describe.hpp"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <string>
+#include <vector>
+
+namespace berm::problem {
+
+/// The names of tables, in their order.
+template <class T>
+std::vector<std::string> names_of(const std::vector<std::pair<std::string, T>>& tables)
+{
+  std::vector<std::string> names;
+  for (const auto& entry : tables) names.push_back(entry.first);
+  return names;
+}
+
+inline bool among(const std::string& word, const std::vector<std::string>& words)
+{
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+/// Refuses the name of a table that there is not.
+inline void check_name(Describe& d, const std::string& path, const std::string& word, const char* table,
+                       const std::vector<std::string>& known)
+{
+  d.check(among(word, known), path, fmt::format("there is no [{}.{}]", table, word), known);
+}
+
+}  // namespace berm::problem

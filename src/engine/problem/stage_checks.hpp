@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "problem/case.hpp"
+
+namespace berm::problem {
+
+/// Refuses what does not go together in the stages of a case: what drives a body, and what ends a stage.
+void check_stages(Describe& d, const Case& c);
+
+}  // namespace berm::problem
