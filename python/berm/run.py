@@ -116,8 +116,8 @@ class Run:
 
     @cached_property
     def force_measure(self) -> Quantity | None:
-        """What forces per metre are divided by, N/m, with its letters as meaning: D s_u of clay, gamma' D^2 of other soil. None where summary.json
-        has none: in space, in weightless sand, where nothing is pushed or dragged."""
+        """What forces per metre are divided by, N/m, with its letters as meaning: D s_u of clay, gamma' D^2 of other soil. None where
+        summary.json has none: in space, in weightless sand, where nothing is pushed or dragged."""
         found = self.summary.get("force_measure") if (self.folder / "summary.json").exists() else None
         return Quantity(float(found["value"]), found["unit"], found["meaning"]) if found else None
 
