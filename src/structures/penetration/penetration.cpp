@@ -25,11 +25,6 @@ PenetrationRuns penetration_runs(const base::Runs& runs, const Reading& reading)
   return all;
 }
 
-std::string id_of(const Reading& reading)
-{
-  return bodies::structure_words[static_cast<std::size_t>(reading.kind)];
-}
-
 /// The observables of any driven body, and those of its log.
 class ObservedPenetration : public base::ObservedRun {
 public:
@@ -104,13 +99,13 @@ std::string Penetration::in_words(const record::RunRecord& run, const base::Disp
 std::string Penetration::key_results(const base::Runs& runs, const base::DisplayUnits& shown) const
 {
   if (runs.empty()) return "";
-  const std::string own = penetration_key_results(penetration_runs(runs, reading_), id_of(reading_));
+  const std::string own = penetration_key_results(penetration_runs(runs, reading_), reading_.word);
   return reading_.keeps_push ? own + Pipe::key_results(runs, shown) : own;
 }
 
 std::string Penetration::published_values(const base::Runs& runs, const base::DisplayUnits&) const
 {
-  return runs.empty() ? "" : penetration_published(penetration_runs(runs, reading_), id_of(reading_));
+  return runs.empty() ? "" : penetration_published(penetration_runs(runs, reading_), reading_.word);
 }
 
 base::TrustMeasures Penetration::measures(const problem::Case& c) const
@@ -136,7 +131,7 @@ std::vector<std::string> Penetration::draw_report_curves(const base::Runs& runs,
   if (runs.empty()) return drawn;
   const DepthLog log = depth_log(penetration_runs(runs, reading_), fmt::format("Resistance over the depth of the {}", reading_.level));
   if (log.panels.empty()) return drawn;
-  const std::string name = id_of(reading_) + "_log", script = script_of(log, folder, name);
+  const std::string name = std::string(reading_.word) + "_log", script = script_of(log, folder, name);
   const bool whole = plot::draw(folder, name, record::panels_width, record::panels_height, script) &&
                      plot::draw(folder, name, record::panels_width, record::panels_height, script, plot::PlotFormat::svg);
   if (whole) drawn.push_back(name);
