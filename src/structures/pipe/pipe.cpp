@@ -3,7 +3,6 @@
 #include "structures/pipe/pipe.hpp"
 
 #include "plot/figure.hpp"
-#include "structures/base/kind.hpp"
 #include "structures/pipe/pipe_curves.hpp"
 #include "structures/pipe/published/pipe_envelope.hpp"
 #include "structures/pipe/report/axial_table.hpp"
@@ -32,11 +31,6 @@ PipeRuns pipe_runs(const base::Runs& runs)
 }
 
 }  // namespace
-
-bool Pipe::applies_to(const problem::Case& c) const
-{
-  return base::kind_of(c) != "other";
-}
 
 std::vector<run_folder::Quantity> Pipe::quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const
 {

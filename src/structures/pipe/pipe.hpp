@@ -10,7 +10,6 @@ namespace berm::pipe {
 class Pipe : public base::Structure {
 public:
   const char* word() const override { return "pipe"; }
-  bool applies_to(const problem::Case& c) const override;
   std::vector<run_folder::Quantity> quantities(const record::RunRecord& run, const std::vector<Real>& held_forces) const override;
   std::string table_of(const record::RunRecord& run) const override;
   bool is_answer(const record::RunRecord& run, const run_folder::Quantity& quantity) const override;
