@@ -88,6 +88,7 @@ input::Listed case_catalogue()
   structure.kind = input::Listed::Kind::word;
   structure.type = "word";
   structure.words = all_words();
+  structure.default_text = structure.words.front();
   return all;
 }
 
