@@ -84,9 +84,9 @@ TEST_F(Hostile, texts_that_are_no_toml_end_in_one_line)
 TEST_F(Hostile, numbers_that_are_none_or_beyond_all_bounds_are_refused)
 {
   const std::pair<const char*, const char*> bad[] = {
-      {"1e999", "case.toml:3: not valid TOML"},        {"-1e999", "case.toml:3: not valid TOML"},
+      {"1e999", "case.toml:4: not valid TOML"},        {"-1e999", "case.toml:4: not valid TOML"},
       {"nan", "surface: must be a finite number"},     {"-inf", "surface: must be a finite number"},
-      {"9223372036854775808", "case.toml:3"},          {"99999999999999999999999999", "case.toml:3"},
+      {"9223372036854775808", "case.toml:4"},          {"99999999999999999999999999", "case.toml:4"},
       {"\"1e999 m\"", "is not a finite number"},       {"\"nan m\"", "is not a finite number"},
       {"\"1 m^2147483647 m^-2147483646\"", "surface"}, {"\"1 m^99999999999999999999\"", "surface"}};
   for (const auto& [number, says] : bad) expect_refused(small_case_with("\"40 mm\"", number), says);
