@@ -38,27 +38,9 @@ Formula axial_undrained(Real diameter, Real embedment, Real strength)
   return formula(strength * diameter * contact_angle(diameter, embedment), interface, embedment > 0);
 }
 
-Formula f114_axial_undrained(Real diameter, Real embedment, Real strength)
-{
-  constexpr Source source{Label::fit, "SAFEBUCK design guideline", "w > 0", "C.4.3; also DNVGL-RP-F114"};
-  const Real B = diameter * std::sin(contact_angle(diameter, embedment));
-  return formula(wedging_factor(diameter, embedment).value * strength * B, source, embedment > 0);
-}
-
-Formula f114_axial_residual(Real breakout, Real part)
-{
-  constexpr Source source{Label::fit, "DNV-RP-F114 (2021)", "0 < part <= 1", "equation 4.17"};
-  return formula(breakout * part, source, breakout >= 0 && part > 0 && part <= 1);
-}
-
 Estimates f114_axial_breakout_displacement(Real D)
 {
   return estimates(std::min(1.25 * mm, 0.0025 * D), std::min(5 * mm, 0.01 * D), std::max(50 * mm, 0.01 * D), displacement, D > 0);
-}
-
-Estimates f114_axial_residual_displacement(Real D)
-{
-  return estimates(std::min(7.5 * mm, 0.015 * D), std::min(30 * mm, 0.06 * D), std::max(250 * mm, 0.5 * D), displacement, D > 0);
 }
 
 }  // namespace berm::formulas

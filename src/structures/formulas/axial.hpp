@@ -20,16 +20,7 @@ Formula axial_drained(Real diameter, Real embedment, Real delta, Real V);
 /// Undrained axial resistance, N/m, of an interface with this shear strength, Pa, over its whole length D b. [exact: where it acts all around]
 Formula axial_undrained(Real diameter, Real embedment, Real strength);
 
-/// The same as design codes have it: zeta times the strength over the width B of the contact, at most 19 % less from w = D/2 on. [fit: SAFEBUCK, DNV-RP-F114]
-Formula f114_axial_undrained(Real diameter, Real embedment, Real strength);
-
-/// Residual undrained axial resistance, N/m: that at breakout times the part that remoulding leaves, such as 1/sensitivity. [fit: DNV-RP-F114]
-Formula f114_axial_residual(Real breakout, Real part);
-
 /// Axial displacement at breakout, m: min(1.25 mm, 0.0025 D), min(5 mm, 0.01 D), max(50 mm, 0.01 D). [fit: DNV-RP-F114]
 Estimates f114_axial_breakout_displacement(Real diameter);
-
-/// Axial displacement from which the resistance is residual, m: min(7.5 mm, 0.015 D), min(30 mm, 0.06 D), max(250 mm, 0.5 D). [fit: DNV-RP-F114]
-Estimates f114_axial_residual_displacement(Real diameter);
 
 }  // namespace berm::formulas

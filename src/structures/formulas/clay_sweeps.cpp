@@ -21,12 +21,6 @@ bool has_place(const PipeInClay& pipe)
   return pipe.diameter > 0 && pipe.embedment > 0 && pipe.strength > 0;
 }
 
-/// V/(D s_u)
-Real load_ratio(const PipeInClay& pipe, Real V)
-{
-  return V / (pipe.diameter * pipe.strength);
-}
-
 }  // namespace
 
 Formula clay_residual(const PipeInClay& pipe, Real V)
@@ -34,31 +28,6 @@ Formula clay_residual(const PipeInClay& pipe, Real V)
   constexpr Source source = white_and_cheuk("clay with weight, V > 0, sweeps of some D", "equation 3");
   const Real strength = pipe.strength / (2 * pipe.unit_weight * pipe.diameter);
   return formula(V * (1 - 0.65 * -std::expm1(-strength)), source, has_place(pipe) && pipe.unit_weight > 0 && V > 0);
-}
-
-Formula clay_breakout_bruton(const PipeInClay& pipe, Real V)
-{
-  constexpr Source source{Label::recalled, "Bruton, White, Cheuk, Bolton and Carr 2006", "clay with weight, w/D > 0, V >= 0"};
-  const Real D = pipe.diameter, wedge = 3 * pipe.embedment * pipe.strength * std::sqrt(pipe.unit_weight * D / pipe.strength);
-  return formula(0.2 * V + wedge, source, has_place(pipe) && pipe.unit_weight > 0 && V >= 0);
-}
-
-Formula clay_sinking(const PipeInClay& pipe, Real V)
-{
-  constexpr Source source = white_and_cheuk("sweeps of many, V > 0", "equation 4");
-  return formula(pipe.diameter * 0.015 * std::pow(load_ratio(pipe, V), 2.3), source, has_place(pipe) && V > 0);
-}
-
-Formula clay_berm_growth(const PipeInClay& pipe, Real sweep, Real sinking)
-{
-  constexpr Source source = white_and_cheuk("sweeps of many", "equations 5 to 7");
-  return formula(pipe.strength * std::sqrt(sweep * sinking), source, has_place(pipe) && sweep >= 0 && sinking >= 0);
-}
-
-Estimates safebuck_sinking(const PipeInClay& pipe, Real V)
-{
-  const Real load = load_ratio(pipe, V), D = pipe.diameter;
-  return between(0.01 * D * load * load * load, 0.15 * D * load * load, has_place(pipe) && V > 0);
 }
 
 Estimates safebuck_mid_sweep(const PipeInClay& pipe, Real V)

@@ -53,14 +53,6 @@ Formula f114_strength_factor(Real x, Real roughness)
                  within(x, 0, 16) && within(roughness, 0, 1));
 }
 
-Formula gao_n_c(Real width_over_diameter, Real roughness)
-{
-  constexpr Source source{Label::fit, "Gao and others 2017", "0 <= B/D <= 1", "equation 9a"};
-  const Real t = std::asin(width_over_diameter), r = roughness;
-  const Real wedge = width_over_diameter == 0 ? 0 : (2 + r) * (1 - std::cos(t)) / width_over_diameter;
-  return formula(wedge + 1 + std::asin(r) + pi + std::sqrt(1 - r * r) - 2 * t, source, true);
-}
-
 Formula f114_undrained_model_1(const PipeInClay& pipe, Real N_c)
 {
   constexpr Source source = f114_of(of_2019, "s_u >= 0 at the surface, k B/s_u0 <= 16, 0 <= w/D <= 1", "equations 4.1 and 4.2");
@@ -96,14 +88,6 @@ Formula f114_drained_vertical(const PipeInSand& pipe, SelfWeight self_weight)
   const Real z0 = w < D / 2 * (1 - std::cos(a)) ? 0 : w - D / 2 + (D / 2 / std::sin(a) - B / 2) * std::tan(a);
   const Real blocked = 1 - std::sin(phi), d_q = 1 + 1.2 * z0 / B * std::tan(phi) * blocked * blocked;
   return formula(pipe.unit_weight * B * (N_gamma.value * B / 2 + z0 * n_q(phi).value * d_q), source, in_range);
-}
-
-Formula f114_lay_factor(const LaidPipe& pipe, Real Q_v, Real embedment)
-{
-  constexpr Source source = f114_of(of_2021, "T_0 > (3 W EI^0.5)^(2/3), k_lay <= 3, w > 0", "equations 4.13 and 4.14");
-  const Real k = std::max<Real>(1, 0.6 + 0.4 * std::pow(pipe.EI * Q_v / (embedment * pipe.tension * pipe.tension), 0.25));
-  const Real least_tension = std::cbrt(9 * pipe.weight * pipe.weight * pipe.EI);
-  return formula(k, source, pipe.tension > least_tension && k <= 3 && embedment > 0 && Q_v >= 0);
 }
 
 }  // namespace berm::formulas

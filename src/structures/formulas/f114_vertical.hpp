@@ -19,11 +19,6 @@ Real f114_penetrated_area(Real diameter, Real embedment);
 /// linear between entries of a table, exact for a strip footing up to x = 8, of the figure at x = 16. [fit: DNV-RP-F114, figure 4-4; Davis and Booker 1973]
 Formula f114_strength_factor(Real x, Real roughness);
 
-/// The bearing capacity factor of a pipe whose contact has the width B = D sin t, of the roughness r:
-/// N_c = [(2 + r)(1 - cos t)]/sin t + 1 + asin r + pi + sqrt(1 - r^2) - 2 t. 2 + pi for a smooth one that barely touches; times B s_u exactly the slip lines of a
-/// smooth pipe. NaN unless 0 <= B <= D. [fit: Gao and others 2017, to which the recommended practice refers for N_c]
-Formula gao_n_c(Real width_over_diameter, Real roughness);
-
 /// The undrained vertical resistance by bearing capacity (model 1), N/m, upwards: Q_v = Q_v0 (1 + d) + gamma' A_bm,
 /// Q_v0 = F (N_c s_u0 + k B/4) B, k the strength gradient, d = 0.3 (s_u1/s_u2) atan(z/B), s_u0 the strength at z, F of k B/s_u0,
 /// s_u1 the mean of those at the surface and at z, s_u2 = Q_v0/(B N_c), z = 0 for w < (D/2)(1 - sqrt(2)/2), else w + (D/2)(sqrt(2) - 1) - B/2.
@@ -40,16 +35,5 @@ enum class SelfWeight : std::uint8_t { hansen, vesic };
 /// The drained vertical resistance, N/m, upwards: Q_v = gamma' N_gamma B^2/2 + z0 gamma' N_q d_q B, d_q = 1 + 1.2 (z0/B) tan phi (1 - sin phi)^2.
 /// With a = pi/4 + phi/2, z0 = 0 for w < (D/2)(1 - cos a), else w - D/2 + [(D/2)/sin a - B/2] tan a. [fit: DNV-RP-F114]
 Formula f114_drained_vertical(const PipeInSand& pipe, SelfWeight self_weight = SelfWeight::hansen);
-
-/// A pipe as it is laid.
-struct LaidPipe {
-  Real weight;   ///< W, N/m: submerged
-  Real EI;       ///< N m2
-  Real tension;  ///< T_0, N, at the seabed
-};
-
-/// By how much the largest vertical load at the touchdown exceeds the weight, where the bed carries Q_v (N/m) at the embedment (m) that is so found:
-/// k_lay = 0.6 + 0.4 [EI Q_v/(w T_0^2)]^(1/4), at least 1. [fit: DNV-RP-F114]
-Formula f114_lay_factor(const LaidPipe& pipe, Real Q_v, Real embedment);
 
 }  // namespace berm::formulas

@@ -69,12 +69,6 @@ Formula clay_envelope(const PipeInClay& pipe, Real V, Real V_max, Real H_max)
   return formula(H_max * b * std::pow(v, b1) * std::pow(1 - v, b2), source, in_common_range(pipe) && V_max > 0 && v >= 0 && v <= 1);
 }
 
-Real clay_envelope_apex(const PipeInClay& pipe)
-{
-  const auto [b1, b2] = envelope_exponents(pipe);
-  return b1 / (b1 + b2);
-}
-
 Formula clay_vertical_with_heave(const PipeInClay& pipe)
 {
   constexpr Source source{Label::recalled, "Merifield, White and Randolph 2009", common_range};

@@ -32,9 +32,6 @@ Formula clay_horizontal(const PipeInClay& pipe);
 /// b2 = 0.35 (2.5 - w/D), b = (b1 + b2)^(b1 + b2) / (b1^b1 b2^b2). Zero at V = 0 and V_max, NaN beyond. [fit: Merifield and others 2008]
 Formula clay_envelope(const PipeInClay& pipe, Real V, Real V_max, Real H_max);
 
-/// V/V_max where that envelope has its apex, H = H_max: b1/(b1 + b2).
-Real clay_envelope_apex(const PipeInClay& pipe);
-
 /// The vertical resistance of a pipe pushed to its embedment, with heave, N/m, upwards: V = D s_u 5.3 (w/D)^0.25 smooth, 7.1
 /// (w/D)^0.33 rough, linear in the roughness between. [recalled: Merifield and others 2009]
 Formula clay_vertical_with_heave(const PipeInClay& pipe);

@@ -56,12 +56,6 @@ Formula zhang_envelope(const YieldSurface& surface, Real V, Real V_max)
   return formula(surface.mu * (V / V_max + surface.beta) * (V_max - V), source, V_max > 0 && V >= 0 && V <= V_max);
 }
 
-Apex zhang_apex(const YieldSurface& surface, Real V_max)
-{
-  const Real wide = 1 + surface.beta;
-  return {V_max * (1 - surface.beta) / 2, surface.mu * V_max * wide * wide / 4};
-}
-
 // With v = V/V_max the surface is H/V_max = mu v (1 - v) + (mu beta)(1 - v): linear in mu and mu beta.
 YieldSurface fit_zhang(std::span<const Real> V, std::span<const Real> H, Real V_max)
 {

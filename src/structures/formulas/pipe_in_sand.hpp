@@ -33,14 +33,6 @@ struct YieldSurface {
 /// The horizontal resistance under a vertical load V on that surface, N/m; zero at V = V_max. [recalled: Zhang and others 1999, 2002]
 Formula zhang_envelope(const YieldSurface& surface, Real V, Real V_max);
 
-/// The maximum of a curve of H over V.
-struct Apex {
-  Real V, H;  ///< N/m
-};
-
-/// V = V_max (1 - beta)/2, H = mu V_max (1 + beta)^2/4.
-Apex zhang_apex(const YieldSurface& surface, Real V_max);
-
 /// The surface nearest to points (V, H), N/m, in the least squares of H, for a known V_max; NaN unless two of the points
 /// have different V below V_max.
 YieldSurface fit_zhang(std::span<const Real> V, std::span<const Real> H, Real V_max);

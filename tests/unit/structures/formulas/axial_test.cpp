@@ -51,15 +51,6 @@ TEST(Axial, wedging_is_that_of_a_public_program)
   EXPECT_NEAR(wedging_factor(1, 0.6).value, 1.27323954, 1e-8);
 }
 
-TEST(Axial, the_code_takes_a_little_less_than_strength_over_the_whole_contact)
-{
-  EXPECT_NEAR(f114_axial_undrained(1, 0.001, 1000).value / axial_undrained(1, 0.001, 1000).value, 1, 1e-3);
-  EXPECT_NEAR(f114_axial_undrained(1, 0.5, 1000).value, 1000 * 4 / pi, 1e-9);
-  EXPECT_NEAR(f114_axial_undrained(1, 0.8, 1000).value / axial_undrained(1, 0.8, 1000).value, 8 / (pi * pi), 1e-9);
-  EXPECT_NEAR(f114_axial_residual(600, 1. / 3).value, 200, 1e-9);
-  EXPECT_FALSE(f114_axial_residual(600, 1.5).valid);
-}
-
 TEST(Axial, displacements_are_those_of_the_table)
 {
   const Estimates small = f114_axial_breakout_displacement(0.1), large = f114_axial_breakout_displacement(0.6);
@@ -68,11 +59,7 @@ TEST(Axial, displacements_are_those_of_the_table)
   EXPECT_NEAR(large.low.value, 1.25e-3, 1e-12);
   EXPECT_NEAR(large.best.value, 5e-3, 1e-12);
   EXPECT_NEAR(large.high.value, 50e-3, 1e-12);
-  const Estimates residual = f114_axial_residual_displacement(0.6);
-  EXPECT_NEAR(residual.low.value, 7.5e-3, 1e-12);
-  EXPECT_NEAR(residual.best.value, 30e-3, 1e-12);
-  EXPECT_NEAR(residual.high.value, 300e-3, 1e-12);
-  EXPECT_EQ(citation(residual.best.source), "DNVGL-RP-F114, table 4-2");
+  EXPECT_EQ(citation(large.best.source), "DNVGL-RP-F114, table 4-2");
 }
 
 }  // namespace

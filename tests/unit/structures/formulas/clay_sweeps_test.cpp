@@ -42,35 +42,5 @@ TEST(ClaySweeps, a_berm_is_as_strong_as_its_clay_and_as_high_as_the_pipe_is_deep
   EXPECT_FALSE(safebuck_berm(pipe_of(0)).low.valid);
 }
 
-TEST(ClaySweeps, each_sweep_sinks_the_pipe_by_a_power_of_its_load)
-{
-  const PipeInClay pipe = pipe_of(2000);  // D s_u = 1000 N/m
-  EXPECT_NEAR(clay_sinking(pipe, 1000).value, 0.5 * 0.015, 1e-12);
-  EXPECT_NEAR(clay_sinking(pipe, 2000).value / clay_sinking(pipe, 1000).value, std::pow(2, 2.3), 1e-9);
-  EXPECT_NEAR(safebuck_sinking(pipe, 500).low.value, 0.5 * 0.01 / 8, 1e-12);
-  EXPECT_NEAR(safebuck_sinking(pipe, 500).high.value, 0.5 * 0.15 / 4, 1e-12);
-  for (const Real V : {300., 1000., 1400.}) {
-    EXPECT_GT(clay_sinking(pipe, V).value, safebuck_sinking(pipe, V).low.value) << "between the estimates of the guideline";
-    EXPECT_LT(clay_sinking(pipe, V).value, safebuck_sinking(pipe, V).high.value);
-  }
-  EXPECT_FALSE(clay_sinking(pipe, -1).valid);
-}
-
-TEST(ClaySweeps, a_berm_grows_with_what_a_sweep_scrapes_together)
-{
-  // 1.5 m long and 6 mm deep: s_u D (0.009/D^2)^0.5 = s_u 0.0948683.
-  EXPECT_NEAR(clay_berm_growth(pipe_of(2000), 1.5, 0.006).value, 2000 * 0.0948683, 1e-3);
-  EXPECT_EQ(clay_berm_growth(pipe_of(2000), 1.5, 0).value, 0);
-  EXPECT_FALSE(clay_berm_growth(pipe_of(2000), -1, 0.006).valid);
-}
-
-TEST(ClaySweeps, the_breakout_of_2006_is_friction_and_a_wedge_and_is_only_recalled)
-{
-  // gamma' D = s_u: 0.2 V + 3 (w/D) D s_u.
-  const Formula H = clay_breakout_bruton(pipe_of(3000, 0.4), 1000);
-  EXPECT_NEAR(H.value, 200 + 3 * 0.4 * 1500, 1e-9);
-  EXPECT_EQ(H.source.label, Label::recalled);
-}
-
 }  // namespace
 }  // namespace berm::formulas::this_file

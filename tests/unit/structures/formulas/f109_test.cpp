@@ -41,19 +41,5 @@ TEST(F109, is_that_of_a_public_program)
   EXPECT_NEAR(f109_sand_lateral(pipe, V).value - 0.6 * V, 4355, 1) << "its k is rounded to three digits";
 }
 
-TEST(F109, clay_resists_by_friction_and_by_its_strength_over_the_embedded_height)
-{
-  // G = 4000/(8000 x 0.5) = 1: 4.1 D s_u (w/D)^1.31 beside 0.2 V, and w = D (0.0071 + 0.062) under V = D s_u.
-  const PipeInClay pipe{.diameter = 0.5, .embedment = 0.5, .strength = 4000, .unit_weight = 8000};
-  EXPECT_NEAR(f109_clay_lateral(pipe, 1000).value, 200 + 4.1 * 2000, 1e-9);
-  EXPECT_NEAR(f109_clay_embedment(pipe, 2000).value, 0.5 * 0.0691, 1e-12);
-  EXPECT_EQ(f109_clay_embedment(pipe, 0).value, 0);
-  EXPECT_EQ(f109_clay_lateral(pipe, 1000).source.label, Label::recalled);
-  PipeInClay weightless = pipe;
-  weightless.unit_weight = 0;
-  EXPECT_FALSE(f109_clay_lateral(weightless, 1000).valid);
-  EXPECT_FALSE(f109_clay_embedment(weightless, 1000).valid);
-}
-
 }  // namespace
 }  // namespace berm::formulas::this_file

@@ -132,19 +132,6 @@ TEST(F114Vertical, the_factor_for_growing_strength_is_that_of_the_figure)
   EXPECT_FALSE(f114_strength_factor(-0.1, 0).valid);
 }
 
-TEST(F114Vertical, the_bearing_capacity_factor_of_a_smooth_pipe_is_that_of_the_slip_lines)
-{
-  for (const Real x : {0.01, 0.1, 0.3, 0.5}) {
-    const PipeInClay pipe = clay_at(x);
-    const Real B = f114_contact_width(D, D * x);
-    EXPECT_NEAR(gao_n_c(B / D, 0).value * B * 2000 / clay_vertical_smooth(pipe).value, 1, 1e-12) << x;
-  }
-  EXPECT_NEAR(gao_n_c(0, 0).value, 2 + pi, 1e-12);
-  EXPECT_NEAR(gao_n_c(1, 1).value, 4 + pi / 2, 1e-12) << "rough, at half a diameter: 5.57; the bounds are 5.6";
-  EXPECT_TRUE(gao_n_c(0.5, 0.5).valid);
-  EXPECT_FALSE(gao_n_c(1.1, 0).valid);
-}
-
 // stucharo/PSI, tests/test_PSI_Clay_Calc.py, whose numbers are from sheets of hand calculation beside it.
 TEST(F114Vertical, model_2_and_its_geometry_are_those_of_a_public_program)
 {
@@ -174,27 +161,6 @@ TEST(F114Vertical, all_models_are_those_of_another_public_program)
   EXPECT_NEAR(f114_drained_vertical(sand).value / f114_drained_vertical(sand, SelfWeight::vesic).value,
               n_gamma_hansen(35 * degree).value / n_gamma_vesic(35 * degree).value, 1e-12)
       << "no depth factor yet";
-}
-
-// stucharo/PSI, tests/test_PSI_Clay_Calc.py: density, D, w, EI, s_u, T_0, k_lay.
-TEST(F114Vertical, laying_concentrates_the_load_as_in_a_public_program)
-{
-  const Real rows[][7] = {
-      {400, 1, 0.1, 1e6, 1000, 2.5e5, 1}, {600, 0.3, 0.2, 5e5, 4000, 1e4, 2.05226296}, {800, 0.9, 0.01, 2e6, 10000, 5e5, 1.27630148}};
-  for (const auto& [density, diameter, w, EI, s_u, tension, k_lay] : rows) {
-    const Real Q_v =
-        f114_undrained_model_2({.diameter = diameter, .embedment = w, .strength = s_u, .unit_weight = density * 9.80665}).value;
-    EXPECT_NEAR(f114_lay_factor({.weight = 100, .EI = EI, .tension = tension}, Q_v, w).value, k_lay, 1e-7);
-  }
-}
-
-TEST(F114Vertical, the_lay_factor_is_for_pipes_with_enough_tension_and_never_below_one)
-{
-  const LaidPipe pipe{.weight = 1000, .EI = 4e6, .tension = 40e3};  // (3 W EI^0.5)^(2/3) = 33019 N
-  EXPECT_TRUE(f114_lay_factor(pipe, 2000, 0.05).valid);
-  EXPECT_FALSE(f114_lay_factor({.weight = 1000, .EI = 4e6, .tension = 33000}, 2000, 0.05).valid);
-  EXPECT_EQ(f114_lay_factor({.weight = 1000, .EI = 4e6, .tension = 1e9}, 2000, 0.05).value, 1);
-  EXPECT_FALSE(f114_lay_factor({.weight = 1, .EI = 1e12, .tension = 1e6}, 2000, 0.001).valid) << "more than 3";
 }
 
 TEST(F114Vertical, values_out_of_range_are_told)
