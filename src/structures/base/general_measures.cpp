@@ -18,24 +18,21 @@ namespace limits {
 
 inline constexpr Limit energy{
     0.01, 0.05,
-    "a smaller mpm.courant lowers it; at D/20 the probe test has 0.1 % (examples/mesh_study), the published contact "
-    "scheme makes 0.4 to 1.5 % (examples/contact_schemes)"};
+    "a smaller mpm.courant lowers it; finer cells (examples/mesh_study) and another contact scheme (examples/contact_schemes) may, too"};
 inline constexpr Limit energy_of_fem{
     0.01, 0.05, "stress and contact forces grow in a straight line within an increment: a smaller fem.largest_step lowers it"};
-inline constexpr Limit out_of_balance{
-    0.01, 0.05, "a bed that has not settled at all has 0.09, a settled one 0.001 of its weight (docs/theory.md, section 5)"};
+inline constexpr Limit out_of_balance{0.01, 0.05,
+                                      "a bed that has not settled is far above, a settled one far below (docs/theory.md, section 5)"};
 inline constexpr Limit at_bounds{0.001, 0.01, "soil at a bound of its volume no longer follows its law (docs/theory.md, section 7)"};
 inline constexpr Limit in_the_air{0.001, 0.01, "grains that fly carry nothing"};
 inline constexpr Limit momentum{1e-9, 1e-6, "impulses add up to the change of momentum to round-off, or the program is wrong"};
 inline constexpr Limit shear_bands{
-    0.05, 0.25,
-    "V(0.1 D) of the probe test, which can lose 18 %, falls from 0.92 to 0.56 kN/m with cells of D/10 to D/80 (examples/localisation)"};
+    0.05, 0.25, "the more strength can be lost in shear bands, the more V falls with the size of the cells (examples/localisation)"};
 inline constexpr Limit unbalance{1, 10, "over fem.tolerance: at most one is called equilibrium"};
 inline constexpr Limit loose{0, 0.1, "increments that did not converge leave forces that nothing carries"};
-inline constexpr Limit lag{
-    0.01, 0.05,
-    "an increment is solved again until its own lag is 1 %; with the lag of large increments V was 20 to 25 % too small "
-    "(docs/decisions/0013)"};
+inline constexpr Limit lag{0.01, 0.05,
+                           "an increment is solved again until its own lag is 1 %; with the lag of large increments V is too small "
+                           "(docs/decisions/0013)"};
 inline constexpr Limit overstress{0.01, 0.05,
                                   "far below 0.01 it is right; above 0.05 the soil cannot carry the force (docs/how_to/run_a_case.md)"};
 

@@ -119,9 +119,7 @@ std::string Penetration::quality_note(const base::Runs& runs) const
   if (runs.empty()) return "";
   return "<p>The resistance depends on the mesh: the soil beside the edge of a body moves with it up to a cell beyond it, so that a body "
          "of width D acts as "
-         "one of D + 2 h at most. N<sub>kt</sub> of a cone is 12.1 with cells of D/8 and 11.35 with D/16 (examples/cone_in_clay); two runs "
-         "with cells of two sizes "
-         "on one page show what is left.</p>\n";
+         "one of D + 2 h at most (examples/cone_in_clay); two runs with cells of two sizes on one page show what is left.</p>\n";
 }
 
 std::vector<std::string> Penetration::draw_report_curves(const base::Runs& runs, const base::PublishedPoints& published,

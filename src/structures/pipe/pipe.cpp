@@ -104,8 +104,8 @@ std::string Pipe::quality_note(const base::Runs& runs) const
 {
   if (std::none_of(runs.begin(), runs.end(), [](const auto& run) { return run.record->settings.method == problem::Method::mpm; }))
     return "";
-  return "<p>V depends on the mesh: in the probe test V(0.1 D) is 901, 808 and 706 N/m with cells of D/10, D/20 and D/40 "
-         "(examples/mesh_study), since sand with psi below phi localises in bands as wide as the cells (examples/localisation). "
+  return "<p>V depends on the mesh (examples/mesh_study), since sand with psi below phi localises in bands as wide as the cells "
+         "(examples/localisation). "
          "<code>berm run --resume RUN --uncertainty</code> gives the number a band; phi* for phi shows the lower end "
          "(<code>berm study examples/mesh_study</code>).</p>\n";
 }

@@ -22,24 +22,18 @@ namespace limits {
 inline constexpr Limit kinetic{
     0.05, 0.10, "the usual rule for explicit programs: a few per cent of the internal energy, or inertia is part of the answer"};
 inline constexpr Limit held{0.05, 0.10, "the drag is to hold V within 5 % (examples/probe_test)"};
-inline constexpr Limit shaking{
-    0.07, 0.15,
-    "the push of the probe test has 0.05 at D/10; where it had 0.11, V was 5 % too low, and where it had 0.21, 68 % (docs/decisions/0017)"};
-inline constexpr Limit noise_of_V{0.02, 0.05,
-                                  "the probe test has 1.2 % at D/40, 1.8 % at D/20, 2.2 % at D/10, 2.9 % at D/5 (examples/mesh_study)"};
-inline constexpr Limit noise_of_H{
-    0.09, 0.18,
-    "sand without cohesion slides in jerks: 4 to 13 % in the first 0.2 D, whatever the contact scheme (examples/contact_schemes)"};
-inline constexpr Limit gap{
-    0.17, 0.25,
-    "half a particle's width, 0.11 of a cell with 9 particles and 0.16 with 4, is no gap; contact at all nodes of cut cells holds soil off "
-    "at 0.18 to 0.28 and makes V 10 to 28 % larger (examples/contact_schemes)"};
+inline constexpr Limit shaking{0.07, 0.15, "sand that is shaken loses strength, and V comes out too low (docs/decisions/0017)"};
+inline constexpr Limit noise_of_V{0.02, 0.05, "noise grows with the size of the cells (examples/mesh_study)"};
+inline constexpr Limit noise_of_H{0.09, 0.18,
+                                  "sand without cohesion slides in jerks, whatever the contact scheme (examples/contact_schemes)"};
+inline constexpr Limit gap{0.17, 0.25,
+                           "half a particle's width is no gap; contact at all nodes of cut cells holds soil farther off and makes V larger "
+                           "(examples/contact_schemes)"};
 inline constexpr Limit overlap{0.002, 0.01, "no particle should be deeper than 0.002 D in the body (examples/probe_test)"};
 inline constexpr Limit second_impulse{0.01, 0.05,
-                                      "the second contact correction is no force; with every contact scheme it stays below 0.7 % of V "
+                                      "the second contact correction is no force; it stays small with every contact scheme "
                                       "(examples/contact_schemes)"};
-inline constexpr Limit cells{
-    20, 10, "in the push of the probe test V(0.1 D) is 14 % above that of D/40 at D/20, and 28 % at D/10 (examples/mesh_study)", true};
+inline constexpr Limit cells{20, 10, "V of a push falls with the size of the cells (examples/mesh_study)", true};
 inline constexpr Limit particles{9, 4, "use nine or more near the body: with four stresses scatter more (docs/theory.md, section 9)", true};
 inline constexpr Limit elements{
     40, 20, "D/40 is what berm's own studies use (examples/wip_study); half the size should change little where psi = phi", true};
